@@ -75,9 +75,10 @@ async function firstDocument(
     const resumed = await library?.resume().catch(() => null);
     if (resumed) return resumed;
   }
-  const wanted = (intent.kind === "model" ? intent.id : intent.otherwise) ?? gallery.opening;
+  const id = (intent.kind === "model" ? intent.id : intent.otherwise) ?? gallery.opening;
   const model =
-    gallery.models.find(({ id }) => id === wanted) ?? gallery.models.find(({ id }) => id === gallery.opening);
+    gallery.models.find((model) => model.id === id) ??
+    gallery.models.find((model) => model.id === gallery.opening);
   return { document: newDocument(model ? await loadModel(model) : emptyProject()) };
 }
 

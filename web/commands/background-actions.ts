@@ -5,13 +5,9 @@ import { documentGrid } from "../document/large-grid";
 import { packArrays } from "../document/packed-grid";
 import { rangeAlong, smallestSize } from "../document/extent";
 import { strings } from "../strings";
+import { showFailure } from "./messages";
 
 /** Actions on the background grid that need the engine. */
-
-function fail(app: App, title: string, error: unknown): void {
-  const reason = error instanceof Error ? error.message : String(error);
-  app.shell.setState({ message: { title, lines: [reason] } });
-}
 
 /** Replaces the background grid by one of uniform size around the model. */
 export async function coverModel(app: App, options: CoverOptions): Promise<void> {
@@ -21,7 +17,7 @@ export async function coverModel(app: App, options: CoverOptions): Promise<void>
     app.documents.edit(replaceBackground(strings.background.cover, app.documents.project, background));
     app.view.setLayer("background", true);
   } catch (error) {
-    fail(app, strings.background.cover, error);
+    showFailure(app, strings.background.cover, error);
   }
 }
 
@@ -43,24 +39,24 @@ export async function takeBackgroundFromMesh(app: App): Promise<void> {
       replaceBackground(strings.background.backgroundFromMesh, app.documents.project, background),
     );
   } catch (error) {
-    fail(app, strings.background.backgroundFromMesh, error);
+    showFailure(app, strings.background.backgroundFromMesh, error);
   }
 }
 
 export interface ProposalUse {
   /** Replace the grid by a covering grid of the proposed size. */
   readonly cover: boolean;
-  /** Replace the present sources instead of adding to them. */
+  /** Replace the existing sources instead of adding to them. */
   readonly replaceSources: boolean;
 }
 
-/** Returns the present sources and the proposed ones, which get new ids. */
+/** Returns the existing sources and the proposed ones, which get new ids. */
 export function mergeSources(
-  present: readonly ProjectSource[],
+  existing: readonly ProjectSource[],
   proposed: readonly ProjectSource[],
 ): ProjectSource[] {
-  const highest = present.reduce((most, { id }) => Math.max(most, id), 0);
-  return [...present, ...proposed.map((source, i) => ({ ...source, id: highest + 1 + i }))];
+  const highest = existing.reduce((max, { id }) => Math.max(max, id), 0);
+  return [...existing, ...proposed.map((source, i) => ({ ...source, id: highest + 1 + i }))];
 }
 
 export async function applyProposal(app: App, proposal: SizeProposal, use: ProposalUse): Promise<void> {
@@ -69,8 +65,8 @@ export async function applyProposal(app: App, proposal: SizeProposal, use: Propo
     const grid = use.cover
       ? await (await app.mesher).coverProject(project, { size: proposal.size })
       : project.background;
-    const present = use.replaceSources ? [] : (project.background.sources ?? []);
-    const background = { ...grid, sources: mergeSources(present, proposal.sources) };
+    const existing = use.replaceSources ? [] : (project.background.sources ?? []);
+    const background = { ...grid, sources: mergeSources(existing, proposal.sources) };
     const label = strings.background.propose;
     app.documents.edit(
       use.cover
@@ -79,7 +75,7 @@ export async function applyProposal(app: App, proposal: SizeProposal, use: Propo
     );
     app.view.setLayer("sources", true);
   } catch (error) {
-    fail(app, strings.background.propose, error);
+    showFailure(app, strings.background.propose, error);
   }
 }
 

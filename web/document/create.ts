@@ -33,8 +33,8 @@ export function nextId(project: Project, kind: DrawnKind): number {
   return recordsOf(project, kind).reduce((highest, { id }) => Math.max(highest, id), 0) + 1;
 }
 
-export const idsOf = (selection: readonly Entity[], wanted: DrawnKind): number[] =>
-  selection.filter(({ kind }) => kind === wanted).map(({ id }) => id);
+export const idsOf = (selection: readonly Entity[], of: DrawnKind): number[] =>
+  selection.filter(({ kind }) => kind === of).map(({ id }) => id);
 
 export function addPoint(project: Project, position: Position): Creation {
   const id = nextId(project, "point");

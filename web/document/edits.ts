@@ -272,17 +272,17 @@ export function deleteEntities(project: Project, entities: readonly Entity[]): P
   const [first] = entities;
   const subject =
     entities.length === 1 && first ? nounOf(first.kind, first.id) : stepNames.entities(entities.length);
-  const keysOf = (wanted: DrawnKind): ReadonlySet<number> =>
-    new Set(doomed.flatMap(({ kind, id }) => (kind === wanted ? [id] : [])));
+  const idsOf = (of: DrawnKind): ReadonlySet<number> =>
+    new Set(doomed.flatMap(({ kind, id }) => (kind === of ? [id] : [])));
   /** Returns the same list if nothing is removed, so that unchanged lists stay shared. */
   const without = <Item>(list: readonly Item[], goes: (item: Item) => boolean): readonly Item[] =>
     list.some(goes) ? list.filter((item) => !goes(item)) : list;
   const rest = <Item extends { readonly id: number }>(list: readonly Item[], kind: DrawnKind) => {
-    const ids = keysOf(kind);
+    const ids = idsOf(kind);
     return without(list, ({ id }) => ids.has(id));
   };
   const { background } = project;
-  const nodes = keysOf("background-node");
+  const nodes = idsOf("background-node");
   return {
     label: stepNames.delete(subject, doomed.length - entities.length),
     replace: [

@@ -4,13 +4,13 @@ import type { Project } from "tetrafront";
 
 /** Returns the lowest and the highest coordinate along an axis; [Infinity, -Infinity] for an empty list. */
 export function rangeAlong(
-  places: Iterable<{ readonly position: readonly number[] }>,
+  points: Iterable<{ readonly position: readonly number[] }>,
   axis: number,
 ): readonly [low: number, high: number] {
   let low = Infinity;
   let high = -Infinity;
-  for (const { position: at } of places) {
-    const value = at[axis] ?? 0;
+  for (const { position } of points) {
+    const value = position[axis] ?? 0;
     if (value < low) low = value;
     if (value > high) high = value;
   }
@@ -20,7 +20,7 @@ export function rangeAlong(
 /** Returns the smallest positive size of the nodes of the background grid; undefined without any. */
 export function smallestSize({ background }: Project): number | undefined {
   const smallest = background.nodes.reduce(
-    (least, { size }) => (size > 0 && size < least ? size : least),
+    (min, { size }) => (size > 0 && size < min ? size : min),
     Infinity,
   );
   return Number.isFinite(smallest) ? smallest : undefined;

@@ -43,14 +43,14 @@ function walkLoop(left: Map<number, ProjectLine>): number[] {
 
 /** The area enclosed by a closed line's points, as a vector about their mean (Newell). */
 function areaVector(project: Project, line: ProjectLine): readonly number[] {
-  const places = line.points.map((id) => findRecord(project, "point", id)?.position ?? [0, 0, 0]);
+  const positions = line.points.map((id) => findRecord(project, "point", id)?.position ?? [0, 0, 0]);
   const middle = [0, 1, 2].map(
-    (axis) => places.reduce((sum, at) => sum + (at[axis] ?? 0), 0) / places.length,
+    (axis) => positions.reduce((sum, position) => sum + (position[axis] ?? 0), 0) / positions.length,
   );
-  const from = (i: number, axis: number) => (places[i]?.[axis] ?? 0) - (middle[axis] ?? 0);
+  const from = (i: number, axis: number) => (positions[i]?.[axis] ?? 0) - (middle[axis] ?? 0);
   return [0, 1, 2].map((axis) => {
     const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
-    return places
+    return positions
       .slice(1)
       .reduce((sum, _, i) => sum + from(i, u) * from(i + 1, v) - from(i, v) * from(i + 1, u), 0);
   });
@@ -76,10 +76,10 @@ function seamedLoop(project: Project, lines: readonly ProjectLine[]): number[] |
 
 /** Squared diagonal of the box around all points of a loop's lines. */
 function extentOf(project: Project, loop: readonly number[]): number {
-  const wanted = new Set(loop.flatMap((step) => findRecord(project, "line", Math.abs(step))?.points ?? []));
-  const places = project.points.filter(({ id }) => wanted.has(id));
+  const ids = new Set(loop.flatMap((step) => findRecord(project, "line", Math.abs(step))?.points ?? []));
+  const points = project.points.filter(({ id }) => ids.has(id));
   return [0, 1, 2].reduce((sum, axis) => {
-    const [low, high] = rangeAlong(places, axis);
+    const [low, high] = rangeAlong(points, axis);
     return sum + (high - low) ** 2;
   }, 0);
 }

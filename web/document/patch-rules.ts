@@ -60,10 +60,10 @@ export function liesInPlane(project: Project, loops: readonly (readonly number[]
   const ids = new Set(
     loops.flat().flatMap((step) => findRecord(project, "line", Math.abs(step))?.points ?? []),
   );
-  const places = project.points.filter(({ id }) => ids.has(id)).map(({ position: at }) => at);
-  const [origin] = places;
+  const positions = project.points.filter(({ id }) => ids.has(id)).map(({ position }) => position);
+  const [origin] = positions;
   if (!origin) return false;
-  const arms = places.map((at) => subtract(at, origin));
+  const arms = positions.map((position) => subtract(position, origin));
   const longest = arms.reduce((best, arm) => (dot(arm, arm) > dot(best, best) ? arm : best));
   const normal = arms
     .map((arm) => cross(longest, arm))

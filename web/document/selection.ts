@@ -69,9 +69,9 @@ export class ViewStore {
   readonly state: StoreApi<ViewState> = createStore<ViewState>(() => initialView);
 
   /** Selects an entity; null with `replace` clears the selection. */
-  select(entity: Entity | null, wanted: SelectMode = "replace"): void {
+  select(entity: Entity | null, asked: SelectMode = "replace"): void {
     const { selection, several } = this.state.getState();
-    const mode = wanted === "replace" && several && entity !== null ? "toggle" : wanted;
+    const mode = asked === "replace" && several && entity !== null ? "toggle" : asked;
     if (entity === null) {
       if (mode === "replace" && !several) this.clear();
       return;

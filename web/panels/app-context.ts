@@ -54,7 +54,7 @@ export function useShell<T>(select: (state: ShellState) => T): T {
 
 const neverPending = createStore(() => ({ pending: false }));
 
-/** Is there a change that the browser does not keep yet? */
+/** Is there a change that has not been written to the browser's storage? */
 export function useAutosavePending(): boolean {
   return useStore(useApp().autosave?.state ?? neverPending, (state) => state.pending);
 }

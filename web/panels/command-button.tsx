@@ -4,20 +4,20 @@ import { commandNamed, keyNames, runCommand } from "../commands/registry";
 import { useApp, useDocument } from "./app-context";
 
 export interface CommandButtonProps {
-  /** Id in the registry. */
+  /** Id of the command. */
   readonly command: string;
   readonly disabled?: boolean;
-  /** For commands that switch something. */
+  /** State of a command that toggles something. */
   readonly pressed?: boolean;
   readonly testId?: string;
   readonly children: ReactNode;
 }
 
-/** An icon that runs a command; its tooltip tells name and hotkey. */
+/** An icon that runs a command. Its tooltip has the name and the hotkey of the command. */
 export function CommandButton({ command: id, disabled, pressed, testId, children }: CommandButtonProps) {
   const app = useApp();
   const command = commandNamed(id);
-  // Undo and redo tell what they would do.
+  // The labels of undo and redo contain the name of the step.
   useDocument((state) => state.history);
   const label = command.label(app);
   const [key] = command.keys;

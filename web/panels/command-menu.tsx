@@ -9,7 +9,7 @@ import styles from "./command-menu.module.css";
 
 export const menuNames: readonly MenuName[] = ["file", "edit", "create", "view", "mesh", "help"];
 
-/** The menus of the header, written from the registry. */
+/** The menus of the header, from the registry of commands. */
 export function CommandMenubar() {
   return (
     <Menubar className={styles["menubar"]} aria-label={strings.header.menu}>
@@ -28,7 +28,7 @@ export function CommandMenubar() {
 /** The items of one menu, with dividers between sections. Mounted only while the menu is open. */
 export function CommandItems({ menu }: { readonly menu: MenuName }) {
   const app = useApp();
-  // What is enabled and checked depends on any of these.
+  // Render again whenever a command may have become enabled or checked.
   useDocument((state) => state);
   useView((state) => state);
   useRun((state) => state.busy);

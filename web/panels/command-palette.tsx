@@ -8,7 +8,7 @@ import { strings } from "../strings";
 import { useApp, useDocument, useRun, useView } from "./app-context";
 import { paletteStore } from "./palette";
 
-/** Does a label contain all words of a query, or the beginnings of them that have been typed, in any order? */
+/** Does a label contain all words of a query, in any order? */
 function hasWords(label: string, query: string): boolean {
   const text = label.toLowerCase();
   return query
@@ -17,10 +17,10 @@ function hasWords(label: string, query: string): boolean {
     .every((word) => text.includes(word));
 }
 
-/** The command palette: every command that may run now. */
+/** The command palette: every command that is enabled. */
 export function CommandPalette() {
   const app = useApp();
-  // Held here, for a palette opened again before it has quite closed would keep the old text.
+  // Keep the text here: a palette that is reopened while it closes would keep the old text.
   const [query, setQuery] = useState("");
   useDocument((state) => state.history.past.length + state.history.future.length);
   useRun((state) => state.busy);
@@ -46,7 +46,7 @@ export function CommandPalette() {
       shortcut={null}
       query={query}
       onQueryChange={setQuery}
-      // What remains of the actions has been found above.
+      // The actions are already filtered.
       filter={(_, found) => found}
       onSpotlightOpen={() => setQuery("")}
       tagsToIgnore={[]}

@@ -19,7 +19,7 @@ export function CutAxisControl() {
   );
 }
 
-/** Steps of a slider that covers the whole model. */
+/** Step of the slider / extent of the model. */
 const sliderStep = 0.005;
 
 export function CutSlider() {

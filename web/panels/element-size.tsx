@@ -13,7 +13,7 @@ import { SectionTitle } from "../ui/section-title";
 
 const texts = strings.background;
 
-/** Where the element sizes come from, and the commands that help with them. */
+/** The source of the element sizes, and the commands that create sizes. */
 export function ElementSize() {
   const app = useApp();
   const project = useProject();

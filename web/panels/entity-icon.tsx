@@ -12,7 +12,7 @@ import { findRecord, type Entity } from "../document/entities";
 
 const size = 15;
 
-/** The sign of an entity's kind; lines have one for each type. */
+/** The icon of an entity's kind; for lines, of their type. */
 export function EntityIcon({ entity, project }: { readonly entity: Entity; readonly project: Project }) {
   switch (entity.kind) {
     case "point":

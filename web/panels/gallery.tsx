@@ -7,7 +7,7 @@ import { useApp, useProject } from "./app-context";
 import { ScrollPanel } from "../ui/scroll-panel";
 import styles from "./gallery.module.css";
 
-/** The bundled sample projects, by groups, each with its picture. */
+/** The sample projects in groups, each with a picture. */
 export function GalleryPanel() {
   const app = useApp();
   const name = useProject().name;

@@ -38,7 +38,7 @@ import styles from "./header.module.css";
 
 const icon = { size: 17, "aria-hidden": true } as const;
 
-/** Name, menus, frequent commands, palette, download, theme, and the one primary button. */
+/** Name, menus, frequent commands, palette, download, theme, and the primary button. */
 export function Header({ layout }: { readonly layout: Layout }) {
   const phone = layout === "phone";
   const canUndo = useDocument((state) => state.history.past.length > 0);
@@ -89,7 +89,7 @@ function PaletteBox() {
   );
 }
 
-/** All menus in one; they open in place, one at a time, as there is no room beside. */
+/** All menus in one. They unfold in place, one at a time, because a phone has no room beside them. */
 function PhoneMenu() {
   const [open, setOpen] = useState<MenuName | null>(null);
   return (

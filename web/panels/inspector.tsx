@@ -23,14 +23,14 @@ export function Inspector() {
   const element = useView((state) => state.element);
   const project = useProject();
   // The selection may hold entities that undo has removed.
-  const present = selection.filter(({ kind, id }) => findRecord(project, kind, id) !== undefined);
-  const [only] = present;
+  const existing = selection.filter(({ kind, id }) => findRecord(project, kind, id) !== undefined);
+  const [only] = existing;
   return (
     <ScrollPanel label={strings.inspector.title} data-testid="inspector">
       {element !== null && <ElementCard tetrahedron={element} />}
       {element === null && !only && <ProjectCard />}
-      {present.length > 1 && <SelectionCard selection={present} />}
-      {present.length === 1 && only && (
+      {existing.length > 1 && <SelectionCard selection={existing} />}
+      {existing.length === 1 && only && (
         <PanelBoundary>
           <EntityCard entity={only} />
         </PanelBoundary>

@@ -1,4 +1,4 @@
-/** What is behind a tab or a selection, in one piece: loaded after the first picture. */
+/** The panels behind tabs and selections, in one file that is loaded after the first picture. */
 export { DisplayPanel } from "./display-panel";
 export { EntityCard } from "./entity-card";
 export { GalleryPanel } from "./gallery";

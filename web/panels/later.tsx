@@ -3,13 +3,13 @@ import { loadFileDialogs } from "../session/files";
 
 const load = () => import("./later-panels");
 
-/** Long enough for the first picture and the first mesh to have the line for themselves. */
+/** Delay in milliseconds that leaves the connection to the first picture and the first mesh. */
 const aheadMs = 1500;
 
-/** Fetches what comes later while there is nothing to do: it opens at once, and without a network too. */
+/** Fetches the later panels in advance, so that they open immediately, also without a network. */
 export function fetchAhead(): () => void {
   const timer = setTimeout(() => {
-    // What fails now is asked for again when it is wanted, and told then.
+    // A failed request is repeated, and its failure shown, when the user opens the panel.
     for (const later of [load, loadFileDialogs]) later().catch(() => undefined);
   }, aheadMs);
   return () => clearTimeout(timer);
@@ -17,7 +17,7 @@ export function fetchAhead(): () => void {
 
 type Panels = Awaited<ReturnType<typeof load>>;
 
-/** A panel of those that come after the first picture. */
+/** Returns a panel that is loaded after the first picture. */
 function later<Name extends keyof Panels>(name: Name) {
   return lazy(async () => ({ default: (await load())[name] as ComponentType<PropsOf<Panels[Name]>> }));
 }

@@ -13,7 +13,7 @@ type InnerShells = NonNullable<ProjectMeshing["innerShells"]>;
 type Order = NonNullable<ProjectMeshing["order"]>;
 type Optimization = NonNullable<ProjectMeshing["optimization"]>;
 
-/** What holds where the project does not say. */
+/** Settings that apply if the project has none. */
 const defaults = {
   innerShells: "cavities",
   gradation: 1.3,
@@ -23,7 +23,7 @@ const defaults = {
 
 const innerShellModes: readonly InnerShells[] = ["cavities", "regions"];
 const orders: readonly Order[] = ["layered", "smallest-first"];
-/** By effort: levels 0 to 3. */
+/** In order of effort: levels 0 to 3. */
 const optimizations: readonly Optimization[] = ["none", "fast", "default", "thorough"];
 
 const refuseGradation = (value: number): string | null =>
@@ -37,7 +37,7 @@ export function MeshSettings() {
   const optimization: Optimization = meshing?.optimization ?? defaults.optimization;
   const gradation = meshing?.gradation ?? defaults.gradation;
   const innerShells: InnerShells = meshing?.innerShells ?? defaults.innerShells;
-  // What is as it would be anyway is left out of the file.
+  // The file omits settings that equal their default.
   const set = <Field extends keyof typeof defaults>(
     field: Field,
     value: NonNullable<ProjectMeshing[Field]>,

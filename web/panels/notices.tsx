@@ -5,10 +5,10 @@ import { strings } from "../strings";
 import { useApp, useShell } from "./app-context";
 import styles from "./notices.module.css";
 
-/** Information goes after this time, unless the pointer or the focus is on it. Warnings stay. */
+/** Time in milliseconds after which information disappears, unless it has the pointer or the focus. Warnings stay. */
 const visibleMs = 15_000;
 
-/** Messages beside the work, the last one at the bottom. */
+/** Messages that do not interrupt the work, the latest at the bottom. */
 export function Notices() {
   const notices = useShell((state) => state.notices);
   return (

@@ -6,7 +6,7 @@ import styles from "./panel-boundary.module.css";
 interface PanelBoundaryProps {
   readonly children: ReactNode;
   readonly onFailed?: () => void;
-  /** It is no panel with a place of its own: what is told stands above the page. */
+  /** Show the failure above the page, because the content has no area of its own. */
   readonly floats?: boolean;
 }
 
@@ -14,7 +14,7 @@ interface PanelBoundaryState {
   readonly failed: boolean;
 }
 
-/** A panel that comes later. Where it does not come, the rest of the app goes on. */
+/** Shows content that is loaded later. If loading fails, the rest of the app continues to work. */
 export class PanelBoundary extends Component<PanelBoundaryProps, PanelBoundaryState> {
   override state: PanelBoundaryState = { failed: false };
 

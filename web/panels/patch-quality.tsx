@@ -12,48 +12,48 @@ import table from "../ui/table.module.css";
 
 const texts = strings.patches;
 
-const noFigures: readonly PatchQuality[] = [];
+const noPatches: readonly PatchQuality[] = [];
 
-/** The figures of the mesh on show with the patches they belong to; nothing while the mesh is stale. */
-function useFigures(): readonly { readonly id: number; readonly figures: PatchQuality }[] {
+/** Returns the quality of each patch in the mesh on show, by id; nothing while the mesh is out of date. */
+function usePatchQuality(): readonly { readonly id: number; readonly quality: PatchQuality }[] {
   const project = useProject();
   const stale = useStale();
-  const all = useRun((state) => state.mesh?.report.patches ?? noFigures);
+  const all = useRun((state) => state.mesh?.report.patches ?? noPatches);
   if (stale) return [];
-  return all.flatMap((figures) => {
-    const id = project.patches[figures.patch]?.id;
-    return id === undefined ? [] : [{ id, figures }];
+  return all.flatMap((quality) => {
+    const id = project.patches[quality.patch]?.id;
+    return id === undefined ? [] : [{ id, quality }];
   });
 }
 
-/** The triangulation of one patch in figures. */
+/** The quality of the triangulation of one patch. */
 export function PatchFacts({ patch }: { readonly patch: number }) {
-  const found = useFigures().find(({ id }) => id === patch);
+  const found = usePatchQuality().find(({ id }) => id === patch);
   if (!found) return null;
-  const { figures } = found;
+  const { quality } = found;
   return (
     <section data-testid="patch-facts">
       <SectionTitle>{texts.one}</SectionTitle>
       <Facts>
         <dt>{texts.triangles}</dt>
-        <dd>{formatCount(figures.triangles)}</dd>
+        <dd>{formatCount(quality.triangles)}</dd>
         <dt>{texts.minAngle}</dt>
-        <dd>{formatAngle(figures.minAngle)}</dd>
+        <dd>{formatAngle(quality.minAngle)}</dd>
         <dt>{texts.meanRatio}</dt>
-        <dd>{figures.meanRadiusRatio.toFixed(3)}</dd>
+        <dd>{quality.meanRadiusRatio.toFixed(3)}</dd>
         <dt>{texts.meanEdge}</dt>
-        <dd>{figures.meanEdge.toFixed(3)}</dd>
+        <dd>{quality.meanEdge.toFixed(3)}</dd>
         <dt>{texts.deviation}</dt>
-        <dd>{formatShort(figures.chordDeviation)}</dd>
+        <dd>{formatShort(quality.chordDeviation)}</dd>
       </Facts>
     </section>
   );
 }
 
-/** All patches of the mesh, the worst angle first. */
+/** The quality of all patches of the mesh, the smallest angle first. */
 export function PatchTable() {
   const project = useProject();
-  const rows = useFigures().toSorted((a, b) => a.figures.minAngle - b.figures.minAngle);
+  const rows = usePatchQuality().toSorted((a, b) => a.quality.minAngle - b.quality.minAngle);
   return (
     <ScrollPanel label={texts.title}>
       {rows.length === 0 ? (
@@ -79,8 +79,8 @@ export function PatchTable() {
             </tr>
           </thead>
           <tbody>
-            {rows.map(({ id, figures }) => (
-              <PatchRow key={id} id={id} figures={figures} project={project} />
+            {rows.map(({ id, quality }) => (
+              <PatchRow key={id} id={id} quality={quality} project={project} />
             ))}
           </tbody>
         </table>
@@ -91,11 +91,11 @@ export function PatchTable() {
 
 interface PatchRowProps {
   readonly id: number;
-  readonly figures: PatchQuality;
+  readonly quality: PatchQuality;
   readonly project: Project;
 }
 
-function PatchRow({ id, figures, project }: PatchRowProps) {
+function PatchRow({ id, quality, project }: PatchRowProps) {
   const app = useApp();
   const entity = { kind: "patch", id } as const;
   return (
@@ -105,11 +105,11 @@ function PatchRow({ id, figures, project }: PatchRowProps) {
           {entityTitle(project, entity)}
         </UnstyledButton>
       </th>
-      <td>{formatCount(figures.triangles)}</td>
-      <td>{formatAngle(figures.minAngle)}</td>
-      <td>{figures.meanRadiusRatio.toFixed(3)}</td>
-      <td>{figures.meanEdge.toFixed(3)}</td>
-      <td>{formatShort(figures.chordDeviation)}</td>
+      <td>{formatCount(quality.triangles)}</td>
+      <td>{formatAngle(quality.minAngle)}</td>
+      <td>{quality.meanRadiusRatio.toFixed(3)}</td>
+      <td>{quality.meanEdge.toFixed(3)}</td>
+      <td>{formatShort(quality.chordDeviation)}</td>
     </tr>
   );
 }

@@ -11,7 +11,7 @@ import styles from "./recent-dialog.module.css";
 
 const texts = strings.recent;
 
-/** The documents that the browser has kept, to be opened again or removed. */
+/** The documents in the browser's storage, with buttons that open or remove them. */
 export function RecentDialog() {
   const app = useApp();
   const opened = useShell((state) => state.dialog === "recent");
@@ -71,7 +71,7 @@ function RecentRow({ document: { id, name, at, isOpen }, onRemove }: RecentRowPr
   );
 }
 
-/** The list, null while it is being read. */
+/** Returns the documents; null while the list is being read. */
 function useRecentDocuments() {
   const { library, autosave } = useApp();
   const [documents, setDocuments] = useState<readonly RecentDocument[] | null>(null);

@@ -8,7 +8,7 @@ import { useApp, useRun, useStale, useUnsaved } from "./app-context";
 import { useThrottled } from "./use-throttled";
 import styles from "./status-bar.module.css";
 
-/** Between two announcements to screen readers. */
+/** Time between two announcements to screen readers, in milliseconds. */
 const announceEveryMs = 5000;
 
 function outcomeText(run: RunState, stale: boolean): string {
@@ -32,11 +32,11 @@ function outcomeText(run: RunState, stale: boolean): string {
   }
 }
 
-function sectionName({ phase, exactFillFraction: exactFill }: RunProgressReport): string {
+function phaseText({ phase, exactFillFraction: exactFill }: RunProgressReport): string {
   return exactFill > 0 ? strings.status.filling : phaseNames[phase];
 }
 
-/** Progress while meshing, else how things stand; and the numbers of the mesh on show. */
+/** The progress of a run, or the state of the mesh; and the statistics of the mesh on show. */
 export function StatusBar() {
   const busy = useRun((state) => state.busy);
   return (
@@ -58,7 +58,7 @@ function RunProgress() {
   const progress = useRun((state) => state.progress);
   const cancelling = useRun((state) => state.cancelling);
   const percent = Math.round((progress?.fraction ?? 0) * 100);
-  const phase = progress ? sectionName(progress) : strings.header.meshing;
+  const phase = progress ? phaseText(progress) : strings.header.meshing;
   const text = cancelling ? strings.status.cancelling : `${phase} ${percent} %`;
   const announced = useThrottled(text, announceEveryMs);
   return (
@@ -68,7 +68,7 @@ function RunProgress() {
         value={percent}
         size="sm"
         aria-label={strings.status.progress}
-        // Without graphics hardware a bar that glides costs as much as the meshing.
+        // Without graphics hardware, animating the bar costs as much as the meshing.
         transitionDuration={0}
       />
       <span aria-hidden>{text}</span>
@@ -103,7 +103,7 @@ function MeshNumbers() {
   const stale = useStale();
   const unsaved = useUnsaved();
   const tetrahedra = progress?.tetrahedra ?? mesh?.report.tetrahedra;
-  // Without an element the report holds zeros that nobody measured.
+  // Without elements, the statistics of the report are zeros without a meaning.
   const report = mesh && mesh.report.tetrahedra > 0 ? mesh.report : null;
   const points = progress?.nodes ?? report?.nodes;
   return (

@@ -9,7 +9,7 @@ interface Known {
   readonly histogram: Histogram;
 }
 
-/** How the elements of a mesh are spread over a measure; null without a mesh and until it is known. */
+/** Returns the histogram of a measure over the elements of a mesh; null without a mesh and until it is computed. */
 export function useHistogram(
   mesh: MeshResult | null,
   measure: QualityMeasure,
@@ -22,7 +22,7 @@ export function useHistogram(
     let isWanted = true;
     meshQueries.histogram(mesh.volume, measure, barCount).then(
       (histogram) => isWanted && setKnown({ mesh, measure, histogram }),
-      // The view tells why; the figures of the report stand below.
+      // The view shows the failure; the statistics of the report remain.
       () => undefined,
     );
     return () => void (isWanted = false);

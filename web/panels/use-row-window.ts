@@ -1,17 +1,17 @@
 import { useCallback, useEffect, useState, type RefObject } from "react";
 
-/** Rows kept ready beyond the edges of the window. */
+/** Number of rows drawn beyond each edge of the window. */
 const spare = 8;
 
 export interface RowWindow {
-  /** Rows first … last - 1 are in sight or nearly so. */
+  /** Rows `first` to `last - 1` are in sight or close to it. */
   readonly first: number;
   readonly last: number;
   /** Scrolls as little as possible so that a row is in sight. */
   readonly scrollTo: (row: number) => void;
 }
 
-/** Which rows of equal height a scrolling element shows. */
+/** Tracks which rows of equal height a scrolling element shows. */
 export function useRowWindow(
   scroller: RefObject<HTMLElement | null>,
   rowCount: number,

@@ -1,6 +1,6 @@
 import { useEffect, useRef, useState } from "react";
 
-/** The value, but changing at most once per interval; the last change is not lost. */
+/** Returns a value that changes at most once per interval. The last change is never lost. */
 export function useThrottled<T>(value: T, intervalMs: number): T {
   const [shown, setShown] = useState(value);
   const changedAt = useRef(0);

@@ -20,7 +20,7 @@ import styles from "./viewport-panel.module.css";
 
 type Trouble = "no-webgl" | "context-lost" | null;
 
-/** The canvas and what floats above it. */
+/** The canvas with the labels, markers and controls above it. */
 export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const app = useApp();
   const container = useRef<HTMLDivElement>(null);
@@ -100,7 +100,7 @@ interface ViewCanvasProps {
   readonly viewer: Viewer | null;
 }
 
-/** The picture, with a summary in words and keys to move it. */
+/** The picture, with a summary for screen readers. Keys move the camera. */
 function ViewCanvas({ canvas, viewer }: ViewCanvasProps) {
   const project = useProject();
   const mesh = useRun((state) => state.mesh);
@@ -130,7 +130,7 @@ function ViewCanvas({ canvas, viewer }: ViewCanvasProps) {
   );
 }
 
-/** Mirrors the state of the mesh onto the viewport element, where tests and styles can see it. */
+/** Copies the state of the mesh to attributes of the viewport element, for tests. */
 function ViewState({ container }: { readonly container: React.RefObject<HTMLDivElement | null> }) {
   const mesh = useRun((state) => state.mesh);
   const busy = useRun((state) => state.busy);

@@ -10,7 +10,7 @@ export interface ProblemState {
   readonly byEntity: ReadonlyMap<string, readonly Problem[]>;
 }
 
-/** The problems of the present project, found by the check and by the last run. */
+/** The problems of the current project, found by the check and by the last run. */
 export class ProblemList {
   readonly state: StoreApi<ProblemState> = createStore<ProblemState>(() => ({
     problems: [],

@@ -59,7 +59,7 @@ const maxLogLines = 400;
  * Time between two updates of the progress on the page: a fraction of the elapsed time, within limits in seconds.
  * Without graphics hardware, each update takes time from the mesher.
  */
-const progressWait = { share: 0.04, least: 0.1, most: 1 };
+const progressWait = { share: 0.04, min: 0.1, max: 1 };
 
 const count = (value: number): string => value.toLocaleString("en-US");
 
@@ -79,7 +79,7 @@ export class MeshRun {
     documents.onSettled((project) => this.#showCached(meshKey(project)));
   }
 
-  /** Meshes the present project, unless a run is active. Resolves when the run has ended. */
+  /** Meshes the current project, unless a run is active. Resolves when the run has ended. */
   generate(): Promise<void> {
     if (!this.#abort) this.#running = this.#mesh();
     return this.#running;
@@ -125,7 +125,7 @@ export class MeshRun {
     if (outcome && outcome.key !== key) this.state.setState({ outcome: null, failure: null, log: [] });
   }
 
-  /** Cancels the active run and meshes the present project. */
+  /** Cancels the active run and meshes the current project. */
   async restart(): Promise<void> {
     this.cancel();
     await this.#running;
@@ -190,8 +190,8 @@ export class MeshRun {
 /** Is it time to show the progress again? A new phase is shown at once. */
 function isDue(before: Progress | null, { phase, elapsedSeconds }: Progress): boolean {
   if (before?.phase !== phase) return true;
-  const { share, least, most } = progressWait;
-  return elapsedSeconds - before.elapsedSeconds >= Math.min(most, Math.max(least, share * elapsedSeconds));
+  const { share, min, max } = progressWait;
+  return elapsedSeconds - before.elapsedSeconds >= Math.min(max, Math.max(min, share * elapsedSeconds));
 }
 
 function summary({ report }: MeshResult): string {

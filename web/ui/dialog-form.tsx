@@ -86,7 +86,7 @@ export interface ApplyButtonProps extends ButtonProps {
   readonly "data-testid"?: string;
 }
 
-/** Keeps the focus in its field until the click, lest a reason that appears or goes moves the button away from it. */
+/** Keeps the focus in the field until the click: leaving the field may show a reason and move the button away. */
 const keepFocus = (event: MouseEvent): void => event.preventDefault();
 
 /** A button that applies the form around it. */

@@ -12,7 +12,7 @@ export function readNumber(text: string): number | null {
 
 const constants: Readonly<Record<string, number>> = { pi: Math.PI };
 
-/** Recursive descent; every method returns null where the text makes no sense. */
+/** A recursive-descent parser. Every method returns null if the text is invalid. */
 class ExpressionReader {
   readonly #tokens: readonly string[];
   #next = 0;
@@ -65,9 +65,9 @@ class ExpressionReader {
     return this.#take(")") ? value : null;
   }
 
-  #take(...wanted: readonly string[]): string | null {
+  #take(...tokens: readonly string[]): string | null {
     const token = this.#tokens[this.#next];
-    if (token === undefined || !wanted.includes(token)) return null;
+    if (token === undefined || !tokens.includes(token)) return null;
     ++this.#next;
     return token;
   }

@@ -1,15 +1,15 @@
-/** Numbers as the app shows them; the same on every machine. */
+/** Formats numbers in the same way on every machine. */
 
 export function formatCount(value: number): string {
   return value.toLocaleString("en-US");
 }
 
-/** A coordinate or size as briefly as it can be said to nine digits: 0.1, 1.25, 1e-7. */
+/** Returns a coordinate or size with at most nine digits: 0.1, 1.25, 1e-7. */
 export function formatNumber(value: number): string {
   return String(Number(value.toPrecision(9)));
 }
 
-/** For narrow columns: four digits. */
+/** Returns a number with at most four digits, for narrow columns. */
 export function formatShort(value: number): string {
   return String(Number(value.toPrecision(4)));
 }
@@ -36,7 +36,7 @@ const units = [
   ["day", 7],
 ] as const;
 
-/** A time of the past, both in milliseconds since 1970: "now", "5 minutes ago", "yesterday", then the date. */
+/** Returns a past time, in milliseconds since 1970: "now", "5 minutes ago", "yesterday", or the date. */
 export function formatTime(at: number, now: number): string {
   const relative = new Intl.RelativeTimeFormat("en", { numeric: "auto" });
   let amount = Math.floor(Math.max(0, now - at) / 60_000);

@@ -4,7 +4,7 @@ import { useState, type KeyboardEvent } from "react";
 export interface ListFieldProps {
   readonly label: string;
   readonly values: readonly number[];
-  /** Why these numbers cannot be taken, or null if they can. */
+  /** Returns why the numbers are invalid, or null if they are valid. */
   readonly refuse: (values: readonly number[]) => string | null;
   readonly onCommit: (values: readonly number[]) => void;
   readonly testId?: string;
@@ -12,7 +12,7 @@ export interface ListFieldProps {
 
 const wholeNumbers = /-?\d+/g;
 
-/** Whole numbers in a row, such as the points of a line: "1, 5, 6". Committed like a number field. */
+/** A list of integers, such as the points of a line: "1, 5, 6". Committed like a number field. */
 export function ListField({ label, values, refuse, onCommit, testId }: ListFieldProps) {
   const [draft, setDraft] = useState<string | null>(null);
   const [error, setError] = useState<string | null>(null);

@@ -1,4 +1,4 @@
-/** The mark: a tetrahedron. */
+/** The logo: a tetrahedron. */
 export function Logo() {
   return (
     <svg

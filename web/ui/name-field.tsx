@@ -9,7 +9,7 @@ export interface NameFieldProps {
   readonly testId?: string;
 }
 
-/** A name, committed with Enter or by leaving the field, taken back with Escape. */
+/** A name. Enter and leaving the field commit it; Escape discards the text. */
 export function NameField({ label, value, placeholder, onCommit, testId }: NameFieldProps) {
   const [draft, setDraft] = useState<string | null>(null);
   const commit = (): void => {

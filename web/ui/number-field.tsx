@@ -6,24 +6,24 @@ import { formatNumber } from "./format";
 import { strings } from "../strings";
 
 export interface NumberFieldProps {
-  /** For screen readers; the row around the field shows a label. */
+  /** Label for screen readers; the row around the field shows a label of its own. */
   readonly label: string;
   readonly value: number;
-  /** What one press of an arrow key adds; Shift times 10, Alt a tenth. */
+  /** Change per press of an arrow key. Shift multiplies it by 10, Alt by 0.1. */
   readonly step: number;
-  /** Why a number cannot be taken, or null if it can. */
+  /** Returns why a number is invalid, or null if it is valid. */
   readonly refuse?: (value: number) => string | null;
   readonly onCommit: (value: number) => void;
-  /** Shown before or after the number, e.g. the axis or the unit. */
+  /** Text before and after the number, for example the axis and the unit. */
   readonly leftSection?: ReactNode;
   readonly rightSection?: ReactNode;
   readonly leftSectionWidth?: number;
   readonly testId?: string;
-  /** The field of a dialog that is to have the focus first. */
+  /** This field of a dialog gets the focus first. */
   readonly first?: boolean;
 }
 
-/** Which way the arrow keys go. */
+/** Direction of each arrow key. */
 const directions: Readonly<Record<string, 1 | -1>> = { ArrowUp: 1, ArrowDown: -1 };
 
 function stepOf(event: KeyboardEvent, step: number): number {
@@ -31,8 +31,8 @@ function stepOf(event: KeyboardEvent, step: number): number {
 }
 
 /**
- * A number that can be typed as an expression, committed with Enter or by leaving the field, taken
- * back with Escape, and stepped with the arrow keys. What cannot be taken stays, with the reason.
+ * A number that can be typed as an expression. Enter and leaving the field commit it, Escape discards the text, and the
+ * arrow keys change it by a step. An invalid text stays, with the reason.
  */
 export function NumberField(props: NumberFieldProps) {
   const { label, value, step, refuse, onCommit, testId } = props;

@@ -18,7 +18,7 @@ export const regionColors = [
   "#ff0055",
 ] as const;
 
-/** The colour of a region, counted from 0; they begin again after the last. */
+/** Returns the colour of a region, given its index. The colours repeat. */
 export function regionColor(region: number): string {
   return regionColors[region % regionColors.length] ?? regionColors[0];
 }

@@ -3,8 +3,7 @@ import { regionColors } from "./region-colors";
 import { viridis } from "./viridis";
 
 /**
- * The one place for colours, sizes and type. Text colours keep a contrast of at least 4.5 : 1 on the
- * surfaces they stand on, in both schemes.
+ * Colours, sizes and fonts. Text has a contrast of at least 4.5 : 1 with its background in both schemes.
  */
 
 const dark: MantineColorsTuple = [
@@ -34,7 +33,7 @@ export const theme = createTheme({
   fontSizes: { xs: "11.5px", sm: "12.5px", md: "13px", lg: "14px", xl: "16px" },
   headings: { fontWeight: "600" },
   components: {
-    // The placeholder is a child that a menu must not have (ARIA); the first item takes the focus.
+    // ARIA does not allow the placeholder as a child of a menu. The first item gets the focus instead.
     Menu: Menu.extend({ defaultProps: { withInitialFocusPlaceholder: false } }),
   },
 });
@@ -83,7 +82,7 @@ export const cssVariables: CSSVariablesResolver = () => ({
   },
 });
 
-/** Colours of the three-dimensional view, which CSS does not reach. */
+/** Colours of the three-dimensional view, which cannot use CSS variables. */
 export const viewerColors = {
   dark: {
     point: "#e9edf3",

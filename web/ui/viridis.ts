@@ -16,7 +16,7 @@ export const viridis = [
   "#fde725",
 ] as const;
 
-/** The nearest step for a value from 0 to 1; for bars and swatches. */
+/** Returns the nearest colour of the scale for a value from 0 to 1. */
 export function viridisAt(value: number): string {
   const step = Math.round(Math.min(1, Math.max(0, value)) * (viridis.length - 1));
   return viridis[step] ?? viridis[0];
