@@ -25,7 +25,10 @@ const noModules = (...modules) => ({
   group: modules.map((name) => `**/${name}/**`),
   message: "This import violates the dependency rules of docs/ARCHITECTURE.md.",
 });
-/** The modules of web/, the lowest first: each may import those before it, and all but the lowest may import ui. */
+/**
+ * The modules of web/, the lowest first: each may import those before it. All but document and viewer may import ui, and
+ * all may import strings.
+ */
 const webModules = ["document", "workers", "session", "viewer", "tools", "app", "commands", "panels"];
 const noUpward = (module) =>
   noModules(
@@ -128,6 +131,10 @@ export default tseslint.config(
   {
     files: ["web/ui/**/*.{ts,tsx}"],
     rules: restrict(onlyPublicEntry, noThree, noModules(...webModules.filter((name) => name !== "document"))),
+  },
+  {
+    files: ["web/strings/**/*.ts"],
+    rules: restrict(onlyPublicEntry, noThree, noReact, noModules(...webModules, "ui")),
   },
   {
     files: ["web/**/*.{ts,tsx}"],
