@@ -90,8 +90,8 @@ export const panelStrings = {
     spaces: { metric: "Metric", space: "Space" },
     spaceHints: {
       metric:
-        "Measures all shapes and lengths in the metric of the stretched background grid, in which the target element is regular.",
-      space: "Measures all shapes and lengths as drawn. Edge lengths are divided by their mean.",
+        "Measures angles, radius ratios and edge lengths in the metric of the stretched background grid. Volumes are always measured in space.",
+      space: "Measures all elements in space, as they are drawn. Edge lengths are divided by their mean.",
     },
     measuring: "Measuring the elements…",
     verdicts: { passed: "Verified", failed: "Verification failed", none: "Not verified" },
