@@ -20,6 +20,7 @@
 #include "tetrafront/grid_tools.h"
 #include "tetrafront/mesh_tools.h"
 #include "tetrafront/mesher.h"
+#include "tetrafront/preview.h"
 #include "tetrafront/surface_tools.h"
 #include "typed_arrays.h"
 
@@ -31,7 +32,7 @@ MeshOptions toOptions(const Options& options) {
   result.size = options.size;
   result.growth = options.growth;
   result.gradation = options.gradation;
-  result.enclosed = static_cast<EnclosedBodies>(options.innerShells);
+  result.innerShells = static_cast<InnerShells>(options.innerShells);
   result.order = static_cast<FrontOrder>(options.order);
   result.filters = options.filters;
   result.optimization = static_cast<Optimization>(options.optimization);
@@ -84,12 +85,12 @@ class Run {
       const Progress p = run.progress();
       return ProgressRecord{.phase = static_cast<std::uint32_t>(p.phase),
                             .fraction = p.fraction,
-                            .nodes = p.points,
+                            .nodes = p.nodes,
                             .triangles = p.triangles,
                             .tetrahedra = p.tetrahedra,
                             .frontFaces = p.frontFaces,
                             .expectedTetrahedra = p.expectedTetrahedra,
-                            .exactFillFraction = p.exactFill};
+                            .exactFillFraction = p.exactFillFractionFraction};
     });
   }
 
@@ -213,9 +214,9 @@ using VolumeInspection = Stepwise<MeshInspector, MeshInspectionRecord>;
 using Repair = Stepwise<SurfaceRepairer, RepairRecord>;
 using Refinement = Stepwise<SurfaceRefiner, RefinementRecord>;
 using Preview = Stepwise<ModelPreviewer, PreviewRecord>;
-using Cover = Stepwise<ModelCoverer, GridRecord>;
+using Cover = Stepwise<CoveringGridBuilder, GridRecord>;
 using Proposal = Stepwise<SizeProposer, ProposalRecord>;
-using BackgroundFromMesh = Stepwise<MeshGridder, GridRecord>;
+using BackgroundFromMesh = Stepwise<MeshGridBuilder, GridRecord>;
 
 /// What the engine holds of the machine's memory; it never gives any back.
 double memoryBytes() { return static_cast<double>(emscripten_get_heap_size()); }
@@ -424,14 +425,14 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("volume", &QualitySummary::volume);
   value_object<RepairOptions>("RepairOptions")
       .field("weldDistance", &RepairOptions::weldDistance)
-      .field("removeTriangles", &RepairOptions::removesTriangles)
-      .field("maxHoleEdges", &RepairOptions::fillsUpTo)
-      .field("orient", &RepairOptions::turns)
+      .field("removeTriangles", &RepairOptions::removeTriangles)
+      .field("maxHoleEdges", &RepairOptions::maxHoleEdges)
+      .field("orient", &RepairOptions::orient)
       .field(
           "innerShells",
-          +[](const RepairOptions& options) { return static_cast<int>(options.enclosed); },
+          +[](const RepairOptions& options) { return static_cast<int>(options.innerShells); },
           +[](RepairOptions& options, int innerShells) {
-            options.enclosed = static_cast<EnclosedBodies>(innerShells);
+            options.innerShells = static_cast<InnerShells>(innerShells);
           });
   value_object<SurfaceInspectionRecord>("SurfaceInspectionRecord")
       .field("isFillable", &SurfaceInspectionRecord::isFillable)
@@ -487,7 +488,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   value_object<RecoverySummary>("RecoverySummary")
       .field("relaxed", &RecoverySummary::relaxed)
       .field("starred", &RecoverySummary::starred)
-      .field("remeshed", &RecoverySummary::reopened)
+      .field("remeshed", &RecoverySummary::remeshed)
       .field("filled", &RecoverySummary::filled)
       .field("steinerPoints", &RecoverySummary::steinerPoints);
   value_object<CounterRecord>("CounterRecord")

@@ -78,9 +78,9 @@ struct MeshInspectionRecord {
   Uint32Array boundaryRegion = boundary;
 };
 
-[[nodiscard]] inline Float64Array flatShells(const std::vector<ShellFigures>& shells) {
+[[nodiscard]] inline Float64Array flatShells(const std::vector<ShellInfo>& shells) {
   std::vector<double> flat;
-  for (const ShellFigures& s : shells) {
+  for (const ShellInfo& s : shells) {
     flat.insert(flat.end(),
                 {static_cast<double>(s.firstTriangle), static_cast<double>(s.triangles),
                  static_cast<double>(s.region), s.isCavity ? 1.0 : 0.0, s.area, s.volume});
@@ -88,11 +88,11 @@ struct MeshInspectionRecord {
   return copyOut(flat);
 }
 
-[[nodiscard]] inline Float64Array flatTriangles(const std::vector<TriangleFigures>& triangles) {
+[[nodiscard]] inline Float64Array flatTriangles(const std::vector<TriangleQuality>& triangles) {
   std::vector<double> flat;
-  for (const TriangleFigures& t : triangles) {
-    flat.insert(flat.end(), {static_cast<double>(t.triangle), t.place.x, t.place.y, t.place.z,
-                             t.area, t.smallestAngle, t.radiusRatio});
+  for (const TriangleQuality& t : triangles) {
+    flat.insert(flat.end(), {static_cast<double>(t.triangle), t.centroid.x, t.centroid.y,
+                             t.centroid.z, t.area, t.smallestAngle, t.radiusRatio});
   }
   return copyOut(flat);
 }
@@ -110,9 +110,9 @@ struct MeshInspectionRecord {
           .triangles = found.triangles,
           .edges = found.edges,
           .openEdges = found.openEdges,
-          .nonManifoldEdges = found.crowdedEdges,
-          .nonManifoldNodes = found.pinchedNodes,
-          .flippedTriangles = found.turnedTriangles,
+          .nonManifoldEdges = found.nonManifoldEdges,
+          .nonManifoldNodes = found.nonManifoldNodes,
+          .flippedTriangles = found.flippedTriangles,
           .regions = found.regions,
           .box = copyOut(box),
           .area = found.area,
@@ -130,7 +130,7 @@ struct MeshInspectionRecord {
   for (const RepairChange& change : repair.changes) {
     kinds.push_back(static_cast<std::uint8_t>(change.kind));
     subjects.insert(subjects.end(), {change.first, change.second});
-    positions.insert(positions.end(), {change.place.x, change.place.y, change.place.z});
+    positions.insert(positions.end(), {change.position.x, change.position.y, change.position.z});
   }
   return {.points = copyOut(repair.points),
           .triangles = copyOut(repair.triangles),
@@ -155,11 +155,11 @@ struct MeshInspectionRecord {
           .nodes = found.nodes,
           .unusedNodes = found.unusedNodes,
           .tetrahedra = found.tetrahedra,
-          .invertedTetrahedra = found.turnedTetrahedra,
-          .degenerateTetrahedra = found.flatTetrahedra,
-          .duplicateTetrahedra = found.repeatedTetrahedra,
-          .nonManifoldFaces = found.crowdedFaces,
-          .overlappingFaces = found.overlaps,
+          .invertedTetrahedra = found.invertedTetrahedra,
+          .degenerateTetrahedra = found.degenerateTetrahedra,
+          .duplicateTetrahedra = found.duplicateTetrahedra,
+          .nonManifoldFaces = found.nonManifoldFaces,
+          .overlappingFaces = found.overlappingFaces,
           .coincidentNodes = found.coincidentNodes,
           .edgeLengths = copyOut(lengths),
           .quality = found.quality,

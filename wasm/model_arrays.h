@@ -121,7 +121,7 @@ inline BackgroundGrid toGrid(const GridArrays& arrays) {
     grid.tetrahedra.push_back({corners[i], corners[i + 1], corners[i + 2], corners[i + 3]});
   }
   grid.sources = toSources(arrays);
-  grid.overhang = arrays.coverageMargin;
+  grid.coverageMargin = arrays.coverageMargin;
   return grid;
 }
 

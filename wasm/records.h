@@ -11,7 +11,7 @@
 #include "model_arrays.h"
 #include "tetrafront/background_grid.h"
 #include "tetrafront/grid_tools.h"
-#include "tetrafront/mesher.h"
+#include "tetrafront/preview.h"
 #include "tetrafront/status.h"
 #include "typed_arrays.h"
 
@@ -110,12 +110,13 @@ inline DiagnosticArrays toArrays(const std::vector<Diagnostic>& diagnostics) {
   for (const Diagnostic& d : diagnostics) {
     heads.insert(heads.end(),
                  {static_cast<std::uint32_t>(d.code), static_cast<std::uint32_t>(d.severity),
-                  static_cast<std::uint32_t>(d.entities.size()), d.hasPlace ? 1U : 0U,
+                  static_cast<std::uint32_t>(d.entities.size()), d.hasPosition ? 1U : 0U,
                   static_cast<std::uint32_t>(d.values.size())});
     for (const Entity& entity : d.entities) {
       entities.insert(entities.end(), {static_cast<std::uint32_t>(entity.kind), entity.index});
     }
-    if (d.hasPlace) positions.insert(positions.end(), {d.place.x, d.place.y, d.place.z});
+    if (d.hasPosition)
+      positions.insert(positions.end(), {d.position.x, d.position.y, d.position.z});
     values.insert(values.end(), d.values.begin(), d.values.end());
   }
   return {.heads = copyOut(heads),
@@ -166,7 +167,7 @@ inline GridRecord toRecord(const BackgroundGrid& grid) {
   return {.points = copyOut(points),
           .sizes = copyOut(sizes),
           .tetrahedra = copyOut(corners),
-          .coverageMargin = grid.overhang};
+          .coverageMargin = grid.coverageMargin};
 }
 
 inline ProposalRecord toRecord(const SizeProposal& proposal) {

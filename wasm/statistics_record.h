@@ -30,11 +30,12 @@ struct StatisticsRecord {
   std::uint32_t limitedByNarrowGaps = 0;
 };
 
-[[nodiscard]] inline Float64Array flatFigures(const std::vector<ElementFigures>& elements) {
+[[nodiscard]] inline Float64Array flatFigures(const std::vector<ElementQuality>& elements) {
   std::vector<double> flat;
-  for (const ElementFigures& e : elements) {
-    flat.insert(flat.end(), {static_cast<double>(e.tetrahedron), e.place.x, e.place.y, e.place.z,
-                             e.volume, e.smallestDihedral, e.largestDihedral, e.radiusRatio});
+  for (const ElementQuality& e : elements) {
+    flat.insert(flat.end(),
+                {static_cast<double>(e.tetrahedron), e.centroid.x, e.centroid.y, e.centroid.z,
+                 e.volume, e.smallestDihedral, e.largestDihedral, e.radiusRatio});
   }
   return copyOut(flat);
 }
@@ -61,13 +62,13 @@ struct StatisticsRecord {
           .smallest = isEmpty ? flatFigures({}) : flatFigures({statistics.smallest}),
           .volumeRatio = statistics.volumeRatio,
           .meanEdge = statistics.meanEdge,
-          .meanEdgeOfAchievable = statistics.meanEdgeOfPossible,
-          .edgesNearTarget = statistics.edgesNearWanted,
-          .outOfRange = statistics.missed,
+          .meanEdgeOfAchievable = statistics.meanEdgeOfAchievable,
+          .edgesNearTarget = statistics.edgesNearTarget,
+          .outOfRange = statistics.outOfRange,
           .limitedByBoundary = statistics.limitedByBoundary,
           .limitedByEdges = statistics.limitedByEdges,
           .limitedByNeedles = statistics.limitedByNeedles,
-          .limitedByNarrowGaps = statistics.limitedBySheets};
+          .limitedByNarrowGaps = statistics.limitedByNarrowGaps};
 }
 
 }  // namespace tetrafront::border

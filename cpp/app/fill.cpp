@@ -190,7 +190,7 @@ int main(int argc, char** argv) {
   const tetrafront::QualitySummary quality = run.quality();
   std::printf("status %s\n", nameOf(run.status()));
   std::printf("estimated %u\n", progress.expectedTetrahedra);
-  std::printf("triangles %u\npoints %u\ntetrahedra %u\n", progress.triangles, progress.points,
+  std::printf("triangles %u\npoints %u\ntetrahedra %u\n", progress.triangles, progress.nodes,
               progress.tetrahedra);
   std::printf("seconds %.6f\ncheckSeconds %.6f\n", total, secondsOf(tetrafront::Phase::kCheck));
   std::printf("volumeSeconds %.6f\n", secondsOf(tetrafront::Phase::kVolume));

@@ -116,17 +116,17 @@ class MeshRun::Impl {
     progress.fraction = fraction_;
     progress.expectedTetrahedra = expectedTetrahedra_;
     progress.triangles = static_cast<std::uint32_t>(surface_.triangles.size() / 3);
-    progress.points = static_cast<std::uint32_t>(surface_.points.size() / 3);
+    progress.nodes = static_cast<std::uint32_t>(surface_.points.size() / 3);
     if (front_) {
-      progress.points = front_->nodeCount();
+      progress.nodes = front_->nodeCount();
       progress.tetrahedra = front_->tetrahedronCount();
       progress.frontFaces = front_->frontFaceCount();
-      progress.exactFill = exactFill_;
+      progress.exactFillFraction = exactFill_;
     } else if (optimizer_) {
-      progress.points = optimizer_->pointCount();
+      progress.nodes = optimizer_->pointCount();
       progress.tetrahedra = optimizer_->tetrahedronCount();
     } else if (!mesh_.points.empty()) {
-      progress.points = static_cast<std::uint32_t>(mesh_.points.size() / 3);
+      progress.nodes = static_cast<std::uint32_t>(mesh_.points.size() / 3);
       progress.tetrahedra = static_cast<std::uint32_t>(mesh_.tetrahedra.size() / 4);
       progress.frontFaces = static_cast<std::uint32_t>(mesh_.front.size() / 3);
     }
@@ -256,7 +256,7 @@ Task<bool> MeshRun::Impl::meshSurface(Work& work) {
 Task<bool> MeshRun::Impl::checkBoundary(Work& work) {
   const BoundarySource source =
       model_ ? BoundarySource::kDrawnPatches : BoundarySource::kGivenSurface;
-  BoundaryCheck check(surface_, source, options_.enclosed, MixedOrientation::kRefuse);
+  BoundaryCheck check(surface_, source, options_.innerShells, MixedOrientation::kRefuse);
   co_await work.finish(check);
   for (const Diagnostic& found : check.diagnostics()) {
     // The input check has already reported how the regions of a model are nested.

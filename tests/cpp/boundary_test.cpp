@@ -121,7 +121,7 @@ TEST(BoundaryTest, RefusesComponentsOfMixedOrientationOnRequest) {
     for (std::uint32_t t = 0; t < triangleCount(valid); ++t) {
       if (shape.mesh.triangles[3 * t + 1] != valid.triangles[3 * t + 1]) flipped.insert(t);
     }
-    BoundaryCheck check(shape.mesh, BoundarySource::kGivenSurface, EnclosedBodies::kCavities,
+    BoundaryCheck check(shape.mesh, BoundarySource::kGivenSurface, InnerShells::kCavities,
                         MixedOrientation::kRefuse);
     while (!check.advance(1U << 16U)) {
     }
@@ -142,7 +142,7 @@ TEST(BoundaryTest, AcceptsComponentsThatAreFlippedAsAWhole) {
   for (Shape& shape : validShapes()) {
     const auto expected = orientationsOf(shape.mesh);
     turnInsideOut(shape.mesh);
-    BoundaryCheck check(shape.mesh, BoundarySource::kGivenSurface, EnclosedBodies::kCavities,
+    BoundaryCheck check(shape.mesh, BoundarySource::kGivenSurface, InnerShells::kCavities,
                         MixedOrientation::kRefuse);
     while (!check.advance(1U << 16U)) {
     }
@@ -486,7 +486,7 @@ TEST(BoundaryDiagnosticsTest, CountsAndLocatesOpenEdges) {
   for (const Diagnostic& d : outcome.diagnostics) {
     EXPECT_EQ(d.values.back(), 3.0);
     EXPECT_EQ(d.entities.at(0).kind, EntityKind::kTriangle);
-    EXPECT_LT(glm::length(d.place - centre), 0.3);
+    EXPECT_LT(glm::length(d.position - centre), 0.3);
   }
 }
 
@@ -547,7 +547,7 @@ TEST(BoundaryDiagnosticsTest, CoincidentNodes) {
   const Outcome outcome = close(mesh);
   const std::vector<Diagnostic> found = outcome.of(DiagnosticCode::kCoincidentNodes);
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].place, Vec3(1.0));
+  EXPECT_EQ(found[0].position, Vec3(1.0));
   EXPECT_EQ(found[0].entities.size(), 2U);
 }
 
@@ -576,7 +576,7 @@ TEST(BoundaryDiagnosticsTest, CrossingSpheres) {
   EXPECT_EQ(outcome.diagnostics[0].values.back(), static_cast<double>(outcome.diagnostics.size()))
       << "lists all of them";
   for (const Diagnostic& d : outcome.diagnostics) {
-    EXPECT_NEAR(d.place.x, 0.65, 0.2);
+    EXPECT_NEAR(d.position.x, 0.65, 0.2);
     EXPECT_LT(d.entities.at(0).index, 500U);
     EXPECT_GE(d.entities.at(1).index, 500U);
   }
@@ -665,7 +665,7 @@ TEST(BoundaryInterfacesTest, InterfacesDoNotCountAsTrianglesOfTheirComponent) {
   ASSERT_TRUE(close(mesh).result.isValid);
   std::uint32_t outer = 0;
   for (std::uint32_t t = 0; t < triangleCount(mesh); ++t) {
-    if (mesh.isWall(t)) continue;
+    if (mesh.isInterface(t)) continue;
     flipTriangle(mesh, TriangleId(t));
     ++outer;
   }
@@ -673,7 +673,7 @@ TEST(BoundaryInterfacesTest, InterfacesDoNotCountAsTrianglesOfTheirComponent) {
   SurfaceMesh flipped = mesh;
   flipped.triangleRegions.clear();
   flipped.trianglePatch.clear();
-  BoundaryCheck check(flipped, BoundarySource::kGivenSurface, EnclosedBodies::kCavities,
+  BoundaryCheck check(flipped, BoundarySource::kGivenSurface, InnerShells::kCavities,
                       MixedOrientation::kRefuse);
   finish(check);
   EXPECT_TRUE(check.result().isValid) << "flipped as a whole";
@@ -777,7 +777,7 @@ TEST(DrawnBoundaryTest, OpenEdgesAreReportedOncePerLine) {
     EXPECT_EQ(trianglesOf(d, mesh).size(), 3U) << "one for each side of the line";
     lines.insert(d.entities[0].index);
     EXPECT_EQ(d.values.back(), 3.0) << "sides of the line";
-    EXPECT_EQ(d.place.z, 1.0);
+    EXPECT_EQ(d.position.z, 1.0);
   }
   EXPECT_EQ(lines.size(), 4U);
 }

@@ -191,7 +191,7 @@ TEST(BackgroundGridCheckTest, NamesTheNodeAndItsValue) {
     EXPECT_EQ(found[0].code, DiagnosticCode::kSizeOutOfRange);
     EXPECT_EQ(found[0].entities.at(0).kind, EntityKind::kBackgroundNode);
     EXPECT_EQ(found[0].entities.at(0).index, 5U);
-    EXPECT_TRUE(found[0].hasPlace);
+    EXPECT_TRUE(found[0].hasPosition);
     ASSERT_EQ(found[0].values.size(), 1U);
     EXPECT_TRUE(found[0].values[0] == size || std::isnan(size));
   }

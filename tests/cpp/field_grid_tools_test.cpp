@@ -16,6 +16,7 @@
 #include "support/tet_grids.h"
 #include "boundary/boundary.h"
 #include "tetrafront/mesher.h"
+#include "tetrafront/preview.h"
 #include "volume/volume_mesher.h"
 
 namespace tetrafront::testing {
@@ -92,17 +93,17 @@ bool operator==(const BackgroundGrid& a, const BackgroundGrid& b) {
     return left.position == right.position && left.size == right.size;
   };
   return std::ranges::equal(a.nodes, b.nodes, alike) && a.tetrahedra == b.tetrahedra &&
-         a.overhang == b.overhang;
+         a.coverageMargin == b.coverageMargin;
 }
 
 TEST(CoveringGridTest, InSlicesOfOnePatchIsTheSame) {
   const Model tube = seamedTube(1.0, 2.0);
-  ModelCoverer coverer(tube, 0.0, CoverShape::kBox);
+  CoveringGridBuilder coverer(tube, 0.0, CoverShape::kBox);
   const std::size_t slices = slicesOf(coverer, 1);
   // Each patch is looked at twice, by itself and for its samples.
   EXPECT_GE(slices, 2 * tube.patches.size());
   EXPECT_TRUE(coverer.result() == coveringGrid(tube, 0.0, CoverShape::kBox));
-  ModelCoverer nothing(Model{}, 0.0, CoverShape::kBox);
+  CoveringGridBuilder nothing(Model{}, 0.0, CoverShape::kBox);
   slicesOf(nothing, 1);
   EXPECT_TRUE(nothing.result().tetrahedra.empty());
 }
@@ -150,7 +151,7 @@ TEST(GridFromMeshTest, InSlicesIsTheSame) {
   const std::size_t elements = mesh.tetrahedra.size() / 4;
   const std::size_t nodes = mesh.points.size() / 3;
   for (const std::vector<double>& sizes : {std::vector<double>{}, std::vector(nodes, 0.5)}) {
-    MeshGridder gridder(mesh, sizes);
+    MeshGridBuilder gridder(mesh, sizes);
     EXPECT_EQ(slicesOf(gridder, 10), (2 * elements + nodes + 9) / 10);
     EXPECT_TRUE(gridder.result() == gridFromMesh(mesh, sizes));
   }

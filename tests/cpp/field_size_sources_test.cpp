@@ -133,7 +133,7 @@ TEST(SizeSourcesTest, ChecksNameTheSourceAndItsNumbers) {
     EXPECT_EQ(found[i].entities.at(0).kind, EntityKind::kSource);
     EXPECT_EQ(found[i].entities.at(0).index, i);
     EXPECT_EQ(found[i].values.size(), 3U);
-    EXPECT_EQ(found[i].place, Vec3(1.0));
+    EXPECT_EQ(found[i].position, Vec3(1.0));
   }
 }
 

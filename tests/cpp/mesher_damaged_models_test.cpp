@@ -12,6 +12,7 @@
 #include "support/models.h"
 #include "support/random.h"
 #include "tetrafront/mesher.h"
+#include "tetrafront/preview.h"
 
 namespace tetrafront::testing {
 namespace {
@@ -222,8 +223,9 @@ void expectNamed(const std::vector<Diagnostic>& diagnostics, const Model& model,
     for (const Entity& entity : diagnostic.entities)
       EXPECT_LT(entity.index, countOf(entity.kind, model, grid))
           << "seed " << seed << ", code " << static_cast<int>(diagnostic.code);
-    if (diagnostic.hasPlace) {
-      EXPECT_TRUE(std::isfinite(diagnostic.place.x + diagnostic.place.y + diagnostic.place.z))
+    if (diagnostic.hasPosition) {
+      EXPECT_TRUE(
+          std::isfinite(diagnostic.position.x + diagnostic.position.y + diagnostic.position.z))
           << "seed " << seed << ", code " << static_cast<int>(diagnostic.code);
     }
   }

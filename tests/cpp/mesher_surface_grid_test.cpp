@@ -110,7 +110,7 @@ TEST(SurfaceWithGrid, SizesFarAboveTheTrianglesLeaveNoSlivers) {
   for (const BackgroundGrid& grid : {gridOfSize(0.4), stretched}) {
     const MeshRun run = filled(sphere, grid);
     expectValid(run);
-    EXPECT_EQ(run.statistics().missed, 0U);
+    EXPECT_EQ(run.statistics().outOfRange, 0U);
     EXPECT_GT(run.statistics().meanEdge, 0.88);
     EXPECT_EQ(coarsenessOf(run), nullptr);
   }
@@ -130,9 +130,9 @@ TEST(SurfaceWithGrid, SizesFarBelowTheTrianglesLeaveNoSlivers) {
                         filled(sphere, sourceAt(Vec3(0.2), 0.02, 0.05))};
   for (const MeshRun& run : runs) {
     expectValid(run);
-    EXPECT_EQ(run.statistics().missed, 0U);
+    EXPECT_EQ(run.statistics().outOfRange, 0U);
     EXPECT_EQ(run.statistics().limitedByBoundary, 0U);
-    EXPECT_NEAR(run.statistics().meanEdgeOfPossible, 1.0, 0.12);
+    EXPECT_NEAR(run.statistics().meanEdgeOfAchievable, 1.0, 0.12);
     const double estimated = run.progress().expectedTetrahedra;
     const auto count = static_cast<double>(countOf(run));
     EXPECT_LT(std::max(estimated / count, count / estimated), 1.5);
@@ -154,7 +154,7 @@ TEST(SurfaceWithGrid, TellsOfTrianglesTooLargeForWhatIsWanted) {
   EXPECT_EQ(coarse->values[0], 12.0);
   EXPECT_NEAR(coarse->values[1], std::sqrt(2.0) / 0.05, 1e-9);
   EXPECT_GT(run.statistics().meanEdge, 15.0) << "of what is wanted";
-  EXPECT_NEAR(run.statistics().meanEdgeOfPossible, 1.0, 0.3);
+  EXPECT_NEAR(run.statistics().meanEdgeOfAchievable, 1.0, 0.3);
 }
 
 /// A source that no node or edge of the surface is near.
@@ -165,7 +165,7 @@ TEST(SurfaceWithGrid, TellsOfTheTriangleAroundASmallSource) {
   const MeshRun run = filled(cube, sourceAt(within, 0.01, 0.0));
   coarse = coarsenessOf(run);
   ASSERT_NE(coarse, nullptr);
-  EXPECT_LT(glm::length(coarse->place - within), 0.25);
+  EXPECT_LT(glm::length(coarse->position - within), 0.25);
   EXPECT_LT(coarse->values[0], 60.0);
   EXPECT_EQ(coarsenessOf(filled(cube, sourceAt(within, 0.2, 0.0))), nullptr);
   EXPECT_EQ(coarsenessOf(filled(cube, {})), nullptr);
@@ -203,8 +203,8 @@ TEST(SurfaceWithGrid, OutsideOfItIsRefusedWithTheFirstPlace) {
   EXPECT_EQ(found.code, DiagnosticCode::kOutsideBackgroundGrid);
   ASSERT_EQ(found.entities.size(), 1U);
   EXPECT_EQ(found.entities[0].kind, EntityKind::kSurfaceNode);
-  EXPECT_EQ(found.place, pointOf(cube, found.entities[0].index));
-  EXPECT_GT(found.place.z, 0.5);
+  EXPECT_EQ(found.position, pointOf(cube, found.entities[0].index));
+  EXPECT_GT(found.position.z, 0.5);
   EXPECT_GT(found.values[0], 10.0);
 }
 

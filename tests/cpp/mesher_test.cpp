@@ -154,12 +154,13 @@ TEST(MeshRun, TellsHowFarTheExactFillIs) {
     while (run.advance(20) == MeshStatus::kRunning) {
       const Progress now = run.progress();
       ASSERT_GE(now.fraction, before.fraction);
-      ASSERT_LE(now.exactFill, 1.0);
-      if (now.exactFill > 0.0) {
+      ASSERT_LE(now.exactFillFraction, 1.0);
+      if (now.exactFillFraction > 0.0) {
         ASSERT_EQ(now.phase, Phase::kVolume);
-        ASSERT_GE(now.exactFill, before.exactFill);
+        ASSERT_GE(now.exactFillFraction, before.exactFillFraction);
         ++filling;
-        const bool moves = now.fraction > before.fraction && now.exactFill > before.exactFill;
+        const bool moves =
+            now.fraction > before.fraction && now.exactFillFraction > before.exactFillFraction;
         steps += moves ? 1 : 0;
         still = moves ? 0 : still + 1;
         longestStill = std::max(longestStill, still);
@@ -168,7 +169,7 @@ TEST(MeshRun, TellsHowFarTheExactFillIs) {
     }
     ASSERT_EQ(run.status(), MeshStatus::kDone);
     EXPECT_EQ(run.progress().fraction, 1.0);
-    EXPECT_EQ(run.progress().exactFill, 0.0);
+    EXPECT_EQ(run.progress().exactFillFraction, 0.0);
     EXPECT_GT(steps, 50);
     EXPECT_LT(longestStill, 0.25 * filling) << "of " << filling << " slices";
   }
@@ -185,8 +186,8 @@ TEST(MeshRun, TakesNothingBackWhereTheExactFillTriesAgain) {
   while (run.advance(20) == MeshStatus::kRunning) {
     const Progress now = run.progress();
     ASSERT_GE(now.fraction, before.fraction);
-    ASSERT_TRUE(now.exactFill >= before.exactFill || now.exactFill == 0.0);
-    steps += now.exactFill > before.exactFill ? 1 : 0;
+    ASSERT_TRUE(now.exactFillFraction >= before.exactFillFraction || now.exactFillFraction == 0.0);
+    steps += now.exactFillFraction > before.exactFillFraction ? 1 : 0;
     before = now;
   }
   EXPECT_EQ(run.status(), MeshStatus::kDone);
@@ -226,7 +227,7 @@ TEST(MeshRun, IsCancelledAmidTheExactFillAndKeepsTheWholeFront) {
   options.exactFillOnly = true;
   for (const double stop : {0.05, 0.3, 0.6, 0.8}) {
     MeshRun run(body.points, body.triangles, options);
-    while (run.progress().exactFill < stop && run.advance(20) == MeshStatus::kRunning) {
+    while (run.progress().exactFillFraction < stop && run.advance(20) == MeshStatus::kRunning) {
     }
     ASSERT_EQ(run.status(), MeshStatus::kRunning) << stop;
     const double reached = run.progress().fraction;
@@ -312,7 +313,7 @@ TEST(MeshRun, GivesTheSameMeshInSlicesOfAnyLengthOnEveryRung) {
     const RecoverySummary summary = whole.recovery();
     most.relaxed = std::max(most.relaxed, summary.relaxed);
     most.starred = std::max(most.starred, summary.starred);
-    most.reopened = std::max(most.reopened, summary.reopened);
+    most.remeshed = std::max(most.remeshed, summary.remeshed);
     most.filled = std::max(most.filled, summary.filled);
     for (const std::uint32_t budget : kShortSlices) {
       MeshRun run(body.surface.points, body.surface.triangles, body.options);
@@ -322,7 +323,7 @@ TEST(MeshRun, GivesTheSameMeshInSlicesOfAnyLengthOnEveryRung) {
   }
   EXPECT_GT(most.relaxed, 0U);
   EXPECT_GT(most.starred, 0U);
-  EXPECT_GT(most.reopened, 0U);
+  EXPECT_GT(most.remeshed, 0U);
   EXPECT_GT(most.filled, 0U);
 }
 

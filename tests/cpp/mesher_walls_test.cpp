@@ -222,12 +222,12 @@ TEST(MeshWalls, AWallWithAHoleIsAnOpenLine) {
   builder.model = dividedBoxModel({2, 1, 1});
   for (Patch& patch : builder.model.patches) {
     // The wall: the one patch in the plane x = 1.
-    bool isWall = true;
+    bool isInterface = true;
     for (const OrientedLine& walked : patch.loops.front()) {
       for (const std::uint32_t point : builder.model.lines[walked.line].points)
-        isWall = isWall && builder.model.points[point].x == 1.0;
+        isInterface = isInterface && builder.model.points[point].x == 1.0;
     }
-    if (!isWall) continue;
+    if (!isInterface) continue;
     std::vector<Loop> loops = patch.loops;
     loops.push_back(builder.polygon({{1, 0.3, 0.3}, {1, 0.7, 0.3}, {1, 0.7, 0.7}, {1, 0.3, 0.7}}));
     patch.loops = loops;
@@ -269,7 +269,7 @@ TEST(MeshWalls, AWallThatSeparatesNothingIsNamedAtOnce) {
     EXPECT_EQ(errors[0].code, DiagnosticCode::kDanglingSheet);
     ASSERT_EQ(errors[0].entities.size(), 1U) << "the patch";
     EXPECT_EQ(errors[0].entities[0].kind, EntityKind::kPatch);
-    EXPECT_NEAR(glm::length(errors[0].place - kept), 0.0, 0.5);
+    EXPECT_NEAR(glm::length(errors[0].position - kept), 0.0, 0.5);
   }
 }
 
@@ -290,7 +290,7 @@ TEST(MeshWalls, EnclosedBodiesCanBeRegions) {
   const SurfaceMesh spheres = testing::nestedSpheres(kDepth, 4);
   const std::size_t trianglesEach = spheres.triangles.size() / 3 / kDepth;
   MeshOptions options;
-  options.enclosed = EnclosedBodies::kRegions;
+  options.innerShells = InnerShells::kRegions;
   const MeshRun run = filled(spheres, options);
   const std::vector<double> volumes = soundVolumes(run, kDepth);
   double sum = 0.0;
@@ -300,7 +300,7 @@ TEST(MeshWalls, EnclosedBodiesCanBeRegions) {
   EXPECT_NEAR(sum, testing::enclosedVolume(outermost), 1e-9 * sum);
   const SurfaceMesh surface = run.surface();
   for (std::uint32_t t = 0; t < surface.triangles.size() / 3; ++t)
-    EXPECT_EQ(surface.isWall(t), t >= trianglesEach) << t;
+    EXPECT_EQ(surface.isInterface(t), t >= trianglesEach) << t;
   const auto nesting = std::ranges::find(run.diagnostics(), DiagnosticCode::kNestedRegions,
                                          [](const Diagnostic& told) { return told.code; });
   ASSERT_NE(nesting, run.diagnostics().end());

@@ -79,14 +79,14 @@ TEST(ModelCheckFold, SmoothCornersOfTransfinitePatchesDoNoHarm) {
   const std::vector<Diagnostic> found = diagnoseModel(disc(PatchType::kCoons, 1.2));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found.front().code, DiagnosticCode::kDegeneratePatch);
-  EXPECT_NEAR(glm::length(found.front().place), 1.0, 0.1);
+  EXPECT_NEAR(glm::length(found.front().position), 1.0, 0.1);
 }
 
 TEST(ModelCheckFold, FoldOfASerendipityPatchIsReportedAtItsCorner) {
   const std::vector<Diagnostic> found = diagnoseModel(disc(PatchType::kSerendipity, 1.09));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found.front().code, DiagnosticCode::kDegeneratePatch);
-  EXPECT_NEAR(glm::length(found.front().place), 1.0, 0.1);
+  EXPECT_NEAR(glm::length(found.front().position), 1.0, 0.1);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 
 #include "support/models.h"
 #include "support/random.h"
-#include "tetrafront/mesher.h"
+#include "tetrafront/preview.h"
 
 namespace tetrafront::testing {
 namespace {
@@ -140,7 +140,7 @@ TEST(ModelCheck, CoincidentPoints) {
   EXPECT_TRUE(names(fault, EntityKind::kLine, line));
   EXPECT_TRUE(names(fault, EntityKind::kPoint, 1));
   EXPECT_TRUE(names(fault, EntityKind::kPoint, 2));
-  EXPECT_TRUE(fault.hasPlace);
+  EXPECT_TRUE(fault.hasPosition);
 }
 
 TEST(ModelCheck, ZeroLengthLine) {
@@ -186,8 +186,8 @@ TEST(ModelCheck, LoopNotClosedNamesPatchLineAndPoint) {
   EXPECT_TRUE(names(found[0], EntityKind::kPatch, 0));
   EXPECT_TRUE(names(found[0], EntityKind::kLine, 0));
   EXPECT_TRUE(names(found[0], EntityKind::kPoint, 1));
-  EXPECT_TRUE(found[0].hasPlace);
-  EXPECT_EQ(found[0].place, model.points[1]);
+  EXPECT_TRUE(found[0].hasPosition);
+  EXPECT_EQ(found[0].position, model.points[1]);
 }
 
 TEST(ModelCheck, OneOpenLineIsNoLoop) {
@@ -241,7 +241,7 @@ TEST(ModelCheck, NotPlanarNamesThePointThatWasMovedAndItsDistance) {
     EXPECT_EQ(std::ranges::count(fault.entities, EntityKind::kPoint, &Entity::kind), 1);
     EXPECT_TRUE(names(fault, EntityKind::kPatch, 0));
     EXPECT_EQ(std::ranges::count(fault.entities, EntityKind::kLine, &Entity::kind), 2);
-    EXPECT_EQ(fault.place, model.points[point]);
+    EXPECT_EQ(fault.position, model.points[point]);
     EXPECT_NEAR(fault.values.front(), 0.3, 1e-12);
   }
 }
@@ -256,7 +256,7 @@ TEST(ModelCheck, NotPlanarNamesTheCornerOfABoxThatWasMoved) {
     for (const Diagnostic& fault : found) {
       EXPECT_EQ(fault.code, DiagnosticCode::kNotPlanar);
       EXPECT_TRUE(names(fault, EntityKind::kPoint, point));
-      EXPECT_EQ(fault.place, model.points[point]);
+      EXPECT_EQ(fault.position, model.points[point]);
     }
   }
 }
@@ -380,7 +380,7 @@ TEST(ModelCheck, MidPointNearAnEndFoldsAnIsoparametricPatch) {
                                         : DiagnosticCode::kDegeneratePatch);
       EXPECT_TRUE(names(fault, EntityKind::kLine, 1));
       EXPECT_EQ(fault.entities.size(), lift == 0.0 ? 1U : 2U);
-      EXPECT_LT(glm::length(fault.place - corners[share < 0.5 ? 1 : 2]), 0.6) << share;
+      EXPECT_LT(glm::length(fault.position - corners[share < 0.5 ? 1 : 2]), 0.6) << share;
     }
   }
 }

@@ -66,8 +66,8 @@ TEST(ModelClosure, EveryOpenLineIsToldAtOnceWithItsPatch) {
     const Loop& loop = model.patches[open.entities[1].index].loops.front();
     EXPECT_TRUE(std::ranges::any_of(
         loop, [&](const OrientedLine& walked) { return walked.line == open.entities[0].index; }));
-    EXPECT_TRUE(open.hasPlace);
-    EXPECT_DOUBLE_EQ(open.place.z, 1.0) << "in the middle of an edge of the missing top";
+    EXPECT_TRUE(open.hasPosition);
+    EXPECT_DOUBLE_EQ(open.position.z, 1.0) << "in the middle of an edge of the missing top";
   }
 }
 
@@ -171,7 +171,7 @@ TEST(ModelDuplicates, SeparateCornersAndLinesAreErrorsAndTheGapIsNot) {
   EXPECT_EQ(found.diagnostics.size(), 8U);
   for (const Diagnostic& twice : found.diagnostics) {
     EXPECT_EQ(twice.severity, Severity::kError);
-    EXPECT_TRUE(twice.hasPlace);
+    EXPECT_TRUE(twice.hasPosition);
     ASSERT_EQ(twice.entities.size(), 2U);
     EXPECT_LT(twice.entities[0].index, twice.entities[1].index);
   }

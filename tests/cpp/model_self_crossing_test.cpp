@@ -151,8 +151,8 @@ TEST(SelfCrossing, LineThatEndsOnItselfIsReportedWithItsPlace) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].code, DiagnosticCode::kLineSelfIntersection);
   EXPECT_EQ(found[0].severity, Severity::kWarning) << "no patch uses it";
-  EXPECT_TRUE(found[0].hasPlace);
-  EXPECT_LT(glm::length(found[0].place - Vec3(1, 0, 0)), 1e-6);
+  EXPECT_TRUE(found[0].hasPosition);
+  EXPECT_LT(glm::length(found[0].position - Vec3(1, 0, 0)), 1e-6);
 }
 
 }  // namespace

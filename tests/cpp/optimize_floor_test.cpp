@@ -29,7 +29,7 @@ struct Body {
   double meanRadiusRatio;
   double leastDihedral = 30.0;
   double greatestDihedral = 135.0;
-  double edgesNearWanted = 0.95;
+  double edgesNearTarget = 0.95;
   BackgroundGrid sources{};
 };
 void PrintTo(const Body& body, std::ostream* out) { *out << body.name; }
@@ -52,7 +52,7 @@ void expectFloor(const Body& body, const MeshRun& run) {
   EXPECT_GE(quality.minDihedral, body.leastDihedral);
   EXPECT_LE(quality.maxDihedral, body.greatestDihedral);
   EXPECT_GE(quality.meanRadiusRatio, body.meanRadiusRatio);
-  EXPECT_GE(run.statistics().edgesNearWanted, body.edgesNearWanted);
+  EXPECT_GE(run.statistics().edgesNearTarget, body.edgesNearTarget);
 }
 
 /// The second model's patches beside the first's.
@@ -113,7 +113,7 @@ SurfaceMesh sphericalGap(double radius, int rows, double gap, int innerRows, dou
 
 /// Elements that miss their angles, whether or not the boundary excuses them.
 std::uint32_t beyond(const QualityStatistics& statistics) {
-  return statistics.missed + statistics.limitedByBoundary;
+  return statistics.outOfRange + statistics.limitedByBoundary;
 }
 
 class QualityFloor : public ::testing::TestWithParam<Body> {};

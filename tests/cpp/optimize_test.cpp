@@ -570,8 +570,8 @@ TEST_P(OptimizedModel, MeetsItsAnglesAndSizes) {
   EXPECT_GE(quality.meanRadiusRatio, goal.meanRadiusRatio);
   const QualityStatistics statistics = run.statistics();
   EXPECT_NEAR(statistics.meanEdge, 1.0, 0.12);
-  EXPECT_GE(statistics.edgesNearWanted, 0.95);
-  EXPECT_EQ(statistics.missed, 0U);
+  EXPECT_GE(statistics.edgesNearTarget, 0.95);
+  EXPECT_EQ(statistics.outOfRange, 0U);
   EXPECT_EQ(statistics.limitedByBoundary, 0U);
 }
 

@@ -129,7 +129,7 @@ TEST(IntersectingPatches, ATipThatTouchesIsThePosition) {
     builder.patch(PatchType::kPlanar, {builder.polygon({base[k], base[(k + 1) % 3], tip})});
   const std::vector<Diagnostic> found = foundIn(builder.model);
   ASSERT_EQ(countOf(found, DiagnosticCode::kPatchesIntersect), 3U);
-  for (const Diagnostic& meeting : found) EXPECT_LT(glm::length(meeting.place - tip), 1e-12);
+  for (const Diagnostic& meeting : found) EXPECT_LT(glm::length(meeting.position - tip), 1e-12);
 }
 
 TEST(IntersectingPatches, ABoxStandingOnAnotherOverlapsIt) {

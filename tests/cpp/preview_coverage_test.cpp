@@ -43,9 +43,9 @@ TEST(CoverageTest, ReportsEveryPointOutside) {
   for (const Diagnostic& d : found) {
     ASSERT_EQ(d.entities.size(), 1U);
     EXPECT_EQ(d.entities[0].kind, EntityKind::kPoint);
-    EXPECT_TRUE(d.hasPlace);
-    EXPECT_EQ(d.place, box.points[d.entities[0].index]);
-    EXPECT_EQ(d.place.z, 1.0);
+    EXPECT_TRUE(d.hasPosition);
+    EXPECT_EQ(d.position, box.points[d.entities[0].index]);
+    EXPECT_EQ(d.position.z, 1.0);
   }
 }
 
@@ -65,7 +65,7 @@ TEST(CoverageTest, ReportsALineThatIsOutsideBetweenItsPoints) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].entities.at(0).kind, EntityKind::kLine);
   EXPECT_EQ(found[0].entities[0].index, arc);
-  EXPECT_GT(found[0].place.y, 0.31);
+  EXPECT_GT(found[0].position.y, 0.31);
 }
 
 TEST(CoverageTest, ReportsAPatchWhoseBorderIsCovered) {
@@ -89,8 +89,8 @@ TEST(CoverageTest, ReportsAPatchWhoseBorderIsCovered) {
       checkCoverage(builder.model, SizeField::fromGrid(GridLocator(ring)));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].entities.at(0).kind, EntityKind::kPatch);
-  EXPECT_GT(found[0].place.x, 0.3);
-  EXPECT_LT(found[0].place.x, 0.7);
+  EXPECT_GT(found[0].position.x, 0.3);
+  EXPECT_LT(found[0].position.x, 0.7);
 }
 
 TEST(CoverageTest, IsReportedByThePreviewAndEndsTheRunBeforeMeshing) {

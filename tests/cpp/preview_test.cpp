@@ -7,7 +7,7 @@
 
 #include "support/models.h"
 #include "support/random.h"
-#include "tetrafront/mesher.h"
+#include "tetrafront/preview.h"
 
 namespace tetrafront::testing {
 namespace {

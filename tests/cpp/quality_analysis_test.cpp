@@ -104,7 +104,7 @@ TEST(QualityAnalysis, CountsWhatASlowCountFinds) {
   }
   EXPECT_EQ(region.edge, lengths);
   EXPECT_NEAR(statistics.meanEdge, sum / static_cast<double>(edges.size()), 1e-9);
-  EXPECT_NEAR(statistics.edgesNearWanted, near / static_cast<double>(edges.size()), 1e-12);
+  EXPECT_NEAR(statistics.edgesNearTarget, near / static_cast<double>(edges.size()), 1e-12);
   ASSERT_EQ(statistics.worst.size(), 10U);
   const auto listed = std::min_element(
       statistics.worst.begin(), statistics.worst.end(),
@@ -112,9 +112,11 @@ TEST(QualityAnalysis, CountsWhatASlowCountFinds) {
   const auto corners = cornersOf(mesh, listed->tetrahedron);
   const auto angles = slowDihedrals(corners);
   EXPECT_NEAR(listed->smallestDihedral, *std::min_element(angles.begin(), angles.end()), 1e-9);
-  EXPECT_LT(glm::length(listed->place - 0.25 * (corners[0] + corners[1] + corners[2] + corners[3])),
-            1e-12);
-  EXPECT_EQ(statistics.missed, 0U);  // the sphere's boundary excuses nothing, and nothing misses
+  EXPECT_LT(
+      glm::length(listed->centroid - 0.25 * (corners[0] + corners[1] + corners[2] + corners[3])),
+      1e-12);
+  EXPECT_EQ(statistics.outOfRange,
+            0U);  // the sphere's boundary excuses nothing, and nothing misses
   EXPECT_EQ(statistics.limitedByBoundary, 0U);
 }
 
@@ -131,7 +133,7 @@ TEST(QualityAnalysis, DoesNotDependOnHowTheWorkIsSliced) {
     EXPECT_EQ(whole.regions[r].edge, slices.regions[r].edge);
     EXPECT_EQ(total(whole.regions[r].dihedral), 6 * whole.regions[r].tetrahedra);
   }
-  EXPECT_EQ(whole.missed, slices.missed);
+  EXPECT_EQ(whole.outOfRange, slices.outOfRange);
   EXPECT_EQ(whole.worst[0].tetrahedron, slices.worst[0].tetrahedron);
   EXPECT_EQ(whole.smallest.tetrahedron, slices.smallest.tetrahedron);
 }
@@ -147,13 +149,13 @@ TEST(QualityAnalysis, ExcusesAnElementInASharpEdgeOfTheBoundary) {
   mesh.regions = {0};
   const QualityStatistics statistics = survey(mesh, wedge);
   EXPECT_EQ(statistics.limitedByBoundary, 1U);
-  EXPECT_EQ(statistics.missed, 0U);
+  EXPECT_EQ(statistics.outOfRange, 0U);
   ASSERT_EQ(statistics.worstLimited.size(), 1U);
   EXPECT_NEAR(statistics.worstLimited[0].smallestDihedral, 12.0, 1e-9);
   // The same element, were it not at the boundary.
   const QualityStatistics inner = survey(mesh, SurfaceMesh{});
   EXPECT_EQ(inner.limitedByBoundary, 0U);
-  EXPECT_EQ(inner.missed, 1U);
+  EXPECT_EQ(inner.outOfRange, 1U);
 }
 
 /// An element whose base, a triangle of the boundary, is a needle, or that shares an edge with one.
@@ -174,7 +176,7 @@ TEST(QualityAnalysis, ExcusesAnElementAtANeedleOfTheBoundary) {
   // Only a node of it.
   mesh.points.insert(mesh.points.end(), {0.52, 0.32, 0.5});
   mesh.tetrahedra = {0, 3, 4, 5};
-  EXPECT_EQ(survey(mesh, base).missed, 1U);
+  EXPECT_EQ(survey(mesh, base).outOfRange, 1U);
   EXPECT_EQ(survey(mesh, base).limitedByNeedles, 0U);
   // Not a needle, and only one triangle; the fourth node is free.
   mesh.points = base.points;
@@ -229,7 +231,7 @@ TEST(QualityAnalysis, ExcusesWhatAnEdgeBelow60DegreesForces) {
     const auto isExcused = [&](const std::vector<std::uint32_t>& element) {
       mesh.tetrahedra = element;
       const QualityStatistics statistics = survey(mesh, sheets);
-      EXPECT_LE(statistics.limitedByEdges + statistics.missed, 1U);
+      EXPECT_LE(statistics.limitedByEdges + statistics.outOfRange, 1U);
       return statistics.limitedByEdges == 1U;
     };
     EXPECT_EQ(isExcused({0, 1, 2, 3}), wedge.isForced) << wedge.degrees << " " << wedge.shift;
@@ -275,7 +277,7 @@ TEST(QualityAnalysis, ExcusesElementsInSharpSpacesBetweenWalls) {
   SurfaceMesh sheets = sheetsAround({0.0, 24.0, 70.0, 96.0, 200.0});
   const auto isExcused = [&](double from, double to) {
     const QualityStatistics statistics = survey(elementBetween(sheets, from, to), sheets);
-    EXPECT_EQ(statistics.limitedByEdges + statistics.missed, 1U) << from << " to " << to;
+    EXPECT_EQ(statistics.limitedByEdges + statistics.outOfRange, 1U) << from << " to " << to;
     return statistics.limitedByEdges == 1U;
   };
   EXPECT_TRUE(isExcused(1.0, 12.0));
@@ -307,8 +309,8 @@ TEST(QualityAnalysis, ExcusesElementsBetweenNearSheetsOnly) {
     mesh.regions = {0};
     ASSERT_GT(measureQuality(mesh).minDihedral, 0.0);
     const QualityStatistics statistics = survey(mesh, sheets);
-    EXPECT_EQ(statistics.limitedBySheets, gap < 0.6 ? 1U : 0U);
-    EXPECT_EQ(statistics.missed, gap < 0.6 ? 0U : 1U);
+    EXPECT_EQ(statistics.limitedByNarrowGaps, gap < 0.6 ? 1U : 0U);
+    EXPECT_EQ(statistics.outOfRange, gap < 0.6 ? 0U : 1U);
   }
 }
 
@@ -333,7 +335,7 @@ TEST(QualityAnalysis, SeesElementsAsTheSizeFieldDoes) {
   EXPECT_NEAR(statistics.meanEdge, 1.0, 1e-9);
   EXPECT_NEAR(statistics.worst[0].radiusRatio, 1.0, 1e-9);
   EXPECT_EQ(statistics.regions[0].dihedral[14], 6U);  // 70.5 degrees
-  EXPECT_EQ(statistics.missed, 0U);
+  EXPECT_EQ(statistics.outOfRange, 0U);
 }
 
 }  // namespace

@@ -40,8 +40,9 @@ TEST(MeshInspection, AgreesWithTheReportOfARun) {
   EXPECT_EQ(found.quality.minDihedral, mesh.quality.minDihedral);
   EXPECT_EQ(found.quality.maxDihedral, mesh.quality.maxDihedral);
   EXPECT_NEAR(found.quality.volume, mesh.quality.volume, 1e-12);
-  EXPECT_EQ(found.turnedTetrahedra + found.flatTetrahedra + found.repeatedTetrahedra +
-                found.crowdedFaces + found.overlaps + found.coincidentNodes + found.unusedNodes,
+  EXPECT_EQ(found.invertedTetrahedra + found.degenerateTetrahedra + found.duplicateTetrahedra +
+                found.nonManifoldFaces + found.overlappingFaces + found.coincidentNodes +
+                found.unusedNodes,
             0U);
   EXPECT_EQ(found.boundary.triangles.size(), mesh.surface.triangles.size());
   EXPECT_NEAR(found.statistics.meanEdge, 1.0, 0.1);
@@ -72,7 +73,7 @@ TEST(MeshInspection, GivesABoundaryThatCanBeFilledAgain) {
   while (!inspector.advance(1U << 16U)) {
   }
   EXPECT_TRUE(inspector.result().isFillable);
-  EXPECT_EQ(inspector.result().turnedTriangles, 0U);
+  EXPECT_EQ(inspector.result().flippedTriangles, 0U);
   EXPECT_NEAR(inspector.result().volume, mesh.quality.volume, 1e-12);
 }
 
@@ -83,10 +84,10 @@ TEST(MeshInspection, MeasuresTurnedElementsAsIfTheyWereNot) {
     std::swap(mesh.volume.tetrahedra[e], mesh.volume.tetrahedra[e + 1]);
   }
   const MeshInspection after = inspect(mesh.volume);
-  EXPECT_EQ(after.turnedTetrahedra, (before.tetrahedra + 1) / 2);
+  EXPECT_EQ(after.invertedTetrahedra, (before.tetrahedra + 1) / 2);
   EXPECT_NEAR(after.quality.volume, before.quality.volume, 1e-14);
   EXPECT_NEAR(after.quality.minDihedral, before.quality.minDihedral, 1e-9);
-  EXPECT_EQ(after.overlaps, 0U);
+  EXPECT_EQ(after.overlappingFaces, 0U);
 }
 
 TEST(MeshInspection, CountsWhatIsUnsound) {
@@ -98,10 +99,10 @@ TEST(MeshInspection, CountsWhatIsUnsound) {
   mesh.volume.points.insert(mesh.volume.points.end(), {5.0, 5.0, 5.0});
   const MeshInspection found = inspect(mesh.volume);
   EXPECT_TRUE(found.isReadable);
-  EXPECT_EQ(found.repeatedTetrahedra, 1U);
-  EXPECT_EQ(found.flatTetrahedra, 1U);
+  EXPECT_EQ(found.duplicateTetrahedra, 1U);
+  EXPECT_EQ(found.degenerateTetrahedra, 1U);
   EXPECT_EQ(found.unusedNodes, 1U);
-  EXPECT_GE(found.crowdedFaces, 1U);
+  EXPECT_GE(found.nonManifoldFaces, 1U);
 }
 
 TEST(MeshInspection, FindsTheSameInSlicesOfAnySize) {
@@ -118,8 +119,8 @@ TEST(MeshInspection, FindsTheSameInSlicesOfAnySize) {
   EXPECT_EQ(inspector.fraction(), 1.0);
   EXPECT_GT(calls, static_cast<int>(whole.tetrahedra / 7));
   const MeshInspection& found = inspector.result();
-  EXPECT_EQ(found.turnedTetrahedra, 1U);
-  EXPECT_EQ(found.turnedTetrahedra, whole.turnedTetrahedra);
+  EXPECT_EQ(found.invertedTetrahedra, 1U);
+  EXPECT_EQ(found.invertedTetrahedra, whole.invertedTetrahedra);
   EXPECT_EQ(found.boundary.triangles, whole.boundary.triangles);
   EXPECT_EQ(found.boundary.trianglePatch, whole.boundary.trianglePatch);
   EXPECT_EQ(found.meanEdge, whole.meanEdge);
@@ -150,10 +151,10 @@ TEST(MeshInspection, ExcusesWhatNearSheetsForbid) {
   while (run.advance(1U << 16U) == MeshStatus::kRunning) {
   }
   const QualityStatistics told = run.statistics();
-  ASSERT_GT(told.limitedBySheets, 0U);
+  ASSERT_GT(told.limitedByNarrowGaps, 0U);
   const QualityStatistics found = inspect(run.volume()).statistics;
-  EXPECT_EQ(found.limitedBySheets, told.limitedBySheets);
-  EXPECT_EQ(found.missed, told.missed);
+  EXPECT_EQ(found.limitedByNarrowGaps, told.limitedByNarrowGaps);
+  EXPECT_EQ(found.outOfRange, told.outOfRange);
 }
 
 TEST(MeshInspection, RefusesWhatIsNoMesh) {

@@ -45,7 +45,7 @@ TEST(SurfaceInspection, MeasuresAUnitCube) {
   ASSERT_EQ(found.shells.size(), 1U);
   EXPECT_NEAR(found.shells[0].area, 6.0, 1e-14);
   EXPECT_EQ(found.regions, 1U);
-  EXPECT_EQ(found.turnedTriangles, 0U);
+  EXPECT_EQ(found.flippedTriangles, 0U);
   ASSERT_EQ(found.worst.size(), 10U);
   EXPECT_NEAR(found.worst[0].smallestAngle, 45.0, 1e-10);
   EXPECT_NEAR(found.worst[0].area, 0.125, 1e-15);
@@ -71,14 +71,14 @@ TEST(SurfaceInspection, AcceptsInterfacesInEitherOrientation) {
   std::swap(spheres.triangles[last], spheres.triangles[last + 1]);
   EXPECT_FALSE(inspect(spheres).isFillable);
   SurfaceInspector asRegions(spheres.points, spheres.triangles,
-                             {.enclosed = EnclosedBodies::kRegions});
+                             {.innerShells = InnerShells::kRegions});
   while (!asRegions.advance(1000)) {
   }
   EXPECT_TRUE(asRegions.result().isFillable);
   // Three regions; each of the two interfaces belongs to two shells, and none bounds a cavity.
   EXPECT_EQ(asRegions.result().regions, 3U);
   EXPECT_EQ(asRegions.result().shells.size(), 5U);
-  for (const ShellFigures& shell : asRegions.result().shells) EXPECT_FALSE(shell.isCavity);
+  for (const ShellInfo& shell : asRegions.result().shells) EXPECT_FALSE(shell.isCavity);
 }
 
 TEST(SurfaceInspection, CountsOpenEdges) {
@@ -108,20 +108,20 @@ TEST(SurfaceInspection, CountsOpenEdgesAsItsDiagnosticsDo) {
   EXPECT_EQ(open->values.back(), 3.0);
   EXPECT_FALSE(found.isClosed || found.isEmbedded);
   EXPECT_TRUE(found.isManifold);
-  EXPECT_EQ(found.crowdedEdges + found.pinchedNodes, 0U);
+  EXPECT_EQ(found.nonManifoldEdges + found.nonManifoldNodes, 0U);
 }
 
 TEST(SurfaceInspection, CountsNonManifoldEdgesAndNodes) {
   const SurfaceInspection edge = inspect(cubesSharingEdge());
   EXPECT_TRUE(edge.isFillable && edge.isClosed);
   EXPECT_FALSE(edge.isManifold);
-  EXPECT_EQ(edge.crowdedEdges, 1U);
+  EXPECT_EQ(edge.nonManifoldEdges, 1U);
   EXPECT_NEAR(edge.volume, 2.0, 1e-14);
   const SurfaceInspection node = inspect(cubesSharingNode());
   EXPECT_TRUE(node.isFillable && node.isClosed);
   EXPECT_FALSE(node.isManifold);
-  EXPECT_EQ(node.crowdedEdges, 0U);
-  EXPECT_EQ(node.pinchedNodes, 1U);
+  EXPECT_EQ(node.nonManifoldEdges, 0U);
+  EXPECT_EQ(node.nonManifoldNodes, 1U);
 }
 
 TEST(SurfaceInspection, FindsSelfIntersections) {
@@ -138,12 +138,12 @@ TEST(SurfaceInspection, FindsSelfIntersections) {
 TEST(SurfaceInspection, CountsFlippedTriangles) {
   SurfaceMesh mesh = geodesicSphere(3);
   std::swap(mesh.triangles[7], mesh.triangles[8]);
-  EXPECT_EQ(inspect(mesh).turnedTriangles, 1U);
+  EXPECT_EQ(inspect(mesh).flippedTriangles, 1U);
   EXPECT_FALSE(inspect(mesh).isFillable) << "only an explicit repair may flip single triangles";
   turnInsideOut(mesh);
-  EXPECT_EQ(inspect(mesh).turnedTriangles, triangleCount(mesh) - 1);
+  EXPECT_EQ(inspect(mesh).flippedTriangles, triangleCount(mesh) - 1);
   std::swap(mesh.triangles[7], mesh.triangles[8]);
-  EXPECT_EQ(inspect(mesh).turnedTriangles, triangleCount(mesh));
+  EXPECT_EQ(inspect(mesh).flippedTriangles, triangleCount(mesh));
   EXPECT_TRUE(inspect(mesh).isFillable) << "flipped as a whole";
 }
 
@@ -198,7 +198,7 @@ TEST(SurfaceInspection, ListsAtMostTheGivenNumberOfDiagnosticsAndCountsAll) {
   constexpr std::uint32_t kPairs = 3000;
   const SurfaceMesh mesh = crossingNeedles(kPairs);
   for (const std::uint32_t limit : {1U, 1000U, kPairs, 2 * kPairs}) {
-    const SurfaceInspection found = inspect(mesh, 256, {.findings = limit});
+    const SurfaceInspection found = inspect(mesh, 256, {.maxDiagnostics = limit});
     std::uint32_t pairs = 0;
     std::uint32_t edges = 0;
     for (const Diagnostic& d : found.diagnostics) {
@@ -209,7 +209,7 @@ TEST(SurfaceInspection, ListsAtMostTheGivenNumberOfDiagnosticsAndCountsAll) {
       if (d.code != DiagnosticCode::kSelfIntersection) continue;
       EXPECT_EQ(d.entities.at(0).index, 2 * pairs);
       EXPECT_EQ(d.entities.at(1).index, 2 * pairs + 1);
-      EXPECT_NEAR(d.place.x, 10.0 * pairs, 0.01);
+      EXPECT_NEAR(d.position.x, 10.0 * pairs, 0.01);
       EXPECT_EQ(d.values, std::vector<double>{kPairs});
       ++pairs;
     }

@@ -71,7 +71,7 @@ TEST(Weld, WorksInSlices) {
 TEST(SurfaceRepair, LeavesAValidSurfaceUnchanged) {
   SurfaceMesh mesh = cubeWithSphericalCavity(3, 2);
   shuffle(mesh, 3);
-  const SurfaceRepair result = repair(mesh, {.fillsUpTo = 50});
+  const SurfaceRepair result = repair(mesh, {.maxHoleEdges = 50});
   EXPECT_TRUE(result.changes.empty());
   EXPECT_EQ(result.points, mesh.points);
   EXPECT_EQ(result.triangles, mesh.triangles);
@@ -90,7 +90,7 @@ TEST(SurfaceRepair, WeldsASoup) {
   const SurfaceRepair welded = repair(noisy, {.weldDistance = 1e-5});
   EXPECT_TRUE(inspect(welded).isFillable);
   EXPECT_EQ(welded.points.size(), mesh.points.size());
-  EXPECT_TRUE(repair(noisy, {.weldDistance = -1.0, .turns = false}).changes.empty());
+  EXPECT_TRUE(repair(noisy, {.weldDistance = -1.0, .orient = false}).changes.empty());
 }
 
 TEST(SurfaceRepair, DoesNotCollapseChains) {
@@ -102,7 +102,7 @@ TEST(SurfaceRepair, DoesNotCollapseChains) {
     mesh.triangles.insert(mesh.triangles.end(), {i, i + 1, 10});
   }
   const SurfaceRepair result =
-      repair(mesh, {.weldDistance = 1.0, .removesTriangles = false, .turns = false});
+      repair(mesh, {.weldDistance = 1.0, .removeTriangles = false, .orient = false});
   for (const RepairChange& change : result.changes) {
     ASSERT_EQ(change.kind, RepairKind::kWeldedNode);
     EXPECT_EQ(change.second, change.first - 1);
@@ -118,7 +118,7 @@ TEST(SurfaceRepair, WeldsNodesAtExactlyTheDistance) {
     mesh.points = {0.0, 0.0, 0.0, apart, 0.0, 0.0, 0.0, 9.0, 0.0};
     mesh.triangles = {0, 1, 2};
     const SurfaceRepair result =
-        repair(mesh, {.weldDistance = kDistance, .removesTriangles = false, .turns = false});
+        repair(mesh, {.weldDistance = kDistance, .removeTriangles = false, .orient = false});
     EXPECT_EQ(result.changes.size(), apart == kDistance ? 1U : 0U) << apart;
   }
 }
@@ -145,7 +145,7 @@ TEST(SurfaceRepair, WeldsToTheLowestKeptNodeWithinTheDistance) {
       }
     }
     const SurfaceRepair result =
-        repair(mesh, {.weldDistance = distance, .removesTriangles = false, .turns = false});
+        repair(mesh, {.weldDistance = distance, .removeTriangles = false, .orient = false});
     std::vector<std::uint32_t> found(target.size());
     for (std::uint32_t i = 0; i < found.size(); ++i) found[i] = i;
     for (const RepairChange& change : result.changes) found[change.first] = change.second;
@@ -190,7 +190,7 @@ TEST(SurfaceRepair, RemovesDuplicatesThatASplitProduces) {
   SurfaceMesh mesh;
   mesh.points = {0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0};
   mesh.triangles = {0, 2, 1, 0, 2, 3, 0, 1, 3};
-  const SurfaceRepair result = repair(mesh, {.weldDistance = -1.0, .turns = false});
+  const SurfaceRepair result = repair(mesh, {.weldDistance = -1.0, .orient = false});
   ASSERT_EQ(result.changes.size(), 2U);
   EXPECT_EQ(result.changes[0].kind, RepairKind::kRemovedDuplicate);
   EXPECT_EQ(result.changes[0].first, 2U);
@@ -253,13 +253,13 @@ TEST(SurfaceRepair, OrientsTrianglesOutward) {
   SurfaceMesh mixed = mesh;
   flipRandomly(mixed, 11);
   const SurfaceRepair result = repair(mixed);
-  EXPECT_EQ(inspect(result).turnedTriangles, 0U);
+  EXPECT_EQ(inspect(result).flippedTriangles, 0U);
   std::size_t differing = 0;
   for (std::size_t t = 0; t < triangleCount(mesh); ++t) {
     if (mesh.triangles[3 * t + 1] != mixed.triangles[3 * t + 1]) ++differing;
   }
   EXPECT_EQ(result.changes.size(), differing);
-  EXPECT_EQ(repair(mixed, {.turns = false}).triangles, mixed.triangles);
+  EXPECT_EQ(repair(mixed, {.orient = false}).triangles, mixed.triangles);
 }
 
 TEST(SurfaceRepair, OrientsAnOpenSurfaceConsistently) {
@@ -291,15 +291,15 @@ TEST(SurfaceRepair, FillsHolesUpToTheGivenNumberOfEdges) {
   SurfaceMesh mesh = gridCube(4);
   // One hole has three edges, another one four.
   removeTriangles(mesh, {0, 100, 101});
-  const SurfaceRepair small = repair(mesh, {.fillsUpTo = 3});
+  const SurfaceRepair small = repair(mesh, {.maxHoleEdges = 3});
   EXPECT_EQ(inspect(small).openEdges, 4U);
-  const SurfaceRepair both = repair(mesh, {.fillsUpTo = 4});
+  const SurfaceRepair both = repair(mesh, {.maxHoleEdges = 4});
   const SurfaceInspection found = inspect(both);
   EXPECT_TRUE(found.isFillable);
   EXPECT_NEAR(found.volume, 1.0, 1e-14);
   EXPECT_EQ(kindsOf(both)[RepairKind::kFilledHole], 2);
   EXPECT_EQ(std::count(both.origin.begin(), both.origin.end(), kNoOrigin), 3);
-  EXPECT_EQ(found.turnedTriangles, 0U);
+  EXPECT_EQ(found.flippedTriangles, 0U);
 }
 
 TEST(SurfaceRepair, FillsManyHolesOneByOne) {
@@ -308,7 +308,7 @@ TEST(SurfaceRepair, FillsManyHolesOneByOne) {
   for (std::size_t t = 0; t < mesh.triangles.size() / 3; t += 20) lost.push_back(t);
   removeTriangles(mesh, lost);
   const RepairOptions options{
-      .weldDistance = -1.0, .removesTriangles = false, .fillsUpTo = 10, .turns = false};
+      .weldDistance = -1.0, .removeTriangles = false, .maxHoleEdges = 10, .orient = false};
   SurfaceRepairer repairer(mesh.points, mesh.triangles, options);
   std::size_t calls = 1;
   while (!repairer.advance(1)) ++calls;
@@ -328,7 +328,7 @@ TEST(SurfaceRepair, FillsHolesThatShareANode) {
   for (std::size_t i = 1; i < around.size(); ++i) {
     SurfaceMesh mesh = sphere;
     removeTriangles(mesh, {around[0], around[i]});
-    const SurfaceRepair result = repair(mesh, {.fillsUpTo = 4});
+    const SurfaceRepair result = repair(mesh, {.maxHoleEdges = 4});
     EXPECT_TRUE(inspect(result).isFillable) << i;
     EXPECT_EQ(result.triangles.size(), sphere.triangles.size()) << i;
   }
@@ -346,8 +346,8 @@ TEST(SurfaceRepair, FillsALargeHoleWithTheLeastArea) {
     if (lowest == 1.0) top.push_back(t);
   }
   removeTriangles(mesh, top);
-  EXPECT_FALSE(inspect(repair(mesh, {.fillsUpTo = 31})).isClosed);
-  const SurfaceInspection found = inspect(repair(mesh, {.fillsUpTo = 32}));
+  EXPECT_FALSE(inspect(repair(mesh, {.maxHoleEdges = 31})).isClosed);
+  const SurfaceInspection found = inspect(repair(mesh, {.maxHoleEdges = 32}));
   EXPECT_TRUE(found.isFillable);
   EXPECT_NEAR(found.area, 6.0, 1e-13);
   EXPECT_NEAR(found.volume, 1.0, 1e-13);
@@ -365,16 +365,16 @@ SurfaceMesh boxWithSpike(double height) {
 }
 
 TEST(SurfaceRepair, FillsAHoleWithoutIntersectingTheSurface) {
-  const SurfaceInspection low = inspect(repair(boxWithSpike(0.9), {.fillsUpTo = 4}));
+  const SurfaceInspection low = inspect(repair(boxWithSpike(0.9), {.maxHoleEdges = 4}));
   EXPECT_TRUE(low.isFillable);
   EXPECT_NEAR(low.volume, 1.0 + 0.2 / 6.0 - 0.3, 1e-14);
-  const SurfaceInspection high = inspect(repair(boxWithSpike(1.05), {.fillsUpTo = 4}));
+  const SurfaceInspection high = inspect(repair(boxWithSpike(1.05), {.maxHoleEdges = 4}));
   EXPECT_TRUE(high.isFillable);
   EXPECT_NEAR(high.volume, 1.0 + 0.2 / 3.0 - 0.35, 1e-14);
 }
 
 TEST(SurfaceRepair, LeavesAHoleOpenIfEveryFillingIntersectsTheSurface) {
-  const SurfaceRepair result = repair(boxWithSpike(1.15), {.fillsUpTo = 4});
+  const SurfaceRepair result = repair(boxWithSpike(1.15), {.maxHoleEdges = 4});
   EXPECT_EQ(inspect(result).openEdges, 4U);
   EXPECT_TRUE(result.changes.empty());
 }
@@ -385,7 +385,7 @@ TEST(SurfaceRepair, RemovesUnusedNodes) {
   for (std::uint32_t& node : mesh.triangles) ++node;
   const SurfaceRepair result = repair(mesh);
   ASSERT_EQ(result.changes.size(), 1U);
-  EXPECT_EQ(result.changes[0].kind, RepairKind::kDroppedNode);
+  EXPECT_EQ(result.changes[0].kind, RepairKind::kRemovedNode);
   EXPECT_EQ(result.changes[0].first, 0U);
   EXPECT_EQ(result.points, gridCube(1).points);
 }
@@ -396,12 +396,12 @@ TEST(SurfaceRepair, ListsChangesInTheOrderOfTheirKinds) {
   mesh.triangles.insert(mesh.triangles.end(), {0, 0, 1});
   mesh.triangles.insert(mesh.triangles.end(), {0, 2, 1});
   removeTriangles(mesh, {5});
-  const SurfaceRepair result = repair(mesh, {.fillsUpTo = 3});
+  const SurfaceRepair result = repair(mesh, {.maxHoleEdges = 3});
   EXPECT_TRUE(std::ranges::is_sorted(result.changes, {}, &RepairChange::kind));
   const std::map<RepairKind, int> kinds = kindsOf(result);
   // Of the unused nodes, only the additional one is listed as removed: the others are welded.
   const std::map<RepairKind, int> expected{{RepairKind::kWeldedNode, 3 * 48 - 26},
-                                           {RepairKind::kDroppedNode, 1},
+                                           {RepairKind::kRemovedNode, 1},
                                            {RepairKind::kRemovedTriangle, 1},
                                            {RepairKind::kRemovedDuplicate, 1},
                                            {RepairKind::kFilledHole, 1}};
@@ -424,7 +424,7 @@ TEST(SurfaceRepair, AcceptsBadlyDamagedSurfaces) {
       if (random.unit() < 0.2) node = static_cast<std::uint32_t>(random.unit() * 26.0);
     }
     const RepairOptions options{
-        .weldDistance = 0.3 * random.unit(), .removesTriangles = seed % 2 == 0, .fillsUpTo = 20};
+        .weldDistance = 0.3 * random.unit(), .removeTriangles = seed % 2 == 0, .maxHoleEdges = 20};
     const SurfaceRepair once = repair(mesh, options);
     SurfaceRepairer inSteps(mesh.points, mesh.triangles, options);
     while (!inSteps.advance(1)) {

@@ -20,6 +20,7 @@
 #include "support/shapes.h"
 #include "support/surface_measures.h"
 #include "tetrafront/mesher.h"
+#include "tetrafront/preview.h"
 
 namespace tetrafront::testing {
 namespace {
@@ -139,7 +140,7 @@ TEST(SurfaceCurvedHoles, TubeWithABranchIsWatertightAndHasItsVolume) {
       const SurfaceMesh mesh = meshOf(model, size);
       const SurfaceMeasures found = measure(mesh, SizeField::uniform(size));
       EXPECT_EQ(found.borderEdges, 0U);
-      EXPECT_EQ(found.crowdedEdges, 0U);
+      EXPECT_EQ(found.nonManifoldEdges, 0U);
       EXPECT_EQ(found.eulerCharacteristic(), 2);
       EXPECT_GT(found.minAngle, 18.0);
       if (size > 0.3 || branch > 0.5) continue;
@@ -173,7 +174,7 @@ TEST(SurfaceCurvedHoles, HoleOffThePatchIsReportedWithItsDistance) {
   EXPECT_EQ(found.front().entities[0].kind, EntityKind::kPatch);
   EXPECT_EQ(found.front().entities[1].index, 4U);
   EXPECT_NEAR(found.front().values.front(), 0.2, 0.02);
-  EXPECT_TRUE(found.front().hasPlace);
+  EXPECT_TRUE(found.front().hasPosition);
 }
 
 TEST(SurfaceCurvedHoles, HolesThatIntersectOrLieElsewhereAreReported) {

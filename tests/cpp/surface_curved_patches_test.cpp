@@ -24,7 +24,7 @@ SurfaceMeasures measuresOf(const Model& model, double size) {
   const SurfaceMeasures found = measure(mesh, field);
   EXPECT_EQ(found.eulerCharacteristic(), 1);
   EXPECT_EQ(found.borderEdges, mesh.sideLine.size());
-  EXPECT_EQ(found.crowdedEdges, 0U);
+  EXPECT_EQ(found.nonManifoldEdges, 0U);
   return found;
 }
 
@@ -222,7 +222,7 @@ TEST(SurfaceCurvedPatches, CuspOfLinesThatBendInOneDirectionFoldsAndIsReported) 
       diagnoseModel(cusp(PatchType::kBarnhillGregoryNielson, 0.2, 0.8));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found.front().code, DiagnosticCode::kDegeneratePatch);
-  EXPECT_TRUE(found.front().hasPlace);
+  EXPECT_TRUE(found.front().hasPosition);
 }
 
 // ---- before meshing ------------------------------------------------------------------------------

@@ -44,7 +44,7 @@ TEST(SurfaceMesher, BoxIsWatertight) {
     const SurfaceMesh mesh = meshOf(model, field);
     const SurfaceMeasures found = measure(mesh, field);
     EXPECT_EQ(found.borderEdges, 0U);
-    EXPECT_EQ(found.crowdedEdges, 0U);
+    EXPECT_EQ(found.nonManifoldEdges, 0U);
     EXPECT_EQ(found.eulerCharacteristic(), 2);
     EXPECT_NEAR(found.area, 22.0, 1e-11);
     EXPECT_EQ(mesh.trianglePatch.size(), found.triangles);
@@ -58,7 +58,7 @@ TEST(SurfaceMesher, CylinderWithASeamAndTwoDiscsIsWatertight) {
     const SizeField field = SizeField::uniform(size);
     const SurfaceMeasures found = measure(meshOf(model, field), field);
     EXPECT_EQ(found.borderEdges, 0U) << size;
-    EXPECT_EQ(found.crowdedEdges, 0U) << size;
+    EXPECT_EQ(found.nonManifoldEdges, 0U) << size;
     EXPECT_EQ(found.eulerCharacteristic(), 2) << size;
   }
 }
@@ -71,7 +71,7 @@ TEST(SurfaceMesher, CurvedBoxesOfCoonsPatchesAreWatertight) {
     const SurfaceMeasures found = measure(meshOf(model, field), field);
     SCOPED_TRACE(seed);
     EXPECT_EQ(found.borderEdges, 0U);
-    EXPECT_EQ(found.crowdedEdges, 0U);
+    EXPECT_EQ(found.nonManifoldEdges, 0U);
     EXPECT_EQ(found.eulerCharacteristic(), 2);
   }
 }
@@ -113,7 +113,7 @@ TEST(SurfaceMesher, HalvingSidesOfSharedLinesDoesNotDependOnTheOrderOfPatches) {
   const SurfaceMesh mesh = meshOf(model, field);
   const SurfaceMeasures found = measure(mesh, field);
   EXPECT_EQ(found.borderEdges, 0U);
-  EXPECT_EQ(found.crowdedEdges, 0U);
+  EXPECT_EQ(found.nonManifoldEdges, 0U);
   EXPECT_EQ(found.eulerCharacteristic(), 0);
   EXPECT_GT(mesh.sideLine.size(), 8U * 2U + 4U) << "nothing had to be halved";
   std::ranges::reverse(model.patches);
@@ -257,8 +257,8 @@ TEST(SurfaceMesher, ReportsEveryLineOutsideTheGrid) {
     EXPECT_EQ(diagnostic.code, DiagnosticCode::kOutsideBackgroundGrid);
     ASSERT_EQ(diagnostic.entities.size(), 1U);
     EXPECT_EQ(diagnostic.entities.front().kind, EntityKind::kLine);
-    EXPECT_TRUE(diagnostic.hasPlace);
-    EXPECT_GT(diagnostic.place.z, 0.5);
+    EXPECT_TRUE(diagnostic.hasPosition);
+    EXPECT_GT(diagnostic.position.z, 0.5);
   }
 }
 

@@ -20,7 +20,7 @@ namespace {
 void expectValid(const SurfaceMeasures& found, long eulerCharacteristic, std::size_t sides) {
   EXPECT_EQ(found.eulerCharacteristic(), eulerCharacteristic);
   EXPECT_EQ(found.borderEdges, sides);
-  EXPECT_EQ(found.crowdedEdges, 0U);
+  EXPECT_EQ(found.nonManifoldEdges, 0U);
 }
 
 TEST(SurfacePatchMesher, SquareIsCoveredByGoodTriangles) {

@@ -251,7 +251,7 @@ TEST(VolumeMesher, RemeshesPocketsWithoutAStarPoint) {
     for (const std::uint32_t node : inner.triangles) surface.triangles.push_back(first + node);
     const Outcome outcome = fillByOwnSizes(surface);
     ASSERT_EQ(outcome.status, MeshStatus::kDone);
-    reopened += outcome.recovery.reopened;
+    reopened += outcome.recovery.remeshed;
     EXPECT_GT(outcome.recovery.relaxed, 0U);
     EXPECT_EQ(testing::complaintAbout(outcome.mesh, outcome.boundary), "");
     // Recovery must not depend on the slices either, down to single steps.

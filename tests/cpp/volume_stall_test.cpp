@@ -180,7 +180,7 @@ SurfaceMesh openSecondBox() {
   std::vector<Diagnostic> diagnostics;
   EXPECT_TRUE(closeBoundary(boundary, BoundarySource::kGivenSurface, diagnostics).isValid);
   std::size_t hole = boundary.triangles.size() / 3;
-  while (boundary.isWall(hole - 1) || boundary.triangleRegions[2 * (hole - 1)] != 1) --hole;
+  while (boundary.isInterface(hole - 1) || boundary.triangleRegions[2 * (hole - 1)] != 1) --hole;
   const auto erase = [&](std::vector<std::uint32_t>& values, std::ptrdiff_t each) {
     const auto first = values.begin() + each * static_cast<std::ptrdiff_t>(hole - 1);
     values.erase(first, first + each);
@@ -207,7 +207,8 @@ TEST(RegionMesher, NamesTrianglesOfTheWholeBoundaryInAStall) {
   for (const Entity& entity : outcome.diagnostics[0].entities) {
     ASSERT_EQ(entity.kind, EntityKind::kTriangle);
     EXPECT_TRUE(left.contains(entity.index)) << "triangle " << entity.index;
-    EXPECT_TRUE(boundary.isWall(entity.index) || boundary.triangleRegions[2 * entity.index] == 1);
+    EXPECT_TRUE(boundary.isInterface(entity.index) ||
+                boundary.triangleRegions[2 * entity.index] == 1);
   }
 }
 

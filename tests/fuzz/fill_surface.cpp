@@ -120,7 +120,7 @@ MeshOptions optionsFrom(Bytes& bytes) {
   options.exactFillOnly = (switches & 4) != 0;
   options.optimization = static_cast<Optimization>(switches >> 3 & 3);
   if ((switches & 32) != 0) options.size = bytes.number();
-  if ((switches & 64) != 0) options.enclosed = EnclosedBodies::kRegions;
+  if ((switches & 64) != 0) options.innerShells = InnerShells::kRegions;
   options.maxTetrahedra = 20'000;
   return options;
 }
@@ -131,15 +131,15 @@ void demand(bool holds, const std::string& what) {
   std::abort();
 }
 
-bool isFillable(const SurfaceMesh& surface, EnclosedBodies enclosed) {
-  SurfaceInspector inspector(surface.points, surface.triangles, {.enclosed = enclosed});
+bool isFillable(const SurfaceMesh& surface, InnerShells innerShells) {
+  SurfaceInspector inspector(surface.points, surface.triangles, {.innerShells = innerShells});
   while (!inspector.advance(1000)) {
   }
   return inspector.result().isFillable;
 }
 
 void fill(const SurfaceMesh& surface, const MeshOptions& options) {
-  const bool canBeFilled = isFillable(surface, options.enclosed);
+  const bool canBeFilled = isFillable(surface, options.innerShells);
   MeshRun run(surface.points, surface.triangles, options);
   MeshStatus status = MeshStatus::kRunning;
   while (status == MeshStatus::kRunning) status = run.advance(1000);
@@ -152,7 +152,7 @@ void fill(const SurfaceMesh& surface, const MeshOptions& options) {
 }
 
 void repair(const SurfaceMesh& surface, Bytes& bytes) {
-  const RepairOptions options{.weldDistance = bytes.byte() / 256.0, .fillsUpTo = 20};
+  const RepairOptions options{.weldDistance = bytes.byte() / 256.0, .maxHoleEdges = 20};
   const SurfaceRepair repaired = repairSurface(surface.points, surface.triangles, options);
   const std::size_t nodes = repaired.points.size() / 3;
   demand(repaired.origin.size() * 3 == repaired.triangles.size(), "a triangle without an origin");

@@ -79,7 +79,7 @@ std::map<Triple, std::uint32_t> wantedFaces(const SurfaceMesh& surface) {
     const Triple face = beginningLowest({n[0], n[1], n[2]});
     const bool isKnown = !surface.triangleRegions.empty();
     wanted.emplace(face, isKnown ? surface.triangleRegions[2 * t] : SurfaceMesh::kNoRegion);
-    if (surface.isWall(t)) wanted.emplace(reversed(face), surface.triangleRegions[2 * t + 1]);
+    if (surface.isInterface(t)) wanted.emplace(reversed(face), surface.triangleRegions[2 * t + 1]);
   }
   return wanted;
 }
@@ -97,8 +97,8 @@ std::string complaintAboutTopology(const VolumeMesh& mesh, const SurfaceMesh& su
                                   Triple{n[0], n[1], n[3]}, Triple{n[0], n[2], n[1]}}) {
       const Triple face = beginningLowest(corners);
       const auto other = unmatched.find(reversed(face));
-      const bool isWall = wanted.contains(face) && wanted.contains(reversed(face));
-      if (other != unmatched.end() && !isWall) {
+      const bool isInterface = wanted.contains(face) && wanted.contains(reversed(face));
+      if (other != unmatched.end() && !isInterface) {
         if (other->second != region) return sentence("regions meet within: tetrahedron ", t);
         unmatched.erase(other);
       } else if (!unmatched.emplace(face, region).second) {

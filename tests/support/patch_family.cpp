@@ -234,7 +234,7 @@ PatchQuality measureQuality(const SurfaceMesh& mesh, double size) {
   constexpr double kSharpCorner = 40.0;
   const SurfaceMeasures all = measure(mesh, SizeField::uniform(size));
   PatchQuality quality;
-  quality.closed = all.borderEdges == mesh.sideLine.size() && all.crowdedEdges == 0;
+  quality.closed = all.borderEdges == mesh.sideLine.size() && all.nonManifoldEdges == 0;
   quality.minAngleOfAll = all.minAngle;
   quality.meanEdge = all.meanEdgeRatio;
   std::vector<double> lengths;

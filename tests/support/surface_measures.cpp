@@ -55,7 +55,7 @@ SurfaceMeasures measure(const SurfaceMesh& mesh, const SizeField& field) {
   measures.edges = edges.size();
   for (const auto& [nodes, uses] : edges) {
     if (uses == 1) ++measures.borderEdges;
-    if (uses > 2) ++measures.crowdedEdges;
+    if (uses > 2) ++measures.nonManifoldEdges;
     const Vec3 a = pointOf(mesh, nodes.first);
     const Vec3 b = pointOf(mesh, nodes.second);
     measures.meanEdgeRatio += glm::length(b - a) / field.sizeAt(0.5 * (a + b), hint);

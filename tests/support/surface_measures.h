@@ -15,8 +15,8 @@ struct SurfaceMeasures {
   std::size_t nodes = 0;
   std::size_t edges = 0;
   std::size_t triangles = 0;
-  std::size_t borderEdges = 0;   ///< with one triangle
-  std::size_t crowdedEdges = 0;  ///< with more than two
+  std::size_t borderEdges = 0;       ///< with one triangle
+  std::size_t nonManifoldEdges = 0;  ///< with more than two
   double area = 0.0;
   double minAngle = 180.0;       ///< degrees
   double meanRadiusRatio = 0.0;  ///< 2 x inradius / circumradius, 1 equilateral

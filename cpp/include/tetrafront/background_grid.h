@@ -1,7 +1,6 @@
 #pragma once
 
-/// @file Plain input: the background grid (Löhner & Parikh 1988, section 3), and sources of size
-/// as an addition to it.
+/// @file Input: the background grid (Löhner & Parikh 1988, section 3) and, as an addition to it, size sources.
 
 #include <array>
 #include <cstdint>
@@ -11,12 +10,12 @@
 
 namespace tetrafront {
 
-/// The generation parameters at one node of the background grid.
+/// Node of the background grid with its generation parameters.
 struct BackgroundNode {
   Vec3 position{0.0};
-  double size = 0.0;              ///< wanted edge length across the stretching direction, > 0
-  double stretching = 1.0;        ///< wanted length along `direction` divided by `size`, >= 1
-  Vec3 direction{1.0, 0.0, 0.0};  ///< stretching direction; unit length is not required
+  double size = 0.0;              ///< target edge length across the stretching direction, > 0
+  double stretching = 1.0;        ///< target length along `direction` / `size`, >= 1
+  Vec3 direction{1.0, 0.0, 0.0};  ///< stretching direction, of any length
 };
 
 enum class SourceType : std::uint8_t {
@@ -25,30 +24,31 @@ enum class SourceType : std::uint8_t {
   kTriangle = 2,  ///< uses all three
 };
 
-/// A place around which elements are wanted no larger than
+/// Caps the element size near a point, segment or triangle, at distance r from it, at
 ///
-///     size + growth max(0, r - distance),    r the distance from the point, segment or triangle.
+///     size + growth max(0, r - distance).
 ///
-/// Of the background grid and all sources the smallest size wins; where the grid asks for
-/// stretched elements, every principal axis is cut down to that size.
+/// The smallest size of the background grid and all sources applies. In a stretched grid, every principal size is
+/// capped at the size of the sources.
 struct SizeSource {
   SourceType type = SourceType::kPoint;
   std::array<Vec3, 3> points{Vec3(0.0), Vec3(0.0), Vec3(0.0)};
   double size = 0.0;      ///< > 0
-  double distance = 0.0;  ///< up to which `size` holds, >= 0
-  double growth = 0.3;    ///< of the size per unit of distance beyond, >= 0; 0: `size` everywhere
+  double distance = 0.0;  ///< distance up to which `size` applies, >= 0
+  double growth =
+      0.3;  ///< growth of the cap per unit of distance beyond, >= 0; 0: `size` everywhere
 };
 
-/// Tetrahedra, in any orientation, that together cover the domain to be meshed.
+/// Tetrahedra in any orientation that cover the meshed domain.
 struct BackgroundGrid {
   std::vector<BackgroundNode> nodes;
-  std::vector<std::array<std::uint32_t, 4>> tetrahedra;  ///< positions in `nodes`
+  std::vector<std::array<std::uint32_t, 4>> tetrahedra;  ///< indices into `nodes`
   std::vector<SizeSource> sources{};
 
-  /// What this far outside still counts as covered, as a share of the longest edge of the nearest
-  /// tetrahedron, >= 0. 0 for grids drawn around a model; a generated mesh does not quite reach
-  /// the curved patches it was made on (gridFromMesh() sets it).
-  double overhang = 0.0;
+  /// Distance outside the grid that still counts as covered, relative to the longest edge of the nearest
+  /// tetrahedron, >= 0. 0 suits a grid around a model. gridFromMesh() sets it, because a mesh does not quite reach
+  /// the curved patches from which it was generated.
+  double coverageMargin = 0.0;
 };
 
 }  // namespace tetrafront

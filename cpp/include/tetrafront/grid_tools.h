@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file Background grids that need not be drawn: around a model, from a mesh, and sizes proposed
-/// from a model's shape. All of them give plain data, to be edited or used at once.
+/// @file Generated background grids: around a model or from a mesh; and sizes proposed from the shape of a model.
+/// The results are plain data that can be edited or used directly.
 
 #include <cstdint>
 #include <memory>
@@ -16,32 +16,32 @@ namespace tetrafront {
 
 enum class CoverShape : std::uint8_t {
   kBox = 0,                ///< an axis-parallel box in five tetrahedra, 8 nodes
-  kSingleTetrahedron = 1,  ///< one tetrahedron, all that a uniform mesh needs (section 3)
+  kSingleTetrahedron = 1,  ///< one tetrahedron, enough for a uniform mesh (section 3)
 };
 
-/// A grid of `size` at every node over the box `low` to `high`, widened on each side by a
-/// twentieth of its diagonal. Needs finite corners, low <= high, size > 0. A box that is a single
-/// place gets a margin of `size`.
+/// Returns a grid with `size` at every node that covers the box from `low` to `high`, widened on each side by a
+/// twentieth of its diagonal, or by `size` if the box is a single position. The corners must be finite,
+/// low <= high and size > 0.
 [[nodiscard]] BackgroundGrid coveringGrid(const Vec3& low, const Vec3& high, double size,
                                           CoverShape shape);
 
-/// The same around the points, lines and patches of a model, curved ones as they bulge. Parts of
-/// the model that cannot be evaluated are left out; an empty grid if nothing is left.
-/// `size` 0: a twentieth of the model's diagonal. Cost as of previewModel().
+/// Returns such a grid around the points, lines and patches of a model, including the bulge of curved ones. Leaves
+/// out parts of the model that cannot be evaluated; the grid is empty if nothing else is there. `size` 0 stands
+/// for a twentieth of the model's diagonal. Costs as much as previewModel().
 [[nodiscard]] BackgroundGrid coveringGrid(const Model& model, double size, CoverShape shape);
 
-/// coveringGrid() in slices.
-class ModelCoverer {
+/// Does the work of coveringGrid() in slices.
+class CoveringGridBuilder {
  public:
-  ModelCoverer(Model model, double size, CoverShape shape);
-  ModelCoverer(ModelCoverer&&) noexcept;
-  ModelCoverer& operator=(ModelCoverer&&) noexcept;
-  ~ModelCoverer();
+  CoveringGridBuilder(Model model, double size, CoverShape shape);
+  CoveringGridBuilder(CoveringGridBuilder&&) noexcept;
+  CoveringGridBuilder& operator=(CoveringGridBuilder&&) noexcept;
+  ~CoveringGridBuilder();
 
-  /// Works on for about `budget` steps, to look at a patch being many; true when finished.
+  /// Does about `budget` units of work, of which a patch takes many; true when finished.
   bool advance(std::uint32_t budget);
 
-  /// 0 to 1.
+  /// Estimated progress, 0 to 1.
   [[nodiscard]] double fraction() const;
 
   /// Complete once advance() has returned true.
@@ -52,24 +52,24 @@ class ModelCoverer {
   std::unique_ptr<Impl> impl_;
 };
 
-/// A generated mesh as background grid (section 3). `sizes` holds one wanted size per node of the
-/// mesh; empty: sizes with which the mesh asks for about as many elements as it has, from the
-/// lengths of the edges at each node, averaged. Nodes without an element are left out. A mesh
-/// whose front was not closed covers only what it fills. O(mesh).
+/// Returns a generated mesh as a background grid (section 3). `sizes` holds one target size per node of the mesh. If
+/// it is empty, the sizes follow from the mean edge length at each node, so that the grid asks for about as many
+/// elements as the mesh has. Leaves out nodes without an element. An incomplete mesh covers only what it fills.
+/// O(n) for n elements.
 [[nodiscard]] BackgroundGrid gridFromMesh(const VolumeMesh& mesh, std::span<const double> sizes);
 
-/// gridFromMesh() in slices.
-class MeshGridder {
+/// Does the work of gridFromMesh() in slices.
+class MeshGridBuilder {
  public:
-  MeshGridder(VolumeMesh mesh, std::vector<double> sizes);
-  MeshGridder(MeshGridder&&) noexcept;
-  MeshGridder& operator=(MeshGridder&&) noexcept;
-  ~MeshGridder();
+  MeshGridBuilder(VolumeMesh mesh, std::vector<double> sizes);
+  MeshGridBuilder(MeshGridBuilder&&) noexcept;
+  MeshGridBuilder& operator=(MeshGridBuilder&&) noexcept;
+  ~MeshGridBuilder();
 
-  /// Works on for `budget` elements or nodes; true when finished.
+  /// Visits about `budget` elements or nodes; true when finished.
   bool advance(std::uint32_t budget);
 
-  /// 0 to 1.
+  /// Estimated progress, 0 to 1.
   [[nodiscard]] double fraction() const;
 
   /// Complete once advance() has returned true.
@@ -80,27 +80,26 @@ class MeshGridder {
   std::unique_ptr<Impl> impl_;
 };
 
-/// What proposeSizes() looks at. Each of the last two is left out where 0.
+/// Options of proposeSizes(). 0 turns off `elementsPerCircle` or `elementsPerGap`.
 struct ProposalOptions {
-  double uniform = 0.0;             ///< the largest size; 0: a twentieth of the model's diagonal
-  double smallest = 0.0;            ///< no proposal below this; 0: a fiftieth of the largest
-  double elementsPerCircle = 24.0;  ///< around a full turn of a curved line or patch
-  double elementsPerGap = 3.0;      ///< between opposite patches, across the inside
-  double growth = 0.3;              ///< of the proposed sources
+  double uniform = 0.0;             ///< largest size; 0: a twentieth of the model's diagonal
+  double smallest = 0.0;            ///< smallest size proposed; 0: a fiftieth of the largest
+  double elementsPerCircle = 24.0;  ///< elements around a full circle of a curved line or patch
+  double elementsPerGap = 3.0;      ///< elements across the inside, between opposite patches
+  double growth = 0.3;              ///< growth of the proposed sources
 };
 
 struct SizeProposal {
-  double size = 0.0;                ///< uniform, to be refined by the sources; 0: nothing to see
-  std::vector<SizeSource> sources;  ///< smallest first; none where `size` is small enough
+  double size = 0.0;  ///< uniform size, which the sources refine; 0: nothing could be sampled
+  std::vector<SizeSource> sources;  ///< smallest first; none if `size` is small enough everywhere
 };
 
-/// Sizes from the model's shape: a uniform one, and sources along lines and on patches that bend
-/// or come near each other, as seen at the resolution of previewModel(). A proposal, not a
-/// promise: finer detail than that is missed. Sources that smaller ones nearby make needless are
-/// left out. Milliseconds for the models people draw.
+/// Proposes a uniform size, and sources on lines and patches that are curved or close to each other. Works on the
+/// samples of previewModel(), so it misses finer detail. Omits a source if smaller sources nearby already ask for
+/// its size. Takes milliseconds for typical models.
 [[nodiscard]] SizeProposal proposeSizes(const Model& model, const ProposalOptions& options);
 
-/// proposeSizes() in slices.
+/// Does the work of proposeSizes() in slices.
 class SizeProposer {
  public:
   SizeProposer(Model model, const ProposalOptions& options);
@@ -108,11 +107,11 @@ class SizeProposer {
   SizeProposer& operator=(SizeProposer&&) noexcept;
   ~SizeProposer();
 
-  /// Works on for about `budget` steps, to look at a patch being many; true when finished. The tree of
-  /// all sampled triangles is built, and the proposals are sorted, in one step each.
+  /// Does about `budget` units of work, of which a patch takes many; true when finished. Building the tree over all
+  /// sampled triangles and sorting the proposals are not divided.
   bool advance(std::uint32_t budget);
 
-  /// 0 to 1.
+  /// Estimated progress, 0 to 1.
   [[nodiscard]] double fraction() const;
 
   /// Complete once advance() has returned true.

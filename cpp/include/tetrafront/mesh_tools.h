@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file Meshes from anywhere: whether they are sound, how good their elements are, and what bounds
-/// them. Signs are exact, and figures are those of a run's own report.
+/// @file Inspects meshes from any source: whether they are valid, the quality of their elements, and their boundary.
+/// Signs are exact; the statistics are computed as in the report of a run.
 
 #include <cstdint>
 #include <memory>
@@ -13,45 +13,47 @@
 
 namespace tetrafront {
 
+/// Result of the inspection of a mesh.
 struct MeshInspection {
-  /// Whole numbers in range, finite coordinates, at least one element. If not, nothing else is told.
+  /// False if an array length, an index or a coordinate is invalid, or if there is no element. All other members
+  /// then keep their defaults.
   bool isReadable = false;
-  std::uint32_t nodes = 0;  ///< that elements use
+  std::uint32_t nodes = 0;  ///< nodes used by elements
   std::uint32_t unusedNodes = 0;
   std::uint32_t tetrahedra = 0;
-  std::uint32_t turnedTetrahedra = 0;  ///< with (b-a) x (c-a) . (d-a) < 0; measured as if turned
-  std::uint32_t flatTetrahedra = 0;    ///< without volume, exactly
-  std::uint32_t repeatedTetrahedra = 0;
-  std::uint32_t crowdedFaces = 0;     ///< of more than two elements
-  std::uint32_t overlaps = 0;         ///< faces of two elements on the same side
-  std::uint32_t coincidentNodes = 0;  ///< used nodes at the place of another
+  std::uint32_t invertedTetrahedra = 0;    ///< (b-a) x (c-a) . (d-a) < 0; measured as if reversed
+  std::uint32_t degenerateTetrahedra = 0;  ///< zero volume, exactly
+  std::uint32_t duplicateTetrahedra = 0;   ///< with the nodes of another
+  std::uint32_t nonManifoldFaces = 0;      ///< shared by more than two elements
+  std::uint32_t overlappingFaces = 0;      ///< with two elements on the same side
+  std::uint32_t coincidentNodes = 0;       ///< used nodes at the position of another
   double shortestEdge = 0.0;
   double longestEdge = 0.0;
-  /// Over the edges of all elements, each as often as elements have it.
+  /// Mean over the edges of all elements; an edge counts once per element.
   double meanEdge = 0.0;
   QualitySummary quality;
-  /// With `meanEdge` as the wanted length of all edges.
+  /// Computed with `meanEdge` as the target length of all edges.
   QualityStatistics statistics;
-  /// Faces of one element, counter-clockwise seen from outside; nodes are those of the mesh. Per
-  /// triangle the region of its element in trianglePatch. `points` stays empty.
+  /// Faces of one element only, counter-clockwise seen from outside, with the node indices of the mesh.
+  /// `trianglePatch` holds the region of the element; `points` is empty.
   SurfaceMesh boundary;
 };
 
 /// Inspects a mesh in slices. O(n log n).
 class MeshInspector {
  public:
-  /// The elements a b c d at tetrahedra[4t..4t+3], positions in `points` (x y z each), with one region
-  /// each, or none at all. All is copied.
+  /// `points`: x y z per node. `tetrahedra`: nodes a b c d of element t at [4t..4t+3]. `regions`: one per element,
+  /// or empty. All arrays are copied.
   MeshInspector(std::span<const double> points, std::span<const std::uint32_t> tetrahedra,
                 std::span<const std::uint32_t> regions);
   MeshInspector(MeshInspector&&) noexcept;
   MeshInspector& operator=(MeshInspector&&) noexcept;
   ~MeshInspector();
 
-  /// Works on for about `budget` elements; true when finished.
+  /// Visits about `budget` elements; true when finished.
   bool advance(std::uint32_t budget);
 
-  /// 0 to 1.
+  /// Estimated progress, 0 to 1.
   [[nodiscard]] double fraction() const;
 
   /// Complete once advance() has returned true.
@@ -62,7 +64,7 @@ class MeshInspector {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The whole inspection at once.
+/// Inspects a mesh in one call.
 [[nodiscard]] MeshInspection inspectMesh(std::span<const double> points,
                                          std::span<const std::uint32_t> tetrahedra,
                                          std::span<const std::uint32_t> regions);

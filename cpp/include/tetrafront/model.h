@@ -1,8 +1,8 @@
 #pragma once
 
-/// @file Plain input: what the user draws (Löhner & Parikh 1988, section 4). Three levels of
-/// data, each built from the one before: points, lines, patches. All references are positions
-/// in the arrays of the same Model; names and ids live with the caller.
+/// @file Input: the drawn model (Löhner & Parikh 1988, section 4). It has three levels: points, lines between
+/// points, and patches between lines. All references are indices into the arrays of the same Model. Names and
+/// ids are kept by the caller.
 
 #include <cstdint>
 #include <vector>
@@ -11,46 +11,45 @@
 
 namespace tetrafront {
 
-/// How a line runs through its points.
+/// Curve type of a line.
 enum class LineType : std::uint8_t {
   kStraight = 0,   ///< two points
-  kParabolic = 1,  ///< three points: start, a point passed at mid-parameter, end
-  /// Four or more points, all passed, chord-length parameter. Natural ends; if the first point is
-  /// also the last, no ends: the curve is periodic, its curvature continuous there too.
+  kParabolic = 1,  ///< three points: start, the point at mid-parameter, end
+  /// Four or more points, interpolated with chord-length parameters and natural ends. If the first point is also
+  /// the last, the curve is periodic: its curvature is continuous there too.
   kCubicSpline = 2,
 };
 
-/// How a patch spans the lines of its outer loop (Löhner & Parikh 1988, appendix): F1, F2, ... in
-/// the order in which the loop walks them. All may have holes, of lines of any type that lie on the
-/// patch.
+/// Surface type of a patch over the lines F1, F2, ... of its outer loop, in the order of the loop (Löhner &
+/// Parikh 1988, appendix). Patches of all types may have holes, of lines of any type that lie on the patch.
 enum class PatchType : std::uint8_t {
   kPlanar = 0,                 ///< any number of lines, all in one plane (eq. 8-10)
   kIsoparametricTriangle = 1,  ///< three parabolic lines (eq. 11, 12)
   kSerendipity = 2,            ///< four parabolic lines (eq. 13)
-  /// Three lines of any type (eq. 14). The loop's second line, F2, plays another role than the
-  /// other two: which line the loop begins with changes the surface between the lines, though not
-  /// along them. Take for F2 the line that differs from the others, say the base of a fan.
+  /// Three lines of any type (eq. 14). The formula treats the second line of the loop, F2, differently from the
+  /// other two, so the first line of the loop changes the surface between the lines, but not along them. Choose as
+  /// F2 the line that differs from the others, for example the base of a fan.
   kBarnhillGregoryNielson = 3,
   kCoons = 4,  ///< four lines of any type (eq. 15)
 };
 
 struct Line {
   LineType type = LineType::kStraight;
-  std::vector<std::uint32_t> points;  ///< positions in Model::points, in the line's direction
+  std::vector<std::uint32_t> points;  ///< indices into Model::points, in the line's direction
 };
 
-/// A line as a loop walks it.
+/// A line of a loop, with its direction in the loop.
 struct OrientedLine {
-  std::uint32_t line = 0;  ///< position in Model::lines
-  bool reversed = false;   ///< walked from its last point to its first
+  std::uint32_t line = 0;  ///< index into Model::lines
+  bool reversed = false;   ///< from its last point to its first
 };
 
-/// One closed chain: each line begins where the one before ends, the last ends at the first.
+/// A closed chain of lines: each line begins at the end of the line before it, the first at the end of the last.
 using Loop = std::vector<OrientedLine>;
 
 struct Patch {
   PatchType type = PatchType::kPlanar;
-  std::vector<Loop> loops;  ///< the outer loop first, then holes; either direction of turning
+  std::vector<Loop> loops;  ///< the outer loop, then the holes, each in either direction
 };
 
 struct Model {

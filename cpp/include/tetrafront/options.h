@@ -1,69 +1,68 @@
 #pragma once
 
-/// @file One documented default per field.
+/// @file Options of a run and their defaults.
 
 #include <cstdint>
 
 namespace tetrafront {
 
-/// The most by which sizes may grow per unit of distance: no element could follow more.
-inline constexpr double kMostGrowth = 10.0;
+/// Largest growth of sizes per unit of distance. Elements could not follow a larger one.
+inline constexpr double kMaxGrowth = 10.0;
 
-/// The most by which sizes may grow from one element to the next.
-inline constexpr double kMostGradation = 10.0;
+/// Largest gradation: ratio of the sizes of neighbouring elements.
+inline constexpr double kMaxGradation = 10.0;
 
-/// The most by which elements may be stretched: far beyond any layer of air along a wing; squares and products of
-/// such lengths stay in doubles.
-inline constexpr double kMostStretching = 1e6;
+/// Largest stretching. Boundary layers need far less, and squares and products of lengths with this ratio stay
+/// accurate in doubles.
+inline constexpr double kMaxStretching = 1e6;
 
-/// In which order faces leave the front (step F4).
+/// Order in which faces leave the front (step F4).
 enum class FrontOrder : std::uint8_t {
-  kLayered = 0,        ///< buckets of like size, smallest first; inside one, layer by layer, and
-                       ///< each layer part by part of the space it is in
-  kSmallestFirst = 1,  ///< the paper's: the face forming the smallest element is next
+  kLayered = 0,        ///< buckets of similar size, smallest first; within a bucket layer by layer,
+                       ///< and within a layer tile by tile in space
+  kSmallestFirst = 1,  ///< the face that forms the smallest element is next, as in the paper
 };
 
-/// How much work goes into the shape of the elements after the front.
+/// Effort for the shape of the elements after the front has closed.
 enum class Optimization : std::uint8_t {
-  kNone = 0,      ///< the mesh as the front leaves it
-  kFast = 1,      ///< swaps and moves, then repair of the worst elements
-  kDefault = 2,   ///< with splits and collapses too, until they come to rest
-  kThorough = 3,  ///< with more rounds, and repair towards higher angles: 35 to 130 degrees
+  kNone = 0,      ///< none: the mesh of the front
+  kFast = 1,      ///< swaps and moves, then improvement of the worst elements
+  kDefault = 2,   ///< also splits and collapses, until nothing improves
+  kThorough = 3,  ///< more rounds, and dihedral angles of 35 to 130 degrees as the target
 };
 
-/// What a closed part of the boundary bounds that lies within a body and shares no line with it.
-enum class EnclosedBodies : std::uint8_t {
-  kCavities = 0,  ///< an empty space; a part within that, a body again, and so on
-  kRegions = 1,   ///< a region of its own: every space is filled, and fits what is around it
+/// Meaning of a shell that lies inside a region and is not connected to the region's outer shell.
+enum class InnerShells : std::uint8_t {
+  kCavities = 0,  ///< bounds a cavity; a shell inside the cavity bounds a region again, and so on
+  kRegions = 1,   ///< bounds a region of its own, whose mesh conforms to the region around it
 };
 
 struct MeshOptions {
-  /// Uniform element size, in model units, > 0. Given, it replaces the nodes and tetrahedra of the
-  /// background grid, but not its sources, and caps the sizes within a given surface. 0: not given.
+  /// Uniform element size, in model units, > 0; 0 if there is none. It replaces the nodes and tetrahedra of the
+  /// background grid, but not its sources, and caps the sizes inside a given surface.
   ///
-  /// The triangles of a given surface stay: where they are larger than wanted (by this, a grid or
-  /// sources), so are the elements beside them, and sizes fall inwards by `growth` per unit of
-  /// distance, at most 0.5. refineSurface() divides such triangles first.
+  /// The triangles of a given surface are kept. If they are larger than the target size (by this option, a grid
+  /// or sources), the elements next to them are as large, and the sizes fall inwards by `growth`, at most 0.5,
+  /// per unit of distance. SurfaceRefiner splits such triangles beforehand.
   double size = 0.0;
-  /// Growth of the element size per unit of distance from a given surface's edges, up to `size` or what a
-  /// background grid asks for, 0 to kMostGrowth.
+  /// Growth of the element size per unit of distance from the edges of a given surface, up to `size` or the size
+  /// of a background grid; 0 to kMaxGrowth.
   double growth = 0.3;
-  /// The most by which sizes may grow from one element to the next, above 1 and up to kMostGradation: nodes of the background
-  /// grid that ask for more than their neighbours' size + (gradation - 1) times the distance are
-  /// given that. Grids that change more gently are used as they are. 0: so are all. Sources have
-  /// a growth of their own.
+  /// Largest ratio of the sizes of neighbouring elements in a background grid, above 1, up to kMaxGradation. The
+  /// size of each node is capped at the size of its neighbour + (gradation - 1) x distance. A grid that already
+  /// satisfies this is not changed. 0: no limit. Sources have a growth of their own.
   double gradation = 1.3;
-  EnclosedBodies enclosed = EnclosedBodies::kCavities;
+  InnerShells innerShells = InnerShells::kCavities;
   FrontOrder order = FrontOrder::kLayered;
-  /// Whether faces that cannot cross a new element are told from the others cheaply before the
-  /// analysis (second section 6 (b) of the paper; (a), boxes, goes with the search for faces). Off,
-  /// all faces around are analysed: the same mesh, slower, to show what the filters are worth.
+  /// Discards faces that cannot cross a new element by a cheap test before the full one (second section 6 (b) of
+  /// the paper; the boxes of (a) are part of the search). Without the filters, the mesh is the same but takes
+  /// longer; benchmarks show their effect.
   bool filters = true;
   Optimization optimization = Optimization::kDefault;
-  /// More tetrahedra than this are not attempted (kTooManyElements). A run takes about 150 bytes
-  /// for each at its peak, and WebAssembly has 4 GB.
+  /// Largest number of tetrahedra; above it, a run ends with kTooManyElements. The peak memory of a run is about
+  /// 150 bytes per tetrahedron, and WebAssembly has at most 4 GB.
   std::uint32_t maxTetrahedra = 20'000'000;
-  /// For tests: no front; the whole inside goes to the exact fill that otherwise comes last.
+  /// For tests: skips the front and fills the whole volume by the exact fill, which otherwise comes last.
   bool exactFillOnly = false;
 };
 

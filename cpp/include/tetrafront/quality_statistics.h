@@ -1,8 +1,8 @@
 #pragma once
 
-/// @file What a report says about a finished mesh beyond QualitySummary: how angles, ratios and edge
-/// lengths are distributed, and where the worst elements are. Shapes and lengths are those the size
-/// field sees: where it is stretched, in the space where the wanted element is regular with edge 1.
+/// @file Statistics of a finished mesh beyond QualitySummary: histograms of angles, radius ratios and edge lengths,
+/// and the worst elements. Shapes and lengths are measured in the metric of the size field: in the space in which
+/// the target element is regular with edge length 1.
 
 #include <array>
 #include <cstddef>
@@ -21,15 +21,17 @@ struct RegionStatistics {
   std::uint32_t region = 0;  ///< as in VolumeMesh::regions
   std::uint32_t tetrahedra = 0;
   double volume = 0.0;
-  std::array<std::uint32_t, kDihedralBins> dihedral{};          ///< all six of each element
-  std::array<std::uint32_t, kDihedralBins> smallestDihedral{};  ///< one of each element
+  std::array<std::uint32_t, kDihedralBins> dihedral{};  ///< all six angles of each element
+  std::array<std::uint32_t, kDihedralBins>
+      smallestDihedral{};  ///< the smallest angle of each element
   std::array<std::uint32_t, kRatioBins> radiusRatio{};
-  std::array<std::uint32_t, kEdgeBins> edge{};  ///< length by wanted length; each edge counts once
+  std::array<std::uint32_t, kEdgeBins> edge{};  ///< length / target length; each edge counts once
 };
 
-struct ElementFigures {
+/// Quality of one element.
+struct ElementQuality {
   std::uint32_t tetrahedron = 0;
-  Vec3 place{0.0};                ///< centroid
+  Vec3 centroid{0.0};
   double volume = 0.0;            ///< in cubed model units
   double smallestDihedral = 0.0;  ///< degrees
   double largestDihedral = 0.0;   ///< degrees
@@ -38,30 +40,31 @@ struct ElementFigures {
 
 struct QualityStatistics {
   std::vector<RegionStatistics> regions;  ///< ascending
-  std::vector<ElementFigures> worst;      ///< up to ten, by their angles, worst first
-  ElementFigures smallest;                ///< by volume
-  double volumeRatio = 0.0;               ///< largest by smallest volume
-  double meanEdge = 0.0;                  ///< by wanted length
-  double meanEdgeOfPossible = 0.0;        ///< by the length that the surface's triangles allow
-  double edgesNearWanted = 0.0;           ///< share of the edges between 0.6 and 1.5 wanted lengths
-  /// Wanted are dihedral angles from 30 to 135 degrees: elements with an angle beyond, which the
-  /// boundary does not excuse.
-  std::uint32_t missed = 0;
-  /// Those it does, each counted under the first of the three reasons that applies to it.
+  std::vector<ElementQuality> worst;      ///< up to ten, by their angles, worst first
+  ElementQuality smallest;                ///< element of least volume
+  double volumeRatio = 0.0;               ///< largest / smallest volume
+  double meanEdge = 0.0;                  ///< mean of length / target length
+  double meanEdgeOfAchievable =
+      0.0;                       ///< mean of length / length that the surface's triangles allow
+  double edgesNearTarget = 0.0;  ///< share of the edges with 0.6 to 1.5 target lengths
+  /// Elements with a dihedral angle outside 30 to 135 degrees, except those limited by the boundary.
+  std::uint32_t outOfRange = 0;
+  /// Such elements that are limited by the boundary: the sum of the next three, each element counted under the
+  /// first reason that applies.
   std::uint32_t limitedByBoundary = 0;
-  /// They lie in an edge of the boundary or of walls where the space around them takes less than 30
-  /// degrees, which all elements there share; or less than 60, so that only the tetrahedron of its
-  /// two triangles could do without less than 30, and that tetrahedron misses its angles. Proved.
+  /// Elements at an edge of the boundary or of interfaces where the boundary forces an angle out of range. Either
+  /// the region spans less than 30 degrees there; or less than 60, so that one element must fill the wedge, and the
+  /// tetrahedron of its two triangles is out of range itself. This limit is proved.
   std::uint32_t limitedByEdges = 0;
-  /// They have an edge of a boundary triangle that is a needle or a cap (radius ratio below 0.3).
-  /// Experience, not proof: good elements exist at such triangles, but hardly ever beside those of
-  /// their neighbours.
+  /// Elements with an edge of a boundary triangle that is a needle or a cap (radius ratio below 0.3). This limit is
+  /// an experience, not a proof: good elements at such triangles exist, but rarely fit to their neighbours.
   std::uint32_t limitedByNeedles = 0;
-  /// All their nodes are the boundary's, and they join two parts of it, without a common boundary
-  /// edge, that are nearer to each other than 0.6 wanted lengths. No proof either: the triangles of
-  /// the two parts decide what can be made of them, and a node between them would be too near.
-  std::uint32_t limitedBySheets = 0;
-  std::vector<ElementFigures> worstLimited;  ///< up to ten of them, worst first
+  /// Elements in a narrow gap: all nodes are on the boundary, and the element joins two parts of it that share no
+  /// edge of the element and are closer than 0.6 target lengths. Not proved: the triangles of both parts determine
+  /// the elements between them, and a node in the gap would be too close to them.
+  std::uint32_t limitedByNarrowGaps = 0;
+  std::vector<ElementQuality>
+      worstLimited;  ///< up to ten elements limited by the boundary, worst first
 };
 
 }  // namespace tetrafront

@@ -8,9 +8,9 @@
 
 namespace tetrafront {
 
-/// A position or direction in space; plain data of three doubles, x y z in memory.
+/// Position or direction in space: three doubles, x y z in memory.
 using Vec3 = glm::dvec3;
-/// A position in a patch's parameter plane.
+/// Position in the parameter plane of a patch.
 using Vec2 = glm::dvec2;
 
 static_assert(sizeof(Vec3) == 3 * sizeof(double), "points cross the border as packed x y z");

@@ -27,11 +27,11 @@ Task<BoxTree> buildTriangleTree(Work& work, const SurfaceMesh& mesh) {
 
 }  // namespace
 
-BoundaryCheck::BoundaryCheck(SurfaceMesh& mesh, BoundarySource source, EnclosedBodies enclosed,
+BoundaryCheck::BoundaryCheck(SurfaceMesh& mesh, BoundarySource source, InnerShells innerShells,
                              MixedOrientation mixed, std::size_t maxDiagnostics)
     : mesh_(mesh),
       source_(source),
-      enclosed_(enclosed),
+      innerShells_(innerShells),
       mixed_(mixed),
       report_(mesh, source, maxDiagnostics),
       job_([this](Work& work) { return run(work); }) {}
@@ -69,7 +69,7 @@ Task<> BoundaryCheck::closeBoundary(Work& work) {
   if (report_.hasErrors()) co_return;
 
   work.beginPart(0.95);
-  RegionMap regions = findRegions(mesh_, edges, tree, enclosed_, report_);
+  RegionMap regions = findRegions(mesh_, edges, tree, innerShells_, report_);
   if (report_.hasErrors()) co_return;
   co_await work.yield();
 
@@ -189,8 +189,8 @@ void BoundaryCheck::numberRegions(const RegionMap& regions) {
 }
 
 BoundaryResult closeBoundary(SurfaceMesh& mesh, BoundarySource source,
-                             std::vector<Diagnostic>& diagnostics, EnclosedBodies enclosed) {
-  BoundaryCheck check(mesh, source, enclosed);
+                             std::vector<Diagnostic>& diagnostics, InnerShells innerShells) {
+  BoundaryCheck check(mesh, source, innerShells);
   finish(check);
   const std::vector<Diagnostic> found = check.takeDiagnostics();
   diagnostics.insert(diagnostics.end(), found.begin(), found.end());

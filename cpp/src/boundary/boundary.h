@@ -54,9 +54,9 @@ class BoundaryCheck {
  public:
   /// `mesh` must outlive this object and not change meanwhile. `maxDiagnostics`: limit per code.
   BoundaryCheck(SurfaceMesh& mesh, BoundarySource source,
-                EnclosedBodies enclosed = EnclosedBodies::kCavities,
+                InnerShells innerShells = InnerShells::kCavities,
                 MixedOrientation mixed = MixedOrientation::kFlip,
-                std::size_t maxDiagnostics = kListedFindings);
+                std::size_t maxDiagnostics = kDefaultMaxDiagnostics);
 
   /// Does work for about `budget` triangles; returns true when finished. O(n log n) in total for surfaces with few
   /// self-intersections.
@@ -92,7 +92,7 @@ class BoundaryCheck {
 
   SurfaceMesh& mesh_;
   BoundarySource source_;
-  EnclosedBodies enclosed_;
+  InnerShells innerShells_;
   MixedOrientation mixed_;
   BoundaryReport report_;
   InvalidTriangles invalid_;
@@ -104,6 +104,6 @@ class BoundaryCheck {
 /// Does the whole check in one call. Appends the diagnostics to `diagnostics`.
 BoundaryResult closeBoundary(SurfaceMesh& mesh, BoundarySource source,
                              std::vector<Diagnostic>& diagnostics,
-                             EnclosedBodies enclosed = EnclosedBodies::kCavities);
+                             InnerShells innerShells = InnerShells::kCavities);
 
 }  // namespace tetrafront

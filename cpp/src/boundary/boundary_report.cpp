@@ -69,8 +69,8 @@ void BoundaryReport::add(DiagnosticCode code, std::vector<Entity> entities, cons
   entry.count = 1;
   addTriangles(entry, triangles);
   if (std::isfinite(position.x) && std::isfinite(position.y) && std::isfinite(position.z)) {
-    entry.diagnostic.hasPlace = true;
-    entry.diagnostic.place = position;
+    entry.diagnostic.hasPosition = true;
+    entry.diagnostic.position = position;
   }
   entries_.push_back(std::move(entry));
 }

@@ -31,7 +31,7 @@ enum class BoundarySource : std::uint8_t {
 class BoundaryReport {
  public:
   BoundaryReport(const SurfaceMesh& mesh, BoundarySource source,
-                 std::size_t maxDiagnostics = kListedFindings)
+                 std::size_t maxDiagnostics = kDefaultMaxDiagnostics)
       : mesh_(mesh), source_(source), maxDiagnostics_(maxDiagnostics) {}
 
   void addNode(DiagnosticCode code, NodeId node, std::vector<double> values);

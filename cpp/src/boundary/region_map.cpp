@@ -13,8 +13,8 @@ namespace {
 class RegionFinder {
  public:
   RegionFinder(const SurfaceMesh& mesh, const EdgeTable& edges, const BoxTree& tree,
-               EnclosedBodies enclosed, BoundaryReport& report)
-      : mesh_(mesh), edges_(edges), tree_(tree), enclosed_(enclosed), report_(report) {}
+               InnerShells innerShells, BoundaryReport& report)
+      : mesh_(mesh), edges_(edges), tree_(tree), innerShells_(innerShells), report_(report) {}
 
   RegionMap run() {
     map_.componentOf = connectedComponents(mesh_, edges_);
@@ -87,7 +87,7 @@ class RegionFinder {
   /// Returns one flag per component: whether every volume that the component encloses is meshed.
   [[nodiscard]] std::vector<std::uint8_t> findComponentsWithInterfaces() const {
     std::vector<std::uint8_t> hasInterfaces(componentCount_,
-                                            enclosed_ == EnclosedBodies::kRegions ? 1 : 0);
+                                            innerShells_ == InnerShells::kRegions ? 1 : 0);
     for (std::size_t e = 0; e < edges_.edgeCount(); ++e) {
       const std::span<const HalfEdgeId> halfEdges = edges_.halfEdgesOf(EdgeId(e));
       if (halfEdges.size() % 2 == 0) continue;
@@ -141,7 +141,7 @@ class RegionFinder {
   const SurfaceMesh& mesh_;
   const EdgeTable& edges_;
   const BoxTree& tree_;
-  EnclosedBodies enclosed_;
+  InnerShells innerShells_;
   BoundaryReport& report_;
   RegionMap map_;
   std::size_t componentCount_ = 0;
@@ -151,8 +151,8 @@ class RegionFinder {
 }  // namespace
 
 RegionMap findRegions(const SurfaceMesh& mesh, const EdgeTable& edges, const BoxTree& tree,
-                      EnclosedBodies enclosed, BoundaryReport& report) {
-  return RegionFinder(mesh, edges, tree, enclosed, report).run();
+                      InnerShells innerShells, BoundaryReport& report) {
+  return RegionFinder(mesh, edges, tree, innerShells, report).run();
 }
 
 }  // namespace tetrafront

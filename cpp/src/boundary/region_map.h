@@ -5,7 +5,7 @@
 /// If every edge of a component has an even number of triangles, the component separates meshed from empty volume:
 /// inside a region it bounds a cavity, and inside that cavity another region. If some edge of a component has an odd
 /// number of triangles, the component contains interfaces, and every volume that it encloses is meshed.
-/// EnclosedBodies::kRegions applies the second rule to every component.
+/// InnerShells::kRegions applies the second rule to every component.
 
 #include <cstdint>
 #include <vector>
@@ -50,7 +50,7 @@ struct RegionMap {
 /// triangles with the same volume on both sides; the map is then incomplete. Exact except for the signs of volumes.
 /// O(n log n).
 [[nodiscard]] RegionMap findRegions(const SurfaceMesh& mesh, const EdgeTable& edges,
-                                    const BoxTree& tree, EnclosedBodies enclosed,
+                                    const BoxTree& tree, InnerShells innerShells,
                                     BoundaryReport& report);
 
 }  // namespace tetrafront

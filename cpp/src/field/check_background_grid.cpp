@@ -40,8 +40,8 @@ void checkNode(const BackgroundNode& node, std::uint32_t index, double smallest,
     Diagnostic diagnostic = about(code, EntityKind::kBackgroundNode, index);
     diagnostic.values = std::move(values);
     if (isFinite(node.position)) {
-      diagnostic.hasPlace = true;
-      diagnostic.place = node.position;
+      diagnostic.hasPosition = true;
+      diagnostic.position = node.position;
     }
     found.push_back(std::move(diagnostic));
   };
@@ -49,7 +49,7 @@ void checkNode(const BackgroundNode& node, std::uint32_t index, double smallest,
     report(DiagnosticCode::kNotFinite, {refusedCoordinate(node.position)});
   if (!(node.size > 0.0 && node.size >= smallest && node.size <= kLargestCoordinate))
     report(DiagnosticCode::kSizeOutOfRange, {node.size});
-  if (!(node.stretching >= 1.0 && node.stretching <= kMostStretching)) {
+  if (!(node.stretching >= 1.0 && node.stretching <= kMaxStretching)) {
     report(DiagnosticCode::kStretchingOutOfRange, {node.stretching});
   } else if (node.stretching > 1.0 && (!isFinite(node.direction) || node.direction == Vec3(0.0))) {
     report(DiagnosticCode::kStretchingOutOfRange, {node.stretching});
@@ -92,8 +92,8 @@ void checkTetrahedron(const BackgroundGrid& grid, std::uint32_t t, std::vector<D
   if (!isFlat(corners)) return;
   found.push_back(about(DiagnosticCode::kDegenerateBackgroundTetrahedron,
                         EntityKind::kBackgroundTetrahedron, t));
-  found.back().hasPlace = true;
-  found.back().place = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
+  found.back().hasPosition = true;
+  found.back().position = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
 }
 
 }  // namespace

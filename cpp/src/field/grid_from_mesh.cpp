@@ -32,7 +32,7 @@ Vec3 placeOf(const VolumeMesh& mesh, std::uint32_t node) {
 
 /// First the elements, for what their edges tell of the nodes; then the nodes that have any; then the
 /// elements again, which become the grid's.
-class MeshGridder::Impl {
+class MeshGridBuilder::Impl {
  public:
   Impl(VolumeMesh mesh, std::vector<double> sizes)
       : mesh_(std::move(mesh)),
@@ -43,7 +43,7 @@ class MeshGridder::Impl {
       edges_.assign(numbers_.size(), 0.0);
       counts_.assign(numbers_.size(), 0);
     }
-    grid_.overhang = kOverhang;
+    grid_.coverageMargin = kOverhang;
     grid_.nodes.reserve(numbers_.size());
     grid_.tetrahedra.reserve(elements_);
   }
@@ -111,18 +111,18 @@ class MeshGridder::Impl {
   BackgroundGrid grid_;
 };
 
-MeshGridder::MeshGridder(VolumeMesh mesh, std::vector<double> sizes)
+MeshGridBuilder::MeshGridBuilder(VolumeMesh mesh, std::vector<double> sizes)
     : impl_(std::make_unique<Impl>(std::move(mesh), std::move(sizes))) {}
-MeshGridder::MeshGridder(MeshGridder&&) noexcept = default;
-MeshGridder& MeshGridder::operator=(MeshGridder&&) noexcept = default;
-MeshGridder::~MeshGridder() = default;
+MeshGridBuilder::MeshGridBuilder(MeshGridBuilder&&) noexcept = default;
+MeshGridBuilder& MeshGridBuilder::operator=(MeshGridBuilder&&) noexcept = default;
+MeshGridBuilder::~MeshGridBuilder() = default;
 
-bool MeshGridder::advance(std::uint32_t budget) { return impl_->advance(std::max(budget, 1U)); }
-double MeshGridder::fraction() const { return impl_->fraction(); }
-const BackgroundGrid& MeshGridder::result() const { return impl_->result(); }
+bool MeshGridBuilder::advance(std::uint32_t budget) { return impl_->advance(std::max(budget, 1U)); }
+double MeshGridBuilder::fraction() const { return impl_->fraction(); }
+const BackgroundGrid& MeshGridBuilder::result() const { return impl_->result(); }
 
 BackgroundGrid gridFromMesh(const VolumeMesh& mesh, std::span<const double> sizes) {
-  MeshGridder gridder(mesh, {sizes.begin(), sizes.end()});
+  MeshGridBuilder gridder(mesh, {sizes.begin(), sizes.end()});
   while (!gridder.advance(std::numeric_limits<std::uint32_t>::max())) {
   }
   return gridder.result();

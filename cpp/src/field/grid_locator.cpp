@@ -98,7 +98,7 @@ GridLocator::Location GridLocator::locate(const Vec3& place, std::uint32_t start
 
 /// How far a place may be outside, with this tetrahedron nearest, and still count as covered.
 double GridLocator::allowanceAt(std::uint32_t tetrahedron) const {
-  if (!(grid_.overhang > 0.0)) return slack_;
+  if (!(grid_.coverageMargin > 0.0)) return slack_;
   double squared = 0.0;
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = i + 1; j < 4; ++j) {
@@ -107,7 +107,7 @@ double GridLocator::allowanceAt(std::uint32_t tetrahedron) const {
       squared = std::max(squared, glm::dot(edge, edge));
     }
   }
-  return slack_ + grid_.overhang * std::sqrt(squared);
+  return slack_ + grid_.coverageMargin * std::sqrt(squared);
 }
 
 /// Branch and bound over all tetrahedra, beginning with the distance to `guess`.

@@ -27,7 +27,7 @@ class GridLocator {
   struct Location {
     std::uint32_t tetrahedron = 0;
     std::array<double, 4> weights{};  ///< of the four nodes; sum 1, all >= 0
-    bool inside = false;      ///< false if outside by more than rounding and the grid's overhang
+    bool inside = false;  ///< false if outside by more than rounding and the grid's coverageMargin
     std::uint32_t steps = 0;  ///< of the walk, from one tetrahedron to the next
   };
 

@@ -149,14 +149,14 @@ std::vector<Diagnostic> checkSizeSources(std::span<const SizeSource> sources) {
     // Comparisons with NaN are false.
     const bool sound = source.size >= kSmallestExtent && source.size <= kLargestCoordinate &&
                        source.distance >= 0.0 && source.distance <= kLargestCoordinate &&
-                       source.growth >= 0.0 && source.growth <= kMostGrowth &&
+                       source.growth >= 0.0 && source.growth <= kMaxGrowth &&
                        source.type <= SourceType::kTriangle;
     if (sound) continue;
     Diagnostic& bad = report(DiagnosticCode::kSourceOutOfRange, i);
     bad.values = {source.size, source.distance, source.growth};
     if (refused != end) continue;
-    bad.hasPlace = true;
-    bad.place = source.points[0];
+    bad.hasPosition = true;
+    bad.position = source.points[0];
   }
   return found;
 }

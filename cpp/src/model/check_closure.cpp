@@ -121,9 +121,9 @@ class ClosureCheck {
     const std::uint32_t from = points.size() == 2 ? points[0] : points[middle];
     const std::uint32_t to = points[middle];
     if (from >= model_->points.size() || to >= model_->points.size()) return diagnostic;
-    diagnostic.place = 0.5 * (model_->points[from] + model_->points[to]);
-    diagnostic.hasPlace = isFinite(diagnostic.place);
-    if (!diagnostic.hasPlace) diagnostic.place = Vec3(0.0);
+    diagnostic.position = 0.5 * (model_->points[from] + model_->points[to]);
+    diagnostic.hasPosition = isFinite(diagnostic.position);
+    if (!diagnostic.hasPosition) diagnostic.position = Vec3(0.0);
     return diagnostic;
   }
 

@@ -16,7 +16,7 @@ enum class SmoothCorners : std::uint8_t { kAllowed, kFold };
 
 struct SurfaceDefect {
   bool hasNoArea;  ///< no area; otherwise it folds
-  Vec3 place;
+  Vec3 position;
 };
 
 /// Returns the first defect found; `extent` is the patch's size.

@@ -49,8 +49,8 @@ class HoleCheck {
     diagnostic.code = code;
     diagnostic.entities = {{EntityKind::kPatch, patch_}};
     for (const std::uint32_t line : lines) diagnostic.entities.push_back({EntityKind::kLine, line});
-    diagnostic.hasPlace = true;
-    diagnostic.place = place;
+    diagnostic.hasPosition = true;
+    diagnostic.position = place;
     diagnostic.values = std::move(values);
     return diagnostic;
   }

@@ -89,8 +89,8 @@ class ModelChecker::Impl {
     diagnostic.code = code;
     diagnostic.entities = std::move(entities);
     diagnostic.values = std::move(values);
-    diagnostic.hasPlace = place.has_value();
-    diagnostic.place = place.value_or(Vec3(0.0));
+    diagnostic.hasPosition = place.has_value();
+    diagnostic.position = place.value_or(Vec3(0.0));
     found_.diagnostics.push_back(std::move(diagnostic));
   }
 

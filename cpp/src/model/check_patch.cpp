@@ -43,8 +43,8 @@ class PatchCheck {
     diagnostic.code = code;
     diagnostic.entities = {{EntityKind::kPatch, patch_}};
     for (const std::uint32_t line : lines) diagnostic.entities.push_back({EntityKind::kLine, line});
-    diagnostic.hasPlace = place.has_value();
-    diagnostic.place = place.value_or(Vec3(0.0));
+    diagnostic.hasPosition = place.has_value();
+    diagnostic.position = place.value_or(Vec3(0.0));
     diagnostic.values = std::move(values);
     diagnostics_->push_back(std::move(diagnostic));
   }
@@ -158,7 +158,7 @@ class PatchCheck {
       checkHoles();
       return true;
     }
-    report(DiagnosticCode::kDegeneratePatch, offCentreLines(), fault->place);
+    report(DiagnosticCode::kDegeneratePatch, offCentreLines(), fault->position);
     return !fault->hasNoArea;
   }
 

@@ -45,8 +45,8 @@ class CoverageCheck {
     Diagnostic diagnostic;
     diagnostic.code = DiagnosticCode::kOutsideBackgroundGrid;
     diagnostic.entities = {{kind, index}};
-    diagnostic.hasPlace = true;
-    diagnostic.place = outside.first;
+    diagnostic.hasPosition = true;
+    diagnostic.position = outside.first;
     diagnostic.values = {static_cast<double>(outside.count)};
     found_.push_back(std::move(diagnostic));
   }

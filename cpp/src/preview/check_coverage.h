@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "field/size_field.h"
-#include "tetrafront/mesher.h"
+#include "tetrafront/preview.h"
 
 namespace tetrafront {
 

@@ -8,7 +8,7 @@
 
 #include "base/task.h"
 #include "field/size_field.h"
-#include "tetrafront/mesher.h"
+#include "tetrafront/preview.h"
 
 namespace tetrafront {
 

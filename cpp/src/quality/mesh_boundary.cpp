@@ -115,11 +115,11 @@ void BoundaryFinder::match(std::size_t firstNode, std::size_t lastNode) {
 void BoundaryFinder::collect(std::size_t first, std::size_t last) {
   for (std::size_t owner = first; owner < last; ++owner) {
     if (partOf_[owner] == Part::kNone) continue;
-    const bool isWall = partOf_[owner] == Part::kWall;
+    const bool isInterface = partOf_[owner] == Part::kWall;
     const Nodes nodes = faceOf(*mesh_, owner);
-    std::vector<std::uint32_t>& triangles = isWall ? walls_ : boundary_.triangles;
+    std::vector<std::uint32_t>& triangles = isInterface ? walls_ : boundary_.triangles;
     triangles.insert(triangles.end(), nodes.begin(), nodes.end());
-    if (!isWall) boundary_.trianglePatch.push_back(regionOf(owner));
+    if (!isInterface) boundary_.trianglePatch.push_back(regionOf(owner));
   }
 }
 

@@ -50,9 +50,9 @@ void countNodes(const VolumeMesh& mesh, MeshInspection& out) {
 void turnElement(VolumeMesh& mesh, std::size_t element, MeshInspection& out) {
   const auto [a, b, c, d] = cornersOf(mesh, element);
   const int sign = orient3d(a, b, c, d);
-  if (sign == 0) ++out.flatTetrahedra;
+  if (sign == 0) ++out.degenerateTetrahedra;
   if (sign >= 0) return;
-  ++out.turnedTetrahedra;
+  ++out.invertedTetrahedra;
   std::swap(mesh.tetrahedra[4 * element + 2], mesh.tetrahedra[4 * element + 3]);
 }
 
@@ -201,9 +201,9 @@ void MeshInspector::Impl::takeBoundary() {
 
 void MeshInspector::Impl::takeDefects() {
   const MeshDefects& defects = verifier_->defects();
-  out_.repeatedTetrahedra = narrowed(defects.duplicateTetrahedra);
-  out_.crowdedFaces = narrowed(defects.nonManifoldFaces);
-  out_.overlaps = narrowed(defects.overlappingFaces);
+  out_.duplicateTetrahedra = narrowed(defects.duplicateTetrahedra);
+  out_.nonManifoldFaces = narrowed(defects.nonManifoldFaces);
+  out_.overlappingFaces = narrowed(defects.overlappingFaces);
   out_.coincidentNodes = narrowed(defects.coincidentNodes);
   verifier_.reset();
   surface_ = {};

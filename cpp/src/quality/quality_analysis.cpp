@@ -296,7 +296,7 @@ ElementView QualityAnalysis::viewOf(std::span<const std::uint32_t, 4> nodes) con
 void QualityAnalysis::count(BoundaryLimit limit) {
   switch (limit) {
     case BoundaryLimit::kNone:
-      ++statistics_.missed;
+      ++statistics_.outOfRange;
       return;
     case BoundaryLimit::kSharpEdge:
       ++statistics_.limitedByEdges;
@@ -305,31 +305,31 @@ void QualityAnalysis::count(BoundaryLimit limit) {
       ++statistics_.limitedByNeedles;
       break;
     case BoundaryLimit::kNearSheets:
-      ++statistics_.limitedBySheets;
+      ++statistics_.limitedByNarrowGaps;
       break;
   }
   ++statistics_.limitedByBoundary;
 }
 
-ElementFigures QualityAnalysis::figuresOf(std::uint32_t element) const {
+ElementQuality QualityAnalysis::figuresOf(std::uint32_t element) const {
   const auto nodes = nodesOf(element);
   const auto corners = seenCorners(nodes);
   const TetrahedronMeasures measures =
       measureTetrahedron(corners[0], corners[1], corners[2], corners[3]);
-  ElementFigures figures;
+  ElementQuality figures;
   figures.tetrahedron = element;
   figures.smallestDihedral = degreesOf(measures.largestCosine);
   figures.largestDihedral = degreesOf(measures.smallestCosine);
   figures.radiusRatio = measures.radiusRatio;
   const std::array<Vec3, 4> plain{pointOf(nodes[0]), pointOf(nodes[1]), pointOf(nodes[2]),
                                   pointOf(nodes[3])};
-  figures.place = (plain[0] + plain[1] + plain[2] + plain[3]) * 0.25;
+  figures.centroid = (plain[0] + plain[1] + plain[2] + plain[3]) * 0.25;
   figures.volume = measureTetrahedron(plain[0], plain[1], plain[2], plain[3]).volume;
   return figures;
 }
 
-std::vector<ElementFigures> QualityAnalysis::figuresOf(const std::vector<Ranked>& worst) const {
-  std::vector<ElementFigures> figures;
+std::vector<ElementQuality> QualityAnalysis::figuresOf(const std::vector<Ranked>& worst) const {
+  std::vector<ElementQuality> figures;
   for (const Ranked& one : worst) figures.push_back(figuresOf(one.element));
   return figures;
 }
@@ -350,8 +350,8 @@ void QualityAnalysis::finish() {
   statistics_.smallest = figuresOf(smallest_);
   statistics_.volumeRatio = smallestVolume_ > 0.0 ? largestVolume_ / smallestVolume_ : 0.0;
   statistics_.meanEdge = sumOfEdges_ / static_cast<double>(edgeCount_);
-  statistics_.meanEdgeOfPossible = sumOfPossible_ / static_cast<double>(edgeCount_);
-  statistics_.edgesNearWanted = static_cast<double>(nearCount_) / static_cast<double>(edgeCount_);
+  statistics_.meanEdgeOfAchievable = sumOfPossible_ / static_cast<double>(edgeCount_);
+  statistics_.edgesNearTarget = static_cast<double>(nearCount_) / static_cast<double>(edgeCount_);
   missed_ = {};
   sizes_ = {};
   tensors_ = {};

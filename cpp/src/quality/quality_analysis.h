@@ -59,7 +59,7 @@ class QualityAnalysis {
   /// Statistics over the nodes of actual size / target size.
   [[nodiscard]] double meanLift(std::span<const std::uint32_t> nodes) const;
   [[nodiscard]] double relativeLength(std::uint32_t a, std::uint32_t b) const;
-  [[nodiscard]] ElementFigures figuresOf(std::uint32_t element) const;
+  [[nodiscard]] ElementQuality figuresOf(std::uint32_t element) const;
   [[nodiscard]] ElementView viewOf(std::span<const std::uint32_t, 4> nodes) const;
   void count(BoundaryLimit limit);
   RegionStatistics& statisticsOf(std::uint32_t region);
@@ -69,7 +69,7 @@ class QualityAnalysis {
     std::uint32_t element;
   };
   static void keepWorst(std::vector<Ranked>& worst, const Ranked& one);
-  [[nodiscard]] std::vector<ElementFigures> figuresOf(const std::vector<Ranked>& worst) const;
+  [[nodiscard]] std::vector<ElementQuality> figuresOf(const std::vector<Ranked>& worst) const;
 
   const VolumeMesh& mesh_;
   const SurfaceMesh& surface_;

@@ -296,14 +296,15 @@ void MeshVerifier::matchOne(const Face* first, const Face* last) {
   const auto turn = [](const Face& face) { return face.ownerAndTurn & 1U; };
   const bool isTwoSided = tetrahedra == 2 && turn(first[0]) != turn(first[1]);
   if (isTwoSided && wanted == 0) return matchInnerRegions(first[0], first[1]);
-  const bool isWall = wanted == 1 && surface_.isWall(triangleOf(*triangles));
-  if (isWall ? isTwoSided : tetrahedra == 1 && wanted == 1 && turn(first[0]) == turn(*triangles)) {
+  const bool isInterface = wanted == 1 && surface_.isInterface(triangleOf(*triangles));
+  if (isInterface ? isTwoSided
+                  : tetrahedra == 1 && wanted == 1 && turn(first[0]) == turn(*triangles)) {
     for (const Face* face = first; face != triangles; ++face) matchRegion(*face, *triangles);
     return;
   }
   if (tetrahedra > 2) ++defects_.nonManifoldFaces;
   if (tetrahedra == 2 && !isTwoSided) ++defects_.overlappingFaces;
-  if (tetrahedra == 1 && !isWall) ++defects_.extraBoundaryFaces;
+  if (tetrahedra == 1 && !isInterface) ++defects_.extraBoundaryFaces;
   defects_.missingTriangles += wanted;
   for (const Face* face = first; face != triangles; ++face) {
     suspects_.push_back(face->ownerAndTurn >> 1U);
@@ -342,7 +343,7 @@ void MeshVerifier::finish() {
   if (!surface_.triangles.empty()) {
     const Vec3 origin = pointOf(surface_.points, surface_.triangles[0]);
     for (std::size_t h = 0; h < surface_.triangles.size(); h += 3) {
-      if (surface_.isWall(h / 3)) continue;
+      if (surface_.isInterface(h / 3)) continue;
       const std::array<Vec3, 3> spanned = spannedBy(surface_, origin, h);
       defects_.surfaceVolume += sixVolumes(spanned[0], spanned[1], spanned[2]) / 6.0;
     }

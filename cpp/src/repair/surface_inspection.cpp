@@ -32,13 +32,13 @@ double cosineBetween(const Vec3& a, const Vec3& b) {
   return lengths > 0.0 ? glm::dot(a, b) / lengths : 1.0;
 }
 
-TriangleFigures qualityOf(const SurfaceMesh& mesh, TriangleId triangle, double radiusRatio) {
+TriangleQuality qualityOf(const SurfaceMesh& mesh, TriangleId triangle, double radiusRatio) {
   const std::array<Vec3, 3> p = cornersOf(mesh, triangle);
   const double largestCosine =
       std::max({cosineBetween(p[1] - p[0], p[2] - p[0]), cosineBetween(p[2] - p[1], p[0] - p[1]),
                 cosineBetween(p[0] - p[2], p[1] - p[2])});
   return {.triangle = triangle.value,
-          .place = centroidOf(p),
+          .centroid = centroidOf(p),
           .area = areaOf(p),
           .smallestAngle = degreesOf(largestCosine),
           .radiusRatio = radiusRatio};
@@ -64,7 +64,7 @@ void measureEdges(const SurfaceMesh& mesh, const EdgeTable& edges, SurfaceInspec
   for (std::size_t e = 0; e < edges.edgeCount(); ++e) {
     const std::span<const HalfEdgeId> halfEdges = edges.halfEdgesOf(EdgeId(e));
     if (halfEdges.size() == 1) ++found.openEdges;
-    if (halfEdges.size() > 2) ++found.crowdedEdges;
+    if (halfEdges.size() > 2) ++found.nonManifoldEdges;
     const HalfEdgeNodes nodes = nodesOf(mesh.triangles, halfEdges[0]);
     const double length = glm::length(pointOf(mesh, nodes.to) - pointOf(mesh, nodes.from));
     sum += length;
@@ -128,7 +128,7 @@ void measureShells(const SurfaceMesh& mesh, const BoundaryResult& boundary,
                    SurfaceInspection& found) {
   found.regions = boundary.regionCount;
   for (const BoundaryShell& shell : boundary.shells) {
-    const bool isInterface = mesh.isWall(shell.firstTriangle.index());
+    const bool isInterface = mesh.isInterface(shell.firstTriangle.index());
     found.volume += shell.volume;
     found.shells.push_back({.firstTriangle = shell.firstTriangle.value,
                             .triangles = shell.triangleCount,
@@ -143,8 +143,8 @@ void measureShells(const SurfaceMesh& mesh, const BoundaryResult& boundary,
 
 Task<SurfaceInspection> inspectSurface(Work& work, SurfaceMesh& mesh, InspectionOptions options) {
   const std::vector<std::uint32_t> givenTriangles = mesh.triangles;
-  BoundaryCheck check(mesh, BoundarySource::kGivenSurface, options.enclosed,
-                      MixedOrientation::kRefuse, options.findings);
+  BoundaryCheck check(mesh, BoundarySource::kGivenSurface, options.innerShells,
+                      MixedOrientation::kRefuse, options.maxDiagnostics);
   work.beginPart(0.9);
   co_await work.finish(check);
 
@@ -158,11 +158,11 @@ Task<SurfaceInspection> inspectSurface(Work& work, SurfaceMesh& mesh, Inspection
   // Ignore the triangles that the check ignores; otherwise the counts would contradict its diagnostics.
   const EdgeTable edges(mesh.triangles, countNodes(mesh), check.withoutEdges());
   measureEdges(mesh, edges, found);
-  found.pinchedNodes = countNonManifoldNodes(mesh, edges, check.withoutEdges());
+  found.nonManifoldNodes = countNonManifoldNodes(mesh, edges, check.withoutEdges());
   found.isClosed = found.edges > 0 && found.openEdges == 0;
-  found.isManifold = found.crowdedEdges == 0 && found.pinchedNodes == 0;
+  found.isManifold = found.nonManifoldEdges == 0 && found.nonManifoldNodes == 0;
   measureTriangles(mesh, found);
-  found.turnedTriangles = countFlippedTriangles(mesh, givenTriangles);
+  found.flippedTriangles = countFlippedTriangles(mesh, givenTriangles);
   if (found.isFillable) measureShells(mesh, check.result(), found);
   co_return found;
 }

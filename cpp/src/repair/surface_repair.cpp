@@ -39,15 +39,15 @@ class RepairedSurface {
       work.beginPart(0.2);
       co_await weld(work);
     }
-    if (options_.removesTriangles) {
+    if (options_.removeTriangles) {
       work.beginPart(0.4);
       co_await removeInvalidTriangles(work);
     }
-    if (options_.fillsUpTo > 0) {
+    if (options_.maxHoleEdges > 0) {
       work.beginPart(0.6);
       co_await fill(work);
     }
-    if (options_.turns) {
+    if (options_.orient) {
       work.beginPart(1.0);
       co_await orient(work);
     }
@@ -180,7 +180,7 @@ void RepairedSurface::removeDuplicates() {
 }
 
 Task<> RepairedSurface::fill(Work& work) {
-  const std::uint32_t maxEdges = std::min(options_.fillsUpTo, kMostHoleEdges);
+  const std::uint32_t maxEdges = std::min(options_.maxHoleEdges, kMaxHoleEdges);
   const std::vector<FilledHole> filled = co_await fillHoles(work, mesh_, maxEdges);
   for (const FilledHole& hole : filled) {
     Vec3 position(0.0);
@@ -198,7 +198,7 @@ Task<> RepairedSurface::fill(Work& work) {
 /// component agree with each other.
 Task<> RepairedSurface::orient(Work& work) {
   SurfaceMesh oriented = mesh_;
-  BoundaryCheck check(oriented, BoundarySource::kGivenSurface, options_.enclosed);
+  BoundaryCheck check(oriented, BoundarySource::kGivenSurface, options_.innerShells);
   co_await work.finish(check);
   if (!check.result().isValid) {
     oriented.triangles = mesh_.triangles;
@@ -229,7 +229,7 @@ SurfaceRepair RepairedSurface::take() {
   for (std::uint32_t i = 0; i < isUsed.size(); ++i) {
     const Vec3 p = pointOf(mesh_, NodeId(i));
     if (isUsed[i] == 0) {
-      if (isWelded_[i] == 0) add(RepairKind::kDroppedNode, i, kNoIndex, p);
+      if (isWelded_[i] == 0) add(RepairKind::kRemovedNode, i, kNoIndex, p);
       continue;
     }
     newNode[i] = NodeId(result.points.size() / 3);

@@ -109,7 +109,7 @@ void ColumnSamples::cross(std::uint32_t columnsPerAxis, const std::vector<std::u
   for (std::uint32_t slot = 0; slot < active.size(); ++slot) slots_[active[slot]] = slot;
   crossings_.assign(active.size(), {});
   for (std::uint32_t t = 0; t < surface_.triangles.size() / 3; ++t) {
-    if (!surface_.isWall(t)) crossTriangle(t);
+    if (!surface_.isInterface(t)) crossTriangle(t);
   }
 }
 

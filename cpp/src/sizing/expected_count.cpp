@@ -22,7 +22,7 @@ double enclosedVolume(const SurfaceMesh& surface) {
   const Vec3 origin = pointOf(surface, NodeId(surface.triangles.front()));
   double sixVolumes = 0.0;
   for (std::uint32_t t = 0; 3 * std::size_t{t} + 2 < surface.triangles.size(); ++t) {
-    if (surface.isWall(t)) continue;
+    if (surface.isInterface(t)) continue;
     const std::array<Vec3, 3> corners = cornersOf(surface, TriangleId(t));
     sixVolumes +=
         glm::dot(corners[0] - origin, glm::cross(corners[1] - origin, corners[2] - origin));

@@ -4,7 +4,6 @@
 
 #include "field/size_field.h"
 #include "tetrafront/mesh.h"
-#include "tetrafront/mesher.h"
 
 namespace tetrafront {
 

@@ -125,7 +125,7 @@ RecoverySummary Recovery<Trace>::summary() const {
   }
   RecoverySummary counts;
   for (const IndexRange& made : starred_) counts.starred += hasLiveElement(made) ? 1 : 0;
-  for (const IndexRange& made : remeshing_.made()) counts.reopened += hasLiveElement(made) ? 1 : 0;
+  for (const IndexRange& made : remeshing_.made()) counts.remeshed += hasLiveElement(made) ? 1 : 0;
   if (!filler_) return counts;
   for (const PocketFiller::Made& made : filler_->made()) {
     counts.filled += hasLiveElement(made.elements) ? 1 : 0;

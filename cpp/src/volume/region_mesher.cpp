@@ -17,7 +17,7 @@ namespace {
 std::vector<std::array<std::uint32_t, 2>> interfaceNeighbours(const SurfaceMesh& boundary) {
   std::vector<std::array<std::uint32_t, 2>> pairs;
   for (std::size_t t = 0; t < boundary.triangles.size() / 3; ++t) {
-    if (!boundary.isWall(t)) continue;
+    if (!boundary.isInterface(t)) continue;
     const auto [low, high] =
         std::minmax(boundary.triangleRegions[2 * t], boundary.triangleRegions[2 * t + 1]);
     pairs.push_back({high, low});
@@ -70,7 +70,7 @@ void append(VolumeMesh& mesh, VolumeMesh part, std::size_t boundaryNodes) {
 }
 
 RecoverySummary sum(const RecoverySummary& a, const RecoverySummary& b) {
-  return {a.relaxed + b.relaxed, a.starred + b.starred, a.reopened + b.reopened,
+  return {a.relaxed + b.relaxed, a.starred + b.starred, a.remeshed + b.remeshed,
           a.filled + b.filled, a.steinerPoints + b.steinerPoints};
 }
 

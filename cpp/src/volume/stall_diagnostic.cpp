@@ -47,8 +47,8 @@ Diagnostic describeStall(const Front& front, const SurfaceMesh& boundary) {
   const std::vector<FaceId> faces = front.activeFaces();
   if (faces.empty()) return stall;
   const NodeTriple& n = front.face(faces.front()).nodes;
-  stall.hasPlace = true;
-  stall.place = (front.node(n[0]) + front.node(n[1]) + front.node(n[2])) * (1.0 / 3.0);
+  stall.hasPosition = true;
+  stall.position = (front.node(n[0]) + front.node(n[1]) + front.node(n[2])) * (1.0 / 3.0);
   stall.entities = remainingTriangles(front, faces, boundary);
   if (stall.entities.empty()) stall.entities = remainingBoundaryNodes(front, faces, boundary);
   return stall;

@@ -192,8 +192,8 @@ void BasicVolumeMesher<Trace>::stopAtLimit() {
   tooMany.code = DiagnosticCode::kTooManyElements;
   const double expected = static_cast<double>(elements_.size()) / std::max(filledFraction(), 1e-9);
   tooMany.values = {expected, static_cast<double>(maxTetrahedra_)};
-  tooMany.hasPlace = true;
-  for (const NodeId node : elements_.nodes.back()) tooMany.place += front_.node(node) * 0.25;
+  tooMany.hasPosition = true;
+  for (const NodeId node : elements_.nodes.back()) tooMany.position += front_.node(node) * 0.25;
   diagnostics_.push_back(std::move(tooMany));
   finish(MeshStatus::kStalled);
 }
@@ -207,8 +207,8 @@ void BasicVolumeMesher<Trace>::checkNewNodes() {
     if (field_.covers(position, hint)) continue;
     Diagnostic outside;
     outside.code = DiagnosticCode::kOutsideBackgroundGrid;
-    outside.hasPlace = true;
-    outside.place = position;
+    outside.hasPosition = true;
+    outside.position = position;
     diagnostics_.push_back(std::move(outside));
     return finish(MeshStatus::kInvalidInput);
   }

@@ -21,9 +21,9 @@ const swapped = (numbers: Readonly<Record<string, number>>) =>
 
 test("bounds of numbers", () => {
   const options = "include/tetrafront/options.h";
-  expect(LIMITS.growth).toBe(engineConstant(options, "kMostGrowth"));
-  expect(LIMITS.gradation).toBe(engineConstant(options, "kMostGradation"));
-  expect(LIMITS.stretching).toBe(engineConstant(options, "kMostStretching"));
+  expect(LIMITS.growth).toBe(engineConstant(options, "kMaxGrowth"));
+  expect(LIMITS.gradation).toBe(engineConstant(options, "kMaxGradation"));
+  expect(LIMITS.stretching).toBe(engineConstant(options, "kMaxStretching"));
   // What can be computed with ends at a power of 2; what is told, at the power of 10 before it.
   const largest = engineConstant("src/geom/coordinates.h", "kLargestCoordinate");
   expect(LIMITS.length).toBe(10 ** Math.floor(Math.log10(largest)));
@@ -31,7 +31,7 @@ test("bounds of numbers", () => {
 
 test("findings that are listed", () => {
   expect(DEFAULT_MAX_DIAGNOSTICS).toBe(
-    engineConstant("include/tetrafront/surface_tools.h", "kListedFindings"),
+    engineConstant("include/tetrafront/surface_tools.h", "kDefaultMaxDiagnostics"),
   );
 });
 
