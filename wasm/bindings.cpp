@@ -90,7 +90,7 @@ class Run {
                             .tetrahedra = p.tetrahedra,
                             .frontFaces = p.frontFaces,
                             .expectedTetrahedra = p.expectedTetrahedra,
-                            .exactFillFraction = p.exactFillFractionFraction};
+                            .exactFillFraction = p.exactFillFraction};
     });
   }
 

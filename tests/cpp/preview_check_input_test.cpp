@@ -16,6 +16,7 @@
 #include "model/resolved_model.h"
 #include "support/models.h"
 #include "support/random.h"
+#include "tetrafront/mesher.h"
 
 namespace tetrafront::testing {
 namespace {

@@ -13,6 +13,7 @@
 #include "support/models.h"
 #include "support/slices.h"
 #include "tetrafront/grid_tools.h"
+#include "tetrafront/mesher.h"
 
 namespace tetrafront::testing {
 namespace {
