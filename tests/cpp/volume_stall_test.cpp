@@ -158,7 +158,7 @@ TEST(StallDiagnostic, NamesTheFirstTrianglesThatAreLeft) {
   EXPECT_EQ(last.entities[0].index, faces.size() - 1);
   const NodeTriple n = front.face(faces.back()).nodes;
   const Vec3 centroid = (front.node(n[0]) + front.node(n[1]) + front.node(n[2])) / 3.0;
-  EXPECT_LT(glm::length(last.place - centroid), 1e-15);
+  EXPECT_LT(glm::length(last.position - centroid), 1e-15);
 
   // A face that is no triangle of the boundary: its boundary nodes are named.
   front.removeFace(faces.back());
