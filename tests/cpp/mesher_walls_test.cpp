@@ -18,6 +18,7 @@
 #include "support/models.h"
 #include "support/shapes.h"
 #include "tetrafront/mesher.h"
+#include "tetrafront/preview.h"
 #include "volume/region_mesher.h"
 
 namespace tetrafront {

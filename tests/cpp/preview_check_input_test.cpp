@@ -17,6 +17,7 @@
 #include "support/models.h"
 #include "support/random.h"
 #include "tetrafront/mesher.h"
+#include "tetrafront/preview.h"
 
 namespace tetrafront::testing {
 namespace {
@@ -112,10 +113,10 @@ TEST(IntersectingPatches, BoxesThatCrossReportEveryPairWithAPosition) {
     ASSERT_EQ(meeting.entities.size(), 2U);
     EXPECT_LT(meeting.entities[0].index, 6U);
     EXPECT_GE(meeting.entities[1].index, 6U);
-    ASSERT_TRUE(meeting.hasPlace);
+    ASSERT_TRUE(meeting.hasPosition);
     // On the right patch, and on one of the long ones.
-    EXPECT_NEAR(meeting.place.x, 1.0, 1e-12);
-    const Vec3 fromAxis = glm::abs(meeting.place - Vec3(1.0, 0.5, 0.5));
+    EXPECT_NEAR(meeting.position.x, 1.0, 1e-12);
+    const Vec3 fromAxis = glm::abs(meeting.position - Vec3(1.0, 0.5, 0.5));
     EXPECT_NEAR(std::max(fromAxis.y, fromAxis.z), 0.25, 1e-12);
   }
 }

@@ -14,6 +14,7 @@
 #include "support/slices.h"
 #include "tetrafront/grid_tools.h"
 #include "tetrafront/mesher.h"
+#include "tetrafront/preview.h"
 
 namespace tetrafront::testing {
 namespace {

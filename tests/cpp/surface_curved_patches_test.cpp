@@ -13,7 +13,7 @@
 #include "support/models.h"
 #include "support/shapes.h"
 #include "support/surface_measures.h"
-#include "tetrafront/mesher.h"
+#include "tetrafront/preview.h"
 
 namespace tetrafront::testing {
 namespace {

@@ -85,7 +85,7 @@ class InputCheck {
     work.beginPart(1.0);
     co_await work.yield();
     if (anyError(diagnostics_)) co_return;
-    SampledVolume enclosed = findSampledVolume(*model_, sampled_, closure, options_->enclosed);
+    SampledVolume enclosed = findSampledVolume(*model_, sampled_, closure, options_->innerShells);
     volume_ = enclosed.volume;
     report(std::move(enclosed.diagnostics));
     co_await work.yield();

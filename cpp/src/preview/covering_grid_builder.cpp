@@ -9,7 +9,7 @@
 
 namespace tetrafront {
 
-class ModelCoverer::Impl {
+class CoveringGridBuilder::Impl {
  public:
   Impl(Model model, double size, CoverShape shape)
       : model_(std::move(model)), size_(size), shape_(shape) {}
@@ -35,18 +35,18 @@ class ModelCoverer::Impl {
   Job<> job_{[this](Work& work) { return coverModel(work); }};  ///< last: uses the others
 };
 
-ModelCoverer::ModelCoverer(Model model, double size, CoverShape shape)
+CoveringGridBuilder::CoveringGridBuilder(Model model, double size, CoverShape shape)
     : impl_(std::make_unique<Impl>(std::move(model), size, shape)) {}
-ModelCoverer::ModelCoverer(ModelCoverer&&) noexcept = default;
-ModelCoverer& ModelCoverer::operator=(ModelCoverer&&) noexcept = default;
-ModelCoverer::~ModelCoverer() = default;
+CoveringGridBuilder::CoveringGridBuilder(CoveringGridBuilder&&) noexcept = default;
+CoveringGridBuilder& CoveringGridBuilder::operator=(CoveringGridBuilder&&) noexcept = default;
+CoveringGridBuilder::~CoveringGridBuilder() = default;
 
-bool ModelCoverer::advance(std::uint32_t budget) { return impl_->advance(budget); }
-double ModelCoverer::fraction() const { return impl_->fraction(); }
-const BackgroundGrid& ModelCoverer::result() const { return impl_->result(); }
+bool CoveringGridBuilder::advance(std::uint32_t budget) { return impl_->advance(budget); }
+double CoveringGridBuilder::fraction() const { return impl_->fraction(); }
+const BackgroundGrid& CoveringGridBuilder::result() const { return impl_->result(); }
 
 BackgroundGrid coveringGrid(const Model& model, double size, CoverShape shape) {
-  ModelCoverer coverer(model, size, shape);
+  CoveringGridBuilder coverer(model, size, shape);
   finish(coverer);
   return coverer.result();
 }

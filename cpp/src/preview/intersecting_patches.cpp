@@ -222,8 +222,8 @@ class IntersectionSearch {
         a == b ? DiagnosticCode::kSelfIntersection : DiagnosticCode::kPatchesIntersect;
     diagnostic.entities = {{EntityKind::kPatch, a}};
     if (a != b) diagnostic.entities.push_back({EntityKind::kPatch, b});
-    diagnostic.hasPlace = true;
-    diagnostic.place = position;
+    diagnostic.hasPosition = true;
+    diagnostic.position = position;
     diagnostic.values = {1.0};
   }
 

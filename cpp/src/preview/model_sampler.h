@@ -6,7 +6,7 @@
 
 #include "base/task.h"
 #include "model/check_model.h"
-#include "tetrafront/mesher.h"
+#include "tetrafront/preview.h"
 
 namespace tetrafront {
 

@@ -3,7 +3,7 @@
 
 #include "base/task.h"
 #include "preview/check_input.h"
-#include "tetrafront/mesher.h"
+#include "tetrafront/preview.h"
 
 namespace tetrafront {
 

@@ -67,7 +67,7 @@ bool isIntersection(const Diagnostic& diagnostic) {
 }  // namespace
 
 SampledVolume findSampledVolume(const Model& model, const SampledModel& sampled,
-                                const Closure& closure, EnclosedBodies enclosed) {
+                                const Closure& closure, InnerShells enclosed) {
   SampledVolume result;
   // A surface with a hole encloses nothing.
   if (std::ranges::count(sampled.isConforming, 0) > 0) return result;

@@ -19,6 +19,6 @@ struct SampledVolume {
 /// Takes the sampled patches as one surface, oriented outward. A single region only needs its patches oriented; several
 /// are nested by the same check as meshes. The samples are too coarse to report intersections.
 [[nodiscard]] SampledVolume findSampledVolume(const Model& model, const SampledModel& sampled,
-                                              const Closure& closure, EnclosedBodies enclosed);
+                                              const Closure& closure, InnerShells enclosed);
 
 }  // namespace tetrafront

@@ -181,8 +181,8 @@ std::vector<Diagnostic> AchievableSizes::diagnostics() const {
   diagnostic.code = DiagnosticCode::kCoarseSurface;
   diagnostic.severity = Severity::kWarning;
   diagnostic.entities = {{EntityKind::kTriangle, coarsest_.value}};
-  diagnostic.hasPlace = true;
-  diagnostic.place = centroidOf(surface_, coarsest_);
+  diagnostic.hasPosition = true;
+  diagnostic.position = centroidOf(surface_, coarsest_);
   diagnostic.values = {static_cast<double>(coarseCount_), std::min(maxCoarseness_, kMaxRatio)};
   return {diagnostic};
 }

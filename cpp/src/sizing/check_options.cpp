@@ -15,9 +15,9 @@ std::vector<Diagnostic> checkOptions(const MeshOptions& options) {
   // In the order in which the package names them.
   const std::array<Option, 3> checked{
       {{options.size, options.size >= 0.0 && options.size <= kLargestCoordinate},
-       {options.growth, options.growth >= 0.0 && options.growth <= kMostGrowth},
+       {options.growth, options.growth >= 0.0 && options.growth <= kMaxGrowth},
        {options.gradation, options.gradation == 0.0 ||
-                               (options.gradation > 1.0 && options.gradation <= kMostGradation)}}};
+                               (options.gradation > 1.0 && options.gradation <= kMaxGradation)}}};
   std::vector<Diagnostic> found;
   for (std::size_t i = 0; i < checked.size(); ++i) {
     if (checked[i].isInRange) continue;

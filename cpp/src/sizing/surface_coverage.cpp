@@ -28,8 +28,8 @@ std::vector<Diagnostic> SurfaceCoverage::diagnostics() const {
   Diagnostic diagnostic;
   diagnostic.code = DiagnosticCode::kOutsideBackgroundGrid;
   diagnostic.entities = {first_};
-  diagnostic.hasPlace = true;
-  diagnostic.place = firstPosition_;
+  diagnostic.hasPosition = true;
+  diagnostic.position = firstPosition_;
   diagnostic.values = {static_cast<double>(outside_)};
   return {diagnostic};
 }

@@ -102,8 +102,8 @@ void SurfaceMesher::reportLine(LineId line, const LineDivision& division) {
     diagnostic.values = requiredTetrahedra(division.requiredSides);
   }
   diagnostic.entities = {{EntityKind::kLine, line.value}};
-  diagnostic.hasPlace = true;
-  diagnostic.place = division.position;
+  diagnostic.hasPosition = true;
+  diagnostic.position = division.position;
   diagnostics_.push_back(std::move(diagnostic));
 }
 
@@ -176,8 +176,8 @@ void SurfaceMesher::reportLoops(PatchId patch, const PatchBoundary& boundary,
   for (const std::uint32_t side : invalid) lines.push_back(boundary.origins[side].line);
   sortUnique(lines);
   for (const LineId line : lines) diagnostic.entities.push_back({EntityKind::kLine, line.value});
-  diagnostic.hasPlace = true;
-  diagnostic.place = boundary.mesh.positionOf(boundary.mesh.sides[invalid.front()].from);
+  diagnostic.hasPosition = true;
+  diagnostic.position = boundary.mesh.positionOf(boundary.mesh.sides[invalid.front()].from);
   diagnostics_.push_back(std::move(diagnostic));
 }
 
@@ -227,8 +227,8 @@ void SurfaceMesher::takePatch(PatchId patch, const PlanarMesh& planar) {
     Diagnostic diagnostic;
     diagnostic.code = DiagnosticCode::kOutsideBackgroundGrid;
     diagnostic.entities = {{EntityKind::kPatch, patch.value}};
-    diagnostic.hasPlace = true;
-    diagnostic.place = *outside;
+    diagnostic.hasPosition = true;
+    diagnostic.position = *outside;
     diagnostics_.push_back(std::move(diagnostic));
   }
   const auto nodeOf = [&](PlanarNodeId node) {
