@@ -239,8 +239,8 @@ auto copiedIn(const Array& array) {
 
 Inspection* inspectSurface(const Float64Array& points, const Uint32Array& triangles,
                            int innerShells, std::uint32_t maxDiagnostics) {
-  const InspectionOptions options{.enclosed = static_cast<EnclosedBodies>(innerShells),
-                                  .findings = maxDiagnostics};
+  const InspectionOptions options{.innerShells = static_cast<InnerShells>(innerShells),
+                                  .maxDiagnostics = maxDiagnostics};
   return std::make_unique<Inspection>(copiedIn<double>(points), copiedIn<std::uint32_t>(triangles),
                                       [&options] { return options; })
       .release();

@@ -12,7 +12,7 @@ export function engineEnum(header: string, name: string): [number, string][] {
   return found;
 }
 
-/** A constant in a header of the engine: 10 for `inline constexpr double kMostGrowth = 10.0;`. */
+/** A constant in a header of the engine: 10 for `inline constexpr double kMaxGrowth = 10.0;`. */
 export function engineConstant(header: string, name: string): number {
   const file = new URL(`../../cpp/${header}`, import.meta.url);
   const word = new RegExp(`constexpr (?:double|std::uint32_t) ${name} = ([^;]*);`).exec(

@@ -35,8 +35,8 @@ struct SizeSource {
   std::array<Vec3, 3> points{Vec3(0.0), Vec3(0.0), Vec3(0.0)};
   double size = 0.0;      ///< > 0
   double distance = 0.0;  ///< distance up to which `size` applies, >= 0
-  double growth =
-      0.3;  ///< growth of the cap per unit of distance beyond, >= 0; 0: `size` everywhere
+  /// Growth of the cap per unit of distance beyond, >= 0; 0: `size` everywhere.
+  double growth = 0.3;
 };
 
 /// Tetrahedra in any orientation that cover the meshed domain.

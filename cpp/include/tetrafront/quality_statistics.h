@@ -44,8 +44,8 @@ struct QualityStatistics {
   ElementQuality smallest;                ///< element of least volume
   double volumeRatio = 0.0;               ///< largest / smallest volume
   double meanEdge = 0.0;                  ///< mean of length / target length
-  double meanEdgeOfAchievable =
-      0.0;                       ///< mean of length / length that the surface's triangles allow
+  /// Mean of length / length that the surface's triangles allow.
+  double meanEdgeOfAchievable = 0.0;
   double edgesNearTarget = 0.0;  ///< share of the edges with 0.6 to 1.5 target lengths
   /// Elements with a dihedral angle outside 30 to 135 degrees, except those limited by the boundary.
   std::uint32_t outOfRange = 0;

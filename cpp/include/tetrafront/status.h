@@ -53,8 +53,8 @@ struct Entity {
 enum class DiagnosticCode : std::uint16_t {
   // Model
   kNotFinite = 0,  ///< point, node or surface node with a NaN or infinity
-  kIndexOutOfRange =
-      1,  ///< entity with an invalid reference, or truncated itself; values: the index
+  /// Entity with an invalid reference, or truncated itself; values: the index.
+  kIndexOutOfRange = 1,
   kWrongPointCount = 2,   ///< line; values: points given
   kCoincidentPoints = 3,  ///< two points of one line at the same position
   kZeroLengthLine = 4,    ///< line
@@ -90,23 +90,22 @@ enum class DiagnosticCode : std::uint16_t {
   kDuplicateTriangle = 44,        ///< two triangles with the same nodes
   kDegenerateTriangle = 45,       ///< triangle with repeated or collinear nodes
   kZeroVolume = 46,               ///< shell that encloses no volume
-  kReorientedPatch =
-      47,  ///< information: patch, or component of a given surface, that faced inward and was
-           ///< flipped; values of a component: triangles flipped, triangles in all
+  /// Information: patch, or component of a given surface, that faced inward and was flipped;
+  /// values of a component: triangles flipped, triangles in all.
+  kReorientedPatch = 47,
   kCoincidentNodes = 48,  ///< two nodes at one position that are not welded
   kNestedRegions = 49,    ///< information; values: number of regions, of cavities
-  kFlippedTriangle =
-      50,  ///< triangle of a given surface that faces inward in a component that faces outward;
-           ///< values: 1 if it would be an interface with InnerShells::kRegions, else 0; number
-           ///< of such triangles
-  kCoarseSurface =
-      51,  ///< warning: triangle of a given surface whose edges are longest relative to the target
-           ///< length, position; values: number of triangles with edges above twice the target
-           ///< length, length / target length of the longest
+  /// Triangle of a given surface that faces inward in a component that faces outward; values: 1
+  /// if it would be an interface with InnerShells::kRegions, else 0; number of such triangles.
+  kFlippedTriangle = 50,
+  /// Warning: triangle of a given surface whose edges are longest relative to the target length,
+  /// position; values: number of triangles with edges above twice the target length, length /
+  /// target length of the longest.
+  kCoarseSurface = 51,
   // Volume
   kStalled = 60,  ///< values: faces left in the front
-  kVerificationFailed =
-      61,  ///< values: number of defects; a mistake of the engine, not of the input
+  /// Values: number of defects; a mistake of the engine, not of the input.
+  kVerificationFailed = 61,
 };
 
 enum class Severity : std::uint8_t { kInformation = 0, kWarning = 1, kError = 2 };

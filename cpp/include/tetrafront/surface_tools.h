@@ -105,8 +105,8 @@ struct RepairOptions {
   /// Distance within which nodes are welded, in model units; 0: only nodes at the same position; negative: none.
   double weldDistance = 0.0;
   bool removeTriangles = true;  ///< remove degenerate triangles, and all but one of duplicates
-  std::uint32_t maxHoleEdges =
-      0;               ///< fill holes with at most this many edges, up to kMaxHoleEdges; 0: none
+  /// Fill holes with at most this many edges, up to kMaxHoleEdges; 0: none.
+  std::uint32_t maxHoleEdges = 0;
   bool orient = true;  ///< orient triangles consistently, outward if possible
   /// Meaning of inner shells: the triangles around a cavity are oriented the other way.
   InnerShells innerShells = InnerShells::kCavities;
