@@ -59,13 +59,13 @@ TEST(ElementIndex, FindsRingsWhileElementsAreAddedAndRemoved) {
   index.begin(kNodes);
   while (!index.isBuilt()) index.build(1);
   expectRings("built");
-  const std::size_t before = elements.size();
   addRandomElements(elements, random, 10);
   expectRings("with later elements");
-  index.forgetFrom(before);
+  const std::size_t before = elements.size();
+  addRandomElements(elements, random, 10);
   elements.dropFrom(before);
   addRandomElements(elements, random, 8);
-  expectRings("with others in their position");
+  expectRings("with others in place of elements dropped before a query");
   elements.remove(TetId(3U));
   elements.remove(TetId(before + 1));
   expectRings("with elements removed");

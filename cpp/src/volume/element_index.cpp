@@ -52,16 +52,6 @@ void ElementIndex::chainNew() {
   }
 }
 
-void ElementIndex::forgetFrom(std::size_t count) {
-  while (listed_ + links_.size() / 4 > count) {
-    const std::size_t element = listed_ + links_.size() / 4 - 1;
-    for (std::size_t k = 4; k-- > 0;) {
-      firstLink_[elements_.nodes[element][k].index()] = links_.back();
-      links_.pop_back();
-    }
-  }
-}
-
 template <class Take>
 void ElementIndex::forEachAt(NodeId node, const Take& take) const {
   for (const std::uint32_t element : lists_.at(node.value)) take(TetId(element));

@@ -1,7 +1,9 @@
 #pragma once
 
 /// @file Finds the elements at a node while elements are being made. Elements that existed when the
-/// index was built are in flat lists, later ones in chains.
+/// index was built are in flat lists, later ones in chains. Elements join the chains at the next
+/// query. They may be dropped again before it, as a failed attempt does; after it, they can only be
+/// removed.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,9 +24,6 @@ class ElementIndex {
   /// Adds about `budget` x 100 elements to the index; returns the budget it used, at least 1.
   std::size_t build(std::size_t budget);
   [[nodiscard]] bool isBuilt() const { return stage_ == Stage::kBuilt; }
-
-  /// Call it before elements from `count` on are dropped.
-  void forgetFrom(std::size_t count);
 
   /// Returns the elements within `rings` rings of elements around the nodes, ascending, without
   /// removed ones. Stops before a ring if it already has `enough` elements. `nodes` must be

@@ -137,7 +137,7 @@ std::size_t LocalRemeshing<Trace>::finish(PocketSet& pockets) {
   if (closed) {
     made_.push_back({elementsBefore_, elements_.size()});
   } else {
-    index_.forgetFrom(elementsBefore_);
+    // The index does not know these elements yet: it is queried only before an attempt.
     elements_.dropFrom(elementsBefore_);
     enlarged_->restore(front_, elements_, pockets);
     front_.dropNodesFrom(nodesBefore_);
