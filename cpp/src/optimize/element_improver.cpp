@@ -145,18 +145,33 @@ bool ElementImprover<Space>::growCavity(const Vec3& place, const Wanted& wanted,
 }
 
 template <class Space>
-void ElementImprover<Space>::hollowOut(const Wanted& wanted) {
-  hollow_.clear();
+bool ElementImprover<Space>::isInCavity(Facing across) const {
+  return !across.isNone() && inCavity_[across.tet().index()] == cavityStamp_;
+}
+
+/// Calls visit(element, k) for each face k between an element of the cavity and the rest of the mesh. Stops and returns
+/// false when `visit` returns false.
+template <class Space>
+template <class Visitor>
+bool ElementImprover<Space>::visitCavityFaces(Visitor visit) const {
   for (const TetId tet : cavity_) {
     const Element& element = complex_.element(tet);
     for (std::size_t k = 0; k < 4; ++k) {
-      const Facing across = element.across[k];
-      if (!across.isNone() && inCavity_[across.tet().index()] == cavityStamp_) continue;
-      const auto& side = kFaceCorners[k];
-      hollow_.add(complex_.place(element.nodes[side[0]]), complex_.place(element.nodes[side[1]]),
-                  complex_.place(element.nodes[side[2]]), coneFrame(wanted, element.nodes, k));
+      if (!isInCavity(element.across[k]) && !visit(element, k)) return false;
     }
   }
+  return true;
+}
+
+template <class Space>
+void ElementImprover<Space>::hollowOut(const Wanted& wanted) {
+  hollow_.clear();
+  visitCavityFaces([&](const Element& element, std::size_t k) {
+    const auto& face = kFaceCorners[k];
+    hollow_.add(complex_.place(element.nodes[face[0]]), complex_.place(element.nodes[face[1]]),
+                complex_.place(element.nodes[face[2]]), coneFrame(wanted, element.nodes, k));
+    return true;
+  });
 }
 
 template <class Space>
@@ -201,19 +216,15 @@ bool ElementImprover<Space>::fillCavity(const Vec3& place, const Wanted& wanted,
   const NodeId apex = complex_.addNode<Space>(place, wanted);
   fresh_.clear();
   std::vector<NodeId> kept;
-  for (const TetId tet : cavity_) {
-    const Element& element = complex_.element(tet);
-    for (std::size_t k = 0; k < 4; ++k) {
-      const Facing across = element.across[k];
-      if (!across.isNone() && inCavity_[across.tet().index()] == cavityStamp_) continue;
-      const auto& side = kFaceCorners[k];
-      const Corners nodes{apex, element.nodes[side[0]], element.nodes[side[1]],
-                          element.nodes[side[2]]};
-      fresh_.push_back({nodes, complex_.costOf(cost, nodes)});
-      if (fresh_.back().cost >= kInvalidCost) return false;
-      kept.insert(kept.end(), nodes.begin() + 1, nodes.end());
-    }
-  }
+  const bool isValid = visitCavityFaces([&](const Element& element, std::size_t k) {
+    const auto& face = kFaceCorners[k];
+    const Corners nodes{apex, element.nodes[face[0]], element.nodes[face[1]],
+                        element.nodes[face[2]]};
+    fresh_.push_back({nodes, complex_.costOf(cost, nodes)});
+    kept.insert(kept.end(), nodes.begin() + 1, nodes.end());
+    return fresh_.back().cost < kInvalidCost;
+  });
+  if (!isValid) return false;
   // A cavity may remove free nodes, but not fixed ones.
   sortFew(kept);
   std::vector<NodeId> swallowed;

@@ -68,6 +68,9 @@ class ElementImprover {
                 const ElementCost<Space>& cost);
   bool growCavity(const Vec3& place, const Wanted& wanted, const ElementCost<Space>& cost,
                   double limit);
+  [[nodiscard]] bool isInCavity(Facing across) const;
+  template <class Visitor>
+  bool visitCavityFaces(Visitor visit) const;
   void hollowOut(const Wanted& wanted);
   bool fillCavity(const Vec3& place, const Wanted& wanted, const ElementCost<Space>& cost);
   bool compound(TetId tet, const ElementCost<Space>& cost);

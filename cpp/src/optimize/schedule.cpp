@@ -114,7 +114,7 @@ constexpr std::array kMendSteps{
     ease(Entry::kIfBefore),
 };
 
-constexpr std::array kStriveSteps{
+constexpr std::array kThoroughSteps{
     Step{.sweeps = kScore, .purpose = Purpose::kKeep},
     Step{.sweeps = kRound,
          .costBasis = CostBasis::kWithinAngles,
@@ -142,7 +142,7 @@ std::vector<Step> scheduleOf(Optimization level) {
   if (level == Optimization::kNone) return steps;
   add(level == Optimization::kFast ? std::span<const Step>(kFastSteps) : kShapeSteps);
   add(kMendSteps);
-  if (level == Optimization::kThorough) add(kStriveSteps);
+  if (level == Optimization::kThorough) add(kThoroughSteps);
   return steps;
 }
 
