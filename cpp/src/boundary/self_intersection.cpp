@@ -9,6 +9,7 @@
 
 #include "base/budget.h"
 #include "base/sort.h"
+#include "base/tolerance.h"
 #include "boundary/surface_access.h"
 #include "boundary/triangle_pairs.h"
 #include "geom/intersect.h"
@@ -36,8 +37,6 @@ NodeId lowestCommonNode(const NodeTriple& a, const NodeTriple& b) {
 
 /// Returns a box around the directions in which the triangle lies as seen from its node: an arc of the unit sphere.
 Box boxOfDirections(const NumberedTriangle& triangle, NodeId node) {
-  /// Bounds the rounding error of a unit vector, a thousand times over.
-  constexpr double kUnitRounding = 1e-12;
   std::size_t k = 0;
   while (triangle.nodes[k] != node.value) ++k;
   const Vec3& from = triangle.corners[k];
@@ -46,12 +45,12 @@ Box boxOfDirections(const NumberedTriangle& triangle, NodeId node) {
   const Vec3 u = a * (1.0 / glm::length(a));
   const Vec3 v = b * (1.0 / glm::length(b));
   // If the square of a length overflows or underflows, its direction is unknown. NaN fails the comparison too.
-  if (!(std::fabs(glm::dot(u, u) - 1.0) < kUnitRounding &&
-        std::fabs(glm::dot(v, v) - 1.0) < kUnitRounding)) {
+  if (!(std::fabs(glm::dot(u, u) - 1.0) < Tolerance::kRounding &&
+        std::fabs(glm::dot(v, v) - 1.0) < Tolerance::kRounding)) {
     return Box::of(Vec3(-2.0), Vec3(2.0), Vec3(2.0));
   }
   // No arc is farther from its chord than a quarter of the squared chord.
-  const Vec3 reach(0.25 * glm::dot(v - u, v - u) + kUnitRounding);
+  const Vec3 reach(0.25 * glm::dot(v - u, v - u) + Tolerance::kRounding);
   Box box = Box::of(u, v, v);
   box.include(u, reach);
   box.include(v, reach);

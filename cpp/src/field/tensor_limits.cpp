@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/tolerance.h"
+
 namespace tetrafront {
 namespace {
 
 /// Cyclic Jacobi converges quadratically; after five sweeps nothing is left of a 3 x 3 matrix.
 constexpr int kLimitSweeps = 6;
-
-/// What a tensor may be above a limit before it counts: rounding, relative to the limit.
-constexpr double kRounding = 1e-12;
 
 using Matrix = std::array<std::array<double, 3>, 3>;
 
@@ -72,7 +71,7 @@ struct Cholesky {
 
 /// Whether limit - tensor is positive semidefinite, up to rounding.
 bool isNowhereAbove(const SymmetricTensor& tensor, const SymmetricTensor& limit) {
-  const double slack = kRounding * largestPossible(limit);
+  const double slack = Tolerance(largestPossible(limit)).rounding();
   const double xx = limit.xx - tensor.xx + slack;
   const double yy = limit.yy - tensor.yy + slack;
   const double zz = limit.zz - tensor.zz + slack;

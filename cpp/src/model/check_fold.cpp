@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "model/check_patch.h"
-
 namespace tetrafront {
 
 namespace {
@@ -121,10 +119,10 @@ class NormalGrid {
 
 }  // namespace
 
-std::optional<SurfaceDefect> findSurfaceFault(const UnitSurface& surface, SmoothCorners corners,
-                                              double extent) {
+std::optional<SurfaceDefect> findSurfaceDefect(const UnitSurface& surface, SmoothCorners corners,
+                                               const Tolerance& tolerance) {
   const NormalGrid grid(surface, corners);
-  if (!(grid.longestNormal() > kMinArea * extent * extent)) {
+  if (!(grid.longestNormal() > tolerance.area())) {
     constexpr double kThird = 1.0 / 3.0;
     return SurfaceDefect{true, surface.evaluate({kThird, kThird}).position};
   }

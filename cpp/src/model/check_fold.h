@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/tolerance.h"
 #include "model/unit_surface.h"
 
 namespace tetrafront {
@@ -19,8 +20,9 @@ struct SurfaceDefect {
   Vec3 position;
 };
 
-/// Returns the first defect found; `extent` is the patch's size.
-[[nodiscard]] std::optional<SurfaceDefect> findSurfaceFault(const UnitSurface& surface,
-                                                            SmoothCorners corners, double extent);
+/// Returns the first defect found; `tolerance` is relative to the patch.
+[[nodiscard]] std::optional<SurfaceDefect> findSurfaceDefect(const UnitSurface& surface,
+                                                             SmoothCorners corners,
+                                                             const Tolerance& tolerance);
 
 }  // namespace tetrafront

@@ -33,7 +33,8 @@ class HoleCheck {
       if (worst_ > kHoleTolerance * loopExtent(*model_, drawn_->loops[hole], kHoleSamples))
         return fault(DiagnosticCode::kHoleOffPatch, {worstLine_}, worstPlace_, {worst_});
     }
-    if (const std::optional<LoopContact> contact = findContact(loops, extentInPlane(loops)))
+    if (const std::optional<LoopContact> contact =
+            findContact(loops, Tolerance(extentInPlane(loops))))
       return fault(DiagnosticCode::kLoopsIntersect, {contact->firstLine, contact->secondLine},
                    surface_->evaluate(contact->place).position);
     if (const std::optional<std::size_t> hole = findMisplacedHole(loops))

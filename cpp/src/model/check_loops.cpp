@@ -12,8 +12,6 @@ namespace {
 
 /// Samples per curved line.
 constexpr std::uint32_t kLoopSamples = 32;
-/// Sides closer than this, relative to the patch's extent, touch.
-constexpr double kTouching = 1e-9;
 
 /// One side of one loop.
 struct Side {
@@ -43,8 +41,8 @@ bool sidesCross(const Side& a, const Side& b) {
   return ((fromB > 0.0) != (toB > 0.0)) && ((fromA > 0.0) != (toA > 0.0));
 }
 
-bool sidesTouch(const Side& a, const Side& b, double tolerance) {
-  const double squared = tolerance * tolerance;
+bool sidesTouch(const Side& a, const Side& b, double reach) {
+  const double squared = reach * reach;
   return sidesCross(a, b) || squaredDistance(a.from, b.from, b.to) <= squared ||
          squaredDistance(a.to, b.from, b.to) <= squared ||
          squaredDistance(b.from, a.from, a.to) <= squared ||
@@ -52,12 +50,12 @@ bool sidesTouch(const Side& a, const Side& b, double tolerance) {
 }
 
 /// Consecutive sides overlap if the second one reverses the first.
-bool turnsBack(const Side& first, const Side& second, double tolerance) {
+bool turnsBack(const Side& first, const Side& second, double reach) {
   const Vec2 a = first.from - first.to;
   const Vec2 b = second.to - second.from;
   if (!(glm::dot(a, b) > 0.0)) return false;
-  return squaredDistance(first.from, second.from, second.to) <= tolerance * tolerance ||
-         squaredDistance(second.to, first.from, first.to) <= tolerance * tolerance;
+  return squaredDistance(first.from, second.from, second.to) <= reach * reach ||
+         squaredDistance(second.to, first.from, first.to) <= reach * reach;
 }
 
 std::vector<Side> sidesOf(std::span<const PlaneLoop> loops) {
@@ -109,18 +107,19 @@ std::optional<RepeatedPoint> findRepeatedPoint(std::vector<LineStart> starts) {
   return RepeatedPoint{twice->point, twice->line, std::next(twice)->line};
 }
 
-std::optional<LoopContact> findContact(std::span<const PlaneLoop> loops, double extent) {
+std::optional<LoopContact> findContact(std::span<const PlaneLoop> loops,
+                                       const Tolerance& tolerance) {
   const std::vector<Side> sides = sidesOf(loops);
   PlaneBox region = PlaneBox::of(sides.front().from, sides.front().to);
   for (const Side& side : sides) region.include(side.from);
-  const double tolerance = kTouching * extent;
+  const double reach = tolerance.coincidence();
   Quadtree tree(region);
   std::vector<std::uint32_t> near;
   for (std::uint32_t i = 0; i < sides.size(); ++i) {
     const Side& side = sides[i];
     PlaneBox box = PlaneBox::of(side.from, side.to);
-    box.low -= Vec2(tolerance);
-    box.high += Vec2(tolerance);
+    box.low -= Vec2(reach);
+    box.high += Vec2(reach);
     near.clear();
     tree.query(box, near);
     for (const std::uint32_t k : near) {
@@ -129,9 +128,9 @@ std::optional<LoopContact> findContact(std::span<const PlaneLoop> loops, double 
       const auto count = static_cast<std::uint32_t>(loops[side.loop].points.size());
       const bool follows = sameLoop && (other.position + 1) % count == side.position;
       const bool precedes = sameLoop && (side.position + 1) % count == other.position;
-      const bool touch = follows    ? turnsBack(other, side, tolerance)
-                         : precedes ? turnsBack(side, other, tolerance)
-                                    : sidesTouch(other, side, tolerance);
+      const bool touch = follows    ? turnsBack(other, side, reach)
+                         : precedes ? turnsBack(side, other, reach)
+                                    : sidesTouch(other, side, reach);
       if (touch) return LoopContact{other.line, side.line, side.from};
     }
     tree.insert(i, box);

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "base/tolerance.h"
 #include "model/patch_surface.h"
 
 namespace tetrafront {
@@ -37,15 +38,15 @@ struct RepeatedPoint {
 };
 [[nodiscard]] std::optional<RepeatedPoint> findRepeatedPoint(std::vector<LineStart> starts);
 
-/// Two lines that are closer than rounding where they are not connected.
+/// Two lines that touch where they are not connected.
 struct LoopContact {
   std::uint32_t firstLine;
   std::uint32_t secondLine;
   Vec2 place;
 };
-/// Returns the first contact found; `extent` is the patch's size. O(n log n) in the samples.
+/// Returns the first contact found; `tolerance` is relative to the patch. O(n log n) for n samples.
 [[nodiscard]] std::optional<LoopContact> findContact(std::span<const PlaneLoop> loops,
-                                                     double extent);
+                                                     const Tolerance& tolerance);
 
 /// Returns the first loop after loops[0] that is not inside it, or is inside another hole. The
 /// loops must not touch.

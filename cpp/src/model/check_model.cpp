@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/sort.h"
+#include "base/tolerance.h"
 #include "geom/coordinates.h"
 #include "model/check_patch.h"
 #include "model/duplicates.h"
@@ -18,10 +19,6 @@
 namespace tetrafront {
 
 namespace {
-
-/// Points closer than this, relative to the model's extent, have the same position: a side between
-/// them would be of the size of rounding errors.
-constexpr double kSamePlace = 1e-12;
 
 /// Requirements of a patch type on its outer loop.
 struct PatchRule {
@@ -104,7 +101,7 @@ class ModelChecker::Impl {
     }
     const std::vector<std::uint8_t> takesPart = usedPoints();
     checkSmallness(takesPart);
-    samePlace_ = kSamePlace * extentOf(takesPart);
+    tolerance_ = Tolerance(extentOf(takesPart));
   }
 
   /// If the model is too small to compute with, all other reports would be wrong.
@@ -210,7 +207,7 @@ class ModelChecker::Impl {
   }
 
   [[nodiscard]] bool coincide(std::uint32_t a, std::uint32_t b) const {
-    return a == b || glm::length(model_->points[a] - model_->points[b]) <= samePlace_;
+    return a == b || glm::length(model_->points[a] - model_->points[b]) <= tolerance_.rounding();
   }
 
   /// Points with the same position that were reported with a line are not reported again.
@@ -246,7 +243,7 @@ class ModelChecker::Impl {
 
   /// Points and lines drawn twice are harmless unless the surface uses both.
   void checkDuplicates(const ResolvedModel& resolved) {
-    found_.duplicates = findDuplicates(resolved, found_.usableLines, samePlace_);
+    found_.duplicates = findDuplicates(resolved, found_.usableLines, tolerance_);
     const auto reportPair = [&](DiagnosticCode code, EntityKind kind, std::uint32_t first,
                                 std::uint32_t second, const std::vector<std::uint8_t>& matters,
                                 const Vec3& place) {
@@ -380,7 +377,7 @@ class ModelChecker::Impl {
   MovedPointFinder movedPoints_;
   CheckedModel found_;
   std::optional<ResolvedModel> resolved_;
-  double samePlace_ = 0.0;
+  Tolerance tolerance_{0.0};  ///< relative to the box of the used points
   bool isTooSmall_ = false;
   std::vector<std::uint8_t> isUsed_;    ///< per line: 1 if a patch uses it
   std::vector<std::uint8_t> isCorner_;  ///< per point: 1 if it is an end of a used line

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/sort.h"
+#include "base/tolerance.h"
 #include "model/check_fold.h"
 #include "model/check_holes.h"
 #include "model/check_loops.h"
@@ -58,7 +59,7 @@ class PatchCheck {
   bool checkPlanar() {
     const LoopPlane plane = loopPlane(*model_, drawn_->loops.front());
     const double size = extent();
-    if (!(glm::length(plane.areaVector) > kMinArea * size * size)) {
+    if (!(glm::length(plane.areaVector) > Tolerance(size).area())) {
       report(DiagnosticCode::kDegeneratePatch, {}, plane.origin);
       return false;
     }
@@ -136,7 +137,7 @@ class PatchCheck {
   void checkLoopsApart(const PlanarSurface& surface, double size) {
     std::vector<PlaneLoop> loops;
     for (const Loop& loop : drawn_->loops) loops.push_back(layOutLoop(*model_, loop, surface));
-    if (const std::optional<LoopContact> contact = findContact(loops, size)) {
+    if (const std::optional<LoopContact> contact = findContact(loops, Tolerance(size))) {
       report(DiagnosticCode::kLoopsIntersect, {contact->firstLine, contact->secondLine},
              surface.evaluate(contact->place).position);
       return;
@@ -153,7 +154,8 @@ class PatchCheck {
     const UnitSurface surface(drawn_->type, curvesOf(*model_, drawn_->loops.front()));
     const SmoothCorners corners =
         isIsoparametric() ? SmoothCorners::kFold : SmoothCorners::kAllowed;
-    const std::optional<SurfaceDefect> fault = findSurfaceFault(surface, corners, extent());
+    const std::optional<SurfaceDefect> fault =
+        findSurfaceDefect(surface, corners, Tolerance(extent()));
     if (!fault) {
       checkHoles();
       return true;

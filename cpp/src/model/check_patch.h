@@ -11,9 +11,6 @@
 
 namespace tetrafront {
 
-/// Smallest area of a patch, relative to its squared extent.
-inline constexpr double kMinArea = 1e-9;
-
 /// Appends the problems found: no area, a fold, a line off the plane, loops that touch or lie
 /// outside the first one. Returns true if the surface can be evaluated. `movedPoints` must be of
 /// the same model.

@@ -8,6 +8,8 @@
 #include <array>
 #include <utility>
 
+#include "base/tolerance.h"
+
 namespace tetrafront {
 
 namespace {
@@ -21,8 +23,6 @@ constexpr std::array<double, 5> kGaussWeights{0.2369268850561891, 0.478628670499
 /// Pieces per smooth span for integrating the arc length: a parabola bent by 90 degrees is then
 /// exact to about 1e-12.
 constexpr int kPiecesPerSpan = 8;
-/// Points closer to the chord than this, relative to its length, lie on it.
-constexpr double kStraight = 1e-9;
 
 }  // namespace
 
@@ -188,7 +188,7 @@ bool Curve::isStraight() const {
   return std::ranges::all_of(points_,
                              [&](const Vec3& point) {
                                return glm::length(glm::cross(chord, point - start())) <=
-                                      kStraight * squared;
+                                      Tolerance::kCoincidence * squared;
                              }) &&
          squared > 0.0;
 }

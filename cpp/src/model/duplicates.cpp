@@ -15,8 +15,6 @@ namespace {
 
 /// Parameters, as fractions of the line, at which courses are compared.
 constexpr int kCourseParts = 8;
-/// Lines whose samples are closer than this, relative to their extent, have the same course.
-constexpr double kSameCourse = 1e-9;
 
 std::vector<std::uint32_t> numbersUpTo(std::size_t count) {
   std::vector<std::uint32_t> numbers(count);
@@ -68,14 +66,14 @@ std::vector<std::uint32_t> samePlaces(const std::vector<Vec3>& points, double sa
 
 bool runAlike(const Curve& a, const Curve& b) {
   if (a.isStraight() && b.isStraight()) return true;
-  const double tolerance = kSameCourse * std::max(a.length(), b.length());
+  const double reach = Tolerance(std::max(a.length(), b.length())).coincidence();
   bool along = true;
   bool against = true;
   for (int i = 1; i < kCourseParts && (along || against); ++i) {
     const double t = static_cast<double>(i) / kCourseParts;
     const Vec3 place = a.position(t);
-    along = along && glm::length(place - b.position(t)) <= tolerance;
-    against = against && glm::length(place - b.position(1.0 - t)) <= tolerance;
+    along = along && glm::length(place - b.position(t)) <= reach;
+    against = against && glm::length(place - b.position(1.0 - t)) <= reach;
   }
   return along || against;
 }
@@ -99,7 +97,7 @@ void findAlike(const ResolvedModel& model, std::span<const std::uint32_t> lines,
   }
   // Twice the largest difference of midpoints: for curves by their course, for straight lines by
   // their ends.
-  const double reach = 2.0 * std::max(kSameCourse * longest, samePlace);
+  const double reach = 2.0 * std::max(Tolerance(longest).coincidence(), samePlace);
   stableSort(entries, [](const Entry& a, const Entry& b) {
     return a.along != b.along ? a.along < b.along : a.position < b.position;
   });
@@ -123,7 +121,8 @@ void findAlike(const ResolvedModel& model, std::span<const std::uint32_t> lines,
 }  // namespace
 
 Duplicates findDuplicates(const ResolvedModel& model, std::span<const std::uint8_t> usableLines,
-                          double samePlace) {
+                          const Tolerance& tolerance) {
+  const double samePlace = tolerance.rounding();
   const Model& drawn = model.model();
   Duplicates result{samePlaces(drawn.points, samePlace), numbersUpTo(drawn.lines.size())};
   struct Entry {

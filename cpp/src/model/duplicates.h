@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/tolerance.h"
 #include "model/resolved_model.h"
 
 namespace tetrafront {
@@ -17,10 +18,10 @@ struct Duplicates {
 };
 
 /// Finds the duplicates. Points that are not finite and unusable lines (one flag per line) equal
-/// only themselves. `samePlace` is the distance within which positions count as equal. O(n log n)
+/// only themselves. `tolerance` is relative to the model: positions within its rounding() are equal. O(n log n)
 /// unless many lines have the same ends and the same midpoint.
 [[nodiscard]] Duplicates findDuplicates(const ResolvedModel& model,
                                         std::span<const std::uint8_t> usableLines,
-                                        double samePlace);
+                                        const Tolerance& tolerance);
 
 }  // namespace tetrafront

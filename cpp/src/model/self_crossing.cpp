@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/sort.h"
+#include "base/tolerance.h"
 #include "search/box_tree.h"
 
 namespace tetrafront {
@@ -89,7 +90,7 @@ class CrossingSearch {
       low = glm::min(low, piece.low());
       high = glm::max(high, piece.high());
     }
-    tolerance_ = kSamePassage * glm::length(high - low);
+    reach_ = Tolerance(glm::length(high - low)).coincidence();
   }
 
   std::optional<Vec3> run() {
@@ -169,7 +170,7 @@ class CrossingSearch {
     }
     const double sizeA = glm::length(highA - lowA);
     const double sizeB = glm::length(highB - lowB);
-    if (sizeA <= tolerance_ && sizeB <= tolerance_) {
+    if (sizeA <= reach_ && sizeB <= reach_) {
       place_ = 0.5 * (a.control[0] + b.control[0]);
       return true;
     }
@@ -193,7 +194,7 @@ class CrossingSearch {
   std::vector<Piece> pieces_;
   bool isClosed_;
   std::size_t comparisonsLeft_;
-  double tolerance_ = 0.0;
+  double reach_ = 0.0;  ///< passages closer than this intersect
   Vec3 place_{0.0};
 };
 

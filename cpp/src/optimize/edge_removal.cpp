@@ -273,6 +273,7 @@ bool EdgeRemoval<Space>::improve(const EdgeRing& ring, const ElementCost<Space>&
                                  const EdgeRemovalOptions& options) {
   double old = 0.0;
   for (const TetId tet : ring.elementSpan()) old = cost.combined(old, complex_.cost(tet));
+  // A relative gain on a cost near 0 is a rounding error.
   constexpr double kMinGain = 1e-12;
   const double bound = old * (1.0 - options.minGain) - kMinGain;
   if (!(bound > 0.0) || (!ring.closed && !options.fans)) return false;

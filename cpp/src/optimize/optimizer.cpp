@@ -147,9 +147,9 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
   }
 
   [[nodiscard]] ElementCost<Space> costOfStep() const {
-    // Relative to the squared tangents of half the angles: far more than the recomputed cost of an
-    // unchanged element can differ, and far less than any angle that is reported.
-    constexpr double kRounding = 1.0 + 1e-9;
+    // Factor of the squared tangents of half the angles. Recomputing the cost of an unchanged element changes it by
+    // far less; the angles that a report shows differ by far more.
+    constexpr double kMargin = 1.0 + 1e-9;
     switch (step().costBasis) {
       case CostBasis::kAsBefore:
         break;
@@ -161,7 +161,7 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
         return ElementCost<Space>(Measure::kDihedral, step().targets);
       case CostBasis::kWithinAngles:
         return ElementCost<Space>(Measure::kWithin,
-                                  sweeps_.score().within(kTargets35And130).loweredBy(kRounding));
+                                  sweeps_.score().within(kTargets35And130).loweredBy(kMargin));
     }
     return sweeps_.cost();
   }

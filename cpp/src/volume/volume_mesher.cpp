@@ -190,7 +190,10 @@ template <class Trace>
 void BasicVolumeMesher<Trace>::stopAtLimit() {
   Diagnostic tooMany;
   tooMany.code = DiagnosticCode::kTooManyElements;
-  const double expected = static_cast<double>(elements_.size()) / std::max(filledFraction(), 1e-9);
+  // The first elements may fill almost nothing.
+  constexpr double kMinFraction = 1e-9;
+  const double expected =
+      static_cast<double>(elements_.size()) / std::max(filledFraction(), kMinFraction);
   tooMany.values = {expected, static_cast<double>(maxTetrahedra_)};
   tooMany.hasPosition = true;
   for (const NodeId node : elements_.nodes.back()) tooMany.position += front_.node(node) * 0.25;
