@@ -7,7 +7,7 @@
 
 #include "records.h"
 #include "statistics_record.h"
-#include "tetrafront/mesh_tools.h"
+#include "tetrafront/mesh_inspection.h"
 #include "tetrafront/surface_tools.h"
 #include "typed_arrays.h"
 

@@ -10,8 +10,8 @@
 
 #include "model_arrays.h"
 #include "tetrafront/background_grid.h"
-#include "tetrafront/grid_tools.h"
 #include "tetrafront/preview.h"
+#include "tetrafront/size_proposals.h"
 #include "tetrafront/status.h"
 #include "typed_arrays.h"
 

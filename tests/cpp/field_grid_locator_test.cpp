@@ -1,4 +1,5 @@
 #include "field/grid_locator.h"
+#include "field/grid_locator_builder.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "field/check_background_grid.h"
 #include "field/size_field.h"
 #include "support/random.h"
 #include "support/tet_grids.h"

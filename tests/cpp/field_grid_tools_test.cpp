@@ -1,20 +1,21 @@
 /// Background grids made around a model and from a mesh.
 
-#include "tetrafront/grid_tools.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "boundary/boundary.h"
+#include "field/check_background_grid.h"
 #include "field/size_field.h"
 #include "support/models.h"
 #include "support/random.h"
 #include "support/shapes.h"
 #include "support/slices.h"
 #include "support/tet_grids.h"
-#include "boundary/boundary.h"
+#include "tetrafront/covering_grid.h"
+#include "tetrafront/grid_from_mesh.h"
 #include "tetrafront/mesher.h"
 #include "tetrafront/preview.h"
 #include "volume/volume_mesher.h"

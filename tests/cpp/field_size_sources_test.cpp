@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "field/check_background_grid.h"
 #include "field/size_field.h"
 #include "support/models.h"
 #include "support/random.h"

@@ -12,7 +12,8 @@
 #include "field/size_sources.h"
 #include "support/models.h"
 #include "support/slices.h"
-#include "tetrafront/grid_tools.h"
+#include "tetrafront/covering_grid.h"
+#include "tetrafront/size_proposals.h"
 #include "tetrafront/mesher.h"
 #include "tetrafront/preview.h"
 

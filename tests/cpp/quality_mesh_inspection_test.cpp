@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "support/shapes.h"
-#include "tetrafront/mesh_tools.h"
+#include "tetrafront/mesh_inspection.h"
 #include "tetrafront/mesher.h"
 #include "tetrafront/surface_tools.h"
 

@@ -119,6 +119,9 @@ struct Diagnostic {
   std::vector<double> values;
 };
 
+/// Default number of diagnostics listed per code. A badly damaged surface can have millions.
+inline constexpr std::uint32_t kDefaultMaxDiagnostics = 1000;
+
 /// Element quality of a complete or partial mesh, measured in space.
 struct QualitySummary {
   double minDihedral = 0.0;     ///< degrees

@@ -66,9 +66,6 @@ struct SurfaceInspection {
   std::vector<Diagnostic> diagnostics;
 };
 
-/// Default number of diagnostics listed per code. A badly damaged surface can have millions.
-inline constexpr std::uint32_t kDefaultMaxDiagnostics = 1000;
-
 struct InspectionOptions {
   /// Decides which orientation an inner shell must have: as an interface, either one is valid.
   InnerShells innerShells = InnerShells::kCavities;

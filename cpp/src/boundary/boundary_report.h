@@ -14,7 +14,6 @@
 #include "base/ids.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/status.h"
-#include "tetrafront/surface_tools.h"
 
 namespace tetrafront {
 

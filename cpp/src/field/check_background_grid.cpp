@@ -1,3 +1,5 @@
+#include "field/check_background_grid.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,7 +9,7 @@
 
 #include "base/budget.h"
 #include "base/sort.h"
-#include "field/grid_locator.h"
+#include "base/tolerance.h"
 #include "field/size_sources.h"
 #include "geom/coordinates.h"
 #include "geom/predicates.h"
@@ -19,10 +21,6 @@ namespace {
 /// A tetrahedron with less than this share of the volume of the cube over its longest edge is
 /// flat: its weights would be rounding errors.
 constexpr double kFlatVolume = 1e-12;
-
-/// Sizes below this share of the grid's extent are a slip: places that near each other could not be
-/// told from rounding, and no line would hold the sides.
-constexpr double kSmallestSize = 1e-12;
 
 /// To come to a tetrahedron costs far less than a step of the front.
 constexpr std::size_t kPerBudget = 8;
@@ -145,7 +143,7 @@ void BackgroundGridCheck::endStage() {
   end_ = grid_->nodes.size();
   switch (stage_) {
     case Stage::kExtent:
-      if (low_) smallest_ = kSmallestSize * glm::length(high_ - *low_);
+      if (low_) smallest_ = Tolerance(glm::length(high_ - *low_)).rounding();
       break;
     case Stage::kNodes:
       for (std::uint32_t i = 0; i < grid_->sources.size(); ++i) {

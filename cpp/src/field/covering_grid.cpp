@@ -1,6 +1,6 @@
-#include <algorithm>
+#include "tetrafront/covering_grid.h"
 
-#include "tetrafront/grid_tools.h"
+#include <algorithm>
 
 namespace tetrafront {
 namespace {

@@ -1,3 +1,5 @@
+#include "tetrafront/grid_from_mesh.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -8,7 +10,6 @@
 #include <vector>
 
 #include "base/ids.h"
-#include "tetrafront/grid_tools.h"
 
 namespace tetrafront {
 namespace {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "field/grid_locator_builder.h"
+
 namespace tetrafront {
 namespace {
 

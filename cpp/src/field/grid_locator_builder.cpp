@@ -1,3 +1,5 @@
+#include "field/grid_locator_builder.h"
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -10,7 +12,6 @@
 #include "base/budget.h"
 #include "base/sort.h"
 #include "field/grid_gradation.h"
-#include "field/grid_locator.h"
 #include "field/tensor_limits.h"
 #include "geom/tetrahedron.h"
 

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "field/grid_locator.h"
+#include "field/check_background_grid.h"
+#include "field/grid_locator_builder.h"
 #include "model/check_closure.h"
 #include "preview/check_coverage.h"
 #include "preview/intersecting_patches.h"

@@ -1,3 +1,5 @@
+#include "tetrafront/covering_grid.h"
+
 #include <memory>
 #include <optional>
 #include <utility>
@@ -5,7 +7,6 @@
 #include "base/resumable.h"
 #include "base/task.h"
 #include "preview/model_sampler.h"
-#include "tetrafront/grid_tools.h"
 
 namespace tetrafront {
 

@@ -1,9 +1,10 @@
+#include "tetrafront/preview.h"
+
 #include <memory>
 #include <utility>
 
 #include "base/task.h"
 #include "preview/check_input.h"
-#include "tetrafront/preview.h"
 
 namespace tetrafront {
 

@@ -6,6 +6,8 @@
 //
 // Each answer smaller than the uniform size proposes a source; SourceSelection keeps those that are needed.
 
+#include "tetrafront/size_proposals.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,7 +26,6 @@
 #include "preview/sampled_triangles.h"
 #include "preview/source_selection.h"
 #include "preview/surface_sampler.h"
-#include "tetrafront/grid_tools.h"
 
 namespace tetrafront {
 namespace {

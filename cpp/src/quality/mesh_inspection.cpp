@@ -1,3 +1,5 @@
+#include "tetrafront/mesh_inspection.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +13,6 @@
 #include "quality/verify_mesh.h"
 #include "quality/mesh_boundary.h"
 #include "quality/quality_analysis.h"
-#include "tetrafront/mesh_tools.h"
 
 namespace tetrafront {
 namespace {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "boundary/surface_access.h"
+#include "field/grid_locator_builder.h"
 #include "field/size_octree_builder.h"
 #include "sizing/surface_coverage.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/task.h"
-#include "field/grid_locator.h"
+#include "field/check_background_grid.h"
 #include "field/size_field.h"
 #include "tetrafront/background_grid.h"
 #include "tetrafront/mesh.h"

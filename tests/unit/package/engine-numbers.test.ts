@@ -31,7 +31,7 @@ test("bounds of numbers", () => {
 
 test("findings that are listed", () => {
   expect(DEFAULT_MAX_DIAGNOSTICS).toBe(
-    engineConstant("include/tetrafront/surface_tools.h", "kDefaultMaxDiagnostics"),
+    engineConstant("include/tetrafront/status.h", "kDefaultMaxDiagnostics"),
   );
 });
 
@@ -57,7 +57,7 @@ test("line types, patch types, source types, orders of the front and levels of o
   expect(swapped(LINE_TYPES)).toEqual(lines);
   expect(swapped(PATCH_TYPES)).toEqual(engineEnum("model.h", "PatchType"));
   expect(swapped(SOURCE_TYPES)).toEqual(engineEnum("background_grid.h", "SourceType"));
-  const shapes = engineEnum("grid_tools.h", "CoverShape").map(([value, name]) => [
+  const shapes = engineEnum("covering_grid.h", "CoverShape").map(([value, name]) => [
     value,
     name.replace("single-", ""),
   ]);

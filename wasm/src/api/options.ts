@@ -53,10 +53,10 @@ export const OPTIMIZATIONS: Readonly<Record<Optimization, number>> = {
 
 export type CoverShape = NonNullable<CoverOptions["shape"]>;
 export const DEFAULT_COVER_SHAPE: CoverShape = "box";
-/** The engine's numbers (cpp/include/tetrafront/grid_tools.h). */
+/** The engine's numbers (cpp/include/tetrafront/covering_grid.h). */
 export const COVER_SHAPES: Readonly<Record<CoverShape, number>> = { box: 0, tetrahedron: 1 };
 
-/** As the engine has them (cpp/include/tetrafront/grid_tools.h); 0 leaves the choice to it. */
+/** As the engine has them (cpp/include/tetrafront/size_proposals.h); 0 leaves the choice to it. */
 export const DEFAULT_PROPOSAL: EngineProposalOptions = {
   uniform: 0,
   smallest: 0,
