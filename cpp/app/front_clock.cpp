@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "field/grid_locator.h"
+#include "field/check_background_grid.h"
 #include "field/size_field.h"
 #include "field/size_octree.h"
 #include "boundary/boundary.h"
