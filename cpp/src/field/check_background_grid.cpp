@@ -18,11 +18,11 @@
 namespace tetrafront {
 namespace {
 
-/// A tetrahedron with less than this share of the volume of the cube over its longest edge is
-/// flat: its weights would be rounding errors.
+/// Smallest volume of a tetrahedron / volume of the cube over its longest edge. The weights of a
+/// flatter one would be rounding errors.
 constexpr double kFlatVolume = 1e-12;
 
-/// To come to a tetrahedron costs far less than a step of the front.
+/// Tetrahedra per unit of budget: visiting one costs far less than a step of the front.
 constexpr std::size_t kPerBudget = 8;
 
 Diagnostic about(DiagnosticCode code, EntityKind kind, std::uint32_t index) {
@@ -54,7 +54,7 @@ void checkNode(const BackgroundNode& node, std::uint32_t index, double smallest,
   }
 }
 
-/// Those that are not above 0 are reported by checkSizeSources().
+/// Reports sizes that are too small. checkSizeSources() reports those that are not positive.
 void checkSourceSize(const SizeSource& source, std::uint32_t index, double smallest,
                      std::vector<Diagnostic>& found) {
   if (!(source.size > 0.0 && source.size < smallest)) return;
@@ -175,7 +175,7 @@ void BackgroundGridCheck::extend(const Vec3& place) {
   low_ = low_ ? glm::min(*low_, place) : place;
 }
 
-/// Tetrahedra with the same four nodes overlap.
+/// Reports duplicate tetrahedra: those with the same four nodes.
 void BackgroundGridCheck::checkRepeatedAt(std::uint32_t node) {
   const std::span<Entry> entries = entries_.at(node);
   sortFew(entries, [](const Entry& a, const Entry& b) {

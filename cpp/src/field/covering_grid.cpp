@@ -5,11 +5,12 @@
 namespace tetrafront {
 namespace {
 
-/// What the grid reaches beyond the box, as a share of its diagonal: enough that rounding and the
-/// bulge of facets do not matter, little enough that nodes stand near what they speak about.
+/// Margin of the grid around the box / diagonal of the box. Large enough for rounding and for the
+/// bulge of curved patches; small enough that nodes stay near the geometry they describe.
 constexpr double kMargin = 1.0 / 20.0;
 
-/// A tetrahedron over three edges of a box holds the box if they are three times as long.
+/// A corner tetrahedron contains the box if its three axis-parallel edges are this many times as
+/// long as those of the box.
 constexpr double kTetrahedronPerBox = 3.0;
 
 BackgroundNode nodeAt(const Vec3& position, double size) {
@@ -26,7 +27,7 @@ BackgroundGrid boxOf(const Vec3& low, const Vec3& high, double size) {
                   (corner & 4U) != 0 ? high.z : low.z);
     grid.nodes.push_back(nodeAt(at, size));
   }
-  // One inside, over every other corner, and one at each corner left.
+  // One tetrahedron inside, over alternate corners, and one at each remaining corner.
   grid.tetrahedra = {{0, 3, 5, 6}, {1, 0, 3, 5}, {2, 0, 3, 6}, {4, 0, 5, 6}, {7, 3, 5, 6}};
   return grid;
 }

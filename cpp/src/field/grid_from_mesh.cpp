@@ -14,11 +14,11 @@
 namespace tetrafront {
 namespace {
 
-/// Wanted size per mean edge length of the mesh it leads to.
+/// Target size / mean edge length of the mesh that it leads to.
 constexpr double kSizePerEdge = 0.9;
 
-/// A facet of a curved patch is not covered by the grid where another mesh has a node: the bulge
-/// over an edge that spans 100 degrees of a circle.
+/// Coverage margin: on a curved patch, another mesh has nodes outside the triangles of this one.
+/// Allows for the bulge over an edge that spans 100 degrees of a circle.
 constexpr double kOverhang = 0.25;
 
 constexpr std::array<std::pair<std::size_t, std::size_t>, 6> kEdges{
@@ -31,8 +31,8 @@ Vec3 placeOf(const VolumeMesh& mesh, std::uint32_t node) {
 
 }  // namespace
 
-/// First the elements, for what their edges tell of the nodes; then the nodes that have any; then the
-/// elements again, which become the grid's.
+/// Visits the elements to average the edge lengths at each node, then the nodes, then the elements
+/// again to add them to the grid. Leaves out nodes without elements.
 class MeshGridBuilder::Impl {
  public:
   Impl(VolumeMesh mesh, std::vector<double> sizes)
@@ -73,7 +73,8 @@ class MeshGridBuilder::Impl {
     return mesh_.tetrahedra[4 * element + corner];
   }
 
-  /// Edges count once per element: those inside, with more elements around them, count more.
+  /// An edge counts once per element, so interior edges, which have more elements, have more
+  /// weight.
   void readElement(std::size_t element) {
     for (std::size_t k = 0; k < 4; ++k) numbers_[nodeOf(element, k)] = 0;
     if (!sizes_.empty()) return;
@@ -104,9 +105,10 @@ class MeshGridBuilder::Impl {
 
   VolumeMesh mesh_;
   std::vector<double> sizes_;
-  std::vector<std::uint32_t> numbers_;  ///< per node of the mesh, that in the grid
-  std::vector<double> edges_;           ///< per node, the sum of the edges' lengths there
-  std::vector<std::uint32_t> counts_;   ///< per node, of those edges
+  std::vector<std::uint32_t>
+      numbers_;                        ///< per node of the mesh: its index in the grid, or kNoIndex
+  std::vector<double> edges_;          ///< per node: sum of its edge lengths
+  std::vector<std::uint32_t> counts_;  ///< per node: number of those edges
   std::size_t elements_;
   std::size_t next_ = 0;
   BackgroundGrid grid_;

@@ -14,7 +14,7 @@ constexpr int kSweeps = 3;
 constexpr std::array<std::pair<std::size_t, std::size_t>, 6> kTetrahedronEdges{
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
-/// Positive doubles are ordered as their bits are.
+/// Positive doubles have the same order as their bit patterns.
 std::uint64_t keyOf(double size) { return std::bit_cast<std::uint64_t>(size); }
 
 template <class Limiter>
@@ -120,7 +120,7 @@ void SizeLimiter::endStage() {
   stage_ = static_cast<Stage>(static_cast<std::uint8_t>(stage_) + 1);
 }
 
-/// The node is the least of all that wait: nobody can lower it any more.
+/// `node` has the smallest size of all waiting nodes, so no other node can lower it further.
 void SizeLimiter::lowerAround(std::uint32_t node) {
   for (const auto& [other, length] : std::as_const(spokes_).at(node)) {
     const double limit = grid_->nodes[node].size + growth_ * length;

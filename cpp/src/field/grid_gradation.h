@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file Keeps the sizes of a background grid from growing faster than elements can follow: along
-/// every edge of the grid, by no more than `growth` times its length.
+/// @file Limits the growth of the sizes of a background grid: along every edge, by at most `growth`
+/// times its length. Elements cannot follow faster growth.
 
 #include <algorithm>
 #include <cstddef>
@@ -18,7 +18,7 @@
 
 namespace tetrafront {
 
-/// Each edge of a grid once, found in slices: O(n) for grids with few tetrahedra at a node.
+/// Finds each edge of a grid once, in slices. O(n) if few tetrahedra share a node.
 class GridEdges {
  public:
   struct Edge {
@@ -30,10 +30,10 @@ class GridEdges {
   /// `grid` must outlive this.
   explicit GridEdges(const BackgroundGrid& grid) : grid_(&grid), others_(grid.nodes.size()) {}
 
-  /// Goes on for about `budget` tetrahedra; true when finished.
+  /// Visits about `budget` tetrahedra; returns true when finished.
   bool advance(std::size_t budget);
 
-  /// By their nodes, the lower first; once, when finished.
+  /// Returns the edges, once finished, ordered by their nodes, the lower node first.
   [[nodiscard]] std::vector<Edge> take() { return std::move(edges_); }
 
  private:
@@ -45,19 +45,19 @@ class GridEdges {
   Stage stage_ = Stage::kCount;
   std::size_t next_ = 0;
   NodeLists<std::uint32_t>
-      others_;  ///< at the lower node of an edge: the higher, once per tetrahedron
+      others_;  ///< per node: the higher nodes of its edges, once per tetrahedron
   std::vector<Edge> edges_;
 };
 
-/// Lowers sizes until size_i <= size_j + growth |x_i - x_j| along every edge: the largest sizes
-/// for which that holds, exactly, so that doing it again changes nothing. Nodes that comply keep
-/// their bits. O(n log n).
+/// Lowers sizes until size_i <= size_j + growth |x_i - x_j| along every edge. The result is the
+/// largest sizes with this property, exactly, so a second call changes nothing. Nodes that already
+/// comply keep their bits. O(n log n).
 class SizeLimiter {
  public:
-  /// `grid` must outlive this, and stay where it is; `growth` > 0.
+  /// `grid` must outlive this and must not move; `growth` > 0.
   SizeLimiter(BackgroundGrid& grid, double growth) : grid_(&grid), growth_(growth), finder_(grid) {}
 
-  /// Goes on for about `budget` tetrahedra, edges or nodes; true when finished.
+  /// Visits about `budget` tetrahedra, edges or nodes; returns true when finished.
   bool advance(std::size_t budget);
 
  private:
@@ -83,16 +83,17 @@ class SizeLimiter {
   IndexedHeap waiting_;
 };
 
-/// The same for every axis of stretched nodes: three sweeps of H_i <= H_j + growth |x_i - x_j| I
-/// over the edges, to and fro, small sizes first. A limit has then travelled at least three edges,
-/// and as far as it likes towards larger sizes; what is left beyond is not worth an exact fixpoint.
+/// Limits every axis of stretched nodes: three sweeps of H_i <= H_j + growth |x_i - x_j| I over the
+/// edges, in alternating directions, small sizes first. A limit then acts over at least three
+/// edges, and over any number of edges towards larger sizes. An exact fixpoint is not worth its
+/// cost.
 class TensorLimiter {
  public:
-  /// `grid` and `tensors` must outlive this, and stay where they are; `growth` > 0.
+  /// `grid` and `tensors` must outlive this and must not move; `growth` > 0.
   TensorLimiter(const BackgroundGrid& grid, double growth, std::vector<SymmetricTensor>& tensors)
       : grid_(&grid), growth_(growth), tensors_(&tensors), finder_(grid) {}
 
-  /// Goes on for about `budget` tetrahedra or edges; true when finished.
+  /// Visits about `budget` tetrahedra or edges; returns true when finished.
   bool advance(std::size_t budget);
 
  private:
@@ -116,10 +117,10 @@ class TensorLimiter {
   std::optional<SlicedSort<GridEdges::Edge, Smaller>> sort_;
   bool isSorted_ = false;
   int sweep_ = 0;
-  std::size_t next_ = 0;  ///< of the sweep
+  std::size_t next_ = 0;  ///< next edge of the sweep
 };
 
-/// All at once.
+/// Do the whole work in one call.
 void limitSizes(BackgroundGrid& grid, double growth);
 void limitTensors(const BackgroundGrid& grid, double growth, std::vector<SymmetricTensor>& tensors);
 

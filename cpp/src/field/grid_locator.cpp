@@ -10,15 +10,15 @@
 namespace tetrafront {
 namespace {
 
-/// Weights this little below zero are zero.
+/// A weight above the negative of this counts as zero.
 constexpr double kWeightRounding = 1e-13;
 
 /// Nodes of the face opposite to node i.
 constexpr std::array<std::array<std::size_t, 3>, 4> kFaces{
     {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
 
-/// Weights of a, b, c at the point of the triangle nearest to `p` (Voronoi regions of its corners
-/// and sides in turn).
+/// Returns the weights of a, b, c at the point of the triangle that is nearest to `p`. Tests the
+/// Voronoi regions of its corners and edges in turn.
 std::array<double, 3> nearestInTriangle(const Vec3& p, const Vec3& a, const Vec3& b,
                                         const Vec3& c) {
   const Vec3 ab = b - a;
@@ -47,7 +47,7 @@ std::array<double, 3> nearestInTriangle(const Vec3& p, const Vec3& a, const Vec3
   return {va / sum, vb / sum, vc / sum};
 }
 
-/// Negative weights become zero, the rest is scaled to sum 1.
+/// Sets negative weights to zero and scales the others to the sum 1.
 std::array<double, 4> clampedWeights(std::array<double, 4> weights) {
   double sum = 0.0;
   for (double& w : weights) {
@@ -98,7 +98,8 @@ GridLocator::Location GridLocator::locate(const Vec3& place, std::uint32_t start
   return found;
 }
 
-/// How far a place may be outside, with this tetrahedron nearest, and still count as covered.
+/// Returns the largest distance outside the grid that still counts as covered, if this tetrahedron
+/// is the nearest.
 double GridLocator::allowanceAt(std::uint32_t tetrahedron) const {
   if (!(grid_.coverageMargin > 0.0)) return slack_;
   double squared = 0.0;
@@ -112,7 +113,7 @@ double GridLocator::allowanceAt(std::uint32_t tetrahedron) const {
   return slack_ + grid_.coverageMargin * std::sqrt(squared);
 }
 
-/// Branch and bound over all tetrahedra, beginning with the distance to `guess`.
+/// Finds the nearest tetrahedron by branch and bound, beginning with the distance to `guess`.
 GridLocator::Location GridLocator::nearest(const Vec3& place, std::uint32_t guess) const {
   Location best;
   double leastSquared = std::numeric_limits<double>::max();
@@ -124,7 +125,7 @@ GridLocator::Location GridLocator::nearest(const Vec3& place, std::uint32_t gues
       return;
     }
     for (std::size_t i = 0; i < 4; ++i) {
-      if (weights[i] >= 0.0) continue;  // seen from inside: another face is nearer
+      if (weights[i] >= 0.0) continue;  // `place` is on the inner side: another face is nearer
       std::array<Vec3, 3> corners;
       for (std::size_t k = 0; k < 3; ++k) {
         corners[k] = grid_.nodes[grid_.tetrahedra[t][kFaces[i][k]]].position;

@@ -18,15 +18,15 @@
 namespace tetrafront {
 namespace {
 
-/// A place this far outside the grid, relative to the grid's extent, is on its border: input files
-/// carry decimals, and lines and patches are evaluated with a few roundings.
+/// A position this far outside the grid, relative to the grid's extent, lies on its border: input
+/// files store rounded decimals, and the evaluation of lines and patches rounds a few times.
 constexpr double kBorderRounding = 1e-10;
 
-/// Steps of a walk before it is given up: a straight path crosses about n^(1/3) tetrahedra.
+/// Steps after which a walk is abandoned: a straight path crosses about n^(1/3) tetrahedra.
 constexpr std::uint32_t kFreeSteps = 64;
 constexpr std::uint32_t kStepsPerLayer = 4;
 
-/// To come to a tetrahedron costs far less than a step of the front.
+/// Tetrahedra per unit of budget: visiting one costs far less than a step of the front.
 constexpr std::size_t kTetrahedraPerBudget = 8;
 
 /// Nodes of the face opposite to node i.
@@ -77,7 +77,7 @@ class GridLocatorBuilder::Impl {
     kTree,
     kDone
   };
-  /// Of a tetrahedron, at its lowest node.
+  /// A face of a tetrahedron, listed at its lowest node.
   struct Face {
     std::uint32_t middle;
     std::uint32_t highest;
@@ -191,13 +191,13 @@ class GridLocatorBuilder::Impl {
     made_.sizes_.push_back(size);
   }
 
-  /// Also counts its faces.
+  /// Builds the frame of the tetrahedron and counts its faces.
   void setFrame(std::uint32_t t) {
     const Vec3 origin = place(t, 0);
     const Vec3 u = place(t, 1) - origin;
     const Vec3 v = place(t, 2) - origin;
     const Vec3 w = place(t, 3) - origin;
-    const double volume = glm::dot(u, glm::cross(v, w));  // of either sign: it cancels
+    const double volume = glm::dot(u, glm::cross(v, w));  // either sign: it cancels
     made_.frames_.push_back(
         {origin,
          {glm::cross(v, w) / volume, glm::cross(w, u) / volume, glm::cross(u, v) / volume},

@@ -1,9 +1,9 @@
 #pragma once
 
-/// @file The size field: what the background grid, a uniform size or the surface's own edges ask
-/// for at a place (steps F1, F3, F7), cut down to what sources ask for, and lifted where the
-/// triangles of a given surface allow no smaller elements. One concrete class without virtual calls,
-/// as it is asked several times per element.
+/// @file The size field: the element size at a position (steps F1, F3, F7). A background grid, a
+/// uniform size or the surface's own edges define it; sources cap it; the triangles of a given
+/// surface raise it where they allow no smaller elements. A concrete class without virtual calls,
+/// because it is queried several times per element.
 
 #include <cstdint>
 #include <optional>
@@ -19,15 +19,16 @@
 
 namespace tetrafront {
 
-/// Where the last query ended; a walk begins there. One per caller or per front face.
+/// Tetrahedron in which the last query ended and the next walk begins. Keep one per caller or per
+/// front face.
 struct FieldHint {
   std::uint32_t tetrahedron = 0;
 };
 
-/// How far the queries of a background grid had to walk.
+/// Cost of the queries of a background grid.
 struct WalkCount {
   std::uint64_t queries = 0;
-  std::uint64_t steps = 0;  ///< from one tetrahedron to the next
+  std::uint64_t steps = 0;  ///< steps from one tetrahedron to the next
 };
 
 class SizeField {
@@ -36,40 +37,42 @@ class SizeField {
   static SizeField fromGrid(GridLocator locator);
   static SizeField fromOctree(SizeOctree octree);
 
-  /// Adds sources, which must have passed checkSizeSources(), to what there is.
+  /// Adds sources, which must have passed checkSizeSources(), to the existing ones.
   void addSources(std::span<const SizeSource> sources);
 
-  /// Cuts sizes down to those that grow from a surface's own edges. Stretched elements keep their
-  /// shape, as in liftTo().
+  /// Caps sizes by those that grow from a surface's own edges. Stretched elements keep their shape,
+  /// as in raiseTo().
   void cutTo(SizeOctree ceiling);
 
-  /// Lifts sizes to what can be had beside a surface's triangles. Stretched elements keep their
-  /// shape: all axes grow alike, until the mean square of the principal sizes is no smaller.
+  /// Raises sizes to the smallest that the surface's triangles allow. In a stretched field, all
+  /// axes are scaled by one factor, so that the root mean square of the principal sizes reaches
+  /// this minimum.
   void liftTo(SizeOctree floor);
 
-  /// Edge length to be made at `place`, > 0. Outside a background grid: the value at the nearest
-  /// point of the nearest tetrahedron met; whoever must not accept that asks covers() first.
+  /// Returns the edge length to be made at `place`, > 0. Outside a background grid, it is the value
+  /// at the nearest point of the nearest tetrahedron; use covers() to detect this case.
   [[nodiscard]] double sizeAt(const Vec3& place, FieldHint& hint) const;
 
-  /// Whether sizes depend on the direction anywhere. If not, sizeAt() says all.
+  /// Whether sizes depend on the direction anywhere. If not, sizeAt() is sufficient.
   [[nodiscard]] bool isStretched() const;
 
-  /// The size tensor H at `place`; outside a background grid as sizeAt().
+  /// Returns the size tensor H at `place`; outside a background grid as sizeAt().
   [[nodiscard]] SymmetricTensor tensorAt(const Vec3& place, FieldHint& hint) const;
 
-  /// What is wanted, whether it can be had or not: the same without the lifting.
+  /// Returns the target size, without raising it to the achievable one.
   [[nodiscard]] double wantedSizeAt(const Vec3& place, FieldHint& hint) const;
   [[nodiscard]] SymmetricTensor wantedTensorAt(const Vec3& place, FieldHint& hint) const;
 
   [[nodiscard]] bool isLifted() const { return floor_.has_value(); }
-  /// Size to be made over wanted size, >= 1. `meanSize`: meanSizeOf() the tensor wanted there.
+  /// Returns size to be made / target size, >= 1. `meanSize` is meanSizeOf() the target tensor
+  /// there.
   [[nodiscard]] double liftAt(const Vec3& place, double meanSize) const;
 
-  /// False if `place` is outside the background grid by more than rounding; always true for the
-  /// other kinds.
+  /// Returns false if `place` is outside the background grid by more than rounding and its coverage
+  /// margin; always true without a background grid.
   [[nodiscard]] bool covers(const Vec3& place, FieldHint& hint) const;
 
-  /// Of all queries so far.
+  /// Returns the cost of all queries so far.
   [[nodiscard]] WalkCount walkCount() const { return walked_; }
 
  private:
@@ -83,7 +86,7 @@ class SizeField {
   SizeSources sources_;
   std::optional<SizeOctree> ceiling_;
   std::optional<SizeOctree> floor_;
-  mutable WalkCount walked_;  ///< a measurement, which no answer depends on
+  mutable WalkCount walked_;  ///< a measurement; no result depends on it
 };
 
 }  // namespace tetrafront

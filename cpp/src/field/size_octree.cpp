@@ -21,7 +21,8 @@ void SizeOctree::fillDirectory() {
   fillDirectory(0, 0, {0, 0, 0});
 }
 
-/// Enters the node into every directory cell it covers. `corner` counts cells of its own level.
+/// Enters the node into every directory cell that it covers. `corner` counts cells of the node's
+/// own level.
 void SizeOctree::fillDirectory(std::uint32_t node, std::uint32_t level,
                                std::array<std::uint32_t, 3> corner) {
   const bool isLeaf = (nodes_[node] & kLeafBit) != 0;
@@ -48,7 +49,7 @@ void SizeOctree::fillDirectory(std::uint32_t node, std::uint32_t level,
 
 double SizeOctree::sizeAt(const Vec3& place) const {
   constexpr double kLattice = static_cast<double>(1U << kMaxLevel);
-  // Clamped as doubles: a far place must not overflow the integers.
+  // Clamp before the conversion: a distant position must not overflow the integers.
   const auto clamped = [kLattice](double v) { return std::min(std::max(0.0, v), kLattice); };
   const double x = clamped((place.x - origin_.x) * latticePerLength_);
   const double y = clamped((place.y - origin_.y) * latticePerLength_);

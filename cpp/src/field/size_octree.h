@@ -1,8 +1,8 @@
 #pragma once
 
-/// @file Sizes that come from a given surface, held on an octree: what its nodes ask for, which is
-/// the mean length of their edges and grows with the distance from them; and the least that can be
-/// had beside its triangles, which falls with the distance.
+/// @file An octree of sizes that follow from a given surface. Either the size is the mean edge
+/// length at the surface's nodes and grows with the distance from them; or it is the smallest size
+/// that the triangles allow, which falls with the distance.
 
 #include <array>
 #include <cstdint>
@@ -15,18 +15,19 @@ namespace tetrafront {
 
 class SizeOctree {
  public:
-  /// h(x) = min(cap, min_i h_i + growth |x - x_i|), h_i the twice averaged mean edge at node i.
-  /// `cap` 0: the 90th percentile of the h_i, or their mean over the surface's area if that is more. Triangles are three positions in `points` each;
-  /// nodes of no triangle are ignored. 1 to 3 µs per triangle; SizeOctreeBuilder does it in
-  /// slices.
+  /// h(x) = min(cap, min_i h_i + growth |x - x_i|), where h_i is the mean edge length at node i,
+  /// averaged twice. `cap` 0 stands for the 90th percentile of the h_i, or their mean over the
+  /// surface's area if that is larger. Three indices into `points` per triangle; ignores nodes
+  /// without triangles. Takes 1 to 3 µs per triangle; SizeOctreeBuilder does it in slices.
   SizeOctree(std::span<const Vec3> points, std::span<const std::uint32_t> triangles, double growth,
              double cap);
 
-  /// Trilinear in the leaf that holds `place`; outside the box, the value at its nearest point.
-  /// Not continuous from one leaf size to the next: the jump is below the leaf's own error.
+  /// Interpolates trilinearly in the leaf that contains `place`; outside the box, returns the value
+  /// at its nearest point. Leaves of different sizes do not join continuously: the jump is below
+  /// the error of the leaf.
   [[nodiscard]] double sizeAt(const Vec3& place) const;
 
-  /// The largest size the field takes.
+  /// Returns the largest size of the field.
   [[nodiscard]] double cap() const { return cap_; }
 
   [[nodiscard]] std::size_t leafCount() const { return leaves_.size(); }
@@ -36,17 +37,17 @@ class SizeOctree {
 
   SizeOctree() = default;
 
-  /// Values at the corners; corner k is at the upper end of axis a where bit a of k is set.
+  /// Values at the corners; corner k is at the upper end of axis a if bit a of k is set.
   using Leaf = std::array<float, 8>;
 
-  /// What `nodes_` holds: kLeafBit and a position in leaves_, or the position of the first of
-  /// eight children, ordered as the corners are.
+  /// An entry of `nodes_` is either kLeafBit and an index into leaves_, or the index of the first
+  /// of eight children, in the order of the corners.
   static constexpr std::uint32_t kLeafBit = 0x80000000U;
 
-  /// Deepest level of a leaf; the root is level 0. Lengths down to 1/65536 of the box.
+  /// Deepest level of a leaf; the root is level 0. Resolves lengths down to 1/65536 of the box.
   static constexpr int kMaxLevel = 16;
 
-  /// The upper levels are skipped through a table of 16^3 entries.
+  /// A table of 16^3 entries skips the upper levels.
   static constexpr int kDirectoryLevel = 4;
   struct DirectoryEntry {
     std::uint32_t node = 0;

@@ -10,37 +10,39 @@
 namespace tetrafront {
 namespace {
 
-/// A cell at most this many times as wide as the smallest size in it is not split.
+/// Cell width / smallest size in the cell up to which the cell is not split.
 constexpr double kCellPerSize = 1.5;
-/// Nor is one whose sizes differ by less than this share of the smallest.
+/// Relative difference of sizes below which a cell is not split.
 constexpr double kFlatSpread = 0.10;
-/// Far from the surface the field is nearly linear: a cell may be this wide ...
+/// Far from the surface the field is nearly linear. A cell of up to this width / smallest size is
+/// not split if ...
 constexpr double kSmoothCellPerSize = 4.0;
-/// ... where its centre is within this share of the mean of its corners.
+/// ... the value at its centre differs from the mean of the corners by at most this fraction of the
+/// smallest size.
 constexpr double kFlatBend = 0.03;
-/// Cells reached by at most this many cones keep a list of them; larger ones ask the tree.
+/// Maximum number of cones that reach a cell with a list; larger cells query the tree.
 constexpr std::size_t kMaxListLength = 128;
-/// No cap is below this share of the box: single precision could not tell it from nothing.
+/// Smallest cap / edge of the box: single precision cannot distinguish a smaller one from zero.
 constexpr double kLeastCap = 1e-20;
-/// Deep below the surface errors count as shares of smaller sizes than those of the sites.
+/// Far below the sizes at the surface, errors are relative to this fraction of them.
 constexpr float kDescentSlack = 0.01F;
-/// Sizes this much below those of the surface need no smaller cells: some dozens for each triangle.
+/// Slack of the smallest sizes: coarser cells suffice, some dozens per triangle.
 constexpr double kDeepShare = 0.25;
-/// Of the unit cube.
+/// Half the diagonal of the unit cube.
 constexpr double kHalfDiagonal = 0.8660254037844386;
-/// Where no cap is given: this share of the node sizes lies below it, unless the mean over the surface's
-/// area is larger. A small body of small triangles in a large box has nearly all of the nodes, but does
-/// not tell what is wanted in the rest of the box.
+/// Quantile of the node sizes that caps the field if no cap is given, unless the mean over the
+/// surface's area is larger. A small solid with small triangles in a large box has nearly all
+/// nodes, but does not represent the sizes in the rest of the box.
 constexpr double kCapQuantile = 0.9;
-/// To come to so many sites in the order of a list costs as much as one cell.
+/// Sites per unit of budget: visiting this many in order costs as much as one cell.
 constexpr std::size_t kSitesPerCell = 32;
-/// The box is wider than the surface by this share, so that rounding never leaves it.
+/// Margin of the box / extent of the surface, so that rounding never puts a node outside.
 constexpr double kBoxMargin = 1.0 / 64.0;
-/// The node size from which the box is chosen: this share of the sizes lies below it.
+/// Quantile of the node sizes that determines the edge of the box.
 constexpr double kFinestQuantile = 0.2;
 
-/// Adds each triangle's edge lengths to both of their ends. An edge of a closed surface is met
-/// from both sides, once in each direction, so every edge at a node counts twice.
+/// Adds the edge lengths of each triangle to both of their ends. An edge of a closed surface has
+/// two triangles, so every edge at a node counts twice.
 std::vector<double> meanEdgeLengths(std::span<const Vec3> points,
                                     std::span<const std::uint32_t> triangles,
                                     std::span<const SymmetricTensor> views) {
@@ -64,7 +66,7 @@ std::vector<double> meanEdgeLengths(std::span<const Vec3> points,
   return sum;
 }
 
-/// Half the own value, half the mean of the neighbours'.
+/// Replaces each value by half of itself and half the mean of its neighbours.
 void averageOnce(std::span<const std::uint32_t> triangles, std::vector<double>& sizes) {
   std::vector<double> sum(sizes.size(), 0.0);
   std::vector<std::uint32_t> count(sizes.size(), 0);
@@ -94,7 +96,7 @@ double quantile(std::span<const double> sizes, double share) {
   return used[rank];
 }
 
-/// The mean of the sizes over the surface.
+/// Returns the mean of the sizes over the surface's area.
 double meanOverArea(std::span<const Vec3> points, std::span<const std::uint32_t> triangles,
                     std::span<const double> sizes) {
   double sum = 0.0;
@@ -110,8 +112,8 @@ double meanOverArea(std::span<const Vec3> points, std::span<const std::uint32_t>
   return areas > 0.0 ? sum / areas : 0.0;
 }
 
-/// An edge of the root at least as long as `extent` whose halves hit upon the widest cells that
-/// `size` allows: up to eight times fewer than with an unlucky edge.
+/// Returns an edge of the root, at least as long as `extent`, whose halves match the widest cells
+/// that `size` allows. An unlucky edge leads to up to eight times as many cells.
 double rootEdge(double extent, double size) {
   double edge = kCellPerSize * size;
   for (int level = 0; level < 64 && edge < extent; ++level) edge *= 2.0;
@@ -156,7 +158,7 @@ SizeOctreeBuilder::SizeOctreeBuilder(std::span<const Vec3> places, std::span<con
     : rule_(rule) {
   tree_.cap_ = std::numeric_limits<double>::max();
   placeRoot(places, lengths);
-  // The greatest of cones that fall is the least of those that grow, turned over.
+  // The maximum of falling cones is the negative minimum of rising ones.
   std::vector<double> turned;
   turned.reserve(lengths.size());
   for (const double length : lengths) turned.push_back(-length);
@@ -192,7 +194,7 @@ bool SizeOctreeBuilder::advance(std::uint32_t budget) {
       open_.pop_back();
       continue;
     }
-    // Frames stay where they are: as many are reserved as there are levels.
+    // Frames do not move: the capacity is the number of levels.
     refine(frame.children[frame.next++], frame.reaching);
   }
   return open_.empty();
@@ -226,7 +228,7 @@ void SizeOctreeBuilder::refine(const Cell& cell, const List* reaching) {
   const double w = width(cell.level);
   const Value centre = sample(cell.lower + Vec3(0.5 * w), cell.corners[0].site, reaching);
   if (rule_ && descentIsFine(cell, centre)) return close(cell);
-  // The field's slope is at most `growth`: that bounds it from the value at the centre.
+  // The slope of the field is at most `growth`, which bounds it around the centre.
   const double swing = kHalfDiagonal * w * sites_->growth();
   Extremes sizes = extremesAt(cell, held(centre));
   sizes.most = std::min(tree_.cap_, centre.size + swing);
@@ -242,7 +244,7 @@ void SizeOctreeBuilder::refine(const Cell& cell, const List* reaching) {
     least = sites_->collect(range, sizes.most, kMaxListLength, own);
     hasList = own.size() <= kMaxListLength;
   }
-  // Samples may miss a small feature; where they would let the cell be, it is looked for.
+  // Samples may miss a small feature. If they would not split the cell, look for one.
   if (!rule_ && !hasList && isFine(w, sizes) && !isFine(w, sizes.loweredTo(least))) {
     least = sites_->leastIn(range, sizes.most, centre.site);
   }
@@ -254,7 +256,8 @@ void SizeOctreeBuilder::refine(const Cell& cell, const List* reaching) {
   }
 }
 
-/// Of what the tree is to hold at the corners; `middle` at the centre.
+/// Returns the extremes of the stored values at the corners and of `middle`, the value at the
+/// centre.
 SizeOctreeBuilder::Extremes SizeOctreeBuilder::extremesAt(const Cell& cell, double middle) const {
   double lowest = middle;
   double most = middle;
@@ -285,7 +288,8 @@ bool SizeOctreeBuilder::descentIsFine(const Cell& cell, const Value& centre) con
   return w <= kSmoothCellPerSize * scale && sizes.bend <= kFlatBend * scale;
 }
 
-/// How many sites have cones below `most`, were the surface a plane of the nearest one's size.
+/// Estimates how many sites have cones below `most`, as if the surface were a plane with the size
+/// of the nearest site.
 double SizeOctreeBuilder::estimatedReach(const Value& nearest, double most) const {
   const double size = sites_->sizeOf(nearest.site);
   const double reach = most - size;
@@ -304,7 +308,7 @@ void SizeOctreeBuilder::close(const Cell& cell) {
 }
 
 void SizeOctreeBuilder::split(const Cell& cell, const Value& centre, const List* reaching) {
-  // The lattice of 3 x 3 x 3 places; index x + 3 y + 9 z. Even coordinates are corners.
+  // The lattice of 3 x 3 x 3 positions; index x + 3 y + 9 z. Even coordinates are corners.
   const double half = 0.5 * width(cell.level);
   std::array<Value, 27> lattice;
   for (unsigned i = 0; i < 27; ++i) {

@@ -1,8 +1,8 @@
 #pragma once
 
-/// @file Fills a SizeOctree in slices. Cells are split depth first. Every cell arrives with the
-/// values at its corners; a split adds the 18 places between them and the centre. Small cells hand
-/// down the list of the cones that reach them.
+/// @file Builds a SizeOctree in slices, depth first. A cell starts with the values at its corners;
+/// splitting it evaluates the centre and the 18 positions between the corners. Small cells pass on
+/// the list of the cones that can reach them.
 
 #include <algorithm>
 #include <array>
@@ -18,40 +18,40 @@
 
 namespace tetrafront {
 
-/// The least sizes that a front can make beside places of a surface whose edges have length h_i:
+/// The smallest sizes that a front can make near a surface with edges of length h_i at x_i:
 ///
 ///     max_i h_i - descent |x - x_i|.
 ///
-/// A front cannot follow a jump.
+/// A front cannot follow a jump of the size.
 struct SizeDescent {
-  double descent = 0.0;  ///< per unit of distance, > 0
-  double least = 0.0;    ///< below this nobody asks: values there need not be exact
+  double descent = 0.0;  ///< decrease per unit of distance, > 0
+  double least = 0.0;    ///< smaller values are not used and need not be exact
 };
 
 class SizeOctreeBuilder {
  public:
-  /// Arguments as of SizeOctree; they need not outlive the call. O(triangles log triangles).
+  /// Parameters as of SizeOctree; they need not outlive the call. O(n log n) for n triangles.
   SizeOctreeBuilder(std::span<const Vec3> points, std::span<const std::uint32_t> triangles,
                     double growth, double cap);
 
-  /// The same for edges as long as given at each point; `cap` > 0.
+  /// The same with a given edge length at each point; `cap` > 0.
   SizeOctreeBuilder(std::span<const Vec3> points, std::span<const double> lengths, double growth,
                     double cap);
 
-  /// The least sizes beside places with edges of those lengths, > 0. O(n log n): away from them a
-  /// cell is a share of their edges.
+  /// The smallest sizes near positions with edges of these lengths, > 0. O(n log n): away from the
+  /// positions, the width of a cell is a fraction of their edge lengths.
   SizeOctreeBuilder(std::span<const Vec3> places, std::span<const double> lengths,
                     const SizeDescent& rule);
 
-  // Frames point to lists in here.
+  // Frames point to lists in this object, so it cannot be copied or moved.
   SizeOctreeBuilder(const SizeOctreeBuilder&) = delete;
   SizeOctreeBuilder& operator=(const SizeOctreeBuilder&) = delete;
 
-  /// Works on for about `budget` cells, of which there are up to two or three per triangle; true
-  /// when finished.
+  /// Visits about `budget` cells; returns true when finished. There are up to three cells per
+  /// triangle.
   bool advance(std::uint32_t budget);
 
-  /// The finished tree; once, after advance() has returned true.
+  /// Returns the tree, once, after advance() has returned true.
   [[nodiscard]] SizeOctree take();
 
  private:
@@ -63,19 +63,19 @@ class SizeOctreeBuilder {
     Vec3 lower{0.0};
     std::array<Value, 8> corners;
   };
-  /// The children of a cell that was split. `reaching`: the cones that reach it, or null if they
-  /// are too many.
+  /// The children of a split cell. `reaching`: the cones that reach the cell, or null if there are
+  /// too many.
   struct Frame {
     std::array<Cell, 8> children;
     std::size_t next = 0;
     const List* reaching = nullptr;
   };
-  /// What is known of the field in a cell.
+  /// Known bounds of the field in a cell.
   struct Extremes {
-    double least = 0.0;   ///< of the samples, or in the whole cell
-    double most = 0.0;    ///< an upper bound
-    double lowest = 0.0;  ///< of the samples
-    double bend = 0.0;    ///< how far the centre is from the mean of the corners
+    double least = 0.0;   ///< minimum over the samples, or over the whole cell
+    double most = 0.0;    ///< upper bound
+    double lowest = 0.0;  ///< minimum over the samples
+    double bend = 0.0;    ///< difference between the centre and the mean of the corners
 
     [[nodiscard]] Extremes loweredTo(double size) const {
       return {std::min(least, size), most, lowest, bend};
@@ -95,11 +95,11 @@ class SizeOctreeBuilder {
   [[nodiscard]] bool descentIsFine(const Cell& cell, const Value& centre) const;
   [[nodiscard]] double estimatedReach(const Value& nearest, double most) const;
   static bool isFine(double width, const Extremes& sizes);
-  /// What the tree is to hold.
+  /// Returns the value to store in the tree.
   [[nodiscard]] double held(const Value& value) const {
     return rule_ ? -value.size : std::min(value.size, tree_.cap_);
   }
-  /// The length of edges at the site.
+  /// Returns the edge length at the site.
   [[nodiscard]] double lengthAt(std::uint32_t site) const {
     return rule_ ? -sites_->sizeOf(site) : sites_->sizeOf(site);
   }
@@ -110,12 +110,12 @@ class SizeOctreeBuilder {
   double edge_ = 0.0;
   bool hasBegun_ = false;
   std::vector<Frame> open_;
-  std::array<List, SizeOctree::kMaxLevel + 1> lists_;  ///< of the cells being split, by level
+  std::array<List, SizeOctree::kMaxLevel + 1> lists_;  ///< lists of the cells being split, by level
 };
 
-/// h_i of SizeOctree: the mean length of the edges at each node, averaged twice (half its own
-/// value, half the mean of its neighbours'); 0 at nodes of no triangle. `views`: edges are as long as
-/// the views of their nodes make them; empty: as they are.
+/// Returns h_i of SizeOctree: the mean edge length at each node, averaged twice (half its own
+/// value, half the mean of its neighbours); 0 at nodes without triangles. Edges are measured with
+/// `views`, one tensor per node; in space if it is empty.
 [[nodiscard]] std::vector<double> averagedEdgeLengths(std::span<const Vec3> points,
                                                       std::span<const std::uint32_t> triangles,
                                                       std::span<const SymmetricTensor> views = {});

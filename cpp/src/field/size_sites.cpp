@@ -9,7 +9,7 @@ namespace {
 
 float larger(float a, float b) { return a > b ? a : b; }
 
-/// Squared distance between two boxes; 0 if they overlap.
+/// Returns the squared distance between two boxes; 0 if they overlap.
 template <class LowA, class HighA, class LowB, class HighB>
 float gapSquared(const LowA& lowA, const HighA& highA, const LowB& lowB, const HighB& highB) {
   float sum = 0.0F;
@@ -83,7 +83,7 @@ void SizeSites::beginTree() {
   while (std::size_t{leaves} * kSitesPerLeaf < building_.order.size()) leaves *= 2;
   firstLeaf_ = leaves - 1;
   constexpr float kFar = std::numeric_limits<float>::max();
-  // Empty leaves keep a size that is below no limit.
+  // Empty leaves keep a size that is never below a limit.
   const Reach nothing{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
   building_.boxes.assign(2 * std::size_t{leaves} - 1, nothing);
   building_.smallest.assign(building_.boxes.size(), kFar);
@@ -103,7 +103,7 @@ void SizeSites::include(std::size_t node, const Reach& reach, float size, std::u
   smallest_[node] = site;
 }
 
-/// Along the curve, into the leaves.
+/// Puts sites into the leaves, in the order of the curve.
 void SizeSites::takeSites(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
     const std::uint32_t place = building_.order[i];
@@ -114,7 +114,7 @@ void SizeSites::takeSites(std::size_t first, std::size_t last) {
   }
 }
 
-/// An inner node out of the two below.
+/// Makes an inner node from its two children.
 void SizeSites::join(std::size_t node) {
   for (std::size_t side = 0; side < 2; ++side) {
     const std::size_t child = 2 * node + 1 + side;
@@ -134,22 +134,22 @@ void SizeSites::join(std::size_t node) {
   }
 }
 
-/// The least value of the cone in the reach.
+/// Returns the minimum of the cone in the reach.
 float SizeSites::cone(std::uint32_t site, const Reach& reach) const {
   const Site& s = sites_[site];
   const float squared = gapSquared(s.place, s.place, reach.low, reach.high);
   return s.size + static_cast<float>(growth_) * std::sqrt(squared);
 }
 
-/// size + growth * distance < limit, without the root.
+/// Returns whether size + growth * distance < limit, without a square root.
 bool SizeSites::liesBelow(float size, float squaredDistance, float limit) const {
   const float room = limit - size;
   return room > 0.0F && squaredGrowth_ * squaredDistance < room * room;
 }
 
-/// Calls visit(first, last) for runs of sites that may fall below `limit` in the reach, nearer
-/// branches first; `limit` may sink meanwhile. Boxes over which a cone changes by less than
-/// `merge` are visited through their smallest site alone. Stops when visit returns false.
+/// Calls visit(first, last) for runs of sites that may fall below `limit` in the reach, near
+/// branches first. `visit` may lower `limit`. Of a box in which a cone changes by less than
+/// `merge`, visits only the site of smallest size. Stops when `visit` returns false.
 template <class Visit>
 void SizeSites::visitBoxes(const Reach& reach, const float& limit, const float& merge,
                            Visit visit) const {
@@ -164,7 +164,7 @@ void SizeSites::visitBoxes(const Reach& reach, const float& limit, const float& 
     float size;
     float diagonal;
   };
-  std::array<Open, 64> stack;  // at most one entry per level waits
+  std::array<Open, 64> stack;  // at most one entry per level
   std::size_t waiting = 0;
   constexpr float kMost = std::numeric_limits<float>::max();
   stack[waiting++] = {0, 0.0F, -kMost, kMost};
@@ -199,13 +199,14 @@ void SizeSites::visitBoxes(const Reach& reach, const float& limit, const float& 
   }
 }
 
-/// What may be overlooked where the site's cone has the value.
+/// Returns the permitted error of the value of the site's cone.
 float SizeSites::toleranceOf(float value, std::uint32_t site) const {
   return slack_ * larger(std::fabs(value), std::fabs(sites_[site].size));
 }
 
-/// Lowers the best value in the reach, that of the site's cone, up to the tolerance. Boxes that a
-/// much higher value let stand for all within them are opened again once a lower one is known.
+/// Lowers `best`, the value of the site's cone in the reach, up to the tolerance. The tolerance
+/// depends on `best`: if it falls by much, boxes that were represented by one site are visited
+/// again.
 void SizeSites::improve(const Reach& reach, float& best, std::uint32_t& site) const {
   constexpr float kMuchHigher = 2.0F;
   float atFirst = 0.0F;

@@ -1,11 +1,11 @@
 #pragma once
 
-/// @file The lower envelope of cones h_i + growth |x - x_i|, evaluated by branch and bound over a
-/// tree of boxes along a Morton curve. Brute force over all nodes would dominate everything else
-/// on graded surfaces. With all h_i negative it is an upper envelope turned over.
+/// @file The lower envelope of the cones h_i + growth |x - x_i|, evaluated by branch and bound over
+/// a tree of boxes along a Morton curve. Visiting all nodes would dominate the run time on graded
+/// surfaces. With negative h_i, it yields the negative of an upper envelope.
 ///
-/// Single precision, relative to the centre and the extent of the sites: half the memory, and
-/// its error is far below the slack that is granted anyway.
+/// Single precision, relative to the centre and the extent of the sites: it halves the memory, and
+/// its error is far below the slack.
 
 #include <array>
 #include <cstdint>
@@ -20,16 +20,16 @@ namespace tetrafront {
 
 class SizeSites {
  public:
-  /// Nodes whose size is 0 are left out; at least one must not be. No value will be above the true one by
-  /// much more than the share `slack` of it, or of the size of the site it comes from if that is
-  /// further from 0; work grows with the inverse.
+  /// Ignores nodes of size 0; at least one other must exist. A result exceeds the true value by
+  /// about the fraction `slack` of it, or of the size of its site if that is larger in magnitude.
+  /// The work grows with 1 / slack.
   SizeSites(std::span<const Vec3> points, std::span<const double> sizes, double growth,
             float slack = kSlack);
   SizeSites(const SizeSites&) = delete;
   SizeSites& operator=(const SizeSites&) = delete;
 
-  /// Puts `budget` sites in order, each of which is come to thirteen times; true when all are. Nothing
-  /// else may be asked before.
+  /// Sorts `budget` sites, each of which is visited thirteen times; returns true when finished.
+  /// Call no other function before.
   bool advance(std::size_t budget);
 
   [[nodiscard]] double growth() const { return growth_; }
@@ -37,13 +37,14 @@ class SizeSites {
 
   struct Value {
     double size = 0.0;
-    std::uint32_t site = 0;  ///< which cone is lowest: a good first guess for places nearby
+    std::uint32_t site = 0;  ///< site of the lowest cone: a good guess for nearby positions
   };
 
-  /// min_i h_i + growth |x - x_i|, up to the slack. `guess` is any site; a far one costs more.
+  /// Returns min_i h_i + growth |x - x_i|, up to the slack. `guess` is any site; a far one costs
+  /// more.
   [[nodiscard]] Value at(const Vec3& place, std::uint32_t guess) const;
 
-  /// The same over a list of sites, exactly. One step per site.
+  /// The same over a list of sites, exactly. O(n) for n sites of the list.
   [[nodiscard]] Value at(const Vec3& place, std::uint32_t guess,
                          std::span<const std::uint32_t> list) const;
 
@@ -53,8 +54,8 @@ class SizeSites {
     Vec3 upper;
   };
 
-  /// Puts the sites into `list` whose cone falls below `limit` somewhere in the range, and returns
-  /// the least value met there, or `limit`. Gives up, leaving the list longer than `maxCount`.
+  /// Puts the sites into `list` whose cones fall below `limit` in the range, and returns their
+  /// minimum there, or `limit`. Stops with a list longer than `maxCount` if there are more.
   double collect(const Range& range, double limit, std::size_t maxCount,
                  std::vector<std::uint32_t>& list) const;
 
@@ -62,7 +63,8 @@ class SizeSites {
   double collect(const Range& range, double limit, std::span<const std::uint32_t> among,
                  std::vector<std::uint32_t>& list) const;
 
-  /// The least value in the range, or `limit` if that is less; up to the slack. `guess` is any site.
+  /// Returns the minimum in the range, or `limit` if that is less; up to the slack. `guess` is any
+  /// site.
   [[nodiscard]] double leastIn(const Range& range, double limit, std::uint32_t guess) const;
 
  private:
@@ -70,17 +72,17 @@ class SizeSites {
     std::array<float, 3> place;
     float size;
   };
-  /// A box of places, or one place.
+  /// A box of positions, or one position.
   struct Reach {
     std::array<float, 3> low;
     std::array<float, 3> high;
   };
-  /// The two boxes below a node of the tree, side by side: one cache line.
+  /// The two child boxes of a node, contiguous: one cache line.
   struct alignas(64) Children {
     std::array<std::array<float, 2>, 3> low;
     std::array<std::array<float, 2>, 3> high;
-    std::array<float, 2> size;      ///< smallest in the box
-    std::array<float, 2> diagonal;  ///< of the box
+    std::array<float, 2> size;      ///< smallest size in the box
+    std::array<float, 2> diagonal;  ///< diagonal of the box
   };
 
   [[nodiscard]] std::array<float, 3> inward(const Vec3& place) const;
@@ -100,22 +102,23 @@ class SizeSites {
   static constexpr float kSlack = 0.03F;
   static constexpr std::uint32_t kSitesPerLeaf = 8;
 
-  /// A branch is not opened for less than this gain, as a share. Bounds the work at places that are
-  /// equally far from everything, such as the centre of a sphere. Nor is one whose sites agree this
-  /// well, seen from so far: its smallest stands for all.
+  /// Relative gain below which a branch is not opened. It bounds the work at positions equally far
+  /// from everything, such as the centre of a sphere. If the cones of a branch differ by less than
+  /// this at the position, the site of smallest size stands for all of them.
   float slack_;
   double growth_;
   float squaredGrowth_;
   Vec3 centre_{0.0};
   double extent_ = 1.0;
   std::vector<Site> sites_;
-  /// Of the inner nodes of a complete binary tree; the children of node n are 2n+1 and 2n+2.
+  /// Children of the inner nodes of a complete binary tree; the children of node n are 2n+1 and
+  /// 2n+2.
   std::vector<Children> children_;
-  std::vector<std::uint32_t> smallest_;  ///< per node of the tree: its site with the smallest size
+  std::vector<std::uint32_t> smallest_;  ///< per node of the tree: site of smallest size
   std::uint32_t firstLeaf_ = 0;
 
   enum class Stage : std::uint8_t { kSort, kTake, kJoin, kReady };
-  /// What is needed until the tree stands.
+  /// Data needed only while the tree is built.
   struct Building {
     std::vector<Vec3> places;
     std::vector<double> sizes;
@@ -123,7 +126,7 @@ class SizeSites {
     std::vector<std::uint32_t> order;
     std::size_t next = 0;
     std::vector<Reach> boxes;     ///< per node of the tree
-    std::vector<float> smallest;  ///< per node of the tree: the size of its smallest site
+    std::vector<float> smallest;  ///< per node of the tree: smallest size
   };
   Stage stage_ = Stage::kSort;
   Building building_;

@@ -12,7 +12,7 @@
 namespace tetrafront {
 namespace {
 
-/// More sources than this stand in a tree.
+/// Number of sources above which a tree is built.
 constexpr std::size_t kHandful = 8;
 
 std::size_t pointCountOf(SourceType type) { return static_cast<std::size_t>(type) + 1; }
@@ -71,7 +71,7 @@ void SizeSources::buildTree() {
   }
 }
 
-/// The branch of the sources `first` to `last` - 1; of none, one that asks for nothing.
+/// Returns the branch of the sources `first` to `last` - 1. Without sources, it caps nothing.
 SizeSources::Branch SizeSources::branchOf(std::size_t first, std::size_t last) const {
   constexpr double kFar = std::numeric_limits<double>::max();
   Branch branch{Vec3(kFar), Vec3(-kFar), kFar, 0.0, kFar};

@@ -1,8 +1,8 @@
 #pragma once
 
-/// @file Sources of size, asked together: the smallest size + growth max(0, r - distance) of all.
-/// Up to a handful are looked at one by one; more stand in a tree of boxes along a Morton curve,
-/// whose branches know what they can ask for at best.
+/// @file All size sources together: the smallest size + growth max(0, r - distance). A few sources
+/// are visited one by one. More are stored in a tree of boxes along a Morton curve, whose branches
+/// hold lower bounds of the sizes below.
 
 #include <array>
 #include <cstdint>
@@ -26,16 +26,17 @@ class SizeSources {
 
   [[nodiscard]] std::span<const SizeSource> all() const { return sources_; }
 
-  /// The smaller of `size` and what the sources ask for at `place`. O(log n) where few reach.
+  /// Returns the smaller of `size` and the size of the sources at `place`. O(log n) if few sources
+  /// reach the position.
   [[nodiscard]] double cappedSize(const Vec3& place, double size) const;
 
  private:
   static constexpr std::uint32_t kSourcesPerLeaf = 4;
-  /// One entry per level waits at most; 2^32 sources make 32 levels.
+  /// At most one entry per level; 2^32 sources make 32 levels.
   static constexpr std::size_t kStack = 40;
 
-  /// No source below asks for less than size + growth max(0, r - distance), r the distance from
-  /// the box.
+  /// Lower bound of all sources below: size + growth max(0, r - distance), where r is the distance
+  /// from the box.
   struct Branch {
     Vec3 low;
     Vec3 high;
@@ -50,14 +51,14 @@ class SizeSources {
   [[nodiscard]] Branch branchOf(std::size_t first, std::size_t last) const;
 
   std::vector<SizeSource> sources_;  ///< in the order of the leaves
-  std::vector<Branch> branches_;     ///< children of n are 2n+1 and 2n+2; empty for a handful
+  std::vector<Branch> branches_;     ///< children of n are 2n+1 and 2n+2; empty for a few sources
   std::size_t firstLeaf_ = 0;
 };
 
-/// What a source asks for at `place`.
+/// Returns the size of one source at `place`.
 [[nodiscard]] double sizeOf(const SizeSource& source, const Vec3& place);
 
-/// Sources whose numbers make no sense, all at once; empty if they can be used.
+/// Returns one diagnostic per invalid source; empty if all can be used.
 [[nodiscard]] std::vector<Diagnostic> checkSizeSources(std::span<const SizeSource> sources);
 
 }  // namespace tetrafront

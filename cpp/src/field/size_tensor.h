@@ -1,13 +1,13 @@
 #pragma once
 
-/// @file The wanted size in every direction at once. A node of the background grid asks for size
-/// d across and stretching s times d along a direction a; as a symmetric tensor
+/// @file The target size in all directions. A node of the background grid asks for size d across
+/// and s times d along a direction a. The symmetric tensor
 ///
 ///     H = d (I + (s - 1) a a^T),    T = H^-1,
 ///
-/// H maps the unit sphere to the wanted edges, T maps space to where the wanted element is regular
-/// with edge 1. H is what is interpolated: it stays positive definite, and does not see the sign
-/// of a, which interpolating a itself would trip over.
+/// maps the unit sphere to the target edges; T maps space to the space where the target element is
+/// regular with edge 1. H is interpolated: it stays positive definite and does not depend on the
+/// sign of a.
 
 #include <cmath>
 
@@ -69,13 +69,13 @@ struct SymmetricTensor {
   }
 };
 
-/// The mean square of the principal sizes, as a length: the size itself where nothing is stretched.
+/// Returns the root mean square of the principal sizes: the size itself if nothing is stretched.
 [[nodiscard]] inline double meanSizeOf(const SymmetricTensor& h) {
   const double crossed = h.xy * h.xy + h.xz * h.xz + h.yz * h.yz;
   return std::sqrt((h.xx * h.xx + h.yy * h.yy + h.zz * h.zz + 2.0 * crossed) / 3.0);
 }
 
-/// H of one node.
+/// Returns H of one node.
 [[nodiscard]] inline SymmetricTensor sizeTensor(const BackgroundNode& node) {
   const double square = glm::dot(node.direction, node.direction);
   const Vec3 a = square > 0.0 ? node.direction * (1.0 / std::sqrt(square)) : Vec3(0.0);

@@ -8,7 +8,7 @@
 namespace tetrafront {
 namespace {
 
-/// Cyclic Jacobi converges quadratically; after five sweeps nothing is left of a 3 x 3 matrix.
+/// Sweeps of cyclic Jacobi. It converges quadratically: five sweeps diagonalize a 3 x 3 matrix.
 constexpr int kLimitSweeps = 6;
 
 using Matrix = std::array<std::array<double, 3>, 3>;
@@ -17,7 +17,7 @@ Matrix matrixOf(const SymmetricTensor& t) {
   return {{{t.xx, t.xy, t.xz}, {t.xy, t.yy, t.yz}, {t.xz, t.yz, t.zz}}};
 }
 
-/// Turns axes p and q so that a[p][q] vanishes.
+/// Rotates axes p and q so that a[p][q] vanishes.
 void rotate(Matrix& a, std::array<Vec3, 3>& axes, std::size_t p, std::size_t q) {
   if (a[p][q] == 0.0) return;
   const double theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
@@ -39,7 +39,7 @@ void rotate(Matrix& a, std::array<Vec3, 3>& axes, std::size_t p, std::size_t q) 
   axes[q] = s * axis + c * axes[q];
 }
 
-/// The lower triangle L of L L^T.
+/// Returns the lower triangle L of L L^T (Cholesky).
 struct Cholesky {
   double xx, yx, yy, zx, zy, zz;
 
@@ -59,7 +59,7 @@ struct Cholesky {
     const double y = (v.y - yx * x) / yy;
     return {x, y, (v.z - zx * x - zy * y) / zz};
   }
-  /// L^-1 A L^-T.
+  /// Returns L^-1 A L^-T.
   [[nodiscard]] SymmetricTensor reduced(const SymmetricTensor& a) const {
     const std::array<Vec3, 3> rows{solve(a.row(0)), solve(a.row(1)), solve(a.row(2))};
     const Vec3 first = solve({rows[0].x, rows[1].x, rows[2].x});
@@ -69,7 +69,7 @@ struct Cholesky {
   }
 };
 
-/// Whether limit - tensor is positive semidefinite, up to rounding.
+/// Returns whether limit - tensor is positive semidefinite, up to rounding.
 bool isNowhereAbove(const SymmetricTensor& tensor, const SymmetricTensor& limit) {
   const double slack = Tolerance(largestPossible(limit)).rounding();
   const double xx = limit.xx - tensor.xx + slack;

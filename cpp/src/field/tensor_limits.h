@@ -1,8 +1,7 @@
 #pragma once
 
-/// @file Making a size tensor smaller where something else asks for less: an isotropic size, or
-/// another tensor. Eigenvectors come from a fixed number of Jacobi sweeps, so that every machine
-/// finds the same bits.
+/// @file Limits a size tensor by an isotropic size or by another tensor. Eigenvectors come from a
+/// fixed number of Jacobi sweeps, so that all machines compute the same bits.
 
 #include <array>
 
@@ -18,14 +17,14 @@ struct PrincipalAxes {
 [[nodiscard]] PrincipalAxes principalAxes(const SymmetricTensor& tensor);
 [[nodiscard]] SymmetricTensor composed(const PrincipalAxes& principal);
 
-/// No principal value is above this.
+/// Returns an upper bound of the principal values.
 [[nodiscard]] double largestPossible(const SymmetricTensor& tensor);
 
-/// Every principal axis cut down to `size`; the tensor itself where none is longer.
+/// Caps every principal axis at `size`; returns the tensor itself if no axis is longer.
 [[nodiscard]] SymmetricTensor cappedTo(const SymmetricTensor& tensor, double size);
 
-/// The largest tensor with the common conjugate axes of both that is nowhere above either; the
-/// tensor itself, bit for bit, where it is nowhere above `limit`. Both positive definite.
+/// Returns the largest tensor, with the common conjugate axes of both, that nowhere exceeds either;
+/// the tensor itself, bit for bit, if it nowhere exceeds `limit`. Both must be positive definite.
 [[nodiscard]] SymmetricTensor limitedBy(const SymmetricTensor& tensor,
                                         const SymmetricTensor& limit);
 

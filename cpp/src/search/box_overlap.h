@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file One box against many: the comparison of the face grid's innermost loop, four boxes at once
-/// where the machine has such lanes. All variants give the same answers in the same order.
+/// @file Compares one box with many: the innermost loop of the face grid. Compares four boxes at
+/// once if the machine has SIMD. All variants give the same results in the same order.
 
 #include <array>
 #include <cstddef>
@@ -18,7 +18,7 @@
 
 namespace tetrafront {
 
-/// Four boxes and their names, side by side. A new one holds boxes that meet nothing.
+/// Four boxes and their names, contiguous. Initially, the boxes overlap nothing.
 struct alignas(16) BoxQuad {
   static constexpr std::size_t kCount = 4;
   static constexpr float kFar = std::numeric_limits<float>::infinity();
@@ -46,7 +46,7 @@ struct alignas(16) BoxQuad {
     }
     names[lane] = from.names[fromLane];
   }
-  /// Makes the box one that meets nothing.
+  /// Replaces the box by one that overlaps nothing.
   void clear(std::size_t lane) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       low[axis][lane] = kFar;
@@ -57,7 +57,7 @@ struct alignas(16) BoxQuad {
 
 class BoxOverlap {
  public:
-  /// Room that append() may write to beyond the names it keeps.
+  /// Number of entries that append() may write beyond those it keeps.
   static constexpr std::size_t kSlack = BoxQuad::kCount;
 
 #if defined(__SSSE3__)
@@ -66,14 +66,14 @@ class BoxOverlap {
         y_{_mm_set1_ps(box.low[1]), _mm_set1_ps(box.high[1])},
         z_{_mm_set1_ps(box.low[2]), _mm_set1_ps(box.high[2])} {}
 
-  /// Writes the names of those boxes that meet this one to `end` on; returns where they end.
+  /// Writes the names of the boxes that overlap this one, beginning at `end`; returns the new end.
   std::uint32_t* append(const BoxQuad& boxes, std::uint32_t* end) const {
     const __m128 apart = _mm_or_ps(_mm_or_ps(apartAlong(boxes, 0, x_), apartAlong(boxes, 1, y_)),
                                    apartAlong(boxes, 2, z_));
     const auto meeting = static_cast<std::size_t>(_mm_movemask_ps(apart)) ^ kAll;
     const auto* names = reinterpret_cast<const __m128i*>(boxes.names.data());
     const auto* places = reinterpret_cast<const __m128i*>(kPacking[meeting].data());
-    // Written always, kept as far as they meet: branches would be coin tosses.
+    // Store all four and keep only those that overlap: branches would be unpredictable.
     _mm_storeu_si128(reinterpret_cast<__m128i*>(end),
                      _mm_shuffle_epi8(_mm_load_si128(names), _mm_load_si128(places)));
     return end + kSetSize[meeting];
@@ -139,11 +139,12 @@ class BoxOverlap {
 #endif
 
 #if defined(__SSSE3__) || defined(__wasm_simd128__)
-  /// Sets of lanes are bits.
+  /// Sets of lanes are bit masks.
   static constexpr std::size_t kAll = (1U << BoxQuad::kCount) - 1;
   struct alignas(16) BytePlaces : std::array<std::uint8_t, 16> {};
 
-  /// For each set of lanes, where the bytes come from that bring these lanes to the front.
+  /// Per set of lanes: the source index of each byte in a shuffle that moves these lanes to the
+  /// front.
   static constexpr std::array<BytePlaces, kAll + 1> kPacking = [] {
     std::array<BytePlaces, kAll + 1> packing{};
     for (std::size_t set = 0; set <= kAll; ++set) {

@@ -6,7 +6,7 @@
 namespace tetrafront {
 namespace {
 
-/// Meets nothing.
+/// A box that overlaps nothing.
 Box emptyBox() {
   constexpr float kFar = std::numeric_limits<float>::max();
   return {{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
@@ -98,7 +98,7 @@ void BoxTreeBuilder::fillLeaves(std::size_t first, std::size_t last) {
   }
 }
 
-/// From the leaves up: the last first.
+/// Bottom-up, so the last node first.
 void BoxTreeBuilder::growBranches(std::size_t first, std::size_t last) {
   std::vector<Box>& nodes = tree_.nodes_;
   for (std::size_t i = first; i < last; ++i) {

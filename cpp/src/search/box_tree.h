@@ -1,8 +1,8 @@
 #pragma once
 
-/// @file A tree over boxes that do not change: which of many triangles or tetrahedra are near a
-/// box or a place? Leaves are runs along a Morton curve; the tree above them is complete, so that
-/// it needs no pointers. The front, which changes, has its FaceGrid instead.
+/// @file A tree over fixed boxes, which finds triangles or tetrahedra near a box or a position.
+/// Leaves are runs along a Morton curve. The tree above them is complete, so it needs no pointers.
+/// FaceGrid does the same for the front, which changes.
 
 #include <algorithm>
 #include <array>
@@ -21,21 +21,21 @@ class BoxTree {
  public:
   BoxTree() = default;
 
-  /// O(n). The boxes' positions are the names of the items below.
+  /// O(n). The indices of the boxes are the items below.
   explicit BoxTree(std::span<const Box> boxes);
 
-  /// Calls visit(item) for every item whose box meets `box`, touching included. The order depends
-  /// on the boxes only.
+  /// Calls visit(item) for every item whose box overlaps or touches `box`. The order depends on the
+  /// boxes only.
   template <class Visit>
   void visitOverlaps(const Box& box, Visit visit) const;
 
-  /// Calls visit(item) for every item whose box is nearer to `place` than the root of
-  /// `squaredLimit`, near branches first; visit may lower `squaredLimit`.
+  /// Calls visit(item) for every item whose squared distance from `place` is below `squaredLimit`,
+  /// near branches first. `visit` may lower `squaredLimit`.
   template <class Visit>
   void visitNear(const Vec3& place, const double& squaredLimit, Visit visit) const;
 
-  // ---- for whoever goes through the tree by himself: node 0 is the root, the children of n are
-  // 2n + 1 and 2n + 2, and leaves are all at one depth, the last of them empty ----
+  // ---- direct traversal: node 0 is the root, the children of n are 2n + 1 and 2n + 2, and all
+  // leaves have the same depth; the last ones are empty ----
 
   [[nodiscard]] std::uint32_t nodeCount() const {
     return static_cast<std::uint32_t>(nodes_.size());
@@ -45,7 +45,7 @@ class BoxTree {
   [[nodiscard]] std::span<const std::uint32_t> itemsOf(std::uint32_t leaf) const {
     return std::span(items_).subspan(leafBegin(leaf), leafEnd(leaf) - leafBegin(leaf));
   }
-  /// Of itemsOf(), in the same order.
+  /// Returns the boxes of itemsOf(), in the same order.
   [[nodiscard]] std::span<const Box> itemBoxesOf(std::uint32_t leaf) const {
     return std::span(boxes_).subspan(leafBegin(leaf), leafEnd(leaf) - leafBegin(leaf));
   }
@@ -58,7 +58,7 @@ class BoxTree {
  private:
   friend class BoxTreeBuilder;
   static constexpr std::uint32_t kItemsPerLeaf = 4;
-  /// One entry per level waits at most; 2^32 items make 32 levels.
+  /// At most one entry per level; 2^32 items make 32 levels.
   static constexpr std::size_t kStack = 40;
 
   static double squaredDistance(const Box& box, const Vec3& place);
@@ -70,21 +70,21 @@ class BoxTree {
   std::vector<Box> nodes_;
   std::uint32_t firstLeaf_ = 0;
   std::vector<std::uint32_t> items_;  ///< in the order of the leaves
-  std::vector<Box> boxes_;            ///< of items_, in the same order
+  std::vector<Box> boxes_;            ///< boxes of items_, in the same order
 };
 
 /// Builds a tree in slices.
 class BoxTreeBuilder {
  public:
   explicit BoxTreeBuilder(std::vector<Box> boxes);
-  /// Its parts look at one another.
+  /// Not movable: its members refer to each other.
   BoxTreeBuilder(const BoxTreeBuilder&) = delete;
   BoxTreeBuilder& operator=(const BoxTreeBuilder&) = delete;
 
-  /// Goes on for `budget` of the boxes, each of which is come to about thirteen times; true when finished.
+  /// Visits `budget` boxes, each about thirteen times in total; returns true when finished.
   bool advance(std::size_t budget);
 
-  /// Once, when finished.
+  /// Returns the tree, once finished.
   [[nodiscard]] BoxTree take() { return std::move(tree_); }
 
  private:

@@ -10,8 +10,8 @@
 
 namespace tetrafront {
 
-/// Union-find over 0 .. count-1; the least member stands for its set. find() and join() take O(log n), on
-/// average over many.
+/// Union-find over 0 .. count-1; the lowest member represents its set. find() and join() take O(log
+/// n) amortized time.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : parent_(count) {
@@ -32,7 +32,8 @@ class DisjointSets {
     parent_[std::max(a, b)] = std::min(a, b);
   }
 
-  /// The number of its set for each member; sets count from 0 in order of their least members.
+  /// Returns per member the number of its set. Sets are numbered from 0 in the order of their
+  /// lowest members.
   [[nodiscard]] std::vector<std::uint32_t> numbers() {
     std::vector<std::uint32_t> number(parent_.size());
     std::uint32_t count = 0;
@@ -47,7 +48,7 @@ class DisjointSets {
   std::vector<std::uint32_t> parent_;
 };
 
-/// As DisjointSets, where each member is either like its root or opposite to it.
+/// Disjoint sets in which each member is either equal or opposite to the root of its set.
 class OpposedSets {
  public:
   explicit OpposedSets(std::size_t count) : parent_(count), isOpposite_(count, 0) {
@@ -64,7 +65,7 @@ class OpposedSets {
       const std::uint32_t parent = parent_[x];
       const std::uint8_t toParent = isOpposite_[x];
       opposite ^= toParent;
-      // Path halving: skip the parent, unless that is the root already.
+      // Path halving: skip the parent unless it is the root.
       isOpposite_[x] = toParent ^ (parent_[parent] == parent ? 0 : isOpposite_[parent]);
       parent_[x] = parent_[parent];
       x = parent;
@@ -72,7 +73,8 @@ class OpposedSets {
     return {x, opposite};
   }
 
-  /// Says how a and b are related; false, and nothing changed, if they are known to be otherwise.
+  /// Records the relation of a and b. Returns false, without a change, if it contradicts a known
+  /// one.
   bool join(std::uint32_t a, std::uint32_t b, bool areOpposite) {
     const Root ra = find(a);
     const Root rb = find(b);

@@ -13,7 +13,7 @@ constexpr int kKeyBits = 19;                // per axis; coordinates that wrap s
 constexpr std::uint64_t kKeyMask = (1U << kKeyBits) - 1;  // only costs box comparisons
 constexpr std::size_t kInitialTable = 256;
 
-/// For each axis, bits of the cells of a block whose coordinate is in [from, to].
+/// Per axis: bits of the cells of a block whose coordinate is in [from, to].
 struct RangeMasks {
   std::uint64_t mask[3][kCellsPerBlock][kCellsPerBlock] = {};
 
@@ -38,7 +38,8 @@ std::uint32_t cellInBlock(std::int32_t x, std::int32_t y, std::int32_t z) {
   return static_cast<std::uint32_t>((x & 3) * 16 + (y & 3) * 4 + (z & 3));
 }
 
-/// Key of the block that holds the cell; arithmetic shift rounds towards minus infinity.
+/// Returns the key of the block that contains the cell. The arithmetic shift rounds towards minus
+/// infinity.
 std::uint64_t blockKey(int level, std::int32_t x, std::int32_t y, std::int32_t z) {
   const auto part = [](std::int32_t cell) {
     return static_cast<std::uint64_t>(static_cast<std::int64_t>(cell >> 2)) & kKeyMask;
@@ -47,7 +48,7 @@ std::uint64_t blockKey(int level, std::int32_t x, std::int32_t y, std::int32_t z
          part(y) << kKeyBits | part(z);
 }
 
-/// Which blocks of a level are between two cells, told from their keys, whose parts wrap.
+/// Tests whether a block is between two cells, from its key, whose parts may wrap.
 class BlockRange {
  public:
   BlockRange(const std::array<std::int32_t, 3>& from, const std::array<std::int32_t, 3>& to) {
@@ -70,7 +71,8 @@ class BlockRange {
   std::array<std::uint64_t, 3> further_{};
 };
 
-/// Multiplicative hash. The high bits are taken: the low bits of the product never see x.
+/// Multiplicative hash. Takes the high bits, because the low bits of the product do not depend on
+/// x.
 std::size_t slotOf(std::uint64_t key, std::size_t tableSize) {
   constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15U;
   return static_cast<std::size_t>((key * kGolden) >> 32) & (tableSize - 1);
@@ -178,7 +180,7 @@ void FaceGrid::remove(std::uint32_t face) {
   const std::uint32_t inBlock = place.blockAndCell & 63U;
   std::uint32_t& head = block.heads[inBlock];
   Chunk& first = chunks_[head];
-  // The list's last entry takes the free place.
+  // The last entry of the list moves to the free slot.
   const std::uint32_t last = --first.count;
   const std::uint32_t lastFace = first.boxes.names[last];
   chunks_[place.chunk].boxes.copy(place.slot, first.boxes, last);
@@ -194,7 +196,7 @@ void FaceGrid::remove(std::uint32_t face) {
 }
 
 std::size_t FaceGrid::query(const Box& box, std::vector<std::uint32_t>& faces) const {
-  // Every face may be found, and places more are written to: so much for checks on the way.
+  // Reserve space for all faces and for the slack of append(), so the loops need no checks.
   if (faces.size() < faceCount_ + BoxOverlap::kSlack) faces.resize(2 * faceCount_ + 64);
   std::uint32_t* end = faces.data();
   for (int level = 0; level < kLevels; ++level) {
@@ -205,7 +207,7 @@ std::size_t FaceGrid::query(const Box& box, std::vector<std::uint32_t>& faces) c
 
 std::uint32_t* FaceGrid::queryLevel(int level, const Box& box, std::uint32_t* end) const {
   const BoxOverlap overlap(box);
-  // The last level holds whatever is larger, too.
+  // The last level also holds larger faces.
   const double margin =
       level + 1 < kLevels ? 0.5 * cellSize_[level] : std::numeric_limits<double>::infinity();
   CellRange cells{};
@@ -229,7 +231,7 @@ std::uint32_t* FaceGrid::queryLevel(int level, const Box& box, std::uint32_t* en
   return end;
 }
 
-/// For boxes that are large against the level's cells: it has fewer blocks than there are in the box.
+/// Queries all blocks of a level. Used for large boxes, which cover more blocks than the level has.
 std::uint32_t* FaceGrid::queryWholeLevel(int level, const CellRange& cells,
                                          const BoxOverlap& overlap, std::uint32_t* end) const {
   const BlockRange range(cells.from, cells.to);

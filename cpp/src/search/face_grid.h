@@ -1,15 +1,15 @@
 #pragma once
 
-/// @file Which faces of the front are near a box? A loose hash grid with one level per power of
-/// two of the face's extent: a face lies in the cell of its centre, on the level whose cells are
-/// at least as large as it, so a query looks at the cells that its box, grown by half a cell,
-/// touches. Serves steps F5.2 and F5.3 at once: the faces are the obstacles and their nodes are
-/// the candidates. Takes the place of the paper's octree, which needs 8-14 dependent loads per
-/// query where this needs about ten look-ups (docs/ARCHITECTURE.md, choices).
+/// @file Finds the faces of the front near a box. A loose hash grid with one level per power of two
+/// of the face's extent: a face is stored in the cell of its centre, on the level whose cells are
+/// at least as large as the face. A query visits the cells that its box touches when enlarged by
+/// half a cell. Serves steps F5.2 and F5.3 together: the faces are the obstacles, and their nodes
+/// are the candidates. It replaces the paper's octree, which needs 8 to 14 dependent loads per
+/// query; this grid needs about ten independent ones (docs/ARCHITECTURE.md, choices).
 ///
-/// Layout: hash of a block of 4 x 4 x 4 cells -> occupancy mask and 64 list heads -> chunks of
-/// four faces whose boxes are stored inside, so that a query touches few cache lines: a cell holds
-/// about two faces, and a chunk is two lines.
+/// Layout: hash of a block of 4 x 4 x 4 cells -> occupancy mask and 64 list heads -> chunks of four
+/// faces with their boxes, so that a query touches few cache lines. A cell holds about two faces,
+/// and a chunk takes two lines.
 
 #include <array>
 #include <cstdint>
@@ -34,8 +34,8 @@ class FaceGrid {
   /// O(1). `face` must be in the grid.
   void remove(std::uint32_t face);
 
-  /// Writes the faces whose boxes meet `box` to `faces`, which is only ever grown, and returns
-  /// how many they are. The order depends on the calls made, never on addresses.
+  /// Writes the faces whose boxes overlap `box` to `faces`, which only grows, and returns their
+  /// number. The order depends on the sequence of calls, never on addresses.
   std::size_t query(const Box& box, std::vector<std::uint32_t>& faces) const;
 
  private:
@@ -56,7 +56,7 @@ class FaceGrid {
     std::uint64_t key;
     std::uint32_t block;
   };
-  /// Where a face is stored.
+  /// Storage location of a face.
   struct Place {
     std::uint32_t chunk;
     std::uint32_t blockAndCell;
@@ -74,7 +74,7 @@ class FaceGrid {
   [[nodiscard]] std::uint32_t findBlock(std::uint64_t key) const;
   std::uint32_t findOrMakeBlock(int level, std::uint64_t key);
   void growTable();
-  // Each writes the faces it finds from `end` on and returns where they end.
+  // These write the faces they find, beginning at `end`, and return the new end.
   std::uint32_t* queryLevel(int level, const Box& box, std::uint32_t* end) const;
   std::uint32_t* queryWholeLevel(int level, const CellRange& cells, const BoxOverlap& overlap,
                                  std::uint32_t* end) const;

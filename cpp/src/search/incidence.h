@@ -1,8 +1,8 @@
 #pragma once
 
-/// @file Which elements stand at a node? A flat list of lists (Löhner & Parikh 1988, second
-/// section 6, structure (3)), built in two rounds over all corners, each of which may be taken in
-/// slices: O(corners) in all. What has its nodes in common is found in the list of the lowest.
+/// @file Lists the elements at each node in one flat array (Löhner & Parikh 1988, second section 6,
+/// structure (3)). Built in two passes over all corners, which may be done in slices; O(n) for n
+/// corners. An entry with several nodes, such as a face, is listed at the lowest of them.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,28 +11,28 @@
 
 namespace tetrafront {
 
-/// `Entry`: what stands in the lists.
+/// `Entry`: type of the listed entries.
 template <class Entry>
 class NodeLists {
  public:
   NodeLists() = default;
   explicit NodeLists(std::size_t nodeCount) : starts_(nodeCount + 2, 0) {}
 
-  /// First round: once per corner.
+  /// First pass: once per corner.
   void count(std::uint32_t node) {
-    // Two places ahead, so that the second round moves each start to where its list begins.
+    // Two entries ahead, so that the second pass moves each start to the beginning of its list.
     ++starts_[node + std::size_t{2}];
   }
   void endCounting() {
     for (std::size_t i = 2; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
     elements_.resize(starts_.back());
   }
-  /// Second round: the same corners again.
+  /// Second pass: the same corners again.
   void add(std::uint32_t node, const Entry& element) {
     elements_[starts_[node + std::size_t{1}]++] = element;
   }
 
-  /// What stands at `node`, in the order of the second round; nothing for nodes added later.
+  /// Returns the entries at `node`, in the order of the second pass; none for nodes added later.
   [[nodiscard]] std::span<const Entry> at(std::uint32_t node) const {
     if (node + std::size_t{2} >= starts_.size()) return {};
     return std::span(elements_).subspan(starts_[node], starts_[node + 1] - starts_[node]);
@@ -47,7 +47,7 @@ class NodeLists {
   std::vector<Entry> elements_;
 };
 
-/// Elements by number, in rising order.
+/// Elements at each node by index, ascending.
 using Incidence = NodeLists<std::uint32_t>;
 
 }  // namespace tetrafront

@@ -1,9 +1,9 @@
 #pragma once
 
-/// @file A heap that knows where each id stands, so that a face that leaves the front early is
-/// taken out at once (Löhner & Parikh 1988, second section 6, structure (1)). Four children per
-/// node: half the levels of a binary heap for the same comparisons. About every second face that
-/// is pushed is removed before its turn; lazy deletion would triple the heap.
+/// @file A heap that stores the position of each id, so that a face that leaves the front early is
+/// removed at once (Löhner & Parikh 1988, second section 6, structure (1)). Four children per node
+/// halve the levels of a binary heap for the same number of comparisons. About half of the faces
+/// are removed before their turn; lazy deletion would triple the heap.
 
 #include <algorithm>
 #include <cstdint>
@@ -13,11 +13,11 @@
 
 namespace tetrafront {
 
-/// Least key first. Equal keys come out in an order that depends on the calls made, never on
-/// addresses; callers who need more put a sequence number into the low bits of the key.
+/// Smallest key first. The order of equal keys depends on the sequence of calls, never on
+/// addresses. Callers that need more put a sequence number into the low bits of the key.
 class IndexedHeap {
  public:
-  /// Makes ids 0 .. count-1 usable.
+  /// Permits the ids 0 .. count-1.
   void reserveIds(std::size_t count) {
     if (count > position_.size())
       position_.resize(std::max(count, position_.size() * 3 / 2), kNoIndex);
@@ -32,14 +32,14 @@ class IndexedHeap {
     siftUp(entries_.size() - 1);
   }
 
-  /// Takes out the id of least key. O(log n).
+  /// Removes and returns the id of the smallest key. O(log n).
   std::uint32_t pop() {
     const std::uint32_t id = entries_.front().id;
     remove(id);
     return id;
   }
 
-  /// Takes `id` out, if it is in. O(log n).
+  /// Removes `id` if it is in the heap. O(log n).
   void remove(std::uint32_t id) {
     const std::uint32_t at = position_[id];
     if (at == kNoIndex) return;

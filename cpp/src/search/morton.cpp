@@ -78,7 +78,7 @@ void MortonSort::bound(std::size_t first, std::size_t last) {
   }
 }
 
-/// The codes, and how often they have each digit.
+/// Computes the codes and counts their digits.
 void MortonSort::code(std::size_t first, std::size_t last) {
   const double extent = std::max({upper_.x - lower_.x, upper_.y - lower_.y, upper_.z - lower_.z});
   const double cells = static_cast<double>((1U << kBitsPerAxis) - 1U);
@@ -96,7 +96,7 @@ void MortonSort::code(std::size_t first, std::size_t last) {
   }
 }
 
-/// By one digit, the lowest first; equal codes stay in order.
+/// Sorts by one digit, the lowest first; keeps the order of equal ones.
 void MortonSort::sort(std::size_t first, std::size_t last) {
   auto& begins = begins_[pass_];
   for (std::size_t i = first; i < last; ++i) sorted_[begins[digitOf(keys_[i], pass_)]++] = keys_[i];

@@ -1,6 +1,7 @@
 #pragma once
 
-/// @file An order of places along a Morton curve: neighbours in it are mostly neighbours in space.
+/// @file Orders positions along a Morton curve: neighbours in this order are mostly neighbours in
+/// space.
 
 #include <array>
 #include <cstddef>
@@ -14,16 +15,17 @@
 
 namespace tetrafront {
 
-/// Sorts places along the curve in slices: a radix sort, O(n).
+/// Sorts positions along the curve in slices: a radix sort, O(n).
 class MortonSort {
  public:
-  /// The places must outlive this; they may still be filled in until advance() is called.
+  /// `places` must outlive this, and may be filled until the first call of advance().
   explicit MortonSort(std::span<const Vec3> places) : places_(places) {}
 
-  /// Goes on for `budget` of the places, each of which is come to eleven times; true when finished.
+  /// Visits `budget` positions, each eleven times in total; returns true when finished.
   bool advance(std::size_t budget);
 
-  /// Positions in the places along the curve, as of mortonOrder(); once, when finished.
+  /// Returns the indices of the positions in the order of the curve, as mortonOrder(); once, when
+  /// finished.
   [[nodiscard]] std::vector<std::uint32_t> take() { return std::move(order_); }
 
  private:
@@ -54,13 +56,13 @@ class MortonSort {
   Vec3 upper_{-std::numeric_limits<double>::max()};
   std::vector<Key> keys_;
   std::vector<Key> sorted_;
-  /// Per pass: how many keys have the digit before; later where the next one goes.
+  /// Per pass and digit: number of keys with the digit before; later, the index of the next key.
   std::array<std::array<std::uint32_t, kDigits + 1>, kPasses> begins_{};
   std::vector<std::uint32_t> order_;
 };
 
-/// Positions in `places` along the curve; places of one cell in the order of their positions.
-/// O(n).
+/// Returns the indices of `places` in the order of the curve; positions in one cell keep their
+/// order. O(n).
 [[nodiscard]] std::vector<std::uint32_t> mortonOrder(std::span<const Vec3> places);
 
 }  // namespace tetrafront

@@ -6,9 +6,10 @@ namespace tetrafront {
 
 namespace {
 
-/// A leaf of more boxes is split: scanning this many costs about as much as one more level.
+/// Maximum number of boxes in a leaf: scanning this many costs about as much as one more level.
 constexpr std::uint32_t kLeafCapacity = 12;
-/// Boxes of one centre cannot be told apart by splitting; 2^-40 of the region is below any size.
+/// Maximum depth: boxes with equal centres cannot be separated, and 2^-40 of the region is below
+/// any size.
 constexpr std::uint32_t kMaxDepth = 40;
 
 }  // namespace
@@ -38,7 +39,7 @@ void Quadtree::insert(std::uint32_t id, const PlaneBox& box) {
   if (id >= items_.size()) items_.resize(std::max<std::size_t>(id + 1, items_.size() * 3 / 2));
   items_[id].box = box;
   const Vec2 centre = 0.5 * (box.low + box.high);
-  // The reach is measured from the node's own edge, so it also covers centres outside the region.
+  // The reach is measured from the node's region, so it also covers centres outside the root.
   std::uint32_t at = 0;
   for (;;) {
     Node& node = nodes_[at];

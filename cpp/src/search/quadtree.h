@@ -1,9 +1,9 @@
 #pragma once
 
 /// @file A quadtree of small boxes in the plane (Löhner & Parikh 1988, second section 6, structure
-/// (2)): which sides of a front are near a place. A box lives in the leaf that holds its centre;
-/// each node knows how far the boxes below it reach beyond it, so that strongly graded sizes cost
-/// depth and not width.
+/// (2)): finds the edges of a planar front near a position. A box is stored in the leaf that
+/// contains its centre. Each node knows how far the boxes below it extend beyond it, so strongly
+/// graded sizes increase the depth, not the width.
 
 #include <array>
 #include <cstdint>
@@ -32,15 +32,16 @@ struct PlaneBox {
 
 class Quadtree {
  public:
-  /// `region` is where boxes are expected; others are found too, only more slowly.
+  /// `region`: where boxes are expected; others are found too, but more slowly.
   explicit Quadtree(const PlaneBox& region);
 
-  /// Ids are small numbers chosen by the caller; `id` must not be in the tree. O(depth).
+  /// Ids are small indices chosen by the caller; `id` must not be in the tree. O(depth).
   void insert(std::uint32_t id, const PlaneBox& box);
   /// `id` must be in the tree. O(1).
   void remove(std::uint32_t id);
 
-  /// Appends every id whose box meets `box`, in an order that depends on the calls made alone.
+  /// Appends every id whose box overlaps `box`, in an order that depends only on the sequence of
+  /// calls.
   void query(const PlaneBox& box, std::vector<std::uint32_t>& found) const;
 
  private:
@@ -53,7 +54,7 @@ class Quadtree {
   struct Node {
     Vec2 centre{0.0};
     Vec2 halfWidth{0.0};
-    Vec2 reach{0.0};  ///< how far a box ever put below has reached beyond the edge
+    Vec2 reach{0.0};  ///< largest extent of any box added below beyond the node's region
     std::uint32_t firstChild = kNoIndex;
     std::uint32_t head = kNoIndex;
     std::uint32_t count = 0;
