@@ -37,7 +37,7 @@ std::array<double, 6> entriesOf(const SymmetricTensor& t) {
   return {t.xx, t.yy, t.zz, t.xy, t.xz, t.yz};
 }
 
-TEST(TensorLimitsTest, PrincipalAxesDiagonalise) {
+TEST(TensorLimitsTest, PrincipalAxesDiagonalize) {
   Random random(931);
   for (int i = 0; i < 500; ++i) {
     const SymmetricTensor tensor = randomTensor(random, i % 2 == 0 ? 3.0 : 1000.0);
@@ -68,7 +68,7 @@ TEST(TensorLimitsTest, CappingKeepsShorterAxes) {
   EXPECT_EQ(entriesOf(cappedTo(small, 100.0)), entriesOf(small));
 }
 
-TEST(TensorLimitsTest, LimitedIsNowhereAboveEither) {
+TEST(TensorLimitsTest, LimitedTensorNowhereExceedsEither) {
   Random random(933);
   for (int i = 0; i < 300; ++i) {
     const SymmetricTensor tensor = randomTensor(random, 30.0);
@@ -110,10 +110,10 @@ void forEachEdge(const BackgroundGrid& grid, Visit visit) {
   }
 }
 
-TEST(GridGradationTest, IsTheLargestFieldThatComplies) {
+TEST(GridGradationTest, LimitedSizesAreTheLargestThatComply) {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     BackgroundGrid grid = roughGrid(5, seed);
-    // The oracle lowers sizes one edge at a time until nothing moves.
+    // The oracle lowers one size at a time until no edge violates the limit.
     BackgroundGrid expected = grid;
     for (bool moved = true; moved;) {
       moved = false;
@@ -131,7 +131,7 @@ TEST(GridGradationTest, IsTheLargestFieldThatComplies) {
   }
 }
 
-TEST(GridGradationTest, LeavesGentleGridsAlone) {
+TEST(GridGradationTest, KeepsGridsOfSmallGradation) {
   BackgroundGrid grid = gridOf(cubeOfTetrahedra(4, 0.1, 5));
   for (BackgroundNode& node : grid.nodes) node.size = 0.1 + 0.29 * node.position.x;
   const GridLocator limited(grid, kGrowth);
@@ -141,7 +141,7 @@ TEST(GridGradationTest, LeavesGentleGridsAlone) {
   EXPECT_EQ(GridLocator(roughGrid(3, 4), 0.0).grid().nodes[5].size, roughGrid(3, 4).nodes[5].size);
 }
 
-TEST(GridGradationTest, BoundsEveryAxisOfStretchedNodes) {
+TEST(GridGradationTest, LimitsEveryAxisOfStretchedNodes) {
   BackgroundGrid grid = roughGrid(4, 6);
   Random random(7);
   for (BackgroundNode& node : grid.nodes) {

@@ -43,7 +43,7 @@ void expectPlace(const Vec3& found, const Vec3& expected, double tolerance) {
       << expected.y << " " << expected.z << ")";
 }
 
-TEST(GridLocatorTest, FindsPlacesInsideFromAnywhere) {
+TEST(GridLocatorTest, FindsPositionsInsideFromAnyStart) {
   const GridLocator locator(cubeGrid(7));
   Random random(401);
   const auto count = static_cast<int>(locator.grid().tetrahedra.size());
@@ -65,12 +65,12 @@ TEST(GridLocatorTest, NodesAndBorderCountAsInside) {
     ASSERT_TRUE(location.inside);
     EXPECT_NEAR(locator.sizeAt(location), node.size, 1e-12);
   }
-  // Decimals in a file are rounded; a thousandth is not rounding.
+  // Files store rounded decimals; a thousandth is more than rounding.
   EXPECT_TRUE(locator.locate(Vec3(1.0 + 1e-12, 0.3, 0.3), 0).inside);
   EXPECT_FALSE(locator.locate(Vec3(1.0 + 1e-3, 0.3, 0.3), 0).inside);
 }
 
-TEST(GridLocatorTest, OutsideGivesTheNearestPointOfTheGrid) {
+TEST(GridLocatorTest, OutsideUsesTheNearestPointOfTheGrid) {
   const GridLocator locator(cubeGrid(6));
   Random random(402);
   for (int i = 0; i < 1000; ++i) {
@@ -83,8 +83,8 @@ TEST(GridLocatorTest, OutsideGivesTheNearestPointOfTheGrid) {
   }
 }
 
-/// A walk straight to the place leaves this grid and has to be taken up elsewhere.
-TEST(GridLocatorTest, FindsPlacesAcrossANotch) {
+/// A straight walk to the position leaves this grid, so the search must find it.
+TEST(GridLocatorTest, FindsPositionsAcrossANotch) {
   BackgroundGrid grid = cubeGrid(6);
   std::vector<std::array<std::uint32_t, 4>> kept;
   for (const auto& tet : grid.tetrahedra) {
@@ -110,7 +110,7 @@ TEST(GridLocatorTest, SizeFieldCoversWhatTheGridCovers) {
   EXPECT_FALSE(field.covers(Vec3(0.2, 0.7, 1.1), hint));
 }
 
-/// In many calls, each of which comes to few tetrahedra; then it is the locator that is built at once.
+/// Many calls, each of which visits few tetrahedra, build the same locator as one call.
 TEST(GridLocatorTest, IsBuiltInSlices) {
   for (const double stretching : {1.0, 4.0}) {
     BackgroundGrid grid = cubeGrid(6);
@@ -146,13 +146,13 @@ std::vector<DiagnosticCode> codesOf(const BackgroundGrid& grid) {
   return codes;
 }
 
-TEST(BackgroundGridCheckTest, AcceptsASoundGrid) {
+TEST(BackgroundGridCheckTest, AcceptsAValidGrid) {
   BackgroundGrid grid = cubeGrid(3);
   grid.nodes[2].stretching = 4.0;
   EXPECT_TRUE(codesOf(grid).empty());
 }
 
-TEST(BackgroundGridCheckTest, RefusesAnEmptyGrid) {
+TEST(BackgroundGridCheckTest, RejectsAnEmptyGrid) {
   EXPECT_EQ(codesOf({}), std::vector{DiagnosticCode::kEmptyBackgroundGrid});
   BackgroundGrid nodesOnly = cubeGrid(1);
   nodesOnly.tetrahedra.clear();
@@ -199,7 +199,7 @@ TEST(BackgroundGridCheckTest, NamesTheNodeAndItsValue) {
   }
 }
 
-TEST(BackgroundGridCheckTest, RefusesCoordinatesBeyondWhatPredicatesBear) {
+TEST(BackgroundGridCheckTest, RejectsCoordinatesOutOfRangeForPredicates) {
   BackgroundGrid grid = cubeGrid(2);
   grid.nodes[5].position.y = 0x1p101;
   const std::vector<Diagnostic> found = checkBackgroundGrid(grid);
@@ -209,7 +209,7 @@ TEST(BackgroundGridCheckTest, RefusesCoordinatesBeyondWhatPredicatesBear) {
   EXPECT_EQ(found[0].entities.at(0).index, 5U);
 }
 
-TEST(BackgroundGridCheckTest, RefusesSizesThatVanishBesideTheGrid) {
+TEST(BackgroundGridCheckTest, RejectsSizesThatVanishAgainstTheGrid) {
   BackgroundGrid grid = cubeGrid(2);
   grid.nodes[5].size = 1e-11;
   grid.sources.resize(2);
@@ -227,7 +227,7 @@ TEST(BackgroundGridCheckTest, RefusesSizesThatVanishBesideTheGrid) {
   EXPECT_EQ(found[1].values, std::vector{1e-13});
 }
 
-TEST(BackgroundGridCheckTest, RefusesBadStretching) {
+TEST(BackgroundGridCheckTest, RejectsInvalidStretching) {
   BackgroundGrid grid = cubeGrid(2);
   grid.nodes[1].stretching = 0.5;
   grid.nodes[2].stretching = std::numeric_limits<double>::quiet_NaN();

@@ -1,4 +1,4 @@
-/// Background grids made around a model and from a mesh.
+/// Background grids that cover a model or come from a mesh.
 
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ double volumeOf(const BackgroundGrid& grid) {
   return sum;
 }
 
-TEST(CoveringGridTest, HoldsTheBoxWithAMargin) {
+TEST(CoveringGridTest, ContainsTheBoxWithAMargin) {
   Random random(941);
   for (const CoverShape shape : {CoverShape::kBox, CoverShape::kSingleTetrahedron}) {
     for (int i = 0; i < 30; ++i) {
@@ -68,15 +68,15 @@ TEST(CoveringGridTest, FiveTetrahedraFillTheBoxOnce) {
   const BackgroundGrid grid = coveringGrid(Vec3(0.0), Vec3(3.0, 4.0, 0.0), 1.0, CoverShape::kBox);
   EXPECT_EQ(grid.tetrahedra.size(), 5U);
   EXPECT_EQ(grid.nodes.size(), 8U);
-  const Vec3 extent = Vec3(3.0, 4.0, 0.0) + 2.0 * 5.0 / 20.0;  // a diagonal of 5
+  const Vec3 extent = Vec3(3.0, 4.0, 0.0) + 2.0 * 5.0 / 20.0;  // the diagonal is 5
   EXPECT_NEAR(volumeOf(grid), extent.x * extent.y * extent.z, 1e-12);
   const BackgroundGrid one =
       coveringGrid(Vec3(0.0), Vec3(1.0), 1.0, CoverShape::kSingleTetrahedron);
   EXPECT_EQ(one.tetrahedra.size(), 1U);
 }
 
-TEST(CoveringGridTest, GoesAroundWhatBulges) {
-  // The circles' spline points are no corners of the tube's box, nor is its side flat.
+TEST(CoveringGridTest, CoversCurvedPatches) {
+  // The spline points of the circles are no corners of the tube's box, and its side is curved.
   const Model tube = seamedTube(1.0, 2.0);
   for (const CoverShape shape : {CoverShape::kBox, CoverShape::kSingleTetrahedron}) {
     const BackgroundGrid grid = coveringGrid(tube, 0.0, shape);
@@ -97,11 +97,11 @@ bool operator==(const BackgroundGrid& a, const BackgroundGrid& b) {
          a.coverageMargin == b.coverageMargin;
 }
 
-TEST(CoveringGridTest, InSlicesOfOnePatchIsTheSame) {
+TEST(CoveringGridTest, SlicesOfOnePatchGiveTheSameGrid) {
   const Model tube = seamedTube(1.0, 2.0);
   CoveringGridBuilder coverer(tube, 0.0, CoverShape::kBox);
   const std::size_t slices = slicesOf(coverer, 1);
-  // Each patch is looked at twice, by itself and for its samples.
+  // Each patch is visited twice, by its check and by its sampling.
   EXPECT_GE(slices, 2 * tube.patches.size());
   EXPECT_TRUE(coverer.result() == coveringGrid(tube, 0.0, CoverShape::kBox));
   CoveringGridBuilder nothing(Model{}, 0.0, CoverShape::kBox);
@@ -117,7 +117,7 @@ TEST(CoveringGridTest, MeshesLikeAUniformSize) {
   MeshRun byGrid(box, coveringGrid(box, 0.2, CoverShape::kBox), {});
   ASSERT_EQ(finish(byOption), MeshStatus::kDone);
   ASSERT_EQ(finish(byGrid), MeshStatus::kDone);
-  // Sizes between the grid's nodes are rounded: where two choices are as good, either may be made.
+  // Sizes between the grid's nodes are rounded, so a tie may be decided either way.
   const double expected = tetrahedraOf(byOption.volume());
   EXPECT_NEAR(tetrahedraOf(byGrid.volume()), expected, 0.03 * expected);
 }
@@ -130,7 +130,7 @@ VolumeMesh filled(const SurfaceMesh& surface, const MeshOptions& options) {
   return run.volume();
 }
 
-TEST(GridFromMeshTest, TakesGivenSizesAndDropsUnusedNodes) {
+TEST(GridFromMeshTest, UsesGivenSizesAndRemovesUnusedNodes) {
   VolumeMesh mesh = cubeOfTetrahedra(2);
   const std::size_t nodes = mesh.points.size() / 3;
   mesh.points.insert(mesh.points.begin(), {9.0, 9.0, 9.0});
@@ -147,7 +147,7 @@ TEST(GridFromMeshTest, TakesGivenSizesAndDropsUnusedNodes) {
   EXPECT_TRUE(checkBackgroundGrid(grid).empty());
 }
 
-TEST(GridFromMeshTest, InSlicesIsTheSame) {
+TEST(GridFromMeshTest, SlicesGiveTheSameGrid) {
   const VolumeMesh mesh = cubeOfTetrahedra(3);
   const std::size_t elements = mesh.tetrahedra.size() / 4;
   const std::size_t nodes = mesh.points.size() / 3;
@@ -158,7 +158,7 @@ TEST(GridFromMeshTest, InSlicesIsTheSame) {
   }
 }
 
-TEST(GridFromMeshTest, ARefillOfTheSameModelHasAboutTheSameCount) {
+TEST(GridFromMeshTest, RemeshingTheSameModelGivesAboutTheSameCount) {
   const Model box = boxModel(Vec3(0.0), Vec3(1.0, 1.2, 0.8));
   const BackgroundGrid graded =
       boxGrid(Vec3(-0.1), Vec3(1.3), [](const Vec3& p) { return p.x < 0.5 ? 0.06 : 0.16; });
@@ -172,7 +172,7 @@ TEST(GridFromMeshTest, ARefillOfTheSameModelHasAboutTheSameCount) {
   EXPECT_LT(ratio, 1.15);
 }
 
-TEST(GridFromMeshTest, CoversCurvedPatchesItDoesNotQuiteReach) {
+TEST(GridFromMeshTest, CoversCurvedPatchesThatItDoesNotReach) {
   const BackgroundGrid grid = gridFromMesh(filled(geodesicSphere(4), MeshOptions{}), {});
   FieldHint hint;
   const SizeField field = SizeField::fromGrid(GridLocator(grid));
@@ -186,7 +186,7 @@ TEST(GridFromMeshTest, CoversCurvedPatchesItDoesNotQuiteReach) {
   }
 }
 
-TEST(GridFromMeshTest, WalksAreShortInTheFrontsOrderOnALargeGrid) {
+TEST(GridFromMeshTest, WalksAreShortOnALargeGridInTheOrderOfTheFront) {
   SurfaceMesh sphere = sphereOfAbout(5'000);
   MeshOptions unoptimized;
   unoptimized.optimization = Optimization::kNone;

@@ -21,7 +21,7 @@ std::vector<Vec3> pointsOf(const SurfaceMesh& mesh) {
   return points;
 }
 
-/// The definition, over all nodes.
+/// Evaluates the definition over all nodes.
 double bruteForce(const std::vector<Vec3>& points, const std::vector<double>& sizes, double growth,
                   double cap, const Vec3& place) {
   double least = cap;
@@ -31,13 +31,13 @@ double bruteForce(const std::vector<Vec3>& points, const std::vector<double>& si
   return least;
 }
 
-/// A sphere whose southern triangles are far smaller than its northern ones.
+/// A sphere with much smaller triangles in the south than in the north.
 SurfaceMesh gradedSphere() {
   SurfaceMesh mesh = geodesicSphere(24);
   for (std::size_t i = 0; i < mesh.points.size(); i += 3) {
     Vec3 p(mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]);
     p = p - Vec3(0.0, 0.0, 0.85);
-    p /= glm::dot(p, p);  // inversion about a place near the north pole keeps it a sphere
+    p /= glm::dot(p, p);  // an inversion about a position near the north pole keeps it a sphere
     mesh.points[i] = p.x;
     mesh.points[i + 1] = p.y;
     mesh.points[i + 2] = p.z;
@@ -83,7 +83,7 @@ TEST(SizeOctreeTest, SitesAgreeWithBruteForce) {
   }
 }
 
-/// Beside the smallest sites too, however far the guess and however large its size.
+/// Also near the smallest sites, for any distance and size of the guess.
 TEST(SizeOctreeTest, SitesAgreeWithBruteForceFromAFarGuess) {
   const SurfaceMesh mesh = gradedSphere();
   const std::vector<Vec3> points = pointsOf(mesh);
@@ -108,7 +108,7 @@ TEST(SizeOctreeTest, OctreeAgreesWithBruteForce) {
     double sum = 0.0;
     constexpr int kSamples = 2000;
     for (int i = 0; i < kSamples; ++i) {
-      // Half of the places near the surface, where the field is not smooth.
+      // Half of the positions are near the surface, where the field is not smooth.
       const Vec3 near = points[static_cast<std::size_t>(random.integer(0, 5000))];
       const Vec3 place =
           i % 2 == 0 ? near + random.inBox(0.05) : random.inBox(3.0) - Vec3(0.0, 0.0, 3.0);
@@ -122,7 +122,7 @@ TEST(SizeOctreeTest, OctreeAgreesWithBruteForce) {
   }
 }
 
-/// A few tiny triangles inside a large cell must not be overlooked.
+/// A few tiny triangles inside a large cell must be found.
 TEST(SizeOctreeTest, FindsASmallFeatureAmongLargeTriangles) {
   SurfaceMesh mesh = gridCube(2);
   SurfaceMesh speck = geodesicSphere(2);
@@ -147,7 +147,7 @@ TEST(SizeOctreeTest, DefaultCapIsTheNinetiethPercentile) {
   EXPECT_NEAR(static_cast<double>(below) / static_cast<double>(sizes.size()), 0.9, 0.01);
 }
 
-/// A small body of many nodes does not tell what is wanted in a large one of few.
+/// A small solid with many nodes does not determine the cap in a large solid with few nodes.
 TEST(SizeOctreeTest, DefaultCapIsAtLeastTheMeanOverTheArea) {
   SurfaceMesh mesh = gridBox(Vec3(-5.0), Vec3(5.0), {4, 4, 4});
   SurfaceMesh small = geodesicSphere(20);
@@ -172,13 +172,13 @@ TEST(SizeOctreeTest, FollowsScaleAndOffset) {
     for (int i = 0; i < 200; ++i) {
       const Vec3 place = random.inBox(3.0) - Vec3(0.0, 0.0, 3.0);
       const double expected = factor * original.sizeAt(place);
-      // A leaf may be split in one and not in the other where a comparison is a tie.
+      // A leaf may be split in only one of them if a comparison is a tie.
       EXPECT_NEAR(octree.sizeAt(factor * place + offset), expected, 0.1 * expected);
     }
   }
 }
 
-TEST(SizeOctreeTest, OutsideItsBoxTakesTheNearestValue) {
+TEST(SizeOctreeTest, OutsideItsBoxUsesTheNearestValue) {
   const SurfaceMesh mesh = geodesicSphere(6);
   const SizeOctree octree(pointsOf(mesh), mesh.triangles, 0.3, 1e9);
   EXPECT_NEAR(octree.sizeAt(Vec3(1e30, 0.0, 0.0)), octree.sizeAt(Vec3(5.0, 0.0, 0.0)), 1e-12);
@@ -201,7 +201,7 @@ TEST(SizeOctreeTest, SlicesGiveTheSameAsOneRun) {
   }
 }
 
-/// Nodes that no triangle uses have no say.
+/// Nodes without triangles have no influence.
 TEST(SizeOctreeTest, IgnoresUnusedNodes) {
   const SurfaceMesh mesh = geodesicSphere(4);
   std::vector<Vec3> points = pointsOf(mesh);
@@ -221,7 +221,7 @@ double slowDescent(const std::vector<Vec3>& places, const std::vector<double>& l
   return most;
 }
 
-TEST(SizeOctreeTest, DescendsFromASurface) {
+TEST(SizeOctreeTest, FallsWithTheDistanceFromASurface) {
   const SurfaceMesh mesh = testing::gridCube(4, testing::Diagonals::kAlternating);
   const std::vector<Vec3> points = pointsOf(mesh);
   std::vector<double> lengths = averagedEdgeLengths(points, mesh.triangles);
@@ -240,8 +240,8 @@ TEST(SizeOctreeTest, DescendsFromASurface) {
   }
 }
 
-/// Fine triangles keep their lengths beside others two hundred times as large.
-TEST(SizeOctreeTest, DescendsFromAStronglyGradedSurface) {
+/// Fine triangles keep their lengths near triangles two hundred times as large.
+TEST(SizeOctreeTest, FallsWithTheDistanceFromAStronglyGradedSurface) {
   const SurfaceMesh mesh = gradedSphere();
   const std::vector<Vec3> points = pointsOf(mesh);
   const std::vector<double> edges = averagedEdgeLengths(points, mesh.triangles);
@@ -252,13 +252,13 @@ TEST(SizeOctreeTest, DescendsFromAStronglyGradedSurface) {
   }
   const SizeOctree octree = builder.take();
   for (std::size_t i = 0; i < points.size(); i += 3) {
-    // A cell may be one and a half times as wide as the least size in it.
+    // A cell may be 1.5 times as wide as the smallest size in it.
     EXPECT_NEAR(octree.sizeAt(points[i]), lengths[i], 0.4 * lengths[i]) << i;
   }
 }
 
-/// However small the sizes asked for: cells follow the surface's triangles.
-TEST(SizeOctreeTest, DescendsInCellsThatDoNotDependOnTheLeastSize) {
+/// Cells depend on the surface's triangles, not on how small the target sizes are.
+TEST(SizeOctreeTest, CellsOfFallingSizesDoNotDependOnTheSmallestSize) {
   const SurfaceMesh mesh = geodesicSphere(12);
   const std::vector<Vec3> points = pointsOf(mesh);
   const std::vector<double> lengths = averagedEdgeLengths(points, mesh.triangles);

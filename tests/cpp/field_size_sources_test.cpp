@@ -34,7 +34,8 @@ std::vector<SizeSource> randomSources(Random& random, int count) {
   return sources;
 }
 
-/// The least size over a lattice of places on the source: what growth makes of the distance.
+/// The smallest size over a lattice of positions on the source, which grows with the distance from
+/// each.
 double sampledSize(const SizeSource& source, const Vec3& place) {
   constexpr int kPieces = 60;
   const auto& [a, b, c] = source.points;
@@ -56,7 +57,7 @@ TEST(SizeSourcesTest, SizeHoldsUpToTheDistanceAndGrowsBeyond) {
   EXPECT_DOUBLE_EQ(sizeOf(source, Vec3(1.0, 2.0, 5.5)), 0.1 + 0.2 * 2.0);
 }
 
-TEST(SizeSourcesTest, DistancesAreThoseToTheNearestPlaceOfTheSource) {
+TEST(SizeSourcesTest, DistancesAreMeasuredToTheNearestPointOfTheSource) {
   Random random(911);
   for (const SizeSource& source : randomSources(random, 60)) {
     const Vec3 place = source.points[0] + random.inBox(3.0);
@@ -66,7 +67,7 @@ TEST(SizeSourcesTest, DistancesAreThoseToTheNearestPlaceOfTheSource) {
   }
 }
 
-TEST(SizeSourcesTest, TheSmallestSizeWinsHoweverManySources) {
+TEST(SizeSourcesTest, TheSmallestSizeWinsForAnyNumberOfSources) {
   for (const int count : {1, 7, 9, 33, 500}) {
     Random random(static_cast<std::uint64_t>(920 + count));
     const std::vector<SizeSource> list = randomSources(random, count);
@@ -87,7 +88,7 @@ TEST(SizeSourcesTest, WithoutGrowthTheSizeHoldsEverywhere) {
   EXPECT_EQ(SizeSources(list).cappedSize(Vec3(1e6, 0.0, 0.0), 10.0), 0.6);
 }
 
-TEST(SizeSourcesTest, CutDownTheGridTheyStandIn) {
+TEST(SizeSourcesTest, CapTheSizesOfTheGrid) {
   const BackgroundGrid grid = boxGrid(Vec3(0.0), Vec3(1.0), [](const Vec3&) { return 0.3; });
   SizeField field = SizeField::fromGrid(GridLocator(grid));
   field.addSources(std::vector{pointSource(Vec3(0.5), 0.05, 0.0, 0.5)});
@@ -97,13 +98,13 @@ TEST(SizeSourcesTest, CutDownTheGridTheyStandIn) {
   EXPECT_DOUBLE_EQ(field.sizeAt(Vec3(0.0), hint), 0.3);
   EXPECT_FALSE(field.isStretched());
   EXPECT_TRUE(field.covers(Vec3(0.5), hint));
-  // More of them leave those there are.
+  // Further sources leave the existing ones in place.
   field.addSources(std::vector{pointSource(Vec3(0.0), 0.1, 0.0, 0.5)});
   EXPECT_DOUBLE_EQ(field.sizeAt(Vec3(0.5), hint), 0.05);
   EXPECT_DOUBLE_EQ(field.sizeAt(Vec3(0.0), hint), 0.1);
 }
 
-TEST(SizeSourcesTest, CutDownEveryAxisOfAStretchedGrid) {
+TEST(SizeSourcesTest, CapEveryAxisOfAStretchedGrid) {
   BackgroundGrid grid = boxGrid(Vec3(0.0), Vec3(1.0), [](const Vec3&) { return 0.1; });
   const Vec3 direction(2.0, 2.0, 1.0);  // of length 3
   for (BackgroundNode& node : grid.nodes) {
@@ -113,14 +114,14 @@ TEST(SizeSourcesTest, CutDownEveryAxisOfAStretchedGrid) {
   SizeField field = SizeField::fromGrid(GridLocator(grid));
   field.addSources(std::vector{pointSource(Vec3(0.5), 0.4, 0.0, 0.5)});
   FieldHint hint;
-  // Across, 0.1 is less than the source asks for; along, 1.0 is more.
+  // Across, 0.1 is below the source's size; along, 1.0 is above it.
   const SymmetricTensor tensor = field.tensorAt(Vec3(0.5), hint);
   EXPECT_NEAR(glm::length(tensor * (direction / 3.0)), 0.4, 1e-12);
   EXPECT_NEAR(glm::length(tensor * (Vec3(1.0, -1.0, 0.0) / std::sqrt(2.0))), 0.1, 1e-12);
   EXPECT_NEAR(tensor.determinant(), 0.1 * 0.1 * 0.4, 1e-12);
 }
 
-TEST(SizeSourcesTest, ChecksNameTheSourceAndItsNumbers) {
+TEST(SizeSourcesTest, DiagnosticsNameTheSourceAndItsValues) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   const std::vector<SizeSource> bad{
@@ -138,7 +139,7 @@ TEST(SizeSourcesTest, ChecksNameTheSourceAndItsNumbers) {
   }
 }
 
-TEST(SizeSourcesTest, ChecksLookOnlyAtThePointsThatTheTypeUses) {
+TEST(SizeSourcesTest, OnlyThePointsOfTheTypeAreChecked) {
   SizeSource source = pointSource(Vec3(0.0), 0.1, 0.0, 0.3);
   source.points[1].y = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(checkSizeSources(std::vector{source}).empty());
@@ -148,7 +149,7 @@ TEST(SizeSourcesTest, ChecksLookOnlyAtThePointsThatTheTypeUses) {
   EXPECT_EQ(found[0].code, DiagnosticCode::kNotFinite);
 }
 
-TEST(SizeSourcesTest, ChecksRefuseCoordinatesBeyondWhatPredicatesBear) {
+TEST(SizeSourcesTest, ChecksRejectCoordinatesOutOfRangeForPredicates) {
   const std::vector<SizeSource> far{pointSource(Vec3(0.0, -0x1p101, 0.0), 0.1, 0.0, 0.3)};
   const std::vector<Diagnostic> found = checkSizeSources(far);
   ASSERT_EQ(found.size(), 1U);

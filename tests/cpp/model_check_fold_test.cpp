@@ -1,4 +1,4 @@
-// Curved patches that fold over themselves are told from those that do not.
+// Curved patches that fold over themselves, and similar ones that do not.
 
 #include "model/check_fold.h"
 
@@ -15,7 +15,8 @@
 namespace tetrafront::testing {
 namespace {
 
-/// Of a patch in the plane z = 0, the share of its domain that is turned the other way than most.
+/// For a patch in the plane z = 0: the share of its domain whose orientation differs from the
+/// majority.
 double turnedShare(const Model& model) {
   constexpr int kCells = 150;
   const ResolvedModel resolved(model);
@@ -35,7 +36,7 @@ double turnedShare(const Model& model) {
   return static_cast<double>(std::min(left, right)) / (left + right);
 }
 
-TEST(ModelCheckFold, FlatPatchesThatFoldAreFoundAndNoOthers) {
+TEST(ModelCheckFold, FindsExactlyThePatchesThatFold) {
   for (const PatchType type : kCurvedTypes) {
     int folded = 0;
     int plain = 0;
@@ -48,7 +49,8 @@ TEST(ModelCheckFold, FlatPatchesThatFoldAreFoundAndNoOthers) {
       plain += reported ? 0 : 1;
       SCOPED_TRACE("type " + std::to_string(static_cast<int>(type)) + " seed " +
                    std::to_string(seed));
-      // What is overlooked is next to a corner, where two lines meet a little beyond 180 degrees.
+      // Folds are missed only next to a corner where two lines enclose slightly more than 180
+      // degrees.
       EXPECT_TRUE(reported ? turned > 0.0 : turned < 0.01) << turned;
     }
     EXPECT_GT(folded, 20) << static_cast<int>(type);
@@ -56,8 +58,8 @@ TEST(ModelCheckFold, FlatPatchesThatFoldAreFoundAndNoOthers) {
   }
 }
 
-/// A disc of four parabolas about the origin whose mid-points are at `bulge`: their corners are
-/// smooth where it is 3 / sqrt(8).
+/// A disc of four parabolas around the origin with mid-points at `bulge`. Its corners are smooth if
+/// it is 3 / sqrt(8).
 Model disc(PatchType type, double bulge) {
   ModelBuilder builder;
   const std::array<Vec3, 4> corners{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, -1, 0)};
@@ -72,7 +74,7 @@ Model disc(PatchType type, double bulge) {
   return builder.model;
 }
 
-TEST(ModelCheckFold, SmoothCornersOfTransfinitePatchesDoNoHarm) {
+TEST(ModelCheckFold, SmoothCornersOfTransfinitePatchesAreNoFolds) {
   for (const double bulge : {1.0, 3.0 / std::sqrt(8.0), 1.09})
     EXPECT_TRUE(diagnoseModel(disc(PatchType::kCoons, bulge)).empty()) << bulge;
   EXPECT_TRUE(diagnoseModel(disc(PatchType::kSerendipity, 1.0)).empty());

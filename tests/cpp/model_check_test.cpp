@@ -1,4 +1,4 @@
-// Every fault of a drawn model, provoked one at a time, and models that have none.
+// Every problem of a drawn model, one at a time, and models without problems.
 
 #include "model/check_model.h"
 
@@ -24,7 +24,7 @@ std::vector<DiagnosticCode> codesOf(const Model& model) {
   return codes;
 }
 
-/// The only diagnostic of a model that must have exactly one.
+/// Returns the only diagnostic of a model, which must have exactly one.
 Diagnostic onlyFault(const Model& model) {
   const std::vector<Diagnostic> found = diagnoseModel(model);
   EXPECT_EQ(found.size(), 1U);
@@ -45,7 +45,7 @@ Model coonsSquare() {
   return model;
 }
 
-TEST(ModelCheck, GoodModelsPass) {
+TEST(ModelCheck, ValidModelsPass) {
   EXPECT_TRUE(codesOf(square()).empty());
   EXPECT_TRUE(codesOf(coonsSquare()).empty());
   EXPECT_TRUE(codesOf(boxModel({0, 0, 0}, {1, 2, 3})).empty());
@@ -81,8 +81,8 @@ TEST(ModelCheck, NotFinite) {
   }
 }
 
-/// What is wrong is the scale, and not the lines whose lengths underflow.
-TEST(ModelCheck, AModelTooSmallToComputeWithIsToldOnce) {
+/// The problem is the scale, not the lines whose lengths underflow.
+TEST(ModelCheck, AModelTooSmallToComputeWithIsReportedOnce) {
   EXPECT_TRUE(diagnoseModel(boxModel(Vec3(0.0), Vec3(1e-30))).empty());
   for (const double scale : {5e-31, 1e-40, 1e-110, 1e-200, 1e-310}) {
     const Model model = boxModel(Vec3(0.0), Vec3(scale));
@@ -197,7 +197,8 @@ TEST(ModelCheck, OneOpenLineIsNoLoop) {
 }
 
 TEST(ModelCheck, LoopTouchesItself) {
-  // A bow tie of unequal wings; a hole across the edge; a hole touching it; a line used twice.
+  // A bow tie with unequal wings; a hole across the edge; a hole that touches it; a line used
+  // twice.
   const Model bowTie = polygonModel({{{0, 0, 0}, {3, 1, 0}, {3, 0, 0}, {0, 2, 0}}});
   EXPECT_EQ(onlyFault(bowTie).code, DiagnosticCode::kLoopsIntersect);
   const Model crossing =
@@ -223,8 +224,8 @@ TEST(ModelCheck, HoleOutside) {
   EXPECT_EQ(onlyFault(nested).code, DiagnosticCode::kHoleOutside);
 }
 
-TEST(ModelCheck, NotPlanarNamesThePointThatWasMovedAndItsDistance) {
-  // A hexagon in a tilted plane with a square hole; each point moved in turn.
+TEST(ModelCheck, NotPlanarNamesTheMovedPointAndItsDistance) {
+  // A hexagon in a tilted plane with a square hole; each point is moved in turn.
   const Vec3 u(0.6, 0.64, 0.48);
   const Vec3 v(-0.8, 0.48, 0.36);
   const Vec3 normal = glm::cross(u, v);
@@ -246,8 +247,9 @@ TEST(ModelCheck, NotPlanarNamesThePointThatWasMovedAndItsDistance) {
   }
 }
 
-TEST(ModelCheck, NotPlanarNamesTheCornerOfABoxThatWasMoved) {
-  // Each face has but four corners, of which any might be the one; the three faces agree on it.
+TEST(ModelCheck, NotPlanarNamesTheMovedCornerOfABox) {
+  // Each face has only four corners, any of which might be the moved one; the three faces agree on
+  // it.
   for (std::uint32_t point = 0; point < 8; ++point) {
     Model model = boxModel({0, 0, 0}, {1, 2, 3});
     model.points[point] += Vec3(0.1, 0.07, -0.05);
@@ -262,7 +264,7 @@ TEST(ModelCheck, NotPlanarNamesTheCornerOfABoxThatWasMoved) {
 }
 
 TEST(ModelCheck, NotPlanarNamesThePointOfALargePolygon) {
-  // More triples of points than can be tried.
+  // Too many triples of points to try all of them.
   std::vector<Vec3> corners;
   for (int i = 0; i < 5000; ++i)
     corners.emplace_back(std::cos(i * 0.001256), std::sin(i * 0.001256), 0.25);
@@ -273,7 +275,7 @@ TEST(ModelCheck, NotPlanarNamesThePointOfALargePolygon) {
   EXPECT_EQ(std::ranges::count(fault.entities, EntityKind::kPoint, &Entity::kind), 1);
 }
 
-TEST(ModelCheck, NotPlanarNamesNoPointWhereNoneCanBeTold) {
+TEST(ModelCheck, NotPlanarNamesNoPointIfAmbiguous) {
   Random random(21);
   std::vector<Vec3> corners;
   for (int i = 0; i < 7; ++i)
@@ -294,7 +296,7 @@ TEST(ModelCheck, PlanarityDoesNotDependOnTheModelsSize) {
   }
 }
 
-TEST(ModelCheck, PointsThatNoPatchUsesDoNotDecideWhatIsOnePlace) {
+TEST(ModelCheck, UnusedPointsDoNotAffectTheTolerance) {
   Model model = square();
   model.points.push_back(Vec3(1e15, 0, 0));
   model.points.push_back(Vec3(-1e15, 0, 0));
@@ -305,7 +307,7 @@ TEST(ModelCheck, PointsThatNoPatchUsesDoNotDecideWhatIsOnePlace) {
 }
 
 TEST(ModelCheck, NotPlanarNamesTheMovedCornersOfManyBoxes) {
-  // Each box's three bent faces agree on its own corner, whatever is bent elsewhere.
+  // The three non-planar faces of each box agree on its corner, independent of the other boxes.
   Model model;
   constexpr std::uint32_t kBoxes = 500;
   for (std::uint32_t i = 0; i < kBoxes; ++i) {
@@ -375,7 +377,7 @@ TEST(ModelCheck, MidPointNearAnEndFoldsAnIsoparametricPatch) {
         continue;
       }
       const Diagnostic fault = onlyFault(builder.model);
-      // Along its chord the line itself runs back.
+      // The line itself runs back along its chord.
       EXPECT_EQ(fault.code, lift == 0.0 ? DiagnosticCode::kLineSelfIntersection
                                         : DiagnosticCode::kDegeneratePatch);
       EXPECT_TRUE(names(fault, EntityKind::kLine, 1));
@@ -394,7 +396,7 @@ TEST(ModelCheck, TrianglesHaveThreeCorners) {
 }
 
 TEST(ModelCheck, SharpBendOfACoonsPatchIsNoFold) {
-  // A thin wing: the chordwise lines turn by nearly 180 degrees at the nose.
+  // A thin wing: the chordwise lines bend by nearly 180 degrees at the nose.
   ModelBuilder builder;
   const auto profile = [](double z) {
     return std::vector<Vec3>{{1, -0.02, z},   {0.5, -0.05, z}, {0.02, -0.02, z}, {0, 0, z},
@@ -418,7 +420,7 @@ TEST(ModelCheck, MisusedSeams) {
   EXPECT_FALSE(codesOf(slit).empty());
 }
 
-TEST(ModelCheck, ReportsAllFaultsAtOnce) {
+TEST(ModelCheck, ReportsAllProblemsAtOnce) {
   Model model = boxModel({0, 0, 0}, {1, 1, 1});
   model.points[3].x = std::numeric_limits<double>::quiet_NaN();
   model.lines[0].type = LineType::kCubicSpline;

@@ -1,4 +1,4 @@
-// Points and lines drawn twice, and what the loops alone tell about the surface.
+// Points and lines drawn twice, and the closure of a surface as its loops show it.
 
 #include "model/check_closure.h"
 
@@ -26,8 +26,8 @@ Closure closureOf(const Model& model) {
   return checkClosure(model, found);
 }
 
-/// A strip of `count` Coons patches in a ring; every line across is shared by two, and the last
-/// patch joins the first turned over if `twisted`.
+/// A ring of `count` Coons patches; every line across is shared by two. If `twisted`, the last
+/// patch joins the first upside down.
 Model ring(int count, bool twisted) {
   ModelBuilder builder;
   for (int i = 0; i < count; ++i) {
@@ -52,7 +52,7 @@ TEST(ModelClosure, ClosedModelsPass) {
   EXPECT_TRUE(closureOf(randomBentBox(1, 0.1)).diagnostics.empty());
 }
 
-TEST(ModelClosure, EveryOpenLineIsToldAtOnceWithItsPatch) {
+TEST(ModelClosure, EveryOpenLineIsReportedWithItsPatch) {
   Model model = boxModel({0, 0, 0}, {1, 1, 1});
   model.patches.erase(model.patches.begin() + 1);
   const Closure closure = closureOf(model);
@@ -71,7 +71,7 @@ TEST(ModelClosure, EveryOpenLineIsToldAtOnceWithItsPatch) {
   }
 }
 
-TEST(ModelClosure, ThreePatchesMayMeetAtALine) {
+TEST(ModelClosure, ThreePatchesMayShareALine) {
   Model model = boxModel({0, 0, 0}, {1, 1, 1});
   model.patches.push_back(model.patches[0]);
   const Closure closure = closureOf(model);
@@ -79,14 +79,14 @@ TEST(ModelClosure, ThreePatchesMayMeetAtALine) {
   EXPECT_FALSE(closure.isPlain);
 }
 
-TEST(ModelClosure, TwistedRingCannotBeTurned) {
+TEST(ModelClosure, TwistedRingCannotBeOriented) {
   EXPECT_EQ(
       countOf(closureOf(ring(5, false)).diagnostics, DiagnosticCode::kInconsistentOrientation), 0U);
   EXPECT_EQ(countOf(closureOf(ring(5, true)).diagnostics, DiagnosticCode::kInconsistentOrientation),
             1U);
 }
 
-TEST(ModelClosure, TurningTellsWhichLoopsRunAgainstTheFirst) {
+TEST(ModelClosure, OrientationIsRelativeToTheFirstLoop) {
   Model model = boxModel({0, 0, 0}, {1, 1, 1});
   const std::vector<std::uint8_t> before = closureOf(model).isTurned;
   Loop& loop = model.patches[3].loops.front();
@@ -98,9 +98,9 @@ TEST(ModelClosure, TurningTellsWhichLoopsRunAgainstTheFirst) {
   EXPECT_EQ(after, before);
 }
 
-/// With one line of a loop the wrong way round, what is wrong is that loop, not the turning of the
-/// patches around it.
-TEST(ModelClosure, ABrokenLoopSaysNothingAboutTurning) {
+/// If one line of a loop has the wrong direction, the diagnostic is about this loop, not about the
+/// orientation of the patches around it.
+TEST(ModelClosure, AnInvalidLoopDoesNotDefineOrientation) {
   for (std::size_t patch = 0; patch < 6; ++patch) {
     for (std::size_t side = 0; side < 4; ++side) {
       Model model = boxModel({0, 0, 0}, {1, 1, 1});
@@ -114,7 +114,7 @@ TEST(ModelClosure, ABrokenLoopSaysNothingAboutTurning) {
   }
 }
 
-TEST(ModelClosure, SeparateBodiesAreSeparateComponents) {
+TEST(ModelClosure, SeparateSolidsAreSeparateComponents) {
   ModelBuilder builder;
   builder.model = boxModel({0, 0, 0}, {1, 1, 1});
   const Model other = boxModel({3, 0, 0}, {4, 1, 1});
@@ -135,7 +135,7 @@ TEST(ModelClosure, SeparateBodiesAreSeparateComponents) {
     EXPECT_EQ(component[patch], patch < 6 ? 0U : 6U);
 }
 
-TEST(ModelClosure, ReferencesToNothingAreSurvived) {
+TEST(ModelClosure, InvalidReferencesAreIgnored) {
   Model model = boxModel({0, 0, 0}, {1, 1, 1});
   model.patches[2].loops[0][1].line = 4'000'000;
   model.lines[0].points.clear();
@@ -162,7 +162,7 @@ Model boxWithASeparatePatch(std::size_t apart) {
   return model;
 }
 
-TEST(ModelDuplicates, SeparateCornersAndLinesAreErrorsAndTheGapIsNot) {
+TEST(ModelDuplicates, DuplicateCornersAndLinesAreErrorsButNotTheGap) {
   const Model model = boxWithASeparatePatch(2);
   ASSERT_EQ(model.points.size(), 12U);
   const CheckedModel found = checkModel(model);
@@ -178,7 +178,7 @@ TEST(ModelDuplicates, SeparateCornersAndLinesAreErrorsAndTheGapIsNot) {
   EXPECT_TRUE(checkClosure(model, found).diagnostics.empty());
 }
 
-TEST(ModelDuplicates, WhatNoPatchUsesIsAWarning) {
+TEST(ModelDuplicates, UnusedDuplicatesAreWarnings) {
   Model model = boxModel({0, 0, 0}, {1, 1, 1});
   model.points.push_back(model.points[3]);
   model.lines.push_back(model.lines[4]);
@@ -190,7 +190,7 @@ TEST(ModelDuplicates, WhatNoPatchUsesIsAWarning) {
   for (const Diagnostic& twice : found) EXPECT_EQ(twice.severity, Severity::kWarning);
 }
 
-TEST(ModelDuplicates, PointsThatDifferByRoundingAreOnePlaceWhereverTheModelIs) {
+TEST(ModelDuplicates, PointsThatDifferByRoundingCoincideAnywhere) {
   for (const Vec3& origin : {Vec3(0.0), Vec3(1e6, -3e5, 2e4)}) {
     Model model = boxModel(origin, origin + Vec3(1.0));
     model.points.push_back(model.points[5]);
@@ -214,8 +214,8 @@ TEST(ModelDuplicates, CoursesAreComparedNotOnlyEnds) {
   EXPECT_EQ(countOf(found, DiagnosticCode::kDuplicateLines), 2U);
 }
 
-TEST(ModelDuplicates, EachOfManyLinesBetweenTwoPointsFindsTheLowestLikeIt) {
-  // Parabolas in a fan and straight lines, in a mixed order, each again as often as its turn says.
+TEST(ModelDuplicates, EachOfManyLinesBetweenTwoPointsFindsItsLowestDuplicate) {
+  // A fan of parabolas, and straight lines, in a mixed order; each several times.
   constexpr std::uint32_t kCourses = 97;
   ModelBuilder builder;
   const Vec3 from(0, 0, 0);
@@ -237,7 +237,7 @@ TEST(ModelDuplicates, EachOfManyLinesBetweenTwoPointsFindsTheLowestLikeIt) {
   EXPECT_EQ(checkModel(builder.model).duplicates.lines, expected);
 }
 
-TEST(ModelDuplicates, ShortLinesOfALargeModelAreOneThoughTheirEndsDifferByRounding) {
+TEST(ModelDuplicates, ShortLinesOfALargeModelCoincideDespiteRoundedEnds) {
   Model model = boxModel({0, 0, 0}, {1e4, 1e4, 1e4});
   const auto first = static_cast<std::uint32_t>(model.points.size());
   const Vec3 shift(0, 5e-9, 0);

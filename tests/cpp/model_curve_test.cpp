@@ -1,5 +1,5 @@
-// Lines as curves: they pass their points, their derivative is the limit of differences, their
-// length that of known shapes.
+// Lines as curves: they pass through their points, their derivative is the limit of differences,
+// and known shapes have their known length.
 
 #include "model/curve.h"
 
@@ -95,7 +95,7 @@ TEST(ModelCurve, SplineEndsAreNatural) {
   EXPECT_LT(glm::length(atStart), 1e-3 * glm::length(inside));
 }
 
-/// A spline that ends where it begins, through `count` random places.
+/// A closed spline through `count` random positions.
 std::vector<Vec3> randomRing(Random& random, int count) {
   std::vector<Vec3> ring;
   for (int i = 0; i < count; ++i) {
@@ -124,7 +124,7 @@ TEST(ModelCurve, ClosedSplineIsSmoothToTheSecondDerivativeAtItsSeam) {
   }
 }
 
-TEST(ModelCurve, ClosedSplineDoesNotKnowWhereItBegins) {
+TEST(ModelCurve, ClosedSplineDoesNotDependOnItsFirstPoint) {
   Random random(9);
   for (int count = 3; count < 12; ++count) {
     std::vector<Vec3> ring = randomRing(random, count);
@@ -188,14 +188,14 @@ TEST(ModelCurve, SplineLengthConvergesToTheArc) {
 
 TEST(ModelCurve, LengthIsAdditive) {
   for (const Curve& curve : randomCurves(6)) {
-    // Where a spline nearly stands still its speed has a kink, which no quadrature likes.
+    // If the speed of a spline nearly vanishes, it has a kink, where quadrature converges slowly.
     EXPECT_NEAR(curve.length(0.0, 0.37) + curve.length(0.37, 1.0), curve.length(),
                 1e-5 * curve.length());
     EXPECT_EQ(curve.length(0.4, 0.4), 0.0);
   }
 }
 
-TEST(ModelCurve, ReversedCurveRunsTheOtherWay) {
+TEST(ModelCurve, ReversedCurveRunsBackwards) {
   for (const Curve& curve : randomCurves(7)) {
     const OrientedCurve backward(curve, true);
     EXPECT_EQ(backward.start(), curve.end());

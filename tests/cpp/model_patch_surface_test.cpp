@@ -72,16 +72,16 @@ TEST(ModelStretchedPlane, OfATriangleKeepsItsThreeLengths) {
         StretchedPlane::ofTriangle(sideAB, glm::length(d), glm::length(d - b));
     EXPECT_LT(glm::length(plane.toPlane({1, 0}) - b), 1e-13);
     EXPECT_LT(glm::length(plane.toPlane({0, 1}) - d), 1e-13);
-    // Affine: the centre of the sides' middles is that of the corners.
+    // Affine: the centre of the lines' midpoints is the centre of the corners.
     EXPECT_LT(glm::length(plane.toPlane({1 / 3.0, 1 / 3.0}) - (b + d) / 3.0), 1e-13);
     const Vec2 unit(random.unit(), random.unit());
     EXPECT_LT(glm::length(plane.toUnit(plane.toPlane(unit)) - unit), 1e-13);
   }
 }
 
-TEST(ModelStretchedPlane, OfATriangleThatNoPlaneHasIsStillOne) {
-  // Lines that bulge so much that the third is longer than the other two together, or so short
-  // that the first two coincide.
+TEST(ModelStretchedPlane, ATriangleThatViolatesTheInequalityStillHasAPlane) {
+  // Lines that bulge so much that the third is longer than the other two together, or so short that
+  // the first two coincide.
   for (const double sideBD : {2.5, 1e-3}) {
     const StretchedPlane plane = StretchedPlane::ofTriangle(1.0, 1.0, sideBD);
     EXPECT_GE(plane.toPlane({0, 1}).y, 0.342);  // sin 20 degrees
@@ -128,7 +128,7 @@ TEST(ModelMapped, LinesLieOnTheBorderOfThePlane) {
   }
 }
 
-TEST(ModelMapped, PlacesOutsideAreClampedToTheDomain) {
+TEST(ModelMapped, PositionsOutsideAreClampedToTheDomain) {
   for (const PatchType type : kCurvedTypes) {
     const Model model = randomCurvedModel(type, 3, kTypicalBend);
     const ResolvedModel resolved(model);
@@ -166,7 +166,7 @@ TEST(ModelPlanar, FrameIsOrthonormalAndProjectionInverts) {
   }
 }
 
-TEST(ModelPlanar, LoopPlaneHasTheLoopsAreaAndTurning) {
+TEST(ModelPlanar, LoopPlaneHasTheLoopsAreaAndOrientation) {
   const Model model = polygonModel({squareCorners({0, 0, 2}, 3.0)});
   const ResolvedModel resolved(model);
   const Loop& loop = model.patches.front().loops.front();

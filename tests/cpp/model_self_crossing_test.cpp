@@ -1,4 +1,4 @@
-// Lines that cross themselves, against curves whose crossings are known.
+// Lines that intersect themselves, compared with curves whose intersections are known.
 
 #include "model/self_crossing.h"
 
@@ -16,8 +16,8 @@ namespace {
 
 Curve spline(std::vector<Vec3> points) { return {LineType::kCubicSpline, std::move(points)}; }
 
-/// Points of a figure of eight that passes the origin twice, but has no point there; lifted by
-/// `lift` from end to end.
+/// Points of a figure of eight that passes through the origin twice without a point there; `lift`
+/// is its rise from end to end.
 std::vector<Vec3> figureOfEight(double lift) {
   std::vector<Vec3> points;
   constexpr int kPoints = 21;
@@ -29,7 +29,7 @@ std::vector<Vec3> figureOfEight(double lift) {
   return points;
 }
 
-TEST(SelfCrossing, StraightLinesAndParabolasThatBendDoNot) {
+TEST(SelfCrossing, StraightLinesAndBentParabolasHaveNone) {
   EXPECT_FALSE(findSelfCrossing({LineType::kStraight, {{0, 0, 0}, {1, 0, 0}}}));
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     Random random(seed);
@@ -39,7 +39,7 @@ TEST(SelfCrossing, StraightLinesAndParabolasThatBendDoNot) {
   }
 }
 
-TEST(SelfCrossing, ParabolaRunsBackWhenItsMiddleIsNearAnEnd) {
+TEST(SelfCrossing, ParabolaWithItsMidpointNearAnEndRunsBack) {
   // Along its chord x(t) = 4 m t (1 - t) + t (2 t - 1) ascends only for m in [1/4, 3/4].
   for (const double middle : {-0.5, 0.1, 0.24, 0.76, 1.5})
     EXPECT_TRUE(findSelfCrossing({LineType::kParabolic, {{0, 0, 0}, {middle, 0, 0}, {1, 0, 0}}}))
@@ -75,7 +75,7 @@ TEST(SelfCrossing, IsFoundAtTheEndOfALongSpline) {
   }
 }
 
-TEST(SelfCrossing, PassingByInSpaceIsNoCrossing) {
+TEST(SelfCrossing, PassagesApartInSpaceDoNotCross) {
   for (const double lift : {1.0, 1e-3, 1e-6})
     EXPECT_FALSE(findSelfCrossing(spline(figureOfEight(lift)))) << lift;
 }
@@ -135,14 +135,14 @@ TEST(SelfCrossing, AgreesWithFineSamplesOnRandomPlaneSplines) {
   EXPECT_LT(crossing, 55);
 }
 
-TEST(SelfCrossing, ClosedSplineWhoseEndsMeetIsFine) {
+TEST(SelfCrossing, CommonEndOfAClosedSplineIsNoCrossing) {
   ModelBuilder builder;
   builder.circle({0, 0, 0}, 1.0, 1);
   const ResolvedModel resolved(builder.model);
   EXPECT_FALSE(findSelfCrossing(resolved.curve(0)));
 }
 
-TEST(SelfCrossing, LineThatEndsOnItselfIsReportedWithItsPlace) {
+TEST(SelfCrossing, LineThatEndsOnItselfIsReportedWithItsPosition) {
   ModelBuilder builder;
   builder.line(LineType::kCubicSpline,
                {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 1, 0}, {2, 2, 0}, {1, 1, 0}, {1, 0, 0}});

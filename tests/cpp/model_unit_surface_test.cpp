@@ -1,5 +1,5 @@
-// The mappings of the paper's appendix, eq. (11) to (15), each as printed against what it must do
-// whatever its lines: follow them, move with them, span what its weights can span.
+// The mappings of the paper's appendix, eq. (11) to (15): they follow their lines, move with them,
+// and reproduce the surfaces that their weights span.
 
 #include "model/unit_surface.h"
 
@@ -32,7 +32,7 @@ Vec2 randomUnit(Random& random, UnitShape shape) {
   return Vec2(1.0) - unit;
 }
 
-/// Splines become parabolas: chord-length knots do not survive an affine map, nor need they.
+/// Splines become parabolas, because chord-length knots do not survive an affine map.
 void makeParabolic(Model& model) {
   for (Line& line : model.lines) {
     if (line.type != LineType::kCubicSpline) continue;
@@ -93,7 +93,7 @@ TEST(ModelUnitSurface, TangentsAreTheLimitOfDifferences) {
 }
 
 TEST(ModelUnitSurface, WeightsSumToOne) {
-  // A patch moved is the patch of the moved lines, and only then.
+  // An affine map of a patch is the patch of the mapped lines.
   forManyPatches([](const Model& model, Random& random) {
     const Vec3 offset = random.inBox(kSize);
     Model moved = model;
@@ -128,7 +128,7 @@ TEST(ModelUnitSurface, FollowsAffineMaps) {
   });
 }
 
-TEST(ModelUnitSurface, OfStraightLinesIsPlaneOrBilinear) {
+TEST(ModelUnitSurface, StraightLinesGiveAPlanarOrBilinearSurface) {
   forManyPatches([](Model model, Random& random) {
     const bool isParabolic = model.patches.front().type == PatchType::kIsoparametricTriangle ||
                              model.patches.front().type == PatchType::kSerendipity;
@@ -160,7 +160,7 @@ TEST(ModelUnitSurface, OfStraightLinesIsPlaneOrBilinear) {
 
 // ---- what the weights span -----------------------------------------------------------------------
 
-/// Powers of xi and eta of the terms that a type reproduces; where known, all of second degree.
+/// Powers of xi and eta of the terms that a type reproduces; if known, all of second degree.
 std::vector<std::array<int, 2>> termsOf(PatchType type) {
   std::vector<std::array<int, 2>> terms{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {0, 2}};
   // The Barnhill-Gregory-Nielson triangle reproduces sums of a function of xi and one of eta.
@@ -213,14 +213,14 @@ TEST(ModelUnitSurface, ReproducesPolynomialSurfacesFromTheirBorder) {
 
 // ---- the roles of the lines ----------------------------------------------------------------------
 
-/// The patch with its loop beginning `by` lines later.
+/// Returns the patch with a loop that begins `by` lines later.
 Model rotated(Model model, std::size_t by) {
   Loop& loop = model.patches.front().loops.front();
   std::ranges::rotate(loop, loop.begin() + static_cast<std::ptrdiff_t>(by));
   return model;
 }
 
-/// The patch walked the other way, from the same corner.
+/// Returns the patch with the reversed loop, from the same corner.
 Model mirrored(Model model) {
   Loop& loop = model.patches.front().loops.front();
   std::ranges::reverse(loop);
@@ -228,13 +228,13 @@ Model mirrored(Model model) {
   return model;
 }
 
-/// Where a place of the patch is once the loop begins one line later.
+/// Returns the parameters of a position of the patch if its loop begins one line later.
 Vec2 afterRotation(UnitShape shape, const Vec2& unit) {
   if (shape == UnitShape::kSquare) return {unit.y, 1.0 - unit.x};
   return {unit.y, (1.0 - unit.x) - unit.y};
 }
 
-TEST(ModelUnitSurface, LoopMayBeWalkedEitherWay) {
+TEST(ModelUnitSurface, LoopMayHaveEitherDirection) {
   forManyPatches([](const Model& model, Random& random) {
     const Model other = mirrored(model);
     const ResolvedModel resolved(model);
@@ -246,7 +246,7 @@ TEST(ModelUnitSurface, LoopMayBeWalkedEitherWay) {
   });
 }
 
-TEST(ModelUnitSurface, LoopMayBeginAnywhereButForTheRoleOfF2) {
+TEST(ModelUnitSurface, LoopMayBeginAnywhereExceptForTheRoleOfF2) {
   double largestChange = 0.0;
   forManyPatches([&](const Model& model, Random& random) {
     const Model other = rotated(model, 1);
@@ -271,9 +271,9 @@ TEST(ModelUnitSurface, LoopMayBeginAnywhereButForTheRoleOfF2) {
 }
 
 TEST(ModelUnitSurface, BarnhillGregoryNielsonBlendsF2AloneFromOneSide) {
-  // F1 and F3 straight along the axes of a right triangle, F2 bent out of its plane: the bend is
-  // xi f(eta) + eta f(1 - xi). Were it F3 that is bent, (1 - xi) f(1 - eta) - eta f(xi) instead; f
-  // is 4 t (1 - t) here.
+  // F1 and F3 are straight along the axes of a right triangle, and F2 is bent out of its plane: the
+  // bend is xi f(eta) + eta f(1 - xi). If F3 were bent instead, it would be (1 - xi) f(1 - eta) -
+  // eta f(xi). Here f is 4 t (1 - t).
   ModelBuilder builder;
   const std::uint32_t bent =
       builder.line(LineType::kParabolic, {{1, 0, 0}, {0.5, 0.5, 1}, {0, 1, 0}});
@@ -286,7 +286,7 @@ TEST(ModelUnitSurface, BarnhillGregoryNielsonBlendsF2AloneFromOneSide) {
   EXPECT_LT(glm::length(asF2 - Vec3(0.25, 0.5, 0.25 * f(0.5) + 0.5 * f(0.75))), 1e-15);
   const Model other = rotated(builder.model, 2);
   const ResolvedModel resolvedOther(other);
-  // The same place, now with P1 at (0, 1): a third coordinate of 0.25, and 0.25 towards (1, 0).
+  // The same position with P1 at (0, 1): a third coordinate of 0.25, and 0.25 towards (1, 0).
   const Vec3 asF3 = surfaceOf(resolvedOther).evaluate({0.25, 0.25}).position;
   EXPECT_LT(glm::length(asF3 - Vec3(0.25, 0.5, 0.75 * f(0.75) - 0.25 * f(0.25))), 1e-15);
 }

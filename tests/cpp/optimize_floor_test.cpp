@@ -1,6 +1,6 @@
-/// The floor under every default mesh: on boundaries of good triangles, whatever the kind of body and
-/// however it was filled, no dihedral angle below 30 or above 135 degrees, shapes near the regular
-/// one, and sizes as the field wants them.
+/// The minimum quality of every default mesh. If the boundary triangles are good, then for any
+/// solid and any way of filling it: no dihedral angle below 30 or above 135 degrees, shapes near
+/// the regular one, and the target sizes.
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ namespace {
 struct Body {
   std::string name;
   std::variant<Model, SurfaceMesh> boundary;
-  double size;  ///< uniform; 0: that of the given surface
+  double size;  ///< uniform; 0: sizes of the given surface
   double meanRadiusRatio;
   double leastDihedral = 30.0;
   double greatestDihedral = 135.0;
@@ -55,7 +55,7 @@ void expectFloor(const Body& body, const MeshRun& run) {
   EXPECT_GE(run.statistics().edgesNearTarget, body.edgesNearTarget);
 }
 
-/// The second model's patches beside the first's.
+/// Adds the patches of the second model to the first.
 Model both(Model first, const Model& second) {
   const auto points = static_cast<std::uint32_t>(first.points.size());
   const auto lines = static_cast<std::uint32_t>(first.lines.size());
@@ -73,7 +73,7 @@ Model both(Model first, const Model& second) {
   return first;
 }
 
-/// Sizes that grow from `least` at the pole of the unit sphere on.
+/// Sizes that grow from `least` at the pole of the unit sphere.
 BackgroundGrid fineAtPole(double least) {
   SizeSource pole;
   pole.points[0] = Vec3(0.0, 0.0, 1.0);
@@ -85,8 +85,8 @@ BackgroundGrid fineAtPole(double least) {
   return grid;
 }
 
-/// A sphere of an icosahedron with so many rows of triangles, its nodes shaken along it by up to
-/// that part of an edge.
+/// A sphere from an icosahedron with `rows` rows of triangles; its nodes are moved at random along
+/// it by up to the given fraction of an edge.
 SurfaceMesh sphere(double radius, int rows, double shaking, std::uint64_t seed) {
   SurfaceMesh surface = testing::geodesicSphere(rows);
   testing::Random random(seed);
@@ -100,8 +100,8 @@ SurfaceMesh sphere(double radius, int rows, double shaking, std::uint64_t seed) 
   return surface;
 }
 
-/// The space between two such spheres; the inner one is turned, as triangles that face each other
-/// node by node would leave no choice of elements.
+/// The volume between two such spheres. The inner one is rotated, because triangles that face each
+/// other node by node would leave no choice of elements.
 SurfaceMesh sphericalGap(double radius, int rows, double gap, int innerRows, double shaking = 0.0) {
   SurfaceMesh surface = sphere(radius, rows, shaking, 4);
   SurfaceMesh inner = sphere(radius - gap, innerRows, shaking, 104);
@@ -111,7 +111,7 @@ SurfaceMesh sphericalGap(double radius, int rows, double gap, int innerRows, dou
   return surface;
 }
 
-/// Elements that miss their angles, whether or not the boundary excuses them.
+/// Elements with an angle out of range, including those limited by the boundary.
 std::uint32_t beyond(const QualityStatistics& statistics) {
   return statistics.outOfRange + statistics.limitedByBoundary;
 }
@@ -124,8 +124,8 @@ TEST_P(QualityFloor, HoldsForTheDefaultMesh) {
   EXPECT_NEAR(run.statistics().meanEdge, 1.0, 0.12);
 }
 
-/// The exact fill leaves a mesh almost without nodes inside: the optimizer must make all of them.
-TEST_P(QualityFloor, HoldsFromAFillWithoutNodesInside) {
+/// The exact fill makes almost no interior nodes: the optimizer must make all of them.
+TEST_P(QualityFloor, HoldsAfterAFillWithoutInteriorNodes) {
   MeshOptions options;
   options.exactFillOnly = true;
   const MeshRun run = finished(GetParam(), options);
@@ -135,9 +135,10 @@ TEST_P(QualityFloor, HoldsFromAFillWithoutNodesInside) {
 
 class BesideCoarseTriangles : public ::testing::TestWithParam<Body> {};
 
-/// Where sizes jump, the front puts nodes against triangles much larger than the elements wanted. The
-/// exact fill puts none there; what the front leaves must not end much worse than what it leaves.
-TEST_P(BesideCoarseTriangles, TheFrontsMeshEndsAsWellAsTheExactFills) {
+/// If sizes jump, the front puts nodes close to triangles much larger than the target elements; the
+/// exact fill puts none there. The optimized mesh of the front must not be much worse than that of
+/// the exact fill.
+TEST_P(BesideCoarseTriangles, FrontAndExactFillGiveSimilarQuality) {
   MeshOptions options;
   const MeshRun usual = finished(GetParam(), options);
   options.exactFillOnly = true;
@@ -148,11 +149,11 @@ TEST_P(BesideCoarseTriangles, TheFrontsMeshEndsAsWellAsTheExactFills) {
   EXPECT_GT(usual.quality().meanRadiusRatio, 0.97 * filled.quality().meanRadiusRatio);
 }
 
-class RescuedFloor : public ::testing::TestWithParam<Body> {};
+class NeedleFloor : public ::testing::TestWithParam<Body> {};
 
-/// Spheres with a few needles and caps among their triangles, where what mends elements one by one
-/// leaves some of them: those around must give way.
-TEST_P(RescuedFloor, HoldsBesideNeedles) { expectFloor(GetParam(), finished(GetParam(), {})); }
+/// Spheres with a few needles and caps. Improving single elements leaves some of them, so the
+/// elements around them must change too.
+TEST_P(NeedleFloor, HoldsBesideNeedles) { expectFloor(GetParam(), finished(GetParam(), {})); }
 
 SurfaceMesh plate(double length, double width, double thickness, int columns, int rows) {
   return testing::gridBox(Vec3(0.0), Vec3(length, width, thickness), {columns, rows, 1});
@@ -160,14 +161,14 @@ SurfaceMesh plate(double length, double width, double thickness, int columns, in
 
 class CoarseFloor : public ::testing::TestWithParam<Body> {};
 
-/// Small meshes of bodies that are one element thick, where many elements miss their angles at first.
-TEST_P(CoarseFloor, HoldsWhereBodiesAreThin) { expectFloor(GetParam(), finished(GetParam(), {})); }
+/// Small meshes of solids one element thick, in which many elements are out of range at first.
+TEST_P(CoarseFloor, HoldsInThinSolids) { expectFloor(GetParam(), finished(GetParam(), {})); }
 
-class StrivingFloor : public ::testing::TestWithParam<Body> {};
+class ThoroughFloor : public ::testing::TestWithParam<Body> {};
 
-/// Where an angle of the default mesh misses its target, it is not to miss it by more; no more
-/// elements are to miss theirs; and shapes are no worse in the mean.
-TEST_P(StrivingFloor, IsNotBelowTheDefault) {
+/// Compared with the default mesh, no angle may be further out of range, no more elements may be
+/// out of range, and the mean shape may not be worse.
+TEST_P(ThoroughFloor, IsNotBelowTheDefault) {
   const MeshRun usual = finished(GetParam(), {});
   const QualitySummary byDefault = usual.quality();
   MeshOptions options;
@@ -205,7 +206,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Body{"gradedCube", testing::gradedCube(12, 3), 0.0, 0.0}),
     [](const auto& each) { return each.param.name; });
 
-INSTANTIATE_TEST_SUITE_P(Optimize, RescuedFloor,
+INSTANTIATE_TEST_SUITE_P(Optimize, NeedleFloor,
                          ::testing::Values(Body{"a", sphere(1.0, 6, 0.25, 2), 0.0, 0.845},
                                            Body{"b", sphere(1.0, 6, 0.27, 7), 0.0, 0.845},
                                            Body{"c", sphere(1.0, 7, 0.25, 2), 0.0, 0.86}),
@@ -218,7 +219,7 @@ INSTANTIATE_TEST_SUITE_P(Optimize, CoarseFloor,
                          [](const auto& each) { return each.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(
-    Optimize, StrivingFloor,
+    Optimize, ThoroughFloor,
     ::testing::Values(Body{"cube", testing::boxModel(Vec3(0.0), Vec3(1.0)), 0.12, 0.0},
                       Body{"gapOfHalfAnEdge", sphericalGap(0.5, 6, 0.05, 6), 0.0, 0.0},
                       Body{"gapOfShakenTriangles", sphericalGap(0.4, 10, 0.05, 9, 0.2), 0.0, 0.0},
@@ -226,9 +227,9 @@ INSTANTIATE_TEST_SUITE_P(
                       Body{"shellOfPoorTriangles", sphericalGap(1.0, 6, 0.3, 4, 0.25), 0.0, 0.0}),
     [](const auto& each) { return each.param.name; });
 
-/// Needles miss every higher target by the hundred; flat elements are mended all the same, where the
-/// boundary leaves room.
-TEST(OptimizeNeedles, FlatElementsAreMended) {
+/// Hundreds of elements at needles miss every higher target. Degenerate elements must still be
+/// improved if the boundary permits it.
+TEST(OptimizeNeedles, DegenerateElementsAreImproved) {
   const std::vector<std::pair<SurfaceMesh, double>> bodies{{testing::needleGear(24, 0.5), 2.0},
                                                            {testing::bentSheet(24, 0.1), 1.0},
                                                            {testing::needlePlate(4, 40, 0.5), 0.1}};

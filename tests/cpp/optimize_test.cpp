@@ -1,5 +1,5 @@
-/// The optimizer: its costs against their definitions, its operators against what they promise, and
-/// whole runs against the tests' validator and the angles they are for.
+/// The optimizer: costs compared with their definitions, operators with their contracts, and whole
+/// runs with the tests' validator and the target angles.
 
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ TEST(ElementCost, IsZeroForTheRegularElementAndGrowsAwayFromIt) {
   }
 }
 
-TEST(ElementCost, RefusesFlatAndInvertedElements) {
+TEST(ElementCost, RejectsDegenerateAndInvertedElements) {
   std::array<Vec3, 4> flat = kRegular;
   flat[3] = (flat[0] + flat[1] + flat[2]) * (1.0 / 3.0);
   std::array<Vec3, 4> inverted = kRegular;
@@ -83,9 +83,9 @@ TEST(ElementCost, DihedralCostIsAtMostOneExactlyWhenBothTargetsAreMet) {
   EXPECT_GT(met, 200);
 }
 
-/// Polishing may make any shape better, but not at the price of one more element below 30 or above
-/// 135 degrees, and none worse than the worst.
-TEST(ElementCost, WithinAnglesNoShapesPayForAMissedOne) {
+/// Polishing may improve any shape, but no further element may fall below 30 or exceed 135 degrees,
+/// and none may become worse than the worst.
+TEST(ElementCost, WithinAnglesShapesDoNotCompensateAnAngleOutOfRange) {
   testing::Random random(5);
   const ElementCost within(Measure::kWithin, kTargets18And150);
   const ElementCost missing(Measure::kDihedral, kTargets30And135);
@@ -108,8 +108,8 @@ TEST(ElementCost, WithinAnglesNoShapesPayForAMissedOne) {
   EXPECT_LT(dearestGood * kMostInACavity, cheapestMissed);
 }
 
-/// The mesh of a closed surface as the front leaves it, or as the exact fill does: with few nodes
-/// inside or none.
+/// Returns the mesh of a closed surface after the front, or after the exact fill, which makes few
+/// interior nodes or none.
 struct Filled {
   VolumeMesh mesh;
   SurfaceMesh surface;
@@ -153,7 +153,7 @@ double totalCost(const TetComplex& complex) {
   return sum;
 }
 
-TEST(EdgeRemoval, LowersTheCostByWhatItSaysAndKeepsTheMeshValid) {
+TEST(EdgeRemoval, LowersTheCostAsReportedAndKeepsTheMeshValid) {
   const Filled filled = fill(testing::geodesicSphere(4));
   for (const bool fans : {false, true}) {
     const ElementCost cost(Measure::kBulk);
@@ -194,7 +194,7 @@ TEST(EdgeSplitter, AndNodeCollapserKeepTheMeshValid) {
   EXPECT_EQ(testing::complaintAbout(complex.toMesh(), filled.surface), "");
 }
 
-TEST(TetComplex, TakesATrialBackWithoutATrace) {
+TEST(TetComplex, UndoesATrialExactly) {
   const Filled filled = fill(testing::geodesicSphere(5));
   const ElementCost cost(Measure::kBulk);
   TetComplex complex = complexOf(filled, cost);
@@ -223,14 +223,14 @@ TEST(TetComplex, TakesATrialBackWithoutATrace) {
   EXPECT_GT(trials, 100);
   EXPECT_EQ(fingerprintOf(complex.toMesh()), before);
   EXPECT_EQ(totalCost(complex), costBefore);
-  // Neighbours and elements at nodes were restored too, or this would go wrong.
+  // This fails if neighbours or elements at nodes were not restored.
   for (std::size_t node = complex.boundaryNodeCount(); node < complex.nodeCount(); ++node) {
     mover.improve(NodeId(node), MoveKind::kCircumcentres, cost);
   }
   EXPECT_EQ(testing::complaintAbout(complex.toMesh(), filled.surface), "");
 }
 
-/// Costs of the elements that miss the targets, together.
+/// Returns the total cost of the elements that miss the targets.
 double badness(const TetComplex& complex) {
   double sum = 0.0;
   for (std::size_t t = 0; t < complex.slotCount(); ++t) {
@@ -239,7 +239,7 @@ double badness(const TetComplex& complex) {
   return sum;
 }
 
-/// A mesh with all that repairs are made of.
+/// A mesh with all operators of the improver.
 struct Workshop {
   TetComplex complex;
   EdgeRemoval<> removal{complex};
@@ -269,8 +269,8 @@ TEST(ElementImprover, NeverLeavesAWorseMesh) {
   EXPECT_EQ(testing::complaintAbout(complex.toMesh(), filled.surface), "");
 }
 
-/// Targets that no element can meet: every change is tried, until one around is kept.
-TEST(LastResortImprover, TriesAgainOnlyWhatHasChanged) {
+/// No element can meet the targets: every change is tried until one around the element is kept.
+TEST(LastResortImprover, RetriesOnlyChangedElements) {
   constexpr DihedralTargets kBeyondTheRegular{0.6, 0.6};
   const Filled filled = fill(testing::geodesicSphere(2));
   const ElementCost cost(Measure::kDihedral, kBeyondTheRegular);
@@ -287,7 +287,7 @@ TEST(LastResortImprover, TriesAgainOnlyWhatHasChanged) {
     while (rescue.tryOne(cost)) ++tries;
     return tries;
   };
-  // The element stays as long as its nodes do; what is around it settles.
+  // The element stays as long as its nodes stay; its surroundings settle.
   int turns = 0;
   std::uint64_t before = 0;
   for (std::uint64_t now = 1; now != before && turns < 50; ++turns) {
@@ -303,7 +303,7 @@ TEST(LastResortImprover, TriesAgainOnlyWhatHasChanged) {
   EXPECT_GT(triesOfATurn(), 0);
 }
 
-/// A hollow of 20 faces around the origin, shaken.
+/// A hollow of 20 faces around the origin, with nodes moved at random.
 Hollow<> shakenHollow(std::uint64_t seed) {
   testing::Random random(seed);
   const SurfaceMesh surface = testing::geodesicSphere(1);
@@ -320,7 +320,7 @@ Hollow<> shakenHollow(std::uint64_t seed) {
   return hollow;
 }
 
-TEST(NodeMoves, NewtonStepsConvergeToAPlaceWithoutSlope) {
+TEST(NodeMoves, NewtonStepsConvergeToAZeroSlope) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     for (const bool squareRoot : {true, false}) {
       Hollow<> hollow = shakenHollow(seed);
@@ -348,7 +348,7 @@ TEST(NodeMoves, NewtonStepsConvergeToAPlaceWithoutSlope) {
   }
 }
 
-TEST(NodeMoves, CircumcentreMeanDoesNotDependOnWhereTheApexIs) {
+TEST(NodeMoves, CircumcentreMeanDoesNotDependOnTheApex) {
   Hollow<> hollow = shakenHollow(3);
   const Vec3 one = circumcentreMean(hollow, Vec3(0.1, 0.0, 0.0));
   const Vec3 other = circumcentreMean(hollow, Vec3(-0.05, 0.12, 0.02));
@@ -377,8 +377,8 @@ TEST(NodeMoves, LoweringTheWorstNeverRaisesIt) {
   }
 }
 
-/// Far from the best place the sum falls by much, and no element is turned inside out: nor where one is
-/// so flat that the eighth power of its cost is beyond the cost of an invalid one.
+/// Far from the best position the sum falls by much, and no element is inverted, even if one is so
+/// flat that the eighth power of its cost exceeds the cost of an invalid element.
 TEST(NodeMoves, LoweringThePowersLowersTheirSum) {
   const ElementCost cost(Measure::kDihedral, kTargets30And135);
   const auto sum = [&](Hollow<>& hollow, const Vec3& place) {
@@ -409,7 +409,7 @@ TEST(NodeMoves, LoweringThePowersLowersTheirSum) {
   EXPECT_GT(flat, 20);
 }
 
-/// The tensor T of a stretching by 6 along a slanted direction.
+/// Returns the tensor T of a stretching by 6 along a slanted direction.
 SymmetricTensor slantedTensor() {
   BackgroundNode node;
   node.size = 0.4;
@@ -418,8 +418,8 @@ SymmetricTensor slantedTensor() {
   return sizeTensor(node).inverse();
 }
 
-/// CostBasis a stretched element is judging in plain space what T makes of it.
-TEST(StretchedSpace, CostsAreThoseOfTheElementThatTheMetricSees) {
+/// The cost of a stretched element is the cost, in plain space, of its image under T.
+TEST(StretchedSpace, CostsAreMeasuredInTheMetric) {
   const SymmetricTensor toUnit = slantedTensor();
   testing::Random random(7);
   for (int i = 0; i < 1000; ++i) {
@@ -433,7 +433,8 @@ TEST(StretchedSpace, CostsAreThoseOfTheElementThatTheMetricSees) {
   }
 }
 
-/// By central differences, which are near wherever one angle alone is the worst: nearly everywhere.
+/// Compares with central differences, which are accurate where a single angle is the worst: almost
+/// everywhere.
 template <class Space>
 void expectSlopesOfTheCost(const typename Space::Frame& frame) {
   testing::Random random(11);
@@ -465,13 +466,13 @@ void expectSlopesOfTheCost(const typename Space::Frame& frame) {
   EXPECT_GT(compared, 300);
 }
 
-TEST(ElementCost, SlopesAreThoseOfTheCost) { expectSlopesOfTheCost<PlainSpace>({}); }
+TEST(ElementCost, SlopesAreDerivativesOfTheCost) { expectSlopesOfTheCost<PlainSpace>({}); }
 
-TEST(StretchedSpace, SlopesAreThoseOfTheCost) {
+TEST(StretchedSpace, SlopesAreDerivativesOfTheCost) {
   expectSlopesOfTheCost<StretchedSpace>(slantedTensor());
 }
 
-TEST(StretchedSpace, MovesAreThoseOfTheHollowThatTheMetricSees) {
+TEST(StretchedSpace, MovesAreMadeInTheMetric) {
   const SymmetricTensor toUnit = slantedTensor();
   const SymmetricTensor toSpace = toUnit.inverse();
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -528,8 +529,8 @@ TEST_P(OptimizedSurface, IsValidAndMeetsItsAngles) {
   EXPECT_GE(quality.meanRadiusRatio, goal.meanRadiusRatio);
 }
 
-// The squares of grids make right triangles, whose elements cannot be as regular as those on the
-// surfaces of drawn models (below): hence the lower ratios.
+// The squares of grids consist of right triangles. Their elements cannot be as regular as those of
+// drawn models (below), hence the lower ratios.
 INSTANTIATE_TEST_SUITE_P(
     Optimize, OptimizedSurface,
     ::testing::Values(
@@ -537,7 +538,7 @@ INSTANTIATE_TEST_SUITE_P(
         Goal{"cube", testing::gridCube(12, testing::Diagonals::kAlternating), 30.0, 135.0, 0.87},
         Goal{"torus", testing::torus(1.0, 0.35, 80, 28), 30.0, 135.0, 0.84},
         Goal{"sphericalCavity", testing::cubeWithSphericalCavity(12, 5), 30.0, 135.0, 0.85},
-        // No target can be met here; the mesh must stay valid all the same.
+        // No target can be met here, but the mesh must stay valid.
         Goal{"thinPlate", testing::thinPlate(20, 0.002), 0.0, 180.0, 0.0},
         Goal{"schoenhardt", testing::schoenhardtPrism(50.0), 0.5, 180.0, 0.0},
         Goal{"twoCubesSharingAnEdge", testing::cubesSharingEdge(), 30.0, 135.0, 0.5},
@@ -554,7 +555,7 @@ void PrintTo(const DrawnGoal& goal, std::ostream* out) { *out << goal.name; }
 
 class OptimizedModel : public ::testing::TestWithParam<DrawnGoal> {};
 
-/// On uniform surfaces of good triangles: angles, shapes, and sizes as the field wants them.
+/// On uniform surfaces with good triangles: angles, shapes and target sizes.
 TEST_P(OptimizedModel, MeetsItsAnglesAndSizes) {
   const DrawnGoal& goal = GetParam();
   MeshOptions options;
@@ -580,12 +581,12 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(DrawnGoal{"sphere", testing::sphereModel(1.0), 0.12, 0.89},
                       DrawnGoal{"cube", testing::boxModel(Vec3(0.0), Vec3(1.0)), 0.08, 0.88},
                       DrawnGoal{"torus", testing::torusModel(1.0, 0.35), 0.085, 0.88},
-                      // Too few nodes inside, going by the shapes of elements alone.
+                      // With too few interior nodes, judged by the shapes of elements alone.
                       DrawnGoal{"coarseTorus", testing::torusModel(1.0, 0.35), 0.28, 0.85}),
     [](const auto& each) { return each.param.name; });
 
 TEST(MeshOptimizer, DoesNotDependOnHowTheWorkIsSliced) {
-  // Interiors that begin without nodes are the harder case: swaps then add elements as they go.
+  // Interiors that begin without nodes are harder: swaps add elements as they go.
   for (const bool exactFillOnly : {false, true}) {
     const Filled filled = fill(testing::geodesicSphere(6), exactFillOnly);
     const auto optimized = [&](std::uint32_t budget) {
@@ -603,9 +604,9 @@ TEST(MeshOptimizer, DoesNotDependOnHowTheWorkIsSliced) {
   }
 }
 
-/// A layer of a fifteenth of an element in the middle of a cube: many elements there miss every target,
-/// and what is tried on them is not to take longer than all the rest.
-TEST(MeshOptimizer, GivesUpSoonWhereALayerLeavesNoRoom) {
+/// A layer with 1/15 of the target size in the middle of a cube. Many elements there miss every
+/// target, and the attempts to improve them must not take longer than all other work.
+TEST(MeshOptimizer, GivesUpEarlyIfALayerIsTooThin) {
   testing::ModelBuilder builder;
   const std::array<double, 4> levels{0.0, 0.5, 0.51, 1.01};
   for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -647,7 +648,7 @@ TEST(MeshOptimizer, MoreEffortGivesBetterWorstElements) {
   EXPECT_GT(before, 33.0);
 }
 
-/// Mean distance from each element to the next in memory.
+/// Returns the mean distance between consecutive elements in memory.
 double meanStride(const VolumeMesh& mesh) {
   const auto first = [&](std::size_t t) {
     const double* at = &mesh.points[3 * std::size_t{mesh.tetrahedra[4 * t]}];
@@ -659,7 +660,7 @@ double meanStride(const VolumeMesh& mesh) {
   return sum / static_cast<double>(count);
 }
 
-TEST(AlongMortonCurve, IsTheSameMeshWithNeighboursTogether) {
+TEST(AlongMortonCurve, KeepsTheMeshAndGroupsNeighbours) {
   const Filled filled = fill(testing::cubeWithCubicCavity(8, 4));
   VolumeMesh shuffled = filled.mesh;
   testing::Random random(5);
@@ -676,7 +677,7 @@ TEST(AlongMortonCurve, IsTheSameMeshWithNeighboursTogether) {
   EXPECT_LT(meanStride(ordered), 0.4 * meanStride(shuffled));
 }
 
-TEST(AlongMortonCurve, ComesToSoManyElementsPerCall) {
+TEST(AlongMortonCurve, VisitsTheBudgetedElementsPerCall) {
   const Filled filled = fill(testing::gridCube(6));
   const std::size_t count = filled.mesh.regions.size();
   constexpr std::size_t kBudget = 50;
@@ -688,7 +689,7 @@ TEST(AlongMortonCurve, ComesToSoManyElementsPerCall) {
             alongMortonCurve(filled.mesh, filled.surface.points.size() / 3).tetrahedra);
 }
 
-TEST(MeshOptimizer, IsValidAtEveryMomentItIsStopped) {
+TEST(MeshOptimizer, IsValidWheneverItIsStopped) {
   const Filled filled = fill(testing::gridCube(5));
   const SizeField field = SizeField::uniform(0.2);
   MeshOptimizer optimizer(filled.mesh, filled.surface.points.size() / 3, field,

@@ -1,5 +1,5 @@
-/// The statistics of a mesh against counts made the slow way, and against meshes whose figures are
-/// known by hand.
+/// The statistics of a mesh, compared with slow counts and with meshes whose statistics are known
+/// by hand.
 
 #include "quality/quality_analysis.h"
 
@@ -60,7 +60,7 @@ std::uint32_t total(const std::array<std::uint32_t, N>& bins) {
   return std::accumulate(bins.begin(), bins.end(), 0U);
 }
 
-TEST(QualityAnalysis, CountsWhatASlowCountFinds) {
+TEST(QualityAnalysis, AgreesWithASlowCount) {
   const SurfaceMesh surface = geodesicSphere(6);
   const MeshRun run = finished(MeshRun(surface.points, surface.triangles, {}));
   const VolumeMesh mesh = run.volume();
@@ -116,7 +116,7 @@ TEST(QualityAnalysis, CountsWhatASlowCountFinds) {
       glm::length(listed->centroid - 0.25 * (corners[0] + corners[1] + corners[2] + corners[3])),
       1e-12);
   EXPECT_EQ(statistics.outOfRange,
-            0U);  // the sphere's boundary excuses nothing, and nothing misses
+            0U);  // the sphere's boundary limits no element, and no element is out of range
   EXPECT_EQ(statistics.limitedByBoundary, 0U);
 }
 
@@ -138,8 +138,8 @@ TEST(QualityAnalysis, DoesNotDependOnHowTheWorkIsSliced) {
   EXPECT_EQ(whole.smallest.tetrahedron, slices.smallest.tetrahedron);
 }
 
-/// A wedge of 12 degrees in one element: its sharp edge belongs to two triangles of the boundary.
-TEST(QualityAnalysis, ExcusesAnElementInASharpEdgeOfTheBoundary) {
+/// A wedge of 12 degrees in one element: its sharp edge belongs to two boundary triangles.
+TEST(QualityAnalysis, CountsAnElementAtASharpBoundaryEdgeAsLimited) {
   const double angle = 12.0 * std::numbers::pi / 180.0;
   const SurfaceMesh wedge = tetrahedronSurface({Vec3(0.0), Vec3(1.0, 0.0, 0.0), Vec3(0.5, 1.0, 0.0),
                                                 Vec3(0.5, std::cos(angle), std::sin(angle))});
@@ -152,14 +152,14 @@ TEST(QualityAnalysis, ExcusesAnElementInASharpEdgeOfTheBoundary) {
   EXPECT_EQ(statistics.outOfRange, 0U);
   ASSERT_EQ(statistics.worstLimited.size(), 1U);
   EXPECT_NEAR(statistics.worstLimited[0].smallestDihedral, 12.0, 1e-9);
-  // The same element, were it not at the boundary.
+  // The same element away from the boundary.
   const QualityStatistics inner = survey(mesh, SurfaceMesh{});
   EXPECT_EQ(inner.limitedByBoundary, 0U);
   EXPECT_EQ(inner.outOfRange, 1U);
 }
 
-/// An element whose base, a triangle of the boundary, is a needle, or that shares an edge with one.
-TEST(QualityAnalysis, ExcusesAnElementAtANeedleOfTheBoundary) {
+/// An element whose base is a boundary triangle and a needle, or that shares an edge with one.
+TEST(QualityAnalysis, CountsAnElementAtABoundaryNeedleAsLimited) {
   VolumeMesh mesh;
   mesh.points = {0, 0, 0, 1, 0, 0, 0.5, 0.05, 0, 0.5, 0.3, 0.8};
   mesh.tetrahedra = {0, 1, 2, 3};
@@ -169,11 +169,11 @@ TEST(QualityAnalysis, ExcusesAnElementAtANeedleOfTheBoundary) {
   base.triangles = {0, 2, 1};
   EXPECT_EQ(survey(mesh, base).limitedByBoundary, 1U);
   EXPECT_EQ(survey(mesh, base).limitedByNeedles, 1U);
-  // Only an edge of the needle.
+  // Shares only an edge with the needle.
   mesh.points = {0, 0, 0, 1, 0, 0, 0.5, 0.05, 0, 0.5, 0.3, 0.8, 0.5, 0.3, 0.3};
   mesh.tetrahedra = {0, 1, 4, 3};
   EXPECT_EQ(survey(mesh, base).limitedByNeedles, 1U);
-  // Only a node of it.
+  // Shares only a node with it.
   mesh.points.insert(mesh.points.end(), {0.52, 0.32, 0.5});
   mesh.tetrahedra = {0, 3, 4, 5};
   EXPECT_EQ(survey(mesh, base).outOfRange, 1U);
@@ -187,9 +187,9 @@ TEST(QualityAnalysis, ExcusesAnElementAtANeedleOfTheBoundary) {
   EXPECT_EQ(survey(mesh, base).limitedByBoundary, 0U);
 }
 
-/// A wedge of 24 degrees in two elements: neither owns both triangles of the sharp edge, but both are
-/// forced by it.
-TEST(QualityAnalysis, ExcusesAllElementsInASharpEdge) {
+/// A wedge of 24 degrees in two elements: neither has both triangles of the sharp edge, but both
+/// are limited by it.
+TEST(QualityAnalysis, CountsAllElementsAtASharpEdgeAsLimited) {
   const double angle = 24.0 * std::numbers::pi / 180.0;
   const Vec3 middle(0.5, 0.5 * (1.0 + std::cos(angle)), 0.5 * std::sin(angle));
   SurfaceMesh wedge = tetrahedronSurface({Vec3(0.0), Vec3(1.0, 0.0, 0.0), Vec3(0.5, 1.0, 0.0),
@@ -204,13 +204,13 @@ TEST(QualityAnalysis, ExcusesAllElementsInASharpEdge) {
   EXPECT_EQ(statistics.limitedByBoundary, 2U);
 }
 
-/// A wedge between two triangles at the edge from 0 to 1, whose apexes lie at these places along it.
-/// Below 60 degrees one element must fill it, or one of less than 30 degrees is there: with apexes
-/// far apart that one misses its angles, and so does whatever else is made of it.
-TEST(QualityAnalysis, ExcusesWhatAnEdgeBelow60DegreesForces) {
+/// A wedge between two triangles at the edge from 0 to 1, with apexes at these positions along it.
+/// Below 60 degrees, either one element fills it or one element has less than 30 degrees. If the
+/// apexes are far apart, that one element is out of range, and so is every alternative.
+TEST(QualityAnalysis, CountsElementsForcedByAnEdgeBelow60DegreesAsLimited) {
   struct Wedge {
     double degrees;
-    double shift;  ///< of the apexes along the edge
+    double shift;  ///< distance of the apexes along the edge
     bool isForced;
   };
   for (const Wedge& wedge : {Wedge{40.0, 1.2, true}, Wedge{56.0, 1.2, true},
@@ -235,7 +235,7 @@ TEST(QualityAnalysis, ExcusesWhatAnEdgeBelow60DegreesForces) {
       return statistics.limitedByEdges == 1U;
     };
     EXPECT_EQ(isExcused({0, 1, 2, 3}), wedge.isForced) << wedge.degrees << " " << wedge.shift;
-    // Two elements in place of one: that of less than 30 degrees is forced, the other is not.
+    // Two elements instead of one: the one below 30 degrees is forced, the other is not.
     EXPECT_EQ(isExcused({0, 1, 4, 3}), wedge.isForced) << wedge.degrees;
     if (0.6 * wedge.degrees > 30.0) {
       EXPECT_FALSE(isExcused({0, 1, 2, 4})) << wedge.degrees;
@@ -243,7 +243,7 @@ TEST(QualityAnalysis, ExcusesWhatAnEdgeBelow60DegreesForces) {
   }
 }
 
-/// Triangles that all have the edge from 0 to 1, at angles in degrees around it.
+/// Triangles that share the edge from 0 to 1, at angles in degrees around it.
 SurfaceMesh sheetsAround(const std::vector<double>& angles) {
   SurfaceMesh sheets;
   sheets.points = {0.0, 0.0, 0.0, 1.0, 0.0, 0.0};
@@ -251,13 +251,13 @@ SurfaceMesh sheetsAround(const std::vector<double>& angles) {
     const double radians = angle * std::numbers::pi / 180.0;
     const auto apex = static_cast<std::uint32_t>(sheets.points.size() / 3);
     sheets.points.insert(sheets.points.end(), {0.5, std::cos(radians), std::sin(radians)});
-    // Turned either way, as walls are.
+    // With either orientation, as interfaces have.
     sheets.triangles.insert(sheets.triangles.end(), {apex % 2, (apex + 1) % 2, apex});
   }
   return sheets;
 }
 
-/// The element at the edge from 0 to 1 between two angles.
+/// Returns the element at the edge from 0 to 1 between two angles.
 VolumeMesh elementBetween(const SurfaceMesh& sheets, double from, double to) {
   VolumeMesh mesh;
   mesh.points = sheets.points;
@@ -271,9 +271,9 @@ VolumeMesh elementBetween(const SurfaceMesh& sheets, double from, double to) {
   return mesh;
 }
 
-/// Each element looks at the space between the two triangles around it only, however many meet at
+/// Each element depends only on the sector between the two triangles around it, however many share
 /// the edge.
-TEST(QualityAnalysis, ExcusesElementsInSharpSpacesBetweenWalls) {
+TEST(QualityAnalysis, CountsElementsBetweenInterfacesAtSharpAnglesAsLimited) {
   SurfaceMesh sheets = sheetsAround({0.0, 24.0, 70.0, 96.0, 200.0});
   const auto isExcused = [&](double from, double to) {
     const QualityStatistics statistics = survey(elementBetween(sheets, from, to), sheets);
@@ -287,17 +287,17 @@ TEST(QualityAnalysis, ExcusesElementsInSharpSpacesBetweenWalls) {
   EXPECT_FALSE(isExcused(45.0, 69.0));
   EXPECT_FALSE(isExcused(97.0, 110.0));
   EXPECT_FALSE(isExcused(335.0, 359.0));
-  // An edge of two triangles, from within and from beside.
+  // An edge of two triangles, from inside and from outside the wedge.
   sheets = sheetsAround({0.0, 24.0});
   EXPECT_TRUE(isExcused(2.0, 20.0));
   EXPECT_FALSE(isExcused(26.0, 50.0));
   EXPECT_FALSE(isExcused(338.0, 358.0));
 }
 
-/// An element between two parallel sheets that it touches along crossed edges.
-TEST(QualityAnalysis, ExcusesElementsBetweenNearSheetsOnly) {
+/// An element between two parallel sheets, which it touches along crossed edges.
+TEST(QualityAnalysis, CountsElementsInNarrowGapsOnlyAsLimited) {
   for (const double gap : {0.55, 0.65}) {
-    const double h = 3.4 * kSize;  // wide enough to miss its angles either way
+    const double h = 3.4 * kSize;  // wide enough to be out of range in both cases
     const double z = gap * kSize;
     SurfaceMesh sheets;
     sheets.points = {-0.5 * h, 0,  0,  0.5 * h, 0, 0,  0, -0.5 * h, z,     0,  0.5 * h, z,
@@ -314,8 +314,8 @@ TEST(QualityAnalysis, ExcusesElementsBetweenNearSheetsOnly) {
   }
 }
 
-/// In a stretched field the wanted element counts as regular, and its edges as 1 long.
-TEST(QualityAnalysis, SeesElementsAsTheSizeFieldDoes) {
+/// In a stretched field the target element counts as regular, with edges of length 1.
+TEST(QualityAnalysis, MeasuresElementsInTheMetricOfTheSizeField) {
   BackgroundGrid grid = boxGrid(Vec3(-3.0), Vec3(3.0), [](const Vec3&) { return 0.1; });
   for (BackgroundNode& node : grid.nodes) {
     node.stretching = 8.0;

@@ -48,7 +48,7 @@ TEST(MeshInspection, AgreesWithTheReportOfARun) {
   EXPECT_NEAR(found.statistics.meanEdge, 1.0, 0.1);
 }
 
-TEST(MeshInspection, TakesRegionsOfAnyNumbers) {
+TEST(MeshInspection, AcceptsAnyRegionNumbers) {
   const VolumeMesh mesh = fill(nestedSpheres(2, 3)).volume;
   VolumeMesh renamed = mesh;
   constexpr std::uint32_t kLarge = 0xffffffffU;
@@ -66,7 +66,7 @@ TEST(MeshInspection, TakesRegionsOfAnyNumbers) {
   }
 }
 
-TEST(MeshInspection, GivesABoundaryThatCanBeFilledAgain) {
+TEST(MeshInspection, ReturnsABoundaryThatCanBeMeshedAgain) {
   const Filled mesh = fill(nestedSpheres(2, 3));
   const MeshInspection found = inspect(mesh.volume);
   SurfaceInspector inspector(mesh.volume.points, found.boundary.triangles);
@@ -77,7 +77,7 @@ TEST(MeshInspection, GivesABoundaryThatCanBeFilledAgain) {
   EXPECT_NEAR(inspector.result().volume, mesh.quality.volume, 1e-12);
 }
 
-TEST(MeshInspection, MeasuresTurnedElementsAsIfTheyWereNot) {
+TEST(MeshInspection, MeasuresInvertedElementsAsIfReoriented) {
   Filled mesh = fill(gridCube(3));
   const MeshInspection before = inspect(mesh.volume);
   for (std::size_t e = 0; e < mesh.volume.tetrahedra.size(); e += 8) {
@@ -90,7 +90,7 @@ TEST(MeshInspection, MeasuresTurnedElementsAsIfTheyWereNot) {
   EXPECT_EQ(after.overlappingFaces, 0U);
 }
 
-TEST(MeshInspection, CountsWhatIsUnsound) {
+TEST(MeshInspection, CountsDefects) {
   Filled mesh = fill(gridCube(2));
   std::vector<std::uint32_t>& corners = mesh.volume.tetrahedra;
   corners.insert(corners.end(), {corners[0], corners[1], corners[2], corners[3]});
@@ -127,9 +127,9 @@ TEST(MeshInspection, FindsTheSameInSlicesOfAnySize) {
   EXPECT_EQ(found.quality.meanRadiusRatio, whole.quality.meanRadiusRatio);
 }
 
-/// Elements around one edge, the first between two sheets at an angle of 24 degrees: walls, if regions
-/// differ there. Its other edges have angles above 60 degrees.
-TEST(MeshInspection, ExcusesWhatWallsBetweenRegionsForbid) {
+/// Elements around one edge, the first between two sheets at an angle of 24 degrees, which are
+/// interfaces if regions differ there. Its other edges have angles above 60 degrees.
+TEST(MeshInspection, CountsElementsLimitedByInterfaces) {
   VolumeMesh mesh;
   mesh.points = {0.0, 0.0, 0.0, 1.4, 0.0, 0.0};
   for (const double degrees : {0.0, 24.0, 90.0, 170.0}) {
@@ -144,8 +144,8 @@ TEST(MeshInspection, ExcusesWhatWallsBetweenRegionsForbid) {
   EXPECT_EQ(inspect(mesh).boundary.triangles.size(), 3U * 8U) << "walls are no boundary";
 }
 
-/// Where a gap is thinner than the elements wanted, whoever made the mesh.
-TEST(MeshInspection, ExcusesWhatNearSheetsForbid) {
+/// A gap narrower than the target elements, in a mesh of any origin.
+TEST(MeshInspection, CountsElementsLimitedByNarrowGaps) {
   const SurfaceMesh plate = thinPlate(10, 0.02);
   MeshRun run(plate.points, plate.triangles, {});
   while (run.advance(1U << 16U) == MeshStatus::kRunning) {
@@ -157,7 +157,7 @@ TEST(MeshInspection, ExcusesWhatNearSheetsForbid) {
   EXPECT_EQ(found.outOfRange, told.outOfRange);
 }
 
-TEST(MeshInspection, RefusesWhatIsNoMesh) {
+TEST(MeshInspection, RejectsInvalidArrays) {
   const Filled mesh = fill(gridCube(1));
   VolumeMesh wrong = mesh.volume;
   wrong.tetrahedra[3] = 99999;

@@ -32,7 +32,7 @@ double area(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::sqrt(s * (s - x) * (s - y) * (s - z));
 }
 
-/// From the products of opposite edges (Crelle) and the sum of the areas.
+/// Computes it from the products of opposite edges (Crelle) and the sum of the areas.
 double slowRadiusRatio(const Corners& p, double volume) {
   const auto edge = [&](std::size_t i, std::size_t j) { return glm::length(p[i] - p[j]); };
   const double x = edge(0, 1) * edge(2, 3);
@@ -63,7 +63,7 @@ TEST(MetricsTest, CornerOfACube) {
   EXPECT_NEAR(m.radiusRatio, 3.0 / (3.0 + std::sqrt(3.0)) / (0.5 * std::sqrt(3.0)), 1e-14);
 }
 
-TEST(MetricsTest, FlatAndInvertedHaveNoRadiusRatio) {
+TEST(MetricsTest, DegenerateAndInvertedElementsHaveNoRadiusRatio) {
   const TetrahedronMeasures flat =
       measure({Vec3(0.0), Vec3(1.0, 0.0, 0.0), Vec3(1.0, 1.0, 0.0), Vec3(0.0, 1.0, 0.0)});
   EXPECT_EQ(flat.volume, 0.0);
@@ -110,7 +110,7 @@ TEST(MetricsTest, SummaryOfAMesh) {
   const VolumeMesh mesh = cubeOfTetrahedra(4);
   const QualitySummary summary = measureQuality(mesh);
   EXPECT_NEAR(summary.volume, 1.0, 1e-13);
-  // All tetrahedra of the regular division are alike: 45, 60 and 90 degrees.
+  // All tetrahedra of the regular division are congruent: 45, 60 and 90 degrees.
   EXPECT_NEAR(summary.minDihedral, 45.0, 1e-9);
   EXPECT_NEAR(summary.maxDihedral, 90.0, 1e-9);
   EXPECT_NEAR(summary.minRadiusRatio, summary.meanRadiusRatio, 1e-12);
@@ -132,7 +132,7 @@ TEST(MetricsTest, SlicesAddUp) {
   EXPECT_EQ(sliced.minRadiusRatio, whole.minRadiusRatio);
 }
 
-TEST(MetricsTest, NothingMeasuredIsAllZero) {
+TEST(MetricsTest, WithoutElementsAllValuesAreZero) {
   const QualitySummary summary = measureQuality({});
   EXPECT_EQ(summary.minDihedral, 0.0);
   EXPECT_EQ(summary.maxDihedral, 0.0);

@@ -18,7 +18,7 @@
 namespace tetrafront::testing {
 namespace {
 
-/// A sound mesh and its surface, to be damaged. The tests' own validator must agree each time.
+/// A valid mesh and its surface, to be damaged. The tests' own validator must agree each time.
 struct Specimen {
   static constexpr int kCubes = 4;
   VolumeMesh mesh = cubeOfTetrahedra(kCubes, 0.15);
@@ -33,7 +33,7 @@ struct Specimen {
   std::uint32_t& node(std::size_t tetrahedron, std::size_t k) {
     return mesh.tetrahedra[4 * tetrahedron + k];
   }
-  /// A tetrahedron with an inner node, and which of its nodes that is.
+  /// A tetrahedron with an interior node, and the index of this node in it.
   std::pair<std::size_t, std::size_t> innerCorner() {
     std::size_t h = 0;
     while (mesh.tetrahedra[h] < surfaceNodeCount(kCubes)) ++h;
@@ -41,7 +41,7 @@ struct Specimen {
   }
 };
 
-TEST(CheckMeshTest, AcceptsASoundMesh) {
+TEST(VerifyMeshTest, AcceptsAValidMesh) {
   const Specimen specimen;
   const MeshDefects defects = specimen.judged();
   EXPECT_EQ(defects.count(), 0U);
@@ -49,15 +49,15 @@ TEST(CheckMeshTest, AcceptsASoundMesh) {
   EXPECT_NEAR(defects.surfaceVolume, 1.0, 1e-13);
 }
 
-TEST(CheckMeshTest, AcceptsUnusedNodes) {
+TEST(VerifyMeshTest, AcceptsUnusedNodes) {
   Specimen specimen;
   specimen.mesh.points.insert(specimen.mesh.points.end(), {0.5, 0.5, 0.5});
   EXPECT_EQ(specimen.judged().count(), 0U);
 }
 
-/// Its volumes are sums of needles and of cones over its whole length, whose rounding is more than its
-/// volume can tell.
-TEST(CheckMeshTest, AcceptsALongAndThinPlateAskew) {
+/// Its volumes are sums of needles and of cones over its whole length, so their rounding exceeds
+/// the volume tolerance.
+TEST(VerifyMeshTest, AcceptsALongAndThinRotatedPlate) {
   Specimen specimen;
   for (std::vector<double>* points : {&specimen.mesh.points, &specimen.surface.points}) {
     for (std::size_t i = 0; i < points->size(); i += 3) {
@@ -74,7 +74,7 @@ TEST(CheckMeshTest, AcceptsALongAndThinPlateAskew) {
   EXPECT_EQ(defects.count(), 0U);
 }
 
-TEST(CheckMeshTest, FindsAnInvertedTetrahedron) {
+TEST(VerifyMeshTest, FindsAnInvertedTetrahedron) {
   Specimen specimen;
   std::swap(specimen.node(7, 0), specimen.node(7, 1));
   const MeshDefects defects = specimen.judged();
@@ -82,10 +82,11 @@ TEST(CheckMeshTest, FindsAnInvertedTetrahedron) {
   EXPECT_GT(defects.overlappingFaces + defects.missingTriangles, 0U);
 }
 
-TEST(CheckMeshTest, FindsATetrahedronThatIsExactlyFlat) {
+TEST(VerifyMeshTest, FindsADegenerateTetrahedron) {
   Specimen specimen;
-  specimen.mesh = cubeOfTetrahedra(Specimen::kCubes);  // no jitter: all coordinates are quarters
-  // An inner node moved onto the plane of a face opposite to it flattens that tetrahedron.
+  specimen.mesh =
+      cubeOfTetrahedra(Specimen::kCubes);  // no jitter: all coordinates are multiples of a quarter
+  // Moving an interior node onto the plane of the opposite face flattens this tetrahedron.
   const auto [t, k] = specimen.innerCorner();
   const auto place = [&](std::size_t corner, std::size_t axis) -> double& {
     return specimen.mesh.points[3 * std::size_t{specimen.node(t, corner)} + axis];
@@ -97,7 +98,7 @@ TEST(CheckMeshTest, FindsATetrahedronThatIsExactlyFlat) {
   EXPECT_GE(specimen.judged().invertedTetrahedra, 1U);
 }
 
-TEST(CheckMeshTest, FindsAMissingTetrahedron) {
+TEST(VerifyMeshTest, FindsAMissingTetrahedron) {
   Specimen specimen;
   specimen.mesh.tetrahedra.resize(specimen.mesh.tetrahedra.size() - 4);
   const MeshDefects defects = specimen.judged();
@@ -106,10 +107,10 @@ TEST(CheckMeshTest, FindsAMissingTetrahedron) {
   EXPECT_EQ(defects.invertedTetrahedra, 0U);
 }
 
-TEST(CheckMeshTest, FindsARepeatedTetrahedron) {
+TEST(VerifyMeshTest, FindsADuplicateTetrahedron) {
   Specimen specimen;
   const auto [t, k] = specimen.innerCorner();
-  // Another order of the same nodes, and of the same sign.
+  // Another order of the same nodes, with the same sign.
   specimen.mesh.tetrahedra.insert(
       specimen.mesh.tetrahedra.end(),
       {specimen.node(t, 1), specimen.node(t, 2), specimen.node(t, 0), specimen.node(t, 3)});
@@ -119,7 +120,7 @@ TEST(CheckMeshTest, FindsARepeatedTetrahedron) {
   EXPECT_EQ(defects.wrongVolume, 1U);
 }
 
-TEST(CheckMeshTest, FindsATetrahedronPutAcrossOthers) {
+TEST(VerifyMeshTest, FindsATetrahedronAcrossOthers) {
   Specimen specimen;
   const auto [t, k] = specimen.innerCorner();
   const std::uint32_t other = specimen.node((t + 40) % (specimen.mesh.tetrahedra.size() / 4), 0);
@@ -127,7 +128,7 @@ TEST(CheckMeshTest, FindsATetrahedronPutAcrossOthers) {
   EXPECT_GT(specimen.judged().count(), 0U);
 }
 
-TEST(CheckMeshTest, FindsATurnedSurfaceTriangle) {
+TEST(VerifyMeshTest, FindsAFlippedSurfaceTriangle) {
   Specimen specimen;
   std::swap(specimen.surface.triangles[3], specimen.surface.triangles[4]);
   const MeshDefects defects = specimen.judged();
@@ -135,24 +136,24 @@ TEST(CheckMeshTest, FindsATurnedSurfaceTriangle) {
   EXPECT_EQ(defects.extraBoundaryFaces, 1U);
 }
 
-TEST(CheckMeshTest, FindsASurfaceTriangleTooManyOrTooFew) {
+TEST(VerifyMeshTest, FindsAnExtraOrMissingSurfaceTriangle) {
   Specimen fewer;
   fewer.surface.triangles.resize(fewer.surface.triangles.size() - 3);
   EXPECT_EQ(fewer.judged().extraBoundaryFaces, 1U);
   Specimen more;
   const auto [t, k] = more.innerCorner();
-  // Nodes of the surface that have no triangle in common.
+  // Two surface nodes without a common triangle.
   more.surface.triangles.insert(more.surface.triangles.end(), {0, 30, 60});
   EXPECT_EQ(more.judged().missingTriangles, 1U) << t << " " << k;
 }
 
-TEST(CheckMeshTest, FindsMovedSurfaceNodes) {
+TEST(VerifyMeshTest, FindsMovedSurfaceNodes) {
   Specimen specimen;
   specimen.mesh.points[3 * 4] += 1e-15;
   EXPECT_EQ(specimen.judged().movedNodes, 1U);
 }
 
-TEST(CheckMeshTest, FindsCoincidentNodes) {
+TEST(VerifyMeshTest, FindsCoincidentNodes) {
   Specimen specimen;
   const auto [t, k] = specimen.innerCorner();
   const std::size_t from = 3 * std::size_t{specimen.node(t, (k + 1) % 4)};
@@ -163,8 +164,8 @@ TEST(CheckMeshTest, FindsCoincidentNodes) {
   EXPECT_GT(defects.invertedTetrahedra, 0U);
 }
 
-TEST(CheckMeshTest, CountsEveryUsedNodeAtThePlaceOfAnother) {
-  // Places on a coarse lattice, 0 and -0 among them: most are taken many times.
+TEST(VerifyMeshTest, CountsEveryUsedNodeAtThePositionOfAnother) {
+  // Positions on a coarse lattice, including 0 and -0: most occur many times.
   Specimen specimen;
   Random random(77);
   std::set<std::array<double, 3>> places;
@@ -181,16 +182,16 @@ TEST(CheckMeshTest, CountsEveryUsedNodeAtThePlaceOfAnother) {
   EXPECT_EQ(verifyMesh(specimen.mesh, specimen.surface).coincidentNodes, expected);
 }
 
-TEST(CheckMeshTest, NoSliceDoesMoreThanItsShare) {
+TEST(VerifyMeshTest, NoSliceExceedsItsBudget) {
   const Specimen specimen;
   MeshVerifier verifier(specimen.mesh, specimen.surface);
   std::size_t slices = 1;
   while (!verifier.advance(1)) ++slices;
-  // Nodes are looked at four times and tetrahedra four times; numbers of both at once.
+  // Nodes are visited four times and tetrahedra four times; indices of both in one pass.
   EXPECT_GT(slices, specimen.mesh.points.size() + specimen.mesh.tetrahedra.size());
 }
 
-TEST(CheckMeshTest, FindsNumbersThatCannotBe) {
+TEST(VerifyMeshTest, FindsInvalidIndicesAndCoordinates) {
   Specimen notFinite;
   notFinite.mesh.points[5] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_GT(notFinite.judged().badNumbers, 0U);
@@ -199,7 +200,7 @@ TEST(CheckMeshTest, FindsNumbersThatCannotBe) {
   EXPECT_EQ(outOfRange.judged().badNumbers, 1U);
 }
 
-TEST(CheckMeshTest, AnEmptyMeshDoesNotFillASurface) {
+TEST(VerifyMeshTest, AnEmptyMeshDoesNotFillASurface) {
   Specimen specimen;
   specimen.mesh.tetrahedra.clear();
   const MeshDefects defects = specimen.judged();
@@ -207,7 +208,7 @@ TEST(CheckMeshTest, AnEmptyMeshDoesNotFillASurface) {
   EXPECT_EQ(defects.wrongVolume, 1U);
 }
 
-TEST(CheckMeshTest, SlicesGiveTheSameAsOneRun) {
+TEST(VerifyMeshTest, SlicesGiveTheSameAsOneRun) {
   Specimen specimen;
   std::swap(specimen.node(7, 0), specimen.node(7, 1));
   const MeshDefects whole = specimen.judged();

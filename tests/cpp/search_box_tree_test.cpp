@@ -28,7 +28,7 @@ std::vector<std::uint32_t> meeting(const BoxTree& tree, const Box& box) {
   return items;
 }
 
-/// Each call comes to as many boxes as it was asked to, and the tree is the one that is built at once.
+/// Each call visits as many boxes as requested, and the result is the tree that one call builds.
 TEST(BoxTree, IsBuiltInSlices) {
   for (const std::size_t count : {0U, 1U, 4U, 5U, 700U}) {
     const std::vector<Box> boxes = randomBoxes(count);
@@ -43,7 +43,7 @@ TEST(BoxTree, IsBuiltInSlices) {
   }
 }
 
-TEST(BoxTree, FindsAllThatMeetABox) {
+TEST(BoxTree, FindsAllItemsThatOverlapABox) {
   const std::vector<Box> boxes = randomBoxes(400);
   const BoxTree tree(boxes);
   for (const Box& box : boxes) {

@@ -68,12 +68,13 @@ TEST(FaceGrid, AgreesWithLinearSearchOverFiveDecadesOfSize) {
 }
 TEST(FaceGrid, AgreesWithLinearSearchFarFromTheOrigin) { compareWithLinearSearch(3, 1e6, 10.0, 2); }
 
-/// Beyond the coarsest cells, in which a face is filed by its centre alone, and below the finest.
+/// Faces larger than the coarsest cells, stored by their centre alone, and faces smaller than the
+/// finest cells.
 TEST(FaceGrid, AgreesWithLinearSearchBeyondItsLevels) {
   compareWithLinearSearch(4, 1.0, 1e-13, 13);
 }
 
-TEST(FaceGrid, TakesQueriesFarLargerThanAnyCellCountFits) {
+TEST(FaceGrid, AnswersQueriesWithMoreCellsThanIntegersHold) {
   FaceGrid grid(1e-6, Vec3(0.0));
   const Vec3 place{0.5, 0.5, 0.5};
   grid.insert(0, Box::of(place, place, place));

@@ -20,7 +20,7 @@ TEST(IndexedHeap, AgreesWithAnOrderedSetOverRandomPushesPopsAndRemovals) {
   for (std::uint64_t step = 0; step < 20000; ++step) {
     const auto id = static_cast<std::uint32_t>(random.integer(0, kIds - 1));
     if (!heap.contains(id)) {
-      // Unique keys, so that the order is the set's.
+      // Unique keys, so that the heap has the order of the set.
       keyOf[id] = random.bits() / 1000 * 1000 + step % 1000;
       heap.push(id, keyOf[id]);
       expected.insert({keyOf[id], id});
@@ -40,7 +40,7 @@ TEST(IndexedHeap, AgreesWithAnOrderedSetOverRandomPushesPopsAndRemovals) {
   }
 }
 
-TEST(IndexedHeap, ClearForgetsWhatWasIn) {
+TEST(IndexedHeap, ClearRemovesAllIds) {
   IndexedHeap heap;
   heap.reserveIds(3);
   heap.push(1, 10);

@@ -1,4 +1,4 @@
-// The quadtree against a plain list, while boxes come and go.
+// Compares the quadtree with a list while boxes are inserted and removed.
 
 #include "search/quadtree.h"
 
@@ -26,10 +26,10 @@ std::vector<std::uint32_t> byList(const std::map<std::uint32_t, PlaneBox>& boxes
   return found;
 }
 
-TEST(SearchQuadtree, FindsWhatAListFindsWhileBoxesComeAndGo) {
+TEST(SearchQuadtree, AgreesWithAListWhileBoxesAreInsertedAndRemoved) {
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     Random random(seed);
-    // Odd seeds put half of the boxes outside the region, and sizes over four decades.
+    // Odd seeds put half of the boxes outside the region, with sizes over four decades.
     const double spread = seed % 2 == 0 ? 1.0 : 1.4;
     Quadtree tree(PlaneBox::of(Vec2(-1.0), Vec2(1.0)));
     std::map<std::uint32_t, PlaneBox> boxes;
@@ -53,7 +53,7 @@ TEST(SearchQuadtree, FindsWhatAListFindsWhileBoxesComeAndGo) {
   }
 }
 
-TEST(SearchQuadtree, HoldsManyBoxesAtOnePlace) {
+TEST(SearchQuadtree, HoldsManyBoxesAtOnePosition) {
   Quadtree tree(PlaneBox::of(Vec2(0.0), Vec2(1.0)));
   for (std::uint32_t id = 0; id < 100; ++id) tree.insert(id, PlaneBox::of(Vec2(0.3), Vec2(0.3)));
   std::vector<std::uint32_t> found;
