@@ -1,13 +1,13 @@
-/// @file The native engine on a closed surface, for profiling, benchmarks and comparison with the
-/// WebAssembly build: reads an .off file, fills it, prints what came out. Users have
-/// `npx tetrafront` instead, which reads and writes real formats.
+/// @file Fills a closed surface with the native engine, for profiling, benchmarks and comparison
+/// with the WebAssembly build. Reads an .off file, meshes it and prints the results. Users have
+/// `npx tetrafront` instead, which reads and writes common formats.
 ///
 ///     fill SURFACE.off [SIZE] [--optimization=none|fast|default|thorough]
 ///          [--order=layered|smallest-first] [--filters=on|off]
 ///
-/// Prints `name value` lines. Seconds are the processor's, so that other work on the machine hardly
-/// shows; bytes are the greatest resident size beyond what it was with the surface read. Exit status:
-/// 0 done, 1 not completed, 2 bad arguments or input.
+/// Prints `name value` lines. Seconds are processor time, which other work on the machine hardly
+/// affects. Bytes are the peak resident size above the size after the surface was read. Exit
+/// status: 0 done, 1 not completed, 2 invalid arguments or input.
 
 #include <sys/resource.h>
 
@@ -36,8 +36,8 @@ struct Surface {
   std::vector<std::uint32_t> triangles;
 };
 
-/// The whole text as a number. std::from_chars rounds correctly everywhere; a fingerprint depends on
-/// the last bit.
+/// Converts the whole text to a number. std::from_chars rounds correctly on all platforms, and a
+/// fingerprint depends on the last bit.
 std::optional<double> numberIn(std::string_view text) {
   double number = 0.0;
   const char* const end = text.data() + text.size();
@@ -46,7 +46,7 @@ std::optional<double> numberIn(std::string_view text) {
   return number;
 }
 
-/// The counts in the file's head only say how much to read: memory grows with what is there.
+/// Reads at most as many entries as the header declares, so memory grows with the actual content.
 std::optional<Surface> readOff(const char* path) {
   std::ifstream file(path);
   std::string magic;
@@ -89,7 +89,7 @@ const char* nameOf(tetrafront::MeshStatus status) {
   return "unknown";
 }
 
-/// What follows `name` and "=" in `argument`, if it begins so.
+/// Returns the text after `name` and "=" if `argument` begins with them.
 std::optional<std::string_view> valueOf(std::string_view argument, std::string_view name) {
   if (!argument.starts_with(name) || !argument.substr(name.size()).starts_with('=')) return {};
   return argument.substr(name.size() + 1);
@@ -117,7 +117,7 @@ constexpr std::array<std::pair<std::string_view, FrontOrder>, 2> kOrders{
     {{"layered", FrontOrder::kLayered}, {"smallest-first", FrontOrder::kSmallestFirst}}};
 constexpr std::array<std::pair<std::string_view, bool>, 2> kSwitch{{{"on", true}, {"off", false}}};
 
-/// False, having said why, where the argument is none.
+/// Returns false, after printing the reason, if the argument is not an option.
 bool readArgument(std::string_view argument, tetrafront::MeshOptions& options) {
   if (const auto level = valueOf(argument, "--optimization")) {
     if (choose(options.optimization, *level, kOptimizations)) return true;
@@ -132,12 +132,12 @@ bool readArgument(std::string_view argument, tetrafront::MeshOptions& options) {
                  static_cast<int>(argument.size()), argument.data());
     return false;
   }
-  std::fprintf(stderr, "%.*s: there is no such choice\n", static_cast<int>(argument.size()),
-               argument.data());
+  std::fprintf(stderr, "%.*s: unknown option or value; run without arguments for the usage\n",
+               static_cast<int>(argument.size()), argument.data());
   return false;
 }
 
-/// The greatest resident size of this process so far.
+/// Returns the peak resident size of this process.
 std::size_t greatestResidentBytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

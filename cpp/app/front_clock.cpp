@@ -1,14 +1,14 @@
-/// @file How long the front takes, and which share of it the crossing test, for docs/PAPER.md and
-/// docs/BENCHMARKS.md: the volume front alone, on the boundary and the background grid that the
-/// benchmarks write.
+/// @file Measures the time of the front, and the share of the crossing test in it, for
+/// docs/PAPER.md and docs/BENCHMARKS.md. Runs only the volume front, on the boundary and the
+/// background grid that the benchmarks write.
 ///
 ///     front_clock layered|smallest-first on|off < BOUNDARY_AND_GRID
 ///
-/// The second argument tells whether the crossing test filters faces. Input, as text: number of nodes,
-/// triangles, grid nodes and grid tetrahedra; x y z per node; three nodes per triangle; x y z size per
-/// grid node; four grid nodes per tetrahedron. Without grid nodes sizes come from the boundary's edges.
-/// Prints `name value` lines; times are the processor's, the least of several runs. Exit status: 0
-/// done, 1 not completed, 2 bad input.
+/// The second argument turns the face filters of the crossing test on or off. Input, as text:
+/// number of nodes, triangles, grid nodes and grid tetrahedra; x y z per node; three nodes per
+/// triangle; x y z size per grid node; four grid nodes per tetrahedron. Without grid nodes, sizes
+/// follow from the boundary's edges. Prints `name value` lines; times are processor times, the
+/// minimum of several runs. Exit status: 0 done, 1 not completed, 2 invalid input.
 
 #include <algorithm>
 #include <chrono>
@@ -31,7 +31,7 @@
 
 namespace {
 
-/// Other processes only add to a time.
+/// Number of runs. The minimum of their times counts, because other processes only increase a time.
 constexpr int kRuns = 7;
 
 struct Problem {
@@ -78,8 +78,8 @@ struct Timing {
   tetrafront::MeshStatus status = tetrafront::MeshStatus::kRunning;
   std::uint32_t tetrahedra = 0;
   tetrafront::FrontCounters counters;
-  double seconds = 0.0;  ///< of the processor
-  double share = 0.0;    ///< of the crossing test, with a ClockTrace
+  double seconds = 0.0;  ///< processor time
+  double share = 0.0;    ///< share of the crossing test, with a ClockTrace
 };
 
 template <class Trace>
