@@ -147,11 +147,11 @@ std::vector<Diagnostic> checkSizeSources(std::span<const SizeSource> sources) {
     if (refused != end)
       report(DiagnosticCode::kNotFinite, i).values = {refusedCoordinate(*refused)};
     // Comparisons with NaN are false.
-    const bool sound = source.size >= kSmallestExtent && source.size <= kLargestCoordinate &&
-                       source.distance >= 0.0 && source.distance <= kLargestCoordinate &&
-                       source.growth >= 0.0 && source.growth <= kMaxGrowth &&
-                       source.type <= SourceType::kTriangle;
-    if (sound) continue;
+    const bool isValid = source.size >= kSmallestExtent && source.size <= kLargestCoordinate &&
+                         source.distance >= 0.0 && source.distance <= kLargestCoordinate &&
+                         source.growth >= 0.0 && source.growth <= kMaxGrowth &&
+                         source.type <= SourceType::kTriangle;
+    if (isValid) continue;
     Diagnostic& bad = report(DiagnosticCode::kSourceOutOfRange, i);
     bad.values = {source.size, source.distance, source.growth};
     if (refused != end) continue;

@@ -60,7 +60,7 @@ bool ImprovementQueue<Space>::focusOnWorst() {
 }
 
 template <class Space>
-bool ImprovementQueue<Space>::isToBeMended(TetId tet) const {
+bool ImprovementQueue<Space>::needsImprovement(TetId tet) const {
   if (!complex_.isLive(tet) || complex_.cost(tet) <= 1.0) return false;
   return betweenSheets_ || !isInNarrowGap<Space>(complex_, tet);
 }
@@ -68,7 +68,8 @@ bool ImprovementQueue<Space>::isToBeMended(TetId tet) const {
 template <class Space>
 std::size_t ImprovementQueue<Space>::missing() const {
   std::size_t count = 0;
-  for (std::size_t t = 0; t < complex_.slotCount(); ++t) count += isToBeMended(TetId(t)) ? 1 : 0;
+  for (std::size_t t = 0; t < complex_.slotCount(); ++t)
+    count += needsImprovement(TetId(t)) ? 1 : 0;
   return count;
 }
 
@@ -76,7 +77,7 @@ template <class Space>
 void ImprovementQueue<Space>::collect(std::size_t first, std::size_t last) {
   if (first == 0) bad_.clear();
   for (std::size_t t = first; t < last; ++t) {
-    if (isToBeMended(TetId(t))) bad_.emplace_back(t);
+    if (needsImprovement(TetId(t))) bad_.emplace_back(t);
   }
 }
 
@@ -132,7 +133,7 @@ typename ImprovementQueue<Space>::LastResort ImprovementQueue<Space>::tryLastRes
     std::size_t turn, const ElementCost<Space>& cost) {
   const TetId tet = bad_[bad_.size() - 1 - turn];
   if (!isRescuing_) {
-    if (!isToBeMended(tet)) return LastResort::kNotNeeded;
+    if (!needsImprovement(tet)) return LastResort::kNotNeeded;
     lastResort_.begin(tet);
     isRescuing_ = true;
   }

@@ -55,7 +55,7 @@ class ImprovementQueue {
   LastResort tryLastResort(std::size_t turn, const ElementCost<Space>& cost);
 
  private:
-  [[nodiscard]] bool isToBeMended(TetId tet) const;
+  [[nodiscard]] bool needsImprovement(TetId tet) const;
   [[nodiscard]] bool hasFailedAsItIs(TetId tet);
   void aimAt(ImprovementGoal aim);
 

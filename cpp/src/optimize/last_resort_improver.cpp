@@ -9,10 +9,10 @@ namespace tetrafront {
 namespace {
 
 /// Edges with more elements around them are not removed.
-constexpr std::size_t kRescueRing = 9;
+constexpr std::size_t kLastResortRing = 9;
 /// A change must lower the sum of the fourth powers of costs by this fraction to be worth the
 /// elements that it spoils. Costs are 1 at the target, so the fraction has no unit.
-constexpr double kRescueGain = 1e-2;
+constexpr double kLastResortGain = 1e-2;
 
 template <class Id>
 void sortOnce(std::vector<Id>& ids) {
@@ -122,7 +122,7 @@ bool LastResortImprover<Space>::attempt(const ElementCost<Space>& cost, Change c
     const auto counts = complex_.sumsOfTrial([](double one) { return one > 1.0 ? 1.0 : 0.0; });
     const auto powers =
         complex_.sumsOfTrial([](double one) { return one > 1.0 ? one * one * one * one : 0.0; });
-    if (counts.now <= counts.before && powers.now < powers.before * (1.0 - kRescueGain)) {
+    if (counts.now <= counts.before && powers.now < powers.before * (1.0 - kLastResortGain)) {
       complex_.keepTrial();
       return true;
     }
@@ -138,7 +138,7 @@ bool LastResortImprover<Space>::changeEdge(const NearEdge& edge, bool split,
   if (tet.isNone()) return false;
   EdgeRing ring;
   const std::size_t at = edgeBetween(complex_.element(tet), edge.a, edge.b);
-  if (!findRing(complex_, tet, at, kRescueRing, ring) || !ring.closed) return false;
+  if (!findRing(complex_, tet, at, kLastResortRing, ring) || !ring.closed) return false;
   --tries_;
   return attempt(cost, [&] {
     return split ? !splitter_.force(ring, cost).isNone() : removal_.force(ring, cost);

@@ -27,7 +27,7 @@ constexpr double kMaxEdgeInWalls = 1.65;
 constexpr double kFewMissing = 500.0;
 /// Fraction of the mesh. If improvements changed more, as in gaps one edge wide, shape sweeps would
 /// visit that part again and again.
-constexpr double kMuchMended = 0.02;
+constexpr double kMuchChanged = 0.02;
 
 }  // namespace
 
@@ -197,7 +197,7 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
   void enter() {
     if (!isWorthwhile()) return turnToStep(step_ + 1);
     if (isRounds()) meanCost_ = meanCostOf(complex_);
-    if (step().again == Again::kIfMuchChanged) isMuchMended_ = changedPart() > kMuchMended;
+    if (step().again == Again::kIfMuchChanged) isMuchChanged_ = changedPart() > kMuchChanged;
     isUnderWay_ = true;
     beginSweeps();
   }
@@ -267,7 +267,7 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
       case Again::kWhileLastResortHelps:
         return changes > 0 && !isLast;
       case Again::kIfMuchChanged:
-        return isMuchMended_ && !isLast;
+        return isMuchChanged_ && !isLast;
     }
     return false;
   }
@@ -316,7 +316,7 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
   std::size_t sweep_ = 0;    ///< index in the step
   int repeats_ = 0;          ///< of the step
   double meanCost_ = 0.0;    ///< of the elements at the end of the last round
-  bool isMuchMended_ = false;
+  bool isMuchChanged_ = false;
   bool isGivenUp_ = false;              ///< the target of the last improvement was given up
   std::uint32_t improvementBegan_ = 0;  ///< pass in which improvements began; 0 before
   std::size_t freeNodes_ = 0;           ///< at the end of the last sweep; counting them is O(nodes)

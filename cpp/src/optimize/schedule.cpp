@@ -30,7 +30,7 @@ constexpr double kQuietRound = 0.1;
 /// Rounds also end when they lower the mean cost by less than this fraction: in narrow gaps, splits
 /// and collapses can undo each other for ever.
 constexpr double kMinRoundGain = 0.01;
-constexpr double kMinStrivingGain = 0.001;
+constexpr double kMinThoroughGain = 0.001;
 constexpr int kImprovementPasses = 8;
 /// Passes of steps that improve few of the many elements they visit.
 constexpr int kPatientPasses = 4;
@@ -45,7 +45,7 @@ constexpr double kManyLow = 0.02;
 constexpr double kManyHigh = 0.04;
 /// Small meshes take little time anyway.
 constexpr double kManyOfFew = 0.1;
-constexpr double kManyStriving = 0.01;
+constexpr double kManyThorough = 0.01;
 
 constexpr Step repairLow(const DihedralTargets& targets, Entry entry = Entry::kIfGivenUp) {
   return {.sweeps = kImprove,
@@ -67,11 +67,11 @@ constexpr Step repairFlat() {
   return step;
 }
 
-constexpr Step kRescueStep{.sweeps = kLastResort,
-                           .costBasis = CostBasis::kTargets,
-                           .entry = Entry::kIfFewMiss,
-                           .again = Again::kWhileLastResortHelps,
-                           .maxRepeats = kImprovementPasses};
+constexpr Step kLastResortStep{.sweeps = kLastResort,
+                               .costBasis = CostBasis::kTargets,
+                               .entry = Entry::kIfFewMiss,
+                               .again = Again::kWhileLastResortHelps,
+                               .maxRepeats = kImprovementPasses};
 
 constexpr Step ease(Entry entry) {
   return {.sweeps = kEase,
@@ -94,7 +94,7 @@ constexpr std::array kShapeSteps{
 
 constexpr std::array kFastSteps{Step{.sweeps = kFast, .costBasis = CostBasis::kFinish}};
 
-constexpr std::array kMendSteps{
+constexpr std::array kImproveSteps{
     repairLow(kTargets18And150, Entry::kAlways),
     repairLow(kTargets8And165),
     repairFlat(),
@@ -104,12 +104,12 @@ constexpr std::array kMendSteps{
          .manyOfFew = kManyOfFew,
          .again = Again::kWhileItImproves,
          .maxRepeats = kImprovementPasses},
-    kRescueStep,
+    kLastResortStep,
     Step{.sweeps = kScore},
     ease(Entry::kAlways),
     // Shape sweeps have changed the surroundings of the last few elements, so another try may
     // succeed.
-    kRescueStep,
+    kLastResortStep,
     Step{.sweeps = kScore, .entry = Entry::kIfBefore},
     ease(Entry::kIfBefore),
 };
@@ -120,11 +120,11 @@ constexpr std::array kThoroughSteps{
          .costBasis = CostBasis::kWithinAngles,
          .again = Again::kWhileItGains,
          .maxRepeats = kMaxThoroughRounds,
-         .minGain = kMinStrivingGain},
+         .minGain = kMinThoroughGain},
     Step{.sweeps = kImprove,
          .costBasis = CostBasis::kTargets,
          .targets = kTargets35And130,
-         .many = kManyStriving,
+         .many = kManyThorough,
          .again = Again::kWhileItImproves,
          .maxRepeats = kImprovementPasses},
     Step{.sweeps = kScore},
@@ -141,7 +141,7 @@ std::vector<Step> scheduleOf(Optimization level) {
   };
   if (level == Optimization::kNone) return steps;
   add(level == Optimization::kFast ? std::span<const Step>(kFastSteps) : kShapeSteps);
-  add(kMendSteps);
+  add(kImproveSteps);
   if (level == Optimization::kThorough) add(kThoroughSteps);
   return steps;
 }

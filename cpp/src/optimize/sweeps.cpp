@@ -100,7 +100,7 @@ void Sweeps<Space>::work(std::size_t first, std::size_t last) {
     case Sweep::kLastResort:
       return;  // one try at a time
     case Sweep::kScore:
-      return judge(first, last);
+      return addToScore(first, last);
   }
 }
 
@@ -152,7 +152,7 @@ void Sweeps<Space>::move(std::size_t first, std::size_t last, MoveKind kind) {
 }
 
 template <class Space>
-void Sweeps<Space>::judge(std::size_t first, std::size_t last) {
+void Sweeps<Space>::addToScore(std::size_t first, std::size_t last) {
   if (first == 0) score_ = {};
   for (std::size_t t = first; t < last; ++t) {
     if (complex_.isLive(TetId(t))) score_.template add<Space>(complex_, TetId(t));

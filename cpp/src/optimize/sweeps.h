@@ -57,7 +57,7 @@ class Sweeps {
   void swap(std::size_t first, std::size_t last);
   bool swapOneEdgeOf(TetId tet);
   void move(std::size_t first, std::size_t last, MoveKind kind);
-  void judge(std::size_t first, std::size_t last);
+  void addToScore(std::size_t first, std::size_t last);
   std::size_t tryLastResort();
 
   TetComplex& complex_;
