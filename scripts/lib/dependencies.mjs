@@ -1,10 +1,11 @@
 import { readFileSync } from "node:fs";
 import path from "node:path";
+import ts from "typescript";
 import { filesUnder } from "./fresh.mjs";
 import { inRoot, root } from "./paths.mjs";
 
 /** The modules of cpp/src from the bottom up (docs/ARCHITECTURE.md): a module may include those on lower levels. */
-const levels = [
+const ENGINE = [
   ["base"],
   ["geom"],
   ["search"],
@@ -16,27 +17,99 @@ const levels = [
   ["preview"],
   ["repair"],
 ];
-const levelOf = new Map(levels.flatMap((modules, level) => modules.map((module) => [module, level])));
+
+/** The modules of wasm/src, in the same way. */
+const PACKAGE = [
+  ["base"],
+  ["diagnostics"],
+  ["calls"],
+  ["mesh"],
+  ["formats", "project"],
+  ["engine"],
+  ["api"],
+  ["cli"],
+];
 
 /** Returns the includes that violate the dependency rule, one sentence each. */
 export function wrongIncludes() {
   const folder = inRoot("cpp", "src");
+  const levels = levelsOf(ENGINE);
   return filesUnder([folder])
     .filter((file) => /\.(h|cpp)$/.test(file))
-    .flatMap((file) => {
-      const module = path.relative(folder, file).split(path.sep)[0];
-      return includesOf(file)
-        .filter((include) => !mayInclude(module, include.split("/")[0]))
-        .map((include) => `${path.relative(root, file)} includes ${include}, which is not below ${module}/`);
-    });
+    .flatMap((file) =>
+      includesOf(file)
+        // Every module may include the public headers.
+        .filter((include) => !include.startsWith("tetrafront/"))
+        .filter((include) => !isAllowed(levels, moduleOf(folder, file), include.split("/")[0]))
+        .map((include) => sentence(file, "includes", include, moduleOf(folder, file))),
+    );
+}
+
+/** Returns the imports that violate the dependency rule, and the cycles of files, one sentence each; types count too. */
+export function wrongImports(folder = inRoot("wasm", "src"), modules = PACKAGE) {
+  const levels = levelsOf(modules);
+  const files = filesUnder([folder]).filter((file) => file.endsWith(".ts"));
+  const imports = new Map(files.map((file) => [file, importsOf(file).filter((to) => files.includes(to))]));
+  const upward = files.flatMap((file) => {
+    const module = moduleOf(folder, file);
+    return imports
+      .get(file)
+      .filter((to) => !isAllowed(levels, module, moduleOf(folder, to)))
+      .map((to) => sentence(file, "imports", path.relative(folder, to), module));
+  });
+  const cycles = cyclesIn(imports).map((cycle) => {
+    const names = [...cycle, cycle[0]].map((file) => path.relative(folder, file));
+    return `these files import each other: ${names.join(" → ")}`;
+  });
+  return [...upward, ...cycles];
+}
+
+function levelsOf(levels) {
+  return new Map(levels.flatMap((modules, level) => modules.map((module) => [module, level])));
+}
+
+/** Returns the name of the folder in `folder` that holds the file; undefined for a file directly in it. */
+function moduleOf(folder, file) {
+  const [module, ...rest] = path.relative(folder, file).split(path.sep);
+  return rest.length === 0 ? undefined : module;
+}
+
+/** Files in no module (mesher.cpp, index.ts) may use all modules; no module may use them. */
+function isAllowed(levels, module, other) {
+  if (module === undefined || module === other) return true;
+  return levels.has(module) && levels.has(other) && levels.get(other) < levels.get(module);
+}
+
+function sentence(file, verb, other, module) {
+  return `${path.relative(root, file)} ${verb} ${other}, which is not below ${module}/`;
 }
 
 function includesOf(file) {
   return [...readFileSync(file, "utf8").matchAll(/^\s*#\s*include\s+"([^"]+)"/gm)].map((match) => match[1]);
 }
 
-/** Files directly in cpp/src (mesher.cpp) may include all modules; every module may include the public headers. */
-function mayInclude(module, other) {
-  if (module.endsWith(".cpp") || other === "tetrafront" || module === other) return true;
-  return levelOf.has(module) && levelOf.has(other) && levelOf.get(other) < levelOf.get(module);
+/** Returns the files that a TypeScript file imports by a relative path. */
+function importsOf(file) {
+  return ts
+    .preProcessFile(readFileSync(file, "utf8"), true, true)
+    .importedFiles.filter(({ fileName }) => fileName.startsWith("."))
+    .map(({ fileName }) => path.resolve(path.dirname(file), fileName.replace(/\.js$/, ".ts")));
+}
+
+/** Returns one cycle for each import that leads back to a file on the way to it. */
+function cyclesIn(imports) {
+  const cycles = [];
+  const done = new Set();
+  const visit = (file, way) => {
+    if (done.has(file)) return;
+    const begin = way.indexOf(file);
+    if (begin >= 0) {
+      cycles.push(way.slice(begin));
+      return;
+    }
+    for (const next of imports.get(file)) visit(next, [...way, file]);
+    done.add(file);
+  };
+  for (const file of imports.keys()) visit(file, []);
+  return cycles;
 }

@@ -2,7 +2,7 @@ import { existsSync, mkdirSync, rmSync } from "node:fs";
 import { createServer } from "node:net";
 import path from "node:path";
 import { formatCpp, formatScript } from "../format.mjs";
-import { wrongIncludes } from "./dependencies.mjs";
+import { wrongImports, wrongIncludes } from "./dependencies.mjs";
 import { wrongCoroutines } from "./coroutines.mjs";
 import { countGoogleTest, countPlaywright, countVitest, sum } from "./counts.mjs";
 import { fuzzSurfaces } from "./fuzzer.mjs";
@@ -92,7 +92,11 @@ export const suites = {
     async run(_tools, only = ["."]) {
       const args = [...only, "--max-warnings", "0", "--no-warn-ignored"];
       const status = await run(bin("eslint"), args, { quietOut: true });
-      const found = { "C++ includes": wrongIncludes(), "C++ coroutines": wrongCoroutines() };
+      const found = {
+        "C++ includes": wrongIncludes(),
+        "C++ coroutines": wrongCoroutines(),
+        "imports of the package": wrongImports(),
+      };
       const rules = Object.entries(found).map(([name, failures]) => ({
         ...check(failures.length === 0, name),
         failures,

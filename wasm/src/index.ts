@@ -5,7 +5,8 @@
  */
 export { ENGINE_CODES } from "./diagnostics/codes.js";
 export type { Counted, DiagnosticData, DiagnosticNumbers, NoData, ReadLocation } from "./diagnostics/data.js";
-export type { DiagnosticCode, EngineCode, ErrorCode, PackageCode } from "./diagnostics/codes.js";
+export type { DiagnosticCode, EngineCode, PackageCode } from "./diagnostics/codes.js";
+export type { ErrorCode } from "./diagnostics/mesher-error.js";
 export type { ByteSource } from "./formats/byte-source.js";
 export type {
   Contents,
@@ -21,7 +22,7 @@ export type {
 } from "./formats/file-format.js";
 export type { Part } from "./formats/bytes.js";
 export { extensionsFor, FILE_FORMATS, formatOf } from "./formats/file-formats.js";
-export type { FileGroup, FileMesh, NodeData, SurfaceRegions } from "./formats/file-mesh.js";
+export type { FileGroup, FileMesh, NodeData, SurfaceRegions } from "./mesh/file-mesh.js";
 export { fileMeshOf, patchNames, type NameSource } from "./api/generated-mesh.js";
 export {
   readMesh,
@@ -31,7 +32,7 @@ export {
   type ReadFileOptions,
   type WriteFileOptions,
   type WriteProgress,
-} from "./formats/mesh-files.js";
+} from "./api/mesh-files.js";
 export type { SurfaceFile } from "./formats/surface-file.js";
 export { unusedData, volumeBackground } from "./api/volume-background.js";
 export type { VolumeFile } from "./formats/volume-file.js";
@@ -41,13 +42,13 @@ export {
   type MeshInspection,
   type Position,
   type RepairChange,
-  type RepairOptions,
   type ShellInfo,
   type SurfaceInspection,
   type SurfaceRefinement,
   type SurfaceRepair,
   type TriangleQuality,
-} from "./api/inspection.js";
+} from "./mesh/inspection.js";
+export { type RepairOptions } from "./api/option-types.js";
 export { createMesher } from "./api/mesher.js";
 export {
   MesherError,
@@ -77,45 +78,34 @@ export type {
   SourceId,
   SourceType,
 } from "./project/schema.js";
-export type { ReadCode, ReadError, ReadResult } from "./formats/read-result.js";
+export type { ReadCode, ReadError, ReadResult } from "./diagnostics/read-error.js";
 export { repairedSurface } from "./api/repaired-surface.js";
 export { NO_ORIGIN } from "./api/surface-numbers.js";
+export type { AbortControl, RunControl } from "./api/control.js";
+export type { BackgroundArrays } from "./project/background-arrays.js";
 export type {
-  AbortControl,
-  BackgroundArrays,
   CoverOptions,
-  Diagnostic,
-  DiagnosticOf,
-  EdgeStatistics,
-  ElementQuality,
-  EntityKind,
-  EntityRef,
   InnerShells,
   FrontOrder,
   InspectionOptions,
-  LimitedByBoundary,
-  Mesher,
-  MeshInput,
   MeshOptions,
-  MeshReport,
-  MeshResult,
-  MeshStatus,
   Optimization,
-  PatchQuality,
-  Phase,
   PreviewOptions,
-  Progress,
-  ProjectPreview,
   ProposalOptions,
-  QualityReport,
   RefineOptions,
+} from "./api/option-types.js";
+export type { Diagnostic, DiagnosticOf, EntityKind, EntityRef, Severity } from "./diagnostics/diagnostic.js";
+export type {
+  EdgeStatistics,
+  ElementQuality,
+  LimitedByBoundary,
+  PatchQuality,
+  QualityReport,
   RegionQuality,
-  RunControl,
-  Seconds,
-  Severity,
-  SizeProposal,
-  SurfaceInput,
-  SurfaceMesh,
-  VolumeMesh,
-} from "./api/types.js";
-export { isInterface, NO_REGION } from "./base/interfaces.js";
+} from "./mesh/quality.js";
+export type { Mesher, SizeProposal } from "./api/mesher-interface.js";
+export type { MeshInput, SurfaceInput, SurfaceMesh, VolumeMesh } from "./mesh/mesh.js";
+export type { MeshReport, MeshResult, MeshStatus, Seconds } from "./mesh/report.js";
+export type { Phase, Progress } from "./base/progress.js";
+export type { ProjectPreview } from "./project/preview.js";
+export { isInterface, NO_REGION } from "./mesh/interfaces.js";

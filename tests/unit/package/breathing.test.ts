@@ -2,8 +2,8 @@
 import { FILE_FORMATS, readMesh, readSurface, readVolume, writeMesh, type FileMesh } from "tetrafront";
 import { afterEach, describe, expect, test, vi } from "vitest";
 
+import { STEP } from "../../../wasm/src/base/steps.js";
 import { piecesIn } from "../../../wasm/src/formats/bytes.js";
-import { STEP } from "../../../wasm/src/formats/steps.js";
 import { decodeArray, UnpackingBudget } from "../../../wasm/src/formats/vtk-arrays.js";
 import { blockMesh } from "../../support/block-mesh.js";
 import { sphereSurface } from "../../support/surfaces.js";

@@ -4,6 +4,7 @@ import { ENGINE_CODES, type Diagnostic, type DiagnosticCode, type DiagnosticOf }
 import { describe, expect, expectTypeOf, test } from "vitest";
 
 import { ENGINE_DATA } from "../../../wasm/src/diagnostics/data.js";
+import { nameByIndex } from "../../../wasm/src/diagnostics/entity-names.js";
 import {
   describeAll,
   describeDiagnostic,
@@ -11,7 +12,7 @@ import {
   ENTITY_KINDS,
 } from "../../../wasm/src/diagnostics/sentences.js";
 import type { DiagnosticArrays } from "../../../wasm/src/engine/loader.js";
-import { nameByPosition, projectNamer } from "../../../wasm/src/project/arrays.js";
+import { projectNamer } from "../../../wasm/src/project/names.js";
 import { cubeProject } from "../../support/projects.js";
 
 /** About everything at once: two of each kind, a place, and three values. */
@@ -44,7 +45,7 @@ const leastOf = (name: string) => ({
 describe.each(Object.entries(ENGINE_CODES))("code %s, %s,", (code, name) => {
   test("is told in whole sentences", () => {
     for (const raw of [richOf(name), leastOf(name)]) {
-      const said = describeDiagnostic({ code: Number(code), ...raw }, nameByPosition);
+      const said = describeDiagnostic({ code: Number(code), ...raw }, nameByIndex);
       expect(said.code).toBe(name);
       expect(said.message).toMatch(/^[A-Z][^\n]*[^.\s]$/);
       expect(said.message).not.toMatch(/undefined|NaN|null|object/);
@@ -55,11 +56,11 @@ describe.each(Object.entries(ENGINE_CODES))("code %s, %s,", (code, name) => {
   });
 
   test("carries entities, place and numbers along", () => {
-    const said = describeDiagnostic({ code: Number(code), ...richOf(name) }, nameByPosition);
+    const said = describeDiagnostic({ code: Number(code), ...richOf(name) }, nameByIndex);
     expect(said.entities).toHaveLength(2 * ENTITY_KINDS.length);
     expect(said.position).toEqual([0.125, 1 / 3, -2]);
     expect(Object.keys(said.data)).toEqual(numbersOf(name).map((entry) => entry.replace("?", "")));
-    const least = describeDiagnostic({ code: Number(code), ...leastOf(name) }, nameByPosition);
+    const least = describeDiagnostic({ code: Number(code), ...leastOf(name) }, nameByIndex);
     expect(least.position).toBeUndefined();
     expect(Object.keys(least.data)).toEqual(numbersOf(name).filter((entry) => !entry.endsWith("?")));
   });
@@ -68,7 +69,7 @@ describe.each(Object.entries(ENGINE_CODES))("code %s, %s,", (code, name) => {
     const { values, ...rest } = leastOf(name);
     if (values.length === 0) return;
     const raw = { code: Number(code), ...rest, values: values.subarray(1) };
-    expect(() => describeDiagnostic(raw, nameByPosition)).toThrow(`with ${name}`);
+    expect(() => describeDiagnostic(raw, nameByIndex)).toThrow(`with ${name}`);
   });
 });
 
@@ -86,7 +87,7 @@ test("what the engine has numbers for has names for all of them", () => {
 
 describe("the data of a diagnostic", () => {
   const told = (code: number, ...values: number[]) =>
-    describeDiagnostic({ ...bare, code, values: Float64Array.from(values) }, nameByPosition).data;
+    describeDiagnostic({ ...bare, code, values: Float64Array.from(values) }, nameByIndex).data;
 
   test("are the engine's numbers by their names, as far as it gave them", () => {
     expect(told(25, 3e7, 2e7)).toEqual({ expected: 3e7, limit: 2e7 });
@@ -125,7 +126,7 @@ test("diagnostics come out of the engine's arrays as they were put in, at once o
     positions: Float64Array.of(1, 2, 3, 4, 5, 6),
     values: Float64Array.of(9, 100, 1),
   };
-  const told = describeAll(arrays, nameByPosition);
+  const told = describeAll(arrays, nameByIndex);
   const indices = told.map(({ entities }) => entities.map(({ index }) => index));
   expect(told.map(({ code }) => code)).toEqual([
     "open-edge",
@@ -156,7 +157,7 @@ const NO_ENTITIES = {
 
 /** In how many steps they are described, and as what. */
 function stepsOf(arrays: DiagnosticArrays): [number, Diagnostic[]] {
-  const work = describeInSteps(arrays, nameByPosition);
+  const work = describeInSteps(arrays, nameByIndex);
   for (let steps = 1; ; steps++) {
     const step = work.next();
     if (step.done === true) return [steps, step.value];
@@ -173,7 +174,7 @@ describe("of one thing it is said in the singular:", () => {
   test.each(Object.entries(ENGINE_CODES))("code %s, %s", (code) => {
     const values = Float64Array.of(1, 1, 1);
     for (const entities of [new Uint32Array(), rich.entities.slice(0, 2), Uint32Array.of(5, 1)]) {
-      const said = describeDiagnostic({ ...bare, code: Number(code), entities, values }, nameByPosition);
+      const said = describeDiagnostic({ ...bare, code: Number(code), entities, values }, nameByIndex);
       const singular =
         /\b1 (points|lines|sides|triangles|faces|tetrahedra|places|regions|cavities|nodes|edges)\b/;
       expect(said.message).not.toMatch(singular);
@@ -186,7 +187,7 @@ test("the remedy of turned triangles tells of regions where these would take the
   const remedy = (isBetweenRegions: number) =>
     describeDiagnostic(
       { ...bare, code: 50, entities: Uint32Array.of(5, 1), values: Float64Array.of(isBetweenRegions, 3) },
-      nameByPosition,
+      nameByIndex,
     ).remedy;
   expect(remedy(1)).toMatch(/--repair.*--inner-shells regions/);
   expect(remedy(0)).toMatch(/--repair/);
@@ -197,7 +198,7 @@ test("a coordinate too large to compute with is not said to be no number", () =>
   const said = (value: number) =>
     describeDiagnostic(
       { ...bare, code: 0, entities: Uint32Array.of(0, 0), values: Float64Array.of(value) },
-      nameByPosition,
+      nameByIndex,
     ).message;
   expect(said(-1e200)).toMatch(/has the coordinate -1e\+200, whose magnitude/);
   expect(said(NaN)).toMatch(/not a finite number$/);
@@ -207,7 +208,7 @@ test("pairs of triangles that meet are counted, and said to be more where the co
   const told = (...values: number[]) =>
     describeDiagnostic(
       { ...bare, code: 43, entities: Uint32Array.of(5, 3, 5, 8), values: Float64Array.from(values) },
-      nameByPosition,
+      nameByIndex,
     ).message;
   expect(told(1)).toMatch(/triangle 3 .*and triangle 8 intersect$/);
   expect(told(1600)).toMatch(/intersect \(1600 pairs of triangles in all\)$/);
@@ -216,7 +217,7 @@ test("pairs of triangles that meet are counted, and said to be more where the co
 
 test("an estimate beyond counting is told as such, and gives no factor", () => {
   const told = (estimate: number) =>
-    describeDiagnostic({ ...bare, code: 25, values: Float64Array.of(estimate, 2e7) }, nameByPosition);
+    describeDiagnostic({ ...bare, code: 25, values: Float64Array.of(estimate, 2e7) }, nameByIndex);
   expect(told(1.6e8).remedy).toBe("Use elements at least 2.0 times as large.");
   expect(told(1.6e8).message).toMatch(/require about 160000000 /);
   expect(told(1e15).remedy).toBe("Use far larger elements.");
@@ -244,14 +245,14 @@ test("an edge of a given surface asks for other repairs than one of a drawing", 
   const about = (kind: number) =>
     describeDiagnostic(
       { ...leastOf("open-edge"), code: 40, entities: Uint32Array.of(kind, 0) },
-      nameByPosition,
+      nameByIndex,
     ).remedy;
   expect(about(ENTITY_KINDS.indexOf("triangle"))).toMatch(/triangles/);
   expect(about(ENTITY_KINDS.indexOf("line"))).toMatch(/patch/);
 });
 
 test("what is named by its position says once how positions are counted", () => {
-  const said = (code: number, entities: number[], name = nameByPosition) =>
+  const said = (code: number, entities: number[], name = nameByIndex) =>
     describeDiagnostic({ ...bare, code, entities: Uint32Array.from(entities) }, name).message;
   const triangle = ENTITY_KINDS.indexOf("triangle");
   expect(said(44, [triangle, 1, triangle, 12])).toBe(

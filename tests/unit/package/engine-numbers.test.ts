@@ -2,17 +2,17 @@
 import { ENGINE_CODES, LIMITS } from "tetrafront";
 import { expect, test } from "vitest";
 
-import { ENTITY_KINDS, SEVERITIES } from "../../../wasm/src/diagnostics/sentences.js";
-import { SOURCE_TYPES } from "../../../wasm/src/project/grid-arrays.js";
 import {
   COVER_SHAPES,
   DEFAULT_MAX_DIAGNOSTICS,
   FRONT_ORDERS,
   OPTIMIZATIONS,
 } from "../../../wasm/src/api/options.js";
-import { LINE_TYPES, PATCH_TYPES } from "../../../wasm/src/project/arrays.js";
+import { ENTITY_KINDS, SEVERITIES } from "../../../wasm/src/diagnostics/sentences.js";
 import { PHASES } from "../../../wasm/src/engine/run-clock.js";
 import { STATUSES } from "../../../wasm/src/engine/slices.js";
+import { LINE_TYPES, PATCH_TYPES } from "../../../wasm/src/project/arrays.js";
+import { SOURCE_TYPES } from "../../../wasm/src/project/grid-arrays.js";
 import { engineConstant, engineEnum } from "../../support/engine-enums.js";
 
 const listed = (names: readonly (string | undefined)[]) => names.map((name, value) => [value, name]);

@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 
-import { emptyGrid, withNodes } from "../../../wasm/src/project/grid-arrays.js";
 import type { BackgroundArrays } from "../../../wasm/src/index.js";
+import { emptyGrid, withNodes } from "../../../wasm/src/project/grid-arrays.js";
 
 const NO_NODES = {
   points: new Float64Array(),

@@ -7,8 +7,8 @@ import { fileURLToPath } from "node:url";
 import { readMesh, writeMesh, type FileMesh } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
+import { inSteps } from "../../../wasm/src/calls/yielder.js";
 import { boundaryOf } from "../../../wasm/src/formats/boundary.js";
-import { inSteps } from "../../../wasm/src/formats/steps.js";
 import { blockMesh, taggedElements } from "../../support/block-mesh.js";
 import { temporaryFolder } from "../../support/temporary-folder.js";
 

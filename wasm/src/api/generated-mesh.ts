@@ -1,23 +1,23 @@
 /** Converts a generated mesh to the mesh of a file, with the names of its patches and regions. */
+import { plural } from "../base/plural.js";
 import {
   aNumber,
   arrayOf,
   aString,
+  type Check,
   checkArgument,
   listOf,
   objectOf,
   orNothing,
-  type Check,
-} from "../base/argument-checks.js";
+} from "../calls/argument-checks.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
-import { plural } from "../base/plural.js";
-import type { Project } from "../project/schema.js";
-import type { MeshResult } from "./types.js";
-import type { FileMesh } from "../formats/file-mesh.js";
 import { countOf, hasGenericName, numbered } from "../formats/groups.js";
-import { hasPatches } from "../formats/mesh-checks.js";
 import { carriedRegions } from "../formats/region-names.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
+import { hasPatches } from "../mesh/mesh-checks.js";
+import type { MeshResult } from "../mesh/report.js";
+import type { Project } from "../project/schema.js";
 
 /** Source of the names of a generated mesh. */
 export interface NameSource {

@@ -1,28 +1,19 @@
 /** What is wrong with what callers give, before the engine is asked; empty lists where nothing is. */
-import { isArrayOf, isDetached, shown } from "../base/argument-checks.js";
-import { refuse } from "../diagnostics/mesher-error.js";
-import { invalidOption, packageDiagnostic, readDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { plural } from "../base/plural.js";
-import { projectArrays, type ModelArrays } from "../project/arrays.js";
+import { asObject, GONE, isUsable } from "../base/values.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { refuse } from "../diagnostics/mesher-error.js";
+import {
+  invalidArrays,
+  invalidOption,
+  packageDiagnostic,
+  readDiagnostic,
+} from "../diagnostics/package-diagnostic.js";
+import type { MeshInput, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
+import { type ModelArrays, projectArrays } from "../project/arrays.js";
 import { checkedProject } from "../project/project.js";
-import { sourceProblem, type Project } from "../project/schema.js";
-import type {
-  BackgroundArrays,
-  Diagnostic,
-  MeshInput,
-  RunControl,
-  SurfaceInput,
-  VolumeMesh,
-} from "./types.js";
-
-/** What a caller without type checks may give in place of T. */
-type Unchecked<T> = { readonly [Key in keyof T]?: unknown };
-
-function asObject<T>(value: T): Unchecked<T> {
-  return typeof value === "object" && value !== null ? value : {};
-}
-
-const SOURCES_WANTED = "Give sources as a project has them: id, type, places and size each.";
+import type { Project } from "../project/schema.js";
+import type { RunControl } from "./control.js";
 
 export function checkProject(project: unknown): Diagnostic[] {
   const parsed = checkedProject(project);
@@ -84,71 +75,8 @@ export function checkWeld({ points }: SurfaceInput, weld: number | false | undef
   return [invalidOption("weld", message, "Give less than its shortest edges.")];
 }
 
-/** Views of buffers that were transferred are as good as none. */
-function isUsable<T extends Float64Array | Uint32Array>(
-  type: { readonly name: string; readonly prototype: T },
-  array: unknown,
-): array is T {
-  return isArrayOf(type, array) && !isDetached(array);
-}
-
-const GONE = " with their numbers in them";
-
 function surfaceProblem(message: string): Diagnostic {
-  return arraysProblem(message, "Give x y z per node and three node positions per triangle.");
-}
-
-/** The form alone: sizes, directions and tetrahedra are the engine's to judge, as in a project. */
-export function checkBackground(background: BackgroundArrays): Diagnostic[] {
-  const {
-    points,
-    sizes,
-    stretchings,
-    directions,
-    tetrahedra,
-    coverageMargin = 0,
-    sources = [],
-  } = asObject(background);
-  const isOptional = (array: unknown) => array === undefined || isUsable(Float64Array, array);
-  if (
-    !(isUsable(Float64Array, points) && isUsable(Float64Array, sizes) && isUsable(Uint32Array, tetrahedra)) ||
-    !(isOptional(stretchings) && isOptional(directions))
-  ) {
-    return [
-      gridProblem(
-        "the background grid's points, sizes, stretchings and directions are not Float64Arrays, " +
-          `or its tetrahedra no Uint32Array${GONE}`,
-      ),
-    ];
-  }
-  const count = sizes.length;
-  const hasLength = (array: unknown, length: number) =>
-    !isArrayOf(Float64Array, array) || array.length === length;
-  if (
-    !hasLength(points, 3 * count) ||
-    !hasLength(stretchings, count) ||
-    !hasLength(directions, 3 * count) ||
-    tetrahedra.length % 4 !== 0
-  ) {
-    return [gridProblem(`the arrays of the background grid do not fit its ${plural(count, "size")}`)];
-  }
-  if (!isFiniteFrom(0, coverageMargin)) {
-    return [
-      arraysProblem(`coverageMargin is ${shown(coverageMargin)}`, "Give a finite number of 0 or more."),
-    ];
-  }
-  const problem = sourceProblem(sources);
-  if (problem !== undefined) {
-    return [arraysProblem(`the background grid's sources do not fit: ${problem}`, SOURCES_WANTED)];
-  }
-  return [];
-}
-
-function gridProblem(message: string): Diagnostic {
-  return arraysProblem(
-    message,
-    "Give x y z and a size per node, a stretching and x y z of its direction if need be, and four node positions per tetrahedron.",
-  );
+  return invalidArrays(message, "Give x y z per node and three node positions per triangle.");
 }
 
 /** A mesh to become a background grid, with `sizes` if given. */
@@ -166,7 +94,7 @@ export function checkVolume(
     return [volumeProblem("the mesh has half a point or half a tetrahedron")];
   }
   if (tetrahedra.length === 0) {
-    return [arraysProblem("the mesh has no tetrahedron", "Mesh the model first; its front may be open.")];
+    return [invalidArrays("the mesh has no tetrahedron", "Mesh the model first; its front may be open.")];
   }
   const count = points.length / 3;
   const wild = tetrahedra.findIndex((node) => node >= count);
@@ -194,7 +122,7 @@ function checkNodeSizes(sizes: unknown, count: number): Diagnostic[] {
   if (sizes === undefined) return [];
   if (!isUsable(Float64Array, sizes) || sizes.length !== count) {
     return [
-      arraysProblem(
+      invalidArrays(
         `the sizes are no Float64Array of ${plural(count, "number")}`,
         "Give one size per node of the mesh, or none at all.",
       ),
@@ -203,19 +131,11 @@ function checkNodeSizes(sizes: unknown, count: number): Diagnostic[] {
   const wrong = sizes.findIndex((size) => !(size > 0 && size < Infinity));
   if (wrong < 0) return [];
   const message = `node ${wrong} (counted from 0) has the size ${sizes[wrong]}`;
-  return [arraysProblem(message, "Give a finite size above 0 for every node.")];
+  return [invalidArrays(message, "Give a finite size above 0 for every node.")];
 }
 
 function volumeProblem(message: string): Diagnostic {
-  return arraysProblem(message, "Give x y z per node and four node positions per tetrahedron.");
-}
-
-function arraysProblem(message: string, remedy: string): Diagnostic {
-  return packageDiagnostic("invalid-arrays", message, remedy);
-}
-
-export function isFiniteFrom(least: number, value: unknown): boolean {
-  return typeof value === "number" && Number.isFinite(value) && value >= least;
+  return invalidArrays(message, "Give x y z per node and four node positions per tetrahedron.");
 }
 
 /** Of a project without anything that a grid could cover. */
@@ -227,7 +147,7 @@ export function nothingToCover(): Diagnostic {
 /** Of a mesh whose numbers the engine refuses. */
 export function unreadableMesh(): Diagnostic {
   const message = "the mesh has coordinates that are not finite or beyond 1e30, or another number of regions";
-  return arraysProblem(message, "Give finite coordinates, and one region per element or none.");
+  return invalidArrays(message, "Give finite coordinates, and one region per element or none.");
 }
 
 /** A preview shows drawings that are not finished: only what is no project at all is refused. */

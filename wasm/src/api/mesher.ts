@@ -2,9 +2,30 @@
  * The client of the worker: one run at a time, the others wait; progress, cancelling, and a worker
  * that is replaced when it has failed or does not listen.
  */
-import { throwIfCancelled, untilCancelled } from "../base/cancelling.js";
+import type { Progress } from "../base/progress.js";
+import { throwIfCancelled, untilCancelled } from "../calls/cancelling.js";
+import { inSteps } from "../calls/yielder.js";
+import { type EntityNamer, gridByIndex } from "../diagnostics/entity-names.js";
+import {
+  cancelledError,
+  disposedError,
+  failureError,
+  type MesherError,
+  refuse,
+} from "../diagnostics/mesher-error.js";
 import { EngineWorker, type WorkReply } from "../engine/engine-worker.js";
-import { inSteps } from "../formats/steps.js";
+import type { Answer, Answers, AnswerTo, EngineResult, Question, Request } from "../engine/protocol.js";
+import { buffersOf } from "../engine/transfer.js";
+import type {
+  MeshInspection,
+  SurfaceInspection,
+  SurfaceRefinement,
+  SurfaceRepair,
+} from "../mesh/inspection.js";
+import type { MeshInput, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
+import type { MeshResult } from "../mesh/report.js";
+import { projectArrays } from "../project/arrays.js";
+import type { BackgroundArrays } from "../project/background-arrays.js";
 import {
   backgroundOf,
   emptyGrid,
@@ -12,6 +33,10 @@ import {
   projectSources,
   withNodes,
 } from "../project/grid-arrays.js";
+import { projectNamer, withMissingId } from "../project/names.js";
+import type { ProjectPreview } from "../project/preview.js";
+import type { Project, ProjectBackground } from "../project/schema.js";
+import type { AbortControl, RunControl } from "./control.js";
 import {
   checkControl,
   checkMesh,
@@ -24,17 +49,22 @@ import {
   unreadableMesh,
 } from "./input-checks.js";
 import {
+  changeDiagnostics,
   describedInspection,
   describedMesh,
   describedRefinement,
   describedRepair,
-  changeDiagnostics,
-  type MeshInspection,
-  type RepairOptions,
-  type SurfaceInspection,
-  type SurfaceRefinement,
-  type SurfaceRepair,
 } from "./inspection.js";
+import type { Mesher, SizeProposal } from "./mesher-interface.js";
+import type {
+  CoverOptions,
+  InspectionOptions,
+  MeshOptions,
+  PreviewOptions,
+  ProposalOptions,
+  RefineOptions,
+  RepairOptions,
+} from "./option-types.js";
 import {
   checkCoverOptions,
   checkGridOptions,
@@ -52,45 +82,9 @@ import {
   engineRepairOptions,
   withSettings,
 } from "./options.js";
-import {
-  cancelledError,
-  disposedError,
-  failureError,
-  refuse,
-  type MesherError,
-} from "../diagnostics/mesher-error.js";
-import {
-  gridByPosition,
-  projectArrays,
-  projectNamer,
-  withMissingId,
-  type EntityNamer,
-} from "../project/arrays.js";
-import type { Project, ProjectBackground } from "../project/schema.js";
-import type { Answer, AnswerTo, Answers, EngineResult, Question, Request } from "../engine/protocol.js";
+import { notify, type ProgressListener } from "./progress.js";
 import { describedPreview, describedResult, emptyResult } from "./report.js";
 import { surfaceNamer } from "./surface-numbers.js";
-import { buffersOf } from "../engine/transfer.js";
-import { notify, type ProgressListener } from "./progress.js";
-import type {
-  AbortControl,
-  BackgroundArrays,
-  CoverOptions,
-  InspectionOptions,
-  Mesher,
-  MeshInput,
-  MeshOptions,
-  MeshResult,
-  PreviewOptions,
-  Progress,
-  ProjectPreview,
-  ProposalOptions,
-  RefineOptions,
-  RunControl,
-  SizeProposal,
-  SurfaceInput,
-  VolumeMesh,
-} from "./types.js";
 
 /** Time for the worker to say that it stops; then it is ended by force, within the promised half second. */
 const CANCEL_GRACE_MS = 450;
@@ -181,7 +175,7 @@ class WorkerMesher implements Mesher {
       options: engineOptions(settled),
     } as const;
     const name = projectNamer(project);
-    return this.#run(request, control, background === undefined ? name : gridByPosition(name));
+    return this.#run(request, control, background === undefined ? name : gridByIndex(name));
   }
 
   async fillSurface(surface: SurfaceInput, options: MeshOptions = {}, control: RunControl = {}) {
@@ -222,7 +216,7 @@ class WorkerMesher implements Mesher {
     } as const;
     const name = projectNamer(project);
     const answer = await this.#ask(question, control);
-    const preview = describedPreview(answer, hasGrid ? gridByPosition(name) : name);
+    const preview = describedPreview(answer, hasGrid ? gridByIndex(name) : name);
     const named = hasGrid ? { ...project, background: undefined } : project;
     const told = preview.diagnostics.map((found) => withMissingId(found, named));
     return { ...preview, diagnostics: [...wrong, ...told] };

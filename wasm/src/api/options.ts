@@ -1,29 +1,28 @@
 /** The options as the engine takes them, or what is wrong with them. */
-import { shown } from "../base/argument-checks.js";
 import { LIMITS } from "../base/limits.js";
+import { asObject, shown } from "../base/values.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
-import { checkBackground } from "./input-checks.js";
-import type { RepairOptions } from "./inspection.js";
-import type { Project } from "../project/schema.js";
 import type {
   EngineInspectionOptions,
   EngineOptions,
   EngineProposalOptions,
   EngineRepairOptions,
 } from "../engine/protocol.js";
+import { checkBackground, hasSourcesOnly } from "../project/background-arrays.js";
+import type { Project } from "../project/schema.js";
 import type {
-  BackgroundArrays,
   CoverOptions,
-  Diagnostic,
-  InnerShells,
   FrontOrder,
+  InnerShells,
   InspectionOptions,
   MeshOptions,
   Optimization,
   PreviewOptions,
   ProposalOptions,
   RefineOptions,
-} from "./types.js";
+  RepairOptions,
+} from "./option-types.js";
 
 /** Growth of the element size per unit of distance from a given surface's edges. */
 export const DEFAULT_GROWTH = 0.3;
@@ -176,7 +175,7 @@ function checkWithBackground<Options extends PreviewOptions>(
   options: Options,
   rules: Rules<Omit<Options, "background">>,
 ): Diagnostic[] {
-  const { background, ...rest } = asRecord(options) as Options;
+  const { background, ...rest } = asObject(options) as Options;
   const wrong = checkAgainst(options, rest, rules, ["background"]);
   if (background === undefined) return wrong;
   if (rest.size !== undefined && !hasSourcesOnly(background)) {
@@ -258,16 +257,6 @@ function checkAgainst<Options>(
     }
   }
   return wrong;
-}
-
-/** Then it leaves the sizes that there are, and only cuts them down around its sources. */
-export function hasSourcesOnly(background: BackgroundArrays): boolean {
-  const { tetrahedra, sizes } = asRecord(background) as Partial<BackgroundArrays>;
-  return tetrahedra?.length === 0 && sizes?.length === 0;
-}
-
-function asRecord(value: unknown): object {
-  return typeof value === "object" && value !== null ? value : {};
 }
 
 /** Options that passed the check; a size of 0 stands for none. */

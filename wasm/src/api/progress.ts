@@ -1,5 +1,5 @@
 /** Calls the caller's functions while a call is in progress. They may fail. */
-import type { RunControl } from "./types.js";
+import type { RunControl } from "./control.js";
 
 /** A call in progress. */
 export interface ProgressListener {

@@ -1,12 +1,12 @@
 /** The patches of a surface from a file, carried over its repair. */
-import type { FileGroup } from "../formats/file-mesh.js";
+import { arrayOf, checkArgument, objectOf } from "../calls/argument-checks.js";
 import { countOf } from "../formats/groups.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
-import { arrayOf, checkArgument, objectOf } from "../base/argument-checks.js";
-import { hasPatches } from "../formats/mesh-checks.js";
-import type { SurfaceRepair } from "./inspection.js";
+import type { FileGroup } from "../mesh/file-mesh.js";
+import type { SurfaceRepair } from "../mesh/inspection.js";
+import { NO_REGION } from "../mesh/interfaces.js";
+import { hasPatches } from "../mesh/mesh-checks.js";
 import { chainedOrigins, NO_ORIGIN } from "./surface-numbers.js";
-import { NO_REGION } from "../base/interfaces.js";
 
 const aRepair = objectOf({
   surface: objectOf({ points: arrayOf(Float64Array, 3), triangles: arrayOf(Uint32Array, 3) }),

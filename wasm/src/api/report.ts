@@ -1,10 +1,12 @@
 /** Puts results together: figures from the engine, diagnostics in words; and results without a mesh. */
-import { poorElementWarnings } from "../diagnostics/quality-warnings.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import type { EntityNamer } from "../diagnostics/entity-names.js";
 import { describeAll } from "../diagnostics/sentences.js";
-import type { EntityNamer } from "../project/arrays.js";
 import type { EnginePreview, EngineResult } from "../engine/protocol.js";
 import { NO_QUALITY } from "../engine/quality-report.js";
-import type { Diagnostic, MeshReport, MeshResult, MeshStatus, ProjectPreview } from "./types.js";
+import { poorElementWarnings } from "../mesh/quality-warnings.js";
+import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
+import type { ProjectPreview } from "../project/preview.js";
 
 /** The result of the engine with its diagnostics told in the user's names. */
 export function describedResult(result: EngineResult, name: EntityNamer): MeshResult {

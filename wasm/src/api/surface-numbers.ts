@@ -1,6 +1,6 @@
 /** Triangles and nodes of a surface that was made of another, by the numbers that they have in that one. */
-import { nameByPosition, type EntityNamer } from "../project/arrays.js";
-import type { SurfaceInput } from "./types.js";
+import { type EntityNamer, nameByIndex } from "../diagnostics/entity-names.js";
+import type { SurfaceInput } from "../mesh/mesh.js";
 
 /** In `SurfaceInput.origin` and `nodeOrigin`: a triangle, or node, that the given surface did not have. */
 export const NO_ORIGIN = 0xffffffff;
@@ -12,9 +12,9 @@ export const NO_ORIGIN = 0xffffffff;
 export function surfaceNamer({ origin, nodeOrigin }: SurfaceInput): EntityNamer {
   return (kind, index) => {
     const origins = kind === "triangle" ? origin : kind === "surface-node" ? nodeOrigin : undefined;
-    if (origins === undefined) return nameByPosition(kind, index);
+    if (origins === undefined) return nameByIndex(kind, index);
     const given = origins[index] ?? NO_ORIGIN;
-    if (given !== NO_ORIGIN) return nameByPosition(kind, given);
+    if (given !== NO_ORIGIN) return nameByIndex(kind, given);
     return { kind, index, label: kind === "triangle" ? `filled triangle ${index}` : `new node ${index}` };
   };
 }

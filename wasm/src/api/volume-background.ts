@@ -1,12 +1,14 @@
 /** Background grid from a volume mesh of a file. */
-import { aFunction, aMap, arrayOf, checkArgument, objectOf, orNothing } from "../base/argument-checks.js";
-import { throwIfCancelled } from "../base/cancelling.js";
-import { checkControl, checkVolume } from "./input-checks.js";
+import { aFunction, aMap, arrayOf, checkArgument, objectOf, orNothing } from "../calls/argument-checks.js";
+import { throwIfCancelled } from "../calls/cancelling.js";
 import { MesherError, refuse } from "../diagnostics/mesher-error.js";
-import type { ReadResult } from "../formats/read-result.js";
-import type { BackgroundArrays, Mesher, RunControl } from "./types.js";
-import type { NodeData } from "../formats/file-mesh.js";
+import type { ReadResult } from "../diagnostics/read-error.js";
 import type { VolumeFile } from "../formats/volume-file.js";
+import type { NodeData } from "../mesh/file-mesh.js";
+import type { BackgroundArrays } from "../project/background-arrays.js";
+import type { RunControl } from "./control.js";
+import { checkControl, checkVolume } from "./input-checks.js";
+import type { Mesher } from "./mesher-interface.js";
 
 /**
  * The sizes at the nodes if the file has them under the name `size`, else sizes from the mesh's own

@@ -3,12 +3,11 @@ import { spawn, type ChildProcess } from "node:child_process";
 import { stat } from "node:fs/promises";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
-
-import { FileError, emptyName, STANDARD_STREAM } from "./files.js";
+import { plural } from "../base/plural.js";
+import { extensionOf } from "../formats/file-formats.js";
+import { emptyName, FileError, STANDARD_STREAM } from "./files.js";
 import { ExitCode, print } from "./messages.js";
 import { BatchBar } from "./progress-bar.js";
-import { extensionOf } from "../formats/file-formats.js";
-import { plural } from "../base/plural.js";
 
 const GLOB = /[*?[\]{}]/;
 

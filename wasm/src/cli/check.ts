@@ -1,8 +1,18 @@
 /** `tetrafront check`: lists all problems of a project, a surface or a mesh, without meshing it. */
+import type { Mesher } from "../api/mesher-interface.js";
+import { checkInspectionOptions, checkPreviewOptions } from "../api/options.js";
+import { LIMITS } from "../base/limits.js";
+import { plural } from "../base/plural.js";
+import { inSteps } from "../calls/yielder.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import { listed } from "../formats/groups.js";
+import { surfaceOf } from "../formats/surface-file.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
+import type { MeshInspection, RepairChange, SurfaceInspection } from "../mesh/inspection.js";
 import { writeToStandardOutput } from "./files.js";
 import { withMesher } from "./grids.js";
 import { isProject, numberIn, readMeshFile, readProjectFile, refuseOptions } from "./input.js";
-import { LIMITS } from "../base/limits.js";
 import {
   asBadInput,
   asEngineFailure,
@@ -13,17 +23,8 @@ import {
   print,
   printDiagnostics,
 } from "./messages.js";
-import { refuseRepair, repaired, repairOptions, printChanges, type RepairCommandOptions } from "./repair.js";
+import { printChanges, refuseRepair, type RepairCommandOptions, repaired, repairOptions } from "./repair.js";
 import { meshLines, oppositeOrderLines, readingLines, surfaceLines } from "./tables.js";
-import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
-import type { FileMesh } from "../formats/file-mesh.js";
-import { listed } from "../formats/groups.js";
-import { inSteps } from "../formats/steps.js";
-import { surfaceOf } from "../formats/surface-file.js";
-import type { MeshInspection, RepairChange, SurfaceInspection } from "../api/inspection.js";
-import { checkInspectionOptions, checkPreviewOptions } from "../api/options.js";
-import { plural } from "../base/plural.js";
-import type { Diagnostic, Mesher } from "../api/types.js";
 
 export interface CheckCommandOptions extends RepairCommandOptions {
   readonly size?: string;

@@ -2,26 +2,26 @@
  * `tetrafront convert`: converts a mesh file to another format; of a volume mesh the boundary, if the format stores
  * surfaces only.
  */
+import { writeMesh } from "../api/mesh-files.js";
+import type { RepairOptions } from "../api/option-types.js";
+import { plural } from "../base/plural.js";
+import { inSteps } from "../calls/yielder.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { boundaryOf } from "../formats/boundary.js";
+import type { Contents, WrittenFile } from "../formats/file-format.js";
+import { extensionOf, extensionsFor, formatOf } from "../formats/file-formats.js";
+import { omittedDataMessage } from "../formats/format-limits.js";
+import { numbered } from "../formats/groups.js";
+import { type SurfaceFile, surfaceOf } from "../formats/surface-file.js";
+import { findDefects, tetFaces } from "../formats/tet-faces.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
 import { FileError, refuseFolder, writeOutput } from "./files.js";
 import { withMesher } from "./grids.js";
 import { formatName, readMeshFile } from "./input.js";
 import { ExitCode, print, printDiagnostics, reportFailure } from "./messages.js";
 import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
-import { refuseRepair, repaired, repairOptions, printChanges, type RepairCommandOptions } from "./repair.js";
+import { printChanges, refuseRepair, type RepairCommandOptions, repaired, repairOptions } from "./repair.js";
 import { mixedOrientationLines, readingLines } from "./tables.js";
-import { boundaryOf } from "../formats/boundary.js";
-import type { Contents, WrittenFile } from "../formats/file-format.js";
-import { extensionOf, extensionsFor, formatOf } from "../formats/file-formats.js";
-import type { FileMesh } from "../formats/file-mesh.js";
-import { numbered } from "../formats/groups.js";
-import { omittedDataMessage } from "../formats/format-limits.js";
-import { writeMesh } from "../formats/mesh-files.js";
-import { inSteps } from "../formats/steps.js";
-import { surfaceOf, type SurfaceFile } from "../formats/surface-file.js";
-import { findDefects, tetFaces } from "../formats/tet-faces.js";
-import type { RepairOptions } from "../api/inspection.js";
-import { plural } from "../base/plural.js";
-import type { Diagnostic } from "../api/types.js";
 
 /** Options as commander passes them. */
 export interface ConvertCommandOptions extends RepairCommandOptions {

@@ -4,7 +4,6 @@ import { constants, createReadStream, fstatSync, rmSync, writeFileSync, type Sta
 import { access, lstat, open, readFile, realpath, rename, rm, stat } from "node:fs/promises";
 import path from "node:path";
 import { isatty } from "node:tty";
-
 import { allBytes } from "../formats/byte-source.js";
 
 /** Failure of a file operation; ends the command with a message. */

@@ -1,14 +1,15 @@
 /** `tetrafront cover` and `tetrafront propose`: write projects with a new background grid. */
+import type { Mesher } from "../api/mesher-interface.js";
+import { createMesher } from "../api/mesher.js";
+import type { CoverOptions, ProposalOptions } from "../api/option-types.js";
+import { checkCoverOptions, checkProposalOptions, type CoverShape } from "../api/options.js";
+import { plural } from "../base/plural.js";
+import { extensionOf } from "../formats/file-formats.js";
+import { writeProject } from "../project/project.js";
+import type { Project, ProjectBackground, ProjectSource } from "../project/schema.js";
 import { checkOutput, FileError, refuseFolder, STANDARD_STREAM, writeOutput } from "./files.js";
 import { numberIn, PROJECT_EXTENSION, readProjectFile, refuseOptions } from "./input.js";
 import { ExitCode, print, reportFailure } from "./messages.js";
-import { extensionOf } from "../formats/file-formats.js";
-import { createMesher } from "../api/mesher.js";
-import { checkCoverOptions, checkProposalOptions, type CoverShape } from "../api/options.js";
-import { plural } from "../base/plural.js";
-import { writeProject } from "../project/project.js";
-import type { Project, ProjectBackground, ProjectSource } from "../project/schema.js";
-import type { CoverOptions, Mesher, ProposalOptions } from "../api/types.js";
 
 /** Options as commander passes them: numbers are still text. */
 interface CommonOptions {

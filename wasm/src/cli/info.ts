@@ -1,4 +1,9 @@
 /** `tetrafront info` prints the contents of a file; `tetrafront stats` prints the quality of its elements. */
+import { plural } from "../base/plural.js";
+import { packageDiagnostic, printable } from "../diagnostics/package-diagnostic.js";
+import { formatOf } from "../formats/file-formats.js";
+import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
+import type { Project } from "../project/schema.js";
 import { writeToStandardOutput } from "./files.js";
 import { withMesher } from "./grids.js";
 import { formatName, isProject, readMeshFile, readProjectFile } from "./input.js";
@@ -11,11 +16,6 @@ import {
   qualityLines,
   readingLines,
 } from "./tables.js";
-import { packageDiagnostic, printable } from "../diagnostics/package-diagnostic.js";
-import { formatOf } from "../formats/file-formats.js";
-import type { FileGroup, FileMesh } from "../formats/file-mesh.js";
-import { plural } from "../base/plural.js";
-import type { Project } from "../project/schema.js";
 
 /** Options as commander passes them. */
 export interface InfoCommandOptions {

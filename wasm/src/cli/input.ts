@@ -1,18 +1,20 @@
 /** Reads the input of commands: numbers in options, projects, surfaces, background grids. */
-import { checkInput, FileError, openBeside, piecesOfInput, readInput, STANDARD_STREAM } from "./files.js";
-import { BadInput, unreadable } from "./messages.js";
+import { type ReadFileOptions, readMesh, readSurface, readVolume } from "../api/mesh-files.js";
+import type { Mesher } from "../api/mesher-interface.js";
+import { volumeBackground } from "../api/volume-background.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import type { ReadResult } from "../diagnostics/read-error.js";
 import { extensionOf, extensionsFor, FILE_FORMATS } from "../formats/file-formats.js";
-import type { FileMesh } from "../formats/file-mesh.js";
-import { readMesh, readSurface, readVolume, type ReadFileOptions } from "../formats/mesh-files.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { VolumeFile } from "../formats/volume-file.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
+import type { BackgroundArrays } from "../project/background-arrays.js";
 import { backgroundArrays } from "../project/grid-arrays.js";
-import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
-import { volumeBackground } from "../api/volume-background.js";
 import { readProject } from "../project/project.js";
 import type { Project } from "../project/schema.js";
-import type { ReadResult } from "../formats/read-result.js";
-import type { BackgroundArrays, Diagnostic, Mesher } from "../api/types.js";
+import { checkInput, FileError, openBeside, piecesOfInput, readInput, STANDARD_STREAM } from "./files.js";
+import { BadInput, unreadable } from "./messages.js";
 
 export const PROJECT_EXTENSION = ".json";
 

@@ -1,10 +1,22 @@
 /** The command line: options and arguments of `tetrafront` and its commands. Each command has a file of its own. */
 import { readFileSync } from "node:fs";
-
 import { availableParallelism } from "node:os";
-
 import { Command, CommanderError, Option } from "commander";
-
+import {
+  COVER_SHAPES,
+  DEFAULT_COVER_SHAPE,
+  DEFAULT_GRADATION,
+  DEFAULT_GROWTH,
+  DEFAULT_INNER_SHELLS,
+  DEFAULT_MAX_DIAGNOSTICS,
+  DEFAULT_OPTIMIZATION,
+  DEFAULT_ORDER,
+  DEFAULT_PROPOSAL,
+  FRONT_ORDERS,
+  INNER_SHELLS,
+  OPTIMIZATIONS,
+} from "../api/options.js";
+import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import {
   checkPlaceholders,
   exitCodeOf,
@@ -13,10 +25,10 @@ import {
   runTasks,
   type TaskResult,
 } from "./batch.js";
-import { checkFile, type CheckCommandOptions } from "./check.js";
-import { convertFile, type ConvertCommandOptions } from "./convert.js";
+import { type CheckCommandOptions, checkFile } from "./check.js";
+import { type ConvertCommandOptions, convertFile } from "./convert.js";
 import { ClosedPipe, FileError, STANDARD_STREAM, writeOutput } from "./files.js";
-import { coverFile, proposeForFile, type CoverCommandOptions, type ProposeCommandOptions } from "./grids.js";
+import { type CoverCommandOptions, coverFile, type ProposeCommandOptions, proposeForFile } from "./grids.js";
 import {
   checkHelp,
   convertHelp,
@@ -27,26 +39,11 @@ import {
   PROPOSE_HELP,
   STATS_HELP,
 } from "./help.js";
-import { infoOnFile, statsOfFile, type InfoCommandOptions } from "./info.js";
+import { type InfoCommandOptions, infoOnFile, statsOfFile } from "./info.js";
 import { numberIn } from "./input.js";
-import { meshFile, type MeshCommandOptions } from "./mesh.js";
+import { type MeshCommandOptions, meshFile } from "./mesh.js";
 import { BadInput, ExitCode, reportFailure } from "./messages.js";
 import { checkNoOverwrite, inputFiles, outputFiles } from "./paths.js";
-import { invalidOption } from "../diagnostics/package-diagnostic.js";
-import {
-  COVER_SHAPES,
-  DEFAULT_COVER_SHAPE,
-  DEFAULT_MAX_DIAGNOSTICS,
-  DEFAULT_GRADATION,
-  DEFAULT_GROWTH,
-  DEFAULT_OPTIMIZATION,
-  DEFAULT_INNER_SHELLS,
-  DEFAULT_ORDER,
-  DEFAULT_PROPOSAL,
-  INNER_SHELLS,
-  FRONT_ORDERS,
-  OPTIMIZATIONS,
-} from "../api/options.js";
 
 /** Runs the command line; resolves with the exit code. Messages go to stderr. */
 export async function main(args: readonly string[]): Promise<number> {

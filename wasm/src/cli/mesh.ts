@@ -1,46 +1,45 @@
 /** `tetrafront mesh`: reads, meshes and writes; prints a summary. */
+import type { RunControl } from "../api/control.js";
+import { fileMeshOf } from "../api/generated-mesh.js";
+import { writeMesh } from "../api/mesh-files.js";
+import type { Mesher } from "../api/mesher-interface.js";
+import { createMesher } from "../api/mesher.js";
+import type {
+  FrontOrder,
+  MeshOptions,
+  Optimization,
+  RefineOptions,
+  RepairOptions,
+} from "../api/option-types.js";
+import { checkOptions } from "../api/options.js";
+import { repairedSurface } from "../api/repaired-surface.js";
+import { emptyReport, emptyResult } from "../api/report.js";
+import { plural } from "../base/plural.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { MesherError } from "../diagnostics/mesher-error.js";
+import { invalidOption } from "../diagnostics/package-diagnostic.js";
+import type { SurfaceFile } from "../formats/surface-file.js";
+import type { RepairChange } from "../mesh/inspection.js";
+import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
+import { checkBackground } from "../project/background-arrays.js";
+import type { ProjectSource } from "../project/schema.js";
 import { writableName, writeAll } from "./convert.js";
 import { checkOutput, FileError, refuseFolder, writeOutput } from "./files.js";
+import { withMesher } from "./grids.js";
 import {
   gridArrays,
+  type GridInput,
+  type Input,
   numberIn,
   readGrid,
   readModel,
   refuseOptions,
-  type GridInput,
-  type Input,
 } from "./input.js";
 import { asBadInput, asEngineFailure, BadInput, ExitCode, print, printDiagnostics } from "./messages.js";
 import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
-import { unmeshedLines, readingLines, unusedLines } from "./tables.js";
 import { ProgressBar } from "./progress-bar.js";
-import { refuseRepair, repaired, repairOptions, printChanges, type RepairCommandOptions } from "./repair.js";
-import { invalidOption } from "../diagnostics/package-diagnostic.js";
-import { writeMesh } from "../formats/mesh-files.js";
-import { fileMeshOf } from "../api/generated-mesh.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
-import { withMesher } from "./grids.js";
-import type { RepairChange, RepairOptions } from "../api/inspection.js";
-import { checkBackground } from "../api/input-checks.js";
-import { MesherError } from "../diagnostics/mesher-error.js";
-import { createMesher } from "../api/mesher.js";
-import type { ProjectSource } from "../project/schema.js";
-import { checkOptions } from "../api/options.js";
-import { plural } from "../base/plural.js";
-import { repairedSurface } from "../api/repaired-surface.js";
-import { emptyReport, emptyResult } from "../api/report.js";
-import type {
-  Diagnostic,
-  FrontOrder,
-  Mesher,
-  MeshOptions,
-  MeshReport,
-  MeshResult,
-  MeshStatus,
-  Optimization,
-  RefineOptions,
-  RunControl,
-} from "../api/types.js";
+import { printChanges, refuseRepair, type RepairCommandOptions, repaired, repairOptions } from "./repair.js";
+import { readingLines, unmeshedLines, unusedLines } from "./tables.js";
 
 /** Options as commander passes them: numbers are still text. */
 export interface MeshCommandOptions extends RepairCommandOptions {

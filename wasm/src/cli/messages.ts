@@ -1,9 +1,9 @@
 /** Messages and exit codes of the command line. */
-import { FileError, WriteError } from "./files.js";
-import { packageDiagnostic, printable, readDiagnostic } from "../diagnostics/package-diagnostic.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
-import type { ReadError } from "../formats/read-result.js";
-import type { Diagnostic } from "../api/types.js";
+import { packageDiagnostic, printable, readDiagnostic } from "../diagnostics/package-diagnostic.js";
+import type { ReadError } from "../diagnostics/read-error.js";
+import { FileError, WriteError } from "./files.js";
 
 /** Shells report 141 for a program that writes to a pipe without a reader: 128 plus the number of the signal. */
 export const ExitCode = { meshed: 0, notCompleted: 1, badInput: 2, closedPipe: 141 } as const;

@@ -1,7 +1,7 @@
 /** Files that a command reads and writes: finds conflicts before any work is done. */
+import { filesOf } from "../formats/file-formats.js";
 import { checkOutput, FileError, fileIdentity, STANDARD_STREAM } from "./files.js";
 import { formatName } from "./input.js";
-import { filesOf } from "../formats/file-formats.js";
 
 /** File and its role in the command, such as "the input". */
 export interface NamedFile {

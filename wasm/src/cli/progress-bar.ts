@@ -1,6 +1,5 @@
 import { MultiBar, Presets, SingleBar } from "cli-progress";
-
-import type { Progress } from "../api/types.js";
+import type { Progress } from "../base/progress.js";
 
 /** Progress bar on stderr, for terminals. */
 export class ProgressBar {

@@ -1,14 +1,15 @@
 /** Repairs requested on the command line, and the list of their changes. */
+import type { Mesher } from "../api/mesher-interface.js";
+import type { InnerShells, RepairOptions } from "../api/option-types.js";
+import { checkRepairOptions } from "../api/options.js";
+import { repairedSurface } from "../api/repaired-surface.js";
+import { plural } from "../base/plural.js";
+import { invalidOption } from "../diagnostics/package-diagnostic.js";
+import type { SurfaceFile } from "../formats/surface-file.js";
+import type { RepairChange } from "../mesh/inspection.js";
 import { numberIn, refuseOptions } from "./input.js";
 import { print } from "./messages.js";
 import { positionText } from "./tables.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
-import type { RepairChange, RepairOptions } from "../api/inspection.js";
-import { checkRepairOptions } from "../api/options.js";
-import { invalidOption } from "../diagnostics/package-diagnostic.js";
-import { plural } from "../base/plural.js";
-import { repairedSurface } from "../api/repaired-surface.js";
-import type { InnerShells, Mesher } from "../api/types.js";
 
 /** Options as commander passes them. */
 export interface RepairCommandOptions {

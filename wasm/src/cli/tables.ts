@@ -1,10 +1,10 @@
 /** Statistics as lines of text. */
-import type { FileMesh } from "../formats/file-mesh.js";
-import type { EdgeLengths, MeshInspection, SurfaceInspection } from "../api/inspection.js";
-import { listed } from "../formats/groups.js";
 import { unusedData } from "../api/volume-background.js";
 import { plural } from "../base/plural.js";
-import type { QualityReport } from "../api/types.js";
+import { listed } from "../formats/groups.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
+import type { EdgeLengths, MeshInspection, SurfaceInspection } from "../mesh/inspection.js";
+import type { QualityReport } from "../mesh/quality.js";
 
 /** Number of significant digits in text. */
 const DIGITS = 6;

@@ -1,5 +1,4 @@
-import type { MesherErrorCode } from "./mesher-error.js";
-import type { ReadCode } from "../formats/read-result.js";
+import type { ReadCode } from "./read-error.js";
 
 /**
  * Stable names of all problems that the engine reports. The numbers are those of the engine's `DiagnosticCode`
@@ -80,9 +79,6 @@ export type PackageCode =
 
 /** Code of every diagnostic. */
 export type DiagnosticCode = EngineCode | PackageCode | ReadCode;
-
-/** Code of every error: of diagnostics, of reading, and of rejected calls. */
-export type ErrorCode = DiagnosticCode | MesherErrorCode;
 
 /** Returns the name of an engine code; undefined for a number that the engine does not use. */
 export function engineCodeName(code: number): EngineCode | undefined {

@@ -1,5 +1,5 @@
-import type { DiagnosticCode, EngineCode, ENGINE_OPTIONS } from "./codes.js";
-import type { ReadCode, ReadError } from "../formats/read-result.js";
+import type { DiagnosticCode, ENGINE_OPTIONS, EngineCode } from "./codes.js";
+import type { ReadCode, ReadError } from "./read-error.js";
 
 /** No data beyond the message. */
 export type NoData = Readonly<Record<string, never>>;

@@ -1,7 +1,11 @@
 /** Errors with which calls of the package reject. */
 import { plural } from "../base/plural.js";
-import type { Reply } from "../engine/protocol.js";
-import type { Diagnostic, Phase, Progress } from "../api/types.js";
+import type { Phase, Progress } from "../base/progress.js";
+import type { DiagnosticCode } from "./codes.js";
+import type { Diagnostic } from "./diagnostic.js";
+
+/** Code of every error: of diagnostics, of reading, and of rejected calls. */
+export type ErrorCode = DiagnosticCode | MesherErrorCode;
 
 /** Data of a `MesherError`, by code. */
 export interface MesherErrorData {
@@ -51,6 +55,16 @@ export interface OutOfMemory {
    * there is none.
    */
   readonly fittingTriangles: number | undefined;
+}
+
+export type FailureReason = "out-of-memory" | "engine-failed";
+
+/** Failure of a call, as the worker reports it. */
+export interface EngineFailure {
+  readonly reason: FailureReason;
+  readonly message: string;
+  /** Memory that the engine had, in bytes. */
+  readonly bytes: number;
 }
 
 /** `MesherError` of one code. */
@@ -123,7 +137,7 @@ export function crashError(reason: string): MesherError {
  * surface given to the failed call, 0 if there was none.
  */
 export function failureError(
-  { reason, message, bytes }: Extract<Reply, { kind: "failure" }>,
+  { reason, message, bytes }: EngineFailure,
   progress: Progress | undefined,
   triangles: number,
 ): MesherError {

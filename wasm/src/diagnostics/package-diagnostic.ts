@@ -1,7 +1,11 @@
 /** Diagnostics of the package itself. They are separate from the engine's sentences, which not every caller loads. */
 import type { DiagnosticCode, EngineCode } from "./codes.js";
-import type { ReadError } from "../formats/read-result.js";
-import type { Diagnostic, DiagnosticOf, Severity } from "../api/types.js";
+import type { Diagnostic, DiagnosticOf, Severity } from "./diagnostic.js";
+import type { ReadError } from "./read-error.js";
+
+export function invalidArrays(message: string, remedy: string): Diagnostic {
+  return packageDiagnostic("invalid-arrays", message, remedy);
+}
 
 /** Returns a diagnostic of the package about no particular entity. */
 export function packageDiagnostic(

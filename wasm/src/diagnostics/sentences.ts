@@ -2,14 +2,13 @@
  * Turns diagnostics of the engine into sentences: the entities by the names that the user gave them, the position,
  * the numbers, and the remedy.
  */
-import { ENGINE_OPTIONS, engineCodeName, type EngineCode } from "./codes.js";
-import { ENGINE_DATA, type DiagnosticData } from "./data.js";
-import type { DiagnosticArrays } from "../engine/loader.js";
-import { PAUSE, type Steps } from "../formats/steps.js";
-import { sentence } from "./package-diagnostic.js";
 import { plural } from "../base/plural.js";
-import type { EntityNamer } from "../project/arrays.js";
-import type { Diagnostic, DiagnosticOf, EntityKind, EntityRef, Severity } from "../api/types.js";
+import { PAUSE, type Steps } from "../base/steps.js";
+import { ENGINE_OPTIONS, type EngineCode, engineCodeName } from "./codes.js";
+import { type DiagnosticData, ENGINE_DATA } from "./data.js";
+import type { Diagnostic, DiagnosticOf, EntityKind, EntityRef, Severity } from "./diagnostic.js";
+import type { EntityNamer } from "./entity-names.js";
+import { sentence } from "./package-diagnostic.js";
 
 /** Diagnostic as the engine returns it. */
 export interface EngineDiagnostic {
@@ -20,6 +19,17 @@ export interface EngineDiagnostic {
   readonly entities: Uint32Array;
   /** x y z, or empty. */
   readonly place: Float64Array;
+  readonly values: Float64Array;
+}
+
+/** All diagnostics of an answer in a few arrays: there may be a million of them. */
+export interface DiagnosticArrays {
+  /** Per diagnostic: code, severity, number of entities, 1 with a position, number of values. */
+  readonly heads: Uint32Array;
+  /** Kind and index per entity, one diagnostic after the other. */
+  readonly entities: Uint32Array;
+  /** x y z of the diagnostics with a position. */
+  readonly positions: Float64Array;
   readonly values: Float64Array;
 }
 

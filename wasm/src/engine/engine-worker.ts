@@ -1,9 +1,8 @@
 /** A worker with an engine in it, or why there is none: told once, and nothing more of a worker that is ended. */
 import { loadRemedies, startWorker } from "#worker-host";
-
-import { crashError, notLoadedError, type MesherError } from "../diagnostics/mesher-error.js";
-import type { Reply, Request } from "./protocol.js";
 import { requestEngine, settleEngine, type EngineLoader } from "./shared-engine.js";
+import { crashError, type MesherError, notLoadedError } from "../diagnostics/mesher-error.js";
+import type { Reply, Request } from "./protocol.js";
 import type { WorkerHandle } from "./worker-host.js";
 
 /** Of a worker that is ready. */

@@ -11,7 +11,17 @@ import createEngine, {
   type Run,
   type VolumeInspection,
 } from "./engine.js";
-import type { CompiledEngine } from "./protocol.js";
+
+type ResultOf<Tool extends keyof Engine> = Engine[Tool] extends (...given: never[]) => infer Made
+  ? NonNullable<Made> extends { result(): infer Result }
+    ? Result
+    : never
+  : never;
+/** The engine's answers, which cross to the caller as they are. */
+export type EngineInspection = ResultOf<"inspectSurface">;
+export type EngineRepair = ResultOf<"repairSurface">;
+export type EngineRefinement = ResultOf<"refineSurface">;
+export type EngineVolumeInspection = ResultOf<"inspectMesh">;
 
 export type { DiagnosticArrays } from "./engine.js";
 export type Engine = MainModule;
@@ -50,3 +60,6 @@ export async function loadEngine(
 }
 
 type ReceiveInstance = (instance: WebAssembly.Instance, module: WebAssembly.Module) => void;
+
+/** A WebAssembly.Module, by a name that programs without the types of browsers know too. */
+export type CompiledEngine = object;

@@ -1,25 +1,20 @@
 /** What the page (or a Node program) and the worker say to each other. Types only. */
-import type { DiagnosticArrays } from "./loader.js";
+import type { Progress } from "../base/progress.js";
+import type { EngineFailure } from "../diagnostics/mesher-error.js";
+import type { SurfaceMesh, VolumeMesh } from "../mesh/mesh.js";
+import type { MeshReport, MeshStatus } from "../mesh/report.js";
+import type { ModelArrays } from "../project/arrays.js";
+import type { BackgroundArrays } from "../project/background-arrays.js";
 import type { GridArrays } from "../project/grid-arrays.js";
+import type { ProjectPreview } from "../project/preview.js";
 import type {
+  CompiledEngine,
+  DiagnosticArrays,
   EngineInspection,
   EngineRefinement,
   EngineRepair,
   EngineVolumeInspection,
-} from "../api/inspection.js";
-import type { ModelArrays } from "../project/arrays.js";
-import type {
-  BackgroundArrays,
-  MeshReport,
-  MeshStatus,
-  Progress,
-  ProjectPreview,
-  SurfaceMesh,
-  VolumeMesh,
-} from "../api/types.js";
-
-/** A WebAssembly.Module, by a name that programs without the types of browsers know too. */
-export type CompiledEngine = object;
+} from "./loader.js";
 
 /** Options as the engine takes them; 0 for a size that is not given. */
 export interface EngineOptions {
@@ -198,8 +193,6 @@ export type AnswerTo<Kind extends keyof Answers> = {
 };
 export type Answer = { [Kind in keyof Answers]: AnswerTo<Kind> }[keyof Answers];
 
-export type FailureReason = "out-of-memory" | "engine-failed";
-
 export type Reply =
   /** Once, when the engine is loaded, with its code for other workers. Requests sent earlier wait for it. */
   | { readonly kind: "ready"; readonly module: CompiledEngine }
@@ -214,15 +207,11 @@ export type Reply =
    * The call of that id failed. If somebody still waits for it, the sender replaces the worker, because a full heap never
    * shrinks. If nobody does, the other calls go on, unless the engine is lost.
    */
-  | {
+  | ({
       readonly kind: "failure";
       readonly id: number;
-      readonly reason: FailureReason;
-      readonly message: string;
       /** The engine trapped instead of reporting its failure: its heap cannot be trusted any more. */
       readonly isEngineLost: boolean;
-      /** What the engine had of the machine's memory. */
-      readonly bytes: number;
-    }
+    } & EngineFailure)
   /** The engine could not be loaded at all: where it was looked for, and why it is not there. */
   | { readonly kind: "unusable"; readonly message: string };

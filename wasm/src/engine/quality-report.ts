@@ -1,6 +1,6 @@
 /** Takes apart the flat arrays in which the engine tells of its elements' quality. */
+import type { ElementQuality, QualityReport, RegionQuality } from "../mesh/quality.js";
 import type { EngineRun } from "./loader.js";
-import type { ElementQuality, QualityReport, RegionQuality } from "../api/types.js";
 
 type StatisticsRecord = ReturnType<EngineRun["statistics"]>;
 

@@ -1,4 +1,5 @@
-import type { Phase, Seconds } from "../api/types.js";
+import type { Phase } from "../base/progress.js";
+import type { Seconds } from "../mesh/report.js";
 
 /** The phases by the engine's numbers (cpp/include/tetrafront/status.h). */
 export const PHASES: readonly Phase[] = ["check", "sides", "surface", "volume", "optimize", "verify"];

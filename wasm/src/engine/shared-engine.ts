@@ -3,7 +3,7 @@
  * compiles it and hands it back, those that come meanwhile wait for that, all later ones are given it. What
  * failed is not kept: the next in line tries for itself.
  */
-import type { CompiledEngine } from "./protocol.js";
+import type { CompiledEngine } from "./loader.js";
 
 /** A worker that needs the code. */
 export interface EngineLoader {

@@ -3,9 +3,10 @@
  * without shared memory, and V8 never replaces a WebAssembly frame that is running, so that one
  * long call would stay in slow baseline code.
  */
+import type { Phase, Progress } from "../base/progress.js";
+import type { MeshStatus } from "../mesh/report.js";
 import type { EngineRun, EngineTool } from "./loader.js";
 import { PHASES, type RunClock } from "./run-clock.js";
-import type { MeshStatus, Phase, Progress } from "../api/types.js";
 
 /** How long the worker may be deaf, in milliseconds: a fraction of what a cancel may take. */
 const SLICE_MS = 12;

@@ -1,5 +1,4 @@
 import { Worker } from "node:worker_threads";
-
 import type { Reply } from "./protocol.js";
 import type { LoadRemedies, StartWorker } from "./worker-host.js";
 

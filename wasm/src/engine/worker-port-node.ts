@@ -1,6 +1,5 @@
 import { readFile } from "node:fs/promises";
 import { parentPort } from "node:worker_threads";
-
 import type { Request } from "./protocol.js";
 import type { WorkerPort } from "./worker-port.js";
 

@@ -1,13 +1,13 @@
 /** The worker: takes requests, runs the engine in slices, replies (protocol.ts). */
 import { workerPort } from "#worker-port";
-
-import { loadEngine, type Engine, type EngineRun, type EngineTool } from "./loader.js";
-import type { Answer, CompiledEngine, EngineResult, FailureReason, Question, Request } from "./protocol.js";
+import type { FailureReason } from "../diagnostics/mesher-error.js";
+import type { MeshStatus } from "../mesh/report.js";
+import { type CompiledEngine, type Engine, type EngineRun, type EngineTool, loadEngine } from "./loader.js";
+import type { Answer, EngineResult, Question, Request } from "./protocol.js";
 import { qualityReport } from "./quality-report.js";
 import { RunClock } from "./run-clock.js";
-import { runInSlices, workInSlices, type SliceControl } from "./slices.js";
+import { runInSlices, type SliceControl, workInSlices } from "./slices.js";
 import { buffersOf } from "./transfer.js";
-import type { MeshStatus } from "../api/types.js";
 
 const OUT_OF_MEMORY = "out of memory";
 const cancelled = new Set<number>();

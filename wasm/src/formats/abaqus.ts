@@ -4,12 +4,12 @@
  * refer to these names. An interface between regions gets one surface per side. Material properties are left to the
  * user.
  */
+import { stepwise } from "../base/steps.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
-import type { FileMesh } from "./file-mesh.js";
-import { patchGroups, regionGroups, usedGroups, type Group, type Naming } from "./groups.js";
+import { type Group, type Naming, patchGroups, regionGroups, usedGroups } from "./groups.js";
 import { coordinates, fromOne, numberRows } from "./number-rows.js";
-import { stepwise } from "./steps.js";
 import { NONE, tetFaces } from "./tet-faces.js";
 
 /** Abaqus face names by the opposite corner: S1 has the corners 1 2 3, S2 1 2 4, S3 2 3 4, S4 1 3 4. */

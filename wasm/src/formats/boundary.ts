@@ -1,6 +1,6 @@
 /** Extracts the triangles of a mesh with the points they use, for formats that hold surfaces only. */
-import type { FileMesh } from "./file-mesh.js";
-import { stepwise, type Steps } from "./steps.js";
+import { type Steps, stepwise } from "../base/steps.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
 
 /** Returns the mesh without tetrahedra and unused nodes; the order of nodes is kept. */
 export function* boundaryOf(mesh: FileMesh): Steps<FileMesh> {

@@ -7,10 +7,10 @@
  * A line ends with a line feed, a carriage return, or both. A UTF-8 byte-order mark before a word or a line counts
  * as white space: files begin with it, and concatenated files contain it.
  */
-import { failureAt, ReadFailure, type FileLocation } from "./read-result.js";
-import { piecesOf, type ByteSource } from "./byte-source.js";
+import { Yielder } from "../calls/yielder.js";
+import { type ByteSource, piecesOf } from "./byte-source.js";
 import { decimalIn, otherNumber } from "./decimal.js";
-import { Yielder } from "./steps.js";
+import { failureAt, type FileLocation, ReadFailure } from "./read-result.js";
 
 const LINE_FEED = 10;
 const CARRIAGE_RETURN = 13;

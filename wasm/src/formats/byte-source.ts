@@ -1,8 +1,8 @@
 /** Sources of the bytes of a file: all at once, or piece by piece while the file is read. */
-import { isA, isArrayOf, isDetached } from "../base/argument-checks.js";
-import { throwIfCancelled, untilCancelled } from "../base/cancelling.js";
+import { isA, isArrayOf, isDetached } from "../base/values.js";
+import { throwIfCancelled, untilCancelled } from "../calls/cancelling.js";
+import { Yielder } from "../calls/yielder.js";
 import { ReadFailure } from "./read-result.js";
-import { Yielder } from "./steps.js";
 
 /** A Node stream is an AsyncIterable, a browser's File is a Blob, and `fetch(…).body` is a ReadableStream. */
 export type ByteSource =

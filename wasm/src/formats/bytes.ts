@@ -1,4 +1,4 @@
-import { inPieces } from "./steps.js";
+import { inPieces } from "../base/steps.js";
 
 /**
  * Content of a file, in order. Rows of numbers are generated while they are written; numeric arrays are in the byte

@@ -4,7 +4,7 @@
  * Eberly, "Triangulation by Ear Clipping").
  */
 import type { Work } from "./chain-tree.js";
-import { flatView, doubledArea, type ClippingBudget, type Position2, type Position3 } from "./polygons.js";
+import { type ClippingBudget, doubledArea, flatView, type Position2, type Position3 } from "./polygons.js";
 import type { Coordinates } from "./sixfold-volume.js";
 
 /** Ring of a facet, counter-clockwise in the plane. */

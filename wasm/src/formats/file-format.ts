@@ -2,10 +2,10 @@
  * Interface between a file format and the rest of the package. Each format has one file, named after it, and one
  * entry in file-formats.ts.
  */
-import type { Diagnostic } from "../api/types.js";
-import type { Part } from "./bytes.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
 import type { ByteSource } from "./byte-source.js";
-import type { FileMesh } from "./file-mesh.js";
+import type { Part } from "./bytes.js";
 
 /** Triangles, or tetrahedra with their boundary. */
 export type Contents = "surface" | "volume";

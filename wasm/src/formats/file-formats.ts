@@ -2,10 +2,10 @@
  * The list of file formats: the only place where a format is registered. The command line, the app and the
  * documents take names and extensions from here. The code of a format is loaded on first use.
  */
-import { aString, checkArgument, oneOf } from "../base/argument-checks.js";
+import { aString, checkArgument, oneOf } from "../calls/argument-checks.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
 import type { Part } from "./bytes.js";
 import type { Contents, FileFormat, FormatCode, MeshWriter, Note } from "./file-format.js";
-import type { FileMesh } from "./file-mesh.js";
 import { fitToFormat, type FormatLimits } from "./format-limits.js";
 
 /** Every format that can be read or written. */

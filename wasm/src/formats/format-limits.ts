@@ -1,6 +1,6 @@
 /** Adapts a mesh to the tags and node values that a format can store; reports every change. */
+import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
 import type { Note } from "./file-format.js";
-import type { FileGroup, FileMesh } from "./file-mesh.js";
 import { hasGenericName, listed, usedGroups } from "./groups.js";
 
 export interface FormatLimits {

@@ -2,11 +2,11 @@
  * Writes glTF 2.0 as a binary file (GLB): the boundary, with one primitive and material per patch, named after the
  * patch. Coordinates are float32, as the format requires; the axes are those of the mesh.
  */
+import type { FileMesh } from "../mesh/file-mesh.js";
 import { boundaryOf, colorsOf } from "./boundary.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
-import type { FileMesh } from "./file-mesh.js";
-import { patchGroups, usedGroups, type Group } from "./groups.js";
+import { type Group, patchGroups, usedGroups } from "./groups.js";
 import { noteMerged } from "./merged-points.js";
 
 const MAGIC = 0x46546c67;

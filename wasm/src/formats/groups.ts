@@ -1,7 +1,7 @@
 /** Triangles by patch and tetrahedra by region, with names: the groups that other programs assign conditions to. */
+import { type Steps, stepwise } from "../base/steps.js";
+import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
 import type { Note } from "./file-format.js";
-import type { FileGroup, FileMesh } from "./file-mesh.js";
-import { stepwise, type Steps } from "./steps.js";
 
 /** Gmsh's element types; its node order equals ours. */
 export const TRIANGLE = { type: 2, dimension: 2, nodes: 3 } as const;

@@ -2,9 +2,9 @@
  * Reads Medit `.mesh` files (text): triangles and quadrilaterals with their reference as patch, tetrahedra with
  * their reference as region. Other sections, such as edges, corners and normals, are skipped.
  */
+import type { FileMesh } from "../mesh/file-mesh.js";
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
-import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
 import { NameLines } from "./name-lines.js";
 import { UNCUT } from "./polygons.js";

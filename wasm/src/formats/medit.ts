@@ -2,9 +2,9 @@
  * Writes Medit `.mesh` files (text): the tetrahedra with their region as reference, and the triangles of the
  * boundary with their patch as reference. Comments hold the names.
  */
+import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
-import type { FileGroup, FileMesh } from "./file-mesh.js";
 import { allNameLines } from "./name-lines.js";
 import { coordinates, fromOne, numberRows } from "./number-rows.js";
 

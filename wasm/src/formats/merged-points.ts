@@ -1,7 +1,7 @@
 /** Detects points that a format's precision makes equal. */
 import { plural } from "../base/plural.js";
+import { type Steps, stepwise } from "../base/steps.js";
 import type { Note } from "./file-format.js";
-import { stepwise, type Steps } from "./steps.js";
 import { PointWelder } from "./weld.js";
 
 /** Reports how many different points become equal in `written`, by default float32. O(n) expected. */

@@ -1,7 +1,7 @@
 /** Collects the points, elements and groups found by a reader. */
+import type { FileGroup, FileMesh, NodeData } from "../mesh/file-mesh.js";
 import { Column } from "./column.js";
 import { facetPolygons } from "./facets.js";
-import type { FileGroup, FileMesh, NodeData } from "./file-mesh.js";
 import { addPolygon, ClippingBudget, type Position3 } from "./polygons.js";
 import { sixfoldVolume } from "./sixfold-volume.js";
 import { PointWelder } from "./weld.js";

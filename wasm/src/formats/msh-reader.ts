@@ -4,17 +4,17 @@
  * entity. Values at nodes are kept. Points, lines and other sections are skipped.
  */
 import { plural } from "../base/plural.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
 import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
-import type { FileMesh } from "./file-mesh.js";
+import { DuplicateElements } from "./duplicate-elements.js";
 import { ExtraGroups } from "./extra-groups.js";
-import { MeshBuilder, type GroupList } from "./mesh-builder.js";
+import { type GroupList, MeshBuilder } from "./mesh-builder.js";
 import { MshEntities } from "./msh-entities.js";
 import { MshNumbers } from "./msh-numbers.js";
 import { MshVolumes } from "./msh-volumes.js";
 import { NodeTags } from "./node-tags.js";
 import { UNCUT } from "./polygons.js";
-import { DuplicateElements } from "./duplicate-elements.js";
 
 const REMEDY = "Save the mesh again as MSH 4.1 or 2.2 with linear triangles and tetrahedra, or as .vtu.";
 const TRIANGLE = 2;

@@ -3,11 +3,11 @@
  * physical group per patch, with its triangles, and one volume entity and physical group per region, with its
  * tetrahedra. The groups carry the user's names, for boundary conditions.
  */
-import { IS_LITTLE_ENDIAN, widened, type Part } from "./bytes.js";
+import { inPieces, type Steps, stepwise } from "../base/steps.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
+import { IS_LITTLE_ENDIAN, type Part, widened } from "./bytes.js";
 import type { Note } from "./file-format.js";
-import type { FileMesh } from "./file-mesh.js";
-import { patchGroups, regionGroups, type Group, type Naming } from "./groups.js";
-import { inPieces, stepwise, type Steps } from "./steps.js";
+import { type Group, type Naming, patchGroups, regionGroups } from "./groups.js";
 
 /** Gmsh rejects files with longer names, in bytes. */
 export const GMSH_NAMING: Naming = { maxBytes: 127 };

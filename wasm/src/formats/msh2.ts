@@ -2,12 +2,12 @@
  * Writes Gmsh MSH 2.2, binary, for older programs. Every element has its patch or region as physical group and as
  * entity; the groups carry the names.
  */
+import { inPieces } from "../base/steps.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
 import { IS_LITTLE_ENDIAN, type Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
-import type { FileMesh } from "./file-mesh.js";
-import { patchGroups, regionGroups, type Group } from "./groups.js";
+import { type Group, patchGroups, regionGroups } from "./groups.js";
 import { GMSH_NAMING, nodeDataSections, physicalNames } from "./msh.js";
-import { inPieces } from "./steps.js";
 
 /** A number, then x y z. */
 const NODE_BYTES = 4 + 3 * 8;

@@ -2,8 +2,8 @@
  * Names of patches and regions as lines of text: "patch 4 inlet". Formats that store only numbers keep these lines
  * in text that other programs ignore, such as comments.
  */
+import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
 import type { Note } from "./file-format.js";
-import type { FileGroup, FileMesh } from "./file-mesh.js";
 import { hasGenericName, listed, shortened, usedGroups } from "./groups.js";
 import { GroupList } from "./mesh-builder.js";
 

@@ -4,14 +4,14 @@
  * PSHELL property without stiffness. Names are comments, because the format has none. Material properties are left
  * to the user.
  */
+import { stepwise } from "../base/steps.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
-import type { FileMesh } from "./file-mesh.js";
-import { patchGroups, regionGroups, type Group } from "./groups.js";
 import type { FormatLimits } from "./format-limits.js";
+import { type Group, patchGroups, regionGroups } from "./groups.js";
 import { noteMerged } from "./merged-points.js";
 import { numberRows } from "./number-rows.js";
-import { stepwise } from "./steps.js";
 
 /** Properties of shells and solids share one set of numbers, of at most eight digits. */
 export const NASTRAN_NUMBERS: FormatLimits = { minTag: 1, maxTag: 99_999_999, hasSharedTags: true };

@@ -1,4 +1,4 @@
-import { inPieces } from "./steps.js";
+import { inPieces } from "../base/steps.js";
 
 type Numbers = Float64Array | Uint32Array | Int32Array | Uint8Array;
 

@@ -1,8 +1,8 @@
 /** Writes OBJ (text): the boundary with one group per patch; the material has the same name. */
+import type { FileMesh } from "../mesh/file-mesh.js";
 import { boundaryOf } from "./boundary.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
-import type { FileMesh } from "./file-mesh.js";
 import { patchGroups } from "./groups.js";
 import { coordinates, fromOne, numberRows } from "./number-rows.js";
 

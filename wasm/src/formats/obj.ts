@@ -5,10 +5,10 @@
  * continues it. Polygons are cut into triangles. Free-form curves and surfaces are rejected.
  */
 import { plural } from "../base/plural.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import type { ReadContext } from "./file-format.js";
-import type { FileMesh } from "./file-mesh.js";
 import { GroupList, MeshBuilder } from "./mesh-builder.js";
 import { UNCUT } from "./polygons.js";
 

@@ -3,10 +3,10 @@
  * programs read three corners per line and reject or garble the rest. Patches are therefore listed in comments at
  * the end.
  */
+import type { FileMesh } from "../mesh/file-mesh.js";
 import { boundaryOf } from "./boundary.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
-import type { FileMesh } from "./file-mesh.js";
 import { faceLines, nameLines } from "./name-lines.js";
 import { coordinates, numberRows } from "./number-rows.js";
 

@@ -3,11 +3,11 @@
  * of the variants are skipped. Faces of one colour become a patch. Polygons are cut into triangles.
  */
 import { plural } from "../base/plural.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { colorPatch, numbersInLine } from "./colors.js";
 import type { ReadContext } from "./file-format.js";
-import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
 import { FaceLines } from "./name-lines.js";
 import { UNCUT } from "./polygons.js";

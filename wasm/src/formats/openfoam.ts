@@ -5,14 +5,14 @@
  * zones, and patches between two regions are face zones. Faces without a patch, as in a partial mesh, form
  * `defaultFaces`.
  */
+import { PAUSE, type Steps, stepwise } from "../base/steps.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
-import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups, usedGroups } from "./groups.js";
 import { coordinates, numberRows } from "./number-rows.js";
-import { noteFreeTriangles, noteUnnamedFaces, noteDuplicates } from "./outer-faces.js";
-import { PAUSE, stepwise, type Steps } from "./steps.js";
-import { cornersOf, NONE, validFaces, type TetFaces } from "./tet-faces.js";
+import { noteDuplicates, noteFreeTriangles, noteUnnamedFaces } from "./outer-faces.js";
+import { cornersOf, NONE, type TetFaces, validFaces } from "./tet-faces.js";
 import { zipped } from "./zip.js";
 
 /** Consecutive faces of a patch. */

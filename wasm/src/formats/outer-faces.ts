@@ -3,10 +3,10 @@
  * with an element on each side, and triangles without an element are left out.
  */
 import { plural } from "../base/plural.js";
+import { type Steps, stepwise } from "../base/steps.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
 import type { Note } from "./file-format.js";
-import type { FileMesh } from "./file-mesh.js";
 import { listed } from "./groups.js";
-import { stepwise, type Steps } from "./steps.js";
 import { cornersOf, NONE, validFaces } from "./tet-faces.js";
 
 /** Name of the patch for boundary faces without a triangle, as in a partial mesh. */

@@ -2,10 +2,10 @@
  * Writes PLY (text): points and triangles; if there are several patches, each triangle has the number and colour of
  * its patch. Text, because Gmsh reads no binary PLY, and meshio reads no face properties in binary files.
  */
+import type { FileMesh } from "../mesh/file-mesh.js";
 import { boundaryOf, colorsOf } from "./boundary.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
-import type { FileMesh } from "./file-mesh.js";
 import { nameLines } from "./name-lines.js";
 import { coordinates, numberRows } from "./number-rows.js";
 

@@ -4,12 +4,12 @@
  * properties and elements are skipped. Polygons and strips are cut into triangles.
  */
 import { plural } from "../base/plural.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
 import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { colorPatch } from "./colors.js";
 import { Column } from "./column.js";
 import type { ReadContext } from "./file-format.js";
-import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
 import { NameLines } from "./name-lines.js";
 import { UNCUT } from "./polygons.js";

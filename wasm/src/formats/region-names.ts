@@ -2,11 +2,11 @@
  * Transfers the regions of a file to the mesh generated inside its triangles: each new region becomes the file's
  * region next to most of its triangles.
  */
-import { NO_REGION } from "../base/interfaces.js";
-import type { MeshResult } from "../api/types.js";
-import type { FileMesh, SurfaceRegions } from "./file-mesh.js";
+import { type Steps, stepwise } from "../base/steps.js";
+import type { FileMesh, SurfaceRegions } from "../mesh/file-mesh.js";
+import { NO_REGION } from "../mesh/interfaces.js";
+import type { MeshResult } from "../mesh/report.js";
 import { hasGenericName } from "./groups.js";
-import { stepwise, type Steps } from "./steps.js";
 import { NONE, tetFaces } from "./tet-faces.js";
 
 /**

@@ -3,14 +3,14 @@
  * there is a single patch with a generic name. The header lists the names in the order of the tags, if all fit into
  * its 80 bytes.
  */
+import { stepwise } from "../base/steps.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
 import { boundaryOf } from "./boundary.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
-import type { FileMesh } from "./file-mesh.js";
 import { hasGenericName, listed, noteNames, usedGroups } from "./groups.js";
-import { NAME_BREAK, STL_NAMES, STL_TITLE } from "./name-lines.js";
 import { noteMerged } from "./merged-points.js";
-import { stepwise } from "./steps.js";
+import { NAME_BREAK, STL_NAMES, STL_TITLE } from "./name-lines.js";
 
 const HEADER_TEXT = 80;
 const HEADER_BYTES = 84;

@@ -5,13 +5,13 @@
  * attributes of a binary one, which are colours if the file or the triangle says so. Normals are ignored.
  */
 import { plural } from "../base/plural.js";
-import { failureAt, ReadFailure } from "./read-result.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
 import { ByteReader, FIRST_LINE, indexOf } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { hexOf } from "./colors.js";
-import type { FileMesh } from "./file-mesh.js";
-import { MeshBuilder, type GroupList } from "./mesh-builder.js";
+import { type GroupList, MeshBuilder } from "./mesh-builder.js";
 import { NAME_BREAK, STL_NAMES } from "./name-lines.js";
+import { failureAt, ReadFailure } from "./read-result.js";
 
 const HEADER_BYTES = 80;
 const COUNT_BYTES = 4;

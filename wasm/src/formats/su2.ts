@@ -3,10 +3,10 @@
  * underscores replace the characters that end or split names in SU2's configuration files. The format cannot store
  * regions and the interfaces between them.
  */
+import type { FileMesh } from "../mesh/file-mesh.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
-import type { FileMesh } from "./file-mesh.js";
-import { patchGroups, type Naming } from "./groups.js";
+import { type Naming, patchGroups } from "./groups.js";
 import { coordinates, numberRows } from "./number-rows.js";
 import { noteRegions, withOuterFaces } from "./outer-faces.js";
 

@@ -1,11 +1,11 @@
 /** Surfaces from files: the triangles of a mesh file, welded exactly. */
 import { plural } from "../base/plural.js";
-import { ReadFailure } from "./read-result.js";
-import type { SurfaceInput } from "../api/types.js";
+import { type Steps, stepwise } from "../base/steps.js";
+import type { FileGroup, FileMesh, SurfaceRegions } from "../mesh/file-mesh.js";
+import type { SurfaceInput } from "../mesh/mesh.js";
 import { boundaryOf } from "./boundary.js";
-import type { FileGroup, FileMesh, SurfaceRegions } from "./file-mesh.js";
+import { ReadFailure } from "./read-result.js";
 import { surfaceRegionsOf } from "./region-names.js";
-import { stepwise, type Steps } from "./steps.js";
 import { weldPoints } from "./weld.js";
 
 export interface SurfaceFile extends SurfaceInput {

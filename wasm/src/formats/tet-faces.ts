@@ -1,10 +1,10 @@
 /** Adjacency of tetrahedra and triangles, and the checks that depend on it. */
+import { PAUSE, type Steps, stepwise } from "../base/steps.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
-import type { Diagnostic } from "../api/types.js";
-import type { FileMesh } from "./file-mesh.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
 import { sixfoldVolume } from "./sixfold-volume.js";
-import { PAUSE, stepwise, type Steps } from "./steps.js";
 
 export const NONE = 0xffffffff;
 

@@ -5,14 +5,14 @@
  * Points that mark holes and regions of the whole are skipped.
  */
 import { plural } from "../base/plural.js";
-import { failureIn, ReadFailure } from "./read-result.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import type { OpenOther, ReadContext } from "./file-format.js";
-import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
 import { NameLines } from "./name-lines.js";
-import { UNCUT, type Position3 } from "./polygons.js";
+import { type Position3, UNCUT } from "./polygons.js";
+import { failureIn, ReadFailure } from "./read-result.js";
 
 const REMEDY = "Put TetGen's .node file next to the file, or save the surface again as .smesh.";
 const MAX_COUNT = 0x7fffffff;

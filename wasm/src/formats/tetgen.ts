@@ -3,9 +3,9 @@
  * attribute, and `.face` with the boundary's triangles and their patch as marker. Numbers count from 1; comments
  * hold names.
  */
+import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
 import type { Part } from "./bytes.js";
 import type { FileParts, Note } from "./file-format.js";
-import type { FileGroup, FileMesh } from "./file-mesh.js";
 import { nameLines } from "./name-lines.js";
 import { coordinates, fromOne, numberRows } from "./number-rows.js";
 import { zipped } from "./zip.js";

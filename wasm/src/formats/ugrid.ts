@@ -3,13 +3,13 @@
  * their patch, and the tetrahedra. The files are text (`.ugrid`) or binary with the high byte first (`.b8.ugrid`).
  * The format has no names and no regions.
  */
+import type { Steps } from "../base/steps.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
 import { bigEndianDoubles, bigEndianInts, type Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
-import type { FileMesh } from "./file-mesh.js";
 import { noteNames } from "./groups.js";
 import { coordinates, fromOne, numberRows } from "./number-rows.js";
 import { noteRegions, withOuterFaces } from "./outer-faces.js";
-import type { Steps } from "./steps.js";
 
 /** Returns the bytes of a UGRID file as text. */
 export function* writeUgrid(given: FileMesh, note: Note): Generator<Part, void> {

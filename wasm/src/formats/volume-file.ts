@@ -1,7 +1,7 @@
 /** Volumes from files, for use as background grids: tetrahedra and the values at their nodes. */
+import { type Steps, stepwise } from "../base/steps.js";
+import type { FileMesh, NodeData } from "../mesh/file-mesh.js";
 import { ReadFailure } from "./read-result.js";
-import type { FileMesh, NodeData } from "./file-mesh.js";
-import { stepwise, type Steps } from "./steps.js";
 
 /** Tetrahedra and their nodes; every node belongs to a tetrahedron. */
 export interface VolumeFile {

@@ -1,8 +1,7 @@
 /** Decodes the arrays of VTK's XML files: text, base64 or raw bytes, whole or in blocks compressed with zlib. */
 import { Unzlib } from "fflate";
-
+import { inRanges, type Steps, stepwise } from "../base/steps.js";
 import { decimalIn, otherNumber } from "./decimal.js";
-import { inRanges, stepwise, type Steps } from "./steps.js";
 
 export interface ArrayCoding {
   readonly isLittleEndian: boolean;

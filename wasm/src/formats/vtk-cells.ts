@@ -1,8 +1,8 @@
 /** VTK's cells: adds triangles, polygons and tetrahedra; skips vertices and lines. */
 import { plural } from "../base/plural.js";
+import { PAUSE, STEP, type Steps } from "../base/steps.js";
 import type { MeshBuilder } from "./mesh-builder.js";
 import { UNCUT } from "./polygons.js";
-import { PAUSE, STEP, type Steps } from "./steps.js";
 
 const VTK_TRIANGLE = 5;
 const VTK_STRIP = 6;

@@ -3,15 +3,16 @@
  * package, meshio, VTK and ParaView. The cell arrays `patch` and `region` define the groups.
  */
 import { plural } from "../base/plural.js";
-import type { FileLocation } from "./read-result.js";
+import { type Steps, stepwise } from "../base/steps.js";
+import { inSteps } from "../calls/yielder.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
 import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { Column } from "./column.js";
 import type { ReadContext } from "./file-format.js";
-import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
 import { NAME_BREAK, NameLines } from "./name-lines.js";
-import { inSteps, stepwise, type Steps } from "./steps.js";
+import type { FileLocation } from "./read-result.js";
 import { addCell, cellsOf, cellwise } from "./vtk-cells.js";
 
 const REMEDY = "Save the mesh again as legacy .vtk with triangles or linear tetrahedra, or as .vtu.";

@@ -4,23 +4,24 @@
  * `patch` and `region` define the groups. Vertices and lines are skipped.
  */
 import { plural } from "../base/plural.js";
+import { firstOf, STEP, type Steps, stepwise } from "../base/steps.js";
+import { inSteps } from "../calls/yielder.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
 import { allBytes, type ByteSource } from "./byte-source.js";
 import type { ReadContext } from "./file-format.js";
-import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
 import { NameLines } from "./name-lines.js";
-import { firstOf, inSteps, STEP, stepwise, type Steps } from "./steps.js";
-import { decodeArray, isReadable, UnpackingBudget, type ArrayCoding, type ArrayFail } from "./vtk-arrays.js";
+import { type ArrayCoding, type ArrayFail, decodeArray, isReadable, UnpackingBudget } from "./vtk-arrays.js";
 import {
   addCell,
+  type CellNumbers,
   cellsOf,
   cellwise,
+  type Fail,
   PATCH_ARRAYS,
   REGION_ARRAYS,
-  type CellNumbers,
-  type Fail,
 } from "./vtk-cells.js";
-import { failIn, readHead, unescaped, type FoundArray, type Head, type Piece } from "./vtk-xml-head.js";
+import { failIn, type FoundArray, type Head, type Piece, readHead, unescaped } from "./vtk-xml-head.js";
 
 const VTK_POLYGON = 7;
 const VTK_STRIP = 6;

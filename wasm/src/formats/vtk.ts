@@ -3,13 +3,13 @@
  * the tetrahedra and the boundary's triangles, with `region` and `patch` as cell data. Text in the old form, with
  * the number of nodes before each cell, because Gmsh reads no other. The title holds the names, if all fit.
  */
+import { type Steps, stepwise } from "../base/steps.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
-import type { FileMesh } from "./file-mesh.js";
 import { noteNames } from "./groups.js";
 import { allNameLines, NAME_BREAK } from "./name-lines.js";
 import { coordinates, numberRows } from "./number-rows.js";
-import { stepwise, type Steps } from "./steps.js";
 
 /** VTK's types of linear cells; their node orders equal ours. */
 const VTK_TRIANGLE = 5;

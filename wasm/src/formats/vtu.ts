@@ -5,13 +5,12 @@
  * zlib, as ParaView writes them; coordinates survive a round trip bit for bit.
  */
 import { zlibSync } from "fflate";
-
-import { IS_LITTLE_ENDIAN, joinBytes, widened, type Part } from "./bytes.js";
+import { PAUSE, type Steps, stepwise } from "../base/steps.js";
+import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
+import { IS_LITTLE_ENDIAN, joinBytes, type Part, widened } from "./bytes.js";
 import type { Note } from "./file-format.js";
-import type { FileGroup, FileMesh } from "./file-mesh.js";
 import { hasGenericName, usedGroups } from "./groups.js";
 import { allNameLines } from "./name-lines.js";
-import { PAUSE, stepwise, type Steps } from "./steps.js";
 import { vtkCellData } from "./vtk.js";
 
 /** Blocks are compressed one by one; readers keep one of them in memory at a time. */

@@ -1,6 +1,6 @@
 /** Exact welding: points with the same three coordinates become one. There is no tolerance; -0 equals 0. */
+import { type Steps, stepwise } from "../base/steps.js";
 import { tooManyNumbers } from "./read-result.js";
-import { stepwise, type Steps } from "./steps.js";
 
 /** Indices are 32-bit numbers; this one means "none". */
 const EMPTY = 0xffffffff;

@@ -1,9 +1,8 @@
 /** Writes zip files; the content is compressed while it is generated. */
 import { Zip, ZipDeflate } from "fflate";
-
-import { piecesIn, type Part } from "./bytes.js";
+import { PAUSE } from "../base/steps.js";
+import { type Part, piecesIn } from "./bytes.js";
 import type { FileParts } from "./file-format.js";
-import { PAUSE } from "./steps.js";
 
 /** Fixed date, so that equal contents give equal bytes: the first day that a zip can store. */
 const MADE = new Date(1980, 0, 1);

@@ -1,9 +1,8 @@
 /** Background grids between their three forms: a project's, flat arrays for callers, and the engine's. */
-import type { ProjectBackground, ProjectBackgroundNode, ProjectSource, SourceType } from "./schema.js";
-import { aNumber, checkArgument, listOf, objectOf, oneOf, orNothing } from "../base/argument-checks.js";
-import { checkBackground } from "../api/input-checks.js";
+import { aNumber, checkArgument, listOf, objectOf, oneOf, orNothing } from "../calls/argument-checks.js";
 import { refuse } from "../diagnostics/mesher-error.js";
-import type { BackgroundArrays } from "../api/types.js";
+import { type BackgroundArrays, checkBackground } from "./background-arrays.js";
+import type { ProjectBackground, ProjectBackgroundNode, ProjectSource, SourceType } from "./schema.js";
 
 /** A background grid as it crosses into the engine. All references are positions. */
 export interface GridArrays {

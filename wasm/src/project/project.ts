@@ -1,16 +1,16 @@
 /** Reading and writing project files (docs/FORMAT.md). */
-import { checkArgument, listOf, objectOf, orNothing } from "../base/argument-checks.js";
+import { checkArgument, listOf, objectOf, orNothing } from "../calls/argument-checks.js";
+import { refuse } from "../diagnostics/mesher-error.js";
+import { packageDiagnostic, printable } from "../diagnostics/package-diagnostic.js";
+import type { ReadError, ReadResult } from "../diagnostics/read-error.js";
 import {
   parsedProject,
-  PROJECT_FORMAT,
   type Project,
+  PROJECT_FORMAT,
   type ProjectBackground,
   type SchemaProblem,
 } from "./schema.js";
 import { PROJECT_VERSION, upgraded } from "./versions.js";
-import { refuse } from "../diagnostics/mesher-error.js";
-import { packageDiagnostic, printable } from "../diagnostics/package-diagnostic.js";
-import type { ReadError, ReadResult } from "../formats/read-result.js";
 
 /** Largest number of reported errors; the first ones usually cause the rest. */
 const MAX_ERRORS = 20;

@@ -5,9 +5,8 @@
  * for a drawing that is still unfinished must be loadable.
  */
 import * as v from "valibot";
-
-import { shown } from "../base/argument-checks.js";
 import { LIMITS } from "../base/limits.js";
+import { shown } from "../base/values.js";
 import { PROJECT_VERSION } from "./versions.js";
 import { WORDS } from "./words.js";
 

@@ -1,5 +1,4 @@
-/** Long work in slices: it yields between them, so that other work can run and a cancellation takes effect. */
-import { throwIfCancelled } from "../base/cancelling.js";
+/** Long work that can be paused: generators that yield between two slices. */
 
 /** Yielded between two slices. It is an empty part of a file. */
 export const PAUSE = "";
@@ -9,40 +8,6 @@ export type Steps<T> = Generator<typeof PAUSE, T, void>;
 
 /** Number of rows, nodes or elements per slice: a few milliseconds of work. */
 export const STEP = 1 << 12;
-
-/** Longest time without yielding, in milliseconds. */
-const MAX_SLICE_MS = 12;
-
-/** Yields to other work every few milliseconds and then checks for cancellation. */
-export class Yielder {
-  #last = performance.now();
-  readonly #signal: AbortSignal | undefined;
-
-  constructor(signal: AbortSignal | undefined) {
-    this.#signal = signal;
-  }
-
-  get isDue(): boolean {
-    return performance.now() - this.#last >= MAX_SLICE_MS;
-  }
-
-  /** Lets pending timers and messages run. Rejects with a `MesherError` if the signal is aborted. */
-  async yield(): Promise<void> {
-    await new Promise((resolve) => setTimeout(resolve));
-    throwIfCancelled(this.#signal);
-    this.#last = performance.now();
-  }
-}
-
-/** Returns the result of the work; other work may run between its slices. */
-export async function inSteps<T>(work: Steps<T>, signal?: AbortSignal): Promise<T> {
-  const yielder = new Yielder(signal);
-  for (;;) {
-    const step = work.next();
-    if (step.done === true) return step.value;
-    if (yielder.isDue) await yielder.yield();
-  }
-}
 
 /** Calls `work` with consecutive ranges that cover 0 to `count` - 1. */
 export function* inRanges(

@@ -1,7 +1,9 @@
 /** Warnings about the shapes of a surface's triangles and of a mesh's elements. */
-import type { Diagnostic, DiagnosticOf, QualityReport, SurfaceInput } from "../api/types.js";
 import { plural } from "../base/plural.js";
-import { stepwise, type Steps } from "../formats/steps.js";
+import { type Steps, stepwise } from "../base/steps.js";
+import type { Diagnostic, DiagnosticOf } from "../diagnostics/diagnostic.js";
+import type { SurfaceInput } from "./mesh.js";
+import type { QualityReport } from "./quality.js";
 
 /** Needles and caps, as the engine's statistics count them (quality_statistics.h). */
 const NEEDLE_RADIUS_RATIO = 0.3;

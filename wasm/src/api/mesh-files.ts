@@ -1,19 +1,22 @@
 /** Reads and writes mesh files; the extension of the file name selects the format. */
-import { aFunction, checkArgument, objectOf, orNothing, shown } from "../base/argument-checks.js";
-import { throwIfCancelled, untilCancelled } from "../base/cancelling.js";
+import { STEP } from "../base/steps.js";
+import { shown } from "../base/values.js";
+import { aFunction, checkArgument, objectOf, orNothing } from "../calls/argument-checks.js";
+import { throwIfCancelled, untilCancelled } from "../calls/cancelling.js";
+import { inSteps, Yielder } from "../calls/yielder.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
-import { asTooLarge, failureIn, ReadFailure, readSafely, type ReadResult } from "./read-result.js";
-import type { Diagnostic } from "../api/types.js";
-import { joined, piecesIn } from "./bytes.js";
-import { checkSource, watcher, type ByteSource } from "./byte-source.js";
-import type { Contents, FileFormat, FileParts, OpenOther, WrittenFile } from "./file-format.js";
-import { extensionsFor, formatOf } from "./file-formats.js";
-import type { FileMesh } from "./file-mesh.js";
-import { checkFileMesh } from "./mesh-checks.js";
-import { Yielder, inSteps, STEP } from "./steps.js";
-import { surfaceOf, type SurfaceFile } from "./surface-file.js";
-import { volumeOf, type VolumeFile } from "./volume-file.js";
+import type { ReadResult } from "../diagnostics/read-error.js";
+import { type ByteSource, checkSource, watcher } from "../formats/byte-source.js";
+import { joined, piecesIn } from "../formats/bytes.js";
+import type { Contents, FileFormat, FileParts, OpenOther, WrittenFile } from "../formats/file-format.js";
+import { extensionsFor, formatOf } from "../formats/file-formats.js";
+import { asTooLarge, failureIn, ReadFailure, readSafely } from "../formats/read-result.js";
+import { type SurfaceFile, surfaceOf } from "../formats/surface-file.js";
+import { type VolumeFile, volumeOf } from "../formats/volume-file.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
+import { checkFileMesh } from "../mesh/mesh-checks.js";
 
 /** Options for reading a file. */
 export interface ReadFileOptions {

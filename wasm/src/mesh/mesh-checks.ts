@@ -1,23 +1,20 @@
 /** Checks the structure of a mesh before a writer uses it. */
+import { plural, pluralOf } from "../base/plural.js";
+import { firstOf, type Steps } from "../base/steps.js";
+import { isA, isArrayOf, isDetached, shown } from "../base/values.js";
 import {
   aNumber,
   arrayOf,
   aString,
-  isA,
-  isArrayOf,
-  isDetached,
+  type Check,
   listOf,
   objectOf,
   orNothing,
-  shown,
-  type Check,
-} from "../base/argument-checks.js";
+} from "../calls/argument-checks.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
-import { plural, pluralOf } from "../base/plural.js";
-import type { Diagnostic } from "../api/types.js";
-import { NO_REGION } from "../base/interfaces.js";
 import type { FileMesh, NodeData, SurfaceRegions } from "./file-mesh.js";
-import { firstOf, type Steps } from "./steps.js";
+import { NO_REGION } from "./interfaces.js";
 
 const checkGroup = objectOf({ name: aString, tag: aNumber, color: orNothing(listOf(aNumber)) });
 

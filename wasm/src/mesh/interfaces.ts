@@ -1,6 +1,6 @@
 /** Walls: triangles of a surface with a region on either side. */
-import { aPosition, arrayOf, checkArgument, objectOf } from "./argument-checks.js";
-import type { SurfaceMesh } from "../api/types.js";
+import { aPosition, arrayOf, checkArgument, objectOf } from "../calls/argument-checks.js";
+import type { SurfaceMesh } from "./mesh.js";
 
 /** In {@link SurfaceMesh.triangleRegions}: nothing is meshed on that side. */
 export const NO_REGION = 0xffffffff;

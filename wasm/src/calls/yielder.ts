@@ -1,0 +1,37 @@
+/** Runs long work in slices: other work can run between them, and a cancellation takes effect. */
+import type { Steps } from "../base/steps.js";
+import { throwIfCancelled } from "./cancelling.js";
+
+/** Longest time without yielding, in milliseconds. */
+const MAX_SLICE_MS = 12;
+
+/** Yields to other work every few milliseconds and then checks for cancellation. */
+export class Yielder {
+  #last = performance.now();
+  readonly #signal: AbortSignal | undefined;
+
+  constructor(signal: AbortSignal | undefined) {
+    this.#signal = signal;
+  }
+
+  get isDue(): boolean {
+    return performance.now() - this.#last >= MAX_SLICE_MS;
+  }
+
+  /** Lets pending timers and messages run. Rejects with a `MesherError` if the signal is aborted. */
+  async yield(): Promise<void> {
+    await new Promise((resolve) => setTimeout(resolve));
+    throwIfCancelled(this.#signal);
+    this.#last = performance.now();
+  }
+}
+
+/** Returns the result of the work; other work may run between its slices. */
+export async function inSteps<T>(work: Steps<T>, signal?: AbortSignal): Promise<T> {
+  const yielder = new Yielder(signal);
+  for (;;) {
+    const step = work.next();
+    if (step.done === true) return step.value;
+    if (yielder.isDue) await yielder.yield();
+  }
+}

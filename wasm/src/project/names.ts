@@ -1,0 +1,77 @@
+/** Labels and ids that a project gives to its entities. */
+import type { Diagnostic, EntityKind, EntityRef } from "../diagnostics/diagnostic.js";
+import { type EntityNamer, KIND_WORDS, nameByIndex } from "../diagnostics/entity-names.js";
+import { backgroundOf } from "./grid-arrays.js";
+import type { Project, ProjectBackground } from "./schema.js";
+
+/** What may refer to ids; a background grid that came as arrays has none. */
+type Referring = Pick<Project, "points" | "lines" | "patches"> & {
+  readonly background?: ProjectBackground | undefined;
+};
+
+/** The message of a reference that leads nowhere, with the id that the project has for it. */
+export function withMissingId(diagnostic: Diagnostic, project: Referring): Diagnostic {
+  const [entity] = diagnostic.entities;
+  if (diagnostic.code !== "index-out-of-range" || entity === undefined) return diagnostic;
+  const missing = missingBelow(entity, project);
+  if (missing === undefined) return diagnostic;
+  return { ...diagnostic, message: diagnostic.message.replace(/index \d+/, missing) };
+}
+
+function missingBelow({ kind, index, id }: EntityRef, project: Referring): string | undefined {
+  const { points, lines, patches } = project;
+  const among = (entities: readonly { readonly id: number }[], wanted: readonly number[]) => {
+    const known = new Set(entities.map((entity) => entity.id));
+    // Of drawings that are not finished, nor checked, it may be anything.
+    const missing: unknown = Array.from(wanted).find((one) => !known.has(one));
+    return typeof missing === "number" ? missing : undefined;
+  };
+  if (kind === "line") {
+    const missing = among(points, lines.find((line) => line.id === id)?.points ?? []);
+    return missing === undefined ? undefined : `point ${missing}`;
+  }
+  if (kind === "background-tetrahedron") {
+    const { nodes, tetrahedra } = backgroundOf(project);
+    const missing = among(nodes, tetrahedra[index] ?? []);
+    return missing === undefined ? undefined : `background node ${missing}`;
+  }
+  if (kind !== "patch") return undefined;
+  const loops = patches.find((patch) => patch.id === id)?.loops ?? [];
+  const missing = among(lines, Array.from(loops).flat().map(Math.abs));
+  return missing === undefined ? undefined : `line ${missing}`;
+}
+
+/** Names as the project has them: `line "lip"`, else by id: `line 12`. */
+export function projectNamer(project: Project): EntityNamer {
+  return (kind, index) => {
+    const entity = entityAt(project, kind, index);
+    if (entity === undefined) return nameByIndex(kind, index);
+    const words = KIND_WORDS[kind];
+    const label =
+      entity.name === undefined || entity.name === "" ? `${words} ${entity.id}` : `${words} "${entity.name}"`;
+    return { kind, index, id: entity.id, label };
+  };
+}
+
+function entityAt(
+  project: Project,
+  kind: EntityKind,
+  index: number,
+): { readonly id: number; readonly name?: string | undefined } | undefined {
+  switch (kind) {
+    case "point":
+      return project.points[index];
+    case "line":
+      return project.lines[index];
+    case "patch":
+      return project.patches[index];
+    case "background-node":
+      return backgroundOf(project).nodes[index];
+    case "source":
+      return backgroundOf(project).sources?.[index];
+    case "background-tetrahedron":
+    case "triangle":
+    case "surface-node":
+      return undefined;
+  }
+}
