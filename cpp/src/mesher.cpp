@@ -238,7 +238,7 @@ Task<bool> MeshRun::Impl::checkInput(Work& work) {
 }
 
 Task<bool> MeshRun::Impl::meshSurface(Work& work) {
-  SurfaceMesher mesher(*model_, *field_);
+  SurfaceMesher mesher(*model_, *field_, options_.maxTetrahedra);
   MeshStatus status = mesher.advance(work.remaining());
   for (; status == MeshStatus::kRunning; status = mesher.advance(work.remaining())) {
     phase_ = mesher.phase();

@@ -114,6 +114,21 @@ TEST(MeshRun, RefusesAbsurdSizesBeforeAnythingIsDivided) {
   EXPECT_EQ(run.status(), MeshStatus::kDone);
 }
 
+TEST(MeshRun, QuotesTheLimitOfTheCallerForALineWithTooManySides) {
+  // The input check estimates few elements for a thin bar, but its lines have more than a million sides.
+  MeshOptions options;
+  options.size = 9e-7;
+  options.maxTetrahedra = 19'999'999;
+  MeshRun run(testing::boxModel({0, 0, 0}, {1, 1e-7, 1e-7}), {}, options);
+  while (run.advance(1000) == MeshStatus::kRunning) {
+  }
+  ASSERT_EQ(run.status(), MeshStatus::kInvalidInput);
+  const Diagnostic& tooMany = run.diagnostics().front();
+  ASSERT_EQ(tooMany.code, DiagnosticCode::kTooManyElements);
+  EXPECT_EQ(tooMany.entities.front().kind, EntityKind::kLine);
+  EXPECT_EQ(tooMany.values.back(), options.maxTetrahedra);
+}
+
 TEST(MeshRun, ReportsPhasesInTheirOrderAndAFractionThatNeverFalls) {
   const SurfaceMesh surface = testing::geodesicSphere(6);
   MeshRun run(surface.points, surface.triangles, {});

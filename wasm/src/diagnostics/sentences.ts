@@ -212,9 +212,8 @@ const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
     message: ({ main, kind, at, data: { expected, limit } }) => {
       switch (kind) {
         case "line":
-          return `${main} needs more than ${plural(limit, "side")}, the limit`;
         case "patch":
-          return `${main} needs more than ${plural(limit, "triangle")}, the limit`;
+          return `The sizes at ${main} require ${estimated(expected, "tetrahedron")}; the limit is ${limit}`;
         case "triangle":
           return `The refined surface would have ${estimated(expected, "triangle")}, most of them in ${main}; the limit is ${limit}`;
         default:
@@ -222,8 +221,8 @@ const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
       }
     },
     remedy: ({ kind, data: { expected, limit } }) => {
-      // If lines or patches alone are too many, the estimate counts those and not the tetrahedra.
-      const factor = kind === undefined ? Math.cbrt(expected / limit) : NaN;
+      // Triangles of a refined surface are not counted in three dimensions.
+      const factor = kind === "triangle" ? NaN : Math.cbrt(expected / limit);
       if (!(factor > 1)) return "Use larger elements.";
       if (isBeyondCounting(expected)) return "Use far larger elements.";
       return `Use elements at least ${(Math.ceil(10 * factor) / 10).toFixed(1)} times as large.`;
