@@ -132,8 +132,8 @@ describe("a covering grid", () => {
       {},
       /nothing to cover.*\. Draw /,
     ],
-    ["a size below 0", cubeProject(), { size: -1 }, /size is -1\. Give a size from 1e-30 to 1e30/],
-    ["a shape unheard of", cubeProject(), { shape: "sphere" }, /"sphere"\. Give one of box, tetrahedron/],
+    ["a size below 0", cubeProject(), { size: -1 }, /size is -1\. Use a size from 1e-30 to 1e30/],
+    ["a shape unheard of", cubeProject(), { shape: "sphere" }, /"sphere"\. Use one of box, tetrahedron/],
     ["an option unheard of", cubeProject(), { sise: 1 }, /no option "sise".*size, shape/],
     ["no project", {} as Project, {}, /not a Tetrafront project/],
   ])("is refused for %s", async (_, project, options, message) => {
@@ -166,7 +166,9 @@ describe("proposed sizes", () => {
   });
 
   test("are refused for options that make no sense", async () => {
-    await expect(mesher.proposeSizes(curved, { growth: -1 })).rejects.toThrow(/growth is -1\. Give /);
+    await expect(mesher.proposeSizes(curved, { growth: -1 })).rejects.toThrow(
+      /growth is -1\. Use a growth from 0 to 10/,
+    );
   });
 });
 
@@ -236,15 +238,25 @@ describe("a mesh as background grid", () => {
 
   test.each<[string, object, object, RegExp]>([
     ["nothing", { points: corner.points, tetrahedra: new Uint32Array() }, {}, /no tetrahedron\. Mesh/],
-    ["plain lists", { points: [0, 0, 0], tetrahedra: [0] }, {}, /not a Float64Array/],
+    [
+      "plain lists",
+      { points: [0, 0, 0], tetrahedra: [0] },
+      {},
+      /mesh\.points .*expected a Float64Array, received a list/,
+    ],
     [
       "a node that is not there",
       { ...corner, tetrahedra: Uint32Array.of(0, 1, 2, 9) },
       {},
-      /tetrahedron 0 .* node 9 of 4/i,
+      /tetrahedron 0 .* node 9, but there are 4 nodes/,
     ],
-    ["sizes of other nodes", corner, { sizes: Float64Array.of(1, 1) }, /no Float64Array of 4/],
-    ["a size of 0", corner, { sizes: Float64Array.of(1, 1, 0, 1) }, /node 2 .*size 0\. Give/i],
+    [
+      "sizes of other nodes",
+      corner,
+      { sizes: Float64Array.of(1, 1) },
+      /expected one size for each of 4 nodes/,
+    ],
+    ["a size of 0", corner, { sizes: Float64Array.of(1, 1, 0, 1) }, /node 2 .*size 0\. Pass/i],
   ])("is refused for %s", async (_, mesh, options, message) => {
     const refused = mesher.backgroundFromMesh(mesh as VolumeMesh, options);
     await expect(refused).rejects.toMatchObject({ code: "invalid-input" });
@@ -358,7 +370,12 @@ describe("a background grid of arrays", () => {
       /"point" has 1 position, here are 2/,
     ],
     ["together with a size", { background: around(0.3), size: 0.2 }, "invalid-option", /both/i],
-    ["that is no object", { background: null }, "invalid-arrays", /not Float64Arrays/],
+    [
+      "that is no object",
+      { background: null },
+      "invalid-arrays",
+      /the background is invalid: expected an object, received null/,
+    ],
     [
       "with a size too few",
       { background: around(1, { sizes: new Float64Array(3).fill(1) }) },
@@ -394,7 +411,7 @@ describe("a background grid of arrays", () => {
       "that says how far outside is inside wrongly",
       { background: around(1, { coverageMargin: -1 }) },
       "invalid-arrays",
-      /coverageMargin is -1/,
+      /coverageMargin .*expected a finite number from 0 on, received -1/,
     ],
   ])("is refused %s, for projects and surfaces", async (_, options, code, message) => {
     for (const run of [

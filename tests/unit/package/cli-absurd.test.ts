@@ -31,7 +31,7 @@ test.each<[readonly string[], RegExp]>([
   [[...MESH, "--source", "0,0,0,1,1e300"], /sources\[0\]\.distance: expected at most 1e\+30/],
   [[...MESH, "--source", "0,0,0,1,1,99"], /sources\[0\]\.growth: expected at most 10/],
   [[...MESH, "--weld", "1e300"], /from 0 to 1e30/],
-  [[...MESH, "--weld", "7"], /the whole surface is 1 across\. Give less than its shortest edges/],
+  [[...MESH, "--weld", "7"], /extent of the whole surface is 1\. Use a distance below/],
   [["cover", "cube.json", "-o", "x.json", "--size", "1e300"], SIZE],
   [[...PROPOSE, "--uniform", "1e300"], SIZE],
   [[...PROPOSE, "--per-circle", "1e300"], /from 0 to 1000/],

@@ -63,7 +63,7 @@ describe("cover", () => {
   });
 
   test.each<[string, string[], RegExp]>([
-    ["a size that is none", ["bare.json", "-o", "out.json", "--size", "no"], /size is "no"\. Give /],
+    ["a size that is none", ["bare.json", "-o", "out.json", "--size", "no"], /size is "no"\. Use /],
     ["a shape unheard of", ["bare.json", "-o", "out.json", "--shape", "ball"], /cover --help/],
     ["an output that is no project", ["bare.json", "-o", "out.vtu"], /ends in \.json/],
     ["an output in no folder", ["bare.json", "-o", "none/out.json"], /folder none does not exist/],
@@ -281,7 +281,7 @@ describe("what is said", () => {
       const { code, stderr } = await run("mesh", "cube.off", "-o", "out.vtu", `--size=${size}`);
       expect([code, stderr]).toEqual([
         2,
-        `tetrafront: error: command line: The element size is ${shown}. Give a size from 1e-30 to 1e30, in model units.\n`,
+        `tetrafront: error: command line: The element size is ${shown}. Use a size from 1e-30 to 1e30, in model units.\n`,
       ]);
     }
   });

@@ -33,9 +33,9 @@ describe("options that would be passed over", () => {
     [["check", "cube.json", "--max-diagnostics", "all"], /--max-diagnostics is for surfaces/],
     [
       ["check", "box.stl", "--max-diagnostics", "0"],
-      /number of findings to list is 0\. Give a whole number from 1 to 1000000/,
+      /number of diagnostics to list is 0\. Use a whole number from 1 to 1000000/,
     ],
-    [["check", "box.stl", "--max-diagnostics", "some"], /number of findings to list is "some"/],
+    [["check", "box.stl", "--max-diagnostics", "some"], /number of diagnostics to list is "some"/],
     [["mesh", "cube.json", "-o", "cube.vtu", "--growth", "0.1"], /--growth is for surfaces/],
     [["check", "-", "box.stl"], /standard input cannot be combined/i],
   ])("%j", async (args, words) => {

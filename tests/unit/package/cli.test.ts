@@ -228,7 +228,7 @@ describe("bad input ends with code 2 and one line:", () => {
   test.each(["NaN", "0", "-1", "Infinity", "", "large", "1e", "0x"])("--size %j", async (size) => {
     const result = await tetrafront(folder.path, args("cube.off", `--size=${size}`, "--report", "r.json"));
     expect(result.code).toBe(2);
-    expect(result.stderr).toMatch(/^tetrafront: error: [^\n]*\. Give [^\n]*\.\n$/);
+    expect(result.stderr).toMatch(/^tetrafront: error: [^\n]*\. Use [^\n]*\.\n$/);
     expect(reportIn("r.json").status).toBe("invalid-input");
   });
 

@@ -243,10 +243,8 @@ test("entities have the names the user gave them, else their ids", () => {
 
 test("an edge of a given surface asks for other repairs than one of a drawing", () => {
   const about = (kind: number) =>
-    describeDiagnostic(
-      { ...leastOf("open-edge"), code: 40, entities: Uint32Array.of(kind, 0) },
-      nameByIndex,
-    ).remedy;
+    describeDiagnostic({ ...leastOf("open-edge"), code: 40, entities: Uint32Array.of(kind, 0) }, nameByIndex)
+      .remedy;
   expect(about(ENTITY_KINDS.indexOf("triangle"))).toMatch(/triangles/);
   expect(about(ENTITY_KINDS.indexOf("line"))).toMatch(/patch/);
 });

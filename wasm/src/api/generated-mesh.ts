@@ -1,21 +1,14 @@
 /** Converts a generated mesh to the mesh of a file, with the names of its patches and regions. */
+import * as v from "valibot";
 import { plural } from "../base/plural.js";
-import {
-  aNumber,
-  arrayOf,
-  aString,
-  type Check,
-  checkArgument,
-  listOf,
-  objectOf,
-  orNothing,
-} from "../calls/argument-checks.js";
+import { checkArgument } from "../calls/argument-checks.js";
+import { doubles, integers } from "../calls/schemas.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { countOf, hasGenericName, numbered } from "../formats/groups.js";
 import { carriedRegions } from "../formats/region-names.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
-import { hasPatches } from "../mesh/mesh-checks.js";
+import { withPatches } from "../mesh/mesh-checks.js";
 import type { MeshResult } from "../mesh/report.js";
 import type { Project } from "../project/schema.js";
 
@@ -37,8 +30,8 @@ export interface NameSource {
  * different number of triangles than the mesh.
  */
 export function fileMeshOf(mesh: Pick<MeshResult, "surface" | "volume">, names: NameSource = {}): FileMesh {
-  checkArgument("mesh", mesh, aMeshResult);
-  checkArgument("names", names, aNameSource);
+  checkArgument("mesh", mesh, meshResult);
+  checkArgument("names", names, nameSource);
   const { surface, volume } = mesh;
   const { project, surface: given } = names;
   const patchLimit = Math.max(surface.trianglePatch.length, project?.patches.length ?? 0);
@@ -79,32 +72,32 @@ function checkSameSurface(triangles: number, given: NameSource["surface"]): void
   refuse([packageDiagnostic("invalid-arrays", message, remedy)]);
 }
 
-const aProject = objectOf({ patches: listOf(objectOf({ id: aNumber, name: orNothing(aString) })) });
-const aNameSource = objectOf({ project: orNothing(aProject), surface: orNothing(hasPatches) });
-const aMeshResult = objectOf({
-  surface: objectOf({
-    points: arrayOf(Float64Array, 3),
-    triangles: arrayOf(Uint32Array, 3),
-    trianglePatch: arrayOf(Uint32Array),
-    triangleRegions: arrayOf(Uint32Array, 2),
+const projectPatches = v.object({
+  patches: v.array(v.object({ id: v.number(), name: v.optional(v.string()) })),
+});
+const nameSource = v.object({ project: v.optional(projectPatches), surface: v.optional(withPatches) });
+const meshResult = v.object({
+  surface: v.object({
+    points: doubles(3),
+    triangles: integers(3),
+    trianglePatch: integers(),
+    triangleRegions: integers(2),
   }),
-  volume: objectOf({
-    points: arrayOf(Float64Array, 3),
-    tetrahedra: arrayOf(Uint32Array, 4),
-    regions: arrayOf(Uint32Array),
-  }),
+  volume: v.object({ points: doubles(3), tetrahedra: integers(4), regions: integers() }),
 });
 
 /** A valid mesh has no more groups than elements, triangles, or patches of its project. */
-function indicesBelow(limit: number): Check {
-  return (indices) => (countOf(indices as Uint32Array) > limit ? ` has an index beyond ${limit}` : undefined);
-}
+const indicesBelow = (limit: number) =>
+  v.pipe(
+    integers(),
+    v.check((indices) => countOf(indices) <= limit, `it has an index beyond ${limit}`),
+  );
 
 /**
  * Returns the name of each patch in a file: its own, or one made of its id. Throws a `MesherError` if `project` is
  * invalid.
  */
 export function patchNames(project: Project): string[] {
-  checkArgument("project", project, aProject);
+  checkArgument("project", project, projectPatches);
   return project.patches.map(({ id, name }) => (name === undefined || name === "" ? `patch ${id}` : name));
 }

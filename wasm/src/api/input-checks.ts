@@ -1,6 +1,7 @@
-/** What is wrong with what callers give, before the engine is asked; empty lists where nothing is. */
+/** Checks surfaces, meshes, projects and controls before the engine gets them; empty lists if they are valid. */
+import * as v from "valibot";
 import { plural } from "../base/plural.js";
-import { asObject, GONE, isUsable } from "../base/values.js";
+import { doubles, integers, problemIn, watch } from "../calls/schemas.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import {
@@ -21,45 +22,41 @@ export function checkProject(project: unknown): Diagnostic[] {
   return parsed.errors.map((error) => readDiagnostic({ ...error, code: "invalid-project" }));
 }
 
+const controlSchema = v.object({ ...watch, onFront: v.optional(v.function()) });
+
 export function checkControl(control: RunControl): Diagnostic[] {
-  const given: unknown = control;
-  const { onProgress, onFront, signal } = asObject(control);
-  const isWatched = [onProgress, onFront].every(
-    (callback) => callback === undefined || typeof callback === "function",
-  );
-  const { addEventListener, removeEventListener } = asObject(signal as AbortSignal);
-  const isSignal =
-    signal === undefined ||
-    (typeof addEventListener === "function" && typeof removeEventListener === "function");
-  if (typeof given === "object" && given !== null && isWatched && isSignal) return [];
+  const problem = problemIn(controlSchema, control);
+  if (problem === undefined) return [];
+  const where = problem.path === "" ? "" : `.${problem.path}`;
   const remedy =
-    "Give an object with any of: a function onProgress, a function onFront, an AbortSignal signal.";
-  return [invalidOption("control", "the control of the call is not what it should be", remedy)];
+    "Pass an object with any of: a function onProgress, a function onFront, an AbortSignal signal.";
+  return [invalidOption("control", `the control${where} of the call is invalid: ${problem.message}`, remedy)];
 }
+
+const surfaceSchema = v.pipe(
+  v.object({
+    points: doubles(3),
+    triangles: integers(3),
+    origin: v.optional(integers()),
+    nodeOrigin: v.optional(integers()),
+  }),
+  v.check(
+    ({ origin, triangles }) => origin === undefined || 3 * origin.length === triangles.length,
+    "origin must have one index per triangle",
+  ),
+  v.check(
+    ({ nodeOrigin, points }) => nodeOrigin === undefined || 3 * nodeOrigin.length === points.length,
+    "nodeOrigin must have one index per node",
+  ),
+);
 
 export function checkSurface(surface: SurfaceInput): Diagnostic[] {
-  const { points, triangles, origin, nodeOrigin } = asObject(surface);
-  if (!isUsable(Float64Array, points) || !isUsable(Uint32Array, triangles)) {
-    return [
-      surfaceProblem(`the surface's points and triangles are not a Float64Array and a Uint32Array${GONE}`),
-    ];
-  }
-  if (points.length % 3 !== 0 || triangles.length % 3 !== 0) {
-    return [surfaceProblem("the lengths of the surface's points and triangles are not multiples of 3")];
-  }
-  if (origin !== undefined && (!isUsable(Uint32Array, origin) || 3 * origin.length !== triangles.length)) {
-    return [surfaceProblem("the surface's origin is no Uint32Array with a number for each triangle")];
-  }
-  if (
-    nodeOrigin !== undefined &&
-    (!isUsable(Uint32Array, nodeOrigin) || 3 * nodeOrigin.length !== points.length)
-  ) {
-    return [surfaceProblem("the surface's nodeOrigin is no Uint32Array with a number for each node")];
-  }
-  return [];
+  const remedy =
+    "Pass x y z per node in a Float64Array and three node indices per triangle in a Uint32Array.";
+  return checkArrays("surface", surface, surfaceSchema, remedy);
 }
 
-/** A distance of welding as large as the surface leaves nothing of it. */
+/** Rejects a weld distance so large that nothing would remain of the surface. */
 export function checkWeld({ points }: SurfaceInput, weld: number | false | undefined): Diagnostic[] {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
@@ -68,89 +65,98 @@ export function checkWeld({ points }: SurfaceInput, weld: number | false | undef
     if (coordinate < (low[i % 3] ?? 0)) low[i % 3] = coordinate;
     if (coordinate > (high[i % 3] ?? 0)) high[i % 3] = coordinate;
   }
-  const extent = Math.max(...high.map((most, axis) => most - (low[axis] ?? 0)));
-  // Without a place there is nothing to be across.
+  const extent = Math.max(...high.map((largest, axis) => largest - (low[axis] ?? 0)));
+  // Without points, the extent is negative.
   if (!(extent >= 0 && Number(weld) > 0 && Number(weld) >= extent)) return [];
-  const message = `the weld distance is ${weld}, and the whole surface is ${extent} across`;
-  return [invalidOption("weld", message, "Give less than its shortest edges.")];
+  const message = `the weld distance is ${weld}, but the extent of the whole surface is ${extent}`;
+  return [invalidOption("weld", message, "Use a distance below the length of its shortest edges.")];
 }
 
-function surfaceProblem(message: string): Diagnostic {
-  return invalidArrays(message, "Give x y z per node and three node positions per triangle.");
-}
+const tetrahedra = { points: doubles(3), tetrahedra: integers(4) };
+const nodesExist = v.rawCheck<v.InferOutput<v.ObjectSchema<typeof tetrahedra, undefined>>>(
+  ({ dataset, addIssue }) => {
+    if (!dataset.typed) return;
+    const { points, tetrahedra } = dataset.value;
+    const count = points.length / 3;
+    const at = tetrahedra.findIndex((node) => node >= count);
+    if (at < 0) return;
+    const tetrahedron = `tetrahedron ${Math.floor(at / 4)} (counted from 0)`;
+    addIssue({ message: `${tetrahedron} refers to node ${tetrahedra[at]}, but there are ${count} nodes` });
+  },
+);
+const volumeSchema = v.pipe(v.object(tetrahedra), nodesExist);
+const meshSchema = v.pipe(
+  v.object({
+    ...tetrahedra,
+    regions: v.optional(integers()),
+    invertedTetrahedra: v.optional(integers()),
+  }),
+  nodesExist,
+);
 
-/** A mesh to become a background grid, with `sizes` if given. */
+const TETRAHEDRA_REMEDY =
+  "Pass x y z per node in a Float64Array and four node indices per tetrahedron in a Uint32Array.";
+
+/** Checks a mesh that is to become a background grid, with `sizes` if given. */
 export function checkVolume(
   mesh: Pick<VolumeMesh, "points" | "tetrahedra">,
   sizes: Float64Array | undefined,
 ): Diagnostic[] {
-  const { points, tetrahedra } = asObject(mesh);
-  if (!isUsable(Float64Array, points) || !isUsable(Uint32Array, tetrahedra)) {
-    return [
-      volumeProblem(`the mesh's points and tetrahedra are not a Float64Array and a Uint32Array${GONE}`),
-    ];
-  }
-  if (points.length % 3 !== 0 || tetrahedra.length % 4 !== 0) {
-    return [volumeProblem("the mesh has half a point or half a tetrahedron")];
-  }
-  if (tetrahedra.length === 0) {
-    return [invalidArrays("the mesh has no tetrahedron", "Mesh the model first; its front may be open.")];
-  }
-  const count = points.length / 3;
-  const wild = tetrahedra.findIndex((node) => node >= count);
-  if (wild >= 0) {
-    return [
-      volumeProblem(
-        `tetrahedron ${Math.floor(wild / 4)} (counted from 0) refers to node ${tetrahedra[wild]} of ${count}`,
-      ),
-    ];
-  }
-  return checkNodeSizes(sizes, count);
+  const problems = checkArrays("mesh", mesh, volumeSchema, TETRAHEDRA_REMEDY);
+  if (problems.length > 0) return problems;
+  return mesh.tetrahedra.length === 0 ? [noTetrahedra()] : checkNodeSizes(sizes, mesh.points.length / 3);
 }
 
-/** As `checkVolume`, with a region per element or none. */
 export function checkMesh(mesh: MeshInput): Diagnostic[] {
-  const { regions, invertedTetrahedra } = asObject(mesh);
-  for (const [name, given] of Object.entries({ regions, invertedTetrahedra })) {
-    if (given === undefined || isUsable(Uint32Array, given)) continue;
-    return [volumeProblem(`the mesh's ${name} are no Uint32Array${GONE}`)];
-  }
-  return checkVolume(mesh, undefined);
+  const problems = checkArrays("mesh", mesh, meshSchema, TETRAHEDRA_REMEDY);
+  if (problems.length > 0) return problems;
+  return mesh.tetrahedra.length === 0 ? [noTetrahedra()] : [];
 }
 
-function checkNodeSizes(sizes: unknown, count: number): Diagnostic[] {
+function noTetrahedra(): Diagnostic {
+  return invalidArrays("the mesh has no tetrahedron", "Mesh the model first, until the front has closed.");
+}
+
+function checkNodeSizes(sizes: Float64Array | undefined, count: number): Diagnostic[] {
   if (sizes === undefined) return [];
-  if (!isUsable(Float64Array, sizes) || sizes.length !== count) {
-    return [
-      invalidArrays(
-        `the sizes are no Float64Array of ${plural(count, "number")}`,
-        "Give one size per node of the mesh, or none at all.",
-      ),
-    ];
-  }
-  const wrong = sizes.findIndex((size) => !(size > 0 && size < Infinity));
-  if (wrong < 0) return [];
-  const message = `node ${wrong} (counted from 0) has the size ${sizes[wrong]}`;
-  return [invalidArrays(message, "Give a finite size above 0 for every node.")];
+  const schema = v.pipe(
+    doubles(),
+    v.check(({ length }) => length === count, `expected one size for each of ${plural(count, "node")}`),
+    v.rawCheck(({ dataset, addIssue }) => {
+      if (!dataset.typed) return;
+      const node = dataset.value.findIndex((size) => !(size > 0 && size < Infinity));
+      if (node >= 0)
+        addIssue({ message: `node ${node} (counted from 0) has the size ${dataset.value[node]}` });
+    }),
+  );
+  return checkArrays(
+    "sizes",
+    sizes,
+    schema,
+    "Pass one finite size above 0 per node of the mesh, or no sizes.",
+  );
 }
 
-function volumeProblem(message: string): Diagnostic {
-  return invalidArrays(message, "Give x y z per node and four node positions per tetrahedron.");
+function checkArrays(name: string, value: unknown, schema: v.GenericSchema, remedy: string): Diagnostic[] {
+  const problem = problemIn(schema, value);
+  if (problem === undefined) return [];
+  const where = problem.path === "" ? name : `${name}.${problem.path}`;
+  return [invalidArrays(`the argument ${where} is invalid: ${problem.message}`, remedy)];
 }
 
-/** Of a project without anything that a grid could cover. */
+/** Diagnostic for a project without anything that a grid could cover. */
 export function nothingToCover(): Diagnostic {
   const message = "there is nothing to cover: no point, line or patch can be evaluated";
   return packageDiagnostic("invalid-project", message, "Draw points and lines first.");
 }
 
-/** Of a mesh whose numbers the engine refuses. */
+/** Diagnostic for a mesh whose numbers the engine refuses. */
 export function unreadableMesh(): Diagnostic {
   const message = "the mesh has coordinates that are not finite or beyond 1e30, or another number of regions";
-  return invalidArrays(message, "Give finite coordinates, and one region per element or none.");
+  return invalidArrays(message, "Use finite coordinates, and one region per element or no regions.");
 }
 
-/** A preview shows drawings that are not finished: only what is no project at all is refused. */
+/** Returns the arrays of a drawing, which may be unfinished; throws only if it is not a project at all. */
 export function drawnArrays(project: Project): ModelArrays {
   try {
     return projectArrays(project);

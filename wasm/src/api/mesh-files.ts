@@ -1,7 +1,9 @@
 /** Reads and writes mesh files; the extension of the file name selects the format. */
 import { STEP } from "../base/steps.js";
 import { shown } from "../base/values.js";
-import { aFunction, checkArgument, objectOf, orNothing } from "../calls/argument-checks.js";
+import * as v from "valibot";
+import { checkArgument } from "../calls/argument-checks.js";
+import { problemIn, watch } from "../calls/schemas.js";
 import { throwIfCancelled, untilCancelled } from "../calls/cancelling.js";
 import { inSteps, Yielder } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
@@ -88,7 +90,7 @@ export async function writeMesh(
   fileName: string,
   options: WriteFileOptions = {},
 ): Promise<readonly WrittenFile[]> {
-  checkArgument("options", options, aWriting);
+  checkArgument("options", options, writeOptions);
   const unknown = unknownOption(options, WRITE_OPTIONS);
   if (unknown !== undefined) {
     refuse([packageDiagnostic("invalid-argument", unknown.message, unknown.remedy)]);
@@ -166,12 +168,12 @@ async function readAny(
       tell?.(arrival);
     };
     const onWork = (fraction: number) => tell?.(arrival + (1 - arrival) * fraction);
-    const watch = watcher({ signal, onProgress: onProgress && onArrival });
+    const watched = watcher({ signal, onProgress: onProgress && onArrival });
     const opened: OpenOther = async (name) => {
       const other = await untilCancelled(() => checkedOpening(openOther)(name), signal);
-      return other && watch(other);
+      return other && watched(other);
     };
-    return await read(watch(source), { fileName, openOther: opened, signal, onWork });
+    return await read(watched(source), { fileName, openOther: opened, signal, onWork });
   } catch (failure) {
     throw failureIn(fileName, asTooLarge(failure));
   }
@@ -194,22 +196,18 @@ function remedyOf(known: readonly string[]): string {
   return `Use only these options: ${known.join(", ")}.`;
 }
 
-const aWatch = {
-  onProgress: orNothing(aFunction),
-  signal: orNothing(objectOf({ addEventListener: aFunction, removeEventListener: aFunction })),
-};
-const aReading = objectOf({ openOther: orNothing(aFunction), ...aWatch });
-const aWriting = objectOf(aWatch);
+const readOptions = v.object({ openOther: v.optional(v.function()), ...watch });
+const writeOptions = v.object(watch);
 
 function checkedOptions(options: ReadFileOptions): ReadFileOptions {
   const { fileName } = (options as ReadFileOptions | null | undefined) ?? {};
   if (typeof fileName === "string") {
     const unknown = unknownOption(options, READ_OPTIONS);
     if (unknown !== undefined) throw new ReadFailure({ code: "invalid-argument", ...unknown });
-    const fault = aReading(options);
-    if (fault === undefined) return options;
-    const remedy = remedyOf(READ_OPTIONS);
-    throw new ReadFailure({ code: "invalid-argument", message: `options${fault}`, remedy });
+    const problem = problemIn(readOptions, options);
+    if (problem === undefined) return options;
+    const message = `options.${problem.path} is invalid: ${problem.message}`;
+    throw new ReadFailure({ code: "invalid-argument", message, remedy: remedyOf(READ_OPTIONS) });
   }
   throw new ReadFailure({
     code: "invalid-argument",

@@ -74,8 +74,7 @@ import {
   checkProposalOptions,
   checkRefineOptions,
   checkRepairOptions,
-  COVER_SHAPES,
-  DEFAULT_COVER_SHAPE,
+  engineCoverOptions,
   engineInspectionOptions,
   engineOptions,
   engineProposalOptions,
@@ -229,10 +228,9 @@ class WorkerMesher implements Mesher {
   ): Promise<ProjectBackground> {
     this.#begin(control);
     refuse([...checkProject(project), ...checkCoverOptions(options)]);
-    const { size = 0, shape = DEFAULT_COVER_SHAPE } = options;
     const model = projectArrays(project);
     const id = this.#nextId();
-    const question = { kind: "cover", id, model, size, shape: COVER_SHAPES[shape] } as const;
+    const question = { kind: "cover", id, model, ...engineCoverOptions(options) } as const;
     const grid = await this.#ask(question, control);
     if (grid.tetrahedra.length === 0) refuse([nothingToCover()]);
     const { sources } = backgroundOf(project);
@@ -302,8 +300,13 @@ class WorkerMesher implements Mesher {
     refuse(checkWeld(surface, options.weld));
     const [points, triangles] = [surface.points.slice(), surface.triangles.slice()];
     const id = this.#nextId();
-    const wanted = engineRepairOptions(options);
-    const question = { kind: "repair-surface", id, points, triangles, options: wanted } as const;
+    const question = {
+      kind: "repair-surface",
+      id,
+      points,
+      triangles,
+      options: engineRepairOptions(options),
+    } as const;
     const repair = await this.#ask(question, control);
     refuse(changeDiagnostics(repair));
     return describedRepair(repair, points.length / 3);
@@ -316,15 +319,16 @@ class WorkerMesher implements Mesher {
   ): Promise<SurfaceRefinement> {
     this.#begin(control);
     refuse([...checkSurface(surface), ...checkRefineOptions(options)]);
-    const { background } = options;
+    const { volume = 0, ...withoutVolume } = options;
+    const { background } = withoutVolume;
     const question = {
       kind: "refine-surface",
       id: this.#nextId(),
       points: surface.points.slice(),
       triangles: surface.triangles.slice(),
       grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
-      options: engineOptions(options),
-      volume: options.volume ?? 0,
+      options: engineOptions(withoutVolume),
+      volume,
     } as const;
     const refinement = await this.#ask(question, control);
     refuse(changeDiagnostics(refinement));

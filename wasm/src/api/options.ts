@@ -1,6 +1,8 @@
-/** The options as the engine takes them, or what is wrong with them. */
+/** Options of the calls: a schema for each options object, with limits and defaults, and the engine's form of it. */
+import * as v from "valibot";
 import { LIMITS } from "../base/limits.js";
 import { asObject, shown } from "../base/values.js";
+import { objectWith } from "../calls/schemas.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import type {
@@ -9,7 +11,7 @@ import type {
   EngineProposalOptions,
   EngineRepairOptions,
 } from "../engine/protocol.js";
-import { checkBackground, hasSourcesOnly } from "../project/background-arrays.js";
+import { type BackgroundArrays, checkBackground, hasSourcesOnly } from "../project/background-arrays.js";
 import type { Project } from "../project/schema.js";
 import type {
   CoverOptions,
@@ -64,154 +66,218 @@ export const DEFAULT_PROPOSAL: EngineProposalOptions = {
   growth: 0.3,
 };
 
-/** What an option may be: undefined where it is fine, else what to give instead. */
-type Rule = (value: unknown) => string | undefined;
-type Rules<Options> = { readonly [Name in keyof Options]-?: readonly [words: string, rule: Rule] };
-
-const isFiniteNumber = (value: unknown): value is number =>
-  typeof value === "number" && Number.isFinite(value);
-const isWholeNumber = (value: unknown, least: number, most: number): boolean =>
-  Number.isInteger(value) && Number(value) >= least && Number(value) <= most;
-/** What coordinates may be (cpp/src/geom/coordinates.h); sizes beyond are no sizes of anything. */
-const SMALLEST = 1e-30;
-const LARGEST = LIMITS.length;
-const within =
-  (least: number, most: number, what: string): Rule =>
-  (value) =>
-    isFiniteNumber(value) && value >= least && value <= most ? undefined : what;
-const length = within(SMALLEST, LARGEST, "a size from 1e-30 to 1e30, in model units");
-const oneOf =
-  (table: object): Rule =>
-  (value) =>
-    typeof value === "string" && Object.hasOwn(table, value)
-      ? undefined
-      : `one of ${Object.keys(table).join(", ")}`;
-const trueOrFalse: Rule = (value) => (typeof value === "boolean" ? undefined : "true or false");
-const growth = within(0, LIMITS.growth, `a growth from 0 to ${LIMITS.growth}, for example ${DEFAULT_GROWTH}`);
-
-const MESH_RULES: Rules<Omit<MeshOptions, "background">> = {
-  size: ["element size", length],
-  growth: ["growth", growth],
-  gradation: [
-    "gradation",
-    (value) =>
-      isFiniteNumber(value) && (value === 0 || (value > 1 && value <= LIMITS.gradation))
-        ? undefined
-        : `0, or a gradation above 1 and up to ${LIMITS.gradation}, such as ${DEFAULT_GRADATION}`,
-  ],
-  innerShells: ["meaning of inner shells", oneOf(INNER_SHELLS)],
-  order: ["order of the front", oneOf(FRONT_ORDERS)],
-  optimization: ["optimization", oneOf(OPTIMIZATIONS)],
-  filters: ["choice of filters", trueOrFalse],
-  exactFillOnly: ["choice of the exact fill alone", trueOrFalse],
-};
-
-const REFINE_RULES: Rules<Omit<RefineOptions, "background">> = {
-  ...MESH_RULES,
-  volume: [
-    "volume",
-    (value) =>
-      isFiniteNumber(value) && value >= 0 ? undefined : "the enclosed volume, as inspectSurface tells it",
-  ],
-};
-
-const PREVIEW_RULES: Rules<Omit<PreviewOptions, "background">> = {
-  size: MESH_RULES.size,
-  innerShells: MESH_RULES.innerShells,
-};
-
-const INSPECTION_RULES: Rules<InspectionOptions> = {
-  innerShells: MESH_RULES.innerShells,
-  maxDiagnostics: [
-    "number of findings to list",
-    (value) =>
-      isWholeNumber(value, 1, LIMITS.maxDiagnostics)
-        ? undefined
-        : `a whole number from 1 to ${LIMITS.maxDiagnostics}`,
-  ],
-};
-
-const COVER_RULES: Rules<CoverOptions> = {
-  size: MESH_RULES.size,
-  shape: ["shape", oneOf(COVER_SHAPES)],
-};
-
-const MOST_PROPOSED = 1000;
-const count = within(0, MOST_PROPOSED, `a number from 0 to ${MOST_PROPOSED}; 0 leaves it out`);
-const PROPOSAL_RULES: Rules<ProposalOptions> = {
-  uniform: ["uniform size", length],
-  smallest: ["smallest size", length],
-  elementsPerCircle: ["number of elements per circle", count],
-  elementsPerGap: ["number of elements per gap", count],
-  growth: ["growth", growth],
-};
-
-/** As the engine has it (cpp/include/tetrafront/surface_tools.h): the work grows with its cube. */
-const MOST_HOLE_EDGES = 200;
-const REPAIR_RULES: Rules<RepairOptions> = {
-  innerShells: MESH_RULES.innerShells,
-  weld: [
-    "weld distance",
-    (value) =>
-      value === false || (isFiniteNumber(value) && value >= 0 && value <= LARGEST)
-        ? undefined
-        : "a distance from 0 to 1e30, in model units",
-  ],
-  removeTriangles: ["choice of removing triangles", trueOrFalse],
-  fillHoles: [
-    "number of edges of holes to fill",
-    (value) =>
-      isWholeNumber(value, 0, MOST_HOLE_EDGES) ? undefined : `a whole number from 0 to ${MOST_HOLE_EDGES}`,
-  ],
-  orient: ["choice of orienting triangles", trueOrFalse],
-};
-
-/** What is wrong with the options; empty where nothing is. */
-export function checkOptions(options: MeshOptions): Diagnostic[] {
-  return checkWithBackground(options, MESH_RULES);
+/** How messages call an option, and what to pass. */
+interface OptionWords {
+  readonly label: string;
+  readonly expected: string;
 }
 
-function checkWithBackground<Options extends PreviewOptions>(
-  options: Options,
-  rules: Rules<Omit<Options, "background">>,
+/** An option that may be omitted; `otherwise` is its default. */
+function option<const Schema extends v.GenericSchema, const Default extends v.InferInput<Schema> | undefined>(
+  label: string,
+  expected: string,
+  schema: Schema,
+  otherwise: Default,
+) {
+  const words: OptionWords = { label, expected };
+  return v.optional(v.pipe(schema, v.metadata({ words })), otherwise);
+}
+
+/** Schemas of all options of an interface, and of no others. */
+type EntriesOf<Options> = { readonly [Name in keyof Options]-?: v.GenericSchema<Options[Name], unknown> };
+
+/** Coordinates may have these magnitudes (cpp/src/geom/coordinates.h); sizes beyond make no sense. */
+const MIN_LENGTH = 1e-30;
+const MAX_LENGTH = LIMITS.length;
+const within = (min: number, max: number) => v.pipe(v.number(), v.minValue(min), v.maxValue(max));
+const wholeWithin = (min: number, max: number) => v.pipe(within(min, max), v.integer());
+
+const sizeOption = (label: string) =>
+  option(label, "a size from 1e-30 to 1e30, in model units", within(MIN_LENGTH, MAX_LENGTH), undefined);
+const growthOption = (otherwise: number) =>
+  option(
+    "growth",
+    `a growth from 0 to ${LIMITS.growth}, for example ${DEFAULT_GROWTH}`,
+    within(0, LIMITS.growth),
+    otherwise,
+  );
+function choiceOption<const Choice extends string>(
+  label: string,
+  table: Readonly<Record<Choice, number>>,
+  otherwise: NoInfer<Choice>,
+) {
+  const choices = Object.keys(table) as Choice[];
+  return option(label, `one of ${choices.join(", ")}`, v.picklist(choices), otherwise);
+}
+const switchOption = (label: string, otherwise: boolean) =>
+  option(label, "true or false", v.boolean(), otherwise);
+
+/** Checked together with the size by `checkBackground`. */
+const background = v.optional(v.custom<BackgroundArrays>(() => true));
+const innerShells = choiceOption("meaning of inner shells", INNER_SHELLS, DEFAULT_INNER_SHELLS);
+
+const meshEntries = {
+  size: sizeOption("element size"),
+  background,
+  growth: growthOption(DEFAULT_GROWTH),
+  gradation: option(
+    "gradation",
+    `0, or a gradation above 1 and up to ${LIMITS.gradation}, such as ${DEFAULT_GRADATION}`,
+    v.pipe(
+      within(0, LIMITS.gradation),
+      v.check((value) => value === 0 || value > 1),
+    ),
+    DEFAULT_GRADATION,
+  ),
+  innerShells,
+  order: choiceOption("order of the front", FRONT_ORDERS, DEFAULT_ORDER),
+  optimization: choiceOption("optimization", OPTIMIZATIONS, DEFAULT_OPTIMIZATION),
+  filters: switchOption("choice of filters", DEFAULT_FILTERS),
+  exactFillOnly: switchOption("choice of the exact fill alone", false),
+} satisfies EntriesOf<MeshOptions>;
+const meshSchema = objectWith(meshEntries);
+
+const refineSchema = objectWith({
+  ...meshEntries,
+  volume: option(
+    "volume",
+    "the enclosed volume, as inspectSurface returns it",
+    within(0, Number.MAX_VALUE),
+    undefined,
+  ),
+} satisfies EntriesOf<RefineOptions>);
+
+const previewSchema = objectWith({
+  size: meshEntries.size,
+  innerShells,
+  background,
+} satisfies EntriesOf<PreviewOptions>);
+
+const inspectionSchema = objectWith({
+  innerShells,
+  maxDiagnostics: option(
+    "number of diagnostics to list",
+    `a whole number from 1 to ${LIMITS.maxDiagnostics}`,
+    wholeWithin(1, LIMITS.maxDiagnostics),
+    DEFAULT_MAX_DIAGNOSTICS,
+  ),
+} satisfies EntriesOf<InspectionOptions>);
+
+const coverSchema = objectWith({
+  size: meshEntries.size,
+  shape: choiceOption("shape", COVER_SHAPES, DEFAULT_COVER_SHAPE),
+} satisfies EntriesOf<CoverOptions>);
+
+const MAX_PROPOSED = 1000;
+const countOption = (label: string, otherwise: number) =>
+  option(label, `a number from 0 to ${MAX_PROPOSED}; 0 omits it`, within(0, MAX_PROPOSED), otherwise);
+const proposalSchema = objectWith({
+  uniform: sizeOption("uniform size"),
+  smallest: sizeOption("smallest size"),
+  elementsPerCircle: countOption("number of elements per circle", DEFAULT_PROPOSAL.elementsPerCircle),
+  elementsPerGap: countOption("number of elements per gap", DEFAULT_PROPOSAL.elementsPerGap),
+  growth: growthOption(DEFAULT_PROPOSAL.growth),
+} satisfies EntriesOf<ProposalOptions>);
+
+/** The engine's limit (cpp/include/tetrafront/surface_tools.h): the work grows with its cube. */
+const MAX_HOLE_EDGES = 200;
+const repairSchema = objectWith({
+  innerShells,
+  weld: option(
+    "weld distance",
+    "a distance from 0 to 1e30, in model units",
+    v.union([v.literal(false), within(0, MAX_LENGTH)]),
+    0,
+  ),
+  removeTriangles: switchOption("choice of removing triangles", true),
+  fillHoles: option(
+    "number of edges of holes to fill",
+    `a whole number from 0 to ${MAX_HOLE_EDGES}`,
+    wholeWithin(0, MAX_HOLE_EDGES),
+    0,
+  ),
+  orient: switchOption("choice of orienting triangles", true),
+} satisfies EntriesOf<RepairOptions>);
+
+const gridSchema = objectWith({ sizes: v.optional(v.unknown()) });
+
+export function checkOptions(options: MeshOptions): Diagnostic[] {
+  return checkWithBackground(options, meshSchema);
+}
+
+/** Of `refineSurface`, which needs sizes. */
+export function checkRefineOptions(options: RefineOptions): Diagnostic[] {
+  const wrong = checkWithBackground(options, refineSchema);
+  if (wrong.length > 0 || options.size !== undefined || options.background !== undefined) return wrong;
+  const message = "there are no sizes to refine the surface by";
+  return [invalidOption("size", message, "Pass an element size, sources of size or a background grid.")];
+}
+
+export function checkPreviewOptions(options: PreviewOptions): Diagnostic[] {
+  return checkWithBackground(options, previewSchema);
+}
+
+export function checkInspectionOptions(options: InspectionOptions): Diagnostic[] {
+  return checkAgainst(options, inspectionSchema);
+}
+
+export function checkCoverOptions(options: CoverOptions): Diagnostic[] {
+  return checkAgainst(options, coverSchema);
+}
+
+/** Of `backgroundFromMesh`; the sizes are checked together with the mesh. */
+export function checkGridOptions(options: { readonly sizes?: unknown }): Diagnostic[] {
+  return checkAgainst(options, gridSchema);
+}
+
+export function checkProposalOptions(options: ProposalOptions): Diagnostic[] {
+  return checkAgainst(options, proposalSchema);
+}
+
+export function checkRepairOptions(options: RepairOptions): Diagnostic[] {
+  return checkAgainst(options, repairSchema);
+}
+
+function checkWithBackground(
+  options: Pick<MeshOptions, "size" | "background">,
+  schema: OptionsSchema,
 ): Diagnostic[] {
-  const { background, ...rest } = asObject(options) as Options;
-  const wrong = checkAgainst(options, rest, rules, ["background"]);
+  const wrong = checkAgainst(options, schema);
+  const { size, background } = asObject(options) as typeof options;
   if (background === undefined) return wrong;
-  if (rest.size !== undefined && !hasSourcesOnly(background)) {
+  if (size !== undefined && !hasSourcesOnly(background)) {
     const message = "both an element size and a background grid are given";
-    wrong.push(invalidOption("background", message, "Give one of them: one size, or the grid's."));
+    wrong.push(invalidOption("background", message, "Pass one of them: a size, or a background grid."));
   }
   return [...wrong, ...checkBackground(background)];
 }
 
-/** Of `refineSurface`, which needs something to go by. */
-export function checkRefineOptions(options: RefineOptions): Diagnostic[] {
-  const wrong = checkWithBackground(options, REFINE_RULES);
-  if (wrong.length > 0 || options.size !== undefined || options.background !== undefined) return wrong;
-  const message = "no sizes are given to refine the surface by";
-  return [invalidOption("size", message, "Give an element size, sources of size or a background grid.")];
+type OptionsSchema = v.StrictObjectSchema<v.ObjectEntries, undefined>;
+
+/** Returns one diagnostic per invalid option; for unknown options, one for the first. */
+function checkAgainst(options: unknown, schema: OptionsSchema): Diagnostic[] {
+  const parsed = v.safeParse(schema, options, { abortPipeEarly: true });
+  if (parsed.success) return [];
+  return parsed.issues.map(({ path, input, expected }) => {
+    const name = path?.[0].key;
+    if (name === undefined) {
+      return invalidOption("options", `the options are ${shown(input)}`, "Pass an object, or omit them.");
+    }
+    const option = String(name);
+    const known = Object.keys(schema.entries);
+    if (expected === "never" && !known.includes(option)) {
+      const remedy = `Correct its name: the options are ${known.join(", ")}.`;
+      return invalidOption(option, `there is no option "${option}"`, remedy);
+    }
+    const { label, expected: wanted } = wordsOf(schema.entries[option], option);
+    return invalidOption(option, `the ${label} is ${shown(input)}`, `Use ${wanted}.`);
+  });
 }
 
-export function checkPreviewOptions(options: PreviewOptions): Diagnostic[] {
-  return checkWithBackground(options, PREVIEW_RULES);
-}
-
-export function checkInspectionOptions(options: InspectionOptions): Diagnostic[] {
-  return checkAgainst(options, options, INSPECTION_RULES);
-}
-
-export function checkCoverOptions(options: CoverOptions): Diagnostic[] {
-  return checkAgainst(options, options, COVER_RULES);
-}
-
-/** Of `backgroundFromMesh`; the sizes are looked at together with the mesh. */
-export function checkGridOptions(options: { readonly sizes?: unknown }): Diagnostic[] {
-  return checkAgainst(options, options, { sizes: ["sizes", () => undefined] });
-}
-
-export function checkProposalOptions(options: ProposalOptions): Diagnostic[] {
-  return checkAgainst(options, options, PROPOSAL_RULES);
+function wordsOf(schema: v.GenericSchema | undefined, name: string): OptionWords {
+  const own = schema !== undefined && "wrapped" in schema ? (schema.wrapped as v.GenericSchema) : undefined;
+  const { words } = (own === undefined ? {} : v.getMetadata(own)) as { readonly words?: OptionWords };
+  return words ?? { label: name, expected: "another value" };
 }
 
 /**
@@ -227,78 +293,42 @@ export function withSettings(options: MeshOptions, { meshing }: Project): MeshOp
   return { ...settings, ...Object.fromEntries(given) };
 }
 
-export function checkRepairOptions(options: RepairOptions): Diagnostic[] {
-  return checkAgainst(options, options, REPAIR_RULES);
-}
-
-function checkAgainst<Options>(
-  given: unknown,
-  values: Options,
-  rules: Rules<Options>,
-  alsoKnown: readonly string[] = [],
-): Diagnostic[] {
-  if (typeof given !== "object" || given === null) {
-    return [
-      invalidOption("options", `the options are ${shown(given)}`, "Give an object, or leave them out."),
-    ];
-  }
-  const wrong: Diagnostic[] = [];
-  for (const [name, value] of Object.entries(values as object)) {
-    if (!Object.hasOwn(rules, name)) {
-      const known = [...Object.keys(rules), ...alsoKnown].join(", ");
-      wrong.push(
-        invalidOption(name, `there is no option "${name}"`, `Correct its name: the options are ${known}.`),
-      );
-    } else if (value !== undefined) {
-      const [words, rule] = rules[name as keyof Options];
-      const wanted = rule(value);
-      if (wanted !== undefined)
-        wrong.push(invalidOption(name, `the ${words} is ${shown(value)}`, `Give ${wanted}.`));
-    }
-  }
-  return wrong;
-}
-
-/** Options that passed the check; a size of 0 stands for none. */
+/** Converts valid options; a size of 0 stands for none. */
 export function engineOptions(options: MeshOptions): EngineOptions {
-  const {
-    size = 0,
-    growth = DEFAULT_GROWTH,
-    gradation = DEFAULT_GRADATION,
-    innerShells = DEFAULT_INNER_SHELLS,
-    order = DEFAULT_ORDER,
-    filters = DEFAULT_FILTERS,
-    optimization = DEFAULT_OPTIMIZATION,
-    exactFillOnly = false,
-  } = options;
+  const { size = 0, growth, gradation, filters, exactFillOnly, ...choices } = v.parse(meshSchema, options);
   return {
     size,
     growth,
     gradation,
-    innerShells: INNER_SHELLS[innerShells],
-    order: FRONT_ORDERS[order],
+    innerShells: INNER_SHELLS[choices.innerShells],
+    order: FRONT_ORDERS[choices.order],
     filters,
-    optimization: OPTIMIZATIONS[optimization],
+    optimization: OPTIMIZATIONS[choices.optimization],
     exactFillOnly,
   };
 }
 
-/** Options that passed the check. */
+/** Converts valid options. */
 export function engineInspectionOptions(options: InspectionOptions): EngineInspectionOptions {
-  const { innerShells = DEFAULT_INNER_SHELLS, maxDiagnostics = DEFAULT_MAX_DIAGNOSTICS } = options;
+  const { innerShells, maxDiagnostics } = v.parse(inspectionSchema, options);
   return { innerShells: INNER_SHELLS[innerShells], maxDiagnostics };
 }
 
-/** Options that passed the check. */
-export function engineProposalOptions(options: ProposalOptions): EngineProposalOptions {
-  const given = Object.entries(options).filter(([, value]) => value !== undefined);
-  return { ...DEFAULT_PROPOSAL, ...(Object.fromEntries(given) as Partial<EngineProposalOptions>) };
+/** Converts valid options. */
+export function engineCoverOptions(options: CoverOptions): { readonly size: number; readonly shape: number } {
+  const { size = 0, shape } = v.parse(coverSchema, options);
+  return { size, shape: COVER_SHAPES[shape] };
 }
 
-/** Options that passed the check. */
+/** Converts valid options. */
+export function engineProposalOptions(options: ProposalOptions): EngineProposalOptions {
+  const { uniform = 0, smallest = 0, ...rest } = v.parse(proposalSchema, options);
+  return { uniform, smallest, ...rest };
+}
+
+/** Converts valid options. */
 export function engineRepairOptions(options: RepairOptions): EngineRepairOptions {
-  const { weld = 0, removeTriangles = true, fillHoles = 0, orient = true } = options;
-  const { innerShells = DEFAULT_INNER_SHELLS } = options;
+  const { weld, removeTriangles, fillHoles, orient, innerShells } = v.parse(repairSchema, options);
   return {
     weldDistance: weld === false ? -1 : weld,
     removeTriangles,

@@ -1,16 +1,18 @@
 /** The patches of a surface from a file, carried over its repair. */
-import { arrayOf, checkArgument, objectOf } from "../calls/argument-checks.js";
+import * as v from "valibot";
+import { checkArgument } from "../calls/argument-checks.js";
+import { doubles, integers } from "../calls/schemas.js";
 import { countOf } from "../formats/groups.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { FileGroup } from "../mesh/file-mesh.js";
 import type { SurfaceRepair } from "../mesh/inspection.js";
 import { NO_REGION } from "../mesh/interfaces.js";
-import { hasPatches } from "../mesh/mesh-checks.js";
+import { withPatches } from "../mesh/mesh-checks.js";
 import { chainedOrigins, NO_ORIGIN } from "./surface-numbers.js";
 
-const aRepair = objectOf({
-  surface: objectOf({ points: arrayOf(Float64Array, 3), triangles: arrayOf(Uint32Array, 3) }),
-  origin: arrayOf(Uint32Array),
+const repairedTriangles = v.object({
+  surface: v.object({ points: doubles(3), triangles: integers(3) }),
+  origin: integers(),
 });
 
 /**
@@ -24,8 +26,8 @@ export function repairedSurface(
   given: SurfaceFile,
   repair: Pick<SurfaceRepair, "surface" | "origin">,
 ): SurfaceFile {
-  checkArgument("given", given, hasPatches);
-  checkArgument("repair", repair, aRepair);
+  checkArgument("given", given, withPatches);
+  checkArgument("repair", repair, repairedTriangles);
   const { surface, origin } = repair;
   const added = given.patches.length;
   const trianglePatch = origin.map((from) => (from === NO_ORIGIN ? added : (given.trianglePatch[from] ?? 0)));

@@ -1,6 +1,8 @@
 /** Background grid from a volume mesh of a file. */
-import { aFunction, aMap, arrayOf, checkArgument, objectOf, orNothing } from "../calls/argument-checks.js";
+import * as v from "valibot";
+import { checkArgument } from "../calls/argument-checks.js";
 import { throwIfCancelled } from "../calls/cancelling.js";
+import { doubles, map } from "../calls/schemas.js";
 import { MesherError, refuse } from "../diagnostics/mesher-error.js";
 import type { ReadResult } from "../diagnostics/read-error.js";
 import type { VolumeFile } from "../formats/volume-file.js";
@@ -9,6 +11,8 @@ import type { BackgroundArrays } from "../project/background-arrays.js";
 import type { RunControl } from "./control.js";
 import { checkControl, checkVolume } from "./input-checks.js";
 import type { Mesher } from "./mesher-interface.js";
+
+const withNodeData = v.object({ nodeData: map });
 
 /**
  * The sizes at the nodes if the file has them under the name `size`, else sizes from the mesh's own
@@ -22,9 +26,9 @@ export async function volumeBackground(
 ): Promise<ReadResult<BackgroundArrays>> {
   refuse(checkControl(control));
   throwIfCancelled(control.signal);
-  checkArgument("mesher", mesher, objectOf({ backgroundFromMesh: aFunction }));
+  checkArgument("mesher", mesher, v.object({ backgroundFromMesh: v.function() }));
   refuse(checkVolume(volume, undefined));
-  checkArgument("volume", volume, objectOf({ nodeData: aMap }));
+  checkArgument("volume", volume, withNodeData);
   const count = volume.points.length / 3;
   const failed = (message: string) => {
     const remedy =
@@ -33,7 +37,7 @@ export async function volumeBackground(
   };
   const of = (name: string) => {
     const values = dataOf(volume, name)?.values;
-    checkArgument(`volume.nodeData "${name}"`, values, orNothing(arrayOf(Float64Array)));
+    checkArgument(`volume.nodeData "${name}"`, values, v.optional(doubles()));
     return values;
   };
   const [sizes, stretchings, directions] = [of("size"), of("stretching"), of("direction")];
@@ -74,7 +78,7 @@ function dataOf(volume: VolumeFile, name: string): NodeData | undefined {
  * if `volume` is invalid.
  */
 export function unusedData(volume: Pick<VolumeFile, "nodeData">): string[] {
-  checkArgument("volume", volume, objectOf({ nodeData: aMap }));
+  checkArgument("volume", volume, withNodeData);
   const stretching = keyOf(volume, "stretching");
   const used = [keyOf(volume, "size"), stretching, stretching && keyOf(volume, "direction")];
   return [...volume.nodeData.keys()].filter((name) => !used.includes(name));

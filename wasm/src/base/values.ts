@@ -7,20 +7,6 @@ export function asObject<T>(value: T): Unchecked<T> {
   return typeof value === "object" && value !== null ? value : {};
 }
 
-/** Views of buffers that were transferred are as good as none. */
-export function isUsable<T extends Float64Array | Uint32Array>(
-  type: { readonly name: string; readonly prototype: T },
-  array: unknown,
-): array is T {
-  return isArrayOf(type, array) && !isDetached(array);
-}
-
-export const GONE = " with their numbers in them";
-
-export function isFiniteFrom(least: number, value: unknown): boolean {
-  return typeof value === "number" && Number.isFinite(value) && value >= least;
-}
-
 /** Whether it is such an array, also one of another realm, as frames and tests have them. */
 export function isArrayOf<T extends Float64Array | Uint32Array | Uint8Array>(
   type: { readonly name: string; readonly prototype: T },

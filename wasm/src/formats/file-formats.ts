@@ -2,7 +2,8 @@
  * The list of file formats: the only place where a format is registered. The command line, the app and the
  * documents take names and extensions from here. The code of a format is loaded on first use.
  */
-import { aString, checkArgument, oneOf } from "../calls/argument-checks.js";
+import * as v from "valibot";
+import { checkArgument } from "../calls/argument-checks.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
 import type { Part } from "./bytes.js";
 import type { Contents, FileFormat, FormatCode, MeshWriter, Note } from "./file-format.js";
@@ -227,7 +228,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
  * `MesherError` if `fileName` is not a string.
  */
 export function formatOf(fileName: string): FileFormat | undefined {
-  checkArgument("fileName", fileName, aString);
+  checkArgument("fileName", fileName, v.string());
   const end = extensionOf(fileName);
   return FILE_FORMATS.find(({ extensions }) => extensions.includes(end));
 }
@@ -254,8 +255,8 @@ export function filesOf(fileName: string): readonly string[] {
  * arguments.
  */
 export function extensionsFor(action: "read" | "write", contents: Contents): readonly string[] {
-  checkArgument("action", action, oneOf(["read", "write"]));
-  checkArgument("contents", contents, oneOf(["surface", "volume"]));
+  checkArgument("action", action, v.picklist(["read", "write"]));
+  checkArgument("contents", contents, v.picklist(["surface", "volume"]));
   const formats = FILE_FORMATS.filter(({ readable, writable }) =>
     (action === "read" ? readable : writable).includes(contents),
   );

@@ -1,15 +1,17 @@
-/** Walls: triangles of a surface with a region on either side. */
-import { aPosition, arrayOf, checkArgument, objectOf } from "../calls/argument-checks.js";
+/** Interfaces: triangles of a surface between two regions. */
+import * as v from "valibot";
+import { checkArgument } from "../calls/argument-checks.js";
+import { index, integers } from "../calls/schemas.js";
 import type { SurfaceMesh } from "./mesh.js";
 
-/** In {@link SurfaceMesh.triangleRegions}: nothing is meshed on that side. */
+/** In {@link SurfaceMesh.triangleRegions}: no region on that side. */
 export const NO_REGION = 0xffffffff;
 
-const hasRegions = objectOf({ triangleRegions: arrayOf(Uint32Array, 2) });
+const withRegions = v.object({ triangleRegions: integers(2) });
 
-/** Whether a triangle lies between two regions. */
+/** Returns whether a triangle lies between two regions. */
 export function isInterface(surface: SurfaceMesh, triangle: number): boolean {
-  checkArgument("surface", surface, hasRegions);
-  checkArgument("triangle", triangle, aPosition);
+  checkArgument("surface", surface, withRegions);
+  checkArgument("triangle", triangle, index);
   return (surface.triangleRegions[2 * triangle + 1] ?? NO_REGION) !== NO_REGION;
 }

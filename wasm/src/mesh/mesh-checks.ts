@@ -1,36 +1,34 @@
 /** Checks the structure of a mesh before a writer uses it. */
+import * as v from "valibot";
 import { plural, pluralOf } from "../base/plural.js";
 import { firstOf, type Steps } from "../base/steps.js";
 import { isA, isArrayOf, isDetached, shown } from "../base/values.js";
-import {
-  aNumber,
-  arrayOf,
-  aString,
-  type Check,
-  listOf,
-  objectOf,
-  orNothing,
-} from "../calls/argument-checks.js";
+import { doubles, integers } from "../calls/schemas.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
-import type { FileMesh, NodeData, SurfaceRegions } from "./file-mesh.js";
+import type { FileMesh } from "./file-mesh.js";
 import { NO_REGION } from "./interfaces.js";
 
-const checkGroup = objectOf({ name: aString, tag: aNumber, color: orNothing(listOf(aNumber)) });
+const group = v.object({ name: v.string(), tag: v.number(), color: v.optional(v.array(v.number())) });
 
-const areRegions = objectOf({ regions: listOf(checkGroup), triangleRegions: arrayOf(Uint32Array, 2) });
+const regionsOnSides = v.pipe(
+  v.object({ regions: v.array(group), triangleRegions: integers(2) }),
+  v.rawCheck(({ dataset, addIssue }) => {
+    if (!dataset.typed) return;
+    const { regions, triangleRegions } = dataset.value;
+    const at = triangleRegions.findIndex((region) => region >= regions.length && region !== NO_REGION);
+    if (at < 0) return;
+    const message = `triangleRegions[${at}] is ${triangleRegions[at]}, but the number of regions is ${regions.length}`;
+    addIssue({ message });
+  }),
+);
 
-/** Checks the patches and regions of a file's surface. */
-export const hasPatches: Check = objectOf({
-  trianglePatch: arrayOf(Uint32Array),
-  patches: listOf(checkGroup),
-  surfaceRegions: orNothing((given) => areRegions(given) ?? wildRegion(given as SurfaceRegions)),
+/** Patches and regions of a file's surface. */
+export const withPatches = v.object({
+  trianglePatch: integers(),
+  patches: v.array(group),
+  surfaceRegions: v.optional(regionsOnSides),
 });
-
-function wildRegion({ regions, triangleRegions }: SurfaceRegions): string | undefined {
-  const wild = triangleRegions.findIndex((region) => region >= regions.length && region !== NO_REGION);
-  return wild < 0 ? undefined : `.triangleRegions[${wild}] is ${triangleRegions[wild]} of ${regions.length}`;
-}
 
 /**
  * Checks types, lengths and indices, because callers without type checks may pass anything. Returns no diagnostic
@@ -65,12 +63,12 @@ function* faultIn({ points, nodeData, ...rest }: Partial<FileMesh>): Steps<strin
 
 /** Returns whether the entry has a name and the stated number of values per node. */
 function isData(name: unknown, given: unknown, count: number): boolean {
-  if (typeof name !== "string" || aNodeData(given) !== undefined) return false;
-  const { components, values } = given as NodeData;
+  if (typeof name !== "string" || !v.is(nodeValues, given)) return false;
+  const { components, values } = given;
   return Number.isInteger(components) && components > 0 && values.length === components * count;
 }
 
-const aNodeData = objectOf({ components: aNumber, values: arrayOf(Float64Array) });
+const nodeValues = v.object({ components: v.number(), values: doubles() });
 
 function* faultOf(
   word: string,
@@ -90,7 +88,7 @@ function* faultOf(
   const wild = yield* firstOf(nodes, (node) => node >= count);
   if (wild >= 0)
     return `${word} ${Math.floor(wild / width)} refers to node ${nodes[wild]}, but the number of nodes is ${count}`;
-  const named = groups.findIndex((group) => checkGroup(group) !== undefined);
+  const named = groups.findIndex((given) => !v.is(group, given));
   if (named >= 0) return `group ${named} of the ${pluralOf(word)} has no valid name, tag or color`;
   const lost = yield* firstOf(owners, (owner) => owner >= groups.length);
   return lost < 0

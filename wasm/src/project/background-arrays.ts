@@ -1,63 +1,47 @@
 /** Background grids as flat arrays, and the checks of their form. */
+import * as v from "valibot";
 import { plural } from "../base/plural.js";
-import { asObject, GONE, isArrayOf, isFiniteFrom, isUsable, shown } from "../base/values.js";
+import { asObject } from "../base/values.js";
+import { doubles, integers, problemIn } from "../calls/schemas.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { invalidArrays } from "../diagnostics/package-diagnostic.js";
 import { type ProjectSource, sourceProblem } from "./schema.js";
 
-const SOURCES_WANTED = "Give sources as a project has them: id, type, places and size each.";
+const backgroundSchema = v.pipe(
+  v.object({
+    points: doubles(3),
+    sizes: doubles(),
+    stretchings: v.optional(doubles()),
+    directions: v.optional(doubles(3)),
+    tetrahedra: integers(4),
+    coverageMargin: v.optional(
+      v.custom<number>((value) => Number.isFinite(value) && Number(value) >= 0, "a finite number from 0 on"),
+    ),
+  }),
+  v.rawCheck(({ dataset, addIssue }) => {
+    if (!dataset.typed) return;
+    const { points, sizes, stretchings = sizes, directions = points } = dataset.value;
+    const count = sizes.length;
+    if (points.length !== 3 * count || stretchings.length !== count || directions.length !== 3 * count) {
+      addIssue({ message: `its arrays do not fit its ${plural(count, "size")}` });
+    }
+  }),
+);
 
-/** The form alone: sizes, directions and tetrahedra are the engine's to judge, as in a project. */
+/** Checks the form; the engine judges sizes, directions and tetrahedra, as it does for a project. */
 export function checkBackground(background: BackgroundArrays): Diagnostic[] {
-  const {
-    points,
-    sizes,
-    stretchings,
-    directions,
-    tetrahedra,
-    coverageMargin = 0,
-    sources = [],
-  } = asObject(background);
-  const isOptional = (array: unknown) => array === undefined || isUsable(Float64Array, array);
-  if (
-    !(isUsable(Float64Array, points) && isUsable(Float64Array, sizes) && isUsable(Uint32Array, tetrahedra)) ||
-    !(isOptional(stretchings) && isOptional(directions))
-  ) {
-    return [
-      gridProblem(
-        "the background grid's points, sizes, stretchings and directions are not Float64Arrays, " +
-          `or its tetrahedra no Uint32Array${GONE}`,
-      ),
-    ];
-  }
-  const count = sizes.length;
-  const hasLength = (array: unknown, length: number) =>
-    !isArrayOf(Float64Array, array) || array.length === length;
-  if (
-    !hasLength(points, 3 * count) ||
-    !hasLength(stretchings, count) ||
-    !hasLength(directions, 3 * count) ||
-    tetrahedra.length % 4 !== 0
-  ) {
-    return [gridProblem(`the arrays of the background grid do not fit its ${plural(count, "size")}`)];
-  }
-  if (!isFiniteFrom(0, coverageMargin)) {
-    return [
-      invalidArrays(`coverageMargin is ${shown(coverageMargin)}`, "Give a finite number of 0 or more."),
-    ];
-  }
-  const problem = sourceProblem(sources);
+  const problem = problemIn(backgroundSchema, background);
   if (problem !== undefined) {
-    return [invalidArrays(`the background grid's sources do not fit: ${problem}`, SOURCES_WANTED)];
+    const where = problem.path === "" ? "" : `.${problem.path}`;
+    const remedy =
+      "Pass x y z and a size per node, a stretching and x y z of its direction if needed, and four node indices per tetrahedron.";
+    return [invalidArrays(`the background${where} is invalid: ${problem.message}`, remedy)];
   }
-  return [];
-}
-
-function gridProblem(message: string): Diagnostic {
-  return invalidArrays(
-    message,
-    "Give x y z and a size per node, a stretching and x y z of its direction if need be, and four node positions per tetrahedron.",
-  );
+  const { sources = [] } = background;
+  const wrong = sourceProblem(sources);
+  if (wrong === undefined) return [];
+  const remedy = "Pass sources as a project has them, with id, type, positions and size.";
+  return [invalidArrays(`the sources of the background are invalid: ${wrong}`, remedy)];
 }
 
 /** Then it leaves the sizes that there are, and only cuts them down around its sources. */

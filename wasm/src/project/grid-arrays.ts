@@ -1,5 +1,6 @@
 /** Background grids between their three forms: a project's, flat arrays for callers, and the engine's. */
-import { aNumber, checkArgument, listOf, objectOf, oneOf, orNothing } from "../calls/argument-checks.js";
+import * as v from "valibot";
+import { checkArgument } from "../calls/argument-checks.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { type BackgroundArrays, checkBackground } from "./background-arrays.js";
 import type { ProjectBackground, ProjectBackgroundNode, ProjectSource, SourceType } from "./schema.js";
@@ -130,7 +131,7 @@ function joined<T extends Uint8Array | Float64Array>(
  * none.
  */
 export function backgroundArrays(background: ProjectBackground): BackgroundArrays {
-  checkArgument("background", background, aBackground);
+  checkArgument("background", background, backgroundForm);
   const { nodes, tetrahedra, coverageMargin } = projectGrid(background);
   const column = (begin: number, width: number) =>
     Float64Array.from(
@@ -156,7 +157,7 @@ export function backgroundArrays(background: ProjectBackground): BackgroundArray
 export function projectBackground(arrays: BackgroundArrays): ProjectBackground {
   refuse(checkBackground(arrays));
   const { points, sizes, stretchings, directions, tetrahedra, coverageMargin = 0, sources } = arrays;
-  const triple = (values: Float64Array, i: number): [number, number, number] => [
+  const tripleAt = (values: Float64Array, i: number): [number, number, number] => [
     values[3 * i] ?? 0,
     values[3 * i + 1] ?? 0,
     values[3 * i + 2] ?? 0,
@@ -166,8 +167,8 @@ export function projectBackground(arrays: BackgroundArrays): ProjectBackground {
     nodes: Array.from(sizes, (size, i) => {
       const stretching = stretchings?.[i] ?? 1;
       const shape =
-        stretching === 1 ? {} : { stretching, ...(directions && { direction: triple(directions, i) }) };
-      return { id: i + 1, position: triple(points, i), size, ...shape };
+        stretching === 1 ? {} : { stretching, ...(directions && { direction: tripleAt(directions, i) }) };
+      return { id: i + 1, position: tripleAt(points, i), size, ...shape };
     }),
     tetrahedra: Array.from({ length: tetrahedra.length / 4 }, (_, t) => [
       id(4 * t),
@@ -180,13 +181,17 @@ export function projectBackground(arrays: BackgroundArrays): ProjectBackground {
   };
 }
 
-const aTriple = listOf(aNumber);
-const aNode = objectOf({ id: aNumber, position: aTriple, size: aNumber, direction: orNothing(aTriple) });
-const aSource = objectOf({ type: oneOf(SOURCE_TYPE_NAMES), positions: listOf(aTriple), size: aNumber });
-const aBackground = objectOf({
-  nodes: listOf(aNode),
-  tetrahedra: listOf(listOf(aNumber)),
-  sources: orNothing(listOf(aSource)),
+const triple = v.array(v.number());
+const node = v.object({ id: v.number(), position: triple, size: v.number(), direction: v.optional(triple) });
+const source = v.object({
+  type: v.picklist(SOURCE_TYPE_NAMES),
+  positions: v.array(triple),
+  size: v.number(),
+});
+const backgroundForm = v.object({
+  nodes: v.array(node),
+  tetrahedra: v.array(v.array(v.number())),
+  sources: v.optional(v.array(source)),
 });
 
 function nodeValues(nodes: readonly ProjectBackgroundNode[]): Float64Array {

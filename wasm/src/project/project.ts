@@ -1,15 +1,11 @@
 /** Reading and writing project files (docs/FORMAT.md). */
-import { checkArgument, listOf, objectOf, orNothing } from "../calls/argument-checks.js";
+import * as v from "valibot";
+import { checkArgument } from "../calls/argument-checks.js";
+import type { SchemaProblem } from "../calls/schemas.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { packageDiagnostic, printable } from "../diagnostics/package-diagnostic.js";
 import type { ReadError, ReadResult } from "../diagnostics/read-error.js";
-import {
-  parsedProject,
-  type Project,
-  PROJECT_FORMAT,
-  type ProjectBackground,
-  type SchemaProblem,
-} from "./schema.js";
+import { parsedProject, type Project, PROJECT_FORMAT, type ProjectBackground } from "./schema.js";
 import { PROJECT_VERSION, upgraded } from "./versions.js";
 
 /** Largest number of reported errors; the first ones usually cause the rest. */
@@ -60,7 +56,7 @@ function refused(...errors: [ReadError, ...ReadError[]]): ReadResult<never> {
  * can be read again is for `parseProject` to tell.
  */
 export function writeProject(project: Project): string {
-  checkArgument("project", project, aProject);
+  checkArgument("project", project, writableProject);
   try {
     return projectText(project);
   } catch (failure) {
@@ -90,12 +86,12 @@ function projectText(project: Project): string {
   return `{\n${[...head, ...body].join(",\n")}\n}\n`;
 }
 
-const entities = listOf(() => undefined);
-const aProject = objectOf({
+const entities = v.array(v.unknown());
+const writableProject = v.object({
   points: entities,
   lines: entities,
   patches: entities,
-  background: objectOf({ nodes: entities, tetrahedra: entities, sources: orNothing(entities) }),
+  background: v.object({ nodes: entities, tetrahedra: entities, sources: v.optional(entities) }),
 });
 
 function backgroundText({ nodes, tetrahedra, sources, coverageMargin }: ProjectBackground): string {

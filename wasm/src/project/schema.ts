@@ -6,104 +6,15 @@
  */
 import * as v from "valibot";
 import { LIMITS } from "../base/limits.js";
-import { shown } from "../base/values.js";
+import { objectWith, parsedBy } from "../calls/schemas.js";
 import { PROJECT_VERSION } from "./versions.js";
 import { WORDS } from "./words.js";
 
 /** In the field `format` of every project file. */
 export const PROJECT_FORMAT = "tetrafront-project";
-/** Something wrong in a value, and where: `points[0].position[2]`. */
-export interface SchemaProblem {
-  readonly path: string;
-  readonly message: string;
-}
-
-/**
- * What a value is by a schema, or what is wrong with it (of keys that an object has no place for, the first), whatever
- * the page has set up for its own schemas.
- */
-function parsedBy<const Schema extends v.GenericSchema>(
-  schema: Schema,
-  value: unknown,
-): { readonly value: v.InferOutput<Schema> } | { readonly problems: readonly SchemaProblem[] } {
-  const parsed = v.safeParse(schema, value, { abortEarly: false, abortPipeEarly: true });
-  return parsed.success ? { value: parsed.output } : { problems: parsed.issues.map(problemOf) };
-}
-
-function problemOf(issue: v.BaseIssue<unknown>): SchemaProblem {
-  const keys = issue.path?.map(({ key }) => key) ?? [];
-  // What is too much is told of that which has it.
-  const surplus = issue.expected === "never" ? keys.pop() : undefined;
-  return {
-    path: pathText(keys),
-    message: surplus === undefined ? wordsFor(issue) : wordsForSurplus(surplus),
-  };
-}
-
-function wordsForSurplus(key: unknown): string {
-  return typeof key === "number" ? `expected at most ${key}${ITEMS}` : `there is no key ${shown(key)}`;
-}
-
-function wordsFor({ kind, type, input, expected, requirement, message }: v.BaseIssue<unknown>): string {
-  if (kind === "schema" && input === undefined) return "it is missing";
-  switch (type) {
-    case "raw_check":
-      return message;
-    case "safe_integer":
-      return `expected a whole number, received ${shown(input)}`;
-    case "gt_value":
-      return `expected more than ${shown(requirement)}`;
-    case "min_value":
-      return `expected at least ${shown(requirement)}`;
-    case "max_value":
-      return `expected at most ${shown(requirement)}`;
-    case "min_length":
-      return `expected at least ${shown(requirement)}${ITEMS}`;
-    case "max_length":
-      return `expected at most ${shown(requirement)}${ITEMS}`;
-    case "picklist":
-      return `expected one of ${expected?.slice(1, -1).replaceAll(" | ", ", ")}`;
-    default:
-      return `expected ${NAMES[type] ?? expected}, received ${shown(input)}`;
-  }
-}
-
-const ITEMS = " items";
-const NAMES: Readonly<Record<string, string>> = {
-  array: "a list",
-  finite: "a finite number",
-  number: "a number",
-  strict_object: "an object",
-  strict_tuple: "a list",
-  string: "a string",
-};
-
-/** `["points", 0, "position", 2]` as `points[0].position[2]`. */
-function pathText(path: readonly unknown[]): string {
-  return path
-    .map((step) => (typeof step === "number" ? `[${step}]` : `.${String(step)}`))
-    .join("")
-    .replace(/^\./, "");
-}
-
 /** Says in the JSON Schema what a field means. */
 const described = <Schema extends v.GenericSchema>(description: string, schema: Schema) =>
   v.pipe(schema, v.description(description));
-
-/** As v.strictObject, which would take a list for an object with none of its fields. */
-function objectWith<const Entries extends v.ObjectEntries>(
-  entries: Entries,
-): v.StrictObjectSchema<Entries, undefined> {
-  const schema = v.strictObject(entries);
-  return {
-    ...schema,
-    "~run"(dataset, config) {
-      if (!Array.isArray(dataset.value)) return schema["~run"](dataset, config);
-      v._addIssue(schema, "type", dataset, config);
-      return dataset as unknown as v.FailureDataset<v.StrictObjectIssue>;
-    },
-  };
-}
 
 const listOf = <Item extends v.GenericSchema>(item: Item) => v.pipe(v.array(item), v.readonly());
 
