@@ -1,10 +1,9 @@
 // node mesh.mjs part.stl part.vtu
-import { createReadStream } from "node:fs";
-import { writeFile } from "node:fs/promises";
-import { createMesher, fileMeshOf, readSurface, writeMesh } from "tetrafront";
+import { createMesher, fileMeshOf } from "tetrafront";
+import { readSurfaceFile, writeMeshFile } from "tetrafront/node";
 
 const [, , input, output] = process.argv;
-const read = await readSurface(createReadStream(input), { fileName: input });
+const read = await readSurfaceFile(input);
 if (!read.success) throw new Error(read.errors[0].message);
 
 const mesher = await createMesher();
@@ -12,8 +11,7 @@ const mesh = await mesher.fillSurface(read.value);
 const { status, tetrahedra, dihedral, diagnostics } = mesh.report;
 for (const { message, remedy } of diagnostics) console.error(`${message}. ${remedy}`);
 if (status === "done") {
-  const files = await writeMesh(fileMeshOf(mesh, { surface: read.value }), output);
-  for (const { fileName, bytes } of files) await writeFile(fileName, bytes);
+  await writeMeshFile(fileMeshOf(mesh, { surface: read.value }), output);
   console.log(
     `${tetrahedra} tetrahedra, dihedral angles ${dihedral.min.toFixed(1)}° to ${dihedral.max.toFixed(1)}°`,
   );

@@ -99,6 +99,22 @@ describe("numbers are written as they were", () => {
     },
   );
 
+  test.each([".msh", ".msh2"])(
+    "%s: groups of a generated mesh get different numbers without a note",
+    async (extension) => {
+      const generated = {
+        ...block,
+        patches: block.patches.map((_, p) => ({ name: `patch ${p + 1}`, tag: p + 1 })),
+        regions: block.regions.map((_, r) => ({ name: `region ${r + 1}`, tag: r + 1 })),
+      };
+      const [file] = await writeMesh(generated, `a${extension}`);
+      expect(file?.notes).toEqual([]);
+      const again = await read(file?.bytes ?? new Uint8Array(), "a.msh");
+      const tags = [...again.patches, ...again.regions].map(({ tag }) => tag);
+      expect(new Set(tags).size).toBe(tags.length);
+    },
+  );
+
   test("of many changes ten are named", async () => {
     const count = block.trianglePatch.length;
     const many = {

@@ -1,6 +1,6 @@
 /** What `npm publish` would send, and that it works where it arrives. */
 import { execFile, execFileSync } from "node:child_process";
-import { mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
+import { mkdirSync, readdirSync, readFileSync, statSync, symlinkSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
@@ -115,6 +115,43 @@ describe("installed into an empty folder", () => {
     const program = process.platform === "win32" ? installed("bin", "tetrafront.mjs") : command;
     const { stdout } = await run(process.execPath, [program, ...args], { cwd: fresh.folder });
     expect(JSON.parse(stdout)).toMatchObject({ status: "done" });
+  });
+
+  describe("in a folder made by npm init -y", () => {
+    const made = (name: string) => {
+      const folder = path.join(fresh.folder, name);
+      mkdirSync(folder);
+      npm(["init", "-y"], folder);
+      symlinkSync(path.join(fresh.folder, "node_modules"), path.join(folder, "node_modules"));
+      writeFileSync(path.join(folder, "part.stl"), stlBinary(boxSurface(2)));
+      return folder;
+    };
+
+    test("the script of the README meshes a part", async () => {
+      const folder = made("esm");
+      const [, script = ""] = /^```js\n(.*?)^```/ms.exec(readFileSync(installed("README.md"), "utf8")) ?? [];
+      writeFileSync(path.join(folder, "mesh.mjs"), script);
+      const { stdout } = await run(process.execPath, ["mesh.mjs"], { cwd: folder });
+      expect(stdout).toMatch(/^done \d+/);
+      expect(statSync(path.join(folder, "part.vtu")).size).toBeGreaterThan(1000);
+    });
+
+    test("a .js file requires the package", async () => {
+      const folder = made("commonjs");
+      const script = `const { createMesher } = require("tetrafront");
+        const { readSurfaceFile } = require("tetrafront/node");
+        async function main() {
+          const file = await readSurfaceFile("part.stl");
+          const mesher = await createMesher();
+          const { report } = await mesher.fillSurface(file.value);
+          console.log(report.status);
+          mesher.dispose();
+        }
+        main();`;
+      writeFileSync(path.join(folder, "mesh.js"), script);
+      const { stdout } = await run(process.execPath, ["mesh.js"], { cwd: folder });
+      expect(stdout).toBe("done\n");
+    });
   });
 
   test("the example for Node meshes a part", async () => {

@@ -165,12 +165,12 @@ export function qualityLines({ regions, worst, binWidths }: QualityReport): stri
     (sum, { dihedral }) => dihedral.map((count, i) => count + (sum[i] ?? 0)),
     [],
   );
-  const most = Math.max(1, ...bins);
+  const largest = Math.max(1, ...bins);
   const bars = bins.flatMap((count, i) => {
     if (count === 0) return [];
     const from = i * binWidths.dihedral;
     const range = `${from}° to ${from + binWidths.dihedral}°`.padStart(12);
-    return [`${range} ${"#".repeat(Math.ceil((BAR_WIDTH * count) / most))} ${count}`];
+    return [`${range} ${"#".repeat(Math.ceil((BAR_WIDTH * count) / largest))} ${count}`];
   });
   return [
     "dihedral angles:",

@@ -3,6 +3,7 @@
 /**
  * - `invalid-argument`: an argument is invalid, for example the source of bytes, or a file name is missing.
  * - `unknown-format`: no format that can be read, or written, as requested has the extension of the file.
+ * - `unreadable-file`: the file at a path could not be opened or read.
  * - `empty-file`: the file has no bytes.
  * - `malformed-file`: the content violates its format or uses unsupported features; `line` or `offset` locates it.
  * - `too-large-file`: the file has more points or elements than can be indexed or than fit into memory.
@@ -16,6 +17,7 @@
 export type ReadCode =
   | "invalid-argument"
   | "unknown-format"
+  | "unreadable-file"
   | "empty-file"
   | "malformed-file"
   | "too-large-file"

@@ -105,13 +105,13 @@ export class ChainTree {
   #fitAround(node: number, boxes: Float64Array, begin: number, end: number): boolean {
     let isChanged = false;
     for (let side = 0; side < BOX; side++) {
-      let most = side < 2 ? Infinity : -Infinity;
+      let extreme = side < 2 ? Infinity : -Infinity;
       for (let at = BOX * begin + side; at < BOX * end; at += BOX) {
-        const value = boxes[at] ?? most;
-        if (side < 2 ? value < most : value > most) most = value;
+        const value = boxes[at] ?? extreme;
+        if (side < 2 ? value < extreme : value > extreme) extreme = value;
       }
-      isChanged ||= this.#nodes[BOX * node + side] !== most;
-      this.#nodes[BOX * node + side] = most;
+      isChanged ||= this.#nodes[BOX * node + side] !== extreme;
+      this.#nodes[BOX * node + side] = extreme;
     }
     return isChanged;
   }

@@ -113,7 +113,7 @@ function innermost(position: Position2, rings: readonly Ring[]): Ring | undefine
 
 function smallest(rings: readonly Ring[]): Ring | undefined {
   return rings.reduce<Ring | undefined>(
-    (least, ring) => (least && least.area <= ring.area ? least : ring),
+    (best, ring) => (best && best.area <= ring.area ? best : ring),
     undefined,
   );
 }
@@ -168,11 +168,11 @@ function withBridges(outer: Ring, inner: readonly Ring[], work: Work): number[] 
 }
 
 function fromRight(ring: readonly Corner[]): Corner[] {
-  const most = ring.reduce(
+  const rightmost = ring.reduce(
     (best, { position }, i) => (position[0] > (ring[best]?.position[0] ?? 0) ? i : best),
     0,
   );
-  return [...ring.slice(most), ...ring.slice(0, most)];
+  return [...ring.slice(rightmost), ...ring.slice(0, rightmost)];
 }
 
 /** Returns the index of the nearest corner of the chain that is visible from `from`; undefined if no corner is. */

@@ -1,7 +1,7 @@
 /** Adapts a mesh to the tags and node values that a format can store; reports every change. */
 import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
 import type { Note } from "./file-format.js";
-import { hasGenericName, listed, usedGroups } from "./groups.js";
+import { hasGenericName, listed, numbered, usedGroups } from "./groups.js";
 
 export interface FormatLimits {
   /** Smallest tag of a group; undefined if the format identifies groups by name or order. */
@@ -24,14 +24,14 @@ const MAX_TAG = 0x7fffffff;
 export function fitToFormat(mesh: FileMesh, limits: FormatLimits, note: Note): FileMesh {
   const { minTag, maxTag = MAX_TAG, hasSharedTags = false, canHoldData } = limits;
   const takenByPatches = new Set<number>();
-  const settled = (word: string, groups: readonly FileGroup[], owners: Uint32Array) => {
+  const settled = (word: "patches" | "regions", groups: readonly FileGroup[], owners: Uint32Array) => {
     const used = usedGroups(owners, groups);
     const taken = hasSharedTags ? takenByPatches : new Set<number>();
     const tags = usableTags(groups, used, { lowest: minTag ?? 1, highest: maxTag, taken });
     const changed = groups.flatMap(({ tag }, g) =>
       used.has(g) && tags[g] !== tag ? [`${tag} as ${tags[g]}`] : [],
     );
-    if (minTag !== undefined && changed.length > 0) {
+    if (minTag !== undefined && changed.length > 0 && !isNumbered(word, groups)) {
       note(
         `numbers of ${word} changed, because the format requires a different whole number from ${minTag} for each` +
           `${hasSharedTags ? " patch and region" : ""}: ${listed(changed)}`,
@@ -50,6 +50,12 @@ export function fitToFormat(mesh: FileMesh, limits: FormatLimits, note: Note): F
     patches: settled("patches", mesh.patches, mesh.trianglePatch),
     regions: settled("regions", mesh.regions, mesh.tetrahedronRegion),
   };
+}
+
+/** Returns whether the groups have the names and tags of a mesh made by this program, to which nothing refers yet. */
+function isNumbered(word: "patches" | "regions", groups: readonly FileGroup[]): boolean {
+  const own = numbered(word === "patches" ? "patch" : "region", groups.length);
+  return groups.every(({ name, tag }, g) => name === own[g]?.name && tag === own[g].tag);
 }
 
 /** Tags that a format permits. */

@@ -95,8 +95,8 @@ function matches(sides: Uint32Array, given: SurfaceRegions, count: number): numb
     }
     isChanged = votes.size > 0;
     votes.forEach((tally, region) => {
-      const most = Math.max(...tally.values());
-      const best = [...tally].filter(([, number]) => number === most).map(([match]) => match);
+      const largest = Math.max(...tally.values());
+      const best = [...tally].filter(([, number]) => number === largest).map(([match]) => match);
       found[region] = Math.min(...best);
     });
   }

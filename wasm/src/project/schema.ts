@@ -20,7 +20,7 @@ const listOf = <Item extends v.GenericSchema>(item: Item) => v.pipe(v.array(item
 
 const number = v.pipe(v.number(), v.finite());
 /** What the engine would refuse without a word of the field. */
-const upTo = (most: number) => v.pipe(number, v.maxValue(most));
+const upTo = (max: number) => v.pipe(number, v.maxValue(max));
 const integer = v.pipe(v.number(), v.safeInteger());
 
 const reference = v.pipe(integer, v.gtValue(0));

@@ -1,0 +1,117 @@
+/**
+ * Reads and writes files by path, in Node.
+ *
+ *     import { readSurfaceFile, writeMeshFile } from "tetrafront/node";
+ */
+import { createReadStream } from "node:fs";
+import { open, readFile, stat, writeFile } from "node:fs/promises";
+import path from "node:path";
+import * as v from "valibot";
+import {
+  readMesh,
+  readSurface,
+  readVolume,
+  writeMesh,
+  type ReadFileOptions,
+  type WriteFileOptions,
+} from "./api/mesh-files.js";
+import { checkArgument } from "./calls/argument-checks.js";
+import { printable } from "./diagnostics/package-diagnostic.js";
+import type { ReadResult } from "./diagnostics/read-error.js";
+import type { ByteSource } from "./formats/byte-source.js";
+import type { WrittenFile } from "./formats/file-format.js";
+import type { SurfaceFile } from "./formats/surface-file.js";
+import type { VolumeFile } from "./formats/volume-file.js";
+import type { FileMesh } from "./mesh/file-mesh.js";
+import { readProject, writeProject } from "./project/project.js";
+import type { Project } from "./project/schema.js";
+
+/** Options for reading a file by path. */
+export type ReadPathOptions = Pick<ReadFileOptions, "onProgress" | "signal">;
+
+/**
+ * As `readSurface`, for the file at a path. Other files of its format are read from the same folder. If the file cannot
+ * be opened, the result is an error of code `unreadable-file`.
+ *
+ *     const read = await readSurfaceFile("part.stl");
+ *     if (!read.success) throw new Error(read.errors[0].message);
+ */
+export function readSurfaceFile(file: string, options?: ReadPathOptions): Promise<ReadResult<SurfaceFile>> {
+  return readFrom(readSurface, file, options);
+}
+
+/** As `readVolume`, for the file at a path; see `readSurfaceFile`. */
+export function readVolumeFile(file: string, options?: ReadPathOptions): Promise<ReadResult<VolumeFile>> {
+  return readFrom(readVolume, file, options);
+}
+
+/** As `readMesh`, for the file at a path; see `readSurfaceFile`. */
+export function readMeshFile(file: string, options?: ReadPathOptions): Promise<ReadResult<FileMesh>> {
+  return readFrom(readMesh, file, options);
+}
+
+/** As `readProject`, for the file at a path; see `readSurfaceFile`. */
+export async function readProjectFile(file: string): Promise<ReadResult<Project>> {
+  checkArgument("file", file, v.string());
+  try {
+    return readProject(await readFile(file, "utf8"));
+  } catch (failure) {
+    return unreadable(file, failure);
+  }
+}
+
+/**
+ * As `writeMesh`, to the file at a path, which is replaced. Formats with several files write the others to the same
+ * folder. Resolves to the written files, with their notes. Rejects with the error of Node if writing fails.
+ */
+export async function writeMeshFile(
+  mesh: FileMesh,
+  file: string,
+  options?: WriteFileOptions,
+): Promise<readonly WrittenFile[]> {
+  checkArgument("file", file, v.string());
+  const files = await writeMesh(mesh, path.basename(file), options);
+  for (const { fileName, bytes } of files) await writeFile(path.join(path.dirname(file), fileName), bytes);
+  return files;
+}
+
+/** As `writeProject`, to the file at a path, which is replaced. Rejects with the error of Node if writing fails. */
+export async function writeProjectFile(project: Project, file: string): Promise<void> {
+  checkArgument("file", file, v.string());
+  await writeFile(file, writeProject(project));
+}
+
+type Read<T> = (source: ByteSource, options: ReadFileOptions) => Promise<ReadResult<T>>;
+
+async function readFrom<T>(
+  read: Read<T>,
+  file: string,
+  options: ReadPathOptions = {},
+): Promise<ReadResult<T>> {
+  checkArgument("file", file, v.string());
+  try {
+    // Opens the file first, because a stream would report the failure in the middle of reading.
+    await (await open(file)).close();
+    return await read(createReadStream(file), {
+      ...options,
+      fileName: file,
+      openOther: async (name) => openBeside(file, name),
+    });
+  } catch (failure) {
+    return unreadable(file, failure);
+  }
+}
+
+async function openBeside(file: string, name: string): Promise<ByteSource | undefined> {
+  const other = path.join(path.dirname(file), path.basename(name));
+  const found = await stat(other).catch(() => undefined);
+  return found?.isFile() === true ? createReadStream(other) : undefined;
+}
+
+/** Returns the error of the file system as a read error; throws any other failure. */
+function unreadable(fileName: string, failure: unknown): ReadResult<never> {
+  if (!(failure instanceof Error) || !("syscall" in failure)) throw failure;
+  const message = `the file cannot be read: ${printable(failure.message)}`;
+  const remedy = "Check the path and the permissions of the file.";
+  return { success: false, errors: [{ code: "unreadable-file", message, remedy, fileName }] };
+}
