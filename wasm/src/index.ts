@@ -81,7 +81,7 @@ export type {
 export type { ReadCode, ReadError, ReadResult } from "./diagnostics/read-error.js";
 export { repairedSurface } from "./api/repaired-surface.js";
 export { NO_ORIGIN } from "./api/surface-numbers.js";
-export type { AbortControl, RunControl } from "./api/control.js";
+export type { AbortControl, RunControl } from "./calls/control.js";
 export type { BackgroundArrays } from "./project/background-arrays.js";
 export type {
   CoverOptions,

@@ -8,12 +8,12 @@ import { open, readFile, stat, writeFile } from "node:fs/promises";
 import path from "node:path";
 import * as v from "valibot";
 import {
+  type ReadFileOptions,
   readMesh,
   readSurface,
   readVolume,
-  writeMesh,
-  type ReadFileOptions,
   type WriteFileOptions,
+  writeMesh,
 } from "./api/mesh-files.js";
 import { checkArgument } from "./calls/argument-checks.js";
 import { printable } from "./diagnostics/package-diagnostic.js";

@@ -374,7 +374,7 @@ describe("a background grid of arrays", () => {
       "that is no object",
       { background: null },
       "invalid-arrays",
-      /the background is invalid: expected an object, received null/,
+      /background is invalid: expected an object, received null/,
     ],
     [
       "with a size too few",

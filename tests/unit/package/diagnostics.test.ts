@@ -4,13 +4,13 @@ import { ENGINE_CODES, type Diagnostic, type DiagnosticCode, type DiagnosticOf }
 import { describe, expect, expectTypeOf, test } from "vitest";
 
 import { ENGINE_DATA } from "../../../wasm/src/diagnostics/data.js";
-import { nameByIndex } from "../../../wasm/src/diagnostics/entity-names.js";
 import {
   describeAll,
   describeDiagnostic,
   describeInSteps,
   ENTITY_KINDS,
-} from "../../../wasm/src/diagnostics/sentences.js";
+} from "../../../wasm/src/diagnostics/describe.js";
+import { nameByIndex } from "../../../wasm/src/diagnostics/entity-names.js";
 import type { DiagnosticArrays } from "../../../wasm/src/engine/loader.js";
 import { projectNamer } from "../../../wasm/src/project/names.js";
 import { cubeProject } from "../../support/projects.js";

@@ -8,7 +8,7 @@ import {
   FRONT_ORDERS,
   OPTIMIZATIONS,
 } from "../../../wasm/src/api/options.js";
-import { ENTITY_KINDS, SEVERITIES } from "../../../wasm/src/diagnostics/sentences.js";
+import { ENTITY_KINDS, SEVERITIES } from "../../../wasm/src/diagnostics/describe.js";
 import { PHASES } from "../../../wasm/src/engine/run-clock.js";
 import { STATUSES } from "../../../wasm/src/engine/slices.js";
 import { LINE_TYPES, PATCH_TYPES } from "../../../wasm/src/project/arrays.js";

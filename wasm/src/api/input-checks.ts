@@ -1,6 +1,8 @@
 /** Checks surfaces, meshes, projects and controls before the engine gets them; empty lists if they are valid. */
 import * as v from "valibot";
+import { LIMITS } from "../base/limits.js";
 import { plural } from "../base/plural.js";
+import type { RunControl } from "../calls/control.js";
 import { doubles, integers, problemIn, watch } from "../calls/schemas.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { refuse } from "../diagnostics/mesher-error.js";
@@ -14,7 +16,6 @@ import type { MeshInput, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
 import { type ModelArrays, projectArrays } from "../project/arrays.js";
 import { checkedProject } from "../project/project.js";
 import type { Project } from "../project/schema.js";
-import type { RunControl } from "./control.js";
 
 export function checkProject(project: unknown): Diagnostic[] {
   const parsed = checkedProject(project);
@@ -87,9 +88,27 @@ const nodesExist = v.rawCheck<v.InferOutput<v.ObjectSchema<typeof tetrahedra, un
 const volumeSchema = v.pipe(v.object(tetrahedra), nodesExist);
 const meshSchema = v.pipe(
   v.object({
-    ...tetrahedra,
+    points: v.pipe(
+      doubles(3),
+      v.rawCheck(({ dataset, addIssue }) => {
+        if (!dataset.typed) return;
+        const at = dataset.value.findIndex((coordinate) => !(Math.abs(coordinate) <= LIMITS.length));
+        if (at < 0) return;
+        const node = `node ${Math.floor(at / 3)} (counted from 0)`;
+        const message = `${node} has the coordinate ${dataset.value[at]}, which is not finite or beyond ${LIMITS.length}`;
+        addIssue({ message });
+      }),
+    ),
+    tetrahedra: tetrahedra.tetrahedra,
     regions: v.optional(integers()),
     invertedTetrahedra: v.optional(integers()),
+  }),
+  v.rawCheck(({ dataset, addIssue }) => {
+    if (!dataset.typed) return;
+    const { tetrahedra, regions } = dataset.value;
+    const count = tetrahedra.length / 4;
+    if (regions === undefined || regions.length === 0 || regions.length === count) return;
+    addIssue({ message: `it has ${plural(regions.length, "region")} for ${plural(count, "tetrahedron")}` });
   }),
   nodesExist,
 );
@@ -152,8 +171,8 @@ export function nothingToCover(): Diagnostic {
 
 /** Diagnostic for a mesh whose numbers the engine refuses. */
 export function unreadableMesh(): Diagnostic {
-  const message = "the mesh has coordinates that are not finite or beyond 1e30, or another number of regions";
-  return invalidArrays(message, "Use finite coordinates, and one region per element or no regions.");
+  const message = "the mesh has coordinates whose magnitude is too large or too small";
+  return invalidArrays(message, "Use coordinates with magnitudes from 1e-75 to 1e30, or 0.");
 }
 
 /** Returns the arrays of a drawing, which may be unfinished; throws only if it is not a project at all. */

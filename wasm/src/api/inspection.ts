@@ -1,8 +1,8 @@
 /** Describes the engine's results for given surfaces and meshes: with names, and records in place of rows. */
 import type { Steps } from "../base/steps.js";
+import { describeAll, describeInSteps } from "../diagnostics/describe.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { type EntityNamer, nameByIndex } from "../diagnostics/entity-names.js";
-import { describeAll, describeInSteps } from "../diagnostics/sentences.js";
 import type {
   EngineInspection,
   EngineRefinement,

@@ -1,10 +1,10 @@
 /** Reads and writes mesh files; the extension of the file name selects the format. */
+import * as v from "valibot";
 import { STEP } from "../base/steps.js";
 import { shown } from "../base/values.js";
-import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
-import { problemIn, watch } from "../calls/schemas.js";
 import { throwIfCancelled, untilCancelled } from "../calls/cancelling.js";
+import { problemIn, watch } from "../calls/schemas.js";
 import { inSteps, Yielder } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { refuse } from "../diagnostics/mesher-error.js";

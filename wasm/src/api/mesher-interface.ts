@@ -1,4 +1,5 @@
 /** The mesher: the engine in a worker, as callers see it. */
+import type { RunControl } from "../calls/control.js";
 import type {
   MeshInspection,
   SurfaceInspection,
@@ -10,7 +11,6 @@ import type { MeshResult } from "../mesh/report.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 import type { ProjectPreview } from "../project/preview.js";
 import type { Project, ProjectBackground, ProjectSource } from "../project/schema.js";
-import type { RunControl } from "./control.js";
 import type {
   CoverOptions,
   InspectionOptions,
@@ -21,48 +21,46 @@ import type {
   RepairOptions,
 } from "./option-types.js";
 
-/** Sizes that a model seems to ask for. */
+/** Result of `proposeSizes`. */
 export interface SizeProposal {
-  /** Uniform, to be refined by the sources; 0 where there is nothing to see. */
+  /** Uniform size, which the sources refine; 0 if nothing can be evaluated. */
   readonly size: number;
-  /** The smallest first, with ids from 1. */
+  /** Sources, those with the smallest size first, with ids from 1. */
   readonly sources: readonly ProjectSource[];
 }
 
-/** One mesher: an engine in a worker of its own (browser and Node). Runs are queued. */
+/** One mesher: an engine in its own worker, in browsers and in Node. Runs are queued. */
 export interface Mesher {
   /**
-   * Meshes a drawn project: lines, patches, closed boundary, volume. Bad input is a result with status
-   * `invalid-input` and diagnostics. Rejects with a `MesherError` when memory runs out, when the
-   * mesher is disposed of, or when the engine itself fails.
+   * Meshes a project: lines, patches, boundary, volume. Invalid input gives a result with status `invalid-input` and
+   * diagnostics. Rejects with a `MesherError` if memory runs out, the mesher is disposed of, or the engine fails.
    */
   meshProject(project: Project, options?: MeshOptions, control?: RunControl): Promise<MeshResult>;
   /**
-   * Fills a closed surface, kept triangle for triangle: nothing is repaired, which is for `repairSurface`. Only in
-   * what is returned all triangles face outward, also where a whole part of the surface was given inside out, which is
-   * said. Without `size` the sizes come from the surface's own edges. Ends and rejects as `meshProject` does.
+   * Fills a closed surface and keeps every triangle. Nothing is repaired; see `repairSurface`. In the result, all
+   * triangles face outward: components that were given inside out are flipped and reported. Without `size`, the sizes
+   * follow the surface's own edges. Ends and rejects as `meshProject` does.
    */
   fillSurface(surface: SurfaceInput, options?: MeshOptions, control?: RunControl): Promise<MeshResult>;
   /**
-   * Samples lines and patches for display and checks the project; tolerates broken input. Answered
-   * between the slices of a run, so that editing goes on while a mesh is made. Options that make no
-   * sense are among the diagnostics.
+   * Samples lines and patches for display and checks the project, which may be invalid. Answered between the slices of a
+   * run, so that a user can edit during a run. Invalid options are reported among the diagnostics.
    */
   previewProject(project: Project, options?: PreviewOptions, control?: RunControl): Promise<ProjectPreview>;
   /**
-   * A background grid of one size around the points, lines and patches, which keeps the project's
-   * sources. Answered as `previewProject`. Rejects with `invalid-input` where there is nothing to cover.
+   * Returns a background grid with one size around the points, lines and patches; it keeps the project's sources.
+   * Answered as `previewProject`. Rejects with `invalid-input` if there is nothing to cover.
    */
   coverProject(project: Project, options?: CoverOptions, control?: RunControl): Promise<ProjectBackground>;
   /**
-   * Sizes from the model's shape: a uniform one, and sources where lines and patches bend or come near
-   * each other. A proposal, not a promise. Answered as `previewProject`.
+   * Proposes a uniform size, and sources on lines and patches that are curved or close to each other. Fine detail may be
+   * missed. Answered as `previewProject`.
    */
   proposeSizes(project: Project, options?: ProposalOptions, control?: RunControl): Promise<SizeProposal>;
   /**
-   * A generated mesh as background grid: with one size per node, else with sizes from its own edges,
-   * which ask for about as many elements as it has. Nodes of no tetrahedron are left out. Rejects with
-   * `invalid-input` where the arrays do not fit together.
+   * Converts a mesh to a background grid, with the given sizes (one per node), or with sizes from its own edges, which ask
+   * for about as many elements as it has. Omits nodes without a tetrahedron. Rejects with `invalid-input` if the
+   * arrays are inconsistent.
    */
   backgroundFromMesh(
     mesh: Pick<VolumeMesh, "points" | "tetrahedra">,
@@ -70,10 +68,10 @@ export interface Mesher {
     control?: RunControl,
   ): Promise<BackgroundArrays>;
   /**
-   * Everything about a given surface, by the checks that filling begins with: whether it is closed,
-   * manifold and free of crossings, its bodies and cavities, its figures, and all that is wrong with ids
-   * and places. Rejects with `invalid-input` only where the arrays are none. O(n log n); about a
-   * microsecond per triangle. Works in slices beside a run.
+   * Inspects a given surface by the checks with which filling begins: whether it is closed, manifold and free of
+   * self-intersections, its regions and cavities, its statistics, and all problems with indices and positions. Rejects
+   * with `invalid-input` only if the arrays are inconsistent. O(n log n) for n triangles; about 1 µs each. Works in
+   * slices beside a run.
    */
   inspectSurface(
     surface: SurfaceInput,
@@ -81,20 +79,18 @@ export interface Mesher {
     control?: RunControl,
   ): Promise<SurfaceInspection>;
   /**
-   * Makes the repairs that are asked for, in a copy, and lists every one; `inspectSurface` then tells what
-   * they were good for. Rejects with `invalid-input` where coordinates or indices are broken. Works in steps
-   * beside a run.
+   * Makes the requested repairs in a copy and lists every change; use `inspectSurface` to check the result. Rejects with
+   * `invalid-input` if coordinates or indices are invalid. Works in slices beside a run.
    */
   repairSurface(surface: SurfaceInput, options?: RepairOptions, control?: RunControl): Promise<SurfaceRepair>;
   /**
-   * Divides the triangles of a surface that are larger than the elements wanted there, so that `fillSurface`
-   * with the same options can have these (otherwise it warns with `coarse-surface`). Edges longer than 1.41
-   * wanted lengths are halved in all their triangles, the longest of a triangle first: no angle falls below
-   * half of what it was, and the shape stays the same up to the rounding of middles. Patches follow by
-   * `repairedSurface(file, refinement)`. Rejects with `invalid-input` where numbers are broken, no sizes are
-   * given, or the triangles would be too many; with the enclosed `volume`, also where the inside would have more
-   * tetrahedra than a run makes, before anything is divided. O(n log n) for n triangles of the result; about 2 µs for each.
-   * Works in slices beside a run.
+   * Splits triangles that are larger than the target size, so that `fillSurface` with the same options can reach it
+   * (otherwise it warns with `coarse-surface`). Edges longer than 1.41 target lengths are halved in all their triangles,
+   * the longest edge of a triangle first: no angle falls below half of its former value, and the shape is kept up to the
+   * rounding of midpoints. `repairedSurface(file, refinement)` keeps the patches. Rejects with `invalid-input` if
+   * numbers are invalid, no sizes are given, or there would be too many triangles; with the enclosed `volume`, also if
+   * there would be more tetrahedra than a run permits, before anything is split. O(n log n) for n triangles of the
+   * result; about 2 µs each. Works in slices beside a run.
    */
   refineSurface(
     surface: SurfaceInput,
@@ -102,11 +98,10 @@ export interface Mesher {
     control?: RunControl,
   ): Promise<SurfaceRefinement>;
   /**
-   * Whether a mesh is sound, how good its elements are, and its boundary. Rejects with `invalid-input`
-   * where coordinates or indices are broken. O(n log n); about a microsecond per element. Works in slices beside
-   * a run.
+   * Reports whether a mesh is valid, the quality of its elements, and its boundary. Rejects with `invalid-input` if
+   * coordinates or indices are invalid. O(n log n) for n elements; about 1 µs each. Works in slices beside a run.
    */
   inspectMesh(mesh: MeshInput, control?: RunControl): Promise<MeshInspection>;
-  /** Ends the worker; runs under way are rejected. */
+  /** Terminates the worker; pending calls reject. */
   dispose(): void;
 }

@@ -1,7 +1,7 @@
 /** Puts results together: figures from the engine, diagnostics in words; and results without a mesh. */
+import { describeAll } from "../diagnostics/describe.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import type { EntityNamer } from "../diagnostics/entity-names.js";
-import { describeAll } from "../diagnostics/sentences.js";
 import type { EnginePreview, EngineResult } from "../engine/protocol.js";
 import { NO_QUALITY } from "../engine/quality-report.js";
 import { poorElementWarnings } from "../mesh/quality-warnings.js";

@@ -2,13 +2,13 @@
 import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
 import { throwIfCancelled } from "../calls/cancelling.js";
+import type { RunControl } from "../calls/control.js";
 import { doubles, map } from "../calls/schemas.js";
 import { MesherError, refuse } from "../diagnostics/mesher-error.js";
 import type { ReadResult } from "../diagnostics/read-error.js";
 import type { VolumeFile } from "../formats/volume-file.js";
 import type { NodeData } from "../mesh/file-mesh.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
-import type { RunControl } from "./control.js";
 import { checkControl, checkVolume } from "./input-checks.js";
 import type { Mesher } from "./mesher-interface.js";
 

@@ -1,20 +1,20 @@
 /** Progress of a call. */
 
-/** The stages of a run in their order. */
+/** Stages of a run, in order. */
 export type Phase = "check" | "sides" | "surface" | "volume" | "optimize" | "verify";
 
-/** Where a run stands, or any other call; in all but runs the phase is `check`, and there are no counts. */
+/** Progress of a run or another call. For other calls the phase is `check`, and the counts are 0. */
 export interface Progress {
   readonly phase: Phase;
-  /** Of the whole call, 0 to 1, estimated, never decreasing. */
+  /** Estimated fraction of the whole call, 0 to 1; never decreases. */
   readonly fraction: number;
   readonly nodes: number;
   readonly triangles: number;
   readonly tetrahedra: number;
   readonly frontFaces: number;
-  /** As many as the sizes ask for, estimated before the front starts; 0 until then. */
+  /** Number of tetrahedra that the sizes ask for, estimated before the front starts; 0 until then. */
   readonly expectedTetrahedra: number;
-  /** How far the exact fill is with what the front has left open, 0 to 1, estimated; 0 while it is not at work. */
+  /** Estimated progress of the exact fill, 0 to 1; 0 while it is not running. */
   readonly exactFillFraction: number;
   readonly elapsedSeconds: number;
 }

@@ -1,5 +1,4 @@
 /** `tetrafront mesh`: reads, meshes and writes; prints a summary. */
-import type { RunControl } from "../api/control.js";
 import { fileMeshOf } from "../api/generated-mesh.js";
 import { writeMesh } from "../api/mesh-files.js";
 import type { Mesher } from "../api/mesher-interface.js";
@@ -15,6 +14,7 @@ import { checkOptions } from "../api/options.js";
 import { repairedSurface } from "../api/repaired-surface.js";
 import { emptyReport, emptyResult } from "../api/report.js";
 import { plural } from "../base/plural.js";
+import type { RunControl } from "../calls/control.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";

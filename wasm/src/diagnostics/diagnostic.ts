@@ -2,7 +2,7 @@
 import type { DiagnosticCode } from "./codes.js";
 import type { DiagnosticData } from "./data.js";
 
-/** What a diagnostic can be about. */
+/** Kind of an entity that a diagnostic refers to. */
 export type EntityKind =
   | "point"
   | "line"
@@ -13,36 +13,36 @@ export type EntityKind =
   | "surface-node"
   | "source";
 
-/** What a diagnostic is about. `id` is the project's id where the entity has one. */
+/** Entity that a diagnostic refers to. `id` is its id in the project, if it has one. */
 export interface EntityRef {
   readonly kind: EntityKind;
-  /** Position in the array of that kind. */
+  /** Index in the array of that kind. */
   readonly index: number;
   readonly id?: number | undefined;
-  /** What the user called it, else e.g. "line 12". */
+  /** Name given by the user, or for example "line 12". */
   readonly label: string;
 }
 
-/** Only errors keep a model from being meshed. */
+/** Only errors prevent meshing. */
 export type Severity = "information" | "warning" | "error";
 
-/** A diagnostic of one code. */
+/** Diagnostic of one code. */
 export interface DiagnosticOf<Code extends DiagnosticCode> {
   /** Stable machine name, e.g. `open-edge`. */
   readonly code: Code;
   readonly severity: Severity;
-  /** One sentence: what is wrong, naming the entities and the place. */
+  /** One sentence: what is wrong, with the entities and the position. */
   readonly message: string;
-  /** One sentence: what to do about it. Empty for information that asks for nothing. */
+  /** One sentence: what to do about it. Empty if nothing needs to be done. */
   readonly remedy: string;
   readonly entities: readonly EntityRef[];
   readonly position?: readonly [number, number, number] | undefined;
-  /** The numbers of the sentence, by their names. */
+  /** Numbers of the message, by name. */
   readonly data: DiagnosticData[Code];
 }
 
 /**
- * One thing that is wrong, or worth knowing: what, where, and what to do. Its `code` tells of what type its `data` are.
+ * One problem, or information: what, where, and what to do. The `code` determines the type of the `data`.
  *
  *     if (found.code === "too-many-elements") retry(Math.cbrt(found.data.expected / found.data.limit));
  */

@@ -3,7 +3,7 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import type { SurfaceInput } from "./mesh.js";
 import type { QualityReport } from "./quality.js";
 
-/** In model units. */
+/** Position in model units. */
 export type Position = readonly [x: number, y: number, z: number];
 
 /** Lengths of edges in model units. */
@@ -13,17 +13,17 @@ export interface EdgeLengths {
   readonly longest: number;
 }
 
-/** One closed, connected part of a surface. A wall between bodies belongs to one on either side. */
+/** One shell of a surface. An interface between regions belongs to a shell on either side. */
 export interface ShellInfo {
   readonly firstTriangle: number;
   readonly triangles: number;
-  /** The body on its inner side, as in `VolumeMesh.regions`. */
+  /** Region on its inner side, as in `VolumeMesh.regions`. */
   readonly region: number;
-  /** Whether it bounds a void within that body. */
+  /** Whether it bounds a cavity of that region. */
   readonly isCavity: boolean;
   /** In squared model units. */
   readonly area: number;
-  /** Enclosed by this shell alone, in cubed model units, above 0. */
+  /** Volume enclosed by this shell alone, in cubed model units, above 0. */
   readonly volume: number;
 }
 
@@ -40,109 +40,109 @@ export interface TriangleQuality {
 }
 
 /**
- * What `inspectSurface` finds. Where coordinates or indices are broken only `diagnostics` tells. Triangles with a node
- * twice make no edges, and of those with the same nodes only the first does.
+ * Result of `inspectSurface`. If coordinates or indices are invalid, only `diagnostics` has content. Triangles with a
+ * repeated node have no edges; of duplicate triangles only the first has.
  */
 export interface SurfaceInspection {
-  /** Whether `fillSurface` would accept the surface: no error is among the diagnostics. */
+  /** Whether `fillSurface` would accept the surface: the diagnostics contain no error. */
   readonly isFillable: boolean;
-  /** No edge has one triangle only. */
+  /** Whether no edge has only one triangle. */
   readonly isClosed: boolean;
-  /** No edge has more than two triangles, and at every node they form one fan. */
+  /** Whether no edge has more than two triangles, and the triangles at every node form one fan. */
   readonly isManifold: boolean;
-  /** No two triangles meet but in common corners and edges. */
+  /** Whether triangles have only shared nodes and edges in common. */
   readonly isEmbedded: boolean;
-  /** That triangles use. */
+  /** Number of nodes used by a triangle. */
   readonly nodes: number;
   readonly unusedNodes: number;
   readonly triangles: number;
   readonly edges: number;
-  /** With one triangle. */
+  /** Number of edges with one triangle. */
   readonly openEdges: number;
-  /** With more than two. */
+  /** Number of edges with more than two triangles. */
   readonly nonManifoldEdges: number;
-  /** Where the surface touches itself in a point. */
+  /** Number of nodes at which the surface touches itself. */
   readonly nonManifoldNodes: number;
   /**
-   * Triangles that do not face outward. Where a whole part of the surface is so, filling sets it right and says so;
-   * single ones are errors. Known where nothing else keeps the surface from being filled.
+   * Number of triangles that face inward. If all triangles of a component do, `fillSurface` flips them and reports it;
+   * single ones are errors. Known if nothing else prevents the surface from being filled.
    */
   readonly flippedTriangles: number;
-  /** Known where `isFillable`. */
+  /** Number of regions; known if `isFillable`. */
   readonly regions: number;
-  /** Known where `isFillable`. */
+  /** Number of cavities; known if `isFillable`. */
   readonly cavities: number;
-  /** Of all nodes in use; null without any. */
+  /** Bounding box of the used nodes; null if there are none. */
   readonly box: { readonly low: Position; readonly high: Position } | null;
   /** In squared model units. */
   readonly area: number;
-  /** Of all bodies without their cavities, in cubed model units; known where `isFillable`. */
+  /** Volume of all regions without their cavities, in cubed model units; known if `isFillable`. */
   readonly volume: number;
   readonly edgeLengths: EdgeLengths;
-  /** By their first triangles; known where `isFillable`. */
+  /** In the order of their first triangles; known if `isFillable`. */
   readonly shells: readonly ShellInfo[];
-  /** Up to ten triangles, by radius ratio, the worst first. */
+  /** Up to ten triangles, those with the smallest radius ratio first. */
   readonly worst: readonly TriangleQuality[];
   /**
-   * Everything that is wrong, as a run would tell it: of each code the first thousand, or as many as
-   * `InspectionOptions.findings` asks for; the `count` of an error's data is of them all.
+   * All problems, as a run would report them: the first 1000 of each code, or as many as
+   * `InspectionOptions.maxDiagnostics`; the `count` in the data of an error counts all.
    */
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** One change. Numbers are positions in the given surface, but for the triangles of filled holes. */
+/** One change. Indices are those of the given surface, except for the triangles of filled holes. */
 export type RepairChange = { readonly position: Position } & (
   | { readonly kind: "welded-node"; readonly node: number; readonly into: number }
   | { readonly kind: "removed-node"; readonly node: number }
   | { readonly kind: "removed-triangle"; readonly triangle: number }
   | { readonly kind: "removed-duplicate"; readonly triangle: number; readonly sameAs: number }
-  /** It had its corners on one line; the triangle beyond was split where the middle one lies. */
+  /** Its corners were collinear; the triangle `beyond` was split at the middle corner. */
   | { readonly kind: "split-triangle"; readonly triangle: number; readonly beyond: number }
-  /** Positions in the result. */
+  /** Indices in the result. */
   | { readonly kind: "filled-hole"; readonly firstTriangle: number; readonly triangles: number }
   | { readonly kind: "flipped-triangle"; readonly triangle: number }
 );
 
-/** A surface after its repair, which is to be inspected: nothing is promised about it. */
+/** Repaired surface. Inspect it: it may still have problems. */
 export interface SurfaceRepair {
   readonly surface: SurfaceInput;
-  /** Per triangle: its position in the given surface; `NO_ORIGIN` for one that fills a hole. */
+  /** Per triangle: its index in the given surface; `NO_ORIGIN` if it fills a hole. */
   readonly origin: Uint32Array;
-  /** Every one. */
+  /** All changes. */
   readonly changes: readonly RepairChange[];
 }
 
-/** A surface whose large triangles are divided: the same shape. */
+/** Surface whose large triangles are split; its shape is the same. */
 export interface SurfaceRefinement {
-  /** The given points, then the middles of the edges that were halved. */
+  /** The given points, followed by the midpoints of the split edges. */
   readonly surface: SurfaceInput;
-  /** Per triangle: the position of the given triangle that it is a part of. */
+  /** Per triangle: index of the given triangle that contains it. */
   readonly origin: Uint32Array;
-  /** How many edges were halved, halves of halves counted too; as many points are new. */
+  /** Number of split edges, including halves that were split again; equals the number of new points. */
   readonly splitEdges: number;
 }
 
-/** What `inspectMesh` finds. */
+/** Result of `inspectMesh`. */
 export interface MeshInspection {
-  /** None of the counts of defects below is above 0. */
+  /** Whether all counts of defects below are 0. */
   readonly isValid: boolean;
-  /** That elements use. */
+  /** Number of nodes used by an element. */
   readonly nodes: number;
   readonly unusedNodes: number;
   readonly tetrahedra: number;
-  /** With a negative volume, or inverted in their file; measured as if two of their nodes were exchanged. */
+  /** Number of elements with negative volume, or inverted in their file; measured with two of their nodes exchanged. */
   readonly invertedTetrahedra: number;
-  /** Without volume, exactly. */
+  /** Number of elements whose volume is exactly 0. */
   readonly degenerateTetrahedra: number;
-  /** With the nodes of another. */
+  /** Number of elements with the same nodes as another. */
   readonly duplicateTetrahedra: number;
-  /** Of more than two elements. */
+  /** Number of faces of more than two elements. */
   readonly nonManifoldFaces: number;
-  /** Faces whose two elements lie on the same side. */
+  /** Number of faces whose two elements lie on the same side. */
   readonly overlappingFaces: number;
-  /** Nodes at the place of another. */
+  /** Number of nodes at the position of another. */
   readonly coincidentNodes: number;
-  /** Over all elements: an edge counts once for each of its elements. */
+  /** Edge lengths over all elements: an edge counts once for each of its elements. */
   readonly edgeLengths: EdgeLengths;
   /** Degrees. */
   readonly dihedral: { readonly min: number; readonly max: number };
@@ -150,8 +150,8 @@ export interface MeshInspection {
   readonly radiusRatio: { readonly min: number; readonly mean: number };
   /** In cubed model units. */
   readonly volume: number;
-  /** The mean of `edgeLengths` is the wanted length. */
+  /** Quality statistics; the target length is the mean of `edgeLengths`. */
   readonly quality: QualityReport;
-  /** Faces of one element: three nodes each, counter-clockwise seen from outside, and a region each. */
+  /** Faces of one element: three nodes per face, counter-clockwise seen from outside, and its region. */
   readonly boundary: { readonly triangles: Uint32Array; readonly region: Uint32Array };
 }

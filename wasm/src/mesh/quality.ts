@@ -1,23 +1,23 @@
 /** Quality statistics of a mesh and its patches. */
 
-/** The triangulation of one patch of a project. */
+/** Quality of the triangulation of one patch of a project. */
 export interface PatchQuality {
-  /** Position in the project. */
+  /** Index in the project. */
   readonly patch: number;
   readonly triangles: number;
   /** Degrees, in space. */
   readonly minAngle: number;
   /** 2 × inradius / circumradius, 1 for the equilateral triangle. */
   readonly meanRadiusRatio: number;
-  /** Length over the wanted one, in the metric: 1 is as asked for. */
+  /** Mean of edge length / target length, in the metric of the size field. */
   readonly meanEdge: number;
-  /** Largest distance between a triangle and the true patch, in model units. */
+  /** Largest distance between a triangle and the exact patch, in model units. */
   readonly chordDeviation: number;
 }
 
-/** One tetrahedron of the report. Shapes are those the size field sees (see `QualityReport`). */
+/** Quality of one tetrahedron, measured in the metric of the size field (see `QualityReport`). */
 export interface ElementQuality {
-  /** Position in the volume mesh. */
+  /** Index in the volume mesh. */
   readonly tetrahedron: number;
   /** Its centroid. */
   readonly centroid: readonly [number, number, number];
@@ -28,70 +28,72 @@ export interface ElementQuality {
   readonly radiusRatio: number;
 }
 
-/** Histograms over one region; bin i counts what is in [i, i + 1) bin widths. */
+/** Histograms of one region; bin i counts the values in [i, i + 1) bin widths. */
 export interface RegionQuality {
   /** As in `VolumeMesh.regions`. */
   readonly region: number;
   readonly tetrahedra: number;
   readonly volume: number;
-  /** Of all six dihedral angles of each tetrahedron. */
+  /** All six dihedral angles of each tetrahedron. */
   readonly dihedral: readonly number[];
-  /** Of the smallest of each. */
+  /** Smallest dihedral angle of each tetrahedron. */
   readonly smallestDihedral: readonly number[];
   readonly radiusRatio: readonly number[];
-  /** Of each edge's length by the wanted one; the last bin also counts all longer ones. */
+  /** Edge length / target length of each edge; the last bin also counts all larger values. */
   readonly edge: readonly number[];
 }
 
-/** Each tetrahedron counts under the first of the three reasons that applies. */
+/**
+ * Tetrahedra with a dihedral angle outside 30° to 135° because of the boundary. Each counts under the first of the three
+ * reasons that applies.
+ */
 export interface LimitedByBoundary {
   readonly count: number;
   /**
-   * Forced by an edge of the boundary: the inside takes less than 30° there, or less than 60°, which
-   * one tetrahedron only can fill, and that one has other angles beyond.
+   * At an edge of the boundary with an inner angle below 30°, or below 60°: one tetrahedron fills it, and another of
+   * its angles is then outside the range.
    */
   readonly edges: number;
-  /** With an edge of a needle or cap among the boundary's triangles: experience, not proof. */
+  /** With an edge of a needle or cap of the boundary. This is experience, not proof. */
   readonly needles: number;
   /**
-   * Between two parts of the boundary nearer to each other than 0.6 wanted lengths, without a node
-   * inside: neither a proof.
+   * In a gap of the boundary narrower than 0.6 target lengths, without an interior node. This is experience too.
    */
   readonly narrowGaps: number;
   readonly worst: readonly ElementQuality[];
 }
 
-/** Lengths of edges. Wanted are those asked for, whether a given surface allows them or not. */
+/** Statistics of edge lengths. Target lengths are those asked for, whether or not a given surface allows them. */
 export interface EdgeStatistics {
-  /** The mean of length by wanted length. */
+  /** Mean of edge length / target length. */
   readonly mean: number;
   /**
-   * The mean of length by the length wanted of the front: longer beside triangles of a given surface that
-   * are too large (`coarse-surface`), the same everywhere else.
+   * Mean of edge length / achievable length. Next to triangles of a given surface that are too large
+   * (`coarse-surface`), the achievable length is larger than the target length.
    */
   readonly meanOfAchievable: number;
-  /** The share of edges between 0.6 and 1.5 wanted lengths. */
+  /** Fraction of edges between 0.6 and 1.5 target lengths. */
   readonly nearTarget: number;
 }
 
 /**
- * The elements of a finished mesh. Shapes and lengths are those the size field sees: where it is
- * stretched, in the space where the wanted element is regular with edge 1.
+ * Statistics of the elements of a finished mesh. Shapes and lengths are measured in the metric of the size field: if it is
+ * stretched, in the space where the target element is regular with edge 1.
  */
 export interface QualityReport {
   /** Degrees for angles. */
   readonly binWidths: { readonly dihedral: number; readonly radiusRatio: number; readonly edge: number };
   readonly regions: readonly RegionQuality[];
-  /** Up to ten, worst first, by their angles. */
+  /** Up to ten elements, those with the worst angles first. */
   readonly worst: readonly ElementQuality[];
-  /** By volume. */
+  /** Element with the smallest volume. */
   readonly smallest: ElementQuality | null;
-  /** Largest by smallest volume. */
+  /** Largest volume / smallest volume. */
   readonly volumeRatio: number;
-  /** Of all edges. */
+  /** Statistics of all edges. */
   readonly edges: EdgeStatistics;
-  /** Tetrahedra with an angle below 30° or above 135° which the boundary does not excuse. */
+  /** Number of tetrahedra with a dihedral angle outside 30° to 135°, except those limited by the boundary. */
   readonly outOfRange: number;
-  /** Those it does. */
+  /** Tetrahedra that the boundary forces to have such angles. */
   readonly limitedByBoundary: LimitedByBoundary;
 }

@@ -3,11 +3,13 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import type { SurfaceMesh, VolumeMesh } from "./mesh.js";
 import type { PatchQuality, QualityReport } from "./quality.js";
 
-/** How a run ended. Only `done` is a complete mesh; `stalled` and `cancelled` may hold a part. */
+/** How a run ended. Only `done` has a complete mesh; `stalled` and `cancelled` may have a partial one. */
 export type MeshStatus = "done" | "stalled" | "cancelled" | "invalid-input";
 
-/** Wall-clock seconds. `check` includes the verification of the result; `total` includes copying it,
- * and is all that is known of a run that had to be ended by force: the phases are 0 then. */
+/**
+ * Wall-clock times in seconds. `check` includes the verification of the result; `total` includes copying it. If the
+ * worker had to be terminated, only `total` is known; the others are 0.
+ */
 export interface Seconds {
   readonly total: number;
   readonly check: number;
@@ -17,37 +19,37 @@ export interface Seconds {
   readonly optimize: number;
 }
 
-/** The figures of a run, and all it has to say. */
+/** Statistics and diagnostics of a run. */
 export interface MeshReport {
   readonly status: MeshStatus;
   readonly nodes: number;
   readonly tetrahedra: number;
   readonly triangles: number;
   readonly seconds: Seconds;
-  /** Degrees, over all tetrahedra as they lie in space, stretched or not; 0 without any. */
+  /** Degrees, over all tetrahedra, measured in space; 0 if there are none. */
   readonly dihedral: { readonly min: number; readonly max: number };
-  /** 3 × inradius / circumradius, 1 for the regular tetrahedron, in space too; 0 without any. */
+  /** 3 × inradius / circumradius, 1 for the regular tetrahedron, measured in space; 0 if there are none. */
   readonly radiusRatio: { readonly min: number; readonly mean: number };
   /** Sum over the tetrahedra, in cubed model units. */
   readonly volume: number;
   /** Empty unless the mesh is finished. */
   readonly quality: QualityReport;
-  /** By position of the patch; of a given surface none. */
+  /** In the order of the patches; empty for a given surface. */
   readonly patches: readonly PatchQuality[];
-  /** How the front was brought to an end. */
+  /** How the pockets were closed that the front left. */
   readonly recovery: {
-    /** Elements accepted by a relaxed rule. */
+    /** Number of elements accepted by a relaxed rule. */
     readonly relaxed: number;
-    /** Pockets filled from one interior point. */
+    /** Number of pockets joined to one interior point. */
     readonly starred: number;
-    /** Pockets filled after elements around them were removed. */
+    /** Number of pockets filled after elements around them were removed. */
     readonly remeshed: number;
-    /** Pockets given to the exact fill, which comes last. */
+    /** Number of pockets filled by the exact fill, which comes last. */
     readonly filled: number;
-    /** Interior points that the exact fill has made. */
+    /** Number of interior points made by the exact fill. */
     readonly steinerPoints: number;
   };
-  /** How hard the front worked. */
+  /** Counters of the work of the front. */
   readonly front: {
     readonly pops: number;
     readonly gatheredFaces: number;
@@ -57,14 +59,14 @@ export interface MeshReport {
     readonly exactPredicates: number;
   };
   /**
-   * 16 hexadecimal digits: a hash over coordinates and indices, equal on every platform for the same
-   * input and options. Empty where the run was cancelled or never began.
+   * Hash of coordinates and indices, 16 hexadecimal digits: equal on every platform for the same input and options.
+   * Empty if the run was cancelled or never began.
    */
   readonly fingerprint: string;
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** A mesh with its boundary and its report; after a run that ended early, what exists. */
+/** Mesh with its boundary and its report; after a run that ended early, the mesh made so far. */
 export interface MeshResult {
   readonly surface: SurfaceMesh;
   readonly volume: VolumeMesh;

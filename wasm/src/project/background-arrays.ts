@@ -44,29 +44,28 @@ export function checkBackground(background: BackgroundArrays): Diagnostic[] {
   return [invalidArrays(`the sources of the background are invalid: ${wrong}`, remedy)];
 }
 
-/** Then it leaves the sizes that there are, and only cuts them down around its sources. */
+/** Returns whether the background has no nodes: it then only caps other sizes around its sources. */
 export function hasSourcesOnly(background: BackgroundArrays): boolean {
   const { tetrahedra, sizes } = asObject(background) as Partial<BackgroundArrays>;
   return tetrahedra?.length === 0 && sizes?.length === 0;
 }
 
-/**
- * A background grid as flat arrays: what a generated mesh becomes (`backgroundFromMesh`), at full speed
- * also with hundreds of thousands of tetrahedra.
- */
+/** Background grid as flat arrays, for grids of any size, such as those of `backgroundFromMesh`. */
 export interface BackgroundArrays {
   /** x y z per node. */
   readonly points: Float64Array;
-  /** Wanted edge length per node, above 0. */
+  /** Target edge length per node, above 0. */
   readonly sizes: Float64Array;
-  /** Per node: wanted length along its direction divided by its size, 1 or more. Default 1. */
+  /** Per node: target length along its direction / its size, at least 1. Default 1. */
   readonly stretchings?: Float64Array | undefined;
-  /** x y z per node, of any length but 0. Needed where a stretching is above 1. */
+  /** x y z per node, of any length except 0. Required if a stretching is above 1. */
   readonly directions?: Float64Array | undefined;
-  /** Four node positions per tetrahedron, in any orientation. */
+  /** Four node indices per tetrahedron, in any orientation. */
   readonly tetrahedra: Uint32Array;
-  /** What this far outside still counts as covered, as in `ProjectBackground`. Default 0. */
+  /**
+   * Margin outside the grid that counts as covered, as a fraction of the nearest tetrahedron's longest edge. Default 0.
+   */
   readonly coverageMargin?: number | undefined;
-  /** In addition to those of a project. For a given surface they may be all there is. */
+  /** Sources, in addition to those of a project. For a given surface, nodes and tetrahedra may then be empty. */
   readonly sources?: readonly ProjectSource[] | undefined;
 }

@@ -1,7 +1,7 @@
 /** Preview of a project. */
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 
-/** What a viewer draws of a project before it is meshed, and everything wrong with the project. */
+/** Samples of a project for display, and its diagnostics. */
 export interface ProjectPreview {
   /** Polyline of line l: linePoints[3i..3i+2], lineOffsets[l] <= i < lineOffsets[l+1]. */
   readonly linePoints: Float64Array;

@@ -1,11 +1,11 @@
 /** How a caller follows and cancels a call. */
 import type { Progress } from "../base/progress.js";
 
-/** How a run is followed and stopped. */
+/** Callbacks and signal of a call. */
 export interface RunControl {
   /**
-   * Called at most ten times a second, and once at the end. What it throws, or its promise is rejected with, ends
-   * the call, which is rejected with just that.
+   * Called at most ten times a second, and once at the end. If it throws, or its promise rejects, the call rejects with
+   * the same reason.
    */
   readonly onProgress?: ((progress: Progress) => void) | undefined;
   /**
@@ -15,15 +15,15 @@ export interface RunControl {
    */
   readonly onFront?: ((corners: Float64Array) => void) | undefined;
   /**
-   * Aborting ends `meshProject` and `fillSurface` with status `cancelled`, as a rule within 100 ms, and what exists is
-   * returned. Where the engine does not answer within half a second it is ended by force, and the mesh is empty. All other calls have no result of that kind, and
-   * are rejected with a `MesherError` of code `cancelled`.
+   * Aborting it ends `meshProject` and `fillSurface` with status `cancelled`, usually within 100 ms; the result holds the
+   * mesh made so far. If the engine does not answer within 0.5 s, its worker is terminated and the mesh is empty. Other
+   * calls reject with a `MesherError` of code `cancelled`.
    */
   readonly signal?: AbortSignal | undefined;
 }
 
-/** How `createMesher` is stopped. */
+/** Signal of `createMesher`. */
 export interface AbortControl {
-  /** Aborting rejects the call with a `MesherError` of code `cancelled`. */
+  /** Aborting it rejects the call with a `MesherError` of code `cancelled`. */
   readonly signal?: AbortSignal | undefined;
 }
