@@ -155,6 +155,10 @@ class Run {
     });
   }
 
+  bool hasFoundNothingBetter() {
+    return read(false, [](MeshRun& run) { return run.hasFoundNothingBetter(); });
+  }
+
   std::string fingerprint() {
     return read(std::string{}, [](MeshRun& run) { return toHex(run.fingerprint()); });
   }
@@ -514,6 +518,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .function("patches", &Run::patches)
       .function("recovery", &Run::recovery)
       .function("counters", &Run::counters)
+      .function("hasFoundNothingBetter", &Run::hasFoundNothingBetter)
       .function("fingerprint", &Run::fingerprint)
       .function("failure", &Run::failure);
 

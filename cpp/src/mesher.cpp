@@ -102,6 +102,8 @@ class MeshRun::Impl {
   [[nodiscard]] RecoverySummary recovery() const { return front_ ? front_->recovery() : recovery_; }
   [[nodiscard]] FrontCounters counters() const { return front_ ? front_->counters() : counters_; }
 
+  [[nodiscard]] bool hasFoundNothingBetter() const { return hasFoundNothingBetter_; }
+
   [[nodiscard]] std::uint64_t fingerprint() const {
     const VolumeMesh mesh = volume();
     Fingerprint fingerprint;
@@ -173,7 +175,8 @@ class MeshRun::Impl {
   std::uint32_t expectedTetrahedra_ = 0;
   std::optional<RegionMesher> front_;       ///< while it fills
   std::optional<MeshOptimizer> optimizer_;  ///< while it optimizes
-  VolumeMesh mesh_;                         ///< at all other times
+  bool hasFoundNothingBetter_ = false;
+  VolumeMesh mesh_;  ///< at all other times
   RecoverySummary recovery_;
   FrontCounters counters_;
   QualitySummary quality_;
@@ -347,6 +350,7 @@ Task<> MeshRun::Impl::optimize(Work& work) {
   work.beginPart(1.0);
   optimizer_.emplace(std::exchange(mesh_, {}), boundaryNodes(), *field_, options_.optimization);
   co_await work.finish(*optimizer_);
+  hasFoundNothingBetter_ = optimizer_->hasFoundNothingBetter();
   keepUnfinished();
 }
 
@@ -399,6 +403,7 @@ QualitySummary MeshRun::quality() const { return impl_->quality(); }
 QualityStatistics MeshRun::statistics() const { return impl_->statistics(); }
 RecoverySummary MeshRun::recovery() const { return impl_->recovery(); }
 FrontCounters MeshRun::counters() const { return impl_->counters(); }
+bool MeshRun::hasFoundNothingBetter() const { return impl_->hasFoundNothingBetter(); }
 std::uint64_t MeshRun::fingerprint() const { return impl_->fingerprint(); }
 
 }  // namespace tetrafront

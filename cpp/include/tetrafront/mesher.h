@@ -70,6 +70,9 @@ class MeshRun {
   [[nodiscard]] RecoverySummary recovery() const;
   [[nodiscard]] FrontCounters counters() const;
 
+/// True if Optimization::kThorough found no better mesh than Optimization::kDefault, which is the result then.
+  [[nodiscard]] bool hasFoundNothingBetter() const;
+
   /// 64-bit hash of the coordinates and indices of volume(): equal on all platforms for equal input and options.
   [[nodiscard]] std::uint64_t fingerprint() const;
 

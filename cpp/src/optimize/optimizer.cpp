@@ -44,6 +44,7 @@ class MeshOptimizer::Impl {
   [[nodiscard]] virtual std::size_t elementCount() const = 0;
   [[nodiscard]] virtual VolumeMesh mesh() const = 0;
   [[nodiscard]] virtual std::size_t pointCount() const = 0;
+  [[nodiscard]] virtual bool hasFoundNothingBetter() const = 0;
 };
 
 /// Executes the schedule. Each step queries the size field if necessary, recomputes the elements'
@@ -95,6 +96,9 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     if (!isBuilt_) return complex_.nodeCount();
     if (isDone() && kept_) return kept_->points.size() / 3;
     return complex_.boundaryNodeCount() + freeNodes_;
+  }
+  [[nodiscard]] bool hasFoundNothingBetter() const override {
+    return isDone() && kept_.has_value();
   }
 
  private:
@@ -346,5 +350,6 @@ std::uint32_t MeshOptimizer::tetrahedronCount() const {
   return static_cast<std::uint32_t>(impl_->elementCount());
 }
 VolumeMesh MeshOptimizer::mesh() const { return impl_->mesh(); }
+bool MeshOptimizer::hasFoundNothingBetter() const { return impl_->hasFoundNothingBetter(); }
 
 }  // namespace tetrafront

@@ -35,6 +35,9 @@ class MeshOptimizer {
   /// The current mesh, always valid. Boundary nodes come first, in their order.
   [[nodiscard]] VolumeMesh mesh() const;
 
+  /// True if Optimization::kThorough is finished and found no better mesh: mesh() is that of Optimization::kDefault.
+  [[nodiscard]] bool hasFoundNothingBetter() const;
+
  private:
   class Impl;
   template <class Space>

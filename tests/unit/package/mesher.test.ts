@@ -48,6 +48,20 @@ function elementsInTheMiddle({ volume }: MeshResult): number {
   return count;
 }
 
+test("thorough optimization reports that it found no better mesh, and only then", async () => {
+  const both = async (surface: SurfaceInput) => {
+    const { report } = await mesher.fillSurface(surface);
+    const thorough = (await mesher.fillSurface(surface, { optimization: "thorough" })).report;
+    const found = thorough.diagnostics.filter(({ code }) => code === "no-improvement");
+    return {
+      isSame: report.fingerprint === thorough.fingerprint,
+      severities: found.map(({ severity }) => severity),
+    };
+  };
+  expect(await both(boxSurface(2))).toEqual({ isSame: true, severities: ["information"] });
+  expect(await both(boxSurface(3))).toEqual({ isSame: false, severities: [] });
+});
+
 describe("a given surface is filled and kept triangle for triangle:", () => {
   test.each<[string, SurfaceInput, number]>([
     [

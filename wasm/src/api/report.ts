@@ -2,6 +2,7 @@
 import { describeAll } from "../diagnostics/describe.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import type { EntityNamer } from "../diagnostics/entity-names.js";
+import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { EnginePreview, EngineResult } from "../engine/protocol.js";
 import { NO_QUALITY } from "../engine/quality-report.js";
 import { poorElementWarnings } from "../mesh/quality-warnings.js";
@@ -10,16 +11,26 @@ import type { ProjectPreview } from "../project/preview.js";
 
 /** The result of the engine with its diagnostics told in the user's names. */
 export function describedResult(result: EngineResult, name: EntityNamer): MeshResult {
-  const { status, surface, volume, figures } = result;
+  const { status, surface, volume, figures, hasFoundNothingBetter } = result;
   return {
     surface,
     volume,
     report: {
       status,
       ...figures,
-      diagnostics: [...describeAll(result.diagnostics, name), ...poorElementWarnings(figures.quality)],
+      diagnostics: [
+        ...describeAll(result.diagnostics, name),
+        ...poorElementWarnings(figures.quality),
+        ...(hasFoundNothingBetter ? [nothingBetter()] : []),
+      ],
     },
   };
+}
+
+function nothingBetter(): Diagnostic {
+  const message =
+    "thorough optimization found no better mesh, so the mesh is that of the default optimization";
+  return packageDiagnostic("no-improvement", message, "", "information");
 }
 
 export function describedPreview(preview: EnginePreview, name: EntityNamer): ProjectPreview {

@@ -66,6 +66,8 @@ export type PackageCode =
   | "needle-surface"
   /** Many elements of a mesh have small dihedral angles. */
   | "poor-elements"
+  /** Thorough optimization found no better mesh than the default. */
+  | "no-improvement"
   /** A format cannot store some content, which is not in the file. */
   | "left-out"
   /** A file could not be opened or written, or has no content that a command can use. */

@@ -158,6 +158,8 @@ export interface EngineResult {
   readonly surface: SurfaceMesh;
   readonly volume: VolumeMesh;
   readonly figures: Omit<MeshReport, "diagnostics" | "status">;
+  /** Whether thorough optimization found no better mesh. */
+  readonly hasFoundNothingBetter: boolean;
   readonly diagnostics: DiagnosticArrays;
 }
 

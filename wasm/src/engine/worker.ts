@@ -177,8 +177,16 @@ function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineRe
     fingerprint: status === "cancelled" ? "" : run.fingerprint(),
   };
   const diagnostics = run.diagnostics();
+  const hasFoundNothingBetter = run.hasFoundNothingBetter();
   assertHealthy(run);
-  return { status, surface, volume, diagnostics, figures: { ...figures, seconds: clock.seconds() } };
+  return {
+    status,
+    surface,
+    volume,
+    diagnostics,
+    hasFoundNothingBetter,
+    figures: { ...figures, seconds: clock.seconds() },
+  };
 }
 
 /** After a failure the engine answers with empty values, which must not pass for a result. */
