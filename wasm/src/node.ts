@@ -4,7 +4,7 @@
  *     import { readSurfaceFile, writeMeshFile } from "tetrafront/node";
  */
 import { createReadStream } from "node:fs";
-import { open, readFile, stat, writeFile } from "node:fs/promises";
+import { readFile, stat, writeFile } from "node:fs/promises";
 import path from "node:path";
 import * as v from "valibot";
 import {
@@ -90,9 +90,7 @@ async function readFrom<T>(
 ): Promise<ReadResult<T>> {
   checkArgument("file", file, v.string());
   try {
-    // Opens the file first, because a stream would report the failure in the middle of reading.
-    await (await open(file)).close();
-    return await read(createReadStream(file), {
+    return await read(piecesOf(file), {
       ...options,
       fileName: file,
       openOther: async (name) => openBeside(file, name),
@@ -102,10 +100,15 @@ async function readFrom<T>(
   }
 }
 
+/** Yields the bytes of a file; opens it only when they are read. */
+async function* piecesOf(file: string): AsyncGenerator<Uint8Array, void> {
+  for await (const piece of createReadStream(file)) yield piece as Buffer;
+}
+
 async function openBeside(file: string, name: string): Promise<ByteSource | undefined> {
   const other = path.join(path.dirname(file), path.basename(name));
   const found = await stat(other).catch(() => undefined);
-  return found?.isFile() === true ? createReadStream(other) : undefined;
+  return found?.isFile() === true ? piecesOf(other) : undefined;
 }
 
 /** Returns the error of the file system as a read error; throws any other failure. */

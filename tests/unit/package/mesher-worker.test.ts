@@ -71,6 +71,7 @@ const nothingToSay = { heads: none, entities: none, positions: noPoints, values:
 function resultWith(fingerprint: string): EngineResult {
   return {
     status: "done",
+    hasFoundNothingBetter: false,
     surface: {
       points: noPoints,
       triangles: none,

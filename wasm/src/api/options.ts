@@ -260,17 +260,16 @@ function checkAgainst(options: unknown, schema: OptionsSchema): Diagnostic[] {
   if (parsed.success) return [];
   return parsed.issues.map(({ path, input, expected }) => {
     const name = path?.[0].key;
-    if (name === undefined) {
+    if (typeof name !== "string") {
       return invalidOption("options", `the options are ${shown(input)}`, "Pass an object, or omit them.");
     }
-    const option = String(name);
     const known = Object.keys(schema.entries);
-    if (expected === "never" && !known.includes(option)) {
+    if (expected === "never" && !known.includes(name)) {
       const remedy = `Correct its name: the options are ${known.join(", ")}.`;
-      return invalidOption(option, `there is no option "${option}"`, remedy);
+      return invalidOption(name, `there is no option "${name}"`, remedy);
     }
-    const { label, expected: wanted } = wordsOf(schema.entries[option], option);
-    return invalidOption(option, `the ${label} is ${shown(input)}`, `Use ${wanted}.`);
+    const { label, expected: wanted } = wordsOf(schema.entries[name], name);
+    return invalidOption(name, `the ${label} is ${shown(input)}`, `Use ${wanted}.`);
   });
 }
 
