@@ -70,7 +70,7 @@ class MeshRun {
   [[nodiscard]] RecoverySummary recovery() const;
   [[nodiscard]] FrontCounters counters() const;
 
-/// True if Optimization::kThorough found no better mesh than Optimization::kDefault, which is the result then.
+  /// True if Optimization::kThorough found no better mesh than Optimization::kDefault, which is the result then.
   [[nodiscard]] bool hasFoundNothingBetter() const;
 
   /// 64-bit hash of the coordinates and indices of volume(): equal on all platforms for equal input and options.
