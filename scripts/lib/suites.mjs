@@ -2,7 +2,6 @@ import { existsSync, mkdirSync, rmSync } from "node:fs";
 import { createServer } from "node:net";
 import path from "node:path";
 import { formatCpp, formatScript } from "../format.mjs";
-import { wrongImports, wrongIncludes } from "./dependencies.mjs";
 import { wrongCoroutines } from "./coroutines.mjs";
 import { countGoogleTest, countPlaywright, countVitest, sum } from "./counts.mjs";
 import { fuzzSurfaces } from "./fuzzer.mjs";
@@ -92,6 +91,8 @@ export const suites = {
     async run(_tools, only = ["."]) {
       const args = [...only, "--max-warnings", "0", "--no-warn-ignored"];
       const status = await run(bin("eslint"), args, { quietOut: true });
+      // Reads TypeScript with a package that the setup installs.
+      const { wrongImports, wrongIncludes } = await import("./dependencies.mjs");
       const found = {
         "C++ includes": wrongIncludes(),
         "C++ coroutines": wrongCoroutines(),
