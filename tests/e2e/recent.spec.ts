@@ -185,8 +185,9 @@ test("saving never writes a project into the file of another, also after a reloa
       const folder = await navigator.storage.getDirectory();
       const names: Record<string, string> = {};
       for await (const [name, handle] of folder as unknown as AsyncIterable<[string, FileSystemFileHandle]>) {
-        const { name: project } = JSON.parse(await (await handle.getFile()).text()) as { name: string };
-        names[name] = project;
+        // While a file is being written, a temporary one beside it comes and goes.
+        const text = name.endsWith(".json") && (await handle.getFile().then((file) => file.text(), () => null)); // prettier-ignore
+        if (text) names[name] = (JSON.parse(text) as { readonly name: string }).name;
       }
       return names;
     });

@@ -1,12 +1,12 @@
-/** Hearing an AbortSignal: whatever is given one rejects with a `MesherError` of the code `cancelled`. */
+/** Cancelling calls by an AbortSignal: they reject with a `MesherError` of code `cancelled`. */
 import { cancelledError } from "../diagnostics/mesher-error.js";
 
-/** Throws where the signal is aborted. */
+/** Throws if the signal is aborted. */
 export function throwIfCancelled(signal: AbortSignal | undefined): void {
   if (signal?.aborted === true) throw cancelledError(signal);
 }
 
-/** What a promise gives, unless the signal is aborted before; then the promise is left to itself. */
+/** Resolves as the promise does, unless the signal is aborted first. The promise is then ignored, not stopped. */
 export async function untilCancelled<T>(
   ask: () => T | PromiseLike<T>,
   signal: AbortSignal | undefined,

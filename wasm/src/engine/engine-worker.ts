@@ -1,19 +1,19 @@
-/** A worker with an engine in it, or why there is none: told once, and nothing more of a worker that is ended. */
+/** A worker with an engine. Reports once if the engine cannot be used; a terminated worker reports nothing. */
 import { loadRemedies, startWorker } from "#worker-host";
 import { requestEngine, settleEngine, type EngineLoader } from "./shared-engine.js";
 import { crashError, type MesherError, notLoadedError } from "../diagnostics/mesher-error.js";
 import type { Reply, Request } from "./protocol.js";
 import type { WorkerHandle } from "./worker-host.js";
 
-/** Of a worker that is ready. */
+/** Replies of a worker that is ready. */
 export type WorkReply = Exclude<Reply, { kind: "ready" | "unusable" }>;
 
 export interface EngineWorkerEvents {
   onReady(): void;
   onReply(reply: WorkReply): void;
-  /** It has ended, after it was ready; another one may do better. */
+  /** The worker ended after it was ready; a new one may work. */
   onCrash(failure: () => MesherError): void;
-  /** It never was ready, and another one would do no better. */
+  /** The worker never became ready; a new one would fail in the same way. */
   onUnusable(failure: () => MesherError): void;
 }
 
@@ -43,12 +43,12 @@ export class EngineWorker {
     requestEngine(this.#loader);
   }
 
-  /** Requests sent before it is ready wait for that. */
+  /** A request sent before the worker is ready waits in it. */
   post(request: Request, transfer: readonly ArrayBuffer[]): void {
     this.#handle?.post(request, transfer);
   }
 
-  /** Whether a process may end although the worker lives. */
+  /** False lets the process end although the worker lives. */
   keepAlive(wanted: boolean): void {
     this.#handle?.keepAlive(wanted);
   }

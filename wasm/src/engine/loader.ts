@@ -17,7 +17,7 @@ type ResultOf<Tool extends keyof Engine> = Engine[Tool] extends (...given: never
     ? Result
     : never
   : never;
-/** The engine's answers, which cross to the caller as they are. */
+/** Results of the engine, which reach the caller unchanged. */
 export type EngineInspection = ResultOf<"inspectSurface">;
 export type EngineRepair = ResultOf<"repairSurface">;
 export type EngineRefinement = ResultOf<"refineSurface">;
@@ -26,20 +26,23 @@ export type EngineVolumeInspection = ResultOf<"inspectMesh">;
 export type { DiagnosticArrays } from "./engine.js";
 export type Engine = MainModule;
 export type EngineRun = Run;
-/** What works in slices and has one result. */
+/** A tool of the engine that works in slices and has one result. */
 export type EngineTool =
   Cover | Inspection | BackgroundFromMesh | Preview | Proposal | Refinement | Repair | VolumeInspection;
 
-/** Fetches the file and compiles it; rejects with words that name the file and why it is not to be had. */
+/** Fetches and compiles the file; the reason of a failure names the file. */
 export type CompileEngine = (address: URL) => Promise<CompiledEngine>;
 
-/** An engine, and its code for those who load another one. */
+/** An engine and its compiled code, for other workers. */
 export interface LoadedEngine {
   readonly engine: Engine;
   readonly module: CompiledEngine;
 }
 
-/** The engine, of `given` code or of that beside this module. Rejects where WebAssembly or the file is missing. */
+/**
+ * Returns an engine from `given` code or, without it, from the file beside this module. Rejects if WebAssembly or
+ * the file is missing.
+ */
 export async function loadEngine(
   given: CompiledEngine | undefined,
   compile: CompileEngine,
@@ -47,7 +50,7 @@ export async function loadEngine(
   const found = given ?? (await compile(new URL("./engine.wasm", import.meta.url)));
   const module = found as WebAssembly.Module;
   const engine = await new Promise<Engine>((resolve, reject) => {
-    // Of what goes wrong in here Emscripten's own promise would never hear.
+    // Emscripten's own promise does not report failures in this function.
     const instantiateWasm = (imports: WebAssembly.Imports, receive: ReceiveInstance) => {
       WebAssembly.instantiate(module, imports)
         .then((instance) => receive(instance, module))
@@ -61,5 +64,5 @@ export async function loadEngine(
 
 type ReceiveInstance = (instance: WebAssembly.Instance, module: WebAssembly.Module) => void;
 
-/** A WebAssembly.Module, by a name that programs without the types of browsers know too. */
+/** A WebAssembly.Module, under a name that also exists without the types of browsers. */
 export type CompiledEngine = object;

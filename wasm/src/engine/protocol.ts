@@ -1,4 +1,4 @@
-/** What the page (or a Node program) and the worker say to each other. Types only. */
+/** Messages between the page (or a Node program) and the worker. Types only. */
 import type { Progress } from "../base/progress.js";
 import type { EngineFailure } from "../diagnostics/mesher-error.js";
 import type { SurfaceMesh, VolumeMesh } from "../mesh/mesh.js";
@@ -16,7 +16,7 @@ import type {
   EngineVolumeInspection,
 } from "./loader.js";
 
-/** Options as the engine takes them; 0 for a size that is not given. */
+/** Options of the engine; 0 for a size that is not given. */
 export interface EngineOptions {
   readonly size: number;
   readonly growth: number;
@@ -34,9 +34,9 @@ export interface EngineOptions {
 
 /** The engine's InspectionOptions. */
 export interface EngineInspectionOptions {
-  /** As among EngineOptions. */
+  /** As in EngineOptions. */
   readonly innerShells: number;
-  /** Of each code so many are listed. */
+  /** Number of diagnostics to list of each code. */
   readonly maxDiagnostics: number;
 }
 
@@ -59,8 +59,8 @@ export interface EngineRepairOptions {
 }
 
 /**
- * Asked for at once and worked on in slices, also while a run is under way: any number of `progress`, then one `answer`
- * or `failure`; a `cancel` ends it without one.
+ * A question. The worker answers it in slices, also during a run: any number of `progress` replies, then one
+ * `answer` or `failure`. After a `cancel` there is neither.
  */
 export type Question =
   /** `options`: those to mesh with. */
@@ -84,7 +84,7 @@ export type Question =
       readonly model: ModelArrays;
       readonly options: EngineProposalOptions;
     }
-  /** No sizes: from the mesh's own edges. */
+  /** Without sizes, they come from the mesh's own edges. */
   | {
       readonly kind: "background-from-mesh";
       readonly id: number;
@@ -105,7 +105,7 @@ export type Question =
       readonly triangles: Uint32Array;
       readonly options: EngineRepairOptions;
     }
-  /** Grid and options as for `fill-surface`; `volume` is 0 where it is not known. */
+  /** Grid and options as for `fill-surface`; `volume` is 0 if it is unknown. */
   | {
       readonly kind: "refine-surface";
       readonly id: number;
@@ -115,7 +115,7 @@ export type Question =
       readonly options: EngineOptions;
       readonly volume: number;
     }
-  /** No regions: all elements in one. */
+  /** Without regions, all elements are in one. */
   | {
       readonly kind: "inspect-mesh";
       readonly id: number;
@@ -124,9 +124,12 @@ export type Question =
       readonly regions: Uint32Array;
     };
 
-/** Every request about work carries an id of its own; replies repeat it, late ones are dropped by it. */
+/**
+ * Each request for work has its own id. Replies repeat it; replies to abandoned requests are recognized by it and
+ * ignored.
+ */
 export type Request =
-  /** The first of all, and sent once: load the engine, of this code or of what the worker fetches and compiles. */
+  /** The first request, sent once: load the engine from this code, or fetch and compile it. */
   | { readonly kind: "load"; readonly module: CompiledEngine | undefined }
   /** Answered by any number of `progress` and `front`, then one `result` or `failure`. */
   | {
@@ -144,15 +147,18 @@ export type Request =
       readonly showFront: boolean;
       readonly points: Float64Array;
       readonly triangles: Uint32Array;
-      /** Without nodes and tetrahedra the sizes come from the surface's own edges. */
+      /** Without nodes and tetrahedra, sizes come from the surface's own edges. */
       readonly grid: GridArrays;
       readonly options: EngineOptions;
     }
   | Question
-  /** About the run or the question of that id: a run answers by `stopping` and then its `result`, all else by nothing. */
+  /**
+   * Cancels the run or question with this id. A run replies `stopping` and then `result`; a question does not
+   * reply.
+   */
   | { readonly kind: "cancel"; readonly id: number };
 
-/** A result before its diagnostics are put into words, which only the sender of the request can do. */
+/** A result whose diagnostics are not yet described in words; only the sender of the request can do that. */
 export interface EngineResult {
   readonly status: MeshStatus;
   readonly surface: SurfaceMesh;
@@ -174,7 +180,7 @@ export interface EngineProposal {
   readonly sourceValues: Float64Array;
 }
 
-/** What each question is answered with. */
+/** The answer to each question. */
 export interface Answers {
   readonly preview: EnginePreview;
   readonly cover: BackgroundArrays;
@@ -196,24 +202,24 @@ export type AnswerTo<Kind extends keyof Answers> = {
 export type Answer = { [Kind in keyof Answers]: AnswerTo<Kind> }[keyof Answers];
 
 export type Reply =
-  /** Once, when the engine is loaded, with its code for other workers. Requests sent earlier wait for it. */
+  /** Sent once, when the engine is loaded, with its code for other workers. Earlier requests wait for it. */
   | { readonly kind: "ready"; readonly module: CompiledEngine }
   | { readonly kind: "progress"; readonly id: number; readonly progress: Progress }
-  /** The front as it stands: x y z of three corners per face. */
+  /** The present front: x y z of three corners per face. */
   | { readonly kind: "front"; readonly id: number; readonly corners: Float64Array }
   /** The run takes no further step; its result is being copied. */
   | { readonly kind: "stopping"; readonly id: number }
   | { readonly kind: "result"; readonly id: number; readonly result: EngineResult }
   | Answer
   /**
-   * The call of that id failed. If somebody still waits for it, the sender replaces the worker, because a full heap never
-   * shrinks. If nobody does, the other calls go on, unless the engine is lost.
+   * The call with this id failed. If it was not abandoned, the sender replaces the worker, because a heap that is
+   * full never shrinks. If it was, the other calls continue, unless the engine is lost.
    */
   | ({
       readonly kind: "failure";
       readonly id: number;
-      /** The engine trapped instead of reporting its failure: its heap cannot be trusted any more. */
+      /** The engine trapped instead of reporting a failure: its heap may be corrupt. */
       readonly isEngineLost: boolean;
     } & EngineFailure)
-  /** The engine could not be loaded at all: where it was looked for, and why it is not there. */
+  /** The engine could not be loaded: its address and the reason. */
   | { readonly kind: "unusable"; readonly message: string };

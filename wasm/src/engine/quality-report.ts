@@ -1,4 +1,4 @@
-/** Takes apart the flat arrays in which the engine tells of its elements' quality. */
+/** Unpacks the flat arrays in which the engine returns quality statistics. */
 import type { ElementQuality, QualityReport, RegionQuality } from "../mesh/quality.js";
 import type { EngineRun } from "./loader.js";
 
@@ -73,7 +73,7 @@ function elementsOf(flat: Float64Array): ElementQuality[] {
   );
 }
 
-/** The numbers of a flat array, so many at a time. */
+/** Yields the numbers of a flat array in groups of `width`. */
 export function rowsOf(flat: Float64Array, stride: number): number[][] {
   return Array.from({ length: flat.length / stride }, (_, i) =>
     Array.from(flat.subarray(stride * i, stride * (i + 1))),

@@ -16,7 +16,7 @@ export class RunClock {
     verify: 0,
   };
 
-  /** Books time spent in a call that began in that phase. */
+  /** Adds the time of a call that began in this phase. */
   book(phase: Phase, milliseconds: number): void {
     this.#milliseconds[phase] += milliseconds;
   }

@@ -1,21 +1,21 @@
 /**
- * The engine's code, fetched and compiled once for all workers of this page or thread: the first worker
- * compiles it and hands it back, those that come meanwhile wait for that, all later ones are given it. What
- * failed is not kept: the next in line tries for itself.
+ * The engine's code, fetched and compiled once for all workers of this page or thread. The first worker compiles
+ * it and returns it; workers that start meanwhile wait for it, later ones get it at once. If the first one fails,
+ * the next one in the queue compiles.
  */
 import type { CompiledEngine } from "./loader.js";
 
 /** A worker that needs the code. */
 export interface EngineLoader {
-  /** Called once: with the code, or without where this worker is to compile it. */
+  /** Called once: with the code, or without it if this worker is to compile it. */
   load(module: CompiledEngine | undefined): void;
 }
 
 let compiled: CompiledEngine | undefined;
-/** The first of them compiles. */
+/** Workers that wait; the first of them compiles. */
 const inLine: EngineLoader[] = [];
 
-/** Has `loader` load the engine, now or as soon as the code is there. */
+/** Makes `loader` load the engine, now or when the code is available. */
 export function requestEngine(loader: EngineLoader): void {
   if (compiled !== undefined) return loader.load(compiled);
   inLine.push(loader);
@@ -23,8 +23,8 @@ export function requestEngine(loader: EngineLoader): void {
 }
 
 /**
- * `loader` has compiled `module`, or, where that is undefined, has failed or is no more. Nothing happens where it
- * did not stand in line.
+ * `loader` has compiled `module`; undefined if it has failed or was terminated. Does nothing if it was not in the
+ * queue.
  */
 export function settleEngine(loader: EngineLoader, module: CompiledEngine | undefined): void {
   const place = inLine.indexOf(loader);

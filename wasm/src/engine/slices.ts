@@ -1,21 +1,24 @@
 /**
- * Advances a run in slices. Short calls for two reasons: between them the worker hears a cancel
- * without shared memory, and V8 never replaces a WebAssembly frame that is running, so that one
- * long call would stay in slow baseline code.
+ * Advances a run in slices. Calls are short for two reasons: between them the worker receives a cancel message
+ * without shared memory; and V8 never replaces the code of a running WebAssembly function, so that one long call
+ * would stay in slow baseline code.
  */
 import type { Phase, Progress } from "../base/progress.js";
 import type { MeshStatus } from "../mesh/report.js";
 import type { EngineRun, EngineTool } from "./loader.js";
 import { PHASES, type RunClock } from "./run-clock.js";
 
-/** How long the worker may be deaf, in milliseconds: a fraction of what a cancel may take. */
+/**
+ * Longest time without receiving messages, in milliseconds: a fraction of the time in which a cancel must take
+ * effect.
+ */
 const SLICE_MS = 12;
 /**
- * Work per call. About half a millisecond while the front advances; a larger amount, grown while a cheap
- * phase lasts, would be far too much at the beginning of the next one.
+ * Work per call: about half a millisecond while the front advances. A budget that grew during a cheap phase would
+ * be far too large at the start of the next one.
  */
 const BUDGET = 256;
-/** At most ten reports a second. */
+/** Shortest time between two progress reports, in milliseconds. */
 const PROGRESS_MS = 100;
 
 /** Shortest time between two snapshots of the front, in milliseconds: at most four a second. */
@@ -39,11 +42,14 @@ export interface SliceControl {
 }
 
 export interface RunSliceControl extends SliceControl {
-  /** Gets the front from time to time while it advances, x y z of three corners per face; undefined for no snapshots. */
+  /**
+   * Receives the front from time to time while it advances, x y z of three corners per face; undefined for no
+   * snapshots.
+   */
   readonly onFront: ((corners: Float64Array) => void) | undefined;
 }
 
-/** Runs to the end, or to the cancel. The last progress is always reported. */
+/** Runs until the end or until it is cancelled. Always reports the last progress. */
 export async function runInSlices(
   run: EngineRun,
   clock: RunClock,
@@ -54,13 +60,13 @@ export async function runInSlices(
   let reached = 0;
   for (;;) {
     const status = advanceFor(SLICE_MS, run, clock);
-    // A run that failed has forgotten where it stood.
+    // A failed run has no progress to report.
     if (status !== undefined && run.failure() !== "") return status;
     const now = performance.now();
     if (status !== undefined || now - reportedAt >= PROGRESS_MS) {
       reportedAt = now;
       const progress = progressOf(run, clock);
-      // An estimate may turn out too high; a bar that goes back helps nobody.
+      // An estimate may turn out too high; a progress bar must not move back.
       reached = Math.max(reached, progress.fraction);
       control.onProgress({ ...progress, fraction: reached });
     }
@@ -71,7 +77,7 @@ export async function runInSlices(
   }
 }
 
-/** Passes on copies of the front, at intervals that grow with what a copy costs. */
+/** Sends copies of the front, at intervals that grow with the time that a copy takes. */
 class FrontSnapshots {
   readonly #run: EngineRun;
   readonly #onFront: (corners: Float64Array) => void;
@@ -90,7 +96,7 @@ class FrontSnapshots {
   }
 }
 
-/** Works on a question to the end; false where it was cancelled before. */
+/** Works on a question until the end; returns false if it was cancelled first. */
 export async function workInSlices(tool: EngineTool, control: SliceControl): Promise<boolean> {
   const began = performance.now();
   let reportedAt = began;
@@ -119,7 +125,7 @@ export async function workInSlices(tool: EngineTool, control: SliceControl): Pro
   }
 }
 
-/** One slice of many short calls. Undefined while the run goes on. */
+/** Runs one slice of many short calls. Returns undefined while the run continues. */
 function advanceFor(milliseconds: number, run: EngineRun, clock: RunClock): MeshStatus | undefined {
   const deadline = performance.now() + milliseconds;
   for (let began = performance.now(); began < deadline;) {

@@ -1,4 +1,4 @@
-/** The buffers of an object's typed arrays, each once: what to transfer along with it. */
+/** Returns the buffers of an object's typed arrays, each once, to transfer them with it. */
 export function buffersOf(...holders: readonly object[]): ArrayBuffer[] {
   const buffers = new Set<ArrayBuffer>();
   for (const holder of holders) {

@@ -9,7 +9,7 @@ export const loadRemedies: LoadRemedies = {
 };
 
 export const startWorker: StartWorker = (events) => {
-  // Bundlers find the worker by this literal form and no other.
+  // Bundlers recognize the worker by exactly this expression.
   const worker = new Worker(new URL("./worker.js", import.meta.url), {
     type: "module",
     name: "tetrafront-mesher",
@@ -18,7 +18,7 @@ export const startWorker: StartWorker = (events) => {
   worker.onmessageerror = () => events.onCrash("a reply could not be received");
   worker.onerror = (event) => {
     event.preventDefault();
-    // Of a script that could not be had there is an event without words. Its address is known to the bundler alone.
+    // If the script could not be loaded, the event has no message. Only the bundler knows the script's address.
     const spoken = event instanceof ErrorEvent ? event.message : "";
     events.onCrash(
       spoken || `the browser got no script for it, or for what it imports, which ${import.meta.url} asks for`,

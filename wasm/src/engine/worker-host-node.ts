@@ -10,7 +10,7 @@ export const loadRemedies: LoadRemedies = {
 export const startWorker: StartWorker = (events) => {
   const worker = new Worker(new URL("./worker.js", import.meta.url), {
     name: "tetrafront-mesher",
-    // Some options of the process, such as --input-type, are errors in a worker; it needs none of them.
+    // Some options of the process, such as --input-type, are errors in a worker, which needs none.
     execArgv: [],
   });
   let terminated = false;

@@ -1,9 +1,9 @@
-/** The worker as its maker sees it, the same in browsers and Node. */
+/** The worker as its creator sees it, the same in browsers and Node. */
 import type { Reply, Request } from "./protocol.js";
 
 export interface WorkerHandle {
   post(request: Request, transfer: readonly ArrayBuffer[]): void;
-  /** Whether a process may end although the worker lives. Browsers have no use for it. */
+  /** False lets the process end although the worker lives. Has no effect in browsers. */
   keepAlive(wanted: boolean): void;
   terminate(): void;
 }
@@ -14,7 +14,7 @@ export interface WorkerEvents {
   onCrash(message: string): void;
 }
 
-/** What to do where the one or the other cannot be had. */
+/** Remedies if the worker's script or the engine cannot be loaded. */
 export interface LoadRemedies {
   readonly worker: string;
   readonly engine: string;

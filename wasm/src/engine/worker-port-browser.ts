@@ -1,7 +1,7 @@
 import type { Request } from "./protocol.js";
 import type { WorkerPort } from "./worker-port.js";
 
-/** The part of a worker's global scope used here; the DOM types describe a window's. */
+/** The part of a worker's global scope that is used here; the DOM types describe a window's. */
 interface WorkerScope {
   postMessage(message: unknown, transfer: Transferable[]): void;
   onmessage: ((event: MessageEvent<Request>) => void) | null;
@@ -9,7 +9,7 @@ interface WorkerScope {
 
 const scope = globalThis as unknown as WorkerScope;
 const channel = new MessageChannel();
-/** A run and an inspection may both wait. */
+/** Several calls, for example a run and an inspection, may wait at the same time. */
 const waiting: (() => void)[] = [];
 channel.port1.onmessage = () => waiting.shift()?.();
 
@@ -20,7 +20,7 @@ export const workerPort: WorkerPort = {
     };
     const response = await fetch(href).catch(failed);
     if (!response.ok) return failed(`is answered with HTTP status ${response.status}`);
-    // Browsers compile what arrives only where the server names its type.
+    // Browsers compile while receiving only if the server states the right type.
     const isNamed = response.headers.get("Content-Type") === "application/wasm";
     const compiling = isNamed
       ? WebAssembly.compileStreaming(response)

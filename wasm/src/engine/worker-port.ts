@@ -1,4 +1,4 @@
-/** The maker as the worker sees it, the same in browsers and Node. */
+/** The creator as the worker sees it, the same in browsers and Node. */
 import type { CompileEngine } from "./loader.js";
 import type { Reply, Request } from "./protocol.js";
 
@@ -6,6 +6,6 @@ export interface WorkerPort {
   readonly compile: CompileEngine;
   post(reply: Reply, transfer?: readonly ArrayBuffer[]): void;
   onRequest(handle: (request: Request) => void): void;
-  /** Resolves after the requests that wait have been handled. Timers would wait 4 ms or more. */
+  /** Resolves after pending requests have been handled. A timer would take 4 ms or more. */
   readonly letRequestsIn: () => Promise<void>;
 }

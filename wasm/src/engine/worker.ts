@@ -1,4 +1,4 @@
-/** The worker: takes requests, runs the engine in slices, replies (protocol.ts). */
+/** The worker: receives requests, runs the engine in slices, sends replies (protocol.ts). */
 import { workerPort } from "#worker-port";
 import type { FailureReason } from "../diagnostics/mesher-error.js";
 import type { MeshStatus } from "../mesh/report.js";
@@ -13,14 +13,14 @@ const OUT_OF_MEMORY = "out of memory";
 const cancelled = new Set<number>();
 const running = new Set<number>();
 
-/** What the engine says in `failure()`, raised here to reach the reply. */
+/** A failure that the engine has reported, to be sent as a reply. */
 class EngineFailure extends Error {
   get reason(): FailureReason {
     return this.message === OUT_OF_MEMORY ? "out-of-memory" : "engine-failed";
   }
 }
 
-/** Listens at once: what a browser's worker is sent before it listens is lost. */
+/** Listens at once, because a browser drops messages sent before a worker listens. */
 const loaded = new Promise<Engine | undefined>((resolve) => {
   workerPort.onRequest((request) => {
     if (request.kind === "load") resolve(load(request.module));
@@ -28,7 +28,7 @@ const loaded = new Promise<Engine | undefined>((resolve) => {
   });
 });
 
-/** The engine; undefined, and told, where it cannot be had. */
+/** Returns the engine; reports and returns undefined if it cannot be loaded. */
 async function load(given: CompiledEngine | undefined): Promise<Engine | undefined> {
   try {
     const { engine, module } = await loadEngine(given, workerPort.compile);
@@ -68,7 +68,7 @@ async function handle(engine: Engine, request: WorkRequest): Promise<void> {
   }
 }
 
-/** A question given up while it waited is not begun. */
+/** A question that was abandoned while it waited is not begun. */
 async function answer(engine: Engine, question: Question): Promise<void> {
   const { id } = question;
   running.add(id);
@@ -173,7 +173,7 @@ function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineRe
     patches: run.patches(),
     recovery: run.recovery(),
     front: run.counters(),
-    // A cancelled mesh depends on the moment of the cancel, and the caller is waiting.
+    // A cancelled mesh depends on the time of the cancellation, and the caller is waiting.
     fingerprint: status === "cancelled" ? "" : run.fingerprint(),
   };
   const diagnostics = run.diagnostics();
@@ -189,13 +189,13 @@ function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineRe
   };
 }
 
-/** After a failure the engine answers with empty values, which must not pass for a result. */
+/** After a failure the engine returns empty values, which must not pass for a result. */
 function assertHealthy(run: { failure(): string }): void {
   const failure = run.failure();
   if (failure !== "") throw new EngineFailure(failure);
 }
 
-/** The maker replaces the worker after this (protocol.ts). */
+/** The client replaces the worker after this (protocol.ts). */
 function replyFailure(engine: Engine, id: number, failure: unknown): void {
   const reason = failure instanceof EngineFailure ? failure.reason : "engine-failed";
   const message = failure instanceof Error ? failure.message : String(failure);

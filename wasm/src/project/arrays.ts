@@ -1,8 +1,8 @@
-/** Flattens a project, with ids and names, to the arrays that the engine takes. */
+/** Converts a project, with ids and names, to the flat arrays that the engine takes. */
 import { backgroundOf, type GridArrays, NOWHERE, projectGrid } from "./grid-arrays.js";
 import type { LineType, PatchType, Project } from "./schema.js";
 
-/** A model and its background grid as they cross into the engine. All references are positions. */
+/** A model and its background grid as they cross into the engine. All references are indices. */
 export interface ModelArrays {
   /** x y z per point. */
   readonly points: Float64Array;
@@ -16,12 +16,12 @@ export interface ModelArrays {
   readonly patchOffsets: Uint32Array;
   /** Loop k walks loopLines[loopOffsets[k] .. loopOffsets[k + 1] - 1]. */
   readonly loopOffsets: Uint32Array;
-  /** 2 × position of the line, plus 1 if it is walked backwards. */
+  /** 2 × index of the line, plus 1 if the loop follows it backwards. */
   readonly loopLines: Uint32Array;
   readonly grid: GridArrays;
 }
 
-/** The engine's numbers (cpp/include/tetrafront/model.h). */
+/** Numbers of the engine (cpp/include/tetrafront/model.h). */
 export const LINE_TYPES: Readonly<Record<LineType, number>> = { straight: 0, parabolic: 1, spline: 2 };
 export const PATCH_TYPES: Readonly<Record<PatchType, number>> = {
   planar: 0,
@@ -31,7 +31,7 @@ export const PATCH_TYPES: Readonly<Record<PatchType, number>> = {
   coons: 4,
 };
 
-/** Flattens a project. References that lead nowhere become positions out of range. O(size). */
+/** Converts a project. References to missing entities become indices out of range. O(size). */
 export function projectArrays(project: Project): ModelArrays {
   const pointAt = indexById(project.points);
   const lineAt = indexById(project.lines);

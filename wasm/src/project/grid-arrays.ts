@@ -5,39 +5,42 @@ import { refuse } from "../diagnostics/mesher-error.js";
 import { type BackgroundArrays, checkBackground } from "./background-arrays.js";
 import type { ProjectBackground, ProjectBackgroundNode, ProjectSource, SourceType } from "./schema.js";
 
-/** A background grid as it crosses into the engine. All references are positions. */
+/** A background grid as it crosses into the engine. All references are indices. */
 export interface GridArrays {
   /** x y z, size, stretching, direction x y z per node. */
   readonly nodes: Float64Array;
-  /** Four node positions per tetrahedron. */
+  /** Four node indices per tetrahedron. */
   readonly tetrahedra: Uint32Array;
   /** 0 point, 1 segment, 2 triangle. */
   readonly sourceTypes: Uint8Array;
-  /** x y z of three places (those its type lacks are 0), size, distance, growth per source. */
+  /** Per source: x y z of three positions (0 for those its type lacks), size, distance, growth. */
   readonly sourceValues: Float64Array;
-  /** What this far outside the grid still counts as covered. */
+  /** Margin outside the grid that counts as covered. */
   readonly coverageMargin: number;
 }
 
-/** The engine's numbers (cpp/include/tetrafront/background_grid.h). */
+/** Numbers of the engine (cpp/include/tetrafront/background_grid.h). */
 export const SOURCE_TYPES: Readonly<Record<SourceType, number>> = { point: 0, segment: 1, triangle: 2 };
 const SOURCE_TYPE_NAMES: readonly SourceType[] = ["point", "segment", "triangle"];
 
-/** Growth of the size per unit of distance from a source that does not say. */
+/** Growth of the size per unit of distance, if a source does not define it. */
 const DEFAULT_SOURCE_GROWTH = 0.3;
 /** Doubles per node. */
 const NODE_STRIDE = 8;
 /** Doubles per source; the last three are size, distance and growth. */
 const SOURCE_STRIDE = 12;
-/** The engine reports a reference to this position as `index-out-of-range`. */
+/** The engine reports a reference to this index as `index-out-of-range`. */
 export const NOWHERE = 0x7fffffff;
 
-/** For a surface that nothing was said about. New arrays every time, as they will be transferred. */
+/**
+ * Returns a grid without nodes, for a surface whose sizes come from its own edges. The arrays are new each time,
+ * because they are transferred.
+ */
 export function emptyGrid(): GridArrays {
   return projectGrid({ nodes: [], tetrahedra: [] });
 }
 
-/** A project may come without one, as its file may. */
+/** Returns the project's background grid; callers without type checks may pass a project without one. */
 export function backgroundOf({
   background,
 }: {
@@ -46,7 +49,7 @@ export function backgroundOf({
   return background ?? { nodes: [], tetrahedra: [] };
 }
 
-/** Flattens a project's grid. References that lead nowhere become positions out of range. O(size). */
+/** Converts a project's grid. References to missing nodes become indices out of range. O(size). */
 export function projectGrid(background: ProjectBackground): GridArrays {
   const { nodes, tetrahedra, sources = [], coverageMargin = 0 } = background;
   return {
@@ -58,10 +61,13 @@ export function projectGrid(background: ProjectBackground): GridArrays {
   };
 }
 
-/** How many times as many ids as nodes there may be for a table instead of a map. */
+/** Largest ratio of the highest id to the number of nodes for which a table is used instead of a map. */
 const SPARSE_IDS = 4;
 
-/** Tells the position of the node with an id. Ids mostly are 1, 2, 3 …, and a table is ten times as fast. */
+/**
+ * Returns a function that finds the index of a node by id. Ids usually are 1, 2, 3 …: a table is then ten times as
+ * fast as a map.
+ */
 function positionFinder(nodes: readonly ProjectBackgroundNode[]): (id: number) => number {
   const highest = nodes.reduce((most, { id }) => Math.max(most, id), 0);
   if (highest > SPARSE_IDS * nodes.length) {
@@ -73,7 +79,7 @@ function positionFinder(nodes: readonly ProjectBackgroundNode[]): (id: number) =
   return (id) => positions[id] ?? NOWHERE;
 }
 
-/** Written in place, number by number: an app does this at every edit, for grids of any size. */
+/** Writes number by number without temporary arrays: an app calls this after every edit, for grids of any size. */
 function nodePositions(
   tetrahedra: ProjectBackground["tetrahedra"],
   nodeAt: (id: number) => number,
@@ -90,8 +96,8 @@ function nodePositions(
 }
 
 /**
- * `grid` with other nodes and tetrahedra, if there are any, and more sources; new arrays, as they are
- * transferred. O(size).
+ * Returns the grid with the nodes and tetrahedra of a background, if it has any, and with its sources added. The
+ * arrays are new, because they are transferred. O(size).
  */
 export function withNodes(grid: GridArrays, background: BackgroundArrays): GridArrays {
   const more = background.sources ?? [];
@@ -114,7 +120,7 @@ export function withNodes(grid: GridArrays, background: BackgroundArrays): GridA
   return { nodes, tetrahedra: tetrahedra.slice(), ...all, coverageMargin };
 }
 
-/** One array after the other. Spread into arguments, long ones would not fit the stack. */
+/** Returns both arrays as one. Long arrays cannot be spread into arguments: the stack would overflow. */
 function joined<T extends Uint8Array | Float64Array>(
   type: new (length: number) => T,
   first: T,
@@ -127,8 +133,8 @@ function joined<T extends Uint8Array | Float64Array>(
 }
 
 /**
- * A project's grid as flat arrays, for another project or for a given surface. O(size). Throws a `MesherError` where it is
- * none.
+ * Returns a project's grid as flat arrays, for another project or a given surface. O(size). Throws a `MesherError`
+ * if the grid is invalid.
  */
 export function backgroundArrays(background: ProjectBackground): BackgroundArrays {
   checkArgument("background", background, backgroundForm);
@@ -150,9 +156,9 @@ export function backgroundArrays(background: ProjectBackground): BackgroundArray
 }
 
 /**
- * A grid of flat arrays as a project has it, with ids from 1 in the order of the arrays: to be drawn,
- * edited and saved. One object per node; large grids are better left as arrays. O(size). Throws a `MesherError` where
- * the arrays do not fit together.
+ * Returns flat arrays as the grid of a project, to draw, edit and save it. Ids count from 1 in the order of the
+ * arrays. Takes one object per node; keep large grids as arrays. O(size). Throws a `MesherError` if the arrays do
+ * not match each other.
  */
 export function projectBackground(arrays: BackgroundArrays): ProjectBackground {
   refuse(checkBackground(arrays));
@@ -218,14 +224,14 @@ function sourceTypes(sources: readonly ProjectSource[]): Uint8Array {
 function sourceValues(sources: readonly ProjectSource[]): Float64Array {
   const values = new Float64Array(SOURCE_STRIDE * sources.length);
   sources.forEach(({ positions, size, distance = 0, growth = DEFAULT_SOURCE_GROWTH }, s) => {
-    // No more than three: previews show drawings that nobody has checked.
+    // At most three: previews also show unfinished projects, which were not checked.
     values.set(positions.slice(0, 3).flat(), SOURCE_STRIDE * s);
     values.set([size, distance, growth], SOURCE_STRIDE * (s + 1) - 3);
   });
   return values;
 }
 
-/** Sources as the engine gives them, with ids from 1. */
+/** Converts sources of the engine; ids count from 1. */
 export function projectSources(types: Uint8Array, values: Float64Array): ProjectSource[] {
   return Array.from(types, (number, s) => {
     const type = SOURCE_TYPE_NAMES[number] ?? "point";

@@ -1,15 +1,15 @@
-/** Labels and ids that a project gives to its entities. */
+/** Names and ids of a project's entities, for messages. */
 import type { Diagnostic, EntityKind, EntityRef } from "../diagnostics/diagnostic.js";
 import { type EntityNamer, KIND_WORDS, nameByIndex } from "../diagnostics/entity-names.js";
 import { backgroundOf } from "./grid-arrays.js";
 import type { Project, ProjectBackground } from "./schema.js";
 
-/** What may refer to ids; a background grid that came as arrays has none. */
+/** The parts of a project that refer to ids. A background grid given as arrays has no ids. */
 type Referring = Pick<Project, "points" | "lines" | "patches"> & {
   readonly background?: ProjectBackground | undefined;
 };
 
-/** The message of a reference that leads nowhere, with the id that the project has for it. */
+/** Names the id of the missing entity in the message of an invalid reference. */
 export function withMissingId(diagnostic: Diagnostic, project: Referring): Diagnostic {
   const [entity] = diagnostic.entities;
   if (diagnostic.code !== "index-out-of-range" || entity === undefined) return diagnostic;
@@ -22,7 +22,7 @@ function missingBelow({ kind, index, id }: EntityRef, project: Referring): strin
   const { points, lines, patches } = project;
   const among = (entities: readonly { readonly id: number }[], wanted: readonly number[]) => {
     const known = new Set(entities.map((entity) => entity.id));
-    // Of drawings that are not finished, nor checked, it may be anything.
+    // In an unfinished project, which was not checked, it may have any type.
     const missing: unknown = Array.from(wanted).find((one) => !known.has(one));
     return typeof missing === "number" ? missing : undefined;
   };
@@ -41,7 +41,7 @@ function missingBelow({ kind, index, id }: EntityRef, project: Referring): strin
   return missing === undefined ? undefined : `line ${missing}`;
 }
 
-/** Names as the project has them: `line "lip"`, else by id: `line 12`. */
+/** Names entities as the project does: `line "lip"`, or by id: `line 12`. */
 export function projectNamer(project: Project): EntityNamer {
   return (kind, index) => {
     const entity = entityAt(project, kind, index);

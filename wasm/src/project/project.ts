@@ -51,16 +51,16 @@ function refused(...errors: [ReadError, ...ReadError[]]): ReadResult<never> {
 }
 
 /**
- * The text of a project file: JSON with one entity per line, so that differences between two
- * versions of a model can be read. Throws a `MesherError` where it is no project that can be written at all; whether it
- * can be read again is for `parseProject` to tell.
+ * Returns the text of a project file: JSON with one entity per line, so that versions of a model can be compared
+ * line by line. Throws a `MesherError` if the project cannot be written. Use `parseProject` to check that it can
+ * be read again.
  */
 export function writeProject(project: Project): string {
   checkArgument("project", project, writableProject);
   try {
     return projectText(project);
   } catch (failure) {
-    // Circles and large integers, of which JSON knows nothing.
+    // JSON cannot store circular references and BigInt values.
     const remedy = "Give what JSON can hold, as readProject does.";
     if (failure instanceof TypeError) {
       refuse([
@@ -101,13 +101,13 @@ function backgroundText({ nodes, tetrahedra, sources, coverageMargin }: ProjectB
   return `{\n${parts.map((part) => `    ${part}`).join(",\n")}\n  }`;
 }
 
-/** One line each; within a list JSON writes null for what it has no word for. */
+/** Writes one entity per line. As an element of a list, a value that JSON cannot store becomes null. */
 function rows(list: readonly unknown[], indent: string): string {
   if (list.length === 0) return "[]";
   return `[\n${list.map((entity) => `${indent}  ${JSON.stringify([entity]).slice(1, -1)}`).join(",\n")}\n${indent}]`;
 }
 
-/** Format and version first: with another version every other complaint would mislead. */
+/** Checks format and version first: in a file of another version, all other errors would be misleading. */
 function checkHead(value: unknown): ReadError | undefined {
   if (typeof value !== "object" || value === null || Array.isArray(value)) {
     return notAProject("it holds no JSON object");

@@ -1,8 +1,7 @@
 /**
- * The project file (docs/FORMAT.md): one schema, and the types inferred from it. It settles the
- * structure: which keys, finite numbers no larger than the engine takes, unique ids, references that exist. Whether the
- * geometry makes sense (a size above zero, a loop that closes, a planar patch that is plane) is the engine's to say,
- * for a drawing that is still unfinished must be loadable.
+ * The project file (docs/FORMAT.md): one schema, and the types inferred from it. The schema checks the structure:
+ * known keys, finite numbers that the engine accepts, unique ids, valid references. The engine checks the geometry
+ * (sizes above zero, closed loops, planar patches that are plane), because an unfinished project must be loadable.
  */
 import * as v from "valibot";
 import { LIMITS } from "../base/limits.js";
@@ -12,14 +11,14 @@ import { WORDS } from "./words.js";
 
 /** In the field `format` of every project file. */
 export const PROJECT_FORMAT = "tetrafront-project";
-/** Says in the JSON Schema what a field means. */
+/** Adds the meaning of a field to the JSON Schema. */
 const described = <Schema extends v.GenericSchema>(description: string, schema: Schema) =>
   v.pipe(schema, v.description(description));
 
 const listOf = <Item extends v.GenericSchema>(item: Item) => v.pipe(v.array(item), v.readonly());
 
 const number = v.pipe(v.number(), v.finite());
-/** What the engine would refuse without a word of the field. */
+/** The engine would reject a larger number without naming the field. */
 const upTo = (max: number) => v.pipe(number, v.maxValue(max));
 const integer = v.pipe(v.number(), v.safeInteger());
 
@@ -137,7 +136,7 @@ const POSITIONS: Readonly<Record<v.InferOutput<typeof sourceSchema>["type"], num
   triangle: 3,
 };
 
-/** Tells `report` about ids used twice, references that lead nowhere, and sources with too few positions. */
+/** Reports duplicate ids, references to missing entities, and sources with too few positions. */
 export function checkReferences(project: Document, report: Report): void {
   const points = uniqueIds(project.points, ["points"], "point", report);
   const lines = uniqueIds(project.lines, ["lines"], "line", report);
@@ -162,7 +161,7 @@ export function checkReferences(project: Document, report: Report): void {
   checkSources(project.background.sources ?? [], report);
 }
 
-/** What is wrong with a value that should be a list of sources, in a sentence; undefined if nothing. */
+/** Describes what is wrong with a list of sources; undefined if it is valid. */
 export function sourceProblem(sources: unknown): string | undefined {
   const parsed = parsedBy(v.array(sourceSchema), sources);
   if ("problems" in parsed)
@@ -199,7 +198,7 @@ function uniqueIds(
   return seen;
 }
 
-/** The schema (of the library Valibot) by which project files are checked, for those who check them themselves. */
+/** The schema of project files (of the library Valibot), for programs that check them themselves. */
 export const projectSchema = v.pipe(
   documentSchema,
   v.rawCheck(({ dataset, addIssue }) => {
@@ -211,7 +210,7 @@ export const projectSchema = v.pipe(
   v.description("Points, lines, patches and a background grid"),
 );
 
-/** Keys from `input` on, with what is there. */
+/** Returns the keys from `input` on with their values. */
 function pathItems(input: unknown, keys: Path): [v.IssuePathItem, ...v.IssuePathItem[]] | undefined {
   let at = input as Readonly<Record<PropertyKey, unknown>>;
   const [first, ...rest] = keys.map((key): v.IssuePathItem => {
@@ -222,10 +221,10 @@ function pathItems(input: unknown, keys: Path): [v.IssuePathItem, ...v.IssuePath
   return first && [first, ...rest];
 }
 
-/** What a value is as a project, or what is wrong with it. */
+/** Returns the project that a value holds, or its problems. */
 export const parsedProject = (value: unknown) => parsedBy(projectSchema, value);
 
-/** What the app draws and saves: points, lines, patches, sizes. */
+/** A model as the app edits and saves it: points, lines, patches, sizes. */
 export type Project = v.InferOutput<typeof projectSchema>;
 /** A point and its position in model units. */
 export type ProjectPoint = Project["points"][number];
