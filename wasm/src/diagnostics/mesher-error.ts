@@ -182,9 +182,9 @@ function outOfMemoryText(figures: OutOfMemory): string {
 function remedyFor({ phase, sizeFactor, fittingTriangles }: OutOfMemory): string {
   if (fittingTriangles !== undefined) {
     const count = Number(fittingTriangles.toPrecision(2));
-    return `Give a coarser surface: about ${count} triangles fit, fewer with many tetrahedra between them.`;
+    return `Use a coarser surface: about ${count} triangles fit, fewer with many tetrahedra between them.`;
   }
-  if (phase === undefined) return "Give a smaller surface or mesh.";
+  if (phase === undefined) return "Use a smaller surface or mesh.";
   if (sizeFactor === undefined) return "Ask for larger elements, or give a coarser surface.";
   return `Ask for elements ${sizeFactor.toFixed(1)} times as large, or more.`;
 }

@@ -73,7 +73,7 @@ function elementsOf(flat: Float64Array): ElementQuality[] {
   );
 }
 
-/** Yields the numbers of a flat array in groups of `width`. */
+/** Returns the numbers of a flat array in rows of `stride`. */
 export function rowsOf(flat: Float64Array, stride: number): number[][] {
   return Array.from({ length: flat.length / stride }, (_, i) =>
     Array.from(flat.subarray(stride * i, stride * (i + 1))),

@@ -61,7 +61,7 @@ export function writeProject(project: Project): string {
     return projectText(project);
   } catch (failure) {
     // JSON cannot store circular references and BigInt values.
-    const remedy = "Give what JSON can hold, as readProject does.";
+    const remedy = "Pass a project without circular references or BigInt values.";
     if (failure instanceof TypeError) {
       refuse([
         packageDiagnostic("invalid-argument", `project cannot be written: ${failure.message}`, remedy),
@@ -137,7 +137,7 @@ function notAProject(why: string): ReadError {
   return {
     code: "not-a-project",
     message: `this is not a Tetrafront project: ${why}`,
-    remedy: `Give a file that begins with { "format": "${PROJECT_FORMAT}", "version": ${PROJECT_VERSION}, … }.`,
+    remedy: `Use a file that begins with { "format": "${PROJECT_FORMAT}", "version": ${PROJECT_VERSION}, … }.`,
   };
 }
 
