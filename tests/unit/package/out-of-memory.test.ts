@@ -88,7 +88,7 @@ test("a question too large for the memory is refused, and the next one is answer
     return [failure, (await mesher.inspectMesh(one)).isValid];`);
   expect(failure).toMatchObject({ code: "out-of-memory", data: { tetrahedra: 0 } });
   expect(failure.message).toMatch(
-    /^The engine's memory of \d+ MB did not suffice: it ran out\. Give a smaller/,
+    /^The engine's memory of \d+ MB did not suffice: it ran out\. Use a smaller/,
   );
   expect(isValid).toBe(true);
 });
@@ -117,7 +117,7 @@ test("a surface too large for the memory is refused with how many triangles fit,
     expect(code).toBe("out-of-memory");
     expect(data["fittingTriangles"]).toBeGreaterThan(given / 10);
     expect(data["fittingTriangles"]).toBeLessThan(given);
-    expect(message).toMatch(/Give a coarser surface: about \d+ triangles fit, fewer with/);
+    expect(message).toMatch(/Use a coarser surface: about \d+ triangles fit, fewer with/);
   }
   expect(isFillable).toBe(true);
 });
