@@ -1,6 +1,6 @@
-/// @file The narrow door between the engine and JavaScript, and the only file that knows embind.
-/// It declares, converts and forwards; it decides nothing. Nothing thrown here crosses the border:
-/// a call that fails says so in failure() and returns an empty value.
+/// @file Binds the engine to JavaScript; the only file that uses embind. It declares, converts and
+/// forwards, and contains no logic of its own. No exception leaves it: a call that fails reports
+/// the reason in failure() and returns an empty value.
 
 #include <emscripten/bind.h>
 #include <emscripten/heap.h>
@@ -42,7 +42,8 @@ MeshOptions toOptions(const Options& options) {
   return result;
 }
 
-/// Runs `work`; whatever it throws is put into `failure` in words and `otherwise` is returned.
+/// Returns the result of `work`. If `work` throws, stores the reason in `failure` and returns
+/// `otherwise`.
 template <class Result, class Work>
 Result guarded(std::string& failure, Result otherwise, const Work& work) {
   try {
@@ -57,7 +58,7 @@ Result guarded(std::string& failure, Result otherwise, const Work& work) {
   return otherwise;
 }
 
-/// MeshRun as JavaScript sees it. After a failure it answers with empty values.
+/// MeshRun for JavaScript. After a failure, its methods return empty values.
 class Run {
  public:
   Run(const ModelArrays& arrays, const Options& options) {
@@ -182,8 +183,8 @@ class Run {
   std::string failure_;
 };
 
-/// A tool that works in slices, as JavaScript sees it. After a failure it is finished and has an empty
-/// result.
+/// Tool that works in slices, for JavaScript. After a failure, it counts as finished and its result
+/// is empty.
 template <class Tool, class Record>
 class Stepwise {
  public:
@@ -224,10 +225,11 @@ using Cover = Stepwise<CoveringGridBuilder, GridRecord>;
 using Proposal = Stepwise<SizeProposer, ProposalRecord>;
 using BackgroundFromMesh = Stepwise<MeshGridBuilder, GridRecord>;
 
-/// What the engine holds of the machine's memory; it never gives any back.
+/// Returns the size of the engine's heap in bytes; it never shrinks.
 double memoryBytes() { return static_cast<double>(emscripten_get_heap_size()); }
 
-/// As raw pointers, which embind hands over to JavaScript; there delete() ends their life.
+/// These functions return raw pointers, which embind transfers to JavaScript; call delete() there
+/// to destroy the object.
 Run* meshModel(const ModelArrays& arrays, const Options& options) {
   return std::make_unique<Run>(arrays, options).release();
 }
@@ -237,7 +239,8 @@ Run* fillSurface(const Float64Array& points, const Uint32Array& triangles, const
   return std::make_unique<Run>(points, triangles, grid, options).release();
 }
 
-/// Copies an array where a tool is made, so that running out of memory is told as its failure.
+/// Copies an array inside the guarded construction of a tool, so that running out of memory becomes
+/// a failure of the tool.
 template <class Value, class Array>
 auto copiedIn(const Array& array) {
   return [&array] { return copyIn<Value>(array); };

@@ -1,6 +1,7 @@
 #pragma once
 
-/// @file What is found in given surfaces and meshes, as JavaScript has it.
+/// @file Results of inspecting, repairing and refining given surfaces and meshes, as JavaScript
+/// objects.
 
 #include <cstdint>
 #include <vector>
@@ -27,15 +28,15 @@ struct SurfaceInspectionRecord {
   std::uint32_t nonManifoldNodes = 0;
   std::uint32_t flippedTriangles = 0;
   std::uint32_t regions = 0;
-  /// The lowest and the highest corner.
+  /// x y z of the lowest corner, then of the highest.
   Float64Array box = copyOut(std::vector<double>{});
   double area = 0.0;
   double volume = 0.0;
   /// Shortest, mean, longest.
   Float64Array edgeLengths = box;
-  /// Per shell: first triangle, triangles, region, 1 for a cavity, area, volume.
+  /// Per shell: first triangle, number of triangles, region, 1 for a cavity, area, volume.
   Float64Array shells = box;
-  /// Per triangle: its position, place, area, smallest angle, radius ratio.
+  /// Per triangle: index, x y z of the centroid, area, smallest angle, radius ratio.
   Float64Array worst = box;
   DiagnosticArrays diagnostics;
 };
@@ -45,7 +46,7 @@ struct RepairRecord {
   Uint32Array triangles = copyOut(std::vector<std::uint32_t>{});
   Uint32Array origin = triangles;
   Uint8Array kinds = copyOut(std::vector<std::uint8_t>{});
-  /// Two per change, and x y z.
+  /// Two numbers per change; its x y z are in `positions`.
   Uint32Array subjects = triangles;
   Float64Array positions = points;
   DiagnosticArrays diagnostics;

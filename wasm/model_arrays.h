@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file A drawn model as JavaScript sends it, and its way into the engine's own types.
+/// @file A drawn model as arrays of JavaScript, and its conversion to the engine's types.
 
 #include <array>
 #include <cstdint>
@@ -15,10 +15,10 @@ namespace tetrafront::border {
 /// Doubles per background node: x y z, size, stretching, direction x y z.
 inline constexpr std::size_t kNodeStride = 8;
 
-/// Doubles per source of size: x y z of three places, size, distance, growth.
+/// Doubles per source: x y z of three positions, size, distance, growth.
 inline constexpr std::size_t kSourceStride = 12;
 
-/// What JavaScript sends for a background grid; see GridArrays in src/project/grid-arrays.ts.
+/// Background grid as sent by JavaScript; see GridArrays in src/project/grid-arrays.ts.
 struct GridArrays {
   Float64Array nodes{emscripten::val::undefined()};
   Uint32Array tetrahedra{emscripten::val::undefined()};
@@ -27,7 +27,7 @@ struct GridArrays {
   double coverageMargin = 0.0;
 };
 
-/// What JavaScript sends for a drawn model; see ModelArrays in src/project/arrays.ts.
+/// Drawn model as sent by JavaScript; see ModelArrays in src/project/arrays.ts.
 struct ModelArrays {
   Float64Array points{emscripten::val::undefined()};
   Uint8Array lineTypes{emscripten::val::undefined()};

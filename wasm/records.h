@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file What leaves the engine, and its options, as JavaScript has them.
+/// @file The engine's results and options as JavaScript objects.
 
 #include <emscripten/val.h>
 
@@ -28,18 +28,18 @@ struct Options {
   bool exactFillOnly = false;
 };
 
-/// All diagnostics in a few arrays, for there may be a million.
+/// All diagnostics in a few arrays, because there may be a million.
 struct DiagnosticArrays {
   /// Per diagnostic: code, severity, number of entities, 1 with a position, number of values.
   Uint32Array heads = copyOut(std::vector<std::uint32_t>{});
-  /// Kind and position per entity, one diagnostic after the other.
+  /// Kind and index per entity, one diagnostic after the other.
   Uint32Array entities = heads;
-  /// x y z of those with a position.
+  /// x y z of the diagnostics that have a position.
   Float64Array positions = copyOut(std::vector<double>{});
   Float64Array values = positions;
 };
 
-/// A JavaScript array of PatchSummary.
+/// JavaScript array of PatchSummary.
 EMSCRIPTEN_DECLARE_VAL_TYPE(PatchSummaries)
 
 struct SurfaceArrays {
@@ -88,7 +88,8 @@ struct CounterRecord {
   double exactPredicates = 0.0;
 };
 
-/// A background grid as it leaves the engine: of the tools that make one, none stretches.
+/// Background grid returned to JavaScript. It has no stretching: none of the tools that make grids
+/// adds any.
 struct GridRecord {
   Float64Array points = copyOut(std::vector<double>{});
   Float64Array sizes = points;
@@ -134,7 +135,7 @@ inline PreviewRecord toRecord(const ModelPreview& drawn) {
           .diagnostics = toArrays(drawn.diagnostics)};
 }
 
-/// Sixteen hexadecimal digits: a 64-bit number does not fit a JavaScript number.
+/// Returns sixteen hexadecimal digits: a JavaScript number cannot hold 64 bits exactly.
 inline std::string toHex(std::uint64_t value) {
   constexpr const char* kDigits = "0123456789abcdef";
   std::string text(16, '0');

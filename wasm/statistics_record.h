@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file QualityStatistics as flat arrays, which src/engine/quality-report.ts takes apart.
+/// @file QualityStatistics as flat arrays, which src/engine/quality-report.ts unpacks.
 
 #include <cstdint>
 #include <vector>
@@ -11,11 +11,13 @@
 namespace tetrafront::border {
 
 struct StatisticsRecord {
-  /// Per region: its number, tetrahedra, volume.
+  /// Per region: index, number of tetrahedra, volume.
   Float64Array regions = copyOut(std::vector<double>{});
-  /// Per region: the bins of all dihedral angles, the smallest ones, radius ratios and edges.
+  /// Per region: the histograms of all dihedral angles, the smallest dihedral angles, radius ratios
+  /// and edges.
   Uint32Array bins = copyOut(std::vector<std::uint32_t>{});
-  /// Per element: its position, place, volume, smallest and largest dihedral, radius ratio.
+  /// Per element: index, x y z of the centroid, volume, smallest and largest dihedral angle, radius
+  /// ratio.
   Float64Array worst = regions;
   Float64Array worstLimited = regions;
   Float64Array smallest = regions;  ///< one element, or none

@@ -1,6 +1,7 @@
 #pragma once
 
-/// @file Flat arrays across the border, always copied: a view into the heap dies when memory grows.
+/// @file Flat arrays passed between C++ and JavaScript, always as copies: a view into the heap
+/// becomes invalid when memory grows.
 
 #include <emscripten/val.h>
 
@@ -9,18 +10,18 @@
 
 namespace tetrafront::border {
 
-// Declared so that the generated .d.ts says what they are instead of `any`.
+// Declare the types, so that the generated .d.ts states them instead of `any`.
 EMSCRIPTEN_DECLARE_VAL_TYPE(Float64Array)
 EMSCRIPTEN_DECLARE_VAL_TYPE(Uint32Array)
 EMSCRIPTEN_DECLARE_VAL_TYPE(Uint8Array)
 
-/// The elements of a JavaScript typed array, which must hold numbers of type T.
+/// Returns the elements of a JavaScript typed array, which must hold numbers of type T.
 template <class T>
 [[nodiscard]] std::vector<T> copyIn(const emscripten::val& array) {
   return emscripten::convertJSArrayToNumberVector<T>(array);
 }
 
-/// A new JavaScript array of the class `arrayClass` holding the same numbers.
+/// Returns a new JavaScript array of class `arrayClass` with the same numbers.
 template <class T>
 [[nodiscard]] emscripten::val copyOut(const char* arrayClass, const std::vector<T>& values) {
   const emscripten::val view{emscripten::typed_memory_view(values.size(), values.data())};

@@ -1,4 +1,7 @@
-/** Describes the engine's results for given surfaces and meshes: with names, and records in place of rows. */
+/**
+ * Converts the engine's results on given surfaces and meshes: describes the diagnostics, and turns rows of numbers
+ * into records.
+ */
 import type { Steps } from "../base/steps.js";
 import { describeAll, describeInSteps } from "../diagnostics/describe.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
@@ -54,7 +57,7 @@ export function changeDiagnostics({
   return describeAll(diagnostics, nameByIndex);
 }
 
-/** `given`: how many nodes the surface had that was repaired. */
+/** `given`: number of nodes of the surface before the repair. */
 export function describedRepair(
   { points, triangles, origin, ...rest }: EngineRepair,
   given: number,
@@ -81,7 +84,7 @@ export function describedRefinement(refinement: EngineRefinement): SurfaceRefine
 
 type WithoutPosition<T> = T extends unknown ? Omit<T, "position"> : never;
 
-/** By the engine's RepairKind. */
+/** By the number of the engine's RepairKind. */
 const CHANGES: readonly ((first: number, second: number) => WithoutPosition<RepairChange>)[] = [
   (node, into) => ({ kind: "welded-node", node, into }),
   (node) => ({ kind: "removed-node", node }),
@@ -92,7 +95,7 @@ const CHANGES: readonly ((first: number, second: number) => WithoutPosition<Repa
   (triangle) => ({ kind: "flipped-triangle", triangle }),
 ];
 
-/** `inverted`: so many that were turned before. */
+/** `inverted`: number of tetrahedra inverted in their file, in addition to those found. */
 export function describedMesh(found: EngineVolumeInspection, inverted = 0): MeshInspection {
   const { quality, statistics, edgeLengths, boundary, boundaryRegion, ...rest } = found;
   const { isReadable: _, nodes, unusedNodes, tetrahedra, ...counts } = rest;

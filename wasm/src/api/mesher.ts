@@ -1,4 +1,4 @@
-/** The mesher of callers: checks arguments, sends them to the engine, and describes its answers. */
+/** Implements the mesher: checks arguments, sends them to the engine, and describes its answers. */
 import { throwIfCancelled, untilCancelled } from "../calls/cancelling.js";
 import type { AbortControl, RunControl } from "../calls/control.js";
 import { inSteps } from "../calls/yielder.js";
@@ -73,9 +73,9 @@ import { describedPreview, describedResult, emptyResult } from "./report.js";
 import { surfaceNamer } from "./surface-numbers.js";
 
 /**
- * Starts a worker with an engine in it; resolves when it is loaded. Call `dispose` when done; a Node
- * process that waits for nothing else ends without it. Rejects with a `MesherError` of the code `engine-not-loaded`,
- * or `cancelled` where the signal is aborted before; then no worker is left.
+ * Starts a worker with an engine in it; resolves when it is loaded. Call `dispose` when done; in Node, an idle
+ * mesher does not keep the process alive. Rejects with a `MesherError` of code `engine-not-loaded`, or `cancelled`
+ * if the signal is aborted before; no worker is then left.
  *
  *     const mesher = await createMesher();
  *     const { volume, report } = await mesher.fillSurface({ points, triangles }, { size: 0.1 });

@@ -28,13 +28,13 @@ import type {
 
 /** Growth of the element size per unit of distance from a given surface's edges. */
 export const DEFAULT_GROWTH = 0.3;
-/** The most by which sizes grow from one element to the next. */
+/** Largest ratio of the sizes of neighbouring elements in a background grid. */
 export const DEFAULT_GRADATION = 1.3;
 export const DEFAULT_INNER_SHELLS: InnerShells = "cavities";
 /** The engine's numbers (cpp/include/tetrafront/options.h). */
 export const INNER_SHELLS: Readonly<Record<InnerShells, number>> = { cavities: 0, regions: 1 };
 
-/** Of each code (cpp/include/tetrafront/surface_tools.h). */
+/** Number of diagnostics listed per code (cpp/include/tetrafront/surface_tools.h). */
 export const DEFAULT_MAX_DIAGNOSTICS = 1000;
 
 export const DEFAULT_ORDER: FrontOrder = "layered";
@@ -44,7 +44,7 @@ export const FRONT_ORDERS: Readonly<Record<FrontOrder, number>> = { layered: 0, 
 export const DEFAULT_FILTERS = true;
 
 export const DEFAULT_OPTIMIZATION: Optimization = "default";
-/** The engine's numbers, in the order of effort. */
+/** The engine's numbers (cpp/include/tetrafront/options.h), in the order of effort. */
 export const OPTIMIZATIONS: Readonly<Record<Optimization, number>> = {
   none: 0,
   fast: 1,
@@ -57,7 +57,7 @@ export const DEFAULT_COVER_SHAPE: CoverShape = "box";
 /** The engine's numbers (cpp/include/tetrafront/covering_grid.h). */
 export const COVER_SHAPES: Readonly<Record<CoverShape, number>> = { box: 0, tetrahedron: 1 };
 
-/** As the engine has them (cpp/include/tetrafront/size_proposals.h); 0 leaves the choice to it. */
+/** Defaults of the engine (cpp/include/tetrafront/size_proposals.h); 0 leaves the choice to the engine. */
 export const DEFAULT_PROPOSAL: EngineProposalOptions = {
   uniform: 0,
   smallest: 0,
@@ -66,7 +66,7 @@ export const DEFAULT_PROPOSAL: EngineProposalOptions = {
   growth: 0.3,
 };
 
-/** How messages call an option, and what to pass. */
+/** Words for an option in messages: its name, and the values that it accepts. */
 interface OptionWords {
   readonly label: string;
   readonly expected: string;
@@ -83,10 +83,10 @@ function option<const Schema extends v.GenericSchema, const Default extends v.In
   return v.optional(v.pipe(schema, v.metadata({ words })), otherwise);
 }
 
-/** Schemas of all options of an interface, and of no others. */
+/** One schema per option of an interface, and no others. */
 type EntriesOf<Options> = { readonly [Name in keyof Options]-?: v.GenericSchema<Options[Name], unknown> };
 
-/** Coordinates may have these magnitudes (cpp/src/geom/coordinates.h); sizes beyond make no sense. */
+/** Limits of the magnitude of coordinates (cpp/src/geom/coordinates.h); other sizes make no sense. */
 const MIN_LENGTH = 1e-30;
 const MAX_LENGTH = LIMITS.length;
 const within = (min: number, max: number) => v.pipe(v.number(), v.minValue(min), v.maxValue(max));
@@ -205,7 +205,7 @@ export function checkOptions(options: MeshOptions): Diagnostic[] {
   return checkWithBackground(options, meshSchema);
 }
 
-/** Of `refineSurface`, which needs sizes. */
+/** Checks the options of `refineSurface`, which needs sizes. */
 export function checkRefineOptions(options: RefineOptions): Diagnostic[] {
   const wrong = checkWithBackground(options, refineSchema);
   if (wrong.length > 0 || options.size !== undefined || options.background !== undefined) return wrong;
@@ -225,7 +225,7 @@ export function checkCoverOptions(options: CoverOptions): Diagnostic[] {
   return checkAgainst(options, coverSchema);
 }
 
-/** Of `backgroundFromMesh`; the sizes are checked together with the mesh. */
+/** Checks the options of `backgroundFromMesh`; the sizes are checked together with the mesh. */
 export function checkGridOptions(options: { readonly sizes?: unknown }): Diagnostic[] {
   return checkAgainst(options, gridSchema);
 }
@@ -280,8 +280,8 @@ function wordsOf(schema: v.GenericSchema | undefined, name: string): OptionWords
 }
 
 /**
- * The options with the project's own settings where the caller gives none. A background grid of the
- * caller takes the place of the project's one size, too.
+ * Adds the project's own settings to options that the caller omits. A background grid of the caller also replaces
+ * the project's uniform size.
  */
 export function withSettings(options: MeshOptions, { meshing }: Project): MeshOptions {
   if (meshing === undefined) return options;
@@ -292,7 +292,7 @@ export function withSettings(options: MeshOptions, { meshing }: Project): MeshOp
   return { ...settings, ...Object.fromEntries(given) };
 }
 
-/** Converts valid options; a size of 0 stands for none. */
+/** Converts valid options; a size of 0 means none. */
 export function engineOptions(options: MeshOptions): EngineOptions {
   const { size = 0, growth, gradation, filters, exactFillOnly, ...choices } = v.parse(meshSchema, options);
   return {

@@ -1,4 +1,4 @@
-/** The patches of a surface from a file, carried over its repair. */
+/** Transfers the patches and regions of a surface to its repaired or refined version. */
 import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
 import { doubles, integers } from "../calls/schemas.js";
@@ -16,8 +16,9 @@ const repairedTriangles = v.object({
 });
 
 /**
- * A repaired or refined surface with the patches and regions of the given one, triangle for triangle, and the numbers that
- * triangles and nodes have there, which messages name them by; triangles that fill holes are a patch of their own, "filled holes", the last one. Throws a `MesherError` where something is no surface or repair.
+ * Returns a repaired or refined surface with the patches and regions of the given one, and with the indices there
+ * of its triangles and nodes, which messages use. Triangles that fill holes form one more patch, the last, named
+ * "filled holes". Throws a `MesherError` if an argument is not a surface or a repair.
  *
  *     const repair = await mesher.repairSurface(file, { weld: 1e-6 });
  *     const surface = repairedSurface(file, repair);

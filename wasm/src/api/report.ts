@@ -1,4 +1,7 @@
-/** Puts results together: figures from the engine, diagnostics in words; and results without a mesh. */
+/**
+ * Assembles results: statistics of the engine, and diagnostics with their sentences. Also makes results without a
+ * mesh.
+ */
 import { describeAll } from "../diagnostics/describe.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import type { EntityNamer } from "../diagnostics/entity-names.js";
@@ -9,7 +12,7 @@ import { poorElementWarnings } from "../mesh/quality-warnings.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
 import type { ProjectPreview } from "../project/preview.js";
 
-/** The result of the engine with its diagnostics told in the user's names. */
+/** Returns the engine's result; its diagnostics use the names given by the user. */
 export function describedResult(result: EngineResult, name: EntityNamer): MeshResult {
   const { status, surface, volume, figures, hasFoundNothingBetter } = result;
   return {
@@ -37,7 +40,7 @@ export function describedPreview(preview: EnginePreview, name: EntityNamer): Pro
   return { ...preview, diagnostics: describeAll(preview.diagnostics, name) };
 }
 
-/** A result without a mesh: the input was refused, or the run was cancelled before it had one. */
+/** Returns a result without a mesh, for a run that was rejected, or cancelled before it made any element. */
 export function emptyResult(
   status: MeshStatus,
   diagnostics: readonly Diagnostic[] = [],

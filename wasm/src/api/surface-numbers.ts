@@ -1,13 +1,13 @@
-/** Triangles and nodes of a surface that was made of another, by the numbers that they have in that one. */
+/** Maps the triangles and nodes of a repaired or refined surface to their indices in the given one. */
 import { type EntityNamer, nameByIndex } from "../diagnostics/entity-names.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
 
-/** In `SurfaceInput.origin` and `nodeOrigin`: a triangle, or node, that the given surface did not have. */
+/** In `SurfaceInput.origin` and `nodeOrigin`: a triangle or node that the given surface does not have. */
 export const NO_ORIGIN = 0xffffffff;
 
 /**
- * Names triangles and nodes by what they were or are a part of, where the surface tells; the triangles of filled holes,
- * and the nodes within divided edges, were in no other.
+ * Names triangles and nodes by their indices in the given surface, if the surface states them. Triangles of filled
+ * holes and midpoints of split edges have no index there; they are called "filled triangle 7" and "new node 7".
  */
 export function surfaceNamer({ origin, nodeOrigin }: SurfaceInput): EntityNamer {
   return (kind, index) => {
@@ -19,7 +19,10 @@ export function surfaceNamer({ origin, nodeOrigin }: SurfaceInput): EntityNamer 
   };
 }
 
-/** Origins of things that were all there before: of `given` ones those that stay, in their order, then `added` new ones. */
+/**
+ * Returns the origin of each item after a change: the indices below `given` of the items that are not gone, in
+ * order, then `NO_ORIGIN` for `added` new ones.
+ */
 export function originsOf(given: number, isGone: (index: number) => boolean, added: number): Uint32Array {
   const kept: number[] = [];
   for (let i = 0; i < given; i++) if (!isGone(i)) kept.push(i);
@@ -28,7 +31,7 @@ export function originsOf(given: number, isGone: (index: number) => boolean, add
   return all;
 }
 
-/** What became of `origins` in two steps; without the first they are those of the second. */
+/** Composes the origins of two successive changes; if `first` is undefined, returns those of the second. */
 export function chainedOrigins(first: Uint32Array | undefined, second: Uint32Array): Uint32Array {
   return second.map((from) => (from === NO_ORIGIN ? from : (first?.[from] ?? from)));
 }

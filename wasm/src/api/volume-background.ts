@@ -1,4 +1,4 @@
-/** Background grid from a volume mesh of a file. */
+/** Converts a volume mesh of a file to a background grid. */
 import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
 import { throwIfCancelled } from "../calls/cancelling.js";
@@ -15,9 +15,10 @@ import type { Mesher } from "./mesher-interface.js";
 const withNodeData = v.object({ nodeData: map });
 
 /**
- * The sizes at the nodes if the file has them under the name `size`, else sizes from the mesh's own
- * edges; `stretching` and `direction` if it has both. Capitals count for nothing where one name alone reads so. Rejects as
- * `backgroundFromMesh` does, but for sizes that make no sense. `unusedData` tells what else is at the nodes.
+ * Returns a background grid with the node values `size` of the file as sizes or, without these values, with sizes
+ * from the mesh's own edges. If the file has both `stretching` and `direction`, they are used too. A name may
+ * differ in case if no other name then matches. Rejects as `backgroundFromMesh` does, but invalid sizes are an
+ * error of the result. `unusedData` lists the other node values.
  */
 export async function volumeBackground(
   mesher: Pick<Mesher, "backgroundFromMesh">,

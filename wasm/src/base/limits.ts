@@ -1,13 +1,18 @@
-/** The bounds of numbers that say how to mesh, as the engine has them (cpp/include/tetrafront/options.h). */
+/** Limits of numeric options, as in the engine (cpp/include/tetrafront/options.h). */
 export const LIMITS = {
-  /** Sizes and distances, in model units; beyond this neither they nor coordinates can be computed with. */
+  /**
+   * Sizes and distances, in model units; the engine cannot compute with larger ones, nor with larger coordinates.
+   */
   length: 1e30,
-  /** Growth of the size per unit of distance: no element could follow more. */
+  /** Growth of the size per unit of distance; elements cannot follow a larger one. */
   growth: 10,
-  /** Growth of the size from one element to the next. */
+  /** Ratio of the sizes of neighbouring elements. */
   gradation: 10,
-  /** Length along the direction of stretching divided by the size. */
+  /** Size along the direction of stretching / size across it. */
   stretching: 1e6,
-  /** Findings of one code that an inspection lists: at 0.8 kB each, a JavaScript heap holds a few million. */
+  /**
+   * Number of diagnostics that an inspection lists per code; at 0.8 kB each, a JavaScript heap holds a few
+   * million.
+   */
   maxDiagnostics: 1_000_000,
 } as const;

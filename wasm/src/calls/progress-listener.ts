@@ -1,13 +1,13 @@
-/** Calls the caller's functions while a call is in progress. They may fail. */
+/** Calls the caller's functions while a call is in progress, and handles their failures. */
 import type { RunControl } from "./control.js";
 
 /** A call in progress. */
 export interface ProgressListener {
-  /** Rejects the call: with whatever the caller's function has thrown, or with a `MesherError`. */
+  /** Rejects the call, with the value thrown by the caller's function or with a `MesherError`. */
   readonly reject: (failure: unknown) => void;
   /** Undefined after one of the functions has failed. */
   onProgress: RunControl["onProgress"];
-  /** As `onProgress`; of runs only. */
+  /** Like `onProgress`, but for runs only. */
   onFront?: RunControl["onFront"];
 }
 

@@ -1,6 +1,6 @@
 /**
- * Checks of values of unknown type by schemas of the library Valibot, and the words for what is wrong: callers without
- * type checks may pass anything.
+ * Checks values of unknown type against schemas of the library Valibot, and describes what is wrong. Callers
+ * without type checks may pass anything.
  */
 import * as v from "valibot";
 import { isA, isArrayOf, isDetached, shown } from "../base/values.js";
@@ -11,12 +11,15 @@ export interface SchemaProblem {
   readonly message: string;
 }
 
-/** Returns the value as its schema knows it, or its problems; of unknown keys of an object, only the first is one. */
+/**
+ * Returns the value with the type of its schema, or its problems. Of the unknown keys of an object, only the first
+ * is reported.
+ */
 export function parsedBy<const Schema extends v.GenericSchema>(
   schema: Schema,
   value: unknown,
 ): { readonly value: v.InferOutput<Schema> } | { readonly problems: readonly SchemaProblem[] } {
-  // Given here, because the page may have other settings for its own schemas.
+  // Set the options in each call, because the page may have other global settings for its own schemas.
   const parsed = v.safeParse(schema, value, { abortEarly: false, abortPipeEarly: true });
   return parsed.success ? { value: parsed.output } : { problems: parsed.issues.map(problemOf) };
 }
@@ -29,7 +32,7 @@ export function problemIn(schema: v.GenericSchema, value: unknown): SchemaProble
 
 function problemOf(issue: v.BaseIssue<unknown>): SchemaProblem {
   const keys = issue.path?.map(({ key }) => key) ?? [];
-  // An unknown key is a problem of the object that has it.
+  // Report an unknown key as a problem of the object that has it.
   const surplus = issue.expected === "never" ? keys.pop() : undefined;
   return {
     path: pathText(keys),
@@ -89,7 +92,7 @@ function pathText(path: readonly unknown[]): string {
     .replace(/^\./, "");
 }
 
-/** As v.strictObject, which accepts a list as an object with none of its fields. */
+/** Like v.strictObject, but rejects arrays, which v.strictObject accepts if no field is required. */
 export function objectWith<const Entries extends v.ObjectEntries>(
   entries: Entries,
 ): v.StrictObjectSchema<Entries, undefined> {

@@ -1,4 +1,4 @@
-/** Runs a command on many files, each in a process of its own, so that a failure affects one file only. */
+/** Runs a command on many files, each in its own process, so that a failure affects one file only. */
 import { spawn, type ChildProcess } from "node:child_process";
 import { stat } from "node:fs/promises";
 import path from "node:path";

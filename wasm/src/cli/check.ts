@@ -28,7 +28,7 @@ import { meshLines, oppositeOrderLines, readingLines, surfaceLines } from "./tab
 
 export interface CheckCommandOptions extends RepairCommandOptions {
   readonly size?: string;
-  /** A number, or `all`. */
+  /** Number or `all`. */
   readonly maxDiagnostics?: string;
   readonly from?: string;
   readonly json?: boolean;
@@ -54,7 +54,7 @@ type CheckResult =
       readonly kind: "none";
       readonly diagnostics: readonly Diagnostic[];
       readonly subject: string;
-      /** Not the input failed, but the engine. */ readonly isEngine?: true;
+      /** The engine failed, not the input. */ readonly isEngine?: true;
     };
 
 /** Largest number of text lines per code, unless `--max-diagnostics` is given. */

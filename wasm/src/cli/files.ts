@@ -203,7 +203,10 @@ async function unlessInterrupted(
   }
 }
 
-/** Lets the signal end the process as usual. If another listener is present, that listener decides. */
+/**
+ * Removes the temporary files and ends the process by the signal. If another listener is present, that listener
+ * decides.
+ */
 function endBySignal(signal: NodeJS.Signals): void {
   if (process.listenerCount(signal) > 1) return;
   for (const temporary of temporaries) rmSync(temporary, { force: true });

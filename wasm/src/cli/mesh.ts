@@ -315,7 +315,7 @@ async function mesh(
   // Listen once: a second signal takes the default action and ends the process immediately.
   const onSignal = () => stop.abort();
   process.once("SIGINT", onSignal).once("SIGTERM", onSignal);
-  // A failure to load must not leave a progress bar or a hidden cursor behind.
+  // Load before the progress bar appears: a failure must not leave a bar or a hidden cursor behind.
   const mesher = await createMesher().catch((failure: unknown) => {
     process.off("SIGINT", onSignal).off("SIGTERM", onSignal);
     throw failure;

@@ -105,7 +105,7 @@ function allOfAKind(group: readonly Diagnostic[]): number {
   return Math.max(group.length, first.data.count ?? 0);
 }
 
-/** Returns whether it is about a given surface, whose triangles and nodes have no names. */
+/** Returns whether the diagnostic is about a given surface, whose triangles and nodes have no names. */
 function isOfSurface({ entities }: Diagnostic): boolean {
   return entities.every(({ kind }) => kind === "triangle" || kind === "surface-node");
 }

@@ -1,7 +1,7 @@
 /** Labels of entities in messages. */
 import type { EntityKind, EntityRef } from "./diagnostic.js";
 
-/** Tells what the user calls the entity at a position. */
+/** Returns the label, and if it has one the id, of the entity with this index. */
 export type EntityNamer = (kind: EntityKind, index: number) => EntityRef;
 
 export const KIND_WORDS: Readonly<Record<EntityKind, string>> = {
@@ -15,12 +15,12 @@ export const KIND_WORDS: Readonly<Record<EntityKind, string>> = {
   source: "source",
 };
 
-/** Names by number, for a given surface, whose entities nobody named. */
+/** Names entities by index, for a given surface, whose entities have no names. */
 export const nameByIndex: EntityNamer = (kind, index) => {
   return { kind, index, label: `${KIND_WORDS[kind]} ${index}` };
 };
 
-/** As `name`, but for a background grid that came as arrays, whose nodes nobody named. */
+/** As `name`, but names the nodes and tetrahedra of the background grid by index, for a grid given as arrays. */
 export function gridByIndex(name: EntityNamer): EntityNamer {
   return (kind, index) =>
     kind === "background-node" || kind === "background-tetrahedron"

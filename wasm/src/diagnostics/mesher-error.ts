@@ -157,8 +157,8 @@ export function failureError(
 const BYTES_PER_TRIANGLE = 300;
 
 /**
- * Returns the size factor: the number of elements is proportional to 1 / size³. The margin is for the stages after
- * the front.
+ * Returns the size factor, because the number of elements is proportional to 1 / size³. The margin is for the
+ * stages after the front.
  */
 function sizeFactorFor(made: number, expected: number): number | undefined {
   if (made === 0 || expected === 0) return undefined;
@@ -166,7 +166,7 @@ function sizeFactorFor(made: number, expected: number): number | undefined {
   return Math.ceil(10 * factor) / 10;
 }
 
-/** Margin of the size factor; it saves the memory of a third of the elements. */
+/** Safety margin of the size factor: leaves memory for a third more elements. */
 const ROOM = 1.1;
 
 function outOfMemoryText(figures: OutOfMemory): string {

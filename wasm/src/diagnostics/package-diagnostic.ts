@@ -1,4 +1,7 @@
-/** Diagnostics of the package itself. They are separate from the engine's sentences, which not every caller loads. */
+/**
+ * Diagnostics of the package itself. They are separate from the engine's sentences, so that callers who do not
+ * need those need not load them.
+ */
 import type { DiagnosticCode, EngineCode } from "./codes.js";
 import type { Diagnostic, DiagnosticOf, Severity } from "./diagnostic.js";
 import type { ReadError } from "./read-error.js";
