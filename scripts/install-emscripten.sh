@@ -1,32 +1,32 @@
 #!/usr/bin/env bash
-# Prints the folder to put on PATH for an Emscripten >= MIN, installing a private one if none is there.
+# Prints the folder to put on PATH for an Emscripten >= MIN, installing a private one if there is none.
 #
 #   export PATH="$(scripts/install-emscripten.sh):$PATH"
 #   scripts/install-emscripten.sh [PREFIX]          (default: <repository>/.toolchain/emscripten)
 #
-# An emcc already on PATH that is new enough (emsdk, a newer distribution) is used as it is.
-# Otherwise Debian's own packages of one release are fetched through this machine's apt
-# mirror, checked by apt against the signed index, and unpacked under PREFIX with their own C
-# library: no root, no change to the system, no other suite in the system's apt sources.
-# Running it again is free; an interrupted run resumes. Moving PREFIX means running it again.
+# An emcc already on PATH that is new enough (from emsdk or a newer distribution) is used.
+# Otherwise the script downloads the packages of one Debian release from this machine's apt mirror.
+# apt checks them against the signed index. They are unpacked under PREFIX with their own C library:
+# this needs no root, and leaves the system and its apt sources unchanged. Another run does nothing,
+# and an interrupted run resumes. After moving PREFIX, run the script again.
 #
 #   EMSCRIPTEN_PRIVATE=1    ignore an emcc on PATH
 #   EMSCRIPTEN_KEEP_DEBS=1  keep the downloaded packages
-#   EMSCRIPTEN_MIRROR=URL   a Debian mirror, where apt is configured for none
+#   EMSCRIPTEN_MIRROR=URL   Debian mirror to use if apt is configured for none
 set -euo pipefail
 
 MIN=3.1.69
 SUITE=trixie
 KEYRING=/usr/share/keyrings/debian-archive-keyring.gpg
-# The compiler is pinned to an upstream version (the * lets a rebuild of the same one through);
-# the libraries under it are whatever the signed index of the release has.
+# The compiler is pinned to an upstream version; the * permits a rebuild of it. Its libraries have
+# the versions of the release's signed index.
 PACKAGES=(
   'emscripten=3.1.69+*' 'binaryen=120-*' 'clang-19=1:19.1.7-*' 'lld-19=1:19.1.7-*' 'llvm-19=1:19.1.7-*'
   'libllvm19=1:19.1.7-*' 'libclang-cpp19=1:19.1.7-*' 'libclang-common-19-dev=1:19.1.7-*'
   'libglm-dev=0.9.9.8+*' node-acorn patchelf
   libc6 libstdc++6 libgcc-s1 zlib1g libzstd1 libxml2 liblzma5 libedit2 libbsd0 libmd0 libffi8 libtinfo6 libz3-4
 )
-# Prebuilt system libraries left out (1.2 of 1.6 GB); EM_FROZEN_CACHE=0 builds one when it is asked for.
+# Files to leave out, mostly prebuilt system libraries (1.2 of 1.6 GB); EM_FROZEN_CACHE=0 builds one when needed.
 LEAVE_OUT=(
   './usr/share/doc' './usr/share/man' './usr/share/emscripten/test' './usr/share/z3' '*/llvm-exegesis'
   '*/wasm32-emscripten/pic' '*/wasm32-emscripten/lto-pic' '*/wasm32-emscripten/*-ww*'
@@ -64,7 +64,7 @@ mkdir -p "$debs" "$state/lists/partial" "$state/cache/archives/partial"
 exec 9>"$prefix/lock"; flock 9
 ready && { echo "$bin"; exit 0; }
 
-# An apt of our own: its own sources, lists and (empty) status; the system's are only read for the mirror.
+# Use apt with separate sources, lists and an empty status; the system's configuration is only read for the mirror.
 mirror=${EMSCRIPTEN_MIRROR:-$(apt-get update --print-uris 2>/dev/null | sed -nE \
   "s#^'(.*)/dists/(bullseye|bookworm|trixie|forky|duke|sid|stable|testing|unstable)(-updates)?/(In)?Release'.*#\1#p" | sed -n 1p)}
 [ -n "$mirror" ] || die "apt is configured for no Debian mirror: set EMSCRIPTEN_MIRROR, or use emsdk"
@@ -101,7 +101,8 @@ for package in "${PACKAGES[@]%%=*}"; do
   dpkg-deb --fsys-tarfile "$file" | tar -x -C "$part" --no-same-owner "${LEAVE_OUT[@]/#/--exclude=}"
 done
 
-# Programs: our loader and our libraries. DT_RPATH, as it goes before LD_LIBRARY_PATH and reaches the libraries' own needs.
+# Make the programs use our loader and libraries. DT_RPATH takes precedence over LD_LIBRARY_PATH and also applies to the
+# dependencies of the libraries.
 loader=$(cd "$part" && find usr/lib -name 'ld-linux*.so.*' -type f | head -n 1)
 libs=${loader%/*}
 patchelf() { "$part/$loader" --library-path "$part/$libs" "$part/usr/bin/patchelf" "$@"; }
@@ -116,7 +117,7 @@ for file in "$part"/usr/lib/llvm-*/bin/* "$part"/usr/bin/wasm*; do
   fi
 done
 
-# Emscripten: tools and cache by place, acorn where any node finds it (ES imports do not read NODE_PATH).
+# Configure the paths of Emscripten's tools and cache. Link acorn where every Node finds it: ES imports ignore NODE_PATH.
 llvm=$(cd "$part" && echo usr/lib/llvm-*/bin)
 mkdir -p "$part/usr/share/emscripten/node_modules"
 ln -s ../../nodejs/acorn "$part/usr/share/emscripten/node_modules/acorn"
@@ -135,7 +136,7 @@ for file in "$root/$llvm"/{clang,wasm-ld,llvm-ar,llvm-nm,llvm-objcopy} "$root"/u
   outside=$(LD_TRACE_LOADED_OBJECTS=1 "$file" | grep '=>' | grep -vF "=> $root/" || true)
   [ -z "$outside" ] || die "$(basename "$file") does not find its libraries in $root: $outside"
 done
-# Its plain .js files are CommonJS, whatever a package.json further up says of ours.
+# Emscripten's .js files are CommonJS, even if a package.json in a parent folder declares ES modules.
 echo '{ "type": "commonjs" }' >"$prefix/package.json"
 mkdir -p "$prefix/try"
 echo 'int main() { return 0; }' >"$prefix/try/a.c"

@@ -14,7 +14,7 @@ import { findChromium } from "./lib/tools.mjs";
 const size = { width: 240, height: 150 };
 const reduction = 4;
 const quality = 0.7;
-/** Keys pressed in the view: a small picture needs no margin. */
+/** Keys pressed in the view before rendering: a small picture needs no margin. */
 const closer = ["+", "+"];
 const launchArguments = [
   "--no-sandbox",

@@ -1,5 +1,5 @@
 // npm test [-- SUITE...]: sets up, builds and runs the named suites (default: all), then prints a table.
-// npm test -- changed: only what the changes of this branch can break.
+// npm test -- changed: runs only the tests that the changes of this branch can break.
 // The last line of standard output is "N passed, N failed" over all suites.
 import { build } from "./build.mjs";
 import { changedFiles, suitesFor } from "./lib/changed.mjs";
@@ -8,7 +8,10 @@ import { main, say, UserError } from "./lib/run.mjs";
 import { clearReports, suites } from "./lib/suites.mjs";
 import { setup } from "./setup.mjs";
 
-/** Builds each part once, although both lanes ask for it; the promise is the reason for a failure, or undefined. */
+/**
+ * Returns a function that builds parts, each once although both lanes request it. Its promise resolves to the
+ * reason of a failure, or undefined.
+ */
 function builder(tools) {
   const builds = new Map();
   const buildOnce = (part) => {
@@ -78,7 +81,7 @@ function print(rows, all, seconds) {
   );
 }
 
-/** The suites to run, each with the tests to run in it (`undefined`: all). */
+/** Returns the suites to run, each with the tests to run in it (`undefined`: all). */
 function select(names) {
   if (names.length === 0) return new Map(Object.keys(suites).map((name) => [name, undefined]));
   if (names.length === 1 && names[0] === "changed") {

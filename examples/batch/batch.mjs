@@ -1,5 +1,7 @@
-// node batch.mjs parts meshes: every STL of one folder becomes a VTU in another, one process per core.
-// `tetrafront mesh 'parts/*.stl' -o 'meshes/{name}.vtu'` does the same; here is how to do your own.
+// node batch.mjs parts meshes: meshes every STL file of a folder into a VTU file in another one, with one process
+// per core.
+// `tetrafront mesh 'parts/*.stl' -o 'meshes/{name}.vtu'` does the same; this example shows how to write your own
+// batch.
 import { fork } from "node:child_process";
 import { createReadStream } from "node:fs";
 import { readdir, writeFile } from "node:fs/promises";
@@ -10,11 +12,11 @@ import { createMesher, fileMeshOf, readSurface, writeMesh } from "tetrafront";
 if (process.send === undefined) await main(process.argv[2], process.argv[3]);
 else work();
 
-/** The parent hands out parts: a process asks for the next when it is through with one. */
+/** Distributes the parts: a process requests the next part when it has finished one. */
 async function main(folder, target) {
   const parts = (await readdir(folder)).filter((name) => name.endsWith(".stl")).sort();
   const reports = new Map();
-  /** Resolves when there is nothing left to hand out; where a process dies another takes its place. */
+  /** Starts a process; resolves when no part is left. A process that crashes is replaced by another one. */
   const handOut = () =>
     new Promise((resolve) => {
       const child = fork(import.meta.filename);
@@ -37,7 +39,7 @@ async function main(folder, target) {
   for (const part of parts) console.log(part, JSON.stringify(reports.get(part)));
 }
 
-/** A child keeps its mesher from part to part: the engine is compiled once. */
+/** A child process uses one mesher for all its parts, so that the engine is compiled only once. */
 function work() {
   const mesher = createMesher();
   process.on("message", async ({ part, input, output }) => {

@@ -1,8 +1,8 @@
-"""Heat in a ball with a source, by linear finite elements on meshes of Tetrafront.
+"""Solves heat conduction in a ball with a heat source, by linear finite elements on Tetrafront's meshes.
 
--div grad u = 6 in the unit ball, u = 0 on its surface; the solution is u = 1 - r^2. The error in the
-mean square falls with the square of the element size, that of the gradient with the size: the meshes are
-fit for what they are made for. Prints one line per size and the observed orders as JSON.
+-div grad u = 6 in the unit ball, u = 0 on its surface; the solution is u = 1 - r^2. For suitable meshes,
+the root mean square error is of second order in the element size, and that of the gradient of first order.
+Prints one line per size, and the observed orders as JSON.
 
     pip install scikit-fem meshio
     npm install tetrafront
@@ -44,7 +44,7 @@ def squared_gradient_error(w):
 
 
 def sphere(n):
-    """A unit sphere: the faces of an octahedron divided n x n, as OFF."""
+    """Returns a unit sphere as OFF text: the faces of an octahedron divided n x n."""
     nodes, places, faces = {}, [], []
 
     def node(p):
@@ -61,7 +61,7 @@ def sphere(n):
                 corners = [(at(i, j), at(i + 1, j), at(i, j + 1))]
                 if i + j < n - 1:
                     corners.append((at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)))
-                # Outward: every reflection turns them.
+                # Each reflection reverses the orientation; make all faces point outward.
                 faces += [face if sx * sy * sz > 0 else face[::-1] for face in corners]
     lines = ["OFF", f"{len(places)} {len(faces)} 0"]
     lines += [" ".join(repr(float(x)) for x in p) for p in places]
@@ -81,7 +81,7 @@ def meshed(n, folder, command):
 def errors(mesh):
     basis = Basis(mesh, ElementTetP1(), intorder=4)
     boundary = basis.get_dofs()
-    # The surface of the mesh lies within the ball: the solution is not quite zero there.
+    # The surface of the mesh lies inside the ball, so the solution is not exactly zero there.
     given = 1.0 - np.sum(mesh.p**2, axis=0)
     u = solve(*condense(laplace.assemble(basis), source.assemble(basis), x=given, D=boundary))
     field = basis.interpolate(u)
@@ -96,7 +96,7 @@ def main(command):
         rows = []
         for n in (5, 10, 20):
             mesh = meshed(n, Path(folder), command)
-            # The mean size of an element, from their number.
+            # Estimate the mean element size from the number of elements.
             size = mesh.t.shape[1] ** (-1.0 / 3.0)
             rows.append((size, *errors(mesh)))
             print(f"{mesh.t.shape[1]:8d} tetrahedra, error {rows[-1][1]:.3e}, of the gradient {rows[-1][2]:.3e}")

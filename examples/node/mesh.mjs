@@ -1,4 +1,4 @@
-// node mesh.mjs part.stl part.vtu
+// node mesh.mjs part.stl part.vtu: fills a closed surface with tetrahedra.
 import { createMesher, fileMeshOf } from "tetrafront";
 import { readSurfaceFile, writeMeshFile } from "tetrafront/node";
 

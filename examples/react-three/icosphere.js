@@ -1,7 +1,7 @@
 import * as THREE from "three";
 import { mergeVertices } from "three/addons/utils/BufferGeometryUtils.js";
 
-/** The unit sphere: any closed three.js geometry becomes a surface like this. */
+/** Returns the unit sphere as a surface. Any other closed three.js geometry can be converted in the same way. */
 export function icosphere(detail) {
   const geometry = new THREE.IcosahedronGeometry(1, detail);
   geometry.deleteAttribute("normal");

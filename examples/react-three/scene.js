@@ -9,7 +9,7 @@ const FACES = [
   [0, 2, 1],
 ];
 
-/** A scene in a canvas that shows the elements of a mesh beyond the plane x = 0. */
+/** Creates a three.js scene in a canvas. It shows the elements of a mesh whose nodes all have x ≥ 0. */
 export function createScene(canvas) {
   const renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
   const scene = new THREE.Scene();

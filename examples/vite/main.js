@@ -11,7 +11,7 @@ const status = document.querySelector("#status");
 const button = document.querySelector("#mesh");
 button.addEventListener("click", async () => {
   const size = Number(document.querySelector("#size").value);
-  // Triangles stay as they are: those larger than the size are divided first.
+  // `fillSurface` keeps all triangles, so first split those that are larger than the size.
   const { surface } = await mesher.refineSurface({ points, triangles }, { size });
   const { report } = await mesher.fillSurface(surface, { size });
   status.textContent = `${report.status}: ${report.tetrahedra} tetrahedra of volume ${report.volume.toFixed(6)}`;

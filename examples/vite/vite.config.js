@@ -2,6 +2,6 @@ export default {
   base: "./",
   build: { target: "es2022" },
   worker: { format: "es" },
-  // The development server's pre-bundling would lose the worker's file.
+  // Do not pre-bundle the package: Vite's development server would not find the worker's file.
   optimizeDeps: { exclude: ["tetrafront"] },
 };

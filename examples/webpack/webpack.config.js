@@ -3,12 +3,12 @@ import { fileURLToPath } from "node:url";
 
 const folder = path.dirname(fileURLToPath(import.meta.url));
 
-// No loaders: webpack 5 finds the worker and the engine by `new URL(…, import.meta.url)`.
+// No loaders are needed: webpack 5 finds the worker and the engine by `new URL(…, import.meta.url)`.
 export default {
   mode: "production",
   context: folder,
   entry: "./main.js",
   output: { path: path.join(folder, "dist"), filename: "main.js" },
-  // The engine has 0.8 MB, and is fetched once.
+  // Raise the limit of webpack's size warning: the engine has 0.8 MB and is fetched once.
   performance: { maxAssetSize: 1_000_000 },
 };

@@ -1,9 +1,12 @@
-// What `npm test -- changed` runs: the suites, and within them the tests, that a change can break.
+// Selects the suites, and the tests in them, that a change can break, for `npm test -- changed`.
 import { existsSync } from "node:fs";
 import { inRoot } from "./paths.mjs";
 import { output } from "./run.mjs";
 
-/** Files that differ from where this branch left `main` (from the last commit, on `main` itself), new files included. */
+/**
+ * Returns the files that differ from the commit where this branch left `main`, including new files; on `main`
+ * itself, from the parent commit.
+ */
 export function changedFiles() {
   const base =
     output("git", ["merge-base", "HEAD", "origin/main"])?.trim() ||
@@ -19,9 +22,9 @@ export function changedFiles() {
   );
 }
 
-/** The engine's fingerprints in Node equal those of the native program. */
+/** Checks that meshes have the same fingerprints in Node as natively. */
 const NATIVE_TEST = "tests/unit/package/native.test.ts";
-/** The shortest way through the whole application. */
+/** Shortest test of the whole application. */
 const SMOKE_SPEC = "tests/e2e/meshing.spec.ts";
 
 /**

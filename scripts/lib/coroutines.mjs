@@ -3,13 +3,13 @@ import path from "node:path";
 import { filesUnder } from "./fresh.mjs";
 import { inRoot, root } from "./paths.mjs";
 
-/** Modules of hot loops, which stay plain functions. */
+/** Modules of hot loops, which must not use coroutines. */
 const modulesWithout = ["geom", "search", "fill"];
 
 /**
  * Finds forbidden uses of coroutines in the engine, its tests and its bindings. Returns one "file:line: reason"
  * each. The reasons: GCC 12 miscompiles `co_await` inside the braces of an initializer and in some arguments,
- * without a warning; the captures of a lambda that is a coroutine die before the coroutine does.
+ * without a warning; and the captures of a lambda that is a coroutine are destroyed before the coroutine ends.
  */
 export function wrongCoroutines() {
   return filesUnder([inRoot("cpp"), inRoot("tests", "cpp"), inRoot("wasm")])
@@ -24,7 +24,7 @@ export function wrongCoroutines() {
 }
 
 /**
- * Finds forbidden uses in the text of one file: the lines, from 1, and the reasons.
+ * Finds forbidden uses in the text of one file. Returns the line, from 1, and the reason of each.
  * @param {string} source
  */
 export function wrongCoroutinesIn(source, mayAwait = true) {
@@ -41,7 +41,7 @@ export function wrongCoroutinesIn(source, mayAwait = true) {
   return wrong.sort((a, b) => a.line - b.line);
 }
 
-/** Whether `co_await` may follow this code. */
+/** Returns whether `co_await` may follow this code. */
 function isPermitted(before) {
   const open = innermostOpenBracket(before);
   const outside = before.slice(0, open).trimEnd();
@@ -52,12 +52,12 @@ function isPermitted(before) {
   return /\bfor$/.test(outside) && isCondition.test(inside.slice(inside.lastIndexOf(";") + 1));
 }
 
-/** Whether a brace after this code begins a block, not a list of initializers. */
+/** Returns whether a brace after this code begins a block rather than a list of initializers. */
 function opensBlock(code) {
   return /(?:[;{})]|\b(?:else|do|try|const|noexcept|override)|->\s*Task\b[^;{}()]*)$/.test(code);
 }
 
-/** Whether this code of a block ends where a statement, or the initializer of a variable, begins. */
+/** Returns whether this code of a block ends where a statement, or the initializer of a variable, begins. */
 function beginsStatement(code) {
   const flat = withoutNested(code);
   const statement = flat.slice(Math.max(flat.lastIndexOf(";"), flat.lastIndexOf("}")) + 1).trim();
@@ -65,7 +65,7 @@ function beginsStatement(code) {
   return /^(?:co_return|\w[^=(,]*(?:<[^=(]*>[^=(,]*)?[^=!<>(,]=|auto\s*&?\s*\[\]\s*=)?$/.test(afterControl);
 }
 
-/** The position of the last bracket in `code` that is not closed in it, or -1. */
+/** Returns the index of the last bracket in `code` that is not closed there, or -1. */
 function innermostOpenBracket(code) {
   let closed = 0;
   for (let i = code.length - 1; i >= 0; --i) {
@@ -75,7 +75,7 @@ function innermostOpenBracket(code) {
   return -1;
 }
 
-/** The code without what stands between brackets in it. */
+/** Returns the code without the contents of brackets. */
 function withoutNested(code) {
   let depth = 0;
   let flat = "";
@@ -87,7 +87,7 @@ function withoutNested(code) {
   return flat;
 }
 
-/** The code with blanks in place of comments and texts, so that positions stay. */
+/** Returns the code with its comments and strings replaced by blanks, so that indices stay the same. */
 function withoutCommentsAndTexts(source) {
   const blanked = (match) => match.replace(/[^\n]/g, " ");
   return source.replace(/\/\/[^\n]*|\/\*[^]*?\*\/|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])'/g, blanked);

@@ -22,7 +22,7 @@ export async function ensurePackages() {
   writeFileSync(stampFile, lockStamp());
 }
 
-/** Hash of the lockfile, and the platform: native parts of a package differ between platforms. */
+/** Returns the hash of the lockfile with the platform: native parts of a package differ between platforms. */
 function lockStamp() {
   const lock = createHash("sha256")
     .update(readFileSync(inRoot("package-lock.json")))

@@ -14,7 +14,7 @@ import { findFuzzer } from "./tools.mjs";
 const bin = (name) => inRoot("node_modules", ".bin", name);
 const report = (name) => path.join(reports, `${name}.json`);
 
-/** `npm run fuzz` runs longer. */
+/** Seconds of fuzzing in a test run; `npm run fuzz` runs longer. */
 const FUZZ_SECONDS = 60;
 
 /** A static check counts as one test. */
@@ -22,7 +22,7 @@ const check = (ok, name) => ({ passed: ok ? 1 : 0, failed: ok ? 0 : 1, failures:
 
 /** Test durations differ widely: with many shards per processor, no processor is left with all long tests. */
 const SHARDS_PER_JOB = 8;
-/** A shard that runs longer hangs; tests/support/time_limit.cpp names the test that does. */
+/** Time limit of a shard: one that takes longer hangs. tests/support/time_limit.cpp names the test that hangs. */
 const SHARD_LIMIT_MS = 20 * 60_000;
 
 /** Runs the C++ tests in shards, `jobs` at a time. */

@@ -6,12 +6,13 @@ import { buildFolders, glmFolder, inRoot, root } from "./paths.mjs";
 import { inParallel, say } from "./run.mjs";
 import { findTidy } from "./tools.mjs";
 
-/** clang-tidy reads the compile commands here. */
+/** Folder of the compile commands for clang-tidy. */
 const databaseFolder = inRoot("build", "tidy");
 
 /**
  * Runs clang-tidy on the engine, one module of the unity build at a time, and on the native programs. A module is
- * checked again only if one of its sources, any header or the rules changed. Returns the names with findings.
+ * checked again only if one of its sources, any header or the rules changed. Returns the names of modules and
+ * programs with warnings.
  */
 export async function tidy() {
   const program = findTidy();
@@ -29,7 +30,7 @@ export async function tidy() {
   return bad.flat();
 }
 
-/** Writes the compile commands without what only GCC understands; returns the sources to check. */
+/** Writes the compile commands without the options that only GCC understands; returns the sources to check. */
 function unitsToCheck() {
   const entries = JSON.parse(readFileSync(path.join(buildFolders.release, "compile_commands.json"), "utf8"));
   const commands = entries.map((entry) => ({
@@ -49,16 +50,16 @@ function unitsToCheck() {
   return [...new Set(files.filter(isOurs))].sort();
 }
 
-/** The sources that a unity source includes. */
+/** Returns the sources that a unity source includes. */
 function sourcesIn(unit) {
   return [...readFileSync(unit, "utf8").matchAll(/^#include "([^"]+\.cpp)"/gm)].map((match) =>
     path.resolve(root, match[1]),
   );
 }
 
-/** Runs clang-tidy on one source and prints its findings, without its count of suppressed warnings. */
+/** Runs clang-tidy on one source and prints its warnings, without the count of suppressed ones. */
 function isTidy(program, file) {
-  // GCC's std::stable_sort uses what C++17 deprecates; GCC does not warn about its own headers.
+  // GCC's std::stable_sort uses functions that C++17 deprecates; GCC does not warn about its own headers.
   const extra = [`-isystem${glmFolder}`, "-Wno-deprecated-declarations"].map((arg) => `--extra-arg=${arg}`);
   const args = ["--quiet", "-p", databaseFolder, ...extra, file];
   return new Promise((resolve, reject) => {

@@ -51,7 +51,7 @@ export function findCompiler() {
 }
 
 /**
- * Returns clang-tidy 19, or another one from version 16 on, which knows C++20's ranges. Findings differ between
+ * Returns clang-tidy 19, or another one from version 16 on, which supports C++20's ranges. Warnings differ between
  * versions.
  */
 export function findTidy() {

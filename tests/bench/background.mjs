@@ -3,8 +3,8 @@
 // a given surface; and the time to make a grid from a mesh.
 import { createMesher } from "tetrafront";
 
-const SIZE = 0.0425; // about 110 k tetrahedra in the unit cube
-const REPEATS = 3; // the least time counts: everything else on the machine only adds
+const SIZE = 0.0425; // about 110 000 tetrahedra in the unit cube
+const REPEATS = 3; // the minimum counts: other work on the machine only adds time
 const FRONT_ONLY = { optimization: "none" };
 
 /** The unit cube as a project without background grid. */

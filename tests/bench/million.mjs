@@ -12,7 +12,10 @@ import { inRoot } from "../../scripts/lib/paths.mjs";
 const SIZE = 0.0193; // a little more than a million elements in the unit cube
 const ENOUGH = 1_000_000;
 const WAIT_MS = 600_000;
-/** An action's work has begun after this time; its tasks are counted until nothing has moved for as long. */
+/**
+ * Milliseconds after which an action's work has begun. Its tasks are counted until the view has been idle for as
+ * long.
+ */
 const SETTLE_MS = 1000;
 const LOAD_MS = 3000;
 
@@ -115,7 +118,7 @@ async function meshProject(page, project) {
   };
 }
 
-/** What a user does with the mesh in the view. */
+/** Actions of a user on the mesh in the view. */
 const ACTIONS = [
   ["turn the view", (page) => page.keyboard.press("1")],
   ["switch the cut on", (page) => page.getByTestId("cut-toggle").press("Space")],

@@ -1,12 +1,12 @@
-// The two examples of Löhner & Parikh 1988, section 7, beside the printed values: the numbers of docs/PAPER.md.
-// Counts and element volumes come from the whole run with default options. The rates and the share of the crossing
-// test are those of the front alone, natively, in both orders. Seconds are processor time.
+// Compares the two examples of Löhner & Parikh 1988, section 7, with the printed values; these are the numbers of
+// docs/PAPER.md. Counts and element volumes come from the whole run with default options. The rates and the share
+// of the crossing test are measured on the front alone, natively, in both orders. Seconds are processor time.
 import { readFileSync } from "node:fs";
 import { createMesher, readProject } from "tetrafront";
 import { volumeRange } from "./support/element-volumes.mjs";
 import { clockFront } from "./support/engines.mjs";
 
-const REPEATS = 3; // the least time counts: everything else on the machine only adds
+const REPEATS = 3; // the minimum counts: other work on the machine only adds time
 
 const printed = [
   {

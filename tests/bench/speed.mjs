@@ -1,6 +1,7 @@
-// The tables of docs/BENCHMARKS.md: the front alone and with the optimizer, natively and as WebAssembly, from ten
-// thousand to a million tetrahedra; growth, memory and the share of the crossing test; and other meshers on the
-// same triangles, if they are installed. Prints Markdown. Exits with 1 if native and WebAssembly differ in a bit.
+// Prints the tables of docs/BENCHMARKS.md as Markdown: the front alone and with the optimizer, natively and as
+// WebAssembly, from ten thousand to a million tetrahedra; growth of the time, memory and the share of the crossing
+// test; and other meshers on the same triangles, if they are installed. Exits with 1 if native and WebAssembly
+// results differ in a bit.
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { arch, cpus, tmpdir } from "node:os";
 import path from "node:path";
@@ -44,7 +45,7 @@ const seconds = (value) => value.toPrecision(3);
 const degrees = (value) => `${value.toFixed(1)}°`;
 const times = (value) => `${value.toPrecision(3)} ×`;
 
-/** How the time grows with the number of tetrahedra: time ~ count^exponent, from smallest to largest. */
+/** Returns the exponent of time ~ count^exponent between the smallest and the largest number of tetrahedra. */
 function exponent(runs, secondsOf) {
   const [first, last] = [runs[0], runs[runs.length - 1]];
   return Math.log(secondsOf(last) / secondsOf(first)) / Math.log(last.tetrahedra / first.tetrahedra);
@@ -53,7 +54,7 @@ function exponent(runs, secondsOf) {
 const front = (run) => run.volumeSeconds;
 const optimized = (run) => run.volumeSeconds + run.optimizeSeconds;
 
-/** Our runs on one sphere, and whether native and WebAssembly agree. */
+/** Measures our engine on one sphere, and compares native with WebAssembly. */
 function runOurs({ thousands, file }) {
   const native = { front: fillNatively(file, "none"), optimized: fillNatively(file, "default") };
   const wasm = { front: fillAsWebAssembly(file, "none"), optimized: fillAsWebAssembly(file, "default") };
@@ -71,9 +72,9 @@ function showSizes(runs) {
       (secondsOf(native[kind]) / secondsOf(wasm[kind])).toFixed(2),
       seconds(native[kind].seconds),
       seconds(wasm[kind].seconds),
-      // Reading a small surface may need more memory than its mesh.
+      // The peak is unknown for a small surface: reading it may need more memory than meshing it.
       native[kind].bytes > 0 ? Math.round(native[kind].bytes / native[kind].tetrahedra) : "–",
-      // Its initial memory suffices for small meshes.
+      // The initial memory of the WebAssembly engine suffices for small meshes.
       wasm[kind].bytes > wasm[kind].initialBytes ? Math.round(wasm[kind].bytes / wasm[kind].tetrahedra) : "–",
       isSame ? "yes" : "**no**",
     ]);

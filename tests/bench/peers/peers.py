@@ -1,10 +1,10 @@
-"""Other tetrahedral meshers on a given closed surface, to stand beside our own in `npm run bench speed`.
+"""Runs other tetrahedral meshers on a closed surface, for comparison in `npm run bench speed`.
 
     peers.py                      prints the names of the peers whose packages can be imported
-    peers.py NAME SURFACE.off     fills the surface with that one and prints `name value` lines
+    peers.py NAME SURFACE.off     fills the surface with this peer and prints `name value` lines
 
-All get the same triangles, which stay as they are, one thread, and sizes from the surface. Seconds are
-the processor's and of the meshing call alone: reading, handing over and measuring are left out.
+All peers get the same triangles, which they must keep, one thread, and sizes from the surface. Seconds are
+processor time of the meshing call alone, without reading, passing and measuring the mesh.
 """
 
 import sys
@@ -100,7 +100,7 @@ PEERS = {
 
 
 def dihedral_angles(points, elements):
-    """The six angles of each element, in degrees."""
+    """Returns the six dihedral angles of each element, in degrees."""
     corners = points[elements]
     faces = [(1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1)]
     normals = []
@@ -116,7 +116,7 @@ def dihedral_angles(points, elements):
 
 
 def radius_ratios(points, elements):
-    """3 x inradius / circumradius of each element."""
+    """Returns 3 x inradius / circumradius of each element."""
     a, b, c, d = (points[elements[:, k]] for k in range(4))
     u, v, w = b - a, c - a, d - a
     vw, wu, uv = numpy.cross(v, w), numpy.cross(w, u), numpy.cross(u, v)

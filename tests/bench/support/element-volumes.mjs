@@ -1,4 +1,4 @@
-/** Corner k of tetrahedron t of a mesh. */
+/** Returns the position of corner k of tetrahedron t of a mesh. */
 const corner = ({ points, tetrahedra }, t, k) => {
   const at = 3 * tetrahedra[4 * t + k];
   return points.subarray(at, at + 3);
@@ -17,7 +17,7 @@ function volumeOf(mesh, t) {
   );
 }
 
-/** The largest over the smallest volume of a mesh's tetrahedra, and the centroid of the smallest. */
+/** Returns the largest / smallest volume of a mesh's tetrahedra, and the centroid of the smallest one. */
 export function volumeRange(mesh) {
   let smallest = 0;
   let least = Infinity;

@@ -1,5 +1,5 @@
-// Our engine on a surface in a file, natively and as WebAssembly, each run in a process of its own. All
-// seconds are the processor's, and the least of several runs: other work on the machine only adds.
+// Runs our engine on a surface in a file, natively and as WebAssembly, each run in its own process. Seconds are
+// processor time, the minimum of several runs: other work on the machine only adds time.
 import { execFileSync } from "node:child_process";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
@@ -14,7 +14,7 @@ if (!fill) {
 const frontClock = path.join(path.dirname(fill), "front_clock");
 const wasmFill = fileURLToPath(new URL("wasm-fill.mjs", import.meta.url));
 
-/** The values of `name value` lines; numbers where they are. */
+/** Parses `name value` lines; values become numbers if possible. */
 export function valuesOf(text) {
   const lines = text.trim().split("\n");
   const pairs = lines.map((line) => line.split(" "));
@@ -30,7 +30,7 @@ function asNumber(text) {
 
 const run = (program, args, input) => valuesOf(execFileSync(program, args, { encoding: "utf8", input }));
 
-/** One run's values, in which each of the times is the least of all runs. */
+/** Returns the values of the first run, with each time replaced by the minimum over all runs. */
 function leastTimes(runs) {
   const least = { ...runs[0] };
   for (const name of Object.keys(least).filter((key) => key.toLowerCase().endsWith("seconds"))) {
@@ -39,17 +39,20 @@ function leastTimes(runs) {
   return least;
 }
 
-/** `level`: of optimization. */
+/** `level`: optimization level. */
 export function fillNatively(file, level) {
   return leastTimes(Array.from({ length: RUNS }, () => run(fill, [file, `--optimization=${level}`])));
 }
 
-/** Warm: the first run of the process, in which V8 compiles, is told apart (`firstSeconds`). */
+/**
+ * Measures warm runs. The first run of the process, in which V8 compiles, is reported separately as
+ * `firstSeconds`.
+ */
 export function fillAsWebAssembly(file, level) {
   return run(process.execPath, [wasmFill, file, level, String(RUNS + 1)]);
 }
 
-/** The front alone on a boundary, with sizes from its own edges unless there is a grid. */
+/** Measures the front alone on a boundary. Without a grid, the sizes come from the boundary's own edges. */
 export function clockFront(order, filters, { points, triangles }, grid = { nodes: [], tetrahedra: [] }) {
   const { nodes, tetrahedra } = grid;
   const positions = new Map(nodes.map(({ id }, position) => [id, position]));

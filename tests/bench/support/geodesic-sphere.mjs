@@ -1,4 +1,4 @@
-// A unit sphere for benchmarks: an icosahedron whose faces are divided n x n, 20 n² triangles.
+// Makes a unit sphere for benchmarks: an icosahedron whose faces are divided n × n, giving 20 n² triangles.
 
 const GOLDEN = (1 + Math.sqrt(5)) / 2;
 const CORNERS = [
@@ -19,7 +19,8 @@ export function geodesicSphere(n) {
   const triangles = [];
   const known = new Map();
 
-  // A place on face abc by integer weights that sum to n; shared corners and edges are found again.
+  // Returns the node on a face with these integer weights, which sum to n. Nodes of shared corners and edges are
+  // reused.
   const node = (face, weights) => {
     const parts = face.map((corner, i) => [corner, weights[i]]).filter(([, weight]) => weight > 0);
     const key = parts
@@ -53,7 +54,7 @@ export function geodesicSphere(n) {
   return { points: Float64Array.from(points), triangles: Uint32Array.from(triangles) };
 }
 
-/** The text of an OFF file; doubles round-trip. */
+/** Returns the text of an OFF file, from which the doubles are restored exactly. */
 export function toOff({ points, triangles }) {
   const lines = ["OFF", `${points.length / 3} ${triangles.length / 3} 0`];
   for (let i = 0; i < points.length; i += 3) lines.push(points.subarray(i, i + 3).join(" "));

@@ -1,4 +1,4 @@
-// Other meshers beside ours, where their Python packages are installed (tests/bench/peers/peers.py).
+// Runs other meshers for comparison, if their Python packages are installed (tests/bench/peers/peers.py).
 import { spawnSync } from "node:child_process";
 import { fileURLToPath } from "node:url";
 import { pythonProgram } from "../../../scripts/lib/python.mjs";
@@ -6,18 +6,18 @@ import { valuesOf } from "./engines.mjs";
 
 const python = pythonProgram();
 const script = fileURLToPath(new URL("../peers/peers.py", import.meta.url));
-/** Netgen's front takes most of a minute for 100 k tetrahedra. */
+/** Time limit per mesher. Netgen's front takes most of a minute for 100 000 tetrahedra. */
 const TIMEOUT_MS = 1000 * Number(process.env.TETRAFRONT_PEER_SECONDS ?? 900);
 
 export const INSTALL = `${python} -m pip install numpy gmsh netgen-mesher tetgen`;
 
-/** Names of the peers that can run; none where Python or numpy is missing. */
+/** Returns the names of the peers that can run; empty if Python or numpy is missing. */
 export function availablePeers() {
   const { status, stdout } = spawnSync(python, [script], { encoding: "utf8" });
   return status === 0 ? stdout.split("\n").filter(Boolean) : [];
 }
 
-/** What the peer made of the surface, or `{ failure }` in a few words. */
+/** Returns the peer's results for the surface, or `{ failure }` with a short reason. */
 export function runPeer(name, file) {
   const { status, stdout, stderr, error } = spawnSync(python, [script, name, file], {
     encoding: "utf8",
@@ -25,6 +25,6 @@ export function runPeer(name, file) {
   });
   if (error) return { failure: error.code === "ETIMEDOUT" ? "ran out of time" : error.message };
   if (status !== 0) return { failure: stderr.trim().split("\n").pop() || `exit status ${status}` };
-  // Some of them print words of their own first.
+  // Some peers print messages before their results.
   return valuesOf(stdout.slice(stdout.indexOf("tetrahedra ")));
 }

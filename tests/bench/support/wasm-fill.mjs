@@ -1,18 +1,18 @@
-// The engine as WebAssembly on a closed surface, in this very thread: the twin of the native program
-// `fill`, for the benchmarks.
+// Runs the WebAssembly engine on a closed surface in this thread: the counterpart of the native program `fill`,
+// for the benchmarks.
 //
 //     node wasm-fill.mjs SURFACE.off LEVEL RUNS
 //
-// Fills the surface RUNS times, or more until V8 has had time to compile, and prints `name value` lines: of the
-// run that took the processor least, but for `firstSeconds`, and the size of the engine's memory after all
-// of them. LEVEL: of optimization.
+// Fills the surface RUNS times, or more until V8 has had time to compile. LEVEL is the optimization level. Prints
+// `name value` lines with the results of the fastest run, in processor time; the minimum volume and optimization
+// times of all runs; `firstSeconds` of the first run; and the size of the engine's memory after all runs.
 import { readFileSync } from "node:fs";
 import createEngine from "../../../wasm/dist/engine/engine.js";
 
 const OPTIMIZATIONS = ["none", "fast", "default", "thorough"];
 const PHASES = ["check", "sides", "surface", "volume", "optimize", "verify"];
 const STATUSES = ["running", "done", "stalled", "cancelled", "invalid-input"];
-// As wasm/src/engine/slices.ts calls the engine.
+// The budget per call, as in wasm/src/engine/slices.ts.
 const BUDGET = 256;
 const WARM_SECONDS = 3;
 
@@ -28,7 +28,7 @@ function readOff(file) {
   };
 }
 
-/** The engine and the memory it runs in, which its module keeps to itself. */
+/** Returns the engine and its memory, which the engine's module does not expose. */
 async function loadEngine() {
   const binary = readFileSync(new URL("../../../wasm/dist/engine/engine.wasm", import.meta.url));
   let memory;
@@ -44,7 +44,10 @@ async function loadEngine() {
   return { engine, memory };
 }
 
-/** Of the processor, all threads of this process: while the engine is warm there is hardly another. */
+/**
+ * Returns the processor time of all threads of this process; with a warm engine, the other threads are almost
+ * idle.
+ */
 function processorSeconds() {
   const { user, system } = process.cpuUsage();
   return (user + system) / 1e6;
