@@ -2,7 +2,7 @@ import AxeBuilder from "@axe-core/playwright";
 import { expect, test, type Page } from "@playwright/test";
 import { AppPage } from "./app-page";
 
-/** In the page alone, which has no frames: otherwise axe opens another tab for each time it looks. */
+/** Runs axe in the page only, which has no frames; otherwise axe opens another tab for each analysis. */
 async function violations(page: Page): Promise<string[]> {
   const axe = new AxeBuilder({ page }).setLegacyMode(true).options({ resultTypes: ["violations"] });
   const { violations: found } = await axe.analyze();
@@ -12,7 +12,7 @@ async function violations(page: Page): Promise<string[]> {
 }
 
 for (const scheme of ["dark", "light"] as const) {
-  test(`axe finds nothing in the ${scheme} theme`, async ({ page }) => {
+  test(`axe finds no violations in the ${scheme} theme`, async ({ page }) => {
     const app = new AppPage(page);
     await app.open(scheme);
     expect(await violations(page)).toEqual([]);
@@ -35,7 +35,9 @@ for (const scheme of ["dark", "light"] as const) {
     expect(await violations(page)).toEqual([]);
   });
 
-  test(`axe finds nothing in menus, palette, help and errors in the ${scheme} theme`, async ({ page }) => {
+  test(`axe finds no violations in menus, palette, help and errors in the ${scheme} theme`, async ({
+    page,
+  }) => {
     const app = new AppPage(page);
     await app.open(scheme);
     await page.getByRole("menuitem", { name: "View" }).click();
@@ -59,7 +61,7 @@ for (const scheme of ["dark", "light"] as const) {
     expect(await violations(page)).toEqual([]);
   });
 
-  test(`axe finds nothing on a phone in the ${scheme} theme`, async ({ page }) => {
+  test(`axe finds no violations on a phone in the ${scheme} theme`, async ({ page }) => {
     await page.setViewportSize({ width: 390, height: 844 });
     const app = new AppPage(page);
     await app.open(scheme);

@@ -3,7 +3,7 @@ import { expect, type Locator, type Page } from "@playwright/test";
 import { inflateSync } from "node:zlib";
 import { readProject, type Project } from "tetrafront";
 
-/** The numbers the app shows of its mesh, as it holds them in the page. */
+/** Number of tetrahedra and fingerprint of the app's mesh, as stored in attributes of the page. */
 export interface MeshState {
   readonly tets: number;
   readonly fingerprint: string;
@@ -17,7 +17,7 @@ export function sampleProject(id: string): Project {
   return read.value;
 }
 
-/** The application in a browser tab. Waits are for states of the page, never for time. */
+/** The application in a browser tab. Its methods wait for states of the page, never for a fixed time. */
 export class AppPage {
   readonly page: Page;
   readonly viewport: Locator;
@@ -25,8 +25,8 @@ export class AppPage {
   readonly #filePickers: boolean;
 
   /**
-   * Native file dialogs are out of a test's reach: the app uses downloads and inputs. With `filePickers`, its dialogs
-   * choose files of the page's private folder instead: `window.chosenFile` names the next one.
+   * Tests cannot use native file dialogs, so the app uses downloads and file inputs. With `filePickers`, its
+   * dialogs choose files in the page's private folder instead: `window.chosenFile` names the next one.
    */
   constructor(page: Page, { filePickers = false }: { readonly filePickers?: boolean } = {}) {
     this.page = page;
@@ -34,7 +34,7 @@ export class AppPage {
     this.viewport = page.getByTestId("viewport");
   }
 
-  /** Opens the app and waits for the mesh of its first model; without a name, of the opening model. */
+  /** Opens the app with a model, by default the opening one, and waits for its mesh. */
   async open(scheme: "dark" | "light" = "dark", model?: string): Promise<MeshState> {
     await this.page.addInitScript((wanted) => {
       localStorage.setItem("mantine-color-scheme-value", wanted);
@@ -46,12 +46,12 @@ export class AppPage {
     return this.meshed();
   }
 
-  /** Opens the app on the smallest model. */
+  /** Opens the app with the smallest model. */
   async openCube(): Promise<MeshState> {
     return this.open("dark", "unit-cube");
   }
 
-  /** Waits until the mesh on show is that of the model. */
+  /** Waits until the mesh shown is that of the present model. */
   async meshed(): Promise<MeshState> {
     await expect(this.viewport).toHaveAttribute("data-busy", "false");
     await expect(this.viewport).toHaveAttribute("data-stale", "false");
@@ -60,7 +60,7 @@ export class AppPage {
     return this.mesh();
   }
 
-  /** Waits until the faces on show are those wanted; without a view there are none. */
+  /** Waits until the requested faces are drawn; returns at once if there is no view. */
   async drawn(): Promise<void> {
     await expect(this.viewport).not.toHaveAttribute("data-drawn", "false");
   }
@@ -80,7 +80,7 @@ export class AppPage {
     return this.meshed();
   }
 
-  /** Opens a project through the file dialog's stand-in. */
+  /** Opens a project through the replacement of the file dialog. */
   async openFile(name: string, content: string): Promise<void> {
     if (this.#filePickers) {
       await this.page.evaluate(writeChosenFile, [name, content] as const);
@@ -118,7 +118,7 @@ export class AppPage {
   }
 }
 
-/** Runs in the page: file dialogs that choose `window.chosenFile` without asking. */
+/** Runs in the page: replaces the file dialogs; they choose `window.chosenFile` without asking. */
 function choosePrivateFiles(): void {
   const choose = async (): Promise<FileSystemFileHandle> => {
     const { chosenFile } = window as unknown as { readonly chosenFile: string };
@@ -127,7 +127,7 @@ function choosePrivateFiles(): void {
   Object.assign(window, { showOpenFilePicker: async () => [await choose()], showSaveFilePicker: choose });
 }
 
-/** Runs in the page: writes a file and makes it the next one to be chosen. */
+/** Runs in the page: writes a file, which the next dialog chooses. */
 async function writeChosenFile([name, content]: readonly [string, string]): Promise<void> {
   const handle = await (await navigator.storage.getDirectory()).getFileHandle(name, { create: true });
   const stream = await handle.createWritable();
@@ -136,7 +136,7 @@ async function writeChosenFile([name, content]: readonly [string, string]): Prom
   Object.assign(window, { chosenFile: name });
 }
 
-/** Waits until a frame later than the given one has been drawn. */
+/** Calls `act` and waits until a later frame has been drawn. */
 export async function nextFrame(viewport: Locator, act: () => Promise<void>): Promise<void> {
   const before = Number(await viewport.getAttribute("data-frames"));
   await act();
@@ -150,14 +150,17 @@ export function countColours(png: Buffer): number {
   return colours.size;
 }
 
-/** Pixels that are red before green before blue, by a third of full scale at least. */
+/**
+ * Number of orange pixels: red exceeds green and green exceeds blue by more than 30, and red exceeds blue by more
+ * than 85, of 255.
+ */
 export function countOrange(png: Buffer): number {
   let count = 0;
   forEachPixel(png, (r, g, b) => (count += Number(r > g + 30 && g > b + 30 && r > b + 85)));
   return count;
 }
 
-/** Reads a PNG as Chromium writes it: 8 bits per channel, not interlaced. */
+/** Visits the pixels of a PNG written by Chromium: 8 bits per channel, not interlaced. */
 function forEachPixel(png: Buffer, visit: (r: number, g: number, b: number) => void): void {
   const width = png.readUInt32BE(16);
   const height = png.readUInt32BE(20);

@@ -9,7 +9,7 @@ async function command(page: Page, name: string): Promise<void> {
   await page.keyboard.press("Enter");
 }
 
-test("a source is added, edited, seen, obeyed and undone", async ({ page }) => {
+test("a source can be added, edited and deleted; it is drawn and refines the mesh", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.openCube();
   const bare = await app.viewport.screenshot();
@@ -27,13 +27,13 @@ test("a source is added, edited, seen, obeyed and undone", async ({ page }) => {
   expect(finer.tets).toBeGreaterThan(1.5 * before.tets);
   await page.getByTestId("tree-source-1").press("Delete");
   await expect(page.getByTestId("tree-source-1")).toBeHidden();
-  // Without the source it is the mesh before, which is still at hand.
+  // Without the source, the app shows the earlier mesh, which it has kept.
   expect(await app.meshed()).toEqual(before);
   await page.getByTestId("undo").click();
   expect(await app.meshed()).toEqual(finer);
 });
 
-test("sources are made of selected points, of each type", async ({ page }) => {
+test("sources of each type can be created from selected points", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByTestId("tree-point").click();
@@ -52,7 +52,7 @@ for (const [type, points] of [
   ["segment", [1, 2]],
   ["triangle", [1, 2, 3]],
 ] as const) {
-  test(`a ${type} source is edited, obeyed and kept in the file`, async ({ page }) => {
+  test(`a ${type} source can be edited, refines the mesh and is saved in the file`, async ({ page }) => {
     const app = new AppPage(page);
     const before = await app.openCube();
     await page.getByTestId("tree-point").click();
@@ -76,10 +76,12 @@ for (const [type, points] of [
   });
 }
 
-test("sizes that ask for millions of elements are told before they are taken", async ({ page }) => {
+test("the dialog for proposed sizes warns before it applies sizes that ask for millions of elements", async ({
+  page,
+}) => {
   const app = new AppPage(page);
   await app.openCube();
-  // A thin plate: three elements through its thickness are a great many of them.
+  // A thin plate: three elements through its thickness require very many elements.
   const cube = sampleProject("unit-cube");
   const points = cube.points.map(({ position: [x, y, z], ...point }) => ({
     ...point,
@@ -103,7 +105,7 @@ test("sizes that ask for millions of elements are told before they are taken", a
   await expect(warning).toBeHidden();
 });
 
-test("a covering grid mends a place that is not covered", async ({ page }) => {
+test("a covering grid solves the problem of a model outside the background grid", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await app.select("background-node-2");
@@ -124,7 +126,7 @@ test("a covering grid mends a place that is not covered", async ({ page }) => {
   await expect(page.getByTestId("tree-background-node").getByText("4", { exact: true })).toBeVisible();
 });
 
-test("a uniform size takes the grid's place, and its problems with it", async ({ page }) => {
+test("a uniform size replaces the background grid and removes its problems", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.openCube();
   await app.select("background-node-2");
@@ -142,7 +144,7 @@ test("a uniform size takes the grid's place, and its problems with it", async ({
   expect(await app.meshed()).toEqual(finer);
 });
 
-test("sizes are proposed with the expected count before anything is changed", async ({ page }) => {
+test("proposed sizes show the expected number of tetrahedra before they are applied", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.open("dark", "plate-with-hole");
   await command(page, "Propose sizes");
@@ -170,13 +172,13 @@ test("sizes are proposed with the expected count before anything is changed", as
   expect(await app.meshed()).toEqual(before);
 });
 
-test("the mesh becomes the background grid of the next one", async ({ page }) => {
+test("a mesh can be used as the background grid of the next mesh", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.openCube();
   await command(page, "Use this mesh as background");
   const points = Number((await page.getByTestId("count-points").textContent())?.replaceAll(/\D/g, ""));
   await expect(page.getByTestId("tree-background-node")).toContainText(points.toLocaleString("en-US"));
-  // Hundreds of nodes, and still only what is in sight is in the page.
+  // The grid has hundreds of nodes, but the page contains only the visible rows.
   expect(await page.getByRole("treeitem").count()).toBeLessThan(120);
   const after = await app.generate();
   expect(after.tets / before.tets).toBeGreaterThan(0.5);
@@ -185,7 +187,9 @@ test("the mesh becomes the background grid of the next one", async ({ page }) =>
   expect(await app.meshed()).toEqual(before);
 });
 
-test("a node and a tetrahedron are added to the grid, and a direction is an arrow", async ({ page }) => {
+test("a node and a tetrahedron can be added to the background grid, and a stretched node shows its direction", async ({
+  page,
+}) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByTestId("add-background-node").click();
@@ -208,7 +212,7 @@ test("a node and a tetrahedron are added to the grid, and a direction is an arro
   expect((await app.viewport.screenshot()).equals(plain)).toBe(false);
 });
 
-test("every patch has its figures, in a table and beside the patch", async ({ page }) => {
+test("the table of patches and the inspector show the same statistics of a patch", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByTestId("tab-patches").click();

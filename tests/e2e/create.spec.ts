@@ -5,7 +5,7 @@ import { faultsOf, meshVolume, NO_FAULTS } from "../support/check-mesh";
 import { parseVtu } from "../support/mesh-files";
 import { AppPage, nextFrame, sampleProject } from "./app-page";
 
-/** The project as the app would save it. */
+/** Saves the project in the app and returns it. */
 async function savedProject(page: Page): Promise<Project> {
   const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Control+s")]);
   const read = readProject(await readFile(await download.path(), "utf8"));
@@ -50,13 +50,13 @@ async function choose(page: Page, kind: string, ids: readonly number[]): Promise
 
 const selected = '[role="treeitem"][aria-selected="true"]';
 
-test("a tetrahedron is drawn from nothing, meshed, and undone", async ({ page }) => {
+test("a tetrahedron can be drawn in an empty project, meshed and undone", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await openEmpty(app);
   await addPoints(page, [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]); // prettier-ignore
   await expect(page.getByTestId("tree-point-4")).toHaveAttribute("aria-selected", "true");
-  // A chain of lines around the floor, then the three that rise from it.
+  // Draw a chain of lines around the base, then the three lines to the apex.
   await choose(page, "point", [1, 2, 3]);
   await page.keyboard.press("l");
   await expect(page.locator(selected)).toHaveCount(2);
@@ -102,14 +102,14 @@ test("a tetrahedron is drawn from nothing, meshed, and undone", async ({ page })
   await expect(page.getByRole("button", { name: "Undo: Add line 6" })).toBeEnabled();
 });
 
-test("a new project is empty, and what is drawn in it is seen", async ({ page }) => {
+test("a new project is empty, and new entities appear in the view", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByRole("menuitem", { name: "File" }).click();
   await page.getByRole("menuitem", { name: "New project" }).click();
   await expect(page.getByTestId("project-name")).toHaveValue("Untitled");
   await expect(page.getByTestId("model-tree")).toContainText("This project is empty.");
-  // The mesh of the project before is not taken for one of this.
+  // The mesh of the previous project is not shown for the new one.
   await expect(app.viewport).toHaveAttribute("data-tets", "0");
   await addPoints(page, [[90, 0, 0], [91, 0, 0], [90, 1, 0]]); // prettier-ignore
   const points = await app.colours();
@@ -123,7 +123,7 @@ test("a new project is empty, and what is drawn in it is seen", async ({ page })
   await expect.poll(() => app.colours()).toBeGreaterThan(points);
   for (let i = 0; i < 6; ++i) await page.getByTestId("undo").click();
   await expect(page.getByTestId("model-tree")).toContainText("This project is empty.");
-  // No step of undo leads to another project.
+  // Undo never leads to another project.
   await expect(page.getByTestId("undo")).toBeDisabled();
 });
 
@@ -154,7 +154,7 @@ for (const button of ["add", "add-next"]) {
   });
 }
 
-test("no dialog for sizes applies while a number is invalid, and Enter applies", async ({ page }) => {
+test("the dialogs for sizes apply with Enter, but not while a number is invalid", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   const runCommand = async (name: string): Promise<void> => {
@@ -186,7 +186,9 @@ test("no dialog for sizes applies while a number is invalid, and Enter applies",
   }
 });
 
-test("what cannot be made of the selection is told with the reason", async ({ page }) => {
+test("the inspector and the dialogs state why an entity cannot be created from the selection", async ({
+  page,
+}) => {
   const app = new AppPage(page);
   await app.openCube();
   await choose(page, "line", [1, 2]);
@@ -201,7 +203,7 @@ test("what cannot be made of the selection is told with the reason", async ({ pa
   await expect(page.getByRole("dialog", { name: "New line" })).toContainText("Select its points in order");
 });
 
-test("lines in any order become a patch with a hole, and a hole is added and taken away", async ({
+test("a patch with a hole can be created from lines in any order, and a hole can be removed and added", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -220,7 +222,7 @@ test("lines in any order become a patch with a hole, and a hole is added and tak
   await page.getByTestId("create-hole").click();
   await expect(page.getByTestId("patch-loop-1")).toBeVisible();
   await page.getByTestId(`tree-patch-${bottom.id}`).press("Delete");
-  // Hole first and out of order: the outer loop is still found, and so is its walk.
+  // Select the hole first and the lines out of order: the outer loop and the order of its lines are still found.
   await choose(page, "line", [hole[2] ?? 0, ...outer.toReversed(), ...hole.filter((_, i) => i !== 2)]);
   await page.getByTestId("create-patch-any").click();
   const again = await app.generate();
@@ -233,7 +235,9 @@ test("lines in any order become a patch with a hole, and a hole is added and tak
   );
 });
 
-test("the tree selects ranges with Shift, by mouse and by keys, and all of a kind", async ({ page }) => {
+test("the tree selects ranges with Shift, by mouse and keyboard, and all entities of a kind with Ctrl A", async ({
+  page,
+}) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByTestId("tree-line-2").click();
@@ -250,7 +254,9 @@ test("the tree selects ranges with Shift, by mouse and by keys, and all of a kin
   await expect(page.locator(selected)).toHaveCount(0);
 });
 
-test("each type of patch says what it takes and what does not fit", async ({ page }) => {
+test("each type of patch states which lines it needs and why the present lines do not fit", async ({
+  page,
+}) => {
   const app = new AppPage(page);
   await app.openCube();
   await app.select("patch-1");
@@ -273,7 +279,9 @@ test("each type of patch says what it takes and what does not fit", async ({ pag
   await expect(page.getByTestId("inspector").locator("[data-code]")).toHaveCount(0);
 });
 
-test("the lines of a Barnhill–Gregory–Nielson patch have roles, in list and view", async ({ page }) => {
+test("the list and the view show the roles of the lines of a Barnhill–Gregory–Nielson patch", async ({
+  page,
+}) => {
   const app = new AppPage(page);
   await app.openCube();
   await openEmpty(app);
@@ -296,7 +304,10 @@ test("the lines of a Barnhill–Gregory–Nielson patch have roles, in list and 
   await expect(page.getByTestId("role-label-F2")).toBeHidden();
 });
 
-/** The mesh as the app saves it, with what an independent judge finds wrong, its boundary apart. */
+/**
+ * Saves the mesh in the app; returns it with the defects found by an independent check, except those of the
+ * boundary.
+ */
 async function savedMesh(page: Page) {
   await page.getByTestId("download").click();
   const [download] = await Promise.all([
@@ -317,7 +328,7 @@ async function savedMesh(page: Page) {
   return { mesh, faults, boundaryFaces: extraFaces };
 }
 
-test("a blind bore is drawn: a hole in a Barnhill–Gregory–Nielson patch, a tube of its rims and seam", async ({
+test("a blind bore can be drawn: a hole in a Barnhill–Gregory–Nielson patch, and a tube between its rims along a seam", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -338,7 +349,7 @@ test("a blind bore is drawn: a hole in a Barnhill–Gregory–Nielson patch, a t
     await choose(page, "point", ends);
     await page.keyboard.press("l");
   }
-  // One rim is closed by a click on its first point, the other by the command.
+  // Close one rim by a click on its first point, the other by the command.
   await page.keyboard.press("7");
   await choose(page, "point", [5, 6, 7, 8]);
   const box = await app.viewport.boundingBox();
@@ -357,7 +368,7 @@ test("a blind bore is drawn: a hole in a Barnhill–Gregory–Nielson patch, a t
   await expect(page.getByTestId("line-points")).toHaveValue("9, 10, 11, 12, 9");
   await choose(page, "point", [5, 9]);
   await page.keyboard.press("l");
-  // The face with the hole, the other faces, the bore's wall and its end.
+  // Create the face with the hole, the other faces, the wall of the bore and its end.
   await choose(page, "line", [1, 2, 3, 7]);
   await page.getByTestId("create-patch-barnhill-gregory-nielson").click();
   await expect(page.getByTestId("patch-loop-1")).toBeVisible();
@@ -382,13 +393,14 @@ test("a blind bore is drawn: a hole in a Barnhill–Gregory–Nielson patch, a t
   const { extraFaces: _, ...none } = NO_FAULTS;
   expect(faults).toEqual(none);
   expect(boundaryFaces).toBeGreaterThan(100);
-  // Of the tetrahedron the bore is missing: at least the square in its rim, at most the circle around.
+  // The volume of the bore lies between that of the square inscribed in its rim and that of the circumscribed
+  // circle.
   const bore = 8 / 6 - meshVolume(mesh);
   expect(bore).toBeGreaterThan(0.25 * 0.18);
   expect(bore).toBeLessThan(0.25 * Math.PI * 0.09);
 });
 
-test("a spline is closed and opened again in the inspector", async ({ page }) => {
+test("the inspector closes a spline and opens it again", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByTestId("tree-point").click();

@@ -14,7 +14,7 @@ interface Downloaded {
 async function downloaded(page: Page, act: () => Promise<void>): Promise<Downloaded> {
   const [download] = await Promise.all([page.waitForEvent("download"), act()]);
   const buffer = await readFile(await download.path());
-  // A copy: a Buffer's slices share memory, which the parsers do not expect.
+  // Copy to a Uint8Array: slices of a Buffer share its memory, which the parsers do not expect.
   return { name: download.suggestedFilename(), bytes: new Uint8Array(buffer), text: buffer.toString() };
 }
 
@@ -34,7 +34,9 @@ async function dropProject(page: Page, text: string, fileName = "dropped.json"):
   );
 }
 
-test("downloads the mesh as VTU, MSH and polyMesh with the numbers on the screen", async ({ page }) => {
+test("the downloaded VTU, MSH and polyMesh files have the numbers of elements shown on the page", async ({
+  page,
+}) => {
   const app = new AppPage(page);
   await app.open();
   const { tets } = await app.mesh();
@@ -61,7 +63,7 @@ test("downloads the mesh as VTU, MSH and polyMesh with the numbers on the screen
   expect(poly.patches.map(({ name }) => name)).toContain("duct_top");
 });
 
-test("downloads the report of the run", async ({ page }) => {
+test("the report of the run can be downloaded", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const { tets, fingerprint } = await app.mesh();
@@ -70,7 +72,7 @@ test("downloads the report of the run", async ({ page }) => {
   expect(JSON.parse(text)).toMatchObject({ status: "done", tetrahedra: tets, fingerprint });
 });
 
-test("a saved project opens again as it was", async ({ page }) => {
+test("a saved project reopens unchanged", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await app.select("background-node-2");
@@ -88,7 +90,7 @@ test("a saved project opens again as it was", async ({ page }) => {
   expect(await app.meshed()).toEqual(edited);
 });
 
-test("a file that is no project is refused with the reason", async ({ page }) => {
+test("an invalid project file is rejected with the reason", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const before = await app.mesh();
@@ -102,7 +104,7 @@ test("a file that is no project is refused with the reason", async ({ page }) =>
   expect(await app.meshed()).toEqual(before);
 });
 
-test("a project file dropped on the page is opened", async ({ page }) => {
+test("dropping a project file on the page opens it", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const before = await app.mesh();
@@ -113,7 +115,7 @@ test("a project file dropped on the page is opened", async ({ page }) => {
   await expect(page.getByTestId("project-name")).toHaveValue("Dropped cube");
 });
 
-test("a mesh file dropped on the page is told what it is, and what to do with it", async ({ page }) => {
+test("dropping a mesh file on the page shows what the file is and what to do with it", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   await dropProject(page, "solid part", "part.STL");
@@ -125,7 +127,7 @@ test("a mesh file dropped on the page is told what it is, and what to do with it
   await expect(volume).toContainText('npx tetrafront info "part.ele"');
 });
 
-test("the message of a failed open goes with the next successful one", async ({ page }) => {
+test("the next successful open hides the message of a failed one", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   await dropProject(page, "no project");
@@ -136,7 +138,7 @@ test("the message of a failed open goes with the next successful one", async ({ 
   await expect(page.getByTestId("project-name")).toHaveValue("Dropped cube");
 });
 
-test("a reload at once keeps what was done last, also that something was undone", async ({ page }) => {
+test("an immediate reload keeps the last edit, and the last undo", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   page.on("dialog", (dialog) => void dialog.accept());
@@ -156,7 +158,7 @@ test("a reload at once keeps what was done last, also that something was undone"
   await expect(size).toHaveValue("0.2");
 });
 
-test("two tabs keep their own projects over a reload", async ({ page, context }) => {
+test("two tabs keep their own projects after a reload", async ({ page, context }) => {
   const first = new AppPage(page);
   const cube = await first.openCube();
   await first.select("point-1");
@@ -174,7 +176,7 @@ test("two tabs keep their own projects over a reload", async ({ page, context })
   await expect(second.page.getByTestId("project-name")).toHaveValue("Plate with a hole");
 });
 
-test("an edit survives a reload, and so does the knowledge that it is unsaved", async ({ page }) => {
+test("a reload keeps an edit and shows that it is unsaved", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await app.select("background-node-1");

@@ -1,7 +1,7 @@
 import { expect, test } from "@playwright/test";
 import { AppPage } from "./app-page";
 
-test("a model is opened, edited, meshed and undone without a mouse", async ({ page }) => {
+test("a model can be opened, edited, meshed and undone without a mouse", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const opening = await app.mesh();
@@ -38,7 +38,9 @@ test("a model is opened, edited, meshed and undone without a mouse", async ({ pa
   expect(await app.meshed()).toEqual(after);
 });
 
-test("menus open, walk and run by keys, and single keys rest while typing", async ({ page }) => {
+test("menus work with the keyboard, and single-key hotkeys do nothing while the user types", async ({
+  page,
+}) => {
   const app = new AppPage(page);
   await app.open();
   await page.getByRole("menuitem", { name: "File" }).focus();
@@ -70,10 +72,10 @@ test("help lists every hotkey", async ({ page }) => {
   await expect(help).toBeHidden();
 });
 
-test("Ctrl K pressed before the palette is there opens it when it is", async ({ page }) => {
+test("Ctrl K pressed before the palette has loaded opens it as soon as it has", async ({ page }) => {
   let release = (): void => undefined;
   const held = new Promise<void>((resolve) => (release = resolve));
-  // The palette's part of the app arrives late, as over a slow line.
+  // Delay the palette's script, as a slow connection would.
   await page.route(/overlays-.*\.js$/, async (route) => {
     await held;
     await route.continue();
@@ -83,7 +85,7 @@ test("Ctrl K pressed before the palette is there opens it when it is", async ({ 
   await page.keyboard.press("Control+k");
   const palette = page.getByRole("textbox", { name: "Search commands" });
   await expect(palette).toBeHidden();
-  // What is typed meanwhile is meant for the palette: no command may take it for its key.
+  // Keys pressed meanwhile are meant for the palette; no command must run.
   await page.keyboard.press("x");
   release();
   await expect(palette).toBeFocused();
@@ -92,7 +94,7 @@ test("Ctrl K pressed before the palette is there opens it when it is", async ({ 
   await expect(page.getByRole("switch", { name: "Cut" })).not.toBeChecked();
 });
 
-test("keys stay the commands' when the palette's part of the app does not come", async ({ page }) => {
+test("hotkeys keep working if the palette cannot be loaded", async ({ page }) => {
   await page.route(/overlays-.*\.js$/, (route) => route.abort());
   const app = new AppPage(page);
   await app.openCube();
@@ -106,7 +108,7 @@ test("keys stay the commands' when the palette's part of the app does not come",
   await expect(cut).not.toBeChecked();
 });
 
-test("the palette finds a command by its words in any order", async ({ page }) => {
+test("the palette finds a command by words in any order", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.keyboard.press("Control+k");

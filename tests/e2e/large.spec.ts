@@ -4,10 +4,10 @@ import { writeProject, type Project } from "tetrafront";
 import { gridMesh } from "../unit/web/grid-mesh";
 import { AppPage, sampleProject } from "./app-page";
 
-/** What takes long for large meshes is done by workers; here one of them is late, or does not come at all. */
+/** Script of the worker that finds the faces and quality of large meshes; the tests delay it or make it fail. */
 const queryWorkerScript = /mesh-query-worker-.*\.js$/;
 
-test("while the faces of the mesh are still being found, the page goes on, and shows the last cut then", async ({
+test("the page stays responsive until the faces of the mesh are found, and then shows the latest cut", async ({
   page,
 }) => {
   const held: Route[] = [];
@@ -17,7 +17,7 @@ test("while the faces of the mesh are still being found, the page goes on, and s
   await expect(app.viewport).toHaveAttribute("data-status", "done");
   await expect(app.viewport).toHaveAttribute("data-drawn", "false");
   await expect(app.viewport).toHaveAttribute("data-faces", "0");
-  // The figures of the report are there, those that need a look at every element are not yet.
+  // The statistics of the report are shown, those that need all elements are not shown yet.
   await expect(page.getByTestId("count-tetrahedra")).toContainText(/[1-9]/);
   await expect(page.getByTestId("quality-histogram-facts")).toContainText("min –");
   await page.keyboard.press("x");
@@ -39,7 +39,7 @@ test("while the faces of the mesh are still being found, the page goes on, and s
   await expect(page.getByTestId("quality-histogram-facts")).toContainText(/min 0\.\d/);
 });
 
-test("a mesh that cannot be drawn is told, and stays to be saved", async ({ page }) => {
+test("a mesh that cannot be drawn is reported and can still be saved", async ({ page }) => {
   await page.route(queryWorkerScript, (route) => route.abort());
   const app = new AppPage(page);
   const { tets } = await app.openCube();
@@ -51,7 +51,7 @@ test("a mesh that cannot be drawn is told, and stays to be saved", async ({ page
   await expect(page.getByTestId("download")).toBeEnabled();
 });
 
-test("a mesh that cannot be written is told, and can be once it is possible", async ({ page }) => {
+test("a failure to write a mesh is reported, and the next attempt can succeed", async ({ page }) => {
   const writeScript = /mesh-file-worker-.*\.js$/;
   await page.route(writeScript, (route) => route.abort());
   await new AppPage(page).openCube();
@@ -68,16 +68,14 @@ test("a mesh that cannot be written is told, and can be once it is possible", as
   expect(file.suggestedFilename()).toBe("unit-cube.su2");
 });
 
-test("while a mesh is made nothing moves by itself: every picture costs the mesher time", async ({
-  page,
-}) => {
+test("nothing is animated during a run, because every frame costs the mesher time", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.evaluate(() => {
     const moving: number[] = [];
     const status = document.querySelector("[data-testid=status]");
     const look = (): void => {
-      // What is to move begins to when the layout is made.
+      // Force a layout: animations begin with it.
       status?.getBoundingClientRect();
       moving.push(document.getAnimations().length);
     };
@@ -96,7 +94,7 @@ test("while a mesh is made nothing moves by itself: every picture costs the mesh
   expect(Math.max(...moving)).toBe(0);
 });
 
-test("a project with a large background grid is read and written by a worker, and comes back whole", async ({
+test("a worker reads and writes a project with a large background grid without changing it", async ({
   page,
 }) => {
   const cube = sampleProject("unit-cube");
@@ -122,7 +120,7 @@ test("a project with a large background grid is read and written by a worker, an
   await expect(dialog).toContainText("could not be loaded");
 });
 
-/** A grid of n × n × n cubes around the unit cube, of six tetrahedra each. */
+/** Returns a background grid of n × n × n cubes around the unit cube, with six tetrahedra each. */
 function blockGrid(n: number): Project["background"] {
   const { points, tetrahedra } = gridMesh(n);
   const at = (node: number, axis: number): number => -0.1 + (1.2 * (points[3 * node + axis] ?? 0)) / n;

@@ -1,7 +1,7 @@
 import { expect, test } from "@playwright/test";
 import { AppPage } from "./app-page";
 
-test("on a phone the panels are drawers and everything needed is in reach", async ({ page }) => {
+test("on a phone the panels are drawers, and everything needed can be reached", async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   const app = new AppPage(page);
   await app.open();
@@ -29,7 +29,7 @@ test("on a phone the panels are drawers and everything needed is in reach", asyn
   await expect(page.getByRole("dialog")).toBeHidden();
 });
 
-test("on a phone every menu opens in place, whole and in reach", async ({ page }) => {
+test("on a phone every menu opens in place, and all its items can be reached", async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   const app = new AppPage(page);
   await app.openCube();
@@ -48,7 +48,7 @@ test("on a phone every menu opens in place, whole and in reach", async ({ page }
   await expect(menu.getByRole("group")).toHaveCount(1);
 });
 
-test("the header fits at every width, idle and meshing", async ({ page }) => {
+test("the header fits at every width, both idle and during a run", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const overflow = () =>
@@ -80,7 +80,7 @@ test("the header fits at every width, idle and meshing", async ({ page }) => {
 });
 
 for (const scheme of ["light", "dark"] as const) {
-  test(`without a choice the page is ${scheme} where the system is`, async ({ page }) => {
+  test(`by default the page is ${scheme} if the system is`, async ({ page }) => {
     await page.emulateMedia({ colorScheme: scheme });
     await page.goto("./?test=1");
     await expect(page.locator("html")).toHaveAttribute("data-mantine-color-scheme", scheme);
@@ -105,7 +105,7 @@ test("below 1100 pixels the side panels make room for the view", async ({ page }
   expect((await app.mesh()).tets).toBeGreaterThan(1000);
 });
 
-test("panels are resized by keys and by dragging", async ({ page }) => {
+test("panels can be resized with the keyboard and by dragging", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const before = await app.viewport.boundingBox();
@@ -115,7 +115,7 @@ test("panels are resized by keys and by dragging", async ({ page }) => {
   await expect.poll(async () => (await app.viewport.boundingBox())?.width).toBeLessThan(before?.width ?? 0);
 });
 
-test("a part of the app that cannot be loaded is told, and the rest goes on", async ({ page }) => {
+test("a part of the app that cannot be loaded is reported, and the rest keeps working", async ({ page }) => {
   await page.route(/later-panels-.*\.js$/, (route) => route.abort());
   const app = new AppPage(page);
   const before = await app.openCube();
@@ -126,7 +126,7 @@ test("a part of the app that cannot be loaded is told, and the rest goes on", as
   expect(await app.generate()).toEqual(before);
 });
 
-test("what comes later is there when the network has gone", async ({ page, context }) => {
+test("parts of the app that load later are available offline", async ({ page, context }) => {
   const fetched = page.waitForResponse(/later-panels-.*\.js$/);
   await new AppPage(page).openCube();
   await (await fetched).finished();

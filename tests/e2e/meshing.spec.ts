@@ -2,7 +2,7 @@ import { expect, test } from "@playwright/test";
 import { createMesher } from "tetrafront";
 import { AppPage, sampleProject } from "./app-page";
 
-test("opens on a meshed model and tells its numbers", async ({ page }) => {
+test("the app opens with a meshed model and shows its numbers of elements", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const { tets, fingerprint } = await app.mesh();
@@ -31,7 +31,7 @@ for (const id of ["engine-intake", "square-to-circle", "unit-cube", "vault", "wi
   });
 }
 
-test("moving a point makes the mesh stale, meshing again changes it, undo brings it back", async ({
+test("moving a point makes the mesh stale, meshing again changes it, and undo restores it", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -41,7 +41,7 @@ test("moving a point makes the mesh stale, meshing again changes it, undo brings
   await expect(app.viewport).toHaveAttribute("data-stale", "true");
   await expect(page.getByTestId("mesh-badge")).toContainText("Out of date");
   await expect(page.getByTestId("saved-state")).toHaveText("unsaved changes");
-  // Moving one corner of a cube leaves three of its faces without a plane: make them Coons patches.
+  // Moving one corner of a cube makes three faces non-planar: change them to Coons patches.
   for (const patch of [2, 4, 6]) {
     await app.select(`patch-${patch}`);
     await page.getByTestId("patch-type").click();
@@ -55,7 +55,7 @@ test("moving a point makes the mesh stale, meshing again changes it, undo brings
     await page.getByTestId("undo").click();
   }
   await page.getByRole("button", { name: "Undo: Move point 7" }).click();
-  // The old mesh is still at hand: no second run is needed.
+  // The app has kept the old mesh: no second run is needed.
   expect(await app.meshed()).toEqual(before);
   await page.getByTestId("redo").click();
   await expect(app.viewport).toHaveAttribute("data-stale", "true");
@@ -70,20 +70,20 @@ test("a smaller size in the background grid gives more tetrahedra", async ({ pag
   expect(finer.tets).toBeGreaterThan(1.5 * before.tets);
 });
 
-test("the arrow keys step a number, and holding them is one step of undo", async ({ page }) => {
+test("the arrow keys step a number, and a held key is one step of undo", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await app.select("background-node-1");
   const size = page.getByTestId("node-size");
   await size.focus();
-  // Each key comes 0.7 s after the one before, as on a slow page: later than edits merge by themselves.
+  // Delay each key by 0.7 s, as on a slow page: other edits that far apart in time are not merged.
   await page.evaluate(() => {
     const now = performance.now.bind(performance);
     let delay = 0;
     window.addEventListener("keydown", () => (delay += 700), { capture: true });
     performance.now = () => now() + delay;
   });
-  // Down three times without a release between: the second and third are the repeats of a key that is held.
+  // Press the key three times without releasing it: the second and third press count as repeats of a held key.
   for (const value of ["0.15", "0.14", "0.13"]) {
     await page.keyboard.down("ArrowDown");
     await expect(size).toHaveValue(value);

@@ -1,4 +1,7 @@
-/** The packed package in a browser: on a plain page, bundled by Vite, webpack and esbuild, and with React and three.js. */
+/**
+ * Tests the packed package in a browser: on a plain page, bundled by Vite, webpack and esbuild, and with React and
+ * three.js.
+ */
 import { execFileSync } from "node:child_process";
 import { copyFileSync, createReadStream, existsSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { createServer, type Server } from "node:http";
@@ -29,7 +32,10 @@ test.beforeAll(() => {
 test.afterAll(() => fresh.dispose());
 test.afterEach(() => server?.close());
 
-/** Serves a folder with a header that allows no more than it says, but not this file; resolves with the page's address. */
+/**
+ * Serves a folder, except the file `missing`, with this Content-Security-Policy; resolves with the address of the
+ * page.
+ */
 async function served(folder: string, policy: string, missing?: string): Promise<string> {
   const started = createServer((request, response) => {
     const name = new URL(request.url ?? "/", "http://localhost").pathname;
@@ -68,13 +74,13 @@ async function expectBoxMeshed(page: Page, address: string): Promise<void> {
   expect(engines.length).toBeLessThanOrEqual(1);
 }
 
-test("a plain page needs no bundler and no more than a strict policy", async ({ page }) => {
+test("the package works on a plain page without a bundler, under a strict Content-Security-Policy", async ({
+  page,
+}) => {
   await expectBoxMeshed(page, await served(fresh.example("page"), STRICT));
 });
 
-test("the engine is fetched once, by however many meshers, and by those that start again", async ({
-  page,
-}) => {
+test("the engine is fetched once for any number of meshers and replaced workers", async ({ page }) => {
   const folder = path.join(fresh.folder, "page");
   if (!existsSync(folder)) fresh.example("page");
   writeFileSync(path.join(folder, "many.html"), '<script type="module" src="many.js"></script>');
@@ -86,7 +92,7 @@ test("the engine is fetched once, by however many meshers, and by those that sta
   expect(fetched.filter((name) => name === "engine.wasm")).toHaveLength(1);
 });
 
-/** Two that start together, a third one later, and a worker that is replaced in the middle of what it does. */
+/** Starts two meshers together and a third one later, whose worker is then replaced during a call. */
 const MANY_MESHERS = `import { createMesher } from "./node_modules/tetrafront/dist/page/tetrafront.js";
 const [one, two] = await Promise.all([createMesher(), createMesher()]);
 const three = await createMesher();
@@ -101,7 +107,7 @@ const said = await given;
 const inspected = await Promise.all([one, two, three].map((mesher) => mesher.inspectSurface(tetrahedron)));
 document.title = [report.status, said, ...inspected.map(({ isClosed }) => isClosed)].join(" ");`;
 
-test.describe("a mesher that cannot be loaded tells where it looked, why and what to do", () => {
+test.describe("createMesher rejects with the address, the reason and a remedy", () => {
   const FAILING = `import { createMesher } from "MODULE";
 createMesher().catch(({ name, code, message }) => { document.title = [name, code, message].join(" | "); });`;
   for (const [what, missing, policy, told] of [
@@ -131,13 +137,13 @@ createMesher().catch(({ name, code, message }) => { document.title = [name, code
       /engine\.wasm: .*Serve/,
     ],
     [
-      "the scripts are another site's",
+      "the scripts come from another site",
       "nothing",
       `${STRICT} *`,
       /worker cannot be loaded: SecurityError.*Serve/,
     ],
   ] as const) {
-    test(`where ${what}`, async ({ page }) => {
+    test(`if ${what}`, async ({ page }) => {
       const folder = path.join(fresh.folder, "page");
       if (!existsSync(folder)) fresh.example("page");
       writeFileSync(path.join(folder, "failing.html"), '<script type="module" src="failing.js"></script>');
@@ -154,13 +160,13 @@ createMesher().catch(({ name, code, message }) => { document.title = [name, code
   }
 });
 
-test("Vite bundles it", async ({ page }) => {
+test("Vite bundles the package", async ({ page }) => {
   const folder = fresh.example("vite");
   execFileSync(process.execPath, [bin("vite"), "build", "--logLevel", "warn"], { cwd: folder });
   await expectBoxMeshed(page, await served(path.join(folder, "dist"), STRICT));
 });
 
-test("webpack bundles it", async ({ page }) => {
+test("webpack bundles the package", async ({ page }) => {
   test.slow();
   const folder = fresh.example("webpack");
   const file = pathToFileURL(path.join(folder, "webpack.config.js")).href;
@@ -175,7 +181,9 @@ test("webpack bundles it", async ({ page }) => {
   await expectBoxMeshed(page, await served(folder, STRICT));
 });
 
-test("esbuild bundles it, with the worker as an entry of its own and the engine copied", async ({ page }) => {
+test("esbuild bundles the package, with the worker as a separate entry and the engine copied", async ({
+  page,
+}) => {
   const folder = path.join(fresh.folder, "vite");
   const target = path.join(fresh.folder, "bundled");
   if (!existsSync(folder)) fresh.example("vite");
@@ -188,7 +196,7 @@ test("esbuild bundles it, with the worker as an entry of its own and the engine 
   await expectBoxMeshed(page, await served(target, STRICT));
 });
 
-test("React and three.js show the elements inside", async ({ page }) => {
+test("the example with React and three.js shows the elements inside", async ({ page }) => {
   const folder = fresh.example("react-three");
   execFileSync(process.execPath, [bin("vite"), "build", "--logLevel", "warn"], { cwd: folder });
   const styled = `${STRICT}; style-src 'unsafe-inline'; img-src 'self' blob: data:`;

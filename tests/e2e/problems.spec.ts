@@ -2,7 +2,7 @@ import { expect, test } from "@playwright/test";
 import type { Project } from "tetrafront";
 import { AppPage, countOrange, nextFrame, sampleProject } from "./app-page";
 
-test("a broken model is explained beside the entity, in the view and in the list", async ({ page }) => {
+test("a problem of a model is shown in the inspector, in the view and in the list", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.openCube();
   await app.select("point-7");
@@ -17,7 +17,7 @@ test("a broken model is explained beside the entity, in the view and in the list
   await page.getByTestId("generate").click();
   await expect(page.getByTestId("status")).toContainText("The model has errors");
   await expect(page.getByTestId("problem-0")).toBeVisible();
-  // The last mesh stays, marked as out of date.
+  // The last mesh is still shown, as out of date.
   await expect(app.viewport).toHaveAttribute("data-stale", "true");
   expect(await app.mesh()).toEqual(before);
 
@@ -32,7 +32,7 @@ test("a broken model is explained beside the entity, in the view and in the list
   expect(await app.meshed()).toEqual(before);
 });
 
-test("a surface left open is told at once", async ({ page }) => {
+test("an open surface is reported immediately", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.openCube();
   await app.select("patch-2");
@@ -44,7 +44,7 @@ test("a surface left open is told at once", async ({ page }) => {
   expect(await app.meshed()).toEqual(before);
 });
 
-test("a value that cannot be taken stays in its field with the reason", async ({ page }) => {
+test("an invalid value stays in its field, with the reason", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await app.select("background-node-1");
@@ -58,7 +58,7 @@ test("a value that cannot be taken stays in its field with the reason", async ({
   await expect(page.getByText("Enter a number, such as 0.25 or 1/3")).toBeVisible();
 });
 
-test("deleting a point deletes its dependents, and undo brings it all back", async ({ page }) => {
+test("deleting a point deletes its dependents, and undo restores them all", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.openCube();
   await app.select("point-1");
@@ -70,10 +70,12 @@ test("deleting a point deletes its dependents, and undo brings it all back", asy
   expect(await app.meshed()).toEqual(before);
 });
 
-test("each triangle of a boundary that cuts itself is listed with its place, and shown", async ({ page }) => {
+test("each triangle of a self-intersecting boundary is listed with its position and can be shown in the view", async ({
+  page,
+}) => {
   const app = new AppPage(page);
   await app.openCube();
-  // Two patches between the same parabolas, nearer to one another than triangles so coarse can keep apart.
+  // Two patches between the same parabolas, closer together than such coarse triangles can resolve.
   const places = [
     [0, 0, 0],
     [1, 0, 0],
@@ -108,7 +110,7 @@ test("each triangle of a boundary that cuts itself is listed with its place, and
   await nextFrame(app.viewport, () => rows.first().getByRole("button").click());
   await expect(rows.first().getByRole("button")).toHaveAttribute("aria-pressed", "true");
   await expect.poll(async () => (await app.viewport.screenshot()).equals(before)).toBe(false);
-  // The triangle is where it is said to be: in the middle of the view, near the problem's place.
+  // The view is centred near the stated position of the triangle.
   const text = (await rows.first().textContent()) ?? "";
   const place = text.split(" at ")[1]?.split(", ").map(Number);
   const box = await app.viewport.boundingBox();
@@ -122,7 +124,10 @@ test("each triangle of a boundary that cuts itself is listed with its place, and
   expect(Math.abs(y - (box?.height ?? 0) / 2)).toBeLessThan(0.15 * (box?.height ?? 0));
 });
 
-/** A ring of three straight bars with a patch, "gate", across one of them: the same space on both sides. */
+/**
+ * Returns a ring of three straight bars with a patch, "gate", across one of them; the same region lies on both
+ * sides of it.
+ */
 function ringWithGate(): Project {
   const points = [0, 1, 2].flatMap((corner) => {
     const [x = 0, y = 0] = [
@@ -131,7 +136,7 @@ function ringWithGate(): Project {
       [2, 3],
     ][corner] as number[];
     const within = (share: number) => [2 + share * (x - 2), 1 + share * (y - 1)] as const;
-    // Outside and inside, below and above.
+    // Outer and inner, each below and above.
     return [within(1), within(0.4)].flatMap(([u, v]) => [
       [u, v, 0],
       [u, v, 0.8],
@@ -145,7 +150,7 @@ function ringWithGate(): Project {
     return lines.length;
   };
   const loop = (...nodes: number[]) => nodes.map((node, i) => line(node, nodes[(i + 1) % nodes.length] ?? 0));
-  // Points of a corner in order around the bar's section.
+  // Points of a corner in order around the section of the bar.
   const section = (corner: number) => [1, 2, 4, 3].map((k) => 4 * (corner % 3) + k);
   const loops = [0, 1, 2].flatMap((corner) => {
     const [here, there] = [section(corner), section(corner + 1)];
@@ -168,13 +173,13 @@ function ringWithGate(): Project {
   };
 }
 
-test("a sheet that separates nothing is shown where it is, within the body", async ({ page }) => {
+test("a dangling sheet inside a region is highlighted in the view", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   const project = ringWithGate();
   await app.openFile("ring.json", JSON.stringify(project));
   await expect(page.locator("[data-code=dangling-sheet]").first()).toContainText("gate");
-  // The gate stands out: without it the picture has none of the colour of faults.
+  // The gate is highlighted: nothing else in the picture has the colour of problems.
   await page.keyboard.press("f");
   const orange = async (): Promise<number> => countOrange(await app.viewport.screenshot());
   await expect.poll(orange).toBeGreaterThan(100);

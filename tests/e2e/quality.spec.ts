@@ -3,7 +3,7 @@ import { readFile } from "node:fs/promises";
 import { readProject, type MeshReport } from "tetrafront";
 import { AppPage, nextFrame } from "./app-page";
 
-/** The report as the app would download it. */
+/** Downloads the report from the app and returns it. */
 async function reportOf({ page }: AppPage): Promise<MeshReport> {
   await page.getByTestId("download").click();
   const [download] = await Promise.all([
@@ -15,7 +15,7 @@ async function reportOf({ page }: AppPage): Promise<MeshReport> {
 
 const sum = (counts: readonly number[]): number => counts.reduce((total, count) => total + count, 0);
 
-test("the report's figures are on show, of all regions and of each", async ({ page }) => {
+test("the quality report shows the statistics of all regions together and of each", async ({ page }) => {
   const app = new AppPage(page);
   await app.open("light", "core-in-a-shell");
   const { quality, tetrahedra, recovery } = await reportOf(app);
@@ -29,7 +29,7 @@ test("the report's figures are on show, of all regions and of each", async ({ pa
   const rungs = Object.values(recovery).filter((count) => count > 0).length;
   await expect(page.getByTestId("recovery").getByRole("listitem")).toHaveCount(rungs);
 
-  /** What the bars of a chart count, all together. */
+  /** Returns the sum of the counts of a chart's bars. */
   const counted = async (chart: string): Promise<number> => {
     const bars = await page.getByTestId(`chart-${chart}`).getByRole("listitem").all();
     const labels = await Promise.all(bars.map((bar) => bar.getAttribute("aria-label")));
@@ -44,7 +44,7 @@ test("the report's figures are on show, of all regions and of each", async ({ pa
   expect(await counted("edge")).toBe(sum(second?.edge ?? []));
 });
 
-test("each of the worst elements is gone to and marked", async ({ page }) => {
+test("a click on one of the worst elements moves the camera to it and highlights it", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   const { quality } = await reportOf(app);
@@ -66,7 +66,7 @@ test("each of the worst elements is gone to and marked", async ({ page }) => {
         wanted,
       );
     }, place);
-    // The camera has gone there: the element is in the middle of the view.
+    // The camera has moved: the element is in the middle of the view.
     const { x, y } = at as { x: number; y: number };
     expect(Math.abs(x - (box?.width ?? 0) / 2)).toBeLessThan(0.1 * (box?.width ?? 0));
     expect(Math.abs(y - (box?.height ?? 0) / 2)).toBeLessThan(0.1 * (box?.height ?? 0));
@@ -77,7 +77,7 @@ test("each of the worst elements is gone to and marked", async ({ page }) => {
   await expect.poll(async () => (await app.viewport.screenshot()).equals(whole)).toBe(true);
 });
 
-test("the settings of the mesh are obeyed, undone, and kept in the file", async ({ page }) => {
+test("the mesh settings affect the mesh, can be undone, and are saved in the file", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.openCube();
   await page.getByTestId("mesh-settings").locator("summary").click();
@@ -101,7 +101,7 @@ test("the settings of the mesh are obeyed, undone, and kept in the file", async 
   expect(await app.meshed()).toEqual(before);
 });
 
-test("a body within a body is a cavity, or a region if the settings say so", async ({ page }) => {
+test("a closed shell inside a region is a cavity, or a region if the settings say so", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.open("light", "sphere-in-a-box");
   const hollow = await reportOf(app);
@@ -128,7 +128,7 @@ test("one switch measures the whole report of a stretched mesh in the metric or 
   const facts = page.getByTestId("chart-dihedral-facts");
   const worst = page.getByTestId("worst-0");
   await expect(choice.getByRole("radio", { name: "Metric" })).toBeChecked();
-  // The report has no exact extremes in the metric: only the range of the bars.
+  // The report has no exact minimum and maximum in the metric, only the range of the bars.
   await expect(facts).toHaveText(/^all within \d+° to \d+°$/);
   await expect(page.getByRole("heading", { name: "Edge length / target" })).toBeVisible();
   const inMetric = await worst.textContent();

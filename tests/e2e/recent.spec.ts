@@ -19,7 +19,7 @@ async function kept(app: AppPage): Promise<void> {
   await expect(app.viewport).toHaveAttribute("data-autosaved", "true");
 }
 
-test("opening an example keeps unsaved changes: a notice reopens them with their steps of undo", async ({
+test("opening an example keeps a project with unsaved changes; a notice reopens it with its undo steps", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -38,7 +38,7 @@ test("opening an example keeps unsaved changes: a notice reopens them with their
   await expect(page.getByTestId("node-size")).toHaveValue("0.16");
 });
 
-test("a project without changes is left without a word", async ({ page }) => {
+test("leaving a project without changes shows no notice", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await app.openExample("plate-with-hole");
@@ -47,7 +47,7 @@ test("a project without changes is left without a word", async ({ page }) => {
   await expect(dialog).toContainText("No project has been changed yet.");
 });
 
-test("Recent lists changed projects, the last first, opens them and removes them", async ({ page }) => {
+test("Recent lists changed projects, the latest first, and opens and removes them", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   for (const name of ["first", "second"]) {
@@ -69,7 +69,7 @@ test("Recent lists changed projects, the last first, opens them and removes them
   await expect(rows).toHaveText([/^first/]);
 });
 
-test("a reload keeps the project with its steps of undo and redo", async ({ page }) => {
+test("a reload keeps the project with its undo and redo steps", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   for (const name of ["one", "two", "three"]) await renameProject(page, name);
@@ -86,26 +86,26 @@ test("a reload keeps the project with its steps of undo and redo", async ({ page
   await expect(page.getByTestId("undo")).toBeDisabled();
 });
 
-test("an edit survives although the page dies a tenth of a second later", async ({ page, context }) => {
+test("an edit survives if the page crashes 0.1 s later", async ({ page, context }) => {
   const app = new AppPage(page);
   await app.openCube();
   await kept(app);
   const client = await context.newCDPSession(page);
   const crashed = page.waitForEvent("crash");
   await renameProject(page, "edited at the last moment");
-  // A tenth of a second as the page measures it, so that a busy machine does not shorten it.
+  // Measure 0.1 s in the page, so that a busy machine does not shorten it.
   await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 100)));
   client.send("Page.crash").catch(() => undefined);
   await crashed;
   const after = await context.newPage();
   await after.goto("./?test=1");
-  // Without other tabs, a new one continues with the project used last.
+  // If no other tab is open, a new tab continues with the project used last.
   await expect(projectName(after)).toHaveValue("edited at the last moment");
   await after.getByRole("button", { name: "Undo: Rename project" }).click();
   await expect(projectName(after)).toHaveValue("Unit cube");
 });
 
-test("four tabs keep their own projects over a reload, the idle one too", async ({ page, context }) => {
+test("four tabs keep their own projects after a reload, including an idle tab", async ({ page, context }) => {
   const tabs: AppPage[] = [];
   for (const name of ["one", "two", "three", "four"]) {
     const app = new AppPage(tabs.length === 0 ? page : await context.newPage());
@@ -114,7 +114,7 @@ test("four tabs keep their own projects over a reload, the idle one too", async 
     await kept(app);
     tabs.push(app);
   }
-  // The first tab is idle while the others go on.
+  // The first tab is idle during the edits in the others.
   for (const app of tabs.slice(1)) {
     await app.select("background-node-1");
     for (const size of ["0.3", "0.25", "0.2", "0.15"]) await app.type("node-size", size);
@@ -127,7 +127,7 @@ test("four tabs keep their own projects over a reload, the idle one too", async 
   }
 });
 
-test("a new tab does not take over the project of another", async ({ page, context }) => {
+test("a new tab does not open a project that is open in another tab", async ({ page, context }) => {
   const app = new AppPage(page);
   await app.openCube();
   await renameProject(page, "mine");
@@ -139,7 +139,7 @@ test("a new tab does not take over the project of another", async ({ page, conte
   await expect(dialog.getByRole("listitem")).toHaveText([/^mine.*Open now/]);
 });
 
-test("the address decides what is opened, a reload continues with what came of it", async ({ page }) => {
+test("the address selects the project, and a reload keeps the changes to it", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await renameProject(page, "my cube");
@@ -154,7 +154,9 @@ test("the address decides what is opened, a reload continues with what came of i
   await expect(dialog.getByRole("listitem")).toHaveText([/^my plate/, /^my cube/]);
 });
 
-test("a failed autosave is told, tried again and its success shown", async ({ page }) => {
+test("a failed autosave is reported and repeated, and the notice disappears when it succeeds", async ({
+  page,
+}) => {
   const app = new AppPage(page);
   await app.openCube();
   await kept(app);
@@ -177,7 +179,7 @@ test("a failed autosave is told, tried again and its success shown", async ({ pa
   await expect(projectName(page)).toHaveValue("kept in the end");
 });
 
-test("saving never writes a project into the file of another, also after a reload", async ({ page }) => {
+test("saving never writes a project into another project's file, even after a reload", async ({ page }) => {
   const app = new AppPage(page, { filePickers: true });
   await app.openCube();
   const files = () =>
@@ -185,7 +187,7 @@ test("saving never writes a project into the file of another, also after a reloa
       const folder = await navigator.storage.getDirectory();
       const names: Record<string, string> = {};
       for await (const [name, handle] of folder as unknown as AsyncIterable<[string, FileSystemFileHandle]>) {
-        // While a file is being written, a temporary one beside it comes and goes.
+        // Skip temporary files, which exist while a file is written.
         const text = name.endsWith(".json") && (await handle.getFile().then((file) => file.text(), () => null)); // prettier-ignore
         if (text) names[name] = (JSON.parse(text) as { readonly name: string }).name;
       }

@@ -1,7 +1,9 @@
 import { expect, test, type Page } from "@playwright/test";
 import { AppPage, countOrange, nextFrame, sampleProject } from "./app-page";
 
-/** Where an entity is on the screen, by the query that `?test=1` offers; null if out of view. */
+/**
+ * Returns the position of an entity in the view, by the query that `?test=1` provides; null if it is out of view.
+ */
 async function projected(page: Page, kind: string, id: number): Promise<{ x: number; y: number } | null> {
   return page.evaluate(
     ([wantedKind, wantedId]) => {
@@ -15,7 +17,10 @@ async function projected(page: Page, kind: string, id: number): Promise<{ x: num
   );
 }
 
-/** The same in the page, once the view has come to rest: a model just opened is still to be fitted. */
+/**
+ * Returns the position of an entity in the page, once the view no longer moves: a model that was just opened has
+ * yet to be fitted.
+ */
 async function screenPlace(page: Page, kind: string, id: number): Promise<{ x: number; y: number }> {
   const viewport = page.getByTestId("viewport");
   const look = async (): Promise<string> =>
@@ -35,7 +40,7 @@ async function screenPlace(page: Page, kind: string, id: number): Promise<{ x: n
   return { x: box.x + at.x, y: box.y + at.y };
 }
 
-test("draws the mesh, in many colours, and nothing of it when hidden", async ({ page }) => {
+test("the view draws the mesh in many colours, and not at all when it is hidden", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const withMesh = await app.colours();
@@ -45,12 +50,12 @@ test("draws the mesh, in many colours, and nothing of it when hidden", async ({ 
   expect(await app.colours()).toBeLessThan(withMesh / 2);
 });
 
-test("draws only when something has changed", async ({ page }) => {
+test("the view draws only when something has changed", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   await nextFrame(app.viewport, () => page.keyboard.press("7"));
   const frames = () => app.viewport.getAttribute("data-frames");
-  // A running loop would draw in one of two animation frames; a settled view does not.
+  // A running loop would draw in one of two animation frames; an idle view does not.
   const settles = async (): Promise<boolean> => {
     const before = await frames();
     await page.evaluate(
@@ -62,7 +67,9 @@ test("draws only when something has changed", async ({ page }) => {
   expect(await settles()).toBe(true);
 });
 
-test("the pointer over the picture draws nothing, over the view cube it does", async ({ page }) => {
+test("moving the pointer over empty space draws no frame, but over the view cube it does", async ({
+  page,
+}) => {
   const app = new AppPage(page);
   await app.openCube();
   await screenPlace(page, "point", 1);
@@ -79,7 +86,7 @@ test("the pointer over the picture draws nothing, over the view cube it does", a
   await nextFrame(app.viewport, () => page.mouse.move(box.x + box.width - 56, box.y + 56, { steps: 3 }));
 });
 
-test("the cut shows whole tetrahedra inside, on either side and along any axis", async ({ page }) => {
+test("the cut shows whole tetrahedra, on either side of its plane", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const faces = async (): Promise<number> => Number(await app.viewport.getAttribute("data-faces"));
@@ -91,7 +98,7 @@ test("the cut shows whole tetrahedra inside, on either side and along any axis",
   expect((await app.viewport.screenshot()).equals(picture)).toBe(false);
   await page.getByTestId("cut-flip").click();
   await expect.poll(faces).not.toBe(first);
-  // Both parts together show the boundary once and the faces of the cut twice.
+  // Both sides together show the boundary once and the faces of the cut twice.
   const second = await faces();
   expect(first + second).toBeGreaterThan(whole);
   expect((first + second - whole) % 2).toBe(0);
@@ -101,7 +108,9 @@ test("the cut shows whole tetrahedra inside, on either side and along any axis",
   await expect.poll(faces).toBe(whole);
 });
 
-test("a click in the view selects in the tree, and the tree marks in the view", async ({ page }) => {
+test("a click in the view selects the entity in the tree, and the view highlights the tree's selection", async ({
+  page,
+}) => {
   const app = new AppPage(page);
   await app.openCube();
   const corner = await screenPlace(page, "point", 6);
@@ -133,7 +142,7 @@ test("a click on the cut shows the tetrahedron's quality", async ({ page }) => {
 
 type Position = readonly [number, number, number];
 
-/** Direction on the screen from one position to another, in pixels to the right and upwards. */
+/** Returns the direction on the screen from one position to another, in pixels to the right and upwards. */
 async function onScreen(page: Page, from: Position, to: Position): Promise<{ right: number; up: number }> {
   return page.evaluate(
     ([start, end]) => {
@@ -150,7 +159,7 @@ async function onScreen(page: Page, from: Position, to: Position): Promise<{ rig
 
 const cubeCentre: Position = [0.5, 0.5, 0.5];
 
-/** Keys of the standard views: which axis of the model points to the right, and which upwards. */
+/** Keys of the standard views: the axes of the model that point to the right and upwards. */
 const standardViews: Readonly<Record<string, readonly [right: Position, up: Position]>> = {
   "1": [[1, 0, 0], [0, 0, 1]], // prettier-ignore
   "3": [[0, 1, 0], [0, 0, 1]], // prettier-ignore
@@ -160,7 +169,7 @@ const standardViews: Readonly<Record<string, readonly [right: Position, up: Posi
   "Alt+7": [[1, 0, 0], [0, -1, 0]], // prettier-ignore
 };
 
-test("standard views look along the axes", async ({ page }) => {
+test("the standard views look along the axes", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   const towards = async (axis: Position) =>
@@ -173,20 +182,20 @@ test("standard views look along the axes", async ({ page }) => {
     expect(Math.abs(upward.right), key).toBeLessThan(1);
     expect(upward.up, key).toBeGreaterThan(20);
   }
-  // The isometric view: x to the right and down, y to the right and up, z up.
+  // In the isometric view, x points to the right and down, y to the right and up, and z up.
   await nextFrame(app.viewport, () => page.keyboard.press("0"));
   const [x, y, z] = [await towards([1, 0, 0]), await towards([0, 1, 0]), await towards([0, 0, 1])];
   expect(Math.min(x.right, -x.up, y.right, y.up, z.up)).toBeGreaterThan(10);
   expect(Math.abs(z.right)).toBeLessThan(1);
 });
 
-test("keys on the picture rotate, zoom and pan", async ({ page }) => {
+test("keys rotate, zoom and pan the view", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await nextFrame(app.viewport, () => page.keyboard.press("1"));
   await page.getByTestId("viewport-canvas").focus();
   const press = async (key: string): Promise<void> => nextFrame(app.viewport, () => page.keyboard.press(key));
-  /** A position behind the centre, and one beside it. */
+  /** Directions on the screen from the centre to a position behind it and to one beside it. */
   const behind = () => onScreen(page, cubeCentre, [0.5, 0.9, 0.5]);
   const beside = () => onScreen(page, cubeCentre, [0.9, 0.5, 0.5]);
 
@@ -212,7 +221,7 @@ test("keys on the picture rotate, zoom and pan", async ({ page }) => {
   expect(panned?.y).toBeCloseTo(centre?.y ?? 0, 0);
 });
 
-test("a double click fits the view to an entity, and one on nothing to the model", async ({ page }) => {
+test("a double click fits the view to the entity, or to the model if there is none", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await nextFrame(app.viewport, () => page.keyboard.press("1"));
@@ -227,7 +236,9 @@ test("a double click fits the view to an entity, and one on nothing to the model
   await expect.poll(async () => Math.round((await edge()).right)).toBe(Math.round(whole));
 });
 
-test("hover lights up what the pointer rests on, and a drag orbits without selecting", async ({ page }) => {
+test("the entity under the pointer is highlighted, and a drag rotates the view without selecting", async ({
+  page,
+}) => {
   const app = new AppPage(page);
   await app.openCube();
   const corner = await screenPlace(page, "point", 6);
@@ -262,7 +273,7 @@ test("the front is drawn while it advances", async ({ page }) => {
   await expect(app.viewport).not.toHaveAttribute("data-front-drawn");
 });
 
-test("without WebGL the page says so and still meshes", async ({ page }) => {
+test("without WebGL the page reports it and still meshes", async ({ page }) => {
   await page.addInitScript(() => {
     HTMLCanvasElement.prototype.getContext = () => null;
   });
@@ -290,7 +301,9 @@ test("a lost graphics context is reported and restored", async ({ page }) => {
   expect(await app.colours()).toBeGreaterThan(before / 2);
 });
 
-test("regions are told apart by colour, counted, hidden and shown", async ({ page }) => {
+test("regions have different colours, show their numbers of tetrahedra, and can be hidden and shown", async ({
+  page,
+}) => {
   const app = new AppPage(page);
   const { tets } = await app.open("light", "pipe-and-flow");
   const faces = async (): Promise<number> => Number(await app.viewport.getAttribute("data-faces"));
@@ -310,7 +323,7 @@ test("regions are told apart by colour, counted, hidden and shown", async ({ pag
   expect(counts.length).toBeGreaterThan(1);
   expect(counts.reduce((sum, count) => sum + count)).toBe(tets);
 
-  /** What is drawn with the other regions hidden. */
+  /** Returns the number of faces drawn with only this region visible. */
   const alone = async (wanted: number): Promise<number> => {
     for (const [index, entry] of entries.entries()) {
       const hide = index !== wanted;
@@ -322,18 +335,18 @@ test("regions are told apart by colour, counted, hidden and shown", async ({ pag
   };
   const drawn: number[] = [];
   for (const index of entries.keys()) drawn.push(await alone(index));
-  // All of them together show the boundary once and each wall from both sides.
+  // All regions together show the boundary once and each interface from both sides.
   const sum = drawn.reduce((total, count) => total + count);
   expect(Math.min(...drawn)).toBeGreaterThan(0);
   expect(sum).toBeGreaterThan(whole);
   expect((sum - whole) % 2).toBe(0);
-  // The list among the layers is the same.
+  // The list of regions in the display tab does the same.
   await page.getByTestId("display-region-1").click();
   await expect(page.getByTestId("legend-region-1")).toHaveAttribute("aria-pressed", "true");
   await page.keyboard.press("Shift+H");
   await expect.poll(faces).toBe(whole);
 
-  // Where there is one region, there is nothing to tell apart, and nothing stays hidden.
+  // With a single region there is no legend, and no region stays hidden.
   await page.getByTestId("legend-region-1").click();
   await app.openExample("unit-cube");
   await expect(legend).toBeHidden();
