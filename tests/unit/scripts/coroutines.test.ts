@@ -1,4 +1,4 @@
-/** The lint rule that keeps co_await where GCC 12 compiles it right. */
+/** Tests the lint rule that permits co_await only where GCC 12 compiles it correctly. */
 import { describe, expect, test } from "vitest";
 
 import { wrongCoroutines, wrongCoroutinesIn } from "../../../scripts/lib/coroutines.mjs";
@@ -50,7 +50,7 @@ describe("co_await is rejected", () => {
   });
 });
 
-test("co_await in a comment or a text is no code", () => {
+test("co_await in a comment or a string is ignored", () => {
   expect(wrongCoroutinesIn(inTask("use(1);  // use(co_await a)", 'say("use(co_await a)");'))).toEqual([]);
 });
 
@@ -61,12 +61,12 @@ test("a lambda that is a coroutine must not capture", () => {
   ]);
 });
 
-test("modules of hot loops use no coroutines", () => {
+test("modules of hot loops must not use coroutines", () => {
   expect(wrongCoroutinesIn(inTask("co_await work.yield();"), false)).toEqual([
     { line: 2, reason: "no coroutines in this module" },
   ]);
 });
 
-test("the project keeps the rule", () => {
+test("the project follows the rule", () => {
   expect(wrongCoroutines()).toEqual([]);
 });

@@ -1,4 +1,7 @@
-/** The dependency rule of the package: modules import lower modules only, and files do not import each other in cycles. */
+/**
+ * Tests the dependency rule of the package: modules import lower modules only, and files do not import each other
+ * in cycles.
+ */
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";

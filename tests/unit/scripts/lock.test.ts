@@ -1,4 +1,4 @@
-/** What only one process at a time may do. */
+/** Tests the lock for work that only one process at a time may do. */
 import { spawn, spawnSync } from "node:child_process";
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -10,7 +10,7 @@ import { temporaryFolder } from "../../support/temporary-folder.js";
 const { inFolder } = temporaryFolder();
 const lock = fileURLToPath(new URL("../../../scripts/lib/lock.mjs", import.meta.url));
 
-/** Writes its begin and its end, with a while between them in which another could. */
+/** Logs its begin and its end, with a delay between them in which another process could run. */
 const WORKER = `
 import { appendFileSync } from "node:fs";
 import { setTimeout as sleep } from "node:timers/promises";
@@ -27,7 +27,7 @@ function worker(): Promise<number | null> {
   return new Promise((resolve) => spawn(process.execPath, args, { stdio: "inherit" }).on("close", resolve));
 }
 
-test("processes take turns, also where one that died has left its lock", async () => {
+test("processes take turns, even if a dead one has left its lock", async () => {
   writeFileSync(inFolder("lock"), String(spawnSync(process.execPath, ["-e", ""]).pid));
   expect(await Promise.all(Array.from({ length: 4 }, worker))).toEqual([0, 0, 0, 0]);
   expect(readFileSync(inFolder("log"), "utf8")).toBe("begin\nend\n".repeat(4));

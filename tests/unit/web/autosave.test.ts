@@ -8,7 +8,7 @@ import { MemoryStorage } from "./storage-doubles";
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());
 
-/** Longer than an edit waits for its writing. */
+/** Milliseconds; longer than the delay between an edit and its write. */
 const shortly = 50;
 
 function following() {
@@ -30,7 +30,7 @@ function fakePage(autosave: Autosave) {
 }
 
 describe("autosave", () => {
-  it("writes a document when it is opened, and again within a few milliseconds of each edit", async () => {
+  it("writes a document when it is opened, and within a few milliseconds after each edit", async () => {
     const { documents, autosave, keptName } = following();
     await vi.advanceTimersByTimeAsync(shortly);
     expect(keptName()).toBe("Unit cube");
@@ -44,7 +44,7 @@ describe("autosave", () => {
     expect(keptName()).toBe("Unit cube");
   });
 
-  it("writes a burst of edits once, and does not wait for its end", async () => {
+  it("writes a burst of edits once, without waiting for its end", async () => {
     const { documents, storage, keptName } = following();
     await vi.advanceTimersByTimeAsync(shortly);
     const before = storage.writes;
@@ -58,7 +58,7 @@ describe("autosave", () => {
     expect(keptName()).not.toBe("name 9");
   });
 
-  it("is as quick after a write to a slow disk", async () => {
+  it("writes as quickly after a slow write", async () => {
     const { documents, storage, keptName } = following();
     storage.latency = 400;
     await vi.advanceTimersByTimeAsync(2 * storage.latency);
@@ -74,7 +74,7 @@ describe("autosave", () => {
     documents.edit(renameProject("last edit"));
     const before = storage.writes;
     window.dispatchEvent(new Event(event, { cancelable: true }));
-    // A page that is being left runs no timers any more.
+    // A page that is being left runs no timers.
     expect(storage.writes).toBe(before + 1);
     expect(keptName()).toBe("last edit");
     stop();
@@ -95,7 +95,7 @@ describe("autosave", () => {
     expect(keptName()).toBe("last edit");
   });
 
-  it("warns of leaving only while a change is not written", async () => {
+  it("warns when the user leaves the page only if a change is not yet written", async () => {
     const { documents, autosave } = following();
     await vi.advanceTimersByTimeAsync(shortly);
     const { window } = fakePage(autosave);
@@ -107,7 +107,7 @@ describe("autosave", () => {
     expect(leave()).toBe(false);
   });
 
-  it("says when the storage fails, tries again by itself and says when it has succeeded", async () => {
+  it("reports a failure of the storage, retries by itself and reports the success", async () => {
     const { documents, storage, autosave, keptName } = following();
     await vi.advanceTimersByTimeAsync(shortly);
     storage.failure = "no space";
@@ -125,7 +125,7 @@ describe("autosave", () => {
     expect(autosave.state.getState()).toEqual({ pending: false, failure: null });
   });
 
-  it("keeps a document in its queue that is not open any more, until the storage works again", async () => {
+  it("keeps a document that is no longer open in its queue until the storage works again", async () => {
     const { documents, storage, keptName } = following();
     await vi.advanceTimersByTimeAsync(shortly);
     storage.failure = "no space";
@@ -152,7 +152,7 @@ describe("autosave", () => {
     expect(keptName()).toBe("newer");
   });
 
-  it("writes a gesture when it ends, and nothing of one that is cancelled", async () => {
+  it("writes a gesture when it ends, but not a cancelled one", async () => {
     const { documents, storage } = following();
     await vi.advanceTimersByTimeAsync(shortly);
     const before = storage.writes;
@@ -171,7 +171,7 @@ describe("autosave", () => {
     expect(storage.writes).toBe(before + 1);
   });
 
-  it("lists a document from its first change on", async () => {
+  it("lists a document after its first change", async () => {
     const { documents, storage } = following();
     await vi.advanceTimersByTimeAsync(shortly);
     expect(await storage.list()).toEqual([]);

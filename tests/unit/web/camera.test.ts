@@ -4,7 +4,10 @@ import { fitDistance } from "../../../web/viewer/camera";
 
 const fieldOfView = 32;
 
-/** How far the corners of a box reach, as a share of the half width or half height of the view; the larger one. */
+/**
+ * Returns the largest distance of a box's corners from the centre of the view, as a fraction of its half width or
+ * half height.
+ */
 function reach(low: Vector3, high: Vector3, azimuth: number, polar: number, aspect: number): number {
   const centre = new Vector3().addVectors(low, high).multiplyScalar(0.5);
   const camera = new PerspectiveCamera(fieldOfView, aspect, 0.01, 1e6);
@@ -23,7 +26,7 @@ function reach(low: Vector3, high: Vector3, azimuth: number, polar: number, aspe
   return Math.max(...reaches);
 }
 
-it("fits boxes of any shape from any direction into views of any shape", () => {
+it("the fit distance fits boxes of any shape from any direction into views of any shape", () => {
   for (const [x, y, z] of [
     [1, 1, 1],
     [10, 1, 0.1],
@@ -37,7 +40,7 @@ it("fits boxes of any shape from any direction into views of any shape", () => {
         for (const aspect of [0.5, 1.6]) {
           const share = reach(low, high, azimuth, polar, aspect);
           expect(share).toBeLessThan(1);
-          // The margin is 6 % of the model's size, a little less of the view's.
+          // The margin is 6 % of the model's size, which is slightly less of the view's.
           expect(share).toBeGreaterThan(0.85);
         }
       }
@@ -45,7 +48,7 @@ it("fits boxes of any shape from any direction into views of any shape", () => {
   }
 });
 
-it("does not depend on where the box is, and grows with it", () => {
+it("the fit distance is proportional to the size of the box and independent of its position", () => {
   const at = (offset: number, size: number): number =>
     fitDistance(new Vector3(offset, 0, 0), new Vector3(offset + size, size, size), 0.6, 1.1, 1.5);
   expect(at(100, 2)).toBeCloseTo(at(0, 2));

@@ -11,7 +11,7 @@ import { cubeProject } from "../../support/projects";
 import { MemoryLocks, MemoryStorage, MemoryTab } from "./storage-doubles";
 
 const saved: { readonly name: string; readonly file: string | undefined }[] = [];
-/** Last change of each file on the disk, by name. */
+/** Time of the last change of each file on the disk, by name. */
 const disk = new Map<string, number>();
 let chosenFile = "chosen.json";
 
@@ -57,10 +57,10 @@ beforeEach(() => {
     "Worker",
     class {
       postMessage(): void {
-        // Nothing answers.
+        // Never answers.
       }
       terminate(): void {
-        // Nothing runs.
+        // There is no worker to end.
       }
     },
   );
@@ -70,7 +70,7 @@ beforeEach(() => {
 afterEach(() => void vi.unstubAllGlobals());
 
 describe("the commands", () => {
-  it("have one id and different keys each", () => {
+  it("have unique ids and keys", () => {
     const ids = commands.map(({ id }) => id);
     expect(new Set(ids).size).toBe(ids.length);
     const keys = commands.flatMap((command) => command.keys.map((key) => key.toLowerCase()));
@@ -79,7 +79,7 @@ describe("the commands", () => {
     expect(() => commandNamed("none")).toThrow('There is no command "none"');
   });
 
-  it("that work in text fields have a modifier or are no character", () => {
+  it("have no plain characters as keys if they work in text fields", () => {
     for (const { keys, inFields } of commands) {
       if (inFields) for (const key of keys) expect(key).toMatch(/^mod\+|Escape$/);
     }
@@ -119,7 +119,7 @@ describe("the commands", () => {
     expect(keyNames("Escape")).toEqual(["Esc"]);
   });
 
-  it("delete what is selected with what is built on it, and select nothing", () => {
+  it("delete the selection with its dependents, and then select nothing", () => {
     const { app, run } = openApp();
     app.view.selectAll([{ kind: "point", id: 1 }]);
     run("delete");
@@ -129,7 +129,7 @@ describe("the commands", () => {
 });
 
 describe("opening another project", () => {
-  it("offers to reopen one with changes that no file holds, with all its steps of undo", async () => {
+  it("offers to reopen a project with unsaved changes, with all its undo steps", async () => {
     const { app } = openApp();
     app.documents.edit(moveEntity("point", 1, 0, -2));
     app.documents.edit(renameProject("changed"));
@@ -143,7 +143,7 @@ describe("opening another project", () => {
     expect(labels(app)).toEqual(["Move point 1", "Rename project"]);
   });
 
-  it("says nothing of a project without changes, and does not keep it", async () => {
+  it("neither keeps a project without changes nor shows a notice", async () => {
     const { app, storage } = openApp();
     await app.autosave?.flush();
     const { id } = app.documents.state.getState();
@@ -154,7 +154,7 @@ describe("opening another project", () => {
     expect(storage.documents.has(id)).toBe(false);
   });
 
-  it("keeps every changed project for Recent, whichever is opened next", async () => {
+  it("keeps every changed project for Recent, whatever is opened next", async () => {
     const { app, storage } = openApp();
     for (const name of ["one", "two", "three"]) {
       app.documents.edit(renameProject(name));
@@ -168,7 +168,7 @@ describe("opening another project", () => {
     expect(labels(app)).toEqual(["Rename project"]);
   });
 
-  it("refuses a project that another tab has open", async () => {
+  it("rejects a project that is open in another tab", async () => {
     const { app, storage, locks } = openApp();
     const other = openApp(storage, locks).app;
     other.documents.edit(renameProject("elsewhere"));
@@ -180,7 +180,7 @@ describe("opening another project", () => {
 });
 
 describe("saving", () => {
-  it("never writes a project into the file of another", async () => {
+  it("never writes a project into another project's file", async () => {
     const { app } = openApp();
     chosenFile = "a.json";
     await save(app, true);
@@ -196,7 +196,7 @@ describe("saving", () => {
     expect(saved.at(-1)).toEqual({ name: "B", file: "b.json" });
   });
 
-  it("goes to the file of a document that is reopened", async () => {
+  it("writes a reopened document to its own file", async () => {
     const { app } = openApp();
     chosenFile = "a.json";
     await save(app, true);
@@ -218,7 +218,7 @@ describe("saving", () => {
     expect(saved.at(-1)).toEqual({ name: "A", file: undefined });
   });
 
-  it("marks what was written as saved, not what was edited meanwhile", async () => {
+  it("marks the written state as saved, but not later edits", async () => {
     const { app } = openApp();
     const saving = save(app, true);
     app.documents.edit(renameProject("edited meanwhile"));
@@ -230,7 +230,7 @@ describe("saving", () => {
 });
 
 describe("two apps on one page", () => {
-  it("have documents, selections and steps of undo of their own", () => {
+  it("have separate documents, selections and undo steps", () => {
     const [first, second] = [openApp().app, openApp().app];
     first.documents.edit(renameProject("first"));
     first.view.selectAll([{ kind: "point", id: 1 }]);

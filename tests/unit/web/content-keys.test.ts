@@ -25,7 +25,7 @@ const withLoosePoint = edited(cube, addPoint(cube, [0.25, 0.5, 7]).edit);
 const loose = withLoosePoint.points.at(-1)?.id ?? 0;
 
 describe("the key of a mesh", () => {
-  it("ignores names and points that no line uses, which a file holds", () => {
+  it("ignores names and unused points, unlike the key of the document", () => {
     const harmless: readonly (readonly [string, Project])[] = [
       ["the name of the project", edited(cube, renameProject("renamed"))],
       ["the name of a point", edited(cube, renameEntity({ kind: "point", id: 1 }, "corner"))],
@@ -40,7 +40,7 @@ describe("the key of a mesh", () => {
     }
   });
 
-  it("changes with everything that a mesh depends on", () => {
+  it("differs if anything differs that affects the mesh", () => {
     const projects = [
       cube,
       edited(cube, moveEntity("point", 1, 0, -1)),
@@ -55,7 +55,7 @@ describe("the key of a mesh", () => {
     expect(new Set(projects.map(documentKey)).size).toBe(projects.length);
   });
 
-  it("counts a point as soon as a line uses it", () => {
+  it("depends on a point as soon as a line uses it", () => {
     const [line] = withLoosePoint.lines;
     const used = {
       ...withLoosePoint,
@@ -64,7 +64,7 @@ describe("the key of a mesh", () => {
     expect(meshKey(edited(used, moveEntity("point", loose, 0, -5)))).not.toBe(meshKey(used));
   });
 
-  it("is right to ignore loose points: the mesh is the same", async () => {
+  it("may ignore unused points, because they do not change the mesh", async () => {
     const mesher = await createMesher();
     const fingerprints: string[] = [];
     for (const project of [cube, withLoosePoint]) {

@@ -16,7 +16,7 @@ import { cubeProject } from "../../support/projects";
 
 const lines = (...ids: number[]): Entity[] => ids.map((id) => ({ kind: "line", id }));
 
-/** Do the steps of a loop follow one another, and does it close? */
+/** Returns whether the steps of a loop are connected and the loop is closed. */
 function isClosed(project: Project, loop: readonly number[]): boolean {
   const ends = loop.map((step) => {
     const points = project.lines.find(({ id }) => id === Math.abs(step))?.points ?? [];
@@ -26,7 +26,9 @@ function isClosed(project: Project, loop: readonly number[]): boolean {
   return ends.every(([, end], i) => end === ends[(i + 1) % ends.length]?.[0]);
 }
 
-/** Two square rims, drawn one way round (1) or the other (-1), as lines 2 and 3, and line 1 between them. */
+/**
+ * Two square rims as lines 2 and 3, drawn in the positive (1) or negative (-1) direction, and line 1 between them.
+ */
 function tubeLines(rims: readonly [number, number], seam: readonly [number, number]): Project {
   const corners = [0, 1].flatMap(
     (z) =>
@@ -57,7 +59,7 @@ describe("orderLoops", () => {
   const project = cubeProject();
   const loops = project.patches.map((patch) => patch.loops[0] ?? []);
 
-  it("closes the sides of every face, in whatever order they come", () => {
+  it("closes the lines of every face, in whatever order they are given", () => {
     for (const loop of loops) {
       for (let turn = 0; turn < loop.length; ++turn) {
         const mixed = [...loop.slice(turn), ...loop.slice(0, turn)].map(Math.abs).reverse();
@@ -71,7 +73,7 @@ describe("orderLoops", () => {
     }
   });
 
-  it("finds several loops, and says where lines do not close", () => {
+  it("finds several loops, and reports where lines do not close", () => {
     const [first = [], ...others] = loops;
     const opposite = others.find((loop) =>
       loop.every((step) => !first.map(Math.abs).includes(Math.abs(step))),
@@ -87,7 +89,7 @@ describe("orderLoops", () => {
     expect(!crowded.success && crowded.reason).toMatch(/^3 of the lines end at point \d/);
   });
 
-  it("makes one loop of a tube's rims and its seam, however they are drawn", () => {
+  it("connects the rims of a tube and its seam to one loop, whatever their directions", () => {
     for (const [rims, seam] of [
       [
         [1, 1],
@@ -111,7 +113,7 @@ describe("orderLoops", () => {
       expect(loop.filter((step) => Math.abs(step) === 3)).toHaveLength(1);
       expect(loop.filter((step) => Math.abs(step) === 2)).toHaveLength(1);
       expect(loop.filter((step) => Math.abs(step) === 1).sort()).toEqual([-1, 1]);
-      // The rims are walked against each other, whichever way each was drawn.
+      // The loop follows the rims in opposite directions, whatever their own.
       const turns = loop
         .filter((step) => Math.abs(step) > 1)
         .map((step) => Math.sign(step) * (rims[Math.abs(step) - 2] ?? 0));
@@ -119,7 +121,7 @@ describe("orderLoops", () => {
     }
   });
 
-  it("turns any line of a loop into the second", () => {
+  it("rotates a loop so that any of its lines becomes the second", () => {
     const loop = [4, -7, 9];
     for (const position of [0, 1, 2]) {
       const turned = rotateToSecond(loop, position);
@@ -132,7 +134,7 @@ describe("orderLoops", () => {
 describe("creations", () => {
   const project = cubeProject();
 
-  it("leave a readable project, are undone, and use new ids", () => {
+  it("use new ids, leave a valid project, and can be undone", () => {
     const point = addPoint(project, [5, 6, 7]);
     const ids = project.points.map(({ id }) => id);
     const documents = new DocumentStore(project, () => 0);
@@ -153,7 +155,7 @@ describe("creations", () => {
     expect(documents.project).toEqual(project);
   });
 
-  it("take the points in the order of the selection", () => {
+  it("use the points in the order of the selection", () => {
     const points: Entity[] = [5, 2, 7, 1].map((id) => ({ kind: "point", id }));
     const chain = offerLine(project, points, "straight");
     const spline = offerLine(project, points, "spline");
@@ -167,7 +169,7 @@ describe("creations", () => {
     expect(offerLine(project, points, "parabolic").possible).toBe(false);
   });
 
-  it("say why they are refused", () => {
+  it("state why they are impossible", () => {
     const face = project.patches[0]?.loops[0]?.map(Math.abs) ?? [];
     const triangle = offerPatch(project, lines(...face), "barnhill-gregory-nielson");
     expect(!triangle.possible && triangle.reason).toBe("Needs three lines; found 4 lines.");
@@ -181,7 +183,7 @@ describe("creations", () => {
     expect(offerTetrahedron(project, nodes.slice(1)).possible).toBe(false);
   });
 
-  it("guess the type from the shape", () => {
+  it("choose the type of a patch by its shape", () => {
     const [loop = []] = project.patches[0]?.loops ?? [];
     expect(likelyPatchType(project, [loop])).toBe("planar");
     const bent = {

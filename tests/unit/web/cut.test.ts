@@ -13,7 +13,7 @@ import { gridMesh } from "./grid-mesh";
 const nodesOfFace = ({ tetrahedra }: VolumeMesh, face: number): number[] =>
   [0, 1, 2].map((k) => tetrahedra[(face & ~3) + (faceNodes[3 * (face & 3) + k] ?? 0)] ?? 0);
 
-/** Faces that belong to one of the given tetrahedra only, found by comparing all with all. */
+/** Returns the faces that belong to exactly one of the given tetrahedra, found independently by counting. */
 function lonelyFaces(mesh: VolumeMesh, kept: readonly number[]): string[] {
   const seen = new Map<string, number>();
   for (const t of kept) {
@@ -27,7 +27,7 @@ function lonelyFaces(mesh: VolumeMesh, kept: readonly number[]): string[] {
   return [...seen].filter(([, count]) => count === 1).map(([key]) => key);
 }
 
-/** Volume enclosed by triangles, by the divergence theorem: positive if they face outward. */
+/** Returns the volume enclosed by triangles, by the divergence theorem; positive if they face outward. */
 function enclosed(corners: Float32Array): number {
   let sum = 0;
   for (let i = 0; i < corners.length; i += 9) {
@@ -44,7 +44,7 @@ const mesh = gridMesh(4);
 const neighbours = findNeighbours(mesh.tetrahedra);
 
 describe("findNeighbours", () => {
-  it("is mutual, and pairs faces of equal nodes", () => {
+  it("pairs faces with the same nodes, in both directions", () => {
     let boundary = 0;
     neighbours.forEach((other, face) => {
       if (other < 0) return ++boundary;
@@ -57,8 +57,8 @@ describe("findNeighbours", () => {
     expect(boundary).toBe(6 * 4 * 4 * 2);
   });
 
-  it("finds the faces around a node of a hundred thousand tetrahedra, wherever it comes in the order", () => {
-    // Around an axis: each element has both of its ends and two nodes of a ring.
+  it("pairs the faces at two nodes shared by a hundred thousand tetrahedra, whatever their indices", () => {
+    // A ring of elements around an axis: each contains both of its ends and two nodes of a ring.
     const ring = 100_000;
     for (const [low, high] of [
       [0, 1],
@@ -85,7 +85,7 @@ describe("collectVisibleFaces", () => {
   for (const axis of ["x", "y", "z"] as const) {
     for (const above of [false, true]) {
       for (const limit of [-1, 0.3, 1.7, 2, 3.6, 9]) {
-        it(`shows the skin of the kept tetrahedra: ${axis} ${above ? "above" : "below"} ${limit}`, () => {
+        it(`returns the boundary of the visible tetrahedra: ${axis} ${above ? "above" : "below"} ${limit}`, () => {
           const centroids = centroidsAlong(mesh, axis);
           const faces = new Uint32Array(neighbours.length);
           const hidden = new Uint8Array(centroids.length);
@@ -117,20 +117,20 @@ describe("qualityOf", () => {
     front: new Uint32Array(),
   });
 
-  it("is best for the regular tetrahedron, whatever its place and size", () => {
+  it("is best for the regular tetrahedron, at any position and size", () => {
     const regular = [1, 1, 1, -1, 1, -1, 1, -1, -1, -1, -1, 1].map((x) => 7 + 0.01 * x);
     expect(qualityOf(single(regular), "radius-ratio", 0)).toBeCloseTo(1, 6);
     expect(qualityOf(single(regular), "dihedral", 0)).toBeCloseTo(70.528779, 4);
   });
 
-  it("matches the values known for the corner of a cube", () => {
+  it("matches the known values for the corner of a cube", () => {
     const corner = single([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]);
     // Inradius 1 / (3 + √3), circumradius √3 / 2; the slanted face meets the others at 54.7356°.
     expect(qualityOf(corner, "radius-ratio", 0)).toBeCloseTo(6 / ((3 + Math.sqrt(3)) * Math.sqrt(3)), 6);
     expect(qualityOf(corner, "dihedral", 0)).toBeCloseTo(54.73561, 4);
   });
 
-  it("is nearly zero for a sliver, and the histogram counts every tetrahedron", () => {
+  it("is nearly zero for a sliver; the histogram counts every tetrahedron", () => {
     const sliver = single([0, 0, 0, 1, 1, 0, 1, 0, 1e-4, 0, 1, 1e-4]);
     expect(qualityOf(sliver, "dihedral", 0)).toBeLessThan(0.1);
     const { bars, min, mean } = histogramOf(qualitiesOf(mesh, "radius-ratio"), "radius-ratio", 10);

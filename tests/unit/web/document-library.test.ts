@@ -18,7 +18,7 @@ function browser() {
     await storage.write(document);
     return document.id;
   };
-  /** The tab is gone; its memory stays if it is reloaded. */
+  /** Closes the tab. Its memory remains for a reload. */
   const close = ({ memory }: { readonly memory: MemoryTab }): void => void locks.held.delete(memory.id ?? "");
   return { storage, locks, openTab, keep, close };
 }
@@ -27,7 +27,7 @@ const nameOf = (opened: Awaited<ReturnType<DocumentLibrary["resume"]>>): string 
   opened?.document.history.present.project.name;
 
 describe("the library of kept documents", () => {
-  it("gives four reloaded tabs their own documents, in any order and whichever was changed last", async () => {
+  it("gives four reloaded tabs their own documents, in any order and whichever changed last", async () => {
     const { openTab, keep, close } = browser();
     const tabs = await Promise.all(
       ["a", "b", "c", "d"].map(async (name, i) => {
@@ -47,7 +47,7 @@ describe("the library of kept documents", () => {
     expect(names).toEqual(["d", "c", "b", "a"]);
   });
 
-  it("continues in a new tab with the document used last, but only if no other tab is open", async () => {
+  it("opens the document used last in a new tab, but only if no other tab is open", async () => {
     const { openTab, keep, close } = browser();
     await keep("older", 1);
     const last = await keep("last", 2);
@@ -73,7 +73,7 @@ describe("the library of kept documents", () => {
     expect(resumed?.document.id).not.toBe(id);
   });
 
-  it("gives a copy of a document that is to be shown again if another tab has opened it meanwhile", async () => {
+  it("gives a copy of a document that another tab has opened meanwhile", async () => {
     const { openTab } = browser();
     const document = newDocument(cubeProject());
     const [first, second] = [openTab(), openTab()];
@@ -97,7 +97,7 @@ describe("the library of kept documents", () => {
     expect([...locks.held]).toEqual([b]);
   });
 
-  it("lists changed documents only, the last first, and says which are open", async () => {
+  it("lists only changed documents, the latest first, and which of them are open", async () => {
     const { openTab, keep } = browser();
     const a = await keep("a", 1);
     await keep("b", 3);
@@ -111,7 +111,7 @@ describe("the library of kept documents", () => {
     ]);
   });
 
-  it("removes untouched documents and the oldest beyond its limit, but none that is open", async () => {
+  it("removes unchanged documents and the oldest beyond its limit, but no open ones", async () => {
     const { openTab, keep, storage } = browser();
     const oldest = await keep("oldest", 0);
     await keep("second", 1);
@@ -129,7 +129,7 @@ describe("the library of kept documents", () => {
     expect(names).not.toContain("untouched");
   });
 
-  it("says why a document cannot be opened, and leaves it free", async () => {
+  it("reports why a document cannot be opened, and does not lock it", async () => {
     const { openTab, storage, locks, keep } = browser();
     const { library } = openTab();
     expect(await library.take("unknown")).toBe("missing");

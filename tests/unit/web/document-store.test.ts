@@ -26,7 +26,7 @@ function opened() {
 }
 
 describe("a gesture", () => {
-  it("shows every update and is one step of undo", () => {
+  it("shows every update and becomes one undo step", () => {
     const { documents, past } = opened();
     const gesture = documents.begin("Drag");
     for (let i = 1; i <= 50; ++i) {
@@ -43,7 +43,7 @@ describe("a gesture", () => {
     expect(xOf(documents)).toBe(50);
   });
 
-  it("applies each update to the project as it was at the beginning", () => {
+  it("applies each update to the project from before the gesture", () => {
     const { documents } = opened();
     const gesture = documents.begin("Drag");
     const shift = {
@@ -57,7 +57,7 @@ describe("a gesture", () => {
     expect(xOf(documents)).toBe((first?.position[0] ?? 0) + 1);
   });
 
-  it("restores the project and all steps of undo and redo when it is cancelled", () => {
+  it("restores the project and all undo and redo steps when it is cancelled", () => {
     const { documents } = opened();
     documents.edit(renameProject("before"));
     documents.edit(renameProject("after"));
@@ -70,7 +70,7 @@ describe("a gesture", () => {
     expect(documents.state.getState().gestureStart).toBeNull();
   });
 
-  it("is cancelled by undo, which takes no further step back", () => {
+  it("is cancelled by undo, which then undoes nothing else", () => {
     const { documents, past } = opened();
     documents.edit(renameProject("before"));
     documents.begin("Drag").update(moveTo(9));
@@ -79,7 +79,7 @@ describe("a gesture", () => {
     expect(xOf(documents)).toBe(first?.position[0]);
   });
 
-  it("is committed by an edit or another gesture, and its handle does nothing any more", () => {
+  it("is committed by an edit or another gesture; its handle then has no effect", () => {
     const { documents, past } = opened();
     const early = documents.begin("Drag");
     early.update(moveTo(5));
@@ -93,14 +93,14 @@ describe("a gesture", () => {
     expect(past()).toEqual(["Drag", "Rename project", "Second"]);
   });
 
-  it("leaves nothing behind if it changes nothing", () => {
+  it("adds no undo step if it changes nothing", () => {
     const { documents } = opened();
     const { history } = documents.state.getState();
     documents.begin("Click").commit();
     expect(documents.state.getState().history).toBe(history);
   });
 
-  it("computes no key until it ends: the mesh counts as out of date and the project as unsaved", () => {
+  it("computes no key until it ends; the mesh then counts as out of date and the project as unsaved", () => {
     const { documents } = opened();
     const run = { mesh: {}, meshKey: "key" } as unknown as RunState;
     const settled: unknown[] = [];
@@ -127,7 +127,7 @@ describe("the identity of a document", () => {
   });
   const stateOf = (documents: DocumentStore) => documents.state.getState();
 
-  it("belongs to one document with its file and its steps of undo: none leads to another document", () => {
+  it("belongs to one document with its file and its undo steps, which never lead to another document", () => {
     const { documents } = opened();
     documents.edit(moveTo(1));
     const a = stateOf(documents);
@@ -144,7 +144,7 @@ describe("the identity of a document", () => {
     expect(documents.project).toEqual(project);
   });
 
-  it("keeps a file that was saved late from becoming the file of the document shown meanwhile", () => {
+  it("prevents a late save from assigning its file to a document opened meanwhile", () => {
     const { documents } = opened();
     const { id: saving } = stateOf(documents);
     documents.show(newDocument({ ...project, name: "B" }));
@@ -152,7 +152,7 @@ describe("the identity of a document", () => {
     expect(stateOf(documents).file).toBeNull();
   });
 
-  it("counts an edit made while the file was written as unsaved", () => {
+  it("keeps an edit unsaved that was made while the file was written", () => {
     const { documents } = opened();
     const written = documents.project;
     documents.edit(moveTo(3));
@@ -162,7 +162,7 @@ describe("the identity of a document", () => {
     expect(hasUnsavedChanges(stateOf(documents))).toBe(false);
   });
 
-  it("is untouched until the first edit, and again never after it, even undone", () => {
+  it("counts as untouched only until the first edit, even if that is undone", () => {
     const { documents } = opened();
     expect(isUntouched(stateOf(documents))).toBe(true);
     documents.edit(moveTo(3));

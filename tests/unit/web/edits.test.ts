@@ -17,7 +17,7 @@ import { toProblems } from "../../../web/document/validate";
 import { cubeProject } from "../../support/projects";
 
 describe("the document", () => {
-  it("moves, renames and sizes what an edit names, and nothing else", () => {
+  it("changes only the entities that an edit names", () => {
     const before = cubeProject();
     const documents = new DocumentStore(before, () => 0);
     const [point] = before.points;
@@ -40,7 +40,7 @@ describe("the document", () => {
     );
   });
 
-  it("gives a node a direction when it is stretched", () => {
+  it("gives a stretched node a direction", () => {
     const documents = new DocumentStore(cubeProject(), () => 0);
     const id = documents.project.background.nodes[0]?.id ?? 0;
     documents.edit(setNodeStretching(id, 3));
@@ -48,7 +48,7 @@ describe("the document", () => {
     expect(documents.project.background.nodes[0]).toMatchObject({ stretching: 3, direction: [1, 2, 0] });
   });
 
-  it("leaves a readable project whatever is deleted", () => {
+  it("is a valid project after any deletion", () => {
     const project = cubeProject();
     for (const [kind, list] of [
       ["point", project.points],
@@ -67,7 +67,7 @@ describe("the document", () => {
     }
   });
 
-  it("knows what a file holds, across undo and redo", () => {
+  it("knows whether its file is up to date, also after undo and redo", () => {
     const documents = new DocumentStore(cubeProject(), () => 0);
     const unsaved = () => hasUnsavedChanges(documents.state.getState());
     expect(unsaved()).toBe(false);
@@ -86,7 +86,7 @@ describe("the document", () => {
 });
 
 describe("toProblems", () => {
-  it("ties diagnostics to ids, errors first, without notes and repetition", () => {
+  it("refers diagnostics to ids, puts errors first, and omits information and duplicates", () => {
     const project = cubeProject();
     const about = (index: number) => [{ kind: "patch", index, label: "" } as const];
     const diagnostic = { code: "not-planar", remedy: "Mend it.", data: { distance: 1 } } as const;
@@ -115,7 +115,7 @@ describe("toProblems", () => {
 });
 
 describe("sizes", () => {
-  it("of a new grid hold in place of one size everywhere, those of new sources beside it", () => {
+  it("replace the uniform size if they come from a new grid, and complement it if they come from new sources", () => {
     const project = cubeProject();
     const documents = new DocumentStore(project, () => 0);
     documents.edit(setMeshing("size", 0.5));

@@ -38,7 +38,7 @@ describe("EntityStates", () => {
     expect(states.hasAny("hover")).toBe(true);
   });
 
-  it("lets hidden win over selected, selected over hover, and hover over defective", () => {
+  it("prefers hidden to selected, selected to hover, and hover to defective", () => {
     const defects = { triangles: [], patches: new Set([3, 7, 12]) };
     const states = shown({
       defects,
@@ -66,14 +66,14 @@ describe("EntityStates", () => {
     expect(states.attribute).toBe(attribute);
   });
 
-  it("writes nothing for an entity of another kind or one that does not exist", () => {
+  it("writes nothing for an entity that has another kind or does not exist", () => {
     const states = shown();
     states.attribute.clearUpdateRanges();
     states.update({ ...nothing, hover: { kind: "line", id: 3 }, selection: [patch(99)] });
     expect(states.attribute.updateRanges).toEqual([]);
   });
 
-  it("keeps the buffer if the same entities come in new records", () => {
+  it("keeps the buffer if new records have the same entities", () => {
     const states = shown({ selection: [patch(3)] });
     const { attribute } = states;
     attribute.clearUpdateRanges();

@@ -13,7 +13,7 @@ describe("expectedTetrahedra", () => {
   it.each([
     ["a uniform size", []],
     ["a source", [near]],
-  ])("is within a quarter of the mesh's count, with %s", async (_, sources) => {
+  ])("is within 25 % of the number in the mesh, with %s", async (_, sources) => {
     const cube = cubeProject();
     const size = 0.12;
     const expected = await expectedTetrahedra(mesher, cube, { size, sources }, signal);
@@ -24,7 +24,7 @@ describe("expectedTetrahedra", () => {
     expect((expected ?? 0) / report.tetrahedra).toBeLessThan(1.25);
   });
 
-  it("is also known if the engine refuses to make so many", async () => {
+  it("is also known if the engine rejects so many tetrahedra", async () => {
     const expected = await expectedTetrahedra(mesher, cubeProject(), { size: 0.001, sources: [] }, signal);
     expect(expected).toBeGreaterThan(1e8);
   });
@@ -34,7 +34,7 @@ describe("expectedTetrahedra", () => {
     expect(await expectedTetrahedra(mesher, open, { size: 0.1, sources: [] }, signal)).toBeNull();
   });
 
-  it("rejects if nobody waits any more", async () => {
+  it("rejects when it is aborted", async () => {
     const abort = new AbortController();
     const pending = expectedTetrahedra(mesher, cubeProject(), { size: 0.02, sources: [] }, abort.signal);
     abort.abort();

@@ -19,7 +19,7 @@ describe("readNumber", () => {
   });
 
   it.each(["", "abc", "1 2", "1/", "(1", "1)", "1/0", "2pi", "sqrt 4", "sqrt(-1)", "1,5", "0x10", "--"])(
-    "refuses %j",
+    "rejects %j",
     (text) => {
       expect(readNumber(text)).toBeNull();
     },

@@ -16,7 +16,7 @@ const problem = (part: Partial<Problem>): Problem => ({
 describe("faultsOf", () => {
   const patch = (id: number) => ({ kind: "patch", id }) as const;
 
-  it("blames triangles where an error names any, else the patches that it is about", () => {
+  it("returns the triangles that an error names, or else its patches if it names nothing else", () => {
     const faults = faultsOf([
       problem({ entities: [patch(1)], triangles: [7, 8] }),
       problem({ entities: [patch(2), patch(3)] }),

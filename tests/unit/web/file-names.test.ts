@@ -2,13 +2,13 @@ import { expect, test } from "vitest";
 
 import { fileStem } from "../../../web/session/files.js";
 
-test("a project's name becomes the stem of file names", () => {
+test("the name of a project becomes the stem of file names", () => {
   expect(fileStem("Engine intake")).toBe("engine-intake");
   expect(fileStem(" ½ Öse & Haken! ")).toBe("½-öse-haken");
   expect(fileStem("…")).toBe("untitled");
 });
 
-test("with any ending, file names fit into the 255 bytes of file systems", () => {
+test("with any extension, file names fit into the 255 bytes of file systems", () => {
   for (const letter of ["a", "ü", "語", "𠮷"]) {
     const stem = fileStem(letter.repeat(300));
     expect(stem).toBe(letter.repeat(60));

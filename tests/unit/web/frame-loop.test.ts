@@ -19,7 +19,7 @@ function nextFrame(): void {
   for (const callback of callbacks) callback();
 }
 
-it("draws once per animation frame, however often it is asked", () => {
+it("the frame loop draws once per animation frame, however often a frame is requested", () => {
   const draw = vi.fn(() => false);
   const loop = new FrameLoop(draw);
   loop.start();
@@ -32,7 +32,7 @@ it("draws once per animation frame, however often it is asked", () => {
   expect(draw).toHaveBeenCalledTimes(1);
 });
 
-it("goes on while a motion does", () => {
+it("the frame loop continues during a motion", () => {
   let left = 3;
   const loop = new FrameLoop(() => --left > 0);
   loop.start();
@@ -40,7 +40,7 @@ it("goes on while a motion does", () => {
   expect(loop.frames).toBe(3);
 });
 
-it("draws nothing before the start and after the stop", () => {
+it("the frame loop draws nothing before its start and after its stop", () => {
   const draw = vi.fn(() => true);
   const loop = new FrameLoop(draw);
   loop.request();
@@ -55,7 +55,7 @@ it("draws nothing before the start and after the stop", () => {
   expect(draw).not.toHaveBeenCalled();
 });
 
-it("draws at once in place of the next animation frame", () => {
+it("the frame loop can draw at once instead of at the next animation frame", () => {
   const draw = vi.fn(() => false);
   const loop = new FrameLoop(draw);
   loop.start();
@@ -64,7 +64,7 @@ it("draws at once in place of the next animation frame", () => {
   expect(draw).toHaveBeenCalledTimes(1);
 });
 
-it("tells its listeners of every frame until they end it", () => {
+it("the frame loop notifies its listeners of every frame until they unsubscribe", () => {
   const listener = vi.fn();
   const loop = new FrameLoop(() => false);
   loop.start();

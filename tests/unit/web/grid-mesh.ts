@@ -1,6 +1,6 @@
 import type { VolumeMesh } from "tetrafront";
 
-/** The six tetrahedra around the diagonal of each cell of a grid, all of positive volume. */
+/** Returns n × n × n cells of six tetrahedra each, around the diagonal of the cell, all of positive volume. */
 export function gridMesh(n: number): VolumeMesh {
   const at = (x: number, y: number, z: number) => x + (n + 1) * (y + (n + 1) * z);
   const points: number[] = [];

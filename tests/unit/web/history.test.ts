@@ -24,7 +24,7 @@ const set = (a: number, mergeKey?: string): Edit<State> => ({
 });
 
 describe("history", () => {
-  it("goes back and forth over any number of edits, and names them", () => {
+  it("undoes and redoes any number of edits, and names them", () => {
     const states: State[] = [{ a: 0, list: [] }];
     let history = startHistory(states[0] as State);
     for (let i = 1; i <= 20; ++i) {
@@ -55,7 +55,7 @@ describe("history", () => {
     expect(redo(history)).toBe(history);
   });
 
-  it("merges edits of one key within the window, and only those", () => {
+  it("merges only edits with the same key within the time window", () => {
     let history = startHistory<State>({ a: 0, list: [] });
     history = commit(history, set(1, "a"), 0);
     history = commit(history, set(2, "a"), 500);
@@ -69,7 +69,7 @@ describe("history", () => {
     expect(redo(history).present.a).toBe(3);
   });
 
-  it("merges what one held key does, however slowly", () => {
+  it("merges the edits of one held key, however slow", () => {
     let history = commit(startHistory<State>({ a: 0, list: [] }), set(1, "a"), 0);
     history = commit(history, set(2, "a"), 5_000, true);
     history = commit(history, set(3, "a"), 10_000, true);
@@ -79,7 +79,7 @@ describe("history", () => {
     expect(undo(undo(history)).present.a).toBe(0);
   });
 
-  it("does not merge into a step that the user has gone back to while a redo waits", () => {
+  it("does not merge into a step while another one can be redone", () => {
     let history = commit(startHistory<State>({ a: 0, list: [] }), set(1, "a"), 0);
     history = commit(history, set(2, "b"), 100);
     history = commit(undo(history), set(3, "a"), 200);
@@ -89,13 +89,13 @@ describe("history", () => {
     expect(redo(undo(history)).present.a).toBe(3);
   });
 
-  it("does not merge into a step that was redone", () => {
+  it("does not merge into a redone step", () => {
     let history = commit(startHistory<State>({ a: 0, list: [] }), set(1, "a"), 0);
     history = commit(redo(undo(history)), set(2, "a"), 100);
     expect(undo(history).present.a).toBe(1);
   });
 
-  it("keeps one value of a field that a held key changes, and all parts of other merged edits", () => {
+  it("stores one value of a field changed by a held key, and all parts of other merged edits", () => {
     let history = startHistory<State>({ a: 0, list: [] });
     for (let a = 1; a <= 1000; ++a) history = commit(history, set(a, "a"), a, true);
     expect(history.past[0]?.forward).toHaveLength(1);
@@ -114,7 +114,7 @@ describe("history", () => {
     expect(redo(undo(history)).present.list).toEqual([1]);
   });
 
-  it("drops the oldest steps beyond its limit of memory, however many or few they are", () => {
+  it("drops the oldest steps beyond its memory limit, however many there are", () => {
     // A character takes two bytes, in the patch that sets the text and in the one that restores the text before.
     const stepBytes = maxHistoryBytes / 16;
     const write = (i: number): Edit<{ readonly text: string }> => ({
@@ -135,7 +135,7 @@ describe("history", () => {
     expect(small.past).toHaveLength(2000);
   });
 
-  it("keeps the last step even if it alone exceeds the limit", () => {
+  it("keeps the latest step even if it exceeds the limit", () => {
     const text = "".padEnd(maxHistoryBytes);
     let history = commit(startHistory({ text: "before" }), { label: "Small", replace: [[["text"], "x"]] }, 0);
     history = commit(history, { label: "Huge", replace: [[["text"], text]] }, 1000);
@@ -143,7 +143,7 @@ describe("history", () => {
     expect(undo(history).present.text).toBe("x");
   });
 
-  it("adds a step that was made outside as one entry, and none if it changes nothing", () => {
+  it("adds a step made outside as one entry, or none if it changes nothing", () => {
     const history = startHistory<State>({ a: 0, list: [] });
     const moved = addStep(history, "Drag", stepFrom(history.present, set(7)), 0);
     expect(moved.present.a).toBe(7);
@@ -152,7 +152,7 @@ describe("history", () => {
     expect(addStep(history, "Drag", stepFrom(history.present, set(0)), 0)).toBe(history);
   });
 
-  it("forgets what was undone once something else is done", () => {
+  it("forgets undone steps after another edit", () => {
     let history = commit(startHistory<State>({ a: 0, list: [] }), set(1), 0);
     history = commit(undo(history), set(2), 10);
     expect(history.future).toEqual([]);
@@ -164,7 +164,7 @@ describe("history", () => {
     expect(commit(history, { label: "Nothing", change: () => undefined }, 0)).toBe(history);
   });
 
-  it("replaces values as they are, sharing the rest, and goes back", () => {
+  it("replaces values, shares all others, and can be undone", () => {
     interface Nested {
       readonly a: { readonly big: readonly number[]; readonly other: object };
       readonly b: number;

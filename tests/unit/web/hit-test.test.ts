@@ -54,7 +54,7 @@ const samples = preview(
 const base = sceneState({ project, preview: { samples, project } });
 const all: Partial<SceneState> = { layers: { ...base.layers, sources: true } };
 
-/** A layer that covers what is behind a depth. */
+/** A layer that hides everything beyond a depth. */
 const wall = (depth: number): HittableLayer => ({
   ...({} as HittableLayer),
   hit: (): Hit => ({ target: { kind: "element", index: 5 }, position: [0, 0, 0], depth }),
@@ -76,14 +76,14 @@ function pick(at: { x: number; y: number }, change: Partial<SceneState> = {}, so
   return hitTest({ solid, onSurfaces: [points, sources, lines], translucent: patches }, camera, viewport, at);
 }
 
-/** Where a position appears, which lies d behind the plane y = 0. */
+/** Returns where the position (x, d, z) appears in the view. */
 const at = (x: number, z: number, d = 0): { x: number; y: number } => ({
   x: 100 + (100 * x) / (10 + d),
   y: 50 - (100 * z) / (10 + d),
 });
 
 describe("hit test", () => {
-  it("finds the nearest point within reach, and where it lies", () => {
+  it("finds the nearest point within reach, and its position", () => {
     const hit = pick({ x: 134, y: 52 });
     expect(hit).toMatchObject({ target: { kind: "point", id: 9 }, position: front });
     expect(hit?.depth).toBeCloseTo(Math.hypot(3, 10));
@@ -99,7 +99,7 @@ describe("hit test", () => {
     ).toBeNull();
   });
 
-  it("knows to which line a segment belongs", () => {
+  it("returns the line to which a segment belongs", () => {
     expect(pick(at(6, -12, 20))?.target).toEqual({ kind: "line", id: 6 });
   });
 
@@ -123,7 +123,7 @@ describe("hit test", () => {
     expect(hit?.target).toEqual({ kind: "patch", id: 3 });
   });
 
-  it("skips what is hidden, by itself or by its layer", () => {
+  it("skips hidden entities and hidden layers", () => {
     expect(pick(at(3, 0), { hidden: new Set(["point-9"]) })?.target).not.toEqual({ kind: "point", id: 9 });
     expect(pick(at(-3, 0.5, 2), { hidden: new Set(["patch-3"]) })?.target).toEqual({ kind: "patch", id: 8 });
     const layers = { ...base.layers, points: false, patches: false, lines: false };
@@ -140,7 +140,7 @@ describe("hit test", () => {
     expect(pick(at(-4, 2))?.target).not.toEqual({ kind: "source", id: 11 });
   });
 
-  it("still finds what lies on the surface, despite rounding", () => {
+  it("finds entities on the surface despite rounding", () => {
     const depth = Math.hypot(3, 10);
     expect(pick(at(3, 0), {}, wall(depth * 0.999))?.target).toEqual({ kind: "point", id: 9 });
     expect(pick(at(3, 0), {}, wall(depth * 0.99))?.target).toEqual({ kind: "element", index: 5 });
@@ -166,19 +166,19 @@ describe("Screen", () => {
 });
 
 describe("TriangleTree", () => {
-  // Two parallel triangles, the second one facing the other way.
+  // Two parallel triangles; the second one faces the other way.
   const corners = Float32Array.from([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 1, 0, 1]);
   const tree = new TriangleTree(corners);
   const ray = new Ray(new Vector3(0.2, 0.3, 5), new Vector3(0, 0, -1));
 
-  it("finds the first triangle on the ray that is seen from the given side and accepted", () => {
+  it("finds the first accepted triangle on the ray that faces the given side", () => {
     expect(tree.firstHit(ray, DoubleSide)).toMatchObject({ triangle: 1, distance: 4 });
     expect(tree.firstHit(ray, FrontSide)).toMatchObject({ triangle: 0, distance: 5 });
     expect(tree.firstHit(ray, DoubleSide, (triangle) => triangle !== 1)?.triangle).toBe(0);
     expect(tree.firstHit(new Ray(ray.origin, new Vector3(1, 0, 0)), DoubleSide)).toBeNull();
   });
 
-  it("takes the tree that a worker builds, and builds its own without one", async () => {
+  it("uses the tree that a worker builds, and builds its own without a worker", async () => {
     const [prepared, failed] = [new TriangleTree(corners), new TriangleTree(corners)];
     await prepared.prepare((copy) => Promise.resolve(structuredClone(buildTree(copy))));
     await failed.prepare(() => Promise.reject(new Error("no memory")));
@@ -192,7 +192,7 @@ describe("TriangleTree", () => {
   });
 
   it("agrees with a search over all triangles", () => {
-    // A deterministic soup of 500 small triangles.
+    // 500 small pseudo-random triangles, the same in every run.
     let seed = 1;
     const random = (): number => (seed = (seed * 16807) % 2147483647) / 2147483647;
     const soup = new Float32Array(9 * 500);

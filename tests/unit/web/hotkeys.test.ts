@@ -22,7 +22,7 @@ const newApp = (): App =>
     { gallery: { opening: "", models: [] }, generate: false, still: true },
   );
 
-/** An element of the page that lies in a dialog, in a field, or in neither. */
+/** An element of the page that is in a dialog, in a field, or in neither. */
 const element = (inside: string | null = null): EventTarget =>
   ({ closest: (selector: string) => (inside !== null && selector.includes(inside) ? {} : null) }) as never;
 
@@ -42,7 +42,7 @@ beforeEach(() => {
     "Worker",
     class {
       postMessage(): void {
-        // Nothing answers.
+        // Never answers.
       }
     },
   );
@@ -58,7 +58,7 @@ function openTwo() {
   });
   const listeners = parts.map(({ app }) => hotkeyListener(app, apps));
   const send = (event: KeyboardEvent): void => listeners.forEach((listen) => listen(event));
-  /** Which apps cut their mesh: X toggles it. */
+  /** Whether the cut of each app is on: X toggles it. */
   const cuts = (): boolean[] => parts.map(({ app }) => app.view.state.getState().cut.enabled);
   return { apps, parts, send, cuts };
 }
@@ -81,7 +81,7 @@ describe("the hotkeys of two apps on one page", () => {
     expect(cuts()).toEqual([true, true]);
   });
 
-  it("leave fields and dialogs alone, apart from those that work in the app's own fields", () => {
+  it("do nothing in fields and dialogs, except those that work in the app's own fields", () => {
     const { parts, send, cuts } = openTwo();
     for (const target of [parts[0]?.field as EventTarget, element("input"), element('[role="dialog"]')]) {
       send(press(target, "x"));
@@ -95,7 +95,7 @@ describe("the hotkeys of two apps on one page", () => {
 });
 
 describe("PageApps", () => {
-  it("passes the keys on when an app is removed", () => {
+  it("gives the keys to another app when an app is removed", () => {
     const apps = new PageApps<{ readonly name: string }>();
     const [a, b] = [{ name: "a" }, { name: "b" }];
     const nowhere = { contains: () => false };

@@ -5,7 +5,7 @@ import { DocumentStore, hasUnsavedChanges, newDocument } from "../../../web/sess
 import { keptDocument, maxKeptHistoryBytes, openKept } from "../../../web/session/kept-document";
 import { cubeProject } from "../../support/projects";
 
-/** Keeps the document, loads it in another page and opens it there. */
+/** Stores the document, loads it in another page and opens it there. */
 async function reloaded(documents: DocumentStore): Promise<DocumentStore> {
   const kept = structuredClone(keptDocument(documents.state.getState(), 0, true));
   const opened = await openKept(kept);
@@ -20,7 +20,7 @@ const labels = (documents: DocumentStore) => {
   return { past: past.map(({ label }) => label), future: future.map(({ label }) => label) };
 };
 
-/** A cube whose background grid is so large that it is kept as arrays. */
+/** A cube with a background grid so large that it is stored as arrays. */
 function largeProject(): Project {
   const cube = cubeProject();
   const [tetrahedron] = cube.background.tetrahedra;
@@ -32,7 +32,7 @@ function largeProject(): Project {
 }
 
 describe("a kept document", () => {
-  it("comes back with its steps of undo and redo, its id and what its file holds", async () => {
+  it("is restored with its undo and redo steps, its id and the state of its file", async () => {
     const documents = new DocumentStore(cubeProject(), () => 0);
     const { id } = documents.state.getState();
     for (const name of ["first", "second", "third"]) documents.edit(renameProject(name));
@@ -52,7 +52,7 @@ describe("a kept document", () => {
     expect(others.project).toEqual(cubeProject());
   });
 
-  it("keeps large background grids, and the steps around them", async () => {
+  it("restores large background grids and the steps around them", async () => {
     const documents = new DocumentStore(largeProject(), () => 0);
     documents.edit(renameProject("large"));
     const kept = keptDocument(documents.state.getState(), 0, true);
@@ -63,7 +63,7 @@ describe("a kept document", () => {
     expect(others.project.name).toBe("Unit cube");
   });
 
-  it("drops steps beyond its limit, those furthest from the present first", async () => {
+  it("drops steps beyond its limit, first those furthest from the present", async () => {
     const documents = new DocumentStore(cubeProject(), () => 0);
     documents.edit(renameProject("small"));
     documents.edit(renameProject("x".repeat(maxKeptHistoryBytes)));
@@ -76,7 +76,7 @@ describe("a kept document", () => {
     expect(others.project.name).toBe("last");
   });
 
-  it("never merges an edit after the reload into a step from before it", async () => {
+  it("never merges an edit after the reload into an earlier step", async () => {
     const documents = new DocumentStore(cubeProject(), () => 0);
     documents.edit({ ...renameProject("before"), mergeKey: "name" });
     const others = await reloaded(documents);
@@ -85,7 +85,7 @@ describe("a kept document", () => {
     expect(others.project.name).toBe("before");
   });
 
-  it("opens without its steps if they refer to another version of the project file", async () => {
+  it("opens without its steps if they belong to another version of the project file", async () => {
     const documents = new DocumentStore(cubeProject(), () => 0);
     documents.edit(renameProject("edited"));
     const kept = keptDocument(documents.state.getState(), 0, true);
@@ -94,7 +94,7 @@ describe("a kept document", () => {
     expect(opened?.history.present.project.name).toBe("edited");
   });
 
-  it("is refused if its project cannot be read", async () => {
+  it("is rejected if its project is invalid", async () => {
     const kept = keptDocument(newDocument(cubeProject()), 0, true);
     expect(await openKept({ ...kept, text: "{}" })).toBeNull();
   });

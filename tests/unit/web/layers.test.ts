@@ -55,7 +55,7 @@ const pointsLayer = () =>
     positions: (point) => [point.position],
   });
 
-/** The attributes of the first thing that a layer draws. */
+/** Returns the attributes of the first object that a layer draws. */
 function attributes(layer: Layer): Record<string, BufferAttribute> {
   const drawn = (layer.root.children[0] ?? layer.root) as Mesh | Points;
   return drawn.geometry.attributes as Record<string, BufferAttribute>;
@@ -73,7 +73,7 @@ describe.each([
     [normal, normal, normal, hover, hover, hover],
   ],
 ] as const)("the layer of %s", (_, create, entity, hovered) => {
-  it("shows hover by writing bytes, and keeps all buffers", () => {
+  it("shows hover by writing bytes into the same buffers", () => {
     const layer = create();
     show(layer, start);
     const before = { ...attributes(layer) };
@@ -96,7 +96,7 @@ describe.each([
     expect(stateBytes(layer)).toEqual(hovered.map((code) => (code === hover ? hidden : code)));
   });
 
-  it("shows what has changed while it was switched off", () => {
+  it("shows changes made while it was switched off", () => {
     const layer = create();
     const off = { ...start, layers: { ...start.layers, points: false, lines: false, patches: false } };
     show(layer, start, off, { ...off, hover: entity }, { ...start, hover: entity });
@@ -126,7 +126,7 @@ describe("the layer of points", () => {
     expect([...(attributes(layer)["position"]?.array ?? [])].slice(6)).toEqual([9, 9, 9]);
   });
 
-  it("writes all positions if records exchange the numbers of their dots", () => {
+  it("writes all positions if records exchange their numbers of dots", () => {
     const layer = new SourcesLayer();
     const at = (x: number) => [x, 0, 0] as const;
     const withSources = (...places: (readonly (readonly [number, number, number])[])[]): SceneState => {
@@ -152,7 +152,7 @@ describe("the layer of points", () => {
 });
 
 describe("the layer of patches", () => {
-  it("draws a patch under the pointer in a pass of its own, and a selected one also behind others", () => {
+  it("draws a patch under the pointer in a separate pass, and a selected one also behind others", () => {
     const layer = new PatchesLayer(noTree);
     const visible = (): boolean[] => layer.root.children.map((pass) => pass.visible);
     show(layer, start);
@@ -183,7 +183,7 @@ describe("the layer of the front", () => {
     expect([...(position?.array ?? [])].slice(0, 9)).toEqual([1, 0, 0, 0, 1, 0, 0, 0, 1]);
   });
 
-  it("draws the rest of an incomplete mesh only while no run advances", () => {
+  it("draws the front of an incomplete mesh only if no run advances", () => {
     const layer = new FrontLayer();
     const volume = { points, tetrahedra: Uint32Array.from([0, 1, 2, 3]), front: Uint32Array.from([0, 1, 2]) };
     const mesh = { report: { status: "cancelled" }, volume } as unknown as MeshResult;
@@ -247,7 +247,7 @@ describe("the layer of the mesh", () => {
     expect(asked).toHaveLength(2);
   });
 
-  it("after the faces of one mesh failed, queries those of the next mesh, and none twice", async () => {
+  it("queries the next mesh after a query has failed, and no mesh twice", async () => {
     const { asked, answers, reasons, layer } = setUp();
     show(layer, withMesh(one), withMesh(two));
     answers[0]?.reject(new Error("no memory"));

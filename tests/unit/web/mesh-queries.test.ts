@@ -51,7 +51,7 @@ describe("MeshQueries", () => {
       });
     }
     expect(queries.facesOf(whole).values).toHaveLength(0);
-    // Cached qualities of all elements must give the same values.
+    // The cached qualities of all elements must give the same values.
     const before = queries.facesOf({ ...whole, shading: "dihedral" });
     expect(queries.histogram("dihedral", 20).bars.reduce((sum, n) => sum + n)).toBe(
       mesh.tetrahedra.length / 4,

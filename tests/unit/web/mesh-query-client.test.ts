@@ -6,7 +6,7 @@ import { gridMesh } from "./grid-mesh";
 
 afterEach(() => vi.unstubAllGlobals());
 
-test("a mesh that could not be copied for want of memory is sent again with the next query", async () => {
+test("a mesh that could not be copied for lack of memory is sent again with the next query", async () => {
   const posted: Call[] = [];
   vi.stubGlobal(
     "Worker",
@@ -15,7 +15,7 @@ test("a mesh that could not be copied for want of memory is sent again with the 
         posted.push(call);
       }
       terminate(): void {
-        // Nothing runs.
+        // There is no worker to end.
       }
     },
   );

@@ -7,7 +7,7 @@ vi.mock("browser-fs-access", () => ({ fileOpen }));
 
 const refused = () => Promise.reject(new DOMException("no click or key before", "NotAllowedError"));
 
-test("a file that cannot be read, such as a folder, is told and does not end in silence", async () => {
+test("a file that cannot be read, such as a folder, is reported", async () => {
   const folder = Object.assign(new File([], "parts.json"), {
     text: () => Promise.reject(new Error("it is a folder")),
   });
@@ -18,7 +18,7 @@ test("a file that cannot be read, such as a folder, is told and does not end in 
   });
 });
 
-test("asking again while the dialog is open changes nothing; a dialog refused otherwise is an error", async () => {
+test("a second request while the dialog is open is cancelled; any other rejection by the browser is an error", async () => {
   let choose: (file: File) => void = () => undefined;
   fileOpen.mockReturnValueOnce(new Promise((resolve) => (choose = resolve)));
   const first = openProjectFile();

@@ -11,7 +11,7 @@ import {
 } from "../../../web/document/packed-grid";
 import { cubeProject } from "../../support/projects";
 
-/** Nodes with and without what they need not say, under ids that are no positions. */
+/** Nodes with and without their optional values, and with ids that differ from their indices. */
 function variousGrid(idOf: (id: number) => number): ProjectBackground {
   const { nodes, tetrahedra } = cubeProject().background;
   return {
@@ -29,7 +29,7 @@ function variousGrid(idOf: (id: number) => number): ProjectBackground {
 const farIds = (id: number): number => 10 * id + 2 ** 40;
 
 describe("a packed grid", () => {
-  it("is known by the same key, whether this is found at once or while the page goes on", async () => {
+  it("has the same document key as the grid, computed at once or in slices", async () => {
     const project = { ...cubeProject(), background: variousGrid(farIds) };
     const { nodes, tetrahedra } = await documentGrid(packedGrid(project.background));
     expect(nodes).not.toBe(project.background.nodes);
@@ -41,12 +41,12 @@ describe("a packed grid", () => {
     );
   });
 
-  it("comes back as it was, with what its nodes do not say left out", async () => {
+  it("is unpacked unchanged, without the optional values that its nodes lack", async () => {
     const { nodes, tetrahedra } = variousGrid(farIds);
     expect(await unpackGrid(packedGrid({ nodes, tetrahedra }))).toEqual({ nodes, tetrahedra });
   });
 
-  it("is made once for each list", async () => {
+  it("is made once per list", async () => {
     const grid = variousGrid(farIds);
     expect(packedGrid(grid).nodes).toBe(packedGrid(grid).nodes);
     const packed = packedGrid(grid);
@@ -55,14 +55,14 @@ describe("a packed grid", () => {
     expect(packedTetrahedra(unpacked.tetrahedra)).toBe(packed.tetrahedra);
   });
 
-  it("is what the package makes of the grid for the engine, whatever the ids", () => {
+  it("equals the arrays that the package makes for the engine, whatever the ids", () => {
     for (const idOf of [farIds, (id: number) => id, (id: number) => 100 - id]) {
       const grid = variousGrid(idOf);
       expect(engineGrid(grid)).toEqual({ ...backgroundArrays(grid), sources: undefined });
     }
   });
 
-  it("keeps its tetrahedra where only nodes have changed", () => {
+  it("keeps its tetrahedra if only values of nodes change", () => {
     const grid = variousGrid(farIds);
     const before = engineGrid(grid);
     const nodes = grid.nodes.map((node) => ({ ...node, size: 2 * node.size }));
@@ -73,7 +73,7 @@ describe("a packed grid", () => {
     expect(renumbered.tetrahedra).not.toEqual(before.tetrahedra);
   });
 
-  it("takes what the engine has made as the package does", async () => {
+  it("can be made from the engine's arrays, as by the package", async () => {
     const arrays = backgroundArrays(variousGrid(farIds));
     const { nodes, tetrahedra } = projectBackground(arrays);
     expect(await unpackGrid(packArrays(arrays))).toEqual({ nodes, tetrahedra });

@@ -11,7 +11,7 @@ interface Question {
   readonly answer: () => void;
 }
 
-/** A mesher that waits until it is told to answer, and hears when it is not to. */
+/** A mesher that answers only when the test says so, unless the question is cancelled. */
 function slowMesher(questions: Question[]): Mesher {
   const previewProject: Mesher["previewProject"] = (project, _options, control) =>
     new Promise((resolve, reject) => {
@@ -29,7 +29,7 @@ function slowMesher(questions: Question[]): Mesher {
 
 const settled = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 0));
 
-it("gives a preview up for a newer one at once, but never two before there is an answer", async () => {
+it("a newer preview cancels a pending one at once, but not two before an answer", async () => {
   const questions: Question[] = [];
   const documents = new DocumentStore(emptyProject("first"), () => 0);
   const feed = new PreviewFeed(documents, Promise.resolve(slowMesher(questions)));

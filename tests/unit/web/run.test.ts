@@ -16,7 +16,7 @@ const report = (phase: Phase, elapsedSeconds: number): Progress => ({
   elapsedSeconds,
 });
 
-/** Runs that make these reports and end with nothing: which of them the page shows, and its log. */
+/** Runs with these progress reports and without a result. Returns the reports that the page shows, and the log. */
 async function shownAndLogged(reports: readonly Progress[]): Promise<[Progress[], readonly LogLine[]]> {
   const real = await createMesher();
   const mesher: Mesher = Object.assign(Object.create(real) as Mesher, {
@@ -38,7 +38,7 @@ async function shownAndLogged(reports: readonly Progress[]): Promise<[Progress[]
 const shown = async (reports: readonly Progress[]): Promise<Progress[]> => (await shownAndLogged(reports))[0];
 
 describe("the progress of a run", () => {
-  it("is shown rarely enough in a long run, and never a second late", async () => {
+  it("is shown at longer intervals in a long run, but at most 1.1 s apart", async () => {
     const reports = Array.from({ length: 1000 }, (_, i) => report("optimize", 0.1 * i));
     const states = await shown(reports);
     expect(states.length).toBeLessThan(200);
@@ -49,7 +49,7 @@ describe("the progress of a run", () => {
     });
   });
 
-  it("is shown at once when another phase begins", async () => {
+  it("is shown immediately when a phase begins", async () => {
     const phases: readonly Phase[] = ["check", "sides", "surface", "volume", "optimize", "verify"];
     const reports = phases.flatMap((phase, i) => [
       report(phase, 50 + i / 100),
@@ -58,10 +58,10 @@ describe("the progress of a run", () => {
     expect((await shown(reports)).map(({ phase }) => phase)).toEqual(phases);
   });
 
-  it("is logged with the times of the run, however late the page hears of it", async () => {
+  it("is logged with the times of the run, however late its messages arrive", async () => {
     const [, log] = await shownAndLogged([report("check", 1), report("sides", 20), report("optimize", 300)]);
     expect(log.slice(0, 4).map(({ seconds }) => seconds)).toEqual([0, 1, 20, 300]);
-    // What the run came to is told at its end, which the report tells too.
+    // The last entry has the time of the run's own report.
     expect(log.at(-1)?.seconds).toBeLessThan(1);
   });
 });

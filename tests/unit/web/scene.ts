@@ -8,7 +8,7 @@ import { SceneChanges, type SceneState } from "../../../web/viewer/scene-state";
 
 export const viewport = { width: 200, height: 100, pixelRatio: 1 };
 
-/** The state of a scene that shows an empty project. */
+/** Returns the state of a scene with an empty project. */
 export function sceneState(change: Partial<SceneState> = {}): SceneState {
   return {
     ...new ViewStore().state.getState(),
@@ -31,12 +31,15 @@ export function show(layer: Layer, ...states: readonly SceneState[]): void {
   states.forEach((state, i) => layer.update(new SceneChanges(state, states[i - 1] ?? null)));
 }
 
-/** Shows a state in a layer that shows another one. */
+/** Shows a state in a layer that already shows another one. */
 export function change(layer: Layer, before: SceneState, state: SceneState): void {
   layer.update(new SceneChanges(state, before));
 }
 
-/** A camera at (0, -10, 0) that looks along +y, with z up: x is to the right; 100 pixels are 10 units at y = 0. */
+/**
+ * Returns a camera at (0, -10, 0) that looks along +y, with z up and x to the right. At y = 0, 100 pixels are 10
+ * units.
+ */
 export function frontCamera(): PerspectiveCamera {
   const camera = new PerspectiveCamera(2 * Math.atan(0.5) * (180 / Math.PI), 2, 0.1, 100);
   camera.up.set(0, 0, 1);
@@ -47,7 +50,7 @@ export function frontCamera(): PerspectiveCamera {
   return camera;
 }
 
-/** The samples of straight lines and of patches made of triangles. */
+/** Returns samples of straight lines, and of patches made of triangles. */
 export function preview(
   lines: readonly (readonly number[])[],
   patches: readonly (readonly number[])[] = [],
@@ -67,5 +70,5 @@ export function preview(
   } as unknown as ProjectPreview;
 }
 
-/** Stands for a worker that never answers. */
+/** Replaces the worker that builds trees; never answers. */
 export const noTree = (): Promise<never> => new Promise<never>(() => undefined);

@@ -37,11 +37,11 @@ function pointer(target: Target | null, change: Partial<ToolPointer> = {}): Tool
 
 const selected = (): readonly number[] => view.state.getState().selection.map(({ id }) => id);
 
-it("leaves every press to the camera", () => {
+it("the select tool leaves every press to the camera", () => {
   expect(tool.down()).toBe(false);
 });
 
-it("selects what is clicked; Shift adds, Ctrl toggles, and a click on nothing clears", () => {
+it("a click selects an entity; with Shift it adds, with Ctrl it toggles, and on nothing it clears the selection", () => {
   tool.up(pointer(line(1)));
   tool.up(pointer(line(2), { shift: true }));
   tool.up(pointer(line(3), { mod: true }));
@@ -56,18 +56,18 @@ it("selects what is clicked; Shift adds, Ctrl toggles, and a click on nothing cl
   expect(selected()).toEqual([]);
 });
 
-it("selects the tetrahedron that is clicked", () => {
+it("a click selects a tetrahedron", () => {
   tool.up(pointer({ kind: "element", index: 42 }));
   expect(view.state.getState().element).toBe(42);
 });
 
-it("ignores other buttons", () => {
+it("the select tool ignores other buttons", () => {
   tool.up(pointer(line(1), { button: "right" }));
   tool.up(pointer(line(1), { button: "middle" }));
   expect(selected()).toEqual([]);
 });
 
-it("fits the view to what is double-clicked, and to the model for a double click on nothing", () => {
+it("a double click fits the view to the entity, or to the model if there is none", () => {
   tool.up(pointer(line(1)));
   tool.up(pointer(line(1), { clicks: 2 }));
   tool.up(pointer(null, { clicks: 2 }));
@@ -75,7 +75,7 @@ it("fits the view to what is double-clicked, and to the model for a double click
   expect(selected()).toEqual([1]);
 });
 
-it("lights up what the pointer rests on, and runs no hit test while the pointer moves", () => {
+it("the entity under a resting pointer is highlighted; a moving pointer causes no hit test", () => {
   const hit = vi.fn(() => ({ target: line(4), position: [0, 0, 0] as const, depth: 1 }));
   for (let move = 0; move < 10; ++move) {
     tool.move(pointer(null, { hit }));
@@ -88,7 +88,7 @@ it("lights up what the pointer rests on, and runs no hit test while the pointer 
   expect(hovers).toEqual([{ entity: line(4), at: { x: 5, y: 6 } }]);
 });
 
-it("lights up nothing over a tetrahedron, after a press, or once the pointer has left", () => {
+it("nothing is highlighted over a tetrahedron, after a press, or after the pointer has left", () => {
   tool.move(pointer({ kind: "element", index: 1 }));
   vi.advanceTimersByTime(100);
   expect(view.state.getState().hover).toBeNull();

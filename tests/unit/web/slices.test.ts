@@ -4,7 +4,7 @@ import { forEachInSlices, sliceMs } from "../../../web/document/slices";
 afterEach(() => vi.restoreAllMocks());
 
 describe("work in slices", () => {
-  it("lets the page go on before much more time has passed than a slice may take", async () => {
+  it("yields to the page soon after a slice's time is over", async () => {
     let now = 0;
     vi.spyOn(performance, "now").mockImplementation(() => now);
     const turnsAt: number[] = [];

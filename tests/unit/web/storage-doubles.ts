@@ -3,14 +3,14 @@ import type { DocumentStorage } from "../../../web/session/document-storage";
 import type { KeptDocument } from "../../../web/session/kept-document";
 import type { TabMemory } from "../../../web/session/tab-memory";
 
-/** Holds documents as IndexedDB does: as copies, in the order of their writing. */
+/** Stores documents like IndexedDB: as copies, in the order of their writes. */
 export class MemoryStorage implements DocumentStorage {
   readonly documents = new Map<string, KeptDocument>();
   /** Number of calls of `write`. */
   writes = 0;
-  /** Reason of the failure of each write, until it is reset. */
+  /** Error with which every write fails, until it is reset. */
   failure: string | null = null;
-  /** Time that each write takes without blocking the page; milliseconds. */
+  /** Duration of each write in milliseconds; it does not block the page. */
   latency = 0;
 
   list() {

@@ -3,7 +3,7 @@ import { ToolController } from "../../../web/tools/tool-controller";
 import type { Tool, ToolPointer } from "../../../web/tools/tool";
 import type { Layer } from "../../../web/viewer/layers/layer";
 
-/** A canvas at (100, 50) of the page, and as much of an element as the controller uses. */
+/** A canvas at (100, 50) of the page, with only those members of an element that the controller uses. */
 class Canvas extends EventTarget {
   readonly captured = new Set<number>();
   getBoundingClientRect = () => ({ left: 100, top: 50 });
@@ -159,7 +159,7 @@ describe("a press that the tool does not claim", () => {
     expect(tool.calls).toEqual(["down", "cancel", "leave"]);
   });
 
-  it("counts clicks in quick succession at one place", () => {
+  it("counts clicks in quick succession at one position", () => {
     const click = (x: number, time: number): number | undefined => {
       fire("pointerdown", { x, time });
       fire("pointerup", { x, time: time + 50 });
@@ -178,7 +178,7 @@ describe("a press that the tool claims", () => {
     tool.claims = true;
   });
 
-  it("is hidden from the camera from down to up, with the pointer captured", () => {
+  it("is hidden from the camera until its end, with the pointer captured", () => {
     fire("pointerdown", { button: 1 });
     expect(canvas.captured).toEqual(new Set([1]));
     expect(controller.state.getState().hasGesture).toBe(true);
@@ -194,7 +194,7 @@ describe("a press that the tool claims", () => {
     expect(controller.state.getState().hasGesture).toBe(false);
   });
 
-  it("is cancelled by Escape, which no hotkey sees; other keys go to the tool alone", () => {
+  it("is cancelled by Escape; the hotkeys receive no key during the press", () => {
     fire("pointerdown");
     expect(press("Delete")).toEqual({ used: false, reachedHotkeys: false });
     expect(press("Escape")).toEqual({ used: true, reachedHotkeys: false });
@@ -218,7 +218,7 @@ describe("a press that the tool claims", () => {
     expect(tool.calls).toEqual(["down", "cancel"]);
   });
 
-  it("hides a second finger from the camera too", () => {
+  it("also hides a second finger from the camera", () => {
     fire("pointerdown", { pointerType: "touch" });
     fire("pointerdown", { id: 2, isPrimary: false, pointerType: "touch" });
     expect(tool.calls).toEqual(["down"]);
@@ -238,7 +238,7 @@ describe("a press that the tool claims", () => {
 });
 
 describe("without a press", () => {
-  it("moves reach the tool, except those of a finger or with a foreign button", () => {
+  it("moves reach the tool, except those of a finger or with a pressed button", () => {
     fire("pointermove");
     fire("pointermove", { buttons: 1 });
     fire("pointermove", { pointerType: "touch" });
@@ -272,7 +272,7 @@ describe("without a press", () => {
     expect(tool.calls).toEqual([]);
   });
 
-  it("a tool's overlay is in the view while the tool is active", () => {
+  it("the overlay of a tool is in the view while the tool is active", () => {
     Object.assign(layers, { added: 0, removed: 0 });
     const drawing = new RecordingTool("drawing");
     drawing.layer = {} as Layer;
@@ -282,7 +282,7 @@ describe("without a press", () => {
     expect(layers).toEqual({ added: 1, removed: 1 });
   });
 
-  it("nothing reaches the tool after disposal, and two controllers do not share anything", () => {
+  it("nothing reaches the tool after disposal, and two controllers share nothing", () => {
     const other = { canvas: new Canvas(), tool: new RecordingTool() };
     new ToolController(other.canvas as unknown as HTMLElement, viewer, other.tool);
     tool.claims = true;

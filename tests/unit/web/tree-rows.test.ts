@@ -9,7 +9,7 @@ const keyOf = (row: ReturnType<TreeRows["at"]>): string =>
 describe("the rows of the tree", () => {
   const project = cubeProject();
 
-  it("are found where they are, headings and entities, open, closed and filtered", () => {
+  it("are found by their keys, with open, closed and filtered groups", () => {
     const cases: readonly (readonly [filter: string, closed: readonly DrawnKind[]])[] = [
       ["", []],
       ["", ["point", "background-node"]],
@@ -30,14 +30,14 @@ describe("the rows of the tree", () => {
     }
   });
 
-  it("are all entities under the heading of their kind", () => {
+  it("contain all entities below the headings of their kinds", () => {
     const rows = new TreeRows(project, "", new Set());
     const { points, lines, patches, background } = project;
     expect(rows.length).toBe(5 + points.length + lines.length + patches.length + background.nodes.length);
     expect(new TreeRows(project, "", new Set(["line"])).length).toBe(rows.length - lines.length);
   });
 
-  it("with a filter are the entities with its text in them", () => {
+  it("contain only entities that match the filter", () => {
     const rows = new TreeRows(project, "point 3", new Set());
     expect(rows.slice(0, rows.length).map(keyOf)).toEqual(["point", "point-3"]);
     expect(rows.entitiesOf("point")).toEqual([{ kind: "point", id: 3 }]);
@@ -47,14 +47,14 @@ describe("the rows of the tree", () => {
     expect(new TreeRows(project, "no such thing", new Set()).length).toBe(0);
   });
 
-  it("of a closed group are its heading alone", () => {
+  it("contain only the heading of a closed group", () => {
     const rows = new TreeRows(project, "", new Set(["point"]));
     expect(rows.at(0)).toMatchObject({ kind: "point", total: project.points.length, open: false });
     expect(rows.at(1)).toMatchObject({ kind: "line" });
     expect(rows.indexOf("point-1")).toBe(-1);
   });
 
-  it("are made when they are asked for, however many there are", () => {
+  it("are made only when they are requested", () => {
     let asked = 0;
     const nodes = Array.from({ length: 50_000 }, (_, i) => ({
       position: [0, 0, 0] as const,

@@ -10,7 +10,7 @@ interface TestProtocol {
   readonly later: { readonly argument: string; readonly answer: string };
 }
 
-/** A worker in the same thread, its messages delivered in turns of their own. */
+/** A worker in the same thread; each message is delivered in a separate task. */
 class FakeWorker implements WorkerPort {
   onmessage: WorkerPort["onmessage"] = null;
   onerror: WorkerPort["onerror"] = null;
@@ -97,7 +97,7 @@ describe("WorkerClient", () => {
     expect(workers).toHaveLength(2);
   });
 
-  it("ends its worker after a single call, whether it succeeded or failed", async () => {
+  it("ends its worker after a single call, whether the call succeeds or fails", async () => {
     const { workers, start } = testWorkers();
     expect(await callOnce<TestProtocol, "double">(start, "double", 4)).toBe(8);
     await expect(callOnce<TestProtocol, "fail">(start, "fail", "no disk")).rejects.toThrow("no disk");
@@ -105,7 +105,7 @@ describe("WorkerClient", () => {
   });
 });
 
-it("copies typed arrays for transfer, whatever part of a buffer they are, and keeps the caller's own", async () => {
+it("typed arrays are copied for transfer, whatever part of a buffer they are, so that the caller keeps its own", async () => {
   const all = Float64Array.from({ length: 100 }, (_, i) => i / 7);
   const holder = { points: all.subarray(10, 40), tetrahedra: Uint32Array.from([3, 1, 4, 1, 5]), name: "π" };
   const { copy, buffers } = copyForTransfer(holder);
