@@ -81,9 +81,10 @@ export function readMesh(source: ByteSource, options: ReadFileOptions): Promise<
 /**
  * Writes a mesh in the format selected by `fileName`. Returns one or several files, with notes about content that
  * the format cannot store. Formats for surfaces get the triangles only. Works in slices of a few milliseconds.
+ *
  * Rejects with a `MesherError` of code `invalid-input` and one of these diagnostics: `unknown-format` if no
- * writable format has this extension (`formatOf` tells beforehand); `invalid-arrays` if lengths or indices are
- * inconsistent; `invalid-mesh` if the format is for solvers and the elements do not fit together.
+ * writable format has this extension (see `formatOf`); `invalid-arrays` if lengths or indices are inconsistent;
+ * `invalid-mesh` if the format is for solvers and the elements do not fit together.
  */
 export async function writeMesh(
   mesh: FileMesh,
@@ -121,7 +122,7 @@ const DEFAULT_PASSES = 4;
 /** Largest fraction reported before the end, as the estimate may be too low. */
 const MAX_ESTIMATE = 0.99;
 
-/** Generates the bytes of the files. Yields between their pieces, of which about `expected` come. */
+/** Generates the bytes of the files, about `expected` pieces, and yields between them. */
 async function generated(
   files: readonly FileParts[],
   { signal, onProgress }: WriteFileOptions,

@@ -89,8 +89,8 @@ function printStatistics(input: string, result: CheckResult): void {
 }
 
 /**
- * Returns the value of `--max-diagnostics`, undefined if it is not given. The check of options rejects what is not
- * a number.
+ * Returns the value of `--max-diagnostics`; undefined if it is not given. The check of options rejects text that
+ * is not a number.
  */
 function maxDiagnosticsOf({ maxDiagnostics }: CheckCommandOptions): number | undefined {
   return maxDiagnostics === "all" ? LIMITS.maxDiagnostics : numberIn(maxDiagnostics);

@@ -118,12 +118,12 @@ async function surfaceFrom(mesh: FileMesh, { input, repair, isQuiet }: Conversio
   return { ...mesh, ...surface, nodeData: new Map() };
 }
 
-/** The format stores such a mesh, but hardly any program can use it. */
+/** Returns the fault as a warning: the format can store such a mesh, but hardly any program can use it. */
 function asWarning(fault: Diagnostic): Diagnostic {
   return { ...fault, severity: "warning" };
 }
 
-/** Triangles that share positions share nodes, as formats with nodes expect. */
+/** Replaces the triangles by the exactly welded surface, as formats with nodes expect. */
 function welded(mesh: FileMesh, surface: SurfaceFile): FileMesh {
   const { points, triangles, trianglePatch, patches } = surface;
   const isSame = points.length === mesh.points.length;

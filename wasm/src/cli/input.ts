@@ -22,7 +22,7 @@ export type Input =
   | { readonly kind: "project"; readonly project: Project }
   | { readonly kind: "surface"; readonly surface: SurfaceFile };
 
-/** Background grid as its file stores it; a mesh becomes a grid with the help of a mesher. */
+/** Background grid in the form of its file; a mesher converts a mesh to a grid. */
 export type GridInput =
   | { readonly kind: "project"; readonly background: BackgroundArrays }
   | { readonly kind: "volume"; readonly volume: VolumeFile };

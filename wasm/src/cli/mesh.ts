@@ -196,7 +196,10 @@ async function withRepair(
   return { model: { kind: "surface", surface }, changes };
 }
 
-/** Returns the outcome of a run that threw, after printing its messages. Our own mistakes pass through. */
+/**
+ * Prints the failure of a run that threw; returns its outcome. Rethrows a failure that is neither the input's nor
+ * the engine's.
+ */
 function failed(failure: unknown, input: string, background: string | undefined): Outcome {
   const bad = asBadInput(failure, input);
   if (bad !== undefined) {

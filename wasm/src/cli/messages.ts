@@ -40,7 +40,10 @@ export function asEngineFailure(failure: unknown): Diagnostic | undefined {
   return isEngine ? packageDiagnostic(code, message.replace(/\.$/, ""), "") : undefined;
 }
 
-/** Prints invalid input or a failure of the engine; returns the exit code. Our own mistakes pass through. */
+/**
+ * Prints invalid input or a failure of the engine; returns the exit code. Rethrows all other failures, which are
+ * bugs.
+ */
 export function reportFailure(failure: unknown, input: string): number {
   const engine = asEngineFailure(failure);
   const bad = engine === undefined ? asBadInput(failure, input) : new BadInput(input, [engine]);
@@ -96,8 +99,8 @@ export function countOf(diagnostics: readonly Diagnostic[], wanted: Diagnostic["
 }
 
 /**
- * Returns the total number of problems of one kind, of which some are listed: each diagnostic of a given surface
- * states it; of a drawing, each counts those at its own lines and patches.
+ * Returns the total number of problems of one kind, of which only some are listed. Each diagnostic of a given
+ * surface states the total. A diagnostic of a drawing counts only the problems at its own lines and patches.
  */
 function allOfAKind(group: readonly Diagnostic[]): number {
   const [first] = group;
@@ -110,7 +113,10 @@ function isOfSurface({ entities }: Diagnostic): boolean {
   return entities.every(({ kind }) => kind === "triangle" || kind === "surface-node");
 }
 
-/** Merges lines that differ in their numbers only, if they have neither name nor position, into one with a count. */
+/**
+ * Prints a group of diagnostics. Lines that name no entity or position and differ only in their numbers become one
+ * line with a count.
+ */
 function printGroup(subject: string, group: readonly Diagnostic[], perCode: number): void {
   const lines = new Map<string, { readonly line: string; count: number }>();
   for (const diagnostic of group) {

@@ -76,7 +76,7 @@ export type PackageCode =
   | "out-of-memory"
   /** The worker or the engine could not be loaded. */
   | "engine-not-loaded"
-  /** A mistake of Tetrafront. */
+  /** A bug in Tetrafront. */
   | "engine-failed";
 
 /** Code of every diagnostic. */

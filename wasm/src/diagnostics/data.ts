@@ -43,11 +43,11 @@ export interface DiagnosticNumbers {
    * number.
    */
   readonly "too-many-elements": { readonly expected: number; readonly limit: number };
-  /** As given. */
+  /** `size`: the invalid size, as given. */
   readonly "size-out-of-range": { readonly size: number };
-  /** As given. */
+  /** `stretching`: the invalid stretching, as given. */
   readonly "stretching-out-of-range": { readonly stretching: number };
-  /** As given, or the defaults. */
+  /** Values of the source, as given or by default. */
   readonly "source-out-of-range": {
     readonly size: number;
     readonly distance: number;
@@ -73,7 +73,7 @@ export interface DiagnosticNumbers {
   readonly "coincident-nodes": Counted;
   /** For a component of a given surface: number of its flipped triangles, and of all its triangles. */
   readonly "reoriented-patch": { readonly flipped?: number; readonly triangles?: number };
-  /** As the mesh will have them. */
+  /** Numbers of regions and cavities in the future mesh. */
   readonly "nested-regions": { readonly regions: number; readonly cavities: number };
   /** `isBetweenRegions`: with `innerShells: "regions"`, the triangle would be an interface. */
   readonly "flipped-triangle": Counted & { readonly isBetweenRegions: boolean };

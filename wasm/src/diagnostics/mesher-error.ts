@@ -31,7 +31,9 @@ export interface MesherErrorData {
     readonly reason: string;
     readonly remedy: string;
   };
-  /** A mistake of Tetrafront, in the words of the engine. The mesher has replaced its engine and remains usable. */
+  /**
+   * A bug in Tetrafront; `reason` is the engine's message. The mesher has replaced its engine and remains usable.
+   */
   readonly "engine-failed": { readonly reason: string };
 }
 

@@ -49,7 +49,7 @@ export function failureAt(location: FileLocation, message: string, remedy: strin
   return new ReadFailure({ message: `${words}: ${message}`, remedy, ...location });
 }
 
-/** Runs a reader. A ReadFailure becomes a result; anything else is our own mistake and passes through. */
+/** Runs a reader. A ReadFailure becomes a result; anything else is a bug and is rethrown. */
 export function readSafely<T>(read: () => T): ReadResult<T> {
   try {
     return { success: true, value: read() };

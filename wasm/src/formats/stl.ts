@@ -2,7 +2,8 @@
  * Reads STL, binary and ASCII: triangle soup, whose equal corners are welded exactly while they arrive. A file is
  * text if it begins with "solid" and its first kilobyte contains no zero byte. Some binary files begin with that
  * word too, but all of them have zeros in the triangle count. Patches are the solids of a text file and the
- * attributes of a binary one, which are colours if the file or the triangle says so. Normals are ignored.
+ * attributes of a binary one, which are colours if the header or a bit of the attribute marks them as such.
+ * Normals are ignored.
  */
 import { plural } from "../base/plural.js";
 import type { FileMesh } from "../mesh/file-mesh.js";

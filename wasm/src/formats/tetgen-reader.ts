@@ -2,7 +2,7 @@
  * Reads TetGen's files, which hold numbers and `#` comments. `.smesh` and `.poly` contain their points or leave
  * them to the `.node` file next to them; `.face` and `.ele` always need it. Facets are polygons with a boundary
  * marker as patch; a facet of a `.poly` may have several polygons and holes. Tetrahedra have a region attribute.
- * Points that mark holes and regions of the whole are skipped.
+ * Points that mark holes and regions of the model are skipped.
  */
 import { plural } from "../base/plural.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
