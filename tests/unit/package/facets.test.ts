@@ -1,4 +1,4 @@
-/** Facets of TetGen's files: polygons within polygons, holes, and what marks spaces. */
+/** Facets of TetGen files: nested polygons, holes, and the points that mark holes and regions. */
 import { createMesher, readSurface, type Mesher, type SurfaceFile } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
@@ -10,23 +10,23 @@ beforeAll(async () => {
 });
 afterAll(() => mesher.dispose());
 
-type Place = readonly [number, number, number];
+type Position = readonly [number, number, number];
 
 interface Facet {
   readonly rings: readonly (readonly number[])[];
-  readonly holes?: readonly Place[];
+  readonly holes?: readonly Position[];
 }
 
-/** A `.poly`, with corners counted from 0. */
-function polyFile(places: readonly Place[], facets: readonly Facet[], marks = "0\n0\n"): Uint8Array {
+/** Returns a `.poly` file whose nodes are numbered from 0. */
+function polyFile(positions: readonly Position[], facets: readonly Facet[], marks = "0\n0\n"): Uint8Array {
   const rows = facets.flatMap(({ rings, holes = [] }) => [
     `${rings.length} ${holes.length} 1`,
     ...rings.map((ring) => `${ring.length} ${ring.join(" ")}`),
     ...holes.map((hole, h) => `${h + 1} ${hole.join(" ")}`),
   ]);
-  const nodes = places.map((place, n) => `${n} ${place.join(" ")}`);
+  const nodes = positions.map((position, n) => `${n} ${position.join(" ")}`);
   return new TextEncoder().encode(
-    [`${places.length} 3 0 0`, ...nodes, `${facets.length} 1`, ...rows, marks].join("\n"),
+    [`${positions.length} 3 0 0`, ...nodes, `${facets.length} 1`, ...rows, marks].join("\n"),
   );
 }
 
@@ -36,10 +36,10 @@ async function surfaceOf(file: Uint8Array): Promise<SurfaceFile> {
   return read.value;
 }
 
-/** Corners of boxes one after another: x fastest, then y, then z. */
-function boxes(...given: readonly (readonly [low: Place, high: Place])[]): Place[] {
+/** Returns the corners of each box in turn: x runs fastest, then y, then z. */
+function boxes(...given: readonly (readonly [low: Position, high: Position])[]): Position[] {
   return given.flatMap(([low, high]) =>
-    Array.from({ length: 8 }, (_, i): Place => [
+    Array.from({ length: 8 }, (_, i): Position => [
       (i & 1 ? high : low)[0],
       (i & 2 ? high : low)[1],
       (i & 4 ? high : low)[2],
@@ -57,24 +57,24 @@ const SIDES = [
 ];
 const shifted = (ring: readonly number[], box: number) => ring.map((corner) => corner + 8 * box);
 
-/** Turned in space, so that planes are none of two axes. */
-function turned([x, y, z]: Place): Place {
+/** Rotates a position, so that no plane contains two of the coordinate axes. */
+function rotated([x, y, z]: Position): Position {
   return [0.36 * x + 0.48 * y - 0.8 * z, -0.8 * x + 0.6 * y, 0.48 * x + 0.64 * y + 0.6 * z];
 }
 
-const cube: readonly [Place, Place] = [
+const cube: readonly [Position, Position] = [
   [0, 0, 0],
   [4, 4, 1],
 ];
-const square = (x: number, y: number): readonly [Place, Place] => [
+const square = (x: number, y: number): readonly [Position, Position] => [
   [x, y, 0],
   [x + 1, y + 1, 1],
 ];
 
-describe("facets of a .poly", () => {
-  const places = boxes(cube, square(0.5, 0.5), square(2.5, 0.5), square(1.5, 2));
+describe("facets of a .poly file", () => {
+  const positions = boxes(cube, square(0.5, 0.5), square(2.5, 0.5), square(1.5, 2));
   const rings = (ring: readonly number[]) => [ring, ...[1, 2, 3].map((box) => shifted(ring, box))];
-  const within = (z: number): Place[] => [
+  const within = (z: number): Position[] => [
     [1, 1, z],
     [3, 1, z],
     [2, 2.5, z],
@@ -83,31 +83,31 @@ describe("facets of a .poly", () => {
   const outside = SIDES.map((ring) => ({ rings: [ring] }));
 
   test.each([
-    ["", (place: Place) => place],
-    [", turned in space", turned],
-  ])("leave out what is marked: three tubes through a plate%s", async (_, move) => {
+    ["", (position: Position) => position],
+    [", rotated in space", rotated],
+  ])("omit the areas marked as holes: a plate with three tubes%s", async (_, move) => {
     const caps = [
       { rings: rings(BOTTOM), holes: within(0).map(move) },
       { rings: rings(TOP), holes: within(1).map(move) },
     ];
-    const surface = await surfaceOf(polyFile(places.map(move), [...caps, ...outside, ...walls]));
+    const surface = await surfaceOf(polyFile(positions.map(move), [...caps, ...outside, ...walls]));
     const { surface: oriented } = await mesher.repairSurface(surface);
     const found = await mesher.inspectSurface(oriented);
     expect(found).toMatchObject({ isFillable: true, regions: 1, cavities: 0 });
-    // 16 of the plate without the tubes, and the tubes' edges divide what is around them.
+    // The plate without the tubes has area 13. The edges of the tubes divide the faces around them.
     expect(enclosedVolume(oriented)).toBeCloseTo(13, 12);
     expect(found.area).toBeCloseTo(2 * 13 + 16 + 12, 12);
   });
 
-  test("are cut where a ring within another is no hole", async () => {
+  test("are divided by an inner polygon that is not a hole", async () => {
     const caps = [{ rings: rings(BOTTOM), holes: [] }, { rings: rings(TOP) }];
-    const surface = await surfaceOf(polyFile(places, [...caps, ...outside]));
+    const surface = await surfaceOf(polyFile(positions, [...caps, ...outside]));
     const found = await mesher.inspectSurface(surface);
     expect(found).toMatchObject({ isFillable: true, regions: 1, nodes: 32 });
     expect(enclosedVolume(surface)).toBeCloseTo(16, 12);
   });
 
-  test("fill an island in a hole", async () => {
+  test("keep an island inside a hole", async () => {
     const nested = boxes(
       cube,
       [
@@ -123,7 +123,7 @@ describe("facets of a .poly", () => {
     expect(area).toBeCloseTo(16 - 4 + 1, 12);
   });
 
-  test("of polygons that cross are refused by number, with what to do", async () => {
+  test("are rejected by index, with a remedy, if their polygons intersect", async () => {
     const crossing = boxes(cube, square(3.5, 1));
     const file = polyFile(crossing, [{ rings: [BOTTOM, shifted(BOTTOM, 1)], holes: [[3.7, 1.5, 0]] }]);
     await expect(surfaceOf(file)).rejects.toThrow(
@@ -132,16 +132,16 @@ describe("facets of a .poly", () => {
   });
 });
 
-test("points that mark holes and regions of the whole are told with what stands for them", async () => {
-  const places = boxes(square(0, 0));
+test("notes name the ignored hole and region points of a .poly file and what replaces them", async () => {
+  const positions = boxes(square(0, 0));
   const facets = [BOTTOM, TOP, ...SIDES].map((ring) => ({ rings: [ring] }));
   const { notes } = await surfaceOf(
-    polyFile(places, facets, "1\n1 .5 .5 .5\n2\n1 .1 .1 .1 7 0\n2 .2 .2 .2 8 0\n"),
+    polyFile(positions, facets, "1\n1 .5 .5 .5\n2\n1 .1 .1 .1 7 0\n2 .2 .2 .2 8 0\n"),
   );
   expect(notes).toMatchObject([
     expect.stringMatching(/^1 hole point ignored: .*leave out the facets/),
     expect.stringMatching(/^2 region points ignored: regions are numbered$/),
   ]);
-  expect((await surfaceOf(polyFile(places, facets))).notes).toBeUndefined();
-  expect((await surfaceOf(polyFile(places, facets, ""))).notes).toBeUndefined();
+  expect((await surfaceOf(polyFile(positions, facets))).notes).toBeUndefined();
+  expect((await surfaceOf(polyFile(positions, facets, ""))).notes).toBeUndefined();
 });

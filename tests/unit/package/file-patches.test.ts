@@ -1,4 +1,4 @@
-/** Patches on their way from files through meshes to files: none is lost without a word. */
+/** Patches carried from a file through a mesh to another file: none is lost silently. */
 import { createMesher, fileMeshOf, readSurface, repairedSurface } from "tetrafront";
 import { expect, test } from "vitest";
 
@@ -17,27 +17,31 @@ const faces = (...heads: readonly string[]) =>
   CORNERS + heads.map((head, f) => `${head}\nf ${["1 3 2", "1 2 4", "2 3 4", "1 4 3"][f]}\n`).join("");
 
 test.each([
-  ["one material", ["g inlet\nusemtl grey", "", "g outlet\nusemtl grey", ""], "inlet inlet outlet outlet"],
-  ["materials alone", ["usemtl red", "", "usemtl blue", ""], "red red blue blue"],
+  [
+    "one material in all groups",
+    ["g inlet\nusemtl grey", "", "g outlet\nusemtl grey", ""],
+    "inlet inlet outlet outlet",
+  ],
+  ["materials only", ["usemtl red", "", "usemtl blue", ""], "red red blue blue"],
   ["materials in one group", ["g all\nusemtl red", "", "usemtl blue", ""], "red red blue blue"],
-  ["a material per group", ["g a\nusemtl red", "", "g b\nusemtl blue", ""], "red red blue blue"],
-  ["groups alone", ["g a", "g b", "g a", ""], "a b a a"],
-])("OBJ: %s", async (_, heads, names) => {
+  ["one material per group", ["g a\nusemtl red", "", "g b\nusemtl blue", ""], "red red blue blue"],
+  ["groups only", ["g a", "g b", "g a", ""], "a b a a"],
+])("OBJ: reads the patches of a file with %s", async (_, heads, names) => {
   expect(await patchesOf(faces(...heads))).toEqual(names.split(" "));
 });
 
-test("OBJ: a group of several materials that others have too is one patch for each", async () => {
+test("OBJ: splits a group by material if other groups use these materials too", async () => {
   const names = await patchesOf(faces("g a\nusemtl red", "usemtl blue", "g b\nusemtl red", ""));
   expect(names).toEqual(["a red", "a blue", "b", "b"]);
 });
 
-test("OBJ: pairs of group and material whose words read the same are kept apart", async () => {
+test("OBJ: keeps pairs of group and material apart if their names join to the same text", async () => {
   const names = await patchesOf(faces("g a b\nusemtl c", "usemtl d", "g a\nusemtl b c", "usemtl c"));
   expect(new Set(names).size).toBe(4);
   expect(names.slice(0, 3)).toEqual(["a b c", "a b d", "a b c (2)"]);
 });
 
-test("OBJ: a group and a material of one name are one patch", async () => {
+test("OBJ: merges a group and a material of the same name into one patch", async () => {
   const obj = faces("g m", "g a\nusemtl m", "usemtl n", "usemtl m");
   expect(await patchesOf(obj)).toEqual(["m", "m", "n", "m"]);
   const read = await readSurface(new TextEncoder().encode(obj), { fileName: "a.obj" });
@@ -47,7 +51,7 @@ test("OBJ: a group and a material of one name are one patch", async () => {
   ]);
 });
 
-test("a mesh is not given the patches of other triangles", async () => {
+test("fileMeshOf rejects a mesh whose triangles are not those of the surface file", async () => {
   const mesher = await createMesher();
   const box = boxSurface(1);
   const given = {

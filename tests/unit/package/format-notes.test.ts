@@ -1,4 +1,4 @@
-/** What formats make of a mesh that they have no place for is told beside the file. */
+/** Notes returned with a written file report what its format cannot store. */
 import { readMesh, writeMesh, type FileMesh } from "tetrafront";
 import { expect, test } from "vitest";
 
@@ -6,7 +6,7 @@ import { boxSurface } from "../../support/surfaces.js";
 
 const cube = boxSurface(1);
 
-/** A cube with its triangles in turn in so many patches, moved along x. */
+/** A cube moved along x, with its triangles assigned in turn to the last two of `patchCount` patches. */
 function surfaceMesh(patchCount: number, shift = 0): FileMesh {
   return {
     points: cube.points.map((value, i) => (i % 3 === 0 ? value + shift : value)),
@@ -28,11 +28,11 @@ async function notesOf(mesh: FileMesh, fileName: string): Promise<string> {
   return (file?.notes ?? []).map(({ message }) => message).join("\n");
 }
 
-test.each(["a.stl", "a.glb"])("%s: points that single precision makes one are counted", async (fileName) => {
+test.each(["a.stl", "a.glb"])("%s: counts nodes merged by single precision", async (fileName) => {
   expect(await notesOf(surfaceMesh(2), fileName)).toBe("");
-  // Of two corners that differ in x alone one is left.
-  const told = await notesOf(surfaceMesh(2, 1e9), fileName);
-  const lost = Number(/^(\d+) points became equal to others/.exec(told)?.[1]);
+  // Of two corners that differ only in x, one remains.
+  const notes = await notesOf(surfaceMesh(2, 1e9), fileName);
+  const lost = Number(/^(\d+) points became equal to others/.exec(notes)?.[1]);
   expect(lost).toBe(cube.points.length / 3 - distinct(surfaceMesh(2, 1e9).points));
 });
 
@@ -41,7 +41,7 @@ function distinct(points: Float64Array): number {
   return new Set(rounded.flatMap((_, i) => (i % 3 === 0 ? [rounded.slice(i, i + 3).join(" ")] : []))).size;
 }
 
-test("STL: patches beyond its numbers are told", async () => {
+test("STL: reports patches with numbers above 32767", async () => {
   expect(await notesOf(surfaceMesh((1 << 15) - 1), "a.stl")).toBe("");
   const mesh = surfaceMesh(1 << 15);
   expect(await notesOf(mesh, "a.stl")).toMatch(

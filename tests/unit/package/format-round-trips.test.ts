@@ -1,4 +1,6 @@
-/** Every format: what is written is read back the same, or is checked by the rules of the format. */
+/**
+ * Round trips of every format: a written file is read back unchanged, or checked by the rules of its format.
+ */
 import { deflateSync } from "node:zlib";
 
 import {
@@ -52,7 +54,7 @@ const trianglesOf = (given: FileMesh) =>
 const tetrahedraOf = (given: FileMesh) =>
   taggedElements(given.tetrahedra, 4, given.tetrahedronRegion, given.regions);
 
-test("the block is a mesh to test with", () => {
+test("the test block has positive volumes and all boundary triangles", () => {
   const corners = Array.from({ length: mesh.tetrahedra.length / 4 }, (_, t) => [
     ...mesh.tetrahedra.subarray(4 * t, 4 * t + 4),
   ]);
@@ -60,8 +62,8 @@ test("the block is a mesh to test with", () => {
   expect(mesh.triangles.length / 3).toBe(6 * 8);
 });
 
-describe.each([".vtu", ".vtk", ".msh", ".msh2", ".mesh", ".node", ".ele"])("a volume as %s", (extension) => {
-  test("comes back with its coordinates bit for bit, its elements and their tags", async () => {
+describe.each([".vtu", ".vtk", ".msh", ".msh2", ".mesh", ".node", ".ele"])("a volume in %s", (extension) => {
+  test("is read back with exact coordinates, elements and tags", async () => {
     const read = await readBack(`part${extension}`);
     expect(read.points).toEqual(mesh.points);
     expect(tetrahedraOf(read)).toEqual(tetrahedraOf(mesh));
@@ -70,7 +72,7 @@ describe.each([".vtu", ".vtk", ".msh", ".msh2", ".mesh", ".node", ".ele"])("a vo
 });
 
 test.each([".vtu", ".vtk", ".msh", ".msh2", ".mesh"])(
-  "the surface in a volume %s is its triangles with the points they use",
+  "readSurface takes only the triangles of a volume %s and their nodes",
   async (extension) => {
     const fileName = `part${extension}`;
     const read = await readSurface(await only(fileName), { fileName });
@@ -90,17 +92,17 @@ async function filled(surface: SurfaceInput): Promise<MeshResult> {
   }
 }
 
-test("patches of a given surface are those of the mesh that fills it, triangle for triangle", async () => {
+test("fileMeshOf gives each triangle of the mesh the patch of the given surface", async () => {
   const read = await readSurface(await only("part.msh"), { fileName: "part.msh" });
   if (!read.success) throw new Error(read.errors[0].message);
-  // Turned inside out: the mesher turns it back, and must not mix up its triangles.
+  // Reverse the triangles: the mesher flips them back and must keep their order.
   const given = {
     ...read.value,
     triangles: read.value.triangles.toReversed(),
     trianglePatch: read.value.trianglePatch.toReversed(),
   };
   const result = fileMeshOf(await filled(given), { surface: given });
-  const places = ({
+  const trianglesByPosition = ({
     points,
     triangles,
     trianglePatch,
@@ -112,10 +114,10 @@ test("patches of a given surface are those of the mesh that fills it, triangle f
       );
       return `${patches[patch]?.tag}: ${corners.sort().join(" | ")}`;
     }).sort();
-  expect(places(result)).toEqual(places(given));
+  expect(trianglesByPosition(result)).toEqual(trianglesByPosition(given));
 });
 
-test.each([".msh", ".msh2"])("names of patches and regions come back from %s", async (extension) => {
+test.each([".msh", ".msh2"])("names of patches and regions are kept by %s", async (extension) => {
   const read = await readBack(`part${extension}`);
   const names = (groups: FileMesh["patches"]) =>
     Object.fromEntries(groups.map(({ tag, name }) => [tag, name]));
@@ -131,8 +133,12 @@ test.each([".msh", ".msh2"])("names of patches and regions come back from %s", a
 });
 
 describe("the boundary", () => {
-  /** Corners by their coordinates, with what tells the patch. */
-  const soup = (given: FileMesh, groupOf: (patch: number) => string, round: (value: number) => number) =>
+  /** Triangles by the coordinates of their corners, with the group that identifies the patch. */
+  const trianglesWithGroups = (
+    given: FileMesh,
+    groupOf: (patch: number) => string,
+    round: (value: number) => number,
+  ) =>
     Array.from({ length: given.triangles.length / 3 }, (_, t) => {
       const corners = [...given.triangles.subarray(3 * t, 3 * t + 3)].map((node) =>
         [...given.points.subarray(3 * node, 3 * node + 3)].map(round).join(" "),
@@ -149,10 +155,10 @@ describe("the boundary", () => {
       (given, patch) => (given === mesh ? (objNames[patch] ?? "") : (given.patches[patch]?.name ?? "")),
       exact,
     ],
-  ])("comes back from %s with its patches and only its points", async (extension, groupOf, round) => {
+  ])("is kept by %s with its patches and only its nodes", async (extension, groupOf, round) => {
     const read = await readBack(`part${extension}`);
-    expect(soup(read, (patch) => groupOf(read, patch), exact)).toEqual(
-      soup(
+    expect(trianglesWithGroups(read, (patch) => groupOf(read, patch), exact)).toEqual(
+      trianglesWithGroups(
         mesh,
         (patch) => groupOf(mesh, patch),
         (value) => round(value) + 0,
@@ -162,19 +168,19 @@ describe("the boundary", () => {
     expect(read.patches).toHaveLength(6);
   });
 
-  test("comes back from .off, whose lines stay plain for strict readers: comments at its end tell the patches", async () => {
+  test("is kept by .off: lines stay plain for strict readers, and comments at the end store the patches", async () => {
     const lines = (await text("part.off")).trimEnd().split("\n");
     expect(lines.slice(0, 2)).toEqual(["OFF", "26 48 0"]);
     expect(lines.slice(28, 76).filter((line) => !/^3 \d+ \d+ \d+$/.test(line))).toEqual([]);
     expect(lines.slice(76).filter((line) => !line.startsWith("# "))).toEqual([]);
     const read = await readBack("part.off");
-    const places = (given: FileMesh) => soup(given, () => "", exact);
-    expect(places(read)).toEqual(places(mesh));
+    const trianglesByPosition = (given: FileMesh) => trianglesWithGroups(given, () => "", exact);
+    expect(trianglesByPosition(read)).toEqual(trianglesByPosition(mesh));
     expect(read.patches).toHaveLength(6);
   });
   const objNames = ["in_let", "outlet", "5th_wall", "outlet_(patch_4)", "floor,_cold", "patch_6"];
 
-  test("as GLB keeps to the format: chunks, views, extents, one material per patch", async () => {
+  test("is valid as GLB: chunks, views, extents, one material per patch", async () => {
     const bytes = await only("part.glb");
     const view = new DataView(bytes.buffer);
     expect([view.getUint32(0, true), view.getUint32(4, true), view.getUint32(8, true)]).toEqual([
@@ -200,9 +206,9 @@ describe("the boundary", () => {
       const begin = binary + (gltf.bufferViews[bufferView]?.byteOffset ?? NaN);
       return Array.from({ length: width * count }, (_, i) => get(begin + 4 * i));
     };
-    const places = numbers(0, (at) => view.getFloat32(at, true), 3);
+    const positions = numbers(0, (at) => view.getFloat32(at, true), 3);
     for (const axis of [0, 1, 2]) {
-      const values = places.filter((_, i) => i % 3 === axis);
+      const values = positions.filter((_, i) => i % 3 === axis);
       expect(gltf.accessors[0]?.min?.[axis]).toBe(Math.min(...values));
       expect(gltf.accessors[0]?.max?.[axis]).toBe(Math.max(...values));
     }
@@ -210,7 +216,7 @@ describe("the boundary", () => {
       numbers(indices, (at) => view.getUint32(at, true), 1),
     );
     expect(read).toHaveLength(mesh.triangles.length);
-    expect(read.map((node) => places.slice(3 * node, 3 * node + 3))).toEqual(
+    expect(read.map((node) => positions.slice(3 * node, 3 * node + 3))).toEqual(
       [...mesh.triangles].map((node) => [...mesh.points.subarray(3 * node, 3 * node + 3)].map(Math.fround)),
     );
     expect(gltf.materials.map(({ name }) => name)[0]).toBe("in let");
@@ -218,7 +224,7 @@ describe("the boundary", () => {
 });
 
 describe("OpenFOAM", () => {
-  test("takes the mesh: order of faces, owners, normals, closed cells, patches", async () => {
+  test("accepts the mesh: face order, owners, normals, closed cells, patches", async () => {
     const poly = readPolyMesh(await only("part.foam.zip"));
     expect(polyMeshFaults(poly)).toEqual([]);
     expect(poly.points).toEqual(
@@ -238,7 +244,7 @@ describe("OpenFOAM", () => {
       ["steel", 24],
       ["water_20_C_", 24],
     ]);
-    // The patch of a face is that of its triangle.
+    // Each face belongs to the patch of its triangle.
     const patchOf = new Map(
       Array.from(mesh.trianglePatch, (patch, t) => [
         [...mesh.triangles.subarray(3 * t, 3 * t + 3)].sort((a, b) => a - b).join(" "),
@@ -252,10 +258,10 @@ describe("OpenFOAM", () => {
     });
   });
 
-  test("gets faces of no patch in a patch of their own, and patches between regions as zones", async () => {
+  test("gets an extra patch for faces without a patch, and face zones for patches between regions", async () => {
     const isBetween = (t: number) => mesh.trianglePatch[t] === 4;
     const kept = [...mesh.trianglePatch.keys()].filter((t) => !isBetween(t));
-    // The plane between the regions: faces of a tetrahedron of each.
+    // The plane between the regions: the faces that a tetrahedron of each region has.
     const half = (region: number) =>
       outerFaces(mesh.tetrahedra.filter((_, i) => mesh.tetrahedronRegion[i >> 2] === region));
     const upper = new Set(half(1).map((face) => [...face].sort((a, b) => a - b).join(" ")));
@@ -283,7 +289,7 @@ describe("OpenFOAM", () => {
     expect(zoneFaces.sort()).toEqual(between.map((face) => [...face].sort((a, b) => a - b).join(" ")).sort());
   });
 
-  test("finds the faces around a node that all elements share", async () => {
+  test("gets the right faces around a node shared by all elements", async () => {
     const sphere = sphereSurface(40);
     const count = sphere.triangles.length / 3;
     const star = {
@@ -302,7 +308,7 @@ describe("OpenFOAM", () => {
   });
 });
 
-test("SU2: markers are all outer faces, each once, and every number is in its range", async () => {
+test("SU2: markers hold each outer face once, and all indices are in range", async () => {
   const lines = (await text("part.su2")).split("\n");
   const section = (key: string, begin = 0) => {
     const at = lines.findIndex((line, i) => i >= begin && line.startsWith(`${key}=`));
@@ -338,7 +344,7 @@ test("SU2: markers are all outer faces, each once, and every number is in its ra
 });
 
 describe("Abaqus", () => {
-  /** Lines of data after the keyword lines that match. */
+  /** Returns the data lines after each keyword line that matches. */
   const blocks = (file: string, keyword: RegExp) =>
     file
       .split(/^(?=\*)/m)
@@ -347,7 +353,7 @@ describe("Abaqus", () => {
         const [head = "", ...rows] = block.trimEnd().split("\n");
         return { head, rows: rows.map((row) => row.split(",").map((word) => word.trim())) };
       });
-  /** Corners of the sides of C3D4, from 1, by the manual; seen from outside they run clockwise. */
+  /** Corners of the faces of C3D4, from 1, by the manual. Seen from outside, they run clockwise. */
   const sides: Readonly<Record<string, readonly number[]>> = {
     S1: [1, 2, 3],
     S2: [1, 4, 2],
@@ -355,7 +361,7 @@ describe("Abaqus", () => {
     S4: [3, 4, 1],
   };
 
-  test("holds regions as sections and patches as surfaces of the right sides, outward", async () => {
+  test("holds regions as sections and patches as surfaces of outward element faces", async () => {
     const file = await text("part.inp");
     const [nodes] = blocks(file, /^\*NODE\n/);
     expect(nodes?.rows.flatMap((row) => row.slice(1).map(Number))).toEqual(
@@ -370,7 +376,7 @@ describe("Abaqus", () => {
     ]);
     expect(elements.size).toBe(48);
     expect(file).toMatch(/\*SOLID SECTION, ELSET=steel, MATERIAL=steel\n/);
-    const outer = new Set(outerFaces(mesh.tetrahedra).map((face) => turned(face).join(" ")));
+    const outer = new Set(outerFaces(mesh.tetrahedra).map((face) => lowestFirst(face).join(" ")));
     const surfaces = blocks(file, /^\*SURFACE,/);
     expect(surfaces).toHaveLength(6);
     for (const { rows } of surfaces) {
@@ -378,7 +384,7 @@ describe("Abaqus", () => {
         const corners = (sides[side] ?? [])
           .toReversed()
           .map((corner) => (elements.get(id)?.[corner - 1] ?? 0) - 1);
-        expect(outer.delete(turned(corners).join(" ")), `${id} ${side}`).toBe(true);
+        expect(outer.delete(lowestFirst(corners).join(" ")), `${id} ${side}`).toBe(true);
       }
     }
     expect(outer.size).toBe(0);
@@ -386,14 +392,14 @@ describe("Abaqus", () => {
     expect(nodeSets.map(({ rows }) => rows.flat().length)).toEqual([9, 9, 9, 9, 9, 9]);
   });
 
-  /** The lowest first, in the same turn. */
-  function turned(face: readonly number[]): number[] {
+  /** Rotates the nodes so that the lowest comes first; keeps the orientation. */
+  function lowestFirst(face: readonly number[]): number[] {
     const at = face.indexOf(Math.min(...face));
     return [...face.slice(at), ...face.slice(0, at)];
   }
 });
 
-test("Nastran: coordinates to ten digits and more, in fields of their width", async () => {
+test("Nastran: writes coordinates with at least eight significant digits in fields of fixed width", async () => {
   const awkward = {
     ...mesh,
     points: mesh.points.map((x, i) => (i % 2 === 0 ? -x : x) * 10 ** ((i % 9) * 3 - 12)),
@@ -411,8 +417,8 @@ test("Nastran: coordinates to ten digits and more, in fields of their width", as
   });
   expect(read).toHaveLength(mesh.points.length);
   read.forEach((value, i) => {
-    const wanted = awkward.points[i] ?? NaN;
-    expect(Math.abs(value - wanted)).toBeLessThanOrEqual(1e-8 * Math.abs(wanted));
+    const expected = awkward.points[i] ?? NaN;
+    expect(Math.abs(value - expected)).toBeLessThanOrEqual(1e-8 * Math.abs(expected));
   });
   const solids = lines
     .filter((line) => line.startsWith("CTETRA"))
@@ -423,7 +429,7 @@ test("Nastran: coordinates to ten digits and more, in fields of their width", as
   expect(lines.filter((line) => line.startsWith("CTRIA3"))).toHaveLength(48);
 });
 
-test("UGRID says the same as text and as numbers", async () => {
+test("UGRID: the text and the binary file hold the same numbers", async () => {
   const words = (await text("part.ugrid")).trim().split(/\s+/).map(Number);
   const bytes = await only("part.b8.ugrid");
   const view = new DataView(bytes.buffer);
@@ -441,22 +447,22 @@ test("UGRID says the same as text and as numbers", async () => {
   expect(words.slice(280).map((node) => node - 1)).toEqual([...mesh.tetrahedra]);
 });
 
-test("a zip holds TetGen's three files, the same as beside each other", async () => {
+test("a zip file holds the same three TetGen files that are written separately", async () => {
   const { unzipSync } = await import("fflate");
   const zipped = unzipSync(await only("part.tetgen.zip"));
-  const apart = await files("part.node");
-  expect(Object.keys(zipped).sort()).toEqual([...apart.keys()].sort());
-  for (const [name, bytes] of apart) expect(zipped[name]).toEqual(bytes);
+  const separate = await files("part.node");
+  expect(Object.keys(zipped).sort()).toEqual([...separate.keys()].sort());
+  for (const [name, bytes] of separate) expect(zipped[name]).toEqual(bytes);
 });
 
-test("the same mesh gives the same bytes in every format", async () => {
+test("every format writes the same bytes for the same mesh", async () => {
   for (const { extensions, writable } of FILE_FORMATS) {
     if (writable.length === 0) continue;
     expect(await files(`a${extensions[0]}`)).toEqual(await files(`a${extensions[0]}`));
   }
 });
 
-test("a mesh of nothing can be written in every format", async () => {
+test("every format writes an empty mesh", async () => {
   const empty = {
     ...mesh,
     points: new Float64Array(),
@@ -470,7 +476,7 @@ test("a mesh of nothing can be written in every format", async () => {
   }
 });
 
-test("a name that tells no format is refused", async () => {
+test("writeMesh rejects a file name without a known format", async () => {
   for (const name of ["part.doc", "part.vtp", "part", ""]) {
     const failure: unknown = await writeMesh(mesh, name).catch((reason: unknown) => reason);
     expect(failure).toBeInstanceOf(MesherError);
@@ -489,7 +495,7 @@ describe("extensions", () => {
     expect(all.every((extension) => /^\.[a-z0-9.]+$/.test(extension))).toBe(true);
   });
 
-  test("are those that the code of the format can do", async () => {
+  test("are readable and writable exactly if the format has a reader and a writer", async () => {
     for (const { readable, writable, load } of FILE_FORMATS) {
       const { read, write } = await load();
       expect([read !== undefined, write !== undefined]).toEqual([readable.length > 0, writable.length > 0]);
@@ -497,7 +503,7 @@ describe("extensions", () => {
   });
 });
 
-test("a volume of tetrahedra only is no surface, and the remedy is named", async () => {
+test("readSurface rejects a volume without triangles and names the remedy", async () => {
   const bare = { ...mesh, triangles: new Uint32Array(), trianglePatch: new Uint32Array() };
   for (const extension of [".vtu", ".vtk", ".msh", ".msh2", ".mesh"]) {
     const file = await only(`part${extension}`, bare);
@@ -507,7 +513,7 @@ test("a volume of tetrahedra only is no surface, and the remedy is named", async
   }
 });
 
-test("deflate of another program is read in VTP", async () => {
+test("VTP: reads arrays deflated by another program", async () => {
   const numbers = (values: Float64Array | Int32Array) => {
     const bytes = Buffer.from(values.buffer);
     const block = deflateSync(bytes);

@@ -1,4 +1,4 @@
-/** Files that arrive piece by piece, patches carried over a repair, and decimals read without strings. */
+/** Files read in pieces, patches kept by a repair, and decimals parsed without strings. */
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { Worker } from "node:worker_threads";
@@ -35,8 +35,8 @@ function valueOf<T>(read: ReadResult<T>): T {
 
 const readable = FILE_FORMATS.filter(({ readable, writable }) => readable.length > 0 && writable.length > 0);
 
-describe.each(readable.map(({ extensions }) => extensions[0]))("a file %s", (extension) => {
-  test.each([1, 7, 4096])("in pieces of %i bytes is the same as at once", async (length) => {
+describe.each(readable.map(({ extensions }) => extensions[0]))("a %s file", (extension) => {
+  test.each([1, 7, 4096])("read in pieces of %i bytes equals the file read at once", async (length) => {
     const written = new Map(
       (await writeMesh(mesh, `a${extension}`)).map((file) => [file.fileName, file.bytes]),
     );
@@ -56,7 +56,7 @@ describe("a source of bytes", () => {
   const file = stlText(sphereSurface(4));
   const whole = async () => valueOf(await readSurface(file, { fileName: "a.stl" }));
 
-  test("may be a Blob of another realm, which is no instance of this one's", async () => {
+  test("can be a Blob of another realm, which is not an instance of this realm's Blob", async () => {
     const blob = new Blob([file.slice()]);
     const foreign = { size: blob.size, type: "", stream: () => blob.stream() };
     expect(valueOf(await readSurface(foreign as unknown as Blob, { fileName: "a.stl" }))).toEqual(
@@ -64,7 +64,7 @@ describe("a source of bytes", () => {
     );
   });
 
-  test("may be an ArrayBuffer, a Blob, a stream of the web, or an iterator that waits", async () => {
+  test("can be an ArrayBuffer, a Blob, a web stream or an async iterator", async () => {
     const blob = new Blob([file.slice()]);
     async function* slow(): AsyncGenerator<Uint8Array> {
       for (const piece of pieces(file, 5000)) {
@@ -77,7 +77,7 @@ describe("a source of bytes", () => {
     }
   });
 
-  test("is cancelled where the file is refused", async () => {
+  test("is cancelled if the file is rejected", async () => {
     let isCancelled = false;
     const stream = new ReadableStream<Uint8Array>({
       pull: (controller) => controller.enqueue(new TextEncoder().encode("solid a\nthis is none\n")),
@@ -89,12 +89,15 @@ describe("a source of bytes", () => {
     expect([read.success, isCancelled]).toEqual([false, true]);
   });
 
-  test("tells how far it is, and stops when told to", async () => {
-    const told: number[] = [];
+  test("reports progress and can be cancelled", async () => {
+    const progress: number[] = [];
     const stop = new AbortController();
-    await readSurface(pieces(file, 10_000), { fileName: "a.stl", onProgress: (bytes) => told.push(bytes) });
-    expect(told.at(-1)).toBe(file.length);
-    expect(told).toEqual(told.toSorted((a, b) => a - b));
+    await readSurface(pieces(file, 10_000), {
+      fileName: "a.stl",
+      onProgress: (bytes) => progress.push(bytes),
+    });
+    expect(progress.at(-1)).toBe(file.length);
+    expect(progress).toEqual(progress.toSorted((a, b) => a - b));
     const reading = readSurface(pieces(file, 1000), {
       fileName: "a.stl",
       signal: stop.signal,
@@ -103,7 +106,7 @@ describe("a source of bytes", () => {
     await expect(reading).rejects.toMatchObject({ code: "cancelled", cause: { message: "enough" } });
   });
 
-  test("that fails tells its own reason", async () => {
+  test("rejects with its own error if it fails", async () => {
     async function* broken(): AsyncGenerator<Uint8Array> {
       yield await Promise.resolve(file.subarray(0, 100));
       throw new Error("the wire is cut");
@@ -111,8 +114,8 @@ describe("a source of bytes", () => {
     await expect(readSurface(broken(), { fileName: "a.stl" })).rejects.toThrow("the wire is cut");
   });
 
-  test("of a hundred megabytes is never held as a whole, and others run meanwhile", async () => {
-    // 2 000 000 triangles over the same four points: only what is kept grows.
+  test("of 100 MB is never held in memory as a whole and leaves time for other tasks", async () => {
+    // 2 000 000 triangles over the same four nodes: memory grows only with the stored arrays.
     const count = 2_000_000;
     const header = new Uint8Array(84);
     new DataView(header.buffer).setUint32(80, count, true);
@@ -126,19 +129,19 @@ describe("a source of bytes", () => {
     let ticks = 0;
     const timer = setInterval(() => ticks++, 1);
     const { arrayBuffers: before } = process.memoryUsage();
-    let most = 0;
+    let peak = 0;
     const read = await readSurface(big(), {
       fileName: "a.stl",
-      onProgress: () => (most = Math.max(most, process.memoryUsage().arrayBuffers - before)),
+      onProgress: () => (peak = Math.max(peak, process.memoryUsage().arrayBuffers - before)),
     });
     clearInterval(timer);
     expect(valueOf(read).triangles.length / 3).toBe(count);
     expect(ticks).toBeGreaterThan(10);
-    // Three nodes and a patch per triangle, and as much again as the collector leaves for later.
-    expect(most).toBeLessThan(2 * 16 * count);
+    // Three nodes and a patch per triangle, and the same amount again for uncollected garbage.
+    expect(peak).toBeLessThan(2 * 16 * count);
   });
 
-  test("is read in a worker as well", async () => {
+  test("can be read in a worker", async () => {
     const entry = new URL("../../../wasm/dist/index.js", import.meta.url).href;
     const code = `import("${entry}").then(async ({ readSurface }) => {
       const { parentPort, workerData } = await import("node:worker_threads");
@@ -154,8 +157,8 @@ describe("a source of bytes", () => {
   });
 });
 
-/** Every corner of every triangle a little elsewhere, by less than `shift` per axis. */
-function torn(surface: SurfaceInput, shift: number): SurfaceInput {
+/** Gives each corner of each triangle its own node, moved by less than `shift` along each axis. */
+function separatedCorners(surface: SurfaceInput, shift: number): SurfaceInput {
   const random = randomSource(7);
   const corners = Array.from(surface.triangles, (node) => [
     ...surface.points.subarray(3 * node, 3 * node + 3),
@@ -166,9 +169,9 @@ function torn(surface: SurfaceInput, shift: number): SurfaceInput {
   };
 }
 
-test("what rounding has torn is welded on wish, and keeps its patches", async () => {
+test("repairSurface welds nodes separated by rounding if asked to, and the surface keeps its patches", async () => {
   const whole = sphereSurface(6);
-  const { points, triangles } = torn(whole, 1e-7);
+  const { points, triangles } = separatedCorners(whole, 1e-7);
   const hole = 3 * 5;
   const given = {
     points,
@@ -189,7 +192,7 @@ test("what rounding has torn is welded on wish, and keeps its patches", async ()
   }
 });
 
-test("a section that is passed over may end wherever the bytes in memory do", async () => {
+test("a skipped section can end at any position relative to the buffer", async () => {
   const square =
     "$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n$Elements\n1\n1 2 2 5 1 1 2 3\n$EndElements\n";
   const begin = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Comments\n";
@@ -203,7 +206,7 @@ test("a section that is passed over may end wherever the bytes in memory do", as
   }
 });
 
-test("a face that is longer than what is held of a file is told so", async () => {
+test("a face longer than the read buffer is rejected with that reason", async () => {
   const header = `ply\nformat binary_little_endian 1.0\nelement vertex 9\nproperty float x\nproperty float y
 property float z\nelement face 1\nproperty list uint int vertex_indices\nend_header\n`;
   const body = new Uint8Array(9 * 12 + 4 + 4 * 400_000);
@@ -213,7 +216,7 @@ property float z\nelement face 1\nproperty list uint int vertex_indices\nend_hea
   expect(read.success ? "" : read.errors[0].message).toMatch(/an entry is longer than/);
 });
 
-test("decimals of every length are read as JavaScript reads them, bit for bit", async () => {
+test("decimals of every length are parsed exactly as JavaScript does", async () => {
   const random = randomSource(11);
   const digits = (count: number) => Array.from({ length: count }, () => random() % 10).join("");
   const words: string[] = [
@@ -242,7 +245,7 @@ test("decimals of every length are read as JavaScript reads them, bit for bit", 
 });
 
 test.each(["0x10", "1e", "e5", "--1", "1.2.3", "1_0", "Infinity", "NaN", ".", "1e5.5"])(
-  "%s is no decimal",
+  "%s is rejected as a coordinate",
   async (word) => {
     const file = `OFF\n1 0 0\n0 0 ${word}\n`;
     const read = await readMesh(new TextEncoder().encode(file), { fileName: "a.off" });
@@ -252,7 +255,7 @@ test.each(["0x10", "1e", "e5", "--1", "1.2.3", "1_0", "Infinity", "NaN", ".", "1
   },
 );
 
-test("TetGen's facets keep their markers, and points beside the file are found", async () => {
+test("TetGen: facets keep their markers, and the nodes are read from the .node file", async () => {
   const node = "# points\n4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n";
   const smesh = "0 3 0 0\n4 1\n3 1 3 2 7\n3 1 2 4 8\n3 1 4 3 9\n3 2 3 4 7\n0\n0\n";
   const openOther = (name: string) =>
@@ -268,9 +271,9 @@ test("TetGen's facets keep their markers, and points beside the file are found",
   });
 });
 
-describe("a large mesh is written", () => {
+describe("a large mesh", () => {
   const random = randomSource(7);
-  /** A fan of needles: as many rows as there are pieces of text for. */
+  /** A fan of needles with more rows than fit into one piece of text. */
   const count = 40_000;
   const large: FileMesh = {
     ...mesh,
@@ -284,16 +287,18 @@ describe("a large mesh is written", () => {
   };
 
   test.each([".vtk", ".vtu", ".mesh"])(
-    "as %s with others in between, and can be given up",
+    "is written as %s while other tasks run, and writing can be cancelled",
     async (extension) => {
-      const told: number[] = [];
-      let others = 0;
-      const timer = setInterval(() => others++);
-      const [file] = await writeMesh(large, `a${extension}`, { onProgress: ({ bytes }) => told.push(bytes) });
+      const progress: number[] = [];
+      let ticks = 0;
+      const timer = setInterval(() => ticks++);
+      const [file] = await writeMesh(large, `a${extension}`, {
+        onProgress: ({ bytes }) => progress.push(bytes),
+      });
       clearInterval(timer);
-      expect(others).toBeGreaterThan(0);
-      expect(told).toEqual(told.toSorted((a, b) => a - b));
-      expect(told.at(-1)).toBe(file?.bytes.length);
+      expect(ticks).toBeGreaterThan(0);
+      expect(progress).toEqual(progress.toSorted((a, b) => a - b));
+      expect(progress.at(-1)).toBe(file?.bytes.length);
       const read = valueOf(await readMesh(file?.bytes ?? new Uint8Array(), { fileName: `a${extension}` }));
       expect(read.points).toEqual(large.points);
       expect(read.triangles).toEqual(large.triangles);
@@ -317,7 +322,7 @@ describe("a large mesh is written", () => {
   );
 });
 
-test("every format is told of in docs/FORMAT.md", () => {
+test("docs/FORMAT.md mentions every extension", () => {
   const readme = readFileSync(fileURLToPath(new URL("../../../docs/FORMAT.md", import.meta.url)), "utf8");
   for (const { extensions } of FILE_FORMATS) {
     for (const extension of extensions) expect(readme, extension).toContain(`\`${extension}\``);

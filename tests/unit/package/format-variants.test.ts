@@ -1,4 +1,4 @@
-/** Files as other programs write them, with what formats allow beside a plain mesh. */
+/** Files written by other programs, with content that formats allow beside a plain mesh. */
 import { readMesh, writeMesh, type FileMesh } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
@@ -14,26 +14,26 @@ async function read(file: string | Uint8Array, fileName: string): Promise<FileMe
   return result.value;
 }
 
-describe("Gmsh 2.2 with places on lines and faces", () => {
-  /** Number, place, dimension, entity, and one or two numbers on a line or a face. */
+describe("Gmsh 2.2: nodes with parametric coordinates are read", () => {
+  /** Tag, position, dimension, entity, and one or two parameters on a line or a face. */
   const nodes: readonly (readonly number[])[] = [
     [1, 0, 0, 0, 0, 1],
     [2, 1, 0, 0, 1, 5, 0.25],
     [3, 0, 1, 0, 2, 6, 0.5, 0.75],
     [4, 0, 0, 1, 3, 1],
   ];
-  const places = nodes.flatMap((row) => row.slice(1, 4));
+  const positions = nodes.flatMap((row) => row.slice(1, 4));
 
-  test("as text", async () => {
+  test("from text", async () => {
     const rows = nodes.map((row) => row.join(" ")).join("\n");
     const file = `$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$ParametricNodes\n4\n${rows}\n$EndParametricNodes
 $Elements\n2\n1 2 2 5 1 1 2 3\n2 4 2 7 1 1 2 3 4\n$EndElements\n`;
     const mesh = await read(file, "a.msh");
-    expect([...mesh.points]).toEqual(places);
+    expect([...mesh.points]).toEqual(positions);
     expect([...mesh.triangles, ...mesh.tetrahedra]).toEqual([0, 1, 2, 0, 1, 2, 3]);
   });
 
-  test("as numbers", async () => {
+  test("from binary", async () => {
     const ints = (...values: number[]) => Buffer.from(Int32Array.from(values).buffer);
     const doubles = (values: readonly number[]) => Buffer.from(Float64Array.from(values).buffer);
     const rows = nodes.flatMap(([tag = 0, x = 0, y = 0, z = 0, dimension = 0, entity = 0, ...parameters]) => [
@@ -52,12 +52,12 @@ $Elements\n2\n1 2 2 5 1 1 2 3\n2 4 2 7 1 1 2 3 4\n$EndElements\n`;
       Buffer.from("\n$EndElements\n"),
     ]);
     const mesh = await read(file, "a.msh");
-    expect([...mesh.points]).toEqual(places);
+    expect([...mesh.points]).toEqual(positions);
     expect([...mesh.tetrahedra]).toEqual([0, 1, 2, 3]);
   });
 });
 
-test("Gmsh 2.2: a tetrahedron of several physical groups is held once", async () => {
+test("Gmsh 2.2: a tetrahedron in several physical groups is read once", async () => {
   const nodes = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes";
   const elements = ["4 2 7 1 1 2 3 4", "4 2 8 1 1 2 3 4", "4 2 9 1 1 2 3 4"];
   const file = (rows: readonly string[]) =>
@@ -68,7 +68,7 @@ test("Gmsh 2.2: a tetrahedron of several physical groups is held once", async ()
   expect([...mesh.tetrahedra]).toEqual([0, 1, 2, 3]);
   expect(mesh.regions.map(({ tag }) => tag)).toEqual([7]);
   expect(mesh.duplicateTetrahedra).toBe(2);
-  // Wherever the others stand, and whichever way round their nodes are counted.
+  // The duplicates can be anywhere in the file, with their nodes in any order.
   const triangles = ["2 2 3 1 1 3 2", "2 2 4 2 2 1 3", "2 2 3 1 1 2 4", "2 2 3 9 3 2 1"];
   const apart = [elements[0] ?? "", ...triangles, "4 2 8 1 2 1 3 4"];
   const both = await read(file(apart), "a.msh");
@@ -78,12 +78,12 @@ test("Gmsh 2.2: a tetrahedron of several physical groups is held once", async ()
   expect([both.duplicateTetrahedra, both.duplicateTriangles]).toEqual([1, 2]);
   const quadrilaterals = await read(file(["3 2 1 1 1 2 3 4", "3 2 2 1 1 2 3 4"]), "a.msh");
   expect([quadrilaterals.triangles.length, quadrilaterals.duplicateTriangles]).toEqual([6, 1]);
-  // Twice in one group is a fault of the mesh, which its checks tell.
+  // A duplicate in the same group is a defect of the mesh; its inspection reports it.
   const twice = await read(file([elements[0] ?? "", elements[0] ?? ""]), "a.msh");
   expect(twice.tetrahedra).toHaveLength(8);
 });
 
-test("Gmsh: groups that elements of several are lost to are named, in both versions", async () => {
+test("Gmsh: notes name the groups that lose elements shared by several groups, in both versions", async () => {
   const names = '$PhysicalNames\n3\n2 3 "inlet"\n2 4 "wetted"\n3 7 "fluid"\n$EndPhysicalNames';
   const lost = [
     'elements in several physical groups stay only in their first; dropped: 2 triangles of "wetted"',
@@ -93,11 +93,11 @@ test("Gmsh: groups that elements of several are lost to are named, in both versi
     ...["2 2 3 1 1 3 2", "2 2 4 1 1 3 2", "2 2 3 1 1 2 4", "2 2 4 1 1 2 4"],
     ...["4 2 7 1 1 2 3 4", "4 2 8 1 1 2 3 4"],
   ].map((row, e) => `${e + 1} ${row}`);
-  const places = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"];
-  const listed = `$Nodes\n4\n${places.map((place, n) => `${n + 1} ${place}`).join("\n")}\n$EndNodes`;
+  const positions = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"];
+  const listed = `$Nodes\n4\n${positions.map((position, n) => `${n + 1} ${position}`).join("\n")}\n$EndNodes`;
   const old = `$MeshFormat\n2.2 0 8\n$EndMeshFormat\n${names}\n${listed}\n$Elements\n6\n${rows.join("\n")}\n$EndElements\n`;
   const entities = "$Entities\n0 0 1 1\n1 0 0 0 1 1 1 2 3 -4 0\n1 0 0 0 1 1 1 2 7 8 1 1\n$EndEntities";
-  const nodes = `$Nodes\n1 4 1 4\n3 1 0 4\n1\n2\n3\n4\n${places.join("\n")}\n$EndNodes`;
+  const nodes = `$Nodes\n1 4 1 4\n3 1 0 4\n1\n2\n3\n4\n${positions.join("\n")}\n$EndNodes`;
   const elements = "$Elements\n2 3 1 3\n2 1 2 2\n1 1 3 2\n2 1 2 4\n3 1 4 1\n3 1 2 3 4\n$EndElements";
   const blocks = `$MeshFormat\n4.1 0 8\n$EndMeshFormat\n${names}\n${entities}\n${nodes}\n${elements}\n`;
   for (const file of [old, blocks]) {
@@ -108,7 +108,7 @@ test("Gmsh: groups that elements of several are lost to are named, in both versi
   }
 });
 
-test("Medit: sections about geometry are passed over, and other volumes only matter where there are some", async () => {
+test("Medit: skips sections about geometry, and rejects other volume elements only if there are any", async () => {
   const head =
     'MeshVersionFormatted 2\nDimension 3\nIdentifier "a part"\nGeometry\n"a.geo"\nVertices 3\n0 0 0 0\n1 0 0 0\n0 1 0 0\n';
   const others =
@@ -121,12 +121,12 @@ test("Medit: sections about geometry are passed over, and other volumes only mat
   );
 });
 
-test("OBJ: a line that is continued by an empty one ends there", async () => {
+test("OBJ: an empty line ends a continued line", async () => {
   const { triangles } = await read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n3 \\\n\nf 3 2 1\n", "a.obj");
   expect([...triangles]).toEqual([0, 1, 2, 2, 1, 0]);
 });
 
-test("STL: triangles beyond the number announced are not left out silently; zeros that fill a block are", async () => {
+test("STL: rejects triangles beyond the announced count, but skips zero padding", async () => {
   const file = stlBinary(boxSurface(1));
   const fewer = file.slice();
   new DataView(fewer.buffer).setUint32(80, 5, true);
@@ -136,7 +136,7 @@ test("STL: triangles beyond the number announced are not left out silently; zero
   expect((await read(filled, "a.stl")).triangles).toHaveLength(36);
 });
 
-test("Medit: sections that other programs add are passed over, whatever numbers they have", async () => {
+test("Medit: skips sections added by other programs, whatever numbers they hold", async () => {
   const head = "MeshVersionFormatted 2\nDimension 3\nVertices 3\n0 0 0 0\n1 0 0 0\n0 1 0 0\n";
   const more = "TangentAtEdgeVertices\n1\n1 1 1\nPeriodicVertices\n1\n1 2\nEdgesP2\n1\n1 2 3 0\nTime\n0.5\n";
   expect([...(await read(`${head}${more}Triangles\n1\n1 2 3 4\nEnd`, "a.mesh")).triangles]).toEqual([
@@ -150,7 +150,7 @@ test("Medit: sections that other programs add are passed over, whatever numbers 
   );
 });
 
-test("PLY: strips turn every second triangle, and end at -1", async () => {
+test("PLY: every second triangle of a strip is reversed, and -1 ends a strip", async () => {
   for (const isLast of [false, true]) {
     const { triangles } = await read(plyStrips([0, 1, 2, 3, -1, 3, 2, 4, 4, 0], isLast), "a.ply");
     expect([...triangles]).toEqual([0, 1, 2, 2, 1, 3, 3, 2, 4]);
@@ -160,12 +160,12 @@ test("PLY: strips turn every second triangle, and end at -1", async () => {
   );
 });
 
-test("PLY: a strip may be longer than any entry", async () => {
+test("PLY: a strip can be longer than the limit for other entries", async () => {
   const corners = Array.from({ length: 200_000 }, (_, i) => i % 5);
   expect((await read(plyStrips(corners, false), "a.ply")).triangles).toHaveLength(3 * (corners.length - 2));
 });
 
-test("OFF: binary files give what text gives, with normals, colours and places in pictures passed over", async () => {
+test("OFF: reads binary files like text, and skips normals, colours and texture coordinates", async () => {
   const box = boxSurface(2);
   for (const [word, extras] of [
     ["OFF", 0],
@@ -178,18 +178,18 @@ test("OFF: binary files give what text gives, with normals, colours and places i
 });
 
 test.each([".msh", ".msh2", ".mesh", ".vtk", ".off", ".ply"])(
-  "a mesh behind another in one %s file is not taken for a part of it",
+  "%s: rejects a second mesh after the first in one file",
   async (extension) => {
     const [file] = await writeMesh(blockMesh(), `a${extension}`);
     const bytes = Buffer.from(file?.bytes ?? []);
-    // What stands behind the end of a Medit file is not of it.
+    // A Medit file ends at the keyword End, so join the meshes without it.
     const one = extension === ".mesh" ? bytes.subarray(0, bytes.lastIndexOf("\nEnd")) : bytes;
     const end = extension === ".mesh" ? one.subarray(one.indexOf("Vertices")) : one;
     await expect(read(Buffer.concat([one, Buffer.from("\n"), end]), `a${extension}`)).rejects.toThrow();
   },
 );
 
-test("a file with more than can be numbered, or than there is memory for, is told by a code", async () => {
+test("files beyond the index range or the memory are rejected with a message or a code", async () => {
   const column = new Column(Uint32Array, 10_000);
   const fill = () => {
     for (let i = 0; i < 20_000; i++) column.push(i);

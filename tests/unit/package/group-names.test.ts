@@ -1,4 +1,4 @@
-/** Names of patches and regions, kept by every format that has any place for them, and missed aloud by the others. */
+/** Names of patches and regions: every format that can store names keeps them; the others report the loss. */
 import { FILE_FORMATS, readMesh, writeMesh, type FileMesh } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
@@ -16,7 +16,7 @@ const named: FileMesh = {
   ],
 };
 
-async function again(mesh: FileMesh, fileName: string): Promise<{ read: FileMesh; notes: string }> {
+async function roundTrip(mesh: FileMesh, fileName: string): Promise<{ read: FileMesh; notes: string }> {
   const files = await writeMesh(mesh, fileName);
   const others = new Map(files.map((file) => [file.fileName, file.bytes]));
   const read = await readMesh(files[0]?.bytes ?? new Uint8Array(), {
@@ -30,7 +30,7 @@ async function again(mesh: FileMesh, fileName: string): Promise<{ read: FileMesh
   };
 }
 
-/** The name of the patch of each triangle, by its place, whatever the order. */
+/** Returns the patch name of each triangle, sorted by corner positions. */
 function byTriangle({ points, triangles, trianglePatch, patches }: FileMesh): string[] {
   return Array.from(trianglePatch, (patch, t) => {
     const corners = [0, 1, 2].map((k) => {
@@ -46,7 +46,7 @@ const regionsOf = ({ tetrahedronRegion, regions }: FileMesh) =>
 
 const both = FILE_FORMATS.filter(({ readable, writable }) => readable.length > 0 && writable.length > 0);
 
-/** So long that they fit into neither a title nor a header. */
+/** Makes a name too long for a title or a header. */
 const long = (group: { readonly name: string; readonly tag: number }) => ({
   ...group,
   name: `${group.name} ${"very ".repeat(12)}long`,
@@ -57,19 +57,19 @@ describe.each(both.map(({ name, extensions, writable }) => [name, extensions[0],
   (_, extension, writable) => {
     const fileName = `a${extension}`;
 
-    test("gives names back, or says that it has no place for them", async () => {
+    test("keeps names, or reports that it cannot store them", async () => {
       const short = {
         ...named,
         patches: named.patches.map(({ name, tag }) => ({ name: name.replace(/;.*|\s/g, ""), tag })),
       };
       for (const mesh of [short, named, { ...named, patches: named.patches.map(long) }]) {
-        const { read, notes } = await again(mesh, fileName);
+        const { read, notes } = await roundTrip(mesh, fileName);
         if (/names are left out/i.test(notes)) {
           expect([".stl", ".vtk"]).toContain(extension);
           expect(mesh === short, notes).toBe(false);
           continue;
         }
-        // Words of OBJ and lines with breaks of their own end at blanks and at "; ".
+        // Ignore changed whitespace (OBJ) and the part of a name after ";" (formats that join names by "; ").
         const plain = (triangles: string[]) =>
           triangles.map((line) =>
             line.replace(
@@ -86,19 +86,19 @@ describe.each(both.map(({ name, extensions, writable }) => [name, extensions[0],
       }
     });
 
-    test("gives regions' names back beside the one name of a patch", async () => {
+    test("keeps the names of regions if there is only one patch", async () => {
       if (!writable.includes("volume")) return;
       const one = {
         ...named,
         patches: [{ name: "skin", tag: 1 }],
         trianglePatch: new Uint32Array(block.trianglePatch.length),
       };
-      const { read } = await again(one, fileName);
+      const { read } = await roundTrip(one, fileName);
       expect(regionsOf(read)).toEqual(regionsOf(one));
       expect(new Set(read.patches.map(({ name }) => name))).toEqual(new Set(["skin"]));
     });
 
-    test("gives no group the name of one without elements", async () => {
+    test("gives no group the name of an empty group", async () => {
       const patches = [
         { name: "nowhere", tag: 7 },
         { name: "patch 3", tag: 3 },
@@ -114,16 +114,16 @@ describe.each(both.map(({ name, extensions, writable }) => [name, extensions[0],
         regions,
         tetrahedronRegion: block.tetrahedronRegion.map(() => 1),
       };
-      const { read } = await again(mesh, fileName);
+      const { read } = await roundTrip(mesh, fileName);
       const used = new Set(Array.from(read.trianglePatch, (patch) => read.patches[patch]?.name));
       expect([...used, ...regionsOf(read)]).not.toContain("nowhere");
       expect(regionsOf(read)).not.toContain("nothing");
     });
 
-    test("keeps long names whole, or tells which it cuts", async () => {
+    test("keeps long names, or reports which ones it cuts", async () => {
       const end = (p: number) => `${"long ".repeat(180)}end of ${p}`;
       const mesh = { ...named, patches: named.patches.map(({ tag }, p) => ({ name: end(p), tag })) };
-      const { read, notes } = await again(mesh, fileName);
+      const { read, notes } = await roundTrip(mesh, fileName);
       const names = new Set(Array.from(read.trianglePatch, (patch) => read.patches[patch]?.name ?? ""));
       const isKept = [...names].every((name) => / *end of \d$/.test(name.replaceAll("_", " ")));
       if (!isKept) expect(notes).toMatch(/truncated|left out|changed to what the format permits|takes them/);
@@ -131,7 +131,7 @@ describe.each(both.map(({ name, extensions, writable }) => [name, extensions[0],
         for (const { tag } of named.patches) expect(notes).toMatch(new RegExp(`\\b${tag}\\b|end of`));
     });
 
-    test("gives the one name of a surface back", async () => {
+    test("keeps the name of the only patch of a surface", async () => {
       const { points, triangles } = boxSurface(1);
       const one = {
         ...block,
@@ -143,7 +143,7 @@ describe.each(both.map(({ name, extensions, writable }) => [name, extensions[0],
         tetrahedronRegion: new Uint32Array(),
         regions: [],
       };
-      const { read } = await again(one, fileName);
+      const { read } = await roundTrip(one, fileName);
       expect(new Set(Array.from(read.trianglePatch, (patch) => read.patches[patch]?.name))).toEqual(
         new Set(["skin"]),
       );
@@ -151,7 +151,7 @@ describe.each(both.map(({ name, extensions, writable }) => [name, extensions[0],
   },
 );
 
-test("OFF is read however long its comments at the end are", async () => {
+test("OFF: reads comments of any length at the end of the file", async () => {
   const [file] = await writeMesh(named, "a.off");
   const text = new TextDecoder().decode(file?.bytes);
   const begin = text.indexOf("# patch");
@@ -160,7 +160,7 @@ test("OFF is read however long its comments at the end are", async () => {
   expect(read.success && read.value.patches).toHaveLength(NAMES.length);
 });
 
-test("lines of faces in OFF that do not fit the faces are nothing but comments", async () => {
+test("OFF: ignores comments about the faces of a patch that do not match the faces", async () => {
   const [file] = await writeMesh(named, "a.off");
   const text = new TextDecoder().decode(file?.bytes);
   for (const [from, to] of [
@@ -175,33 +175,30 @@ test("lines of faces in OFF that do not fit the faces are nothing but comments",
   }
 });
 
-/** Told as "old" as "new". */
-const told = (notes: string) =>
+/** Returns the renamed groups that notes report as "old" as "new". */
+const renamedGroups = (notes: string) =>
   new Map([...notes.matchAll(/"([^"]*)" as "([^"]*)"/g)].map(([, was = "", is = ""]) => [was, is]));
 
 test.each([
   [".su2", /^[\p{L}\p{M}\p{N}_.+-]+$/u, /^MARKER_TAG= (.*)$/gm],
   [".inp", /^[A-Za-z]\w*$/, /^\*NSET, NSET=(.*)$/gm],
-])(
-  "%s has names that can be used, each of its own, and says which are not as they were",
-  async (end, usable, line) => {
-    const odd = ["in (1)", "in {1}", "a:b,c%d;e", "none", "Süd", "plain"];
-    const [file] = await writeMesh(
-      { ...named, patches: odd.map((name, p) => ({ name, tag: p + 1 })) },
-      `a${end}`,
-    );
-    const text = new TextDecoder().decode(file?.bytes);
-    const names = [...text.matchAll(line)].map(([, name = ""]) => name);
-    expect(names).toHaveLength(odd.length);
-    expect(new Set(names.map((name) => name.toLowerCase())).size).toBe(odd.length);
-    for (const name of names) expect(name).toMatch(usable);
-    if (end === ".su2") expect(names).not.toContain("none");
-    const changed = told(file?.notes.map(({ message }) => message).join("\n") ?? "");
-    expect(odd.map((name) => changed.get(name) ?? name)).toEqual(names);
-  },
-);
+])("%s: writes valid unique names and reports each renamed group", async (end, usable, line) => {
+  const odd = ["in (1)", "in {1}", "a:b,c%d;e", "none", "Süd", "plain"];
+  const [file] = await writeMesh(
+    { ...named, patches: odd.map((name, p) => ({ name, tag: p + 1 })) },
+    `a${end}`,
+  );
+  const text = new TextDecoder().decode(file?.bytes);
+  const names = [...text.matchAll(line)].map(([, name = ""]) => name);
+  expect(names).toHaveLength(odd.length);
+  expect(new Set(names.map((name) => name.toLowerCase())).size).toBe(odd.length);
+  for (const name of names) expect(name).toMatch(usable);
+  if (end === ".su2") expect(names).not.toContain("none");
+  const changed = renamedGroups(file?.notes.map(({ message }) => message).join("\n") ?? "");
+  expect(odd.map((name) => changed.get(name) ?? name)).toEqual(names);
+});
 
-test("binary STL tells patches whose names it leaves out by the numbers that are in the file", async () => {
+test("binary STL: notes list omitted patch names by the numbers in the file", async () => {
   const [file] = await writeMesh({ ...named, patches: named.patches.map(long) }, "a.stl");
   const view = new DataView(file?.bytes.buffer ?? new ArrayBuffer(0));
   for (const [t, patch] of named.trianglePatch.entries()) {

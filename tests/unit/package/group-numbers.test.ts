@@ -1,4 +1,4 @@
-/** Numbers of patches and regions: read as what they are, written as they were wherever the format can. */
+/** Tags of patches and regions: read correctly, and written unchanged if the format permits it. */
 import { readMesh, writeMesh, type FileMesh } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
@@ -14,7 +14,7 @@ async function read(file: string | Uint8Array<ArrayBuffer>, fileName: string): P
 const groupsOfTriangles = ({ trianglePatch, patches }: FileMesh) =>
   Array.from(trianglePatch, (patch) => patches[patch]);
 
-describe("Gmsh: surfaces in no physical group (Mesh.SaveAll) do not take the name of one", () => {
+describe("Gmsh: surfaces in no physical group (Mesh.SaveAll) do not get the name of a group", () => {
   const names = '$PhysicalNames\n1\n2 2 "inlet"\n$EndPhysicalNames\n';
   const blocks = (groups: string) => `$MeshFormat\n4.1 0 8\n$EndMeshFormat\n${names}$Entities
 0 0 2 0\n1 0 0 0 1 1 1 ${groups} 0\n2 0 0 0 1 1 1 0 0\n$EndEntities
@@ -26,9 +26,9 @@ $Elements\n4\n1 2 2 ${group} 1 1 3 2\n2 2 2 0 2 1 2 4\n3 2 2 0 2 2 3 4\n4 2 2 0 
 
   test.each([
     ["4.1", blocks("1 2")],
-    ["4.1, turned", blocks("1 -2")],
+    ["4.1, reversed", blocks("1 -2")],
     ["2.2", list(2)],
-    ["2.2, turned", list(-2)],
+    ["2.2, reversed", list(-2)],
   ])("%s", async (_, file) => {
     const mesh = await read(file, "a.msh");
     const [inlet, ...others] = groupsOfTriangles(mesh);
@@ -39,7 +39,7 @@ $Elements\n4\n1 2 2 ${group} 1 1 3 2\n2 2 2 0 2 1 2 4\n3 2 2 0 2 2 3 4\n4 2 2 0 
   });
 });
 
-describe("numbers are written as they were", () => {
+describe("tags of groups", () => {
   const block = blockMesh();
   const withTags = (...tags: readonly number[]): FileMesh => ({
     ...block,
@@ -47,7 +47,7 @@ describe("numbers are written as they were", () => {
     regions: block.regions.map((region, r) => ({ ...region, name: `body ${r}`, tag: 5 * r })),
   });
 
-  test.each([".mesh", ".vtu", ".vtk", ".ele"])("%s: zero too", async (extension) => {
+  test.each([".mesh", ".vtu", ".vtk", ".ele"])("are kept by %s, including zero", async (extension) => {
     const mesh = withTags(0, 10, 20);
     const files = await writeMesh(mesh, `a${extension}`);
     const others = new Map(files.map(({ fileName, bytes }) => [fileName, bytes]));
@@ -64,13 +64,13 @@ describe("numbers are written as they were", () => {
     expect(files[0]?.notes.map(({ message }) => message).join()).not.toMatch(/numbers of/i);
   });
 
-  test("Nastran: one set of numbers, in which patches come first", async () => {
+  test("are unique across patches and regions in Nastran, patches first", async () => {
     const [file] = await writeMesh(withTags(7, 5, 12, 100_000_000), "a.bdf");
     const numbersOf = (card: string) =>
       [...new TextDecoder().decode(file?.bytes).matchAll(new RegExp(`^${card} *(\\d+)`, "gm"))].map(([, n]) =>
         Number(n),
       );
-    // Numbers have eight digits; region 5 finds patch 5 before it.
+    // Tags have at most eight digits; the tag 5 of a region is already taken by a patch.
     expect(numbersOf("PSHELL")).toEqual([7, 5, 12, 1, 104, 105]);
     expect(numbersOf("PSOLID")).toEqual([2, 3]);
     const notes = file?.notes.map(({ message }) => message).join("\n");
@@ -79,7 +79,7 @@ describe("numbers are written as they were", () => {
   });
 
   test.each([".msh", ".msh2"])(
-    "%s: all but those that cannot be, and each change is told",
+    "are kept by %s if they are valid, and each change is reported",
     async (extension) => {
       const [file] = await writeMesh(withTags(0, 10, 20, 10, 2.5, -1), `a${extension}`);
       const again = await read(file?.bytes ?? new Uint8Array(), "a.msh");
@@ -100,7 +100,7 @@ describe("numbers are written as they were", () => {
   );
 
   test.each([".msh", ".msh2"])(
-    "%s: groups of a generated mesh get different numbers without a note",
+    "of a generated mesh are made unique in %s without a note",
     async (extension) => {
       const generated = {
         ...block,
@@ -115,7 +115,7 @@ describe("numbers are written as they were", () => {
     },
   );
 
-  test("of many changes ten are named", async () => {
+  test("are reported for the first ten changes only", async () => {
     const count = block.trianglePatch.length;
     const many = {
       ...block,

@@ -4,8 +4,8 @@ import { describe, expect, test } from "vitest";
 import { parseMsh, parseVtu } from "../../support/mesh-files.js";
 
 /**
- * Two tetrahedra of two regions on either side of one face, and two of their outer faces as patches.
- * The coordinates are such that any detour through decimal or float32 numbers shows.
+ * Two tetrahedra of two regions that share a face; two of their outer faces are patches. The coordinates are
+ * chosen so that any conversion to decimal or float32 shows.
  */
 const points = Float64Array.of(
   0,
@@ -45,7 +45,7 @@ const empty: typeof mesh = {
   volume: { ...mesh.volume, tetrahedra: new Uint32Array(), regions: new Uint32Array() },
 };
 
-/** The one file that a mesh becomes. */
+/** Writes a mesh and returns its only file. */
 async function written(extension: string, mesh: FileMesh): Promise<Uint8Array<ArrayBuffer>> {
   const [file, ...others] = await writeMesh(mesh, `part${extension}`);
   if (file === undefined || others.length > 0) throw new Error("not one file");
@@ -62,13 +62,13 @@ const named = (
   regions: regions.map((name, r) => ({ name, tag: r + 1 })),
 });
 
-test("a partial mesh may hold elements of the last of many regions alone", () => {
+test("fileMeshOf lists all regions of a partial mesh with elements of the last one only", () => {
   const volume = { ...mesh.volume, regions: mesh.volume.regions.map(() => 2) };
   expect(fileMeshOf({ ...mesh, volume }).regions).toHaveLength(3);
 });
 
 describe("VTU", () => {
-  test("holds the tetrahedra with coordinates bit for bit", async () => {
+  test("holds the tetrahedra with exact coordinates", async () => {
     const read = parseVtu(await written(".vtu", fileMeshOf(mesh)));
     expect([...read.points]).toEqual([...points]);
     expect(read.tetrahedra).toEqual([
@@ -84,14 +84,14 @@ describe("VTU", () => {
     expect(read.patches).toEqual([3, 1, 3]);
   });
 
-  test("of a mesh without tetrahedra is whole", async () => {
+  test("is complete for a mesh without tetrahedra", async () => {
     const read = parseVtu(await written(".vtu", fileMeshOf(empty)));
     expect([read.points.length, read.tetrahedra, read.regions]).toEqual([15, [], []]);
   });
 });
 
 describe("MSH", () => {
-  test("holds patches and regions as named groups with coordinates bit for bit", async () => {
+  test("holds patches and regions as named groups with exact coordinates", async () => {
     const read = parseMsh(await written(".msh", named(["inlet", "unused", 'the "wall"'])));
     expect([...read.points]).toEqual([...points]);
     expect(read.triangles).toEqual([
@@ -110,14 +110,14 @@ describe("MSH", () => {
     ]);
   });
 
-  test("tells groups of one name apart", async () => {
+  test("makes equal group names unique", async () => {
     const read = parseMsh(await written(".msh", named(["wall", "", "wall"], ["", " "])));
     expect(read.triangles.map(({ name }) => name)).toEqual(["wall", "wall (patch 3)"]);
     expect(read.tetrahedra.map(({ name }) => name)).toEqual(["region 1", "region 2"]);
   });
 
   test.each([".msh", ".msh2"])(
-    "%s cuts long names where Gmsh ends, and keeps them apart",
+    "%s truncates long names at the limit of Gmsh and keeps them unique",
     async (extension) => {
       const long = "ä".repeat(150);
       const text = new TextDecoder("latin1").decode(
@@ -126,7 +126,7 @@ describe("MSH", () => {
       const names = Array.from(text.matchAll(/^\d \d "(.*)"$/gm), ([, name]) => name ?? "");
       expect(names).toHaveLength(4);
       for (const name of names) {
-        expect(name.length).toBeLessThanOrEqual(127); // one character of latin1 for each byte
+        expect(name.length).toBeLessThanOrEqual(127); // One latin1 character per byte.
         expect(() =>
           new TextDecoder("utf-8", { fatal: true }).decode(Uint8Array.from(name, (c) => c.charCodeAt(0))),
         ).not.toThrow();
@@ -136,7 +136,7 @@ describe("MSH", () => {
     },
   );
 
-  test("of a mesh without elements is whole", async () => {
+  test("is complete for a mesh without elements", async () => {
     expect(parseMsh(await written(".msh", fileMeshOf(empty)))).toMatchObject({
       triangles: [],
       tetrahedra: [],
@@ -145,7 +145,7 @@ describe("MSH", () => {
 });
 
 describe("legacy VTK", () => {
-  /** So many of the numbers that follow a line that matches. */
+  /** Returns the first `count` numbers after a line that matches. */
   const after = (file: Uint8Array, line: RegExp, count: number) => {
     const text = new TextDecoder().decode(file);
     const found = line.exec(text);
@@ -154,7 +154,7 @@ describe("legacy VTK", () => {
     return words.slice(0, count).map(Number);
   };
 
-  test("holds the tetrahedra with coordinates bit for bit", async () => {
+  test("holds the tetrahedra with exact coordinates", async () => {
     const file = await written(".vtk", fileMeshOf(mesh));
     expect(after(file, /^ASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 5 double\n/m, 15)).toEqual([...points]);
     const cells = [4, 0, 1, 2, 3, 4, 1, 4, 2, 3, 3, 0, 2, 1, 3, 0, 1, 3, 3, 0, 3, 2];
@@ -164,7 +164,7 @@ describe("legacy VTK", () => {
     expect(after(file, /^SCALARS patch int 1\nLOOKUP_TABLE default\n/m, 5)).toEqual([0, 0, 3, 1, 3]);
   });
 
-  test("of a mesh without tetrahedra is whole", async () => {
+  test("is complete for a mesh without tetrahedra", async () => {
     expect(new TextDecoder("latin1").decode(await written(".vtk", fileMeshOf(empty)))).toMatch(
       /CELLS 0 0\nCELL_TYPES 0\nCELL_DATA 0\n/,
     );
@@ -180,7 +180,7 @@ describe("Medit", () => {
       .map((line) => line.split(" ").map(Number));
   };
 
-  test("holds boundary and tetrahedra with their references, and coordinates bit for bit", async () => {
+  test("holds boundary and tetrahedra with their references and exact coordinates", async () => {
     const file = new TextDecoder().decode(await written(".mesh", fileMeshOf(mesh)));
     expect(file).toMatch(/^MeshVersionFormatted 2\n\nDimension 3\n/);
     expect(rowsOf(file, "Vertices").flatMap((row) => row.slice(0, 3))).toEqual([...points]);
@@ -196,20 +196,20 @@ describe("Medit", () => {
     expect(file).toMatch(/\nEnd\n$/);
   });
 
-  test("of a mesh without elements is whole", async () => {
+  test("is complete for a mesh without elements", async () => {
     expect(new TextDecoder().decode(await written(".mesh", fileMeshOf(empty)))).toMatch(
       /Tetrahedra\n0\n\nEnd\n$/,
     );
   });
 });
 
-test("SU2 holds the tetrahedra, the points bit for bit, and a marker per patch", async () => {
+test("SU2: holds the tetrahedra, exact coordinates, and a marker per patch", async () => {
   const lines = new TextDecoder().decode(await written(".su2", named(["the inlet", "", "wall"]))).split("\n");
   expect(lines.slice(0, 4)).toEqual(["NDIME= 3", "NELEM= 2", "10 0 1 2 3 0", "10 1 4 2 3 1"]);
   expect(lines[4]).toBe("NPOIN= 5");
-  const places = lines.slice(5, 10).map((line) => line.split(" ").map(Number));
-  expect(places.flatMap((row) => row.slice(0, 3))).toEqual([...points]);
-  expect(places.map((row) => row[3])).toEqual([0, 1, 2, 3, 4]);
+  const rows = lines.slice(5, 10).map((line) => line.split(" ").map(Number));
+  expect(rows.flatMap((row) => row.slice(0, 3))).toEqual([...points]);
+  expect(rows.map((row) => row[3])).toEqual([0, 1, 2, 3, 4]);
   expect(lines.slice(10)).toEqual(
     ["NMARK= 3", "MARKER_TAG= the_inlet", "MARKER_ELEMS= 1", "5 0 1 3"].concat([
       "MARKER_TAG= wall",
@@ -227,10 +227,10 @@ test("SU2 holds the tetrahedra, the points bit for bit, and a marker per patch",
   );
 });
 
-/** Twice the same name, longer than any format takes, and one that only capitals tell from another. */
+/** Two equal names longer than any format permits, and names that differ only in case. */
 const hardNames = named(["the wall ".repeat(40), "Wall", "the wall ".repeat(40)], ["wall", "WALL"]);
 
-test("SU2 markers have no more than 199 bytes, and differ", async () => {
+test("SU2: marker names are unique and have at most 199 bytes", async () => {
   const text = new TextDecoder().decode(await written(".su2", hardNames));
   const all = Array.from(text.matchAll(/^MARKER_TAG= (.*)$/gm), ([, name]) => name ?? "");
   const names = all.filter((name) => name !== "unnamed_faces");
@@ -239,7 +239,7 @@ test("SU2 markers have no more than 199 bytes, and differ", async () => {
   for (const name of names) expect(name).toMatch(/^\S{100,199}$/);
 });
 
-test("Abaqus names have no more than 80 characters, and differ in more than capitals", async () => {
+test("Abaqus: names differ in more than case and have at most 80 characters", async () => {
   const text = new TextDecoder().decode(await written(".inp", hardNames));
   for (const word of ["NSET, NSET", "ELSET", "SURFACE, NAME", "MATERIAL, NAME"]) {
     const names = Array.from(

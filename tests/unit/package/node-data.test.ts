@@ -1,4 +1,4 @@
-/** Numbers at the nodes: written where a format has a place for them, else told to be left out. */
+/** Values at the nodes: written if the format can store them, otherwise reported as left out. */
 import { FILE_FORMATS, readMesh, writeMesh, type FileMesh } from "tetrafront";
 import { expect, test } from "vitest";
 
@@ -17,7 +17,7 @@ const mesh: FileMesh = {
   ]),
 };
 
-test.each([".vtu", ".vtk", ".msh", ".msh2"])("%s gives them back", async (extension) => {
+test.each([".vtu", ".vtk", ".msh", ".msh2"])("values at the nodes are kept by %s", async (extension) => {
   const [file] = await writeMesh(mesh, `a${extension}`);
   expect(file?.notes.map(({ message }) => message).join()).not.toMatch(/left out/);
   const read = await readMesh(file?.bytes ?? new Uint8Array(), { fileName: `a${extension}` });
@@ -31,7 +31,7 @@ test.each([".vtu", ".vtk", ".msh", ".msh2"])("%s gives them back", async (extens
   expect(read.value.patches.length).toBe(block.patches.length);
 });
 
-test("VTK: all numbers of a node may be missing", async () => {
+test("VTK: all values of a node can be missing", async () => {
   const values = new Float64Array(3 * count).fill(NaN);
   const [file] = await writeMesh(
     { ...block, nodeData: new Map([["v", { components: 3, values }]]) },
@@ -41,7 +41,7 @@ test("VTK: all numbers of a node may be missing", async () => {
   expect(written).toContain(`v 3 ${count} double\n${"nan nan nan\n".repeat(count)}`);
 });
 
-test("VTK: rows of numbers are made while they are asked for", () => {
+test("VTK: rows of values are generated lazily", () => {
   const parts = [...writeVtk(mesh, () => undefined)].flatMap((part): readonly Part[] =>
     Array.isArray(part) ? (part as readonly Part[]) : [part],
   );
@@ -54,22 +54,22 @@ const others = FILE_FORMATS.filter(
   ({ id, writable }) => writable.length > 0 && !/^(vtu|vtk|gmsh2?)$/.test(id),
 );
 test.each(others.map(({ extensions }) => extensions[0]))(
-  "%s tells that they are left out",
+  "%s: reports that values at the nodes are left out",
   async (extension) => {
     const [file] = await writeMesh(mesh, `a${extension}`);
-    const told = file?.notes.map(({ message }) => message).join("\n");
-    expect(told).toMatch(/Values at the nodes are left out: "size", /);
+    const notes = file?.notes.map(({ message }) => message).join("\n");
+    expect(notes).toMatch(/Values at the nodes are left out: "size", /);
   },
 );
 
-test("Gmsh's sections have one, three or nine numbers: others are told", async () => {
+test("Gmsh: reports values with other than one, three or nine components as left out", async () => {
   const values = new Float64Array(2 * count);
   const odd = { ...block, nodeData: new Map([["pair", { components: 2, values }]]) };
   const [file] = await writeMesh(odd, "a.msh");
   expect(file?.notes.map(({ message }) => message)).toContain('Values at the nodes are left out: "pair"');
 });
 
-test("numbers that are not so many, and nodes without a place, are refused", async () => {
+test("writeMesh rejects a wrong number of values and nodes without a finite position", async () => {
   const short = { ...block, nodeData: new Map([["size", { components: 1, values: new Float64Array(1) }]]) };
   await expect(writeMesh(short, "a.vtu")).rejects.toThrow(/nodeData "size"/);
   const points = block.points.slice();
@@ -79,7 +79,7 @@ test("numbers that are not so many, and nodes without a place, are refused", asy
   );
 });
 
-test("regions between the triangles of a surface are told to be left out", async () => {
+test("regions of a surface without tetrahedra are reported as left out", async () => {
   const surface: FileMesh = {
     ...block,
     tetrahedra: new Uint32Array(),
@@ -94,15 +94,15 @@ test("regions between the triangles of a surface are told to be left out", async
   expect(file?.notes.map(({ message }) => message).join()).toMatch(/left out.*: "steel"/);
 });
 
-test("Nastran: points that its characters make one are counted", async () => {
+test("Nastran: counts the nodes that become equal within 16 characters", async () => {
   const moved = (shift: number) => ({
     ...block,
     points: block.points.map((value, i) => value + (i % 3 ? 0 : shift)),
   });
-  const told = async (shift: number) => {
+  const notesFor = async (shift: number) => {
     const [file] = await writeMesh(moved(shift), "a.bdf");
     return file?.notes.map(({ message }) => message).join() ?? "";
   };
-  expect(await told(0)).not.toMatch(/became equal to others/);
-  expect(await told(1e15)).toMatch(/^\d+ points? became equal to others: the format has 16 characters/);
+  expect(await notesFor(0)).not.toMatch(/became equal to others/);
+  expect(await notesFor(1e15)).toMatch(/^\d+ points? became equal to others: the format has 16 characters/);
 });

@@ -1,4 +1,6 @@
-/** What is written is read by meshio and by Gmsh, and what meshio writes is read, where Python has them. */
+/**
+ * meshio and Gmsh read the files we write, and we read the files meshio writes, if Python has these programs.
+ */
 import { spawnSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
@@ -43,7 +45,7 @@ async function save(fileName: string, given: FileMesh = mesh): Promise<string> {
 
 async function readByMeshio(fileName: string, format: string, given: FileMesh = mesh): Promise<ReadMesh> {
   const answer = run([script, `meshio:${format}:${await save(fileName, given)}`]);
-  // meshio remarks on some formats before the answer.
+  // meshio prints remarks on some formats before the answer.
   const line = answer.split("\n").find((text) => text.startsWith("{"));
   if (line === undefined) throw new Error(answer);
   return JSON.parse(line) as ReadMesh;
@@ -55,7 +57,7 @@ const wanted = {
   triangle: taggedElements(mesh.triangles, 3, mesh.trianglePatch, mesh.patches),
 };
 
-/** The elements of a kind with their tags from the array of this name; without a name untagged. */
+/** Returns the elements of a type with their tags from the named array; untagged if there is no name. */
 function elements(read: ReadMesh, kind: "tetra" | "triangle", tags: string | undefined): string[] {
   return read.cells
     .flatMap(([type, cells], b) =>
@@ -70,7 +72,7 @@ function elements(read: ReadMesh, kind: "tetra" | "triangle", tags: string | und
 
 const untagged = (lines: readonly string[]) => lines.map((line) => line.replace(/^.*: /, "")).sort();
 
-/** What is wanted where regions and patches are numbered from these numbers on, or have all the same. */
+/** Returns the expected elements if tags count up from the given numbers, or are all equal (step 0). */
 function renumbered(region: number, patch: number, step: 0 | 1 = 1): typeof wanted {
   const from = (first: number) => (_: unknown, g: number) => ({ tag: first + step * g });
   return {
@@ -78,11 +80,11 @@ function renumbered(region: number, patch: number, step: 0 | 1 = 1): typeof want
     triangle: taggedElements(mesh.triangles, 3, mesh.trianglePatch, mesh.patches.map(from(patch))),
   };
 }
-/** meshio counts markers, which have names alone. */
+/** meshio numbers markers, which have only names. */
 const asMarkers = { ...renumbered(0, 1), tetra: renumbered(0, 0, 0).tetra };
 
 if (programs.length === 0) {
-  test("neither meshio nor Gmsh is there: the rules of the formats are checked elsewhere", () => {
+  test("is skipped without meshio and Gmsh", () => {
     expect(programs).toEqual([]);
   });
 }
@@ -102,7 +104,7 @@ if (programs.includes("meshio")) {
     ])("%s", async (fileName, format, regions, patches, wanted) => {
       const read = await readByMeshio(fileName, format);
       const points = read.points.flat();
-      // Fields of 16 characters; float32 in the text of UGRID.
+      // Nastran fields have 16 characters; UGRID text is read as float32.
       const digits = format === "nastran" ? 12 : fileName === "part.ugrid" ? 6 : undefined;
       if (digits !== undefined) {
         points.forEach((value, i) => expect(value).toBeCloseTo(mesh.points[i] ?? NaN, digits));
@@ -137,12 +139,12 @@ if (programs.includes("meshio")) {
       const cells = read.cells.flatMap(([type, rows]) => (type === "triangle" ? rows : []));
       const at = (node: number) => (read.points[node] ?? []).map(Math.fround).join(" ");
       const soup = cells.map((nodes) => nodes.map(at).join(" | ")).sort();
-      const place = (node: number) =>
+      const position = (node: number) =>
         plus(mesh.points.subarray(3 * node, 3 * node + 3))
           .map(Math.fround)
           .join(" ");
       const given = Array.from({ length: mesh.triangles.length / 3 }, (_, t) =>
-        [...mesh.triangles.subarray(3 * t, 3 * t + 3)].map(place).join(" | "),
+        [...mesh.triangles.subarray(3 * t, 3 * t + 3)].map(position).join(" | "),
       ).sort();
       expect(soup).toEqual(given);
     });
@@ -156,7 +158,7 @@ if (programs.includes("meshio")) {
     });
   });
 
-  describe("what meshio writes is read:", () => {
+  describe("files written by meshio are read:", () => {
     const convert =
       "import meshio, sys\nm = meshio.read(sys.argv[1])\nm.cell_sets = {}\nk = eval(sys.argv[3])\nmeshio.write(sys.argv[2], m, **k)";
     test.each<[string, string]>([
@@ -173,7 +175,7 @@ if (programs.includes("meshio")) {
       ["again.msh", "dict(file_format='gmsh22', binary=True)"],
       ["again.mesh", "dict()"],
     ])("%s with %s", async (fileName, options) => {
-      // meshio keeps the tags of a format under that format's names.
+      // meshio stores the tags of a format under names of that format.
       const source = fileName.endsWith("mesh")
         ? "from.mesh"
         : fileName.endsWith("msh")
@@ -201,12 +203,13 @@ if (programs.includes("gmsh")) {
   test.each(["stl", "obj", "off", "ply"])("Gmsh reads the boundary from .%s", async (format) => {
     const answer = run([script, `gmsh::${await save(`part.${format}`)}`]);
     const { points, triangles } = JSON.parse(answer) as { points: number[][]; triangles: number };
-    // STL has floats; what Gmsh makes of the decimals in OBJ may differ in the last digit.
+    // STL stores float32; Gmsh may parse decimals in OBJ with a different last digit.
     const rounded = (x: number) => (format === "stl" ? Math.fround(x) : Number(x.toPrecision(14))) + 0;
-    const places = (all: readonly number[][]) => all.map((place) => place.map(rounded).join(" ")).sort();
+    const positions = (all: readonly number[][]) =>
+      all.map((position) => position.map(rounded).join(" ")).sort();
     const { points: given } = await inSteps(boundaryOf(mesh));
     const rows = Array.from({ length: given.length / 3 }, (_, i) => [...given.subarray(3 * i, 3 * i + 3)]);
-    expect(places(points)).toEqual(places(rows));
+    expect(positions(points)).toEqual(positions(rows));
     expect(triangles).toBe(mesh.triangles.length / 3);
   });
 
@@ -231,7 +234,7 @@ if (programs.includes("gmsh")) {
   );
 
   test.each<[string, typeof wanted]>([
-    // Gmsh passes over the numbers of cells in VTK.
+    // Gmsh ignores the cell data of VTK files.
     ["part.vtk", renumbered(1, 1, 0)],
     ["part.mesh", wanted],
     ["part.bdf", wanted],
@@ -240,11 +243,11 @@ if (programs.includes("gmsh")) {
       points: number[][];
       entities: [number, number, number[][]][];
     };
-    const places = read.points.flat();
+    const positions = read.points.flat();
     if (fileName === "part.bdf") {
-      expect(places).toHaveLength(mesh.points.length);
-      places.forEach((value, i) => expect(value).toBeCloseTo(mesh.points[i] ?? NaN, 12));
-    } else expect(plus(places)).toEqual(plus(mesh.points));
+      expect(positions).toHaveLength(mesh.points.length);
+      positions.forEach((value, i) => expect(value).toBeCloseTo(mesh.points[i] ?? NaN, 12));
+    } else expect(plus(positions)).toEqual(plus(mesh.points));
     const of = (dimension: number) =>
       read.entities
         .filter(([d]) => d === dimension)
