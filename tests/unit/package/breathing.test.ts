@@ -1,4 +1,4 @@
-/** Long work on files is done in steps, between which others run and signals are heard. */
+/** Long work on files runs in steps; other tasks run and cancelling takes effect between them. */
 import { FILE_FORMATS, readMesh, readSurface, readVolume, writeMesh, type FileMesh } from "tetrafront";
 import { afterEach, describe, expect, test, vi } from "vitest";
 
@@ -10,7 +10,7 @@ import { sphereSurface } from "../../support/surfaces.js";
 
 const block = blockMesh(20);
 const sphere = sphereSurface(60);
-/** For formats of surfaces. */
+/** A surface without tetrahedra, for surface formats. */
 const surface: FileMesh = {
   ...block,
   ...sphere,
@@ -21,7 +21,7 @@ const surface: FileMesh = {
 
 afterEach(() => vi.restoreAllMocks());
 
-/** A clock by which every step takes longer than others are to wait. */
+/** Replaces the clock by one on which every step exceeds its time slice. */
 function slowClock(): void {
   let now = 0;
   vi.spyOn(performance, "now").mockImplementation(() => (now += 20));
@@ -29,7 +29,7 @@ function slowClock(): void {
 
 const bytesOf = (text: string) => new TextEncoder().encode(text);
 
-/** The arrays of a VTU file of so many tetrahedra beside each other, coded in every way. */
+/** Returns a VTU file of `count` separate tetrahedra with arrays in the given encoding. */
 function vtuOf(count: number, coding: "ascii" | "binary" | "appended"): Uint8Array {
   const points = new Float64Array(12 * count);
   for (let i = 0; i < count; i++) points.set([i, 0, 0, i + 1, 0, 0, i, 1, 0, i, 0, 1], 12 * i);
@@ -66,23 +66,23 @@ function vtuOf(count: number, coding: "ascii" | "binary" | "appended"): Uint8Arr
   );
 }
 
-describe.each(["ascii", "binary", "appended"] as const)("a VTU file whose arrays are %s", (coding) => {
+describe.each(["ascii", "binary", "appended"] as const)("a VTU file with %s arrays", (coding) => {
   const bytes = vtuOf(20_000, coding);
 
-  test("is read in steps, and a signal is heard between them when all bytes are there", async () => {
+  test("is read in steps, and can be cancelled between them after all bytes have arrived", async () => {
     slowClock();
     const stop = new AbortController();
-    let others = 0;
-    const onProgress = (read: number) => {
-      // Timers run only where the reader lets them.
-      if (read === bytes.length) setTimeout(() => (others++, stop.abort("enough")));
+    let ticks = 0;
+    const onProgress = (bytesRead: number) => {
+      // Timers run only if the reader yields.
+      if (bytesRead === bytes.length) setTimeout(() => (ticks++, stop.abort("enough")));
     };
     const reading = readVolume(bytes, { fileName: "a.vtu", onProgress, signal: stop.signal });
     await expect(reading).rejects.toMatchObject({ code: "cancelled", cause: "enough" });
-    expect(others).toBe(1);
+    expect(ticks).toBe(1);
   });
 
-  test("is read right", async () => {
+  test("is read correctly", async () => {
     const read = await readVolume(bytes, { fileName: "a.vtu" });
     if (!read.success) throw new Error(read.errors[0].message);
     expect(read.value.tetrahedra).toHaveLength(80_000);
@@ -115,7 +115,7 @@ test("an array in one compressed block is inflated in steps", () => {
     let step = work.next();
     for (; step.done !== true; step = work.next()) steps++;
     expect(step.value).toEqual(values);
-    // Those of inflating, then those of reading the numbers.
+    // The steps of inflating, then those of decoding the numbers.
     expect(steps).toBeGreaterThan(packed.length / (1 << 14) + values.length / STEP - 1);
   });
 });
@@ -124,11 +124,11 @@ const WRITABLE = FILE_FORMATS.filter(({ writable }) => writable.length > 0).map(
   (format) => [format.extensions[0], format] as const,
 );
 
-describe.each(WRITABLE)("a mesh written as %s", (extension, format) => {
+describe.each(WRITABLE)("writing a mesh as %s", (extension, format) => {
   const mesh = format.writable.includes("volume") ? block : surface;
   const rows = (mesh.points.length + mesh.triangles.length) / 3 + mesh.tetrahedra.length / 4;
 
-  test("is laid out in steps: about as many as its progress counts with, none of them large", async () => {
+  test("takes about as many steps as its progress expects, each of limited size", async () => {
     const { write, passes = 4 } = await format.load();
     let steps = 0;
     let longest = 0;
@@ -144,23 +144,23 @@ describe.each(WRITABLE)("a mesh written as %s", (extension, format) => {
     expect(longest).toBeLessThan(3 << 20);
   });
 
-  test("tells progress from 0 to 1, and hears a signal anywhere", async () => {
+  test("reports progress from 0 to 1 and can be cancelled at any step", async () => {
     slowClock();
-    const told: number[] = [];
+    const fractions: number[] = [];
     const bytes: number[] = [];
     const files = await writeMesh(mesh, `a${extension}`, {
       onProgress: (progress) => {
-        told.push(progress.fraction);
+        fractions.push(progress.fraction);
         bytes.push(progress.bytes);
       },
     });
-    expect(told).toEqual(told.toSorted((a, b) => a - b));
-    expect(told[0]).toBeLessThan(0.15);
-    expect(told.at(-2)).toBeGreaterThan(0.6);
-    expect(told.at(-1)).toBe(1);
+    expect(fractions).toEqual(fractions.toSorted((a, b) => a - b));
+    expect(fractions[0]).toBeLessThan(0.15);
+    expect(fractions.at(-2)).toBeGreaterThan(0.6);
+    expect(fractions.at(-1)).toBe(1);
     expect(bytes).toEqual(bytes.toSorted((a, b) => a - b));
     expect(bytes.at(-1)).toBe(files.reduce((sum, file) => sum + file.bytes.length, 0));
-    for (const at of [1, Math.ceil(told.length / 2)]) {
+    for (const at of [1, Math.ceil(fractions.length / 2)]) {
       const stop = new AbortController();
       let calls = 0;
       const onProgress = () => {
@@ -173,7 +173,7 @@ describe.each(WRITABLE)("a mesh written as %s", (extension, format) => {
   });
 });
 
-test("what follows the last byte is done in steps for other formats, too", async () => {
+test("reading other formats also yields after the last byte has arrived", async () => {
   for (const [extension, read] of [
     [".vtk", readVolume],
     [".ply", readSurface],
@@ -183,8 +183,8 @@ test("what follows the last byte is done in steps for other formats, too", async
     const bytes = file?.bytes ?? new Uint8Array();
     slowClock();
     const stop = new AbortController();
-    const onProgress = (so: number) => {
-      if (so === bytes.length) setTimeout(() => stop.abort("enough"));
+    const onProgress = (bytesRead: number) => {
+      if (bytesRead === bytes.length) setTimeout(() => stop.abort("enough"));
     };
     const reading = read(bytes, { fileName: `a${extension}`, onProgress, signal: stop.signal });
     await expect(reading, extension).rejects.toMatchObject({ code: "cancelled" });

@@ -1,44 +1,46 @@
-/** Polygons cut into triangles: area, turn, every corner and every edge stay, and no two triangles overlap. */
+/**
+ * Triangulation of polygons: keeps area, orientation, all corners and edges, without overlapping triangles.
+ */
 import { describe, expect, test } from "vitest";
 
 import { addPolygon, ClippingBudget } from "../../../wasm/src/formats/polygons.js";
 import { randomSource } from "../../support/random.js";
 
-type Place = readonly [number, number];
+type Position = readonly [number, number];
 
 /** Twice the signed area. */
-const areaOf = (places: readonly Place[]) =>
-  places.reduce((sum, [x, y], i) => {
-    const [u, v] = places[(i + 1) % places.length] ?? [0, 0];
+const areaOf = (positions: readonly Position[]) =>
+  positions.reduce((sum, [x, y], i) => {
+    const [u, v] = positions[(i + 1) % positions.length] ?? [0, 0];
     return sum + x * v - y * u;
   }, 0);
 
-/** A plane in space that no axis knows; its axes are orthogonal and of one length. */
-const inSpace = ([x, y]: Place) => [x + 2 * y, 2 * x + y, -2 * x + 2 * y].map((value) => value / 3);
+/** Maps the polygon to an inclined plane; the images of the axes are orthogonal and of equal length. */
+const inSpace = ([x, y]: Position) => [x + 2 * y, 2 * x + y, -2 * x + 2 * y].map((value) => value / 3);
 
-function trianglesOf(places: readonly Place[]): number[] | undefined {
+function trianglesOf(positions: readonly Position[]): number[] | undefined {
   const triangles: number[] = [];
-  const points = places.flatMap(inSpace);
-  const corners = places.map((_, i) => i);
+  const points = positions.flatMap(inSpace);
+  const corners = positions.map((_, i) => i);
   return addPolygon(corners, points, triangles) ? triangles : undefined;
 }
 
-function expectCut(places: readonly Place[]): void {
-  const triangles = trianglesOf(places);
+function expectCut(positions: readonly Position[]): void {
+  const triangles = trianglesOf(positions);
   if (triangles === undefined) throw new Error("not cut");
-  expect(triangles.length).toBe(3 * (places.length - 2));
+  expect(triangles.length).toBe(3 * (positions.length - 2));
   const all = Array.from({ length: triangles.length / 3 }, (_, t) => triangles.slice(3 * t, 3 * t + 3));
-  const areas = all.map((corners) => areaOf(corners.map((corner) => places[corner] ?? [0, 0])));
-  const whole = areaOf(places);
-  // Triangles that all turn as the polygon does and have its area together do not overlap.
+  const areas = all.map((corners) => areaOf(corners.map((corner) => positions[corner] ?? [0, 0])));
+  const whole = areaOf(positions);
+  // If all triangles have the orientation of the polygon and their areas add up to its area, none overlap.
   for (const area of areas) expect(area * Math.sign(whole)).toBeGreaterThan(0);
   expect(areas.reduce((a, b) => a + b)).toBeCloseTo(whole, 9);
   const edges = new Set(all.flatMap(([a, b, c]) => [`${a} ${b}`, `${b} ${c}`, `${c} ${a}`]));
-  places.forEach((_, i) => expect(edges).toContain(`${i} ${(i + 1) % places.length}`));
+  positions.forEach((_, i) => expect(edges).toContain(`${i} ${(i + 1) % positions.length}`));
 }
 
-const comb = (teeth: number): Place[] => [
-  ...Array.from({ length: teeth }, (_, i): Place[] => [
+const comb = (teeth: number): Position[] => [
+  ...Array.from({ length: teeth }, (_, i): Position[] => [
     [2 * i, 0],
     [2 * i + 1, 5],
   ]).flat(),
@@ -46,28 +48,28 @@ const comb = (teeth: number): Place[] => [
   [2 * teeth, -1],
   [0, -1],
 ];
-const spiral = (turns: number): Place[] => {
+const spiral = (turns: number): Position[] => {
   const arm = (radius: number) =>
-    Array.from({ length: 12 * turns }, (_, i): Place => {
+    Array.from({ length: 12 * turns }, (_, i): Position => {
       const angle = (i * Math.PI) / 6;
       return [(radius + i) * Math.cos(angle), (radius + i) * Math.sin(angle)];
     });
   return [...arm(10), ...arm(14).reverse()];
 };
 
-const around = (count: number, radius: (i: number) => number): Place[] =>
+const around = (count: number, radius: (i: number) => number): Position[] =>
   Array.from({ length: count }, (_, i) => [
     radius(i) * Math.cos((2 * Math.PI * i) / count),
     radius(i) * Math.sin((2 * Math.PI * i) / count),
   ]);
 
-const onCircle = (degrees: number): Place => [
+const onCircle = (degrees: number): Position => [
   Math.cos((degrees * Math.PI) / 180),
   Math.sin((degrees * Math.PI) / 180),
 ];
 
-describe("a polygon is cut into triangles", () => {
-  test.each<[string, readonly Place[]]>([
+describe("triangulates a polygon:", () => {
+  test.each<[string, readonly Position[]]>([
     [
       "a dart",
       [
@@ -89,7 +91,7 @@ describe("a polygon is cut into triangles", () => {
       ],
     ],
     [
-      "a square with corners on its edges",
+      "a square with extra corners on its edges",
       [
         [0, 0],
         [1, 0],
@@ -102,7 +104,7 @@ describe("a polygon is cut into triangles", () => {
       ],
     ],
     [
-      "a triangle with a corner on its first edge",
+      "a triangle with an extra corner on its first edge",
       [
         [0, 0],
         [1, 0],
@@ -114,7 +116,7 @@ describe("a polygon is cut into triangles", () => {
     ["a spiral", spiral(3)],
     [
       "a star",
-      Array.from({ length: 40 }, (_, i): Place => {
+      Array.from({ length: 40 }, (_, i): Position => {
         const radius = i % 2 === 0 ? 1 : 0.3;
         return [radius * Math.cos((i * Math.PI) / 20), radius * Math.sin((i * Math.PI) / 20)];
       }),
@@ -134,16 +136,16 @@ describe("a polygon is cut into triangles", () => {
         [1, 1],
       ],
     ],
-  ])("%s", (_, places) => {
-    expectCut(places);
-    expectCut([...places].reverse());
+  ])("%s", (_, positions) => {
+    expectCut(positions);
+    expectCut([...positions].reverse());
   });
 
-  test("around a point, whatever its radii", () => {
+  test("around a point with random radii", () => {
     const random = randomSource(3);
     for (let n = 4; n < 60; n++) {
       expectCut(
-        Array.from({ length: n }, (_, i): Place => {
+        Array.from({ length: n }, (_, i): Position => {
           const radius = 0.2 + random() / 2 ** 32;
           return [radius * Math.cos((2 * Math.PI * i) / n), radius * Math.sin((2 * Math.PI * i) / n)];
         }),
@@ -151,7 +153,7 @@ describe("a polygon is cut into triangles", () => {
     }
   });
 
-  test.each<[string, readonly Place[]]>([
+  test.each<[string, readonly Position[]]>([
     [
       "a bow tie",
       [
@@ -177,7 +179,7 @@ describe("a polygon is cut into triangles", () => {
       ],
     ],
     [
-      "corners on one line",
+      "collinear corners",
       [
         [0, 0],
         [1, 0],
@@ -186,7 +188,7 @@ describe("a polygon is cut into triangles", () => {
       ],
     ],
     [
-      "corners in one place",
+      "coincident corners",
       [
         [1, 1],
         [1, 1],
@@ -195,20 +197,20 @@ describe("a polygon is cut into triangles", () => {
       ],
     ],
     [
-      "one that goes around its first corner more than once, always turning the same way",
+      "one that winds around its first corner more than once",
       [[0, 0], ...[0, 100, 200, 300, 40, 140].map(onCircle)],
     ],
-  ])("but not %s", (_, places) => {
-    expect(trianglesOf(places)).toBeUndefined();
+  ])("but not %s", (_, positions) => {
+    expect(trianglesOf(positions)).toBeUndefined();
   });
 
-  test.each<[string, (count: number) => Place[]]>([
+  test.each<[string, (count: number) => Position[]]>([
     ["a gear", (count) => around(count, (i) => (i % 2 === 0 ? 1 : 1 - 10 / count))],
     ["a comb", (count) => comb(count / 2)],
     ["a circle", (count) => around(count, () => 1)],
-  ])("%s of very many corners, in a time that grows about as they do", (_, shape) => {
+  ])("%s with very many corners, in a time that grows about linearly", (_, shape) => {
     const steps = (count: number) => {
-      const places = shape(count);
+      const positions = shape(count);
       const budget = new ClippingBudget();
       let used = 0;
       const spend = budget.spend.bind(budget);
@@ -220,31 +222,31 @@ describe("a polygon is cut into triangles", () => {
           return result;
         });
       const triangles: number[] = [];
-      const corners = places.map((_, i) => i);
-      expect(addPolygon(corners, places.flatMap(inSpace), triangles, budget)).toBe(true);
-      expect(triangles).toHaveLength(3 * (places.length - 2));
+      const corners = positions.map((_, i) => i);
+      expect(addPolygon(corners, positions.flatMap(inSpace), triangles, budget)).toBe(true);
+      expect(triangles).toHaveLength(3 * (positions.length - 2));
       return used;
     };
-    // Quadratic, it would be a hundred times as long.
+    // Quadratic growth would take a hundred times as many steps.
     expect(steps(20_000)).toBeLessThan(20 * Math.max(steps(2_000), 1));
   });
 });
 
-test("what a file asks of clipping is bounded; polygons of usual sizes are not, and others may run meanwhile", () => {
-  let rests = 0;
-  const budget = new ClippingBudget(() => rests++);
-  const cut = (places: readonly Place[]) =>
+test("clipping stops at its budget per file, handles polygons of usual size, and yields in between", () => {
+  let pauses = 0;
+  const budget = new ClippingBudget(() => pauses++);
+  const cut = (positions: readonly Position[]) =>
     addPolygon(
-      places.map((_, i) => i),
-      places.flatMap(inSpace),
+      positions.map((_, i) => i),
+      positions.flatMap(inSpace),
       [],
       budget,
     );
   const star = around(60, (i) => (i % 2 === 0 ? 1 : 0.5));
   for (let i = 0; i < 500; i++) expect(cut(star)).toBe(true);
-  expect(rests).toBeGreaterThan(2);
-  // Teeth across the axes: the box of each meets those of thousands of others.
-  const slanted = comb(20_000).map(([x, y]): Place => [x / 4e4 - y, x / 4e4 + y]);
+  expect(pauses).toBeGreaterThan(2);
+  // The teeth are inclined: the box of each one overlaps the boxes of thousands of others.
+  const slanted = comb(20_000).map(([x, y]): Position => [x / 4e4 - y, x / 4e4 + y]);
   const began = performance.now();
   for (let i = 0; i < 5; i++) expect(cut(slanted)).toBe(false);
   expect(performance.now() - began).toBeLessThan(60_000);

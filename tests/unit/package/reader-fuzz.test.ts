@@ -1,4 +1,4 @@
-/** Damaged files of every format that is read: a mesh that holds together, or a problem with a remedy. */
+/** Damaged files of every readable format: the result is a consistent mesh, or an error with a remedy. */
 import {
   FILE_FORMATS,
   formatOf,
@@ -19,14 +19,14 @@ import { mutated, randomSource } from "../../support/random.js";
 import { offBinary, offFile, plyBinary, plyStrips, stlText } from "../../support/surface-files.js";
 import { boxSurface } from "../../support/surfaces.js";
 
-/** Damaged files per format, in equal parts of each of its samples. */
+/** Damaged files per format, divided equally among its samples. */
 const SEEDS = Math.max(10_000, Number(process.env["TETRAFRONT_FUZZ"] ?? 0));
 /**
- * The memory of arrays that reading may take: this, and so much for every byte of the file. What is written
- * here is what docs/FORMAT.md promises.
+ * Limit of the memory that reading may allocate in arrays: a constant plus an amount per byte of the file.
+ * docs/FORMAT.md promises these values.
  */
-const ANYWAY = 4 << 20;
-const PER_BYTE = 300;
+const BASE_BYTES = 4 << 20;
+const BYTES_PER_FILE_BYTE = 300;
 
 const mesh = blockMesh(1);
 const cube = boxSurface(1);
@@ -36,7 +36,7 @@ async function written(fileName: string): Promise<Map<string, Uint8Array>> {
   return new Map((await writeMesh(mesh, fileName)).map((file) => [file.fileName, file.bytes]));
 }
 
-/** As programs other than this one write it: in words, which damage turns into other words. */
+/** Text files as other programs write them: damage turns their words into other words. */
 const textVtu = `<VTKFile type="UnstructuredGrid" byte_order="LittleEndian"><Piece NumberOfPoints="4" NumberOfCells="2">
 <Points><DataArray type="Float64" format="ascii">0 0 0 1 0 0 0 1 0 0 0 1</DataArray></Points><Cells>
 <DataArray type="Int32" Name="connectivity" format="binary">HAAAAAAAAAABAAAAAgAAAAMAAAAAAAAAAQAAAAIAAAA=</DataArray>
@@ -71,7 +71,7 @@ const colouredOff = new TextDecoder()
   .decode(offFile(cube))
   .replace(/^3 .*$/gm, (face) => `${face} 255 128 0`);
 
-/** Files beside the one that is damaged. */
+/** The other files of the sample by name; they are not damaged. */
 type Others = ReadonlyMap<string, Uint8Array>;
 type Sample = readonly [string, string, () => Promise<readonly [Uint8Array, Others]>];
 
@@ -122,12 +122,12 @@ const samples: readonly Sample[] = [
   sample("TetGen .poly", "a.poly", poly),
 ];
 
-test("every format that is read is damaged below", () => {
+test("every readable format has a sample", () => {
   const damaged = new Set(samples.map(([, fileName]) => formatOf(fileName)?.id));
   expect(FILE_FORMATS.filter(({ readable, id }) => readable.length > 0 && !damaged.has(id))).toEqual([]);
 });
 
-/** Counts the bytes of the arrays that are made while a function runs. */
+/** Returns the bytes of the arrays allocated while a function runs. */
 async function allocatedBy(run: () => Promise<void>): Promise<number> {
   const originals = { Float64Array, Uint32Array, Uint8Array };
   let bytes = 0;
@@ -147,7 +147,7 @@ async function allocatedBy(run: () => Promise<void>): Promise<number> {
   return bytes;
 }
 
-function isWhole(read: FileMesh): boolean {
+function isConsistent(read: FileMesh): boolean {
   const count = read.points.length / 3;
   return (
     Number.isInteger(count) &&
@@ -168,11 +168,11 @@ const seedsOf = (fileName: string) => {
 };
 
 describe.each(samples)("%s", (_, fileName, load) => {
-  test("with any damage gives a mesh that holds together, or a problem and a remedy, in bounded memory", async () => {
+  test("with any damage gives a consistent mesh or an error with a remedy, in bounded memory", async () => {
     const [file, others] = await load();
     const openOther = (name: string): Promise<ByteSource | undefined> => Promise.resolve(others.get(name));
-    const whole = await readMesh(file, { fileName, openOther });
-    expect(whole.success ? "" : whole.errors[0].message).toBe("");
+    const undamaged = await readMesh(file, { fileName, openOther });
+    expect(undamaged.success ? "" : undamaged.errors[0].message).toBe("");
     let refused = 0;
     const seeds = seedsOf(fileName);
     for (let seed = 1; seed <= seeds; seed++) {
@@ -182,17 +182,18 @@ describe.each(samples)("%s", (_, fileName, load) => {
         result = await readMesh(damaged, { fileName, openOther });
       });
       const total = [...others.values()].reduce((sum, other) => sum + other.length, damaged.length);
-      expect(bytes, `seed ${seed}`).toBeLessThan(ANYWAY + PER_BYTE * total);
-      if (result?.success === true) expect(isWhole(result.value), `seed ${seed}`).toBe(true);
+      expect(bytes, `seed ${seed}`).toBeLessThan(BASE_BYTES + BYTES_PER_FILE_BYTE * total);
+      if (result?.success === true) expect(isConsistent(result.value), `seed ${seed}`).toBe(true);
       else {
         refused++;
         const [problem] = result?.errors ?? [];
-        const isTold = /\S/.test(problem?.message ?? "") && /^[A-Z].*\.$/.test(problem?.remedy ?? "");
-        expect(isTold, `seed ${seed}: ${problem?.message}`).toBe(true);
-        // All the rest of a file may make sense without the points that another has to tell.
+        const hasMessageAndRemedy =
+          /\S/.test(problem?.message ?? "") && /^[A-Z].*\.$/.test(problem?.remedy ?? "");
+        expect(hasMessageAndRemedy, `seed ${seed}: ${problem?.message}`).toBe(true);
+        // The file itself can be valid if the nodes that it needs from another file are missing.
         if (problem?.code === "missing-file") continue;
-        const hasPlace = problem?.line !== undefined || problem?.offset !== undefined;
-        expect(hasPlace, `seed ${seed}: ${problem?.message}`).toBe(true);
+        const hasLocation = problem?.line !== undefined || problem?.offset !== undefined;
+        expect(hasLocation, `seed ${seed}: ${problem?.message}`).toBe(true);
         expect([problem?.code, problem?.message]).toEqual(
           problem?.code === "empty-file"
             ? ["empty-file", "the file is empty"]
@@ -206,7 +207,7 @@ describe.each(samples)("%s", (_, fileName, load) => {
   });
 });
 
-test("damaged projects, seeds 1 to 300, are read or refused with a remedy", () => {
+test("damaged projects are read, or rejected with a remedy (seeds 1 to 300)", () => {
   const file = encoded(writeProject(cubeProject()));
   const text = new TextDecoder();
   let refused = 0;
@@ -222,13 +223,13 @@ test("damaged projects, seeds 1 to 300, are read or refused with a remedy", () =
   expect(refused).toBeGreaterThan(200);
 });
 
-describe("hostile files are refused at once:", () => {
+describe("rejects a hostile file quickly:", () => {
   const problemOf = async (fileName: string, file: Uint8Array) => {
     const read = await readSurface(file, { fileName });
     return read.success ? "" : read.errors[0].message;
   };
 
-  test("many arrays that share the same packed bytes", async () => {
+  test("many arrays that share the same compressed bytes", async () => {
     const tags = Array.from(
       { length: 20_000 },
       (_, i) => `<DataArray type="UInt8" Name="${i}" format="appended" offset="0"/>`,
@@ -242,20 +243,20 @@ describe("hostile files are refused at once:", () => {
     expect(await problemOf("a.vtu", encoded(file))).toMatch(/unpack to far more/);
   });
 
-  test("attributes without end", async () => {
+  test("an endless attribute", async () => {
     expect(await problemOf("a.vtu", encoded(`<VTKFile ${"a".repeat(3_000_000)}>`))).toMatch(
       /neither VTU nor/,
     );
   });
 
-  test("numbers at nodes in thousands of empty sections", async () => {
+  test("values at nodes in thousands of empty sections", async () => {
     const nodes = Array.from({ length: 20_000 }, (_, i) => `${i + 1} 0 0 0`).join("\n");
     const empty = `$NodeData\n0\n0\n3\n0\n9\n0\n$EndNodeData\n`.repeat(20_000);
     const file = `$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n20000\n${nodes}\n$EndNodes\n${empty}`;
     expect(await problemOf("a.msh", encoded(file))).toMatch(/more than 16 sections/);
   });
 
-  test("a line without end", async () => {
+  test("an endless line", async () => {
     expect(await problemOf("a.off", encoded(`OFF\n${"1".repeat(2_000_000)}`))).toMatch(/longer than/);
   });
 });

@@ -1,4 +1,4 @@
-/** Reading that is to stop, stops: also where bytes are waited for; and files that stop too soon are told. */
+/** Reading can be cancelled at any time, also while it waits for bytes; truncated files are reported. */
 import vm from "node:vm";
 
 import { createMesher, readSurface, readVolume, volumeBackground } from "tetrafront";
@@ -12,7 +12,9 @@ const NODES = bytesOf("4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n");
 const FACES = bytesOf("1 0\n1 1 2 3\n");
 const never = () => new Promise<never>(() => undefined);
 
-/** Gives some bytes and then waits; tells whether it was let go of. */
+/**
+ * Returns a stream that delivers some bytes and then hangs, and a function that tells if it was cancelled.
+ */
 function hanging(begin: Uint8Array): { stream: ReadableStream<Uint8Array>; isCancelled: () => boolean } {
   let isCancelled = false;
   const stream = new ReadableStream<Uint8Array>({
@@ -25,7 +27,7 @@ function hanging(begin: Uint8Array): { stream: ReadableStream<Uint8Array>; isCan
   return { stream, isCancelled: () => isCancelled };
 }
 
-test("a signal is heard, and others run, between polygons that take long", async () => {
+test("readSurface yields and can be cancelled between polygons that take long", async () => {
   const count = 2000;
   const polygon = Array.from({ length: count }, (_, i) => {
     const [angle, radius] = [(2 * Math.PI * i) / count, i % 2 === 0 ? 1 : 0.9];
@@ -33,12 +35,12 @@ test("a signal is heard, and others run, between polygons that take long", async
   });
   const face = `f ${polygon.map((_, i) => i + 1).join(" ")}\n`;
   const file = bytesOf(polygon.join("") + face.repeat(80));
-  let ran = 0;
-  const timer = setInterval(() => ran++, 1);
+  let ticks = 0;
+  const timer = setInterval(() => ticks++, 1);
   const read = await readSurface(file, { fileName: "a.obj" });
   clearInterval(timer);
   expect(read.success && read.value.triangles.length).toBe(3 * 80 * (count - 2));
-  expect(ran).toBeGreaterThan(5);
+  expect(ticks).toBeGreaterThan(5);
   const stop = new AbortController();
   setTimeout(() => stop.abort(), 1);
   const began = performance.now();
@@ -48,7 +50,7 @@ test("a signal is heard, and others run, between polygons that take long", async
   expect(performance.now() - began).toBeLessThan(5000);
 });
 
-describe("a signal is heard while bytes are waited for", () => {
+describe("reading can be cancelled while it waits for bytes", () => {
   const reason = new Error("enough");
   const cancelled = { code: "cancelled", cause: reason };
   const stopping = () => {
@@ -57,7 +59,7 @@ describe("a signal is heard while bytes are waited for", () => {
     return stop.signal;
   };
 
-  test("of a stream, which is cancelled", async () => {
+  test("of a stream, which is cancelled too", async () => {
     const { stream, isCancelled } = hanging(bytesOf("solid a\n"));
     await expect(readSurface(stream, { fileName: "a.stl", signal: stopping() })).rejects.toMatchObject(
       cancelled,
@@ -75,7 +77,7 @@ describe("a signal is heard while bytes are waited for", () => {
     );
   });
 
-  test("of a file beside it, while it is opened and while it is read", async () => {
+  test("of a second file, both while that file is opened and while it is read", async () => {
     const { stream, isCancelled } = hanging(NODES.subarray(0, 12));
     for (const openOther of [never, () => Promise.resolve(stream)]) {
       const options = { fileName: "a.face", openOther, signal: stopping() };
@@ -92,7 +94,7 @@ test("progress counts the bytes of all files", async () => {
   expect(seen.at(-1)).toBe(NODES.length + FACES.length);
 });
 
-test("arrays of another realm are arrays", async () => {
+test("arrays of another realm are accepted", async () => {
   const box = boxSurface(1);
   const other = (type: string, values: ArrayLike<number>) =>
     vm.runInNewContext(`new ${type}(values)`, { values: [...Array.from(values)] }) as never;
@@ -109,7 +111,7 @@ test("arrays of another realm are arrays", async () => {
   mesher.dispose();
 });
 
-test("text of STL that ends within its solid was cut off", async () => {
+test("a text STL file that ends within its solid is reported as truncated", async () => {
   const facet =
     "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
   const whole = await readSurface(bytesOf(`solid a\n${facet}endsolid a\n`), { fileName: "a.stl" });
@@ -118,7 +120,7 @@ test("text of STL that ends within its solid was cut off", async () => {
   expect(!cut.success && cut.errors[0].message).toMatch(/truncated/);
 });
 
-test("volumeBackground hears a signal", async () => {
+test("volumeBackground can be cancelled", async () => {
   const elements = bytesOf("1 4 0\n1 1 2 3 4\n");
   const openOther = (name: string) => Promise.resolve(name.endsWith(".node") ? NODES : undefined);
   const volume = await readVolume(elements, { fileName: "a.ele", openOther });
@@ -129,7 +131,7 @@ test("volumeBackground hears a signal", async () => {
   mesher.dispose();
 });
 
-test("a preview names the point that is missing by its id", async () => {
+test("a preview names a missing point by its id", async () => {
   const mesher = await createMesher();
   const { diagnostics } = await mesher.previewProject({
     format: "tetrafront-project",

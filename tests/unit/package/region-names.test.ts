@@ -1,4 +1,4 @@
-/** Regions of a surface's file come out with the mesh that is made within it, each where it was. */
+/** Regions named in a surface file are those of the volume mesh made from it. */
 import {
   createMesher,
   fileMeshOf,
@@ -21,7 +21,7 @@ beforeAll(async () => {
 });
 afterAll(() => mesher.dispose());
 
-/** A cube of edge 2 in two regions, with the wall between them, z = 1, as a patch of its own. */
+/** A cube of edge 2 with two regions; the interface between them, z = 1, is a patch of its own. */
 function halves(): FileMesh {
   const block = blockMesh(2);
   const points = Float64Array.from({ length: 81 }, (_, i) => Math.floor(i / 3 / 3 ** (i % 3)) % 3);
@@ -32,7 +32,7 @@ function halves(): FileMesh {
       ...[corner(x, y), corner(x + 1, y + 1), corner(x, y + 1)],
     ]),
   );
-  // The block's elements were positive with z downward.
+  // Swap two nodes: the elements of the block are positive if z points down.
   const tetrahedra = block.tetrahedra.map((node, i, all) =>
     i % 4 > 1 ? node : (all[i % 4 === 0 ? i + 1 : i - 1] ?? node),
   );
@@ -50,7 +50,7 @@ function halves(): FileMesh {
   };
 }
 
-async function reread(mesh: FileMesh, fileName: string): Promise<SurfaceFile> {
+async function writeAndRead(mesh: FileMesh, fileName: string): Promise<SurfaceFile> {
   const files = await writeMesh(mesh, fileName);
   const others = new Map(files.map((file) => [file.fileName, file.bytes]));
   const first = files[0] ?? { bytes: new Uint8Array() };
@@ -74,35 +74,35 @@ async function filled(surface: SurfaceFile, enclosed?: "regions"): Promise<FileM
   return fileMeshOf(result, { surface });
 }
 
-/** The name of each element's region must be that of the place of its centre. */
-function expectNames(mesh: FileMesh, nameAt: (center: readonly number[]) => string): void {
+/** Expects that each element belongs to the region that `nameAt` returns for its centroid. */
+function expectNames(mesh: FileMesh, nameAt: (centroid: readonly number[]) => string): void {
   const { points, tetrahedra, tetrahedronRegion, regions } = mesh;
   const wrong = Array.from(tetrahedronRegion).filter((region, t) => {
-    const center = [0, 1, 2].map((axis) => {
+    const centroid = [0, 1, 2].map((axis) => {
       const corners = tetrahedra.subarray(4 * t, 4 * t + 4);
       return corners.reduce((sum, node) => sum + (points[3 * node + axis] ?? NaN), 0) / 4;
     });
-    return regions[region]?.name !== nameAt(center);
+    return regions[region]?.name !== nameAt(centroid);
   });
   expect(wrong).toHaveLength(0);
   expect(new Set(tetrahedronRegion).size).toBe(regions.length);
 }
 
-describe.each([".msh", ".vtu", ".vtk", ".mesh"])("from the elements of a %s file", (end) => {
-  test("on both sides of a wall", async () => {
-    const surface = await reread(halves(), `halves${end}`);
+describe.each([".msh", ".vtu", ".vtk", ".mesh"])("the regions of a %s file with elements", (end) => {
+  test("are kept on both sides of an interface", async () => {
+    const surface = await writeAndRead(halves(), `halves${end}`);
     const mesh = await filled(surface);
     expectNames(mesh, ([, , z = 0]) => (z < 1 ? "steel" : "water (20 C)"));
-    // VTU and VTK count regions from 1 where they have numbers of their own.
+    // VTU and VTK number the regions from 1 if they store ids of their own.
     if (end === ".msh") expect(mesh.regions.map(({ tag }) => tag)).toEqual([5, 9]);
   });
 
-  test("behind walls all around, which only what is in front of them tells", async () => {
+  test("are kept for a region enclosed by another", async () => {
     const given = cavitySurface(1);
     const first = await mesher.fillSurface(given, { innerShells: "regions" });
     const names = ["shell of steel", "core"].map((name, r) => ({ name, tag: r + 1 }));
     const made = { ...fileMeshOf(first), regions: names };
-    const again = volumesByName(await filled(await reread(made, `core${end}`), "regions"));
+    const again = volumesByName(await filled(await writeAndRead(made, `core${end}`), "regions"));
     expect([...again.keys()].sort()).toEqual(["core", "shell of steel"]);
     for (const [name, volume] of volumesByName(made)) expect(again.get(name)).toBeCloseTo(volume, 9);
   });
@@ -126,7 +126,7 @@ function volumesByName({ points, tetrahedra, tetrahedronRegion, regions }: FileM
   return volumes;
 }
 
-/** A tetrahedron by its surface alone. */
+/** A tetrahedron that is given only by its surface. */
 const SURFACES = `$Entities
 0 0 4 1
 1 0 0 0 1 1 1 0 0
@@ -162,13 +162,13 @@ $EndElements
 const named = (names: string) =>
   `$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n${names}\n$EndPhysicalNames\n${SURFACES}`;
 
-describe("from a Gmsh file of surfaces alone", () => {
-  test("by the volume's physical group", async () => {
+describe("the region of a Gmsh file with triangles only", () => {
+  test("is named after the physical group of its volume", async () => {
     const mesh = await filled(await readAs(named('2\n3 9 "core"\n3 4 "other"'), "a.msh"));
     expect(mesh.regions).toEqual([{ name: "core", tag: 9 }]);
   });
 
-  test("of version 2.2, which knows no volumes, by the only name there is", async () => {
+  test("gets the only region name of a file of version 2.2, which stores no volumes", async () => {
     const nodes = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n";
     const elements = "1 2 2 0 1 1 3 2\n2 2 2 0 1 1 2 4\n3 2 2 0 1 1 4 3\n4 2 2 0 1 2 3 4";
     const old = (names: string) =>
@@ -181,28 +181,28 @@ describe("from a Gmsh file of surfaces alone", () => {
   });
 });
 
-test("a refined surface keeps the regions on its sides", async () => {
-  const surface = await reread(halves(), "halves.msh");
+test("a refined surface keeps the regions on both sides of its triangles", async () => {
+  const surface = await writeAndRead(halves(), "halves.msh");
   const refinement = await mesher.refineSurface(surface, { size: 0.6 });
   expect(refinement.splitEdges).toBeGreaterThan(0);
   const mesh = await filled(repairedSurface(surface, refinement));
   expectNames(mesh, ([, , z = 0]) => (z < 1 ? "steel" : "water (20 C)"));
 });
 
-test("the one patch of a surface keeps the name it has", async () => {
+test("the only patch of a surface keeps its name", async () => {
   const mesh = { ...halves(), trianglePatch: new Uint32Array(56), patches: [{ name: "skin", tag: 8 }] };
-  expect((await filled(await reread(mesh, "skin.msh"))).patches).toEqual([{ name: "skin", tag: 8 }]);
+  expect((await filled(await writeAndRead(mesh, "skin.msh"))).patches).toEqual([{ name: "skin", tag: 8 }]);
 });
 
-test("regions that a caller puts beside triangles must be among those that are listed", async () => {
-  const surface = await reread(halves(), "halves.msh");
+test("fileMeshOf rejects regions of triangles that are not in the list of regions", async () => {
+  const surface = await writeAndRead(halves(), "halves.msh");
   const { regions = [], triangleRegions = new Uint32Array() } = surface.surfaceRegions ?? {};
   const result = await mesher.fillSurface(surface);
-  const wild = { ...surface, surfaceRegions: { regions, triangleRegions: triangleRegions.with(5, 7) } };
-  expect(() => fileMeshOf(result, { surface: wild })).toThrow(/triangleRegions\[5\] is 7 of 2/);
+  const invalid = { ...surface, surfaceRegions: { regions, triangleRegions: triangleRegions.with(5, 7) } };
+  expect(() => fileMeshOf(result, { surface: invalid })).toThrow(/triangleRegions\[5\] is 7 of 2/);
 });
 
-test("regions of the file that are not filled are told", () => {
+test("the command line reports regions of the file that are not meshed", () => {
   const [steel, water] = [
     { name: "steel", tag: 4 },
     { name: "water", tag: 9 },

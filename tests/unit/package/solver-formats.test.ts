@@ -1,4 +1,6 @@
-/** What solvers ask of a mesh: markers on the boundary alone, elements that fit together, and a word where not. */
+/**
+ * Requirements of solvers: markers on the boundary only, conforming elements, and a note on each exception.
+ */
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
@@ -16,23 +18,23 @@ const keyOf = (face: ArrayLike<number>) =>
     .sort((a, b) => a - b)
     .join(" ");
 
-/** Faces of two elements of different regions, as one of them has it. */
-function wallFaces({ tetrahedra, tetrahedronRegion }: FileMesh): number[][] {
+/** Returns the faces shared by elements of different regions, oriented as in one of the two elements. */
+function interfaceFaces({ tetrahedra, tetrahedronRegion }: FileMesh): number[][] {
   const first = new Map<string, number>();
-  const walls: number[][] = [];
+  const interfaces: number[][] = [];
   tetrahedronRegion.forEach((region, t) => {
     const nodes = [...tetrahedra.subarray(4 * t, 4 * t + 4)];
     for (let f = 0; f < 4; f++) {
       const face = nodes.filter((_, i) => i !== f);
       const other = first.get(keyOf(face));
-      if (other !== undefined && other !== region) walls.push(face);
+      if (other !== undefined && other !== region) interfaces.push(face);
       first.set(keyOf(face), region);
     }
   });
-  return walls;
+  return interfaces;
 }
 
-const walls = wallFaces(block);
+const interfaces = interfaceFaces(block);
 const outer = outerFaces(block.tetrahedra).map(keyOf).sort();
 
 function withTriangles(mesh: FileMesh, added: readonly number[][], name: string): FileMesh {
@@ -45,7 +47,7 @@ function withTriangles(mesh: FileMesh, added: readonly number[][], name: string)
   };
 }
 
-const walled = withTriangles(block, walls, "baffle");
+const withInterface = withTriangles(block, interfaces, "baffle");
 
 async function written(mesh: FileMesh, fileName: string): Promise<WrittenFile> {
   const [file] = await writeMesh(mesh, fileName);
@@ -56,7 +58,7 @@ async function written(mesh: FileMesh, fileName: string): Promise<WrittenFile> {
 const textOf = ({ bytes }: WrittenFile) => new TextDecoder().decode(bytes);
 const notesOf = ({ notes }: WrittenFile) => notes.map(({ message }) => message).join("\n");
 
-/** The faces of all markers, by the marker's name. */
+/** Returns the faces of each marker by the marker's name. */
 function markersOf(file: WrittenFile): Map<string, string[]> {
   const markers = new Map<string, string[]>();
   let own: string[] = [];
@@ -67,7 +69,7 @@ function markersOf(file: WrittenFile): Map<string, string[]> {
   return markers;
 }
 
-/** Three nodes from 0 and a tag per triangle. */
+/** Returns three node indices (from 0) and a tag per triangle. */
 function ugridFaces(file: WrittenFile): { face: number[]; tag: number }[] {
   const lines = textOf(file)
     .trim()
@@ -80,10 +82,10 @@ function ugridFaces(file: WrittenFile): { face: number[]; tag: number }[] {
   }));
 }
 
-test("there is a wall to test with", () => expect(walls).toHaveLength(8));
+test("the test block has an interface", () => expect(interfaces).toHaveLength(8));
 
-test("SU2: a wall is no marker, and that is said", async () => {
-  const file = await written(walled, "a.su2");
+test("SU2: an interface is not written as a marker, and a note reports it", async () => {
+  const file = await written(withInterface, "a.su2");
   const markers = markersOf(file);
   expect([...markers.values()].flat().sort()).toEqual(outer);
   expect([...markers.keys()]).not.toContain("baffle");
@@ -92,43 +94,43 @@ test("SU2: a wall is no marker, and that is said", async () => {
   expect(file.notes[0]).toMatchObject({ code: "left-out", severity: "information" });
 });
 
-test("UGRID: the triangles are the boundary, outward, and the wall is left out", async () => {
+test("UGRID: the triangles are the boundary, oriented outward, without the interface", async () => {
   for (const name of ["a.ugrid", "a.b8.ugrid"]) {
-    expect(notesOf(await written(walled, name))).toMatch(/Left out: .* of "baffle"/);
+    expect(notesOf(await written(withInterface, name))).toMatch(/Left out: .* of "baffle"/);
   }
-  const turned = (face: readonly number[]) => {
+  const lowestFirst = (face: readonly number[]) => {
     const at = face.indexOf(Math.min(...face));
     return [...face.slice(at), ...face.slice(0, at)].join(" ");
   };
-  const file = await written(walled, "a.ugrid");
+  const file = await written(withInterface, "a.ugrid");
   expect(
     ugridFaces(file)
-      .map(({ face }) => turned(face))
+      .map(({ face }) => lowestFirst(face))
       .sort(),
-  ).toEqual(outerFaces(block.tetrahedra).map(turned).sort());
+  ).toEqual(outerFaces(block.tetrahedra).map(lowestFirst).sort());
   expect(notesOf(file)).toMatch(/names are left out.*7 for "in let"/i);
 });
 
-test("OpenFOAM: no map, which has room for 2^24 entries, has one for each face", async () => {
+test("OpenFOAM: no map has an entry per face (a map holds at most 2^24 entries)", async () => {
   const set = vi.spyOn(Map.prototype, "set");
   try {
-    await written(walled, "a.foam.zip");
+    await written(withInterface, "a.foam.zip");
     expect(set.mock.calls.length).toBeLessThan(block.tetrahedra.length / 4);
   } finally {
     set.mockRestore();
   }
 });
 
-test("OpenFOAM: the wall is a zone of faces, of which the boundary knows nothing", async () => {
-  const file = await written(walled, "a.foam.zip");
+test("OpenFOAM: an interface is a face zone and not part of the boundary", async () => {
+  const file = await written(withInterface, "a.foam.zip");
   const poly = readPolyMesh(file.bytes);
   expect(polyMeshFaults(poly)).toEqual([]);
   expect(poly.faces.length - poly.neighbour.length).toBe(outer.length);
   expect(notesOf(file)).not.toMatch(/left out/);
 });
 
-test("Abaqus: the wall has a surface for either side", async () => {
-  const lines = textOf(await written(walled, "a.inp")).split("\n");
+test("Abaqus: an interface has a surface for each side", async () => {
+  const lines = textOf(await written(withInterface, "a.inp")).split("\n");
   const rowsOf = (name: string) => {
     const begin = lines.indexOf(`*SURFACE, NAME=${name}, TYPE=ELEMENT`) + 1;
     expect(begin).toBeGreaterThan(0);
@@ -144,7 +146,7 @@ test("Abaqus: the wall has a surface for either side", async () => {
   expect(lines.filter((line) => /_BACK/.test(line))).toHaveLength(1);
 });
 
-test("faces of no patch have one of their own, and triangles of no element are left out, with a word", async () => {
+test("boundary faces without a patch get an extra one, triangles without an element are left out, and notes report both", async () => {
   const gap = {
     ...block,
     triangles: block.triangles.subarray(3),
@@ -162,10 +164,10 @@ test("faces of no patch have one of their own, and triangles of no element are l
   }
 });
 
-test("a triangle that is there twice is a face once, with a word", async () => {
+test("duplicate triangles are written once, and a note reports them", async () => {
   const twice = withTriangles(
     block,
-    [[...block.triangles.subarray(0, 3)], walls[0] ?? [], walls[0] ?? []],
+    [[...block.triangles.subarray(0, 3)], interfaces[0] ?? [], interfaces[0] ?? []],
     "more",
   );
   const su2 = await written(twice, "a.su2");
@@ -177,7 +179,7 @@ test("a triangle that is there twice is a face once, with a word", async () => {
   for (const file of [su2, foam]) expect(notesOf(file)).toMatch(/Left out: 2 duplicate triangles/);
 });
 
-test("an element so thin that rounding decides how it is turned is accused of nothing", async () => {
+test("an element so thin that rounding decides its orientation is accepted", async () => {
   const corners = [
     [0, 0, 0],
     [1, 0.3, 0.1],
@@ -208,33 +210,30 @@ test("an element so thin that rounding decides how it is turned is accused of no
 const tetrahedron = (t: number) => [...block.tetrahedra.subarray(4 * t, 4 * t + 4)];
 const [a = 0, b = 0, c = 0, d = 0] = tetrahedron(5);
 const FLAWS: readonly (readonly [string, number[], RegExp])[] = [
-  ["repeated", [a, b, c, d], /5, 48 .*same side|48.*share/],
-  ["inside out", [b, a, c, d], /tetrahedron 48 .*inverted/i],
+  ["that is a duplicate", [a, b, c, d], /5, 48 .*same side|48.*share/],
+  ["that is inverted", [b, a, c, d], /tetrahedron 48 .*inverted/i],
   ["without volume", [a, b, c, c], /tetrahedron 48 .*without volume/i],
 ];
 
-test.each(FLAWS)(
-  "an element %s is refused where a solver needs better, with its number",
-  async (_, nodes, message) => {
-    const flawed = {
-      ...block,
-      tetrahedra: Uint32Array.from([...block.tetrahedra, ...nodes]),
-      tetrahedronRegion: Uint32Array.from([...block.tetrahedronRegion, 0]),
-    };
-    for (const name of ["a.su2", "a.ugrid", "a.b8.ugrid", "a.foam.zip"]) {
-      const failure: unknown = await writeMesh(flawed, name).catch((reason: unknown) => reason);
-      if (!(failure instanceof MesherError) || failure.code !== "invalid-input") {
-        throw new Error(`${name} was written`);
-      }
-      const { diagnostics } = failure.data;
-      expect(diagnostics.every(({ code }) => code === "invalid-mesh")).toBe(true);
-      expect(diagnostics.map((found) => found.message).join("\n")).toMatch(message);
+test.each(FLAWS)("solver formats reject an element %s and name its index", async (_, nodes, message) => {
+  const flawed = {
+    ...block,
+    tetrahedra: Uint32Array.from([...block.tetrahedra, ...nodes]),
+    tetrahedronRegion: Uint32Array.from([...block.tetrahedronRegion, 0]),
+  };
+  for (const name of ["a.su2", "a.ugrid", "a.b8.ugrid", "a.foam.zip"]) {
+    const failure: unknown = await writeMesh(flawed, name).catch((reason: unknown) => reason);
+    if (!(failure instanceof MesherError) || failure.code !== "invalid-input") {
+      throw new Error(`${name} was written`);
     }
-    expect((await writeMesh(flawed, "a.vtu")).length).toBe(1);
-  },
-);
+    const { diagnostics } = failure.data;
+    expect(diagnostics.every(({ code }) => code === "invalid-mesh")).toBe(true);
+    expect(diagnostics.map((found) => found.message).join("\n")).toMatch(message);
+  }
+  expect((await writeMesh(flawed, "a.vtu")).length).toBe(1);
+});
 
-test("convert refuses a repeated element for a solver, and warns of it elsewhere", async () => {
+test("convert rejects a duplicate element for a solver format and warns about it for other formats", async () => {
   const folder = mkdtempSync(path.join(tmpdir(), "tetrafront-"));
   try {
     const head =

@@ -34,7 +34,7 @@ async function problemIn(reading: Reading) {
   return read.errors[0];
 }
 
-/** Triangles by the coordinates of their corners: independent of the numbering of nodes. */
+/** Returns triangles by the coordinates of their corners, independent of node indices. */
 function soup({ points, triangles }: SurfaceInput): string[] {
   const corner = (node: number) => points.subarray(3 * node, 3 * node + 3).join(" ");
   return Array.from({ length: triangles.length / 3 }, (_, t) =>
@@ -49,35 +49,35 @@ const float32 = (surface: SurfaceInput) => ({
 });
 
 describe("STL", () => {
-  test("text comes back bit for bit, welded", async () => {
+  test("text is read with exact coordinates, and its nodes are welded", async () => {
     const read = await surfaceIn(readStl(stlText(sphere)));
     expect(soup(read)).toEqual(soup(sphere));
     expect(read.points.length).toBe(sphere.points.length);
   });
 
-  test("binary comes back as float32, welded", async () => {
+  test("binary is read as float32, and its nodes are welded", async () => {
     const read = await surfaceIn(readStl(stlBinary(sphere)));
     expect(soup(read)).toEqual(soup(float32(sphere)));
     expect(read.points.length).toBe(sphere.points.length);
   });
 
-  test('binary that begins with "solid" is not taken for text', async () => {
+  test('binary that begins with "solid" is not read as text', async () => {
     const read = await surfaceIn(readStl(stlBinary(sphere, "solid exported by some program facet")));
     expect(soup(read)).toEqual(soup(float32(sphere)));
   });
 
-  test("binary with bytes after its triangles is read", async () => {
+  test("binary with bytes after its triangles is accepted", async () => {
     expect(soup(await surfaceIn(readStl(Uint8Array.of(...stlBinary(sphere), 0, 0, 0))))).toEqual(
       soup(float32(sphere)),
     );
   });
 
-  test("several solids become one surface", async () => {
+  test("several solids are read as one surface", async () => {
     const text = Uint8Array.of(...stlText(boxSurface(1), "one"), ...stlText(sphere, "endsolid facet of two"));
     expect(soup(await surfaceIn(readStl(text)))).toEqual(soup(joined(boxSurface(1), sphere)));
   });
 
-  test("capitals, tabs, carriage returns and NaN normals are read", async () => {
+  test("capitals, tabs, carriage returns and NaN normals are accepted", async () => {
     const text = new TextDecoder()
       .decode(stlText(boxSurface(1)))
       .replace(/normal 0 0 0/g, "normal NaN NaN NaN");
@@ -87,7 +87,7 @@ describe("STL", () => {
     expect(soup(read)).toEqual(soup(boxSurface(1)));
   });
 
-  test("-0 is 0", async () => {
+  test("-0 is read as 0", async () => {
     const { points, triangles } = boxSurface(1);
     const signed = { triangles, points: points.map((value) => (value === 0 ? -0 : value)) };
     const both = await surfaceIn(readStl(stlText(joined({ points, triangles }, signed))));
@@ -95,7 +95,7 @@ describe("STL", () => {
     expect([...both.points].some((value) => Object.is(value, -0))).toBe(false);
   });
 
-  test("points a rounding error apart stay apart", async () => {
+  test("nodes that differ by a rounding error are not welded", async () => {
     const { points, triangles } = boxSurface(1);
     const moved = { triangles, points: points.map((value) => value + Number.EPSILON) };
     const both = await surfaceIn(readStl(stlText(joined({ points, triangles }, moved))));
@@ -103,7 +103,7 @@ describe("STL", () => {
   });
 
   test.each([0, 10, 83, 84 + 49, 84 + 50 * 3 + 17])(
-    "binary cut off after %i bytes tells where",
+    "binary truncated after %i bytes is rejected with its byte offset",
     async (length) => {
       const problem = await problemIn(readStl(stlBinary(sphere).subarray(0, length)));
       expect(problem.offset).toBe(length);
@@ -115,19 +115,19 @@ describe("STL", () => {
     ["a word for a number", 4, "vertex 0 0 zero"],
     ["an infinite coordinate", 4, "vertex 0 Infinity 0"],
     ["four corners", 7, "vertex 1 1 1\nvertex 1 1 0\nvertex 2 2 2\nvertex 3 3 3"],
-  ])("text with %s tells the line", async (_, line, vertices) => {
+  ])("text with %s is rejected with its line", async (_, line, vertices) => {
     const text = `solid a\n facet normal 0 0 1\n  outer loop\n${vertices}\nvertex 1 0 0\nendloop\nendfacet\nendsolid`;
     expect(await problemIn(readStl(bytes(text)))).toMatchObject({ line });
   });
 
-  test("text that ends in a facet tells so", async () => {
+  test("text truncated in a facet is rejected with its line", async () => {
     const text = new TextDecoder().decode(stlText(sphere));
     const problem = await problemIn(readStl(bytes(text.slice(0, text.length / 2))));
     expect(problem.line).toBeGreaterThan(100);
     expect(problem.message).toMatch(/line \d+: /);
   });
 
-  test("another kind of file is refused", async () => {
+  test("another kind of file is rejected", async () => {
     expect((await problemIn(readStl(bytes("<html><body>Not found</body></html>")))).message).toMatch(
       /too short/,
     );
@@ -138,11 +138,11 @@ describe("STL", () => {
 });
 
 describe("OFF", () => {
-  test("comes back bit for bit", async () => {
+  test("is read with exact coordinates", async () => {
     expect(await surfaceIn(readOff(offFile(sphere)))).toMatchObject(sphere);
   });
 
-  test("comments, blank lines, counts beside the word and colours are read over", async () => {
+  test("comments, blank lines, counts on the first line and colours are skipped", async () => {
     const text = [
       "OFF 4 4 6 # a tetrahedron",
       "",
@@ -161,17 +161,17 @@ describe("OFF", () => {
     expect([...read.triangles]).toEqual([0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3]);
   });
 
-  test("points given twice are welded", async () => {
+  test("coincident nodes are welded", async () => {
     const { points, triangles } = joined(boxSurface(1), boxSurface(1));
     expect((await surfaceIn(readOff(offFile({ points, triangles })))).points.length).toBe(24);
   });
 
-  test("colours and normals of points are read over", async () => {
+  test("colours and normals of nodes are skipped", async () => {
     const text = "COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0 255 0 255\n0 1 0 0 0 255 255\n3 0 1 2\n";
     expect([...(await surfaceIn(readOff(bytes(text)))).points]).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0]);
   });
 
-  test("convex polygons become triangles", async () => {
+  test("convex polygons are triangulated", async () => {
     const cube = "OFF\n8 6 12\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n";
     const faces = "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
     const read = await surfaceIn(readOff(bytes(cube + faces)));
@@ -179,36 +179,36 @@ describe("OFF", () => {
     expect(read.triangles.length).toBe(3 * 12);
   });
 
-  test("a polygon that crosses itself is refused with its line", async () => {
+  test("a self-intersecting polygon is rejected with its line", async () => {
     const text = "OFF\n4 1 0\n0 0 0\n1 1 0\n1 0 0\n0 1 0\n4 0 1 2 3\n";
     expect(await problemIn(readOff(bytes(text)))).toMatchObject({ line: 7 });
   });
 
   test.each<[string, string, number]>([
-    ["another head", "OBJ\n8 6 0\n", 1],
-    ["no head and no points", "8 6 0\n", 2],
+    ["another header", "OBJ\n8 6 0\n", 1],
+    ["no header and no points", "8 6 0\n", 2],
     ["points of four dimensions", "4OFF\n1 0 0\n0 0 0 1\n", 1],
     ["too few points", "OFF\n4 1 0\n0 0 0\n1 0 0\n", 5],
     ["a word for a coordinate", "OFF\n3 1 0\n0 0 0\n1 x 0\n0 1 0\n3 0 1 2\n", 4],
     ["a corner that does not exist", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", 6],
-    ["a corner with a fraction", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1.5\n", 6],
-    ["a face of two corners", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n", 6],
+    ["a corner that is not an integer", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1.5\n", 6],
+    ["a face with two corners", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n", 6],
     ["too few faces", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", 7],
-    ["a huge count and nothing behind it", "OFF\n2000000000 1 0\n", 3],
-  ])("%s is refused with its line", async (_, text, line) => {
+    ["a huge count without data", "OFF\n2000000000 1 0\n", 3],
+  ])("%s is rejected with its line", async (_, text, line) => {
     expect(await problemIn(readOff(bytes(text)))).toMatchObject({ line });
   });
 
-  test("an empty file is refused", async () => {
+  test("an empty file is rejected", async () => {
     expect((await problemIn(readOff(new Uint8Array()))).message).toMatch(/empty/);
   });
 });
 
-/** A square pyramid, its base a polygon of four. */
+/** A square pyramid whose base is one quadrilateral. */
 const pyramid = { points: ["0 0 0", "1 0 0", "1 1 0", "0 1 0", "0.5 0.5 1"], base: [0, 3, 2, 1] };
 
-describe("what binary STL says of its triangles", () => {
-  /** A cube whose triangles have these two bytes in turn. */
+describe("the attribute bytes of a triangle in binary STL", () => {
+  /** A cube whose triangles have these attributes in turn. */
   function stlOf(attributes: readonly number[], header?: string): Uint8Array {
     const file = stlBinary(boxSurface(1), header);
     const view = new DataView(file.buffer);
@@ -220,14 +220,14 @@ describe("what binary STL says of its triangles", () => {
   const patchesOf = async (attributes: readonly number[], header?: string) =>
     (await surfaceIn(readStl(stlOf(attributes, header)))).patches;
 
-  test("is the number of a patch, and none where it is 0", async () => {
+  test("are the number of its patch, or no patch if 0", async () => {
     const patches = await patchesOf([11, 0, 1]);
     expect(patches.map(({ name, tag }) => [name, tag])).toEqual([
       ["attribute 11", 11],
       ["surface", 2],
       ["attribute 1", 1],
     ]);
-    // Written again they are what they were.
+    // Writing the mesh again keeps the numbers.
     const read = await readMesh(stlOf([11, 7]), { fileName: "a.stl" });
     if (!read.success) throw new Error();
     const [file] = await writeMesh(read.value, "a.stl");
@@ -235,13 +235,13 @@ describe("what binary STL says of its triangles", () => {
     expect(again.patches.map(({ tag }) => tag)).toEqual([11, 7]);
   });
 
-  test("is a colour, blue lowest, where bit 15 is set", async () => {
+  test("are a colour, blue in the lowest bits, if bit 15 is set", async () => {
     const [red, , ...others] = await patchesOf([0x8000 | (31 << 10), 3]);
     expect(red).toMatchObject({ name: "#ff0000", color: [1, 0, 0] });
     expect(others).toEqual([]);
   });
 
-  test("is a colour, red lowest, in files of Magics, and that of the object where bit 15 is set", async () => {
+  test("are a colour in files of Magics, red in the lowest bits, or the colour of the object if bit 15 is set", async () => {
     const header = "COLOR=\x00\x7f\x00\x7f,MATERIAL=";
     const patches = await patchesOf([31, 0x8000 | 11, 0x8000], header);
     expect(patches.map(({ name }) => name)).toEqual(["#ff0000", "#007f00"]);
@@ -250,18 +250,18 @@ describe("what binary STL says of its triangles", () => {
 });
 
 describe("OBJ", () => {
-  test("comes back bit for bit", async () => {
+  test("is read with exact coordinates", async () => {
     expect(soup(await surfaceIn(readObj(objFile(sphere))))).toEqual(soup(sphere));
   });
 
-  test("may count backwards, continue lines, give weights and colours, and hold polygons", async () => {
+  test("can have negative indices, continued lines, weights, colours and polygons", async () => {
     const rows = pyramid.points.map((point) => `v ${point} 1.0`).join("\n");
     const file = `${rows}\nf 1 4 3 2\nf -5/1/1 -4/2/2 -1/3/3\nf 2 3 \\\n 5\nf 3 4 5 # side\nf 4 1 5\n`;
     const { triangles } = await surfaceIn(readObj(bytes(file)));
     expect([...triangles]).toEqual([0, 3, 2, 0, 2, 1, 0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4]);
   });
 
-  test.each(["\n", "\r\n", "\r"])("continues any line by a backslash, lines ending with %j", async (end) => {
+  test.each(["\n", "\r\n", "\r"])("continues any line after a backslash, with line ends %j", async (end) => {
     const rows = pyramid.points.map((point) => `v ${point.replace(" ", "\\\n\\\n ")} \\\n 1.0`);
     const head = [
       "# a folder: C:\\parts\\",
@@ -287,25 +287,25 @@ describe("OBJ", () => {
     expect([...surface.triangles]).toEqual([0, 3, 2, 0, 2, 1, 0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4]);
     expect(surface.patches.map(({ name }) => name)).toEqual(["red and blue"]);
     expect(surface.points).toHaveLength(15);
-    // Lines are counted all the same.
+    // Continued lines still count as lines.
     const wrong = readObj(bytes(["v 0 0 \\", "0", "v 1 zero 0"].join(end)));
     expect(await problemIn(wrong)).toMatchObject({ line: 3 });
   });
 
   test.each<[string, string, RegExp]>([
-    ["nothing", "", /empty/],
+    ["no content", "", /empty/],
     ["no face", "v 0 0 0\n", /no face/],
     [
-      "a corner that is not there yet",
+      "a corner that is defined later",
       "v 0 0 0\nf 1 2 3\nv 1 0 0\nv 0 1 0\n",
       /line 2: "2" is not a valid corner: the file has 1 point/,
     ],
-    ["a corner 0", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", /line 4: "0" is not a valid corner/],
-    ["two corners", "v 0 0 0\nv 1 0 0\nf 1 2\n", /line 3: a face has 2 corners/],
-    ["a coordinate that is none", "v 0 0 zero\n", /line 1: .*found "zero"/],
+    ["a corner with index 0", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", /line 4: "0" is not a valid corner/],
+    ["a face with two corners", "v 0 0 0\nv 1 0 0\nf 1 2\n", /line 3: a face has 2 corners/],
+    ["an invalid coordinate", "v 0 0 zero\n", /line 1: .*found "zero"/],
     ["a curved surface", "v 0 0 0\ncstype bezier\n", /line 2: "cstype"/],
     ["a bow tie", "v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4\n", /cannot be cut into triangles/],
-  ])("of %s is refused", async (_, file, message) => {
+  ])("with %s is rejected", async (_, file, message) => {
     expect((await problemIn(readObj(bytes(file)))).message).toMatch(message);
   });
 });
@@ -315,7 +315,7 @@ describe("PLY", () => {
     ["text", plyText(sphere)],
     ["binary, low byte first", plyBinary(sphere, true)],
     ["binary, high byte first", plyBinary(sphere, false)],
-  ])("as %s comes back bit for bit", async (_, file) => {
+  ])("as %s is read with exact coordinates", async (_, file) => {
     expect(soup(await surfaceIn(readPly(file)))).toEqual(soup(sphere));
   });
 
@@ -325,40 +325,36 @@ element face ${faces}\nproperty uchar flag\nproperty list uchar uint vertex_inde
 end_header\n`;
   const rows = `${pyramid.points.join("\n")}\n0 4 ${pyramid.base.join(" ")}\n`;
 
-  test("may hold polygons, and elements nobody asked for", async () => {
+  test("can have polygons and unused elements", async () => {
     const { triangles } = await surfaceIn(readPly(bytes(`${head("ascii", 1)}${rows}7\n`)));
     expect([...triangles]).toEqual([0, 3, 2, 0, 2, 1]);
   });
 
   test.each<[string, string, RegExp]>([
-    ["nothing", "", /empty/],
-    ["another kind", "solid\n", /begin with "ply"/],
+    ["no content", "", /empty/],
+    ["another header", "solid\n", /begin with "ply"/],
     ["half a header", "ply\nformat ascii 1.0\n", /expected "end_header", found the end/],
-    ["a format unheard of", head("ebcdic", 1), /"ebcdic"/],
-    ["numbers unheard of", head("ascii", 1).replace("property float x", "property half x"), /"half"/],
+    ["an unknown format", head("ebcdic", 1), /"ebcdic"/],
+    ["an unknown number type", head("ascii", 1).replace("property float x", "property half x"), /"half"/],
     ["points without z", `${head("ascii", 1).replace("float z", "float w")}${rows}7\n`, /lack x, y or z/],
     [
-      "a corner too many",
+      "a corner out of range",
       `${head("ascii", 1)}${rows.replace("4 0 3 2 1", "3 0 3 9")}7\n`,
       /has corner 9, but the file has 5 points/,
     ],
+    ["missing faces", `${head("ascii", 4_000_000)}${rows}`, /expected a property, found the end of the file/],
+    ["truncated points", `${head("ascii", 1)}0 0 0 1`, /./],
+    ["a second surface", `${head("ascii", 1)}${rows}7\n${head("ascii", 1)}`, /a second surface/],
     [
-      "faces that are not there",
-      `${head("ascii", 4_000_000)}${rows}`,
-      /expected a property, found the end of the file/,
-    ],
-    ["points that break off", `${head("ascii", 1)}0 0 0 1`, /./],
-    ["another surface", `${head("ascii", 1)}${rows}7\n${head("ascii", 1)}`, /a second surface/],
-    [
-      "another surface with CRLF",
+      "a second surface and CRLF line ends",
       `${head("ascii", 1)}${rows}7\n${head("ascii", 1)}`.replaceAll("\n", "\r\n"),
       /a second surface/,
     ],
-  ])("of %s is refused", async (_, file, message) => {
+  ])("with %s is rejected", async (_, file, message) => {
     expect((await problemIn(readPly(bytes(file)))).message).toMatch(message);
   });
 
-  test("binary that breaks off tells where", async () => {
+  test("truncated binary is rejected with its byte offset", async () => {
     const file = plyBinary(sphere, true);
     const problem = await problemIn(readPly(file.subarray(0, file.length - 5)));
     expect(problem.message).toMatch(/^byte \d+: the file ends in the middle of a number/);

@@ -1,4 +1,4 @@
-/** Text as editors and shells leave it: byte-order marks, line ends of any kind, files joined to one. */
+/** Text files as editors and shells leave them: byte order marks, any line ends, concatenated files. */
 import { extensionsFor, FILE_FORMATS, readMesh, writeMesh, type FileMesh } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
@@ -9,7 +9,10 @@ import { boxSurface } from "../../support/surfaces.js";
 
 const MARK = "\u{feff}";
 
-/** The surface of a tetrahedron in every format that may be text; a patch has a name where the format has a place. */
+/**
+ * The surface of a tetrahedron in every format that can be text; its patch has a name if the format can store
+ * one.
+ */
 const POINTS = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"];
 const FACES = ["0 2 1", "0 1 3", "1 2 3", "2 0 3"];
 const eachPoint = (line: (point: string, p: number) => string) => `${POINTS.map(line).join("\n")}\n`;
@@ -65,7 +68,7 @@ ${eachPoint((point) => point)}${eachFace((face) => `3 ${face}`)}`,
   ".poly": `${poly}4 1\n${eachFace((face) => `1 0 3\n3 ${face}`)}0\n0\n`,
   ".face": `4 1\n${eachFace((face, f) => `${f} ${face} 3`)}`,
 };
-/** Beside the others; without a face of its own. */
+/** The .node file that belongs to the .face file. */
 const NODES = poly;
 
 async function meshIn(extension: string, change: (text: string) => string): Promise<FileMesh> {
@@ -78,25 +81,25 @@ async function meshIn(extension: string, change: (text: string) => string): Prom
   return read.value;
 }
 
-test("there is a text for every format of surfaces", () => {
+test("there is a sample for every surface format", () => {
   expect(Object.keys(TEXTS).sort()).toEqual([...extensionsFor("read", "surface")].sort());
 });
 
-describe.each(Object.keys(TEXTS))("text of %s", (extension) => {
+describe.each(Object.keys(TEXTS))("a %s text file", (extension) => {
   test.each<[string, (text: string) => string]>([
-    ["a byte-order mark", (text) => MARK + text],
-    ["carriage returns alone", (text) => text.replaceAll("\n", "\r")],
+    ["a byte order mark", (text) => MARK + text],
+    ["carriage returns only", (text) => text.replaceAll("\n", "\r")],
     ["carriage returns before line feeds", (text) => text.replaceAll("\n", "\r\n")],
-    ["a byte-order mark and carriage returns", (text) => MARK + text.replaceAll("\n", "\r")],
-    ["no line end at its end", (text) => text.trimEnd()],
-  ])("with %s is the same", async (_, change) => {
+    ["a byte order mark and carriage returns", (text) => MARK + text.replaceAll("\n", "\r")],
+    ["no line end after the last line", (text) => text.trimEnd()],
+  ])("with %s is read the same way", async (_, change) => {
     const plain = await meshIn(extension, (text) => text);
     expect(plain.triangles).toHaveLength(12);
     expect(plain.patches.map(({ name }) => name)).toEqual(["in let"]);
     expect(await meshIn(extension, change)).toEqual(plain);
   });
 
-  test("with line ends of carriage returns tells the same line", async () => {
+  test("with carriage returns as line ends reports the same line for an error", async () => {
     const broken = (end: string) => async () => {
       await meshIn(extension, (text) => text.replace(/0 1 0(?=[^]*$)/, "0 x 0").replaceAll("\n", end));
     };
@@ -107,19 +110,19 @@ describe.each(Object.keys(TEXTS))("text of %s", (extension) => {
 });
 
 test.each([".vtu", ".vtp"])(
-  "values of %s are in quotes of either kind, and may hold what ends a tag",
+  'attribute values in %s can have quotes of either kind and contain ">" and "/"',
   async (extension) => {
     const plain = await meshIn(extension, (text) => text);
     const single = (text: string) => text.replaceAll('"', "'");
-    const odd = (text: string) =>
+    const tagCharacters = (text: string) =>
       text.replace("<Points><DataArray", `<Points><DataArray Name = 'it is "a > b"/'`);
-    for (const change of [single, odd, (text: string) => odd(single(text))]) {
+    for (const change of [single, tagCharacters, (text: string) => tagCharacters(single(text))]) {
       expect(await meshIn(extension, change)).toEqual(plain);
     }
   },
 );
 
-test.each([".obj", ".stl"])("files %s joined to one are read to the end", async (extension) => {
+test.each([".obj", ".stl"])("concatenated %s files are read to the end", async (extension) => {
   for (const end of ["\n", "\r", "\r\n"]) {
     const one = await meshIn(extension, (text) => text);
     for (const marked of [MARK, `${MARK}${MARK} # more\n`.slice(0, extension === ".obj" ? undefined : 1)]) {
@@ -129,12 +132,12 @@ test.each([".obj", ".stl"])("files %s joined to one are read to the end", async 
   }
 });
 
-test.each(["-3", "0.5", "x"])("a VTK XML file with NumberOfCells='%s' is refused", async (count) => {
+test.each(["-3", "0.5", "x"])("a VTK XML file with NumberOfCells='%s' is rejected", async (count) => {
   const change = (text: string) => text.replace('NumberOfCells="4"', `NumberOfCells="${count}"`);
   await expect(meshIn(".vtu", change)).rejects.toThrow(/line 5: NumberOfCells must be/);
 });
 
-test("OFF may begin with its numbers", async () => {
+test("the word OFF at the beginning of an OFF file is optional", async () => {
   const plain = await meshIn(".off", (text) => text);
   expect(await meshIn(".off", (text) => text.replace("OFF\n", ""))).toEqual(plain);
   await expect(meshIn(".off", (text) => text.replace("OFF\n4 4 6", "4 4 x"))).rejects.toThrow(
@@ -142,7 +145,7 @@ test("OFF may begin with its numbers", async () => {
   );
 });
 
-test("entities of a partitioned Gmsh mesh have the physical groups of what they are part of", async () => {
+test("entities of a partitioned Gmsh mesh get the physical groups of their parent entities", async () => {
   const plain = await meshIn(".msh", (text) => text);
   const parts = `$PartitionedEntities\n2\n1\n9 1\n0 0 2 0
 11 2 1 1 1 0 0 0 1 1 1 0 0\n12 2 1 2 1 2 0 0 0 1 1 1 1 3 2 5 -6\n$EndPartitionedEntities\n$Nodes`;
@@ -151,12 +154,12 @@ test("entities of a partitioned Gmsh mesh have the physical groups of what they 
   expect(await meshIn(".msh", cut)).toEqual(plain);
 });
 
-test("a file of byte-order marks alone holds nothing", async () => {
+test("a file that holds only a byte order mark is rejected", async () => {
   const read = await readMesh(new TextEncoder().encode(MARK), { fileName: "a.obj" });
   expect(read.success).toBe(false);
 });
 
-describe("binary numbers behind lines that end with carriage returns alone are refused", () => {
+describe("binary data after lines that end with carriage returns only is rejected", () => {
   const withReturns = (bytes: Uint8Array, lines: number) => {
     for (let i = 0, line = 0; line < lines; i++) if (bytes[i] === 10 && ++line > 0) bytes[i] = 13;
     return bytes;

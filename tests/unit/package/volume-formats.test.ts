@@ -1,4 +1,4 @@
-/** Volume meshes read from files, in the forms in which this package, meshio and others write them. */
+/** Volume meshes read from files in the forms that this package, meshio and other programs write. */
 import { deflateSync } from "node:zlib";
 
 import {
@@ -15,7 +15,7 @@ import {
 } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
-/** Two tetrahedra on either side of one face, and before them a node that none of them uses. */
+/** Two tetrahedra that share a face; the first node is unused. */
 const points = [9, 9, 9, 0, 0, 0, 1, 0, 0, 0, 1 + 2 ** -52, 0, 0, 0, 1, 1 / 3, 1, 1];
 const corners = [
   [1, 2, 3, 4],
@@ -27,7 +27,7 @@ const direction = [7, 7, 7, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0, 0, 1, 1];
 const readVtu = (bytes: Uint8Array) => readVolume(bytes, { fileName: "a.vtu" });
 const readMsh = (bytes: Uint8Array) => readVolume(bytes, { fileName: "a.msh" });
 
-async function expectThem(read: ReturnType<typeof readVtu>, data: readonly string[]): Promise<void> {
+async function expectTwoTetrahedra(read: ReturnType<typeof readVtu>, data: readonly string[]): Promise<void> {
   const result = await read;
   if (!result.success) throw new Error(result.errors[0].message);
   const { points: found, tetrahedra, nodeData } = result.value;
@@ -53,7 +53,7 @@ describe("VTU", () => {
     `format="binary">${Buffer.concat([length(bytes.length), bytes]).toString("base64")}`;
   const apart: Form = (_, bytes) =>
     `format="binary">${length(bytes.length).toString("base64")}${bytes.toString("base64")}`;
-  /** In blocks of 16 bytes. */
+  /** Compresses in blocks of 16 bytes. */
   const packed: Form = (_, bytes) => {
     const blocks: Buffer[] = [];
     for (let at = 0; at < bytes.length; at += 16) blocks.push(deflateSync(bytes.subarray(at, at + 16)));
@@ -90,11 +90,11 @@ ${array("Int64", "offsets", [4, 7, 11])}${array("UInt8", "types", [10, 5, 10])}<
 
   test.each<[string, Form, string]>([
     ["as text", text, ""],
-    ["in base64 with its length", together, ""],
-    ["in base64 beside its length", apart, ""],
+    ["in base64 together with their length", together, ""],
+    ["in base64 after a separate length", apart, ""],
     ["compressed", packed, 'compressor="vtkZLibDataCompressor"'],
-  ])("with arrays %s", async (_, form, attributes) => {
-    await expectThem(readVtu(vtu(form, attributes)), ["direction", "size"]);
+  ])("with arrays %s is read", async (_, form, attributes) => {
+    await expectTwoTetrahedra(readVtu(vtu(form, attributes)), ["direction", "size"]);
   });
 
   test.each<[string, (file: string) => string, RegExp]>([
@@ -102,30 +102,30 @@ ${array("Int64", "offsets", [4, 7, 11])}${array("UInt8", "types", [10, 5, 10])}<
     ["without a piece", (file) => file.replace(/<Piece.*<\/Piece>/s, ""), /no piece/],
     ["with hexahedra", (file) => file.replace("10\n5\n10", "12\n5\n10"), /cells of type 12/],
     [
-      "with a node that is not there",
+      "with a node index out of range",
       (file) => file.replace("\n5\n3\n4\n", "\n6\n3\n4\n"),
       /refers to node \d+, which/,
     ],
     [
-      "with points missing",
+      "with missing points",
       (file) => file.replace('NumberOfPoints="6"', 'NumberOfPoints="7"'),
       /6 points, but announces 7/,
     ],
     ["without tetrahedra", (file) => file.replace("10\n5\n10", "5\n5\n5"), /no tetrahedra/],
     ["without types", (file) => file.replace('"types"', '"kinds"'), /no array "types"/],
     [
-      "packed by others",
+      "with another compressor",
       (file) => file.replace(" >\n", ' compressor="vtkLZ4DataCompressor">\n'),
       /vtkLZ4DataCompressor/,
     ],
-  ])("%s is refused", async (_, damage, message) => {
+  ])("%s is rejected", async (_, damage, message) => {
     const file = new TextEncoder().encode(damage(new TextDecoder().decode(vtu(text))));
     const read = await readVtu(file);
     expect(read.success ? "" : read.errors[0].message).toMatch(message);
     expect(read.success ? "" : read.errors[0].remedy).toMatch(/\.$/);
   });
 
-  test("with several pieces has the elements of all, and what all tell about their nodes", async () => {
+  test("with several pieces is read as one mesh, with the data of all pieces", async () => {
     const file = new TextDecoder().decode(vtu(text));
     const piece = /<Piece.*<\/Piece>/s.exec(file)?.[0] ?? "";
     const unnamed = piece.replace('Name="direction"', 'Name="other"');
@@ -155,7 +155,7 @@ ${array("Int64", "offsets", [4, 7, 11])}${array("UInt8", "types", [10, 5, 10])}<
     expect(welded.success && [welded.value.points.length, welded.value.triangles.length]).toEqual([9, 6]);
   });
 
-  test("whose blocks claim to hold a million times their bytes is refused unread", async () => {
+  test("with blocks that claim a million times their size is rejected before it is unpacked", async () => {
     const bomb: Form = (_, bytes) => {
       const block = deflateSync(Buffer.alloc(1 << 20));
       const header = Uint32Array.of(1, 0x7fffffff, 0, block.length);
@@ -188,12 +188,12 @@ $Elements\n3\n1 2 2 0 1 2 3 4\n2 4 2 0 1 2 3 4 5\n3 4 2 0 1 3 6 4 5\n$EndElement
   test.each([
     ["4.1", blocks],
     ["2.2", list],
-    ["4.1 with line ends of Windows", blocks.replaceAll("\n", "\r\n")],
-  ])("%s as text", async (_, file) => {
-    await expectThem(readMsh(new TextEncoder().encode(file)), ["direction", "size"]);
+    ["4.1 with Windows line ends", blocks.replaceAll("\n", "\r\n")],
+  ])("%s is read from text", async (_, file) => {
+    await expectTwoTetrahedra(readMsh(new TextEncoder().encode(file)), ["direction", "size"]);
   });
 
-  /** The numbers of a binary file, in either byte order. */
+  /** Returns a binary file in either byte order. */
   function binary(version: "4.1" | "2.2", isLittle: boolean): Uint8Array {
     const parts: Buffer[] = [];
     const text = (words: string) => parts.push(Buffer.from(words));
@@ -247,29 +247,33 @@ $Elements\n3\n1 2 2 0 1 2 3 4\n2 4 2 0 1 2 3 4 5\n3 4 2 0 1 3 6 4 5\n$EndElement
     ["4.1", false],
     ["2.2", true],
     ["2.2", false],
-  ] as const)("%s in binary, low byte first: %s", async (version, isLittle) => {
-    await expectThem(readMsh(binary(version, isLittle)), ["size"]);
+  ] as const)("%s is read from binary, little-endian: %s", async (version, isLittle) => {
+    await expectTwoTetrahedra(readMsh(binary(version, isLittle)), ["size"]);
   });
 
   test.each<[string, string, RegExp]>([
     ["of version 4.0", blocks.replace("4.1 0", "4.0 0"), /"4.0 0 8"/],
-    ["that is none", "solid\n", /begin with "\$MeshFormat"/],
+    ["of another kind", "solid\n", /begin with "\$MeshFormat"/],
     ["with hexahedra", blocks.replace("3 1 4 2", "3 1 5 2"), /type 5/],
-    ["with a corner that is no node", blocks.replace("3 3 6 4 5", "3 3 7 4 5"), /refers to node \d+, which/],
+    [
+      "with a node tag that does not exist",
+      blocks.replace("3 3 6 4 5", "3 3 7 4 5"),
+      /refers to node \d+, which/,
+    ],
     [
       "that announces more than it holds",
       blocks.replace("3 1 0 6", "3 1 0 600000"),
       /found "\$EndNodes", which is not a finite number/,
     ],
-    ["that breaks off", blocks.slice(0, 150), /./],
-  ])("%s is refused", async (_, file, message) => {
+    ["that is truncated", blocks.slice(0, 150), /./],
+  ])("%s is rejected", async (_, file, message) => {
     const read = await readMsh(new TextEncoder().encode(file));
     expect(read.success ? "" : read.errors[0].message).toMatch(message);
     expect(read.success ? "" : read.errors[0].remedy).toMatch(/\.$/);
   });
 });
 
-test.each([".vtu", ".msh"])("what this package writes as %s it reads bit for bit", async (extension) => {
+test.each([".vtu", ".msh"])("a %s file of this package is read with exact coordinates", async (extension) => {
   const volume: VolumeMesh = {
     points: Float64Array.from(points.slice(3)),
     tetrahedra: Uint32Array.of(0, 1, 2, 3, 1, 4, 2, 3),
@@ -286,10 +290,10 @@ test.each([".vtu", ".msh"])("what this package writes as %s it reads bit for bit
   };
   const [file] = await writeMesh(fileMeshOf({ surface, volume }), `a${extension}`);
   if (file === undefined) throw new Error("nothing written");
-  await expectThem(readVolume(file.bytes, { fileName: file.fileName }), []);
+  await expectTwoTetrahedra(readVolume(file.bytes, { fileName: file.fileName }), []);
 });
 
-describe("as background grid", () => {
+describe("volumeBackground", () => {
   const volume = (data: Readonly<Record<string, number>>): VolumeFile => ({
     points: Float64Array.from(points.slice(3)),
     tetrahedra: Uint32Array.of(0, 1, 2, 3, 1, 4, 2, 3),
@@ -300,50 +304,50 @@ describe("as background grid", () => {
       ]),
     ),
   });
-  const asked: (Float64Array | undefined)[] = [];
+  const passedSizes: (Float64Array | undefined)[] = [];
   const mesher = {
     backgroundFromMesh: (
       mesh: Pick<VolumeMesh, "points" | "tetrahedra">,
       options?: { sizes?: Float64Array | undefined },
     ) => {
-      asked.push(options?.sizes);
+      passedSizes.push(options?.sizes);
       return Promise.resolve({ ...mesh, sizes: new Float64Array(5) });
     },
   };
 
-  test("it has its sizes, stretchings and directions", async () => {
+  test("takes sizes, stretchings and directions from the file", async () => {
     const read = await volumeBackground(mesher, volume({ size: 1, stretching: 1, direction: 3 }));
-    expect(asked.at(-1)).toEqual(new Float64Array(5).fill(2));
+    expect(passedSizes.at(-1)).toEqual(new Float64Array(5).fill(2));
     expect(read).toMatchObject({
       success: true,
       value: { stretchings: new Float64Array(5).fill(2), directions: new Float64Array(15).fill(2) },
     });
   });
 
-  test("capitals count for nothing where one name alone reads so", async () => {
+  test("ignores case in the name of an array if the match is unique", async () => {
     const capitals = volume({ Size: 1, STRETCHING: 1, Direction: 3, pressure: 1 });
     expect(await volumeBackground(mesher, capitals)).toMatchObject({
       success: true,
       value: { stretchings: {} },
     });
-    expect(asked.at(-1)).toEqual(new Float64Array(5).fill(2));
+    expect(passedSizes.at(-1)).toEqual(new Float64Array(5).fill(2));
     expect(unusedData(capitals)).toEqual(["pressure"]);
     const both = volume({ Size: 1, SIZE: 1 });
     await volumeBackground(mesher, both);
-    expect(asked.at(-1)).toBeUndefined();
+    expect(passedSizes.at(-1)).toBeUndefined();
     expect(unusedData(both)).toEqual(["Size", "SIZE"]);
     expect(unusedData(volume({ Size: 1, size: 1, direction: 3 }))).toEqual(["Size", "direction"]);
   });
 
-  test("without them its own edges speak", async () => {
+  test("derives sizes from the edges if the file has none", async () => {
     await volumeBackground(mesher, volume({ pressure: 1 }));
-    expect(asked.at(-1)).toBeUndefined();
+    expect(passedSizes.at(-1)).toBeUndefined();
   });
 
   test.each<[string, Record<string, number>, RegExp]>([
     ["three sizes per node", { size: 3 }, /`size` must have one value/],
-    ["a stretching without direction", { size: 1, stretching: 1 }, /needs `direction`/],
-  ])("%s are refused", async (_, data, message) => {
+    ["a stretching without a direction", { size: 1, stretching: 1 }, /needs `direction`/],
+  ])("rejects %s", async (_, data, message) => {
     const read = await volumeBackground(mesher, volume(data));
     expect(read.success ? "" : read.errors[0].message).toMatch(message);
   });

@@ -1,10 +1,10 @@
-/** Legacy VTK files with all that VTK writes into them beside a mesh, as text and as numbers high byte first. */
+/** Legacy VTK files with everything that VTK writes beside a mesh, as text and as big-endian binary. */
 import { readMesh, type FileMesh } from "tetrafront";
 import { expect, test } from "vitest";
 
 const encoder = new TextEncoder();
 
-/** Parts of a file; numbers as they stand in binary ones. */
+/** Part of a file; a DataView holds binary numbers. */
 type Part = string | DataView;
 
 function file(coding: "ASCII" | "BINARY", dataset: string, ...parts: readonly Part[]): Uint8Array {
@@ -22,7 +22,10 @@ function numbers(type: "Float64" | "Int32" | "Uint8", values: readonly number[])
   return view;
 }
 
-/** As VTK puts them: their length before them, behind one or two bits that tell how long that is. */
+/**
+ * Returns text as VTK writes it in binary files: after its length, whose highest one or two bits tell how
+ * many bytes the length has.
+ */
 function binaryText(text: string): DataView {
   const bytes = [...encoder.encode(text)];
   const length = bytes.length < 64 ? [0xc0 | bytes.length] : [0x80 | (bytes.length >> 8), bytes.length & 255];
@@ -81,7 +84,7 @@ const binary = file(
 test.each([
   ["text", text],
   ["binary", binary],
-])("as %s: nothing beside the mesh keeps it from being read, nor what follows", async (_, bytes) => {
+])("%s: skips all other data and reads everything after it", async (_, bytes) => {
   const mesh = await read(bytes);
   expect([...mesh.points]).toEqual(POINTS);
   expect([...mesh.tetrahedra]).toEqual([0, 1, 2, 3]);
@@ -89,12 +92,12 @@ test.each([
   expect([...(mesh.nodeData.get("size")?.values ?? [])]).toEqual(SIZES);
 });
 
-test("numbers at nodes may be none, bits are numbers, and names are told with their blanks", async () => {
+test("values at nodes can be NaN, bits are read as numbers, and encoded names are decoded", async () => {
   expect([...((await read(text)).nodeData.get("Größe")?.values ?? [])]).toEqual([NaN, -Infinity, 1, 2]);
   expect([...((await read(binary)).nodeData.get("flags")?.values ?? [])]).toEqual([0, 1, 1, 0]);
 });
 
-test("cell data are those of lines, polygons and strips, in whatever order these stand", async () => {
+test("cell data refer to lines, polygons and strips, in any order of these sections", async () => {
   const lines = "LINES 1 3\n2 0 1\n";
   const strips = "TRIANGLE_STRIPS 1 4\n3 1 2 3\n";
   const polygons = "POLYGONS 1 4\n3 0 1 2\n";
@@ -102,11 +105,11 @@ test("cell data are those of lines, polygons and strips, in whatever order these
   for (const sections of [lines + polygons + strips, strips + polygons + lines]) {
     const bytes = file("ASCII", "POLYDATA", `POINTS 4 float\n${POINTS.join(" ")}\n${sections}${data}`);
     const { triangles, trianglePatch, patches } = await read(bytes);
-    const told = Array.from(trianglePatch, (patch, t) => [
+    const taggedTriangles = Array.from(trianglePatch, (patch, t) => [
       patches[patch]?.tag,
       ...triangles.subarray(3 * t, 3 * t + 3),
     ]);
-    expect(told).toEqual([
+    expect(taggedTriangles).toEqual([
       [2, 0, 1, 2],
       [3, 1, 2, 3],
     ]);
@@ -114,19 +117,23 @@ test("cell data are those of lines, polygons and strips, in whatever order these
 });
 
 test.each([
-  ["too few numbers at nodes", "POINT_DATA 3\n", /line \d+: the file has 4 points, but data for 3/],
+  ["too few values at the nodes", "POINT_DATA 3\n", /line \d+: the file has 4 points, but data for 3/],
   [
-    "an array of other length",
+    "an array of another length",
     "POINT_DATA 4\nFIELD a 1\nsize 1 3 int\n1 2 3\n",
     /"size" has 3 rows, but the number of points is 4/,
   ],
-  ["too few groups", "CELL_DATA 0\nFIELD a 1\nregion 1 0 int\n", /cell 0 .* has no value of "region"/],
-])("%s are refused", async (_, data, message) => {
+  [
+    "a cell without a group",
+    "CELL_DATA 0\nFIELD a 1\nregion 1 0 int\n",
+    /cell 0 .* has no value of "region"/,
+  ],
+])("rejects %s", async (_, data, message) => {
   const mesh = `POINTS 4 double\n${POINTS.join(" ")}\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n`;
   await expect(read(file("ASCII", "UNSTRUCTURED_GRID", mesh, data))).rejects.toThrow(message);
 });
 
-test("a word that begins like what is no number is none", async () => {
+test("a word that only begins like NaN or infinity is not a number", async () => {
   const field = (values: string) =>
     `POINTS 4 double\n${POINTS.join(" ")}\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\nPOINT_DATA 4\nFIELD f 1\nsize 1 4 double\n${values}\n`;
   const bytes = (values: string) => file("ASCII", "UNSTRUCTURED_GRID", field(values));

@@ -1,4 +1,4 @@
-/** VTU files as their specification allows them: read from their bytes, no number lost or made up. */
+/** VTU files in all forms of the specification: parsed from bytes, without losing or inventing values. */
 import { zlibSync } from "fflate";
 import { readMesh, readVolume, writeMesh, type ReadResult } from "tetrafront";
 import { expect, test, vi } from "vitest";
@@ -6,10 +6,10 @@ import { expect, test, vi } from "vitest";
 const encoder = new TextEncoder();
 
 interface Tetrahedron {
-  /** Of `<PointData>`, before its end. */
+  /** Content of `<PointData>`. */
   readonly pointData?: string;
   readonly cellData?: string;
-  /** Of the array of points. */
+  /** Attributes and content of the array of points. */
   readonly points?: string;
   readonly data?: string;
 }
@@ -45,7 +45,7 @@ const problemOf = async (file: string | Uint8Array): Promise<string> => {
   return read.success ? "it could be read" : read.errors[0].message;
 };
 
-test("no text is made of what may be longer than the longest text", async () => {
+test("long content is never decoded into one string, which could exceed the maximum string length", async () => {
   const blanks = " ".repeat(1 << 16);
   const coded = Buffer.from(new Uint8Array(1 << 16)).toString("base64");
   const head = Buffer.from(Uint32Array.of(4 * 8, 0).buffer).subarray(0, 4);
@@ -65,7 +65,7 @@ test("no text is made of what may be longer than the longest text", async () => 
   }
 });
 
-test("a piece that has no numbers of a name has none at its nodes, and loses those of no other", async () => {
+test("a piece without an array gets NaN at its nodes and does not affect the values of other pieces", async () => {
   const pieces = [
     piece({ pointData: array("size", "1 2 3 4") }),
     piece({ pointData: array("other", "5 6 7 8 9 10 11 12", 'NumberOfComponents="2"') }),
@@ -80,7 +80,7 @@ test("a piece that has no numbers of a name has none at its nodes, and loses tho
   }
 });
 
-test("numbers at nodes that are too few, or of other components in another piece, are refused by name", async () => {
+test("too few values at nodes, or other components in another piece, are rejected by name", async () => {
   expect(await problemOf(vtu(piece({ pointData: array("size", "1 2 3") })))).toMatch(
     /line 8: "size" has 3 values, but 4 points need 1 each/,
   );
@@ -92,14 +92,14 @@ test("numbers at nodes that are too few, or of other components in another piece
   expect(await problemOf(vtu(none))).toMatch(/line 8: NumberOfComponents must be .*"some"/);
 });
 
-test("a cell without a number of its group is refused", async () => {
+test("a cell without a value of its group is rejected", async () => {
   const read = await readMesh(encoder.encode(vtu(piece({ cellData: array("region", "") }))), {
     fileName: "a.vtu",
   });
   expect(read.success ? "" : read.errors[0].message).toMatch(/cell 0 .* has no value of "region"/);
 });
 
-test("names are UTF-8 with entities, comments hold no tags, and arrays of no use to a mesh may be anything", async () => {
+test("names are UTF-8 with entities, comments are skipped, and unused arrays are not parsed", async () => {
   const pointData =
     array("Größe &lt;m&gt; &amp; &quot;so&quot;", "nan -inf 1 +1e3") +
     '<DataArray type="String" Name="words" format="ascii">104 0</DataArray>' +
@@ -113,7 +113,7 @@ test("names are UTF-8 with entities, comments hold no tags, and arrays of no use
   expect(mesh.regions.map(({ tag }) => tag)).toEqual([7]);
 });
 
-test("a compressed block whose sum is another is damaged", async () => {
+test("a compressed block with a wrong checksum is rejected as damaged", async () => {
   const points = new Uint8Array(Float64Array.from(POINTS.split(" "), Number).buffer);
   const packed = zlibSync(points);
   const file = (damage: (bytes: Uint8Array) => void) => {
@@ -131,25 +131,26 @@ test("a compressed block whose sum is another is damaged", async () => {
 });
 
 /**
- * meshio (5.3) goes through the values of a file from the first byte on, asks which array is at that place, the first in
- * the file of several, and gives it a place among the values in base64 and not compressed, which may be that of another.
+ * meshio (5.3) reads the uncompressed base64 data from the first byte on. It looks up the array with the
+ * current offset (the first match in the file) and replaces the offset by a new one, which can equal the old
+ * offset of another array.
  */
-test("no array is taken for another by readers that give them new places as they go", async () => {
+test("written offsets are unambiguous for readers that replace them one by one", async () => {
   const [file] = await writeMesh(
     valueOf(await readMesh(encoder.encode(vtu(piece({}))), { fileName: "a.vtu" })),
     "b.vtu",
   );
   const text = Buffer.from(file?.bytes ?? []).toString("latin1");
-  const places = [...text.matchAll(/ offset="(\d+)"/g)].map(([, place]) => Number(place));
-  expect(places).toHaveLength(6);
-  const order = places.map((_, array) => array).sort((a, b) => (places[a] ?? 0) - (places[b] ?? 0));
-  // Whatever new places those before have got, none of these arrays stands in front of the one looked for.
+  const offsets = [...text.matchAll(/ offset="(\d+)"/g)].map(([, offset]) => Number(offset));
+  expect(offsets).toHaveLength(6);
+  const order = offsets.map((_, array) => array).sort((a, b) => (offsets[a] ?? 0) - (offsets[b] ?? 0));
+  // The arrays before this one already have new offsets; none of them may precede it in the file.
   order.forEach((array, at) => {
     for (const renamed of order.slice(0, at)) expect(renamed).toBeGreaterThan(array);
   });
 });
 
-test("progress goes on while arrays are decoded and cells are made, and is whole at the end alone", async () => {
+test("progress advances while arrays are decoded and cells are made, and is complete only at the end", async () => {
   const count = 50_000;
   const corners = Array.from({ length: count }, () => "0 1 2 3").join(" ");
   const offsets = Array.from({ length: count }, (_, i) => 4 * (i + 1)).join(" ");
@@ -159,13 +160,13 @@ test("progress goes on while arrays are decoded and cells are made, and is whole
 <DataArray type="Int32" Name="offsets" format="ascii">${offsets}</DataArray>
 <DataArray type="UInt8" Name="types" format="ascii">${"10 ".repeat(count)}</DataArray></Cells></Piece>`;
   const file = encoder.encode(vtu(many));
-  const told: number[] = [];
-  const onProgress = (bytes: number) => told.push(bytes);
+  const progress: number[] = [];
+  const onProgress = (bytes: number) => progress.push(bytes);
   const read = await readMesh(file.slice(), { fileName: "a.vtu", onProgress });
   expect(valueOf(read).tetrahedra).toHaveLength(4 * count);
-  expect(told).toEqual(told.toSorted((a, b) => a - b));
-  expect(told.indexOf(file.length)).toBe(told.length - 1);
-  // Three arrays of cells and a dozen steps of making them, when all bytes have long arrived.
-  const behind = told.filter((bytes) => bytes > 0.3 * file.length);
+  expect(progress).toEqual(progress.toSorted((a, b) => a - b));
+  expect(progress.indexOf(file.length)).toBe(progress.length - 1);
+  // Three arrays of cells are decoded and the cells made in a dozen steps after all bytes have arrived.
+  const behind = progress.filter((bytes) => bytes > 0.3 * file.length);
   expect(new Set(behind).size).toBeGreaterThan(10);
 });

@@ -13,7 +13,7 @@ async function written(mesh: FileMesh, fileName: string): Promise<Uint8Array> {
   return file?.bytes ?? new Uint8Array();
 }
 
-/** The bytes after a line of a file. */
+/** Returns the bytes after a line of a file. */
 function after(bytes: Uint8Array, line: string): DataView {
   const begin = Buffer.from(bytes).indexOf(`${line}\n`) + line.length + 1;
   return new DataView(bytes.buffer, bytes.byteOffset + begin);
@@ -48,7 +48,7 @@ describe("the elements of a written Gmsh file have the tags 1 to n", () => {
   });
 });
 
-test.each(["a.msh", "a.msh2"])("in %s, patches and regions have different tags", async (fileName) => {
+test.each(["a.msh", "a.msh2"])("%s: patches and regions have different tags", async (fileName) => {
   const numbered = (word: string, count: number) =>
     Array.from({ length: count }, (_, i) => ({ name: `${word} ${i + 1}`, tag: i + 1 }));
   const mesh = { ...block, patches: numbered("patch", 6), regions: numbered("region", 2) };
@@ -65,7 +65,7 @@ test.each(["a.msh", "a.msh2"])("in %s, patches and regions have different tags",
   );
 });
 
-test("a VTU file has the names of patches and regions as field data", async () => {
+test("a VTU file holds the names of patches and regions as field data", async () => {
   const text = Buffer.from(await written(block, "a.vtu")).toString("latin1");
   const found = [
     ...text.matchAll(/<DataArray type="Int32" Name="([^"]*)" NumberOfTuples="2" format="ascii">([^<]*)</g),
