@@ -1,6 +1,6 @@
 /**
- * Every function of the package with whatever a caller without type checks may give, in place of each argument and of each
- * value within it: it works all the same, or says why not by a code of the closed union, and what about.
+ * Calls every function of the package with invalid values in place of each argument and each nested value:
+ * the call succeeds, or reports a code of the closed union and the name of the argument.
  */
 import * as api from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
@@ -10,7 +10,7 @@ import { cubeProject } from "../../support/projects.js";
 import { boxSurface } from "../../support/surfaces.js";
 
 type AnyFunction = (...given: never[]) => unknown;
-/** By name, in order: what the function takes. */
+/** Arguments by name, in the order of the parameters. */
 type Arguments = Readonly<Record<string, unknown>>;
 
 let mesher: api.Mesher;
@@ -22,7 +22,7 @@ afterAll(() => mesher.dispose());
 const box = boxSurface(1);
 const block = blockMesh(1);
 const project = cubeProject();
-/** A cube around everything. */
+/** A grid that contains everything. */
 const background: api.BackgroundArrays = {
   points: Float64Array.from(block.points, (_, i) => ((Math.floor(i / 3) >> (i % 3)) & 1 ? 3 : -2)),
   sizes: new Float64Array(8).fill(1),
@@ -110,47 +110,50 @@ function detached<T extends Float64Array | Uint32Array>(array: T): T {
   return array;
 }
 
-/** Made anew for each call. */
-const GARBAGE: Readonly<Record<string, () => unknown>> = {
+/** Invalid values by description, created for each call. */
+const INVALID_VALUES: Readonly<Record<string, () => unknown>> = {
   nothing: () => undefined,
   null: () => null,
   "a number": () => 5,
   "a number below 0": () => -1,
-  "no number": () => NaN,
+  "not a number": () => NaN,
   "a word": () => "word",
   true: () => true,
   "an empty list": () => [],
   "a list": () => [1, 2],
   "a list of nothing": () => [null, undefined],
   "an empty object": () => ({}),
-  "an object of something else": () => ({ lines: 5 }),
+  "an object with other properties": () => ({ lines: 5 }),
   "a function": () => () => 5,
   "a symbol": () => Symbol("any"),
   "a large integer": () => 5n,
   "an array of another type": () => new Float32Array(24),
   "an odd number of doubles": () => new Float64Array(7),
-  "doubles that are none": () => new Float64Array(24).fill(NaN),
+  "doubles that are not numbers": () => new Float64Array(24).fill(NaN),
   "an odd number of integers": () => new Uint32Array(7),
   "integers out of range": () => new Uint32Array(24).fill(0xfffffff0),
-  "doubles that were sent away": () => detached(new Float64Array(24)),
-  "integers that were sent away": () => detached(new Uint32Array(24)),
+  "detached doubles": () => detached(new Float64Array(24)),
+  "detached integers": () => detached(new Uint32Array(24)),
   "doubles in shared memory": () => new Float64Array(new SharedArrayBuffer(8 * 24)),
   "integers in shared memory": () => new Uint32Array(new SharedArrayBuffer(4 * 24)),
   "shared memory": () => new SharedArrayBuffer(64),
 };
 
-/** Where in a value something else may be put: itself, and what is in objects and lists, of lists the first. */
-function placesIn(value: unknown, depth = 0): (readonly string[])[] {
+/**
+ * Returns the paths of all replaceable values: the value itself, properties of objects, and first entries of
+ * lists.
+ */
+function pathsIn(value: unknown, depth = 0): (readonly string[])[] {
   const isOpen = typeof value === "object" && value !== null && !ArrayBuffer.isView(value) && depth < 4;
   if (!isOpen || value instanceof Map || value instanceof AbortSignal) return [[]];
   const entries = Array.isArray(value) ? Object.entries(value).slice(0, 1) : Object.entries(value);
-  return [[], ...entries.flatMap(([key, own]) => placesIn(own, depth + 1).map((rest) => [key, ...rest]))];
+  return [[], ...entries.flatMap(([key, own]) => pathsIn(own, depth + 1).map((rest) => [key, ...rest]))];
 }
 
-function withAnother(value: unknown, [key, ...rest]: readonly string[], other: unknown): unknown {
+function withReplaced(value: unknown, [key, ...rest]: readonly string[], other: unknown): unknown {
   if (key === undefined) return other;
   const own = value as Record<string, unknown>;
-  const changed = withAnother(own[key], rest, other);
+  const changed = withReplaced(own[key], rest, other);
   return Array.isArray(value)
     ? value.map((kept: unknown, i) => (String(i) === key ? changed : kept))
     : { ...own, [key]: changed };
@@ -163,20 +166,20 @@ const OTHERS: readonly string[] = [
   ...["invalid-sizes", "later-version", "invalid-mesh"],
 ];
 
-interface Told {
+interface ReportedError {
   readonly code: string;
   readonly message: string;
 }
 
-/** Wherever an answer has what is wrong. */
+/** The places where results report errors. */
 interface Answer {
-  readonly errors?: readonly Told[];
+  readonly errors?: readonly ReportedError[];
   readonly diagnostics?: readonly api.Diagnostic[];
   readonly report?: api.MeshReport;
 }
 
-/** What is said of it; undefined where it worked. */
-async function complaintOf(call: () => unknown): Promise<readonly Told[] | undefined> {
+/** Returns the errors of a call; undefined if it succeeded. */
+async function errorsOf(call: () => unknown): Promise<readonly ReportedError[] | undefined> {
   try {
     const made = (await call()) as Answer | undefined;
     const diagnostics = made?.report?.diagnostics ?? made?.diagnostics;
@@ -189,7 +192,7 @@ async function complaintOf(call: () => unknown): Promise<readonly Told[] | undef
   }
 }
 
-test("all functions are listed", () => {
+test("every exported function and every method is tested", () => {
   const exported = Object.entries(api).filter(([, value]) => typeof value === "function");
   const names = exported
     .map(([name]) => name)
@@ -201,8 +204,8 @@ test("all functions are listed", () => {
   );
 });
 
-/** What every message about an argument has in it, where that is not its name. */
-const SAID_AS: Readonly<Record<string, RegExp>> = {
+/** Text that every message about an argument contains if it does not contain the argument's name. */
+const MESSAGE_PATTERNS: Readonly<Record<string, RegExp>> = {
   fileName: /name|extension/i,
   value: /project/,
   text: /project/,
@@ -219,29 +222,31 @@ describe.each([
   };
   const valid = Object.values(given);
 
-  test("works as it is meant to", async () => {
-    expect(await complaintOf(() => callWith(valid))).toBeUndefined();
+  test("accepts valid arguments", async () => {
+    expect(await errorsOf(() => callWith(valid))).toBeUndefined();
   });
 
-  test.each(Object.keys(given))("says what is wrong with its %s", async (argument) => {
-    const position = Object.keys(given).indexOf(argument);
-    for (const [what, make] of Object.entries(GARBAGE)) {
-      for (const place of placesIn(given[argument])) {
-        const label = `${name}: ${what} as ${[argument, ...place].join(".")}`;
-        const values = valid.map((value, i) => (i === position ? withAnother(value, place, make()) : value));
-        let told: readonly Told[] | undefined;
+  test.each(Object.keys(given))("reports invalid values for its %s", async (argument) => {
+    const index = Object.keys(given).indexOf(argument);
+    for (const [description, make] of Object.entries(INVALID_VALUES)) {
+      for (const path of pathsIn(given[argument])) {
+        const label = `${name}: ${description} as ${[argument, ...path].join(".")}`;
+        const values = valid.map((value, i) => (i === index ? withReplaced(value, path, make()) : value));
+        let errors: readonly ReportedError[] | undefined;
         try {
-          told = await complaintOf(() => callWith(values));
+          errors = await errorsOf(() => callWith(values));
         } catch (failure) {
           throw new Error(`${label}: ${String(failure)}`, { cause: failure });
         }
-        for (const { code, message } of told ?? []) {
+        for (const { code, message } of errors ?? []) {
           expect([...OTHERS, ...ENGINE], label).toContain(code);
           expect(message, label).not.toBe("");
         }
-        const isMeant = place.length === 0 && ["a number", "a symbol"].includes(what);
-        if (isMeant && !["index", "triangle"].includes(argument)) {
-          expect(told?.[0]?.message, label).toMatch(SAID_AS[argument] ?? new RegExp(argument, "i"));
+        const namesArgument = path.length === 0 && ["a number", "a symbol"].includes(description);
+        if (namesArgument && !["index", "triangle"].includes(argument)) {
+          expect(errors?.[0]?.message, label).toMatch(
+            MESSAGE_PATTERNS[argument] ?? new RegExp(argument, "i"),
+          );
         }
       }
     }

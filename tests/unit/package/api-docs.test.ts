@@ -1,4 +1,4 @@
-/** Every public name is documented, and what it refers to is public too: TypeDoc tells. */
+/** Checks with TypeDoc that every public name is documented and refers only to public names. */
 import { execFile } from "node:child_process";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
@@ -8,7 +8,7 @@ import { expect, test } from "vitest";
 
 const root = fileURLToPath(new URL("../../..", import.meta.url));
 
-test("no public name is undocumented", async () => {
+test("every public name is documented", async () => {
   const typedoc = path.join(root, "node_modules", "typedoc", "bin", "typedoc");
   const args = [typedoc, "--emit", "none", "--logLevel", "Warn"];
   const { stdout, stderr } = await promisify(execFile)(process.execPath, args, { cwd: root });

@@ -1,4 +1,7 @@
-/** Absurd values of every option, and places that are none: refused in one line that names what would be sensible. */
+/**
+ * Absurd option values and invalid paths: each is rejected in one line that names the valid range or the
+ * remedy.
+ */
 import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 
@@ -46,14 +49,14 @@ test.each<[readonly string[], RegExp]>([
   [["mesh", "", "-o", "x.vtu"], /"": The file name is empty/],
   [["mesh", "part.off", "-o", ""], /"": The file name is empty/],
   [["mesh", "part.off", "-o", "x.vtu", "--from", ""], /"": Unknown format/],
-])("%j", async (args, message) => {
+])("rejects the arguments %j", async (args, message) => {
   const { code, stderr } = await tetrafront(folder.path, args);
   expect(stderr).toMatch(message);
   expect(code).toBe(2);
 });
 
 describe("a size larger than a given surface", () => {
-  test("bounds nothing, and is told", async () => {
+  test("has no effect and gives a warning", async () => {
     const mesher = await createMesher();
     const surface = boxSurface(2);
     try {
@@ -63,7 +66,7 @@ describe("a size larger than a given surface", () => {
       };
       expect(await codes(1.5)).toEqual(["warning size-too-large"]);
       expect(await codes(0.9)).toEqual([]);
-      // A node that no triangle uses makes the model no larger.
+      // An unused node does not enlarge the model.
       const points = Float64Array.of(...surface.points, 100, 0, 0);
       expect(await codes(1.5, { ...surface, points })).toContain("warning size-too-large");
     } finally {

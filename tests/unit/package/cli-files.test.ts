@@ -1,4 +1,6 @@
-/** Files are written beside their place first, whatever other runs have left there and however long their names are. */
+/**
+ * Output goes to a temporary file first, whatever earlier runs left there and however long the file name is.
+ */
 import { chmodSync, readdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import type * as FileSystem from "node:fs/promises";
 import path from "node:path";
@@ -10,7 +12,7 @@ import { temporaryFolder } from "../../support/temporary-folder.js";
 
 const folder = temporaryFolder();
 
-/** Called between writing a file and renaming it. */
+/** Called after a file is written and before it is renamed. */
 let beforeRename: () => void = () => undefined;
 vi.mock("node:fs/promises", async (original) => {
   const module = await original<typeof FileSystem>();
@@ -24,8 +26,8 @@ vi.mock("node:fs/promises", async (original) => {
 });
 afterEach(() => (beforeRename = () => undefined));
 
-test("what a run that was killed has left does not stop another of its number", async () => {
-  // In a container every run has the same one.
+test("writeOutput ignores the temporary file left by a killed run with the same process id", async () => {
+  // In containers, every run can have the same process id.
   writeFileSync(path.join(folder.path, `.a.vtu.${process.pid}.part`), "half");
   const file = path.join(folder.path, "a.vtu");
   await checkOutput(file);
@@ -33,14 +35,14 @@ test("what a run that was killed has left does not stop another of its number", 
   expect(readFileSync(file, "utf8")).toBe("whole");
 });
 
-test("a name as long as file systems have them can be written", async () => {
+test("writeOutput accepts file names up to the limit of the file system", async () => {
   const name = `${"n".repeat(251)}.vtu`;
   await checkOutput(path.join(folder.path, name));
   await writeOutput(path.join(folder.path, name), "whole");
   expect(readdirSync(folder.path)).toEqual([name]);
 });
 
-test("a file that is replaced keeps its permissions", async () => {
+test("writeOutput keeps the permissions of a file that it replaces", async () => {
   const file = path.join(folder.path, "a.vtu");
   writeFileSync(file, "old");
   chmodSync(file, 0o660);
@@ -48,7 +50,7 @@ test("a file that is replaced keeps its permissions", async () => {
   expect(statSync(file).mode & 0o777).toBe(0o660);
 });
 
-test("a signal while a file is written ends the program as usual, and leaves nothing of the file", async () => {
+test("writeOutput removes its temporary file on a signal, and the signal ends the process as usual", async () => {
   const kill = vi.spyOn(process, "kill").mockReturnValue(true);
   const isLeft = () => readdirSync(folder.path).some((name) => name.endsWith(".part"));
   beforeRename = () => {

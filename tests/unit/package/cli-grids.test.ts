@@ -1,4 +1,6 @@
-/** `cover`, `propose`, `check` and `mesh --background` from end to end, and what is said on the way. */
+/**
+ * End-to-end tests of `cover`, `propose`, `check` and `mesh --background`, and of the messages they print.
+ */
 import { mkdirSync, readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 
@@ -21,7 +23,7 @@ function projectIn(name: string): Project {
   return read.value;
 }
 
-/** The number of tetrahedra of a mesh that is done. */
+/** Meshes without messages and returns the number of tetrahedra. */
 async function meshed(...args: string[]): Promise<number> {
   const { code, stdout, stderr } = await run("mesh", ...args, "--quiet", "--report", "-");
   expect([code, stderr]).toEqual([0, ""]);
@@ -29,7 +31,7 @@ async function meshed(...args: string[]): Promise<number> {
 }
 
 describe("cover", () => {
-  test("puts a grid around a project that can then be meshed without a size", async () => {
+  test("adds a grid to a project, which can then be meshed without a size", async () => {
     save("bare.json", writeProject(bare));
     const { code, stderr } = await run("cover", "bare.json", "-o", "out.json", "--size", "0.3");
     expect([code, stderr]).toEqual([
@@ -43,37 +45,34 @@ describe("cover", () => {
     expect(Math.abs(byGrid / bySize - 1)).toBeLessThan(0.1);
   });
 
-  test.each(["cover", "propose"])(
-    "%s takes over the project's one size, so that the grid counts",
-    async (command) => {
-      save("sized.json", writeProject({ ...bare, meshing: { size: 0.3, order: "smallest-first" } }));
-      const { code, stderr } = await run(command, "sized.json", "-o", "out.json");
-      expect([code, stderr]).toEqual([0, expect.stringContaining("of size 0.3, ")]);
-      expect(projectIn("out.json").meshing).toEqual({ order: "smallest-first" });
-      await run(command, "sized.json", "-o", "own.json", command === "cover" ? "--size" : "--uniform", "0.5");
-      expect(projectIn("own.json").background.nodes.map(({ size }) => size)).toEqual(Array(8).fill(0.5));
-      expect(projectIn("own.json").meshing).toEqual({ order: "smallest-first" });
-    },
-  );
+  test.each(["cover", "propose"])("%s replaces the project's uniform size by the grid", async (command) => {
+    save("sized.json", writeProject({ ...bare, meshing: { size: 0.3, order: "smallest-first" } }));
+    const { code, stderr } = await run(command, "sized.json", "-o", "out.json");
+    expect([code, stderr]).toEqual([0, expect.stringContaining("of size 0.3, ")]);
+    expect(projectIn("out.json").meshing).toEqual({ order: "smallest-first" });
+    await run(command, "sized.json", "-o", "own.json", command === "cover" ? "--size" : "--uniform", "0.5");
+    expect(projectIn("own.json").background.nodes.map(({ size }) => size)).toEqual(Array(8).fill(0.5));
+    expect(projectIn("own.json").meshing).toEqual({ order: "smallest-first" });
+  });
 
-  test("may take a single tetrahedron, and the place of its input", async () => {
+  test("can use a single tetrahedron and overwrite its input", async () => {
     save("bare.json", writeProject(bare));
     const { code } = await run("cover", "bare.json", "-o", "bare.json", "--shape", "tetrahedron", "-q");
     expect([code, projectIn("bare.json").background.tetrahedra.length]).toEqual([0, 1]);
   });
 
   test.each<[string, string[], RegExp]>([
-    ["a size that is none", ["bare.json", "-o", "out.json", "--size", "no"], /size is "no"\. Use /],
-    ["a shape unheard of", ["bare.json", "-o", "out.json", "--shape", "ball"], /cover --help/],
-    ["an output that is no project", ["bare.json", "-o", "out.vtu"], /ends in \.json/],
-    ["an output in no folder", ["bare.json", "-o", "none/out.json"], /folder none does not exist/],
+    ["a size that is not a number", ["bare.json", "-o", "out.json", "--size", "no"], /size is "no"\. Use /],
+    ["an unknown shape", ["bare.json", "-o", "out.json", "--shape", "ball"], /cover --help/],
+    ["an output that is not a project", ["bare.json", "-o", "out.vtu"], /ends in \.json/],
+    ["an output in a missing folder", ["bare.json", "-o", "none/out.json"], /folder none does not exist/],
     [
       "a surface",
       ["cube.off", "-o", "out.json"],
       /"\.off" files cannot be read here\. Use a file whose name ends in \.json/,
     ],
     ["an empty project", ["empty.json", "-o", "out.json"], /nothing to cover/],
-  ])("refuses %s", async (_, args, message) => {
+  ])("rejects %s", async (_, args, message) => {
     save("bare.json", writeProject(bare));
     save("empty.json", writeProject({ ...bare, points: [], lines: [], patches: [] }));
     save("cube.off", offFile(boxSurface(1)));
@@ -85,7 +84,7 @@ describe("cover", () => {
   });
 });
 
-test("propose adds sources where a model is narrow, behind those it has", async () => {
+test("propose adds sources in narrow parts of a model after the existing ones", async () => {
   const thin: Project = {
     ...bare,
     points: bare.points.map((point) => ({
@@ -106,13 +105,13 @@ test("propose adds sources where a model is narrow, behind those it has", async 
   expect(mine?.name).toBe("mine");
   expect(proposed.length).toBeGreaterThan(0);
   expect(proposed.map(({ id }) => id)).toEqual(proposed.map((_, s) => 8 + s));
-  // Three elements across a gap of a twentieth.
+  // Three elements across a gap of 1/20.
   for (const { size } of proposed) expect(size).toBeCloseTo(1 / 60, 6);
   expect(background.tetrahedra).toHaveLength(5);
 });
 
 describe("check", () => {
-  test("finds nothing wrong with a good project", async () => {
+  test("reports no problems for a valid project", async () => {
     save("cube.json", writeProject(cubeProject()));
     expect(await run("check", "cube.json")).toEqual({
       code: 0,
@@ -121,7 +120,7 @@ describe("check", () => {
     });
   });
 
-  test("lists everything wrong, in words and as JSON", async () => {
+  test("lists all problems as text and as JSON", async () => {
     const wrong: Project = {
       ...cubeProject(),
       patches: cubeProject().patches.map((patch) =>
@@ -133,11 +132,11 @@ describe("check", () => {
       },
     };
     save("wrong.json", writeProject(wrong));
-    const told = await run("check", "wrong.json");
-    expect([told.code, told.stdout]).toEqual([2, ""]);
-    expect(told.stderr).toMatch(/error: wrong\.json: A loop of patch "front" is not closed/);
-    expect(told.stderr).toMatch(/error: wrong\.json: Source 4 has the size -1/);
-    expect(told.stderr).toMatch(/wrong\.json: \d+ errors/);
+    const printed = await run("check", "wrong.json");
+    expect([printed.code, printed.stdout]).toEqual([2, ""]);
+    expect(printed.stderr).toMatch(/error: wrong\.json: A loop of patch "front" is not closed/);
+    expect(printed.stderr).toMatch(/error: wrong\.json: Source 4 has the size -1/);
+    expect(printed.stderr).toMatch(/wrong\.json: \d+ errors/);
     const listed = await run("check", "wrong.json", "--json");
     expect([listed.code, listed.stderr]).toEqual([2, ""]);
     const { errors, diagnostics } = JSON.parse(listed.stdout) as {
@@ -149,7 +148,7 @@ describe("check", () => {
     expect(errors).toBe(diagnostics.filter(({ severity }) => severity === "error").length);
   });
 
-  test("leaves the grid alone where a size is given", async () => {
+  test("does not require a grid if a size is given", async () => {
     save("bare.json", writeProject(bare));
     expect((await run("check", "bare.json")).stderr).toMatch(/no background grid/);
     expect(await run("check", "bare.json", "--size", "0.2")).toMatchObject({ code: 0 });
@@ -158,18 +157,18 @@ describe("check", () => {
   test.each([
     ["none.json", /no such file/, "unreadable-input"],
     ["text.json", /line 1: this is not JSON/i, "malformed-file"],
-  ])("of %s says why it cannot be read, as JSON too", async (name, message, wanted) => {
+  ])("reports why it cannot read %s, as text and as JSON", async (name, message, expectedCode) => {
     save("text.json", "{");
     expect((await run("check", name)).stderr).toMatch(message);
     const { code, stdout } = await run("check", name, "--json");
     expect(code).toBe(2);
     const { diagnostics } = JSON.parse(stdout) as { diagnostics: Diagnostic[] };
-    expect(diagnostics).toMatchObject([{ code: wanted }]);
+    expect(diagnostics).toMatchObject([{ code: expectedCode }]);
   });
 });
 
 describe("mesh --background", () => {
-  test.each(["--quiet", "--refine-surface"])("names the grid's own file (%s)", async (option) => {
+  test.each(["--quiet", "--refine-surface"])("names the file of the grid (%s)", async (option) => {
     const { background } = cubeProject();
     const nodes = background.nodes.map((node) => ({ ...node, size: 0 }));
     save("box.off", offFile(boxSurface(1)));
@@ -191,7 +190,7 @@ describe("mesh --background", () => {
     expect(stderr).not.toMatch(/error: box\.off/);
   });
 
-  test.each(["vtu", "msh"])("takes a mesh in .%s with sizes from its own edges", async (extension) => {
+  test.each(["vtu", "msh"])("uses a .%s mesh with sizes derived from its edges", async (extension) => {
     save("cube.json", writeProject(cubeProject(0.2)));
     save("bare.json", writeProject(bare));
     const first = await meshed("cube.json", "-o", `first.${extension}`);
@@ -200,7 +199,7 @@ describe("mesh --background", () => {
     expect(again / first).toBeLessThan(1.4);
   });
 
-  test("takes the grid and the sources of another project, also for a surface", async () => {
+  test("uses the grid and the sources of another project, also for a surface", async () => {
     const sources = [
       { id: 1, type: "point", positions: [[0.5, 0.5, 0.5]], size: 0.08, distance: 0.2 },
     ] as const;
@@ -224,16 +223,20 @@ describe("mesh --background", () => {
       ["--background", "grid.json", "--size", "0.2"],
       /--size and --background exclude each other/,
     ],
-    ["that is not there", ["--background", "none.vtu"], /none\.vtu: There is no such file/],
+    ["if its file does not exist", ["--background", "none.vtu"], /none\.vtu: There is no such file/],
     [
-      "of another kind",
+      "if its file is a surface",
       ["--background", "cube.off"],
       /"\.off" files cannot be read here.*\.json, \.vtu, \.msh/,
     ],
-    ["that is broken", ["--background", "broken.msh"], /broken\.msh: Line 1: the file does not begin with/],
-    ["that does not cover", ["--background", "far.json"], /outside the background grid/],
-    ["that tells no sizes", ["--background", "bare.json"], /bare\.json: The project has no sizes/],
-  ])("%s is refused", async (_, args, message) => {
+    [
+      "if its file is malformed",
+      ["--background", "broken.msh"],
+      /broken\.msh: Line 1: the file does not begin with/,
+    ],
+    ["if it does not cover the model", ["--background", "far.json"], /outside the background grid/],
+    ["if its project has no sizes", ["--background", "bare.json"], /bare\.json: The project has no sizes/],
+  ])("is rejected %s", async (_, args, message) => {
     save("bare.json", writeProject(bare));
     save("grid.json", writeProject(cubeProject()));
     save("cube.off", offFile(boxSurface(1)));
@@ -249,8 +252,8 @@ describe("mesh --background", () => {
   });
 });
 
-describe("what is said", () => {
-  test("is five of a kind, then how many more", async () => {
+describe("messages", () => {
+  test("show five diagnostics per code, then the number of the others", async () => {
     const nodes = cubeProject().background.nodes.map((node) => ({ ...node, size: -1 }));
     save("cube.json", writeProject({ ...cubeProject(), background: { ...cubeProject().background, nodes } }));
     const { code, stderr } = await run("mesh", "cube.json", "-o", "out.vtu", "--report", "r.json");
@@ -262,16 +265,16 @@ describe("what is said", () => {
     expect(diagnostics).toHaveLength(8);
   });
 
-  test("includes that a shell was turned round, unless it is to be quiet", async () => {
+  test("include a note on a flipped shell, except with --quiet", async () => {
     save("turned.off", offFile(turned(sphereSurface(4))));
-    const told = await run("mesh", "turned.off", "-o", "out.vtu");
-    expect(told.stderr).toMatch(
+    const flipped = await run("mesh", "turned.off", "-o", "out.vtu");
+    expect(flipped.stderr).toMatch(
       /note: turned\.off: The component of the surface with triangle 0 .*was inside out.* its \d+ triangles/,
     );
     expect((await run("mesh", "turned.off", "-o", "out.vtu", "--quiet")).stderr).toBe("");
   });
 
-  test("of a size is the same for numbers and words, and 0x10 is no number", async () => {
+  test("quote an invalid --size value unless it is a number, and 0x10 is not a number", async () => {
     save("cube.off", offFile(boxSurface(1)));
     for (const [size, shown] of [
       ["-1", "-1"],
@@ -286,14 +289,14 @@ describe("what is said", () => {
     }
   });
 
-  test("of text that is no STL is that it is none", async () => {
+  test("name the first line of a file that is not an STL file", async () => {
     save("part.stl", `OFF\n${"0 0 0\n".repeat(40)}`);
     expect((await run("mesh", "part.stl", "-o", "out.vtu")).stderr).toMatch(
       /part\.stl: Line 1: a text STL file must begin with "solid"/,
     );
   });
 
-  test("of a place that cannot be written to comes before the mesh", async () => {
+  test("about an output path that cannot be written appear before meshing", async () => {
     save("cube.off", offFile(boxSurface(1)));
     mkdirSync(inFolder("deep"));
     const name = `${"x".repeat(300)}.vtu`;

@@ -1,4 +1,4 @@
-/** Output that does not fit on the disk, and meshes that are worse than required. */
+/** Output that does not fit on the disk, and meshes of insufficient quality. */
 import { execFile } from "node:child_process";
 import { writeFileSync } from "node:fs";
 import path from "node:path";
@@ -17,7 +17,7 @@ const program = fileURLToPath(new URL("../../../wasm/bin/tetrafront.mjs", import
 const save = (name: string, content: Uint8Array) => writeFileSync(path.join(folder.path, name), content);
 const run = (...args: string[]) => tetrafront(folder.path, args);
 
-/** Runs a command whose standard output is a file that may have one block, as on a disk that is nearly full. */
+/** Runs a command whose standard output is a file limited to one block, as on a nearly full disk. */
 function onFullDisk(...args: string[]): Promise<{ readonly code: number | null; readonly stderr: string }> {
   const script = 'ulimit -f 1; exec "$@" > out';
   return new Promise((resolve) => {
@@ -30,7 +30,7 @@ function onFullDisk(...args: string[]): Promise<{ readonly code: number | null; 
   });
 }
 
-describe("standard output that is a file on a full disk ends with code 1 and a message:", () => {
+describe("the command exits with code 1 and a message if standard output is a file on a full disk:", () => {
   test.each([
     ["a mesh", ["convert", "box.off", "-o", "-", "--to", "stl"]],
     ["statistics", ["stats", "box.mesh", "--json"]],
@@ -51,7 +51,7 @@ describe("a surface of needles", () => {
       severity,
     ]);
 
-  test("gets a warning from check, and its mesh another one", async () => {
+  test("gets a warning from check and its mesh another one", async () => {
     save("gear.off", offFile(needleGearSurface(60)));
     const check = await run("check", "gear.off", "--json");
     expect(check.code).toBe(0);
@@ -64,7 +64,7 @@ describe("a surface of needles", () => {
     );
   });
 
-  test("fails where an angle is required; a box does not", async () => {
+  test("fails with --require-angle, while a box passes", async () => {
     save("gear.off", offFile(needleGearSurface(60)));
     save("box.off", offFile(boxSurface(4)));
     const gear = await run("mesh", "gear.off", "-o", "gear.vtu", "--require-angle", "10");
@@ -77,7 +77,7 @@ describe("a surface of needles", () => {
     expect(box.code).toBe(0);
   });
 
-  test.each(["90", "-1", "steep"])("an angle of %s cannot be required", async (angle) => {
+  test.each(["90", "-1", "steep"])("--require-angle rejects %s", async (angle) => {
     save("box.off", offFile(boxSurface(4)));
     const { code, stderr } = await run("mesh", "box.off", "-o", "box.vtu", "--require-angle", angle);
     expect(stderr).toMatch(/The required angle is ".*"\. Use an angle from 0 to 70 degrees/);

@@ -1,4 +1,7 @@
-/** The command line: options that would do nothing are refused, failures of the engine are one line, batches can be stopped. */
+/**
+ * Options without effect are rejected, failures of the engine are reported in one line, and batches can be
+ * cancelled.
+ */
 import { existsSync, readFileSync } from "node:fs";
 
 import { writeMesh, writeProject, type FileMesh } from "tetrafront";
@@ -18,7 +21,7 @@ async function saveMesh(name: string, mesh: FileMesh): Promise<void> {
   for (const { fileName, bytes } of await writeMesh(mesh, name)) save(fileName, bytes);
 }
 
-describe("options that would be passed over", () => {
+describe("options without effect", () => {
   beforeEach(async () => {
     await saveMesh("block.vtu", blockMesh());
     save("box.stl", stlBinary(boxSurface(1)));
@@ -38,20 +41,20 @@ describe("options that would be passed over", () => {
     [["check", "box.stl", "--max-diagnostics", "some"], /number of diagnostics to list is "some"/],
     [["mesh", "cube.json", "-o", "cube.vtu", "--growth", "0.1"], /--growth is for surfaces/],
     [["check", "-", "box.stl"], /standard input cannot be combined/i],
-  ])("%j", async (args, words) => {
+  ])("are rejected: %j", async (args, words) => {
     const { code, stderr } = await run(...args);
     expect(stderr).toMatch(words);
     expect(code).toBe(2);
   });
 
-  test("the boundary of a mesh is repaired where that is written", async () => {
+  test("do not include --repair if convert writes the boundary of a mesh", async () => {
     const { code, stderr } = await run("convert", "block.vtu", "-o", "skin.stl", "--repair");
     expect(stderr).toMatch(/^tetrafront: repair: block.vtu: /m);
     expect(code).toBe(0);
   });
 });
 
-test("what the engine cannot do is one line and a finding, not a trace", async () => {
+test("an out-of-memory error of the engine is reported in one line and as a diagnostic, without a stack trace", async () => {
   const count = 1_000_000;
   await saveMesh("many.vtu", {
     ...blockMesh(),
@@ -73,7 +76,7 @@ test("what the engine cannot do is one line and a finding, not a trace", async (
   }
 });
 
-test("a batch that is stopped ends its processes and still reports", async () => {
+test("a cancelled batch ends its processes and still writes its report", async () => {
   for (const name of ["a.stl", "b.stl", "c.stl"]) save(name, stlBinary(boxSurface(1)));
   const args = ["mesh", "a.stl", "b.stl", "c.stl", "-o", "{name}.vtu", "-j", "2", "--report", "all.json"];
   const { code, stderr } = await tetrafront(folder.path, [...args, "--size", "0.008", "--refine-surface"], {
@@ -82,18 +85,18 @@ test("a batch that is stopped ends its processes and still reports", async () =>
   expect(code).toBe(1);
   expect(stderr).toMatch(/3 files: 0 done, 3 not completed, 0 invalid/);
   const reports = JSON.parse(readFileSync(inFolder("all.json"), "utf8")) as { status: string }[];
-  // Those that had begun; the third never did.
+  // The files whose runs had started; the third run never started.
   expect(reports.length).toBeLessThan(3);
   for (const { status } of reports) expect(status).toBe("cancelled");
 });
 
-test("names of inputs go into those of outputs as they are", async () => {
+test("output names contain input names verbatim", async () => {
   save("a$$b.stl", stlBinary(boxSurface(1)));
   await run("convert", "a$$b.stl", "-o", "{name}.off", "-q");
   expect(existsSync(inFolder("a$$b.off"))).toBe(true);
 });
 
-test("sizes that are proposed again are not added again", async () => {
+test("propose does not add the same sources twice", async () => {
   save("duct.json", readFileSync(new URL("../../../public/models/pipe-and-flow.json", import.meta.url)));
   const propose = () => run("propose", "duct.json", "-o", "duct.json", "--uniform", "0.5");
   await propose();
@@ -104,7 +107,7 @@ test("sizes that are proposed again are not added again", async () => {
   expect(readFileSync(inFolder("duct.json"), "utf8")).toBe(first);
 });
 
-test("a project may come by a stream, and an unknown name is told of --from", async () => {
+test("a project can be read from a stream, and an unknown extension gives a hint at --from", async () => {
   const covered = await tetrafront(folder.path, ["cover", "-", "-o", "-"], {
     input: writeProject(cubeProject()),
   });

@@ -1,4 +1,7 @@
-/** The command line and files from anywhere: check, repair, convert, info, stats, streams and batches. */
+/**
+ * The command line with surfaces and meshes from files: check, repair, convert, info, stats, streams and
+ * batches.
+ */
 import { mkdirSync, readdirSync, readFileSync, renameSync, symlinkSync, writeFileSync } from "node:fs";
 import path from "node:path";
 
@@ -39,7 +42,7 @@ const without = ({ points, triangles }: SurfaceInput, count: number): SurfaceInp
 });
 
 describe("--refine-surface", () => {
-  test("divides large triangles first, and tells; patches follow", async () => {
+  test("splits large triangles before meshing and reports it", async () => {
     const { points, triangles } = boxSurface(1, [0, 0, 0], [1, 1, 1]);
     const patched = offFile({ points, triangles });
     save("box.off", patched);
@@ -59,7 +62,7 @@ describe("--refine-surface", () => {
     expect(stderr).toContain(`refined: 12 triangles before, ${count} after`);
   });
 
-  test("refuses sizes of which a run could not make so many before it divides anything", async () => {
+  test("rejects a size that gives too many elements before it splits any triangle", async () => {
     save("box.off", offFile(box));
     const args = [
       "mesh",
@@ -75,13 +78,13 @@ describe("--refine-surface", () => {
     const began = performance.now();
     const { code, stderr } = await tetrafront(folder.path, args);
     expect(code).toBe(2);
-    // The surface alone, of half a million triangles, would not be too large; dividing it takes many seconds.
+    // The surface alone, half a million triangles, would be below the limit; splitting it takes many seconds.
     expect(stderr).toMatch(/about 509\d{5} tetrahedra; the limit is 20000000.*1\.4 times as large/);
     expect(stderr).not.toMatch(/refined:/);
     expect(performance.now() - began).toBeLessThan(10_000);
   });
 
-  test("without sizes is refused", async () => {
+  test("is rejected without sizes", async () => {
     save("box.off", offFile(box));
     const { code, stderr } = await tetrafront(folder.path, [
       "mesh",
@@ -95,7 +98,7 @@ describe("--refine-surface", () => {
   });
 });
 
-describe("a repair", () => {
+describe("a repair option", () => {
   test.each<[string, (args: { mesh: string; project: string }) => string[], RegExp]>([
     [
       "a project to mesh",
@@ -104,23 +107,23 @@ describe("a repair", () => {
     ],
     ["a project to check", ({ project }) => ["check", project, "--weld", "1e-6"], /the input is a project/],
     ["a mesh to check", ({ mesh }) => ["check", mesh, "--fill-holes", "3"], /a mesh of tetrahedra/],
-  ])("of %s is refused", async (_, argsFor, told) => {
+  ])("is rejected for %s", async (_, argsFor, message) => {
     save("cube.json", writeProject(cubeProject()));
     save("block.vtu", (await writeMesh(blockMesh(), "block.vtu"))[0]?.bytes ?? "");
     const args = argsFor({ mesh: "block.vtu", project: "cube.json" });
     const { code, stderr } = await tetrafront(folder.path, args);
     expect(code).toBe(2);
     expect(stderr).toMatch(/repairs are for surfaces/i);
-    expect(stderr).toMatch(told);
+    expect(stderr).toMatch(message);
   });
 });
 
-test("of one thing every command speaks in the singular, of several in the plural", async () => {
+test("every command uses the singular for one item and the plural for several", async () => {
   const one = "MeshVersionFormatted 2\nDimension 3\nVertices 4\n0 0 0 1\n1 0 0 1\n0 1 0 1\n0 0 1 1\n";
   save("one.mesh", `${one}Triangles 1\n1 3 2 1\nTetrahedra 1\n1 2 3 4 1\nEnd\n`);
   save("cube.json", writeProject(cubeProject()));
   save("box.off", offFile(box));
-  const told = [
+  const results = [
     await run("info", "one.mesh"),
     await run("info", "cube.json"),
     await run("stats", "one.mesh"),
@@ -130,27 +133,27 @@ test("of one thing every command speaks in the singular, of several in the plura
     await run("cover", "cube.json", "-o", "covered.json", "--shape", "tetrahedron"),
     await run("check", "one.mesh", "box.off"),
   ];
-  const said = told.map(({ stdout, stderr }) => stdout + stderr).join("");
-  expect(said).toMatch(/\b1 tetrahedron\b/);
-  expect(said).toMatch(/\b1 triangle\b/);
-  expect(said).toMatch(/\b6 patches\b/);
-  expect(said).not.toMatch(/\b1 (tetrahedra|[a-z]+s)\b/);
+  const output = results.map(({ stdout, stderr }) => stdout + stderr).join("");
+  expect(output).toMatch(/\b1 tetrahedron\b/);
+  expect(output).toMatch(/\b1 triangle\b/);
+  expect(output).toMatch(/\b6 patches\b/);
+  expect(output).not.toMatch(/\b1 (tetrahedra|[a-z]+s)\b/);
 });
 
-test("a box far from the origin shows its sides", async () => {
+test("the bounding box of a part far from the origin is printed with all digits", async () => {
   save("far.off", offFile({ points: box.points.map((x) => 3e7 + 0.25 * x), triangles: box.triangles }));
-  const inFull = "box (30000000, 30000000, 30000000) to (30000000.25, 30000000.5, 30000000.75)";
-  expect((await run("check", "far.off")).stderr).toContain(inFull);
-  expect((await run("info", "far.off")).stdout).toContain(inFull);
+  const boundingBox = "box (30000000, 30000000, 30000000) to (30000000.25, 30000000.5, 30000000.75)";
+  expect((await run("check", "far.off")).stderr).toContain(boundingBox);
+  expect((await run("info", "far.off")).stdout).toContain(boundingBox);
 });
 
 describe("check", () => {
-  test("tells what reads the same once, with how often", async () => {
+  test("prints similar diagnostics once, with their count", async () => {
     const { points, triangles } = boxSurface(3);
     save("tiny.off", offFile({ points: points.map((x) => 1e-90 * x), triangles }));
     const { code, stderr } = await tetrafront(folder.path, ["check", "tiny.off"]);
     expect(code).toBe(2);
-    // As often as there are nodes with such coordinates; where problems have places of their own each is told.
+    // One per node with such a coordinate. Diagnostics with positions are listed separately.
     expect(stderr.match(/has the coordinate/g)).toHaveLength(1);
     const tiny = points.filter(
       (_, i) => i % 3 === 0 && points.subarray(i, i + 3).some((x) => x !== 0),
@@ -158,7 +161,7 @@ describe("check", () => {
     expect(stderr).toMatch(`(and ${tiny - 1} similar)`);
   });
 
-  test("counts what is not listed any more, too", async () => {
+  test("counts the diagnostics that are not listed", async () => {
     const corners = Array.from({ length: 400 }, (_, i) => [i, 0, 0, i + 0.5, 0, 0, i, 1, 0]).flat();
     const apart = {
       points: Float64Array.from(corners),
@@ -171,7 +174,7 @@ describe("check", () => {
     expect(stderr).toMatch(/: 1200 errors\n$/);
   });
 
-  test("lists every finding where all are asked for, as text and as JSON", async () => {
+  test("lists all diagnostics on request, as text and as JSON", async () => {
     const pairs = 1200;
     save("soup.off", offFile(crossingNeedles(pairs)));
     const listedIn = (text: string) => text.match(/error: soup\.off: The surface intersects itself/g)?.length;
@@ -185,17 +188,17 @@ describe("check", () => {
     expect(all.stderr).toMatch(/: 8400 errors\n$/);
     const { code, stdout } = await run("check", "soup.off", "--max-diagnostics", "all", "--json");
     expect(code).toBe(2);
-    const told = JSON.parse(stdout) as { errors: number; diagnostics: Diagnostic[] };
-    expect(told.errors).toBe(7 * pairs);
-    const crossings = told.diagnostics.filter((found) => found.code === "self-intersection");
+    const report = JSON.parse(stdout) as { errors: number; diagnostics: Diagnostic[] };
+    expect(report.errors).toBe(7 * pairs);
+    const crossings = report.diagnostics.filter((found) => found.code === "self-intersection");
     expect(crossings.map(({ entities }) => entities.map(({ index }) => index))).toEqual(
       Array.from({ length: pairs }, (_, i) => [2 * i, 2 * i + 1]),
     );
-    // As one piece would be.
-    expect(stdout).toBe(`${JSON.stringify(told, null, 2)}\n`);
+    // The same text as if it were written in one piece.
+    expect(stdout).toBe(`${JSON.stringify(report, null, 2)}\n`);
   });
 
-  test("says what enclosed parts are taken for", async () => {
+  test("interprets inner shells as regions or cavities", async () => {
     const inside = boxSurface(1, [0.25, 0.25, 0.25], [0.75, 0.75, 0.75]);
     writeFileSync(path.join(folder.path, "core.off"), offFile(joined(boxSurface(2), inside)));
     for (const [meaning, regions] of [
@@ -209,7 +212,7 @@ describe("check", () => {
     }
   });
 
-  test("tells the figures of a sound surface and ends with 0", async () => {
+  test("prints the properties of a valid surface and exits with 0", async () => {
     save("part.off", offFile(cavitySurface(10)));
     const { code, stderr } = await tetrafront(folder.path, ["check", "part.off"]);
     expect(code).toBe(0);
@@ -218,7 +221,7 @@ describe("check", () => {
     expect(stderr).toContain("part.off: no problems\n");
   });
 
-  test("lists every problem with ids and place, as text and as JSON, and ends with 2", async () => {
+  test("lists all problems with indices and positions, as text and as JSON, and exits with 2", async () => {
     save("open.off", offFile(without(box, 1)));
     const text = await tetrafront(folder.path, ["check", "open.off"]);
     expect(text.code).toBe(2);
@@ -233,7 +236,7 @@ describe("check", () => {
     });
   });
 
-  test("says what a repair would change, and what then remains; the file stays", async () => {
+  test("reports what a repair would change and which problems remain, and leaves the file unchanged", async () => {
     const file = offFile(without(box, 1));
     save("open.off", file);
     const { code, stderr } = await tetrafront(folder.path, ["check", "open.off", "--fill-holes", "3"]);
@@ -245,10 +248,10 @@ describe("check", () => {
 });
 
 describe("mesh", () => {
-  test("never repairs unasked, and lists the repairs in its report", async () => {
+  test("repairs only on request and lists the changes in its report", async () => {
     save("open.off", offFile(without(box, 1)));
-    const asIs = await tetrafront(folder.path, ["mesh", "open.off", "-o", "a.vtu"]);
-    expect(asIs.code).toBe(2);
+    const unrepaired = await tetrafront(folder.path, ["mesh", "open.off", "-o", "a.vtu"]);
+    expect(unrepaired.code).toBe(2);
     const { code } = await tetrafront(folder.path, [
       ...["mesh", "open.off", "-o", "a.vtu", "--fill-holes", "3", "--report", "a.json", "-q"],
     ]);
@@ -273,7 +276,7 @@ describe("mesh", () => {
     expect(nameless.stderr).toMatch(/the format of a stream must be given.*--format/i);
   });
 
-  test("makes elements smaller around a source, whatever other sizes there are", async () => {
+  test("makes smaller elements near a source, whatever other sizes are given", async () => {
     save("part.off", offFile(boxSurface(4)));
     const counts = await Promise.all(
       [[], ["--source", "0.5,0.5,0.5,0.05,0.1"], ["--size", "0.4", "--source", "0.5,0.5,0.5,0.05,0.1"]].map(
@@ -303,13 +306,13 @@ describe("mesh", () => {
 });
 
 describe("a batch", () => {
-  test("does what is named twice once", async () => {
+  test("processes a file that is named twice only once", async () => {
     save("twice.off", offFile(box));
     const file = inFolder("twice.off");
     expect(await expandInputs([file, `${folder.path}/./twice.off`, "-"])).toEqual([file, "-"]);
   });
 
-  test("meshes what a pattern finds, one process each, one report for all", async () => {
+  test("meshes the files that match a pattern, one process each, with one report for all", async () => {
     mkdirSync(inFolder("parts"));
     mkdirSync(inFolder("out"));
     save("parts/a.off", offFile(box));
@@ -339,7 +342,7 @@ describe("a batch", () => {
     expect(splitPattern(input, isWindows)).toEqual({ folder: plain, pattern });
   });
 
-  test("finds files in a folder whose name means something in patterns", async () => {
+  test("finds files in a folder whose name contains pattern characters", async () => {
     mkdirSync(inFolder("parts (1)"));
     save("parts (1)/a.off", offFile(box));
     for (const pattern of ["parts (1)/*.off", inFolder("parts (1)/?.off"), "*/a.{off,stl}"]) {
@@ -348,7 +351,7 @@ describe("a batch", () => {
     }
   });
 
-  test("tells of its files in their order, however long each takes", async () => {
+  test("reports its files in order, however long each takes", async () => {
     save("slow.off", offFile(sphereSurface(16)));
     for (const name of ["b.off", "c.off"]) save(name, offFile(box));
     const { code, stderr } = await tetrafront(folder.path, [
@@ -363,10 +366,10 @@ describe("a batch", () => {
   });
 
   test.each<[string, string[], RegExp]>([
-    ["one output for all", ["mesh", "a.off", "b.off", "-o", "c.vtu"], /Add \{name\} to its name/],
-    ["no match", ["check", "*.ply"], /no file matches this pattern/i],
-    ["no number of jobs", ["check", "a.off", "b.off", "--jobs", "none"], /number of jobs is "none"/],
-  ])("with %s is refused", async (_, args, message) => {
+    ["one output for several inputs", ["mesh", "a.off", "b.off", "-o", "c.vtu"], /Add \{name\} to its name/],
+    ["a pattern without match", ["check", "*.ply"], /no file matches this pattern/i],
+    ["an invalid number of jobs", ["check", "a.off", "b.off", "--jobs", "none"], /number of jobs is "none"/],
+  ])("is rejected with %s", async (_, args, message) => {
     save("a.off", offFile(box));
     save("b.off", offFile(box));
     const { code, stderr } = await tetrafront(folder.path, args);
@@ -376,7 +379,7 @@ describe("a batch", () => {
 });
 
 describe("convert, info and stats", () => {
-  test("of a volume mesh keep its elements", async () => {
+  test("keep or count all elements of a volume mesh", async () => {
     save("part.off", offFile(box));
     await tetrafront(folder.path, ["mesh", "part.off", "-o", "part.vtu", "--report", "r.json", "-q"]);
     const { tetrahedra, dihedral } = jsonIn("r.json") as MeshReport;
@@ -394,7 +397,7 @@ describe("convert, info and stats", () => {
     expect(text.stdout).toMatch(/ 60° to 65° +#+ \d+/);
   });
 
-  test("tell the version that a file has, whatever its name", async () => {
+  test("report the format version of a file, whatever its name", async () => {
     save("part.off", offFile(box));
     await tetrafront(folder.path, ["mesh", "part.off", "-o", "old.msh2", "-q"]);
     await tetrafront(folder.path, ["mesh", "part.off", "-o", "new.msh", "-q"]);
@@ -408,7 +411,7 @@ describe("convert, info and stats", () => {
     }
   });
 
-  test("turn inverted elements, and say so: of some it is a fault, of all none", async () => {
+  test("flip inverted elements and report them: some inverted elements are an error, all inverted are not", async () => {
     const head = "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n";
     const vertices = "0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 -1 0\n";
     const mesh = (...tetrahedra: string[]) =>
@@ -439,7 +442,7 @@ describe("convert, info and stats", () => {
     expect((await meshIn("a.vtu")).reversedTetrahedra).toBe(0);
   });
 
-  test("refuse what they cannot do in one line", async () => {
+  test("report an invalid request in one line", async () => {
     save("part.off", offFile(box));
     const surface = await tetrafront(folder.path, ["stats", "part.off"]);
     expect([surface.code, surface.stderr.trim().split("\n").length]).toEqual([2, 1]);
@@ -448,53 +451,61 @@ describe("convert, info and stats", () => {
   });
 });
 
-describe("what would be written over is refused before any work:", () => {
+describe("a command line is rejected before any work:", () => {
   test.each<[string, string[], RegExp]>([
     [
-      "the mesh by its report",
+      "the report would replace the mesh",
       ["mesh", "a.off", "-o", "x.vtu", "-r", "./x.vtu"],
       /report would replace the mesh/,
     ],
     [
-      "both on standard output",
+      "mesh and report on standard output",
       ["mesh", "a.off", "-o", "-", "--to", "vtu", "-r", "-"],
       /would replace the mesh/,
     ],
-    ["the input by the mesh", ["mesh", "part.mesh", "-o", "link.mesh"], /mesh would replace the input/],
     [
-      "the background grid by the mesh",
+      "the mesh would replace the input",
+      ["mesh", "part.mesh", "-o", "link.mesh"],
+      /mesh would replace the input/,
+    ],
+    [
+      "the mesh would replace the background grid",
       ["mesh", "a.off", "-o", "grid.vtu", "-b", "grid.vtu"],
       /replace the background grid/,
     ],
-    ["a file beside the input", ["convert", "part.face", "-o", "part.ele"], /output would replace the input/],
     [
-      "one output by another",
+      "the output would replace a file of the input",
+      ["convert", "part.face", "-o", "part.ele"],
+      /output would replace the input/,
+    ],
+    [
+      "an output would replace another output",
       ["convert", "a.off", "sub/a.off", "-o", "{name}.stl"],
       /the output of sub\/a\.off would replace the output of a\.off/i,
     ],
     [
-      "an output by another, through a link",
+      "an output would replace another output through a link",
       ["convert", "b.off", "c.off", "-o", "{name}.stl"],
       /the output of c\.off would replace the output of b\.off/i,
     ],
     [
-      "an input of the batch by an output",
+      "an output would replace an input of the batch",
       ["convert", "a.off", "a.stl", "-o", "{name}.stl"],
       /output of a\.off would replace the input a\.stl/i,
     ],
     [
-      "an output of the batch by the report",
+      "the report would replace an output of the batch",
       ["mesh", "a.off", "b.off", "-o", "{name}.vtu", "-r", "b.vtu"],
       /report would replace the output of b\.off/i,
     ],
     ["several files on one stream", ["mesh", "a.off", "-o", "-", "--format", "tetgen"], /several files/],
+    ["an unknown placeholder", ["mesh", "a.off", "-o", "{foo}.vtu"], /\{foo\}.*Use \{name\}/],
     [
-      "a word in braces that stands for nothing",
-      ["mesh", "a.off", "-o", "{foo}.vtu"],
-      /\{foo\}.*Use \{name\}/,
+      "a placeholder in the name of the report",
+      ["mesh", "a.off", "-o", "a.vtu", "-r", "{name}.json"],
+      /one report for all/,
     ],
-    ["one in a report's name", ["mesh", "a.off", "-o", "a.vtu", "-r", "{name}.json"], /one report for all/],
-    ["no number of jobs, with one input", ["check", "a.off", "-j", "0"], /number of jobs is "0"/],
+    ["an invalid number of jobs, with one input", ["check", "a.off", "-j", "0"], /number of jobs is "0"/],
   ])("%s", async (_, args, message) => {
     mkdirSync(inFolder("sub"));
     for (const name of ["a.off", "b.off", "c.off", "sub/a.off"]) save(name, offFile(box));
@@ -509,14 +520,14 @@ describe("what would be written over is refused before any work:", () => {
     expect(contentsOf(folder.path)).toEqual(before);
   });
 
-  const contentsOf = (where: string) =>
-    readdirSync(where, { recursive: true, encoding: "utf8" })
+  const contentsOf = (root: string) =>
+    readdirSync(root, { recursive: true, encoding: "utf8" })
       .filter((name) => /\.[a-z]+$/.test(name))
       .sort()
-      .map((name) => [name, readFileSync(path.join(where, name), "utf8")]);
+      .map((name) => [name, readFileSync(path.join(root, name), "utf8")]);
 });
 
-test("a reader that goes away ends the command quietly, as shells know it", async () => {
+test("the command ends silently with code 141 if the reader of its output closes the pipe", async () => {
   save("part.off", offFile(box));
   for (const args of [
     ["info", "part.off"],
@@ -530,7 +541,7 @@ test("a reader that goes away ends the command quietly, as shells know it", asyn
   }
 });
 
-test("each command teaches by examples", async () => {
+test("the help of each command ends with examples", async () => {
   for (const command of ["mesh", "check", "convert", "info", "stats", "cover", "propose"]) {
     const { code, stdout } = await tetrafront(folder.path, [command, "--help"]);
     expect(code).toBe(0);

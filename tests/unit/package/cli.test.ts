@@ -17,8 +17,8 @@ const { inFolder, save } = folder;
 const bytesOf = (name: string) => new Uint8Array(readFileSync(inFolder(name)));
 const reportIn = (name: string) => JSON.parse(readFileSync(inFolder(name), "utf8")) as MeshReport;
 
-/** One line, which names the subject and says what to do. */
-function expectComplaint({ code, stderr, stdout }: CommandResult, subject: string, message: RegExp): void {
+/** Expects one line that names the subject and the remedy, and exit code 2. */
+function expectError({ code, stderr, stdout }: CommandResult, subject: string, message: RegExp): void {
   expect(stderr.trimEnd().split("\n")).toHaveLength(1);
   expect(stderr).toContain(`tetrafront: error: ${subject}: `);
   expect(stderr).toMatch(message);
@@ -72,7 +72,7 @@ describe("meshing", () => {
     expect(readdirSync(folder.path).sort()).toEqual([name, "out.vtu", "r.json"].sort());
   });
 
-  test("a project gives a Gmsh file with its patches by name", async () => {
+  test("a project gives a Gmsh file with the names of its patches", async () => {
     save("cube.json", writeProject(cubeProject()));
     const { code } = await tetrafront(folder.path, ["mesh", "cube.json", "-o", "cube.msh", "--quiet"]);
     expect(code).toBe(0);
@@ -88,7 +88,7 @@ describe("meshing", () => {
     expect(read.tetrahedra.map(({ name }) => name)).toEqual(["region 1"]);
   });
 
-  test("a surface gives a Gmsh file with its shells by number", async () => {
+  test("a surface gives a Gmsh file with numbered shells and regions", async () => {
     save("two.off", offFile(joined(boxSurface(2), boxSurface(2, [3, 0, 0], [4, 1, 1]))));
     expect((await tetrafront(folder.path, ["mesh", "two.off", "-o", "two.msh", "-q"])).code).toBe(0);
     const read = parseMsh(bytesOf("two.msh"));
@@ -96,7 +96,7 @@ describe("meshing", () => {
     expect(read.tetrahedra.map(({ name }) => name)).toEqual(["region 1", "region 2"]);
   });
 
-  test("the report on standard output is all there is on it, and has every figure", async () => {
+  test("prints only the report if it goes to standard output, with all statistics", async () => {
     save("cube.json", writeProject(cubeProject()));
     const args = ["mesh", "cube.json", "-o", "cube.vtu", "--size", "0.5", "--report", "-"];
     const { code, stdout } = await tetrafront(folder.path, args);
@@ -124,7 +124,7 @@ describe("meshing", () => {
     expect(reportIn("b.json").tetrahedra).toBeGreaterThan(4 * reportIn("a.json").tetrahedra);
   });
 
-  test("an existing output is replaced, and only by a whole mesh", async () => {
+  test("replaces an existing output, but only by a complete mesh", async () => {
     save("cube.off", offFile(boxSurface(2)));
     save("out.vtu", "old");
     const open = { ...boxSurface(2), triangles: boxSurface(2).triangles.subarray(3) };
@@ -135,7 +135,7 @@ describe("meshing", () => {
     expect(bytesOf("out.vtu").length).toBeGreaterThan(1000);
   });
 
-  test("--quiet says nothing where nothing is wrong", async () => {
+  test("prints nothing with --quiet if there is no problem", async () => {
     save("cube.off", offFile(boxSurface(1)));
     expect(await tetrafront(folder.path, ["mesh", "cube.off", "-o", "out.vtu", "--quiet"])).toEqual({
       code: 0,
@@ -153,40 +153,40 @@ describe("an interrupt", () => {
     return tetrafront(folder.path, command, { env: signalAtProgress("SIGINT", "program") });
   }
 
-  test("ends with code 1, a report and no mesh", async () => {
+  test("exits with code 1, a report and no mesh", async () => {
     const { code, stderr } = await interrupted();
     expect(code).toBe(1);
     expect(reportIn("r.json").status).toBe("cancelled");
     expect(reportIn("r.json").seconds.total).toBeGreaterThan(0);
-    // Without elements there are no angles.
+    // Without elements, there are no angles.
     expect(/dihedral/.test(stderr)).toBe(reportIn("r.json").tetrahedra > 0);
     expect(readdirSync(folder.path).sort()).toEqual(["large.off", "r.json"]);
   });
 
-  test("with --keep-partial leaves what exists", async () => {
+  test("leaves the partial mesh with --keep-partial", async () => {
     expect((await interrupted("--keep-partial")).code).toBe(1);
     expect(reportIn("r.json").tetrahedra).toBeGreaterThan(0);
     expect(volumeIn("out.vtu").tetrahedra.length / 4).toBe(reportIn("r.json").tetrahedra);
   });
 });
 
-describe("bad input ends with code 2 and one line:", () => {
+describe("invalid input gives exit code 2 and one line:", () => {
   const args = (input: string, ...more: string[]) => ["mesh", input, "-o", "out.vtu", ...more];
   beforeEach(() => save("cube.off", offFile(boxSurface(1))));
 
   test.each<[string, string, RegExp]>([
-    ["a file that is not there", "none.stl", /no such file/],
-    ["a folder for a file", "folder.stl", /folder/],
+    ["a missing file", "none.stl", /no such file/],
+    ["a folder instead of a file", "folder.stl", /folder/],
     ["an empty STL file", "empty.stl", /empty/],
     ["an empty OFF file", "empty.off", /empty/],
     ["an empty project", "empty.json", /empty/],
-    ["an extension nobody knows", "cube.step", /"\.step" files cannot be read here.*\.json, \.stl, \.off/],
+    ["an unknown extension", "cube.step", /"\.step" files cannot be read here.*\.json, \.stl, \.off/],
     ["no extension", "cube", /no extension/],
-    ["a file that breaks off", "short.stl", /ends at byte 300/],
-    ["text that is no JSON", "broken.json", /line 2/i],
+    ["a truncated file", "short.stl", /ends at byte 300/],
+    ["text that is not JSON", "broken.json", /line 2/i],
     ["a project of a later version", "later.json", /version 7/],
     [
-      "a project with a wrong reference",
+      "a project with an invalid reference",
       "wrong.json",
       /lines\[0\]\.points\[1\]: there is no point with the id 99/i,
     ],
@@ -201,12 +201,12 @@ describe("bad input ends with code 2 and one line:", () => {
     const cube = cubeProject();
     const lines = cube.lines.map((line) => (line.id === 1 ? { ...line, points: [1, 99] } : line));
     save("wrong.json", writeProject({ ...cube, lines }));
-    expectComplaint(await tetrafront(folder.path, args(name, "--report", "r.json")), name, message);
+    expectError(await tetrafront(folder.path, args(name, "--report", "r.json")), name, message);
     expect(reportIn("r.json")).toMatchObject({ status: "invalid-input", tetrahedra: 0, output: null });
     expect(reportIn("r.json").diagnostics.length).toBeGreaterThan(0);
   });
 
-  test("an open surface, with the triangle and the place", async () => {
+  test("an open surface, with the triangle and the position", async () => {
     const { points, triangles } = boxSurface(1);
     save("open.off", offFile({ points, triangles: triangles.subarray(0, triangles.length - 3) }));
     const result = await tetrafront(folder.path, args("open.off", "--quiet", "--report", "r.json"));
@@ -215,13 +215,9 @@ describe("bad input ends with code 2 and one line:", () => {
     expect(reportIn("r.json").diagnostics[0]).toMatchObject({ code: "open-edge", severity: "error" });
   });
 
-  test("a project without a grid and without --size", async () => {
+  test("a project without a grid, if --size is not given", async () => {
     save("bare.json", writeProject({ ...cubeProject(), background: { nodes: [], tetrahedra: [] } }));
-    expectComplaint(
-      await tetrafront(folder.path, args("bare.json")),
-      "bare.json",
-      /no background grid.*--size/,
-    );
+    expectError(await tetrafront(folder.path, args("bare.json")), "bare.json", /no background grid.*--size/);
     expect((await tetrafront(folder.path, args("bare.json", "--size", "0.5"))).code).toBe(0);
   });
 
@@ -235,15 +231,15 @@ describe("bad input ends with code 2 and one line:", () => {
   test.each<[string, string[], RegExp]>([
     ["an unknown output format", ["cube.off", "-o", "out.stl"], /\.vtu or \.msh/],
     ["an output without extension", ["cube.off", "-o", "out"], /no extension/],
-    ["an output in no folder", ["cube.off", "-o", "none/out.vtu"], /folder none does not exist/],
+    ["an output in a missing folder", ["cube.off", "-o", "none/out.vtu"], /folder none does not exist/],
     ["an output that is a folder", ["cube.off", "-o", "taken.vtu"], /folder/],
     [
-      "a report in no folder",
+      "a report in a missing folder",
       ["cube.off", "-o", "out.vtu", "--report", "none/r.json"],
       /folder none does not exist/,
     ],
     [
-      "a report in place of the input",
+      "a report that would replace the input",
       ["cube.off", "-o", "out.vtu", "--report", "./cube.off"],
       /replace the input/,
     ],
@@ -271,7 +267,7 @@ describe("bad input ends with code 2 and one line:", () => {
   });
 });
 
-test("--help teaches, --version tells, both with code 0", async () => {
+test("--help and --version exit with code 0", async () => {
   const help = await tetrafront(folder.path, ["mesh", "--help"]);
   expect(help).toMatchObject({ code: 0, stderr: "" });
   for (const word of [

@@ -15,65 +15,65 @@ import type { DiagnosticArrays } from "../../../wasm/src/engine/loader.js";
 import { projectNamer } from "../../../wasm/src/project/names.js";
 import { cubeProject } from "../../support/projects.js";
 
-/** About everything at once: two of each kind, a place, and three values. */
-const rich = {
+/** A diagnostic with everything: two entities of each kind, a position and three values. */
+const complete = {
   severity: 2,
   entities: Uint32Array.from(ENTITY_KINDS.flatMap((_, kind) => [kind, 1, kind, 2])),
   place: Float64Array.of(0.125, 1 / 3, -2),
   values: Float64Array.of(7.123456789, 3, 2),
 };
-const bare = {
+const empty = {
   severity: 2,
   entities: new Uint32Array(),
   place: new Float64Array(),
   values: new Float64Array(),
 };
 
-/** The names of a code's numbers; those with a `?` may be missing. */
+/** Returns the names of a code's values; those with a `?` can be missing. */
 const numbersOf = (name: string): readonly string[] => ENGINE_DATA[name as keyof typeof ENGINE_DATA] ?? [];
 
-/** About everything, with an option that there is where the first number names one. */
-const richOf = (name: string) =>
-  numbersOf(name)[0] === "option" ? { ...rich, values: Float64Array.of(1, 3, 2) } : rich;
+/** Returns a diagnostic with everything; if the first value is an option, with a valid one. */
+const completeOf = (name: string) =>
+  numbersOf(name)[0] === "option" ? { ...complete, values: Float64Array.of(1, 3, 2) } : complete;
 
-/** As little as the engine may say. */
-const leastOf = (name: string) => ({
-  ...bare,
+/** Returns the minimal diagnostic that the engine can report. */
+const minimalOf = (name: string) => ({
+  ...empty,
   values: new Float64Array(numbersOf(name).filter((entry) => !entry.endsWith("?")).length).fill(2),
 });
 
 describe.each(Object.entries(ENGINE_CODES))("code %s, %s,", (code, name) => {
-  test("is told in whole sentences", () => {
-    for (const raw of [richOf(name), leastOf(name)]) {
-      const said = describeDiagnostic({ code: Number(code), ...raw }, nameByIndex);
-      expect(said.code).toBe(name);
-      expect(said.message).toMatch(/^[A-Z][^\n]*[^.\s]$/);
-      expect(said.message).not.toMatch(/undefined|NaN|null|object/);
-      expect(said.remedy).toMatch(
+  test("has a message and a remedy in complete sentences", () => {
+    for (const raw of [completeOf(name), minimalOf(name)]) {
+      const diagnostic = describeDiagnostic({ code: Number(code), ...raw }, nameByIndex);
+      expect(diagnostic.code).toBe(name);
+      expect(diagnostic.message).toMatch(/^[A-Z][^\n]*[^.\s]$/);
+      expect(diagnostic.message).not.toMatch(/undefined|NaN|null|object/);
+      expect(diagnostic.remedy).toMatch(
         ["reoriented-patch", "nested-regions"].includes(name) ? /^$/ : /^[A-Z].*\.$/,
       );
     }
   });
 
-  test("carries entities, place and numbers along", () => {
-    const said = describeDiagnostic({ code: Number(code), ...richOf(name) }, nameByIndex);
-    expect(said.entities).toHaveLength(2 * ENTITY_KINDS.length);
-    expect(said.position).toEqual([0.125, 1 / 3, -2]);
-    expect(Object.keys(said.data)).toEqual(numbersOf(name).map((entry) => entry.replace("?", "")));
-    const least = describeDiagnostic({ code: Number(code), ...leastOf(name) }, nameByIndex);
-    expect(least.position).toBeUndefined();
-    expect(Object.keys(least.data)).toEqual(numbersOf(name).filter((entry) => !entry.endsWith("?")));
+  test("keeps entities, position and values", () => {
+    const diagnostic = describeDiagnostic({ code: Number(code), ...completeOf(name) }, nameByIndex);
+    expect(diagnostic.entities).toHaveLength(2 * ENTITY_KINDS.length);
+    expect(diagnostic.position).toEqual([0.125, 1 / 3, -2]);
+    expect(Object.keys(diagnostic.data)).toEqual(numbersOf(name).map((entry) => entry.replace("?", "")));
+    const minimal = describeDiagnostic({ code: Number(code), ...minimalOf(name) }, nameByIndex);
+    expect(minimal.position).toBeUndefined();
+    expect(Object.keys(minimal.data)).toEqual(numbersOf(name).filter((entry) => !entry.endsWith("?")));
   });
 
-  test("is not told with fewer numbers than it has", () => {
-    const { values, ...rest } = leastOf(name);
+  test("is rejected if a required value is missing", () => {
+    const { values, ...rest } = minimalOf(name);
     if (values.length === 0) return;
     const raw = { code: Number(code), ...rest, values: values.subarray(1) };
     expect(() => describeDiagnostic(raw, nameByIndex)).toThrow(`with ${name}`);
   });
 });
 
-test("what the engine has numbers for has names for all of them", () => {
+test("all values that the engine documents have names in the package", () => {
   const header = new URL("../../../cpp/include/tetrafront/status.h", import.meta.url);
   const text = readFileSync(header, "utf8").replace(/\n\s*\/\/\//g, "");
   const withNumbers = [...text.matchAll(/= (\d+),\s*\/\/\/<[^\n]*values:([^\n]*)/g)];
@@ -86,19 +86,19 @@ test("what the engine has numbers for has names for all of them", () => {
 });
 
 describe("the data of a diagnostic", () => {
-  const told = (code: number, ...values: number[]) =>
-    describeDiagnostic({ ...bare, code, values: Float64Array.from(values) }, nameByIndex).data;
+  const dataOf = (code: number, ...values: number[]) =>
+    describeDiagnostic({ ...empty, code, values: Float64Array.from(values) }, nameByIndex).data;
 
-  test("are the engine's numbers by their names, as far as it gave them", () => {
-    expect(told(25, 3e7, 2e7)).toEqual({ expected: 3e7, limit: 2e7 });
-    expect(told(43, 12)).toEqual({ count: 12 });
-    expect(told(43, 12, 1)).toEqual({ count: 12, isLowerBound: true });
-    expect(told(50, 0, 3)).toEqual({ isBetweenRegions: false, count: 3 });
-    expect(told(15, 1, -2)).toEqual({ option: "growth", given: -2 });
-    expect(told(12)).toEqual({});
+  test("hold the engine's values by name, without missing ones", () => {
+    expect(dataOf(25, 3e7, 2e7)).toEqual({ expected: 3e7, limit: 2e7 });
+    expect(dataOf(43, 12)).toEqual({ count: 12 });
+    expect(dataOf(43, 12, 1)).toEqual({ count: 12, isLowerBound: true });
+    expect(dataOf(50, 0, 3)).toEqual({ isBetweenRegions: false, count: 3 });
+    expect(dataOf(15, 1, -2)).toEqual({ option: "growth", given: -2 });
+    expect(dataOf(12)).toEqual({});
   });
 
-  test("are told apart by the code", () => {
+  test("have a type that depends on the code", () => {
     expectTypeOf<Diagnostic["code"]>().toEqualTypeOf<DiagnosticCode>();
     expectTypeOf<DiagnosticOf<"invalid-option">["data"]["option"]>().toBeString();
     const optionOf = (found: Diagnostic) => {
@@ -119,33 +119,38 @@ describe("the data of a diagnostic", () => {
   });
 });
 
-test("diagnostics come out of the engine's arrays as they were put in, at once or in steps", () => {
+test("diagnostics are decoded from the engine's arrays, at once or in steps", () => {
   const arrays = {
     heads: Uint32Array.of(40, 2, 1, 1, 1, 12, 2, 0, 0, 0, 43, 2, 2, 1, 2, 44, 1, 2, 0, 0),
     entities: Uint32Array.of(5, 7, 5, 1, 5, 2, 5, 3, 5, 4),
     positions: Float64Array.of(1, 2, 3, 4, 5, 6),
     values: Float64Array.of(9, 100, 1),
   };
-  const told = describeAll(arrays, nameByIndex);
-  const indices = told.map(({ entities }) => entities.map(({ index }) => index));
-  expect(told.map(({ code }) => code)).toEqual([
+  const diagnostics = describeAll(arrays, nameByIndex);
+  const indices = diagnostics.map(({ entities }) => entities.map(({ index }) => index));
+  expect(diagnostics.map(({ code }) => code)).toEqual([
     "open-edge",
     "empty-model",
     "self-intersection",
     "duplicate-triangle",
   ]);
   expect(indices).toEqual([[7], [], [1, 2], [3, 4]]);
-  expect(told.map(({ position }) => position)).toEqual([[1, 2, 3], undefined, [4, 5, 6], undefined]);
-  expect(told.map(({ data }) => data)).toEqual([{ count: 9 }, {}, { count: 100, isLowerBound: true }, {}]);
-  expect(told.map(({ severity }) => severity)).toEqual(["error", "error", "error", "warning"]);
-  expect(stepsOf(arrays)).toEqual([1, told]);
+  expect(diagnostics.map(({ position }) => position)).toEqual([[1, 2, 3], undefined, [4, 5, 6], undefined]);
+  expect(diagnostics.map(({ data }) => data)).toEqual([
+    { count: 9 },
+    {},
+    { count: 100, isLowerBound: true },
+    {},
+  ]);
+  expect(diagnostics.map(({ severity }) => severity)).toEqual(["error", "error", "error", "warning"]);
+  expect(stepsOf(arrays)).toEqual([1, diagnostics]);
 });
 
-test("of many diagnostics none takes long between two steps", () => {
+test("many diagnostics are decoded in short steps", () => {
   const count = 20_000;
   const heads = Uint32Array.from({ length: 5 * count }, (_, i) => [12, 2, 0, 0, 0][i % 5] ?? 0);
-  const [steps, told] = stepsOf({ ...NO_ENTITIES, heads });
-  expect(told).toHaveLength(count);
+  const [steps, diagnostics] = stepsOf({ ...NO_ENTITIES, heads });
+  expect(diagnostics).toHaveLength(count);
   expect(steps).toBeGreaterThan(40);
 });
 
@@ -155,7 +160,7 @@ const NO_ENTITIES = {
   values: new Float64Array(),
 };
 
-/** In how many steps they are described, and as what. */
+/** Returns the number of steps and the diagnostics decoded in them. */
 function stepsOf(arrays: DiagnosticArrays): [number, Diagnostic[]] {
   const work = describeInSteps(arrays, nameByIndex);
   for (let steps = 1; ; steps++) {
@@ -164,29 +169,29 @@ function stepsOf(arrays: DiagnosticArrays): [number, Diagnostic[]] {
   }
 }
 
-test("labels of callers are words, whatever signs are in them", () => {
-  const raw = { ...leastOf("open-edge"), code: 40, entities: Uint32Array.of(5, 0) };
+test("labels of callers are inserted literally, whatever characters they contain", () => {
+  const raw = { ...minimalOf("open-edge"), code: 40, entities: Uint32Array.of(5, 0) };
   const name = () => ({ kind: "triangle", index: 0, label: "part (1" }) as const;
   expect(describeDiagnostic(raw, name).message).toContain("part (1 (counted from 0)");
 });
 
-describe("of one thing it is said in the singular:", () => {
+describe("messages about one item use the singular:", () => {
   test.each(Object.entries(ENGINE_CODES))("code %s, %s", (code) => {
     const values = Float64Array.of(1, 1, 1);
-    for (const entities of [new Uint32Array(), rich.entities.slice(0, 2), Uint32Array.of(5, 1)]) {
-      const said = describeDiagnostic({ ...bare, code: Number(code), entities, values }, nameByIndex);
+    for (const entities of [new Uint32Array(), complete.entities.slice(0, 2), Uint32Array.of(5, 1)]) {
+      const diagnostic = describeDiagnostic({ ...empty, code: Number(code), entities, values }, nameByIndex);
       const singular =
         /\b1 (points|lines|sides|triangles|faces|tetrahedra|places|regions|cavities|nodes|edges)\b/;
-      expect(said.message).not.toMatch(singular);
-      expect(said.remedy).not.toMatch(singular);
+      expect(diagnostic.message).not.toMatch(singular);
+      expect(diagnostic.remedy).not.toMatch(singular);
     }
   });
 });
 
-test("the remedy of turned triangles tells of regions where these would take them", () => {
+test("the remedy of flipped triangles mentions inner shells only if they lie between regions", () => {
   const remedy = (isBetweenRegions: number) =>
     describeDiagnostic(
-      { ...bare, code: 50, entities: Uint32Array.of(5, 1), values: Float64Array.of(isBetweenRegions, 3) },
+      { ...empty, code: 50, entities: Uint32Array.of(5, 1), values: Float64Array.of(isBetweenRegions, 3) },
       nameByIndex,
     ).remedy;
   expect(remedy(1)).toMatch(/--repair.*--inner-shells regions/);
@@ -194,68 +199,70 @@ test("the remedy of turned triangles tells of regions where these would take the
   expect(remedy(0)).not.toMatch(/regions/);
 });
 
-test("a coordinate too large to compute with is not said to be no number", () => {
-  const said = (value: number) =>
+test("a coordinate too large to compute with is not reported as not finite", () => {
+  const messageOf = (value: number) =>
     describeDiagnostic(
-      { ...bare, code: 0, entities: Uint32Array.of(0, 0), values: Float64Array.of(value) },
+      { ...empty, code: 0, entities: Uint32Array.of(0, 0), values: Float64Array.of(value) },
       nameByIndex,
     ).message;
-  expect(said(-1e200)).toMatch(/has the coordinate -1e\+200, whose magnitude/);
-  expect(said(NaN)).toMatch(/not a finite number$/);
+  expect(messageOf(-1e200)).toMatch(/has the coordinate -1e\+200, whose magnitude/);
+  expect(messageOf(NaN)).toMatch(/not a finite number$/);
 });
 
-test("pairs of triangles that meet are counted, and said to be more where the count was ended", () => {
-  const told = (...values: number[]) =>
+test('intersecting pairs of triangles are counted, with "at least" if the count was stopped', () => {
+  const messageOf = (...values: number[]) =>
     describeDiagnostic(
-      { ...bare, code: 43, entities: Uint32Array.of(5, 3, 5, 8), values: Float64Array.from(values) },
+      { ...empty, code: 43, entities: Uint32Array.of(5, 3, 5, 8), values: Float64Array.from(values) },
       nameByIndex,
     ).message;
-  expect(told(1)).toMatch(/triangle 3 .*and triangle 8 intersect$/);
-  expect(told(1600)).toMatch(/intersect \(1600 pairs of triangles in all\)$/);
-  expect(told(100000, 1)).toMatch(/intersect \(at least 100000 pairs of triangles in all\)$/);
+  expect(messageOf(1)).toMatch(/triangle 3 .*and triangle 8 intersect$/);
+  expect(messageOf(1600)).toMatch(/intersect \(1600 pairs of triangles in all\)$/);
+  expect(messageOf(100000, 1)).toMatch(/intersect \(at least 100000 pairs of triangles in all\)$/);
 });
 
-test("an estimate beyond counting is told as such, and gives no factor", () => {
-  const told = (estimate: number) =>
-    describeDiagnostic({ ...bare, code: 25, values: Float64Array.of(estimate, 2e7) }, nameByIndex);
-  expect(told(1.6e8).remedy).toBe("Use elements at least 2.0 times as large.");
-  expect(told(1.6e8).message).toMatch(/require about 160000000 /);
-  expect(told(1e15).remedy).toBe("Use far larger elements.");
-  expect(told(1e15).message).toMatch(/require more than 1000000000000000 /);
+test("an estimate above the countable range is reported as such, without a factor", () => {
+  const estimated = (estimate: number) =>
+    describeDiagnostic({ ...empty, code: 25, values: Float64Array.of(estimate, 2e7) }, nameByIndex);
+  expect(estimated(1.6e8).remedy).toBe("Use elements at least 2.0 times as large.");
+  expect(estimated(1.6e8).message).toMatch(/require about 160000000 /);
+  expect(estimated(1e15).remedy).toBe("Use far larger elements.");
+  expect(estimated(1e15).message).toMatch(/require more than 1000000000000000 /);
 });
 
-test("entities have the names the user gave them, else their ids", () => {
+test("entities are named by the user's names, or else by their ids", () => {
   const cube = cubeProject();
   const lines = cube.lines.map((line) => (line.id === 3 ? { ...line, name: "lip" } : line));
-  const said = describeDiagnostic(
-    { ...bare, code: 7, entities: Uint32Array.of(2, 5, 1, 2), place: Float64Array.of(1, 0.5, 1 / 3) },
+  const diagnostic = describeDiagnostic(
+    { ...empty, code: 7, entities: Uint32Array.of(2, 5, 1, 2), place: Float64Array.of(1, 0.5, 1 / 3) },
     projectNamer({ ...cube, lines }),
   );
-  expect(said.message).toBe(
+  expect(diagnostic.message).toBe(
     'A loop of patch "right" is not closed: the next line does not begin where line "lip" ends at (1, 0.5, 0.333333)',
   );
-  expect(said.entities).toEqual([
+  expect(diagnostic.entities).toEqual([
     { kind: "patch", index: 5, id: 6, label: 'patch "right"' },
     { kind: "line", index: 2, id: 3, label: 'line "lip"' },
   ]);
   expect(projectNamer(cube)("line", 2).label).toBe("line 3");
 });
 
-test("an edge of a given surface asks for other repairs than one of a drawing", () => {
+test("an open edge of a given surface has another remedy than one of a drawing", () => {
   const about = (kind: number) =>
-    describeDiagnostic({ ...leastOf("open-edge"), code: 40, entities: Uint32Array.of(kind, 0) }, nameByIndex)
-      .remedy;
+    describeDiagnostic(
+      { ...minimalOf("open-edge"), code: 40, entities: Uint32Array.of(kind, 0) },
+      nameByIndex,
+    ).remedy;
   expect(about(ENTITY_KINDS.indexOf("triangle"))).toMatch(/triangles/);
   expect(about(ENTITY_KINDS.indexOf("line"))).toMatch(/patch/);
 });
 
-test("what is named by its position says once how positions are counted", () => {
-  const said = (code: number, entities: number[], name = nameByIndex) =>
-    describeDiagnostic({ ...bare, code, entities: Uint32Array.from(entities) }, name).message;
+test("messages mention once that indices count from 0, and only if they use indices", () => {
+  const messageOf = (code: number, entities: number[], name = nameByIndex) =>
+    describeDiagnostic({ ...empty, code, entities: Uint32Array.from(entities) }, name).message;
   const triangle = ENTITY_KINDS.indexOf("triangle");
-  expect(said(44, [triangle, 1, triangle, 12])).toBe(
+  expect(messageOf(44, [triangle, 1, triangle, 12])).toBe(
     "Triangle 1 (counted from 0) and triangle 12 are duplicates",
   );
   const line = ENTITY_KINDS.indexOf("line");
-  expect(said(4, [line, 2], projectNamer(cubeProject()))).toBe("Line 3 has no length");
+  expect(messageOf(4, [line, 2], projectNamer(cubeProject()))).toBe("Line 3 has no length");
 });

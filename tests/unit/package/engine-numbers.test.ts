@@ -1,4 +1,4 @@
-/** Both sides of the border number things alike: the package's tables against the engine's headers. */
+/** Constants and enums of the package equal those in the engine's headers. */
 import { ENGINE_CODES, LIMITS } from "tetrafront";
 import { expect, test } from "vitest";
 
@@ -19,17 +19,17 @@ const listed = (names: readonly (string | undefined)[]) => names.map((name, valu
 const swapped = (numbers: Readonly<Record<string, number>>) =>
   Object.entries(numbers).map(([name, value]) => [value, name]);
 
-test("bounds of numbers", () => {
+test("limits of options", () => {
   const options = "include/tetrafront/options.h";
   expect(LIMITS.growth).toBe(engineConstant(options, "kMaxGrowth"));
   expect(LIMITS.gradation).toBe(engineConstant(options, "kMaxGradation"));
   expect(LIMITS.stretching).toBe(engineConstant(options, "kMaxStretching"));
-  // What can be computed with ends at a power of 2; what is told, at the power of 10 before it.
+  // The engine computes with magnitudes up to a power of 2; the documented limit is the power of 10 below it.
   const largest = engineConstant("src/geom/coordinates.h", "kLargestCoordinate");
   expect(LIMITS.length).toBe(10 ** Math.floor(Math.log10(largest)));
 });
 
-test("findings that are listed", () => {
+test("default number of listed diagnostics", () => {
   expect(DEFAULT_MAX_DIAGNOSTICS).toBe(
     engineConstant("include/tetrafront/status.h", "kDefaultMaxDiagnostics"),
   );
@@ -46,13 +46,13 @@ test("entity kinds, severities and phases", () => {
   expect(listed(PHASES)).toEqual(engineEnum("status.h", "Phase"));
 });
 
-test("statuses, of which running is none to the outside", () => {
+test('statuses, except "running", which is internal', () => {
   expect(listed(STATUSES).map(([value, name]) => [value, name ?? "running"])).toEqual(
     engineEnum("status.h", "MeshStatus"),
   );
 });
 
-test("line types, patch types, source types, orders of the front and levels of optimization", () => {
+test("types of lines, patches, sources and covering grids, orders of the front and levels of optimization", () => {
   const lines = engineEnum("model.h", "LineType").map(([value, name]) => [value, name.replace("cubic-", "")]);
   expect(swapped(LINE_TYPES)).toEqual(lines);
   expect(swapped(PATCH_TYPES)).toEqual(engineEnum("model.h", "PatchType"));

@@ -1,4 +1,6 @@
-/** What callers give who have no type checks, and where readers say that something is wrong. */
+/**
+ * Errors for invalid arguments of callers without type checks, and the error locations that readers report.
+ */
 import {
   createMesher,
   MesherError,
@@ -35,14 +37,14 @@ const CODES: readonly ErrorCode[] = [
   "unknown-format",
 ];
 
-/** The codes of a failure in whatever way a call tells it; `undefined` where that is no way to tell it. */
+/** Returns the error codes of a failed call, however it reports them; `undefined` if it reports none. */
 async function codesOf(call: () => unknown): Promise<readonly (string | undefined)[]> {
   try {
-    const told = (await call()) as {
+    const result = (await call()) as {
       readonly errors?: readonly ReadError[];
       readonly report?: { readonly diagnostics: readonly ReadError[] };
     };
-    return (told.errors ?? told.report?.diagnostics ?? [{ code: undefined }]).map(({ code }) => code);
+    return (result.errors ?? result.report?.diagnostics ?? [{ code: undefined }]).map(({ code }) => code);
   } catch (failure) {
     if (!(failure instanceof MesherError) || failure.code !== "invalid-input") return [undefined];
     return failure.data.diagnostics.map(({ code }) => code);
@@ -58,7 +60,7 @@ describe.each<[string, unknown]>([
   ["a number", 5],
   ["a word", "word"],
   ["a list of numbers", [1, 2]],
-  ["an object of something else", { lines: 5 }],
+  ["an object with other properties", { lines: 5 }],
 ])("%s", (_, given) => {
   const wrong = given as never;
   test.each<[string, () => unknown]>([
@@ -80,7 +82,7 @@ describe.each<[string, unknown]>([
     ["the surface to inspect", () => mesher.inspectSurface(wrong)],
     ["the surface to repair", () => mesher.repairSurface(wrong)],
     ["the mesh to inspect", () => mesher.inspectMesh(wrong)],
-  ])("as %s is refused by a code", async (__, call) => {
+  ])("as %s is rejected with a code", async (__, call) => {
     const codes = await codesOf(call);
     expect(codes.length).toBeGreaterThan(0);
     expect(codes.filter((code) => !CODES.includes(code as ErrorCode))).toEqual([]);
@@ -100,12 +102,12 @@ describe.each<[string, unknown]>([
     ["the options of inspectSurface", () => mesher.inspectSurface(surface, wrong)],
     ["the control of inspectSurface", () => mesher.inspectSurface(surface, {}, wrong)],
     ["a signal", () => mesher.inspectSurface(surface, {}, { signal: wrong })],
-  ])("as %s is refused as an option", async (__, call) => {
+  ])("as %s is rejected as an invalid option", async (__, call) => {
     expect(await codesOf(call)).toEqual(["invalid-option"]);
   });
 });
 
-test("a mesh whose arrays do not fit together is not written", async () => {
+test("writeMesh rejects a mesh whose arrays do not match", async () => {
   for (const wrong of [
     { points: block.points.subarray(1) },
     { tetrahedra: block.tetrahedra.map((node) => node + 1) },
@@ -116,12 +118,12 @@ test("a mesh whose arrays do not fit together is not written", async () => {
   }
 });
 
-test("a source that gives no bytes is refused", async () => {
+test("readSurface rejects a source that does not deliver bytes", async () => {
   const words = ["solid a", "endsolid a"] as unknown as Iterable<Uint8Array>;
   expect(await codesOf(() => readSurface(words, { fileName: "a.stl" }))).toEqual(["invalid-argument"]);
 });
 
-describe("readers say where:", () => {
+describe("readers report the location of", () => {
   const vtu = (points: string, connectivity: string, count = '"4"') =>
     `<VTKFile type="UnstructuredGrid">\n<Piece NumberOfPoints=${count} NumberOfCells="1">\n<Points>
 <DataArray type="Float64" format="ascii">\n0 0 0\n1 0 0\n${points}\n0 0 1\n</DataArray></Points>\n<Cells>
@@ -133,7 +135,7 @@ describe("readers say where:", () => {
 CELLS 1 5\n${cells}\nCELL_TYPES 1\n10\n`;
   const ply = `ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z
 element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 7\n`;
-  // As a 32-bit number the corner would be 0, which is a point.
+  // The corner would be 0, a valid index, if truncated to 32 bits.
   const plyBefore = `ply\nformat ascii 1.0\nelement face 2\nproperty list uchar double vertex_indices
 element vertex 3\nproperty float x\nproperty float y\nproperty float z\nend_header\n3 0 1 2
 3 4294967296 1 2\n0 0 0\n1 0 0\n0 1 0\n`;
@@ -141,20 +143,26 @@ element vertex 3\nproperty float x\nproperty float y\nproperty float z\nend_head
   test.each<[string, string, string, number, RegExp]>([
     ["a word among coordinates", "a.vtu", vtu("0 x 0", "0 1 2 3"), 7, /found "x"/],
     ["too few coordinates", "a.vtu", vtu("", "0 1 2 3"), 4, /3 points, but announces 4/],
-    ["a corner that is no node", "a.vtu", vtu("0 1 0", "0 1 2 9"), 11, /refers to node 9, which its piece/],
+    ["a node that does not exist", "a.vtu", vtu("0 1 0", "0 1 2 9"), 11, /refers to node 9, which its piece/],
+    ["an invalid count", "a.vtu", vtu("0 1 0", "0 1 2 3", '"many"'), 2, /NumberOfPoints .*, found "many"/],
     [
-      "a count that is none",
+      "a missing count",
       "a.vtu",
-      vtu("0 1 0", "0 1 2 3", '"many"'),
+      vtu("0 1 0", "", '"4"').replace(/NumberOfPoints="4"/, ""),
       2,
-      /NumberOfPoints .*, found "many"/,
+      /has no NumberOf/,
     ],
-    ["no count", "a.vtu", vtu("0 1 0", "", '"4"').replace(/NumberOfPoints="4"/, ""), 2, /has no NumberOf/],
-    ["a corner of legacy VTK", "a.vtk", vtk("4 0 1 2 9"), 8, /refers to node 9, which does not exist/],
-    ["a corner of PLY", "a.ply", ply, 14, /face 1 .*has corner 7/],
-    ["a corner of PLY before its point", "a.ply", plyBefore, 11, /face 1 .*has corner 4294967296/],
-    ["a beginning of something else", "a.msh", "hello\nthere\n", 1, /does not begin with/],
-    ["text that is no STL", "a.stl", "hello\n".repeat(99), 1, /must begin with "solid"/],
+    [
+      "an invalid node index in legacy VTK",
+      "a.vtk",
+      vtk("4 0 1 2 9"),
+      8,
+      /refers to node 9, which does not exist/,
+    ],
+    ["an invalid corner in PLY", "a.ply", ply, 14, /face 1 .*has corner 7/],
+    ["an invalid corner in PLY before the points", "a.ply", plyBefore, 11, /face 1 .*has corner 4294967296/],
+    ["another header", "a.msh", "hello\nthere\n", 1, /does not begin with/],
+    ["text that is not STL", "a.stl", "hello\n".repeat(99), 1, /must begin with "solid"/],
   ])("%s", async (_, fileName, file, line, message) => {
     const read = await readMesh(new TextEncoder().encode(file), { fileName });
     if (read.success) throw new Error("it could be read");
@@ -164,7 +172,7 @@ element vertex 3\nproperty float x\nproperty float y\nproperty float z\nend_head
     expect(problem.message.startsWith(`line ${line}: `)).toBe(true);
   });
 
-  test("a byte of appended data", async () => {
+  test("a damaged compressed block by its byte offset", async () => {
     const [written] = await writeMesh(block, "a.vtu");
     if (written === undefined) throw new Error("nothing was written");
     const bytes = written.bytes.slice();
@@ -176,7 +184,7 @@ element vertex 3\nproperty float x\nproperty float y\nproperty float z\nend_head
     expect(read.errors[0].message).toMatch(`byte ${begin}: `);
   });
 
-  test("the file, where it is another than the one given", async () => {
+  test("an error in a second file by its name, and a missing second file", async () => {
     const node = new TextEncoder().encode("3 3 0 0\n1 0 0 0\n2 1 x 0\n");
     const openOther = () => Promise.resolve(node);
     const read = await readMesh(new TextEncoder().encode("0 0\n"), { fileName: "a.face", openOther });
@@ -186,7 +194,7 @@ element vertex 3\nproperty float x\nproperty float y\nproperty float z\nend_head
   });
 });
 
-test("an option of a reader that does not exist is refused by name", async () => {
+test("readers reject an unknown option by its name", async () => {
   const options = { fileName: "a.stl", weld: 1e-6 };
   for (const read of [readSurface, readMesh, readVolume]) {
     expect(await read(new Uint8Array(9), options)).toMatchObject({
@@ -196,7 +204,7 @@ test("an option of a reader that does not exist is refused by name", async () =>
   }
 });
 
-test("an option of the writer that does not exist is refused by name", async () => {
+test("writeMesh rejects an unknown option by its name", async () => {
   const options = { signal: undefined, onProgres: () => undefined };
   const refused = await writeMesh(block, "a.su2", options).catch((failure: unknown) => failure);
   expect(refused).toMatchObject({
@@ -204,17 +212,17 @@ test("an option of the writer that does not exist is refused by name", async () 
   });
 });
 
-test("a surface without points is not too small to be welded", async () => {
+test("a surface without nodes is reported as empty, not as too small to weld", async () => {
   const nothing = { points: new Float64Array(), triangles: new Uint32Array() };
-  const told = await mesher.repairSurface(nothing, { weld: 0.1 }).then(
+  const outcome = await mesher.repairSurface(nothing, { weld: 0.1 }).then(
     (repair) => JSON.stringify(repair),
     (failure: unknown) => JSON.stringify((failure as MesherError).data),
   );
-  expect(told).toMatch(/empty-model/);
-  expect(told).not.toMatch(/Infinity/);
+  expect(outcome).toMatch(/empty-model/);
+  expect(outcome).not.toMatch(/Infinity/);
 });
 
-test("a surface whose points all lie at the origin is told so", async () => {
+test("a surface with all nodes at the origin is reported as such", async () => {
   const { report } = await mesher.fillSurface({ ...surface, points: surface.points.map(() => 0) });
   expect(report.diagnostics[0]).toMatchObject({
     code: "not-finite",

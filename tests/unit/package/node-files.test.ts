@@ -1,4 +1,4 @@
-/** Files by path, in Node. */
+/** Files read and written by path in Node. */
 import { readFileSync, writeFileSync } from "node:fs";
 
 import { MesherError } from "tetrafront";
@@ -20,7 +20,7 @@ import { temporaryFolder } from "../../support/temporary-folder.js";
 
 const { inFolder } = temporaryFolder();
 
-test("reads a surface, and reports progress", async () => {
+test("readSurfaceFile reads a surface and reports progress", async () => {
   const bytes = stlBinary(boxSurface(2));
   writeFileSync(inFolder("part.stl"), bytes);
   let read = 0;
@@ -30,7 +30,7 @@ test("reads a surface, and reports progress", async () => {
 });
 
 test.each([".vtu", ".ele", ".msh"])(
-  "writes a mesh as %s, with all files of its format, and reads it",
+  "writeMeshFile writes a mesh as %s with all files of the format, and it can be read again",
   async (extension) => {
     const file = inFolder(`block${extension}`);
     const block = blockMesh();
@@ -46,7 +46,7 @@ test.each([".vtu", ".ele", ".msh"])(
   },
 );
 
-test("writes a project and reads it", async () => {
+test("writeProjectFile writes a project that readProjectFile reads again", async () => {
   const project = cubeProject();
   await writeProjectFile(project, inFolder("cube.json"));
   expect(await readProjectFile(inFolder("cube.json"))).toEqual({ success: true, value: project });

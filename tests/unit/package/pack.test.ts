@@ -1,4 +1,4 @@
-/** What `npm publish` would send, and that it works where it arrives. */
+/** The files that `npm publish` uploads, and their use after installation. */
 import { execFile, execFileSync } from "node:child_process";
 import { mkdirSync, readdirSync, readFileSync, statSync, symlinkSync, writeFileSync } from "node:fs";
 import path from "node:path";
@@ -31,9 +31,9 @@ function filesIn(folder: string): string[] {
 }
 
 describe("the packed files", () => {
-  test("are those that are needed, each script with its types and its source map", () => {
+  test("are the required ones; each script has its types and its source map", () => {
     const files = filesIn(installed()).filter((name) => !name.startsWith("node_modules/"));
-    // Servers and bundlers that know no .mjs must find all they need.
+    // Servers and bundlers that do not support .mjs must find every file they need.
     expect(files.filter((name) => /\.m[jt]s$/.test(name))).toEqual(["bin/tetrafront.mjs"]);
     const engine = [
       "dist/project.schema.json",
@@ -49,37 +49,37 @@ describe("the packed files", () => {
     expect(files.sort()).toEqual([...wanted, ...others, ...engine].sort());
   });
 
-  test("have maps that lead to sources", () => {
+  test("have source maps with source content", () => {
     const map = JSON.parse(readFileSync(installed("dist/api/mesher.js.map"), "utf8")) as {
       readonly sourcesContent: readonly string[];
     };
     expect(map.sourcesContent[0]).toContain("class WorkerMesher");
   });
 
-  test("let a page mesh a surface with less than 400 kB compressed: the engine, the API and the worker", () => {
+  test("let a page mesh a surface with less than 400 kB compressed: engine, API and worker", () => {
     const files = filesIn(installed()).filter((name) => !name.startsWith("node_modules/"));
-    // Formats are in files of their own, which a page fetches when it reads or writes one.
+    // Formats are in separate files, which a page fetches when it reads or writes one of them.
     const page = files.filter((name) => /^dist\/page\/(?!.*-deferred).*\.js$/.test(name));
     const engine = ["engine.wasm", "engine.js", "loader.js"].map((name) => `dist/engine/${name}`);
     const bytes = [...engine, ...page].map((name) => gzipSync(readFileSync(installed(name))).length);
     expect(bytes.reduce((sum, size) => sum + size)).toBeLessThan(400_000);
   });
 
-  test("pass publint, are the types wrong, and a dry run of npm publish", async () => {
+  test("pass publint, Are The Types Wrong, and a dry run of npm publish", async () => {
     await run(bin("publint"), [fresh.tarball, "--level", "warning", "--strict"]);
     await run(bin("attw"), [fresh.tarball, "--profile", "esm-only"]);
-    const said = execFileSync("npm", ["publish", "--dry-run", "--access", "public", "--tag", "next"], {
+    const output = execFileSync("npm", ["publish", "--dry-run", "--access", "public", "--tag", "next"], {
       cwd: path.join(root, "wasm"),
       encoding: "utf8",
       stdio: ["ignore", "pipe", "pipe"],
     });
-    expect(said).toContain("tetrafront@");
+    expect(output).toContain("tetrafront@");
     expect(npm(["pkg", "get", "name"], path.join(root, "wasm"))).toContain("tetrafront");
   });
 });
 
-describe("installed into an empty folder", () => {
-  test("importing it leaves nothing behind and starts nothing", async () => {
+describe("after installation into an empty folder", () => {
+  test("importing the package creates no globals and starts nothing", async () => {
     const program = `const before = new Set(Object.getOwnPropertyNames(globalThis));
       await import("tetrafront");
       const after = Object.getOwnPropertyNames(globalThis).filter((name) => !before.has(name));
@@ -91,7 +91,7 @@ describe("installed into an empty folder", () => {
     expect(resources).toEqual([]);
   });
 
-  test("its types are complete without those of browsers, libraries checked as strictly as programs", async () => {
+  test("its types compile strictly without the types of browsers, including library checks", async () => {
     const program = `import { createMesher, readSurface, type Mesher } from "tetrafront";
       import type { MesherError } from "tetrafront/page";
       export const filled = async (mesher: Mesher, bytes: Uint8Array): Promise<number> => {
@@ -127,7 +127,7 @@ describe("installed into an empty folder", () => {
       return folder;
     };
 
-    test("the script of the README meshes a part", async () => {
+    test("the script in the README meshes a part", async () => {
       const folder = made("esm");
       const [, script = ""] = /^```js\n(.*?)^```/ms.exec(readFileSync(installed("README.md"), "utf8")) ?? [];
       writeFileSync(path.join(folder, "mesh.mjs"), script);
@@ -136,7 +136,7 @@ describe("installed into an empty folder", () => {
       expect(statSync(path.join(folder, "part.vtu")).size).toBeGreaterThan(1000);
     });
 
-    test("a .js file requires the package", async () => {
+    test("a .js file can require the package", async () => {
       const folder = made("commonjs");
       const script = `const { createMesher } = require("tetrafront");
         const { readSurfaceFile } = require("tetrafront/node");
@@ -162,7 +162,7 @@ describe("installed into an empty folder", () => {
     expect(statSync(path.join(folder, "part.vtu")).size).toBeGreaterThan(1000);
   });
 
-  test("the example for a batch meshes many parts and survives a bad one", async () => {
+  test("the example of a batch meshes many parts and reports an invalid one", async () => {
     const folder = fresh.example("batch");
     for (const name of ["parts", "meshes"]) mkdirSync(path.join(folder, name));
     for (const n of [1, 2, 3])
