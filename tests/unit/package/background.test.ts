@@ -1,4 +1,4 @@
-/** Where element sizes come from: sources, grids around a model, meshes used as grids, proposals. */
+/** Sources of element sizes: size sources, covering grids, background grids made from meshes, proposals. */
 import {
   backgroundArrays,
   createMesher,
@@ -26,21 +26,21 @@ beforeAll(async () => {
 });
 afterAll(() => mesher.dispose());
 
-type Place = readonly [number, number, number];
+type Position = readonly [number, number, number];
 
-function nodeAt({ points }: VolumeMesh, node: number): Place {
+function nodeAt({ points }: VolumeMesh, node: number): Position {
   return [points[3 * node] ?? NaN, points[3 * node + 1] ?? NaN, points[3 * node + 2] ?? NaN];
 }
 
-/** Mean length of the edges whose midpoint is where `isWanted` says; each as often as it is used. */
-function meanEdge(mesh: VolumeMesh, isWanted: (middle: Place) => boolean): number {
+/** Returns the mean length of the edges whose midpoint `isIncluded` accepts, counted once per tetrahedron. */
+function meanEdge(mesh: VolumeMesh, isIncluded: (middle: Position) => boolean): number {
   let sum = 0;
   let count = 0;
   for (let t = 0; t < mesh.tetrahedra.length; t += 4) {
     const corners = [...mesh.tetrahedra.subarray(t, t + 4)].map((node) => nodeAt(mesh, node));
     corners.forEach((a, i) =>
       corners.slice(i + 1).forEach((b) => {
-        if (!isWanted([(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2])) return;
+        if (!isIncluded([(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2])) return;
         sum += Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
         count++;
       }),
@@ -53,7 +53,7 @@ function withSources(project: Project, ...sources: ProjectSource[]): Project {
   return { ...project, background: { ...project.background, sources } };
 }
 
-describe("a source of size", () => {
+describe("a size source", () => {
   const segment: ProjectSource = {
     id: 1,
     type: "segment",
@@ -64,13 +64,13 @@ describe("a source of size", () => {
     size: 0.06,
     distance: 0.25,
   };
-  const isNear = ([x, y]: Place) => Math.hypot(x, y) < 0.15;
-  const isFar = ([x, y]: Place) => Math.hypot(x, y) > 1;
+  const isNear = ([x, y]: Position) => Math.hypot(x, y) < 0.15;
+  const isFar = ([x, y]: Position) => Math.hypot(x, y) > 1;
 
   test.each([
     ["of the background grid", cubeProject(0.25), {}],
     ["of a uniform size", { ...cubeProject(), background: { nodes: [], tetrahedra: [] } }, { size: 0.25 }],
-  ])("makes elements near it as small as it says, inside that %s", async (_, project, options) => {
+  ])("gives elements near it its size, below the size %s", async (_, project, options) => {
     const { report, volume } = await mesher.meshProject(withSources(project, segment), options);
     expect(report.status).toBe("done");
     expect(meanEdge(volume, isNear) / 0.06).toBeGreaterThan(0.85);
@@ -78,9 +78,9 @@ describe("a source of size", () => {
     expect(meanEdge(volume, isFar)).toBeGreaterThan(0.18);
   });
 
-  test("without a sensible size is refused by its name", async () => {
-    const lip: ProjectSource = { ...segment, name: "lip", size: 0 };
-    const { report } = await mesher.meshProject(withSources(cubeProject(), lip));
+  test("with an invalid size is rejected by its name", async () => {
+    const invalid: ProjectSource = { ...segment, name: "lip", size: 0 };
+    const { report } = await mesher.meshProject(withSources(cubeProject(), invalid));
     expect(report.status).toBe("invalid-input");
     expect(report.diagnostics).toMatchObject([
       { code: "source-out-of-range", entities: [{ kind: "source", index: 0, id: 1, label: 'source "lip"' }] },
@@ -102,23 +102,20 @@ describe("a covering grid", () => {
   test.each([
     ["box", 8, 5],
     ["tetrahedron", 4, 1],
-  ] as const)(
-    "of the shape %s covers the model with the size asked for",
-    async (shape, nodes, tetrahedra) => {
-      const background = await mesher.coverProject(bare(cubeProject()), { size: 0.3, shape });
-      expect([background.nodes.length, background.tetrahedra.length]).toEqual([nodes, tetrahedra]);
-      const covered = { ...cubeProject(), background };
-      expect(readProject(writeProject(covered))).toEqual({ success: true, value: covered });
-      const [byGrid, bySize] = [
-        await mesher.meshProject(covered),
-        await mesher.meshProject(bare(cubeProject()), { size: 0.3 }),
-      ];
-      expectDone(byGrid);
-      expect(Math.abs(byGrid.report.tetrahedra / bySize.report.tetrahedra - 1)).toBeLessThan(0.1);
-    },
-  );
+  ] as const)("of the shape %s covers the model with the given size", async (shape, nodes, tetrahedra) => {
+    const background = await mesher.coverProject(bare(cubeProject()), { size: 0.3, shape });
+    expect([background.nodes.length, background.tetrahedra.length]).toEqual([nodes, tetrahedra]);
+    const covered = { ...cubeProject(), background };
+    expect(readProject(writeProject(covered))).toEqual({ success: true, value: covered });
+    const [byGrid, bySize] = [
+      await mesher.meshProject(covered),
+      await mesher.meshProject(bare(cubeProject()), { size: 0.3 }),
+    ];
+    expectDone(byGrid);
+    expect(Math.abs(byGrid.report.tetrahedra / bySize.report.tetrahedra - 1)).toBeLessThan(0.1);
+  });
 
-  test("keeps the sources, and takes its size from the model if none is given", async () => {
+  test("keeps the sources and derives its size from the model if none is given", async () => {
     const source: ProjectSource = { id: 3, type: "point", positions: [[0, 0, 0]], size: 0.1 };
     const background = await mesher.coverProject(withSources(cubeProject(), source));
     expect(background.sources).toEqual([source]);
@@ -127,16 +124,16 @@ describe("a covering grid", () => {
 
   test.each<[string, Project, object, RegExp]>([
     [
-      "nothing drawn",
+      "an empty drawing",
       { ...cubeProject(), points: [], lines: [], patches: [] },
       {},
       /nothing to cover.*\. Draw /,
     ],
     ["a size below 0", cubeProject(), { size: -1 }, /size is -1\. Use a size from 1e-30 to 1e30/],
-    ["a shape unheard of", cubeProject(), { shape: "sphere" }, /"sphere"\. Use one of box, tetrahedron/],
-    ["an option unheard of", cubeProject(), { sise: 1 }, /no option "sise".*size, shape/],
-    ["no project", {} as Project, {}, /not a Tetrafront project/],
-  ])("is refused for %s", async (_, project, options, message) => {
+    ["an unknown shape", cubeProject(), { shape: "sphere" }, /"sphere"\. Use one of box, tetrahedron/],
+    ["an unknown option", cubeProject(), { sise: 1 }, /no option "sise".*size, shape/],
+    ["an object that is not a project", {} as Project, {}, /not a Tetrafront project/],
+  ])("is rejected for %s", async (_, project, options, message) => {
     const refused = mesher.coverProject(project, options);
     await expect(refused).rejects.toMatchObject({ name: "MesherError", code: "invalid-input" });
     await expect(refused).rejects.toThrow(message);
@@ -146,7 +143,7 @@ describe("a covering grid", () => {
 describe("proposed sizes", () => {
   const curved = withBentEdge(cubeProject());
 
-  test("refine where lines bend, and mesh", async () => {
+  test("refine curved lines and give a valid mesh", async () => {
     const { size, sources } = await mesher.proposeSizes(curved, { uniform: 0.5 });
     expect(size).toBe(0.5);
     expect(sources.length).toBeGreaterThan(0);
@@ -160,19 +157,19 @@ describe("proposed sizes", () => {
     expect(refined.report.tetrahedra).toBeGreaterThan(plain.report.tetrahedra);
   });
 
-  test("are uniform alone where nothing is looked at", async () => {
+  test("consist only of the uniform size if curvature and gaps are ignored", async () => {
     const options = { uniform: 0.5, elementsPerCircle: 0, elementsPerGap: 0 };
     expect(await mesher.proposeSizes(curved, options)).toEqual({ size: 0.5, sources: [] });
   });
 
-  test("are refused for options that make no sense", async () => {
+  test("are rejected for invalid options", async () => {
     await expect(mesher.proposeSizes(curved, { growth: -1 })).rejects.toThrow(
       /growth is -1\. Use a growth from 0 to 10/,
     );
   });
 });
 
-/** Its first edge, of the bottom and the front, sags within the plane of the bottom. */
+/** Replaces the first edge, between bottom and front, by a curve within the plane of the bottom. */
 function withBentEdge(cube: Project): Project {
   const [first] = cube.lines;
   const middle = { id: 100, position: [0.5, 0.2, 0] as const };
@@ -189,8 +186,8 @@ function withBentEdge(cube: Project): Project {
   };
 }
 
-describe("a mesh as background grid", () => {
-  test("asks for about as many elements as it has", async () => {
+describe("a background grid made from a mesh", () => {
+  test("asks for about as many elements as the mesh has", async () => {
     const first = await mesher.meshProject(cubeProject(0.12));
     const background = await mesher.backgroundFromMesh(first.volume);
     expect(background.sizes.length).toBe(first.report.nodes);
@@ -202,7 +199,7 @@ describe("a mesh as background grid", () => {
     expect(first.volume.points.length).toBe(3 * first.report.nodes);
   });
 
-  test("takes sizes per node, and leaves out nodes of no tetrahedron", async () => {
+  test("takes sizes per node and omits unused nodes", async () => {
     const { volume } = await mesher.meshProject(cubeProject(0.5));
     const points = Float64Array.of(9, 9, 9, ...volume.points);
     const tetrahedra = volume.tetrahedra.map((node) => node + 1);
@@ -215,11 +212,11 @@ describe("a mesh as background grid", () => {
       await mesher.meshProject(cubeProject(), { size: 0.3 }),
     ];
     expectDone(byGrid);
-    // Interpolated sizes differ from one given by their rounding, which may decide between candidates.
+    // Interpolated sizes differ from a uniform size by rounding, which can change the choice of a candidate.
     expect(byGrid.report.tetrahedra / bySize.report.tetrahedra).toBeCloseTo(1, 1);
   });
 
-  test("as a project's grid does the same as the arrays", async () => {
+  test("gives the same mesh as arrays and as the grid of a project", async () => {
     const { volume } = await mesher.meshProject(cubeProject(0.4));
     const background = await mesher.backgroundFromMesh(volume);
     const project = { ...cubeProject(), background: projectBackground(background) };
@@ -237,7 +234,12 @@ describe("a mesh as background grid", () => {
   };
 
   test.each<[string, object, object, RegExp]>([
-    ["nothing", { points: corner.points, tetrahedra: new Uint32Array() }, {}, /no tetrahedron\. Mesh/],
+    [
+      "a mesh without tetrahedra",
+      { points: corner.points, tetrahedra: new Uint32Array() },
+      {},
+      /no tetrahedron\. Mesh/,
+    ],
     [
       "plain lists",
       { points: [0, 0, 0], tetrahedra: [0] },
@@ -245,25 +247,25 @@ describe("a mesh as background grid", () => {
       /mesh\.points .*expected a Float64Array, received a list/,
     ],
     [
-      "a node that is not there",
+      "a node index out of range",
       { ...corner, tetrahedra: Uint32Array.of(0, 1, 2, 9) },
       {},
       /tetrahedron 0 .* node 9, but there are 4 nodes/,
     ],
     [
-      "sizes of other nodes",
+      "a wrong number of sizes",
       corner,
       { sizes: Float64Array.of(1, 1) },
       /expected one size for each of 4 nodes/,
     ],
     ["a size of 0", corner, { sizes: Float64Array.of(1, 1, 0, 1) }, /node 2 .*size 0\. Pass/i],
-  ])("is refused for %s", async (_, mesh, options, message) => {
+  ])("is rejected for %s", async (_, mesh, options, message) => {
     const refused = mesher.backgroundFromMesh(mesh as VolumeMesh, options);
     await expect(refused).rejects.toMatchObject({ code: "invalid-input" });
     await expect(refused).rejects.toThrow(message);
   });
 
-  test("is answered while a run is under way", async () => {
+  test("is returned while a run is active", async () => {
     let isOver = false;
     const run = mesher.fillSurface(sphereSurface(24)).then(() => (isOver = true));
     const { coverageMargin } = await mesher.backgroundFromMesh(corner);
@@ -272,7 +274,7 @@ describe("a mesh as background grid", () => {
   });
 });
 
-/** One tetrahedron around everything, of one size. */
+/** One tetrahedron around the model, with one size. */
 function around(size: number, more: Partial<BackgroundArrays> = {}): BackgroundArrays {
   return {
     points: Float64Array.of(-4, -4, -4, 20, -4, -4, -4, 20, -4, -4, -4, 20),
@@ -282,14 +284,14 @@ function around(size: number, more: Partial<BackgroundArrays> = {}): BackgroundA
   };
 }
 
-/** With triangles as small as the elements wanted. */
+/** Refines the surface to the sizes of the elements before meshing. */
 async function refinedAndFilled(given: SurfaceInput, options: MeshOptions) {
   const { surface } = await mesher.refineSurface(given, options);
   return mesher.fillSurface(surface, options);
 }
 
-describe("a background grid of arrays", () => {
-  test("gives a given surface its sizes", async () => {
+describe("a background grid passed as arrays", () => {
+  test("determines the sizes in a given surface", async () => {
     const surface = boxSurface(6);
     const [own, coarse, fine] = [
       await mesher.fillSurface(surface),
@@ -301,7 +303,7 @@ describe("a background grid of arrays", () => {
     expect(fine.report.tetrahedra).toBeGreaterThan(2 * own.report.tetrahedra);
   });
 
-  test("stretches what it says it stretches", async () => {
+  test("stretches elements along its directions", async () => {
     const surface = boxSurface(6);
     const directions = Float64Array.from({ length: 12 }, (_, i) => (i % 3 === 0 ? 2 : 0));
     const stretched = around(0.1, { stretchings: new Float64Array(4).fill(3), directions });
@@ -313,7 +315,7 @@ describe("a background grid of arrays", () => {
     expect(1.8 * long.report.tetrahedra).toBeLessThan(round.report.tetrahedra);
   });
 
-  test("leaves the sources of a project, and the caller's arrays", async () => {
+  test("keeps the sources of a project and the caller's arrays", async () => {
     const source: ProjectSource = { id: 1, type: "point", positions: [[0, 0, 0]], size: 0.08, distance: 0.3 };
     const background = around(0.5);
     const [plain, refined] = [
@@ -324,7 +326,7 @@ describe("a background grid of arrays", () => {
     expect(background.sizes).toHaveLength(4);
   });
 
-  test("may bring sources, which for a surface may be all there is", async () => {
+  test("can include sources, or consist only of sources for a surface", async () => {
     const sources: ProjectSource[] = [
       { id: 1, type: "point", positions: [[0, 0, 0]], size: 0.1, distance: 0.2 },
     ];
@@ -350,7 +352,7 @@ describe("a background grid of arrays", () => {
 
   test.each<[string, object, string, RegExp]>([
     [
-      "with a source of two places that is a point",
+      "with a point source that has two positions",
       {
         background: around(1, {
           sources: [
@@ -371,19 +373,19 @@ describe("a background grid of arrays", () => {
     ],
     ["together with a size", { background: around(0.3), size: 0.2 }, "invalid-option", /both/i],
     [
-      "that is no object",
+      "that is not an object",
       { background: null },
       "invalid-arrays",
       /background is invalid: expected an object, received null/,
     ],
     [
-      "with a size too few",
+      "with a missing size",
       { background: around(1, { sizes: new Float64Array(3).fill(1) }) },
       "invalid-arrays",
       /3 sizes/,
     ],
     [
-      "with half a direction",
+      "with missing directions",
       { background: around(1, { directions: new Float64Array(6) }) },
       "invalid-arrays",
       /fit/,
@@ -396,7 +398,7 @@ describe("a background grid of arrays", () => {
       /node 0 .*stretching 0/,
     ],
     [
-      "that refers to nothing",
+      "with a node index out of range",
       { background: around(1, { tetrahedra: Uint32Array.of(0, 1, 2, 4) }) },
       "index-out-of-range",
       /tetrahedron 0 .*(index|node) 4/,
@@ -408,12 +410,12 @@ describe("a background grid of arrays", () => {
       /outside the background grid/,
     ],
     [
-      "that says how far outside is inside wrongly",
+      "with a negative coverage margin",
       { background: around(1, { coverageMargin: -1 }) },
       "invalid-arrays",
       /coverageMargin .*expected a finite number from 0 on, received -1/,
     ],
-  ])("is refused %s, for projects and surfaces", async (_, options, code, message) => {
+  ])("is rejected %s, for projects and surfaces", async (_, options, code, message) => {
     for (const run of [
       mesher.meshProject(cubeProject(), options),
       mesher.fillSurface(boxSurface(2), options),
@@ -428,7 +430,7 @@ describe("a background grid of arrays", () => {
 });
 
 describe("a preview", () => {
-  test("says nothing about a missing grid where the size will be uniform", async () => {
+  test("does not report a missing grid if a uniform size is given", async () => {
     const project = bare(cubeProject());
     const codes = async (options?: object) =>
       (await mesher.previewProject(project, options)).diagnostics.map(({ code }) => code);
@@ -437,12 +439,12 @@ describe("a preview", () => {
     expect(await codes({ size: 0 })).toEqual(["invalid-option", "empty-background-grid"]);
   });
 
-  test("judges a grid of flat arrays as it judges the project's own", async () => {
+  test("checks a grid of arrays like the grid of a project", async () => {
     const { nodes, ...rest } = cubeProject().background;
-    const spoilt = nodes.map((node, i) => (i === 2 ? { ...node, size: -1 } : node));
+    const withNegativeSize = nodes.map((node, i) => (i === 2 ? { ...node, size: -1 } : node));
     for (const background of [
       { ...rest, nodes },
-      { ...rest, nodes: spoilt },
+      { ...rest, nodes: withNegativeSize },
     ]) {
       const own = (await mesher.previewProject({ ...cubeProject(), background })).diagnostics;
       const project = bare(cubeProject());
@@ -450,7 +452,7 @@ describe("a preview", () => {
       expect(
         given.diagnostics.map(({ code, entities }) => [code, entities.map(({ index }) => index)]),
       ).toEqual(own.map(({ code, entities }) => [code, entities.map(({ index }) => index)]));
-      expect(own.length > 0).toBe(background.nodes === spoilt);
+      expect(own.length > 0).toBe(background.nodes === withNegativeSize);
     }
     const unusable = { background: { ...backgroundArrays(cubeProject().background), sizes: [1] } } as never;
     const { diagnostics } = await mesher.previewProject(bare(cubeProject()), unusable);
@@ -458,14 +460,14 @@ describe("a preview", () => {
   });
 });
 
-test("the report tells about every patch", async () => {
+test("the report lists every patch", async () => {
   const { report } = await mesher.meshProject(cubeProject(0.2));
   expect(report.patches.map(({ patch }) => patch)).toEqual([0, 1, 2, 3, 4, 5]);
   expect(report.patches.reduce((sum, { triangles }) => sum + triangles, 0)).toBe(report.triangles);
-  for (const figures of report.patches) {
-    expect(figures.minAngle).toBeGreaterThan(20);
-    expect(figures.meanRadiusRatio).toBeGreaterThan(0.9);
-    expect(Math.abs(figures.meanEdge - 1)).toBeLessThan(0.15);
-    expect(figures.chordDeviation).toBeLessThan(1e-12);
+  for (const quality of report.patches) {
+    expect(quality.minAngle).toBeGreaterThan(20);
+    expect(quality.meanRadiusRatio).toBeGreaterThan(0.9);
+    expect(Math.abs(quality.meanEdge - 1)).toBeLessThan(0.15);
+    expect(quality.chordDeviation).toBeLessThan(1e-12);
   }
 });

@@ -1,4 +1,4 @@
-/** One rule of cancelling: whatever is given a signal rejects with a `MesherError` of the code `cancelled`. */
+/** One rule for cancelling: every call with a signal rejects with a `MesherError` of code `cancelled`. */
 import {
   createMesher,
   MesherError,
@@ -33,7 +33,7 @@ afterAll(() => mesher.dispose());
 
 type Call = (signal: AbortSignal) => Promise<unknown>;
 
-/** Methods by name, but for runs. */
+/** The methods by name, without runs. */
 const methods: Readonly<Record<string, Call>> = {
   previewProject: (signal) => mesher.previewProject(project, {}, { signal }),
   coverProject: (signal) => mesher.coverProject(project, {}, { signal }),
@@ -55,7 +55,7 @@ const functions: Readonly<Record<string, Call>> = {
 
 const RUNS = ["meshProject", "fillSurface"];
 
-test("every method of a mesher is here, and the runs", () => {
+test("every method of a mesher is tested", () => {
   const own = Object.getOwnPropertyNames(Object.getPrototypeOf(mesher) as object);
   const known = [...Object.keys(methods), ...RUNS, "constructor", "dispose"];
   expect(own.sort()).toEqual(known.sort());
@@ -66,16 +66,16 @@ describe.each(Object.entries({ ...methods, ...functions }))("%s", (_, call) => {
   const expected = { name: "MesherError", code: "cancelled", data: { reason }, cause: reason };
   const failureOf = (answer: Promise<unknown>) => answer.catch((failure: unknown) => failure);
 
-  test("rejects where the signal is aborted before", async () => {
+  test("rejects if the signal was aborted before the call", async () => {
     const failure = await failureOf(call(AbortSignal.abort(reason)));
     expect(failure).toBeInstanceOf(MesherError);
     expect(failure).toMatchObject(expected);
     expect((failure as Error).cause).toBe(reason);
   });
 
-  test("rejects so where it is aborted meanwhile, and leaves nobody who listens", async () => {
+  test("rejects if the signal is aborted during the call, and removes its listeners", async () => {
     const stop = new AbortController();
-    const listeners = watched(stop.signal);
+    const listeners = listenerCount(stop.signal);
     const answer = failureOf(call(stop.signal));
     stop.abort(reason);
     expect(await answer).toMatchObject(expected);
@@ -83,8 +83,8 @@ describe.each(Object.entries({ ...methods, ...functions }))("%s", (_, call) => {
   });
 });
 
-test("where the signal is aborted before, what is given is not even looked at", async () => {
-  const untouched = new Proxy({}, { get: () => expect.unreachable("it was looked at") }) as never;
+test("no argument is accessed if the signal was aborted before the call", async () => {
+  const untouched = new Proxy({}, { get: () => expect.unreachable("it was accessed") }) as never;
   const aborted = { signal: AbortSignal.abort() };
   const calls: Readonly<Record<string, Promise<unknown>>> = {
     previewProject: mesher.previewProject(untouched, untouched, aborted),
@@ -106,8 +106,8 @@ test("where the signal is aborted before, what is given is not even looked at", 
   }
 });
 
-/** Tells how many listeners were added to a signal and not removed again. */
-function watched(signal: AbortSignal): () => number {
+/** Returns a function that counts the listeners that were added to a signal and not removed. */
+function listenerCount(signal: AbortSignal): () => number {
   const added = vi.spyOn(signal, "addEventListener");
   const removed = vi.spyOn(signal, "removeEventListener");
   return () => {
@@ -116,7 +116,7 @@ function watched(signal: AbortSignal): () => number {
   };
 }
 
-test("runs alone have a result, with what exists", async () => {
+test("only cancelled runs resolve with a result", async () => {
   const signal = AbortSignal.abort();
   const box = boxSurface(1);
   for (const { report } of [
@@ -127,12 +127,12 @@ test("runs alone have a result, with what exists", async () => {
   }
 });
 
-test("a control of createMesher that is none is refused", async () => {
+test("createMesher rejects an invalid control", async () => {
   const failure: unknown = await createMesher({ signal: 5 as never }).catch((reason: unknown) => reason);
   expect(failure).toMatchObject({ data: { diagnostics: [{ code: "invalid-option" }] } });
 });
 
-test("a mesher that is disposed of tells whether the call was under way", async () => {
+test("disposing rejects calls and tells whether they were active", async () => {
   const short = await createMesher();
   const underWay = short.inspectSurface(surface).catch((failure: unknown) => failure);
   short.dispose();
@@ -141,7 +141,7 @@ test("a mesher that is disposed of tells whether the call was under way", async 
   expect(await after).toMatchObject({ code: "disposed", data: { wasUnderWay: false } });
 });
 
-/** Compiles as long as every code has its own data, and no code is left out. */
+/** Compiles only if every code has its own data and the cases are complete. */
 function dataOf(error: MesherError): readonly unknown[] {
   switch (error.code) {
     case "invalid-input":
@@ -161,7 +161,7 @@ function dataOf(error: MesherError): readonly unknown[] {
   }
 }
 
-test("errors are a closed union told apart by their code", () => {
+test("errors are a closed union discriminated by their code", () => {
   expectTypeOf<MesherError["code"]>().toEqualTypeOf<MesherErrorCode>();
   const error: MesherError = new MesherError("cancelled", "enough", { reason: 5 });
   expect(dataOf(error)).toEqual([5]);

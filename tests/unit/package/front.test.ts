@@ -1,4 +1,4 @@
-/** Snapshots of the front while a run advances. */
+/** Snapshots of the front during a run. */
 import { createMesher, type Mesher, type MeshResult, type RunControl } from "tetrafront";
 import { afterAll, beforeAll, expect, test } from "vitest";
 
@@ -10,27 +10,27 @@ beforeAll(async () => {
 });
 afterAll(() => mesher.dispose());
 
-/** Some 100 000 elements: the front alone takes longer than the first snapshot waits. */
+/** About 100 000 elements: advancing the front takes longer than the delay of the first snapshot. */
 const fill = (control: RunControl = {}): Promise<MeshResult> =>
   mesher.fillSurface(boxSurface(28), { optimization: "none" }, control);
 
-test("the front is shown while it advances, and the mesh is the same", async () => {
+test("onFront receives the advancing front, and the mesh stays the same", async () => {
   const fronts: Float64Array[] = [];
-  const shown = await fill({ onFront: (corners) => void fronts.push(corners) });
-  const hidden = await fill();
-  expect(shown.report.status).toBe("done");
-  expect(shown.report.fingerprint).toBe(hidden.report.fingerprint);
+  const observed = await fill({ onFront: (corners) => void fronts.push(corners) });
+  const unobserved = await fill();
+  expect(observed.report.status).toBe("done");
+  expect(observed.report.fingerprint).toBe(unobserved.report.fingerprint);
   expect(fronts.length).toBeGreaterThan(0);
   for (const corners of fronts) {
     expect(corners.length % 9).toBe(0);
     expect(corners.length).toBeGreaterThan(0);
     expect(corners.every((x) => x >= 0 && x <= 1)).toBe(true);
   }
-  // At most four a second, the first after a quarter of one.
-  expect(fronts.length).toBeLessThanOrEqual(4 * shown.report.seconds.total);
+  // At most four snapshots per second, the first after 0.25 s.
+  expect(fronts.length).toBeLessThanOrEqual(4 * observed.report.seconds.total);
 });
 
-test("what onFront throws ends the run, which is rejected with just that", async () => {
+test("a run rejects with the error that onFront throws", async () => {
   const failure = new Error("mine");
   const onFront = (): void => {
     throw failure;

@@ -18,8 +18,8 @@ function sourcesFrom(first: number, count: number): NonNullable<BackgroundArrays
   }));
 }
 
-describe("background grids as the engine takes them", () => {
-  test("any number of sources is added behind those there are", () => {
+describe("background grids as arrays for the engine", () => {
+  test("take any number of sources, appended to the existing ones", () => {
     const few = withNodes(emptyGrid(), { ...NO_NODES, sources: sourcesFrom(1, 3) });
     const all = withNodes(few, { ...NO_NODES, sources: sourcesFrom(4, 50_000) });
     expect(all.sourceTypes).toHaveLength(50_003);

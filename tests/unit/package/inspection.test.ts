@@ -1,4 +1,4 @@
-/** Surfaces and meshes as they come: inspected, repaired on request, every finding and change listed. */
+/** Inspection of surfaces and meshes, and repair on request: every diagnostic and every change is listed. */
 import {
   createMesher,
   LIMITS,
@@ -51,21 +51,21 @@ describe("the inspection of a surface", () => {
     expect(found.area).toBeCloseTo(22, 12);
     expect(found.volume).toBeCloseTo(6, 12);
     expect(found.triangles).toBe(box.triangles.length / 3);
-    // Euler's formula for a body without handles.
+    // Euler's formula for a solid without handles.
     expect(found.nodes - found.edges + found.triangles).toBe(2);
     expect(found.worst).toHaveLength(10);
   });
 
-  test("lists as many findings as are asked for, and counts them all", async () => {
+  test("lists at most maxDiagnostics diagnostics per code and counts all", async () => {
     const pairs = 6000;
     const soup = crossingNeedles(pairs);
-    for (const [findings, listed] of [
+    for (const [maxDiagnostics, listed] of [
       [undefined, 1000],
       [1, 1],
       [pairs - 1, pairs - 1],
       [LIMITS.maxDiagnostics, pairs],
     ]) {
-      const { diagnostics, isEmbedded } = await mesher.inspectSurface(soup, { maxDiagnostics: findings });
+      const { diagnostics, isEmbedded } = await mesher.inspectSurface(soup, { maxDiagnostics });
       const crossings = diagnostics.filter(({ code }) => code === "self-intersection");
       expect(isEmbedded).toBe(false);
       expect(crossings.map(({ entities }) => entities.map(({ index }) => index))).toEqual(
@@ -76,22 +76,22 @@ describe("the inspection of a surface", () => {
       );
       for (const [i, { position }] of crossings.entries()) expect(position?.[0]).toBeCloseTo(10 * i, 2);
       const edges = diagnostics.filter(({ code }) => code === "open-edge").length;
-      expect(edges).toBe(Math.min(findings ?? 1000, 6 * pairs));
+      expect(edges).toBe(Math.min(maxDiagnostics ?? 1000, 6 * pairs));
     }
   });
 
-  test("lists no other numbers of findings", async () => {
-    for (const findings of [0, -1, 1.5, NaN, LIMITS.maxDiagnostics + 1, "all" as unknown as number]) {
-      await expect(mesher.inspectSurface(box, { maxDiagnostics: findings })).rejects.toMatchObject({
+  test("rejects an invalid maxDiagnostics", async () => {
+    for (const maxDiagnostics of [0, -1, 1.5, NaN, LIMITS.maxDiagnostics + 1, "all" as unknown as number]) {
+      await expect(mesher.inspectSurface(box, { maxDiagnostics })).rejects.toMatchObject({
         data: { diagnostics: [{ code: "invalid-option", data: { option: "maxDiagnostics" } }] },
       });
     }
   });
 
-  test("hears a signal while findings are put into words", async () => {
+  test("can be cancelled while diagnostics are formatted", async () => {
     const stop = new AbortController();
     const onProgress = ({ fraction }: { fraction: number }) => fraction === 1 && stop.abort();
-    const asked = mesher.inspectSurface(
+    const inspection = mesher.inspectSurface(
       crossingNeedles(20_000),
       { maxDiagnostics: LIMITS.maxDiagnostics },
       {
@@ -99,10 +99,10 @@ describe("the inspection of a surface", () => {
         onProgress,
       },
     );
-    await expect(asked).rejects.toMatchObject({ code: "cancelled" });
+    await expect(inspection).rejects.toMatchObject({ code: "cancelled" });
   });
 
-  test("tells bodies from cavities", async () => {
+  test("distinguishes regions from cavities", async () => {
     const surface = joined(cavitySurface(10), boxSurface(2, [5, 0, 0], [6, 1, 1]));
     const found = await mesher.inspectSurface(surface);
     expect([found.regions, found.cavities]).toEqual([2, 1]);
@@ -110,7 +110,7 @@ describe("the inspection of a surface", () => {
     expect(found.shells.map(({ isCavity }) => isCavity)).toEqual([false, true, false]);
   });
 
-  test("takes enclosed parts for regions where they are to be filled, turned either way", async () => {
+  test("counts inner shells as regions on request, whatever their orientation", async () => {
     const inside = boxSurface(2, [-0.5, -0.5, -0.5], [0.5, 0.5, 0.5]);
     const outside = boxSurface(4, [-1, -1, -1], [1, 1, 1]);
     for (const core of [inside, turned(inside)]) {
@@ -128,7 +128,7 @@ describe("the inspection of a surface", () => {
     expect(asCavity.volume).toBeCloseTo(7, 12);
   });
 
-  test("names every open edge with its place, as filling would", async () => {
+  test("reports every open edge with its position, as fillSurface does", async () => {
     const open = without(box, 7);
     const found = await mesher.inspectSurface(open);
     expect(found).toMatchObject({ isFillable: false, isClosed: false, openEdges: 3 });
@@ -138,7 +138,7 @@ describe("the inspection of a surface", () => {
     expect(report.diagnostics).toEqual(found.diagnostics);
   });
 
-  test("names triangles that were divided or repaired by the numbers they were given with", async () => {
+  test("identifies refined or repaired triangles by their original indices", async () => {
     const open = without(boxSurface(1), 7);
     const refinement = await mesher.refineSurface(open, { size: 0.2 });
     const count = refinement.origin.length;
@@ -153,14 +153,14 @@ describe("the inspection of a surface", () => {
     for (const { index, label } of named) expect(label).toBe(`triangle ${index}`);
     const { report } = await mesher.fillSurface(refinement.surface);
     expect(report.diagnostics).toEqual(diagnostics);
-    // Through a repair in between, and with a triangle that was in no surface given.
+    // After a repair before the refinement, and with a triangle that no given surface contains.
     const file = { ...open, trianglePatch: new Uint32Array(11), patches: [{ name: "skin", tag: 1 }] };
     const repaired = repairedSurface(file, await mesher.repairSurface(file, { fillHoles: 3 }));
     const again = repairedSurface(repaired, await mesher.refineSurface(repaired, { size: 0.5 }));
     expect(new Set(again.origin)).toEqual(new Set([...file.trianglePatch.keys(), NO_ORIGIN]));
   });
 
-  test("survives numbers that are none", async () => {
+  test("reports coordinates that are not finite", async () => {
     const points = box.points.slice();
     points[4] = NaN;
     const found = await mesher.inspectSurface({ ...box, points });
@@ -168,7 +168,7 @@ describe("the inspection of a surface", () => {
     expect(found.diagnostics[0]?.code).toBe("not-finite");
   });
 
-  test("goes on beside a run, with progress", async () => {
+  test("runs beside a run and reports progress", async () => {
     const run = mesher.fillSurface(sphereSurface(20));
     const fractions: number[] = [];
     const inspecting = mesher.inspectSurface(
@@ -185,7 +185,7 @@ describe("the inspection of a surface", () => {
   });
 });
 
-test("what is closed has edges, and no problem says that it is not", async () => {
+test("a surface is closed if it has edges and no diagnostic reports an open edge", async () => {
   const random = randomSource(5);
   const below = (limit: number) => random() % limit;
   const found = { closed: 0, open: 0 };
@@ -211,7 +211,7 @@ test("what is closed has edges, and no problem says that it is not", async () =>
   expect(found.open).toBeGreaterThan(20);
 });
 
-test("triangles between two spaces that are turned are told of regions, which take them", async () => {
+test("the remedy for flipped triangles between two regions is to mesh inner shells as regions", async () => {
   const inside = boxSurface(1, [0.25, 0.25, 0.25], [0.5, 0.5, 0.5]);
   const triangles = inside.triangles.slice();
   triangles.set([inside.triangles[1] ?? 0, inside.triangles[0] ?? 0], 0);
@@ -223,7 +223,7 @@ test("triangles between two spaces that are turned are told of regions, which ta
 });
 
 describe("a repair", () => {
-  test("of a sound surface changes nothing, and never the caller's arrays", async () => {
+  test("changes neither a valid surface nor the caller's arrays", async () => {
     const given = turned(box);
     const copy = { points: given.points.slice(), triangles: given.triangles.slice() };
     const { changes, surface } = await mesher.repairSurface(given, { orient: false });
@@ -232,7 +232,7 @@ describe("a repair", () => {
     expect(given).toEqual(copy);
   });
 
-  test("turns triangles on request only, and lists each; without it they are refused, each", async () => {
+  test("flips triangles and lists each one, while other calls only report them", async () => {
     const wrong = [3, 7, 8];
     const triangles = box.triangles.slice();
     for (const t of wrong) triangles.set([box.triangles[3 * t + 1] ?? 0, box.triangles[3 * t] ?? 0], 3 * t);
@@ -253,7 +253,7 @@ describe("a repair", () => {
     expect((await mesher.fillSurface(surface)).report).toMatchObject({ status: "done", diagnostics: [] });
   });
 
-  test("turns parts within others as they are to be taken", async () => {
+  test("orients inner shells for the given interpretation", async () => {
     const inside = sphereSurface(2, 0.2, [0.5, 0.5, 0.5]);
     const given = joined(boxSurface(2), inside);
     expect((await mesher.repairSurface(given, { innerShells: "regions" })).changes).toEqual([]);
@@ -263,7 +263,7 @@ describe("a repair", () => {
     );
   });
 
-  test("lists what it has welded, removed, filled and turned", async () => {
+  test("lists welded nodes, removed triangles and filled holes", async () => {
     const corners = [...box.triangles].map((node) => [...box.points.subarray(3 * node, 3 * node + 3)]);
     const soup = { points: Float64Array.from(corners.flat()), triangles: box.triangles.map((_, h) => h) };
     const broken = without(soup, 3);
@@ -281,18 +281,20 @@ describe("a repair", () => {
     expect(found.nodes).toBe(box.points.length / 3);
   });
 
-  test("names nodes by the numbers that the given surface has for them", async () => {
-    // Two nodes that nobody uses before the others, and the first corner of one triangle as a node of its own.
+  test("keeps the original node indices", async () => {
+    // Two unused nodes come first, and the first corner of one triangle is a node of its own.
     const count = box.points.length / 3 + 2;
     const first = [...box.points.subarray(3 * (box.triangles[0] ?? 0)).slice(0, 3)];
     const points = Float64Array.of(9, 9, 9, 8, 8, 8, ...box.points, ...first);
     const triangles = box.triangles.map((node, h) => (h === 0 ? count : node + 2));
     const given = { points, triangles, trianglePatch: new Uint32Array(triangles.length / 3), patches: [] };
     const repaired = repairedSurface(given, await mesher.repairSurface(given, { weld: false }));
-    const placeOf = (all: Float64Array, node: number) => [...all.subarray(3 * node, 3 * node + 3)];
+    const positionOf = (all: Float64Array, node: number) => [...all.subarray(3 * node, 3 * node + 3)];
     const { nodeOrigin = new Uint32Array() } = repaired;
     expect(nodeOrigin).toHaveLength(repaired.points.length / 3);
-    nodeOrigin.forEach((from, node) => expect(placeOf(repaired.points, node)).toEqual(placeOf(points, from)));
+    nodeOrigin.forEach((from, node) =>
+      expect(positionOf(repaired.points, node)).toEqual(positionOf(points, from)),
+    );
     const { diagnostics } = await mesher.inspectSurface(repaired);
     const nodes = diagnostics
       .filter(({ code }) => code === "coincident-nodes")
@@ -304,7 +306,9 @@ describe("a repair", () => {
     const welded = repairedSurface(repaired, await mesher.repairSurface(repaired));
     const { nodeOrigin: chained = new Uint32Array() } = welded;
     expect(chained).toHaveLength(box.points.length / 3);
-    chained.forEach((from, node) => expect(placeOf(welded.points, node)).toEqual(placeOf(points, from)));
+    chained.forEach((from, node) =>
+      expect(positionOf(welded.points, node)).toEqual(positionOf(points, from)),
+    );
   });
 
   test.each([
@@ -314,7 +318,7 @@ describe("a repair", () => {
     { fillHoles: 1.5 },
     { fillHoles: 201 },
     { orient: "yes" as unknown as boolean },
-  ])("refuses %j", async (options) => {
+  ])("rejects %j", async (options) => {
     await expect(mesher.repairSurface(box, options)).rejects.toMatchObject({
       code: "invalid-input",
       data: { diagnostics: [{ code: "invalid-option" }] },
@@ -325,7 +329,7 @@ describe("a repair", () => {
 describe("the refinement of a surface", () => {
   const plain = boxSurface(1, [0, 0, 0], [1, 1, 1]);
 
-  test("makes a box of twelve triangles fit for a small size, and the warning goes", async () => {
+  test("prepares a box of twelve triangles for a small size, and the warning disappears", async () => {
     const options = { size: 0.15 };
     const before = await mesher.fillSurface(plain, options);
     expect(before.report.tetrahedra).toBeLessThan(50);
@@ -351,7 +355,7 @@ describe("the refinement of a surface", () => {
     expect(Math.abs(report.quality.edges.mean - 1)).toBeLessThan(0.12);
   });
 
-  test("needs sizes to go by, and refuses what would be too much", async () => {
+  test("requires sizes and rejects too small ones", async () => {
     for (const [options, code] of [
       [{}, "invalid-option"],
       [{ size: -1 }, "invalid-option"],
@@ -383,7 +387,7 @@ describe("the inspection of a mesh", () => {
     expect(found.quality.worst[0]?.tetrahedron).toBe(report.quality.worst[0]?.tetrahedron);
   });
 
-  test("refuses what is none", async () => {
+  test("rejects invalid arrays", async () => {
     const { volume } = await mesher.fillSurface(box);
     const regions = volume.regions.slice(1);
     await expect(mesher.inspectMesh({ ...volume, regions })).rejects.toMatchObject({ code: "invalid-input" });
@@ -394,25 +398,25 @@ describe("aborting", () => {
   test.each<[string, (signal: AbortSignal) => Promise<unknown>]>([
     ["an inspection", (signal) => mesher.inspectSurface(sphereSurface(80), {}, { signal })],
     ["a repair", (signal) => mesher.repairSurface(sphereSurface(40), {}, { signal })],
-  ])("%s rejects, and the mesher goes on", async (_, ask) => {
+  ])("%s rejects the call and leaves the mesher usable", async (_, call) => {
     const stop = new AbortController();
-    const answer = ask(stop.signal);
+    const answer = call(stop.signal);
     stop.abort();
     await expect(answer).rejects.toBeInstanceOf(MesherError);
     await expect(answer).rejects.toMatchObject({ code: "cancelled" });
-    await expect(ask(AbortSignal.abort())).rejects.toMatchObject({ code: "cancelled" });
+    await expect(call(AbortSignal.abort())).rejects.toMatchObject({ code: "cancelled" });
     const { report } = await mesher.fillSurface(box);
     expect(report.status).toBe("done");
   });
 });
 
-describe("a size that asks for too many elements", () => {
-  test("is refused before the start with a size that fits, and the mesher goes on", async () => {
+describe("a size that requires too many elements", () => {
+  test("is rejected before the start with a size that fits, and the mesher stays usable", async () => {
     const fine = boxSurface(12, [0, 0, 0], [1, 1, 1]);
     const { report } = await mesher.fillSurface(fine, { size: 1e-4 });
     expect(report.status).toBe("invalid-input");
     const found = report.diagnostics.at(-1);
-    if (found?.code !== "too-many-elements") throw new Error(`told is ${found?.code}`);
+    if (found?.code !== "too-many-elements") throw new Error(`unexpected code ${found?.code}`);
     const factor = Number(/at least ([\d.]+) times as large/.exec(found.remedy)?.[1]);
     const { expected, limit } = found.data;
     expect(expected / factor ** 3).toBeLessThanOrEqual(limit);
@@ -421,7 +425,7 @@ describe("a size that asks for too many elements", () => {
   });
 });
 
-test("a repair and the inspection of a mesh tell their progress, and let a run beside them go on", async () => {
+test("repairSurface and inspectMesh report progress while a run beside them continues", async () => {
   const stop = new AbortController();
   let reports = 0;
   const run = mesher.fillSurface(
@@ -435,37 +439,37 @@ test("a repair and the inspection of a mesh tell their progress, and let a run b
   expect(surface.triangles.length).toBe(sphereSurface(60).triangles.length);
   expect(fractions.at(-1)).toBe(1);
   expect(fractions).toEqual(fractions.toSorted((a, b) => a - b));
-  const told = fractions.length;
+  const reportsOfRepair = fractions.length;
   const tetrahedra = Uint32Array.from({ length: 400_000 }, (_, i) => i);
   const points = Float64Array.from({ length: 1_200_000 }, (_, i) => Math.sin(i));
   const found = await mesher.inspectMesh({ points, tetrahedra }, { onProgress });
   expect(found.tetrahedra).toBe(100_000);
-  expect(fractions.length).toBeGreaterThan(told);
+  expect(fractions.length).toBeGreaterThan(reportsOfRepair);
   expect(reports).toBeGreaterThan(0);
   stop.abort();
   expect((await run).report.status).toBe("cancelled");
 });
 
-test("elements that a file has inverted are turned where they are read, and told by the inspection", async () => {
+test("inverted elements are flipped when a file is read, and the inspection reports them", async () => {
   const { points, tetrahedra } = (await mesher.fillSurface(boxSurface(2), { size: 0.4 })).volume;
   const count = tetrahedra.length / 4;
   const inverted = [3, 7, count - 1];
-  const file = (isTurned: (t: number) => boolean) => {
+  const file = (isInverted: (t: number) => boolean) => {
     const rows = Array.from({ length: count }, (_, t) => {
       const [a = 0, b = 0, c = 0, d = 0] = tetrahedra.subarray(4 * t, 4 * t + 4);
-      return `${(isTurned(t) ? [b, a, c, d] : [a, b, c, d]).map((node) => node + 1).join(" ")} 1`;
+      return `${(isInverted(t) ? [b, a, c, d] : [a, b, c, d]).map((node) => node + 1).join(" ")} 1`;
     });
-    const places = Array.from(
+    const positions = Array.from(
       { length: points.length / 3 },
       (_, n) => `${points.subarray(3 * n, 3 * n + 3).join(" ")} 0`,
     );
-    const sections = [`Vertices ${places.length}`, ...places, `Tetrahedra ${count}`, ...rows, "End"];
+    const sections = [`Vertices ${positions.length}`, ...positions, `Tetrahedra ${count}`, ...rows, "End"];
     return new TextEncoder().encode(`MeshVersionFormatted 2\nDimension 3\n${sections.join("\n")}\n`);
   };
-  // Whichever way round most of them are.
-  for (const most of [false, true]) {
+  // With a minority and with a majority of inverted elements.
+  for (const isMajority of [false, true]) {
     const read = await readMesh(
-      file((t) => inverted.includes(t) !== most),
+      file((t) => inverted.includes(t) !== isMajority),
       { fileName: "a.mesh" },
     );
     if (!read.success) throw new Error(read.errors[0].message);

@@ -1,4 +1,4 @@
-/** The client of the worker against a worker that misbehaves: one that a test plays. */
+/** The client of the worker, tested against a mock worker that misbehaves. */
 import { createMesher, type Mesher, type MesherError } from "tetrafront";
 import { beforeEach, describe, expect, test, vi } from "vitest";
 
@@ -8,29 +8,29 @@ import type { WorkerEvents } from "../../../wasm/src/engine/worker-host.js";
 import { cubeProject } from "../../support/projects.js";
 import { boxSurface } from "../../support/surfaces.js";
 
-/** A worker as the client sees it, and the strings a test pulls. */
-interface PlayedWorker {
-  /** But for that to load the engine. */
+/** A mock worker as the client sees it, with functions for the test to control it. */
+interface MockWorker {
+  /** Requests other than `load`. */
   readonly requests: Exclude<Request, { kind: "load" }>[];
-  /** What it was given to load: code, or undefined where it is to compile it. */
+  /** The modules received with `load`; undefined if the worker is to compile the engine. */
   readonly loads: (WebAssembly.Module | undefined)[];
   readonly reply: (reply: Reply) => void;
   readonly crash: (message: string) => void;
   terminated: boolean;
 }
 
-/** The smallest there is: a header. */
+/** The smallest valid module: a header. */
 const module = new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0));
 const READY = { kind: "ready", module } as const;
-const workers: PlayedWorker[] = [];
-/** Thrown instead of starting one. */
+const workers: MockWorker[] = [];
+/** Error thrown instead of starting a worker. */
 let refusal: Error | undefined;
 
 vi.mock("../../../wasm/dist/engine/worker-host-node.js", () => ({
   loadRemedies: { worker: "Serve worker.js.", engine: "Serve engine.wasm." },
   startWorker: (events: WorkerEvents) => {
     if (refusal !== undefined) throw refusal;
-    const worker: PlayedWorker = {
+    const worker: MockWorker = {
       requests: [],
       loads: [],
       reply: (reply) => events.onReply(reply),
@@ -47,7 +47,7 @@ vi.mock("../../../wasm/dist/engine/worker-host-node.js", () => ({
   },
 }));
 
-function workerNumber(index: number): PlayedWorker {
+function workerNumber(index: number): MockWorker {
   const worker = workers[index];
   if (worker === undefined) throw new Error(`there is no worker ${index}`);
   return worker;
@@ -61,12 +61,12 @@ async function readyMesher(): Promise<Mesher> {
 
 const codeOf = (failure: unknown) => (failure as MesherError).code;
 
-/** The id of the request a worker got as number `index`. */
-const idOf = (worker: PlayedWorker, index = 0) => worker.requests[index]?.id ?? NaN;
+/** Returns the id of the request with this index. */
+const idOf = (worker: MockWorker, index = 0) => worker.requests[index]?.id ?? NaN;
 
 const none = new Uint32Array();
 const noPoints = new Float64Array();
-const nothingToSay = { heads: none, entities: none, positions: noPoints, values: noPoints };
+const noDiagnostics = { heads: none, entities: none, positions: noPoints, values: noPoints };
 
 function resultWith(fingerprint: string): EngineResult {
   return {
@@ -81,7 +81,7 @@ function resultWith(fingerprint: string): EngineResult {
       sideLine: none,
     },
     volume: { points: noPoints, tetrahedra: none, regions: none, front: none },
-    diagnostics: nothingToSay,
+    diagnostics: noDiagnostics,
     figures: {
       nodes: 0,
       tetrahedra: 0,
@@ -111,7 +111,7 @@ beforeEach(() => {
   refusal = undefined;
 });
 
-describe("starting", () => {
+describe("createMesher", () => {
   test("waits until the engine is loaded", async () => {
     let isReady = false;
     const starting = createMesher().then(() => (isReady = true));
@@ -121,7 +121,7 @@ describe("starting", () => {
     expect(await starting).toBe(true);
   });
 
-  test("is rejected where the engine cannot be loaded, or the worker dies", async () => {
+  test("rejects if the engine cannot be loaded or the worker crashes", async () => {
     const unusable = createMesher();
     workerNumber(0).reply({ kind: "unusable", message: "no WebAssembly" });
     await expect(unusable).rejects.toThrow(/cannot be loaded.*no WebAssembly/);
@@ -133,7 +133,7 @@ describe("starting", () => {
   });
 });
 
-test("a browser that refuses to start a worker is told as everything else", async () => {
+test("createMesher reports a browser that refuses to start a worker like any other load error", async () => {
   refusal = new TypeError("This document requires 'TrustedScriptURL' assignment");
   await expect(createMesher()).rejects.toMatchObject({
     name: "MesherError",
@@ -155,7 +155,7 @@ describe("runs", () => {
     expect((await runs[1])?.report.fingerprint).toBe("second");
   });
 
-  test("take no replies but their own", async () => {
+  test("ignore replies with other ids", async () => {
     const mesher = await readyMesher();
     const worker = workerNumber(0);
     const progress = vi.fn();
@@ -180,8 +180,8 @@ describe("runs", () => {
   });
 });
 
-describe("a worker that fails", () => {
-  test.each<[string, (worker: PlayedWorker) => void, string]>([
+describe("a worker", () => {
+  test.each<[string, (worker: MockWorker) => void, string]>([
     ["crashes", (worker) => worker.crash("unreachable executed"), "engine-failed"],
     [
       "runs out of memory",
@@ -209,7 +209,7 @@ describe("a worker that fails", () => {
         }),
       "engine-failed",
     ],
-  ])("because it %s is replaced; what waited goes on", async (_, fail, code) => {
+  ])("that %s is replaced, and queued calls continue", async (_, fail, code) => {
     const mesher = await readyMesher();
     const first = mesher.fillSurface(boxSurface(1));
     const second = mesher.fillSurface(boxSurface(2));
@@ -220,7 +220,7 @@ describe("a worker that fails", () => {
     expect(workerNumber(0).terminated).toBe(true);
     const fresh = workerNumber(1);
     fresh.reply(READY);
-    // A last word of the old worker changes nothing.
+    // The client ignores late messages of the old worker.
     workerNumber(0).crash("again");
     workerNumber(0).reply({ kind: "result", id: idOf(fresh), result: resultWith("ghost") });
     fresh.reply({ kind: "result", id: idOf(fresh), result: resultWith("fresh") });
@@ -229,11 +229,11 @@ describe("a worker that fails", () => {
   });
 });
 
-describe("a worker that cannot be had when one had to be replaced", () => {
-  test.each<[string, (worker: PlayedWorker) => void]>([
-    ["because it ends at once", (worker) => worker.crash("no script")],
-    ["because its engine is gone", (worker) => worker.reply({ kind: "unusable", message: "no file" })],
-  ])("%s is not asked for again: all calls are rejected with why", async (_, fail) => {
+describe("a replacement worker", () => {
+  test.each<[string, (worker: MockWorker) => void]>([
+    ["that crashes at once", (worker) => worker.crash("no script")],
+    ["that cannot load the engine", (worker) => worker.reply({ kind: "unusable", message: "no file" })],
+  ])("%s is not requested again: all calls are rejected with the reason", async (_, fail) => {
     const mesher = await readyMesher();
     const calls = [
       mesher.fillSurface(boxSurface(1)),
@@ -242,16 +242,16 @@ describe("a worker that cannot be had when one had to be replaced", () => {
     ];
     const settled = Promise.allSettled(calls);
     workerNumber(0).crash("unreachable executed");
-    const asked = mesher.inspectSurface(boxSurface(1));
+    const later = mesher.inspectSurface(boxSurface(1));
     fail(workerNumber(1));
     const code = (await settled).map((call) => (call.status === "rejected" ? codeOf(call.reason) : "done"));
     expect(code).toEqual(["engine-failed", "engine-not-loaded", "engine-failed"]);
-    await expect(asked).rejects.toMatchObject({ code: "engine-not-loaded" });
+    await expect(later).rejects.toMatchObject({ code: "engine-not-loaded" });
     await expect(mesher.fillSurface(boxSurface(1))).rejects.toMatchObject({ code: "engine-not-loaded" });
     expect(workers.map(({ terminated }) => terminated)).toEqual([true, true]);
   });
 
-  test("because the browser refuses", async () => {
+  test("that the browser refuses to start is not requested again", async () => {
     const mesher = await readyMesher();
     const runs = [mesher.fillSurface(boxSurface(1)), mesher.fillSurface(boxSurface(2))];
     const settled = Promise.allSettled(runs);
@@ -263,7 +263,7 @@ describe("a worker that cannot be had when one had to be replaced", () => {
   });
 });
 
-test("a worker that replaces another is given the code of the engine", async () => {
+test("a replacement worker gets the compiled engine", async () => {
   const mesher = await readyMesher();
   const run = mesher.fillSurface(boxSurface(1));
   workerNumber(0).crash("unreachable executed");
@@ -271,12 +271,12 @@ test("a worker that replaces another is given the code of the engine", async () 
   expect(workerNumber(1).loads).toEqual([module]);
 });
 
-test("a run beside a question that runs out of memory is rejected with where the run stood", async () => {
+test("if a query runs out of memory, the run beside it is rejected with its progress", async () => {
   const mesher = await readyMesher();
   const worker = workerNumber(0);
   const run = mesher.fillSurface(boxSurface(1));
   const preview = mesher.previewProject(cubeProject());
-  const stood = { phase: "volume", tetrahedra: 1000, expectedTetrahedra: 8000 } as const;
+  const runProgress = { phase: "volume", tetrahedra: 1000, expectedTetrahedra: 8000 } as const;
   const figures = {
     fraction: 0.5,
     nodes: 9,
@@ -285,7 +285,7 @@ test("a run beside a question that runs out of memory is rejected with where the
     exactFillFraction: 0,
     elapsedSeconds: 1,
   };
-  worker.reply({ kind: "progress", id: idOf(worker), progress: { ...stood, ...figures } });
+  worker.reply({ kind: "progress", id: idOf(worker), progress: { ...runProgress, ...figures } });
   const failure = {
     kind: "failure",
     reason: "out-of-memory",
@@ -293,13 +293,13 @@ test("a run beside a question that runs out of memory is rejected with where the
     isEngineLost: false,
   } as const;
   worker.reply({ ...failure, id: idOf(worker, 1), bytes: 2 ** 32 });
-  await expect(run).rejects.toMatchObject({ data: { ...stood, bytes: 2 ** 32, sizeFactor: 2.2 } });
+  await expect(run).rejects.toMatchObject({ data: { ...runProgress, bytes: 2 ** 32, sizeFactor: 2.2 } });
   await expect(preview).rejects.toMatchObject({
     data: { bytes: 2 ** 32, phase: undefined, tetrahedra: 0 },
   });
 });
 
-describe("the failure of a question that was abandoned", () => {
+describe("the failure of an abandoned query", () => {
   async function abandonedBesideRun() {
     const mesher = await readyMesher();
     const worker = workerNumber(0);
@@ -312,7 +312,7 @@ describe("the failure of a question that was abandoned", () => {
     return { worker, run, failure: { ...failure, message: "out of memory" } };
   }
 
-  test("leaves the active run alone", async () => {
+  test("does not affect the active run", async () => {
     const { worker, run, failure } = await abandonedBesideRun();
     worker.reply({ ...failure, isEngineLost: false });
     expect(worker.terminated).toBe(false);
@@ -328,7 +328,7 @@ describe("the failure of a question that was abandoned", () => {
   });
 });
 
-test("an answer of another kind than its question is not taken for it", async () => {
+test("an answer of the wrong kind is ignored", async () => {
   const mesher = await readyMesher();
   const worker = workerNumber(0);
   const settled = vi.fn();
@@ -342,8 +342,8 @@ test("an answer of another kind than its question is not taken for it", async ()
   expect(await proposal).toEqual({ size: 2, sources: [] });
 });
 
-describe("a worker that is asked to cancel", () => {
-  test("and says that it stops may take its time to copy", async () => {
+describe("a worker asked to cancel", () => {
+  test("can take its time to copy the result after it confirms", async () => {
     const mesher = await readyMesher();
     const worker = workerNumber(0);
     const stop = new AbortController();
@@ -357,7 +357,7 @@ describe("a worker that is asked to cancel", () => {
     expect((await run).report.status).toBe("cancelled");
   });
 
-  test("and does not answer is ended by force in time; a preview is asked for again", async () => {
+  test("is terminated after 0.5 s without an answer, and a preview is requested again", async () => {
     const mesher = await readyMesher();
     const stop = new AbortController();
     const run = mesher.fillSurface(boxSurface(1), {}, { signal: stop.signal });
@@ -367,7 +367,7 @@ describe("a worker that is asked to cancel", () => {
     const { report } = await run;
     expect(report).toMatchObject({ status: "cancelled", tetrahedra: 0 });
     expect(performance.now() - aborted).toBeLessThan(1000);
-    // It was let go on for a moment, to say that it stops.
+    // It gets some time to confirm.
     expect(report.seconds.total).toBeGreaterThan(0.3);
     expect(workerNumber(0).terminated).toBe(true);
     const fresh = workerNumber(1);
@@ -384,29 +384,29 @@ describe("a worker that is asked to cancel", () => {
       kind: "answer",
       id: idOf(fresh),
       question: "preview",
-      answer: { ...arrays, diagnostics: nothingToSay },
+      answer: { ...arrays, diagnostics: noDiagnostics },
     });
     expect((await preview).diagnostics).toEqual([]);
   });
 
-  test("and does not answer: questions are asked again with their arrays, whatever became of the caller's", async () => {
+  test("is terminated without an answer, and queries are sent again with copies of their arrays", async () => {
     const mesher = await readyMesher();
     const stop = new AbortController();
     const run = mesher.fillSurface(boxSurface(1), {}, { signal: stop.signal });
     const surface = boxSurface(1);
     const [points, corners] = [surface.points.length, surface.triangles.length];
-    const questions = [
+    const queries = [
       mesher.inspectSurface(surface),
       mesher.repairSurface(surface),
       mesher.refineSurface(surface, { size: 1 }),
     ];
-    for (const question of questions) question.catch(() => undefined);
+    for (const query of queries) query.catch(() => undefined);
     structuredClone(surface, { transfer: [surface.points.buffer, surface.triangles.buffer] });
     stop.abort();
     expect((await run).report.status).toBe("cancelled");
-    const asked = workerNumber(1).requests.filter((request) => "triangles" in request);
-    expect(asked.map(({ kind }) => kind)).toEqual(["inspect-surface", "repair-surface", "refine-surface"]);
-    for (const request of asked) {
+    const resent = workerNumber(1).requests.filter((request) => "triangles" in request);
+    expect(resent.map(({ kind }) => kind)).toEqual(["inspect-surface", "repair-surface", "refine-surface"]);
+    for (const request of resent) {
       expect([request.points.length, request.triangles.length]).toEqual([points, corners]);
     }
     mesher.dispose();

@@ -33,7 +33,10 @@ beforeAll(async () => {
 });
 afterAll(() => mesher.dispose());
 
-/** How many elements of the unit cube have their centroid within 0.2 of its centre along every axis. */
+/**
+ * Returns the number of elements of the unit cube whose centroid lies within 0.2 of its centre along every
+ * axis.
+ */
 function elementsInTheMiddle({ volume }: MeshResult): number {
   const { points, tetrahedra } = volume;
   let count = 0;
@@ -62,7 +65,7 @@ test("thorough optimization reports that it found no better mesh, and only then"
   expect(await both(sphereSurface(4))).toEqual({ isSame: false, severities: [] });
 });
 
-describe("a given surface is filled and kept triangle for triangle:", () => {
+describe("fillSurface", () => {
   test.each<[string, SurfaceInput, number]>([
     [
       "a tetrahedron",
@@ -78,17 +81,17 @@ describe("a given surface is filled and kept triangle for triangle:", () => {
     ["a torus", torusSurface(60, 24), 4000],
     ["a cube with a cavity", cavitySurface(12), 5000],
     [
-      "a box 1e-9 across, a million away",
+      "a box of edge 1e-3 at a distance of a million",
       boxSurface(4, [1e6, 1e6, 1e6], [1e6 + 1e-3, 1e6 + 1e-3, 1e6 + 1e-3]),
       50,
     ],
-  ])("%s", async (_, surface, least) => {
+  ])("fills %s and keeps every triangle", async (_, surface, least) => {
     const result = await mesher.fillSurface(surface);
     expectValid(result, surface);
     expect(result.report.tetrahedra).toBeGreaterThanOrEqual(least);
   });
 
-  test("two bodies apart become two regions", async () => {
+  test("makes two regions of two separate spheres", async () => {
     const surface = joined(sphereSurface(6), sphereSurface(5, 0.7, [4, 0, 0]));
     const result = await mesher.fillSurface(surface);
     expectValid(result, surface);
@@ -96,14 +99,14 @@ describe("a given surface is filled and kept triangle for triangle:", () => {
     expect([...new Set(result.surface.trianglePatch)].sort()).toEqual([0, 1]);
   });
 
-  test("drawn inside out it is turned round and told so", async () => {
+  test("flips an inverted surface and reports it", async () => {
     const surface = sphereSurface(6);
     const result = await mesher.fillSurface(turned(surface));
     expectValid(result, surface);
     expect(result.report.diagnostics).toMatchObject([{ code: "reoriented-patch", severity: "information" }]);
   });
 
-  test("a size given caps the elements inside, away from a coarser boundary", async () => {
+  test("with a size limits elements away from a coarser boundary", async () => {
     const surface = boxSurface(10);
     const [free, fine] = [
       await mesher.fillSurface(surface),
@@ -113,12 +116,12 @@ describe("a given surface is filled and kept triangle for triangle:", () => {
     expect(elementsInTheMiddle(fine)).toBeGreaterThan(8 * elementsInTheMiddle(free));
   });
 
-  test("the paper's order fills it too", async () => {
+  test("fills a surface in the order of the paper", async () => {
     const surface = sphereSurface(8);
     expectValid(await mesher.fillSurface(surface, { order: "smallest-first" }), surface);
   });
 
-  test("filters change the work, not the mesh", async () => {
+  test("without filters does more work and gives the same mesh", async () => {
     const surface = sphereSurface(8);
     const options = { order: "smallest-first", optimization: "none" } as const;
     const [filtered, analysed] = [
@@ -130,7 +133,7 @@ describe("a given surface is filled and kept triangle for triangle:", () => {
     expect(analysed.front.facesAnalysed).toBeGreaterThan(5 * filtered.front.facesAnalysed);
   });
 
-  test("optimizing makes the elements better and leaves the boundary", async () => {
+  test("improves the elements by optimization and keeps the boundary", async () => {
     const surface = cavitySurface(8);
     const [raw, fast, full] = await Promise.all([
       mesher.fillSurface(surface, { optimization: "none" }),
@@ -144,7 +147,7 @@ describe("a given surface is filled and kept triangle for triangle:", () => {
     expect(full.report.radiusRatio.mean).toBeGreaterThan(raw.report.radiusRatio.mean + 0.05);
   });
 
-  test("the caller's arrays stay his own", async () => {
+  test("does not change the caller's arrays", async () => {
     const surface = boxSurface(2);
     const before = { points: [...surface.points], triangles: [...surface.triangles] };
     await mesher.fillSurface(surface);
@@ -152,17 +155,17 @@ describe("a given surface is filled and kept triangle for triangle:", () => {
   });
 });
 
-describe("a project is meshed:", () => {
+describe("meshProject meshes", () => {
   test("the unit cube", async () => {
     const result = await mesher.meshProject(cubeProject(0.2));
     expectValid(result);
     expect(Math.abs(result.report.volume - 1)).toBeLessThan(1e-12);
-    // Twelve lines of five sides, and every patch is there.
+    // Twelve lines of five sides, and all six patches.
     expect(result.surface.sideLine).toHaveLength(60);
     expect([...new Set(result.surface.trianglePatch)].sort()).toEqual([0, 1, 2, 3, 4, 5]);
   });
 
-  test("a uniform size stands in for the background grid", async () => {
+  test("a project without background grid with a uniform size", async () => {
     const bare = { ...cubeProject(), background: { nodes: [], tetrahedra: [] } };
     const [coarse, fine] = [
       await mesher.meshProject(bare, { size: 0.25 }),
@@ -170,12 +173,12 @@ describe("a project is meshed:", () => {
     ];
     expectValid(coarse);
     expectValid(fine);
-    // Half the size makes about eight times the elements.
+    // Half the size gives about eight times as many elements.
     expect(fine.report.tetrahedra / coarse.report.tetrahedra).toBeGreaterThan(4);
     expect(fine.report.tetrahedra / coarse.report.tetrahedra).toBeLessThan(16);
   });
 
-  test("the example of docs/FORMAT.md", async () => {
+  test("the example in docs/FORMAT.md", async () => {
     const text = readFileSync(new URL("../../../docs/FORMAT.md", import.meta.url), "utf8");
     const read = readProject(/```json\n([^]*?)```/.exec(text)?.[1] ?? "");
     if (!read.success) throw new Error(read.errors[0].message);
@@ -185,8 +188,8 @@ describe("a project is meshed:", () => {
   });
 });
 
-describe("bodies within a body", () => {
-  test("are cavities, or regions if that is wanted", async () => {
+describe("inner shells", () => {
+  test("are cavities, or regions on request", async () => {
     const surface = cavitySurface(6);
     const [empty, filled] = await Promise.all([
       mesher.fillSurface(surface),
@@ -197,10 +200,10 @@ describe("bodies within a body", () => {
     expect(filled.report.status).toBe("done");
     const volumes = filled.report.quality.regions.map(({ volume }) => volume);
     expect(volumes).toHaveLength(2);
-    // What is around the inner body is what was filled before.
+    // The outer region is what was filled before.
     expect(volumes[0]).toBeCloseTo(empty.report.volume, 12);
     expect(filled.report.volume).toBeCloseTo(Number(volumes[0]) + Number(volumes[1]), 12);
-    // Both sides of the inner sphere's triangles, and of no others, look into a region.
+    // Both sides of the inner sphere's triangles, and of no others, belong to a region.
     const { triangleRegions } = filled.surface;
     const isInterface = (triangle: number): boolean =>
       [0, 1].every((side) => triangleRegions[2 * triangle + side] !== NO_REGION);
@@ -209,21 +212,21 @@ describe("bodies within a body", () => {
   });
 });
 
-describe("a project that says how it is to be meshed", () => {
+describe("the meshing settings of a project", () => {
   const coarse = cubeProject(0.5);
   const meshing = { size: 0.2, order: "smallest-first", optimization: "none", gradation: 0 } as const;
 
-  test("is meshed so", async () => {
-    const [said, given] = await Promise.all([
+  test("are applied", async () => {
+    const [bySettings, byOptions] = await Promise.all([
       mesher.meshProject({ ...coarse, meshing }),
       mesher.meshProject(coarse, meshing),
     ]);
-    expectValid(said);
-    expect(said.report.fingerprint).toBe(given.report.fingerprint);
-    expect(said.report.seconds.optimize).toBeLessThan(0.01);
+    expectValid(bySettings);
+    expect(bySettings.report.fingerprint).toBe(byOptions.report.fingerprint);
+    expect(bySettings.report.seconds.optimize).toBeLessThan(0.01);
   });
 
-  test("gives way to what the caller says", async () => {
+  test("are overridden by the options of the call", async () => {
     const project = { ...coarse, meshing: { size: 0.1 } };
     const { nodes, tetrahedra } = coarse.background;
     const grid = {
@@ -231,7 +234,7 @@ describe("a project that says how it is to be meshed", () => {
       sizes: Float64Array.from(nodes, ({ size }) => size),
       tetrahedra: Uint32Array.from(tetrahedra.flat(), (id) => id - 1),
     };
-    const wanted = await mesher.meshProject(coarse);
+    const expected = await mesher.meshProject(coarse);
     const [bySize, byGrid] = await Promise.all([
       mesher.meshProject(project, { size: 0.2 }),
       mesher.meshProject(project, { background: grid }),
@@ -239,10 +242,10 @@ describe("a project that says how it is to be meshed", () => {
     expect(bySize.report.fingerprint).toBe(
       (await mesher.meshProject(coarse, { size: 0.2 })).report.fingerprint,
     );
-    expect(byGrid.report.fingerprint).toBe(wanted.report.fingerprint);
+    expect(byGrid.report.fingerprint).toBe(expected.report.fingerprint);
   });
 
-  test("is checked with its size, and told when that makes no sense", async () => {
+  test("are used by a preview, which reports an invalid size", async () => {
     const bare = { ...coarse, background: { nodes: [], tetrahedra: [] } };
     const codes = async (size: number) => {
       const { diagnostics } = await mesher.previewProject({ ...bare, meshing: { size } });
@@ -255,7 +258,7 @@ describe("a project that says how it is to be meshed", () => {
   });
 });
 
-describe("bad input is a result, and says what is wrong:", () => {
+describe("invalid input gives a result with diagnostics:", () => {
   const { points, triangles } = boxSurface(2);
   const withPatches = (change: (cube: Project) => Partial<Project>): Project => {
     const cube = cubeProject();
@@ -264,10 +267,10 @@ describe("bad input is a result, and says what is wrong:", () => {
 
   test.each<[string, SurfaceInput, string]>([
     ["an open surface", { points, triangles: triangles.subarray(3) }, "open-edge"],
-    ["a coordinate that is no number", { points: points.with(4, NaN), triangles }, "not-finite"],
-    ["a node that does not exist", { points, triangles: triangles.with(7, 1000) }, "index-out-of-range"],
+    ["a coordinate that is not finite", { points: points.with(4, NaN), triangles }, "not-finite"],
+    ["a node index out of range", { points, triangles: triangles.with(7, 1000) }, "index-out-of-range"],
     [
-      "two spheres that cut each other",
+      "two intersecting spheres",
       joined(sphereSurface(4), sphereSurface(4, 1, [0.9, 0, 0])),
       "self-intersection",
     ],
@@ -288,7 +291,7 @@ describe("bad input is a result, and says what is wrong:", () => {
   test.each<[string, Project, string, RegExp]>([
     ["a missing patch", withPatches((cube) => ({ patches: cube.patches.slice(1) })), "open-edge", /line \d+/],
     [
-      "a corner that leaves the plane",
+      "a corner outside the plane of a patch",
       withPatches((cube) => ({
         points: cube.points.map((p) => (p.id === 8 ? { ...p, position: [1, 1, 1.5] } : p)),
       })),
@@ -366,7 +369,7 @@ describe("a preview", () => {
     expect(Math.max(...preview.linePoints)).toBe(1);
   });
 
-  test("of a broken project shows what can be shown and tells the rest", async () => {
+  test("of an invalid project shows the valid parts and reports the rest", async () => {
     const cube = cubeProject();
     const patches = cube.patches.map((p) => (p.id === 1 ? { ...p, loops: [[1, 2]] } : p));
     const preview = await mesher.previewProject({ ...cube, patches });
@@ -375,7 +378,7 @@ describe("a preview", () => {
     expect(preview.diagnostics.map(({ entities }) => entities[0]?.label)).toContain('patch "bottom"');
   });
 
-  test("names the background node that is not there", async () => {
+  test("names a missing background node", async () => {
     const cube = cubeProject();
     const [first = [1, 2, 3, 4], ...rest] = cube.background.tetrahedra;
     const tetrahedra = [[first[0], first[1], 4711, first[3]] as const, ...rest];
@@ -387,7 +390,7 @@ describe("a preview", () => {
     expect(missing?.message).toMatch(/tetrahedron 0.* refers to background node 4711, which does not exist/);
   });
 
-  test("is answered while a run is under way", async () => {
+  test("is returned while a run is active", async () => {
     let running = true;
     const run = mesher.fillSurface(sphereSurface(40)).finally(() => (running = false));
     await mesher.previewProject(cubeProject());
@@ -396,7 +399,7 @@ describe("a preview", () => {
   });
 });
 
-test("the same input makes the same mesh, in this worker and in another", async () => {
+test("the same input gives the same mesh in the same worker and in another", async () => {
   const surface = cavitySurface(8);
   const other = await createMesher();
   const results = [
@@ -410,7 +413,7 @@ test("the same input makes the same mesh, in this worker and in another", async 
 });
 
 describe("progress", () => {
-  test("never decreases, comes at most ten times a second and once at the end", async () => {
+  test("never decreases and is reported at most ten times per second and once at the end", async () => {
     const seen: { progress: Progress; at: number }[] = [];
     const { report } = await mesher.fillSurface(
       sphereSurface(36),
@@ -430,7 +433,7 @@ describe("progress", () => {
     expect(Math.max(...seen.map(({ progress }) => progress.fraction))).toBeLessThanOrEqual(1);
   });
 
-  test("the times of the phases add up to no more than the whole", async () => {
+  test("reports phase times that add up to at most the total", async () => {
     const { total, ...phases } = (await mesher.meshProject(cubeProject(0.1))).report.seconds;
     const sum = Object.values(phases).reduce((a, b) => a + b, 0);
     expect(sum).toBeGreaterThan(0);
@@ -439,13 +442,14 @@ describe("progress", () => {
 });
 
 describe("cancelling", () => {
-  /** Large enough to be under way for long on any machine. */
+  /** Large enough to run for a long time on any machine. */
   const large = sphereSurface(90);
-  /** The rule is 100 ms; a loaded machine delays timers and messages. */
+  /** The limit is 100 ms; a loaded machine delays timers and messages. */
   const LENIENT_MS = 400;
 
-  // A machine so loaded that the worker misses its half second loses what exists, as promised: try again.
-  test("ends a run and returns what exists", { retry: 3 }, async () => {
+  // If the machine is so loaded that the worker misses its limit of 0.5 s, the partial mesh is lost, as
+  // documented. Then retry.
+  test("ends a run and returns the partial mesh", { retry: 3 }, async () => {
     const stop = new AbortController();
     let abortedAt = NaN;
     const result = await mesher.fillSurface(
@@ -466,7 +470,7 @@ describe("cancelling", () => {
     expect(result.volume.front.length).toBeGreaterThan(0);
   });
 
-  test("ends the exact fill, which tells how far it is", { retry: 3 }, async () => {
+  test("ends the exact fill, which reports its progress", { retry: 3 }, async () => {
     const stop = new AbortController();
     const seen: number[] = [];
     let abortedAt = NaN;
@@ -491,7 +495,7 @@ describe("cancelling", () => {
     expect(seen).toEqual(seen.toSorted((a, b) => a - b));
   });
 
-  test("at the very start, before the engine is asked, or while waiting ends at once", async () => {
+  test("before the start, at the start or in the queue ends a run at once", async () => {
     const before = await mesher.fillSurface(large, {}, { signal: AbortSignal.abort() });
     expect(before.report).toMatchObject({ status: "cancelled", tetrahedra: 0 });
     const stops = [new AbortController(), new AbortController()] as const;
@@ -502,7 +506,7 @@ describe("cancelling", () => {
     expect((await runs[0])?.report.status).toBe("cancelled");
   });
 
-  test("leaves the mesher fit for the next run", async () => {
+  test("leaves the mesher usable for the next run", async () => {
     const stop = new AbortController();
     const run = mesher.fillSurface(large, {}, { signal: stop.signal });
     setTimeout(() => stop.abort(), 30);
@@ -511,7 +515,7 @@ describe("cancelling", () => {
   });
 });
 
-describe("a callback that fails", () => {
+describe("an onProgress callback", () => {
   const surface = boxSurface(6);
   const failure = new Error("the caller's own");
 
@@ -522,8 +526,8 @@ describe("a callback that fails", () => {
         throw failure;
       },
     ],
-    ["is rejected", () => Promise.reject(failure)],
-  ])("(it %s) rejects its own call with that, and the next ones work", async (_, onProgress) => {
+    ["returns a rejected promise", () => Promise.reject(failure)],
+  ])("that %s rejects its own call with its error, and no other", async (_, onProgress) => {
     const next = mesher.fillSurface(surface);
     const failing = mesher.fillSurface(surface, { size: 0.02 }, { onProgress });
     const after = mesher.fillSurface(surface);
@@ -541,7 +545,7 @@ describe("a callback that fails", () => {
 });
 
 describe("disposing", () => {
-  test("may be left out: a program ends without it", async () => {
+  test("can be omitted: the process ends without it", async () => {
     const program = `
       import { createMesher } from "tetrafront";
       const mesher = await createMesher();
@@ -553,7 +557,7 @@ describe("disposing", () => {
     expect(stdout).toBe("done\n");
   });
 
-  test("rejects what is under way and everything after", async () => {
+  test("rejects active and later calls", async () => {
     const short = await createMesher();
     const runs = [short.fillSurface(sphereSurface(40)), short.previewProject(cubeProject())];
     short.dispose();

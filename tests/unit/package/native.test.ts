@@ -20,7 +20,7 @@ import {
 
 const fill = fileURLToPath(new URL("../../../build/release/fill", import.meta.url));
 
-/** What the native program says about the mesh of the same surface. */
+/** Returns the fingerprint of the mesh that the native program makes from a surface. */
 function nativeFingerprint(surface: SurfaceInput): string | undefined {
   const folder = mkdtempSync(path.join(tmpdir(), "tetrafront-"));
   try {
@@ -32,40 +32,40 @@ function nativeFingerprint(surface: SurfaceInput): string | undefined {
   }
 }
 
-/** Exit status and complaint of the native program for a file of these contents. */
+/** Returns exit status and error message of the native program for a file with these contents. */
 function nativeRefusal(
   contents: string | Uint8Array,
   ...options: string[]
-): { status: number | null; said: string } {
+): { status: number | null; message: string } {
   const folder = mkdtempSync(path.join(tmpdir(), "tetrafront-"));
   try {
     const file = path.join(folder, "surface.off");
     writeFileSync(file, contents);
     const { status, stderr } = spawnSync(fill, [file, ...options], { encoding: "utf8" });
-    return { status, said: stderr };
+    return { status, message: stderr };
   } finally {
     rmSync(folder, { recursive: true, force: true });
   }
 }
 
 test.each<[string, string]>([
-  ["a word for a number", "OFF\n3 1 0\n0 0 0\n1 abc 0\n0 1 0\n3 0 1 2\n"],
-  ["a number with a tail", "OFF\n3 1 0\n0 0 0\n1 0x 0\n0 1 0\n3 0 1 2\n"],
-  ["a number beyond all doubles", "OFF\n3 1 0\n0 0 0\n1e999 0 0\n0 1 0\n3 0 1 2\n"],
-  ["counts that nothing could hold", "OFF\n999999999999999999 4 0\n0 0 0\n"],
-  ["a face that is cut off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n"],
-])("the native program refuses %s", (_, text) => {
-  const { status, said } = nativeRefusal(text);
+  ["a word instead of a number", "OFF\n3 1 0\n0 0 0\n1 abc 0\n0 1 0\n3 0 1 2\n"],
+  ["a number followed by other characters", "OFF\n3 1 0\n0 0 0\n1 0x 0\n0 1 0\n3 0 1 2\n"],
+  ["a number beyond the range of doubles", "OFF\n3 1 0\n0 0 0\n1e999 0 0\n0 1 0\n3 0 1 2\n"],
+  ["a count beyond any memory", "OFF\n999999999999999999 4 0\n0 0 0\n"],
+  ["a truncated face", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n"],
+])("the native program rejects %s", (_, text) => {
+  const { status, message } = nativeRefusal(text);
   expect(status).toBe(2);
-  expect(said).toContain("cannot be read as an OFF file of triangles");
+  expect(message).toContain("cannot be read as an OFF file of triangles");
 });
 
 test.each(["abc", "0.2x", "0", "-1", "inf", "nan", ""])(
-  "the native program refuses the element size '%s'",
+  "the native program rejects the element size '%s'",
   (size) => {
-    const { status, said } = nativeRefusal(offFile(boxSurface(2)), size);
+    const { status, message } = nativeRefusal(offFile(boxSurface(2)), size);
     expect(status).toBe(2);
-    expect(said).toContain("not an element size");
+    expect(message).toContain("not an element size");
   },
 );
 
@@ -74,11 +74,11 @@ test.each<[string, SurfaceInput]>([
   ["a cube", boxSurface(9)],
   ["a torus", torusSurface(48, 20)],
   ["a cube with a cavity", cavitySurface(10)],
-  ["a cube with a wall", dividedSurface(8)],
+  ["a cube with an interface", dividedSurface(8)],
   ["a gear of needles", needleGearSurface(8)],
   ["a screw thread", screwThreadSurface(2, 12)],
   ["a torus of needles", torusSurface(120, 4)],
-])("%s has the same mesh bit for bit natively and as WebAssembly", async (_, surface) => {
+])("%s gets the same mesh bit for bit from the native program and from WebAssembly", async (_, surface) => {
   const mesher = await createMesher();
   const { report } = await mesher.fillSurface(surface);
   mesher.dispose();

@@ -1,4 +1,4 @@
-/** Memory that does not suffice: the error says what was asked for and what would fit, and the mesher goes on. */
+/** Out of memory: the error tells what was requested and what would fit, and the mesher stays usable. */
 import { execFile } from "node:child_process";
 import { promisify } from "node:util";
 
@@ -11,17 +11,17 @@ const entry = new URL("../../../wasm/dist/index.js", import.meta.url).href;
 const limit = new URL("../../support/little-memory.mjs", import.meta.url).href;
 const MEMORY = 80 * 2 ** 20;
 
-interface Told {
+interface ReportedError {
   readonly code: string;
   readonly message: string;
   readonly data: Record<string, unknown>;
 }
 
-/** Runs the body in a process whose engines get little memory; what it returns. */
+/** Runs the body in a process whose engines get little memory, and returns its result. */
 async function withLittleMemory<T>(body: string): Promise<T> {
   const program = `import { createMesher } from ${JSON.stringify(entry)};
     const cube = ${JSON.stringify(cubeProject())};
-    const told = ({ code, message, data }) => ({ code, message, data });
+    const reported = ({ code, message, data }) => ({ code, message, data });
     const mesher = await createMesher();
     const answer = await (async () => { ${body} })();
     console.log(JSON.stringify(answer));
@@ -32,11 +32,13 @@ async function withLittleMemory<T>(body: string): Promise<T> {
   return JSON.parse(stdout) as T;
 }
 
-test("a mesh too large for the memory is refused with figures, and a size that fits is meshed after it", async () => {
-  const [failure, factor, status, expected] = await withLittleMemory<[Told, number, string, number]>(`
+test("a mesh too large for the memory is rejected with statistics, and a size that fits can be meshed afterwards", async () => {
+  const [failure, factor, status, expected] = await withLittleMemory<
+    [ReportedError, number, string, number]
+  >(`
     const size = 0.022;
     const options = { optimization: "none" };
-    const failure = await mesher.meshProject(cube, { ...options, size }).catch(told);
+    const failure = await mesher.meshProject(cube, { ...options, size }).catch(reported);
     const factor = failure.data?.sizeFactor;
     const { report } = await mesher.meshProject(cube, { ...options, size: factor * size });
     return [failure, factor, report.status, failure.data?.expectedTetrahedra];`);
@@ -52,8 +54,8 @@ test("a mesh too large for the memory is refused with figures, and a size that f
   expect(status).toBe("done");
 });
 
-test("a run beside a question too large for the memory is rejected with where it stood", async () => {
-  const [run, question] = await withLittleMemory<[Told, Told]>(`
+test("if a query runs out of memory, the run beside it is rejected with its progress", async () => {
+  const [run, question] = await withLittleMemory<[ReportedError, ReportedError]>(`
     const count = 1_000_000;
     const mesh = {
       points: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1),
@@ -61,9 +63,9 @@ test("a run beside a question too large for the memory is rejected with where it
     };
     let question;
     const onProgress = ({ tetrahedra }) => {
-      if (tetrahedra > 0) question ??= mesher.inspectMesh(mesh).catch(told);
+      if (tetrahedra > 0) question ??= mesher.inspectMesh(mesh).catch(reported);
     };
-    const run = await mesher.meshProject(cube, { size: 0.03 }, { onProgress }).catch(told);
+    const run = await mesher.meshProject(cube, { size: 0.03 }, { onProgress }).catch(reported);
     return [run, await question];`);
   expect(run.code).toBe("out-of-memory");
   expect(run.data).toMatchObject({
@@ -76,14 +78,14 @@ test("a run beside a question too large for the memory is rejected with where it
   expect(question).toMatchObject({ code: "out-of-memory", data: { tetrahedra: 0 } });
 });
 
-test("a question too large for the memory is refused, and the next one is answered", async () => {
-  const [failure, isValid] = await withLittleMemory<[Told, boolean]>(`
+test("a query too large for the memory is rejected, and the next one is answered", async () => {
+  const [failure, isValid] = await withLittleMemory<[ReportedError, boolean]>(`
     const count = 1_000_000;
     const mesh = {
       points: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1),
       tetrahedra: Uint32Array.from({ length: 4 * count }, (_, i) => i % 4),
     };
-    const failure = await mesher.inspectMesh(mesh).catch(told);
+    const failure = await mesher.inspectMesh(mesh).catch(reported);
     const one = { ...mesh, tetrahedra: mesh.tetrahedra.slice(0, 4) };
     return [failure, (await mesher.inspectMesh(one)).isValid];`);
   expect(failure).toMatchObject({ code: "out-of-memory", data: { tetrahedra: 0 } });
@@ -93,8 +95,8 @@ test("a question too large for the memory is refused, and the next one is answer
   expect(isValid).toBe(true);
 });
 
-test("a surface too large for the memory is refused with how many triangles fit, and so many are taken", async () => {
-  const [given, failures, isFillable] = await withLittleMemory<[number, Told[], boolean]>(`
+test("a surface too large for the memory is rejected with the number of triangles that fit, and that many do fit", async () => {
+  const [given, failures, isFillable] = await withLittleMemory<[number, ReportedError[], boolean]>(`
     const torus = (n) => {
       const points = Float64Array.from({ length: 3 * n * n }, (_, i) => {
         const [u, v] = [Math.floor(i / 3 / n), Math.floor(i / 3) % n].map((k) => (2 * Math.PI * k) / n);
@@ -109,7 +111,7 @@ test("a surface too large for the memory is refused with how many triangles fit,
       return { points, triangles };
     };
     const large = torus(600);
-    const failures = [await mesher.fillSurface(large).catch(told), await mesher.inspectSurface(large).catch(told)];
+    const failures = [await mesher.fillSurface(large).catch(reported), await mesher.inspectSurface(large).catch(reported)];
     const fitting = Math.min(...failures.map(({ data }) => data.fittingTriangles));
     const { isFillable } = await mesher.inspectSurface(torus(Math.floor(Math.sqrt(fitting / 2))));
     return [large.triangles.length / 3, failures, isFillable];`);

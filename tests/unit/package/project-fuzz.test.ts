@@ -1,4 +1,7 @@
-/** Ten thousand damaged project files: each is refused, or checked, with a problem that has a name. */
+/**
+ * Ten thousand damaged project files: each is rejected or checked, with errors that have a code, a message
+ * and a remedy.
+ */
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
@@ -15,17 +18,17 @@ import {
 import { afterAll, beforeAll, expect, test } from "vitest";
 
 const FILES = 10_000;
-/** Of those, how many are meshed when they can be read. */
+/** Number of damaged projects that are meshed. */
 const MESHED = 60;
-/** Larger projects take part less often: they show no other faults, only later. */
+/** Longer files are used less often: they reveal the same errors more slowly. */
 const SMALL = 12_000;
-/** Generous: a loaded machine is no hang. */
+/** Generous, because a loaded machine is slow. */
 const SECONDS_PER_FILE = 20;
 
 type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
 type Random = () => number;
 
-/** Whole numbers below 2^32, the same on every machine (Marsaglia's xorshift). */
+/** Integers below 2^32, the same on every machine (Marsaglia's xorshift). */
 function randomSource(seed: number): Random {
   let state = (seed * 2_654_435_761) >>> 0 || 1;
   return () => {
@@ -46,7 +49,7 @@ const folder = fileURLToPath(new URL("../../../public/models", import.meta.url))
 const texts = readdirSync(folder).map((name) => readFileSync(path.join(folder, name), "utf8"));
 const smallTexts = texts.filter((text) => text.length < SMALL);
 
-const WILD: readonly Json[] = [
+const UNUSUAL_VALUES: readonly Json[] = [
   0,
   -1,
   1e308,
@@ -63,7 +66,7 @@ const WILD: readonly Json[] = [
   true,
 ];
 
-/** A few characters changed, cut out or repeated. */
+/** Changes, removes or repeats a few characters. */
 function damagedText(text: string, random: Random): string {
   const at = random() % text.length;
   const length = random() % 60;
@@ -81,7 +84,7 @@ function damagedText(text: string, random: Random): string {
   }
 }
 
-/** The digits of one number in the text changed, which leaves it readable. */
+/** Replaces one number in the text, which stays valid JSON. */
 function damagedNumber(text: string, random: Random): string {
   const numbers = [...text.matchAll(/-?\d+(\.\d+)?(e-?\d+)?/g)];
   const chosen = pick(random, numbers);
@@ -89,7 +92,7 @@ function damagedNumber(text: string, random: Random): string {
   return text.slice(0, chosen.index) + number + text.slice(chosen.index + chosen[0].length);
 }
 
-/** One value somewhere in the tree changed for another. */
+/** Replaces one value somewhere in the tree. */
 function damageTree(root: Json, random: Random): void {
   let node = root;
   for (;;) {
@@ -146,10 +149,10 @@ function damageValue(holder: Record<string, Json>, key: string, child: Json, ran
     Reflect.deleteProperty(holder, key);
     return;
   }
-  holder[key] = pick(random, WILD);
+  holder[key] = pick(random, UNUSUAL_VALUES);
 }
 
-/** Points put onto each other, lines turned, loops shuffled: all of it by the schema. */
+/** Moves points onto each other, reverses lines or shuffles loops; the result conforms to the schema. */
 function damageDrawing(project: Project, random: Random): Project {
   const copy = structuredClone(project) as unknown as {
     points: { position: number[] }[];
@@ -209,14 +212,14 @@ function damagedFile(seed: number): ReadResult<Project> {
       return parseProject(tree);
     }
     default: {
-      const sound = readProject(text);
-      return sound.success ? parseProject(damageDrawing(sound.value, random)) : sound;
+      const valid = readProject(text);
+      return valid.success ? parseProject(damageDrawing(valid.value, random)) : valid;
     }
   }
 }
 
-/** Problems of the project, its sizes or its options as a whole. */
-const OF_THE_WHOLE = [
+/** Codes about the project, its sizes or its options as a whole. */
+const CODES_WITHOUT_ENTITIES = [
   "empty-model",
   "empty-background-grid",
   "too-many-elements",
@@ -225,19 +228,14 @@ const OF_THE_WHOLE = [
   "invalid-project",
 ];
 
-function complaintAbout({
-  code,
-  severity,
-  message,
-  remedy,
-  entities,
-  position,
-}: Diagnostic): string | undefined {
-  if (!/^\S.*\S$/.test(message) || /undefined|NaN|\[object/.test(message)) return `says "${message}"`;
-  if (severity !== "information" && !/\.$/.test(remedy)) return `has no remedy: "${message}"`;
-  if (severity === "error" && entities.length === 0 && !OF_THE_WHOLE.includes(code))
-    return `${code} of nothing`;
-  if (position?.some((coordinate) => !Number.isFinite(coordinate)) === true) return `${code} is nowhere`;
+function defectOf({ code, severity, message, remedy, entities, position }: Diagnostic): string | undefined {
+  if (!/^\S.*\S$/.test(message) || /undefined|NaN|\[object/.test(message))
+    return `invalid message "${message}"`;
+  if (severity !== "information" && !/\.$/.test(remedy)) return `no remedy: "${message}"`;
+  if (severity === "error" && entities.length === 0 && !CODES_WITHOUT_ENTITIES.includes(code))
+    return `${code} without entities`;
+  if (position?.some((coordinate) => !Number.isFinite(coordinate)) === true)
+    return `${code} at an invalid position`;
   if (code === "verification-failed" || code === "engine-failed") return message;
   return undefined;
 }
@@ -260,8 +258,8 @@ async function inTime<Value>(work: Promise<Value>, seed: number): Promise<Value>
   }
 }
 
-test(`${FILES} damaged files are refused or checked, by name`, { timeout: 600_000 }, async () => {
-  const complaints: string[] = [];
+test(`${FILES} damaged files are rejected or checked with named errors`, { timeout: 600_000 }, async () => {
+  const defects: string[] = [];
   let refused = 0;
   let faulty = 0;
   let fine = 0;
@@ -271,7 +269,7 @@ test(`${FILES} damaged files are refused or checked, by name`, { timeout: 600_00
       refused++;
       for (const { message, remedy } of read.errors) {
         if (!/\S/.test(message) || !/\.$/.test(remedy))
-          complaints.push(`seed ${seed}: refused without words`);
+          defects.push(`seed ${seed}: rejected without a message or a remedy`);
       }
       continue;
     }
@@ -279,31 +277,31 @@ test(`${FILES} damaged files are refused or checked, by name`, { timeout: 600_00
     if (diagnostics.some(({ severity }) => severity === "error")) faulty++;
     else fine++;
     for (const diagnostic of diagnostics) {
-      const complaint = complaintAbout(diagnostic);
-      if (complaint !== undefined) complaints.push(`seed ${seed}: ${complaint}`);
+      const defect = defectOf(diagnostic);
+      if (defect !== undefined) defects.push(`seed ${seed}: ${defect}`);
     }
   }
-  expect(complaints).toEqual([]);
+  expect(defects).toEqual([]);
   expect(refused).toBeGreaterThan(FILES / 5);
   expect(faulty).toBeGreaterThan(FILES / 5);
   expect(fine).toBeGreaterThan(FILES / 50);
 });
 
-test(`${MESHED} damaged projects end as a mesh or a problem with a name`, { timeout: 600_000 }, async () => {
+test(`${MESHED} damaged projects give a mesh or a named error`, { timeout: 600_000 }, async () => {
   let meshed = 0;
   for (let seed = 1; meshed < MESHED; seed++) {
     const random = randomSource(seed);
-    const sound = readProject(pick(random, smallTexts));
-    if (!sound.success) throw new Error("a bundled model cannot be read");
-    const read = parseProject(damageDrawing(sound.value, random));
+    const valid = readProject(pick(random, smallTexts));
+    if (!valid.success) throw new Error("a bundled model cannot be read");
+    const read = parseProject(damageDrawing(valid.value, random));
     if (!read.success) continue;
     meshed++;
-    const { nodes } = sound.value.background;
+    const { nodes } = valid.value.background;
     const size = 2 * Math.max(...nodes.map((node) => node.size));
     const work = mesher.meshProject(read.value, { size, optimization: "none" });
     const { report } = await inTime(work, seed);
     const errors = report.diagnostics.filter(({ severity }) => severity === "error");
     expect(errors.length > 0, `seed ${seed}: ${report.status}`).toBe(report.status !== "done");
-    expect(report.diagnostics.map(complaintAbout).filter((complaint) => complaint !== undefined)).toEqual([]);
+    expect(report.diagnostics.map(defectOf).filter((defect) => defect !== undefined)).toEqual([]);
   }
 });

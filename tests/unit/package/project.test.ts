@@ -13,8 +13,8 @@ import { describe, expect, test } from "vitest";
 import { cubeProject } from "../../support/projects.js";
 import { checkProject } from "../../../wasm/src/api/input-checks.js";
 
-/** The first problem's path and message. */
-function problem(value: unknown): { path: string | undefined; message: string } {
+/** Returns the path and the message of the first error. */
+function firstError(value: unknown): { path: string | undefined; message: string } {
   const read = parseProject(value);
   if (read.success) throw new Error("the project was accepted");
   const [{ path, message, remedy }] = read.errors;
@@ -69,8 +69,8 @@ const SOURCES = [
   },
 ] as const satisfies readonly ProjectSource[];
 
-describe("a project that is whole", () => {
-  test("comes back from its text as it was", () => {
+describe("a valid project", () => {
+  test("is read back unchanged", () => {
     const cube = cubeProject();
     expect(readProject(writeProject(cube))).toEqual({ success: true, value: cube });
   });
@@ -81,30 +81,30 @@ describe("a project that is whole", () => {
     expect(lines.filter((line) => line.includes('"loops"'))).toHaveLength(6);
   });
 
-  test("may leave the background grid out", () => {
+  test("can omit the background grid", () => {
     const { background: _, ...cube } = cubeProject();
     expect(parseProject(cube)).toMatchObject({ value: { background: { nodes: [], tetrahedra: [] } } });
   });
 
-  test("keeps sources and the coverage margin of its grid, with defaults left out", () => {
+  test("keeps the sources and the coverage margin of its grid, and omits defaults", () => {
     const background = { ...cubeProject().background, sources: SOURCES, coverageMargin: 0.25 };
     const cube = { ...cubeProject(), background };
     expect(readProject(writeProject(cube))).toEqual({ success: true, value: cube });
     expect(writeProject(cube)).toContain('\n      {"id":7,"name":"tip","type":"point",');
   });
 
-  test("keeps how it is to be meshed", () => {
+  test("keeps its meshing settings", () => {
     const meshing = { size: 0.5, gradation: 0, order: "smallest-first", optimization: "thorough" } as const;
     const cube = { ...cubeProject(), meshing };
     expect(readProject(writeProject(cube))).toEqual({ success: true, value: cube });
     expect(writeProject(cubeProject())).not.toContain("meshing");
   });
 
-  test("may begin with a byte order mark", () => {
+  test("can begin with a byte order mark", () => {
     expect(readProject(`\uFEFF${writeProject(cubeProject())}`).success).toBe(true);
   });
 
-  test("keeps names and numbers of every kind", () => {
+  test("keeps names and numbers of any kind", () => {
     const cube = { ...cubeProject(), description: 'a "quoted"\nname', units: "mm" };
     const points = cube.points.map((point, i) => ({
       ...point,
@@ -116,7 +116,7 @@ describe("a project that is whole", () => {
   });
 });
 
-describe("numbers that the engine would refuse are refused with their field, and up to its bounds taken:", () => {
+describe("numbers are accepted up to the engine's limit and rejected above it, with their path:", () => {
   const source = { id: 1, type: "point", positions: [[0, 0, 0]], size: 1 };
   test.each<[string, number, (cube: PlainProject, value: number) => void]>([
     [
@@ -134,20 +134,20 @@ describe("numbers that the engine would refuse are refused with their field, and
     ["background.sources[0].growth", LIMITS.growth, (c, growth) => addSource(c, { ...source, growth })],
     ["meshing.size", LIMITS.length, (c, size) => (c["meshing"] = { size })],
     ["meshing.gradation", LIMITS.gradation, (c, gradation) => (c["meshing"] = { gradation })],
-  ])("%s", (path, most, set) => {
-    for (const [value, isTaken] of [
-      [most, true],
-      [1.001 * most, false],
+  ])("%s", (path, limit, set) => {
+    for (const [value, isAccepted] of [
+      [limit, true],
+      [1.001 * limit, false],
     ] as const) {
       const read = parseProject(damaged((cube) => set(cube, value)));
-      expect(read.success).toBe(isTaken);
+      expect(read.success).toBe(isAccepted);
       if (read.success) continue;
-      expect(read.errors[0].message).toBe(`${path}: expected at most ${most}`);
+      expect(read.errors[0].message).toBe(`${path}: expected at most ${limit}`);
     }
   });
 });
 
-describe("a project that is damaged is refused with the path of the damage:", () => {
+describe("a damaged project is rejected with the path of the damage:", () => {
   test.each<[string, (cube: PlainProject) => void, string, RegExp]>([
     ["an unknown order", (c) => (c["meshing"] = { order: "largest" }), "meshing.order", /smallest-first/],
     ["settings that are a list", (c) => (c["meshing"] = []), "meshing", /an object, received a list/],
@@ -166,13 +166,13 @@ describe("a project that is damaged is refused with the path of the damage:", ()
       /number/,
     ],
     [
-      "a coordinate missing",
+      "a missing coordinate",
       (c) => (c.points[1] = { id: 2, position: [0, 1] }),
       "points[1].position[2]",
       /missing/,
     ],
     [
-      "a coordinate too much",
+      "an extra coordinate",
       (c) => (c.points[1] = { id: 2, position: [0, 1, 2, 3] }),
       "points[1].position",
       /at most 3 items/,
@@ -185,38 +185,38 @@ describe("a project that is damaged is refused with the path of the damage:", ()
     ],
     ["an id of 0", (c) => (c.points[0] = { id: 0, position: [0, 0, 0] }), "points[0].id", /more than 0/],
     [
-      "an id with a fraction",
+      "an id that is not an integer",
       (c) => (c.points[0] = { id: 1.5, position: [0, 0, 0] }),
       "points[0].id",
       /whole number/,
     ],
     ["an id used twice", (c) => (c.points[3] = { id: 2, position: [0, 0, 0] }), "points[3].id", /the id 2/],
     [
-      "a point that is not there",
+      "a missing point",
       (c) => (c.lines[4] = { ...c.lines[4], points: [1, 99] }),
       "lines[4].points[1]",
       /no point with the id 99/,
     ],
     [
-      "a line that is not there",
+      "a missing line",
       (c) => (c.patches[0] = { ...c.patches[0], loops: [[1, -77]] }),
       "patches[0].loops[0][1]",
       /no line with the id 77/,
     ],
     [
-      "a node that is not there",
+      "a missing background node",
       (c) => c.background?.tetrahedra.push([1, 2, 3, 44]),
       "background.tetrahedra[5][3]",
       /no background node with the id 44/,
     ],
     [
-      "a source with a place too few",
+      "a source with a missing position",
       (c) => addSource(c, { ...SOURCES[1], positions: [[0, 0, 0]] }),
       "background.sources[0].positions",
       /"segment" has 2 positions, here are 1/,
     ],
     [
-      "a source with four places",
+      "a source with four positions",
       (c) => addSource(c, { ...SOURCES[2], positions: [0, 1, 2, 3].map((x) => [x, 0, 0]) }),
       "background.sources[0].positions",
       /at most 3 items/,
@@ -234,7 +234,7 @@ describe("a project that is damaged is refused with the path of the damage:", ()
       /another source has the id 7/,
     ],
     [
-      "an overhang below 0",
+      "a negative coverage margin",
       (c) => Object.assign(c.background ?? {}, { coverageMargin: -0.1 }),
       "background.coverageMargin",
       /at least 0/,
@@ -242,13 +242,13 @@ describe("a project that is damaged is refused with the path of the damage:", ()
     ["an unknown field", (c) => (c["pionts"] = []), "", /pionts/],
     ["no lines", (c) => delete (c as Partial<PlainProject>).lines, "lines", /missing/],
   ])("%s", (_, damage, path, message) => {
-    const found = problem(damaged(damage));
+    const found = firstError(damaged(damage));
     expect(found.path).toBe(path);
     expect(found.message).toMatch(message);
   });
 
   test("an infinite coordinate", () => {
-    expect(problem(damaged((c) => (c.points[0] = { id: 1, position: [0, Infinity, 0] }))).path).toBe(
+    expect(firstError(damaged((c) => (c.points[0] = { id: 1, position: [0, Infinity, 0] }))).path).toBe(
       "points[0].position[1]",
     );
   });
@@ -257,11 +257,11 @@ describe("a project that is damaged is refused with the path of the damage:", ()
     ["null", null],
     ["a list", []],
     ["another format", { format: "gltf" }],
-  ])("%s is no project", (_, value) => {
-    expect(problem(value).message).toMatch(/not a Tetrafront project/);
+  ])("%s is not a project", (_, value) => {
+    expect(firstError(value).message).toMatch(/not a Tetrafront project/);
   });
 
-  test("a later version says so, and nothing else", () => {
+  test("a later version, with only one error", () => {
     const read = parseProject({ format: "tetrafront-project", version: 3, shapes: [] });
     expect(read).toMatchObject({
       success: false,
@@ -270,7 +270,7 @@ describe("a project that is damaged is refused with the path of the damage:", ()
     expect(read.success ? 0 : read.errors.length).toBe(1);
   });
 
-  test("every problem is told, not the first alone", () => {
+  test("every damaged entity, not only the first", () => {
     const read = parseProject(damaged((c) => c.points.forEach((point) => (point.position = [1, 2]))));
     expect(read.success ? [] : read.errors.map(({ path }) => path)).toEqual(
       [0, 1, 2, 3, 4, 5, 6, 7].map((i) => `points[${i}].position[2]`),
@@ -282,12 +282,12 @@ describe("a project of version 1", () => {
   const file = new URL("../../fixtures/project-version-1.json", import.meta.url);
   const current = new URL("../../../public/models/bracket.json", import.meta.url);
 
-  test("is read as the same project of the present version", () => {
+  test("is read as the same project of the current version", () => {
     const read = readProject(readFileSync(file, "utf8"));
     expect(read).toEqual({ success: true, value: JSON.parse(readFileSync(current, "utf8")) as unknown });
   });
 
-  test("has every renamed key and value upgraded, and itself unchanged", () => {
+  test("gets every renamed key and value upgraded, and is not changed itself", () => {
     const earlier = {
       ...cubeProject(),
       version: 1,
@@ -321,8 +321,8 @@ describe("a project of version 1", () => {
     ["points", "points"],
     ["meshing", "meshing"],
     ["background", "background"],
-  ])("with %s that are no object or list is rejected with their path", (key, path) => {
-    expect(problem({ ...cubeProject(), version: 1, [key]: 7 }).path).toBe(path);
+  ])("with %s that are neither object nor list is rejected with their path", (key, path) => {
+    expect(firstError({ ...cubeProject(), version: 1, [key]: 7 }).path).toBe(path);
   });
 
   test("is rejected by the mesher, which names the remedy", () => {
@@ -333,13 +333,13 @@ describe("a project of version 1", () => {
   });
 });
 
-describe("text that is no JSON", () => {
-  test("is refused with its line", () => {
+describe("text that is not JSON", () => {
+  test("is rejected with its line", () => {
     const read = readProject('{\n  "format": "tetrafront-project",\n  "version": 1\n  "name": "x"\n}');
     expect(read).toMatchObject({ success: false, errors: [{ line: 4 }] });
   });
 
-  test.each(["", "  \n"])("that is empty (%j) is told to be empty", (text) => {
+  test.each(["", "  \n"])("that is empty (%j) is reported as empty", (text) => {
     expect(readProject(text)).toMatchObject({
       errors: [{ message: expect.stringMatching(/empty/) as string }],
     });

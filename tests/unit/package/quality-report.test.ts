@@ -1,4 +1,4 @@
-/** What the report says about elements, against the mesh it came with. */
+/** Quality statistics of the report, compared with the mesh. */
 import { createMesher, type Mesher, type MeshResult, type SurfaceInput } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
@@ -12,16 +12,16 @@ afterAll(() => mesher.dispose());
 
 const sum = (counts: readonly number[]) => counts.reduce((a, b) => a + b, 0);
 
-type Place = readonly [number, number, number];
+type Position = readonly [number, number, number];
 
-function cornersOf({ volume }: MeshResult, tetrahedron: number): Place[] {
-  return Array.from(volume.tetrahedra.subarray(4 * tetrahedron, 4 * tetrahedron + 4), (node): Place => {
+function cornersOf({ volume }: MeshResult, tetrahedron: number): Position[] {
+  return Array.from(volume.tetrahedra.subarray(4 * tetrahedron, 4 * tetrahedron + 4), (node): Position => {
     const [x = 0, y = 0, z = 0] = volume.points.subarray(3 * node, 3 * node + 3);
     return [x, y, z];
   });
 }
 
-function centroidOf(corners: readonly Place[]): Place {
+function centroidOf(corners: readonly Position[]): Position {
   const mean = (k: 0 | 1 | 2) => sum(corners.map((corner) => corner[k])) / corners.length;
   return [mean(0), mean(1), mean(2)];
 }
@@ -36,7 +36,7 @@ function edgeCount({ volume }: MeshResult): number {
 }
 
 describe("the quality report", () => {
-  test("counts every tetrahedron, angle and edge of every region once", async () => {
+  test("counts every tetrahedron, dihedral angle and edge of every region once", async () => {
     const result = await mesher.fillSurface(joined(cavitySurface(8), sphereSurface(4, 0.3)));
     const { quality, tetrahedra, dihedral, radiusRatio, volume } = result.report;
     expect(quality.regions.map(({ region }) => region)).toEqual([0, 1]);
@@ -56,7 +56,7 @@ describe("the quality report", () => {
     expect(sum(mean) / tetrahedra).toBeCloseTo(radiusRatio.mean, 1);
   });
 
-  test("names the worst elements and their places", async () => {
+  test("lists the worst elements with their centroids", async () => {
     const result = await mesher.fillSurface(sphereSurface(12));
     const { quality, dihedral } = result.report;
     expect(quality.worst).toHaveLength(10);
@@ -70,7 +70,7 @@ describe("the quality report", () => {
     expect(quality.outOfRange + quality.limitedByBoundary.count).toBe(0);
   });
 
-  test("tells apart what the boundary forbids", async () => {
+  test("counts elements limited by the boundary separately", async () => {
     const sharp: SurfaceInput = {
       points: Float64Array.of(0, 0, 0, 1, 0, 0, 0.5, 1, 0, 0.5, 0.98, 0.2),
       triangles: Uint32Array.of(0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2),

@@ -1,11 +1,11 @@
-/** The judges judged: tests lean on these, so they are tried on cases known by hand. */
+/** Tests of the test support: cases with known results. */
 import { describe, expect, test } from "vitest";
 
 import { enclosedVolume, faultsOf, meshVolume, NO_FAULTS } from "../../support/check-mesh.js";
 import { orientation } from "../../support/exact.js";
 import { boxSurface, cavitySurface, sphereSurface, torusSurface, turned } from "../../support/surfaces.js";
 
-describe("surfaces are closed, turned outward and of the volume they should have:", () => {
+describe("surfaces are closed, oriented outward and enclose the right volume:", () => {
   test.each([
     ["box", boxSurface(3, [0, 0, 0], [1, 2, 3]), 6, 1e-12],
     ["sphere", sphereSurface(30), (4 / 3) * Math.PI, 1e-2],
@@ -30,10 +30,10 @@ describe("surfaces are closed, turned outward and of the volume they should have
   });
 });
 
-describe("the exact sign", () => {
+describe("orientation", () => {
   const nodes = [0, 1, 2, 3] as const;
 
-  test("is right where doubles round to nothing", () => {
+  test("is exact where doubles round to zero", () => {
     // The fourth point is one unit in the last place off the plane through the others.
     for (const [step, sign] of [
       [1, 1],
@@ -58,7 +58,7 @@ describe("the exact sign", () => {
     }
   });
 
-  test("of huge and tiny numbers together is exact", () => {
+  test("is exact for huge and tiny numbers together", () => {
     expect(orientation(Float64Array.of(0, 0, 0, 1e200, 0, 0, 0, 1e-200, 0, 1, 1, 1e-300), [...nodes])).toBe(
       1,
     );
@@ -66,13 +66,13 @@ describe("the exact sign", () => {
   });
 });
 
-describe("a mesh", () => {
+describe("faultsOf", () => {
   const points = Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1);
   const both = { points, tetrahedra: Uint32Array.of(0, 1, 2, 3, 4, 2, 1, 3) };
   const rest = { regions: new Uint32Array(2), front: new Uint32Array() };
   const surface = { points, triangles: Uint32Array.of(0, 2, 1, 0, 1, 3, 0, 3, 2, 4, 1, 2, 4, 3, 1, 4, 2, 3) };
 
-  test("of two tetrahedra side by side has no faults", () => {
+  test("finds no defects in two adjacent tetrahedra", () => {
     expect(faultsOf({ ...both, ...rest }, surface)).toEqual(NO_FAULTS);
     expect(meshVolume({ ...both, ...rest })).toBeCloseTo(enclosedVolume(surface), 14);
   });
@@ -83,9 +83,9 @@ describe("a mesh", () => {
       [1, 0, 2, 3, 4, 2, 1, 3],
       { notPositive: 1, missingTriangles: 3, extraFaces: 4, sameSideFaces: 1 },
     ],
-    ["a tetrahedron twice", [0, 1, 2, 3, 4, 2, 1, 3, 0, 1, 2, 3], { crowdedFaces: 1, sameSideFaces: 4 }],
+    ["a duplicate tetrahedron", [0, 1, 2, 3, 4, 2, 1, 3, 0, 1, 2, 3], { crowdedFaces: 1, sameSideFaces: 4 }],
     ["a hole", [0, 1, 2, 3], { missingTriangles: 3, extraFaces: 1, unusedNodes: 1 }],
-  ])("with %s has faults", (_, tetrahedra, faults) => {
+  ])("finds %s", (_, tetrahedra, faults) => {
     const mesh = { points, tetrahedra: Uint32Array.from(tetrahedra), ...rest };
     expect(faultsOf(mesh, surface)).toEqual({ ...NO_FAULTS, ...faults });
   });

@@ -1,4 +1,6 @@
-/** Ruined surfaces by the hundred: every run ends in a known way, and inspection, repair and filling agree. */
+/**
+ * Hundreds of damaged surfaces: every run ends with a known status, and inspection, repair and meshing agree.
+ */
 import { createMesher, type Mesher, type SurfaceInput } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
@@ -6,7 +8,7 @@ import { faultsOf, NO_FAULTS } from "../../support/check-mesh.js";
 import { randomSource } from "../../support/random.js";
 import { boxSurface, cavitySurface, sphereSurface } from "../../support/surfaces.js";
 
-/** More by `npm run fuzz`. */
+/** `npm run fuzz` uses more. */
 const RUNS = Number(process.env["TETRAFRONT_FUZZ"] ?? 150);
 
 let mesher: Mesher;
@@ -18,8 +20,11 @@ afterAll(() => mesher.dispose());
 const SHAPES = [boxSurface(1), boxSurface(3), sphereSurface(4), cavitySurface(6)];
 const NUMBERS = [0, -0, 1, 1e-300, 1e300, NaN, Infinity, 1e30, 2 ** -100, 5e-324];
 
-/** One of a few shapes with some of its numbers and indices replaced, triangles left out, doubled or turned. */
-function ruined(seed: number): SurfaceInput {
+/**
+ * Returns a simple surface with some coordinates and indices replaced, and triangles removed, duplicated or
+ * reversed.
+ */
+function damaged(seed: number): SurfaceInput {
   const random = randomSource(Math.imul(seed, 0x9e3779b1));
   const below = (count: number) => random() % count;
   const shape = SHAPES[below(SHAPES.length)] ?? boxSurface(1);
@@ -47,13 +52,13 @@ function ruined(seed: number): SurfaceInput {
   return { points, triangles: Uint32Array.from(triangles) };
 }
 
-describe("ruined surfaces", () => {
+describe("damaged surfaces", () => {
   test(
-    `${RUNS} of them end in a known way, and the mesher goes on`,
+    `${RUNS} of them end with a known status and leave the mesher usable`,
     async () => {
       const ended = new Map<string, number>();
       for (let seed = 1; seed <= RUNS; seed++) {
-        const surface = ruined(seed);
+        const surface = damaged(seed);
         const found = await mesher.inspectSurface(surface);
         const {
           report,
@@ -61,13 +66,13 @@ describe("ruined surfaces", () => {
           surface: boundary,
         } = await mesher.fillSurface(surface, { optimization: "fast" });
         ended.set(report.status, (ended.get(report.status) ?? 0) + 1);
-        const words = `seed ${seed}: ${report.status}, ${report.diagnostics[0]?.message ?? ""}`;
-        // What inspection lets pass is refused for its sizes only.
+        const label = `seed ${seed}: ${report.status}, ${report.diagnostics[0]?.message ?? ""}`;
+        // A surface that passes the inspection is rejected only for its sizes.
         const codes = new Set(report.diagnostics.map(({ code }) => code));
         if (found.isFillable)
-          expect(report.status === "invalid-input" && !codes.has("too-many-elements"), words).toBe(false);
-        else expect(report.status, words).toBe("invalid-input");
-        if (report.status === "done") expect(faultsOf(volume, boundary), words).toEqual(NO_FAULTS);
+          expect(report.status === "invalid-input" && !codes.has("too-many-elements"), label).toBe(false);
+        else expect(report.status, label).toBe("invalid-input");
+        if (report.status === "done") expect(faultsOf(volume, boundary), label).toEqual(NO_FAULTS);
       }
       expect(ended.get("done") ?? 0).toBeGreaterThan(RUNS / 20);
       expect(ended.get("invalid-input") ?? 0).toBeGreaterThan(RUNS / 4);
@@ -76,10 +81,10 @@ describe("ruined surfaces", () => {
   );
 
   test(
-    "repaired ones have what was asked for, twice the same, and nothing left to repair",
+    "are repaired reproducibly, and nothing repairable is left",
     async () => {
       for (let seed = 1; seed <= RUNS; seed++) {
-        const given = ruined(seed);
+        const given = damaged(seed);
         const repair = () =>
           mesher.repairSurface(given, { fillHoles: 10 }).catch((failure: unknown) => failure);
         const [once, again] = [await repair(), await repair()];
@@ -90,14 +95,14 @@ describe("ruined surfaces", () => {
         }
         const { surface } = once as Awaited<ReturnType<Mesher["repairSurface"]>>;
         const { diagnostics } = await mesher.inspectSurface(surface);
-        const left = new Set(diagnostics.map(({ code }) => code));
+        const remaining = new Set(diagnostics.map(({ code }) => code));
         for (const code of [
           "duplicate-triangle",
           "degenerate-triangle",
           "coincident-nodes",
           "flipped-triangle",
         ] as const) {
-          expect(left.has(code), `seed ${seed}: ${code}`).toBe(false);
+          expect(remaining.has(code), `seed ${seed}: ${code}`).toBe(false);
         }
       }
     },

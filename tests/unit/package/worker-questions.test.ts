@@ -1,4 +1,4 @@
-/** The worker between an engine and a maker that a test plays: which questions reach the engine. */
+/** The worker between a mock port and a mock engine: which queries reach the engine. */
 import { expect, test, vi } from "vitest";
 
 import type { Reply, Request } from "../../../wasm/src/engine/protocol.js";
@@ -6,7 +6,7 @@ import type { Reply, Request } from "../../../wasm/src/engine/protocol.js";
 const port = vi.hoisted(() => ({
   handle: (_: Request): void => undefined,
   replies: [] as Reply[],
-  asked: [] as unknown[],
+  started: [] as unknown[],
 }));
 
 vi.mock("../../../wasm/dist/engine/worker-port-node.js", () => ({
@@ -22,7 +22,7 @@ vi.mock("../../../wasm/dist/engine/loader.js", () => ({
       module: undefined,
       engine: {
         propose: (model: unknown) => {
-          port.asked.push(model);
+          port.started.push(model);
           return {
             advance: () => true,
             fraction: () => 1,
@@ -39,15 +39,15 @@ function proposal(id: number): Request {
   return { kind: "propose", id, model: `model ${id}` } as unknown as Request;
 }
 
-test("questions given up while they waited are not begun, others are answered in order", async () => {
+test("queries cancelled in the queue are not started, and the others are answered in order", async () => {
   await import("../../../wasm/dist/engine/worker.js");
   port.handle({ kind: "load", module: undefined });
   for (const id of [1, 2, 3, 4]) port.handle(proposal(id));
   for (const id of [2, 3]) port.handle({ kind: "cancel", id });
   const answered = () => port.replies.flatMap((reply) => (reply.kind === "answer" ? [reply.id] : []));
   await vi.waitFor(() => expect(answered()).toEqual([1, 4]));
-  expect(port.asked).toEqual(["model 1", "model 4"]);
-  // The number of a question that was given up is nothing that would keep the next from its answer.
+  expect(port.started).toEqual(["model 1", "model 4"]);
+  // The id of a cancelled query can be used again.
   port.handle(proposal(2));
-  await vi.waitFor(() => expect(port.asked).toHaveLength(3));
+  await vi.waitFor(() => expect(port.started).toHaveLength(3));
 });

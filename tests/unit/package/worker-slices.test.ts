@@ -1,4 +1,4 @@
-/** The worker with its engine in this thread, by a clock that ends a slice with every call of the engine. */
+/** The worker with its engine in this thread, and a clock on which every call of the engine ends a slice. */
 import { afterEach, describe, expect, test, vi } from "vitest";
 
 import { emptyGrid } from "../../../wasm/dist/project/grid-arrays.js";
@@ -35,7 +35,7 @@ const started = new Promise<void>((resolve) => {
   );
 });
 
-/** By this clock every look at it is later than any slice may last. */
+/** Replaces the clock by one on which every reading is later than the end of a slice. */
 function slowClock(): void {
   let now = 0;
   vi.spyOn(performance, "now").mockImplementation(() => (now += 1000));
@@ -43,20 +43,20 @@ function slowClock(): void {
 
 let lastId = 0;
 
-/** What the worker replies until it has been silent for a while, or has answered. */
-async function repliesTo(question: Question, onReply: (reply: Reply) => void = () => undefined) {
+/** Returns the replies of the worker until it answers or is silent for a while. */
+async function repliesTo(query: Question, onReply: (reply: Reply) => void = () => undefined) {
   await started;
   const replies: Reply[] = [];
   port.onReply = (reply) => {
     replies.push(reply);
     onReply(reply);
   };
-  port.handle(question);
+  port.handle(query);
   let silent = 0;
-  for (let heard = 0; silent < 20 && replies.at(-1)?.kind !== "answer";) {
+  for (let received = 0; silent < 20 && replies.at(-1)?.kind !== "answer";) {
     await new Promise((resolve) => setImmediate(resolve));
-    silent = heard === replies.length ? silent + 1 : 0;
-    heard = replies.length;
+    silent = received === replies.length ? silent + 1 : 0;
+    received = replies.length;
   }
   return replies;
 }
@@ -65,10 +65,10 @@ const model = projectArrays(cubeProject());
 const { points, tetrahedra } = blockMesh(8);
 const surface = boxSurface(12);
 const options = engineOptions({ size: 0.05 });
-const repair = engineRepairOptions({ weld: 1e-9, fillHoles: 5 });
+const repairOptions = engineRepairOptions({ weld: 1e-9, fillHoles: 5 });
 
-/** Those that are made anew for each question: the arrays of a question are its own. */
-const questions: Readonly<Record<Question["kind"], (id: number) => Question>> = {
+/** Creates a query of each kind; the arrays of a query belong to it. */
+const queries: Readonly<Record<Question["kind"], (id: number) => Question>> = {
   preview: (id) => ({ kind: "preview", id, model, options }),
   cover: (id) => ({ kind: "cover", id, model, size: 0, shape: 0 }),
   propose: (id) => ({ kind: "propose", id, model, options: engineProposalOptions({ uniform: 0.9 }) }),
@@ -80,7 +80,7 @@ const questions: Readonly<Record<Question["kind"], (id: number) => Question>> = 
     sizes: new Float64Array(),
   }),
   "inspect-surface": (id) => ({ kind: "inspect-surface", id, ...surface, innerShells: 0, maxDiagnostics: 9 }),
-  "repair-surface": (id) => ({ kind: "repair-surface", id, ...surface, options: repair }),
+  "repair-surface": (id) => ({ kind: "repair-surface", id, ...surface, options: repairOptions }),
   "refine-surface": (id) => ({
     kind: "refine-surface",
     id,
@@ -92,11 +92,11 @@ const questions: Readonly<Record<Question["kind"], (id: number) => Question>> = 
   "inspect-mesh": (id) => ({ kind: "inspect-mesh", id, points, tetrahedra, regions: new Uint32Array() }),
 };
 
-describe.each(Object.entries(questions))("%s", (_, ask) => {
-  test("tells fractions from the beginning to the end, and answers the same in slices of any length", async () => {
-    const whole = (await repliesTo(ask(++lastId))).at(-1);
+describe.each(Object.entries(queries))("%s", (_, makeQuery) => {
+  test("reports increasing fractions up to 1 and answers the same in slices of any length", async () => {
+    const whole = (await repliesTo(makeQuery(++lastId))).at(-1);
     slowClock();
-    const replies = await repliesTo(ask(lastId));
+    const replies = await repliesTo(makeQuery(lastId));
     expect(replies.at(-1)).toEqual(whole);
     const fractions = replies.flatMap((reply) =>
       reply.kind === "progress" ? [reply.progress.fraction] : [],
@@ -108,13 +108,13 @@ describe.each(Object.entries(questions))("%s", (_, ask) => {
     expect(fractions.at(-1)).toBe(1);
   });
 
-  test("is given up between two slices, and leaves the engine as it was", async () => {
+  test("can be cancelled between two slices and leaves the engine usable", async () => {
     slowClock();
     const id = ++lastId;
-    const replies = await repliesTo(ask(id), () => port.handle({ kind: "cancel", id }));
+    const replies = await repliesTo(makeQuery(id), () => port.handle({ kind: "cancel", id }));
     expect(replies.map(({ kind }) => kind)).toEqual(["progress"]);
     vi.restoreAllMocks();
-    const [last] = (await repliesTo(ask(++lastId))).slice(-1);
+    const [last] = (await repliesTo(makeQuery(++lastId))).slice(-1);
     expect(last?.kind).toBe("answer");
   });
 });
