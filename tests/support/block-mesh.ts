@@ -1,9 +1,11 @@
-/** A block of tetrahedra with patches and regions of every kind of name and number, for tests of file formats. */
+/**
+ * A block of tetrahedra whose patches and regions have difficult names and tags, for tests of file formats.
+ */
 import type { FileMesh } from "tetrafront";
 
 type Triple = readonly [number, number, number];
 
-/** One patch per side of the block. Names that formats must change, and numbers out of order. */
+/** One patch per side of the block. Formats must change some names, and the tags are not in order. */
 const PATCHES = [
   { name: "in let", tag: 7 },
   { name: "outlet", tag: 3 },
@@ -17,8 +19,11 @@ const REGIONS = [
   { name: "water (20 C)", tag: 9 },
 ] as const;
 
-/** The six tetrahedra of a cube about its diagonal (Kuhn), by the order in which the axes are gone along. */
-const WALKS: readonly Triple[] = [
+/**
+ * The six tetrahedra of a cube around its diagonal (Kuhn): each permutation is the order of steps along the
+ * axes.
+ */
+const AXIS_ORDERS: readonly Triple[] = [
   [0, 1, 2],
   [1, 2, 0],
   [2, 0, 1],
@@ -27,14 +32,14 @@ const WALKS: readonly Triple[] = [
   [1, 0, 2],
 ];
 
-/** n × n × n cubes of six tetrahedra; the lower half is one region, the upper half another. */
+/** Returns n × n × n cubes of six tetrahedra; the lower half is one region, the upper half another. */
 export function blockMesh(n = 2): FileMesh {
   const m = n + 1;
   const node = (p: Triple) => p[0] + m * (p[1] + m * p[2]);
   const points: number[] = [];
   for (let z = 0; z < m; z++) {
     for (let y = 0; y < m; y++) {
-      // Thirds and tenths: no decimal of a few digits gives them back.
+      // Multiples of 1/3 and 0.1 need all digits to be read back exactly.
       for (let x = 0; x < m; x++) points.push(x / 3, 0.1 * y + 0.2, 0 - 1e-3 * z);
     }
   }
@@ -44,10 +49,10 @@ export function blockMesh(n = 2): FileMesh {
   for (let z = 0; z < n; z++) {
     for (let y = 0; y < n; y++) {
       for (let x = 0; x < n; x++) {
-        for (const walk of WALKS) {
+        for (const axes of AXIS_ORDERS) {
           const at = [x, y, z] as [number, number, number];
           const path: Triple[] = [[...at]];
-          for (const axis of walk) {
+          for (const axis of axes) {
             at[axis] = (at[axis] ?? 0) + 1;
             path.push([...at]);
           }
@@ -62,7 +67,7 @@ export function blockMesh(n = 2): FileMesh {
   }
   for (const face of outerFaces(tetrahedra)) {
     const side = sideOf(
-      face.map((p) => places(p, m)),
+      face.map((p) => gridPosition(p, m)),
       n,
     );
     sides[side]?.push(...face);
@@ -81,7 +86,7 @@ export function blockMesh(n = 2): FileMesh {
   };
 }
 
-function places(node: number, m: number): Triple {
+function gridPosition(node: number, m: number): Triple {
   return [node % m, Math.floor(node / m) % m, Math.floor(node / (m * m))];
 }
 
@@ -93,7 +98,7 @@ function sideOf(corners: readonly Triple[], n: number): number {
   throw new Error("a face is on no side");
 }
 
-/** Faces of one tetrahedron only, counter-clockwise seen from outside. */
+/** Returns the faces that only one tetrahedron has, counter-clockwise seen from outside. */
 export function outerFaces(tetrahedra: ArrayLike<number>): Triple[] {
   const faces = new Map<string, Triple[]>();
   for (const face of facesOf(tetrahedra)) {
@@ -103,7 +108,7 @@ export function outerFaces(tetrahedra: ArrayLike<number>): Triple[] {
   return [...faces.values()].flatMap((sides) => (sides.length === 1 ? sides : []));
 }
 
-/** The four faces of each tetrahedron, counter-clockwise seen from outside. */
+/** Returns the four faces of each tetrahedron, counter-clockwise seen from outside. */
 function facesOf(tetrahedra: ArrayLike<number>): Triple[] {
   const faces: Triple[] = [];
   for (let t = 0; t < tetrahedra.length; t += 4) {
@@ -125,7 +130,10 @@ export function sixfoldVolume(points: ArrayLike<number>, corners: readonly numbe
   );
 }
 
-/** Elements with the tag of their group, in an order that depends on nothing but these. */
+/**
+ * Returns each element with the tag of its group, sorted, so that the order of elements and groups does not
+ * matter.
+ */
 export function taggedElements(
   nodes: ArrayLike<number>,
   width: number,

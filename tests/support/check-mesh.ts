@@ -1,28 +1,28 @@
 /**
- * An independent judge of tetrahedral meshes. It shares no code with the mesher: faces are paired by
- * sorting, signs are exact, volumes come from the divergence theorem.
+ * An independent check of tetrahedral meshes. It shares no code with the mesher: faces are paired by sorting,
+ * signs are exact, and volumes come from the divergence theorem.
  */
 import { NO_REGION, type SurfaceInput, type SurfaceMesh, type VolumeMesh } from "tetrafront";
 
 import { orientation } from "./exact.js";
 
-/** What is wrong with a mesh. All zero for a valid one. */
+/** Numbers of defects of a mesh, all zero if it is valid. */
 export interface MeshFaults {
-  /** Coordinates that are not finite, and indices that lead nowhere. */
+  /** Coordinates that are not finite, and node indices out of range. */
   readonly broken: number;
   /** Tetrahedra of zero or negative volume. */
   readonly notPositive: number;
   /** Faces of more than two tetrahedra. */
   readonly crowdedFaces: number;
-  /** Faces that two tetrahedra see from the same side. */
+  /** Faces whose tetrahedra lie on the same side. */
   readonly sameSideFaces: number;
-  /** Triangles of the surface that are no face of the mesh's boundary, orientation included. */
+  /** Triangles of the surface that are not boundary faces of the mesh with the same orientation. */
   readonly missingTriangles: number;
-  /** Boundary faces of the mesh that are no triangle of the surface. */
+  /** Boundary faces of the mesh that are not triangles of the surface. */
   readonly extraFaces: number;
-  /** Nodes at the same place. */
+  /** Nodes at the position of another node. */
   readonly doubleNodes: number;
-  /** Nodes no tetrahedron uses. */
+  /** Nodes that no tetrahedron uses. */
   readonly unusedNodes: number;
 }
 
@@ -40,12 +40,12 @@ export const NO_FAULTS: MeshFaults = {
 type Tetrahedron = readonly [number, number, number, number];
 type Triangle = readonly [number, number, number];
 
-/** With the regions on the sides of its triangles, or without walls. */
+/** A surface with the regions on both sides of its triangles, or without interfaces. */
 export type JudgedSurface = SurfaceInput & Partial<Pick<SurfaceMesh, "triangleRegions">>;
 
 /**
- * Compares a mesh with the surface it should fill; nodes are matched by their coordinates. Of a wall
- * both sides are wanted, and each triangle's own region behind it.
+ * Compares a mesh with the surface that bounds it; nodes are matched by their coordinates. An interface must
+ * have faces on both sides, each in the region that the surface gives.
  */
 export function faultsOf(mesh: VolumeMesh, surface: JudgedSurface): MeshFaults {
   const { points } = mesh;
@@ -57,13 +57,13 @@ export function faultsOf(mesh: VolumeMesh, surface: JudgedSurface): MeshFaults {
   const faces = new FaceTable(nodeCount);
   for (const [t, tetrahedron] of tetrahedra.entries())
     for (const face of outwardFaces(tetrahedron)) faces.add(face, mesh.regions[t] ?? 0);
-  const nodeAt = new Map(rows(points, 3).map((place, node) => [placeKey(place), node]));
-  const wanted = rows(surface.triangles, 3).map((triangle) =>
-    triangle.map((node) => nodeAt.get(placeKey(surface.points.subarray(3 * node, 3 * node + 3))) ?? NaN),
+  const nodeAt = new Map(rows(points, 3).map((position, node) => [positionKey(position), node]));
+  const expected = rows(surface.triangles, 3).map((triangle) =>
+    triangle.map((node) => nodeAt.get(positionKey(surface.points.subarray(3 * node, 3 * node + 3))) ?? NaN),
   ) as unknown as Triangle[];
   const boundary = faces.boundary();
-  const wantedKeys = new Set(
-    wanted.flatMap((triangle, t) => {
+  const expectedKeys = new Set(
+    expected.flatMap((triangle, t) => {
       const key = faces.key(triangle);
       return isInterface(surface, t) ? [key, faces.reverse(key)] : [key];
     }),
@@ -73,8 +73,8 @@ export function faultsOf(mesh: VolumeMesh, surface: JudgedSurface): MeshFaults {
     notPositive: tetrahedra.filter((tetrahedron) => orientation(points, tetrahedron) <= 0).length,
     crowdedFaces: faces.crowded,
     sameSideFaces: faces.sameSide(),
-    missingTriangles: [...wantedKeys].filter((key) => !boundary.has(key)).length,
-    extraFaces: [...boundary].filter((key) => !wantedKeys.has(key)).length,
+    missingTriangles: [...expectedKeys].filter((key) => !boundary.has(key)).length,
+    extraFaces: [...boundary].filter((key) => !expectedKeys.has(key)).length,
     doubleNodes: nodeCount - nodeAt.size,
     unusedNodes: nodeCount - new Set(mesh.tetrahedra).size,
   };
@@ -84,7 +84,7 @@ function isInterface({ triangleRegions }: JudgedSurface, triangle: number): bool
   return triangleRegions !== undefined && triangleRegions[2 * triangle + 1] !== NO_REGION;
 }
 
-/** Volume a closed surface encloses, by the divergence theorem about its first node. */
+/** Returns the volume that a closed surface encloses, by the divergence theorem about its first node. */
 export function enclosedVolume(surface: JudgedSurface): number {
   const terms = rows(surface.triangles, 3).map(([a = 0, b = 0, c = 0], t) =>
     isInterface(surface, t) ? 0 : sixVolumes(surface.points, [0, a, b, c]),
@@ -92,7 +92,7 @@ export function enclosedVolume(surface: JudgedSurface): number {
   return preciseSum(terms) / 6;
 }
 
-/** The same for each region of a surface that knows them. */
+/** Returns the volume of each region of a surface with regions. */
 export function regionVolumes({ points, triangles, triangleRegions }: SurfaceMesh): number[] {
   const terms: number[][] = [];
   for (const [side, region] of triangleRegions.entries()) {
@@ -124,7 +124,10 @@ class FaceTable {
     this.#base = nodeCount;
   }
 
-  /** The same for every rotation of the three nodes, another for the reverse. */
+  /**
+   * Returns a key that is equal for all rotations of the three nodes and different for the opposite
+   * orientation.
+   */
   key([a, b, c]: Triangle): number {
     const [x, y, z] = a < b && a < c ? [a, b, c] : b < c ? [b, c, a] : [c, a, b];
     return (x * this.#base + y) * this.#base + z;
@@ -142,7 +145,7 @@ class FaceTable {
     return [...this.#counts.values()].filter((count) => count > 1).length;
   }
 
-  /** The faces where a region ends. */
+  /** Returns the keys of the faces on the boundary of a region. */
   boundary(): Set<number> {
     const ends = (key: number) => this.#regions.get(this.reverse(key)) !== this.#regions.get(key);
     return new Set([...this.#counts.keys()].filter(ends));
@@ -174,7 +177,7 @@ function sixVolumes(points: Float64Array, [a, b, c, d]: Tetrahedron): number {
   return (uy * vz - uz * vy) * wx + (uz * vx - ux * vz) * wy + (ux * vy - uy * vx) * wz;
 }
 
-/** Kahan-Neumaier summation. */
+/** Sums with compensation for rounding (Kahan–Neumaier). */
 function preciseSum(terms: readonly number[]): number {
   let sum = 0;
   let lost = 0;
@@ -186,8 +189,8 @@ function preciseSum(terms: readonly number[]): number {
   return sum + lost;
 }
 
-function placeKey(place: ArrayLike<number>): string {
-  return Array.from(place, (value) => value + 0).join(" ");
+function positionKey(position: ArrayLike<number>): string {
+  return Array.from(position, (value) => value + 0).join(" ");
 }
 
 function rows(values: Float64Array | Uint32Array, width: number): number[][] {

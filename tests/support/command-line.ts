@@ -10,11 +10,11 @@ export interface CommandResult {
 }
 
 interface RunOptions {
-  /** Is told of the process, for those who want to interrupt it. */
+  /** Called with the process after its start, for example to interrupt it. */
   readonly started?: (process: ChildProcess) => void;
-  /** On standard input. */
+  /** Content of standard input. */
   readonly input?: string | Uint8Array;
-  /** Beside the environment that there is. */
+  /** Variables added to the current environment. */
   readonly env?: Readonly<Record<string, string>>;
 }
 
@@ -36,13 +36,16 @@ export function tetrafront(
     child.stderr.on("data", (chunk: Buffer) => (stderr += chunk.toString()));
     child.on("error", reject);
     child.on("close", (code) => resolve({ code, stdout, stderr }));
-    // Who does not read it all closes the pipe.
+    // A program that stops reading its input closes the pipe.
     child.stdin.on("error", () => undefined).end(input);
     started?.(child);
   });
 }
 
-/** Environment in which a program, or its parent, gets a signal as soon as its mesh has tetrahedra. */
+/**
+ * Returns an environment in which the program, or its parent, gets a signal as soon as its mesh has
+ * tetrahedra.
+ */
 export function signalAtProgress(
   signal: NodeJS.Signals,
   target: "program" | "parent",

@@ -1,6 +1,9 @@
 import { readFileSync } from "node:fs";
 
-/** Numbers and names of an enum in a public header of the engine: `kOpenEdge = 40` is [40, "open-edge"]. */
+/**
+ * Returns values and names of an enum in a public header of the engine: `kOpenEdge = 40` is [40,
+ * "open-edge"].
+ */
 export function engineEnum(header: string, name: string): [number, string][] {
   const file = new URL(`../../cpp/include/tetrafront/${header}`, import.meta.url);
   const body = new RegExp(`enum class ${name} [^{]*{([^}]*)}`).exec(readFileSync(file, "utf8"))?.[1] ?? "";
@@ -12,7 +15,7 @@ export function engineEnum(header: string, name: string): [number, string][] {
   return found;
 }
 
-/** A constant in a header of the engine: 10 for `inline constexpr double kMaxGrowth = 10.0;`. */
+/** Returns a constant from a header of the engine: 10 for `inline constexpr double kMaxGrowth = 10.0;`. */
 export function engineConstant(header: string, name: string): number {
   const file = new URL(`../../cpp/${header}`, import.meta.url);
   const word = new RegExp(`constexpr (?:double|std::uint32_t) ${name} = ([^;]*);`).exec(

@@ -1,4 +1,4 @@
-/** Exact arithmetic on doubles: every finite double is a whole number times a power of two. */
+/** Exact arithmetic on doubles: every finite double is an integer times a power of two. */
 
 const view = new DataView(new ArrayBuffer(8));
 
@@ -12,8 +12,8 @@ function split(value: number): { mantissa: bigint; exponent: number } {
   return { mantissa: bits >> 63n === 1n ? -magnitude : magnitude, exponent: Math.max(biased, 1) - 1075 };
 }
 
-/** The same numbers times one power of two that makes all of them whole. */
-function wholeNumbers(values: readonly number[]): bigint[] {
+/** Scales all values by the same power of two, so that they become integers. */
+function scaledIntegers(values: readonly number[]): bigint[] {
   const parts = values.map(split);
   const least = Math.min(
     ...parts.filter(({ mantissa }) => mantissa !== 0n).map(({ exponent }) => exponent),
@@ -22,10 +22,10 @@ function wholeNumbers(values: readonly number[]): bigint[] {
   return parts.map(({ mantissa, exponent }) => (mantissa === 0n ? 0n : mantissa << BigInt(exponent - least)));
 }
 
-/** Rounding error of the determinant below, relative to its permanent; generous. */
+/** Upper bound of the rounding error of the determinant below, relative to its permanent. */
 const FILTER = 1e-14;
 
-/** The sign of (b-a) × (c-a) · (d-a): 1, 0 or -1, exact. `at` gives coordinate `axis` of node a, b, c, d. */
+/** Returns the exact sign of (b-a) × (c-a) · (d-a) for the nodes a, b, c, d: 1, 0 or -1. */
 export function orientation(points: Float64Array, nodes: readonly [number, number, number, number]): number {
   const p = nodes.flatMap((node) => [0, 1, 2].map((axis) => points[3 * node + axis] ?? NaN));
   const edge = (k: number, axis: number) => (p[3 * k + axis] ?? NaN) - (p[axis] ?? NaN);
@@ -49,8 +49,8 @@ const PERMUTATIONS: readonly (readonly [number, number, number, 1 | -1])[] = [
 ];
 
 function exactOrientation(coordinates: readonly number[]): number {
-  const whole = wholeNumbers(coordinates);
-  const edge = (k: number, axis: number) => (whole[3 * k + axis] ?? 0n) - (whole[axis] ?? 0n);
+  const integers = scaledIntegers(coordinates);
+  const edge = (k: number, axis: number) => (integers[3 * k + axis] ?? 0n) - (integers[axis] ?? 0n);
   const det = PERMUTATIONS.reduce(
     (sum, [i, j, k, sign]) => sum + BigInt(sign) * edge(1, i) * edge(2, j) * edge(3, k),
     0n,

@@ -1,4 +1,4 @@
-/** What every finished mesh must be, judged without the mesher's help. */
+/** Conditions that every finished mesh must meet, checked without code of the mesher. */
 import type { MeshResult } from "tetrafront";
 import { expect } from "vitest";
 

@@ -1,4 +1,4 @@
-/** The package as its users get it: packed by npm and installed into an empty folder. */
+/** The package as users get it: packed by npm and installed into an empty folder. */
 import { execFileSync } from "node:child_process";
 import { cpSync, mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -8,22 +8,24 @@ import { fileURLToPath } from "node:url";
 const root = fileURLToPath(new URL("../..", import.meta.url));
 
 export interface FreshInstall {
-  /** Holds package.json and node_modules, and nothing else. */
+  /** Folder with package.json and node_modules, and nothing else. */
   readonly folder: string;
   readonly tarball: string;
-  /** Copies a folder of `examples` beside node_modules, from which it resolves. */
+  /** Copies a folder of `examples` next to node_modules, where it finds the package. */
   readonly example: (name: string) => string;
   readonly dispose: () => void;
 }
 
-/** `alsoThere`: packages of this repository that examples use beside Tetrafront. */
-export function freshInstall(alsoThere: readonly string[] = []): FreshInstall {
-  const place = mkdtempSync(path.join(tmpdir(), "tetrafront-fresh-"));
+/**
+ * Packs and installs the package. Also links `otherPackages` of this repository, which some examples need.
+ */
+export function freshInstall(otherPackages: readonly string[] = []): FreshInstall {
+  const temporary = mkdtempSync(path.join(tmpdir(), "tetrafront-fresh-"));
   const [packed] = JSON.parse(
-    npm(["pack", "--json", "--pack-destination", place], path.join(root, "wasm")),
+    npm(["pack", "--json", "--pack-destination", temporary], path.join(root, "wasm")),
   ) as readonly [{ readonly filename: string }];
-  const tarball = path.join(place, packed.filename);
-  const folder = path.join(place, "project");
+  const tarball = path.join(temporary, packed.filename);
+  const folder = path.join(temporary, "project");
   mkdirSync(folder);
   writeFileSync(path.join(folder, "package.json"), `{ "private": true, "type": "module" }\n`);
   try {
@@ -31,22 +33,22 @@ export function freshInstall(alsoThere: readonly string[] = []): FreshInstall {
   } catch {
     unpack(tarball, folder);
   }
-  for (const name of alsoThere) link(name, folder);
+  for (const name of otherPackages) link(name, folder);
   return {
     folder,
     tarball,
     example: (name) => {
       const target = path.join(folder, name);
       cpSync(path.join(root, "examples", name), target, { recursive: true });
-      // A page is served from its own folder, which therefore needs the packages too.
+      // A page is served from its own folder, so that folder needs the packages too.
       symlinkSync(path.join(folder, "node_modules"), path.join(target, "node_modules"));
       return target;
     },
-    dispose: () => rmSync(place, { recursive: true, force: true }),
+    dispose: () => rmSync(temporary, { recursive: true, force: true }),
   };
 }
 
-/** Without a network: as npm would do it, the dependencies from this repository. */
+/** Installs without a network: unpacks the package and links its dependencies from this repository. */
 function unpack(tarball: string, folder: string): void {
   const target = path.join(folder, "node_modules", "tetrafront");
   rmSync(path.join(folder, "node_modules"), { recursive: true, force: true });

@@ -1,16 +1,19 @@
-/** Reads VTU and MSH files by their specifications, not by the code that writes them; little-endian only. */
+/**
+ * Readers of VTU and MSH files that follow the specifications, not the code that writes them. Little-endian
+ * only.
+ */
 import { inflateSync } from "node:zlib";
 
 export interface FileMesh {
   readonly points: Float64Array;
-  /** Nodes per cell, from 0. */
+  /** Node indices of each tetrahedron, from 0. */
   readonly tetrahedra: number[][];
   readonly regions: number[];
   readonly triangles: number[][];
   readonly patches: number[];
 }
 
-/** A VTU file with appended data compressed in blocks, as VTK's file format guide describes it. */
+/** Reads a VTU file with appended data compressed in blocks, as VTK's file format guide describes it. */
 export function parseVtu(bytes: Uint8Array): FileMesh {
   const text = new TextDecoder("latin1").decode(bytes);
   const begin = text.indexOf("_", text.indexOf("<AppendedData")) + 1;
@@ -43,7 +46,7 @@ export function parseVtu(bytes: Uint8Array): FileMesh {
 
 export interface GmshGroup {
   readonly name: string;
-  /** Nodes per element, from 0. */
+  /** Node indices of each element, from 0. */
   readonly elements: number[][];
 }
 
@@ -53,7 +56,7 @@ export interface GmshMesh {
   readonly tetrahedra: readonly GmshGroup[];
 }
 
-/** A binary MSH 4.1 file, as Gmsh's reference manual describes it. */
+/** Reads a binary MSH 4.1 file, as Gmsh's reference manual describes it. */
 export function parseMsh(bytes: Uint8Array): GmshMesh {
   const reader = new MshReader(bytes);
   const names = reader.physicalNames();
@@ -64,8 +67,8 @@ export function parseMsh(bytes: Uint8Array): GmshMesh {
     name: names.get(`${dimension} ${groupOf.get(`${dimension} ${entity}`)}`) ?? "",
     elements,
   }));
-  const of = (wanted: number) =>
-    groups.filter(({ dimension }) => dimension === wanted).map(({ name, elements }) => ({ name, elements }));
+  const of = (chosen: number) =>
+    groups.filter(({ dimension }) => dimension === chosen).map(({ name, elements }) => ({ name, elements }));
   return { points, triangles: of(2), tetrahedra: of(3) };
 }
 
@@ -89,7 +92,7 @@ class MshReader {
     );
   }
 
-  /** Physical tag by dimension and entity. */
+  /** Returns physical tags by dimension and entity. */
   entities(): Map<string, number> {
     this.#enter("$Entities");
     const counts = [this.#size(), this.#size(), this.#size(), this.#size()];
@@ -155,7 +158,7 @@ class MshReader {
   }
 }
 
-/** The tetrahedra as a binary file of legacy VTK, whose numbers stand high byte first. */
+/** Returns the tetrahedra as a binary file of legacy VTK, which is big-endian. */
 export function vtkBinary(points: Float64Array, tetrahedra: Uint32Array): Uint8Array {
   const count = tetrahedra.length / 4;
   const doubles = new DataView(new ArrayBuffer(8 * points.length));

@@ -1,4 +1,7 @@
-/** OpenFOAM's polyMesh read by its user guide and checked by its rules, not by the code that writes it. */
+/**
+ * A reader of OpenFOAM's polyMesh that follows the user guide, and a check by OpenFOAM's rules; neither uses
+ * the code that writes it.
+ */
 import { unzipSync } from "fflate";
 
 export interface PolyMesh {
@@ -52,11 +55,11 @@ export function readPolyMesh(zip: Uint8Array): PolyMesh {
   };
 }
 
-/** What is wrong by the rules that `checkMesh` knows; empty for a mesh that OpenFOAM takes. */
+/** Returns the violated rules of OpenFOAM's `checkMesh`; empty for a valid mesh. */
 export function polyMeshFaults(mesh: PolyMesh): string[] {
   const faults: string[] = [];
   const { points, faces, owner, neighbour, patches } = mesh;
-  const cellCount = [...owner, ...neighbour].reduce((most, cell) => Math.max(most, cell), -1) + 1;
+  const cellCount = [...owner, ...neighbour].reduce((largest, cell) => Math.max(largest, cell), -1) + 1;
   if (owner.length !== faces.length) faults.push("not one owner per face");
   neighbour.forEach((other, f) => {
     if (!((owner[f] ?? 0) < other))
@@ -68,13 +71,13 @@ export function polyMeshFaults(mesh: PolyMesh): string[] {
   let next = neighbour.length;
   for (const { name, begin, count } of patches) {
     if (begin !== next) faults.push(`patch ${name} begins at ${begin}, not at ${next}`);
-    if (!/^[A-Za-z_][\w.-]*$/.test(name)) faults.push(`"${name}" is no word`);
+    if (!/^[A-Za-z_][\w.-]*$/.test(name)) faults.push(`"${name}" is not a word`);
     next = begin + count;
   }
   if (next !== faces.length) faults.push("the patches do not end with the faces");
   const names = patches.map(({ name }) => name);
   if (new Set(names).size !== names.length) faults.push("two patches have one name");
-  // Area vectors of a closed cell sum to nothing; those out of a cell point away from its centre.
+  // The area vectors of a closed cell add up to zero, and outward vectors point away from its centre.
   const at = (p: number, axis: number) => points[p]?.[axis] ?? NaN;
   const cells = Array.from({ length: cellCount }, () => ({ sum: [0, 0, 0], nodes: new Set<number>() }));
   faces.forEach((face, f) => {

@@ -1,7 +1,7 @@
 /** Small projects for tests. */
 import type { Project } from "tetrafront";
 
-/** The unit cube: six planar patches, a background of five tetrahedra with one size. */
+/** Returns the unit cube: six planar patches and a background grid of five tetrahedra with one size. */
 export function cubeProject(size = 0.25): Project {
   const corner = (i: number): [number, number, number] => [i & 1, (i >> 1) & 1, (i >> 2) & 1];
   const cornerIds = [0, 1, 2, 3, 4, 5, 6, 7];

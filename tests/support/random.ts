@@ -1,4 +1,4 @@
-/** A small generator of whole numbers below 2^32, the same on every machine (Marsaglia's xorshift). */
+/** Returns a generator of integers below 2^32, the same on every machine (Marsaglia's xorshift). */
 export function randomSource(seed: number): () => number {
   let state = seed;
   return () => {
@@ -9,7 +9,7 @@ export function randomSource(seed: number): () => number {
   };
 }
 
-/** Some bytes changed, a number made absurd, a piece cut out, moved or repeated, or the end cut off. */
+/** Changes some bytes, inserts an absurd number, removes, moves or repeats a piece, or truncates the file. */
 export function mutated(file: Uint8Array, random: () => number): Uint8Array {
   const at = random() % file.length;
   const length = random() % 40;

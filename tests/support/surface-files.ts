@@ -1,4 +1,4 @@
-/** Surfaces as the bytes of files, written by other means than those under test. */
+/** Writers of surface files, independent of the writers under test. */
 import type { SurfaceInput } from "tetrafront";
 
 const encoder = new TextEncoder();
@@ -20,7 +20,7 @@ export function stlText({ points, triangles }: SurfaceInput, name = "part"): Uin
   return encoder.encode(`solid ${name}\n${facets.join("")}endsolid ${name}\n`);
 }
 
-/** Coordinates become float32. */
+/** Returns a binary STL file; coordinates become float32. */
 export function stlBinary({ points, triangles }: SurfaceInput, header = "made by a test"): Uint8Array {
   const count = triangles.length / 3;
   const bytes = new Uint8Array(84 + 50 * count);
@@ -77,7 +77,10 @@ export function plyBinary({ points, triangles }: SurfaceInput, isLittleEndian: b
   return Uint8Array.of(...header, ...new Uint8Array(view.buffer));
 }
 
-/** Geomview's binary form, of single precision; `extras` numbers stand behind each point, and all faces are orange. */
+/**
+ * Returns a binary Geomview OFF file in single precision, with `extras` numbers after each point and orange
+ * faces.
+ */
 export function offBinary({ points, triangles }: SurfaceInput, word: string, extras: number): Uint8Array {
   const numbers: DataView[] = [];
   const int = (value: number) => {
@@ -101,7 +104,7 @@ export function offBinary({ points, triangles }: SurfaceInput, word: string, ext
   return new Uint8Array(Buffer.concat([encoder.encode(`${word} BINARY\n`), ...bytes]));
 }
 
-/** Five points and one list of strips, before the points or behind them. */
+/** Returns a file with five points and one list of strips, which comes first if `isFirst`. */
 export function plyStrips(corners: readonly number[], isFirst: boolean): Uint8Array {
   const points = ["0 0 0", "1 0 0", "0 1 0", "1 1 0", "0 2 0"];
   const elements = [

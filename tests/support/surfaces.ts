@@ -1,19 +1,19 @@
-/** Closed triangle surfaces for tests, turned outward. */
+/** Closed triangle surfaces for tests, oriented outward. */
 import type { SurfaceInput } from "tetrafront";
 
 type Triple = readonly [number, number, number];
 
-/** The surface of a box from `low` to `high`, n × n squares of two triangles per face, welded. */
+/** Returns the surface of a box from `low` to `high` with n × n squares of two triangles per face, welded. */
 export function boxSurface(n: number, low: Triple = [0, 0, 0], high: Triple = [1, 1, 1]): SurfaceInput {
   return latticeSurface(n, low, high, [0, n]);
 }
 
-/** The same with a wall across the middle of the x axis; n is even. */
+/** Returns the unit cube with an interface across the middle of the x axis; n is even. */
 export function dividedSurface(n: number): SurfaceInput {
   return latticeSurface(n, [0, 0, 0], [1, 1, 1], [0, n / 2, n]);
 }
 
-/** The faces of a box, and of the lattice planes across x at these of its n + 1 levels. */
+/** Returns the faces of a box; across x, the lattice planes at `levels`, from 0 to n. */
 function latticeSurface(n: number, low: Triple, high: Triple, levels: readonly number[]): SurfaceInput {
   const builder = new SurfaceBuilder();
   const at = (i: Triple): Triple => [
@@ -24,7 +24,7 @@ function latticeSurface(n: number, low: Triple, high: Triple, levels: readonly n
   for (let axis = 0; axis < 3; axis++) {
     for (const end of axis === 0 ? levels : [0, n]) {
       // The other two axes in cyclic order: their cross product points along `axis`.
-      const place = (u: number, v: number): Triple => {
+      const position = (u: number, v: number): Triple => {
         const index = [0, 0, 0];
         index[axis] = end;
         index[(axis + 1) % 3] = u;
@@ -33,7 +33,10 @@ function latticeSurface(n: number, low: Triple, high: Triple, levels: readonly n
       };
       for (let u = 0; u < n; u++) {
         for (let v = 0; v < n; v++) {
-          builder.quad([place(u, v), place(u + 1, v), place(u + 1, v + 1), place(u, v + 1)], end === 0);
+          builder.quad(
+            [position(u, v), position(u + 1, v), position(u + 1, v + 1), position(u, v + 1)],
+            end === 0,
+          );
         }
       }
     }
@@ -41,12 +44,12 @@ function latticeSurface(n: number, low: Triple, high: Triple, levels: readonly n
   return builder.surface();
 }
 
-/** A sphere: a cube of n × n squares per face, blown up. */
+/** Returns a sphere, made from a cube with n × n squares per face. */
 export function sphereSurface(n: number, radius = 1, center: Triple = [0, 0, 0]): SurfaceInput {
   const { points, triangles } = boxSurface(n, [-1, -1, -1], [1, 1, 1]);
   const round = points.slice();
   for (let i = 0; i < points.length; i += 3) {
-    // Equal angles instead of equal lengths keep the triangles alike.
+    // Equal angles instead of equal lengths give similar triangles.
     const p = [0, 1, 2].map((axis) => Math.tan(((points[i + axis] ?? 0) * Math.PI) / 4));
     const length = Math.hypot(...p);
     p.forEach((value, axis) => (round[i + axis] = (center[axis] ?? 0) + (radius * value) / length));
@@ -54,7 +57,7 @@ export function sphereSurface(n: number, radius = 1, center: Triple = [0, 0, 0])
   return { points: round, triangles };
 }
 
-/** A torus about the z axis, n sections round and m points in each. */
+/** Returns a torus around the z axis with n sections of m nodes. */
 export function torusSurface(n: number, m: number, radius = 1, thickness = 0.4): SurfaceInput {
   const builder = new SurfaceBuilder();
   const at = (i: number, j: number): Triple => {
@@ -70,8 +73,7 @@ export function torusSurface(n: number, m: number, radius = 1, thickness = 0.4):
 }
 
 /**
- * A gear whose flat faces are cut into needles, by taking the first ear there is again and again, turned in
- * space.
+ * Returns a rotated gear whose flat faces are triangulated into needles, by always cutting off the first ear.
  */
 export function needleGearSurface(teeth: number, thickness = 0.05): SurfaceInput {
   const builder = new SurfaceBuilder();
@@ -81,7 +83,7 @@ export function needleGearSurface(teeth: number, thickness = 0.05): SurfaceInput
     return [radius * Math.cos(angle), radius * Math.sin(angle)];
   });
   const corner = (i: number): readonly [number, number] => outline[i % outline.length] ?? [0, 0];
-  const place = (i: number, z: number): Triple => {
+  const position = (i: number, z: number): Triple => {
     const [x, y] = corner(i);
     return [0.36 * x + 0.48 * y - 0.8 * z, -0.8 * x + 0.6 * y, 0.48 * x + 0.64 * y + 0.6 * z];
   };
@@ -105,17 +107,20 @@ export function needleGearSurface(teeth: number, thickness = 0.05): SurfaceInput
       return turn(a, b, c) > 1e-12 && !rest.some((p) => p !== a && p !== b && p !== c && inside(p));
     });
     const [a, b, c] = ear(first);
-    builder.triangle([place(a, thickness), place(b, thickness), place(c, thickness)]);
-    builder.triangle([place(a, 0), place(c, 0), place(b, 0)]);
+    builder.triangle([position(a, thickness), position(b, thickness), position(c, thickness)]);
+    builder.triangle([position(a, 0), position(c, 0), position(b, 0)]);
     rest.splice(first, 1);
   }
   for (let i = 0; i < outline.length; i++) {
-    builder.quad([place(i, 0), place(i + 1, 0), place(i + 1, thickness), place(i, thickness)], false);
+    builder.quad(
+      [position(i, 0), position(i + 1, 0), position(i + 1, thickness), position(i, thickness)],
+      false,
+    );
   }
   return builder.surface();
 }
 
-/** A screw thread of so many turns, with so many nodes around and long triangles along its flanks. */
+/** Returns a screw thread with long triangles along its flanks and `around` nodes per turn. */
 export function screwThreadSurface(turns: number, around: number): SurfaceInput {
   const builder = new SurfaceBuilder();
   const depth = (turn: number): number => {
@@ -137,15 +142,15 @@ export function screwThreadSurface(turns: number, around: number): SurfaceInput 
   return builder.surface();
 }
 
-/** A cube of edge 2 about the origin with a spherical cavity. */
+/** Returns a cube of edge 2 around the origin with a spherical cavity. */
 export function cavitySurface(n: number, cavityRadius = 0.5): SurfaceInput {
   const inside = sphereSurface(Math.max(2, Math.round((n * cavityRadius) / 1.2)), cavityRadius);
   return joined(boxSurface(n, [-1, -1, -1], [1, 1, 1]), turned(inside));
 }
 
 /**
- * So many pairs of needles far from each other: triangles 2i and 2i + 1 go through one another at (10 i, 0, 0), and
- * meet no others.
+ * Returns separate pairs of needles: triangles 2i and 2i + 1 intersect at (10 i, 0, 0) and do not intersect
+ * any others.
  */
 export function crossingNeedles(pairs: number): SurfaceInput {
   const pair = [0, -1, 0, 0, 1, -1e-3, 0, 1, 1e-3, -1, 0, 0, 1, -1e-3, 0, 1, 1e-3, 0];
@@ -157,14 +162,14 @@ export function crossingNeedles(pairs: number): SurfaceInput {
   return { points, triangles: Uint32Array.from({ length: points.length / 3 }, (_, node) => node) };
 }
 
-/** The same surface seen from the other side. */
+/** Returns the surface with the opposite orientation. */
 export function turned({ points, triangles }: SurfaceInput): SurfaceInput {
   const other = triangles.slice();
   for (let t = 0; t < other.length; t += 3) other.subarray(t, t + 3).reverse();
   return { points: points.slice(), triangles: other };
 }
 
-/** Two surfaces as one, without joining anything. */
+/** Returns two surfaces as one, without welding them. */
 export function joined(a: SurfaceInput, b: SurfaceInput): SurfaceInput {
   const shift = a.points.length / 3;
   return {
@@ -192,13 +197,13 @@ class SurfaceBuilder {
     return { points: Float64Array.from(this.#points), triangles: Uint32Array.from(this.#triangles) };
   }
 
-  #node(place: Triple): number {
-    const key = place.map((value) => value + 0).join(" ");
+  #node(position: Triple): number {
+    const key = position.map((value) => value + 0).join(" ");
     const known = this.#nodes.get(key);
     if (known !== undefined) return known;
     const node = this.#nodes.size;
     this.#nodes.set(key, node);
-    this.#points.push(...place);
+    this.#points.push(...position);
     return node;
   }
 }

@@ -1,4 +1,4 @@
-/** Folders of their own for tests that read and write files; nothing of them stays. */
+/** Temporary folders for tests that read and write files; they are removed after the tests. */
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
@@ -8,19 +8,19 @@ import { afterAll, afterEach, beforeAll, beforeEach } from "vitest";
 import { tetrafront, type CommandResult } from "./command-line.js";
 
 export interface TemporaryFolder {
-  /** Where it is; another for each test, or one for all of the file. */
+  /** Path of the folder. There is a new folder for each test, or one for the whole file. */
   readonly path: string;
-  /** The path of a file in it. */
+  /** Returns the path of a file in the folder. */
   readonly inFolder: (name: string) => string;
-  /** Writes a file in it. */
+  /** Writes a file in the folder. */
   readonly save: (name: string, content: string | Uint8Array) => void;
-  /** Runs `tetrafront` in it. */
+  /** Runs `tetrafront` in the folder. */
   readonly run: (...args: readonly string[]) => Promise<CommandResult>;
 }
 
 const MADE_FOR = { "each test": [beforeEach, afterEach], "all tests": [beforeAll, afterAll] } as const;
 
-/** An empty folder, made before each test of this file, or before all of them, and removed afterwards. */
+/** Makes an empty folder before each test of this file, or before all of them, and removes it afterwards. */
 export function temporaryFolder(madeFor: keyof typeof MADE_FOR = "each test"): TemporaryFolder {
   let folder = "";
   const [before, after] = MADE_FOR[madeFor];
