@@ -68,9 +68,9 @@ describe("a size source", () => {
   const isFar = ([x, y]: Position) => Math.hypot(x, y) > 1;
 
   test.each([
-    ["of the background grid", cubeProject(0.25), {}],
-    ["of a uniform size", { ...cubeProject(), background: { nodes: [], tetrahedra: [] } }, { size: 0.25 }],
-  ])("gives elements near it its size, below the size %s", async (_, project, options) => {
+    ["background grid", cubeProject(0.25), {}],
+    ["uniform size", { ...cubeProject(), background: { nodes: [], tetrahedra: [] } }, { size: 0.25 }],
+  ])("gives elements near it its size in a coarser %s", async (_, project, options) => {
     const { report, volume } = await mesher.meshProject(withSources(project, segment), options);
     expect(report.status).toBe("done");
     expect(meanEdge(volume, isNear) / 0.06).toBeGreaterThan(0.85);

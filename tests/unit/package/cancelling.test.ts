@@ -132,7 +132,7 @@ test("createMesher rejects an invalid control", async () => {
   expect(failure).toMatchObject({ data: { diagnostics: [{ code: "invalid-option" }] } });
 });
 
-test("disposing rejects calls and tells whether they were active", async () => {
+test("disposing rejects calls and reports whether they were active", async () => {
   const short = await createMesher();
   const underWay = short.inspectSurface(surface).catch((failure: unknown) => failure);
   short.dispose();

@@ -26,7 +26,7 @@ vi.mock("node:fs/promises", async (original) => {
 });
 afterEach(() => (beforeRename = () => undefined));
 
-test("writeOutput ignores the temporary file left by a killed run with the same process id", async () => {
+test("writeOutput succeeds despite the temporary file of a killed run with the same process id", async () => {
   // In containers, every run can have the same process id.
   writeFileSync(path.join(folder.path, `.a.vtu.${process.pid}.part`), "half");
   const file = path.join(folder.path, "a.vtu");

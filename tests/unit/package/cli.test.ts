@@ -267,7 +267,7 @@ describe("invalid input gives exit code 2 and one line:", () => {
   });
 });
 
-test("--help and --version exit with code 0", async () => {
+test("--help lists the options, and --version prints the version", async () => {
   const help = await tetrafront(folder.path, ["mesh", "--help"]);
   expect(help).toMatchObject({ code: 0, stderr: "" });
   for (const word of [

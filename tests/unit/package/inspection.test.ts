@@ -168,7 +168,7 @@ describe("the inspection of a surface", () => {
     expect(found.diagnostics[0]?.code).toBe("not-finite");
   });
 
-  test("runs beside a run and reports progress", async () => {
+  test("runs in parallel with a run and reports progress", async () => {
     const run = mesher.fillSurface(sphereSurface(20));
     const fractions: number[] = [];
     const inspecting = mesher.inspectSurface(

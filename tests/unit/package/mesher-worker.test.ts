@@ -161,7 +161,7 @@ describe("runs", () => {
     const progress = vi.fn();
     const run = mesher.fillSurface(boxSurface(1), {}, { onProgress: progress });
     const id = idOf(worker);
-    const figures = {
+    const otherFields = {
       phase: "volume",
       fraction: 0,
       nodes: 0,
@@ -171,7 +171,7 @@ describe("runs", () => {
       expectedTetrahedra: 0,
       exactFillFraction: 0,
     } as const;
-    worker.reply({ kind: "progress", id: id - 1, progress: { ...figures, elapsedSeconds: 0 } });
+    worker.reply({ kind: "progress", id: id - 1, progress: { ...otherFields, elapsedSeconds: 0 } });
     worker.reply({ kind: "result", id: id - 1, result: resultWith("late") });
     worker.reply({ kind: "result", id, result: resultWith("own") });
     worker.reply({ kind: "result", id, result: resultWith("again") });
@@ -277,7 +277,7 @@ test("if a query runs out of memory, the run beside it is rejected with its prog
   const run = mesher.fillSurface(boxSurface(1));
   const preview = mesher.previewProject(cubeProject());
   const runProgress = { phase: "volume", tetrahedra: 1000, expectedTetrahedra: 8000 } as const;
-  const figures = {
+  const otherFields = {
     fraction: 0.5,
     nodes: 9,
     triangles: 9,
@@ -285,7 +285,7 @@ test("if a query runs out of memory, the run beside it is rejected with its prog
     exactFillFraction: 0,
     elapsedSeconds: 1,
   };
-  worker.reply({ kind: "progress", id: idOf(worker), progress: { ...runProgress, ...figures } });
+  worker.reply({ kind: "progress", id: idOf(worker), progress: { ...runProgress, ...otherFields } });
   const failure = {
     kind: "failure",
     reason: "out-of-memory",

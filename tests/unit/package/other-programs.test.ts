@@ -52,7 +52,7 @@ async function readByMeshio(fileName: string, format: string, given: FileMesh = 
 }
 
 const plus = (values: ArrayLike<number>) => Array.from(values, (value) => value + 0);
-const wanted = {
+const expected = {
   tetra: taggedElements(mesh.tetrahedra, 4, mesh.tetrahedronRegion, mesh.regions),
   triangle: taggedElements(mesh.triangles, 3, mesh.trianglePatch, mesh.patches),
 };
@@ -73,7 +73,7 @@ function elements(read: ReadMesh, kind: "tetra" | "triangle", tags: string | und
 const untagged = (lines: readonly string[]) => lines.map((line) => line.replace(/^.*: /, "")).sort();
 
 /** Returns the expected elements if tags count up from the given numbers, or are all equal (step 0). */
-function renumbered(region: number, patch: number, step: 0 | 1 = 1): typeof wanted {
+function renumbered(region: number, patch: number, step: 0 | 1 = 1): typeof expected {
   const from = (first: number) => (_: unknown, g: number) => ({ tag: first + step * g });
   return {
     tetra: taggedElements(mesh.tetrahedra, 4, mesh.tetrahedronRegion, mesh.regions.map(from(region))),
@@ -91,17 +91,17 @@ if (programs.length === 0) {
 
 if (programs.includes("meshio")) {
   describe("meshio reads the same points, elements and tags from", () => {
-    test.each<[string, string, string | undefined, string, typeof wanted]>([
-      ["part.vtu", "vtu", "region", "patch", wanted],
-      ["part.vtk", "vtk", "region", "patch", wanted],
-      ["part.msh", "gmsh", "gmsh:physical", "gmsh:physical", wanted],
-      ["part.msh2", "gmsh", "gmsh:physical", "gmsh:physical", wanted],
-      ["part.mesh", "medit", "medit:ref", "medit:ref", wanted],
+    test.each<[string, string, string | undefined, string, typeof expected]>([
+      ["part.vtu", "vtu", "region", "patch", expected],
+      ["part.vtk", "vtk", "region", "patch", expected],
+      ["part.msh", "gmsh", "gmsh:physical", "gmsh:physical", expected],
+      ["part.msh2", "gmsh", "gmsh:physical", "gmsh:physical", expected],
+      ["part.mesh", "medit", "medit:ref", "medit:ref", expected],
       ["part.su2", "su2", "su2:tag", "su2:tag", asMarkers],
-      ["part.bdf", "nastran", "nastran:ref", "nastran:ref", wanted],
-      ["part.ugrid", "ugrid", undefined, "ugrid:ref", wanted],
-      ["part.b8.ugrid", "ugrid", undefined, "ugrid:ref", wanted],
-    ])("%s", async (fileName, format, regions, patches, wanted) => {
+      ["part.bdf", "nastran", "nastran:ref", "nastran:ref", expected],
+      ["part.ugrid", "ugrid", undefined, "ugrid:ref", expected],
+      ["part.b8.ugrid", "ugrid", undefined, "ugrid:ref", expected],
+    ])("%s", async (fileName, format, regions, patches, expected) => {
       const read = await readByMeshio(fileName, format);
       const points = read.points.flat();
       // Nastran fields have 16 characters; UGRID text is read as float32.
@@ -110,21 +110,21 @@ if (programs.includes("meshio")) {
         points.forEach((value, i) => expect(value).toBeCloseTo(mesh.points[i] ?? NaN, digits));
       } else expect(plus(points)).toEqual(plus(mesh.points));
       expect(elements(read, "tetra", regions)).toEqual(
-        regions === undefined ? untagged(wanted.tetra) : wanted.tetra,
+        regions === undefined ? untagged(expected.tetra) : expected.tetra,
       );
-      expect(elements(read, "triangle", patches)).toEqual(wanted.triangle);
+      expect(elements(read, "triangle", patches)).toEqual(expected.triangle);
     });
 
     test("part.node with part.ele", async () => {
       const read = await readByMeshio("part.node", "tetgen");
       expect(plus(read.points.flat())).toEqual(plus(mesh.points));
-      expect(elements(read, "tetra", "tetgen:ref")).toEqual(wanted.tetra);
+      expect(elements(read, "tetra", "tetgen:ref")).toEqual(expected.tetra);
     });
 
     test("part.inp with its sets", async () => {
       const read = await readByMeshio("part.inp", "abaqus");
       expect(plus(read.points.flat())).toEqual(plus(mesh.points));
-      expect(elements(read, "tetra", undefined)).toEqual(untagged(wanted.tetra));
+      expect(elements(read, "tetra", undefined)).toEqual(untagged(expected.tetra));
       expect(Object.keys(read.cellSets).sort()).toEqual(["steel", "water_20_C_"]);
       expect(Object.values(read.pointSets)).toEqual([9, 9, 9, 9, 9, 9]);
     });
@@ -193,8 +193,8 @@ if (programs.includes("meshio")) {
         of === "tetra"
           ? taggedElements(found.tetrahedra, 4, found.tetrahedronRegion, found.regions)
           : taggedElements(found.triangles, 3, found.trianglePatch, found.patches);
-      expect(tags("tetra")).toEqual(wanted.tetra);
-      expect(tags("triangle")).toEqual(wanted.triangle);
+      expect(tags("tetra")).toEqual(expected.tetra);
+      expect(tags("triangle")).toEqual(expected.triangle);
     });
   });
 }
@@ -227,18 +227,18 @@ if (programs.includes("gmsh")) {
           .filter(([d]) => d === dimension)
           .flatMap(([, tag, , cells]) => cells.map((nodes) => `${tag}: ${nodes.join(" ")}`))
           .sort();
-      expect(of(3)).toEqual(wanted.tetra);
-      expect(of(2)).toEqual(wanted.triangle);
+      expect(of(3)).toEqual(expected.tetra);
+      expect(of(2)).toEqual(expected.triangle);
       expect(read.groups.map(([, , name]) => name)).toEqual(expect.arrayContaining(["in let", "steel"]));
     },
   );
 
-  test.each<[string, typeof wanted]>([
+  test.each<[string, typeof expected]>([
     // Gmsh ignores the cell data of VTK files.
     ["part.vtk", renumbered(1, 1, 0)],
-    ["part.mesh", wanted],
-    ["part.bdf", wanted],
-  ])("Gmsh reads the same points and tagged elements from %s", async (fileName, wanted) => {
+    ["part.mesh", expected],
+    ["part.bdf", expected],
+  ])("Gmsh reads the same points and tagged elements from %s", async (fileName, expected) => {
     const read = JSON.parse(run([script, `gmsh::${await save(fileName)}`])) as {
       points: number[][];
       entities: [number, number, number[][]][];
@@ -253,7 +253,7 @@ if (programs.includes("gmsh")) {
         .filter(([d]) => d === dimension)
         .flatMap(([, tag, cells]) => cells.map((nodes) => `${tag}: ${nodes.join(" ")}`))
         .sort();
-    expect(of(3)).toEqual(wanted.tetra);
-    expect(of(2)).toEqual(wanted.triangle);
+    expect(of(3)).toEqual(expected.tetra);
+    expect(of(2)).toEqual(expected.triangle);
   });
 }

@@ -1,4 +1,4 @@
-/** Out of memory: the error tells what was requested and what would fit, and the mesher stays usable. */
+/** Out of memory: the error reports what was requested and what would fit, and the mesher stays usable. */
 import { execFile } from "node:child_process";
 import { promisify } from "node:util";
 

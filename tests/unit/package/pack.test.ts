@@ -40,13 +40,13 @@ describe("the packed files", () => {
       ...["engine.js", "engine.d.ts", "engine.wasm"].map((name) => `dist/engine/${name}`),
     ];
     const scripts = files.filter((name) => /^dist\/.*\.js$/.test(name) && !engine.includes(name));
-    const wanted = scripts.flatMap((name) =>
+    const expected = scripts.flatMap((name) =>
       name.startsWith("dist/page/")
         ? [name, `${name}.map`]
         : [name, `${name}.map`, name.replace(/\.js$/, ".d.ts")],
     );
     const others = ["LICENSE", "README.md", "package.json", "bin/tetrafront.mjs"];
-    expect(files.sort()).toEqual([...wanted, ...others, ...engine].sort());
+    expect(files.sort()).toEqual([...expected, ...others, ...engine].sort());
   });
 
   test("have source maps with source content", () => {

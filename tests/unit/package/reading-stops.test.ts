@@ -13,7 +13,7 @@ const FACES = bytesOf("1 0\n1 1 2 3\n");
 const never = () => new Promise<never>(() => undefined);
 
 /**
- * Returns a stream that delivers some bytes and then hangs, and a function that tells if it was cancelled.
+ * Returns a stream that delivers some bytes and then hangs, and a function that returns whether it was cancelled.
  */
 function hanging(begin: Uint8Array): { stream: ReadableStream<Uint8Array>; isCancelled: () => boolean } {
   let isCancelled = false;

@@ -26,7 +26,7 @@ function halves(): FileMesh {
   const block = blockMesh(2);
   const points = Float64Array.from({ length: 81 }, (_, i) => Math.floor(i / 3 / 3 ** (i % 3)) % 3);
   const corner = (x: number, y: number) => x + 3 * y + 9;
-  const wall = [0, 1].flatMap((y) =>
+  const interfaceNodes = [0, 1].flatMap((y) =>
     [0, 1].flatMap((x) => [
       ...[corner(x, y), corner(x + 1, y), corner(x + 1, y + 1)],
       ...[corner(x, y), corner(x + 1, y + 1), corner(x, y + 1)],
@@ -39,13 +39,16 @@ function halves(): FileMesh {
   const outside = block.triangles.map((node, i, all) =>
     i % 3 === 0 ? node : (all[i % 3 === 1 ? i + 1 : i - 1] ?? node),
   );
-  const wallPatch = block.patches.length;
+  const interfacePatch = block.patches.length;
   return {
     ...block,
     points,
     tetrahedra,
-    triangles: Uint32Array.of(...outside, ...wall),
-    trianglePatch: Uint32Array.of(...block.trianglePatch, ...wall.map(() => wallPatch).slice(0, 8)),
+    triangles: Uint32Array.of(...outside, ...interfaceNodes),
+    trianglePatch: Uint32Array.of(
+      ...block.trianglePatch,
+      ...interfaceNodes.map(() => interfacePatch).slice(0, 8),
+    ),
     patches: [...block.patches, { name: "wall", tag: 30 }],
   };
 }

@@ -23,7 +23,7 @@ function numbers(type: "Float64" | "Int32" | "Uint8", values: readonly number[])
 }
 
 /**
- * Returns text as VTK writes it in binary files: after its length, whose highest one or two bits tell how
+ * Returns text as VTK writes it in binary files: after its length, whose two highest bits encode how
  * many bytes the length has.
  */
 function binaryText(text: string): DataView {
