@@ -202,7 +202,9 @@ test("fileMeshOf rejects regions of triangles that are not in the list of region
   const { regions = [], triangleRegions = new Uint32Array() } = surface.surfaceRegions ?? {};
   const result = await mesher.fillSurface(surface);
   const invalid = { ...surface, surfaceRegions: { regions, triangleRegions: triangleRegions.with(5, 7) } };
-  expect(() => fileMeshOf(result, { surface: invalid })).toThrow(/triangleRegions\[5\] is 7 of 2/);
+  expect(() => fileMeshOf(result, { surface: invalid })).toThrow(
+    /triangleRegions\[5\] is 7, but the number of regions is 2/,
+  );
 });
 
 test("the command line reports regions of the file that are not meshed", () => {

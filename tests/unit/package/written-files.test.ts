@@ -60,9 +60,8 @@ test.each(["a.msh", "a.msh2"])("%s: patches and regions have different tags", as
     { name: "region 1", tag: 7 },
     { name: "region 2", tag: 8 },
   ]);
-  expect(file?.notes.map(({ message }) => message).join()).toMatch(
-    /numbers of regions changed.*: 1 as 7, 2 as 8/i,
-  );
+  // Numbers that count from 1 are not the user's: nothing is lost that a note should mention.
+  expect(file?.notes).toEqual([]);
 });
 
 test("a VTU file holds the names of patches and regions as field data", async () => {
