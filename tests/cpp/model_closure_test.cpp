@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "model/check_model.h"
 #include "support/models.h"
@@ -14,9 +13,9 @@
 namespace tetrafront::testing {
 namespace {
 
-std::vector<std::uint32_t> eachAlone(const Model& model) {
-  std::vector<std::uint32_t> lines(model.lines.size());
-  std::iota(lines.begin(), lines.end(), 0U);
+std::vector<LineId> eachAlone(const Model& model) {
+  std::vector<LineId> lines;
+  for (const LineId line : IdRange<LineId>(model.lines.size())) lines.push_back(line);
   return lines;
 }
 
@@ -88,11 +87,11 @@ TEST(ModelClosure, TwistedRingCannotBeOriented) {
 
 TEST(ModelClosure, OrientationIsRelativeToTheFirstLoop) {
   Model model = boxModel({0, 0, 0}, {1, 1, 1});
-  const std::vector<std::uint8_t> before = closureOf(model).isTurned;
+  const std::vector<std::uint8_t> before = closureOf(model).isReversed;
   Loop& loop = model.patches[3].loops.front();
   std::ranges::reverse(loop);
   for (OrientedLine& walked : loop) walked.reversed = !walked.reversed;
-  std::vector<std::uint8_t> after = closureOf(model).isTurned;
+  std::vector<std::uint8_t> after = closureOf(model).isReversed;
   EXPECT_NE(after[3], before[3]);
   after[3] = before[3];
   EXPECT_EQ(after, before);
@@ -130,9 +129,9 @@ TEST(ModelClosure, SeparateSolidsAreSeparateComponents) {
     for (OrientedLine& walked : patch.loops.front()) walked.line += lines;
     both.patches.push_back(patch);
   }
-  const std::vector<std::uint32_t> component = closureOf(both).component;
+  const std::vector<PatchId> component = closureOf(both).component;
   for (std::size_t patch = 0; patch < component.size(); ++patch)
-    EXPECT_EQ(component[patch], patch < 6 ? 0U : 6U);
+    EXPECT_EQ(component[patch], PatchId(patch < 6 ? 0U : 6U));
 }
 
 TEST(ModelClosure, InvalidReferencesAreIgnored) {
@@ -220,8 +219,8 @@ TEST(ModelDuplicates, EachOfManyLinesBetweenTwoPointsFindsItsLowestDuplicate) {
   ModelBuilder builder;
   const Vec3 from(0, 0, 0);
   const Vec3 to(3, 1, 0);
-  std::vector<std::uint32_t> expected;
-  std::vector<std::uint32_t> first(kCourses, 0xffffffffU);
+  std::vector<LineId> expected;
+  std::vector<LineId> first(kCourses);
   for (std::uint32_t i = 0; i < 3 * kCourses; ++i) {
     const std::uint32_t course = i * i % kCourses;
     const double angle = 0.06 * course;
@@ -229,8 +228,8 @@ TEST(ModelDuplicates, EachOfManyLinesBetweenTwoPointsFindsItsLowestDuplicate) {
     std::vector<Vec3> places{from, middle, to};
     if (course == 0) places = {from, to};
     if (i % 2 == 1) std::ranges::reverse(places);
-    const std::uint32_t line =
-        builder.line(course == 0 ? LineType::kStraight : LineType::kParabolic, places);
+    const LineId line(
+        builder.line(course == 0 ? LineType::kStraight : LineType::kParabolic, places));
     first[course] = std::min(first[course], line);
     expected.push_back(first[course]);
   }

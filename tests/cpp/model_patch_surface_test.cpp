@@ -200,7 +200,7 @@ TEST(ModelResolved, DrawingAClosedLineBackwardChangesNoBit) {
   std::ranges::reverse(turned.lines.front().points);
   const ResolvedModel first(tube);
   const ResolvedModel second(turned);
-  EXPECT_NE(first.flipped(0), second.flipped(0));
+  EXPECT_NE(first.isFlipped(LineId(0U)), second.isFlipped(LineId(0U)));
   for (double t = 0.0; t <= 1.0; t += 0.01) {
     const Vec3 place = first.curve(OrientedLine{0, false}).position(t);
     EXPECT_EQ(place, second.curve(OrientedLine{0, true}).position(t));

@@ -139,7 +139,7 @@ TEST(SelfCrossing, CommonEndOfAClosedSplineIsNoCrossing) {
   ModelBuilder builder;
   builder.circle({0, 0, 0}, 1.0, 1);
   const ResolvedModel resolved(builder.model);
-  EXPECT_FALSE(findSelfCrossing(resolved.curve(0)));
+  EXPECT_FALSE(findSelfCrossing(resolved.curve(LineId(0U))));
 }
 
 TEST(SelfCrossing, LineThatEndsOnItselfIsReportedWithItsPosition) {

@@ -158,7 +158,7 @@ TEST(IntersectingPatches, CurvedPatchesThatAreMerelyCloseAreNotReported) {
   double least = 1.0;
   double most = 1.0;
   for (int i = 0; i <= 1000; ++i) {
-    const double radius = glm::length(resolved.curve(0).position(0.001 * i));
+    const double radius = glm::length(resolved.curve(LineId(0U)).position(0.001 * i));
     least = std::min(least, radius);
     most = std::max(most, radius);
   }

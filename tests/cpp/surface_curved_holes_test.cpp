@@ -124,8 +124,8 @@ TEST(SurfaceCurvedHoles, NodesOfTheHoleStayOnItsLine) {
     const Vec3 node = pointOf(mesh, mesh.sides[2 * side]);
     double nearest = 1.0;
     for (int i = 0; i <= 20'000; ++i)
-      nearest =
-          std::min(nearest, glm::length(resolved.curve(meeting).position(i / 20'000.0) - node));
+      nearest = std::min(
+          nearest, glm::length(resolved.curve(LineId(meeting)).position(i / 20'000.0) - node));
     EXPECT_LT(nearest, 1e-4);
   }
 }

@@ -11,17 +11,17 @@ namespace {
 
 /// One use of a line in a loop.
 struct Use {
-  std::uint32_t patch;
-  std::uint32_t line;
+  PatchId patch;
+  LineId line;
   bool reversed;
   bool inHole;
 };
 
 /// Two patches, or one patch with itself, that share a line.
 struct Joint {
-  std::uint32_t first;
-  std::uint32_t second;
-  std::uint32_t line;
+  PatchId first;
+  PatchId second;
+  LineId line;
   bool isKnown;     ///< the loops define the relative orientation of the two
   bool isOpposite;  ///< one of them must be flipped, if isKnown
 };
@@ -34,15 +34,16 @@ class ClosureCheck {
   Closure run() {
     gatherUses();
     result_.isPlain = true;
-    for (std::uint32_t line = 0; line < uses_.size(); ++line) checkLine(line);
+    for (const LineId line : IdRange<LineId>(uses_.size())) checkLine(line);
     const std::size_t count = model_->patches.size();
     std::vector<std::uint8_t> ignored(count, 0);
     result_.component = walk([](const Joint&) { return true; }, ignored);
-    result_.isTurned.assign(count, 0);
-    walk([](const Joint& joint) { return joint.isKnown; }, result_.isTurned);
+    result_.isReversed.assign(count, 0);
+    walk([](const Joint& joint) { return joint.isKnown; }, result_.isReversed);
     for (const Joint& joint : joints_) {
       result_.isPlain = result_.isPlain && joint.isKnown;
-      const bool areOpposite = result_.isTurned[joint.first] != result_.isTurned[joint.second];
+      const bool areOpposite =
+          result_.isReversed[joint.first.index()] != result_.isReversed[joint.second.index()];
       if (joint.isKnown && areOpposite != joint.isOpposite) reportTwist(joint);
     }
     return std::move(result_);
@@ -50,25 +51,25 @@ class ClosureCheck {
 
  private:
   void gatherUses() {
-    for (std::uint32_t patch = 0; patch < model_->patches.size(); ++patch) {
+    for (const PatchId patch : IdRange<PatchId>(model_->patches.size())) {
       bool inHole = false;
-      for (const Loop& loop : model_->patches[patch].loops) {
+      for (const Loop& loop : model_->patches[patch.index()].loops) {
         for (const OrientedLine& walked : loop) {
           if (walked.line >= uses_.size()) continue;
-          uses_[found_->duplicates.lines[walked.line]].push_back(
-              {patch, walked.line, walked.reversed, inHole});
+          uses_[found_->duplicates.lines[walked.line].index()].push_back(
+              {patch, LineId(walked.line), walked.reversed, inHole});
         }
         inHole = true;
       }
     }
   }
 
-  void checkLine(std::uint32_t line) {
-    const std::vector<Use>& uses = uses_[line];
+  void checkLine(LineId line) {
+    const std::vector<Use>& uses = uses_[line.index()];
     if (uses.size() == 1) reportOpen(line);
     if (uses.size() % 2 == 1) result_.isPlain = false;
     const auto isOuterSide = [&](const Use& use) {
-      return !use.inHole && found_->usablePatches[use.patch] != 0;
+      return !use.inHole && found_->usablePatches[use.patch.index()] != 0;
     };
     const bool isPlain =
         uses.size() == 2 && uses[0].line == uses[1].line && std::ranges::all_of(uses, isOuterSide);
@@ -78,32 +79,32 @@ class ClosureCheck {
     }
   }
 
-  /// Finds the components over the chosen joints, by their lowest patch; `isTurned` is the
+  /// Finds the components over the chosen joints, by their lowest patch; `isReversed` is the
   /// orientation of each patch relative to it.
   template <class Choose>
-  std::vector<std::uint32_t> walk(Choose choose, std::vector<std::uint8_t>& isTurned) const {
+  std::vector<PatchId> walk(Choose choose, std::vector<std::uint8_t>& isReversed) const {
     const std::size_t count = model_->patches.size();
     std::vector<std::vector<std::uint32_t>> jointsOf(count);
     for (std::uint32_t j = 0; j < joints_.size(); ++j) {
       if (!choose(joints_[j])) continue;
-      jointsOf[joints_[j].first].push_back(j);
-      jointsOf[joints_[j].second].push_back(j);
+      jointsOf[joints_[j].first.index()].push_back(j);
+      jointsOf[joints_[j].second.index()].push_back(j);
     }
-    std::vector<std::uint32_t> lowest(count, kNoIndex);
-    std::vector<std::uint32_t> waiting;
-    for (std::uint32_t patch = 0; patch < count; ++patch) {
-      if (lowest[patch] != kNoIndex) continue;
-      lowest[patch] = patch;
+    std::vector<PatchId> lowest(count);
+    std::vector<PatchId> waiting;
+    for (const PatchId patch : IdRange<PatchId>(count)) {
+      if (!lowest[patch.index()].isNone()) continue;
+      lowest[patch.index()] = patch;
       waiting.push_back(patch);
       while (!waiting.empty()) {
-        const std::uint32_t from = waiting.back();
+        const PatchId from = waiting.back();
         waiting.pop_back();
-        for (const std::uint32_t j : jointsOf[from]) {
+        for (const std::uint32_t j : jointsOf[from.index()]) {
           const Joint& joint = joints_[j];
-          const std::uint32_t to = joint.first == from ? joint.second : joint.first;
-          if (lowest[to] != kNoIndex) continue;
-          lowest[to] = patch;
-          isTurned[to] = isTurned[from] ^ (joint.isOpposite ? 1 : 0);
+          const PatchId to = joint.first == from ? joint.second : joint.first;
+          if (!lowest[to.index()].isNone()) continue;
+          lowest[to.index()] = patch;
+          isReversed[to.index()] = isReversed[from.index()] ^ (joint.isOpposite ? 1 : 0);
           waiting.push_back(to);
         }
       }
@@ -111,10 +112,10 @@ class ClosureCheck {
     return lowest;
   }
 
-  [[nodiscard]] Diagnostic about(DiagnosticCode code, std::uint32_t line) const {
+  [[nodiscard]] Diagnostic about(DiagnosticCode code, LineId line) const {
     Diagnostic diagnostic;
     diagnostic.code = code;
-    const std::vector<std::uint32_t>& points = model_->lines[line].points;
+    const std::vector<std::uint32_t>& points = model_->lines[line.index()].points;
     // The midpoint of a straight line; of others, a point on it.
     const std::size_t middle = points.size() / 2;
     if (points.empty()) return diagnostic;
@@ -127,10 +128,11 @@ class ClosureCheck {
     return diagnostic;
   }
 
-  void reportOpen(std::uint32_t line) {
-    const Use& use = uses_[line].front();
+  void reportOpen(LineId line) {
+    const Use& use = uses_[line.index()].front();
     Diagnostic diagnostic = about(DiagnosticCode::kOpenEdge, line);
-    diagnostic.entities = {{EntityKind::kLine, use.line}, {EntityKind::kPatch, use.patch}};
+    diagnostic.entities = {{EntityKind::kLine, use.line.value},
+                           {EntityKind::kPatch, use.patch.value}};
     diagnostic.values = {1.0};
     result_.diagnostics.push_back(std::move(diagnostic));
   }
@@ -138,8 +140,8 @@ class ClosureCheck {
   void reportTwist(const Joint& joint) {
     Diagnostic diagnostic = about(DiagnosticCode::kInconsistentOrientation, joint.line);
     const auto [low, high] = std::minmax(joint.first, joint.second);
-    diagnostic.entities = {{EntityKind::kPatch, low}};
-    if (high != low) diagnostic.entities.push_back({EntityKind::kPatch, high});
+    diagnostic.entities = {{EntityKind::kPatch, low.value}};
+    if (high != low) diagnostic.entities.push_back({EntityKind::kPatch, high.value});
     diagnostic.values = {1.0};
     result_.diagnostics.push_back(std::move(diagnostic));
   }

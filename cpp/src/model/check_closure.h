@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/ids.h"
 #include "model/check_model.h"
 #include "tetrafront/model.h"
 #include "tetrafront/status.h"
@@ -15,9 +16,9 @@ namespace tetrafront {
 struct Closure {
   std::vector<Diagnostic> diagnostics;
   /// Per patch: the lowest patch of its component (patches connected over lines).
-  std::vector<std::uint32_t> component;
+  std::vector<PatchId> component;
   /// Per patch: 1 if its outer loop has the opposite orientation of its component's lowest patch.
-  std::vector<std::uint8_t> isTurned;
+  std::vector<std::uint8_t> isReversed;
   /// True if every used line has two patches whose orientations, as above, agree.
   bool isPlain = false;
 };

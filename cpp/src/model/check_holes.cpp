@@ -18,10 +18,10 @@ constexpr std::uint32_t kHoleSamples = 32;
 
 class HoleCheck {
  public:
-  HoleCheck(const ResolvedModel& model, std::uint32_t patch, const PatchSurface& surface)
+  HoleCheck(const ResolvedModel& model, PatchId patch, const PatchSurface& surface)
       : model_(&model),
         patch_(patch),
-        drawn_(&model.model().patches[patch]),
+        drawn_(&model.model().patches[patch.index()]),
         surface_(&surface),
         projection_(surface) {}
 
@@ -31,25 +31,25 @@ class HoleCheck {
     for (std::size_t hole = 1; hole < drawn_->loops.size(); ++hole) {
       loops.push_back(layOutHole(drawn_->loops[hole]));
       if (worst_ > kHoleTolerance * loopExtent(*model_, drawn_->loops[hole], kHoleSamples))
-        return fault(DiagnosticCode::kHoleOffPatch, {worstLine_}, worstPlace_, {worst_});
+        return defect(DiagnosticCode::kHoleOffPatch, {worstLine_}, worstPlace_, {worst_});
     }
     if (const std::optional<LoopContact> contact =
             findContact(loops, Tolerance(extentInPlane(loops))))
-      return fault(DiagnosticCode::kLoopsIntersect, {contact->firstLine, contact->secondLine},
-                   surface_->evaluate(contact->place).position);
+      return defect(DiagnosticCode::kLoopsIntersect, {contact->firstLine, contact->secondLine},
+                    surface_->evaluate(contact->position).position);
     if (const std::optional<std::size_t> hole = findMisplacedHole(loops))
-      return fault(DiagnosticCode::kHoleOutside, {drawn_->loops[*hole].front().line},
-                   surface_->evaluate(loops[*hole].points.front()).position);
+      return defect(DiagnosticCode::kHoleOutside, {LineId(drawn_->loops[*hole].front().line)},
+                    surface_->evaluate(loops[*hole].points.front()).position);
     return std::nullopt;
   }
 
  private:
-  [[nodiscard]] Diagnostic fault(DiagnosticCode code, const std::vector<std::uint32_t>& lines,
-                                 const Vec3& place, std::vector<double> values = {}) const {
+  [[nodiscard]] Diagnostic defect(DiagnosticCode code, const std::vector<LineId>& lines,
+                                  const Vec3& place, std::vector<double> values = {}) const {
     Diagnostic diagnostic;
     diagnostic.code = code;
-    diagnostic.entities = {{EntityKind::kPatch, patch_}};
-    for (const std::uint32_t line : lines) diagnostic.entities.push_back({EntityKind::kLine, line});
+    diagnostic.entities = {{EntityKind::kPatch, patch_.value}};
+    for (const LineId line : lines) diagnostic.entities.push_back({EntityKind::kLine, line.value});
     diagnostic.hasPosition = true;
     diagnostic.position = place;
     diagnostic.values = std::move(values);
@@ -68,8 +68,8 @@ class HoleCheck {
       appendStarts(*model_, hole, starts);
     const std::optional<RepeatedPoint> twice = findRepeatedPoint(std::move(starts));
     if (!twice) return std::nullopt;
-    return fault(DiagnosticCode::kLoopsIntersect, {twice->firstLine, twice->secondLine},
-                 model_->model().points[twice->point]);
+    return defect(DiagnosticCode::kLoopsIntersect, {twice->firstLine, twice->secondLine},
+                  model_->model().points[twice->point.index()]);
   }
 
   [[nodiscard]] PlaneLoop layOutBorder() const {
@@ -78,7 +78,7 @@ class HoleCheck {
     for (std::size_t position = 0; position < outer.size(); ++position) {
       result.points.push_back(
           surface_->boundaryToPlane(position, 0.0, model_->curve(outer[position]).start()));
-      result.lines.push_back(outer[position].line);
+      result.lines.push_back(LineId(outer[position].line));
     }
     return result;
   }
@@ -93,10 +93,10 @@ class HoleCheck {
         const Vec3 place = curve.position(static_cast<double>(i) / kHoleSamples);
         const PatchProjection::Foot foot = projection_.project(place);
         result.points.push_back(foot.plane);
-        result.lines.push_back(line.line);
+        result.lines.push_back(LineId(line.line));
         if (foot.distance <= worst_) continue;
         worst_ = foot.distance;
-        worstLine_ = line.line;
+        worstLine_ = LineId(line.line);
         worstPlace_ = place;
       }
     }
@@ -111,19 +111,19 @@ class HoleCheck {
   }
 
   const ResolvedModel* model_;
-  std::uint32_t patch_;
+  PatchId patch_;
   const Patch* drawn_;
   const PatchSurface* surface_;
   PatchProjection projection_;
   double worst_ = 0.0;
-  std::uint32_t worstLine_ = 0;
+  LineId worstLine_;
   Vec3 worstPlace_{0.0};
 };
 
 }  // namespace
 
-std::optional<Diagnostic> findHoleFault(const ResolvedModel& model, std::uint32_t patch,
-                                        const PatchSurface& surface) {
+std::optional<Diagnostic> findHoleDefect(const ResolvedModel& model, PatchId patch,
+                                         const PatchSurface& surface) {
   return HoleCheck(model, patch, surface).run();
 }
 

@@ -2,7 +2,6 @@
 
 /// @file Checks the holes of a curved patch whose surface is valid.
 
-#include <cstdint>
 #include <optional>
 
 #include "model/patch_surface.h"
@@ -19,8 +18,7 @@ inline constexpr double kHoleTolerance = 0.05;
 /// Returns the first defect found: a line or point used twice, a hole off the patch, loops that
 /// touch, a hole outside the outer loop or inside another hole. `surface` is the surface of the
 /// patch, which is curved.
-[[nodiscard]] std::optional<Diagnostic> findHoleFault(const ResolvedModel& model,
-                                                      std::uint32_t patch,
-                                                      const PatchSurface& surface);
+[[nodiscard]] std::optional<Diagnostic> findHoleDefect(const ResolvedModel& model, PatchId patch,
+                                                       const PatchSurface& surface);
 
 }  // namespace tetrafront

@@ -18,8 +18,8 @@ struct Side {
   Vec2 from;
   Vec2 to;
   std::uint32_t loop;
-  std::uint32_t position;
-  std::uint32_t line;
+  std::uint32_t index;  ///< in the loop
+  LineId line;
 };
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
@@ -90,14 +90,15 @@ PlaneLoop layOutLoop(const ResolvedModel& model, const Loop& loop, const PlanarS
     const std::uint32_t count = curve.isStraight() ? 1 : kLoopSamples;
     for (std::uint32_t i = 0; i < count; ++i) {
       result.points.push_back(surface.project(curve.position(static_cast<double>(i) / count)));
-      result.lines.push_back(line.line);
+      result.lines.push_back(LineId(line.line));
     }
   }
   return result;
 }
 
 void appendStarts(const ResolvedModel& model, const Loop& loop, std::vector<LineStart>& starts) {
-  for (const OrientedLine& line : loop) starts.push_back({model.startPoint(line), line.line});
+  for (const OrientedLine& line : loop)
+    starts.push_back({model.startPoint(line), LineId(line.line)});
 }
 
 std::optional<RepeatedPoint> findRepeatedPoint(std::vector<LineStart> starts) {
@@ -126,8 +127,8 @@ std::optional<LoopContact> findContact(std::span<const PlaneLoop> loops,
       const Side& other = sides[k];
       const bool sameLoop = other.loop == side.loop;
       const auto count = static_cast<std::uint32_t>(loops[side.loop].points.size());
-      const bool follows = sameLoop && (other.position + 1) % count == side.position;
-      const bool precedes = sameLoop && (side.position + 1) % count == other.position;
+      const bool follows = sameLoop && (other.index + 1) % count == side.index;
+      const bool precedes = sameLoop && (side.index + 1) % count == other.index;
       const bool touch = follows    ? turnsBack(other, side, reach)
                          : precedes ? turnsBack(side, other, reach)
                                     : sidesTouch(other, side, reach);

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "base/ids.h"
 #include "base/tolerance.h"
 #include "model/patch_surface.h"
 
@@ -17,32 +18,32 @@ namespace tetrafront {
 /// A loop as a closed polygon in the patch's plane.
 struct PlaneLoop {
   std::vector<Vec2> points;
-  std::vector<std::uint32_t> lines;  ///< per point: the line of the side that begins there
+  std::vector<LineId> lines;  ///< per point: the line of the side that begins there
 };
 [[nodiscard]] PlaneLoop layOutLoop(const ResolvedModel& model, const Loop& loop,
                                    const PlanarSurface& surface);
 
 /// Start of a line in a loop. Sorted by points, so that lines at one point are neighbours.
 struct LineStart {
-  std::uint32_t point;
-  std::uint32_t line;
+  PointId point;
+  LineId line;
   friend auto operator<=>(const LineStart&, const LineStart&) = default;
 };
 void appendStarts(const ResolvedModel& model, const Loop& loop, std::vector<LineStart>& starts);
 
 /// Returns the first point at which two lines begin, with both lines. O(n log n).
 struct RepeatedPoint {
-  std::uint32_t point;
-  std::uint32_t firstLine;
-  std::uint32_t secondLine;
+  PointId point;
+  LineId firstLine;
+  LineId secondLine;
 };
 [[nodiscard]] std::optional<RepeatedPoint> findRepeatedPoint(std::vector<LineStart> starts);
 
 /// Two lines that touch where they are not connected.
 struct LoopContact {
-  std::uint32_t firstLine;
-  std::uint32_t secondLine;
-  Vec2 place;
+  LineId firstLine;
+  LineId secondLine;
+  Vec2 position;
 };
 /// Returns the first contact found; `tolerance` is relative to the patch. O(n log n) for n samples.
 [[nodiscard]] std::optional<LoopContact> findContact(std::span<const PlaneLoop> loops,

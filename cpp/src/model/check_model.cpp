@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <utility>
 
+#include "base/ids.h"
 #include "base/sort.h"
 #include "base/tolerance.h"
 #include "geom/coordinates.h"
@@ -53,7 +53,7 @@ class ModelChecker::Impl {
     if (!resolved_) {
       checkPoints();
       if (isTooSmall_) {
-        nothingIsSound();
+        markAllUnusable();
         return true;
       }
       checkLines();
@@ -62,7 +62,7 @@ class ModelChecker::Impl {
       const std::size_t last = found_.usablePatches.size() +
                                std::min<std::size_t>(budget, patches - found_.usablePatches.size());
       while (found_.usablePatches.size() < last) {
-        const auto patch = static_cast<std::uint32_t>(found_.usablePatches.size());
+        const PatchId patch(found_.usablePatches.size());
         found_.usablePatches.push_back(checkPatch(*resolved_, patch) ? 1 : 0);
       }
     }
@@ -73,7 +73,7 @@ class ModelChecker::Impl {
 
  private:
   void checkLines() {
-    for (std::uint32_t line = 0; line < model_->lines.size(); ++line)
+    for (const LineId line : IdRange<LineId>(model_->lines.size()))
       found_.usableLines.push_back(checkLine(line) ? 1 : 0);
     resolved_.emplace(*model_, found_.usableLines);
     checkDuplicates(*resolved_);
@@ -105,13 +105,13 @@ class ModelChecker::Impl {
   }
 
   /// If the model is too small to compute with, all other reports would be wrong.
-  void nothingIsSound() {
+  void markAllUnusable() {
     found_.usableLines.assign(model_->lines.size(), 0);
     found_.usablePatches.assign(model_->patches.size(), 0);
-    found_.duplicates.points.resize(model_->points.size());
-    found_.duplicates.lines.resize(model_->lines.size());
-    std::iota(found_.duplicates.points.begin(), found_.duplicates.points.end(), 0U);
-    std::iota(found_.duplicates.lines.begin(), found_.duplicates.lines.end(), 0U);
+    for (const PointId point : IdRange<PointId>(model_->points.size()))
+      found_.duplicates.points.push_back(point);
+    for (const LineId line : IdRange<LineId>(model_->lines.size()))
+      found_.duplicates.lines.push_back(line);
   }
 
   void checkSmallness(const std::vector<std::uint8_t>& takesPart) {
@@ -174,24 +174,24 @@ class ModelChecker::Impl {
   // ---- lines -----------------------------------------------------------------------------------
 
   /// Checks one line; returns true if a curve can be built from it.
-  bool checkLine(std::uint32_t line) {
-    const Line& drawn = model_->lines[line];
-    bool sound = true;
+  bool checkLine(LineId line) {
+    const Line& drawn = model_->lines[line.index()];
+    bool isUsable = true;
     if (!pointCountFits(drawn)) {
-      report(DiagnosticCode::kWrongPointCount, {{EntityKind::kLine, line}},
+      report(DiagnosticCode::kWrongPointCount, {{EntityKind::kLine, line.value}},
              {static_cast<double>(drawn.points.size())});
-      sound = false;
+      isUsable = false;
     }
     for (const std::uint32_t point : drawn.points) {
       if (point < model_->points.size()) {
-        sound = sound && isFinite(model_->points[point]);
+        isUsable = isUsable && isFinite(model_->points[point]);
         continue;
       }
-      report(DiagnosticCode::kIndexOutOfRange, {{EntityKind::kLine, line}},
+      report(DiagnosticCode::kIndexOutOfRange, {{EntityKind::kLine, line.value}},
              {static_cast<double>(point)});
-      sound = false;
+      isUsable = false;
     }
-    return sound && checkPlaces(line);
+    return isUsable && checkPositions(line);
   }
 
   static bool pointCountFits(const Line& line) {
@@ -206,37 +206,42 @@ class ModelChecker::Impl {
     return line.points.size() >= 4;
   }
 
-  [[nodiscard]] bool coincide(std::uint32_t a, std::uint32_t b) const {
-    return a == b || glm::length(model_->points[a] - model_->points[b]) <= tolerance_.rounding();
+  [[nodiscard]] bool coincide(PointId a, PointId b) const {
+    return a == b || glm::length(positionOf(a) - positionOf(b)) <= tolerance_.rounding();
   }
 
   /// Points with the same position that were reported with a line are not reported again.
-  void nameTogether(std::uint32_t a, std::uint32_t b) {
+  void nameTogether(PointId a, PointId b) {
     namedPairs_.emplace_back(std::min(a, b), std::max(a, b));
   }
 
-  bool checkPlaces(std::uint32_t line) {
-    const std::vector<std::uint32_t>& points = model_->lines[line].points;
-    const Vec3& place = model_->points[points.front()];
-    if (std::ranges::all_of(points, [&](std::uint32_t p) { return coincide(points.front(), p); })) {
-      report(DiagnosticCode::kZeroLengthLine, {{EntityKind::kLine, line}}, {}, place);
-      for (const std::uint32_t point : points) nameTogether(points.front(), point);
+  bool checkPositions(LineId line) {
+    std::vector<PointId> points;
+    for (const std::uint32_t point : model_->lines[line.index()].points)
+      points.push_back(PointId(point));
+    const PointId start = points.front();
+    if (std::ranges::all_of(points, [&](PointId point) { return coincide(start, point); })) {
+      report(DiagnosticCode::kZeroLengthLine, {{EntityKind::kLine, line.value}}, {},
+             positionOf(start));
+      for (const PointId point : points) nameTogether(start, point);
       return false;
     }
     bool distinct = true;
-    const auto compare = [&](std::uint32_t a, std::uint32_t b) {
+    const auto compare = [&](PointId a, PointId b) {
       if (!coincide(a, b)) return;
       distinct = false;
       nameTogether(a, b);
       report(DiagnosticCode::kCoincidentPoints,
-             {{EntityKind::kLine, line}, {EntityKind::kPoint, a}, {EntityKind::kPoint, b}}, {},
-             model_->points[b]);
+             {{EntityKind::kLine, line.value},
+              {EntityKind::kPoint, a.value},
+              {EntityKind::kPoint, b.value}},
+             {}, positionOf(b));
     };
     for (std::size_t i = 0; i + 1 < points.size(); ++i) compare(points[i], points[i + 1]);
     // A spline may end at its first point. A parabola cannot, and two points with the same position
     // would leave an invisible gap.
     const bool closed = points.front() == points.back();
-    if (points.size() > 2 && (!closed || model_->lines[line].type == LineType::kParabolic))
+    if (points.size() > 2 && (!closed || model_->lines[line.index()].type == LineType::kParabolic))
       compare(points.front(), points.back());
     return distinct;
   }
@@ -252,52 +257,54 @@ class ModelChecker::Impl {
         found_.diagnostics.back().severity = Severity::kWarning;
     };
     stableSort(namedPairs_);
-    for (std::uint32_t point = 0; point < model_->points.size(); ++point) {
-      const std::uint32_t first = found_.duplicates.points[point];
+    for (const PointId point : IdRange<PointId>(model_->points.size())) {
+      const PointId first = found_.duplicates.points[point.index()];
       if (first == point || std::ranges::binary_search(namedPairs_, std::pair(first, point)))
         continue;
-      reportPair(DiagnosticCode::kDuplicatePoints, EntityKind::kPoint, first, point, isCorner_,
-                 model_->points[point]);
+      reportPair(DiagnosticCode::kDuplicatePoints, EntityKind::kPoint, first.value, point.value,
+                 isCorner_, positionOf(point));
     }
-    for (std::uint32_t line = 0; line < model_->lines.size(); ++line) {
-      const std::uint32_t first = found_.duplicates.lines[line];
+    for (const LineId line : IdRange<LineId>(model_->lines.size())) {
+      const LineId first = found_.duplicates.lines[line.index()];
       if (first == line) continue;
-      reportPair(DiagnosticCode::kDuplicateLines, EntityKind::kLine, first, line, isUsed_,
-                 resolved.curve(line).position(0.5));
+      reportPair(DiagnosticCode::kDuplicateLines, EntityKind::kLine, first.value, line.value,
+                 isUsed_, resolved.curve(line).position(0.5));
     }
   }
 
   void checkCourses(const ResolvedModel& resolved) {
     crosses_.assign(model_->lines.size(), 0);
-    for (std::uint32_t line = 0; line < model_->lines.size(); ++line) {
-      if (found_.usableLines[line] == 0) continue;
-      const std::optional<Vec3> place = findSelfCrossing(resolved.curve(line));
-      if (!place) continue;
-      crosses_[line] = 1;
-      report(DiagnosticCode::kLineSelfIntersection, {{EntityKind::kLine, line}}, {}, place);
-      if (isUsed_[line] == 0) found_.diagnostics.back().severity = Severity::kWarning;
+    for (const LineId line : IdRange<LineId>(model_->lines.size())) {
+      if (found_.usableLines[line.index()] == 0) continue;
+      const std::optional<Vec3> position = findSelfCrossing(resolved.curve(line));
+      if (!position) continue;
+      crosses_[line.index()] = 1;
+      report(DiagnosticCode::kLineSelfIntersection, {{EntityKind::kLine, line.value}}, {},
+             position);
+      if (isUsed_[line.index()] == 0) found_.diagnostics.back().severity = Severity::kWarning;
     }
   }
 
   // ---- patches ---------------------------------------------------------------------------------
 
   /// Checks one patch; returns true if its surface can be evaluated.
-  bool checkPatch(const ResolvedModel& resolved, std::uint32_t patch) {
-    const Patch& drawn = model_->patches[patch];
-    if (!checkLineNumbers(patch)) return false;
+  bool checkPatch(const ResolvedModel& resolved, PatchId patch) {
+    const Patch& drawn = model_->patches[patch.index()];
+    if (!checkLineIndices(patch)) return false;
     const PatchRule rule = ruleOf(drawn.type);
-    bool sound = checkLoops(patch, rule);
-    sound = checkChains(patch) && sound;
+    bool isUsable = checkLoops(patch, rule);
+    isUsable = checkChains(patch) && isUsable;
     for (const Loop& loop : drawn.loops)
-      for (const OrientedLine& line : loop) sound = sound && found_.usableLines[line.line] != 0;
-    return sound && checkShape(resolved, patch);
+      for (const OrientedLine& line : loop)
+        isUsable = isUsable && found_.usableLines[line.line] != 0;
+    return isUsable && checkShape(resolved, patch);
   }
 
   /// If a loop intersects itself, or a patch folds, because one of its lines does, only the line is
   /// reported.
-  bool checkShape(const ResolvedModel& resolved, std::uint32_t patch) {
+  bool checkShape(const ResolvedModel& resolved, PatchId patch) {
     const std::size_t before = found_.diagnostics.size();
-    const bool sound = checkPatchShape(resolved, patch, movedPoints_, found_.diagnostics);
+    const bool isUsable = checkPatchShape(resolved, patch, movedPoints_, found_.diagnostics);
     const auto isKnown = [&](const Diagnostic& diagnostic) {
       const bool isAboutLines = diagnostic.code == DiagnosticCode::kLoopsIntersect ||
                                 diagnostic.code == DiagnosticCode::kDegeneratePatch;
@@ -309,15 +316,15 @@ class ModelChecker::Impl {
     const auto from = found_.diagnostics.begin() + static_cast<std::ptrdiff_t>(before);
     found_.diagnostics.erase(std::remove_if(from, found_.diagnostics.end(), isKnown),
                              found_.diagnostics.end());
-    return sound;
+    return isUsable;
   }
 
-  bool checkLineNumbers(std::uint32_t patch) {
+  bool checkLineIndices(PatchId patch) {
     bool exist = true;
-    for (const Loop& loop : model_->patches[patch].loops) {
+    for (const Loop& loop : model_->patches[patch.index()].loops) {
       for (const OrientedLine& line : loop) {
         if (line.line < model_->lines.size()) continue;
-        report(DiagnosticCode::kIndexOutOfRange, {{EntityKind::kPatch, patch}},
+        report(DiagnosticCode::kIndexOutOfRange, {{EntityKind::kPatch, patch.value}},
                {static_cast<double>(line.line)});
         exist = false;
       }
@@ -325,36 +332,36 @@ class ModelChecker::Impl {
     return exist;
   }
 
-  bool checkLoops(std::uint32_t patch, const PatchRule& rule) {
-    const Patch& drawn = model_->patches[patch];
+  bool checkLoops(PatchId patch, const PatchRule& rule) {
+    const Patch& drawn = model_->patches[patch.index()];
     const std::size_t given = drawn.loops.empty() ? 0 : drawn.loops.front().size();
     bool fits = rule.lines == 0 ? given > 0 : given == rule.lines;
     // A hole without lines is ignored.
     for (const Loop& loop : drawn.loops) fits = fits && !loop.empty();
     if (!fits)
-      report(DiagnosticCode::kWrongLineCount, {{EntityKind::kPatch, patch}},
+      report(DiagnosticCode::kWrongLineCount, {{EntityKind::kPatch, patch.value}},
              {static_cast<double>(given), static_cast<double>(std::max(rule.lines, 1U))});
     if (!rule.parabolicOnly || drawn.loops.empty()) return fits;
     for (const OrientedLine& line : drawn.loops.front()) {
       if (model_->lines[line.line].type == LineType::kParabolic) continue;
       report(DiagnosticCode::kWrongLineType,
-             {{EntityKind::kPatch, patch}, {EntityKind::kLine, line.line}});
+             {{EntityKind::kPatch, patch.value}, {EntityKind::kLine, line.line}});
       fits = false;
     }
     return fits;
   }
 
   /// Checks that each line begins at the end point of the previous one.
-  bool checkChains(std::uint32_t patch) {
+  bool checkChains(PatchId patch) {
     bool closed = true;
-    for (const Loop& loop : model_->patches[patch].loops) {
+    for (const Loop& loop : model_->patches[patch.index()].loops) {
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const std::optional<std::uint32_t> end = endOf(loop[i], true);
         const std::optional<std::uint32_t> next = endOf(loop[(i + 1) % loop.size()], false);
         if (end && next && *end == *next) continue;
         closed = false;
         if (!end || !next) continue;  // a line without points is reported as such
-        std::vector<Entity> entities{{EntityKind::kPatch, patch},
+        std::vector<Entity> entities{{EntityKind::kPatch, patch.value},
                                      {EntityKind::kLine, loop[i].line}};
         std::optional<Vec3> place;
         if (*end < model_->points.size()) {
@@ -365,6 +372,10 @@ class ModelChecker::Impl {
       }
     }
     return closed;
+  }
+
+  [[nodiscard]] const Vec3& positionOf(PointId point) const {
+    return model_->points[point.index()];
   }
 
   [[nodiscard]] std::optional<std::uint32_t> endOf(const OrientedLine& line, bool last) const {
@@ -383,7 +394,7 @@ class ModelChecker::Impl {
   std::vector<std::uint8_t> isCorner_;  ///< per point: 1 if it is an end of a used line
   std::vector<std::uint8_t> crosses_;   ///< per line: 1 if it intersects itself
   /// Points with the same position, lower first, that a line's diagnostic names.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> namedPairs_;
+  std::vector<std::pair<PointId, PointId>> namedPairs_;
 };
 
 ModelChecker::ModelChecker(const Model& model) : impl_(std::make_unique<Impl>(model)) {}
@@ -395,10 +406,10 @@ bool ModelChecker::advance(std::uint32_t budget) { return impl_->advance(budget)
 CheckedModel ModelChecker::take() { return impl_->take(); }
 
 CheckedModel checkModel(const Model& model) {
-  ModelChecker examiner(model);
-  while (!examiner.advance(std::numeric_limits<std::uint32_t>::max())) {
+  ModelChecker checker(model);
+  while (!checker.advance(std::numeric_limits<std::uint32_t>::max())) {
   }
-  return examiner.take();
+  return checker.take();
 }
 
 std::vector<Diagnostic> diagnoseModel(const Model& model) {

@@ -27,23 +27,23 @@ constexpr std::size_t kMaxNamed = 8;
 
 class PatchCheck {
  public:
-  PatchCheck(const ResolvedModel& model, std::uint32_t patch, MovedPointFinder& movedPoints,
+  PatchCheck(const ResolvedModel& model, PatchId patch, MovedPointFinder& movedPoints,
              std::vector<Diagnostic>& diagnostics)
       : model_(&model),
         patch_(patch),
-        drawn_(&model.model().patches[patch]),
+        drawn_(&model.model().patches[patch.index()]),
         movedPoints_(&movedPoints),
         diagnostics_(&diagnostics) {}
 
   bool run() { return drawn_->type == PatchType::kPlanar ? checkPlanar() : checkCurved(); }
 
  private:
-  void report(DiagnosticCode code, const std::vector<std::uint32_t>& lines,
-              std::optional<Vec3> place, std::vector<double> values = {}) {
+  void report(DiagnosticCode code, const std::vector<LineId>& lines, std::optional<Vec3> place,
+              std::vector<double> values = {}) {
     Diagnostic diagnostic;
     diagnostic.code = code;
-    diagnostic.entities = {{EntityKind::kPatch, patch_}};
-    for (const std::uint32_t line : lines) diagnostic.entities.push_back({EntityKind::kLine, line});
+    diagnostic.entities = {{EntityKind::kPatch, patch_.value}};
+    for (const LineId line : lines) diagnostic.entities.push_back({EntityKind::kLine, line.value});
     diagnostic.hasPosition = place.has_value();
     diagnostic.position = place.value_or(Vec3(0.0));
     diagnostic.values = std::move(values);
@@ -72,7 +72,7 @@ class PatchCheck {
 
   bool checkFlatness(const PlanarSurface& surface, double size) {
     double worst = kPlaneTolerance * size;
-    std::optional<std::uint32_t> worstLine;
+    std::optional<LineId> worstLine;
     Vec3 place(0.0);
     for (const Loop& loop : drawn_->loops) {
       for (const OrientedLine& line : loop) {
@@ -81,7 +81,7 @@ class PatchCheck {
           const double distance = std::fabs(surface.distance(sample));
           if (distance <= worst) continue;
           worst = distance;
-          worstLine = line.line;
+          worstLine = LineId(line.line);
           place = sample;
         }
       }
@@ -95,22 +95,22 @@ class PatchCheck {
   bool reportMovedPoints(double size) {
     const MovedPoints moved = movedPoints_->find(patch_, size);
     if (moved.points.empty()) return false;
-    const std::uint32_t farthest = moved.points.front();
-    report(DiagnosticCode::kNotPlanar, linesThrough(farthest), model_->model().points[farthest],
-           {moved.distance});
+    const PointId farthest = moved.points.front();
+    report(DiagnosticCode::kNotPlanar, linesThrough(farthest),
+           model_->model().points[farthest.index()], {moved.distance});
     for (std::size_t i = 0; i < std::min(moved.points.size(), kMaxNamed); ++i)
-      diagnostics_->back().entities.push_back({EntityKind::kPoint, moved.points[i]});
+      diagnostics_->back().entities.push_back({EntityKind::kPoint, moved.points[i].value});
     return true;
   }
 
-  [[nodiscard]] std::vector<std::uint32_t> linesThrough(std::uint32_t point) const {
-    std::vector<std::uint32_t> lines;
+  [[nodiscard]] std::vector<LineId> linesThrough(PointId point) const {
+    std::vector<LineId> lines;
     for (const Loop& loop : drawn_->loops) {
       for (const OrientedLine& line : loop) {
         const std::vector<std::uint32_t>& points = model_->model().lines[line.line].points;
-        const bool passes = std::ranges::find(points, point) != points.end();
-        if (passes && std::ranges::find(lines, line.line) == lines.end())
-          lines.push_back(line.line);
+        const bool passes = std::ranges::find(points, point.value) != points.end();
+        if (passes && std::ranges::find(lines, LineId(line.line)) == lines.end())
+          lines.push_back(LineId(line.line));
       }
     }
     return lines;
@@ -120,7 +120,7 @@ class PatchCheck {
   bool checkRepeatedLines() {
     std::vector<LineStart> starts;
     for (const Loop& loop : drawn_->loops) appendStarts(*model_, loop, starts);
-    std::vector<std::uint32_t> lines;
+    std::vector<LineId> lines;
     for (const LineStart& start : starts) lines.push_back(start.line);
     stableSort(lines);
     if (const auto twice = std::ranges::adjacent_find(lines); twice != lines.end()) {
@@ -130,7 +130,7 @@ class PatchCheck {
     const std::optional<RepeatedPoint> twice = findRepeatedPoint(std::move(starts));
     if (!twice) return true;
     report(DiagnosticCode::kLoopsIntersect, {twice->firstLine, twice->secondLine},
-           model_->model().points[twice->point]);
+           model_->model().points[twice->point.index()]);
     return false;
   }
 
@@ -139,11 +139,11 @@ class PatchCheck {
     for (const Loop& loop : drawn_->loops) loops.push_back(layOutLoop(*model_, loop, surface));
     if (const std::optional<LoopContact> contact = findContact(loops, Tolerance(size))) {
       report(DiagnosticCode::kLoopsIntersect, {contact->firstLine, contact->secondLine},
-             surface.evaluate(contact->place).position);
+             surface.evaluate(contact->position).position);
       return;
     }
     if (const std::optional<std::size_t> hole = findMisplacedHole(loops))
-      report(DiagnosticCode::kHoleOutside, {drawn_->loops[*hole].front().line},
+      report(DiagnosticCode::kHoleOutside, {LineId(drawn_->loops[*hole].front().line)},
              surface.evaluate(loops[*hole].points.front()).position);
   }
 
@@ -154,21 +154,21 @@ class PatchCheck {
     const UnitSurface surface(drawn_->type, curvesOf(*model_, drawn_->loops.front()));
     const SmoothCorners corners =
         isIsoparametric() ? SmoothCorners::kFold : SmoothCorners::kAllowed;
-    const std::optional<SurfaceDefect> fault =
+    const std::optional<SurfaceDefect> defect =
         findSurfaceDefect(surface, corners, Tolerance(extent()));
-    if (!fault) {
+    if (!defect) {
       checkHoles();
       return true;
     }
-    report(DiagnosticCode::kDegeneratePatch, offCentreLines(), fault->position);
-    return !fault->hasNoArea;
+    report(DiagnosticCode::kDegeneratePatch, offCentreLines(), defect->position);
+    return !defect->hasNoArea;
   }
 
   void checkHoles() {
     if (drawn_->loops.size() < 2) return;
-    std::optional<Diagnostic> fault =
-        findHoleFault(*model_, patch_, PatchSurface(*model_, *drawn_));
-    if (fault) diagnostics_->push_back(std::move(*fault));
+    std::optional<Diagnostic> defect =
+        findHoleDefect(*model_, patch_, PatchSurface(*model_, *drawn_));
+    if (defect) diagnostics_->push_back(std::move(*defect));
   }
 
   [[nodiscard]] bool isIsoparametric() const {
@@ -177,14 +177,15 @@ class PatchCheck {
   }
 
   /// Finds the lines of an isoparametric patch whose mid-points are too close to one end.
-  [[nodiscard]] std::vector<std::uint32_t> offCentreLines() const {
-    std::vector<std::uint32_t> lines;
+  [[nodiscard]] std::vector<LineId> offCentreLines() const {
+    std::vector<LineId> lines;
     if (!isIsoparametric()) return lines;
     for (const OrientedLine& line : drawn_->loops.front()) {
-      const std::span<const Vec3> points = model_->curve(line.line).points();
+      const std::span<const Vec3> points = model_->curve(LineId(line.line)).points();
       const Vec3 chord = points[2] - points[0];
       const double foot = glm::dot(points[1] - points[0], chord) / glm::dot(chord, chord);
-      if (foot < kMidPointMargin || foot > 1.0 - kMidPointMargin) lines.push_back(line.line);
+      if (foot < kMidPointMargin || foot > 1.0 - kMidPointMargin)
+        lines.push_back(LineId(line.line));
     }
     return lines;
   }
@@ -197,8 +198,8 @@ class PatchCheck {
       for (std::size_t k = i + 1; k < loop.size(); ++k) {
         const bool seam = loop.size() == 4 && k == i + 2 && loop[i].reversed != loop[k].reversed;
         if (loop[i].line != loop[k].line || seam) continue;
-        report(DiagnosticCode::kLoopsIntersect, {loop[i].line},
-               model_->curve(loop[i].line).start());
+        report(DiagnosticCode::kLoopsIntersect, {LineId(loop[i].line)},
+               model_->curve(LineId(loop[i].line)).start());
         return false;
       }
     }
@@ -213,7 +214,7 @@ class PatchCheck {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const std::size_t k = (i + apart) % loop.size();
       if (model_->startPoint(loop[i]) != model_->startPoint(loop[k])) continue;
-      report(DiagnosticCode::kLoopsIntersect, {loop[i].line, loop[k].line},
+      report(DiagnosticCode::kLoopsIntersect, {LineId(loop[i].line), LineId(loop[k].line)},
              model_->curve(loop[i]).start());
       return false;
     }
@@ -221,7 +222,7 @@ class PatchCheck {
   }
 
   const ResolvedModel* model_;
-  std::uint32_t patch_;
+  PatchId patch_;
   const Patch* drawn_;
   MovedPointFinder* movedPoints_;
   std::vector<Diagnostic>* diagnostics_;
@@ -229,7 +230,7 @@ class PatchCheck {
 
 }  // namespace
 
-bool checkPatchShape(const ResolvedModel& model, std::uint32_t patch, MovedPointFinder& movedPoints,
+bool checkPatchShape(const ResolvedModel& model, PatchId patch, MovedPointFinder& movedPoints,
                      std::vector<Diagnostic>& diagnostics) {
   return PatchCheck(model, patch, movedPoints, diagnostics).run();
 }

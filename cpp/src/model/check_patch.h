@@ -2,7 +2,6 @@
 
 /// @file Checks the shape of a patch with usable lines and closed loops.
 
-#include <cstdint>
 #include <vector>
 
 #include "model/check_plane.h"
@@ -14,7 +13,7 @@ namespace tetrafront {
 /// Appends the problems found: no area, a fold, a line off the plane, loops that touch or lie
 /// outside the first one. Returns true if the surface can be evaluated. `movedPoints` must be of
 /// the same model.
-bool checkPatchShape(const ResolvedModel& model, std::uint32_t patch, MovedPointFinder& movedPoints,
+bool checkPatchShape(const ResolvedModel& model, PatchId patch, MovedPointFinder& movedPoints,
                      std::vector<Diagnostic>& diagnostics);
 
 }  // namespace tetrafront

@@ -36,14 +36,14 @@ struct CandidatePlane {
 };
 
 /// Returns the points of a patch's lines, each once; none if it refers to something missing.
-std::vector<std::uint32_t> pointsOfPatch(const Model& model, const Patch& patch) {
-  std::vector<std::uint32_t> points;
+std::vector<PointId> pointsOfPatch(const Model& model, const Patch& patch) {
+  std::vector<PointId> points;
   for (const Loop& loop : patch.loops) {
     for (const OrientedLine& walked : loop) {
       if (walked.line >= model.lines.size()) return {};
       for (const std::uint32_t point : model.lines[walked.line].points) {
         if (point >= model.points.size()) return {};
-        points.push_back(point);
+        points.push_back(PointId(point));
       }
     }
   }
@@ -53,7 +53,7 @@ std::vector<std::uint32_t> pointsOfPatch(const Model& model, const Patch& patch)
 
 class PlaneVote {
  public:
-  PlaneVote(const Model& model, const std::vector<std::uint32_t>& points)
+  PlaneVote(const Model& model, const std::vector<PointId>& points)
       : model_(&model), points_(points) {
     const Vec3& origin = place(0);
     for (std::size_t i = 1; i < points_.size(); ++i)
@@ -83,7 +83,9 @@ class PlaneVote {
   }
 
  private:
-  [[nodiscard]] const Vec3& place(std::size_t i) const { return model_->points[points_[i]]; }
+  [[nodiscard]] const Vec3& place(std::size_t i) const {
+    return model_->points[points_[i].index()];
+  }
 
   void consider(std::size_t i, std::size_t j, std::size_t k) {
     if (mostAgreeing_ == points_.size()) return;
@@ -107,20 +109,20 @@ class PlaneVote {
 
   [[nodiscard]] CandidatePlane judge(const PlanarSurface& surface) const {
     CandidatePlane plane;
-    std::vector<std::pair<double, std::uint32_t>> off;
+    std::vector<std::pair<double, PointId>> off;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const double distance = std::fabs(surface.distance(place(i)));
       if (distance > tolerance_) off.emplace_back(-distance, points_[i]);
     }
     stableSort(off);
     plane.agreeing = points_.size() - off.size();
-    for (const auto& [distance, point] : off) plane.moved.points.push_back(point);
+    for (const auto& [distance, point] : off) plane.moved.points.push_back(PointId(point));
     plane.moved.distance = off.empty() ? 0.0 : -off.front().first;
     return plane;
   }
 
   const Model* model_;
-  std::span<const std::uint32_t> points_;
+  std::span<const PointId> points_;
   double tolerance_ = 0.0;
   double extent_ = 0.0;
   std::size_t mostAgreeing_ = 0;
@@ -129,8 +131,8 @@ class PlaneVote {
 
 }  // namespace
 
-MovedPoints MovedPointFinder::find(std::uint32_t patch, double extent) {
-  const std::vector<std::uint32_t> points = pointsOfPatch(*model_, model_->patches[patch]);
+MovedPoints MovedPointFinder::find(PatchId patch, double extent) {
+  const std::vector<PointId> points = pointsOfPatch(*model_, model_->patches[patch.index()]);
   if (points.size() < 4) return {};
   std::vector<CandidatePlane> planes = PlaneVote(*model_, points).run(kPlaneTolerance * extent);
   if (planes.empty() || planes.size() > kMaxRivals) return {};
@@ -141,7 +143,7 @@ MovedPoints MovedPointFinder::find(std::uint32_t patch, double extent) {
   if (planes.size() == 1) return std::move(planes.front().moved);
   if (bentPatches_.empty()) countBentPatches();
   const auto rank = [&](const CandidatePlane& plane) {
-    return std::tuple(bentPatches_[plane.moved.points.front()], plane.alongAxes);
+    return std::tuple(bentPatches_[plane.moved.points.front().index()], plane.alongAxes);
   };
   const auto best = std::ranges::max_element(planes, {}, rank);
   return std::move(best->moved);
@@ -151,12 +153,12 @@ void MovedPointFinder::countBentPatches() {
   bentPatches_.assign(model_->points.size(), 0);
   for (const Patch& patch : model_->patches) {
     if (patch.type != PatchType::kPlanar) continue;
-    const std::vector<std::uint32_t> points = pointsOfPatch(*model_, patch);
+    const std::vector<PointId> points = pointsOfPatch(*model_, patch);
     if (points.size() < 4) continue;
     PlaneVote vote(*model_, points);
     const std::vector<CandidatePlane> planes = vote.run(kPlaneTolerance * vote.extent());
     if (planes.empty() || planes.front().agreeing == points.size()) continue;
-    for (const std::uint32_t point : points) ++bentPatches_[point];
+    for (const PointId point : points) ++bentPatches_[point.index()];
   }
 }
 

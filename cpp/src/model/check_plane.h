@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/ids.h"
 #include "tetrafront/model.h"
 
 namespace tetrafront {
@@ -16,8 +17,8 @@ inline constexpr double kPlaneTolerance = 1e-4;
 
 /// Points off the plane that most points of a patch's lines share.
 struct MovedPoints {
-  std::vector<std::uint32_t> points;  ///< farthest first; empty if most points share no plane
-  double distance = 0.0;              ///< distance of the first point from that plane
+  std::vector<PointId> points;  ///< farthest first; empty if most points share no plane
+  double distance = 0.0;        ///< distance of the first point from that plane
 };
 
 class MovedPointFinder {
@@ -29,7 +30,7 @@ class MovedPointFinder {
   /// points off it belong to the most non-planar patches, then one along the axes. `patch` must
   /// refer to existing points; other patches need not. `extent` is its size. The first call takes
   /// O(n log n) in the model, later ones depend on the points of the patch.
-  [[nodiscard]] MovedPoints find(std::uint32_t patch, double extent);
+  [[nodiscard]] MovedPoints find(PatchId patch, double extent);
 
  private:
   void countBentPatches();

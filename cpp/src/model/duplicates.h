@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/ids.h"
 #include "base/tolerance.h"
 #include "model/resolved_model.h"
 
@@ -13,8 +14,8 @@ namespace tetrafront {
 
 /// Per entity: the lowest entity that equals it, which may be itself.
 struct Duplicates {
-  std::vector<std::uint32_t> points;  ///< with the same position
-  std::vector<std::uint32_t> lines;   ///< with the same ends and the same course
+  std::vector<PointId> points;  ///< with the same position
+  std::vector<LineId> lines;    ///< with the same ends and the same course
 };
 
 /// Finds the duplicates. Points that are not finite and unusable lines (one flag per line) equal

@@ -36,12 +36,12 @@ ResolvedModel::ResolvedModel(const Model& model, std::span<const std::uint8_t> u
   }
 }
 
-std::uint32_t ResolvedModel::startPoint(const OrientedLine& line) const {
+PointId ResolvedModel::startPoint(const OrientedLine& line) const {
   const Line& drawn = model_->lines[line.line];
-  return line.reversed ? drawn.points.back() : drawn.points.front();
+  return PointId(line.reversed ? drawn.points.back() : drawn.points.front());
 }
 
-std::uint32_t ResolvedModel::endPoint(const OrientedLine& line) const {
+PointId ResolvedModel::endPoint(const OrientedLine& line) const {
   return startPoint({line.line, !line.reversed});
 }
 

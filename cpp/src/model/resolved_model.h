@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "base/ids.h"
 #include "model/curve.h"
 #include "tetrafront/model.h"
 
@@ -27,19 +28,19 @@ class ResolvedModel {
   [[nodiscard]] const Model& model() const { return *model_; }
 
   /// Curve in the canonical direction.
-  [[nodiscard]] const Curve& curve(std::uint32_t line) const { return curves_[line]; }
+  [[nodiscard]] const Curve& curve(LineId line) const { return curves_[line.index()]; }
 
   /// True if the canonical direction is opposite to the line as drawn.
-  [[nodiscard]] bool flipped(std::uint32_t line) const { return flipped_[line] != 0; }
+  [[nodiscard]] bool isFlipped(LineId line) const { return flipped_[line.index()] != 0; }
 
   /// Curve in the direction of a loop.
   [[nodiscard]] OrientedCurve curve(const OrientedLine& line) const {
-    return {curves_[line.line], line.reversed != flipped(line.line)};
+    return {curves_[line.line], line.reversed != isFlipped(LineId(line.line))};
   }
 
-  /// First and last point of a line in the direction of a loop, as indices in Model::points.
-  [[nodiscard]] std::uint32_t startPoint(const OrientedLine& line) const;
-  [[nodiscard]] std::uint32_t endPoint(const OrientedLine& line) const;
+  /// First and last point of a line in the direction of a loop.
+  [[nodiscard]] PointId startPoint(const OrientedLine& line) const;
+  [[nodiscard]] PointId endPoint(const OrientedLine& line) const;
 
  private:
   const Model* model_;

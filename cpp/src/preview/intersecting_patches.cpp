@@ -189,7 +189,7 @@ class IntersectionSearch {
       if (isExact) {
         for (const Loop& loop : model.patches[patch].loops)
           for (const OrientedLine& walked : loop)
-            isExact = isExact && resolved.curve(walked.line).isStraight();
+            isExact = isExact && resolved.curve(LineId(walked.line)).isStraight();
       }
       isExact_.push_back(isExact ? 1 : 0);
     }

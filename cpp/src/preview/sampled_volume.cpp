@@ -54,8 +54,9 @@ class SampledSurface {
 };
 
 bool isSingleRegion(const Closure& closure) {
-  return closure.isPlain &&
-         std::ranges::all_of(closure.component, [](std::uint32_t first) { return first == 0; });
+  return closure.isPlain && std::ranges::all_of(closure.component, [](PatchId lowest) {
+           return lowest == PatchId(0U);
+         });
 }
 
 /// True for errors about intersections.
@@ -73,7 +74,7 @@ SampledVolume findSampledVolume(const Model& model, const SampledModel& sampled,
   if (std::ranges::count(sampled.isConforming, 0) > 0) return result;
   SampledSurface surface(sampled);
   for (std::uint32_t patch = 0; patch < model.patches.size(); ++patch)
-    surface.addPatch(patch, closure.isTurned[patch] != 0);
+    surface.addPatch(patch, closure.isReversed[patch] != 0);
   if (isSingleRegion(closure)) {
     result.volume = std::fabs(enclosedVolume(surface.mesh));
     return result;

@@ -70,7 +70,7 @@ class SurfaceSampler {
       if (model_->patches[patch].type == PatchType::kPlanar) continue;
       for (const Loop& loop : model_->patches[patch].loops)
         for (const OrientedLine& walked : loop)
-          isOnLattice_[found_->duplicates.lines[walked.line]] = 1;
+          isOnLattice_[found_->duplicates.lines[walked.line].index()] = 1;
     }
   }
 
@@ -80,44 +80,45 @@ class SurfaceSampler {
     lines_.divisions.resize(model_->lines.size());
     lines_.nodes.resize(model_->lines.size());
     nextNode_ = static_cast<std::uint32_t>(model_->points.size());
-    for (std::uint32_t line = 0; line < model_->lines.size(); ++line) {
-      if (found_->usableLines[line] != 0) addLine(line);
+    for (const LineId line : IdRange<LineId>(model_->lines.size())) {
+      if (found_->usableLines[line.index()] != 0) addLine(line);
       preview.lineOffsets.push_back(static_cast<std::uint32_t>(preview.linePoints.size() / 3));
     }
   }
 
-  void addLine(std::uint32_t line) {
+  void addLine(LineId line) {
     const Curve& curve = resolved_.curve(line);
     const std::uint32_t shown = curve.isStraight() ? 1 : kLineSegments;
     for (const Vec3& position : divideEvenly(curve, shown).nodes)
       append(sampled_.preview.linePoints, position);
-    const std::uint32_t first = found_->duplicates.lines[line];
+    const LineId first = found_->duplicates.lines[line.index()];
     const std::uint32_t alone = curve.isStraight() ? 1 : boundarySides_;
-    lines_.divisions[line] = divideEvenly(curve, isOnLattice_[first] != 0 ? cells_ : alone);
+    lines_.divisions[line.index()] =
+        divideEvenly(curve, isOnLattice_[first.index()] != 0 ? cells_ : alone);
     numberNodes(line, first);
   }
 
   /// Points at the same position are one node, and so are the points of lines that were drawn twice.
-  void numberNodes(std::uint32_t line, std::uint32_t first) {
-    const std::vector<std::uint32_t>& points = model_->lines[line].points;
-    std::vector<NodeId>& nodes = lines_.nodes[line];
-    nodes.resize(lines_.divisions[line].nodes.size());
+  void numberNodes(LineId line, LineId first) {
+    const std::vector<std::uint32_t>& points = model_->lines[line.index()].points;
+    std::vector<NodeId>& nodes = lines_.nodes[line.index()];
+    nodes.resize(lines_.divisions[line.index()].nodes.size());
     const auto [from, to] = std::minmax(points.front(), points.back());
-    nodes.front() = NodeId(found_->duplicates.points[from]);
-    nodes.back() = NodeId(found_->duplicates.points[to]);
+    nodes.front() = NodeId(found_->duplicates.points[from].value);
+    nodes.back() = NodeId(found_->duplicates.points[to].value);
     const std::size_t inner = nodes.size() - 2;
     const int direction = first == line ? 0 : directionAlong(line, first);
     for (std::size_t i = 1; i <= inner; ++i) {
       if (direction == 0) nodes[i] = NodeId(nextNode_++);
-      if (direction > 0) nodes[i] = lines_.nodes[first][i];
-      if (direction < 0) nodes[i] = lines_.nodes[first][inner + 1 - i];
+      if (direction > 0) nodes[i] = lines_.nodes[first.index()][i];
+      if (direction < 0) nodes[i] = lines_.nodes[first.index()][inner + 1 - i];
     }
   }
 
   /// Returns 1 if the nodes of `line` coincide with those of `other`, -1 if they do so in the opposite order, else 0.
-  [[nodiscard]] int directionAlong(std::uint32_t line, std::uint32_t other) const {
-    const std::vector<Vec3>& a = lines_.divisions[line].nodes;
-    const std::vector<Vec3>& b = lines_.divisions[other].nodes;
+  [[nodiscard]] int directionAlong(LineId line, LineId other) const {
+    const std::vector<Vec3>& a = lines_.divisions[line.index()].nodes;
+    const std::vector<Vec3>& b = lines_.divisions[other.index()].nodes;
     if (a.size() != b.size() || a.size() < 3) return 0;
     const double tolerance = kMaxBorderDistance * resolved_.curve(line).length();
     bool isAlong = true;
@@ -167,9 +168,9 @@ class SurfaceSampler {
     bool isConforming = true;
     for (std::size_t side = 0; side < patch.loops.front().size(); ++side) {
       const OrientedLine& walked = patch.loops.front()[side];
-      const bool isBackward = walked.reversed != resolved_.flipped(walked.line);
+      const bool isBackward = walked.reversed != resolved_.isFlipped(LineId(walked.line));
       const LineDivision& division = lines_.divisions[walked.line];
-      const double tolerance = kMaxBorderDistance * resolved_.curve(walked.line).length();
+      const double tolerance = kMaxBorderDistance * resolved_.curve(LineId(walked.line)).length();
       for (std::uint32_t i = 0; i <= cells_; ++i) {
         const Vec2 unit = unitBorder(shape, side, static_cast<double>(i) / cells_);
         const auto column = static_cast<std::uint32_t>(unit.x * cells_ + 0.5);

@@ -67,7 +67,7 @@ void LineDivider::findMinSides() {
 
 const LineDivision& LineDivider::divide(LineId line, const SizeField& field) {
   LineDivision& division = lines_.divisions[line.index()];
-  division = divideLine(model_->curve(line.value), field, minSides_[line.index()]);
+  division = divideLine(model_->curve(line), field, minSides_[line.index()]);
   return division;
 }
 
@@ -75,7 +75,7 @@ void LineDivider::halveSides(const std::set<LineSide>& sides) {
   // In descending order, so that the indices of the other sides stay valid.
   for (auto entry = sides.rbegin(); entry != sides.rend(); ++entry) {
     const auto& [line, side] = *entry;
-    halveSide(model_->curve(line.value), side, lines_.divisions[line.index()]);
+    halveSide(model_->curve(line), side, lines_.divisions[line.index()]);
   }
   numberNodes();
 }
@@ -93,7 +93,7 @@ void LineDivider::numberNodes() {
     nodes.assign(lines_.divisions[line].nodes.size(), {});
     nodes.front() = nodeAt(points.front());
     nodes.back() = nodeAt(points.back());
-    if (model_->flipped(line)) std::swap(nodes.front(), nodes.back());
+    if (model_->isFlipped(LineId(line))) std::swap(nodes.front(), nodes.back());
     for (std::size_t i = 1; i + 1 < nodes.size(); ++i) nodes[i] = NodeId(next++);
   }
 }

@@ -61,7 +61,7 @@ class BoundaryBuilder {
     const OrientedLine& line = patch_->loops[loop][index];
     const LineDivision& division = lines_->divisions[line.line];
     const std::vector<NodeId>& nodes = lines_->nodes[line.line];
-    const bool isBackward = line.reversed != model_->flipped(line.line);
+    const bool isBackward = line.reversed != model_->isFlipped(LineId(line.line));
     lineStarts_.push_back(boundary.mesh.plane.size());
     const auto count = static_cast<std::uint32_t>(division.sideCount());
     for (std::uint32_t i = 0; i < count; ++i) {

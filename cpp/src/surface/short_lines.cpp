@@ -42,8 +42,7 @@ std::vector<SizeSource> sourcesAtShortLines(const ResolvedModel& model,
     SizeSource& source = sources.emplace_back();
     source.type = SourceType::kSegment;
     source.points = {division.nodes.front(), division.nodes.back(), Vec3(0.0)};
-    source.size = model.curve(static_cast<std::uint32_t>(line)).length() /
-                  static_cast<double>(division.sideCount());
+    source.size = model.curve(LineId(line)).length() / static_cast<double>(division.sideCount());
     source.growth = kGrowth;
   }
   return sources;

@@ -160,7 +160,7 @@ bool SurfaceMesher::gatherHalvings(PatchId patch, const PatchBoundary& boundary,
   bool hasFound = false;
   for (const std::uint32_t side : invalid) {
     const auto& [line, lineSide] = boundary.origins[side];
-    if (isCurved ? side < firstOfHoles : model_.curve(line.value).isStraight()) continue;
+    if (isCurved ? side < firstOfHoles : model_.curve(line).isStraight()) continue;
     halvings.emplace(line, lineSide);
     hasFound = true;
   }
