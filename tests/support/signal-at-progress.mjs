@@ -1,15 +1,28 @@
 // Loaded before a program (by NODE_OPTIONS): when its worker reports the first tetrahedra, sends the signal
 // TETRAFRONT_TEST_SIGNAL to the program itself, or to its parent if TETRAFRONT_TEST_TARGET is "parent".
+import { closeSync, openSync } from "node:fs";
 import { Worker } from "node:worker_threads";
 
 const { TETRAFRONT_TEST_SIGNAL: signal, TETRAFRONT_TEST_TARGET: target } = process.env;
 const { emit } = Worker.prototype;
 let isSent = false;
+
+/** Returns whether no other child of the parent has sent the signal: a second one would end the parent at once. */
+function isFirstChild() {
+  try {
+    closeSync(openSync(`signal-to-${process.ppid}`, "wx"));
+    return true;
+  } catch {
+    return false;
+  }
+}
+
 Worker.prototype.emit = function (event, ...args) {
   const [reply] = args;
   if (!isSent && event === "message" && reply?.kind === "progress" && reply.progress.tetrahedra > 0) {
     isSent = true;
-    process.kill(target === "parent" ? process.ppid : process.pid, signal);
+    if (target !== "parent") process.kill(process.pid, signal);
+    else if (isFirstChild()) process.kill(process.ppid, signal);
   }
   return emit.call(this, event, ...args);
 };
