@@ -35,7 +35,7 @@ class CoveringGridBuilder {
   CoveringGridBuilder& operator=(CoveringGridBuilder&&) noexcept;
   ~CoveringGridBuilder();
 
-  /// Does about `budget` units of work, of which a patch takes many; true when finished.
+  /// Does about `budget` units of work; one patch takes many. Returns true when finished.
   bool advance(std::uint32_t budget);
 
   /// Estimated progress, 0 to 1.

@@ -38,7 +38,7 @@ class SizeProposer {
   SizeProposer& operator=(SizeProposer&&) noexcept;
   ~SizeProposer();
 
-  /// Does about `budget` units of work, of which a patch takes many; true when finished. Building the tree over all
+  /// Does about `budget` units of work; one patch takes many. Returns true when finished. Building the tree over all
   /// sampled triangles and sorting the proposals are not divided.
   bool advance(std::uint32_t budget);
 

@@ -177,8 +177,9 @@ class SurfaceRepairer {
 struct SurfaceRefinement {
   std::vector<double> points;  ///< the given nodes, then the midpoints of split edges
   std::vector<std::uint32_t> triangles;
-  std::vector<std::uint32_t> origin;  ///< per triangle: the given triangle of which it is a part
-  std::uint32_t splitEdges = 0;       ///< number of split edges, and of new nodes
+  std::vector<std::uint32_t>
+      origin;                    ///< per triangle: index of the given triangle that contains it
+  std::uint32_t splitEdges = 0;  ///< number of split edges, and of new nodes
   /// Not empty if the surface was not refined: arrays, sizes or the grid are invalid, or the result would have too
   /// many elements. kTooManyElements with a triangle names the one that asks for the most; values: expected triangles,
   /// limit. Without a triangle, values: expected tetrahedra in the volume, limit.

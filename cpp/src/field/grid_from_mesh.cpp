@@ -108,7 +108,7 @@ class MeshGridBuilder::Impl {
   std::vector<std::uint32_t>
       numbers_;                        ///< per node of the mesh: its index in the grid, or kNoIndex
   std::vector<double> edges_;          ///< per node: sum of its edge lengths
-  std::vector<std::uint32_t> counts_;  ///< per node: number of those edges
+  std::vector<std::uint32_t> counts_;  ///< per node: number of its edges
   std::size_t elements_;
   std::size_t next_ = 0;
   BackgroundGrid grid_;

@@ -28,7 +28,7 @@ class SizeSites {
   SizeSites(const SizeSites&) = delete;
   SizeSites& operator=(const SizeSites&) = delete;
 
-  /// Sorts `budget` sites, each of which is visited thirteen times; returns true when finished.
+  /// Sorts `budget` sites; visits each site thirteen times in all. Returns true when finished.
   /// Call no other function before.
   bool advance(std::size_t budget);
 

@@ -190,7 +190,7 @@ template <class Trace>
 void BasicVolumeMesher<Trace>::stopAtLimit() {
   Diagnostic tooMany;
   tooMany.code = DiagnosticCode::kTooManyElements;
-  // The first elements may fill almost nothing.
+  // Share of the volume: at the limit the elements may fill almost nothing, and the estimate divides by the share.
   constexpr double kMinFraction = 1e-9;
   const double expected =
       static_cast<double>(elements_.size()) / std::max(filledFraction(), kMinFraction);
