@@ -1,15 +1,15 @@
 import "@fontsource-variable/inter/wght.css";
 // First of the styles, because it sets the order of the layers.
-import "./ui/base.css";
+import "./ui/theme/base.css";
 import "@mantine/core/styles.layer.css";
 import "@mantine/spotlight/styles.layer.css";
 import { MantineProvider } from "@mantine/core";
 import { createRoot } from "react-dom/client";
 import { createApp, type Intent } from "./app/create-app";
 import type { DrawnKind } from "./document/entities";
-import { Page } from "./panels/page";
-import { listenForPalette } from "./panels/palette";
-import { cssVariables, theme } from "./ui/theme";
+import { Page } from "./panels/page/page";
+import { listenForPalette } from "./panels/shared/palette";
+import { cssVariables, theme } from "./ui/theme/theme";
 
 listenForPalette();
 

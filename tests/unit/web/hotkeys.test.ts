@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import type { Mesher } from "tetrafront";
 import { App } from "../../../web/app/app";
-import { hotkeyListener } from "../../../web/panels/hotkeys";
+import { hotkeyListener } from "../../../web/panels/page/hotkeys";
 import { newDocument } from "../../../web/session/document-store";
 import { PageApps } from "../../../web/tools/page-apps";
 import { cubeProject } from "../../support/projects";

@@ -2,7 +2,7 @@ import { PerspectiveCamera, Vector3 } from "three";
 import type { ProjectPreview } from "tetrafront";
 import { emptyProject } from "../../../web/document/create";
 import { ViewStore } from "../../../web/document/selection";
-import { viewerColors } from "../../../web/ui/theme";
+import { viewerColors } from "../../../web/ui/theme/theme";
 import type { Layer } from "../../../web/viewer/layers/layer";
 import { SceneChanges, type SceneState } from "../../../web/viewer/scene-state";
 

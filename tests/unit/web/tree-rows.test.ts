@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { DrawnKind } from "../../../web/document/entities";
-import { TreeRows } from "../../../web/panels/tree-rows";
+import { TreeRows } from "../../../web/panels/model/tree-rows";
 import { cubeProject } from "../../support/projects";
 
 const keyOf = (row: ReturnType<TreeRows["at"]>): string =>

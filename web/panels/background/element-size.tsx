@@ -1,0 +1,75 @@
+import { LIMITS } from "tetrafront";
+import { Button, Group, SegmentedControl, Text } from "@mantine/core";
+import { likelySize } from "../../commands/background-actions";
+import { commandNamed, runCommand } from "../../commands/registry";
+import { setMeshing } from "../../document/edits";
+import { FieldRow } from "../../ui/fields/field-row";
+import { formatCount } from "../../ui/format";
+import { NumberField } from "../../ui/fields/number-field";
+import { strings } from "../../strings";
+import { useApp, useProject } from "../shared/app-context";
+import { aboveZero, sizeStep, unitsOf, upTo } from "../shared/size-fields";
+import { SectionTitle } from "../../ui/frames/section-title";
+
+const texts = strings.background;
+
+/** The source of the element sizes, and the commands that create sizes. */
+export function ElementSize() {
+  const app = useApp();
+  const project = useProject();
+  const { nodes, tetrahedra } = project.background;
+  const uniformSize = project.meshing?.size;
+  return (
+    <section aria-label={texts.elementSize} data-testid="element-size">
+      <SectionTitle>{texts.elementSize}</SectionTitle>
+      <SegmentedControl
+        size="xs"
+        fullWidth
+        mb={8}
+        aria-label={texts.elementSize}
+        data={[
+          { value: "grid", label: texts.fromGrid },
+          { value: "uniform", label: texts.uniform },
+        ]}
+        value={uniformSize === undefined ? "grid" : "uniform"}
+        onChange={(value) =>
+          app.documents.edit(setMeshing("size", value === "uniform" ? likelySize(app) : null))
+        }
+      />
+      {uniformSize === undefined ? (
+        <Text size="sm" c="dimmed" mb={6}>
+          {nodes.length === 0
+            ? texts.noGrid
+            : texts.gridCounts(formatCount(nodes.length), formatCount(tetrahedra.length))}
+        </Text>
+      ) : (
+        <>
+          <FieldRow label={strings.inspector.size}>
+            <NumberField
+              label={texts.uniformSize}
+              value={uniformSize}
+              step={sizeStep(uniformSize)}
+              refuse={upTo(LIMITS.length, aboveZero)}
+              testId="uniform-size"
+              {...unitsOf(project)}
+              onCommit={(value) => app.documents.edit(setMeshing("size", value))}
+            />
+          </FieldRow>
+          <Text size="xs" c="dimmed" mb={6}>
+            {texts.uniformHint}
+          </Text>
+        </>
+      )}
+      <Group gap={5}>
+        {["cover", "propose"].map((id) => {
+          const command = commandNamed(id);
+          return (
+            <Button key={id} size="compact-sm" variant="default" onClick={() => runCommand(app, command)}>
+              {command.label(app)}
+            </Button>
+          );
+        })}
+      </Group>
+    </section>
+  );
+}

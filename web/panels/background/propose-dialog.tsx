@@ -1,0 +1,136 @@
+import { Alert, Button, Checkbox, Group, Text } from "@mantine/core";
+import { useState } from "react";
+import { applyProposal, likelySize } from "../../commands/background-actions";
+import { ApplyButton, DialogForm } from "../../ui/frames/dialog-form";
+import { FieldRow } from "../../ui/fields/field-row";
+import { formatCount } from "../../ui/format";
+import { FramedDialog } from "../../ui/frames/framed-dialog";
+import { NumberField } from "../../ui/fields/number-field";
+import { strings } from "../../strings";
+import { useApp, useProject, useShell } from "../shared/app-context";
+import { ProposalSummary } from "./proposal-summary";
+import { aboveZero, notNegative } from "../shared/size-fields";
+import { coarserOptions, manyTetrahedra, useSizeProposal, type ProposalFields } from "./use-size-proposal";
+
+const texts = strings.background;
+
+/** Proposes sizes from the shape of the model, with the expected number of tetrahedra, and applies them. */
+export function ProposeDialog() {
+  const app = useApp();
+  const opened = useShell((state) => state.dialog === "propose");
+  const close = (): void => app.shell.setState({ dialog: null });
+  return (
+    <FramedDialog opened={opened} title={texts.propose} onClose={close}>
+      <ProposeForm onClose={close} />
+    </FramedDialog>
+  );
+}
+
+/** Default smallest size / largest size. */
+const smallestShare = 0.05;
+
+function ProposeForm({ onClose }: { readonly onClose: () => void }) {
+  const app = useApp();
+  const sourceCount = useProject().background.sources?.length ?? 0;
+  const [options, setOptions] = useState<ProposalFields>(() => {
+    const uniform = likelySize(app);
+    const smallest = Number((smallestShare * uniform).toPrecision(2));
+    return { uniform, smallest, elementsPerCircle: 24, elementsPerGap: 3, growth: 0.3 };
+  });
+  const [cover, setCover] = useState(true);
+  const [replaceSources, setReplaceSources] = useState(true);
+  const { answer, failure } = useSizeProposal(options);
+  const apply = (): void => {
+    // Options that were committed just now have no answer yet.
+    if (!answer) return;
+    onClose();
+    void applyProposal(app, answer.proposal, { cover, replaceSources });
+  };
+  const isTooMany = (answer?.tetrahedra ?? 0) > manyTetrahedra;
+  return (
+    <DialogForm onApply={apply}>
+      <Text size="sm" c="dimmed" mb={8}>
+        {texts.proposeHint}
+      </Text>
+      <OptionFields
+        options={options}
+        onCommit={(name, value) => setOptions((current) => ({ ...current, [name]: value }))}
+      />
+      <Checkbox
+        size="xs"
+        my={8}
+        label={texts.coverToo}
+        checked={cover}
+        onChange={(event) => setCover(event.currentTarget.checked)}
+      />
+      {sourceCount > 0 && (
+        <Checkbox
+          size="xs"
+          my={8}
+          label={texts.replaceSources(sourceCount)}
+          checked={replaceSources}
+          onChange={(event) => setReplaceSources(event.currentTarget.checked)}
+        />
+      )}
+      <ProposalSummary answer={answer} failure={failure} />
+      {isTooMany && (
+        <Alert mt={8} p={8} color="orange" data-testid="proposal-too-many">
+          {texts.tooMany}
+          <Button
+            mt={6}
+            size="compact-xs"
+            variant="default"
+            data-testid="propose-coarser"
+            onClick={() => answer && setOptions(coarserOptions(answer))}
+          >
+            {texts.coarser(formatCount(manyTetrahedra))}
+          </Button>
+        </Alert>
+      )}
+      <Group justify="flex-end" gap="xs" mt={12}>
+        <Button size="xs" variant="default" onClick={onClose}>
+          {texts.cancel}
+        </Button>
+        <ApplyButton
+          data-testid="propose-apply"
+          disabled={answer === null}
+          {...(isTooMany && { color: "orange" })}
+        >
+          {isTooMany ? texts.applyAnyway : texts.apply}
+        </ApplyButton>
+      </Group>
+    </DialogForm>
+  );
+}
+
+const fields: readonly {
+  readonly name: keyof ProposalFields;
+  readonly step: number;
+  readonly canBeZero: boolean;
+}[] = [
+  { name: "uniform", step: 0.01, canBeZero: false },
+  { name: "smallest", step: 0.001, canBeZero: false },
+  { name: "elementsPerCircle", step: 1, canBeZero: true },
+  { name: "elementsPerGap", step: 1, canBeZero: true },
+  { name: "growth", step: 0.05, canBeZero: true },
+];
+
+interface OptionFieldsProps {
+  readonly options: ProposalFields;
+  readonly onCommit: (name: keyof ProposalFields, value: number) => void;
+}
+
+function OptionFields({ options, onCommit }: OptionFieldsProps) {
+  return fields.map(({ name, step, canBeZero }) => (
+    <FieldRow key={name} label={texts.proposalOptions[name]}>
+      <NumberField
+        label={texts.proposalOptions[name]}
+        value={options[name]}
+        step={step}
+        refuse={canBeZero ? notNegative : aboveZero}
+        testId={`propose-${name}`}
+        onCommit={(value) => onCommit(name, value)}
+      />
+    </FieldRow>
+  ));
+}

@@ -1,0 +1,101 @@
+import { Group, Text } from "@mantine/core";
+import { useRef, useState } from "react";
+import { create } from "../../commands/creation-actions";
+import { addBackgroundNode, addPoint } from "../../document/create";
+import { recordsOf } from "../../document/entities";
+import { ApplyButton, DialogForm } from "../../ui/frames/dialog-form";
+import { FieldRow } from "../../ui/fields/field-row";
+import { FramedDialog } from "../../ui/frames/framed-dialog";
+import { NumberField } from "../../ui/fields/number-field";
+import { PositionFields } from "../../ui/fields/position-fields";
+import { entityWords, strings } from "../../strings";
+import { useApp, useProject, useShell } from "../shared/app-context";
+import { aboveZero, stepFor } from "../shared/size-fields";
+
+type PositionedKind = "point" | "background-node";
+type Position = readonly [number, number, number];
+
+const dialogOf = { point: "new-point", "background-node": "new-node" } as const;
+
+/** Creates a point or a background node at a position that the user types. */
+export function CreatePositionedDialog({ kind }: { readonly kind: PositionedKind }) {
+  const app = useApp();
+  const opened = useShell((state) => state.dialog === dialogOf[kind]);
+  return (
+    <FramedDialog
+      opened={opened}
+      title={kind === "point" ? strings.create.point : strings.create.node}
+      onClose={() => app.shell.setState({ dialog: null })}
+    >
+      <PositionForm kind={kind} />
+    </FramedDialog>
+  );
+}
+
+/** Keeps the coordinates for the next point, because points often share some. */
+function PositionForm({ kind }: { readonly kind: PositionedKind }) {
+  const app = useApp();
+  const project = useProject();
+  const last = recordsOf(project, kind).at(-1);
+  const [position, setPosition] = useState<Position>(() => last?.position ?? [0, 0, 0]);
+  const [size, setSize] = useState(() => recordsOf(project, "background-node").at(-1)?.size ?? 0.1);
+  const [added, setAdded] = useState<string | null>(null);
+  const fields = useRef<HTMLDivElement>(null);
+  const toFirstField = (): void => fields.current?.querySelector("input")?.focus();
+  const add = (action: string): void => {
+    const current = app.documents.project;
+    const creation =
+      kind === "point" ? addPoint(current, position) : addBackgroundNode(current, position, size);
+    create(app, creation);
+    const [entity] = creation.entities;
+    setAdded(entity ? `${entityWords[kind].one.toLowerCase()} ${entity.id}` : null);
+    if (action === "next") toFirstField();
+    else app.shell.setState({ dialog: null });
+  };
+  return (
+    <DialogForm onApply={add}>
+      <div ref={fields}>
+        <FieldRow label={strings.create.position}>
+          <PositionFields
+            label={strings.create.position}
+            value={position}
+            step={stepFor(project)}
+            testId="new"
+            first
+            onCommit={(axis, value) => setPosition(([x, y, z]) => withCoordinate([x, y, z], axis, value))}
+          />
+        </FieldRow>
+      </div>
+      {kind === "background-node" && (
+        <>
+          <FieldRow label={strings.create.size}>
+            <NumberField
+              label={strings.create.size}
+              value={size}
+              step={0.01}
+              refuse={aboveZero}
+              testId="new-size"
+              onCommit={setSize}
+            />
+          </FieldRow>
+          <Text size="xs" c="dimmed">
+            {strings.create.nodeHint}
+          </Text>
+        </>
+      )}
+      <Text size="sm" c="dimmed" role="status" mih={20} mt={6}>
+        {added !== null && strings.create.added(added)}
+      </Text>
+      <Group justify="flex-end" gap="xs" mt={8}>
+        <ApplyButton action="next" data-testid="add-next">
+          {strings.create.addNext}
+        </ApplyButton>
+        <ApplyButton data-testid="add">{strings.create.add}</ApplyButton>
+      </Group>
+    </DialogForm>
+  );
+}
+
+function withCoordinate([x, y, z]: Position, axis: 0 | 1 | 2, value: number): Position {
+  return [axis === 0 ? value : x, axis === 1 ? value : y, axis === 2 ? value : z];
+}

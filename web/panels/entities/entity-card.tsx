@@ -1,0 +1,100 @@
+import { Badge, Text } from "@mantine/core";
+import { useMemo } from "react";
+import type { Project } from "tetrafront";
+import { renameEntity } from "../../document/edits";
+import { dependentsOf, entityKey, entityName, findRecord, type Entity } from "../../document/entities";
+import { FieldRow } from "../../ui/fields/field-row";
+import { NameField } from "../../ui/fields/name-field";
+import { entityWords, strings } from "../../strings";
+import { useApp, useProblems, useProject } from "../shared/app-context";
+import { EntityChips } from "../shared/entity-chips";
+import { EntityIcon } from "../shared/entity-icon";
+import { LineEditor } from "./line-editor";
+import { NodeEditor } from "./node-editor";
+import { PatchEditor } from "./patch-editor";
+import { PatchFacts } from "../quality/patch-quality";
+import { PointEditor } from "./point-editor";
+import { ProblemCard } from "../problems/problem-card";
+import { CreateFromSelection } from "./selection-card";
+import { SourceEditor } from "./source-editor";
+import styles from "./entity-card.module.css";
+
+/** The fields of one entity. */
+export function EntityCard({ entity }: { readonly entity: Entity }) {
+  const app = useApp();
+  const project = useProject();
+  const problems = useProblems((state) => state.byEntity.get(entityKey(entity)));
+  const record = findRecord(project, entity.kind, entity.id);
+  const dependents = useMemo(() => dependentsOf(project, entity), [project, entity]);
+  if (!record) return null;
+  const name = entityName(project, entity) ?? "";
+  const fallback = `${entityWords[entity.kind].one} ${entity.id}`;
+  return (
+    <>
+      <div className={styles["title"]}>
+        <EntityIcon entity={entity} project={project} />
+        <Text fw={600} size="md" component="h2">
+          {name === "" ? fallback : name}
+        </Text>
+        {name !== "" && (
+          <Text size="sm" c="dimmed">
+            {fallback.toLowerCase()}
+          </Text>
+        )}
+        {!problems && (
+          <Badge size="sm" variant="outline" color="var(--tf-success)" className={styles["valid"]}>
+            {strings.inspector.valid}
+          </Badge>
+        )}
+      </div>
+      {entity.kind !== "background-node" && (
+        <FieldRow label={strings.inspector.name}>
+          <NameField
+            key={entityKey(entity)}
+            label={strings.inspector.name}
+            value={name}
+            placeholder={fallback}
+            testId="entity-name"
+            onCommit={(next) => app.documents.edit(renameEntity(entity, next))}
+          />
+        </FieldRow>
+      )}
+      <EntityFields entity={entity} project={project} />
+      <CreateFromSelection selection={[entity]} />
+      {dependents.length > 0 && (
+        <FieldRow label={strings.inspector.usedBy}>
+          <EntityChips entities={dependents} project={project} paddingTop={5} />
+        </FieldRow>
+      )}
+      {entity.kind === "patch" && <PatchFacts patch={entity.id} />}
+      {problems?.map((problem) => (
+        <ProblemCard key={problem.key} problem={problem} />
+      ))}
+    </>
+  );
+}
+
+function EntityFields({ entity, project }: { readonly entity: Entity; readonly project: Project }) {
+  switch (entity.kind) {
+    case "point": {
+      const point = findRecord(project, "point", entity.id);
+      return point && <PointEditor point={point} project={project} />;
+    }
+    case "line": {
+      const line = findRecord(project, "line", entity.id);
+      return line && <LineEditor line={line} project={project} />;
+    }
+    case "patch": {
+      const patch = findRecord(project, "patch", entity.id);
+      return patch && <PatchEditor patch={patch} project={project} />;
+    }
+    case "background-node": {
+      const node = findRecord(project, "background-node", entity.id);
+      return node && <NodeEditor node={node} project={project} />;
+    }
+    case "source": {
+      const source = findRecord(project, "source", entity.id);
+      return source && <SourceEditor source={source} project={project} />;
+    }
+  }
+}

@@ -1,0 +1,76 @@
+import { Button, Text } from "@mantine/core";
+import { createFrom, makers, sourceMakers } from "../../commands/create-menu";
+import { deleteSelection } from "../../commands/selection-actions";
+import type { Entity } from "../../document/entities";
+import { isClosedChain } from "../../document/selection";
+import { SectionTitle } from "../../ui/frames/section-title";
+import { strings } from "../../strings";
+import { useApp, useProject } from "../shared/app-context";
+import { EntityChips } from "../shared/entity-chips";
+import styles from "./selection-card.module.css";
+
+/** Several selected entities, and what can be created from them. */
+export function SelectionCard({ selection }: { readonly selection: readonly Entity[] }) {
+  const app = useApp();
+  const project = useProject();
+  const closed = isClosedChain(selection);
+  return (
+    <>
+      <SectionTitle>
+        {closed
+          ? strings.inspector.closedChain(selection.length - 1)
+          : strings.inspector.several(selection.length)}
+      </SectionTitle>
+      <EntityChips entities={selection} project={project} />
+      <CreateFromSelection selection={selection} explain />
+      <Button mt={10} size="compact-xs" variant="default" onClick={() => deleteSelection(app)}>
+        {strings.inspector.deleteAll}
+      </Button>
+    </>
+  );
+}
+
+interface CreateFromSelectionProps {
+  readonly selection: readonly Entity[];
+  /** Also show why the other makers do not fit. */
+  readonly explain?: boolean;
+}
+
+/** Buttons for everything that can be created from the selection. */
+export function CreateFromSelection({ selection, explain = false }: CreateFromSelectionProps) {
+  const app = useApp();
+  const project = useProject();
+  const kinds = new Set(selection.map(({ kind }) => kind));
+  const offers = [...makers, ...sourceMakers]
+    .filter(({ from }) => kinds.has(from))
+    .map((maker) => ({ maker, offer: maker.offer(project, selection) }));
+  const possible = offers.filter(({ offer }) => offer.possible);
+  const refused = offers.flatMap(({ maker, offer }) =>
+    offer.possible || maker.quiet ? [] : [`${maker.label}: ${offer.reason}`],
+  );
+  if (possible.length === 0 && !(explain && refused.length > 0)) return null;
+  return (
+    <section data-testid="create-from-selection">
+      <SectionTitle>{strings.inspector.createFrom}</SectionTitle>
+      <div className={styles["makers"]}>
+        {possible.map(({ maker }) => (
+          <Button
+            key={maker.id}
+            size="compact-sm"
+            variant="default"
+            data-testid={`create-${maker.id}`}
+            onClick={() => createFrom(app, maker)}
+          >
+            {maker.label}
+          </Button>
+        ))}
+      </div>
+      {explain &&
+        refused.map((text) => (
+          <Text key={text} size="xs" c="dimmed" mt={3}>
+            {text}
+          </Text>
+        ))}
+    </section>
+  );
+}

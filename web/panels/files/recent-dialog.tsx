@@ -1,0 +1,92 @@
+import { ActionIcon, Text, UnstyledButton } from "@mantine/core";
+import { IconTrash } from "@tabler/icons-react";
+import { useCallback, useEffect, useState } from "react";
+import { openRecent } from "../../commands/project-actions";
+import type { RecentDocument } from "../../session/document-library";
+import { formatTime } from "../../ui/format";
+import { FramedDialog } from "../../ui/frames/framed-dialog";
+import { strings } from "../../strings";
+import { useApp, useShell } from "../shared/app-context";
+import styles from "./recent-dialog.module.css";
+
+const texts = strings.recent;
+
+/** The documents in the browser's storage, with buttons that open or remove them. */
+export function RecentDialog() {
+  const app = useApp();
+  const opened = useShell((state) => state.dialog === "recent");
+  return (
+    <FramedDialog opened={opened} title={texts.title} onClose={() => app.shell.setState({ dialog: null })}>
+      <RecentList />
+    </FramedDialog>
+  );
+}
+
+/** Mounted only while the dialog is open. */
+function RecentList() {
+  const { documents, remove } = useRecentDocuments();
+  if (documents === null) return <Text c="dimmed">{texts.loading}</Text>;
+  return (
+    <>
+      <Text size="sm" c="dimmed" mb="sm">
+        {documents.length > 0 ? texts.hint : texts.none}
+      </Text>
+      <ul className={styles["list"]}>
+        {documents.map((document) => (
+          <RecentRow key={document.id} document={document} onRemove={() => remove(document.id)} />
+        ))}
+      </ul>
+    </>
+  );
+}
+
+interface RecentRowProps {
+  readonly document: RecentDocument;
+  readonly onRemove: () => void;
+}
+
+function RecentRow({ document: { id, name, at, isOpen }, onRemove }: RecentRowProps) {
+  const app = useApp();
+  return (
+    <li className={styles["row"]}>
+      <UnstyledButton
+        className={styles["open"]}
+        disabled={isOpen}
+        data-testid={`recent-${id}`}
+        onClick={() => void openRecent(app, id, name)}
+      >
+        <span className={styles["name"]}>{name}</span>
+        <span className={styles["time"]}>{isOpen ? texts.open : formatTime(at, Date.now())}</span>
+      </UnstyledButton>
+      <ActionIcon
+        variant="subtle"
+        color="gray"
+        aria-label={texts.remove(name)}
+        disabled={isOpen}
+        onClick={onRemove}
+      >
+        <IconTrash size={16} aria-hidden />
+      </ActionIcon>
+    </li>
+  );
+}
+
+/** Returns the documents; null while the list is being read. */
+function useRecentDocuments() {
+  const { library, autosave } = useApp();
+  const [documents, setDocuments] = useState<readonly RecentDocument[] | null>(null);
+  const update = useCallback(async (): Promise<void> => {
+    await autosave?.flush();
+    setDocuments((await library?.list()) ?? []);
+  }, [library, autosave]);
+  useEffect(() => {
+    update().catch(() => setDocuments([]));
+  }, [update]);
+  const remove = (id: string): void => {
+    library?.storage
+      .remove([id])
+      .then(update)
+      .catch(() => undefined);
+  };
+  return { documents, remove };
+}

@@ -1,0 +1,90 @@
+import { Text } from "@mantine/core";
+import { renameProject } from "../../document/edits";
+import { findRecord } from "../../document/entities";
+import { qualityOf } from "../../document/mesh-quality";
+import { FieldRow } from "../../ui/fields/field-row";
+import { formatAngle } from "../../ui/format";
+import { NameField } from "../../ui/fields/name-field";
+import { measureNames, strings } from "../../strings";
+import { useApp, useProject, useRun, useView } from "../shared/app-context";
+import { ElementSize } from "../background/element-size";
+import { EntityCard } from "../later/later";
+import { MeshSettings } from "./mesh-settings";
+import { PanelBoundary } from "../shared/panel-boundary";
+import { QualityPanel } from "../quality/quality-panel";
+import { SelectionCard } from "../entities/selection-card";
+import { ScrollPanel } from "../../ui/frames/scroll-panel";
+import { SectionTitle } from "../../ui/frames/section-title";
+import { Facts } from "../../ui/facts";
+
+/** The fields of the selection, or of the project, and the quality of the mesh. */
+export function Inspector() {
+  const selection = useView((state) => state.selection);
+  const element = useView((state) => state.element);
+  const project = useProject();
+  // The selection may hold entities that undo has removed.
+  const existing = selection.filter(({ kind, id }) => findRecord(project, kind, id) !== undefined);
+  const [only] = existing;
+  return (
+    <ScrollPanel label={strings.inspector.title} data-testid="inspector">
+      {element !== null && <ElementCard tetrahedron={element} />}
+      {element === null && !only && <ProjectCard />}
+      {existing.length > 1 && <SelectionCard selection={existing} />}
+      {existing.length === 1 && only && (
+        <PanelBoundary>
+          <EntityCard entity={only} />
+        </PanelBoundary>
+      )}
+      <QualityPanel />
+    </ScrollPanel>
+  );
+}
+
+function ProjectCard() {
+  const app = useApp();
+  const project = useProject();
+  return (
+    <>
+      <SectionTitle>{strings.inspector.project}</SectionTitle>
+      <FieldRow label={strings.inspector.name}>
+        <NameField
+          label={strings.inspector.name}
+          value={project.name}
+          placeholder={strings.inspector.project}
+          testId="project-name"
+          onCommit={(name) => app.documents.edit(renameProject(name))}
+        />
+      </FieldRow>
+      {project.description !== undefined && (
+        <Text size="sm" c="dimmed" my={6}>
+          {project.description}
+        </Text>
+      )}
+      <Text size="sm" c="dimmed">
+        {strings.inspector.nothingSelected}
+      </Text>
+      <ElementSize />
+      <MeshSettings />
+    </>
+  );
+}
+
+/** The quality of the tetrahedron that was clicked on a cut. */
+function ElementCard({ tetrahedron }: { readonly tetrahedron: number }) {
+  const volume = useRun((state) => state.mesh?.volume);
+  if (!volume) return null;
+  const nodes = [...volume.tetrahedra.subarray(4 * tetrahedron, 4 * tetrahedron + 4)];
+  return (
+    <>
+      <SectionTitle>{strings.inspector.element(String(tetrahedron))}</SectionTitle>
+      <Facts>
+        <dt>{strings.inspector.elementNodes}</dt>
+        <dd>{nodes.join(", ")}</dd>
+        <dt>{measureNames["radius-ratio"]}</dt>
+        <dd>{qualityOf(volume, "radius-ratio", tetrahedron).toFixed(3)}</dd>
+        <dt>{measureNames.dihedral}</dt>
+        <dd>{formatAngle(qualityOf(volume, "dihedral", tetrahedron))}</dd>
+      </Facts>
+    </>
+  );
+}

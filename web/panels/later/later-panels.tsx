@@ -1,0 +1,5 @@
+/** The panels behind tabs and selections, in one file that is loaded after the first picture. */
+export { DisplayPanel } from "../viewport/display-panel";
+export { EntityCard } from "../entities/entity-card";
+export { GalleryPanel } from "../files/gallery";
+export { QualityReport } from "../quality/quality-report";

@@ -1,0 +1,106 @@
+import { ActionIcon } from "@mantine/core";
+import { IconEye, IconEyeOff, IconPlus } from "@tabler/icons-react";
+import type { MouseEvent, ReactNode } from "react";
+import type { App } from "../../app/app";
+import { createOrHint, lineMakers, patchMakers } from "../../commands/create-menu";
+import { commandNamed, runCommand } from "../../commands/registry";
+import { entityKey, type DrawnKind, type Entity } from "../../document/entities";
+import { entityWords, strings } from "../../strings";
+import { useApp, useView } from "../shared/app-context";
+import styles from "./model-tree.module.css";
+
+interface RowActionProps {
+  readonly label: string;
+  readonly isOff?: boolean;
+  readonly testId?: string;
+  readonly onRun: () => void;
+  readonly children: ReactNode;
+}
+
+/** A button in a row of the tree. A click on it does not activate the row. */
+function RowAction({ label, isOff = false, testId, onRun, children }: RowActionProps) {
+  return (
+    <ActionIcon
+      className={styles["action"]}
+      size={22}
+      variant="subtle"
+      color="gray"
+      tabIndex={-1}
+      data-off={isOff || undefined}
+      aria-label={label}
+      title={label}
+      data-testid={testId}
+      onClick={(event: MouseEvent) => {
+        event.stopPropagation();
+        onRun();
+      }}
+    >
+      {children}
+    </ActionIcon>
+  );
+}
+
+interface EyeProps {
+  readonly isHidden: boolean;
+  readonly name: string;
+  readonly onToggle: () => void;
+}
+
+function Eye({ isHidden, name, onToggle }: EyeProps) {
+  const Icon = isHidden ? IconEyeOff : IconEye;
+  return (
+    <RowAction
+      label={isHidden ? strings.tree.show(name) : strings.tree.hide(name)}
+      isOff={isHidden}
+      onRun={onToggle}
+    >
+      <Icon size={14} aria-hidden />
+    </RowAction>
+  );
+}
+
+/** Hides and shows one entity. */
+export function EntityEye({ entity, title }: { readonly entity: Entity; readonly title: string }) {
+  const app = useApp();
+  const isHidden = useView((state) => state.hidden.has(entityKey(entity)));
+  return <Eye isHidden={isHidden} name={title} onToggle={() => app.view.setHidden([entity], !isHidden)} />;
+}
+
+const layerOfKind = {
+  point: "points",
+  line: "lines",
+  patch: "patches",
+  "background-node": "background",
+  source: "sources",
+} as const;
+
+/** Hides and shows all entities of a kind. */
+export function GroupEye({ kind }: { readonly kind: DrawnKind }) {
+  const app = useApp();
+  const layer = layerOfKind[kind];
+  const isVisible = useView((state) => state.layers[layer]);
+  const name = entityWords[kind].many.toLowerCase();
+  return <Eye isHidden={!isVisible} name={name} onToggle={() => app.view.setLayer(layer, !isVisible)} />;
+}
+
+const addEntity: { readonly [K in DrawnKind]: (app: App) => void } = {
+  point: (app) => app.shell.setState({ dialog: "new-point" }),
+  line: (app) => createOrHint(app, lineMakers, strings.create.line, strings.create.lineHint),
+  patch: (app) => createOrHint(app, patchMakers, strings.create.patch, strings.create.patchHint),
+  "background-node": (app) => app.shell.setState({ dialog: "new-node" }),
+  source: (app) => runCommand(app, commandNamed("source-point")),
+};
+
+/** Adds an entity of a kind. */
+export function AddButton({ kind }: { readonly kind: DrawnKind }) {
+  const app = useApp();
+  return (
+    <RowAction
+      label={strings.tree.add(entityWords[kind].one.toLowerCase())}
+      testId={`add-${kind}`}
+      onRun={() => addEntity[kind](app)}
+    >
+      <IconPlus size={14} aria-hidden />
+    </RowAction>
+  );
+}

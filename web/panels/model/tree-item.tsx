@@ -1,0 +1,101 @@
+import { IconAlertTriangle, IconChevronDown, IconChevronRight } from "@tabler/icons-react";
+import type { ComponentPropsWithoutRef, KeyboardEvent, MouseEvent } from "react";
+import { drawnKinds, entityKey } from "../../document/entities";
+import type { SelectMode } from "../../document/selection";
+import { formatCount } from "../../ui/format";
+import { entityWords, strings } from "../../strings";
+import { useApp, useProblems, useProject, useView } from "../shared/app-context";
+import { EntityIcon } from "../shared/entity-icon";
+import styles from "./model-tree.module.css";
+import { AddButton, EntityEye, GroupEye } from "./tree-actions";
+import { rowElementId, rowKey, type TreeRow } from "./tree-rows";
+
+/** Returns how a click or a key changes the selection. */
+export function selectModeOf(event: MouseEvent | KeyboardEvent): SelectMode {
+  if (event.ctrlKey || event.metaKey) return "toggle";
+  return event.shiftKey ? "add" : "replace";
+}
+
+export interface TreeItemProps {
+  readonly row: TreeRow;
+  /** Position in the list, in pixels. */
+  readonly top: number;
+  readonly height: number;
+  readonly isFocusable: boolean;
+  readonly onActivate: (mode: SelectMode) => void;
+}
+
+/** A row of the model tree. */
+export function TreeItem({ row, top, height, isFocusable, onActivate }: TreeItemProps) {
+  const key = rowKey(row);
+  const common = {
+    id: rowElementId(key),
+    role: "treeitem",
+    tabIndex: isFocusable ? 0 : -1,
+    style: { top, height },
+    "data-testid": `tree-${key}`,
+    onClick: (event: MouseEvent) => onActivate(selectModeOf(event)),
+  } as const;
+  return row.type === "group" ? (
+    <GroupItem row={row} common={common} />
+  ) : (
+    <EntityItem row={row} common={common} />
+  );
+}
+
+type Common = Readonly<ComponentPropsWithoutRef<"div">>;
+type RowOf<Type extends TreeRow["type"]> = Extract<TreeRow, { type: Type }>;
+
+function GroupItem({ row, common }: { readonly row: RowOf<"group">; readonly common: Common }) {
+  const Chevron = row.open ? IconChevronDown : IconChevronRight;
+  return (
+    <div
+      {...common}
+      className={`${styles["row"]} ${styles["group"]}`}
+      aria-level={1}
+      aria-expanded={row.open}
+      aria-setsize={drawnKinds.length}
+      aria-posinset={row.ordinal}
+    >
+      <Chevron size={14} aria-hidden />
+      <span className={styles["title"]}>{entityWords[row.kind].many}</span>
+      <span className={styles["detail"]}>{formatCount(row.total)}</span>
+      <AddButton kind={row.kind} />
+      <GroupEye kind={row.kind} />
+    </div>
+  );
+}
+
+function EntityItem({ row, common }: { readonly row: RowOf<"entity">; readonly common: Common }) {
+  const app = useApp();
+  const project = useProject();
+  const key = rowKey(row);
+  const isSelected = useView((state) => state.selection.some((entity) => entityKey(entity) === key));
+  const isHovered = useView((state) => state.hover !== null && entityKey(state.hover) === key);
+  const problemCount = useProblems((state) => state.byEntity.get(key)?.length ?? 0);
+  return (
+    <div
+      {...common}
+      className={styles["row"]}
+      data-hover={isHovered || undefined}
+      aria-level={2}
+      aria-selected={isSelected}
+      aria-setsize={row.siblings}
+      aria-posinset={row.ordinal}
+      onMouseEnter={() => app.view.setHover(row.entity)}
+      onDoubleClick={() => app.viewer.getState().viewer?.fit([row.entity])}
+    >
+      <EntityIcon entity={row.entity} project={project} />
+      <span className={styles["title"]} title={row.title}>
+        {row.title}
+      </span>
+      {problemCount > 0 && (
+        <span className={styles["problem"]} role="img" aria-label={strings.tree.problems(problemCount)}>
+          <IconAlertTriangle size={14} aria-hidden />
+        </span>
+      )}
+      <span className={styles["detail"]}>{row.detail()}</span>
+      <EntityEye entity={row.entity} title={row.title} />
+    </div>
+  );
+}

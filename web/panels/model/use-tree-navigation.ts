@@ -1,0 +1,141 @@
+import {
+  useEffect,
+  useLayoutEffect,
+  useRef,
+  useState,
+  type Dispatch,
+  type KeyboardEvent,
+  type RefObject,
+  type SetStateAction,
+} from "react";
+import { entityKey, type DrawnKind } from "../../document/entities";
+import type { SelectMode } from "../../document/selection";
+import { useApp, useView } from "../shared/app-context";
+import { rowElementId, rowKey, type TreeRow, type TreeRows } from "./tree-rows";
+import { selectModeOf } from "./tree-item";
+
+export interface TreeNavigationOptions {
+  readonly rows: TreeRows;
+  readonly scroller: RefObject<HTMLElement | null>;
+  readonly scrollTo: (index: number) => void;
+  /** Sets which groups are closed. */
+  readonly setClosed: Dispatch<SetStateAction<ReadonlySet<DrawnKind>>>;
+}
+
+export interface TreeNavigation {
+  /** Index of the row that Tab reaches. */
+  readonly focused: number;
+  /** Selects the entity of a row, or opens or closes a group. */
+  readonly activate: (row: TreeRow, mode: SelectMode) => void;
+  readonly onKeyDown: (event: KeyboardEvent) => void;
+}
+
+/** Focus, selection and keys of the model tree, as the ARIA practices describe them for a tree view. */
+export function useTreeNavigation(options: TreeNavigationOptions): TreeNavigation {
+  const app = useApp();
+  const { rows, setClosed } = options;
+  const { focused, focusRow, setFocusedKey } = useFocusedRow(options);
+  useRevealedSelection(options);
+  const setOpen = (kind: DrawnKind, open: boolean): void =>
+    setClosed((kinds) => {
+      const next = new Set(kinds);
+      if (open) next.delete(kind);
+      else next.add(kind);
+      return next;
+    });
+  // First row of a range that is selected with Shift.
+  const anchor = useRef<string | null>(null);
+  const selectRange = (row: TreeRow): void => {
+    const from = rows.indexOf(anchor.current);
+    const to = rows.indexOf(rowKey(row));
+    const range = from < 0 ? [row] : rows.slice(Math.min(from, to), Math.max(from, to) + 1);
+    const entities = range.flatMap((other) => (other.type === "entity" ? [other.entity] : []));
+    app.view.selectAll(from > to ? entities.reverse() : entities);
+  };
+  const activate = (row: TreeRow, mode: SelectMode): void => {
+    setFocusedKey(rowKey(row));
+    if (row.type === "group") setOpen(row.kind, !row.open);
+    else if (mode === "add") selectRange(row);
+    else {
+      anchor.current = rowKey(row);
+      app.view.select(row.entity, mode);
+      app.view.reveal(row.entity.kind);
+    }
+  };
+  /** Moves the focus by one row, and extends the selection if Shift is held. */
+  const stepTo = (index: number, extend: boolean): void => {
+    focusRow(index);
+    const row = rows.at(Math.min(rows.length - 1, Math.max(0, index)));
+    if (!extend || !row) return;
+    anchor.current ??= rowKey(rows.at(focused) ?? row);
+    selectRange(row);
+  };
+  const onKeyDown = (event: KeyboardEvent): void => {
+    const row = rows.at(focused);
+    if (!row) return;
+    const isModified = event.ctrlKey || event.metaKey;
+    const actions: Readonly<Record<string, () => void>> = {
+      ArrowDown: () => stepTo(focused + 1, event.shiftKey),
+      ArrowUp: () => stepTo(focused - 1, event.shiftKey),
+      Home: () => focusRow(0),
+      End: () => focusRow(rows.length - 1),
+      ArrowRight: () => (row.type === "group" && !row.open ? setOpen(row.kind, true) : focusRow(focused + 1)),
+      ArrowLeft: () => {
+        if (row.type === "group") setOpen(row.kind, false);
+        else focusRow(rows.indexOf(row.entity.kind));
+      },
+      Enter: () => activate(row, selectModeOf(event)),
+      " ": () => activate(row, selectModeOf(event)),
+    };
+    const selectKind = (): void =>
+      app.view.selectAll(rows.entitiesOf(row.type === "group" ? row.kind : row.entity.kind));
+    const action = event.key === "a" && isModified ? selectKind : actions[event.key];
+    // Ctrl Enter generates the mesh.
+    if (!action || (event.key === "Enter" && isModified)) return;
+    event.preventDefault();
+    action();
+  };
+  return { focused, activate, onKeyDown };
+}
+
+/** Tracks the row that has the focus. A row that is out of sight gets it after scrolling. */
+function useFocusedRow({ rows, scroller, scrollTo }: TreeNavigationOptions) {
+  const [focusedKey, setFocusedKey] = useState<string | null>(null);
+  const isFocusWanted = useRef(false);
+  useLayoutEffect(() => {
+    const row =
+      isFocusWanted.current && focusedKey !== null
+        ? scroller.current?.querySelector(`#${CSS.escape(rowElementId(focusedKey))}`)
+        : null;
+    if (!(row instanceof HTMLElement)) return;
+    isFocusWanted.current = false;
+    // The user may have moved the focus to another panel meanwhile.
+    const holder = document.activeElement;
+    if (holder === document.body || scroller.current?.contains(holder)) row.focus();
+  });
+  const focusRow = (index: number): void => {
+    const within = Math.min(rows.length - 1, Math.max(0, index));
+    const row = rows.at(within);
+    if (!row) return;
+    setFocusedKey(rowKey(row));
+    scrollTo(within);
+    isFocusWanted.current = true;
+  };
+  return { focused: Math.max(0, rows.indexOf(focusedKey)), focusRow, setFocusedKey };
+}
+
+/** Opens the group of the entity selected last, and scrolls to its row. */
+function useRevealedSelection({ rows, scrollTo, setClosed }: TreeNavigationOptions): void {
+  const selected = useView((state) => state.selection).at(-1);
+  const selectedKey = selected ? entityKey(selected) : null;
+  useEffect(() => {
+    if (!selected) return;
+    setClosed((kinds) =>
+      kinds.has(selected.kind) ? new Set([...kinds].filter((kind) => kind !== selected.kind)) : kinds,
+    );
+  }, [selected, setClosed]);
+  useEffect(() => {
+    const index = rows.indexOf(selectedKey);
+    if (index >= 0) scrollTo(index);
+  }, [selectedKey, rows, scrollTo]);
+}

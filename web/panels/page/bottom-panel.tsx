@@ -1,0 +1,122 @@
+import { Badge, Tabs, Text } from "@mantine/core";
+import { useEffect, useMemo, useRef } from "react";
+import { groupProblems } from "../../document/validate";
+import { strings } from "../../strings";
+import { useApp, useProblems, useRun, useShell } from "../shared/app-context";
+import { PatchTable } from "../quality/patch-quality";
+import { ProblemCard } from "../problems/problem-card";
+import tabs from "../../ui/frames/panel-tabs.module.css";
+import { ScrollPanel } from "../../ui/frames/scroll-panel";
+import styles from "./bottom-panel.module.css";
+
+/** The log of the mesher, the problems, and the quality of the patches. */
+export function BottomPanel() {
+  const app = useApp();
+  const tab = useShell((state) => state.bottomTab);
+  const problemCount = useProblems((state) => state.problems.length);
+  return (
+    <Tabs
+      className={tabs["tabs"]}
+      value={tab}
+      keepMounted={false}
+      onChange={(value) => {
+        if (value === "log" || value === "problems" || value === "patches") {
+          app.shell.setState({ bottomTab: value });
+        }
+      }}
+    >
+      <Tabs.List>
+        <Tabs.Tab value="log">{strings.bottom.log}</Tabs.Tab>
+        <Tabs.Tab
+          value="problems"
+          rightSection={
+            problemCount > 0 && (
+              <Badge size="sm" circle color="red" variant="filled">
+                {problemCount}
+              </Badge>
+            )
+          }
+        >
+          {strings.bottom.problems}
+        </Tabs.Tab>
+        <Tabs.Tab value="patches" data-testid="tab-patches">
+          {strings.patches.tab}
+        </Tabs.Tab>
+      </Tabs.List>
+      <Tabs.Panel value="log">
+        <LogList />
+      </Tabs.Panel>
+      <Tabs.Panel value="problems">
+        <ProblemPanel />
+      </Tabs.Panel>
+      <Tabs.Panel value="patches">
+        <PatchTable />
+      </Tabs.Panel>
+    </Tabs>
+  );
+}
+
+function LogList() {
+  const log = useRun((state) => state.log);
+  const end = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    if (end.current) end.current.scrollTop = end.current.scrollHeight;
+  }, [log]);
+  return (
+    <ScrollPanel
+      ref={end}
+      className={styles["log"]}
+      padded={false}
+      role="log"
+      label={strings.bottom.log}
+      data-testid="log"
+    >
+      {log.length === 0 && <Text c="dimmed">{strings.bottom.logEmpty}</Text>}
+      {log.map((line) => (
+        <p key={line.id} data-level={line.level}>
+          <span>{line.seconds.toFixed(3).padStart(7, "\u2007")}</span>
+          {line.text}
+        </p>
+      ))}
+    </ScrollPanel>
+  );
+}
+
+/** Largest number of problems listed per kind; the others are counted. */
+const maxPerGroup = 50;
+
+/** All problems, grouped by kind. */
+function ProblemPanel() {
+  const problems = useProblems((state) => state.problems);
+  const groups = useMemo(() => groupProblems(problems), [problems]);
+  const indices = new Map(problems.map((problem, index) => [problem, index]));
+  return (
+    <ScrollPanel label={strings.bottom.problems}>
+      {problems.length === 0 && (
+        <Text size="sm" c="dimmed">
+          {strings.bottom.noProblems}
+        </Text>
+      )}
+      {groups.map(({ code, severity, problems: members }) => (
+        <section key={`${severity} ${code}`} data-testid={`problems-${code}`}>
+          <h2 className={styles["group"]} data-severity={severity}>
+            {strings.problemTitle(code)}
+            <span>{strings.bottom.count(members.length, severity)}</span>
+          </h2>
+          {members.slice(0, maxPerGroup).map((problem) => (
+            <ProblemCard
+              key={problem.key}
+              problem={problem}
+              testId={`problem-${indices.get(problem) ?? 0}`}
+            />
+          ))}
+          {members.length > maxPerGroup && (
+            <Text size="sm" c="dimmed">
+              {strings.inspector.more(members.length - maxPerGroup)}
+            </Text>
+          )}
+        </section>
+      ))}
+    </ScrollPanel>
+  );
+}

@@ -1,0 +1,193 @@
+import {
+  ActionIcon,
+  Button,
+  Kbd,
+  Menu,
+  Toolbar,
+  Tooltip,
+  useComputedColorScheme,
+  useMantineColorScheme,
+} from "@mantine/core";
+import {
+  IconArrowBackUp,
+  IconArrowForwardUp,
+  IconChevronDown,
+  IconChevronUp,
+  IconDownload,
+  IconFocusCentered,
+  IconMenu2,
+  IconMoon,
+  IconPlayerPlayFilled,
+  IconScissors,
+  IconSearch,
+  IconSun,
+} from "@tabler/icons-react";
+import { Fragment, useState } from "react";
+import type { MenuName } from "../../commands/command";
+import { commandNamed, runCommand } from "../../commands/registry";
+import { DOWNLOADS } from "../../commands/file-menu";
+import { Logo } from "../../ui/logo";
+import { strings } from "../../strings";
+import { useApp, useDocument, useRun, useView } from "../shared/app-context";
+import { CommandButton } from "../shared/command-button";
+import { CommandItems, CommandMenubar, menuNames } from "./command-menu";
+import { palette } from "../shared/palette";
+import type { Layout } from "../shared/use-layout";
+import menuStyles from "./command-menu.module.css";
+import styles from "./header.module.css";
+
+const icon = { size: 17, "aria-hidden": true } as const;
+
+/** Name, menus, frequent commands, palette, download, theme, and the primary button. */
+export function Header({ layout }: { readonly layout: Layout }) {
+  const phone = layout === "phone";
+  const canUndo = useDocument((state) => state.history.past.length > 0);
+  const canRedo = useDocument((state) => state.history.future.length > 0);
+  const cut = useView((state) => state.cut.enabled);
+  return (
+    <header className={styles["header"]}>
+      <span className={styles["brand"]}>
+        <Logo />
+        <h1>{strings.appName}</h1>
+      </span>
+      {phone ? <PhoneMenu /> : <CommandMenubar />}
+      <Toolbar aria-label={strings.header.tools} className={styles["toolbar"]}>
+        <CommandButton command="undo" disabled={!canUndo} testId="undo">
+          <IconArrowBackUp {...icon} />
+        </CommandButton>
+        <CommandButton command="redo" disabled={!canRedo} testId="redo">
+          <IconArrowForwardUp {...icon} />
+        </CommandButton>
+        {!phone && (
+          <CommandButton command="fit" testId="fit">
+            <IconFocusCentered {...icon} />
+          </CommandButton>
+        )}
+        {!phone && (
+          <CommandButton command="cut" pressed={cut} testId="cut-button">
+            <IconScissors {...icon} />
+          </CommandButton>
+        )}
+      </Toolbar>
+      {!phone && <PaletteBox />}
+      <span className={styles["end"]}>
+        <DownloadMenu />
+        <SchemeToggle />
+        <GenerateButton compact={phone} />
+      </span>
+    </header>
+  );
+}
+
+function PaletteBox() {
+  return (
+    <button type="button" className={styles["palette"]} data-testid="palette" onClick={() => palette.open()}>
+      <IconSearch size={14} aria-hidden />
+      <span>{strings.header.palette}</span>
+      <Kbd size="xs">Ctrl K</Kbd>
+    </button>
+  );
+}
+
+/** All menus in one. They unfold in place, one at a time, because a phone has no room beside them. */
+function PhoneMenu() {
+  const [open, setOpen] = useState<MenuName | null>(null);
+  return (
+    <Menu position="bottom-start" width={280} onClose={() => setOpen(null)}>
+      <Menu.Target>
+        <ActionIcon size={32} variant="subtle" color="gray" aria-label={strings.header.menu}>
+          <IconMenu2 size={18} aria-hidden />
+        </ActionIcon>
+      </Menu.Target>
+      <Menu.Dropdown mah="80vh" className={menuStyles["phone"]}>
+        {menuNames.map((menu) => (
+          <Fragment key={menu}>
+            <Menu.Item
+              aria-expanded={open === menu}
+              closeMenuOnClick={false}
+              rightSection={open === menu ? <IconChevronUp {...icon} /> : <IconChevronDown {...icon} />}
+              onClick={() => setOpen(open === menu ? null : menu)}
+            >
+              {strings.menus[menu]}
+            </Menu.Item>
+            {open === menu && (
+              <div role="group" aria-label={strings.menus[menu]}>
+                <CommandItems menu={menu} />
+              </div>
+            )}
+          </Fragment>
+        ))}
+      </Menu.Dropdown>
+    </Menu>
+  );
+}
+
+function DownloadMenu() {
+  const app = useApp();
+  const hasMesh = useRun((state) => state.mesh !== null);
+  return (
+    <Menu position="bottom-end">
+      <Menu.Target>
+        <ActionIcon
+          size={28}
+          variant="subtle"
+          color="gray"
+          aria-label={strings.header.download}
+          data-testid="download"
+          disabled={!hasMesh}
+        >
+          <IconDownload {...icon} />
+        </ActionIcon>
+      </Menu.Target>
+      <Menu.Dropdown>
+        {DOWNLOADS.map((id) => {
+          const command = commandNamed(id);
+          return (
+            <Menu.Item key={id} onClick={() => runCommand(app, command)}>
+              {command.label(app)}
+            </Menu.Item>
+          );
+        })}
+      </Menu.Dropdown>
+    </Menu>
+  );
+}
+
+function SchemeToggle() {
+  const { setColorScheme } = useMantineColorScheme();
+  const dark = useComputedColorScheme("dark", { getInitialValueInEffect: false }) === "dark";
+  const label = dark ? strings.header.light : strings.header.dark;
+  return (
+    <Tooltip label={label} openDelay={400}>
+      <ActionIcon
+        size={28}
+        variant="subtle"
+        color="gray"
+        aria-label={label}
+        data-testid="theme"
+        onClick={() => setColorScheme(dark ? "light" : "dark")}
+      >
+        {dark ? <IconSun {...icon} /> : <IconMoon {...icon} />}
+      </ActionIcon>
+    </Tooltip>
+  );
+}
+
+function GenerateButton({ compact }: { readonly compact: boolean }) {
+  const app = useApp();
+  const busy = useRun((state) => state.busy);
+  return (
+    <Button
+      size="compact-md"
+      h={30}
+      px={compact ? 10 : 14}
+      fz="sm"
+      leftSection={<IconPlayerPlayFilled size={13} aria-hidden />}
+      data-testid="generate"
+      disabled={busy}
+      onClick={() => void app.run.generate()}
+    >
+      {busy ? strings.header.meshing : compact ? strings.header.generateShort : strings.header.generate}
+    </Button>
+  );
+}

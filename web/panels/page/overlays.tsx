@@ -1,0 +1,29 @@
+import { useApp } from "../shared/app-context";
+import { CommandPalette } from "../dialogs/command-palette";
+import { CoverDialog } from "../background/cover-dialog";
+import { CreatePositionedDialog } from "../dialogs/create-dialogs";
+import { HelpDialog } from "../dialogs/help-dialog";
+import { MessageDialog } from "../dialogs/message-dialog";
+import { Notices } from "../dialogs/notices";
+import { useIsLastUsed } from "../shared/page-apps";
+import { ProposeDialog } from "../background/propose-dialog";
+import { RecentDialog } from "../files/recent-dialog";
+
+/** Everything that opens above the page. Loaded after it. */
+export default function Overlays() {
+  // All apps of the page share the palette; its commands are for the one used last.
+  const hasPalette = useIsLastUsed(useApp());
+  return (
+    <>
+      {hasPalette && <CommandPalette />}
+      <HelpDialog />
+      <CreatePositionedDialog kind="point" />
+      <CreatePositionedDialog kind="background-node" />
+      <CoverDialog />
+      <ProposeDialog />
+      <RecentDialog />
+      <MessageDialog />
+      <Notices />
+    </>
+  );
+}

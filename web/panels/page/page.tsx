@@ -1,0 +1,80 @@
+import { lazy, useEffect, useRef, useState } from "react";
+import { openDropped } from "../../commands/project-actions";
+import type { App } from "../../app/app";
+import { strings } from "../../strings";
+import { AppContext } from "../shared/app-context";
+import { PageLayout } from "./layout";
+import { PanelBoundary } from "../shared/panel-boundary";
+import { useCommandHotkeys } from "./hotkeys";
+import { fetchAhead } from "../later/later";
+import { pageApps, usePageApp } from "../shared/page-apps";
+import { losePalette } from "../shared/palette";
+import styles from "./page.module.css";
+
+const Overlays = lazy(() => import("./overlays"));
+
+/** The app with its dialogs, hotkeys and drop target. */
+export function Page({ app }: { readonly app: App }) {
+  const root = useRef<HTMLDivElement>(null);
+  usePageApp(app, root);
+  useCommandHotkeys(app);
+  useHeldKeys(app);
+  useEffect(fetchAhead, []);
+  const dropping = useFileDrop(app);
+  return (
+    <AppContext value={app}>
+      <PageLayout root={root} />
+      <PanelBoundary floats onFailed={losePalette}>
+        <Overlays />
+      </PanelBoundary>
+      {dropping && <div className={styles["drop"]}>{strings.viewport.drop}</div>}
+    </AppContext>
+  );
+}
+
+/** Notes in the documents of an app whether a key is held down. */
+function useHeldKeys(app: App): void {
+  useEffect(() => {
+    const life = new AbortController();
+    const options = { capture: true, signal: life.signal };
+    const { documents } = app;
+    const note = ({ repeat, target }: KeyboardEvent): void => {
+      documents.held = repeat && pageApps.owns(app, target);
+    };
+    const release = (): void => void (documents.held = false);
+    window.addEventListener("keydown", note, options);
+    for (const end of ["keyup", "pointerdown", "blur"]) window.addEventListener(end, release, options);
+    return () => life.abort();
+  }, [app]);
+}
+
+/** Opens a project file that is dropped on the app. Returns true while a file is dragged over it. */
+function useFileDrop(app: App): boolean {
+  const [dropping, setDropping] = useState(false);
+  useEffect(() => {
+    const onDragOver = (event: DragEvent): void => {
+      if (!event.dataTransfer?.types.includes("Files") || !pageApps.owns(app, event.target)) return;
+      event.preventDefault();
+      setDropping(true);
+    };
+    const onDragLeave = (event: DragEvent): void => {
+      if (event.relatedTarget === null) setDropping(false);
+    };
+    const onDrop = (event: DragEvent): void => {
+      if (!pageApps.owns(app, event.target)) return;
+      event.preventDefault();
+      setDropping(false);
+      const file = event.dataTransfer?.files[0];
+      if (file) void openDropped(app, file);
+    };
+    window.addEventListener("dragover", onDragOver);
+    window.addEventListener("dragleave", onDragLeave);
+    window.addEventListener("drop", onDrop);
+    return () => {
+      window.removeEventListener("dragover", onDragOver);
+      window.removeEventListener("dragleave", onDragLeave);
+      window.removeEventListener("drop", onDrop);
+    };
+  }, [app]);
+  return dropping;
+}

@@ -1,0 +1,134 @@
+import { ActionIcon, Progress, Tooltip, VisuallyHidden } from "@mantine/core";
+import { IconX } from "@tabler/icons-react";
+import type { Progress as RunProgressReport } from "tetrafront";
+import type { RunState } from "../../session/run";
+import { formatAngle, formatCount, formatSeconds, formatShare } from "../../ui/format";
+import { phaseNames, strings } from "../../strings";
+import { useApp, useRun, useStale, useUnsaved } from "../shared/app-context";
+import { useThrottled } from "../shared/use-throttled";
+import styles from "./status-bar.module.css";
+
+/** Time between two announcements to screen readers, in milliseconds. */
+const announceEveryMs = 5000;
+
+function outcomeText(run: RunState, stale: boolean): string {
+  if (run.failure !== null) return strings.messages.engineFailed;
+  if (run.outcome?.result.report.status === "invalid-input" && stale) return strings.status.invalid;
+  if (!run.mesh) {
+    return run.outcome?.result.report.status === "invalid-input"
+      ? strings.status.invalid
+      : strings.status.ready;
+  }
+  if (stale) return strings.status.stale;
+  switch (run.mesh.report.status) {
+    case "done":
+      return strings.status.done;
+    case "stalled":
+      return strings.status.stalled;
+    case "cancelled":
+      return strings.status.cancelled;
+    case "invalid-input":
+      return strings.status.invalid;
+  }
+}
+
+function phaseText({ phase, exactFillFraction: exactFill }: RunProgressReport): string {
+  return exactFill > 0 ? strings.status.filling : phaseNames[phase];
+}
+
+/** The progress of a run, or the state of the mesh; and the statistics of the mesh on show. */
+export function StatusBar() {
+  const busy = useRun((state) => state.busy);
+  return (
+    <footer className={styles["bar"]} data-testid="status">
+      {busy ? <RunProgress /> : <Outcome />}
+      <MeshNumbers />
+    </footer>
+  );
+}
+
+function Outcome() {
+  const run = useRun((state) => state);
+  const stale = useStale();
+  return <span role="status">{outcomeText(run, stale)}</span>;
+}
+
+function RunProgress() {
+  const app = useApp();
+  const progress = useRun((state) => state.progress);
+  const cancelling = useRun((state) => state.cancelling);
+  const percent = Math.round((progress?.fraction ?? 0) * 100);
+  const phase = progress ? phaseText(progress) : strings.header.meshing;
+  const text = cancelling ? strings.status.cancelling : `${phase} ${percent} %`;
+  const announced = useThrottled(text, announceEveryMs);
+  return (
+    <>
+      <Progress
+        className={styles["progress"]}
+        value={percent}
+        size="sm"
+        aria-label={strings.status.progress}
+        // Without graphics hardware, animating the bar costs as much as the meshing.
+        transitionDuration={0}
+      />
+      <span aria-hidden>{text}</span>
+      {progress && progress.frontFaces > 0 && (
+        <span className={styles["wide"]} aria-hidden>
+          {progress.exactFillFraction > 0
+            ? strings.status.exactFill(formatShare(progress.exactFillFraction))
+            : strings.status.front(formatCount(progress.frontFaces))}
+        </span>
+      )}
+      <VisuallyHidden role="status">{announced}</VisuallyHidden>
+      <Tooltip label={strings.status.cancel}>
+        <ActionIcon
+          size={22}
+          variant="subtle"
+          color="gray"
+          aria-label={strings.status.cancel}
+          data-testid="cancel"
+          disabled={cancelling}
+          onClick={() => app.run.cancel()}
+        >
+          <IconX size={14} aria-hidden />
+        </ActionIcon>
+      </Tooltip>
+    </>
+  );
+}
+
+function MeshNumbers() {
+  const mesh = useRun((state) => state.mesh);
+  const progress = useRun((state) => (state.busy ? state.progress : null));
+  const stale = useStale();
+  const unsaved = useUnsaved();
+  const tetrahedra = progress?.tetrahedra ?? mesh?.report.tetrahedra;
+  // Without elements, the statistics of the report are zeros without a meaning.
+  const report = mesh && mesh.report.tetrahedra > 0 ? mesh.report : null;
+  const points = progress?.nodes ?? report?.nodes;
+  return (
+    <div className={styles["numbers"]} data-stale={(stale && !progress) || undefined}>
+      {points !== undefined && (
+        <span className={styles["wide"]} data-testid="count-points">
+          {strings.status.nodes(formatCount(points))}
+        </span>
+      )}
+      {tetrahedra !== undefined && (
+        <span data-testid="count-tetrahedra">{strings.status.tetrahedra(formatCount(tetrahedra))}</span>
+      )}
+      {report && !progress && (
+        <>
+          <span className={styles["wide"]} data-testid="min-dihedral">
+            {strings.status.minDihedral(formatAngle(report.dihedral.min))}
+          </span>
+          <span className={styles["wide"]} data-testid="seconds">
+            {formatSeconds(report.seconds.total)}
+          </span>
+        </>
+      )}
+      <span className={styles["wide"]} data-testid="saved-state">
+        {unsaved ? strings.status.unsaved : strings.status.saved}
+      </span>
+    </div>
+  );
+}

@@ -1,0 +1,115 @@
+import { Text, UnstyledButton } from "@mantine/core";
+import type { PatchQuality, Project } from "tetrafront";
+import { showEntities } from "../../commands/selection-actions";
+import { SectionTitle } from "../../ui/frames/section-title";
+import { formatAngle, formatCount, formatShort } from "../../ui/format";
+import { strings } from "../../strings";
+import { useApp, useProject, useRun, useStale } from "../shared/app-context";
+import { entityTitle } from "../shared/entity-chips";
+import { ScrollPanel } from "../../ui/frames/scroll-panel";
+import { Facts } from "../../ui/facts";
+import table from "../../ui/table.module.css";
+
+const texts = strings.patches;
+
+const noPatches: readonly PatchQuality[] = [];
+
+/** Returns the quality of each patch in the mesh on show, by id; nothing while the mesh is out of date. */
+function usePatchQuality(): readonly { readonly id: number; readonly quality: PatchQuality }[] {
+  const project = useProject();
+  const stale = useStale();
+  const all = useRun((state) => state.mesh?.report.patches ?? noPatches);
+  if (stale) return [];
+  return all.flatMap((quality) => {
+    const id = project.patches[quality.patch]?.id;
+    return id === undefined ? [] : [{ id, quality }];
+  });
+}
+
+/** The quality of the triangulation of one patch. */
+export function PatchFacts({ patch }: { readonly patch: number }) {
+  const found = usePatchQuality().find(({ id }) => id === patch);
+  if (!found) return null;
+  const { quality } = found;
+  return (
+    <section data-testid="patch-facts">
+      <SectionTitle>{texts.one}</SectionTitle>
+      <Facts>
+        <dt>{texts.triangles}</dt>
+        <dd>{formatCount(quality.triangles)}</dd>
+        <dt>{texts.minAngle}</dt>
+        <dd>{formatAngle(quality.minAngle)}</dd>
+        <dt>{texts.meanRatio}</dt>
+        <dd>{quality.meanRadiusRatio.toFixed(3)}</dd>
+        <dt>{texts.meanEdge}</dt>
+        <dd>{quality.meanEdge.toFixed(3)}</dd>
+        <dt>{texts.deviation}</dt>
+        <dd>{formatShort(quality.chordDeviation)}</dd>
+      </Facts>
+    </section>
+  );
+}
+
+/** The quality of all patches of the mesh, the smallest angle first. */
+export function PatchTable() {
+  const project = useProject();
+  const rows = usePatchQuality().toSorted((a, b) => a.quality.minAngle - b.quality.minAngle);
+  return (
+    <ScrollPanel label={texts.title}>
+      {rows.length === 0 ? (
+        <Text size="sm" c="dimmed">
+          {texts.none}
+        </Text>
+      ) : (
+        <table className={table["table"]} data-testid="patch-table">
+          <thead>
+            <tr>
+              {[
+                texts.patch,
+                texts.triangles,
+                texts.minAngle,
+                texts.meanRatio,
+                texts.meanEdge,
+                texts.deviation,
+              ].map((title) => (
+                <th key={title} scope="col">
+                  {title}
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {rows.map(({ id, quality }) => (
+              <PatchRow key={id} id={id} quality={quality} project={project} />
+            ))}
+          </tbody>
+        </table>
+      )}
+    </ScrollPanel>
+  );
+}
+
+interface PatchRowProps {
+  readonly id: number;
+  readonly quality: PatchQuality;
+  readonly project: Project;
+}
+
+function PatchRow({ id, quality, project }: PatchRowProps) {
+  const app = useApp();
+  const entity = { kind: "patch", id } as const;
+  return (
+    <tr data-testid={`patch-row-${id}`}>
+      <th scope="row">
+        <UnstyledButton onClick={() => showEntities(app, [entity])}>
+          {entityTitle(project, entity)}
+        </UnstyledButton>
+      </th>
+      <td>{formatCount(quality.triangles)}</td>
+      <td>{formatAngle(quality.minAngle)}</td>
+      <td>{quality.meanRadiusRatio.toFixed(3)}</td>
+      <td>{quality.meanEdge.toFixed(3)}</td>
+      <td>{formatShort(quality.chordDeviation)}</td>
+    </tr>
+  );
+}

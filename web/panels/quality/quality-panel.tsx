@@ -1,0 +1,121 @@
+import { Button, CopyButton, Text, UnstyledButton } from "@mantine/core";
+import { bestValue, scalePosition, type QualityMeasure } from "../../document/mesh-quality";
+import { SectionTitle } from "../../ui/frames/section-title";
+import { formatAngle, formatCount, formatSeconds, formatShort } from "../../ui/format";
+import { HistogramChart } from "../../ui/histogram-chart";
+import { measureNames, strings } from "../../strings";
+import { viridisAt } from "../../ui/theme/viridis";
+import { useApp, useRun, useStale, useView } from "../shared/app-context";
+import { useHistogram } from "./use-histogram";
+import { Facts } from "../../ui/facts";
+import styles from "./quality-panel.module.css";
+
+/** Number of bars of the histogram. */
+const barCount = 20;
+const tickShares = [0, 0.25, 0.5, 0.75, 1];
+
+function valueText(measure: QualityMeasure, value: number): string {
+  return measure === "dihedral" ? formatAngle(value) : value.toFixed(3);
+}
+
+/** Statistics of the mesh on show and a histogram of the quality measure, measured in space. */
+export function QualityPanel() {
+  const app = useApp();
+  const mesh = useRun((state) => state.mesh);
+  const shading = useView((state) => state.shading);
+  const stale = useStale();
+  const measure = shading === "dihedral" ? "dihedral" : "radius-ratio";
+  const histogram = useHistogram(mesh, measure, barCount);
+  if (!mesh) {
+    return (
+      <>
+        <SectionTitle>{strings.quality.title}</SectionTitle>
+        <Text size="sm" c="dimmed">
+          {strings.quality.none}
+        </Text>
+      </>
+    );
+  }
+  const { report } = mesh;
+  const { unmeasured } = strings.quality;
+  // Without elements, the statistics of the report are zeros without a meaning.
+  const measured = report.tetrahedra > 0;
+  return (
+    <section data-stale={stale || undefined}>
+      <SectionTitle>
+        {strings.quality.title}
+        {stale && <span className={styles["note"]}>{strings.viewport.stale.toLowerCase()}</span>}
+      </SectionTitle>
+      {measured && (
+        <>
+          <Text size="sm" c="dimmed" mb={4}>
+            {measureNames[measure]}
+          </Text>
+          <HistogramChart
+            bars={histogram?.bars ?? null}
+            end={bestValue[measure]}
+            ticks={tickShares.map((share) => share * bestValue[measure])}
+            testId="quality-histogram"
+            label={strings.quality.histogram(measureNames[measure])}
+            colorOf={(value) => viridisAt(scalePosition(value, measure))}
+            describe={(count, from, to) =>
+              strings.quality.bar(formatCount(count), valueText(measure, from), valueText(measure, to))
+            }
+            facts={[
+              [strings.quality.min, histogram ? valueText(measure, histogram.min) : unmeasured],
+              [strings.quality.mean, histogram ? valueText(measure, histogram.mean) : unmeasured],
+            ]}
+          />
+        </>
+      )}
+      <Facts>
+        <dt>{strings.quality.tetrahedra}</dt>
+        <dd>{formatCount(report.tetrahedra)}</dd>
+        <dt>{strings.quality.nodes}</dt>
+        <dd>{measured ? formatCount(report.nodes) : unmeasured}</dd>
+        <dt>{strings.quality.triangles}</dt>
+        <dd>{formatCount(report.triangles)}</dd>
+        <dt>{strings.quality.dihedral}</dt>
+        <dd>
+          {measured
+            ? `${formatAngle(report.dihedral.min)} – ${formatAngle(report.dihedral.max)}`
+            : unmeasured}
+        </dd>
+        <dt>{strings.quality.volume}</dt>
+        <dd>{measured ? formatShort(report.volume) : unmeasured}</dd>
+        <dt>{strings.quality.time}</dt>
+        <dd>{formatSeconds(report.seconds.total)}</dd>
+        {measured && report.fingerprint !== "" && <Fingerprint value={report.fingerprint} />}
+      </Facts>
+      {measured && (
+        <Button
+          size="compact-sm"
+          mt={10}
+          variant="default"
+          data-testid="all-statistics"
+          onClick={() => app.shell.setState({ rightTab: "quality" })}
+        >
+          {strings.report.all}
+        </Button>
+      )}
+    </section>
+  );
+}
+
+/** A hash that is equal for equal meshes on every platform. A click copies it. */
+function Fingerprint({ value }: { readonly value: string }) {
+  return (
+    <>
+      <dt>{strings.quality.fingerprint}</dt>
+      <dd>
+        <CopyButton value={value}>
+          {({ copied, copy }) => (
+            <UnstyledButton className={styles["fingerprint"]} data-testid="fingerprint" onClick={copy}>
+              {copied ? strings.quality.copied : value}
+            </UnstyledButton>
+          )}
+        </CopyButton>
+      </dd>
+    </>
+  );
+}

@@ -1,0 +1,65 @@
+import { createContext, useContext } from "react";
+import { useStore } from "zustand";
+import { createStore } from "zustand/vanilla";
+import type { App } from "../../app/app";
+import { hasUnsavedChanges, type DocumentState } from "../../session/document-store";
+import type { ProblemState } from "../../session/problems";
+import { isStale, type RunState } from "../../session/run";
+import type { ViewState } from "../../document/selection";
+import type { ShellState } from "../../session/shell";
+import type { Project, RegionQuality } from "tetrafront";
+
+export const AppContext = createContext<App | null>(null);
+
+export function useApp(): App {
+  const app = useContext(AppContext);
+  if (!app) throw new Error("A panel was used outside the app");
+  return app;
+}
+
+export function useDocument<T>(select: (state: DocumentState) => T): T {
+  return useStore(useApp().documents.state, select);
+}
+
+export function useProject(): Project {
+  return useDocument((state) => state.history.present.project);
+}
+
+export function useUnsaved(): boolean {
+  return useDocument(hasUnsavedChanges);
+}
+
+export function useView<T>(select: (state: ViewState) => T): T {
+  return useStore(useApp().view.state, select);
+}
+
+export function useRun<T>(select: (state: RunState) => T): T {
+  return useStore(useApp().run.state, select);
+}
+
+const noRegions: readonly RegionQuality[] = [];
+
+/** The regions of the mesh on show; none before it is finished. */
+export function useRegions(): readonly RegionQuality[] {
+  return useRun((state) => state.mesh?.report.quality.regions ?? noRegions);
+}
+
+export function useProblems<T>(select: (state: ProblemState) => T): T {
+  return useStore(useApp().problems.state, select);
+}
+
+export function useShell<T>(select: (state: ShellState) => T): T {
+  return useStore(useApp().shell, select);
+}
+
+const neverPending = createStore(() => ({ pending: false }));
+
+/** Is there a change that has not been written to the browser's storage? */
+export function useAutosavePending(): boolean {
+  return useStore(useApp().autosave?.state ?? neverPending, (state) => state.pending);
+}
+
+export function useStale(): boolean {
+  const document = useDocument((state) => state);
+  return useRun((state) => isStale(state, document));
+}

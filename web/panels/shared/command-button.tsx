@@ -1,0 +1,40 @@
+import { ActionIcon, Tooltip } from "@mantine/core";
+import type { ReactNode } from "react";
+import { commandNamed, keyNames, runCommand } from "../../commands/registry";
+import { useApp, useDocument } from "./app-context";
+
+export interface CommandButtonProps {
+  /** Id of the command. */
+  readonly command: string;
+  readonly disabled?: boolean;
+  /** State of a command that toggles something. */
+  readonly pressed?: boolean;
+  readonly testId?: string;
+  readonly children: ReactNode;
+}
+
+/** An icon that runs a command. Its tooltip has the name and the hotkey of the command. */
+export function CommandButton({ command: id, disabled, pressed, testId, children }: CommandButtonProps) {
+  const app = useApp();
+  const command = commandNamed(id);
+  // The labels of undo and redo contain the name of the step.
+  useDocument((state) => state.history);
+  const label = command.label(app);
+  const [key] = command.keys;
+  return (
+    <Tooltip label={key === undefined ? label : `${label} (${keyNames(key).join(" ")})`} openDelay={400}>
+      <ActionIcon
+        size={28}
+        variant={pressed ? "light" : "subtle"}
+        color={pressed ? "blue" : "gray"}
+        aria-label={label}
+        aria-pressed={pressed}
+        disabled={disabled ?? false}
+        data-testid={testId}
+        onClick={() => runCommand(app, command)}
+      >
+        {children}
+      </ActionIcon>
+    </Tooltip>
+  );
+}

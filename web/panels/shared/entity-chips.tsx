@@ -1,0 +1,46 @@
+import type { Project } from "tetrafront";
+import { entityKey, entityName, type Entity } from "../../document/entities";
+import { Chip } from "../../ui/chip";
+import { entityWords, strings } from "../../strings";
+import { useApp } from "./app-context";
+import styles from "./entity-chips.module.css";
+
+/** Largest number of buttons; the other entities are counted. */
+const maxChips = 24;
+
+export function entityTitle(project: Project, entity: Entity): string {
+  return entityName(project, entity) ?? `${entityWords[entity.kind].one} ${entity.id}`;
+}
+
+export interface EntityChipsProps {
+  readonly entities: readonly Entity[];
+  readonly project: Project;
+  /** Space above the chips, in pixels. */
+  readonly paddingTop?: number;
+  /** Called instead of selecting the entity. */
+  readonly onChoose?: (entity: Entity) => void;
+}
+
+/** Small buttons that select entities. */
+export function EntityChips({ entities, project, paddingTop = 2, onChoose }: EntityChipsProps) {
+  const app = useApp();
+  const choose = onChoose ?? ((entity: Entity) => app.view.select(entity));
+  return (
+    <div className={styles["chips"]} style={{ paddingTop }}>
+      {entities.slice(0, maxChips).map((entity, index) => (
+        <Chip
+          // A closed chain of points ends with its first one again.
+          key={`${index}-${entityKey(entity)}`}
+          onClick={() => choose(entity)}
+          onMouseEnter={() => app.view.setHover(entity)}
+          onMouseLeave={() => app.view.setHover(null)}
+        >
+          {entityTitle(project, entity)}
+        </Chip>
+      ))}
+      {entities.length > maxChips && (
+        <span className={styles["more"]}>{strings.inspector.more(entities.length - maxChips)}</span>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,36 @@
+import {
+  IconGridDots,
+  IconLine,
+  IconPoint,
+  IconTarget,
+  IconTriangle,
+  IconVectorBezier,
+  IconVectorSpline,
+} from "@tabler/icons-react";
+import type { Project } from "tetrafront";
+import { findRecord, type Entity } from "../../document/entities";
+
+const size = 15;
+
+/** The icon of an entity's kind; for lines, of their type. */
+export function EntityIcon({ entity, project }: { readonly entity: Entity; readonly project: Project }) {
+  switch (entity.kind) {
+    case "point":
+      return <IconPoint size={size} fill="currentColor" aria-hidden />;
+    case "line": {
+      const type = findRecord(project, "line", entity.id)?.type;
+      if (type === "spline") return <IconVectorSpline size={size} aria-hidden />;
+      return type === "parabolic" ? (
+        <IconVectorBezier size={size} aria-hidden />
+      ) : (
+        <IconLine size={size} aria-hidden />
+      );
+    }
+    case "patch":
+      return <IconTriangle size={size} aria-hidden />;
+    case "background-node":
+      return <IconGridDots size={size} aria-hidden />;
+    case "source":
+      return <IconTarget size={size} aria-hidden />;
+  }
+}

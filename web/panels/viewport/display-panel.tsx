@@ -1,0 +1,89 @@
+import { Button, SegmentedControl, Switch } from "@mantine/core";
+import { IconArrowsExchange } from "@tabler/icons-react";
+import type { Layer, Shading } from "../../document/selection";
+import { FieldRow } from "../../ui/fields/field-row";
+import { measureNames, strings } from "../../strings";
+import { useApp, useRegions, useView } from "../shared/app-context";
+import { RegionList } from "../shared/region-list";
+import { CutAxisControl, CutSlider } from "./cut-controls";
+import { ScrollPanel } from "../../ui/frames/scroll-panel";
+import { SectionTitle } from "../../ui/frames/section-title";
+
+const layers: readonly Layer[] = ["points", "lines", "patches", "background", "sources", "mesh"];
+const shadings: readonly { value: Shading; label: string }[] = [
+  { value: "radius-ratio", label: measureNames["radius-ratio"] },
+  { value: "dihedral", label: strings.display.dihedral },
+  { value: "region", label: strings.display.region },
+  { value: "plain", label: strings.display.plain },
+];
+
+/** Layers, shading and cut of the view. */
+export function DisplayPanel() {
+  const app = useApp();
+  const visible = useView((state) => state.layers);
+  const shading = useView((state) => state.shading);
+  const edges = useView((state) => state.edges);
+  const cut = useView((state) => state.cut);
+  const regions = useRegions();
+  return (
+    <ScrollPanel label={strings.inspector.display}>
+      <SectionTitle>{strings.display.layers}</SectionTitle>
+      {layers.map((layer) => (
+        <Switch
+          key={layer}
+          size="xs"
+          my={6}
+          label={strings.display[layer]}
+          checked={visible[layer]}
+          onChange={(event) => app.view.setLayer(layer, event.currentTarget.checked)}
+        />
+      ))}
+      <SectionTitle>{strings.display.shading}</SectionTitle>
+      <SegmentedControl
+        size="xs"
+        fullWidth
+        aria-label={strings.display.shading}
+        data={[...shadings]}
+        value={shading}
+        onChange={(value) => app.view.state.setState({ shading: value })}
+      />
+      <Switch
+        size="xs"
+        my={10}
+        label={strings.display.edges}
+        checked={edges}
+        onChange={(event) => app.view.state.setState({ edges: event.currentTarget.checked })}
+      />
+      <SectionTitle>{strings.display.cut}</SectionTitle>
+      <Switch
+        size="xs"
+        my={6}
+        label={strings.display.cutOn}
+        checked={cut.enabled}
+        onChange={(event) => app.view.setCut({ enabled: event.currentTarget.checked })}
+      />
+      <FieldRow label={strings.display.cutAxis}>
+        <CutAxisControl />
+      </FieldRow>
+      <FieldRow label={strings.display.cutPosition}>
+        <CutSlider />
+      </FieldRow>
+      <Button
+        size="compact-sm"
+        mt={8}
+        variant="default"
+        leftSection={<IconArrowsExchange size={14} aria-hidden />}
+        disabled={!cut.enabled}
+        onClick={() => app.view.setCut({ flipped: !cut.flipped })}
+      >
+        {strings.display.flip}
+      </Button>
+      {regions.length > 1 && (
+        <>
+          <SectionTitle>{strings.regions.title}</SectionTitle>
+          <RegionList testId="display-region" />
+        </>
+      )}
+    </ScrollPanel>
+  );
+}

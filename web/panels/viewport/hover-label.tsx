@@ -1,0 +1,35 @@
+import { entityName, findRecord } from "../../document/entities";
+import { formatPosition, formatShort } from "../../ui/format";
+import { entityWords, lineTypeNames, patchTypeNames } from "../../strings";
+import type { Hover } from "../../tools/select-tool";
+import { useProject } from "../shared/app-context";
+import styles from "./hover-label.module.css";
+
+/** The name and type of the entity under the pointer. */
+export function HoverLabel({ hover: { entity, at } }: { readonly hover: Hover }) {
+  const project = useProject();
+  const { kind, id } = entity;
+  const describe = (): string => {
+    switch (kind) {
+      case "point":
+        return formatPosition(findRecord(project, "point", id)?.position ?? []);
+      case "line":
+        return lineTypeNames[findRecord(project, "line", id)?.type ?? "straight"];
+      case "patch":
+        return patchTypeNames[findRecord(project, "patch", id)?.type ?? "planar"];
+      case "background-node":
+      case "source":
+        return `δ ${formatShort(findRecord(project, kind, id)?.size ?? 0)}`;
+    }
+  };
+  return (
+    <div
+      className={styles["label"]}
+      style={{ transform: `translate(${at.x + 14}px, ${at.y + 14}px)` }}
+      aria-hidden
+      data-testid="hover-label"
+    >
+      <b>{entityName(project, entity) ?? `${entityWords[kind].one} ${id}`}</b> {describe()}
+    </div>
+  );
+}

@@ -1,0 +1,56 @@
+import { bestValue, worstShown, type QualityMeasure } from "../../document/mesh-quality";
+import { measureNames, strings } from "../../strings";
+import { viridis } from "../../ui/theme/viridis";
+import { useRegions, useRun, useView } from "../shared/app-context";
+import styles from "./legend.module.css";
+import { RegionList } from "../shared/region-list";
+
+/** The meaning of the mesh's colours. */
+export function Legend() {
+  const shading = useView((state) => state.shading);
+  const visible = useView((state) => state.layers.mesh);
+  const hasMesh = useRun((state) => (state.mesh?.report.tetrahedra ?? 0) > 0);
+  if (shading === "plain" || !visible || !hasMesh) return null;
+  return shading === "region" ? <RegionLegend /> : <ScaleLegend measure={shading} />;
+}
+
+/** The colour and size of each region; nothing if there is only one. */
+function RegionLegend() {
+  const regions = useRegions();
+  if (regions.length < 2) return null;
+  return (
+    <figure
+      className={`${styles["legend"]} ${styles["regions"]}`}
+      aria-label={strings.regions.title}
+      data-testid="legend"
+    >
+      <figcaption>{strings.regions.title.toLowerCase()}</figcaption>
+      <RegionList testId="legend-region" />
+    </figure>
+  );
+}
+
+/** Positions of the ticks on the colour scale. */
+const ticks = [1, 0.75, 0.5, 0.25, 0];
+
+/** The colour scale of a measure. */
+function ScaleLegend({ measure }: { readonly measure: QualityMeasure }) {
+  const worst = worstShown[measure];
+  return (
+    <figure className={styles["legend"]} aria-label={`${strings.viewport.legend}: ${measureNames[measure]}`}>
+      <div
+        className={styles["bar"]}
+        style={{ background: `linear-gradient(to top, ${viridis.join(", ")})` }}
+      />
+      <div className={styles["ticks"]}>
+        {ticks.map((tick) => {
+          const value = worst + tick * (bestValue[measure] - worst);
+          return (
+            <span key={tick}>{measure === "dihedral" ? `${Math.round(value)}°` : value.toFixed(2)}</span>
+          );
+        })}
+      </div>
+      <figcaption>{measureNames[measure].toLowerCase()}</figcaption>
+    </figure>
+  );
+}

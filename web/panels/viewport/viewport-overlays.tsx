@@ -1,0 +1,107 @@
+import { ActionIcon, Button, Kbd, Switch, Text, Tooltip } from "@mantine/core";
+import { IconArrowsExchange, IconPlugConnectedX } from "@tabler/icons-react";
+import type { MeshStatus } from "tetrafront";
+import { strings } from "../../strings";
+import { useApp, useRun, useStale, useView } from "../shared/app-context";
+import { CutAxisControl, CutSlider } from "./cut-controls";
+import styles from "./viewport-overlays.module.css";
+
+/** The cut: on or off, axis, position and side. */
+export function CutBar() {
+  const app = useApp();
+  const cut = useView((state) => state.cut);
+  return (
+    <div className={styles["cutBar"]} role="group" aria-label={strings.display.cut}>
+      <Switch
+        size="xs"
+        label={strings.display.cut}
+        checked={cut.enabled}
+        data-testid="cut-toggle"
+        onChange={(event) => app.view.setCut({ enabled: event.currentTarget.checked })}
+      />
+      {cut.enabled && (
+        <>
+          <CutAxisControl />
+          <CutSlider />
+          <Tooltip label={strings.display.flip}>
+            <ActionIcon
+              size={24}
+              variant="subtle"
+              color="gray"
+              aria-label={strings.display.flip}
+              aria-pressed={cut.flipped}
+              data-testid="cut-flip"
+              onClick={() => app.view.setCut({ flipped: !cut.flipped })}
+            >
+              <IconArrowsExchange size={15} aria-hidden />
+            </ActionIcon>
+          </Tooltip>
+        </>
+      )}
+    </div>
+  );
+}
+
+function badgeTexts(
+  failure: string | null,
+  stale: boolean,
+  status: MeshStatus | undefined,
+  hasFront: boolean,
+): readonly [title: string, hint: string] {
+  const { viewport } = strings;
+  if (failure !== null) return [strings.messages.engineFailed, failure];
+  if (stale) return [viewport.stale, viewport.staleHint];
+  if (status === "stalled") return [viewport.incomplete, viewport.incompleteStalled];
+  return [viewport.incomplete, hasFront ? viewport.incompleteCancelled : viewport.incompleteUnpolished];
+}
+
+/** Shown if the mesh is out of date or incomplete, with a button that meshes again. */
+export function MeshBadge() {
+  const app = useApp();
+  const stale = useStale();
+  const busy = useRun((state) => state.busy);
+  const failure = useRun((state) => state.failure);
+  const status = useRun((state) => state.mesh?.report.status);
+  const hasFront = useRun((state) => (state.mesh?.volume.front.length ?? 0) > 0);
+  if (busy) return null;
+  const incomplete = status === "stalled" || status === "cancelled";
+  if (!stale && !incomplete && failure === null) return null;
+  const [title, hint] = badgeTexts(failure, stale, status, hasFront);
+  return (
+    <div className={styles["badge"]} data-testid="mesh-badge" role="status">
+      <span>
+        <b>{title}</b> <span className={styles["wide"]}>{hint}</span>
+      </span>
+      <Button size="compact-xs" variant="default" onClick={() => void app.run.generate()}>
+        {strings.viewport.update}
+      </Button>
+    </div>
+  );
+}
+
+/** The mouse actions of the view. */
+export function MouseHint() {
+  return (
+    <div className={styles["hint"]}>
+      {strings.viewport.hints.map(([key, effect]) => (
+        <span key={key}>
+          <Kbd size="xs">{key}</Kbd> {effect}
+        </span>
+      ))}
+    </div>
+  );
+}
+
+/** Shown in place of the view if it cannot be drawn. */
+export function ViewNotice({ trouble }: { readonly trouble: "no-webgl" | "context-lost" }) {
+  const lost = trouble === "context-lost";
+  return (
+    <div className={styles["notice"]} role="alert">
+      <IconPlugConnectedX size={28} aria-hidden />
+      <Text fw={600}>{lost ? strings.viewport.contextLost : strings.viewport.noWebgl}</Text>
+      <Text size="sm" c="dimmed">
+        {lost ? strings.viewport.contextLostHint : strings.viewport.noWebglHint}
+      </Text>
+    </div>
+  );
+}
