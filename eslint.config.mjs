@@ -4,8 +4,9 @@ import globals from "globals";
 import tseslint from "typescript-eslint";
 
 /**
- * The arrows of docs/ARCHITECTURE.md, guarded: web uses the package's public entry, the package uses the
- * compiled engine, nobody reaches back. Later blocks replace earlier ones, so each lists all it forbids.
+ * The borders of docs/ARCHITECTURE.md: web uses the package's public entry, the package uses the compiled engine, and
+ * neither imports what uses it. scripts/lib/dependencies.mjs checks the order of the modules within each. Later blocks
+ * replace earlier ones, so each lists all it forbids.
  */
 const noApp = { group: ["**/web/**", "@tetrafront/app"], message: "The package must not know the app." };
 const onlyPublicEntry = {
@@ -21,20 +22,6 @@ const noEngine = {
   group: ["**/engine.js"],
   message: "Only wasm/src/engine/loader.ts touches Emscripten's output.",
 };
-const noModules = (...modules) => ({
-  group: modules.map((name) => `**/${name}/**`),
-  message: "This import violates the dependency rules of docs/ARCHITECTURE.md.",
-});
-/**
- * The modules of web/, the lowest first: each may import those before it. All but document and viewer may import ui, and
- * all may import strings.
- */
-const webModules = ["document", "workers", "session", "viewer", "tools", "app", "commands", "panels"];
-const noUpward = (module) =>
-  noModules(
-    ...webModules.slice(webModules.indexOf(module) + 1),
-    ...(module === "document" || module === "viewer" ? ["ui"] : []),
-  );
 const restrict = (...patterns) => ({ "no-restricted-imports": ["error", { patterns }] });
 
 export default tseslint.config(
@@ -106,36 +93,15 @@ export default tseslint.config(
     rules: { "no-unused-vars": ["error", { varsIgnorePattern: "^[A-Z]" }] },
   },
 
-  // Arrows.
   {
     files: ["wasm/**/*.ts"],
     ignores: ["wasm/src/engine/loader.ts"],
     rules: restrict(noApp, noThree, noReact, noEngine),
   },
   { files: ["wasm/src/engine/loader.ts"], rules: restrict(noApp, noThree, noReact) },
-  { files: ["web/**/*.{ts,tsx}"], rules: restrict(onlyPublicEntry) },
-  {
-    files: ["web/document/**/*.ts"],
-    rules: restrict(onlyPublicEntry, noThree, noReact, noUpward("document")),
-  },
-  { files: ["web/workers/**/*.ts"], rules: restrict(onlyPublicEntry, noThree, noReact, noUpward("workers")) },
-  { files: ["web/session/**/*.ts"], rules: restrict(onlyPublicEntry, noThree, noReact, noUpward("session")) },
-  { files: ["web/viewer/**/*.ts"], rules: restrict(onlyPublicEntry, noReact, noUpward("viewer")) },
-  { files: ["web/tools/**/*.ts"], rules: restrict(onlyPublicEntry, noReact, noUpward("tools")) },
-  { files: ["web/app/**/*.ts"], rules: restrict(onlyPublicEntry, noThree, noReact, noUpward("app")) },
-  {
-    files: ["web/commands/**/*.ts"],
-    rules: restrict(onlyPublicEntry, noThree, noReact, noUpward("commands")),
-  },
-  { files: ["web/panels/**/*.{ts,tsx}"], rules: restrict(onlyPublicEntry, noThree) },
-  {
-    files: ["web/ui/**/*.{ts,tsx}"],
-    rules: restrict(onlyPublicEntry, noThree, noModules(...webModules.filter((name) => name !== "document"))),
-  },
-  {
-    files: ["web/strings/**/*.ts"],
-    rules: restrict(onlyPublicEntry, noThree, noReact, noModules(...webModules, "ui")),
-  },
+  { files: ["web/**/*.{ts,tsx}"], rules: restrict(onlyPublicEntry, noThree, noReact) },
+  { files: ["web/{viewer,tools}/**/*.ts"], rules: restrict(onlyPublicEntry, noReact) },
+  { files: ["web/{panels,ui}/**/*.{ts,tsx}", "web/main.tsx"], rules: restrict(onlyPublicEntry, noThree) },
   {
     files: ["web/**/*.{ts,tsx}"],
     plugins: { "react-hooks": reactHooks },

@@ -30,6 +30,36 @@ const PACKAGE = [
   ["cli"],
 ];
 
+/** The modules of web/, in the same way. */
+const APP = [
+  ["strings"],
+  ["document"],
+  ["workers"],
+  ["session"],
+  ["viewer"],
+  ["tools"],
+  ["app"],
+  ["commands", "ui"],
+  ["panels"],
+];
+
+/** The folders of web/panels, in the same way. */
+const PANELS = [
+  ["shared"],
+  ["quality", "problems"],
+  ["entities", "model", "files", "background", "viewport", "dialogs"],
+  ["later"],
+  ["inspector"],
+  ["page"],
+];
+
+/** The folders whose imports have levels, by the name under which `npm run lint` reports them. */
+export const layeredFolders = {
+  "imports of the package": { folder: inRoot("wasm", "src"), modules: PACKAGE },
+  "imports of the app": { folder: inRoot("web"), modules: APP },
+  "imports of the panels": { folder: inRoot("web", "panels"), modules: PANELS },
+};
+
 /** Returns the includes that violate the dependency rule, one sentence each. */
 export function wrongIncludes() {
   const folder = inRoot("cpp", "src");
@@ -46,11 +76,11 @@ export function wrongIncludes() {
 }
 
 /** Returns the imports that violate the dependency rule, and the cycles of files, one sentence each; types count too. */
-export function wrongImports(folder = inRoot("wasm", "src"), modules = PACKAGE) {
+export function wrongImports({ folder, modules }) {
   const levels = levelsOf(modules);
-  const files = filesUnder([folder]).filter((file) => file.endsWith(".ts"));
-  const imports = new Map(files.map((file) => [file, importsOf(file).filter((to) => files.includes(to))]));
-  const upward = files.flatMap((file) => {
+  const files = new Set(filesUnder([folder]).filter((file) => /\.tsx?$/.test(file)));
+  const imports = new Map([...files].map((file) => [file, importsOf(file, files)]));
+  const upward = [...files].flatMap((file) => {
     const module = moduleOf(folder, file);
     return imports
       .get(file)
@@ -88,12 +118,16 @@ function includesOf(file) {
   return [...readFileSync(file, "utf8").matchAll(/^\s*#\s*include\s+"([^"]+)"/gm)].map((match) => match[1]);
 }
 
-/** Returns the files that a TypeScript file imports by a relative path. */
-function importsOf(file) {
+/** What an import may leave out of a file's path. */
+const ENDINGS = ["", ".ts", ".tsx", `${path.sep}index.ts`];
+
+/** Returns those of `files` that a TypeScript file imports by a relative path. */
+function importsOf(file, files) {
   return ts
     .preProcessFile(readFileSync(file, "utf8"), true, true)
     .importedFiles.filter(({ fileName }) => fileName.startsWith("."))
-    .map(({ fileName }) => path.resolve(path.dirname(file), fileName.replace(/\.js$/, ".ts")));
+    .map(({ fileName }) => path.resolve(path.dirname(file), fileName.replace(/\.js$/, "")))
+    .flatMap((name) => ENDINGS.map((ending) => name + ending).filter((candidate) => files.has(candidate)));
 }
 
 /** Returns one cycle for each import that leads back to a file on the way to it. */

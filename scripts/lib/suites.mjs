@@ -92,11 +92,13 @@ export const suites = {
       const args = [...only, "--max-warnings", "0", "--no-warn-ignored"];
       const status = await run(bin("eslint"), args, { quietOut: true });
       // Reads TypeScript with a package that the setup installs.
-      const { wrongImports, wrongIncludes } = await import("./dependencies.mjs");
+      const { layeredFolders, wrongImports, wrongIncludes } = await import("./dependencies.mjs");
       const found = {
         "C++ includes": wrongIncludes(),
         "C++ coroutines": wrongCoroutines(),
-        "imports of the package": wrongImports(),
+        ...Object.fromEntries(
+          Object.entries(layeredFolders).map(([name, layers]) => [name, wrongImports(layers)]),
+        ),
       };
       const rules = Object.entries(found).map(([name, failures]) => ({
         ...check(failures.length === 0, name),

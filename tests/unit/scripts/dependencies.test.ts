@@ -1,6 +1,6 @@
 /**
- * Tests the dependency rule of the package: modules import lower modules only, and files do not import each other
- * in cycles.
+ * Tests the dependency rule of the package and of the app: modules import lower modules only, and files do not import
+ * each other in cycles.
  */
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -31,7 +31,7 @@ test("imports of lower modules and of the same module are allowed, and the entry
     "api/c.ts": 'export { x } from "../base/a.js";',
     "index.ts": 'export * from "./api/c.js";',
   });
-  expect(wrongImports(folder, LEVELS)).toEqual([]);
+  expect(wrongImports({ folder, modules: LEVELS })).toEqual([]);
 });
 
 test.each([
@@ -41,7 +41,7 @@ test.each([
   ["dynamic import", 'void import("../api/c.js");'],
 ])("%s from a higher module is an error", (_, text) => {
   write({ "base/a.ts": text, "api/c.ts": "" });
-  expect(wrongImports(folder, LEVELS)).toEqual([
+  expect(wrongImports({ folder, modules: LEVELS })).toEqual([
     expect.stringContaining("base/a.ts imports api/c.ts, which is not below base/"),
   ]);
 });
@@ -53,7 +53,7 @@ test("modules of one level must not import each other, nor may a module import t
     "api/c.ts": 'import "../index.js";',
     "index.ts": "",
   });
-  expect(wrongImports(folder, LEVELS)).toHaveLength(2);
+  expect(wrongImports({ folder, modules: LEVELS })).toHaveLength(2);
 });
 
 test("a cycle of files is an error, although they are in one module and import types only", () => {
@@ -62,7 +62,23 @@ test("a cycle of files is an error, although they are in one module and import t
     "base/b.ts": 'import type { C } from "./c.js";',
     "base/c.ts": 'import type { A } from "./a.js";',
   });
-  expect(wrongImports(folder, LEVELS)).toEqual([
+  expect(wrongImports({ folder, modules: LEVELS })).toEqual([
     "these files import each other: base/a.ts → base/b.ts → base/c.ts → base/a.ts",
+  ]);
+});
+
+test("imports of the app leave out the ending and the name of an index file", () => {
+  write({
+    "base/a.ts": 'import { X } from "../api/x"; import { y } from "../api";',
+    "base/b.tsx": 'export { X } from "../api/x"; void import("../api/z");',
+    "api/x.tsx": "",
+    "api/z.ts": "",
+    "api/index.ts": "",
+  });
+  expect(wrongImports({ folder, modules: LEVELS })).toEqual([
+    expect.stringContaining("base/a.ts imports api/x.tsx, which is not below base/"),
+    expect.stringContaining("base/a.ts imports api/index.ts, which is not below base/"),
+    expect.stringContaining("base/b.tsx imports api/x.tsx, which is not below base/"),
+    expect.stringContaining("base/b.tsx imports api/z.ts, which is not below base/"),
   ]);
 });
