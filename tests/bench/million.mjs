@@ -85,10 +85,10 @@ async function longestSince(page, began) {
 /** Resolves when the view shows the project's mesh with more elements. */
 function meshed(page, least) {
   return page.waitForFunction(
-    (wanted) => {
+    (least) => {
       const shown = globalThis.document.querySelector("[data-testid=viewport]");
       const { busy, stale, status, tets } = shown?.dataset ?? {};
-      return busy === "false" && stale === "false" && status === "done" && Number(tets) > wanted;
+      return busy === "false" && stale === "false" && status === "done" && Number(tets) > least;
     },
     least,
     { timeout: WAIT_MS, polling: 100 },

@@ -36,8 +36,8 @@ export class AppPage {
 
   /** Opens the app with a model, by default the opening one, and waits for its mesh. */
   async open(scheme: "dark" | "light" = "dark", model?: string): Promise<MeshState> {
-    await this.page.addInitScript((wanted) => {
-      localStorage.setItem("mantine-color-scheme-value", wanted);
+    await this.page.addInitScript((scheme) => {
+      localStorage.setItem("mantine-color-scheme-value", scheme);
       Reflect.deleteProperty(window, "showOpenFilePicker");
       Reflect.deleteProperty(window, "showSaveFilePicker");
     }, scheme);

@@ -1,7 +1,7 @@
 import { expect, test, type Page } from "@playwright/test";
 import { readFile } from "node:fs/promises";
 import { readProject, type Project } from "tetrafront";
-import { faultsOf, meshVolume, NO_FAULTS } from "../support/check-mesh";
+import { defectsOf, meshVolume, NO_DEFECTS } from "../support/check-mesh";
 import { parseVtu } from "../support/mesh-files";
 import { AppPage, nextFrame, sampleProject } from "./app-page";
 
@@ -24,12 +24,12 @@ async function openEmpty(app: AppPage): Promise<void> {
 }
 
 /** Adds points through the dialog, with the keyboard. */
-async function addPoints(page: Page, places: readonly (readonly number[])[]): Promise<void> {
+async function addPoints(page: Page, positions: readonly (readonly number[])[]): Promise<void> {
   await page.keyboard.press("p");
   const dialog = page.getByRole("dialog", { name: "New point" });
   await expect(dialog.getByTestId("new-x")).toBeFocused();
-  for (const place of places) {
-    for (const [axis, value] of place.entries()) {
+  for (const position of positions) {
+    for (const [axis, value] of position.entries()) {
       await dialog.getByTestId(`new-${"xyz".charAt(axis)}`).fill(String(value));
     }
     await dialog.getByTestId("add-next").press("Enter");
@@ -262,14 +262,14 @@ test("each type of patch states which lines it needs and why the present lines d
   await app.select("patch-1");
   await expect(page.getByTestId("patch-hint")).toContainText("one plane");
   await page.getByTestId("patch-type").click();
-  const wanted = [
+  const expected = [
     [/^planar/, "Any lines that lie in one plane"],
     [/^isoparametric triangle/, "Needs three lines; found 4 lines."],
     [/^serendipity/, "Needs parabolic lines"],
     [/^Barnhill/, "Needs three lines; found 4 lines."],
     [/^Coons/, "Four lines of any type"],
   ] as const;
-  for (const [name, text] of wanted) {
+  for (const [name, text] of expected) {
     await expect(page.getByRole("option", { name })).toContainText(text);
   }
   await page.getByRole("option", { name: /^Barnhill/ }).click();
@@ -321,11 +321,11 @@ async function savedMesh(page: Page) {
     regions: new Uint32Array(),
     front: new Uint32Array(),
   };
-  const { extraFaces, ...faults } = faultsOf(mesh, {
+  const { extraFaces, ...defects } = defectsOf(mesh, {
     points: new Float64Array(),
     triangles: new Uint32Array(),
   });
-  return { mesh, faults, boundaryFaces: extraFaces };
+  return { mesh, defects, boundaryFaces: extraFaces };
 }
 
 test("a blind bore can be drawn: a hole in a Barnhill–Gregory–Nielson patch, and a tube between its rims along a seam", async ({
@@ -389,9 +389,9 @@ test("a blind bore can be drawn: a hole in a Barnhill–Gregory–Nielson patch,
     "planar",
   ]);
   expect(meshing).toEqual({ size: 0.25 });
-  const { mesh, faults, boundaryFaces } = await savedMesh(page);
-  const { extraFaces: _, ...none } = NO_FAULTS;
-  expect(faults).toEqual(none);
+  const { mesh, defects, boundaryFaces } = await savedMesh(page);
+  const { extraFaces: _, ...none } = NO_DEFECTS;
+  expect(defects).toEqual(none);
   expect(boundaryFaces).toBeGreaterThan(100);
   // The volume of the bore lies between that of the square inscribed in its rim and that of the circumscribed
   // circle.

@@ -2,7 +2,7 @@ import { readFile } from "node:fs/promises";
 import { expect, test, type Page } from "@playwright/test";
 import { readProject } from "tetrafront";
 import { parseMsh, parseVtu } from "../support/mesh-files";
-import { polyMeshFaults, readPolyMesh } from "../support/poly-mesh";
+import { polyMeshDefects, readPolyMesh } from "../support/poly-mesh";
 import { AppPage, sampleProject } from "./app-page";
 
 interface Downloaded {
@@ -58,7 +58,7 @@ test("the downloaded VTU, MSH and polyMesh files have the numbers of elements sh
   const foam = await downloaded(page, choose(page, /OpenFOAM/));
   expect(foam.name).toBe("engine-intake.foam.zip");
   const poly = readPolyMesh(foam.bytes);
-  expect(polyMeshFaults(poly)).toEqual([]);
+  expect(polyMeshDefects(poly)).toEqual([]);
   expect(new Set([...poly.owner, ...poly.neighbour]).size).toBe(tets);
   expect(poly.patches.map(({ name }) => name)).toContain("duct_top");
 });

@@ -103,14 +103,14 @@ const mesh = { points, tetrahedra: Uint32Array.of(0, 1, 2, 3) };
 const given = three.backgroundFromMesh(mesh, {}, { signal: stop.signal }).catch(({ code }) => code);
 stop.abort();
 const { report } = await three.fillSurface({ points, triangles: new Uint32Array(3) });
-const said = await given;
+const answer = await given;
 const inspected = await Promise.all([one, two, three].map((mesher) => mesher.inspectSurface(tetrahedron)));
-document.title = [report.status, said, ...inspected.map(({ isClosed }) => isClosed)].join(" ");`;
+document.title = [report.status, answer, ...inspected.map(({ isClosed }) => isClosed)].join(" ");`;
 
 test.describe("createMesher rejects with the address, the reason and a remedy", () => {
   const FAILING = `import { createMesher } from "MODULE";
 createMesher().catch(({ name, code, message }) => { document.title = [name, code, message].join(" | "); });`;
-  for (const [what, missing, policy, told] of [
+  for (const [what, missing, policy, message] of [
     [
       "the worker is missing",
       "worker.js",
@@ -154,7 +154,7 @@ createMesher().catch(({ name, code, message }) => { document.title = [name, code
       writeFileSync(path.join(folder, "failing.js"), FAILING.replace("MODULE", module));
       await page.goto(`${address}failing.html`);
       await expect(page).toHaveTitle(/^MesherError \| engine-not-loaded \| /);
-      expect(await page.title()).toMatch(told);
+      expect(await page.title()).toMatch(message);
       expect(await page.title()).not.toMatch(/undefined|ASSERTIONS/);
     });
   }
@@ -171,13 +171,13 @@ test("webpack bundles the package", async ({ page }) => {
   const folder = fresh.example("webpack");
   const file = pathToFileURL(path.join(folder, "webpack.config.js")).href;
   const config = ((await import(file)) as { readonly default: Configuration }).default;
-  const told = await new Promise<StatsCompilation | undefined>((resolve, reject) => {
+  const bundled = await new Promise<StatsCompilation | undefined>((resolve, reject) => {
     webpack(config, (failure, stats) => {
       if (failure !== null) reject(failure);
       else resolve(stats?.toJson({ all: false, errors: true, warnings: true }));
     });
   });
-  expect(told).toMatchObject({ errors: [], warnings: [] });
+  expect(bundled).toMatchObject({ errors: [], warnings: [] });
   await expectBoxMeshed(page, await served(folder, STRICT));
 });
 

@@ -76,7 +76,7 @@ test("each triangle of a self-intersecting boundary is listed with its position 
   const app = new AppPage(page);
   await app.openCube();
   // Two patches between the same parabolas, closer together than such coarse triangles can resolve.
-  const places = [
+  const positions = [
     [0, 0, 0],
     [1, 0, 0],
     [0, 1, 0],
@@ -86,7 +86,7 @@ test("each triangle of a self-intersecting boundary is listed with its position 
   ];
   const crescent = {
     ...sampleProject("barrel"),
-    points: places.map((at, i) => ({ id: i + 1, position: at })),
+    points: positions.map((at, i) => ({ id: i + 1, position: at })),
     lines: [
       { id: 1, type: "parabolic", points: [1, 4, 2] },
       { id: 2, type: "parabolic", points: [2, 5, 3] },
@@ -112,14 +112,14 @@ test("each triangle of a self-intersecting boundary is listed with its position 
   await expect.poll(async () => (await app.viewport.screenshot()).equals(before)).toBe(false);
   // The view is centred near the stated position of the triangle.
   const text = (await rows.first().textContent()) ?? "";
-  const place = text.split(" at ")[1]?.split(", ").map(Number);
+  const position = text.split(" at ")[1]?.split(", ").map(Number);
   const box = await app.viewport.boundingBox();
   const { x, y } = await page.evaluate((at) => {
     const { tetrafrontPosition } = window as unknown as {
       tetrafrontPosition: (at: unknown) => { x: number; y: number };
     };
     return tetrafrontPosition(at);
-  }, place);
+  }, position);
   expect(Math.abs(x - (box?.width ?? 0) / 2)).toBeLessThan(0.15 * (box?.width ?? 0));
   expect(Math.abs(y - (box?.height ?? 0) / 2)).toBeLessThan(0.15 * (box?.height ?? 0));
 });

@@ -59,13 +59,13 @@ test("a click on one of the worst elements moves the camera to it and highlights
     await nextFrame(app.viewport, () => row.click());
     await expect(row).toHaveAttribute("aria-pressed", "true");
     await expect.poll(async () => (await app.viewport.screenshot()).equals(before)).toBe(false);
-    const place = figures?.centroid ?? [NaN, NaN, NaN];
+    const position = figures?.centroid ?? [NaN, NaN, NaN];
     const box = await app.viewport.boundingBox();
-    const at = await page.evaluate((wanted) => {
-      return (window as unknown as { tetrafrontPosition: (place: unknown) => unknown }).tetrafrontPosition(
-        wanted,
+    const at = await page.evaluate((target) => {
+      return (window as unknown as { tetrafrontPosition: (position: unknown) => unknown }).tetrafrontPosition(
+        target,
       );
-    }, place);
+    }, position);
     // The camera has moved: the element is in the middle of the view.
     const { x, y } = at as { x: number; y: number };
     expect(Math.abs(x - (box?.width ?? 0) / 2)).toBeLessThan(0.1 * (box?.width ?? 0));

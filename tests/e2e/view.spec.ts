@@ -6,12 +6,12 @@ import { AppPage, countOrange, nextFrame, sampleProject } from "./app-page";
  */
 async function projected(page: Page, kind: string, id: number): Promise<{ x: number; y: number } | null> {
   return page.evaluate(
-    ([wantedKind, wantedId]) => {
+    ([kind, id]) => {
       const query = Reflect.get(window, "tetrafrontProject") as (
         kind: string,
         id: number,
       ) => { x: number; y: number } | null;
-      return query(wantedKind, wantedId);
+      return query(kind, id);
     },
     [kind, id] as const,
   );
@@ -21,7 +21,7 @@ async function projected(page: Page, kind: string, id: number): Promise<{ x: num
  * Returns the position of an entity in the page, once the view no longer moves: a model that was just opened has
  * yet to be fitted.
  */
-async function screenPlace(page: Page, kind: string, id: number): Promise<{ x: number; y: number }> {
+async function screenPosition(page: Page, kind: string, id: number): Promise<{ x: number; y: number }> {
   const viewport = page.getByTestId("viewport");
   const look = async (): Promise<string> =>
     JSON.stringify([await viewport.getAttribute("data-frames"), await projected(page, kind, id)]);
@@ -72,11 +72,11 @@ test("moving the pointer over empty space draws no frame, but over the view cube
 }) => {
   const app = new AppPage(page);
   await app.openCube();
-  await screenPlace(page, "point", 1);
+  await screenPosition(page, "point", 1);
   const box = await app.viewport.boundingBox();
   if (!box) throw new Error("The view has no box");
   await page.mouse.move(box.x + 20, box.y + box.height / 2);
-  await screenPlace(page, "point", 1);
+  await screenPosition(page, "point", 1);
   const before = await app.viewport.getAttribute("data-frames");
   await page.mouse.move(box.x + 30, box.y + box.height / 2 + 60, { steps: 12 });
   await page.evaluate(
@@ -113,11 +113,11 @@ test("a click in the view selects the entity in the tree, and the view highlight
 }) => {
   const app = new AppPage(page);
   await app.openCube();
-  const corner = await screenPlace(page, "point", 6);
+  const corner = await screenPosition(page, "point", 6);
   await page.mouse.click(corner.x, corner.y);
   await expect(page.getByTestId("tree-point-6")).toHaveAttribute("aria-selected", "true");
   await expect(page.getByTestId("position-x")).toHaveValue("1");
-  const front = await screenPlace(page, "patch", 3);
+  const front = await screenPosition(page, "patch", 3);
   await page.mouse.click(front.x, front.y);
   await expect(page.getByTestId("tree-patch-3")).toHaveAttribute("aria-selected", "true");
   await expect(page.getByTestId("tree-point-6")).toHaveAttribute("aria-selected", "false");
@@ -227,7 +227,7 @@ test("a double click fits the view to the entity, or to the model if there is no
   await nextFrame(app.viewport, () => page.keyboard.press("1"));
   const edge = () => onScreen(page, [0, 0, 0], [1, 0, 0]);
   const whole = (await edge()).right;
-  const corner = await screenPlace(page, "point", 2);
+  const corner = await screenPosition(page, "point", 2);
   await nextFrame(app.viewport, () => page.mouse.dblclick(corner.x, corner.y));
   await expect.poll(async () => (await edge()).right).toBeGreaterThan(3 * whole);
   const box = await app.viewport.boundingBox();
@@ -241,7 +241,7 @@ test("the entity under the pointer is highlighted, and a drag rotates the view w
 }) => {
   const app = new AppPage(page);
   await app.openCube();
-  const corner = await screenPlace(page, "point", 6);
+  const corner = await screenPosition(page, "point", 6);
   const before = await app.viewport.screenshot();
   await nextFrame(app.viewport, () => page.mouse.move(corner.x, corner.y));
   await expect(page.getByTestId("hover-label")).toContainText("6");
@@ -324,9 +324,9 @@ test("regions have different colours, show their numbers of tetrahedra, and can 
   expect(counts.reduce((sum, count) => sum + count)).toBe(tets);
 
   /** Returns the number of faces drawn with only this region visible. */
-  const alone = async (wanted: number): Promise<number> => {
+  const alone = async (shown: number): Promise<number> => {
     for (const [index, entry] of entries.entries()) {
-      const hide = index !== wanted;
+      const hide = index !== shown;
       if ((await entry.getAttribute("aria-pressed")) === String(hide)) await entry.click();
       await expect(entry).toHaveAttribute("aria-pressed", String(!hide));
     }

@@ -7,7 +7,7 @@ import { NO_REGION, type SurfaceInput, type SurfaceMesh, type VolumeMesh } from 
 import { orientation } from "./exact.js";
 
 /** Numbers of defects of a mesh, all zero if it is valid. */
-export interface MeshFaults {
+export interface MeshDefects {
   /** Coordinates that are not finite, and node indices out of range. */
   readonly broken: number;
   /** Tetrahedra of zero or negative volume. */
@@ -26,7 +26,7 @@ export interface MeshFaults {
   readonly unusedNodes: number;
 }
 
-export const NO_FAULTS: MeshFaults = {
+export const NO_DEFECTS: MeshDefects = {
   broken: 0,
   notPositive: 0,
   crowdedFaces: 0,
@@ -41,13 +41,13 @@ type Tetrahedron = readonly [number, number, number, number];
 type Triangle = readonly [number, number, number];
 
 /** A surface with the regions on both sides of its triangles, or without interfaces. */
-export type JudgedSurface = SurfaceInput & Partial<Pick<SurfaceMesh, "triangleRegions">>;
+export type BoundarySurface = SurfaceInput & Partial<Pick<SurfaceMesh, "triangleRegions">>;
 
 /**
  * Compares a mesh with the surface that bounds it; nodes are matched by their coordinates. An interface must
  * have faces on both sides, each in the region that the surface gives.
  */
-export function faultsOf(mesh: VolumeMesh, surface: JudgedSurface): MeshFaults {
+export function defectsOf(mesh: VolumeMesh, surface: BoundarySurface): MeshDefects {
   const { points } = mesh;
   const nodeCount = points.length / 3;
   const tetrahedra = rows(mesh.tetrahedra, 4) as unknown as Tetrahedron[];
@@ -80,12 +80,12 @@ export function faultsOf(mesh: VolumeMesh, surface: JudgedSurface): MeshFaults {
   };
 }
 
-function isInterface({ triangleRegions }: JudgedSurface, triangle: number): boolean {
+function isInterface({ triangleRegions }: BoundarySurface, triangle: number): boolean {
   return triangleRegions !== undefined && triangleRegions[2 * triangle + 1] !== NO_REGION;
 }
 
 /** Returns the volume that a closed surface encloses, by the divergence theorem about its first node. */
-export function enclosedVolume(surface: JudgedSurface): number {
+export function enclosedVolume(surface: BoundarySurface): number {
   const terms = rows(surface.triangles, 3).map(([a = 0, b = 0, c = 0], t) =>
     isInterface(surface, t) ? 0 : sixVolumes(surface.points, [0, a, b, c]),
   );

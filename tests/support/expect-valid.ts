@@ -2,16 +2,16 @@
 import type { MeshResult } from "tetrafront";
 import { expect } from "vitest";
 
-import { enclosedVolume, faultsOf, meshVolume, NO_FAULTS, type JudgedSurface } from "./check-mesh.js";
+import { enclosedVolume, defectsOf, meshVolume, NO_DEFECTS, type BoundarySurface } from "./check-mesh.js";
 
 /** Fails unless the mesh is complete and valid and fills `boundary`, by default its own surface. */
 export function expectValid(
   { report, surface, volume }: MeshResult,
-  boundary: JudgedSurface = surface,
+  boundary: BoundarySurface = surface,
 ): void {
   expect(report.diagnostics.filter(({ severity }) => severity === "error")).toEqual([]);
   expect(report.status).toBe("done");
-  expect(faultsOf(volume, boundary)).toEqual(NO_FAULTS);
+  expect(defectsOf(volume, boundary)).toEqual(NO_DEFECTS);
   const enclosed = enclosedVolume(boundary);
   expect(Math.abs(meshVolume(volume) / enclosed - 1)).toBeLessThan(1e-10);
   expect(Math.abs(report.volume / enclosed - 1)).toBeLessThan(1e-10);

@@ -56,27 +56,27 @@ export function readPolyMesh(zip: Uint8Array): PolyMesh {
 }
 
 /** Returns the violated rules of OpenFOAM's `checkMesh`; empty for a valid mesh. */
-export function polyMeshFaults(mesh: PolyMesh): string[] {
-  const faults: string[] = [];
+export function polyMeshDefects(mesh: PolyMesh): string[] {
+  const defects: string[] = [];
   const { points, faces, owner, neighbour, patches } = mesh;
   const cellCount = [...owner, ...neighbour].reduce((largest, cell) => Math.max(largest, cell), -1) + 1;
-  if (owner.length !== faces.length) faults.push("not one owner per face");
+  if (owner.length !== faces.length) defects.push("not one owner per face");
   neighbour.forEach((other, f) => {
     if (!((owner[f] ?? 0) < other))
-      faults.push(`face ${f}: owner ${owner[f]} is not below neighbour ${other}`);
+      defects.push(`face ${f}: owner ${owner[f]} is not below neighbour ${other}`);
     const isBehind = (owner[f - 1] ?? -1) < (owner[f] ?? 0);
     const isNext = owner[f - 1] === owner[f] && (neighbour[f - 1] ?? -1) < other;
-    if (f > 0 && !isBehind && !isNext) faults.push(`face ${f} is not in upper triangular order`);
+    if (f > 0 && !isBehind && !isNext) defects.push(`face ${f} is not in upper triangular order`);
   });
   let next = neighbour.length;
   for (const { name, begin, count } of patches) {
-    if (begin !== next) faults.push(`patch ${name} begins at ${begin}, not at ${next}`);
-    if (!/^[A-Za-z_][\w.-]*$/.test(name)) faults.push(`"${name}" is not a word`);
+    if (begin !== next) defects.push(`patch ${name} begins at ${begin}, not at ${next}`);
+    if (!/^[A-Za-z_][\w.-]*$/.test(name)) defects.push(`"${name}" is not a word`);
     next = begin + count;
   }
-  if (next !== faces.length) faults.push("the patches do not end with the faces");
+  if (next !== faces.length) defects.push("the patches do not end with the faces");
   const names = patches.map(({ name }) => name);
-  if (new Set(names).size !== names.length) faults.push("two patches have one name");
+  if (new Set(names).size !== names.length) defects.push("two patches have one name");
   // The area vectors of a closed cell add up to zero, and outward vectors point away from its centre.
   const at = (p: number, axis: number) => points[p]?.[axis] ?? NaN;
   const cells = Array.from({ length: cellCount }, () => ({ sum: [0, 0, 0], nodes: new Set<number>() }));
@@ -99,7 +99,7 @@ export function polyMeshFaults(mesh: PolyMesh): string[] {
       (sum, value, axis) => sum + value * (at(a, axis) - (centres[cell]?.[axis] ?? 0)),
       0,
     );
-    if (!(outward > 0)) faults.push(`face ${f} points into its owner ${cell}`);
+    if (!(outward > 0)) defects.push(`face ${f} points into its owner ${cell}`);
     area.forEach((value, axis) => {
       const [own, other] = [cells[cell], cells[neighbour[f] ?? -1]];
       if (own) own.sum[axis] = (own.sum[axis] ?? 0) + value;
@@ -108,7 +108,7 @@ export function polyMeshFaults(mesh: PolyMesh): string[] {
   });
   cells.forEach(({ sum, nodes }, cell) => {
     if (nodes.size !== 4 || !sum.every((value) => Math.abs(value) < 1e-12))
-      faults.push(`cell ${cell} is open`);
+      defects.push(`cell ${cell} is open`);
   });
-  return faults;
+  return defects;
 }

@@ -56,7 +56,7 @@ export function toProblems(project: Project, diagnostics: readonly Diagnostic[])
 }
 
 /** Entities and triangles to emphasize in the view. */
-export interface Faults {
+export interface Defects {
   /** Indices of triangles in the surface that the last run rejected. */
   readonly triangles: readonly number[];
   /** Ids of patches that are invalid as a whole. */
@@ -64,7 +64,7 @@ export interface Faults {
 }
 
 /** Returns the defects that errors name: their triangles if there are any, else their patches. */
-export function faultsOf(problems: readonly Problem[]): Faults {
+export function defectsOf(problems: readonly Problem[]): Defects {
   const errors = problems.filter(({ severity }) => severity === "error");
   const aboutPatches = errors.filter(
     ({ triangles, entities }) => triangles.length === 0 && entities[0]?.kind === "patch",

@@ -17,7 +17,7 @@ const delayPerBlockingTime = 4;
 /** From one failed attempt to the next. It doubles with each further failure. */
 const retryDelay = { first: 500, max: 30_000 };
 
-/** The part of the window and its document that tells when the page is being left. */
+/** The part of the window and its document whose events announce that the page is being left. */
 export interface PageEvents {
   readonly window: Pick<EventTarget, "addEventListener" | "removeEventListener">;
   readonly document: Pick<EventTarget, "addEventListener" | "removeEventListener"> & {

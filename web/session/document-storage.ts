@@ -5,7 +5,7 @@ import type { DocumentSummary, KeptDocument } from "./kept-document";
 export interface DocumentStorage {
   /** Returns the listed documents, the one changed last first. */
   readonly list: () => Promise<readonly DocumentSummary[]>;
-  /** Returns the ids of documents that are as they were opened: nobody misses them. */
+  /** Returns the ids of documents that were never changed, which may be removed. */
   readonly listUntouched: () => Promise<readonly string[]>;
   readonly read: (id: string) => Promise<KeptDocument | undefined>;
   /**

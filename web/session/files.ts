@@ -57,7 +57,7 @@ async function projectIn(file: OpenedFile): Promise<OpenResult> {
   return { kind: "failed", fileName: file.name, reasons };
 }
 
-/** Returns what to do with a mesh file, judged by its name; undefined for other files. The app opens projects only. */
+/** Returns what to do with a mesh file, by its name; undefined for other files. The app opens projects only. */
 async function meshFileReasons(fileName: string): Promise<readonly string[] | undefined> {
   if (/\.json$/i.test(fileName)) return undefined;
   const { formatOf } = await import("./mesh-formats");

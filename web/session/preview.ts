@@ -23,7 +23,7 @@ export class PreviewFeed {
     failure: null,
   }));
   readonly #mesher: Promise<Mesher>;
-  #wanted: Project | null = null;
+  #next: Project | null = null;
   /** Cancels the active request; null without one. */
   #abort: AbortController | null = null;
   /** Has a request been cancelled since the last answer? Then the next one runs to its end. */
@@ -41,7 +41,7 @@ export class PreviewFeed {
   }
 
   request(project: Project): void {
-    this.#wanted = project;
+    this.#next = project;
     if (this.#abort === null) void this.#ask();
     else if (!this.#hasGivenUp) {
       this.#hasGivenUp = true;
@@ -50,9 +50,9 @@ export class PreviewFeed {
   }
 
   async #ask(): Promise<void> {
-    while (this.#wanted) {
-      const project = this.#wanted;
-      this.#wanted = null;
+    while (this.#next) {
+      const project = this.#next;
+      this.#next = null;
       const abort = new AbortController();
       this.#abort = abort;
       try {

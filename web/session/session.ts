@@ -25,7 +25,7 @@ export interface SessionOptions {
   readonly library: DocumentLibrary | null;
 }
 
-/** An open document with its selection, mesh, preview and problems, and its place in the browser's storage. */
+/** An open document with its selection, mesh, preview and problems, and its record in the browser's storage. */
 export class Session {
   readonly documents: DocumentStore;
   readonly view = new ViewStore();

@@ -1,5 +1,5 @@
 import type { ViewStore } from "../document/selection";
-import { faultsOf } from "../document/validate";
+import { defectsOf } from "../document/validate";
 import type { DocumentStore } from "../session/document-store";
 import type { PreviewFeed } from "../session/preview";
 import type { ProblemList } from "../session/problems";
@@ -60,5 +60,5 @@ function runState({ documents, run }: SessionStores) {
 }
 
 function problemState({ problems }: SessionStores) {
-  return { defects: faultsOf(problems.state.getState().problems) };
+  return { defects: defectsOf(problems.state.getState().problems) };
 }

@@ -1,6 +1,6 @@
 import type { MeshResult, Project, ProjectPreview, SurfaceMesh } from "tetrafront";
 import type { ViewState } from "../document/selection";
-import type { Faults } from "../document/validate";
+import type { Defects } from "../document/validate";
 import type { ViewerColors } from "./colors";
 import type { Position } from "../document/position";
 
@@ -30,7 +30,7 @@ export interface ShownState extends ViewState {
   readonly front: Float64Array | null;
   /** The boundary that the last run checked; `triangles` and `defects` refer to it. */
   readonly checkedSurface: SurfaceMesh | null;
-  readonly defects: Faults;
+  readonly defects: Defects;
 }
 
 /** All that the layers draw from. */

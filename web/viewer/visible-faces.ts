@@ -42,9 +42,13 @@ export function hideBeyond(
 }
 
 /** Sets `hidden` to 1 for the tetrahedra of some regions. */
-export function hideRegions(regions: Uint32Array, unwanted: ReadonlySet<number>, hidden: Uint8Array): void {
-  if (unwanted.size === 0) return;
-  for (let t = 0; t < regions.length; ++t) if (unwanted.has(regions[t] ?? 0)) hidden[t] = 1;
+export function hideRegions(
+  regions: Uint32Array,
+  hiddenRegions: ReadonlySet<number>,
+  hidden: Uint8Array,
+): void {
+  if (hiddenRegions.size === 0) return;
+  for (let t = 0; t < regions.length; ++t) if (hiddenRegions.has(regions[t] ?? 0)) hidden[t] = 1;
 }
 
 /**

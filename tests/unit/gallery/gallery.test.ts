@@ -1,4 +1,4 @@
-/** The bundled models: each one sound, together a picture of everything that can be drawn. */
+/** The bundled models: each one valid, together a picture of everything that can be drawn. */
 import { readdirSync, readFileSync } from "node:fs";
 
 import {
@@ -109,7 +109,7 @@ describe.each(gallery.models.map(({ id }) => id))("%s", (id) => {
 
   // Walls are then about one and a half elements thick.
   test.each([1.5, 2])(
-    "has elements of the wanted size, too, where that is %d times as large",
+    "has elements of the target size, too, where it is %d times as large",
     async (factor) => {
       const { quality } = (await mesher.meshProject(coarser(projectOf(id), factor))).report;
       expect(Math.abs(quality.edges.mean - 1)).toBeLessThan(0.12);
@@ -126,7 +126,7 @@ describe.each(gallery.models.map(({ id }) => id))("%s", (id) => {
 const fewTriangles = 40;
 
 describe.each(gallery.models.map(({ id }) => id))("the patches of %s", (id) => {
-  test("have triangles of the wanted size and shape", async () => {
+  test("have triangles of the target size and shape", async () => {
     const { patches } = (await meshOf(id)).report;
     const shown = patches.map(({ triangles, minAngle, meanRadiusRatio, meanEdge }) => {
       const isSmall = triangles < fewTriangles;
@@ -212,9 +212,9 @@ describe("together the models use", () => {
       new Set(["wall right", "wall top", "wall left", "wall bottom"]),
     );
     const volumes = tetrahedronVolumes(volume);
-    for (const [region, wanted] of regionVolumes(surface).entries()) {
+    for (const [region, expected] of regionVolumes(surface).entries()) {
       const filled = volumes.filter((_, t) => volume.regions[t] === region).reduce((sum, v) => sum + v, 0);
-      expect(Math.abs(filled / wanted - 1)).toBeLessThan(1e-10);
+      expect(Math.abs(filled / expected - 1)).toBeLessThan(1e-10);
     }
   });
 });

@@ -171,7 +171,7 @@ interface ReportedError {
   readonly message: string;
 }
 
-/** The places where results report errors. */
+/** The properties in which results report errors. */
 interface Answer {
   readonly errors?: readonly ReportedError[];
   readonly diagnostics?: readonly api.Diagnostic[];

@@ -16,7 +16,7 @@ import {
 } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
-import { enclosedVolume, faultsOf, meshVolume, NO_FAULTS } from "../../support/check-mesh.js";
+import { enclosedVolume, defectsOf, meshVolume, NO_DEFECTS } from "../../support/check-mesh.js";
 import { cubeProject } from "../../support/projects.js";
 import { boxSurface, sphereSurface } from "../../support/surfaces.js";
 
@@ -94,7 +94,7 @@ const bare = (project: Project): Project => ({ ...project, background: { nodes: 
 function expectDone({ report, surface, volume }: MeshResult): void {
   expect(report.diagnostics.filter(({ severity }) => severity === "error")).toEqual([]);
   expect(report.status).toBe("done");
-  expect(faultsOf(volume, surface)).toEqual(NO_FAULTS);
+  expect(defectsOf(volume, surface)).toEqual(NO_DEFECTS);
   expect(Math.abs(meshVolume(volume) / enclosedVolume(surface) - 1)).toBeLessThan(1e-10);
 }
 

@@ -3,7 +3,7 @@ import { mkdirSync, readdirSync, readFileSync } from "node:fs";
 import { writeProject, type MeshReport, type SurfaceInput, type VolumeMesh } from "tetrafront";
 import { beforeEach, describe, expect, test } from "vitest";
 
-import { enclosedVolume, faultsOf, meshVolume, NO_FAULTS } from "../../support/check-mesh.js";
+import { enclosedVolume, defectsOf, meshVolume, NO_DEFECTS } from "../../support/check-mesh.js";
 import { signalAtProgress, tetrafront, type CommandResult } from "../../support/command-line.js";
 import { parseMsh, parseVtu } from "../../support/mesh-files.js";
 import { cubeProject } from "../../support/projects.js";
@@ -58,7 +58,7 @@ describe("meshing", () => {
     expect([code, stdout]).toEqual([0, ""]);
     expect(stderr).toMatch(/^tetrafront: .* done, \d+ tetrahedra, .* -> out\.vtu\n$/);
     const volume = volumeIn("out.vtu");
-    expect(faultsOf(volume, surface)).toEqual(NO_FAULTS);
+    expect(defectsOf(volume, surface)).toEqual(NO_DEFECTS);
     expect(Math.abs(meshVolume(volume) / enclosedVolume(surface) - 1)).toBeLessThan(1e-10);
     expect(reportIn("r.json")).toMatchObject({
       status: "done",

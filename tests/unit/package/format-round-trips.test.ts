@@ -18,7 +18,7 @@ import {
 import { describe, expect, test } from "vitest";
 
 import { blockMesh, outerFaces, sixfoldVolume, taggedElements } from "../../support/block-mesh.js";
-import { polyMeshFaults, readPolyMesh } from "../../support/poly-mesh.js";
+import { polyMeshDefects, readPolyMesh } from "../../support/poly-mesh.js";
 import { sphereSurface } from "../../support/surfaces.js";
 
 const mesh = blockMesh();
@@ -226,7 +226,7 @@ describe("the boundary", () => {
 describe("OpenFOAM", () => {
   test("accepts the mesh: face order, owners, normals, closed cells, patches", async () => {
     const poly = readPolyMesh(await only("part.foam.zip"));
-    expect(polyMeshFaults(poly)).toEqual([]);
+    expect(polyMeshDefects(poly)).toEqual([]);
     expect(poly.points).toEqual(
       Array.from({ length: mesh.points.length / 3 }, (_, i) =>
         [...mesh.points.subarray(3 * i, 3 * i + 3)].map((x) => x + 0),
@@ -280,7 +280,7 @@ describe("OpenFOAM", () => {
         ]),
       }),
     );
-    expect(polyMeshFaults(poly)).toEqual([]);
+    expect(polyMeshDefects(poly)).toEqual([]);
     expect(poly.patches.at(-1)).toMatchObject({ name: "defaultFaces", count: 8 });
     const [zone] = poly.faceZones;
     expect(zone?.name).toBe("floor_cold");
@@ -303,7 +303,7 @@ describe("OpenFOAM", () => {
       tetrahedronRegion: new Uint32Array(count),
     };
     const poly = readPolyMesh(await only("star.foam.zip", star));
-    expect(polyMeshFaults(poly)).toEqual([]);
+    expect(polyMeshDefects(poly)).toEqual([]);
     expect([poly.neighbour.length, poly.faces.length]).toEqual([(3 * count) / 2, (5 * count) / 2]);
   });
 });

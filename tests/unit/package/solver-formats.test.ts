@@ -10,7 +10,7 @@ import { expect, test, vi } from "vitest";
 
 import { blockMesh, outerFaces } from "../../support/block-mesh.js";
 import { tetrafront } from "../../support/command-line.js";
-import { polyMeshFaults, readPolyMesh } from "../../support/poly-mesh.js";
+import { polyMeshDefects, readPolyMesh } from "../../support/poly-mesh.js";
 
 const block = blockMesh();
 const keyOf = (face: ArrayLike<number>) =>
@@ -124,7 +124,7 @@ test("OpenFOAM: no map has an entry per face (a map holds at most 2^24 entries)"
 test("OpenFOAM: an interface is a face zone and not part of the boundary", async () => {
   const file = await written(withInterface, "a.foam.zip");
   const poly = readPolyMesh(file.bytes);
-  expect(polyMeshFaults(poly)).toEqual([]);
+  expect(polyMeshDefects(poly)).toEqual([]);
   expect(poly.faces.length - poly.neighbour.length).toBe(outer.length);
   expect(notesOf(file)).not.toMatch(/left out/);
 });
@@ -174,7 +174,7 @@ test("duplicate triangles are written once, and a note reports them", async () =
   expect([...markersOf(su2).values()].flat().sort()).toEqual(outer);
   const foam = await written(twice, "a.foam.zip");
   const poly = readPolyMesh(foam.bytes);
-  expect(polyMeshFaults(poly)).toEqual([]);
+  expect(polyMeshDefects(poly)).toEqual([]);
   expect(poly.faces.length - poly.neighbour.length).toBe(outer.length);
   for (const file of [su2, foam]) expect(notesOf(file)).toMatch(/Left out: 2 duplicate triangles/);
 });

@@ -1,7 +1,7 @@
 /** Tests of the test support: cases with known results. */
 import { describe, expect, test } from "vitest";
 
-import { enclosedVolume, faultsOf, meshVolume, NO_FAULTS } from "../../support/check-mesh.js";
+import { enclosedVolume, defectsOf, meshVolume, NO_DEFECTS } from "../../support/check-mesh.js";
 import { orientation } from "../../support/exact.js";
 import { boxSurface, cavitySurface, sphereSurface, torusSurface, turned } from "../../support/surfaces.js";
 
@@ -66,14 +66,14 @@ describe("orientation", () => {
   });
 });
 
-describe("faultsOf", () => {
+describe("defectsOf", () => {
   const points = Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1);
   const both = { points, tetrahedra: Uint32Array.of(0, 1, 2, 3, 4, 2, 1, 3) };
   const rest = { regions: new Uint32Array(2), front: new Uint32Array() };
   const surface = { points, triangles: Uint32Array.of(0, 2, 1, 0, 1, 3, 0, 3, 2, 4, 1, 2, 4, 3, 1, 4, 2, 3) };
 
   test("finds no defects in two adjacent tetrahedra", () => {
-    expect(faultsOf({ ...both, ...rest }, surface)).toEqual(NO_FAULTS);
+    expect(defectsOf({ ...both, ...rest }, surface)).toEqual(NO_DEFECTS);
     expect(meshVolume({ ...both, ...rest })).toBeCloseTo(enclosedVolume(surface), 14);
   });
 
@@ -85,8 +85,8 @@ describe("faultsOf", () => {
     ],
     ["a duplicate tetrahedron", [0, 1, 2, 3, 4, 2, 1, 3, 0, 1, 2, 3], { crowdedFaces: 1, sameSideFaces: 4 }],
     ["a hole", [0, 1, 2, 3], { missingTriangles: 3, extraFaces: 1, unusedNodes: 1 }],
-  ])("finds %s", (_, tetrahedra, faults) => {
+  ])("finds %s", (_, tetrahedra, defects) => {
     const mesh = { points, tetrahedra: Uint32Array.from(tetrahedra), ...rest };
-    expect(faultsOf(mesh, surface)).toEqual({ ...NO_FAULTS, ...faults });
+    expect(defectsOf(mesh, surface)).toEqual({ ...NO_DEFECTS, ...defects });
   });
 });

@@ -4,7 +4,7 @@
 import { createMesher, type Mesher, type SurfaceInput } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
-import { faultsOf, NO_FAULTS } from "../../support/check-mesh.js";
+import { defectsOf, NO_DEFECTS } from "../../support/check-mesh.js";
 import { randomSource } from "../../support/random.js";
 import { boxSurface, cavitySurface, sphereSurface } from "../../support/surfaces.js";
 
@@ -72,7 +72,7 @@ describe("damaged surfaces", () => {
         if (found.isFillable)
           expect(report.status === "invalid-input" && !codes.has("too-many-elements"), label).toBe(false);
         else expect(report.status, label).toBe("invalid-input");
-        if (report.status === "done") expect(faultsOf(volume, boundary), label).toEqual(NO_FAULTS);
+        if (report.status === "done") expect(defectsOf(volume, boundary), label).toEqual(NO_DEFECTS);
       }
       expect(ended.get("done") ?? 0).toBeGreaterThan(RUNS / 20);
       expect(ended.get("invalid-input") ?? 0).toBeGreaterThan(RUNS / 4);

@@ -144,9 +144,7 @@ describe("creations", () => {
       documents.edit(addSource(documents.project, [], type).edit);
     }
     expect(parseProject(documents.project).success).toBe(true);
-    expect(
-      documents.project.background.sources?.map(({ id, positions: places }) => [id, places.length]),
-    ).toEqual([
+    expect(documents.project.background.sources?.map(({ id, positions }) => [id, positions.length])).toEqual([
       [1, 1],
       [2, 2],
       [3, 3],

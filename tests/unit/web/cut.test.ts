@@ -73,9 +73,9 @@ describe("findNeighbours", () => {
       const found = findNeighbours(tetrahedra);
       for (let t = 0; t < ring; ++t) {
         const around = [...found.subarray(4 * t, 4 * t + 4)];
-        const wanted = [-1, -1, (t + 1) % ring, (t + ring - 1) % ring];
-        if (around.some((other, f) => other !== wanted[f]))
-          expect({ t, around }).toEqual({ t, around: wanted });
+        const expected = [-1, -1, (t + 1) % ring, (t + ring - 1) % ring];
+        if (around.some((other, f) => other !== expected[f]))
+          expect({ t, around }).toEqual({ t, around: expected });
       }
     }
   });

@@ -8,10 +8,14 @@ export function gridMesh(n: number): VolumeMesh {
   for (let z = 0; z <= n; ++z) for (let y = 0; y <= n; ++y) for (let x = 0; x <= n; ++x) points.push(x, y, z);
   const walks = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [1, 0, 2], [0, 2, 1], [2, 1, 0]] as const; // prettier-ignore
   for (let cell = 0; cell < n ** 3; ++cell) {
-    const place = [cell % n, Math.floor(cell / n) % n, Math.floor(cell / n ** 2)] as [number, number, number];
+    const corner = [cell % n, Math.floor(cell / n) % n, Math.floor(cell / n ** 2)] as [
+      number,
+      number,
+      number,
+    ];
     walks.forEach((walk, i) => {
-      const nodes = [at(...place)];
-      const step = [...place] as [number, number, number];
+      const nodes = [at(...corner)];
+      const step = [...corner] as [number, number, number];
       for (const axis of walk) {
         step[axis] += 1;
         nodes.push(at(...step));

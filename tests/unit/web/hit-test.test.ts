@@ -127,14 +127,15 @@ describe("hit test", () => {
     expect(pick(at(3, 0), { hidden: new Set(["point-9"]) })?.target).not.toEqual({ kind: "point", id: 9 });
     expect(pick(at(-3, 0.5, 2), { hidden: new Set(["patch-3"]) })?.target).toEqual({ kind: "patch", id: 8 });
     const layers = { ...base.layers, points: false, patches: false, lines: false };
-    for (const place of [at(3, 0), at(-3, 0.5, 2), at(2, -2)]) expect(pick(place, { layers })).toBeNull();
+    for (const position of [at(3, 0), at(-3, 0.5, 2), at(2, -2)])
+      expect(pick(position, { layers })).toBeNull();
   });
 
   it("finds nothing behind a solid surface, except sources, which show through", () => {
     const far = wall(1000);
     expect(pick(at(3, 0), {}, far)?.target).toEqual({ kind: "point", id: 9 });
-    for (const place of [at(3, 0), at(2, -2), at(-3, 0.5, 2)]) {
-      expect(pick(place, {}, wall(5))?.target).toEqual({ kind: "element", index: 5 });
+    for (const position of [at(3, 0), at(2, -2), at(-3, 0.5, 2)]) {
+      expect(pick(position, {}, wall(5))?.target).toEqual({ kind: "element", index: 5 });
     }
     expect(pick(at(-4, 2), all, wall(5))?.target).toEqual({ kind: "source", id: 11 });
     expect(pick(at(-4, 2))?.target).not.toEqual({ kind: "source", id: 11 });

@@ -129,8 +129,8 @@ describe("the layer of points", () => {
   it("writes all positions if records exchange their numbers of dots", () => {
     const layer = new SourcesLayer();
     const at = (x: number) => [x, 0, 0] as const;
-    const withSources = (...places: (readonly (readonly [number, number, number])[])[]): SceneState => {
-      const sources = places.map((list, i) => ({ id: i + 1, type: list.length === 1 ? ("point" as const) : ("segment" as const), size: 1, positions: list })); // prettier-ignore
+    const withSources = (...positions: (readonly (readonly [number, number, number])[])[]): SceneState => {
+      const sources = positions.map((list, i) => ({ id: i + 1, type: list.length === 1 ? ("point" as const) : ("segment" as const), size: 1, positions: list })); // prettier-ignore
       const kept = [sources[0], unchanged, sources[1]] as ProjectSource[];
       const background = { ...project.background, sources: kept };
       return { ...start, project: { ...project, background }, layers: { ...start.layers, sources: true } };
@@ -201,11 +201,11 @@ describe("the layer of the front", () => {
 
 describe("the layer of the mesh", () => {
   function setUp() {
-    const asked: QueriedMesh[] = [];
+    const queried: QueriedMesh[] = [];
     const answers: { resolve: (faces: DrawnFaces) => void; reject: (failure: Error) => void }[] = [];
     const queries = {
       facesOf: (mesh: QueriedMesh) => {
-        asked.push(mesh);
+        queried.push(mesh);
         return new Promise<DrawnFaces>((resolve, reject) => answers.push({ resolve, reject }));
       },
       release: () => undefined,
@@ -216,7 +216,7 @@ describe("the layer of the mesh", () => {
       onChange: () => undefined,
       onFailure: (reason) => void reasons.push(reason),
     });
-    return { asked, answers, reasons, layer };
+    return { queried, answers, reasons, layer };
   }
   const [one, two] = [gridMesh(1), gridMesh(2)].map(
     (volume) => ({ volume, report: {} }) as unknown as MeshResult,
@@ -230,9 +230,9 @@ describe("the layer of the mesh", () => {
   };
 
   it("queries a new mesh at once, and a cut once per frame", async () => {
-    const { asked, answers, layer } = setUp();
+    const { queried, answers, layer } = setUp();
     show(layer, withMesh());
-    expect(asked).toEqual([one?.volume]);
+    expect(queried).toEqual([one?.volume]);
     expect(layer.isCurrent).toBe(false);
     answers[0]?.resolve(faces);
     await vi.waitFor(() => expect(layer.isCurrent).toBe(true));
@@ -241,23 +241,23 @@ describe("the layer of the mesh", () => {
       cut: { ...start.cut, enabled: true, position },
     }));
     show(layer, withMesh(), ...cuts);
-    expect(asked).toHaveLength(1);
+    expect(queried).toHaveLength(1);
     layer.queryFaces();
     layer.queryFaces();
-    expect(asked).toHaveLength(2);
+    expect(queried).toHaveLength(2);
   });
 
   it("queries the next mesh after a query has failed, and no mesh twice", async () => {
-    const { asked, answers, reasons, layer } = setUp();
+    const { queried, answers, reasons, layer } = setUp();
     show(layer, withMesh(one), withMesh(two));
     answers[0]?.reject(new Error("no memory"));
     await vi.waitFor(() => expect(reasons).toEqual(["no memory"]));
     layer.queryFaces();
-    expect(asked).toEqual([one?.volume, two?.volume]);
+    expect(queried).toEqual([one?.volume, two?.volume]);
     answers[1]?.reject(new Error("no memory"));
     await vi.waitFor(() => expect(reasons).toHaveLength(2));
     layer.queryFaces();
-    expect(asked).toHaveLength(2);
+    expect(queried).toHaveLength(2);
     expect(layer.isCurrent).toBe(true);
   });
 

@@ -22,11 +22,11 @@ describe("MeshQueries", () => {
     const { faces, corners, onBoundary } = queries.facesOf({ ...whole, origin, cut });
     expect(faces.length).toBeGreaterThan(0);
     faces.forEach((face, i) => {
-      const wanted = cornersOf(face);
+      const expected = cornersOf(face);
       const given = [...corners.subarray(9 * i, 9 * i + 9)].map((x, k) => x + (origin[k % 3] ?? 0));
-      expect(given).toEqual(wanted);
+      expect(given).toEqual(expected);
       const isOutside = [0, 1, 2].some((axis) =>
-        [0, size].some((wall) => [0, 1, 2].every((k) => wanted[3 * k + axis] === wall)),
+        [0, size].some((wall) => [0, 1, 2].every((k) => expected[3 * k + axis] === wall)),
       );
       expect(onBoundary[i]).toBe(isOutside ? 1 : 0);
     });

@@ -17,12 +17,12 @@ const GLOB = /[*?[\]{}]/;
  */
 export async function expandInputs(inputs: readonly string[]): Promise<string[]> {
   const files = await Promise.all(inputs.map(expand));
-  const places = new Map<string, string>();
+  const byPath = new Map<string, string>();
   for (const file of files.flat()) {
-    const place = file === STANDARD_STREAM ? file : path.resolve(file);
-    if (!places.has(place)) places.set(place, file);
+    const fullPath = file === STANDARD_STREAM ? file : path.resolve(file);
+    if (!byPath.has(fullPath)) byPath.set(fullPath, file);
   }
-  return [...places.values()];
+  return [...byPath.values()];
 }
 
 async function expand(input: string): Promise<readonly string[]> {
@@ -110,12 +110,12 @@ export async function runTasks(
   const bar = process.stderr.isTTY && !isQuiet ? new BatchBar(tasks.length) : undefined;
   const messages: string[] = [];
   let next = 0;
-  let told = 0;
+  let printed = 0;
   const printInOrder = () => {
-    for (let said = messages[told]; said !== undefined; said = messages[++told]) {
-      if (said === "") continue;
-      if (bar === undefined) process.stderr.write(said);
-      else bar.print(said);
+    for (let message = messages[printed]; message !== undefined; message = messages[++printed]) {
+      if (message === "") continue;
+      if (bar === undefined) process.stderr.write(message);
+      else bar.print(message);
     }
   };
   const children = new Set<ChildProcess>();

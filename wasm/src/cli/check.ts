@@ -124,11 +124,11 @@ async function checked(input: string, options: CheckCommandOptions): Promise<Che
 }
 
 async function inspected(mesher: Mesher, input: string, options: CheckCommandOptions): Promise<CheckResult> {
-  const wanted = repairOptions(options);
+  const repair = repairOptions(options);
   const mesh = await readMeshFile(input, options.from);
   refuseOption("--size", options.size, "projects", mesh.tetrahedra.length > 0 ? "a mesh" : "a surface");
   if (mesh.tetrahedra.length > 0) {
-    refuseRepair(wanted, "a mesh of tetrahedra");
+    refuseRepair(repair, "a mesh of tetrahedra");
     refuseOption("--inner-shells", options.innerShells, "surfaces and projects", "a mesh of tetrahedra");
     refuseOption("--max-diagnostics", options.maxDiagnostics, "surfaces", "a mesh of tetrahedra");
     const {
@@ -149,7 +149,7 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
     );
     throw new BadInput(input, [nothing]);
   }
-  const { surface, changes } = await repaired(mesher, await inSteps(surfaceOf(mesh)), wanted);
+  const { surface, changes } = await repaired(mesher, await inSteps(surfaceOf(mesh)), repair);
   const { innerShells } = options;
   const inspectionOptions = { innerShells, maxDiagnostics: maxDiagnosticsOf(options) };
   const { diagnostics, ...inspection } = await mesher.inspectSurface(surface, inspectionOptions);

@@ -118,9 +118,9 @@ async function surfaceFrom(mesh: FileMesh, { input, repair, isQuiet }: Conversio
   return { ...mesh, ...surface, nodeData: new Map() };
 }
 
-/** Returns the fault as a warning: the format can store such a mesh, but hardly any program can use it. */
-function asWarning(fault: Diagnostic): Diagnostic {
-  return { ...fault, severity: "warning" };
+/** Returns the defect as a warning: the format can store such a mesh, but hardly any program can use it. */
+function asWarning(defect: Diagnostic): Diagnostic {
+  return { ...defect, severity: "warning" };
 }
 
 /** Replaces the triangles by the exactly welded surface, as formats with nodes expect. */

@@ -107,8 +107,8 @@ export async function checkOutput(file: string): Promise<void> {
   await refuseFolder(file);
   const found = await statOf(file);
   const folder = path.dirname(file);
-  const place = await statOf(folder);
-  if (place?.isDirectory() !== true) {
+  const folderStatus = await statOf(folder);
+  if (folderStatus?.isDirectory() !== true) {
     throw new FileError(file, `the folder ${folder} does not exist`, "Create it, or choose another.");
   }
   if (found === undefined || found.isFile()) return tryFolder(file, found !== undefined);

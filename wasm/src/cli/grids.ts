@@ -44,7 +44,7 @@ export function coverFile(input: string, options: CoverCommandOptions): Promise<
 
 /** Runs `propose`; resolves with the exit code. */
 export function proposeForFile(input: string, options: ProposeCommandOptions): Promise<number> {
-  const wanted: ProposalOptions = {
+  const proposal: ProposalOptions = {
     uniform: numberIn(options.uniform),
     smallest: numberIn(options.smallest),
     elementsPerCircle: numberIn(options.perCircle),
@@ -52,11 +52,11 @@ export function proposeForFile(input: string, options: ProposeCommandOptions): P
     growth: numberIn(options.growth),
   };
   return rewritten(input, options, {
-    check: () => checkProposalOptions(wanted),
+    check: () => checkProposalOptions(proposal),
     change: async (mesher, project) => {
       const { size, sources } = await mesher.proposeSizes(project, {
-        ...wanted,
-        uniform: wanted.uniform ?? project.meshing?.size,
+        ...proposal,
+        uniform: proposal.uniform ?? project.meshing?.size,
       });
       const background = await mesher.coverProject(project, {
         ...(size > 0 ? { size } : {}),

@@ -92,9 +92,9 @@ interface RefinementFigures {
 /** Runs the command; resolves with the exit code. */
 export async function meshFile(input: string, options: MeshCommandOptions): Promise<number> {
   const whereFailed = (failure: unknown) => failed(failure, input, options.background);
-  const place = await checkReportPath(input, options).catch(whereFailed);
+  const failedCheck = await checkReportPath(input, options).catch(whereFailed);
   // If the report cannot be written, that failure is not reported in it either.
-  if (place !== undefined) return place.exitCode;
+  if (failedCheck !== undefined) return failedCheck.exitCode;
   const outcome = await meshAndWrite(input, options).catch(whereFailed);
   const { changes, refinement, written } = outcome;
   const done = { ...(changes && { repair: changes }), ...(refinement && { refinement }) };
@@ -149,10 +149,10 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   if (refinement !== undefined && !isQuiet) printRefinement(input, refinement);
   const { report } = result;
   printWithGrid({ input, background: options.background }, report.diagnostics, isQuiet);
-  const isWanted = mayWrite(result, options);
-  const written = isWanted && (await writeResult(input, options, result, meshed)) ? options.output : null;
+  const shouldWrite = mayWrite(result, options);
+  const written = shouldWrite && (await writeResult(input, options, result, meshed)) ? options.output : null;
   if (!isQuiet && report.status !== "invalid-input") print(summary(input, report, written, options));
-  const isLost = isWanted && written === null;
+  const isLost = shouldWrite && written === null;
   const isPoor = report.status === "done" && report.dihedral.min < requiredAngle;
   if (isPoor) printPoor(input, report, requiredAngle);
   const exitCode = isLost || isPoor ? ExitCode.notCompleted : EXIT_CODES[report.status];

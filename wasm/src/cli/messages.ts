@@ -56,8 +56,8 @@ export function reportFailure(failure: unknown, input: string): number {
 export function unreadable(error: ReadError, readAs?: string): Diagnostic {
   const { message, line, fileName } = error;
   const other = fileName === undefined || readAs === undefined || fileName === readAs ? "" : `${fileName}: `;
-  const place = line === undefined || message.startsWith("line ") ? "" : `line ${line}: `;
-  return readDiagnostic({ ...error, message: `${other}${place}${message}` });
+  const location = line === undefined || message.startsWith("line ") ? "" : `line ${line}: `;
+  return readDiagnostic({ ...error, message: `${other}${location}${message}` });
 }
 
 /** Largest number of lines per code: more of the same would hide the others. */
@@ -76,8 +76,8 @@ export function printDiagnostics(
   options: PrintOptions,
 ): void {
   const { isQuiet, perCode = MAX_PER_CODE } = options;
-  const told = diagnostics.filter(({ severity }) => !isQuiet || severity === "error");
-  for (const group of byKind(told)) printGroup(subject, group, perCode);
+  const reported = diagnostics.filter(({ severity }) => !isQuiet || severity === "error");
+  for (const group of byKind(reported)) printGroup(subject, group, perCode);
 }
 
 /** Groups diagnostics by severity and code, in the order of first appearance. */
@@ -93,8 +93,8 @@ function byKind(diagnostics: readonly Diagnostic[]): Iterable<readonly Diagnosti
 }
 
 /** Returns the number of problems of this severity, including those that are not listed individually. */
-export function countOf(diagnostics: readonly Diagnostic[], wanted: Diagnostic["severity"]): number {
-  const found = diagnostics.filter(({ severity }) => severity === wanted);
+export function countOf(diagnostics: readonly Diagnostic[], severity: Diagnostic["severity"]): number {
+  const found = diagnostics.filter((diagnostic) => diagnostic.severity === severity);
   return [...byKind(found)].reduce((sum, group) => sum + allOfAKind(group), 0);
 }
 

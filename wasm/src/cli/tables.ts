@@ -15,8 +15,8 @@ export function short(value: number, digits = DIGITS): string {
   return String(Number(value.toPrecision(digits)));
 }
 
-export function positionText(place: readonly number[]): string {
-  return `(${place.map((value) => short(value)).join(", ")})`;
+export function positionText(position: readonly number[]): string {
+  return `(${position.map((value) => short(value)).join(", ")})`;
 }
 
 /**
@@ -45,9 +45,9 @@ export function mixedOrientationLines({ points, tetrahedra, invertedTetrahedra }
   const all = plural(tetrahedra.length / 4, "tetrahedron");
   const numbers = listed(Array.from(invertedTetrahedra, String));
   const node = 3 * (tetrahedra[4 * (invertedTetrahedra[0] ?? 0)] ?? 0);
-  const place = positionText([...points.subarray(node, node + 3)]);
+  const position = positionText([...points.subarray(node, node + 3)]);
   return [
-    `${count} of ${all} ${count === 1 ? "is" : "are"} inverted, and ${count === 1 ? "was" : "were"} reoriented: ${numbers} (counted from 0), the first at ${place}`,
+    `${count} of ${all} ${count === 1 ? "is" : "are"} inverted, and ${count === 1 ? "was" : "were"} reoriented: ${numbers} (counted from 0), the first at ${position}`,
   ];
 }
 

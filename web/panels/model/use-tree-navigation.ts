@@ -101,14 +101,14 @@ export function useTreeNavigation(options: TreeNavigationOptions): TreeNavigatio
 /** Tracks the row that has the focus. A row that is out of sight gets it after scrolling. */
 function useFocusedRow({ rows, scroller, scrollTo }: TreeNavigationOptions) {
   const [focusedKey, setFocusedKey] = useState<string | null>(null);
-  const isFocusWanted = useRef(false);
+  const shouldFocus = useRef(false);
   useLayoutEffect(() => {
     const row =
-      isFocusWanted.current && focusedKey !== null
+      shouldFocus.current && focusedKey !== null
         ? scroller.current?.querySelector(`#${CSS.escape(rowElementId(focusedKey))}`)
         : null;
     if (!(row instanceof HTMLElement)) return;
-    isFocusWanted.current = false;
+    shouldFocus.current = false;
     // The user may have moved the focus to another panel meanwhile.
     const holder = document.activeElement;
     if (holder === document.body || scroller.current?.contains(holder)) row.focus();
@@ -119,7 +119,7 @@ function useFocusedRow({ rows, scroller, scrollTo }: TreeNavigationOptions) {
     if (!row) return;
     setFocusedKey(rowKey(row));
     scrollTo(within);
-    isFocusWanted.current = true;
+    shouldFocus.current = true;
   };
   return { focused: Math.max(0, rows.indexOf(focusedKey)), focusRow, setFocusedKey };
 }

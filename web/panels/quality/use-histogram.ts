@@ -19,13 +19,13 @@ export function useHistogram(
   const [known, setKnown] = useState<Known | null>(null);
   useEffect(() => {
     if (!mesh) return undefined;
-    let isWanted = true;
+    let isCurrent = true;
     meshQueries.histogram(mesh.volume, measure, barCount).then(
-      (histogram) => isWanted && setKnown({ mesh, measure, histogram }),
+      (histogram) => isCurrent && setKnown({ mesh, measure, histogram }),
       // The view shows the failure; the statistics of the report remain.
       () => undefined,
     );
-    return () => void (isWanted = false);
+    return () => void (isCurrent = false);
   }, [meshQueries, mesh, measure, barCount]);
   return known && known.mesh === mesh && known.measure === measure ? known.histogram : null;
 }

@@ -59,7 +59,7 @@ export class DotsLayer<Record extends Dotted> implements HittableLayer {
     if (changes.has("viewport")) setNumber(this.#material, "pixelRatio", state.viewport.pixelRatio);
     // A background grid may be large: nothing is written while it is not shown.
     if (!this.root.visible) return;
-    this.#place(this.#options.records(state), state.origin);
+    this.#setPositions(this.#options.records(state), state.origin);
     this.#states.update(state);
   }
 
@@ -83,21 +83,21 @@ export class DotsLayer<Record extends Dotted> implements HittableLayer {
   }
 
   /** Writes the positions of records that are new; those of all others stay in the buffer. */
-  #place(records: readonly Record[], origin: Position): void {
+  #setPositions(records: readonly Record[], origin: Position): void {
     if (records === this.#records && origin === this.#origin) return;
     const before = origin === this.#origin ? this.#records : [];
     const offsets = offsetsOf(records, (record) => this.#options.positions(record).length);
-    const isInPlace = this.#states.assign(records, offsets) && before.length === records.length;
-    if (!isInPlace) this.#allocate(offsets[records.length] ?? 0);
+    const isSameSize = this.#states.assign(records, offsets) && before.length === records.length;
+    if (!isSameSize) this.#allocate(offsets[records.length] ?? 0);
     const array = this.#position.array;
     records.forEach((record, i) => {
-      if (isInPlace && record === before[i]) return;
+      if (isSameSize && record === before[i]) return;
       const first = 3 * (offsets[i] ?? 0);
       let at = first;
       for (const position of this.#options.positions(record)) {
         for (let k = 0; k < 3; ++k) array[at++] = (position[k] ?? 0) - (origin[k] ?? 0);
       }
-      if (isInPlace) this.#position.addUpdateRange(first, at - first);
+      if (isSameSize) this.#position.addUpdateRange(first, at - first);
     });
     this.#position.needsUpdate = true;
     this.#records = records;

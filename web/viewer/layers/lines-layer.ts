@@ -51,7 +51,7 @@ export class LinesLayer implements HittableLayer {
       const { width, height } = state.viewport;
       for (const { material } of this.#meshes) material.uniforms.resolution.value.set(width, height);
     }
-    if (changes.has("preview", "origin")) this.#place(state.preview, state.origin);
+    if (changes.has("preview", "origin")) this.#setPositions(state.preview, state.origin);
     this.#states.update(state);
     this.#meshes[0].visible = this.#states.hasAny("normal");
     this.#meshes[1].visible = this.#states.hasAny("hover", "selected");
@@ -71,7 +71,7 @@ export class LinesLayer implements HittableLayer {
     for (const { material } of this.#meshes) material.dispose();
   }
 
-  #place(preview: SampledProject | null, origin: Position): void {
+  #setPositions(preview: SampledProject | null, origin: Position): void {
     const { lineOffsets, linePoints } = preview?.samples ?? { lineOffsets: [0], linePoints: [] };
     this.#origin = origin;
     // A line of n samples has n - 1 segments.

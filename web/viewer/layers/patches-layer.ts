@@ -79,7 +79,7 @@ export class PatchesLayer implements HittableLayer {
         setStateScale(this.#plain, drawn, opacity);
       }
     }
-    if (changes.has("preview", "origin")) this.#place(state.preview, state.origin);
+    if (changes.has("preview", "origin")) this.#setPositions(state.preview, state.origin);
     this.#states.update(state);
     const [plain, emphasized, behind] = this.#meshes;
     emphasized.visible = this.#states.hasAny("hover", "selected", "defective");
@@ -100,7 +100,7 @@ export class PatchesLayer implements HittableLayer {
     for (const { material } of this.#meshes) material.dispose();
   }
 
-  #place(preview: SampledProject | null, origin: Position): void {
+  #setPositions(preview: SampledProject | null, origin: Position): void {
     const empty = { patchOffsets: [0], patchTriangles: [], patchPoints: [] };
     const { patchOffsets, patchTriangles, patchPoints } = preview?.samples ?? empty;
     this.#origin = origin;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { faultsOf, type Problem } from "../../../web/document/validate";
+import { defectsOf, type Problem } from "../../../web/document/validate";
 
 const problem = (part: Partial<Problem>): Problem => ({
   key: "",
@@ -13,16 +13,16 @@ const problem = (part: Partial<Problem>): Problem => ({
   ...part,
 });
 
-describe("faultsOf", () => {
+describe("defectsOf", () => {
   const patch = (id: number) => ({ kind: "patch", id }) as const;
 
   it("returns the triangles that an error names, or else its patches if it names nothing else", () => {
-    const faults = faultsOf([
+    const defects = defectsOf([
       problem({ entities: [patch(1)], triangles: [7, 8] }),
       problem({ entities: [patch(2), patch(3)] }),
       problem({ entities: [{ kind: "line", id: 5 }, patch(4)] }),
       problem({ entities: [patch(6)], severity: "warning" }),
     ]);
-    expect(faults).toEqual({ triangles: [7, 8], patches: new Set([2, 3]) });
+    expect(defects).toEqual({ triangles: [7, 8], patches: new Set([2, 3]) });
   });
 });
