@@ -44,7 +44,7 @@ test("a mesh too large for the memory is rejected with statistics, and a size th
     return [failure, factor, report.status, failure.data?.expectedTetrahedra];`);
   expect(failure.code).toBe("out-of-memory");
   expect(failure.message).toMatch(
-    /^The engine's memory of \d+ MB did not suffice: it ran out in the phase "\w+", with \d+ tetrahedra made of about \d+ asked for\. Ask for elements \d\.\d times as large, or more\.$/,
+    /^The engine ran out of memory \(\d+ MB\) in the phase "\w+", after \d+ of about \d+ tetrahedra\. Use elements at least \d\.\d times as large\.$/,
   );
   expect(failure.data["bytes"]).toBeGreaterThan(MEMORY / 2);
   expect(failure.data["bytes"]).toBeLessThanOrEqual(MEMORY);
@@ -55,18 +55,18 @@ test("a mesh too large for the memory is rejected with statistics, and a size th
 });
 
 test("if a query runs out of memory, the run beside it is rejected with its progress", async () => {
-  const [run, question] = await withLittleMemory<[ReportedError, ReportedError]>(`
+  const [run, query] = await withLittleMemory<[ReportedError, ReportedError]>(`
     const count = 1_000_000;
     const mesh = {
       points: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1),
       tetrahedra: Uint32Array.from({ length: 4 * count }, (_, i) => i % 4),
     };
-    let question;
+    let query;
     const onProgress = ({ tetrahedra }) => {
-      if (tetrahedra > 0) question ??= mesher.inspectMesh(mesh).catch(reported);
+      if (tetrahedra > 0) query ??= mesher.inspectMesh(mesh).catch(reported);
     };
     const run = await mesher.meshProject(cube, { size: 0.03 }, { onProgress }).catch(reported);
-    return [run, await question];`);
+    return [run, await query];`);
   expect(run.code).toBe("out-of-memory");
   expect(run.data).toMatchObject({
     bytes: expect.any(Number) as number,
@@ -75,7 +75,7 @@ test("if a query runs out of memory, the run beside it is rejected with its prog
     sizeFactor: expect.any(Number) as number,
   });
   expect(run.data["tetrahedra"]).toBeGreaterThan(0);
-  expect(question).toMatchObject({ code: "out-of-memory", data: { tetrahedra: 0 } });
+  expect(query).toMatchObject({ code: "out-of-memory", data: { tetrahedra: 0 } });
 });
 
 test("a query too large for the memory is rejected, and the next one is answered", async () => {
@@ -89,9 +89,7 @@ test("a query too large for the memory is rejected, and the next one is answered
     const one = { ...mesh, tetrahedra: mesh.tetrahedra.slice(0, 4) };
     return [failure, (await mesher.inspectMesh(one)).isValid];`);
   expect(failure).toMatchObject({ code: "out-of-memory", data: { tetrahedra: 0 } });
-  expect(failure.message).toMatch(
-    /^The engine's memory of \d+ MB did not suffice: it ran out\. Use a smaller/,
-  );
+  expect(failure.message).toMatch(/^The engine ran out of memory \(\d+ MB\)\. Use a smaller/);
   expect(isValid).toBe(true);
 });
 

@@ -123,7 +123,7 @@ export function disposedError(wasUnderWay: boolean): MesherError {
   return new MesherError("disposed", "The mesher was disposed of", { wasUnderWay });
 }
 
-/** `reason`: where the file was looked for, and why it could not be loaded. */
+/** `reason`: the address of the file, and why it could not be loaded. */
 export function notLoadedError(what: "worker" | "engine", reason: string, remedy: string): MesherError {
   const thing = what === "worker" ? "The engine's worker" : "The engine";
   const data = { what, reason, remedy };
@@ -135,8 +135,8 @@ export function crashError(reason: string): MesherError {
 }
 
 /**
- * `progress`: of the rejected run, which need not be the call that failed. `triangles`: number of triangles of the
- * surface given to the failed call, 0 if there was none.
+ * `progress`: progress of the rejected run, which need not be the call that failed. `triangles`: number of triangles
+ * of the surface given to the failed call; 0 without a surface.
  */
 export function failureError(
   { reason, message, bytes }: EngineFailure,
@@ -151,8 +151,8 @@ export function failureError(
   const sizeFactor = sizeFactorFor(tetrahedra, expectedTetrahedra);
   const fitting = Math.floor(bytes / BYTES_PER_TRIANGLE);
   const fittingTriangles = sizeFactor === undefined && triangles > fitting ? fitting : undefined;
-  const figures = { bytes, phase, tetrahedra, expectedTetrahedra, sizeFactor, fittingTriangles };
-  return new MesherError(reason, outOfMemoryText(figures), figures);
+  const data = { bytes, phase, tetrahedra, expectedTetrahedra, sizeFactor, fittingTriangles };
+  return new MesherError(reason, outOfMemoryText(data), data);
 }
 
 /** Largest measured memory per triangle of a surface until the first tetrahedron is made, in bytes. */
@@ -164,21 +164,23 @@ const BYTES_PER_TRIANGLE = 300;
  */
 function sizeFactorFor(made: number, expected: number): number | undefined {
   if (made === 0 || expected === 0) return undefined;
-  const factor = ROOM * Math.cbrt(Math.max(1, expected / made));
+  const factor = MARGIN * Math.cbrt(Math.max(1, expected / made));
   return Math.ceil(10 * factor) / 10;
 }
 
 /** Safety margin of the size factor: leaves memory for a third more elements. */
-const ROOM = 1.1;
+const MARGIN = 1.1;
 
-function outOfMemoryText(figures: OutOfMemory): string {
-  const { bytes, phase, tetrahedra, expectedTetrahedra } = figures;
-  const had = bytes === 0 ? "" : ` of ${Math.round(bytes / 2 ** 20)} MB`;
+function outOfMemoryText(failure: OutOfMemory): string {
+  const { bytes, phase, tetrahedra, expectedTetrahedra } = failure;
+  const limit = bytes === 0 ? "" : ` (${Math.round(bytes / 2 ** 20)} MB)`;
   const where = phase === undefined ? "" : ` in the phase "${phase}"`;
-  const made = tetrahedra === 0 ? "" : `, with ${plural(tetrahedra, "tetrahedron")} made`;
-  const expected = made === "" || expectedTetrahedra === 0 ? "" : ` of about ${expectedTetrahedra} asked for`;
-  const remedy = remedyFor(figures);
-  return `The engine's memory${had} did not suffice: it ran out${where}${made}${expected}. ${remedy}`;
+  const made =
+    expectedTetrahedra === 0
+      ? plural(tetrahedra, "tetrahedron")
+      : `${tetrahedra} of about ${plural(expectedTetrahedra, "tetrahedron")}`;
+  const after = tetrahedra === 0 ? "" : `, after ${made}`;
+  return `The engine ran out of memory${limit}${where}${after}. ${remedyFor(failure)}`;
 }
 
 function remedyFor({ phase, sizeFactor, fittingTriangles }: OutOfMemory): string {
@@ -187,6 +189,6 @@ function remedyFor({ phase, sizeFactor, fittingTriangles }: OutOfMemory): string
     return `Use a coarser surface: about ${count} triangles fit, fewer with many tetrahedra between them.`;
   }
   if (phase === undefined) return "Use a smaller surface or mesh.";
-  if (sizeFactor === undefined) return "Ask for larger elements, or give a coarser surface.";
-  return `Ask for elements ${sizeFactor.toFixed(1)} times as large, or more.`;
+  if (sizeFactor === undefined) return "Use larger elements or a coarser surface.";
+  return `Use elements at least ${sizeFactor.toFixed(1)} times as large.`;
 }
