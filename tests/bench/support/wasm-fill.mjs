@@ -56,10 +56,9 @@ function processorSeconds() {
 function fill(engine, surface, optimization) {
   const none = new Float64Array(0);
   const grid = {
-    nodes: none,
+    nodes: { position: none, size: none, stretching: none, direction: none },
     tetrahedra: new Uint32Array(0),
-    sourceTypes: new Uint8Array(0),
-    sourceValues: none,
+    sources: { type: new Uint8Array(0), points: none, size: none, distance: none, growth: none },
     coverageMargin: 0,
   };
   const options = {
@@ -69,6 +68,7 @@ function fill(engine, surface, optimization) {
     order: 0,
     filters: true,
     optimization,
+    maxTetrahedra: 20_000_000,
     exactFillOnly: false,
     innerShells: 0,
   };
@@ -76,7 +76,7 @@ function fill(engine, surface, optimization) {
   const seconds = Object.fromEntries(PHASES.map((phase) => [phase, 0]));
   let status = "running";
   for (let before = processorSeconds(); status === "running";) {
-    const phase = PHASES[run.progress().phase];
+    const phase = PHASES[run.phase()];
     status = STATUSES[run.advance(BUDGET)];
     const after = processorSeconds();
     seconds[phase] += after - before;

@@ -8,24 +8,30 @@ import {
   describeAll,
   describeDiagnostic,
   describeInSteps,
+  type DiagnosticArrays,
+  type EngineEntity,
   ENTITY_KINDS,
 } from "../../../wasm/src/diagnostics/describe.js";
 import { nameByIndex } from "../../../wasm/src/diagnostics/entity-names.js";
-import type { DiagnosticArrays } from "../../../wasm/src/engine/loader.js";
 import { projectNamer } from "../../../wasm/src/project/names.js";
 import { cubeProject } from "../../support/projects.js";
+
+/** Returns entities from pairs of a kind and an index. */
+function entitiesOf(...numbers: readonly number[]): EngineEntity[] {
+  return numbers.flatMap((kind, i) => (i % 2 === 0 ? [{ kind, index: numbers[i + 1] ?? 0 }] : []));
+}
 
 /** A diagnostic with everything: two entities of each kind, a position and three values. */
 const complete = {
   severity: 2,
-  entities: Uint32Array.from(ENTITY_KINDS.flatMap((_, kind) => [kind, 1, kind, 2])),
-  place: Float64Array.of(0.125, 1 / 3, -2),
+  entities: ENTITY_KINDS.flatMap((_, kind) => entitiesOf(kind, 1, kind, 2)),
+  position: [0.125, 1 / 3, -2] as const,
   values: Float64Array.of(7.123456789, 3, 2),
 };
 const empty = {
   severity: 2,
-  entities: new Uint32Array(),
-  place: new Float64Array(),
+  entities: [],
+  position: undefined,
   values: new Float64Array(),
 };
 
@@ -123,10 +129,15 @@ describe("the data of a diagnostic", () => {
 
 test("diagnostics are decoded from the engine's arrays, at once or in steps", () => {
   const arrays = {
-    heads: Uint32Array.of(40, 2, 1, 1, 1, 12, 2, 0, 0, 0, 43, 2, 2, 1, 2, 44, 1, 2, 0, 0),
-    entities: Uint32Array.of(5, 7, 5, 1, 5, 2, 5, 3, 5, 4),
-    positions: Float64Array.of(1, 2, 3, 4, 5, 6),
-    values: Float64Array.of(9, 100, 1),
+    code: Uint16Array.of(40, 12, 43, 44),
+    severity: Uint8Array.of(2, 2, 2, 1),
+    entities: {
+      lengths: Uint32Array.of(1, 0, 2, 2),
+      items: { kind: Uint8Array.of(5, 5, 5, 5, 5), index: Uint32Array.of(7, 1, 2, 3, 4) },
+    },
+    hasPosition: Uint8Array.of(1, 0, 1, 0),
+    position: Float64Array.of(1, 2, 3, 0, 0, 0, 4, 5, 6, 0, 0, 0),
+    values: { lengths: Uint32Array.of(1, 0, 2, 0), items: Float64Array.of(9, 100, 1) },
   };
   const diagnostics = describeAll(arrays, nameByIndex);
   const indices = diagnostics.map(({ entities }) => entities.map(({ index }) => index));
@@ -150,17 +161,20 @@ test("diagnostics are decoded from the engine's arrays, at once or in steps", ()
 
 test("many diagnostics are decoded in short steps", () => {
   const count = 20_000;
-  const heads = Uint32Array.from({ length: 5 * count }, (_, i) => [12, 2, 0, 0, 0][i % 5] ?? 0);
-  const [steps, diagnostics] = stepsOf({ ...NO_ENTITIES, heads });
+  const [steps, diagnostics] = stepsOf({
+    code: new Uint16Array(count).fill(12),
+    severity: new Uint8Array(count).fill(2),
+    entities: {
+      lengths: new Uint32Array(count),
+      items: { kind: new Uint8Array(), index: new Uint32Array() },
+    },
+    hasPosition: new Uint8Array(count),
+    position: new Float64Array(3 * count),
+    values: { lengths: new Uint32Array(count), items: new Float64Array() },
+  });
   expect(diagnostics).toHaveLength(count);
   expect(steps).toBeGreaterThan(40);
 });
-
-const NO_ENTITIES = {
-  entities: new Uint32Array(),
-  positions: new Float64Array(),
-  values: new Float64Array(),
-};
 
 /** Returns the number of steps and the diagnostics decoded in them. */
 function stepsOf(arrays: DiagnosticArrays): [number, Diagnostic[]] {
@@ -172,7 +186,7 @@ function stepsOf(arrays: DiagnosticArrays): [number, Diagnostic[]] {
 }
 
 test("labels of callers are inserted literally, whatever characters they contain", () => {
-  const raw = { ...minimalOf("open-edge"), code: 40, entities: Uint32Array.of(5, 0) };
+  const raw = { ...minimalOf("open-edge"), code: 40, entities: entitiesOf(5, 0) };
   const name = () => ({ kind: "triangle", index: 0, label: "part (1" }) as const;
   expect(describeDiagnostic(raw, name).message).toContain("part (1 (counted from 0)");
 });
@@ -180,7 +194,7 @@ test("labels of callers are inserted literally, whatever characters they contain
 describe("messages about one item use the singular:", () => {
   test.each(Object.entries(ENGINE_CODES))("code %s, %s", (code) => {
     const values = Float64Array.of(1, 1, 1);
-    for (const entities of [new Uint32Array(), complete.entities.slice(0, 2), Uint32Array.of(5, 1)]) {
+    for (const entities of [[], complete.entities.slice(0, 1), entitiesOf(5, 1)]) {
       const diagnostic = describeDiagnostic({ ...empty, code: Number(code), entities, values }, nameByIndex);
       const singular =
         /\b1 (points|lines|sides|triangles|faces|tetrahedra|places|regions|cavities|nodes|edges)\b/;
@@ -193,7 +207,7 @@ describe("messages about one item use the singular:", () => {
 test("the remedy of flipped triangles mentions inner shells only if they lie between regions", () => {
   const remedy = (isBetweenRegions: number) =>
     describeDiagnostic(
-      { ...empty, code: 50, entities: Uint32Array.of(5, 1), values: Float64Array.of(isBetweenRegions, 3) },
+      { ...empty, code: 50, entities: entitiesOf(5, 1), values: Float64Array.of(isBetweenRegions, 3) },
       nameByIndex,
     ).remedy;
   expect(remedy(1)).toMatch(/--repair.*--inner-shells regions/);
@@ -204,7 +218,7 @@ test("the remedy of flipped triangles mentions inner shells only if they lie bet
 test("a coordinate too large to compute with is not reported as not finite", () => {
   const messageOf = (value: number) =>
     describeDiagnostic(
-      { ...empty, code: 0, entities: Uint32Array.of(0, 0), values: Float64Array.of(value) },
+      { ...empty, code: 0, entities: entitiesOf(0, 0), values: Float64Array.of(value) },
       nameByIndex,
     ).message;
   expect(messageOf(-1e200)).toMatch(/has the coordinate -1e\+200, whose magnitude/);
@@ -214,7 +228,7 @@ test("a coordinate too large to compute with is not reported as not finite", () 
 test('intersecting pairs of triangles are counted, with "at least" if the count was stopped', () => {
   const messageOf = (...values: number[]) =>
     describeDiagnostic(
-      { ...empty, code: 43, entities: Uint32Array.of(5, 3, 5, 8), values: Float64Array.from(values) },
+      { ...empty, code: 43, entities: entitiesOf(5, 3, 5, 8), values: Float64Array.from(values) },
       nameByIndex,
     ).message;
   expect(messageOf(1)).toMatch(/triangle 3 .*and triangle 8 intersect$/);
@@ -235,7 +249,7 @@ test("entities are named by the user's names, or else by their ids", () => {
   const cube = cubeProject();
   const lines = cube.lines.map((line) => (line.id === 3 ? { ...line, name: "lip" } : line));
   const diagnostic = describeDiagnostic(
-    { ...empty, code: 7, entities: Uint32Array.of(2, 5, 1, 2), place: Float64Array.of(1, 0.5, 1 / 3) },
+    { ...empty, code: 7, entities: entitiesOf(2, 5, 1, 2), position: [1, 0.5, 1 / 3] },
     projectNamer({ ...cube, lines }),
   );
   expect(diagnostic.message).toBe(
@@ -250,17 +264,15 @@ test("entities are named by the user's names, or else by their ids", () => {
 
 test("an open edge of a given surface has another remedy than one of a drawing", () => {
   const about = (kind: number) =>
-    describeDiagnostic(
-      { ...minimalOf("open-edge"), code: 40, entities: Uint32Array.of(kind, 0) },
-      nameByIndex,
-    ).remedy;
+    describeDiagnostic({ ...minimalOf("open-edge"), code: 40, entities: entitiesOf(kind, 0) }, nameByIndex)
+      .remedy;
   expect(about(ENTITY_KINDS.indexOf("triangle"))).toMatch(/triangles/);
   expect(about(ENTITY_KINDS.indexOf("line"))).toMatch(/patch/);
 });
 
 test("messages mention once that indices count from 0, and only if they use indices", () => {
   const messageOf = (code: number, entities: number[], name = nameByIndex) =>
-    describeDiagnostic({ ...empty, code, entities: Uint32Array.from(entities) }, name).message;
+    describeDiagnostic({ ...empty, code, entities: entitiesOf(...entities) }, name).message;
   const triangle = ENTITY_KINDS.indexOf("triangle");
   expect(messageOf(44, [triangle, 1, triangle, 12])).toBe(
     "Triangle 1 (counted from 0) and triangle 12 are duplicates",

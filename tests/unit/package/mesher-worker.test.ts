@@ -5,6 +5,7 @@ import { beforeEach, describe, expect, test, vi } from "vitest";
 import type { EngineResult, Reply, Request } from "../../../wasm/src/engine/protocol.js";
 import { NO_QUALITY } from "../../../wasm/src/engine/quality-report.js";
 import type { WorkerEvents } from "../../../wasm/src/engine/worker-host.js";
+import { projectArrays } from "../../../wasm/src/project/arrays.js";
 import { cubeProject } from "../../support/projects.js";
 import { boxSurface } from "../../support/surfaces.js";
 
@@ -66,7 +67,15 @@ const idOf = (worker: MockWorker, index = 0) => worker.requests[index]?.id ?? Na
 
 const none = new Uint32Array();
 const noPoints = new Float64Array();
-const noDiagnostics = { heads: none, entities: none, positions: noPoints, values: noPoints };
+const noBytes = new Uint8Array();
+const noDiagnostics = {
+  code: new Uint16Array(),
+  severity: noBytes,
+  entities: { lengths: none, items: { kind: noBytes, index: none } },
+  hasPosition: noBytes,
+  position: noPoints,
+  values: { lengths: none, items: noPoints },
+};
 
 function resultWith(fingerprint: string): EngineResult {
   return {
@@ -333,11 +342,11 @@ test("an answer of the wrong kind is ignored", async () => {
   const worker = workerNumber(0);
   const settled = vi.fn();
   const proposal = mesher.proposeSizes(cubeProject()).finally(settled);
-  const grid = { points: noPoints, sizes: noPoints, tetrahedra: none };
+  const { grid } = projectArrays(cubeProject());
   worker.reply({ kind: "answer", id: idOf(worker), question: "cover", answer: grid });
   await new Promise((resolve) => setTimeout(resolve, 0));
   expect(settled).not.toHaveBeenCalled();
-  const answer = { size: 2, sourceTypes: new Uint8Array(), sourceValues: noPoints };
+  const answer = { size: 2, sources: grid.sources };
   worker.reply({ kind: "answer", id: idOf(worker), question: "propose", answer });
   expect(await proposal).toEqual({ size: 2, sources: [] });
 });

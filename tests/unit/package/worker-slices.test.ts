@@ -2,7 +2,12 @@
 import { afterEach, describe, expect, test, vi } from "vitest";
 
 import { emptyGrid } from "../../../wasm/dist/project/grid-arrays.js";
-import { engineOptions, engineProposalOptions, engineRepairOptions } from "../../../wasm/dist/api/options.js";
+import {
+  engineInspectionOptions,
+  engineOptions,
+  engineProposalOptions,
+  engineRepairOptions,
+} from "../../../wasm/dist/api/options.js";
 import { projectArrays } from "../../../wasm/dist/project/arrays.js";
 import type { Question, Reply, Request } from "../../../wasm/src/engine/protocol.js";
 import { blockMesh } from "../../support/block-mesh.js";
@@ -61,25 +66,25 @@ async function repliesTo(query: Question, onReply: (reply: Reply) => void = () =
   return replies;
 }
 
-const model = projectArrays(cubeProject());
+const { model, grid } = projectArrays(cubeProject());
 const { points, tetrahedra } = blockMesh(8);
 const surface = boxSurface(12);
 const options = engineOptions({ size: 0.05 });
+const inspectionOptions = engineInspectionOptions({ maxDiagnostics: 9 });
 const repairOptions = engineRepairOptions({ weld: 1e-9, fillHoles: 5 });
 
 /** Creates a query of each kind; the arrays of a query belong to it. */
 const queries: Readonly<Record<Question["kind"], (id: number) => Question>> = {
-  preview: (id) => ({ kind: "preview", id, model, options }),
+  preview: (id) => ({ kind: "preview", id, model, grid, options }),
   cover: (id) => ({ kind: "cover", id, model, size: 0, shape: 0 }),
   propose: (id) => ({ kind: "propose", id, model, options: engineProposalOptions({ uniform: 0.9 }) }),
   "background-from-mesh": (id) => ({
     kind: "background-from-mesh",
     id,
-    points,
-    tetrahedra,
+    mesh: { points, tetrahedra, regions: new Uint32Array(), front: new Uint32Array() },
     sizes: new Float64Array(),
   }),
-  "inspect-surface": (id) => ({ kind: "inspect-surface", id, ...surface, innerShells: 0, maxDiagnostics: 9 }),
+  "inspect-surface": (id) => ({ kind: "inspect-surface", id, ...surface, options: inspectionOptions }),
   "repair-surface": (id) => ({ kind: "repair-surface", id, ...surface, options: repairOptions }),
   "refine-surface": (id) => ({
     kind: "refine-surface",

@@ -13,7 +13,7 @@ import {
   readDiagnostic,
 } from "../diagnostics/package-diagnostic.js";
 import type { MeshInput, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
-import { type ModelArrays, projectArrays } from "../project/arrays.js";
+import { type ProjectArrays, projectArrays } from "../project/arrays.js";
 import { checkedProject } from "../project/project.js";
 import type { Project } from "../project/schema.js";
 
@@ -176,7 +176,7 @@ export function unreadableMesh(): Diagnostic {
 }
 
 /** Returns the arrays of a drawing, which may be unfinished; throws only if it is not a project at all. */
-export function drawnArrays(project: Project): ModelArrays {
+export function drawnArrays(project: Project): ProjectArrays {
   try {
     return projectArrays(project);
   } catch (failure) {

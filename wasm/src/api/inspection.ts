@@ -1,7 +1,4 @@
-/**
- * Converts the engine's results on given surfaces and meshes: describes the diagnostics, and turns rows of numbers
- * into records.
- */
+/** Converts the engine's results on given surfaces and meshes to those of the API. */
 import type { Steps } from "../base/steps.js";
 import { describeAll, describeInSteps } from "../diagnostics/describe.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
@@ -12,24 +9,17 @@ import type {
   EngineRepair,
   EngineVolumeInspection,
 } from "../engine/loader.js";
-import { qualityReport, rowsOf } from "../engine/quality-report.js";
+import { qualityReport } from "../engine/quality-report.js";
 import type {
-  EdgeLengths,
   MeshInspection,
-  Position,
   RepairChange,
-  ShellInfo,
   SurfaceInspection,
   SurfaceRefinement,
   SurfaceRepair,
-  TriangleQuality,
 } from "../mesh/inspection.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
 import { needleWarnings } from "../mesh/quality-warnings.js";
 import { originsOf } from "./surface-numbers.js";
-
-const SHELL_STRIDE = 6;
-const TRIANGLE_STRIDE = 7;
 
 export function* describedInspection(
   found: EngineInspection,
@@ -37,16 +27,12 @@ export function* describedInspection(
   name: EntityNamer,
 ): Steps<SurfaceInspection> {
   const warnings = found.isFillable ? yield* needleWarnings(surface) : [];
-  const { regions, box, diagnostics, shells, worst, edgeLengths, ...rest } = found;
-  const described = rowsOf(shells, SHELL_STRIDE).map(shellFigures);
+  const { low, high, shortestEdge, meanEdge, longestEdge, diagnostics, ...rest } = found;
   return {
     ...rest,
-    regions,
-    cavities: described.filter(({ isCavity }) => isCavity).length,
-    box: rest.nodes === 0 ? null : { low: positionAt(box, 0), high: positionAt(box, 1) },
-    edgeLengths: lengthsOf(edgeLengths),
-    shells: described,
-    worst: rowsOf(worst, TRIANGLE_STRIDE).map(triangleFigures),
+    cavities: rest.shells.filter(({ isCavity }) => isCavity).length,
+    box: rest.nodes === 0 ? null : { low, high },
+    edgeLengths: { shortest: shortestEdge, mean: meanEdge, longest: longestEdge },
     diagnostics: [...(yield* describeInSteps(diagnostics, name)), ...warnings],
   };
 }
@@ -62,10 +48,10 @@ export function describedRepair(
   { points, triangles, origin, ...rest }: EngineRepair,
   given: number,
 ): SurfaceRepair {
-  const { kinds, subjects, positions } = rest;
+  const { kind: kinds, first, second, position } = rest.changes;
   const changes = Array.from(kinds, (kind, i) => ({
-    ...CHANGES[kind]?.(subjects[2 * i] ?? 0, subjects[2 * i + 1] ?? 0),
-    position: positionAt(positions, i),
+    ...CHANGES[kind]?.(first[i] ?? 0, second[i] ?? 0),
+    position: [position[3 * i] ?? 0, position[3 * i + 1] ?? 0, position[3 * i + 2] ?? 0],
   })) as RepairChange[];
   const gone = new Set(
     changes.flatMap((change) =>
@@ -97,8 +83,17 @@ const CHANGES: readonly ((first: number, second: number) => WithoutPosition<Repa
 
 /** `inverted`: number of tetrahedra inverted in their file, in addition to those found. */
 export function describedMesh(found: EngineVolumeInspection, inverted = 0): MeshInspection {
-  const { quality, statistics, edgeLengths, boundary, boundaryRegion, ...rest } = found;
-  const { isReadable: _, nodes, unusedNodes, tetrahedra, ...counts } = rest;
+  const {
+    isReadable: _,
+    shortestEdge,
+    meanEdge,
+    longestEdge,
+    quality,
+    statistics,
+    boundary,
+    ...rest
+  } = found;
+  const { nodes, unusedNodes, tetrahedra, ...counts } = rest;
   const defects = { ...counts, invertedTetrahedra: counts.invertedTetrahedra + inverted };
   return {
     isValid: Object.values(defects).every((count) => count === 0),
@@ -106,29 +101,11 @@ export function describedMesh(found: EngineVolumeInspection, inverted = 0): Mesh
     unusedNodes,
     tetrahedra,
     ...defects,
-    edgeLengths: lengthsOf(edgeLengths),
+    edgeLengths: { shortest: shortestEdge, mean: meanEdge, longest: longestEdge },
     dihedral: { min: quality.minDihedral, max: quality.maxDihedral },
     radiusRatio: { min: quality.minRadiusRatio, mean: quality.meanRadiusRatio },
     volume: quality.volume,
     quality: qualityReport(statistics),
-    boundary: { triangles: boundary, region: boundaryRegion },
+    boundary: { triangles: boundary.triangles, region: boundary.trianglePatch },
   };
-}
-
-function shellFigures(row: readonly number[]): ShellInfo {
-  const [firstTriangle = 0, triangles = 0, region = 0, isCavity = 0, area = 0, volume = 0] = row;
-  return { firstTriangle, triangles, region, isCavity: isCavity === 1, area, volume };
-}
-
-function triangleFigures(row: readonly number[]): TriangleQuality {
-  const [triangle = 0, x = 0, y = 0, z = 0, area = 0, smallestAngle = 0, radiusRatio = 0] = row;
-  return { triangle, centroid: [x, y, z], area, smallestAngle, radiusRatio };
-}
-
-function lengthsOf([shortest = 0, mean = 0, longest = 0]: Float64Array): EdgeLengths {
-  return { shortest, mean, longest };
-}
-
-function positionAt(flat: Float64Array, index: number): Position {
-  return [flat[3 * index] ?? 0, flat[3 * index + 1] ?? 0, flat[3 * index + 2] ?? 0];
 }

@@ -16,6 +16,7 @@ import type { MeshResult } from "../mesh/report.js";
 import { projectArrays } from "../project/arrays.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 import {
+  backgroundFrom,
   backgroundOf,
   emptyGrid,
   projectBackground,
@@ -112,7 +113,8 @@ class WorkerMesher implements Mesher {
       kind: "mesh-model",
       id: this.#client.nextId(),
       showFront: control.onFront !== undefined,
-      model: background === undefined ? drawn : { ...drawn, grid: withNodes(drawn.grid, background) },
+      model: drawn.model,
+      grid: background === undefined ? drawn.grid : withNodes(drawn.grid, background),
       options: engineOptions(settled),
     } as const;
     const name = projectNamer(project);
@@ -152,7 +154,8 @@ class WorkerMesher implements Mesher {
     const question = {
       kind: "preview",
       id: this.#client.nextId(),
-      model: hasGrid ? { ...drawn, grid: withNodes(drawn.grid, background) } : drawn,
+      model: drawn.model,
+      grid: hasGrid ? withNodes(drawn.grid, background) : drawn.grid,
       options: engineOptions(wrong.length > 0 ? {} : { size, innerShells }),
     } as const;
     const name = projectNamer(project);
@@ -170,10 +173,10 @@ class WorkerMesher implements Mesher {
   ): Promise<ProjectBackground> {
     this.#begin(control);
     refuse([...checkProject(project), ...checkCoverOptions(options)]);
-    const model = projectArrays(project);
+    const { model } = projectArrays(project);
     const id = this.#client.nextId();
     const question = { kind: "cover", id, model, ...engineCoverOptions(options) } as const;
-    const grid = await this.#client.ask(question, control);
+    const grid = backgroundFrom(await this.#client.ask(question, control));
     if (grid.tetrahedra.length === 0) refuse([nothingToCover()]);
     const { sources } = backgroundOf(project);
     return { ...projectBackground(grid), ...(sources && { sources }) };
@@ -186,11 +189,11 @@ class WorkerMesher implements Mesher {
   ): Promise<SizeProposal> {
     this.#begin(control);
     refuse([...checkProject(project), ...checkProposalOptions(options)]);
-    const model = projectArrays(project);
+    const { model } = projectArrays(project);
     const id = this.#client.nextId();
     const question = { kind: "propose", id, model, options: engineProposalOptions(options) } as const;
     const answer = await this.#client.ask(question, control);
-    return { size: answer.size, sources: projectSources(answer.sourceTypes, answer.sourceValues) };
+    return { size: answer.size, sources: projectSources(answer.sources) };
   }
 
   async backgroundFromMesh(
@@ -207,11 +210,15 @@ class WorkerMesher implements Mesher {
     const question = {
       kind: "background-from-mesh",
       id,
-      points: points.slice(),
-      tetrahedra: tetrahedra.slice(),
+      mesh: {
+        points: points.slice(),
+        tetrahedra: tetrahedra.slice(),
+        regions: new Uint32Array(),
+        front: new Uint32Array(),
+      },
       sizes: sizes?.slice() ?? new Float64Array(),
     } as const;
-    return this.#client.ask(question, control);
+    return backgroundFrom(await this.#client.ask(question, control));
   }
 
   async inspectSurface(
@@ -226,7 +233,7 @@ class WorkerMesher implements Mesher {
       id: this.#client.nextId(),
       points: surface.points.slice(),
       triangles: surface.triangles.slice(),
-      ...engineInspectionOptions(options),
+      options: engineInspectionOptions(options),
     } as const;
     const found = await this.#client.ask(question, control);
     return inSteps(describedInspection(found, surface, surfaceNamer(surface)), control.signal);

@@ -10,7 +10,7 @@ import type {
   EngineOptions,
   EngineProposalOptions,
   EngineRepairOptions,
-} from "../engine/protocol.js";
+} from "../engine/loader.js";
 import { type BackgroundArrays, checkBackground, hasSourcesOnly } from "../project/background-arrays.js";
 import type { Project } from "../project/schema.js";
 import type {
@@ -42,6 +42,8 @@ export const DEFAULT_ORDER: FrontOrder = "layered";
 export const FRONT_ORDERS: Readonly<Record<FrontOrder, number>> = { layered: 0, "smallest-first": 1 };
 
 export const DEFAULT_FILTERS = true;
+/** Number of tetrahedra that the memory permits (cpp/include/tetrafront/options.h). */
+const MAX_TETRAHEDRA = 20_000_000;
 
 export const DEFAULT_OPTIMIZATION: Optimization = "default";
 /** The engine's numbers (cpp/include/tetrafront/options.h), in the order of effort. */
@@ -303,6 +305,7 @@ export function engineOptions(options: MeshOptions): EngineOptions {
     order: FRONT_ORDERS[choices.order],
     filters,
     optimization: OPTIMIZATIONS[choices.optimization],
+    maxTetrahedra: MAX_TETRAHEDRA,
     exactFillOnly,
   };
 }

@@ -12,22 +12,33 @@ export interface EngineDiagnostic {
   readonly code: number;
   /** 0 information, 1 warning, 2 error. */
   readonly severity: number;
-  /** Kind and index per entity, the most relevant first. */
-  readonly entities: Uint32Array;
-  /** x y z, or empty. */
-  readonly place: Float64Array;
+  /** The most relevant first. */
+  readonly entities: readonly EngineEntity[];
+  readonly position: readonly [number, number, number] | undefined;
   readonly values: Float64Array;
 }
 
-/** All diagnostics of an answer in a few arrays: there may be a million of them. */
+/** Kind of an entity by the engine's number, and its index. */
+export interface EngineEntity {
+  readonly kind: number;
+  readonly index: number;
+}
+
+/** All diagnostics of an answer, one array per field: there may be a million of them. */
 export interface DiagnosticArrays {
-  /** Per diagnostic: code, severity, number of entities, 1 with a position, number of values. */
-  readonly heads: Uint32Array;
-  /** Kind and index per entity, one diagnostic after the other. */
-  readonly entities: Uint32Array;
-  /** x y z of the diagnostics with a position. */
-  readonly positions: Float64Array;
-  readonly values: Float64Array;
+  readonly code: Uint16Array;
+  readonly severity: Uint8Array;
+  /** The number of entities per diagnostic, and the entities of all. */
+  readonly entities: {
+    readonly lengths: Uint32Array;
+    readonly items: { readonly kind: Uint8Array; readonly index: Uint32Array };
+  };
+  /** 1 with a position. */
+  readonly hasPosition: Uint8Array;
+  /** x y z per diagnostic. */
+  readonly position: Float64Array;
+  /** The number of values per diagnostic, and the values of all. */
+  readonly values: { readonly lengths: Uint32Array; readonly items: Float64Array };
 }
 
 /** Severities by the engine's numbers. */
@@ -45,28 +56,20 @@ export const ENTITY_KINDS: readonly EntityKind[] = [
   "source",
 ];
 
-/** Numbers per diagnostic in `heads`: code, severity, number of entities, 1 if it has a position, number of values. */
-export const HEAD_STRIDE = 5;
-
 /** Yields the diagnostics of the engine one by one. */
-export function* unpacked({
-  heads,
-  entities,
-  positions,
-  values,
-}: DiagnosticArrays): Generator<EngineDiagnostic> {
-  let [entity, place, value] = [0, 0, 0];
-  for (let head = 0; head < heads.length; head += HEAD_STRIDE) {
-    const [code = 0, severity = 0, entityCount = 0, placeCount = 0, valueCount = 0] = heads.subarray(
-      head,
-      head + HEAD_STRIDE,
-    );
+export function* unpacked(arrays: DiagnosticArrays): Generator<EngineDiagnostic> {
+  const { code: codes, severity, entities, hasPosition, position, values } = arrays;
+  let [entity, value] = [0, 0];
+  for (const [i, code] of codes.entries()) {
+    const kinds = entities.items.kind.subarray(entity, (entity += entities.lengths[i] ?? 0));
+    const first = entity - kinds.length;
+    const [x = 0, y = 0, z = 0] = position.subarray(3 * i, 3 * i + 3);
     yield {
       code,
-      severity,
-      entities: entities.subarray(entity, (entity += 2 * entityCount)),
-      place: positions.subarray(place, (place += 3 * placeCount)),
-      values: values.subarray(value, (value += valueCount)),
+      severity: severity[i] ?? 0,
+      entities: Array.from(kinds, (kind, k) => ({ kind, index: entities.items.index[first + k] ?? 0 })),
+      position: hasPosition[i] === 1 ? [x, y, z] : undefined,
+      values: values.items.subarray(value, (value += values.lengths[i] ?? 0)),
     };
   }
 }
@@ -106,14 +109,13 @@ export function describedAs<Code extends EngineCode>(
   const data = dataOf(code, raw.values);
   const subject = subjectOf<Code>(raw, entities, data);
   const { message, remedy } = SENTENCES[code];
-  const [x, y, z] = raw.place;
   return {
     code,
     severity: SEVERITIES[raw.severity] ?? "error",
     message: sentence(withCounting(message(subject), entities)),
     remedy: typeof remedy === "string" ? remedy : remedy(subject),
     entities,
-    ...(x !== undefined && y !== undefined && z !== undefined ? { position: [x, y, z] as const } : {}),
+    ...(raw.position && { position: raw.position }),
     data,
   };
 }
@@ -151,13 +153,11 @@ export function withCounting(message: string, entities: readonly EntityRef[]): s
   return `${message.slice(0, end)} (counted from 0)${message.slice(end)}`;
 }
 
-export function namedEntities(pairs: Uint32Array, name: EntityNamer): EntityRef[] {
-  const named: EntityRef[] = [];
-  for (let i = 0; i + 1 < pairs.length; i += 2) {
-    const kind = ENTITY_KINDS[pairs[i] ?? 0];
-    if (kind !== undefined) named.push(name(kind, pairs[i + 1] ?? 0));
-  }
-  return named;
+export function namedEntities(entities: readonly EngineEntity[], name: EntityNamer): EntityRef[] {
+  return entities.flatMap(({ kind, index }) => {
+    const kindName = ENTITY_KINDS[kind];
+    return kindName === undefined ? [] : [name(kindName, index)];
+  });
 }
 
 export function subjectOf<Code extends EngineCode>(
@@ -175,7 +175,7 @@ export function subjectOf<Code extends EngineCode>(
     the: (kind) => labels([kind])[0] ?? `a ${kind.replace("-", " ")}`,
     count: (kinds) => new Set(labels(kinds)).size,
     all: (kinds, otherwise) => joined([...new Set(labels(kinds))]) ?? otherwise,
-    at: raw.place.length === 3 ? ` at (${[...raw.place].map(short).join(", ")})` : "",
+    at: raw.position === undefined ? "" : ` at (${raw.position.map(short).join(", ")})`,
     main: entities[0]?.label ?? "the model",
     kind: entities[0]?.kind,
     drawn,

@@ -149,8 +149,7 @@ export class EngineClient {
       if (this.#active !== undefined) {
         const { request } = this.#active;
         this.#active.began = performance.now();
-        const holder = request.kind === "mesh-model" ? request.model : request;
-        this.#worker.post(request, buffersOf(holder, holder.grid));
+        this.#worker.post(request, buffersOf(request));
       }
     }
     this.#updateKeepAlive();

@@ -17,13 +17,23 @@ type ResultOf<Tool extends keyof Engine> = Engine[Tool] extends (...given: never
     ? Result
     : never
   : never;
-/** Results of the engine, which reach the caller unchanged. */
+/** Results of the engine, as engine.d.ts states them. */
+export type EngineDiagnostics = ReturnType<Run["diagnostics"]>;
+export type EngineStatistics = ReturnType<Run["statistics"]>;
 export type EngineInspection = ResultOf<"inspectSurface">;
 export type EngineRepair = ResultOf<"repairSurface">;
 export type EngineRefinement = ResultOf<"refineSurface">;
 export type EngineVolumeInspection = ResultOf<"inspectMesh">;
+export type EnginePreview = ResultOf<"previewModel">;
+export type EngineProposal = ResultOf<"propose">;
+export type EngineGrid = ResultOf<"cover">;
 
-export type { DiagnosticArrays } from "./engine.js";
+/** Options of the engine: 0 for a size that is not given, and enumerators by their numbers. */
+export type EngineOptions = Readonly<Parameters<Engine["meshModel"]>[2]>;
+export type EngineInspectionOptions = Readonly<Parameters<Engine["inspectSurface"]>[2]>;
+export type EngineProposalOptions = Readonly<Parameters<Engine["propose"]>[1]>;
+export type EngineRepairOptions = Readonly<Parameters<Engine["repairSurface"]>[2]>;
+
 export type Engine = MainModule;
 export type EngineRun = Run;
 /** A tool of the engine that works in slices and has one result. */

@@ -4,59 +4,22 @@ import type { EngineFailure } from "../diagnostics/mesher-error.js";
 import type { SurfaceMesh, VolumeMesh } from "../mesh/mesh.js";
 import type { MeshReport, MeshStatus } from "../mesh/report.js";
 import type { ModelArrays } from "../project/arrays.js";
-import type { BackgroundArrays } from "../project/background-arrays.js";
 import type { GridArrays } from "../project/grid-arrays.js";
-import type { ProjectPreview } from "../project/preview.js";
 import type {
   CompiledEngine,
-  DiagnosticArrays,
+  EngineDiagnostics,
+  EngineGrid,
   EngineInspection,
+  EngineInspectionOptions,
+  EngineOptions,
+  EnginePreview,
+  EngineProposal,
+  EngineProposalOptions,
   EngineRefinement,
   EngineRepair,
+  EngineRepairOptions,
   EngineVolumeInspection,
 } from "./loader.js";
-
-/** Options of the engine; 0 for a size that is not given. */
-export interface EngineOptions {
-  readonly size: number;
-  readonly growth: number;
-  readonly gradation: number;
-  /** 0 cavities, 1 regions. */
-  readonly innerShells: number;
-  /** 0 layered, 1 smallest first. */
-  readonly order: number;
-  readonly filters: boolean;
-  /** 0 none to 3 thorough. */
-  readonly optimization: number;
-  /** For tests: skips the front. */
-  readonly exactFillOnly: boolean;
-}
-
-/** The engine's InspectionOptions. */
-export interface EngineInspectionOptions {
-  /** As in EngineOptions. */
-  readonly innerShells: number;
-  /** Number of diagnostics to list of each code. */
-  readonly maxDiagnostics: number;
-}
-
-/** The engine's ProposalOptions; 0 for sizes that are not given. */
-export interface EngineProposalOptions {
-  readonly uniform: number;
-  readonly smallest: number;
-  readonly elementsPerCircle: number;
-  readonly elementsPerGap: number;
-  readonly growth: number;
-}
-
-/** The engine's RepairOptions; below 0 for no welding. */
-export interface EngineRepairOptions {
-  readonly weldDistance: number;
-  readonly removeTriangles: boolean;
-  readonly maxHoleEdges: number;
-  readonly orient: boolean;
-  readonly innerShells: number;
-}
 
 /**
  * A question. The worker answers it in slices, also during a run: any number of `progress` replies, then one
@@ -68,6 +31,7 @@ export type Question =
       readonly kind: "preview";
       readonly id: number;
       readonly model: ModelArrays;
+      readonly grid: GridArrays;
       readonly options: EngineOptions;
     }
   /** `shape`: 0 box, 1 single tetrahedron. */
@@ -88,16 +52,16 @@ export type Question =
   | {
       readonly kind: "background-from-mesh";
       readonly id: number;
-      readonly points: Float64Array;
-      readonly tetrahedra: Uint32Array;
+      readonly mesh: VolumeMesh;
       readonly sizes: Float64Array;
     }
-  | ({
+  | {
       readonly kind: "inspect-surface";
       readonly id: number;
       readonly points: Float64Array;
       readonly triangles: Uint32Array;
-    } & EngineInspectionOptions)
+      readonly options: EngineInspectionOptions;
+    }
   | {
       readonly kind: "repair-surface";
       readonly id: number;
@@ -138,6 +102,7 @@ export type Request =
       /** True for `front` replies. */
       readonly showFront: boolean;
       readonly model: ModelArrays;
+      readonly grid: GridArrays;
       readonly options: EngineOptions;
     }
   /** As `mesh-model`. */
@@ -166,26 +131,15 @@ export interface EngineResult {
   readonly figures: Omit<MeshReport, "diagnostics" | "status">;
   /** Whether thorough optimization found no better mesh. */
   readonly hasFoundNothingBetter: boolean;
-  readonly diagnostics: DiagnosticArrays;
-}
-
-export type EnginePreview = Omit<ProjectPreview, "diagnostics"> & {
-  readonly diagnostics: DiagnosticArrays;
-};
-
-/** Sources as in GridArrays. */
-export interface EngineProposal {
-  readonly size: number;
-  readonly sourceTypes: Uint8Array;
-  readonly sourceValues: Float64Array;
+  readonly diagnostics: EngineDiagnostics;
 }
 
 /** The answer to each question. */
 export interface Answers {
   readonly preview: EnginePreview;
-  readonly cover: BackgroundArrays;
+  readonly cover: EngineGrid;
   readonly propose: EngineProposal;
-  readonly "background-from-mesh": BackgroundArrays;
+  readonly "background-from-mesh": EngineGrid;
   readonly "inspect-surface": EngineInspection;
   readonly "repair-surface": EngineRepair;
   readonly "refine-surface": EngineRefinement;

@@ -140,7 +140,7 @@ function advanceFor(milliseconds: number, run: EngineRun, clock: RunClock): Mesh
 }
 
 function phaseOf(run: EngineRun): Phase {
-  return PHASES[run.progress().phase] ?? "check";
+  return PHASES[run.phase()] ?? "check";
 }
 
 function progressOf(run: EngineRun, clock: RunClock): Progress {

@@ -1,10 +1,13 @@
-/** Returns the buffers of an object's typed arrays, each once, to transfer them with it. */
-export function buffersOf(...holders: readonly object[]): ArrayBuffer[] {
+/** Returns the buffers of all typed arrays in some values, each once, to transfer them with these values. */
+export function buffersOf(...values: readonly unknown[]): ArrayBuffer[] {
   const buffers = new Set<ArrayBuffer>();
-  for (const holder of holders) {
-    for (const value of Object.values(holder)) {
-      if (ArrayBuffer.isView(value) && value.buffer instanceof ArrayBuffer) buffers.add(value.buffer);
+  const collect = (value: unknown): void => {
+    if (ArrayBuffer.isView(value)) {
+      if (value.buffer instanceof ArrayBuffer) buffers.add(value.buffer);
+    } else if (typeof value === "object" && value !== null) {
+      Object.values(value).forEach(collect);
     }
-  }
+  };
+  values.forEach(collect);
   return [...buffers];
 }

@@ -57,7 +57,7 @@ async function handle(engine: Engine, request: WorkRequest): Promise<void> {
       if (running.has(request.id)) cancelled.add(request.id);
       return;
     case "mesh-model":
-      return mesh(request, engine.meshModel(request.model, request.options));
+      return mesh(request, engine.meshModel(request.model, request.grid, request.options));
     case "fill-surface":
       return mesh(
         request,
@@ -84,20 +84,15 @@ async function answer(engine: Engine, question: Question): Promise<void> {
 function toolFor(engine: Engine, question: Question): EngineTool | null {
   switch (question.kind) {
     case "preview":
-      return engine.previewModel(question.model, question.options);
+      return engine.previewModel(question.model, question.grid, question.options);
     case "cover":
       return engine.cover(question.model, question.size, question.shape);
     case "propose":
       return engine.propose(question.model, question.options);
     case "background-from-mesh":
-      return engine.backgroundFromMesh(question.points, question.tetrahedra, question.sizes);
+      return engine.backgroundFromMesh(question.mesh, question.sizes);
     case "inspect-surface":
-      return engine.inspectSurface(
-        question.points,
-        question.triangles,
-        question.innerShells,
-        question.maxDiagnostics,
-      );
+      return engine.inspectSurface(question.points, question.triangles, question.options);
     case "repair-surface":
       return engine.repairSurface(question.points, question.triangles, question.options);
     case "refine-surface":
@@ -121,8 +116,7 @@ async function work({ id, kind }: Question, tool: EngineTool | null): Promise<vo
     if (!isComplete) return;
     const answer = tool.result();
     assertHealthy(tool);
-    const parts = "diagnostics" in answer ? [answer, answer.diagnostics] : [answer];
-    workerPort.post({ kind: "answer", id, question: kind, answer } as Answer, buffersOf(...parts));
+    workerPort.post({ kind: "answer", id, question: kind, answer } as Answer, buffersOf(answer));
   } finally {
     tool.delete();
   }
@@ -145,12 +139,12 @@ async function mesh({ id, showFront }: RunRequest, run: EngineRun | null): Promi
   try {
     assertHealthy(run);
     const onFront = (corners: Float64Array): void =>
-      workerPort.post({ kind: "front", id, corners }, buffersOf({ corners }));
+      workerPort.post({ kind: "front", id, corners }, buffersOf(corners));
     const control = { ...controlOf(id), onFront: showFront ? onFront : undefined };
     const status = await runInSlices(run, clock, control);
     if (status === "cancelled") workerPort.post({ kind: "stopping", id });
     const result = resultOf(run, status, clock);
-    workerPort.post({ kind: "result", id, result }, buffersOf(result.surface, result.volume));
+    workerPort.post({ kind: "result", id, result }, buffersOf(result));
   } finally {
     running.delete(id);
     cancelled.delete(id);

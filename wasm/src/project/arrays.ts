@@ -2,22 +2,36 @@
 import { backgroundOf, type GridArrays, NOWHERE, projectGrid } from "./grid-arrays.js";
 import type { LineType, PatchType, Project } from "./schema.js";
 
-/** A model and its background grid as they cross into the engine. All references are indices. */
+/** A drawn model as it crosses into the engine: one array per field. All references are indices. */
 export interface ModelArrays {
   /** x y z per point. */
   readonly points: Float64Array;
-  /** 0 straight, 1 parabolic, 2 spline. */
-  readonly lineTypes: Uint8Array;
-  /** Line l has the points linePoints[lineOffsets[l] .. lineOffsets[l + 1] - 1]. */
-  readonly lineOffsets: Uint32Array;
-  readonly linePoints: Uint32Array;
-  readonly patchTypes: Uint8Array;
-  /** Patch p has the loops patchOffsets[p] .. patchOffsets[p + 1] - 1. */
-  readonly patchOffsets: Uint32Array;
-  /** Loop k walks loopLines[loopOffsets[k] .. loopOffsets[k + 1] - 1]. */
-  readonly loopOffsets: Uint32Array;
-  /** 2 × index of the line, plus 1 if the loop follows it backwards. */
-  readonly loopLines: Uint32Array;
+  readonly lines: {
+    /** 0 straight, 1 parabolic, 2 spline. */
+    readonly type: Uint8Array;
+    readonly points: Lists<Uint32Array>;
+  };
+  readonly patches: {
+    readonly type: Uint8Array;
+    readonly loops: Lists<Lists<LoopLines>>;
+  };
+}
+
+/** One list per element: the length of each, and the items of all one after the other. */
+export interface Lists<Items> {
+  readonly lengths: Uint32Array;
+  readonly items: Items;
+}
+
+/** Lines of loops; `reversed` is 1 if the loop follows the line backwards. */
+export interface LoopLines {
+  readonly line: Uint32Array;
+  readonly reversed: Uint8Array;
+}
+
+/** A project as it crosses into the engine. */
+export interface ProjectArrays {
+  readonly model: ModelArrays;
   readonly grid: GridArrays;
 }
 
@@ -32,37 +46,44 @@ export const PATCH_TYPES: Readonly<Record<PatchType, number>> = {
 };
 
 /** Converts a project. References to missing entities become indices out of range. O(size). */
-export function projectArrays(project: Project): ModelArrays {
-  const pointAt = indexById(project.points);
-  const lineAt = indexById(project.lines);
-  const lines = flatten(project.lines.map((line) => line.points.map((id) => pointAt.get(id) ?? NOWHERE)));
-  const loops = project.patches.flatMap((patch) => patch.loops);
-  const loopLines = flatten(loops.map((loop) => loop.map((signed) => orientedLine(signed, lineAt))));
-  return {
-    points: Float64Array.from(project.points.flatMap((point) => point.position)),
-    lineTypes: Uint8Array.from(project.lines, (line) => LINE_TYPES[line.type]),
-    lineOffsets: lines.offsets,
-    linePoints: lines.values,
-    patchTypes: Uint8Array.from(project.patches, (patch) => PATCH_TYPES[patch.type]),
-    patchOffsets: flatten(project.patches.map((patch) => patch.loops.map(() => 0))).offsets,
-    loopOffsets: loopLines.offsets,
-    loopLines: loopLines.values,
-    grid: projectGrid(backgroundOf(project)),
-  };
+export function projectArrays(project: Project): ProjectArrays {
+  return { model: modelArrays(project), grid: projectGrid(backgroundOf(project)) };
 }
 
-function orientedLine(signed: number, lineAt: ReadonlyMap<number, number>): number {
-  return 2 * (lineAt.get(Math.abs(signed)) ?? NOWHERE) + (signed < 0 ? 1 : 0);
+function modelArrays({ points, lines, patches }: Project): ModelArrays {
+  const pointAt = indexById(points);
+  const lineAt = indexById(lines);
+  const loops = patches.flatMap((patch) => patch.loops);
+  const loopLines = loops.flat();
+  return {
+    points: Float64Array.from(points.flatMap((point) => point.position)),
+    lines: {
+      type: Uint8Array.from(lines, (line) => LINE_TYPES[line.type]),
+      points: {
+        lengths: lengthsOf(lines.map((line) => line.points)),
+        items: Uint32Array.from(lines.flatMap((line) => line.points.map((id) => pointAt.get(id) ?? NOWHERE))),
+      },
+    },
+    patches: {
+      type: Uint8Array.from(patches, (patch) => PATCH_TYPES[patch.type]),
+      loops: {
+        lengths: lengthsOf(patches.map((patch) => patch.loops)),
+        items: {
+          lengths: lengthsOf(loops),
+          items: {
+            line: Uint32Array.from(loopLines, (signed) => lineAt.get(Math.abs(signed)) ?? NOWHERE),
+            reversed: Uint8Array.from(loopLines, (signed) => Number(signed < 0)),
+          },
+        },
+      },
+    },
+  };
 }
 
 function indexById(entities: readonly { readonly id: number }[]): ReadonlyMap<number, number> {
   return new Map(entities.map((entity, position) => [entity.id, position]));
 }
 
-function flatten(lists: readonly (readonly number[])[]): { offsets: Uint32Array; values: Uint32Array } {
-  const offsets = new Uint32Array(lists.length + 1);
-  lists.forEach((list, i) => {
-    offsets[i + 1] = (offsets[i] ?? 0) + list.length;
-  });
-  return { offsets, values: Uint32Array.from(lists.flat()) };
+function lengthsOf(lists: readonly (readonly unknown[])[]): Uint32Array {
+  return Uint32Array.from(lists, (list) => list.length);
 }

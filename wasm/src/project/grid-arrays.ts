@@ -5,18 +5,32 @@ import { refuse } from "../diagnostics/mesher-error.js";
 import { type BackgroundArrays, checkBackground } from "./background-arrays.js";
 import type { ProjectBackground, ProjectBackgroundNode, ProjectSource, SourceType } from "./schema.js";
 
-/** A background grid as it crosses into the engine. All references are indices. */
+/** A background grid as it crosses into the engine: one array per field. All references are indices. */
 export interface GridArrays {
-  /** x y z, size, stretching, direction x y z per node. */
-  readonly nodes: Float64Array;
+  readonly nodes: {
+    /** x y z per node. */
+    readonly position: Float64Array;
+    readonly size: Float64Array;
+    readonly stretching: Float64Array;
+    /** x y z per node. */
+    readonly direction: Float64Array;
+  };
   /** Four node indices per tetrahedron. */
   readonly tetrahedra: Uint32Array;
-  /** 0 point, 1 segment, 2 triangle. */
-  readonly sourceTypes: Uint8Array;
-  /** Per source: x y z of three positions (0 for those its type lacks), size, distance, growth. */
-  readonly sourceValues: Float64Array;
+  readonly sources: SourceArrays;
   /** Margin outside the grid that counts as covered. */
   readonly coverageMargin: number;
+}
+
+/** Sources of a grid, one array per field. */
+export interface SourceArrays {
+  /** 0 point, 1 segment, 2 triangle. */
+  readonly type: Uint8Array;
+  /** x y z of three positions per source, 0 for those its type lacks. */
+  readonly points: Float64Array;
+  readonly size: Float64Array;
+  readonly distance: Float64Array;
+  readonly growth: Float64Array;
 }
 
 /** Numbers of the engine (cpp/include/tetrafront/background_grid.h). */
@@ -25,10 +39,8 @@ const SOURCE_TYPE_NAMES: readonly SourceType[] = ["point", "segment", "triangle"
 
 /** Growth of the size per unit of distance, if a source does not define it. */
 const DEFAULT_SOURCE_GROWTH = 0.3;
-/** Doubles per node. */
-const NODE_STRIDE = 8;
-/** Doubles per source; the last three are size, distance and growth. */
-const SOURCE_STRIDE = 12;
+/** Coordinates of the positions of a source. */
+const SOURCE_COORDINATES = 9;
 /** The engine reports a reference to this index as `index-out-of-range`. */
 export const NOWHERE = 0x7fffffff;
 
@@ -53,10 +65,9 @@ export function backgroundOf({
 export function projectGrid(background: ProjectBackground): GridArrays {
   const { nodes, tetrahedra, sources = [], coverageMargin = 0 } = background;
   return {
-    nodes: nodeValues(nodes),
+    nodes: nodeArrays(nodes),
     tetrahedra: nodePositions(tetrahedra, positionFinder(nodes)),
-    sourceTypes: sourceTypes(sources),
-    sourceValues: sourceValues(sources),
+    sources: sourceArrays(sources),
     coverageMargin,
   };
 }
@@ -100,24 +111,30 @@ function nodePositions(
  * arrays are new, because they are transferred. O(size).
  */
 export function withNodes(grid: GridArrays, background: BackgroundArrays): GridArrays {
-  const more = background.sources ?? [];
-  const all = {
-    sourceTypes: joined(Uint8Array, grid.sourceTypes, sourceTypes(more)),
-    sourceValues: joined(Float64Array, grid.sourceValues, sourceValues(more)),
-  };
-  if (background.sizes.length === 0 && background.tetrahedra.length === 0) return { ...grid, ...all };
+  const sources = joinedSources(grid.sources, sourceArrays(background.sources ?? []));
+  if (background.sizes.length === 0 && background.tetrahedra.length === 0) return { ...grid, sources };
   const { points, sizes, stretchings, directions, tetrahedra, coverageMargin = 0 } = background;
-  const nodes = new Float64Array(NODE_STRIDE * sizes.length);
-  for (let i = 0; i < sizes.length; i++) {
-    const out = NODE_STRIDE * i;
-    for (let axis = 0; axis < 3; axis++) {
-      nodes[out + axis] = points[3 * i + axis] ?? 0;
-      nodes[out + 5 + axis] = directions === undefined ? Number(axis === 0) : (directions[3 * i + axis] ?? 0);
-    }
-    nodes[out + 3] = sizes[i] ?? 0;
-    nodes[out + 4] = stretchings?.[i] ?? 1;
-  }
-  return { nodes, tetrahedra: tetrahedra.slice(), ...all, coverageMargin };
+  return {
+    nodes: {
+      position: points.slice(),
+      size: sizes.slice(),
+      stretching: stretchings?.slice() ?? new Float64Array(sizes.length).fill(1),
+      direction: directions?.slice() ?? Float64Array.from(points, (_, i) => Number(i % 3 === 0)),
+    },
+    tetrahedra: tetrahedra.slice(),
+    sources,
+    coverageMargin,
+  };
+}
+
+function joinedSources(first: SourceArrays, second: SourceArrays): SourceArrays {
+  return {
+    type: joined(Uint8Array, first.type, second.type),
+    points: joined(Float64Array, first.points, second.points),
+    size: joined(Float64Array, first.size, second.size),
+    distance: joined(Float64Array, first.distance, second.distance),
+    growth: joined(Float64Array, first.growth, second.growth),
+  };
 }
 
 /** Returns both arrays as one. Long arrays cannot be spread into arguments: the stack would overflow. */
@@ -139,20 +156,20 @@ function joined<T extends Uint8Array | Float64Array>(
 export function backgroundArrays(background: ProjectBackground): BackgroundArrays {
   checkArgument("background", background, backgroundForm);
   const { nodes, tetrahedra, coverageMargin } = projectGrid(background);
-  const column = (begin: number, width: number) =>
-    Float64Array.from(
-      { length: (width * nodes.length) / NODE_STRIDE },
-      (_, i) => nodes[NODE_STRIDE * Math.floor(i / width) + begin + (i % width)] ?? 0,
-    );
   return {
-    points: column(0, 3),
-    sizes: column(3, 1),
-    stretchings: column(4, 1),
-    directions: column(5, 3),
+    points: nodes.position,
+    sizes: nodes.size,
+    stretchings: nodes.stretching,
+    directions: nodes.direction,
     tetrahedra,
     coverageMargin,
     sources: background.sources,
   };
+}
+
+/** Converts a grid of the engine. It has no stretching: none of the tools that make grids adds any. */
+export function backgroundFrom({ nodes, tetrahedra, coverageMargin }: GridArrays): BackgroundArrays {
+  return { points: nodes.position, sizes: nodes.size, tetrahedra, coverageMargin };
 }
 
 /**
@@ -200,48 +217,53 @@ const backgroundForm = v.object({
   sources: v.optional(v.array(source)),
 });
 
-function nodeValues(nodes: readonly ProjectBackgroundNode[]): Float64Array {
-  const values = new Float64Array(NODE_STRIDE * nodes.length);
+function nodeArrays(nodes: readonly ProjectBackgroundNode[]): GridArrays["nodes"] {
+  const arrays = {
+    position: new Float64Array(3 * nodes.length),
+    size: new Float64Array(nodes.length),
+    stretching: new Float64Array(nodes.length),
+    direction: new Float64Array(3 * nodes.length),
+  };
   const plainDirection = [1, 0, 0] as const;
-  let out = 0;
+  let i = 0;
   for (const { position, size, stretching = 1, direction = plainDirection } of nodes) {
-    values[out++] = position[0];
-    values[out++] = position[1];
-    values[out++] = position[2];
-    values[out++] = size;
-    values[out++] = stretching;
-    values[out++] = direction[0];
-    values[out++] = direction[1];
-    values[out++] = direction[2];
+    arrays.size[i] = size;
+    arrays.stretching[i] = stretching;
+    for (const axis of [0, 1, 2] as const) {
+      arrays.position[3 * i + axis] = position[axis];
+      arrays.direction[3 * i + axis] = direction[axis];
+    }
+    i++;
   }
-  return values;
+  return arrays;
 }
 
-function sourceTypes(sources: readonly ProjectSource[]): Uint8Array {
-  return Uint8Array.from(sources, ({ type }) => SOURCE_TYPES[type]);
-}
-
-function sourceValues(sources: readonly ProjectSource[]): Float64Array {
-  const values = new Float64Array(SOURCE_STRIDE * sources.length);
-  sources.forEach(({ positions, size, distance = 0, growth = DEFAULT_SOURCE_GROWTH }, s) => {
+function sourceArrays(sources: readonly ProjectSource[]): SourceArrays {
+  const points = new Float64Array(SOURCE_COORDINATES * sources.length);
+  sources.forEach(({ positions }, s) => {
     // At most three: previews also show unfinished projects, which were not checked.
-    values.set(positions.slice(0, 3).flat(), SOURCE_STRIDE * s);
-    values.set([size, distance, growth], SOURCE_STRIDE * (s + 1) - 3);
+    points.set(positions.slice(0, 3).flat(), SOURCE_COORDINATES * s);
   });
-  return values;
+  return {
+    type: Uint8Array.from(sources, ({ type }) => SOURCE_TYPES[type]),
+    points,
+    size: Float64Array.from(sources, ({ size }) => size),
+    distance: Float64Array.from(sources, ({ distance = 0 }) => distance),
+    growth: Float64Array.from(sources, ({ growth = DEFAULT_SOURCE_GROWTH }) => growth),
+  };
 }
 
 /** Converts sources of the engine; ids count from 1. */
-export function projectSources(types: Uint8Array, values: Float64Array): ProjectSource[] {
+export function projectSources({ type: types, points, ...values }: SourceArrays): ProjectSource[] {
   return Array.from(types, (number, s) => {
     const type = SOURCE_TYPE_NAMES[number] ?? "point";
-    const own = values.subarray(SOURCE_STRIDE * s, SOURCE_STRIDE * (s + 1));
+    const own = points.subarray(SOURCE_COORDINATES * s);
     const positions = Array.from({ length: SOURCE_TYPES[type] + 1 }, (_, k): [number, number, number] => [
       own[3 * k] ?? 0,
       own[3 * k + 1] ?? 0,
       own[3 * k + 2] ?? 0,
     ]);
-    const [size = 0, distance = 0, growth = 0] = own.subarray(SOURCE_STRIDE - 3);
+    const [size = 0, distance = 0, growth = 0] = [values.size[s], values.distance[s], values.growth[s]];
     return { id: s + 1, type, positions, size, ...(distance > 0 ? { distance } : {}), growth };
   });
 }
