@@ -120,7 +120,7 @@ test("dropping a mesh file on the page shows what the file is and what to do wit
   await app.open();
   await dropProject(page, "solid part", "part.STL");
   const surface = page.getByRole("dialog", { name: "part.STL could not be opened" });
-  await expect(surface).toContainText("a mesh in the format STL");
+  await expect(surface).toContainText("a mesh file (STL)");
   await expect(surface).toContainText('npx tetrafront mesh "part.STL" -o "part.vtu"');
   await dropProject(page, "", "part.ele");
   const volume = page.getByRole("dialog", { name: "part.ele could not be opened" });

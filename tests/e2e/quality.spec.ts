@@ -129,7 +129,7 @@ test("one switch measures the whole report of a stretched mesh in the metric or 
   const worst = page.getByTestId("worst-0");
   await expect(choice.getByRole("radio", { name: "Metric" })).toBeChecked();
   // The report has no exact minimum and maximum in the metric, only the range of the bars.
-  await expect(facts).toHaveText(/^all within \d+° to \d+°$/);
+  await expect(facts).toHaveText(/^range \d+° to \d+°$/);
   await expect(page.getByRole("heading", { name: "Edge length / target" })).toBeVisible();
   const inMetric = await worst.textContent();
 

@@ -44,14 +44,14 @@ export const selectionHints = {
   source: (positions: number) =>
     positions === 1
       ? "Select one point or background node."
-      : `Select ${positions} points or background nodes, or lines with ${positions} ends in total.`,
+      : `Select ${positions} points or background nodes, or lines that have ${positions} ends together.`,
 } as const;
 
 /** Why lines do not form loops. */
 export const loopDefects = {
   open: (point: number) => `The lines do not close: only one of them ends at point ${point}.`,
   branching: (point: number, lines: number) =>
-    `${lines} of the lines end at point ${point}; a loop has two there.`,
+    `${lines} of the lines end at point ${point}; in a loop, exactly two lines end at each point.`,
 } as const;
 
 const countWords: Readonly<Record<number, string>> = { 3: "three", 4: "four" };

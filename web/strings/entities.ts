@@ -37,7 +37,8 @@ export const patchTypeHints = {
   coons: "Four lines of any type; opposite lines are blended. Holes allowed.",
   "isoparametric-triangle": "Three parabolic lines: a curved triangle with six nodes. Holes allowed.",
   serendipity: "Four parabolic lines: a curved quadrilateral with eight nodes. Holes allowed.",
-  "barnhill-gregory-nielson": "Three lines of any type; the second one, F2, has another role. Holes allowed.",
+  "barnhill-gregory-nielson":
+    "Three lines of any type; the second, F2, is weighted differently. Holes allowed.",
 } as const;
 
 export const sourceTypeNames = { point: "point", segment: "segment", triangle: "triangle" } as const;

@@ -16,19 +16,20 @@ export const pageStrings = {
     menu: "Menu",
   },
   gallery: {
-    intro: "Opening an example meshes it right away. Your project stays under File ▸ Open recent.",
+    intro:
+      "Opening an example meshes it right away. Your project remains available under File ▸ Open recent.",
     current: "open",
   },
   viewport: {
     label: "Three-dimensional view",
-    roles: "Roles of the selected patch's lines in equation (14)",
+    roles: "Roles of the selected patch's lines in equation (14) of the paper",
     stale: "Out of date",
     staleHint: "The model has changed since this mesh was made.",
     update: "Remesh",
     incomplete: "Incomplete",
     incompleteStalled: "The front stalled. Its remaining faces are orange.",
     incompleteCancelled: "Cancelled. The remaining faces of the front are orange.",
-    incompleteUnpolished: "Cancelled before optimization and verification finished.",
+    incompleteUnverified: "Cancelled before optimization and verification finished.",
     noWebgl: "This browser cannot show the view",
     noWebglHint:
       "The view needs WebGL 2. Turn on hardware acceleration or use a current browser. Everything else works, including downloads.",
@@ -45,7 +46,7 @@ export const pageStrings = {
     summaryNoMesh: (name: string) => `${name}, not meshed yet.`,
     summary: (name: string, tetrahedra: string, minAngle: string) =>
       `${name}, meshed with ${tetrahedra} tetrahedra, smallest dihedral angle ${minAngle}.`,
-    summaryCut: " Cut open.",
+    summaryCut: " The mesh is cut open.",
     summaryStale: " The mesh is out of date.",
     keys: "Arrow keys orbit, Shift with arrow keys pans, plus and minus zoom.",
   },
@@ -56,7 +57,7 @@ export const pageStrings = {
     nodes: (count: string) => `${count} nodes`,
     tetrahedra: (count: string) => `${count} tetrahedra`,
     minDihedral: (angle: string) => `min dihedral ${angle}`,
-    front: (count: string) => `front ${count} faces`,
+    front: (count: string) => `${count} front faces`,
     filling: "Filling remaining pockets",
     exactFill: (fraction: string) => `exact fill ${fraction}`,
     cancel: "Cancel meshing",
@@ -83,10 +84,10 @@ export const pageStrings = {
   },
   notices: {
     label: "Notices",
-    documentLeft: (name: string) => `“${name}” is kept under File ▸ Open recent.`,
+    documentLeft: (name: string) => `“${name}” is available under File ▸ Open recent.`,
     reopen: "Reopen",
     autosaveFailed: (reason: string) =>
-      `The browser could not keep your changes: ${reason}. Save the project to a file; the app keeps trying.`,
+      `The browser could not store your changes: ${reason}. Save the project to a file. The app keeps trying.`,
     retry: "Try again",
     dismiss: "Dismiss",
   },
@@ -94,22 +95,22 @@ export const pageStrings = {
     description: "Tetrafront project",
     error: (message: string, line: number | undefined) =>
       line === undefined ? message : `Line ${line}: ${message}`,
-    isMesh: (format: string) => `This is a mesh in the format ${format}. The app opens only projects.`,
+    isMesh: (format: string) => `This is a mesh file (${format}). The app opens only projects.`,
     meshSurface: (input: string, output: string) =>
       `Mesh the surface on the command line: npx tetrafront mesh "${input}" -o "${output}"`,
     inspectMesh: (input: string) => `Inspect it on the command line: npx tetrafront info "${input}"`,
   },
   recent: {
     title: "Open recent",
-    hint: "This browser keeps every project that you change, with its steps of undo.",
+    hint: "This browser stores every project that you change, with its undo history.",
     none: "No project has been changed yet.",
     open: "Open now",
     loading: "Reading the list",
     remove: (name: string) => `Remove “${name}”`,
     failures: {
       "open-in-another-tab": "The project is open in another tab.",
-      missing: "The browser does not keep the project any more.",
-      unreadable: "The kept project cannot be read.",
+      missing: "The browser no longer stores this project.",
+      unreadable: "The stored project cannot be read.",
     },
   },
   help: {

@@ -41,7 +41,7 @@ export const panelStrings = {
     holeHint:
       "To cut a hole, also select the lines around it (Ctrl click, or Select several in the Edit menu), then create a hole from them.",
     secondRole:
-      "Equation (14) gives F2 other weights than F1 and F3. Another F2 keeps the three lines but changes the surface between them.",
+      "Equation (14) of the paper weights F2 differently from F1 and F3. Choosing another F2 changes the surface between the same three lines.",
     reversed: "reversed",
     removeHole: (index: number) => `Remove hole ${index}`,
     distance: "Distance",
@@ -97,7 +97,7 @@ export const panelStrings = {
     verdicts: { passed: "Verified", failed: "Verification failed", none: "Not verified" },
     verdictHints: {
       passed:
-        "Verified in exact arithmetic: every element has positive volume, elements share whole faces, and the boundary is the given one.",
+        "Verified in exact arithmetic: every element has positive volume, neighbouring elements share a whole face, and the boundary is unchanged.",
       failed: "",
       none: "The mesh is verified when it is finished.",
     },
@@ -111,7 +111,7 @@ export const panelStrings = {
     edges: { target: "Edge length / target", mean: "Edge length / mean" },
     edgeNoun: "edges",
     max: "max",
-    allWithin: "all within",
+    extent: "range",
     range: (from: string, to: string) => `${from} to ${to}`,
     bar: (count: string, noun: string, from: string, to: string) => `${count} ${noun} from ${from} to ${to}`,
     nearTarget: (from: number, to: number) => `${from} to ${to}`,
@@ -170,7 +170,8 @@ export const panelStrings = {
     add: "Add",
     addNext: "Add and next",
     added: (what: string) => `Added ${what}.`,
-    nodeHint: "A node takes effect as a corner of a tetrahedron: select four nodes and press T.",
+    nodeHint:
+      "A node sets sizes only as a corner of a background tetrahedron. To add one, select four nodes and press T.",
     line: "New line",
     lineHint: [
       "Select its points in order (Ctrl click adds one). Then press L for straight lines, Q for a parabola or S for a cubic spline. Shift click the first point again to close the chain; Shift S closes a spline directly.",
@@ -193,7 +194,7 @@ export const panelStrings = {
     applyAnyway: "Apply anyway",
     tooMany:
       "Meshing this many elements takes minutes and gigabytes of memory. Thin regions need more elements than it seems.",
-    coarser: (count: string) => `Larger elements: fewer than ${count}`,
+    coarser: (count: string) => `Use larger elements (fewer than ${count})`,
     backgroundFromMesh: "Use this mesh as background grid",
     propose: "Propose sizes",
     proposeHint: "Proposes sources with smaller sizes at curved lines and patches and in narrow gaps.",

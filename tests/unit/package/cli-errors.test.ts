@@ -71,7 +71,10 @@ test("an out-of-memory error of the engine is reported in one line and as a diag
     const { code, stderr, stdout } = await tetrafront(folder.path, args, { env });
     expect(stderr).not.toMatch(/^ +at /m);
     expect(code).toBe(1);
-    if (args[0] === "stats") expect(stderr).toMatch(/^tetrafront: error: many.vtu: The engine's memory.*\n$/);
+    if (args[0] === "stats")
+      expect(stderr).toMatch(
+        /^tetrafront: error: many.vtu: The engine ran out of memory \(\d+ MB\)\. Use .*\n$/,
+      );
     else expect(JSON.parse(stdout)).toMatchObject({ kind: "none", diagnostics: [{ code: "out-of-memory" }] });
   }
 });

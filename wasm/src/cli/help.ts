@@ -41,9 +41,9 @@ Element sizes
   or from a mesh with node values "size" (also "stretching" and "direction"; without "size", its edges).
   --source limits the sizes around a position.
 
-  The mesh keeps every triangle of a surface. Elements next to triangles above the target size are therefore
-  too large; the sizes decrease inwards by --growth, at most 0.5 per unit of distance. A warning reports such
-  triangles. --refine-surface splits them first and keeps the shape.
+  The mesh keeps every triangle of a surface. If a triangle is larger than the target size, so are the elements
+  next to it; further inside, sizes decrease by --growth, at most 0.5 per unit of distance. A warning reports
+  such triangles. --refine-surface splits them first and keeps the shape.
 
 Element shapes
   --optimize none keeps the mesh as the front made it. fast, default and thorough improve it, each taking
@@ -95,7 +95,7 @@ ${formatLines("readable", "surface", "volume")}
 Output
 ${formatLines("writable", "surface", "volume")}
 
-Formats for surfaces get the boundary of a volume mesh. Triangles with equal corner positions share nodes.
+A surface format receives the boundary of a volume mesh. Corners at equal positions become one node.
 ${EXIT_CODES_HELP}
 
 Examples

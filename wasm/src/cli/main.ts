@@ -104,11 +104,12 @@ const withJobs = (command: Command): Command =>
   );
 
 const fromOption = (): Option =>
-  new Option("--from <format>", "input format, if its extension does not decide");
+  new Option("--from <format>", "input format, if the extension does not determine it");
 /** One option suffices if only the input or only the output is a stream. */
 const formatOption = (): Option =>
   new Option("--format <format>", "format of the stream; for two streams use --from and --to");
-const toOption = (): Option => new Option("--to <format>", "output format, if its extension does not decide");
+const toOption = (): Option =>
+  new Option("--to <format>", "output format, if the extension does not determine it");
 
 const withRepair = (command: Command): Command =>
   command
@@ -277,7 +278,7 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
     .addOption(
       new Option(
         "--optimize <level>",
-        `effort on the shape of the elements after the front (default ${DEFAULT_OPTIMIZATION})`,
+        `effort spent on improving the elements after the front (default ${DEFAULT_OPTIMIZATION})`,
       ).choices(Object.keys(OPTIMIZATIONS)),
     );
   withJobs(withRepair(command))
@@ -406,14 +407,11 @@ function addCheck(program: Command, setExitCode: SetExitCode): void {
     .command("check")
     .description("List all problems of projects, surfaces or meshes.")
     .argument("<input...>", "projects, surfaces or meshes")
-    .option(
-      "-s, --size <length>",
-      "uniform size that a project will be meshed with; its grid is then not checked",
-    )
+    .option("-s, --size <length>", "check a project for this uniform size instead of its background grid")
     .addOption(innerShellsOption())
     .option(
       "--max-diagnostics <count>",
-      `list at most this many problems of each kind of a surface, or all (default ${DEFAULT_MAX_DIAGNOSTICS}; as text 50)`,
+      `list at most this many problems of each kind for a surface, or all (default ${DEFAULT_MAX_DIAGNOSTICS}; without --json 50)`,
     )
     .addOption(formatOption())
     .addOption(fromOption());

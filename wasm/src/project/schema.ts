@@ -232,13 +232,13 @@ export type ProjectPoint = Project["points"][number];
 export type ProjectLine = Project["lines"][number];
 /** A patch and the loops of lines that bound it. */
 export type ProjectPatch = Project["patches"][number];
-/** The project's own settings; whoever meshes it may give others. */
+/** The default mesh settings of a project; options of the caller take precedence. */
 export type ProjectMeshing = NonNullable<Project["meshing"]>;
 /** The background grid of a project, with its sources. */
 export type ProjectBackground = Project["background"];
-/** A node of the background grid, with the sizes wanted there. */
+/** A node of the background grid, with the target size there. */
 export type ProjectBackgroundNode = ProjectBackground["nodes"][number];
-/** A place around which elements are wanted no larger than size + growth max(0, r - distance). */
+/** A source: at distance r from it, the target size is at most size + growth · max(0, r - distance). */
 export type ProjectSource = NonNullable<ProjectBackground["sources"]>[number];
 /** What a source surrounds: a point, a segment or a triangle. */
 export type SourceType = ProjectSource["type"];

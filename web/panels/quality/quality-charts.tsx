@@ -73,7 +73,7 @@ function rangeFacts(
   valueText: (value: number) => string,
 ): Facts {
   const range = rangeOfCounts(countsOf(quality, choice, measure), quality.binWidths[measure]);
-  return range ? [[texts.allWithin, texts.range(valueText(range.from), valueText(range.to))]] : [];
+  return range ? [[texts.extent, texts.range(valueText(range.from), valueText(range.to))]] : [];
 }
 
 /** Histogram of all dihedral angles. */

@@ -52,7 +52,7 @@ function badgeTexts(
   if (failure !== null) return [strings.messages.engineFailed, failure];
   if (stale) return [viewport.stale, viewport.staleHint];
   if (status === "stalled") return [viewport.incomplete, viewport.incompleteStalled];
-  return [viewport.incomplete, hasFront ? viewport.incompleteCancelled : viewport.incompleteUnpolished];
+  return [viewport.incomplete, hasFront ? viewport.incompleteCancelled : viewport.incompleteUnverified];
 }
 
 /** Shown if the mesh is out of date or incomplete, with a button that meshes again. */
