@@ -1,6 +1,6 @@
 import type { CoverOptions, ProjectBackground, ProjectSource, SizeProposal } from "tetrafront";
 import type { App } from "../app/app";
-import { replaceBackground, replaceSources, setMeshing } from "../document/edits";
+import { replaceBackground, replaceSources, setMeshing } from "../document/size-edits";
 import { documentGrid } from "../document/large-grid";
 import { packArrays } from "../document/packed-grid";
 import { rangeAlong, smallestSize } from "../document/extent";

@@ -1,5 +1,5 @@
 import type { App } from "../app/app";
-import { scaleSizes } from "../document/edits";
+import { scaleSizes } from "../document/size-edits";
 import { commandLabels } from "../strings";
 import { takeBackgroundFromMesh, toggleUniformSize } from "./background-actions";
 import { define, type Command } from "./command";

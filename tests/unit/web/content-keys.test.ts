@@ -3,14 +3,8 @@ import { createMesher, type Project } from "tetrafront";
 import { documentKey, meshKey } from "../../../web/document/content-keys";
 import { addPoint } from "../../../web/document/create";
 import type { ProjectEdit } from "../../../web/document/edit";
-import {
-  moveEntity,
-  renameEntity,
-  renameProject,
-  scaleSizes,
-  setLineType,
-  setMeshing,
-} from "../../../web/document/edits";
+import { moveEntity, renameEntity, renameProject, setLineType } from "../../../web/document/edits";
+import { scaleSizes, setMeshing } from "../../../web/document/size-edits";
 import { DocumentStore } from "../../../web/session/document-store";
 import { cubeProject } from "../../support/projects";
 

@@ -1,16 +1,14 @@
 import { describe, expect, it } from "vitest";
 import { parseProject } from "tetrafront";
+import { deleteEntities, moveEntity, renameEntity } from "../../../web/document/edits";
 import {
-  deleteEntities,
-  moveEntity,
-  renameEntity,
   replaceBackground,
   replaceSources,
   scaleSizes,
   setMeshing,
   setNodeDirection,
   setNodeStretching,
-} from "../../../web/document/edits";
+} from "../../../web/document/size-edits";
 import { documentKey } from "../../../web/document/content-keys";
 import { DocumentStore, hasUnsavedChanges } from "../../../web/session/document-store";
 import { toProblems } from "../../../web/document/validate";

@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Project } from "tetrafront";
-import { renameProject, scaleSizes } from "../../../web/document/edits";
+import { renameProject } from "../../../web/document/edits";
+import { scaleSizes } from "../../../web/document/size-edits";
 import { DocumentStore, hasUnsavedChanges, newDocument } from "../../../web/session/document-store";
 import { keptDocument, maxKeptHistoryBytes, openKept } from "../../../web/session/kept-document";
 import { cubeProject } from "../../support/projects";

@@ -2,7 +2,7 @@ import { LIMITS } from "tetrafront";
 import { Button, Group, SegmentedControl, Text } from "@mantine/core";
 import { likelySize } from "../../commands/background-actions";
 import { commandNamed, runCommand } from "../../commands/registry";
-import { setMeshing } from "../../document/edits";
+import { setMeshing } from "../../document/size-edits";
 import { FieldRow } from "../../ui/fields/field-row";
 import { formatCount } from "../../ui/format";
 import { NumberField } from "../../ui/fields/number-field";

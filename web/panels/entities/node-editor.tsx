@@ -1,5 +1,6 @@
 import { LIMITS, type Project, type ProjectBackgroundNode } from "tetrafront";
-import { moveEntity, setNodeDirection, setNodeSize, setNodeStretching } from "../../document/edits";
+import { moveEntity } from "../../document/edits";
+import { setNodeDirection, setNodeSize, setNodeStretching } from "../../document/size-edits";
 import { FieldRow } from "../../ui/fields/field-row";
 import { NumberField } from "../../ui/fields/number-field";
 import { PositionFields } from "../../ui/fields/position-fields";

@@ -1,6 +1,6 @@
 import { Text } from "@mantine/core";
 import { LIMITS, type Project, type ProjectSource } from "tetrafront";
-import { moveSource, setSourceField } from "../../document/edits";
+import { moveSource, setSourceField } from "../../document/size-edits";
 import { FieldRow } from "../../ui/fields/field-row";
 import { NumberField } from "../../ui/fields/number-field";
 import { PositionFields } from "../../ui/fields/position-fields";

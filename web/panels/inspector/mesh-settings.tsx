@@ -1,6 +1,6 @@
 import { SegmentedControl, Text } from "@mantine/core";
 import { LIMITS, type ProjectMeshing } from "tetrafront";
-import { setMeshing } from "../../document/edits";
+import { setMeshing } from "../../document/size-edits";
 import { FieldRow } from "../../ui/fields/field-row";
 import { NumberField } from "../../ui/fields/number-field";
 import { strings } from "../../strings";
