@@ -1,23 +1,14 @@
-import { Vector3 } from "three";
 import type { Entity } from "../document/entities";
 import { Bounds, boundsOf, entityBounds, projectBounds, roomyBounds } from "./bounds";
 import { ViewCamera, type StandardView } from "./camera";
+import { closeUpBox } from "./close-up";
 import type { ViewerColors } from "./colors";
 import { FrameLoop } from "./frame-loop";
-import { defectiveCorners, elementCorners, selectedCorners } from "./highlight-corners";
-import { hitTest } from "./hit-test";
-import { DotsLayer } from "./layers/dots-layer";
-import { FrontLayer } from "./layers/front-layer";
-import { GridLayer } from "./layers/grid-layer";
-import { GroundLayer } from "./layers/ground-layer";
-import { HighlightLayer } from "./layers/highlight-layer";
+import { elementCorners, selectedCorners } from "./highlight-corners";
 import type { Hit, Layer, Target } from "./layers/layer";
-import { LinesLayer } from "./layers/lines-layer";
-import { MeshLayer } from "./layers/mesh-layer";
-import { PatchesLayer } from "./layers/patches-layer";
-import { SourcesLayer } from "./layers/sources-layer";
 import type { MeshQueryClient } from "./mesh-query-client";
 import type { Position } from "../document/position";
+import { SceneLayers } from "./scene-layers";
 import { SceneChanges, type SceneState, type ShownState } from "./scene-state";
 import { SceneRenderer } from "./scene-renderer";
 import { Screen, type ScreenPoint } from "./screen";
@@ -43,8 +34,6 @@ export interface ViewerOptions {
   readonly events: ViewerEvents;
 }
 
-/** A point or an element is shown with at least this share of the model around it. */
-const closeUp = 0.12;
 /** A model that has grown by this factor since it was last fitted is fitted again. */
 const outgrowth = 1.5;
 
@@ -61,21 +50,7 @@ export class Viewer {
   /** Loaded after the first picture. */
   #cube: ViewCube | null = null;
   #isDisposed = false;
-  readonly #mesh: MeshLayer;
-  readonly #patches: PatchesLayer;
-  readonly #lines = new LinesLayer();
-  readonly #points = new DotsLayer({
-    kind: "point",
-    name: "points",
-    shape: "round",
-    color: (colors) => colors.point,
-    records: ({ project }) => project.points,
-    positions: ({ position }) => [position],
-  });
-  readonly #grid = new GridLayer();
-  readonly #sources = new SourcesLayer();
-  /** In the order in which they are added to the scene. */
-  readonly #layers: Layer[];
+  readonly #layers: SceneLayers;
   readonly #observer: ResizeObserver;
   /** Radius of the model when it was last fitted as a whole; 0 without extent. */
   #fittedRadius = 0;
@@ -96,13 +71,10 @@ export class Viewer {
     this.#view = new ViewCamera(canvas, options.motion);
     this.#loop = new FrameLoop((seconds) => this.#draw(seconds));
     this.#loop.onDrawn(() => events.onFrame(this.#loop.frames));
-    this.#patches = new PatchesLayer((corners) => options.meshQueries.treeOf(corners));
-    this.#mesh = new MeshLayer(options.meshQueries, {
+    this.#layers = new SceneLayers(this.#renderer.scene, options.meshQueries, {
       onChange: () => this.#meshChanged(),
       onFailure: events.onFailure,
     });
-    this.#layers = this.#createLayers();
-    for (const { root } of this.#layers) this.#renderer.scene.add(root);
     const viewport = { width: 1, height: 1, pixelRatio: 1 };
     const origin = roomyBounds(options.state.project).centre;
     this.#state = { ...options.state, colors: options.colors, origin, viewport };
@@ -192,9 +164,7 @@ export class Viewer {
 
   /** Returns what lies at a point of the view. */
   hit(at: ScreenPoint): Hit | null {
-    const onSurfaces = [this.#points, this.#grid, this.#sources, this.#lines];
-    const order = { solid: this.#mesh, onSurfaces, translucent: this.#patches };
-    return hitTest(order, this.#view.camera, this.#state.viewport, at);
+    return this.#layers.hit(this.#view.camera, this.#state.viewport, at);
   }
 
   /** Returns where a position appears; null if it is out of view. */
@@ -215,14 +185,10 @@ export class Viewer {
 
   /** Adds a layer on top of the others, which the viewer then updates. Returns a function that removes and disposes it. */
   addLayer(layer: Layer): () => void {
-    this.#layers.push(layer);
-    this.#renderer.scene.add(layer.root);
-    layer.update(new SceneChanges(this.#state, null));
+    const remove = this.#layers.add(layer, new SceneChanges(this.#state, null));
     this.#loop.request();
     return () => {
-      this.#layers.splice(this.#layers.indexOf(layer), 1);
-      this.#renderer.scene.remove(layer.root);
-      layer.dispose();
+      remove();
       this.#loop.request();
     };
   }
@@ -242,26 +208,9 @@ export class Viewer {
     this.#loop.stop();
     this.#observer.disconnect();
     this.#cube?.dispose();
-    for (const layer of this.#layers) layer.dispose();
+    this.#layers.dispose();
     this.#view.dispose();
     this.#renderer.dispose();
-  }
-
-  #createLayers(): Layer[] {
-    const defects = new HighlightLayer({
-      corners: defectiveCorners,
-      parts: ["checkedSurface", "defects"],
-      faceColor: ({ front }) => front,
-      edgeColor: ({ meshEdge }) => meshEdge,
-    });
-    const selectedFaces = new HighlightLayer({
-      corners: selectedCorners,
-      parts: ["element", "triangles", "mesh", "checkedSurface"],
-      faceColor: ({ selection }) => selection,
-      edgeColor: ({ hover }) => hover,
-    });
-    const surfaces = [new GroundLayer(), this.#patches, this.#mesh, new FrontLayer()];
-    return [...surfaces, defects, selectedFaces, this.#lines, this.#points, this.#grid, this.#sources];
   }
 
   #update(change: Partial<SceneState>): void {
@@ -272,8 +221,7 @@ export class Viewer {
   }
 
   #updateLayers(before: SceneState | null): void {
-    const changes = new SceneChanges(this.#state, before);
-    for (const layer of this.#layers) layer.update(changes);
+    this.#layers.update(new SceneChanges(this.#state, before));
   }
 
   /** Keeps local coordinates small, and fits a model that has outgrown the view. */
@@ -292,15 +240,7 @@ export class Viewer {
   /** If the target is much smaller than the model, moves to the part of the model around it. */
   #fitBounds(target: Bounds, animate = this.#options.motion): void {
     const whole = roomyBounds(this.#state.project);
-    const { low, high, centre, radius } = target.empty ? whole : target;
-    const [x, y, z] = this.#state.origin;
-    const from = new Vector3(low[0] - x, low[1] - y, low[2] - z);
-    const to = new Vector3(high[0] - x, high[1] - y, high[2] - z);
-    const minRadius = closeUp * whole.radius;
-    if (radius < minRadius) {
-      from.set(centre[0] - x, centre[1] - y, centre[2] - z).subScalar(minRadius);
-      to.copy(from).addScalar(2 * minRadius);
-    }
+    const [from, to] = closeUpBox(target.empty ? whole : target, whole.radius, this.#state.origin);
     this.#view.fit(from, to, animate);
     this.#loop.request();
   }
@@ -342,12 +282,12 @@ export class Viewer {
   }
 
   #meshChanged(): void {
-    this.#options.events.onFaces(this.#mesh.faceCount, this.#mesh.isCurrent);
+    this.#options.events.onFaces(this.#layers.mesh.faceCount, this.#layers.mesh.isCurrent);
     this.#loop.request();
   }
 
   #draw(seconds: number): boolean {
-    this.#mesh.queryFaces();
+    this.#layers.mesh.queryFaces();
     const isMoving = this.#view.update(seconds);
     this.#renderer.render(this.#view.camera);
     this.#cube?.render();

@@ -1,0 +1,88 @@
+import type { PerspectiveCamera, Scene } from "three";
+import { defectiveCorners, selectedCorners } from "./highlight-corners";
+import { hitTest } from "./hit-test";
+import { DotsLayer } from "./layers/dots-layer";
+import { FrontLayer } from "./layers/front-layer";
+import { GridLayer } from "./layers/grid-layer";
+import { GroundLayer } from "./layers/ground-layer";
+import { HighlightLayer } from "./layers/highlight-layer";
+import type { Hit, Layer } from "./layers/layer";
+import { LinesLayer } from "./layers/lines-layer";
+import { MeshLayer, type MeshLayerEvents } from "./layers/mesh-layer";
+import { PatchesLayer } from "./layers/patches-layer";
+import { SourcesLayer } from "./layers/sources-layer";
+import type { MeshQueryClient } from "./mesh-query-client";
+import type { SceneChanges, Viewport } from "./scene-state";
+import type { ScreenPoint } from "./screen";
+
+/** The layers of a scene: updates them together and finds what the pointer hits. */
+export class SceneLayers {
+  readonly mesh: MeshLayer;
+  readonly #scene: Scene;
+  readonly #patches: PatchesLayer;
+  readonly #lines = new LinesLayer();
+  readonly #points = new DotsLayer({
+    kind: "point",
+    name: "points",
+    shape: "round",
+    color: (colors) => colors.point,
+    records: ({ project }) => project.points,
+    positions: ({ position }) => [position],
+  });
+  readonly #grid = new GridLayer();
+  readonly #sources = new SourcesLayer();
+  /** In the order in which they are added to the scene. */
+  readonly #all: Layer[];
+
+  constructor(scene: Scene, meshQueries: MeshQueryClient, meshEvents: MeshLayerEvents) {
+    this.#scene = scene;
+    this.#patches = new PatchesLayer((corners) => meshQueries.treeOf(corners));
+    this.mesh = new MeshLayer(meshQueries, meshEvents);
+    this.#all = this.#inOrder();
+    for (const { root } of this.#all) scene.add(root);
+  }
+
+  update(changes: SceneChanges): void {
+    for (const layer of this.#all) layer.update(changes);
+  }
+
+  /** Adds a layer on top of the others. Returns a function that removes and disposes it. */
+  add(layer: Layer, changes: SceneChanges): () => void {
+    this.#all.push(layer);
+    this.#scene.add(layer.root);
+    layer.update(changes);
+    return () => {
+      this.#all.splice(this.#all.indexOf(layer), 1);
+      this.#scene.remove(layer.root);
+      layer.dispose();
+    };
+  }
+
+  /** Returns what lies at a point of the view; null if nothing does. */
+  hit(camera: PerspectiveCamera, viewport: Viewport, at: ScreenPoint): Hit | null {
+    const onSurfaces = [this.#points, this.#grid, this.#sources, this.#lines];
+    const order = { solid: this.mesh, onSurfaces, translucent: this.#patches };
+    return hitTest(order, camera, viewport, at);
+  }
+
+  dispose(): void {
+    for (const layer of this.#all) layer.dispose();
+  }
+
+  #inOrder(): Layer[] {
+    const defects = new HighlightLayer({
+      corners: defectiveCorners,
+      parts: ["checkedSurface", "defects"],
+      faceColor: ({ front }) => front,
+      edgeColor: ({ meshEdge }) => meshEdge,
+    });
+    const selectedFaces = new HighlightLayer({
+      corners: selectedCorners,
+      parts: ["element", "triangles", "mesh", "checkedSurface"],
+      faceColor: ({ selection }) => selection,
+      edgeColor: ({ hover }) => hover,
+    });
+    const surfaces = [new GroundLayer(), this.#patches, this.mesh, new FrontLayer()];
+    return [...surfaces, defects, selectedFaces, this.#lines, this.#points, this.#grid, this.#sources];
+  }
+}
