@@ -73,20 +73,7 @@ function ProposeForm({ onClose }: { readonly onClose: () => void }) {
         />
       )}
       <ProposalSummary answer={answer} failure={failure} />
-      {isTooMany && (
-        <Alert mt={8} p={8} color="orange" data-testid="proposal-too-many">
-          {texts.tooMany}
-          <Button
-            mt={6}
-            size="compact-xs"
-            variant="default"
-            data-testid="propose-coarser"
-            onClick={() => answer && setOptions(coarserOptions(answer))}
-          >
-            {texts.coarser(formatCount(manyTetrahedra))}
-          </Button>
-        </Alert>
-      )}
+      {isTooMany && <TooManyElements onCoarser={() => answer && setOptions(coarserOptions(answer))} />}
       <Group justify="flex-end" gap="xs" mt={12}>
         <Button size="xs" variant="default" onClick={onClose}>
           {texts.cancel}
@@ -100,6 +87,18 @@ function ProposeForm({ onClose }: { readonly onClose: () => void }) {
         </ApplyButton>
       </Group>
     </DialogForm>
+  );
+}
+
+/** Warns that the proposed sizes ask for very many elements, and offers larger ones. */
+function TooManyElements({ onCoarser }: { readonly onCoarser: () => void }) {
+  return (
+    <Alert mt={8} p={8} color="orange" data-testid="proposal-too-many">
+      {texts.tooMany}
+      <Button mt={6} size="compact-xs" variant="default" data-testid="propose-coarser" onClick={onCoarser}>
+        {texts.coarser(formatCount(manyTetrahedra))}
+      </Button>
+    </Alert>
   );
 }
 

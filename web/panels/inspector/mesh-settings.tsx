@@ -1,10 +1,10 @@
-import { SegmentedControl, Text } from "@mantine/core";
 import { LIMITS, type ProjectMeshing } from "tetrafront";
 import { setMeshing } from "../../document/size-edits";
 import { FieldRow } from "../../ui/fields/field-row";
 import { NumberField } from "../../ui/fields/number-field";
 import { strings } from "../../strings";
 import { useApp, useProject } from "../shared/app-context";
+import { ChoiceSetting, SettingHint } from "./choice-setting";
 import styles from "./mesh-settings.module.css";
 
 const texts = strings.meshing;
@@ -48,35 +48,22 @@ export function MeshSettings() {
         {texts.title}
         <span>{[texts.orders[order], texts.optimizations[optimization]].join(", ").toLowerCase()}</span>
       </summary>
-      <FieldRow label={texts.order}>
-        <SegmentedControl<Order>
-          size="xs"
-          fullWidth
-          aria-label={texts.order}
-          data={orders.map((value) => ({ value, label: texts.orders[value] }))}
-          value={order}
-          onChange={(value) => set("order", value)}
-        />
-      </FieldRow>
-      <Text size="xs" c="dimmed" mb={6}>
-        {texts.orderHints[order]}
-      </Text>
-      <FieldRow label={texts.optimization}>
-        <SegmentedControl<Optimization>
-          size="xs"
-          fullWidth
-          aria-label={texts.optimization}
-          data={optimizations.map((value, level) => ({
-            value,
-            label: <span title={texts.optimizations[value]}>{level}</span>,
-          }))}
-          value={optimization}
-          onChange={(value) => set("optimization", value)}
-        />
-      </FieldRow>
-      <Text size="xs" c="dimmed" mb={6}>
-        {texts.optimizations[optimization]}: {texts.optimizationHints[optimization]}
-      </Text>
+      <ChoiceSetting
+        label={texts.order}
+        values={orders}
+        value={order}
+        labelOf={(value) => texts.orders[value]}
+        hint={texts.orderHints[order]}
+        onChange={(value) => set("order", value)}
+      />
+      <ChoiceSetting
+        label={texts.optimization}
+        values={optimizations}
+        value={optimization}
+        labelOf={(value) => <span title={texts.optimizations[value]}>{optimizations.indexOf(value)}</span>}
+        hint={`${texts.optimizations[optimization]}: ${texts.optimizationHints[optimization]}`}
+        onChange={(value) => set("optimization", value)}
+      />
       <FieldRow label={texts.gradation}>
         <NumberField
           label={texts.gradation}
@@ -87,22 +74,15 @@ export function MeshSettings() {
           onCommit={(value) => set("gradation", value)}
         />
       </FieldRow>
-      <Text size="xs" c="dimmed" mb={6}>
-        {texts.gradationHint}
-      </Text>
-      <FieldRow label={texts.innerShells}>
-        <SegmentedControl<InnerShells>
-          size="xs"
-          fullWidth
-          aria-label={texts.innerShells}
-          data={innerShellModes.map((value) => ({ value, label: texts.innerShellModes[value] }))}
-          value={innerShells}
-          onChange={(value) => set("innerShells", value)}
-        />
-      </FieldRow>
-      <Text size="xs" c="dimmed" mb={6}>
-        {texts.innerShellHints[innerShells]}
-      </Text>
+      <SettingHint>{texts.gradationHint}</SettingHint>
+      <ChoiceSetting
+        label={texts.innerShells}
+        values={innerShellModes}
+        value={innerShells}
+        labelOf={(value) => texts.innerShellModes[value]}
+        hint={texts.innerShellHints[innerShells]}
+        onChange={(value) => set("innerShells", value)}
+      />
     </details>
   );
 }

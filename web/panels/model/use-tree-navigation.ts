@@ -43,15 +43,7 @@ export function useTreeNavigation(options: TreeNavigationOptions): TreeNavigatio
       else next.add(kind);
       return next;
     });
-  // First row of a range that is selected with Shift.
-  const anchor = useRef<string | null>(null);
-  const selectRange = (row: TreeRow): void => {
-    const from = rows.indexOf(anchor.current);
-    const to = rows.indexOf(rowKey(row));
-    const range = from < 0 ? [row] : rows.slice(Math.min(from, to), Math.max(from, to) + 1);
-    const entities = range.flatMap((other) => (other.type === "entity" ? [other.entity] : []));
-    app.view.selectAll(from > to ? entities.reverse() : entities);
-  };
+  const { anchor, selectRange } = useRangeSelection(rows);
   const activate = (row: TreeRow, mode: SelectMode): void => {
     setFocusedKey(rowKey(row));
     if (row.type === "group") setOpen(row.kind, !row.open);
@@ -96,6 +88,20 @@ export function useTreeNavigation(options: TreeNavigationOptions): TreeNavigatio
     action();
   };
   return { focused, activate, onKeyDown };
+}
+
+/** Selects ranges of rows: from the anchor, which is the first row of a range, to another row. */
+function useRangeSelection(rows: TreeRows) {
+  const app = useApp();
+  const anchor = useRef<string | null>(null);
+  const selectRange = (row: TreeRow): void => {
+    const from = rows.indexOf(anchor.current);
+    const to = rows.indexOf(rowKey(row));
+    const range = from < 0 ? [row] : rows.slice(Math.min(from, to), Math.max(from, to) + 1);
+    const entities = range.flatMap((other) => (other.type === "entity" ? [other.entity] : []));
+    app.view.selectAll(from > to ? entities.reverse() : entities);
+  };
+  return { anchor, selectRange };
 }
 
 /** Tracks the row that has the focus. A row that is out of sight gets it after scrolling. */

@@ -1,4 +1,5 @@
 import { Button, CopyButton, Text, UnstyledButton } from "@mantine/core";
+import type { MeshReport, MeshResult } from "tetrafront";
 import { bestValue, scalePosition, type QualityMeasure } from "../../document/mesh-quality";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { formatAngle, formatCount, formatSeconds, formatShort } from "../../ui/format";
@@ -22,10 +23,7 @@ function valueText(measure: QualityMeasure, value: number): string {
 export function QualityPanel() {
   const app = useApp();
   const mesh = useRun((state) => state.mesh);
-  const shading = useView((state) => state.shading);
   const stale = useStale();
-  const measure = shading === "dihedral" ? "dihedral" : "radius-ratio";
-  const histogram = useHistogram(mesh, measure, barCount);
   if (!mesh) {
     return (
       <>
@@ -36,57 +34,16 @@ export function QualityPanel() {
       </>
     );
   }
-  const { report } = mesh;
-  const { unmeasured } = strings.quality;
   // Without elements, the statistics of the report are zeros without a meaning.
-  const measured = report.tetrahedra > 0;
+  const measured = mesh.report.tetrahedra > 0;
   return (
     <section data-stale={stale || undefined}>
       <SectionTitle>
         {strings.quality.title}
         {stale && <span className={styles["note"]}>{strings.viewport.stale.toLowerCase()}</span>}
       </SectionTitle>
-      {measured && (
-        <>
-          <Text size="sm" c="dimmed" mb={4}>
-            {measureNames[measure]}
-          </Text>
-          <HistogramChart
-            bars={histogram?.bars ?? null}
-            end={bestValue[measure]}
-            ticks={tickShares.map((share) => share * bestValue[measure])}
-            testId="quality-histogram"
-            label={strings.quality.histogram(measureNames[measure])}
-            colorOf={(value) => viridisAt(scalePosition(value, measure))}
-            describe={(count, from, to) =>
-              strings.quality.bar(formatCount(count), valueText(measure, from), valueText(measure, to))
-            }
-            facts={[
-              [strings.quality.min, histogram ? valueText(measure, histogram.min) : unmeasured],
-              [strings.quality.mean, histogram ? valueText(measure, histogram.mean) : unmeasured],
-            ]}
-          />
-        </>
-      )}
-      <Facts>
-        <dt>{strings.quality.tetrahedra}</dt>
-        <dd>{formatCount(report.tetrahedra)}</dd>
-        <dt>{strings.quality.nodes}</dt>
-        <dd>{measured ? formatCount(report.nodes) : unmeasured}</dd>
-        <dt>{strings.quality.triangles}</dt>
-        <dd>{formatCount(report.triangles)}</dd>
-        <dt>{strings.quality.dihedral}</dt>
-        <dd>
-          {measured
-            ? `${formatAngle(report.dihedral.min)} – ${formatAngle(report.dihedral.max)}`
-            : unmeasured}
-        </dd>
-        <dt>{strings.quality.volume}</dt>
-        <dd>{measured ? formatShort(report.volume) : unmeasured}</dd>
-        <dt>{strings.quality.time}</dt>
-        <dd>{formatSeconds(report.seconds.total)}</dd>
-        {measured && report.fingerprint !== "" && <Fingerprint value={report.fingerprint} />}
-      </Facts>
+      {measured && <MeasureHistogram mesh={mesh} />}
+      <ReportFacts report={mesh.report} measured={measured} />
       {measured && (
         <Button
           size="compact-sm"
@@ -99,6 +56,65 @@ export function QualityPanel() {
         </Button>
       )}
     </section>
+  );
+}
+
+/** The histogram of the measure by which the mesh is shaded; of the radius ratio if it is shaded by none. */
+function MeasureHistogram({ mesh }: { readonly mesh: MeshResult }) {
+  const shading = useView((state) => state.shading);
+  const measure = shading === "dihedral" ? "dihedral" : "radius-ratio";
+  const histogram = useHistogram(mesh, measure, barCount);
+  const { unmeasured } = strings.quality;
+  return (
+    <>
+      <Text size="sm" c="dimmed" mb={4}>
+        {measureNames[measure]}
+      </Text>
+      <HistogramChart
+        bars={histogram?.bars ?? null}
+        end={bestValue[measure]}
+        ticks={tickShares.map((share) => share * bestValue[measure])}
+        testId="quality-histogram"
+        label={strings.quality.histogram(measureNames[measure])}
+        colorOf={(value) => viridisAt(scalePosition(value, measure))}
+        describe={(count, from, to) =>
+          strings.quality.bar(formatCount(count), valueText(measure, from), valueText(measure, to))
+        }
+        facts={[
+          [strings.quality.min, histogram ? valueText(measure, histogram.min) : unmeasured],
+          [strings.quality.mean, histogram ? valueText(measure, histogram.mean) : unmeasured],
+        ]}
+      />
+    </>
+  );
+}
+
+interface ReportFactsProps {
+  readonly report: MeshReport;
+  /** Does the report have statistics of elements? */
+  readonly measured: boolean;
+}
+
+function ReportFacts({ report, measured }: ReportFactsProps) {
+  const texts = strings.quality;
+  const ifMeasured = (text: string): string => (measured ? text : texts.unmeasured);
+  const { min, max } = report.dihedral;
+  return (
+    <Facts>
+      <dt>{texts.tetrahedra}</dt>
+      <dd>{formatCount(report.tetrahedra)}</dd>
+      <dt>{texts.nodes}</dt>
+      <dd>{ifMeasured(formatCount(report.nodes))}</dd>
+      <dt>{texts.triangles}</dt>
+      <dd>{formatCount(report.triangles)}</dd>
+      <dt>{texts.dihedral}</dt>
+      <dd>{ifMeasured(`${formatAngle(min)} – ${formatAngle(max)}`)}</dd>
+      <dt>{texts.volume}</dt>
+      <dd>{ifMeasured(formatShort(report.volume))}</dd>
+      <dt>{texts.time}</dt>
+      <dd>{formatSeconds(report.seconds.total)}</dd>
+      {measured && report.fingerprint !== "" && <Fingerprint value={report.fingerprint} />}
+    </Facts>
   );
 }
 

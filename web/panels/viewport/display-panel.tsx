@@ -19,26 +19,46 @@ const shadings: readonly { value: Shading; label: string }[] = [
 
 /** Layers, shading and cut of the view. */
 export function DisplayPanel() {
-  const app = useApp();
-  const visible = useView((state) => state.layers);
-  const shading = useView((state) => state.shading);
-  const edges = useView((state) => state.edges);
-  const cut = useView((state) => state.cut);
   const regions = useRegions();
   return (
     <ScrollPanel label={strings.inspector.display}>
       <SectionTitle>{strings.display.layers}</SectionTitle>
-      {layers.map((layer) => (
-        <Switch
-          key={layer}
-          size="xs"
-          my={6}
-          label={strings.display[layer]}
-          checked={visible[layer]}
-          onChange={(event) => app.view.setLayer(layer, event.currentTarget.checked)}
-        />
-      ))}
+      <LayerSwitches />
       <SectionTitle>{strings.display.shading}</SectionTitle>
+      <ShadingControls />
+      <SectionTitle>{strings.display.cut}</SectionTitle>
+      <CutSettings />
+      {regions.length > 1 && (
+        <>
+          <SectionTitle>{strings.regions.title}</SectionTitle>
+          <RegionList testId="display-region" />
+        </>
+      )}
+    </ScrollPanel>
+  );
+}
+
+function LayerSwitches() {
+  const app = useApp();
+  const visible = useView((state) => state.layers);
+  return layers.map((layer) => (
+    <Switch
+      key={layer}
+      size="xs"
+      my={6}
+      label={strings.display[layer]}
+      checked={visible[layer]}
+      onChange={(event) => app.view.setLayer(layer, event.currentTarget.checked)}
+    />
+  ));
+}
+
+function ShadingControls() {
+  const app = useApp();
+  const shading = useView((state) => state.shading);
+  const edges = useView((state) => state.edges);
+  return (
+    <>
       <SegmentedControl
         size="xs"
         fullWidth
@@ -54,7 +74,15 @@ export function DisplayPanel() {
         checked={edges}
         onChange={(event) => app.view.state.setState({ edges: event.currentTarget.checked })}
       />
-      <SectionTitle>{strings.display.cut}</SectionTitle>
+    </>
+  );
+}
+
+function CutSettings() {
+  const app = useApp();
+  const cut = useView((state) => state.cut);
+  return (
+    <>
       <Switch
         size="xs"
         my={6}
@@ -78,12 +106,6 @@ export function DisplayPanel() {
       >
         {strings.display.flip}
       </Button>
-      {regions.length > 1 && (
-        <>
-          <SectionTitle>{strings.regions.title}</SectionTitle>
-          <RegionList testId="display-region" />
-        </>
-      )}
-    </ScrollPanel>
+    </>
   );
 }

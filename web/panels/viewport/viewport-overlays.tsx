@@ -4,6 +4,7 @@ import type { MeshStatus } from "tetrafront";
 import { strings } from "../../strings";
 import { useApp, useRun, useStale, useView } from "../shared/app-context";
 import { CutAxisControl, CutSlider } from "./cut-controls";
+import type { Trouble } from "./use-viewer";
 import styles from "./viewport-overlays.module.css";
 
 /** The cut: on or off, axis, position and side. */
@@ -93,7 +94,7 @@ export function MouseHint() {
 }
 
 /** Shown in place of the view if it cannot be drawn. */
-export function ViewNotice({ trouble }: { readonly trouble: "no-webgl" | "context-lost" }) {
+export function ViewNotice({ trouble }: { readonly trouble: Trouble }) {
   const lost = trouble === "context-lost";
   return (
     <div className={styles["notice"]} role="alert">

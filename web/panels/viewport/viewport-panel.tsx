@@ -1,82 +1,25 @@
-import { useComputedColorScheme } from "@mantine/core";
 import { useEffect, useRef, useState, type KeyboardEvent } from "react";
 import { describeMesh } from "./mesh-summary";
 import { strings } from "../../strings";
-import { viewerColors } from "../../ui/theme/theme";
 import { navigate } from "../../tools/navigation-keys";
-import { SelectTool, type Hover } from "../../tools/select-tool";
-import { ToolController } from "../../tools/tool-controller";
-import { followSession, shownState } from "../../viewer/follow-session";
-import { Viewer } from "../../viewer/viewer";
-import { useApp, useAutosavePending, useProject, useRun, useStale, useView } from "../shared/app-context";
+import type { Hover } from "../../tools/select-tool";
+import type { Viewer } from "../../viewer/viewer";
+import { useAutosavePending, useProject, useRun, useStale, useView } from "../shared/app-context";
 import { HoverLabel } from "./hover-label";
 import { Legend } from "./legend";
-import { pageApps } from "../shared/page-apps";
 import { PatchRoleLabels } from "./patch-role-labels";
 import { ProblemMarkers } from "./problem-markers";
 import { CutBar, MeshBadge, MouseHint, ViewNotice } from "./viewport-overlays";
 import type { Layout } from "../shared/use-layout";
+import { useViewer } from "./use-viewer";
 import styles from "./viewport-panel.module.css";
-
-type Trouble = "no-webgl" | "context-lost" | null;
 
 /** The canvas with the labels, markers and controls above it. */
 export function ViewportPanel({ layout }: { readonly layout: Layout }) {
-  const app = useApp();
   const container = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
-  const [viewer, setViewer] = useState<Viewer | null>(null);
-  const [trouble, setTrouble] = useState<Trouble>(null);
   const [hover, setHover] = useState<Hover | null>(null);
-  const scheme = useComputedColorScheme("dark", { getInitialValueInEffect: false });
-  const firstColors = useRef(viewerColors[scheme]);
-
-  useEffect(() => {
-    const box = container.current;
-    const surface = canvas.current;
-    if (!box || !surface) return undefined;
-    let made: Viewer;
-    try {
-      made = new Viewer(box, surface, {
-        state: shownState(app),
-        colors: firstColors.current,
-        motion: !app.still && !window.matchMedia("(prefers-reduced-motion: reduce)").matches,
-        multisampling: !app.still,
-        meshQueries: app.meshQueries,
-        events: {
-          onFrame: (frames) => {
-            box.dataset["frames"] = String(frames);
-          },
-          onFaces: (drawn, isCurrent) => {
-            box.dataset["faces"] = String(drawn);
-            box.dataset["drawn"] = String(isCurrent);
-          },
-          onFailure: (reason) =>
-            app.shell.setState({ message: { title: strings.messages.notDrawn, lines: [reason] } }),
-          onContextLost: () => setTrouble("context-lost"),
-          onContextRestored: () => setTrouble(null),
-        },
-      });
-    } catch {
-      setTrouble("no-webgl");
-      return undefined;
-    }
-    const stop = followSession(app, made);
-    const tools = new ToolController(surface, made, new SelectTool(made, app.view, setHover), (target) =>
-      pageApps.owns(app, target),
-    );
-    app.viewer.setState({ viewer: made });
-    setViewer(made);
-    return () => {
-      stop();
-      tools.dispose();
-      app.viewer.setState({ viewer: null });
-      setViewer(null);
-      made.dispose();
-    };
-  }, [app]);
-  useEffect(() => viewer?.setColors(viewerColors[scheme]), [viewer, scheme]);
-
+  const { viewer, trouble } = useViewer(container, canvas, setHover);
   return (
     <main className={styles["view"]}>
       <ViewState container={container} />

@@ -1,4 +1,4 @@
-import { TextInput, type TextInputProps } from "@mantine/core";
+import { TextInput } from "@mantine/core";
 import { useRef, useState, type KeyboardEvent, type ReactNode } from "react";
 import { useFormField } from "../frames/dialog-form";
 import { readNumber } from "./expression";
@@ -30,16 +30,15 @@ function stepOf(event: KeyboardEvent, step: number): number {
   return step * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
 }
 
-/**
- * A number that can be typed as an expression. Enter and leaving the field commit it, Escape discards the text, and the
- * arrow keys change it by a step. An invalid text stays, with the reason.
- */
-export function NumberField(props: NumberFieldProps) {
-  const { label, value, step, refuse, onCommit, testId } = props;
+/** The text that is being typed into a number field; null if the field shows its value. */
+function useNumberDraft({ value, refuse, onCommit }: NumberFieldProps) {
   const [draft, setDraft] = useState<string | null>(null);
   const [error, setError] = useState<string | null>(null);
-  const input = useRef<HTMLInputElement>(null);
-
+  const discard = (): void => {
+    setDraft(null);
+    setError(null);
+  };
+  /** Commits a number, unless it is invalid: then returns false and keeps the text, with the reason. */
   const take = (next: number | null): boolean => {
     const reason = next === null ? strings.fields.notANumber : (refuse?.(next) ?? null);
     setError(reason);
@@ -51,10 +50,20 @@ export function NumberField(props: NumberFieldProps) {
   const commit = (): boolean => {
     if (draft === null) return true;
     if (draft.trim() !== formatNumber(value)) return take(readNumber(draft));
-    setDraft(null);
-    setError(null);
+    discard();
     return true;
   };
+  return { draft, setDraft, error, discard, take, commit };
+}
+
+/**
+ * A number that can be typed as an expression. Enter and leaving the field commit it, Escape discards the text, and the
+ * arrow keys change it by a step. An invalid text stays, with the reason.
+ */
+export function NumberField(props: NumberFieldProps) {
+  const { label, value, step, leftSection, leftSectionWidth = 20, rightSection, testId } = props;
+  const { draft, setDraft, error, discard, take, commit } = useNumberDraft(props);
+  const input = useRef<HTMLInputElement>(null);
   useFormField({ commit, focus: () => input.current?.focus() });
   const onKeyDown = (event: KeyboardEvent<HTMLInputElement>): void => {
     const direction = directions[event.key];
@@ -65,20 +74,13 @@ export function NumberField(props: NumberFieldProps) {
     } else if (event.key === "Enter") commit();
     else if (event.key === "Escape" && (draft !== null || error !== null)) {
       event.stopPropagation();
-      setDraft(null);
-      setError(null);
+      discard();
     }
   };
-
-  const sections: TextInputProps = {};
-  if (props.leftSection !== undefined) {
-    sections.leftSection = props.leftSection;
-    sections.leftSectionWidth = props.leftSectionWidth ?? 20;
-  }
-  if (props.rightSection !== undefined) sections.rightSection = props.rightSection;
   return (
     <TextInput
-      {...sections}
+      {...(leftSection !== undefined && { leftSection, leftSectionWidth })}
+      {...(rightSection !== undefined && { rightSection })}
       ref={input}
       size="xs"
       aria-label={label}

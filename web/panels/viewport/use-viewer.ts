@@ -1,0 +1,100 @@
+import { useComputedColorScheme } from "@mantine/core";
+import { useEffect, useRef, useState, type RefObject } from "react";
+import type { App } from "../../app/app";
+import { SelectTool, type Hover } from "../../tools/select-tool";
+import { ToolController } from "../../tools/tool-controller";
+import { viewerColors } from "../../ui/theme/theme";
+import { strings } from "../../strings";
+import { followSession, shownState } from "../../viewer/follow-session";
+import { Viewer, type ViewerEvents } from "../../viewer/viewer";
+import { useApp } from "../shared/app-context";
+import { pageApps } from "../shared/page-apps";
+
+/** Why the view shows nothing. */
+export type Trouble = "no-webgl" | "context-lost";
+
+export interface UsedViewer {
+  /** Null before the first picture, and without WebGL. */
+  readonly viewer: Viewer | null;
+  readonly trouble: Trouble | null;
+}
+
+/** Draws the app in a canvas, and lets the pointer select in it. `onHover` must not change. */
+export function useViewer(
+  container: RefObject<HTMLElement | null>,
+  canvas: RefObject<HTMLCanvasElement | null>,
+  onHover: (hover: Hover | null) => void,
+): UsedViewer {
+  const app = useApp();
+  const [viewer, setViewer] = useState<Viewer | null>(null);
+  const [trouble, setTrouble] = useState<Trouble | null>(null);
+  const scheme = useComputedColorScheme("dark", { getInitialValueInEffect: false });
+  const firstColors = useRef(viewerColors[scheme]);
+  useEffect(() => {
+    const [box, surface] = [container.current, canvas.current];
+    if (!box || !surface) return undefined;
+    let made: Viewer;
+    try {
+      made = new Viewer(box, surface, {
+        state: shownState(app),
+        colors: firstColors.current,
+        motion: !app.still && !window.matchMedia("(prefers-reduced-motion: reduce)").matches,
+        multisampling: !app.still,
+        meshQueries: app.meshQueries,
+        events: viewerEvents(app, box, setTrouble),
+      });
+    } catch {
+      setTrouble("no-webgl");
+      return undefined;
+    }
+    const disconnect = connect(app, made, surface, onHover);
+    setViewer(made);
+    return () => {
+      disconnect();
+      setViewer(null);
+      made.dispose();
+    };
+  }, [app, container, canvas, onHover]);
+  useEffect(() => viewer?.setColors(viewerColors[scheme]), [viewer, scheme]);
+  return { viewer, trouble };
+}
+
+/** Copies the progress of drawing to attributes of the element around the canvas, for tests, and reports failures. */
+function viewerEvents(
+  app: App,
+  { dataset }: HTMLElement,
+  setTrouble: (trouble: Trouble | null) => void,
+): ViewerEvents {
+  return {
+    onFrame: (frames) => {
+      dataset["frames"] = String(frames);
+    },
+    onFaces: (drawn, isCurrent) => {
+      dataset["faces"] = String(drawn);
+      dataset["drawn"] = String(isCurrent);
+    },
+    onFailure: (reason) =>
+      app.shell.setState({ message: { title: strings.messages.notDrawn, lines: [reason] } }),
+    onContextLost: () => setTrouble("context-lost"),
+    onContextRestored: () => setTrouble(null),
+  };
+}
+
+/** Connects a viewer with its app: what it shows, and what the pointer does in it. Returns a function that ends this. */
+function connect(
+  app: App,
+  viewer: Viewer,
+  canvas: HTMLCanvasElement,
+  onHover: (hover: Hover | null) => void,
+): () => void {
+  const stop = followSession(app, viewer);
+  const tools = new ToolController(canvas, viewer, new SelectTool(viewer, app.view, onHover), (target) =>
+    pageApps.owns(app, target),
+  );
+  app.viewer.setState({ viewer });
+  return () => {
+    stop();
+    tools.dispose();
+    app.viewer.setState({ viewer: null });
+  };
+}
