@@ -29,7 +29,7 @@ test("opening an example keeps a project with unsaved changes; a notice reopens 
   const edited = await app.generate();
   await app.openExample("plate-with-hole");
   const notice = page.getByTestId("notice-document-left");
-  await expect(notice).toContainText("“Unit cube” is kept");
+  await expect(notice).toContainText("“Unit cube” is available");
   await notice.getByRole("button", { name: "Reopen" }).click();
   await expect(projectName(page)).toHaveValue("Unit cube");
   expect(await app.meshed()).toEqual(edited);
