@@ -52,14 +52,14 @@ test("a click on one of the worst elements moves the camera to it and highlights
   const whole = await app.viewport.screenshot();
   for (const index of [0, 9]) {
     const row = page.getByTestId(`worst-${index}`);
-    const figures = quality.worst[index];
-    const number = figures?.tetrahedron.toLocaleString("en-US");
+    const element = quality.worst[index];
+    const number = element?.tetrahedron.toLocaleString("en-US");
     await expect(row).toHaveAccessibleName(new RegExp(`^Go to tetrahedron ${number} at `));
     const before = await app.viewport.screenshot();
     await nextFrame(app.viewport, () => row.click());
     await expect(row).toHaveAttribute("aria-pressed", "true");
     await expect.poll(async () => (await app.viewport.screenshot()).equals(before)).toBe(false);
-    const position = figures?.centroid ?? [NaN, NaN, NaN];
+    const position = element?.centroid ?? [NaN, NaN, NaN];
     const box = await app.viewport.boundingBox();
     const at = await page.evaluate((target) => {
       return (window as unknown as { tetrafrontPosition: (position: unknown) => unknown }).tetrafrontPosition(

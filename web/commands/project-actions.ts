@@ -15,8 +15,8 @@ import { strings } from "../strings";
 import { showFailure, showMessage } from "./messages";
 
 /**
- * Whatever is opened takes the place of the document before, which stays in the browser's storage with all its steps
- * of undo. If no file holds its changes, a notice offers to reopen it.
+ * A document that is opened replaces the current one, which stays in the browser's storage with all its undo steps. If
+ * no file contains its changes, a notice offers to reopen it.
  */
 
 /** Opens a project as a new document and meshes it. */

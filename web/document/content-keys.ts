@@ -11,8 +11,8 @@ import { numbersPerNode, packedNodes, packedTetrahedra, partsOf } from "./packed
 import { forEachInSlices } from "./slices";
 
 /**
- * Keys that are equal for projects of equal content, whatever their identity: `documentKey` answers whether a file
- * holds the project, `meshKey` whether a mesh was made from it. Each list is hashed once and remembered, so that
+ * Keys that are equal for projects of equal content, even if the objects differ. `documentKey` shows whether a file
+ * contains the project, `meshKey` whether a mesh was made from it. Each list is hashed once and remembered, so that
  * moving a point costs nothing for a large background grid.
  */
 

@@ -6,7 +6,7 @@ export interface DraftChange<State> {
   readonly change: (draft: Draft<State>) => void;
 }
 
-/** New values at some paths. They are stored as they are, without a visit to their parts, however large they are. */
+/** New values at some paths. They are stored unchanged, and their parts are not visited, because they may be large. */
 export interface Replacement {
   readonly replace: readonly (readonly [path: readonly string[], value: unknown])[];
 }

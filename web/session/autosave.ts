@@ -10,11 +10,11 @@ export interface AutosaveState {
   readonly failure: string | null;
 }
 
-/** From a change to its writing, at least: the page shows the change first. Milliseconds. */
+/** Minimum delay from a change to its writing, in milliseconds: the page shows the change first. */
 const minDelay = 20;
 /** Copying a large project blocks the page: wait for this multiple of the time that the last copy took. */
 const delayPerBlockingTime = 4;
-/** From one failed attempt to the next. It doubles with each further failure. */
+/** Delay after a failed attempt, in milliseconds. It doubles with each further failure. */
 const retryDelay = { first: 500, max: 30_000 };
 
 /** The part of the window and its document whose events announce that the page is being left. */

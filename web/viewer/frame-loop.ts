@@ -10,7 +10,7 @@ export class FrameLoop {
   #frames = 0;
   #lastDrawn = 0;
 
-  /** @param draw draws a frame this long after the last one; returns whether a motion goes on. */
+  /** @param draw draws a frame this long after the last one; returns whether a motion continues. */
   constructor(draw: (seconds: number) => boolean) {
     this.#draw = draw;
   }

@@ -131,9 +131,9 @@ async function checkProjectPath(output: string): Promise<void> {
 function summary(input: string, { background }: Project, output: string): string {
   const { nodes, tetrahedra, sources = [] } = background;
   const size = nodes[0] === undefined ? "" : ` of size ${Number(nodes[0].size.toPrecision(6))}`;
-  const figures = [
+  const parts = [
     `a grid of ${plural(tetrahedra.length, "tetrahedron")}${size}`,
     plural(sources.length, "source"),
   ];
-  return `${input}: ${figures.join(", ")} -> ${output}`;
+  return `${input}: ${parts.join(", ")} -> ${output}`;
 }

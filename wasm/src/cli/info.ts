@@ -57,9 +57,9 @@ export function statsOfFile(input: string, options: InfoCommandOptions): Promise
     const found = await withMesher((mesher) =>
       mesher.inspectMesh({ ...mesh, regions: mesh.tetrahedronRegion }),
     );
-    const { boundary, ...figures } = found;
+    const { boundary, ...statistics } = found;
     const reversedInFile = mesh.reversedTetrahedra ?? 0;
-    const json = { ...figures, reversedInFile, boundaryTriangles: boundary.triangles.length / 3 };
+    const json = { ...statistics, reversedInFile, boundaryTriangles: boundary.triangles.length / 3 };
     const defects = found.isValid ? [] : ["the mesh is invalid: `tetrafront check` lists its problems"];
     const lines = [
       ...meshLines(found),

@@ -78,11 +78,11 @@ interface Outcome {
   readonly written: string | null;
   /** Changes of the surface, if a repair was requested. */
   readonly changes?: readonly RepairChange[] | undefined;
-  readonly refinement?: RefinementFigures | undefined;
+  readonly refinement?: RefinementCounts | undefined;
 }
 
 /** Result of a requested refinement of the surface. */
-interface RefinementFigures {
+interface RefinementCounts {
   /** Number of triangles before and after. */
   readonly given: number;
   readonly triangles: number;
@@ -181,7 +181,7 @@ function printWithGrid(
   );
 }
 
-function printRefinement(input: string, { given, triangles, splitEdges }: RefinementFigures): void {
+function printRefinement(input: string, { given, triangles, splitEdges }: RefinementCounts): void {
   print(
     `${input}: refined: ${plural(given, "triangle")} before, ${triangles} after, ${plural(splitEdges, "edge")} split`,
   );
@@ -306,7 +306,7 @@ interface MeshingOptions {
 interface Meshed {
   readonly result: MeshResult;
   readonly model: Input;
-  readonly refinement?: RefinementFigures;
+  readonly refinement?: RefinementCounts;
 }
 
 async function mesh(
@@ -338,9 +338,9 @@ async function mesh(
     if (!found.isFillable) return { result: emptyResult("invalid-input", found.diagnostics), model };
     // The volume helps to estimate the number of elements only if the orientation of all triangles is known.
     const volume = found.flippedTriangles > 0 ? undefined : found.volume;
-    const { surface, figures } = await refined(mesher, model.surface, { ...all, volume }, control);
+    const { surface, counts } = await refined(mesher, model.surface, { ...all, volume }, control);
     const result = await mesher.fillSurface(surface, all, control);
-    return { result, model: { kind: "surface", surface }, refinement: figures };
+    return { result, model: { kind: "surface", surface }, refinement: counts };
   } catch (failure) {
     if (!(failure instanceof MesherError) || failure.code !== "cancelled") throw failure;
     return { result: emptyResult("cancelled"), model };
@@ -356,15 +356,15 @@ async function refined(
   given: SurfaceFile,
   options: RefineOptions,
   control: RunControl,
-): Promise<{ readonly surface: SurfaceFile; readonly figures: RefinementFigures }> {
+): Promise<{ readonly surface: SurfaceFile; readonly counts: RefinementCounts }> {
   const refinement = await mesher.refineSurface(given, options, control);
   const surface = repairedSurface(given, refinement);
-  const figures = {
+  const counts = {
     given: given.triangles.length / 3,
     triangles: surface.triangles.length / 3,
     splitEdges: refinement.splitEdges,
   };
-  return { surface, figures };
+  return { surface, counts };
 }
 
 async function withGrid(mesher: Mesher, options: MeshOptions, given: GivenGrid): Promise<MeshOptions> {
@@ -425,7 +425,7 @@ function summary(
     `dihedral angles ${dihedral.min.toFixed(1)}° to ${dihedral.max.toFixed(1)}°`,
     `mean radius ratio ${radiusRatio.mean.toFixed(3)}`,
   ];
-  const figures = [
+  const parts = [
     plural(tetrahedra, "tetrahedron"),
     plural(nodes, "node"),
     ...(tetrahedra > 0 ? shapes : []),
@@ -435,7 +435,7 @@ function summary(
     `${seconds.total.toFixed(2)} s`,
   ].join(", ");
   const where = written ?? unwritten();
-  return `${input}: ${status}, ${figures} -> ${where}`;
+  return `${input}: ${status}, ${parts} -> ${where}`;
 
   function unwritten(): string {
     if (status === "done") return "not written";
