@@ -47,7 +47,7 @@ double volumeOf(const BackgroundGrid& grid) {
 
 TEST(CoveringGridTest, ContainsTheBoxWithAMargin) {
   Random random(941);
-  for (const CoverShape shape : {CoverShape::kBox, CoverShape::kSingleTetrahedron}) {
+  for (const CoverShape shape : {CoverShape::kBox, CoverShape::kTetrahedron}) {
     for (int i = 0; i < 30; ++i) {
       const Vec3 low = random.inBox(10.0);
       const Vec3 extent = Vec3(1.0) + random.inBox();
@@ -70,15 +70,14 @@ TEST(CoveringGridTest, FiveTetrahedraFillTheBoxOnce) {
   EXPECT_EQ(grid.nodes.size(), 8U);
   const Vec3 extent = Vec3(3.0, 4.0, 0.0) + 2.0 * 5.0 / 20.0;  // the diagonal is 5
   EXPECT_NEAR(volumeOf(grid), extent.x * extent.y * extent.z, 1e-12);
-  const BackgroundGrid one =
-      coveringGrid(Vec3(0.0), Vec3(1.0), 1.0, CoverShape::kSingleTetrahedron);
+  const BackgroundGrid one = coveringGrid(Vec3(0.0), Vec3(1.0), 1.0, CoverShape::kTetrahedron);
   EXPECT_EQ(one.tetrahedra.size(), 1U);
 }
 
 TEST(CoveringGridTest, CoversCurvedPatches) {
   // The spline points of the circles are no corners of the tube's box, and its side is curved.
   const Model tube = seamedTube(1.0, 2.0);
-  for (const CoverShape shape : {CoverShape::kBox, CoverShape::kSingleTetrahedron}) {
+  for (const CoverShape shape : {CoverShape::kBox, CoverShape::kTetrahedron}) {
     const BackgroundGrid grid = coveringGrid(tube, 0.0, shape);
     const ModelPreview preview = previewModel(tube, grid);
     for (const Diagnostic& d : preview.diagnostics)

@@ -196,7 +196,7 @@ TEST(MeshWalls, BallInABox) {
         places.push_back(std::cos(angle) * foot + Vec3(0, 0, pole * std::sin(angle)));
       }
       places.back() = Vec3(0, 0, pole);
-      meridians.push_back(builder.line(LineType::kCubicSpline, places));
+      meridians.push_back(builder.line(LineType::kSpline, places));
     }
     for (std::size_t arc = 0; arc < 4; ++arc) {
       builder.patch(PatchType::kBarnhillGregoryNielson,

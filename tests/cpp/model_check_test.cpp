@@ -132,7 +132,7 @@ TEST(ModelCheck, WrongPointCount) {
 TEST(ModelCheck, CoincidentPoints) {
   ModelBuilder builder;
   const std::uint32_t line =
-      builder.line(LineType::kCubicSpline, {{0, 0, 0}, {1, 0, 0}, {2, 0, 1}, {3, 0, 0}});
+      builder.line(LineType::kSpline, {{0, 0, 0}, {1, 0, 0}, {2, 0, 1}, {3, 0, 0}});
   builder.patch(PatchType::kPlanar, {{{line, false}, builder.straight({3, 0, 0}, {0, 0, 0})}});
   builder.model.points[2] = builder.model.points[1];
   const Diagnostic fault = onlyFault(builder.model);
@@ -402,8 +402,8 @@ TEST(ModelCheck, SharpBendOfACoonsPatchIsNoFold) {
     return std::vector<Vec3>{{1, -0.02, z},   {0.5, -0.05, z}, {0.02, -0.02, z}, {0, 0, z},
                              {0.02, 0.02, z}, {0.5, 0.05, z},  {1, 0.02, z}};
   };
-  const std::uint32_t root = builder.line(LineType::kCubicSpline, profile(0));
-  const std::uint32_t tip = builder.line(LineType::kCubicSpline, profile(2));
+  const std::uint32_t root = builder.line(LineType::kSpline, profile(0));
+  const std::uint32_t tip = builder.line(LineType::kSpline, profile(2));
   builder.patch(PatchType::kCoons, {{{root, false},
                                      builder.straight({1, 0.02, 0}, {1, 0.02, 2}),
                                      {tip, true},
@@ -423,7 +423,7 @@ TEST(ModelCheck, MisusedSeams) {
 TEST(ModelCheck, ReportsAllProblemsAtOnce) {
   Model model = boxModel({0, 0, 0}, {1, 1, 1});
   model.points[3].x = std::numeric_limits<double>::quiet_NaN();
-  model.lines[0].type = LineType::kCubicSpline;
+  model.lines[0].type = LineType::kSpline;
   model.patches[5].type = PatchType::kSerendipity;
   const std::vector<DiagnosticCode> codes = codesOf(model);
   for (const DiagnosticCode code : {DiagnosticCode::kNotFinite, DiagnosticCode::kWrongPointCount,

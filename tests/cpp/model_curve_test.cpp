@@ -26,7 +26,7 @@ std::vector<Curve> randomCurves(std::uint64_t seed) {
   curves.emplace_back(LineType::kStraight, randomPoints(random, 2));
   curves.emplace_back(LineType::kParabolic, randomPoints(random, 3));
   for (int count = 4; count < 9; ++count)
-    curves.emplace_back(LineType::kCubicSpline, randomPoints(random, count));
+    curves.emplace_back(LineType::kSpline, randomPoints(random, count));
   return curves;
 }
 
@@ -34,7 +34,7 @@ TEST(ModelCurve, EndsAreTheGivenPointsBitForBit) {
   Random random(1);
   for (int count = 4; count < 30; ++count) {
     const std::vector<Vec3> points = randomPoints(random, count);
-    const Curve curve(LineType::kCubicSpline, points);
+    const Curve curve(LineType::kSpline, points);
     EXPECT_EQ(curve.position(0.0), points.front());
     EXPECT_EQ(curve.position(1.0), points.back());
   }
@@ -43,14 +43,14 @@ TEST(ModelCurve, EndsAreTheGivenPointsBitForBit) {
 TEST(ModelCurve, SplinePassesEveryPointAtItsKnot) {
   Random random(2);
   const std::vector<Vec3> points = randomPoints(random, 12);
-  const Curve curve(LineType::kCubicSpline, points);
+  const Curve curve(LineType::kSpline, points);
   ASSERT_EQ(curve.knots().size(), points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     EXPECT_LT(glm::length(curve.position(curve.knots()[i]) - points[i]), 1e-13);
 }
 
 TEST(ModelCurve, SplineKnotsAreProportionalToTheChords) {
-  const Curve curve(LineType::kCubicSpline, {{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {1, 2, 1}});
+  const Curve curve(LineType::kSpline, {{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {1, 2, 1}});
   EXPECT_DOUBLE_EQ(curve.knots()[1], 0.25);
   EXPECT_DOUBLE_EQ(curve.knots()[2], 0.75);
 }
@@ -75,7 +75,7 @@ TEST(ModelCurve, DerivativeIsTheLimitOfDifferences) {
 TEST(ModelCurve, SplineIsSmoothToTheSecondDerivativeAcrossKnots) {
   constexpr double kStep = 1e-5;
   Random random(4);
-  const Curve curve(LineType::kCubicSpline, randomPoints(random, 8));
+  const Curve curve(LineType::kSpline, randomPoints(random, 8));
   for (std::size_t i = 1; i + 1 < curve.knots().size(); ++i) {
     const double knot = curve.knots()[i];
     const Vec3 slopeBefore = curve.derivative(knot - 1e-12);
@@ -89,7 +89,7 @@ TEST(ModelCurve, SplineIsSmoothToTheSecondDerivativeAcrossKnots) {
 TEST(ModelCurve, SplineEndsAreNatural) {
   constexpr double kStep = 1e-6;
   Random random(5);
-  const Curve curve(LineType::kCubicSpline, randomPoints(random, 6));
+  const Curve curve(LineType::kSpline, randomPoints(random, 6));
   const Vec3 atStart = (curve.derivative(kStep) - curve.derivative(0.0)) / kStep;
   const Vec3 inside = (curve.derivative(0.1 + kStep) - curve.derivative(0.1)) / kStep;
   EXPECT_LT(glm::length(atStart), 1e-3 * glm::length(inside));
@@ -110,7 +110,7 @@ TEST(ModelCurve, ClosedSplineIsSmoothToTheSecondDerivativeAtItsSeam) {
   constexpr double kStep = 1e-5;
   Random random(8);
   for (int count = 3; count < 12; ++count) {
-    const Curve curve(LineType::kCubicSpline, randomRing(random, count));
+    const Curve curve(LineType::kSpline, randomRing(random, count));
     EXPECT_TRUE(curve.isClosed());
     EXPECT_EQ(curve.position(0.0), curve.position(1.0));
     const double speed = glm::length(curve.derivative(0.0));
@@ -128,11 +128,11 @@ TEST(ModelCurve, ClosedSplineDoesNotDependOnItsFirstPoint) {
   Random random(9);
   for (int count = 3; count < 12; ++count) {
     std::vector<Vec3> ring = randomRing(random, count);
-    const Curve curve(LineType::kCubicSpline, ring);
+    const Curve curve(LineType::kSpline, ring);
     ring.pop_back();
     std::ranges::rotate(ring, ring.begin() + 2);
     ring.push_back(ring.front());
-    const Curve later(LineType::kCubicSpline, ring);
+    const Curve later(LineType::kSpline, ring);
     const double offset = curve.knots()[2];
     for (double t = 0.0; t < 1.0 - offset; t += 0.01)
       EXPECT_LT(glm::length(later.position(t) - curve.position(t + offset)), 1e-13);
@@ -148,17 +148,16 @@ TEST(ModelCurve, ClosedSplineThroughACircleHasItsSymmetry) {
     const double angle = kTurn * (i % kPoints) / kPoints;
     ring.emplace_back(std::cos(angle), std::sin(angle), 0.0);
   }
-  const Curve curve(LineType::kCubicSpline, ring);
+  const Curve curve(LineType::kSpline, ring);
   for (double t = 0.0; t < 1.0; t += 0.003)
     EXPECT_NEAR(glm::length(curve.position(t)), 1.0, 2.5e-4);
   for (int piece = 0; piece < kPoints; ++piece)
     EXPECT_NEAR(curve.length(piece / 12.0, (piece + 1) / 12.0), curve.length() / kPoints, 1e-12);
-  EXPECT_FALSE(
-      Curve(LineType::kCubicSpline, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}).isClosed());
+  EXPECT_FALSE(Curve(LineType::kSpline, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}).isClosed());
 }
 
 TEST(ModelCurve, SplineThroughCollinearEvenPointsIsStraight) {
-  const Curve curve(LineType::kCubicSpline, {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}});
+  const Curve curve(LineType::kSpline, {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}});
   EXPECT_TRUE(curve.isStraight());
   EXPECT_NEAR(curve.length(), 3.0 * std::sqrt(3.0), 1e-13);
   EXPECT_FALSE(Curve(LineType::kParabolic, {{0, 0, 0}, {1, 1e-3, 0}, {2, 0, 0}}).isStraight());
@@ -178,8 +177,7 @@ TEST(ModelCurve, SplineLengthConvergesToTheArc) {
       const double angle = std::numbers::pi * i / count;
       points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
     }
-    const double error =
-        std::fabs(Curve(LineType::kCubicSpline, points).length() - std::numbers::pi);
+    const double error = std::fabs(Curve(LineType::kSpline, points).length() - std::numbers::pi);
     EXPECT_LT(error, 0.3 * previousError) << count;
     previousError = error;
   }

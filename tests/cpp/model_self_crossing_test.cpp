@@ -14,7 +14,7 @@
 namespace tetrafront::testing {
 namespace {
 
-Curve spline(std::vector<Vec3> points) { return {LineType::kCubicSpline, std::move(points)}; }
+Curve spline(std::vector<Vec3> points) { return {LineType::kSpline, std::move(points)}; }
 
 /// Points of a figure of eight that passes through the origin twice without a point there; `lift`
 /// is its rise from end to end.
@@ -144,7 +144,7 @@ TEST(SelfCrossing, CommonEndOfAClosedSplineIsNoCrossing) {
 
 TEST(SelfCrossing, LineThatEndsOnItselfIsReportedWithItsPosition) {
   ModelBuilder builder;
-  builder.line(LineType::kCubicSpline,
+  builder.line(LineType::kSpline,
                {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 1, 0}, {2, 2, 0}, {1, 1, 0}, {1, 0, 0}});
   std::vector<Diagnostic> found = diagnoseModel(builder.model);
   std::erase_if(found, [](const Diagnostic& d) { return d.code == DiagnosticCode::kEmptyModel; });

@@ -35,7 +35,7 @@ Vec2 randomUnit(Random& random, UnitShape shape) {
 /// Splines become parabolas, because chord-length knots do not survive an affine map.
 void makeParabolic(Model& model) {
   for (Line& line : model.lines) {
-    if (line.type != LineType::kCubicSpline) continue;
+    if (line.type != LineType::kSpline) continue;
     line.points = {line.points[0], line.points[1], line.points.back()};
     line.type = LineType::kParabolic;
   }

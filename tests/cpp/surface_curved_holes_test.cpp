@@ -37,7 +37,7 @@ void addHole(Model& model, const std::vector<Vec2>& units, double lift = 0.0) {
     places.push_back(point.position + lift * normal);
   }
   const auto first = static_cast<std::uint32_t>(model.points.size());
-  Line line{LineType::kCubicSpline, {}};
+  Line line{LineType::kSpline, {}};
   for (std::uint32_t i = 0; i < units.size(); ++i) line.points.push_back(first + i);
   line.points.push_back(first);
   model.points.insert(model.points.end(), places.begin(), places.end());

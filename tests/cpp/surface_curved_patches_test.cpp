@@ -137,7 +137,7 @@ std::uint32_t quarter(ModelBuilder& builder, const Vec3& u, const Vec3& v) {
     places.push_back(std::cos(angle) * u + std::sin(angle) * v);
   }
   places.push_back(v);
-  return builder.line(LineType::kCubicSpline, places);
+  return builder.line(LineType::kSpline, places);
 }
 
 TEST(SurfaceCurvedPatches, OctantBetweenThreeQuarterCirclesIsCoveredEvenly) {

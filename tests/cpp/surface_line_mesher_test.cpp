@@ -69,7 +69,7 @@ TEST(SurfaceLineMesher, SidesFollowAGradedField) {
       points.push_back(Vec3(6.0 * i / (count - 1), 0, 0) + random.inBox(0.25));
     const LineType type = count == 2   ? LineType::kStraight
                           : count == 3 ? LineType::kParabolic
-                                       : LineType::kCubicSpline;
+                                       : LineType::kSpline;
     const Curve curve(type, points);
     const LineDivision division = divideLine(curve, field, 1);
     expectWellFormed(division, curve);
@@ -121,7 +121,7 @@ TEST(SurfaceLineMesher, FindsASmallSizeInTheMiddleOfALine) {
 TEST(SurfaceLineMesher, ClosedSplineIsDividedAlongItsWholeLength) {
   ModelBuilder builder;
   const Loop loop = builder.circle({0, 0, 0}, 1.0, 1);
-  const Curve curve(LineType::kCubicSpline, [&] {
+  const Curve curve(LineType::kSpline, [&] {
     std::vector<Vec3> points;
     for (const std::uint32_t point : builder.model.lines[loop[0].line].points)
       points.push_back(builder.model.points[point]);

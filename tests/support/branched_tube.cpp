@@ -32,7 +32,7 @@ Model branchedTube(double branch) {
     const double y = branch * std::cos(angle);
     places.emplace_back(std::sqrt(1.0 - y * y), y, branch * std::sin(angle));
   }
-  const std::uint32_t meeting = builder.line(LineType::kCubicSpline, places);
+  const std::uint32_t meeting = builder.line(LineType::kSpline, places);
   const Loop end = builder.circle({kBranchEnd, 0, 0}, branch, 1, {0, 1, 0}, {0, 0, 1});
   const OrientedLine rise =
       builder.straight(places.front(), {kBranchEnd, places.front().y, places.front().z});

@@ -98,7 +98,7 @@ using Numbers = std::map<double, std::uint32_t>;  ///< positions by the file's i
 LineType lineTypeOf(const std::string& name) {
   return name == "straight"    ? LineType::kStraight
          : name == "parabolic" ? LineType::kParabolic
-                               : LineType::kCubicSpline;
+                               : LineType::kSpline;
 }
 
 PatchType patchTypeOf(const std::string& name) {

@@ -162,7 +162,7 @@ Loop ModelBuilder::circle(const Vec3& centre, double radius, int arcs, const Vec
       const double angle = kTurn * step / (arcs * pieces);
       places.push_back(centre + radius * std::cos(angle) * u + radius * std::sin(angle) * v);
     }
-    loop.push_back({line(LineType::kCubicSpline, places), false});
+    loop.push_back({line(LineType::kSpline, places), false});
   }
   return loop;
 }
@@ -263,7 +263,7 @@ Model sphereModel(double radius) {
           const Vec3 chord = corner(ends.first) * (1.0 - t) + corner(ends.second) * t;
           places.push_back(radius * glm::normalize(chord));
         }
-        lines[ends] = builder.line(LineType::kCubicSpline, places);
+        lines[ends] = builder.line(LineType::kSpline, places);
       }
       loop.push_back({lines[ends], from > to});
     }
@@ -294,8 +294,8 @@ Model torusModel(double majorRadius, double minorRadius) {
         first.push_back(at(kSteps * i + k, kSteps * j));
         second.push_back(at(kSteps * i, kSteps * j + k));
       }
-      along[i][j] = builder.line(LineType::kCubicSpline, first);
-      across[i][j] = builder.line(LineType::kCubicSpline, second);
+      along[i][j] = builder.line(LineType::kSpline, first);
+      across[i][j] = builder.line(LineType::kSpline, second);
     }
   }
   for (int i = 0; i < kAround; ++i) {
@@ -361,7 +361,7 @@ Model bracketModel() {
                y));
       }
       places.push_back(to);
-      loop.push_back({builder.line(LineType::kCubicSpline, places), false});
+      loop.push_back({builder.line(LineType::kSpline, places), false});
     }
     builder.patch(PatchType::kPlanar, {loop});
     return loop;

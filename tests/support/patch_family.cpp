@@ -89,7 +89,7 @@ Model paperPatch(PatchType type, Random& random) {
   ModelBuilder builder;
   Loop loop;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    LineType line = parabolic ? LineType::kParabolic : LineType::kCubicSpline;
+    LineType line = parabolic ? LineType::kParabolic : LineType::kSpline;
     std::vector<Vec3> places =
         edgeOfPaper(random, paper, corners[i], corners[(i + 1) % corners.size()], line);
     const bool reversed = random.coin();

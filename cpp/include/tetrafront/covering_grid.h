@@ -12,8 +12,8 @@
 namespace tetrafront {
 
 enum class CoverShape : std::uint8_t {
-  kBox = 0,                ///< an axis-parallel box in five tetrahedra, 8 nodes
-  kSingleTetrahedron = 1,  ///< one tetrahedron, enough for a uniform mesh (section 3)
+  kBox = 0,          ///< an axis-parallel box in five tetrahedra, 8 nodes
+  kTetrahedron = 1,  ///< one tetrahedron, enough for a uniform mesh (section 3)
 };
 
 /// Returns a grid with `size` at every node that covers the box from `low` to `high`, widened on each side by a

@@ -17,7 +17,7 @@ enum class LineType : std::uint8_t {
   kParabolic = 1,  ///< three points: start, the point at mid-parameter, end
   /// Four or more points, interpolated with chord-length parameters and natural ends. If the first point is also
   /// the last, the curve is periodic: its curvature is continuous there too.
-  kCubicSpline = 2,
+  kSpline = 2,
 };
 
 /// Surface type of a patch over the lines F1, F2, ... of its outer loop, in the order of the loop (Löhner &

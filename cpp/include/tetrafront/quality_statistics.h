@@ -13,9 +13,11 @@
 
 namespace tetrafront {
 
-inline constexpr std::size_t kDihedralBins = 36;  ///< of 5 degrees
-inline constexpr std::size_t kRatioBins = 20;     ///< of 0.05
-inline constexpr std::size_t kEdgeBins = 30;      ///< of 0.1; the last holds all longer edges too
+inline constexpr std::size_t kDihedralBins = 36;       ///< of 5 degrees
+inline constexpr std::size_t kRatioBins = 20;          ///< of 0.05
+inline constexpr std::size_t kEdgeBinsPerTarget = 10;  ///< per target length
+/// The last bin also holds all edges longer than three target lengths.
+inline constexpr std::size_t kEdgeBins = 3 * kEdgeBinsPerTarget;
 
 struct RegionStatistics {
   std::uint32_t region = 0;  ///< as in VolumeMesh::regions

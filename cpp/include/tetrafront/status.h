@@ -66,7 +66,7 @@ enum class DiagnosticCode : std::uint16_t {
   kEmptyModel = 12,  ///< no patch, or no triangle
   kDegeneratePatch = 13,   ///< patch whose surface has no area or folds over itself
   kHoleOutside = 14,       ///< patch, line: a hole outside the outer loop or inside another hole
-  kOptionOutOfRange = 15,  ///< values: which (0 size, 1 growth, 2 gradation), its value
+  kOptionOutOfRange = 15,  ///< values: which CheckedOption, its value
   kLineSelfIntersection = 16,  ///< line that crosses itself or runs back over itself; position
   kPatchesIntersect = 17,  ///< two patches that overlap or cross away from common lines; position
   kHoleOffPatch = 18,      ///< curved patch, line of a hole that is not on it; values: distance
@@ -107,6 +107,9 @@ enum class DiagnosticCode : std::uint16_t {
   /// Values: number of defects; a mistake of the engine, not of the input.
   kVerificationFailed = 61,
 };
+
+/// Options whose range is checked.
+enum class CheckedOption : std::uint8_t { kSize = 0, kGrowth = 1, kGradation = 2 };
 
 enum class Severity : std::uint8_t { kInformation = 0, kWarning = 1, kError = 2 };
 

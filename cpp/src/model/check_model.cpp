@@ -200,7 +200,7 @@ class ModelChecker::Impl {
         return line.points.size() == 2;
       case LineType::kParabolic:
         return line.points.size() == 3;
-      case LineType::kCubicSpline:
+      case LineType::kSpline:
         break;
     }
     return line.points.size() >= 4;

@@ -58,7 +58,7 @@ class Curve::SplineEquations {
 
 Curve::Curve(LineType type, std::vector<Vec3> points)
     : type_(type), points_(std::move(points)), flat_(points_) {
-  if (type_ == LineType::kCubicSpline)
+  if (type_ == LineType::kSpline)
     fitSpline();
   else
     knots_ = {0.0, 1.0};
@@ -66,7 +66,7 @@ Curve::Curve(LineType type, std::vector<Vec3> points)
 }
 
 bool Curve::isClosed() const {
-  return type_ == LineType::kCubicSpline && points_.front() == points_.back();
+  return type_ == LineType::kSpline && points_.front() == points_.back();
 }
 
 void Curve::fitSpline() {
@@ -122,7 +122,7 @@ Curve::Sample Curve::sampleByType(double t) const {
       return {points_[0] + t * (points_[1] - points_[0]), points_[1] - points_[0]};
     case LineType::kParabolic:
       return sampleParabola(t);
-    case LineType::kCubicSpline:
+    case LineType::kSpline:
       break;
   }
   return sampleSpline(t);

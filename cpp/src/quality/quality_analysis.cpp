@@ -9,7 +9,7 @@ constexpr std::size_t kListed = 10;
 constexpr double kNearFrom = 0.6;
 constexpr double kNearTo = 1.5;
 constexpr double kBinsPerRatio = static_cast<double>(kRatioBins);
-constexpr double kBinsPerEdge = 10.0;
+constexpr double kBinsPerEdge = static_cast<double>(kEdgeBinsPerTarget);
 
 /// Cosines of 0, 5 .. 180 degrees: bins must not depend on a library's rounding.
 constexpr std::array<double, kDihedralBins + 1> kBinCosines = [] {

@@ -9,21 +9,23 @@ namespace tetrafront {
 
 std::vector<Diagnostic> checkOptions(const MeshOptions& options) {
   struct Option {
+    CheckedOption which;
     double value;
     bool isInRange;
   };
-  // In the order in which the package names them.
+  const auto [size, growth, gradation] =
+      std::array{options.size, options.growth, options.gradation};
   const std::array<Option, 3> checked{
-      {{options.size, options.size >= 0.0 && options.size <= kLargestCoordinate},
-       {options.growth, options.growth >= 0.0 && options.growth <= kMaxGrowth},
-       {options.gradation, options.gradation == 0.0 ||
-                               (options.gradation > 1.0 && options.gradation <= kMaxGradation)}}};
+      {{CheckedOption::kSize, size, size >= 0.0 && size <= kLargestCoordinate},
+       {CheckedOption::kGrowth, growth, growth >= 0.0 && growth <= kMaxGrowth},
+       {CheckedOption::kGradation, gradation,
+        gradation == 0.0 || (gradation > 1.0 && gradation <= kMaxGradation)}}};
   std::vector<Diagnostic> found;
-  for (std::size_t i = 0; i < checked.size(); ++i) {
-    if (checked[i].isInRange) continue;
+  for (const Option& option : checked) {
+    if (option.isInRange) continue;
     Diagnostic& diagnostic = found.emplace_back();
     diagnostic.code = DiagnosticCode::kOptionOutOfRange;
-    diagnostic.values = {static_cast<double>(i), checked[i].value};
+    diagnostic.values = {static_cast<double>(option.which), option.value};
   }
   return found;
 }
