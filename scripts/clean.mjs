@@ -2,6 +2,13 @@
 import { rmSync } from "node:fs";
 import { inRoot } from "./lib/paths.mjs";
 
-for (const folder of ["build", "wasm/dist", "web/dist", "test-results", "playwright-report"]) {
+for (const folder of [
+  "build",
+  "wasm/dist",
+  "wasm/src/generated",
+  "web/dist",
+  "test-results",
+  "playwright-report",
+]) {
   rmSync(inRoot(folder), { recursive: true, force: true });
 }

@@ -20,6 +20,7 @@ const ENGINE = [
 
 /** The modules of wasm/src, in the same way. */
 const PACKAGE = [
+  ["generated"],
   ["base"],
   ["diagnostics"],
   ["calls"],

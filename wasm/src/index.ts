@@ -3,9 +3,22 @@
  *
  *     import { createMesher, fileMeshOf, readSurface, writeMesh } from "tetrafront";
  */
-export { ENGINE_CODES } from "./diagnostics/codes.js";
+export {
+  type CheckedOption,
+  type CoverShape,
+  ENGINE_CODES,
+  type EngineCode,
+  type EntityKind,
+  type FrontOrder,
+  type InnerShells,
+  NO_ORIGIN,
+  NO_REGION,
+  type Optimization,
+  type Phase,
+  type Severity,
+} from "./generated/constants.js";
 export type { Counted, DiagnosticData, DiagnosticNumbers, NoData, ReadLocation } from "./diagnostics/data.js";
-export type { DiagnosticCode, EngineCode, PackageCode } from "./diagnostics/codes.js";
+export type { DiagnosticCode, PackageCode } from "./diagnostics/codes.js";
 export type { ErrorCode } from "./diagnostics/mesher-error.js";
 export type { ByteSource } from "./formats/byte-source.js";
 export type {
@@ -80,21 +93,17 @@ export type {
 } from "./project/schema.js";
 export type { ReadCode, ReadError, ReadResult } from "./diagnostics/read-error.js";
 export { repairedSurface } from "./api/repaired-surface.js";
-export { NO_ORIGIN } from "./api/surface-numbers.js";
 export type { AbortControl, RunControl } from "./calls/control.js";
 export type { BackgroundArrays } from "./project/background-arrays.js";
 export type {
   CoverOptions,
-  InnerShells,
-  FrontOrder,
   InspectionOptions,
   MeshOptions,
-  Optimization,
   PreviewOptions,
   ProposalOptions,
   RefineOptions,
 } from "./api/option-types.js";
-export type { Diagnostic, DiagnosticOf, EntityKind, EntityRef, Severity } from "./diagnostics/diagnostic.js";
+export type { Diagnostic, DiagnosticOf, EntityRef } from "./diagnostics/diagnostic.js";
 export type {
   EdgeStatistics,
   ElementQuality,
@@ -106,6 +115,6 @@ export type {
 export type { Mesher, SizeProposal } from "./api/mesher-interface.js";
 export type { MeshInput, SurfaceInput, SurfaceMesh, VolumeMesh } from "./mesh/mesh.js";
 export type { MeshReport, MeshResult, MeshStatus, Seconds } from "./mesh/report.js";
-export type { Phase, Progress } from "./base/progress.js";
+export type { Progress } from "./base/progress.js";
 export type { ProjectPreview } from "./project/preview.js";
-export { isInterface, NO_REGION } from "./mesh/interfaces.js";
+export { isInterface } from "./mesh/interfaces.js";

@@ -8,10 +8,13 @@
 // times of all runs; `firstSeconds` of the first run; and the size of the engine's memory after all runs.
 import { readFileSync } from "node:fs";
 import createEngine from "../../../wasm/dist/engine/engine.js";
+import {
+  ENGINE_STATUSES,
+  MESH_DEFAULTS,
+  OPTIMIZATIONS,
+  PHASES,
+} from "../../../wasm/dist/generated/constants.js";
 
-const OPTIMIZATIONS = ["none", "fast", "default", "thorough"];
-const PHASES = ["check", "sides", "surface", "volume", "optimize", "verify"];
-const STATUSES = ["running", "done", "stalled", "cancelled", "invalid-input"];
 // The budget per call, as in wasm/src/engine/slices.ts.
 const BUDGET = 256;
 const WARM_SECONDS = 3;
@@ -61,23 +64,13 @@ function fill(engine, surface, optimization) {
     sources: { type: new Uint8Array(0), points: none, size: none, distance: none, growth: none },
     coverageMargin: 0,
   };
-  const options = {
-    size: 0,
-    growth: 0.3,
-    gradation: 1.3,
-    order: 0,
-    filters: true,
-    optimization,
-    maxTetrahedra: 20_000_000,
-    exactFillOnly: false,
-    innerShells: 0,
-  };
+  const options = { ...MESH_DEFAULTS, order: 0, innerShells: 0, optimization };
   const run = engine.fillSurface(surface.points, surface.triangles, grid, options);
   const seconds = Object.fromEntries(PHASES.map((phase) => [phase, 0]));
   let status = "running";
   for (let before = processorSeconds(); status === "running";) {
     const phase = PHASES[run.phase()];
-    status = STATUSES[run.advance(BUDGET)];
+    status = ENGINE_STATUSES[run.advance(BUDGET)];
     const after = processorSeconds();
     seconds[phase] += after - before;
     before = after;

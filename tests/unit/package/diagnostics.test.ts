@@ -8,11 +8,10 @@ import {
   describeAll,
   describeDiagnostic,
   describeInSteps,
-  type DiagnosticArrays,
   type EngineEntity,
-  ENTITY_KINDS,
 } from "../../../wasm/src/diagnostics/describe.js";
 import { nameByIndex } from "../../../wasm/src/diagnostics/entity-names.js";
+import { type DiagnosticArrays, ENTITY_KINDS } from "../../../wasm/src/generated/constants.js";
 import { projectNamer } from "../../../wasm/src/project/names.js";
 import { cubeProject } from "../../support/projects.js";
 

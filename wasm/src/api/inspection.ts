@@ -9,6 +9,7 @@ import type {
   EngineRepair,
   EngineVolumeInspection,
 } from "../engine/loader.js";
+import { REPAIR_KINDS, type RepairKind } from "../generated/constants.js";
 import { qualityReport } from "../engine/quality-report.js";
 import type {
   MeshInspection,
@@ -49,10 +50,12 @@ export function describedRepair(
   given: number,
 ): SurfaceRepair {
   const { kind: kinds, first, second, position } = rest.changes;
-  const changes = Array.from(kinds, (kind, i) => ({
-    ...CHANGES[kind]?.(first[i] ?? 0, second[i] ?? 0),
-    position: [position[3 * i] ?? 0, position[3 * i + 1] ?? 0, position[3 * i + 2] ?? 0],
-  })) as RepairChange[];
+  const changes = Array.from(kinds, (number, i): RepairChange[] => {
+    const kind = REPAIR_KINDS[number];
+    if (kind === undefined) return [];
+    const [x = 0, y = 0, z = 0] = position.subarray(3 * i, 3 * i + 3);
+    return [{ ...CHANGES[kind](first[i] ?? 0, second[i] ?? 0), position: [x, y, z] }];
+  }).flat();
   const gone = new Set(
     changes.flatMap((change) =>
       change.kind === "welded-node" || change.kind === "removed-node" ? [change.node] : [],
@@ -70,16 +73,21 @@ export function describedRefinement(refinement: EngineRefinement): SurfaceRefine
 
 type WithoutPosition<T> = T extends unknown ? Omit<T, "position"> : never;
 
-/** By the number of the engine's RepairKind. */
-const CHANGES: readonly ((first: number, second: number) => WithoutPosition<RepairChange>)[] = [
-  (node, into) => ({ kind: "welded-node", node, into }),
-  (node) => ({ kind: "removed-node", node }),
-  (triangle) => ({ kind: "removed-triangle", triangle }),
-  (triangle, sameAs) => ({ kind: "removed-duplicate", triangle, sameAs }),
-  (triangle, beyond) => ({ kind: "split-triangle", triangle, beyond }),
-  (firstTriangle, triangles) => ({ kind: "filled-hole", firstTriangle, triangles }),
-  (triangle) => ({ kind: "flipped-triangle", triangle }),
-];
+/** The change of each kind, from the two indices that the engine returns with it. */
+const CHANGES: {
+  readonly [Kind in RepairKind]: (
+    first: number,
+    second: number,
+  ) => WithoutPosition<Extract<RepairChange, { readonly kind: Kind }>>;
+} = {
+  "welded-node": (node, into) => ({ kind: "welded-node", node, into }),
+  "removed-node": (node) => ({ kind: "removed-node", node }),
+  "removed-triangle": (triangle) => ({ kind: "removed-triangle", triangle }),
+  "removed-duplicate": (triangle, sameAs) => ({ kind: "removed-duplicate", triangle, sameAs }),
+  "split-triangle": (triangle, beyond) => ({ kind: "split-triangle", triangle, beyond }),
+  "filled-hole": (firstTriangle, triangles) => ({ kind: "filled-hole", firstTriangle, triangles }),
+  "flipped-triangle": (triangle) => ({ kind: "flipped-triangle", triangle }),
+};
 
 /** `inverted`: number of tetrahedra inverted in their file, in addition to those found. */
 export function describedMesh(found: EngineVolumeInspection, inverted = 0): MeshInspection {

@@ -1,4 +1,5 @@
 /** Options of the calls of a mesher. */
+import type { CoverShape, FrontOrder, InnerShells, Optimization } from "../generated/constants.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 
 /** Options of `repairSurface`. By default, nothing is moved or added. */
@@ -56,7 +57,7 @@ export interface CoverOptions {
   /** Size at every node, in model units. Default: 1/20 of the model's diagonal. */
   readonly size?: number | undefined;
   /** Five tetrahedra that fill a box, or a single tetrahedron. Default `box`. */
-  readonly shape?: "box" | "tetrahedron" | undefined;
+  readonly shape?: CoverShape | undefined;
 }
 
 /** Options of `proposeSizes`. */
@@ -72,13 +73,6 @@ export interface ProposalOptions {
   /** Growth of the proposed sources, per unit of distance. Default 0.3. */
   readonly growth?: number | undefined;
 }
-
-/** What a closed shell inside a region bounds. */
-export type InnerShells = "cavities" | "regions";
-/** Order in which faces leave the front. */
-export type FrontOrder = "layered" | "smallest-first";
-/** Effort on the shape of the elements after the front has closed. */
-export type Optimization = "none" | "fast" | "default" | "thorough";
 
 /** Options of `meshProject` and `fillSurface`. */
 export interface MeshOptions {

@@ -1,6 +1,7 @@
 /** Options of the calls: a schema for each options object, with limits and defaults, and the engine's form of it. */
 import * as v from "valibot";
-import { LIMITS } from "../base/limits.js";
+import { numbersOf } from "../base/enums.js";
+import { LIMITS, limitText } from "../base/limits.js";
 import { asObject, shown } from "../base/values.js";
 import { objectWith } from "../calls/schemas.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
@@ -11,62 +12,37 @@ import type {
   EngineProposalOptions,
   EngineRepairOptions,
 } from "../engine/loader.js";
+import {
+  COVER_SHAPES,
+  type CoverShape,
+  FRONT_ORDERS,
+  INNER_SHELLS,
+  INSPECTION_DEFAULTS,
+  MAX_HOLE_EDGES,
+  MAX_LENGTH,
+  MESH_DEFAULTS,
+  MIN_LENGTH,
+  OPTIMIZATIONS,
+  PROPOSAL_DEFAULTS,
+  REPAIR_DEFAULTS,
+} from "../generated/constants.js";
 import { type BackgroundArrays, checkBackground, hasSourcesOnly } from "../project/background-arrays.js";
 import type { Project } from "../project/schema.js";
 import type {
   CoverOptions,
-  FrontOrder,
-  InnerShells,
   InspectionOptions,
   MeshOptions,
-  Optimization,
   PreviewOptions,
   ProposalOptions,
   RefineOptions,
   RepairOptions,
 } from "./option-types.js";
 
-/** Growth of the element size per unit of distance from a given surface's edges. */
-export const DEFAULT_GROWTH = 0.3;
-/** Largest ratio of the sizes of neighbouring elements in a background grid. */
-export const DEFAULT_GRADATION = 1.3;
-export const DEFAULT_INNER_SHELLS: InnerShells = "cavities";
-/** The engine's numbers (cpp/include/tetrafront/options.h). */
-export const INNER_SHELLS: Readonly<Record<InnerShells, number>> = { cavities: 0, regions: 1 };
-
-/** Number of diagnostics listed per code (cpp/include/tetrafront/surface_tools.h). */
-export const DEFAULT_MAX_DIAGNOSTICS = 1000;
-
-export const DEFAULT_ORDER: FrontOrder = "layered";
-/** The engine's numbers (cpp/include/tetrafront/options.h). */
-export const FRONT_ORDERS: Readonly<Record<FrontOrder, number>> = { layered: 0, "smallest-first": 1 };
-
-export const DEFAULT_FILTERS = true;
-/** Number of tetrahedra that the memory permits (cpp/include/tetrafront/options.h). */
-const MAX_TETRAHEDRA = 20_000_000;
-
-export const DEFAULT_OPTIMIZATION: Optimization = "default";
-/** The engine's numbers (cpp/include/tetrafront/options.h), in the order of effort. */
-export const OPTIMIZATIONS: Readonly<Record<Optimization, number>> = {
-  none: 0,
-  fast: 1,
-  default: 2,
-  thorough: 3,
-};
-
-export type CoverShape = NonNullable<CoverOptions["shape"]>;
+const INNER_SHELL_NUMBERS = numbersOf(INNER_SHELLS);
+const FRONT_ORDER_NUMBERS = numbersOf(FRONT_ORDERS);
+const OPTIMIZATION_NUMBERS = numbersOf(OPTIMIZATIONS);
+const COVER_SHAPE_NUMBERS = numbersOf(COVER_SHAPES);
 export const DEFAULT_COVER_SHAPE: CoverShape = "box";
-/** The engine's numbers (cpp/include/tetrafront/covering_grid.h). */
-export const COVER_SHAPES: Readonly<Record<CoverShape, number>> = { box: 0, tetrahedron: 1 };
-
-/** Defaults of the engine (cpp/include/tetrafront/size_proposals.h); 0 leaves the choice to the engine. */
-export const DEFAULT_PROPOSAL: EngineProposalOptions = {
-  uniform: 0,
-  smallest: 0,
-  elementsPerCircle: 24,
-  elementsPerGap: 3,
-  growth: 0.3,
-};
 
 /** Words for an option in messages: its name, and the values that it accepts. */
 interface OptionWords {
@@ -88,27 +64,28 @@ function option<const Schema extends v.GenericSchema, const Default extends v.In
 /** One schema per option of an interface, and no others. */
 type EntriesOf<Options> = { readonly [Name in keyof Options]-?: v.GenericSchema<Options[Name], unknown> };
 
-/** Limits of the magnitude of coordinates (cpp/src/geom/coordinates.h); other sizes make no sense. */
-const MIN_LENGTH = 1e-30;
-const MAX_LENGTH = LIMITS.length;
 const within = (min: number, max: number) => v.pipe(v.number(), v.minValue(min), v.maxValue(max));
 const wholeWithin = (min: number, max: number) => v.pipe(within(min, max), v.integer());
 
 const sizeOption = (label: string) =>
-  option(label, "a size from 1e-30 to 1e30, in model units", within(MIN_LENGTH, MAX_LENGTH), undefined);
+  option(
+    label,
+    `a size from ${limitText(MIN_LENGTH)} to ${limitText(MAX_LENGTH)}, in model units`,
+    within(MIN_LENGTH, MAX_LENGTH),
+    undefined,
+  );
 const growthOption = (otherwise: number) =>
   option(
     "growth",
-    `a growth from 0 to ${LIMITS.growth}, for example ${DEFAULT_GROWTH}`,
+    `a growth from 0 to ${LIMITS.growth}, for example ${MESH_DEFAULTS.growth}`,
     within(0, LIMITS.growth),
     otherwise,
   );
 function choiceOption<const Choice extends string>(
   label: string,
-  table: Readonly<Record<Choice, number>>,
+  choices: readonly Choice[],
   otherwise: NoInfer<Choice>,
 ) {
-  const choices = Object.keys(table) as Choice[];
   return option(label, `one of ${choices.join(", ")}`, v.picklist(choices), otherwise);
 }
 const switchOption = (label: string, otherwise: boolean) =>
@@ -116,26 +93,26 @@ const switchOption = (label: string, otherwise: boolean) =>
 
 /** Checked together with the size by `checkBackground`. */
 const background = v.optional(v.custom<BackgroundArrays>(() => true));
-const innerShells = choiceOption("meaning of inner shells", INNER_SHELLS, DEFAULT_INNER_SHELLS);
+const innerShells = choiceOption("meaning of inner shells", INNER_SHELLS, MESH_DEFAULTS.innerShells);
 
 const meshEntries = {
   size: sizeOption("element size"),
   background,
-  growth: growthOption(DEFAULT_GROWTH),
+  growth: growthOption(MESH_DEFAULTS.growth),
   gradation: option(
     "gradation",
-    `0, or a gradation above 1 and up to ${LIMITS.gradation}, such as ${DEFAULT_GRADATION}`,
+    `0, or a gradation above 1 and up to ${LIMITS.gradation}, such as ${MESH_DEFAULTS.gradation}`,
     v.pipe(
       within(0, LIMITS.gradation),
       v.check((value) => value === 0 || value > 1),
     ),
-    DEFAULT_GRADATION,
+    MESH_DEFAULTS.gradation,
   ),
   innerShells,
-  order: choiceOption("order of the front", FRONT_ORDERS, DEFAULT_ORDER),
-  optimization: choiceOption("optimization", OPTIMIZATIONS, DEFAULT_OPTIMIZATION),
-  filters: switchOption("choice of filters", DEFAULT_FILTERS),
-  exactFillOnly: switchOption("choice of the exact fill alone", false),
+  order: choiceOption("order of the front", FRONT_ORDERS, MESH_DEFAULTS.order),
+  optimization: choiceOption("optimization", OPTIMIZATIONS, MESH_DEFAULTS.optimization),
+  filters: switchOption("choice of filters", MESH_DEFAULTS.filters),
+  exactFillOnly: switchOption("choice of the exact fill alone", MESH_DEFAULTS.exactFillOnly),
 } satisfies EntriesOf<MeshOptions>;
 const meshSchema = objectWith(meshEntries);
 
@@ -161,7 +138,7 @@ const inspectionSchema = objectWith({
     "number of diagnostics to list",
     `a whole number from 1 to ${LIMITS.maxDiagnostics}`,
     wholeWithin(1, LIMITS.maxDiagnostics),
-    DEFAULT_MAX_DIAGNOSTICS,
+    INSPECTION_DEFAULTS.maxDiagnostics,
   ),
 } satisfies EntriesOf<InspectionOptions>);
 
@@ -176,29 +153,27 @@ const countOption = (label: string, otherwise: number) =>
 const proposalSchema = objectWith({
   uniform: sizeOption("uniform size"),
   smallest: sizeOption("smallest size"),
-  elementsPerCircle: countOption("number of elements per circle", DEFAULT_PROPOSAL.elementsPerCircle),
-  elementsPerGap: countOption("number of elements per gap", DEFAULT_PROPOSAL.elementsPerGap),
-  growth: growthOption(DEFAULT_PROPOSAL.growth),
+  elementsPerCircle: countOption("number of elements per circle", PROPOSAL_DEFAULTS.elementsPerCircle),
+  elementsPerGap: countOption("number of elements per gap", PROPOSAL_DEFAULTS.elementsPerGap),
+  growth: growthOption(PROPOSAL_DEFAULTS.growth),
 } satisfies EntriesOf<ProposalOptions>);
 
-/** The engine's limit (cpp/include/tetrafront/surface_tools.h): the work grows with its cube. */
-const MAX_HOLE_EDGES = 200;
 const repairSchema = objectWith({
   innerShells,
   weld: option(
     "weld distance",
-    "a distance from 0 to 1e30, in model units",
+    `a distance from 0 to ${limitText(MAX_LENGTH)}, in model units`,
     v.union([v.literal(false), within(0, MAX_LENGTH)]),
-    0,
+    REPAIR_DEFAULTS.weldDistance,
   ),
-  removeTriangles: switchOption("choice of removing triangles", true),
+  removeTriangles: switchOption("choice of removing triangles", REPAIR_DEFAULTS.removeTriangles),
   fillHoles: option(
     "number of edges of holes to fill",
     `a whole number from 0 to ${MAX_HOLE_EDGES}`,
     wholeWithin(0, MAX_HOLE_EDGES),
-    0,
+    REPAIR_DEFAULTS.maxHoleEdges,
   ),
-  orient: switchOption("choice of orienting triangles", true),
+  orient: switchOption("choice of orienting triangles", REPAIR_DEFAULTS.orient),
 } satisfies EntriesOf<RepairOptions>);
 
 const gridSchema = objectWith({ sizes: v.optional(v.unknown()) });
@@ -296,35 +271,36 @@ export function withSettings(options: MeshOptions, { meshing }: Project): MeshOp
 
 /** Converts valid options; a size of 0 means none. */
 export function engineOptions(options: MeshOptions): EngineOptions {
-  const { size = 0, growth, gradation, filters, exactFillOnly, ...choices } = v.parse(meshSchema, options);
+  const { background: _, size = MESH_DEFAULTS.size, ...chosen } = v.parse(meshSchema, options);
   return {
+    ...chosen,
     size,
-    growth,
-    gradation,
-    innerShells: INNER_SHELLS[choices.innerShells],
-    order: FRONT_ORDERS[choices.order],
-    filters,
-    optimization: OPTIMIZATIONS[choices.optimization],
-    maxTetrahedra: MAX_TETRAHEDRA,
-    exactFillOnly,
+    innerShells: INNER_SHELL_NUMBERS[chosen.innerShells],
+    order: FRONT_ORDER_NUMBERS[chosen.order],
+    optimization: OPTIMIZATION_NUMBERS[chosen.optimization],
+    maxTetrahedra: MESH_DEFAULTS.maxTetrahedra,
   };
 }
 
 /** Converts valid options. */
 export function engineInspectionOptions(options: InspectionOptions): EngineInspectionOptions {
   const { innerShells, maxDiagnostics } = v.parse(inspectionSchema, options);
-  return { innerShells: INNER_SHELLS[innerShells], maxDiagnostics };
+  return { innerShells: INNER_SHELL_NUMBERS[innerShells], maxDiagnostics };
 }
 
 /** Converts valid options. */
 export function engineCoverOptions(options: CoverOptions): { readonly size: number; readonly shape: number } {
   const { size = 0, shape } = v.parse(coverSchema, options);
-  return { size, shape: COVER_SHAPES[shape] };
+  return { size, shape: COVER_SHAPE_NUMBERS[shape] };
 }
 
 /** Converts valid options. */
 export function engineProposalOptions(options: ProposalOptions): EngineProposalOptions {
-  const { uniform = 0, smallest = 0, ...rest } = v.parse(proposalSchema, options);
+  const {
+    uniform = PROPOSAL_DEFAULTS.uniform,
+    smallest = PROPOSAL_DEFAULTS.smallest,
+    ...rest
+  } = v.parse(proposalSchema, options);
   return { uniform, smallest, ...rest };
 }
 
@@ -336,6 +312,6 @@ export function engineRepairOptions(options: RepairOptions): EngineRepairOptions
     removeTriangles,
     maxHoleEdges: fillHoles,
     orient,
-    innerShells: INNER_SHELLS[innerShells],
+    innerShells: INNER_SHELL_NUMBERS[innerShells],
   };
 }

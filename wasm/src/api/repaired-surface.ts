@@ -4,11 +4,11 @@ import { checkArgument } from "../calls/argument-checks.js";
 import { doubles, integers } from "../calls/schemas.js";
 import { countOf } from "../formats/groups.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
+import { NO_ORIGIN, NO_REGION } from "../generated/constants.js";
 import type { FileGroup } from "../mesh/file-mesh.js";
 import type { SurfaceRepair } from "../mesh/inspection.js";
-import { NO_REGION } from "../mesh/interfaces.js";
 import { withPatches } from "../mesh/mesh-checks.js";
-import { chainedOrigins, NO_ORIGIN } from "./surface-numbers.js";
+import { chainedOrigins } from "./surface-numbers.js";
 
 const repairedTriangles = v.object({
   surface: v.object({ points: doubles(3), triangles: integers(3) }),

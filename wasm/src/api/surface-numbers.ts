@@ -1,9 +1,7 @@
 /** Maps the triangles and nodes of a repaired or refined surface to their indices in the given one. */
 import { type EntityNamer, nameByIndex } from "../diagnostics/entity-names.js";
+import { NO_ORIGIN } from "../generated/constants.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
-
-/** In `SurfaceInput.origin` and `nodeOrigin`: a triangle or node that the given surface does not have. */
-export const NO_ORIGIN = 0xffffffff;
 
 /**
  * Names triangles and nodes by their indices in the given surface, if the surface states them. Triangles of filled

@@ -1,15 +1,20 @@
-/** Limits of numeric options, as in the engine (cpp/include/tetrafront/options.h). */
+import { MAX_GRADATION, MAX_GROWTH, MAX_LENGTH, MAX_STRETCHING } from "../generated/constants.js";
+
+/** Returns the text of a limit for messages: 1e30, where JavaScript writes 1e+30. */
+export const limitText = (limit: number): string => String(limit).replace("+", "");
+
+/** Limits of numeric options. */
 export const LIMITS = {
   /**
    * Sizes and distances, in model units; the engine cannot compute with larger ones, nor with larger coordinates.
    */
-  length: 1e30,
+  length: MAX_LENGTH,
   /** Growth of the size per unit of distance; elements cannot follow a larger one. */
-  growth: 10,
+  growth: MAX_GROWTH,
   /** Ratio of the sizes of neighbouring elements. */
-  gradation: 10,
+  gradation: MAX_GRADATION,
   /** Size along the direction of stretching / size across it. */
-  stretching: 1e6,
+  stretching: MAX_STRETCHING,
   /**
    * Number of diagnostics that an inspection lists per code; at 0.8 kB each, a JavaScript heap holds a few
    * million.

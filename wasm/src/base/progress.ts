@@ -1,7 +1,5 @@
 /** Progress of a call. */
-
-/** Stages of a run, in order. */
-export type Phase = "check" | "sides" | "surface" | "volume" | "optimize" | "verify";
+import type { Phase } from "../generated/constants.js";
 
 /** Progress of a run or another call. For other calls the phase is `check`, and the counts are 0. */
 export interface Progress {

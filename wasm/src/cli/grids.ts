@@ -2,9 +2,10 @@
 import type { Mesher } from "../api/mesher-interface.js";
 import { createMesher } from "../api/mesher.js";
 import type { CoverOptions, ProposalOptions } from "../api/option-types.js";
-import { checkCoverOptions, checkProposalOptions, type CoverShape } from "../api/options.js";
+import { checkCoverOptions, checkProposalOptions } from "../api/options.js";
 import { plural } from "../base/plural.js";
 import { extensionOf } from "../formats/file-formats.js";
+import type { CoverShape } from "../generated/constants.js";
 import { writeProject } from "../project/project.js";
 import type { Project, ProjectBackground, ProjectSource } from "../project/schema.js";
 import { checkOutput, FileError, refuseFolder, STANDARD_STREAM, writeOutput } from "./files.js";

@@ -2,21 +2,17 @@
 import { readFileSync } from "node:fs";
 import { availableParallelism } from "node:os";
 import { Command, CommanderError, Option } from "commander";
+import { DEFAULT_COVER_SHAPE } from "../api/options.js";
+import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import {
   COVER_SHAPES,
-  DEFAULT_COVER_SHAPE,
-  DEFAULT_GRADATION,
-  DEFAULT_GROWTH,
-  DEFAULT_INNER_SHELLS,
-  DEFAULT_MAX_DIAGNOSTICS,
-  DEFAULT_OPTIMIZATION,
-  DEFAULT_ORDER,
-  DEFAULT_PROPOSAL,
   FRONT_ORDERS,
   INNER_SHELLS,
+  INSPECTION_DEFAULTS,
+  MESH_DEFAULTS,
   OPTIMIZATIONS,
-} from "../api/options.js";
-import { invalidOption } from "../diagnostics/package-diagnostic.js";
+  PROPOSAL_DEFAULTS,
+} from "../generated/constants.js";
 import {
   checkPlaceholders,
   exitCodeOf,
@@ -253,7 +249,7 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
     )
     .option(
       "-g, --growth <rate>",
-      `growth of the size per unit of distance from a given surface (default ${DEFAULT_GROWTH})`,
+      `growth of the size per unit of distance from a given surface (default ${MESH_DEFAULTS.growth})`,
     )
     .addOption(
       new Option(
@@ -265,21 +261,21 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
     .option("--refine-surface", "first split triangles of a surface that are larger than the target size")
     .option(
       "--gradation <ratio>",
-      `largest size ratio of neighbouring elements of a grid; 0 for no limit (default ${DEFAULT_GRADATION})`,
+      `largest size ratio of neighbouring elements of a grid; 0 for no limit (default ${MESH_DEFAULTS.gradation})`,
     )
     .addOption(innerShellsOption())
     .addOption(
       new Option(
         "--order <order>",
-        `order in which faces leave the front (default ${DEFAULT_ORDER})`,
-      ).choices(Object.keys(FRONT_ORDERS)),
+        `order in which faces leave the front (default ${MESH_DEFAULTS.order})`,
+      ).choices(FRONT_ORDERS),
     )
     .option("--no-filters", "test all faces around each new element; slower, gives the same mesh")
     .addOption(
       new Option(
         "--optimize <level>",
-        `effort spent on improving the elements after the front (default ${DEFAULT_OPTIMIZATION})`,
-      ).choices(Object.keys(OPTIMIZATIONS)),
+        `effort spent on improving the elements after the front (default ${MESH_DEFAULTS.optimization})`,
+      ).choices(OPTIMIZATIONS),
     );
   withJobs(withRepair(command))
     .option("--require-angle <degrees>", "exit with 1 if the smallest dihedral angle is below this")
@@ -342,9 +338,7 @@ function addStats(program: Command, setExitCode: SetExitCode): void {
 }
 
 const shapeOption = (): Option =>
-  new Option("--shape <shape>", `shape of the grid (default ${DEFAULT_COVER_SHAPE})`).choices(
-    Object.keys(COVER_SHAPES),
-  );
+  new Option("--shape <shape>", `shape of the grid (default ${DEFAULT_COVER_SHAPE})`).choices(COVER_SHAPES);
 
 function addCover(program: Command, setExitCode: SetExitCode): void {
   program
@@ -365,7 +359,7 @@ function addCover(program: Command, setExitCode: SetExitCode): void {
 }
 
 function addPropose(program: Command, setExitCode: SetExitCode): void {
-  const { elementsPerCircle, elementsPerGap, growth } = DEFAULT_PROPOSAL;
+  const { elementsPerCircle, elementsPerGap, growth } = PROPOSAL_DEFAULTS;
   program
     .command("propose")
     .description(
@@ -398,8 +392,8 @@ function addPropose(program: Command, setExitCode: SetExitCode): void {
 function innerShellsOption(): Option {
   return new Option(
     "--inner-shells <meaning>",
-    `leave closed shells inside a region empty, or mesh them as regions (default ${DEFAULT_INNER_SHELLS})`,
-  ).choices(Object.keys(INNER_SHELLS));
+    `leave closed shells inside a region empty, or mesh them as regions (default ${MESH_DEFAULTS.innerShells})`,
+  ).choices(INNER_SHELLS);
 }
 
 function addCheck(program: Command, setExitCode: SetExitCode): void {
@@ -411,7 +405,7 @@ function addCheck(program: Command, setExitCode: SetExitCode): void {
     .addOption(innerShellsOption())
     .option(
       "--max-diagnostics <count>",
-      `list at most this many problems of each kind for a surface, or all (default ${DEFAULT_MAX_DIAGNOSTICS}; without --json 50)`,
+      `list at most this many problems of each kind for a surface, or all (default ${INSPECTION_DEFAULTS.maxDiagnostics}; without --json 50)`,
     )
     .addOption(formatOption())
     .addOption(fromOption());

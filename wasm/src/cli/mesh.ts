@@ -3,13 +3,7 @@ import { fileMeshOf } from "../api/generated-mesh.js";
 import { writeMesh } from "../api/mesh-files.js";
 import type { Mesher } from "../api/mesher-interface.js";
 import { createMesher } from "../api/mesher.js";
-import type {
-  FrontOrder,
-  MeshOptions,
-  Optimization,
-  RefineOptions,
-  RepairOptions,
-} from "../api/option-types.js";
+import type { MeshOptions, RefineOptions, RepairOptions } from "../api/option-types.js";
 import { checkOptions } from "../api/options.js";
 import { repairedSurface } from "../api/repaired-surface.js";
 import { emptyReport, emptyResult } from "../api/report.js";
@@ -19,6 +13,7 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
+import type { FrontOrder, Optimization } from "../generated/constants.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
 import { checkBackground } from "../project/background-arrays.js";

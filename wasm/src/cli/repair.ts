@@ -1,11 +1,12 @@
 /** Repairs requested on the command line, and the list of their changes. */
 import type { Mesher } from "../api/mesher-interface.js";
-import type { InnerShells, RepairOptions } from "../api/option-types.js";
+import type { RepairOptions } from "../api/option-types.js";
 import { checkRepairOptions } from "../api/options.js";
 import { repairedSurface } from "../api/repaired-surface.js";
 import { plural } from "../base/plural.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
+import type { InnerShells } from "../generated/constants.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import { numberIn, refuseOptions } from "./input.js";
 import { print } from "./messages.js";

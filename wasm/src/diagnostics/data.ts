@@ -1,4 +1,5 @@
-import type { DiagnosticCode, ENGINE_OPTIONS, EngineCode } from "./codes.js";
+import type { CheckedOption, EngineCode } from "../generated/constants.js";
+import type { DiagnosticCode } from "./codes.js";
 import type { ReadCode, ReadError } from "./read-error.js";
 
 /** No data beyond the message. */
@@ -31,7 +32,7 @@ export interface DiagnosticNumbers {
   readonly "hole-off-patch": { readonly distance: number };
   /** `given`: value as it reached the engine. */
   readonly "option-out-of-range": {
-    readonly option: (typeof ENGINE_OPTIONS)[number];
+    readonly option: CheckedOption;
     readonly given: number;
   };
   /** Always 1: each pair of patches has its own diagnostic. */

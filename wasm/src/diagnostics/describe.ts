@@ -1,8 +1,16 @@
 /** Describes diagnostics of the engine: unpacks their arrays, names the entities, and fills in the sentences. */
 import { PAUSE, type Steps } from "../base/steps.js";
-import { ENGINE_OPTIONS, type EngineCode, engineCodeName } from "./codes.js";
+import {
+  CHECKED_OPTIONS,
+  type DiagnosticArrays,
+  type EngineCode,
+  ENTITY_KINDS,
+  type EntityKind,
+  SEVERITIES,
+} from "../generated/constants.js";
+import { engineCodeName } from "./codes.js";
 import { type DiagnosticData, ENGINE_DATA } from "./data.js";
-import type { Diagnostic, DiagnosticOf, EntityKind, EntityRef, Severity } from "./diagnostic.js";
+import type { Diagnostic, DiagnosticOf, EntityRef } from "./diagnostic.js";
 import type { EntityNamer } from "./entity-names.js";
 import { sentence } from "./package-diagnostic.js";
 import { SENTENCES, short, type Subject } from "./sentences.js";
@@ -10,7 +18,7 @@ import { SENTENCES, short, type Subject } from "./sentences.js";
 /** Diagnostic as the engine returns it. */
 export interface EngineDiagnostic {
   readonly code: number;
-  /** 0 information, 1 warning, 2 error. */
+  /** Index in `SEVERITIES`. */
   readonly severity: number;
   /** The most relevant first. */
   readonly entities: readonly EngineEntity[];
@@ -18,43 +26,11 @@ export interface EngineDiagnostic {
   readonly values: Float64Array;
 }
 
-/** Kind of an entity by the engine's number, and its index. */
+/** `kind`: index in `ENTITY_KINDS`. */
 export interface EngineEntity {
   readonly kind: number;
   readonly index: number;
 }
-
-/** All diagnostics of an answer, one array per field: there may be a million of them. */
-export interface DiagnosticArrays {
-  readonly code: Uint16Array;
-  readonly severity: Uint8Array;
-  /** The number of entities per diagnostic, and the entities of all. */
-  readonly entities: {
-    readonly lengths: Uint32Array;
-    readonly items: { readonly kind: Uint8Array; readonly index: Uint32Array };
-  };
-  /** 1 with a position. */
-  readonly hasPosition: Uint8Array;
-  /** x y z per diagnostic. */
-  readonly position: Float64Array;
-  /** The number of values per diagnostic, and the values of all. */
-  readonly values: { readonly lengths: Uint32Array; readonly items: Float64Array };
-}
-
-/** Severities by the engine's numbers. */
-export const SEVERITIES: readonly Severity[] = ["information", "warning", "error"];
-
-/** Entity kinds by the engine's numbers (cpp/include/tetrafront/status.h). */
-export const ENTITY_KINDS: readonly EntityKind[] = [
-  "point",
-  "line",
-  "patch",
-  "background-node",
-  "background-tetrahedron",
-  "triangle",
-  "surface-node",
-  "source",
-];
 
 /** Yields the diagnostics of the engine one by one. */
 export function* unpacked(arrays: DiagnosticArrays): Generator<EngineDiagnostic> {
@@ -129,7 +105,7 @@ export function dataOf<Code extends EngineCode>(code: Code, values: Float64Array
     if (value === undefined) {
       if (name === entry) throw new Error(`the engine returned no ${name} with ${code}`);
     } else if (name === "option") {
-      data[name] = ENGINE_OPTIONS[value];
+      data[name] = CHECKED_OPTIONS[value];
     } else {
       data[name] = name.startsWith("is") ? value === 1 : value;
     }

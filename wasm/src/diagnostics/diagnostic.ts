@@ -1,17 +1,7 @@
 /** Diagnostics: one problem each, with its entities, its location and what to do about it. */
+import type { EntityKind, Severity } from "../generated/constants.js";
 import type { DiagnosticCode } from "./codes.js";
 import type { DiagnosticData } from "./data.js";
-
-/** Kind of an entity that a diagnostic refers to. */
-export type EntityKind =
-  | "point"
-  | "line"
-  | "patch"
-  | "background-node"
-  | "background-tetrahedron"
-  | "triangle"
-  | "surface-node"
-  | "source";
 
 /** Entity that a diagnostic refers to. `id` is its id in the project, if it has one. */
 export interface EntityRef {
@@ -22,9 +12,6 @@ export interface EntityRef {
   /** Name given by the user, or for example "line 12". */
   readonly label: string;
 }
-
-/** Only errors prevent meshing. */
-export type Severity = "information" | "warning" | "error";
 
 /** Diagnostic of one code. */
 export interface DiagnosticOf<Code extends DiagnosticCode> {

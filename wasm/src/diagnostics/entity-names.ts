@@ -1,5 +1,6 @@
 /** Labels of entities in messages. */
-import type { EntityKind, EntityRef } from "./diagnostic.js";
+import type { EntityKind } from "../generated/constants.js";
+import type { EntityRef } from "./diagnostic.js";
 
 /** Returns the label, and if it has one the id, of the entity with this index. */
 export type EntityNamer = (kind: EntityKind, index: number) => EntityRef;

@@ -1,6 +1,7 @@
 /** Errors with which calls of the package reject. */
 import { plural } from "../base/plural.js";
-import type { Phase, Progress } from "../base/progress.js";
+import type { Progress } from "../base/progress.js";
+import type { Phase } from "../generated/constants.js";
 import type { DiagnosticCode } from "./codes.js";
 import type { Diagnostic } from "./diagnostic.js";
 

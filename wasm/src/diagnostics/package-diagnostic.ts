@@ -2,8 +2,9 @@
  * Diagnostics of the package itself. They are separate from the engine's sentences, so that callers who do not
  * need those need not load them.
  */
-import type { DiagnosticCode, EngineCode } from "./codes.js";
-import type { Diagnostic, DiagnosticOf, Severity } from "./diagnostic.js";
+import type { EngineCode, Severity } from "../generated/constants.js";
+import type { DiagnosticCode } from "./codes.js";
+import type { Diagnostic, DiagnosticOf } from "./diagnostic.js";
 import type { ReadError } from "./read-error.js";
 
 export function invalidArrays(message: string, remedy: string): Diagnostic {

@@ -2,10 +2,10 @@
  * One sentence and one remedy per code of the engine, with the entities by the names that the user gave them, the
  * position and the numbers.
  */
+import { LIMITS, limitText } from "../base/limits.js";
 import { plural } from "../base/plural.js";
-import type { EngineCode } from "./codes.js";
+import { type EngineCode, type EntityKind, MIN_LENGTH } from "../generated/constants.js";
 import type { DiagnosticData } from "./data.js";
-import type { EntityKind } from "./diagnostic.js";
 
 /** Input of a sentence. */
 export interface Subject<Code extends EngineCode> {
@@ -31,6 +31,7 @@ interface Sentence<Code extends EngineCode> {
   readonly remedy: string | ((subject: Subject<Code>) => string);
 }
 
+const LENGTH = limitText(LIMITS.length);
 const SHELL_KINDS: readonly EntityKind[] = ["patch", "triangle", "surface-node"];
 
 /** One entry per engine code: the compiler rejects a table with a gap. */
@@ -114,8 +115,7 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
   },
   "option-out-of-range": {
     message: ({ data }) => `The ${data.option} is ${short(data.given)}, which is out of range`,
-    remedy:
-      "Use a size above 0 and up to 1e30, a growth from 0 to 10, and a gradation of 0, or above 1 and up to 10.",
+    remedy: `Use a size above 0 and up to ${LENGTH}, a growth from 0 to ${LIMITS.growth}, and a gradation of 0, or above 1 and up to ${LIMITS.gradation}.`,
   },
   "line-self-intersection": {
     message: ({ the, at }) => `${the("line")} crosses or overlaps itself${at}`,
@@ -152,7 +152,7 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
   },
   "size-out-of-range": {
     message: ({ main, data }) => `${main} has the element size ${short(data.size)}, which is out of range`,
-    remedy: "Use a size above 0, of at least 1e-12 of the extent of the background grid and at most 1e30.",
+    remedy: `Use a size above 0, of at least 1e-12 of the extent of the background grid and at most ${LENGTH}.`,
   },
   "stretching-out-of-range": {
     message: ({ main, data }) =>
@@ -190,7 +190,7 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
   "source-out-of-range": {
     message: ({ main, data }) =>
       `${main} has the size ${short(data.size)}, the distance ${short(data.distance)} and the growth ${short(data.growth)}; at least one is out of range`,
-    remedy: "Use a size from 1e-30 to 1e30, a distance of at least 0, and a growth from 0 to 10.",
+    remedy: `Use a size from ${limitText(MIN_LENGTH)} to ${LENGTH}, a distance of at least 0, and a growth from 0 to ${LIMITS.growth}.`,
   },
   "open-edge": {
     message: ({ all, at, data }) =>

@@ -3,8 +3,7 @@ import type { Progress } from "../base/progress.js";
 import type { EngineFailure } from "../diagnostics/mesher-error.js";
 import type { SurfaceMesh, VolumeMesh } from "../mesh/mesh.js";
 import type { MeshReport, MeshStatus } from "../mesh/report.js";
-import type { ModelArrays } from "../project/arrays.js";
-import type { GridArrays } from "../project/grid-arrays.js";
+import type { GridArrays, ModelArrays } from "../generated/constants.js";
 import type {
   CompiledEngine,
   EngineDiagnostics,

@@ -1,8 +1,13 @@
 /** Returns the engine's quality statistics in the form of the report. */
+import { DIHEDRAL_BIN_WIDTH, EDGE_BIN_WIDTH, RATIO_BIN_WIDTH } from "../generated/constants.js";
 import type { ElementQuality, QualityReport } from "../mesh/quality.js";
 import type { EngineStatistics } from "./loader.js";
 
-export const BIN_WIDTHS = { dihedral: 5, radiusRatio: 0.05, edge: 0.1 } as const;
+const BIN_WIDTHS = {
+  dihedral: DIHEDRAL_BIN_WIDTH,
+  radiusRatio: RATIO_BIN_WIDTH,
+  edge: EDGE_BIN_WIDTH,
+} as const;
 
 export const NO_QUALITY: QualityReport = {
   binWidths: BIN_WIDTHS,

@@ -1,8 +1,5 @@
-import type { Phase } from "../base/progress.js";
+import type { Phase } from "../generated/constants.js";
 import type { Seconds } from "../mesh/report.js";
-
-/** The phases by the engine's numbers (cpp/include/tetrafront/status.h). */
-export const PHASES: readonly Phase[] = ["check", "sides", "surface", "volume", "optimize", "verify"];
 
 /** Wall-clock time of a run, by phase. */
 export class RunClock {

@@ -3,10 +3,11 @@
  * without shared memory; and V8 never replaces the code of a running WebAssembly function, so that one long call
  * would stay in slow baseline code.
  */
-import type { Phase, Progress } from "../base/progress.js";
+import type { Progress } from "../base/progress.js";
+import { ENGINE_STATUSES, type Phase, PHASES } from "../generated/constants.js";
 import type { MeshStatus } from "../mesh/report.js";
 import type { EngineRun, EngineTool } from "./loader.js";
-import { PHASES, type RunClock } from "./run-clock.js";
+import type { RunClock } from "./run-clock.js";
 
 /**
  * Longest time without receiving messages, in milliseconds: a fraction of the time in which a cancel must take
@@ -25,15 +26,6 @@ const PROGRESS_MS = 100;
 const FRONT_MS = 250;
 /** A snapshot waits this many times as long as the last one took, so that snapshots take at most 2 % of the run. */
 const FRONT_REST = 50;
-
-/** The engine's statuses by number; undefined while running (cpp/include/tetrafront/status.h). */
-export const STATUSES: readonly (MeshStatus | undefined)[] = [
-  undefined,
-  "done",
-  "stalled",
-  "cancelled",
-  "invalid-input",
-];
 
 export interface SliceControl {
   readonly isCancelled: () => boolean;
@@ -130,10 +122,10 @@ function advanceFor(milliseconds: number, run: EngineRun, clock: RunClock): Mesh
   const deadline = performance.now() + milliseconds;
   for (let began = performance.now(); began < deadline;) {
     const phase = phaseOf(run);
-    const status = STATUSES[run.advance(BUDGET)];
+    const status = ENGINE_STATUSES[run.advance(BUDGET)] ?? "invalid-input";
     const ended = performance.now();
     clock.book(phase, ended - began);
-    if (status !== undefined) return status;
+    if (status !== "running") return status;
     began = ended;
   }
   return undefined;

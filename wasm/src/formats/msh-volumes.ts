@@ -1,6 +1,6 @@
 /** Volumes of a Gmsh model in a file that holds its surfaces only, found by the surfaces that bound them or by name. */
 import type { FileMesh, SurfaceRegions } from "../mesh/file-mesh.js";
-import { NO_REGION } from "../mesh/interfaces.js";
+import { NO_REGION } from "../generated/constants.js";
 import { GroupList } from "./mesh-builder.js";
 
 export class MshVolumes {

@@ -4,7 +4,7 @@
  */
 import { type Steps, stepwise } from "../base/steps.js";
 import type { FileMesh, SurfaceRegions } from "../mesh/file-mesh.js";
-import { NO_REGION } from "../mesh/interfaces.js";
+import { NO_REGION } from "../generated/constants.js";
 import type { MeshResult } from "../mesh/report.js";
 import { hasGenericName } from "./groups.js";
 import { NONE, tetFaces } from "./tet-faces.js";

@@ -2,10 +2,8 @@
 import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
 import { index, integers } from "../calls/schemas.js";
+import { NO_REGION } from "../generated/constants.js";
 import type { SurfaceMesh } from "./mesh.js";
-
-/** In {@link SurfaceMesh.triangleRegions}: no region on that side. */
-export const NO_REGION = 0xffffffff;
 
 const withRegions = v.object({ triangleRegions: integers(2) });
 

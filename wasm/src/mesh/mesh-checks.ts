@@ -7,7 +7,7 @@ import { doubles, integers } from "../calls/schemas.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { FileMesh } from "./file-mesh.js";
-import { NO_REGION } from "./interfaces.js";
+import { NO_REGION } from "../generated/constants.js";
 
 const group = v.object({ name: v.string(), tag: v.number(), color: v.optional(v.array(v.number())) });
 

@@ -1,44 +1,15 @@
 /** Background grids between their three forms: a project's, flat arrays for callers, and the engine's. */
 import * as v from "valibot";
+import { numbersOf } from "../base/enums.js";
 import { checkArgument } from "../calls/argument-checks.js";
 import { refuse } from "../diagnostics/mesher-error.js";
+import { type GridArrays, SOURCE_GROWTH, SOURCE_TYPES } from "../generated/constants.js";
 import { type BackgroundArrays, checkBackground } from "./background-arrays.js";
-import type { ProjectBackground, ProjectBackgroundNode, ProjectSource, SourceType } from "./schema.js";
+import type { ProjectBackground, ProjectBackgroundNode, ProjectSource } from "./schema.js";
 
-/** A background grid as it crosses into the engine: one array per field. All references are indices. */
-export interface GridArrays {
-  readonly nodes: {
-    /** x y z per node. */
-    readonly position: Float64Array;
-    readonly size: Float64Array;
-    readonly stretching: Float64Array;
-    /** x y z per node. */
-    readonly direction: Float64Array;
-  };
-  /** Four node indices per tetrahedron. */
-  readonly tetrahedra: Uint32Array;
-  readonly sources: SourceArrays;
-  /** Margin outside the grid that counts as covered. */
-  readonly coverageMargin: number;
-}
+type SourceArrays = GridArrays["sources"];
 
-/** Sources of a grid, one array per field. */
-export interface SourceArrays {
-  /** 0 point, 1 segment, 2 triangle. */
-  readonly type: Uint8Array;
-  /** x y z of three positions per source, 0 for those its type lacks. */
-  readonly points: Float64Array;
-  readonly size: Float64Array;
-  readonly distance: Float64Array;
-  readonly growth: Float64Array;
-}
-
-/** Numbers of the engine (cpp/include/tetrafront/background_grid.h). */
-export const SOURCE_TYPES: Readonly<Record<SourceType, number>> = { point: 0, segment: 1, triangle: 2 };
-const SOURCE_TYPE_NAMES: readonly SourceType[] = ["point", "segment", "triangle"];
-
-/** Growth of the size per unit of distance, if a source does not define it. */
-const DEFAULT_SOURCE_GROWTH = 0.3;
+const SOURCE_TYPE_NUMBERS = numbersOf(SOURCE_TYPES);
 /** Coordinates of the positions of a source. */
 const SOURCE_COORDINATES = 9;
 /** The engine reports a reference to this index as `index-out-of-range`. */
@@ -207,7 +178,7 @@ export function projectBackground(arrays: BackgroundArrays): ProjectBackground {
 const triple = v.array(v.number());
 const node = v.object({ id: v.number(), position: triple, size: v.number(), direction: v.optional(triple) });
 const source = v.object({
-  type: v.picklist(SOURCE_TYPE_NAMES),
+  type: v.picklist(SOURCE_TYPES),
   positions: v.array(triple),
   size: v.number(),
 });
@@ -245,24 +216,23 @@ function sourceArrays(sources: readonly ProjectSource[]): SourceArrays {
     points.set(positions.slice(0, 3).flat(), SOURCE_COORDINATES * s);
   });
   return {
-    type: Uint8Array.from(sources, ({ type }) => SOURCE_TYPES[type]),
+    type: Uint8Array.from(sources, ({ type }) => SOURCE_TYPE_NUMBERS[type]),
     points,
     size: Float64Array.from(sources, ({ size }) => size),
     distance: Float64Array.from(sources, ({ distance = 0 }) => distance),
-    growth: Float64Array.from(sources, ({ growth = DEFAULT_SOURCE_GROWTH }) => growth),
+    growth: Float64Array.from(sources, ({ growth = SOURCE_GROWTH }) => growth),
   };
 }
 
 /** Converts sources of the engine; ids count from 1. */
 export function projectSources({ type: types, points, ...values }: SourceArrays): ProjectSource[] {
   return Array.from(types, (number, s) => {
-    const type = SOURCE_TYPE_NAMES[number] ?? "point";
+    const type = SOURCE_TYPES[number] ?? "point";
     const own = points.subarray(SOURCE_COORDINATES * s);
-    const positions = Array.from({ length: SOURCE_TYPES[type] + 1 }, (_, k): [number, number, number] => [
-      own[3 * k] ?? 0,
-      own[3 * k + 1] ?? 0,
-      own[3 * k + 2] ?? 0,
-    ]);
+    const positions = Array.from(
+      { length: SOURCE_TYPE_NUMBERS[type] + 1 },
+      (_, k): [number, number, number] => [own[3 * k] ?? 0, own[3 * k + 1] ?? 0, own[3 * k + 2] ?? 0],
+    );
     const [size = 0, distance = 0, growth = 0] = [values.size[s], values.distance[s], values.growth[s]];
     return { id: s + 1, type, positions, size, ...(distance > 0 ? { distance } : {}), growth };
   });

@@ -1,6 +1,7 @@
 /** Names and ids of a project's entities, for messages. */
-import type { Diagnostic, EntityKind, EntityRef } from "../diagnostics/diagnostic.js";
+import type { Diagnostic, EntityRef } from "../diagnostics/diagnostic.js";
 import { type EntityNamer, KIND_WORDS, nameByIndex } from "../diagnostics/entity-names.js";
+import type { EntityKind } from "../generated/constants.js";
 import { backgroundOf } from "./grid-arrays.js";
 import type { Project, ProjectBackground } from "./schema.js";
 

@@ -6,6 +6,14 @@
 import * as v from "valibot";
 import { LIMITS } from "../base/limits.js";
 import { objectWith, parsedBy } from "../calls/schemas.js";
+import {
+  FRONT_ORDERS,
+  INNER_SHELLS,
+  LINE_TYPES,
+  OPTIMIZATIONS,
+  PATCH_TYPES,
+  SOURCE_TYPES,
+} from "../generated/constants.js";
 import { PROJECT_VERSION } from "./versions.js";
 import { WORDS } from "./words.js";
 
@@ -34,7 +42,7 @@ const lineSchema = v.pipe(
   objectWith({
     id,
     name,
-    type: v.picklist(["straight", "parabolic", "spline"]),
+    type: v.picklist(LINE_TYPES),
     points: described(WORDS.linePoints, v.pipe(v.array(reference), v.minLength(2), v.readonly())),
   }),
   v.readonly(),
@@ -46,10 +54,7 @@ const patchSchema = v.pipe(
   objectWith({
     id,
     name,
-    type: described(
-      WORDS.patchType,
-      v.picklist(["planar", "isoparametric-triangle", "serendipity", "barnhill-gregory-nielson", "coons"]),
-    ),
+    type: described(WORDS.patchType, v.picklist(PATCH_TYPES)),
     loops: described(WORDS.loops, v.pipe(v.array(loopSchema), v.minLength(1), v.readonly())),
   }),
   v.readonly(),
@@ -70,7 +75,7 @@ const sourceSchema = v.pipe(
   objectWith({
     id,
     name,
-    type: v.picklist(["point", "segment", "triangle"]),
+    type: v.picklist(SOURCE_TYPES),
     positions: described(
       WORDS.positions,
       v.pipe(v.array(triple), v.minLength(1), v.maxLength(3), v.readonly()),
@@ -99,11 +104,9 @@ const meshingSchema = v.pipe(
   objectWith({
     size: v.optional(described(WORDS.size, upTo(LIMITS.length))),
     gradation: v.optional(described(WORDS.gradation, upTo(LIMITS.gradation))),
-    innerShells: v.optional(described(WORDS.innerShells, v.picklist(["cavities", "regions"]))),
-    order: v.optional(described(WORDS.order, v.picklist(["layered", "smallest-first"]))),
-    optimization: v.optional(
-      described(WORDS.optimization, v.picklist(["none", "fast", "default", "thorough"])),
-    ),
+    innerShells: v.optional(described(WORDS.innerShells, v.picklist(INNER_SHELLS))),
+    order: v.optional(described(WORDS.order, v.picklist(FRONT_ORDERS))),
+    optimization: v.optional(described(WORDS.optimization, v.picklist(OPTIMIZATIONS))),
   }),
   v.readonly(),
 );

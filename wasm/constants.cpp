@@ -1,0 +1,206 @@
+/// @file Prints the TypeScript module src/generated/constants.ts: the enums, limits, defaults and types that the package
+/// shares with the engine. The build runs this program, so that an enumerator or a constant is written once, in the
+/// engine's headers.
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "geom/coordinates.h"
+#include "js_types.h"
+#include "reflection.h"
+#include "tetrafront/covering_grid.h"
+#include "tetrafront/options.h"
+#include "tetrafront/quality_statistics.h"
+#include "tetrafront/size_proposals.h"
+#include "tetrafront/status.h"
+#include "tetrafront/surface_tools.h"
+
+namespace tetrafront::border {
+namespace {
+
+/// Enumerators have values below this: all that fit into 8 bits.
+constexpr std::size_t kMaxEnumerators = 256;
+
+/// The names of the enumerators by value; empty without an enumerator.
+template <class Enum>
+constexpr std::array<std::string_view, kMaxEnumerators> kEnumerators =
+    []<std::size_t... Value>(std::index_sequence<Value...>) {
+      return std::array{enumeratorName<static_cast<Enum>(Value)>()...};
+    }(std::make_index_sequence<kMaxEnumerators>{});
+
+/// True if the values count from 0 without a gap.
+template <class Enum>
+constexpr bool kCountsFromZero =
+    std::is_partitioned(kEnumerators<Enum>.begin(), kEnumerators<Enum>.end(),
+                        [](std::string_view name) { return !name.empty(); });
+
+/// Returns `kSmallestFirst` as `"smallest-first"`.
+std::string quoted(std::string_view name) {
+  std::string text = "\"";
+  for (const char letter : name.substr(1)) {
+    const bool isUpper = letter >= 'A' && letter <= 'Z';
+    if (isUpper && text.size() > 1) text += '-';
+    text += isUpper ? static_cast<char>(letter - 'A' + 'a') : letter;
+  }
+  return text + '"';
+}
+
+/// Returns the quoted names of all enumerators, with `separator` between them.
+template <class Enum>
+std::string listOf(std::string_view separator) {
+  std::string list;
+  for (const std::string_view name : kEnumerators<Enum>) {
+    if (name.empty()) continue;
+    if (!list.empty()) list += separator;
+    list += quoted(name);
+  }
+  return list;
+}
+
+/// Returns the shortest text that reads back as the same number.
+std::string textOf(double number) {
+  std::array<char, 32> text{};
+  const char* end = std::to_chars(text.begin(), text.end(), number).ptr;
+  return {static_cast<const char*>(text.data()), end};
+}
+
+void print(const std::string& line) { std::puts(line.c_str()); }
+
+/// Prints the union of the names of an enum.
+template <class Enum>
+void printUnion(std::string_view type, std::string_view meaning) {
+  print("/** " + std::string(meaning) + " */");
+  print("export type " + std::string(type) + " = " + listOf<Enum>(" | ") + ";");
+}
+
+/// Prints an enum whose values count from 0: its names in the order of the values.
+template <class Enum>
+void printEnum(std::string_view type, std::string_view constant, std::string_view meaning) {
+  static_assert(kCountsFromZero<Enum>);
+  printUnion<Enum>(type, meaning);
+  print("export const " + std::string(constant) + " = [" + listOf<Enum>(", ") + "] as const;");
+}
+
+/// Prints an enum with gaps between its values: its names by value.
+template <class Enum>
+void printTable(std::string_view type, std::string_view constant, std::string_view meaning) {
+  printUnion<Enum>(type, meaning);
+  print("/** Names of the codes by the numbers of the engine. */");
+  print("export const " + std::string(constant) + " = {");
+  for (std::size_t value = 0; value < kMaxEnumerators; ++value) {
+    const std::string_view name = kEnumerators<Enum>[value];
+    if (!name.empty()) print("  " + std::to_string(value) + ": " + quoted(name) + ",");
+  }
+  print("} as const;");
+}
+
+void printNumber(std::string_view constant, double value, std::string_view meaning) {
+  print("/** " + std::string(meaning) + " */");
+  print("export const " + std::string(constant) + " = " + textOf(value) + ";");
+}
+
+/// Prints the default values of a struct; enumerators by their names.
+template <Record T>
+void printDefaults(std::string_view constant, std::string_view meaning) {
+  print("/** " + std::string(meaning) + " */");
+  print("export const " + std::string(constant) + " = {");
+  const T defaults{};
+  const auto fields = fieldsOf(defaults);
+  forEachField<T>([&](auto index) {
+    constexpr std::size_t kIndex = decltype(index)::value;
+    using Field = FieldType<T, kIndex>;
+    const Field value = std::get<kIndex>(fields);
+    std::string text;
+    if constexpr (std::is_same_v<Field, bool>) {
+      text = value ? "true" : "false";
+    } else if constexpr (std::is_enum_v<Field>) {
+      text = quoted(kEnumerators<Field>[static_cast<std::size_t>(value)]);
+    } else {
+      text = textOf(static_cast<double>(value));
+    }
+    print("  " + std::string(fieldName<T, kIndex>()) + ": " + text + ",");
+  });
+  print("} as const;");
+}
+
+/// Prints the type of T as it crosses the border.
+template <class T>
+void printType(std::string_view type, std::string_view meaning) {
+  print("/** " + std::string(meaning) + " */");
+  print("export type " + std::string(type) + " = " + kTypeScriptType<T>.data() + ";");
+}
+
+void printEnums() {
+  printEnum<MeshStatus>("EngineStatus", "ENGINE_STATUSES", "Status of a run.");
+  printEnum<Phase>("Phase", "PHASES", "Stages of a run, in order.");
+  printEnum<Severity>("Severity", "SEVERITIES", "Only errors prevent meshing.");
+  printEnum<EntityKind>("EntityKind", "ENTITY_KINDS",
+                        "Kind of an entity that a diagnostic refers to.");
+  printEnum<RepairKind>("RepairKind", "REPAIR_KINDS", "Kinds of changes of a repair.");
+  printEnum<LineType>("LineType", "LINE_TYPES", "Curve type of a line.");
+  printEnum<PatchType>("PatchType", "PATCH_TYPES", "Surface type of a patch.");
+  printEnum<SourceType>("SourceType", "SOURCE_TYPES", "Shape of a source of size.");
+  printEnum<CoverShape>("CoverShape", "COVER_SHAPES",
+                        "Shape of a covering grid: five tetrahedra that fill a box, or one.");
+  printEnum<InnerShells>("InnerShells", "INNER_SHELLS",
+                         "What a closed shell inside a region bounds.");
+  printEnum<FrontOrder>("FrontOrder", "FRONT_ORDERS", "Order in which faces leave the front.");
+  printEnum<Optimization>("Optimization", "OPTIMIZATIONS",
+                          "Effort on the shape of the elements after the front has closed.");
+  printEnum<CheckedOption>("CheckedOption", "CHECKED_OPTIONS", "Options that the engine checks.");
+  printTable<DiagnosticCode>("EngineCode", "ENGINE_CODES", "Code of a diagnostic of the engine.");
+}
+
+void printNumbers() {
+  // The engine computes with magnitudes between two powers of 2; the documented limits are the powers of 10 within.
+  printNumber("MAX_LENGTH", std::pow(10.0, std::floor(std::log10(kLargestCoordinate))),
+              "Largest magnitude of coordinates and sizes.");
+  printNumber("MIN_LENGTH", std::pow(10.0, std::ceil(std::log10(kSmallestExtent))),
+              "Smallest size of models and elements.");
+  printNumber("MAX_GROWTH", kMaxGrowth, "Largest growth of sizes per unit of distance.");
+  printNumber("MAX_GRADATION", kMaxGradation,
+              "Largest ratio of the sizes of neighbouring elements.");
+  printNumber("MAX_STRETCHING", kMaxStretching, "Largest stretching.");
+  printNumber("MAX_HOLE_EDGES", kMaxHoleEdges,
+              "Largest number of edges of a hole that a repair fills.");
+  printNumber("NO_REGION", SurfaceMesh::kNoRegion, "In `triangleRegions`: no region.");
+  printNumber("NO_ORIGIN", kNoOrigin,
+              "In `SurfaceInput.origin` and `nodeOrigin`: a triangle or node that the given "
+              "surface does not have.");
+  printNumber("DIHEDRAL_BIN_WIDTH", 180.0 / static_cast<double>(kDihedralBins),
+              "Width of a bin of dihedral angles, in degrees.");
+  printNumber("RATIO_BIN_WIDTH", 1.0 / static_cast<double>(kRatioBins),
+              "Width of a bin of radius ratios.");
+  printNumber("EDGE_BIN_WIDTH", 1.0 / static_cast<double>(kEdgeBinsPerTarget),
+              "Width of a bin of edge length / target length.");
+}
+
+void printModule() {
+  print("// Made by wasm/constants.cpp from the headers of the engine.\n");
+  printEnums();
+  printNumbers();
+  printDefaults<MeshOptions>("MESH_DEFAULTS", "Defaults of a run; a size of 0 means none.");
+  printDefaults<InspectionOptions>("INSPECTION_DEFAULTS", "Defaults of an inspection.");
+  printDefaults<RepairOptions>("REPAIR_DEFAULTS", "Defaults of a repair.");
+  printDefaults<ProposalOptions>("PROPOSAL_DEFAULTS",
+                                 "Defaults of size proposals; 0 leaves a size to the engine.");
+  printNumber("SOURCE_GROWTH", SizeSource{}.growth, "Default growth of a source.");
+  printType<Model>("ModelArrays", "A drawn model.");
+  printType<BackgroundGrid>("GridArrays", "A background grid.");
+  printType<std::vector<Diagnostic>>("DiagnosticArrays", "Diagnostics of an answer.");
+}
+
+}  // namespace
+}  // namespace tetrafront::border
+
+int main() { tetrafront::border::printModule(); }
