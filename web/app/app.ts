@@ -3,7 +3,7 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import type { Gallery } from "../session/gallery";
 import { Session, type SessionOptions } from "../session/session";
 import { createShell, type Shell } from "../session/shell";
-import { MeshQueryClient } from "../viewer/mesh-query-client";
+import { MeshQueryClient } from "../viewer/queries/mesh-query-client";
 import type { Viewer } from "../viewer/viewer";
 
 export interface PageOptions {

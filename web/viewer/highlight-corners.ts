@@ -1,6 +1,6 @@
 import type { SurfaceMesh, VolumeMesh } from "tetrafront";
 import type { SceneState } from "./scene-state";
-import { faceNodes } from "./topology";
+import { faceNodes } from "./queries/topology";
 
 function cornersOf(points: Float64Array, nodes: readonly number[]): number[] {
   return nodes.flatMap((node) => [0, 1, 2].map((axis) => points[3 * node + axis] ?? 0));

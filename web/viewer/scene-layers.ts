@@ -11,7 +11,7 @@ import { LinesLayer } from "./layers/lines-layer";
 import { MeshLayer, type MeshLayerEvents } from "./layers/mesh-layer";
 import { PatchesLayer } from "./layers/patches-layer";
 import { SourcesLayer } from "./layers/sources-layer";
-import type { MeshQueryClient } from "./mesh-query-client";
+import type { MeshQueryClient } from "./queries/mesh-query-client";
 import type { SceneChanges, Viewport } from "./scene-state";
 import type { ScreenPoint } from "./screen";
 

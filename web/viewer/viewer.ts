@@ -6,7 +6,7 @@ import type { ViewerColors } from "./colors";
 import { FrameLoop } from "./frame-loop";
 import { elementCorners, selectedCorners } from "./highlight-corners";
 import type { Hit, Layer, Target } from "./layers/layer";
-import type { MeshQueryClient } from "./mesh-query-client";
+import type { MeshQueryClient } from "./queries/mesh-query-client";
 import type { Position } from "../document/position";
 import { SceneLayers } from "./scene-layers";
 import { SceneChanges, type SceneState, type ShownState } from "./scene-state";

@@ -11,8 +11,8 @@ import { MeshLayer } from "../../../web/viewer/layers/mesh-layer";
 import { PatchesLayer } from "../../../web/viewer/layers/patches-layer";
 import { SourcesLayer } from "../../../web/viewer/layers/sources-layer";
 import type { SceneState } from "../../../web/viewer/scene-state";
-import type { DrawnFaces, QueriedMesh } from "../../../web/viewer/mesh-queries";
-import type { MeshQueryClient } from "../../../web/viewer/mesh-query-client";
+import type { DrawnFaces, QueriedMesh } from "../../../web/viewer/queries/mesh-queries";
+import type { MeshQueryClient } from "../../../web/viewer/queries/mesh-query-client";
 import { gridMesh } from "./grid-mesh";
 import { change, noTree, preview, sceneState, show } from "./scene";
 

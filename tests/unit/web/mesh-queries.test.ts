@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { scalePosition, qualityOf } from "../../../web/document/mesh-quality";
-import { MeshQueries, type ViewOptions } from "../../../web/viewer/mesh-queries";
-import { faceNodes } from "../../../web/viewer/topology";
+import { MeshQueries, type ViewOptions } from "../../../web/viewer/queries/mesh-queries";
+import { faceNodes } from "../../../web/viewer/queries/topology";
 import { gridMesh } from "./grid-mesh";
 
 const size = 3;

@@ -1,6 +1,6 @@
 import { afterEach, expect, test, vi } from "vitest";
 
-import { MeshQueryClient } from "../../../web/viewer/mesh-query-client.js";
+import { MeshQueryClient } from "../../../web/viewer/queries/mesh-query-client.js";
 import type { Call } from "../../../web/workers/worker-client.js";
 import { gridMesh } from "./grid-mesh";
 

@@ -1,13 +1,13 @@
 import { describe, expect, it } from "vitest";
 import type { VolumeMesh } from "tetrafront";
 import { histogramOf, qualitiesOf, qualityOf } from "../../../web/document/mesh-quality";
-import { faceNodes, findNeighbours } from "../../../web/viewer/topology";
+import { faceNodes, findNeighbours } from "../../../web/viewer/queries/topology";
 import {
   centroidsAlong,
   collectVisibleFaces,
   hideBeyond,
   writeCorners,
-} from "../../../web/viewer/visible-faces";
+} from "../../../web/viewer/queries/visible-faces";
 import { gridMesh } from "./grid-mesh";
 
 const nodesOfFace = ({ tetrahedra }: VolumeMesh, face: number): number[] =>

@@ -4,7 +4,7 @@ import { engineGrid } from "../../document/packed-grid";
 import type { Position } from "../../document/position";
 import type { SceneChanges } from "../scene-state";
 import type { Screen } from "../screen";
-import { uniqueEdges } from "../topology";
+import { uniqueEdges } from "../queries/topology";
 import { DotsLayer } from "./dots-layer";
 import type { Hit, HittableLayer } from "./layer";
 

@@ -5,13 +5,13 @@ import { createMeshMaterial } from "../materials/mesh-material";
 import { paletteTexture, rampTexture } from "../materials/textures";
 import { setColor, setNumber, setTexture } from "../materials/uniforms";
 import type { ViewerColors } from "../colors";
-import type { DrawnFaces } from "../mesh-queries";
-import type { MeshQueryClient } from "../mesh-query-client";
+import type { DrawnFaces } from "../queries/mesh-queries";
+import type { MeshQueryClient } from "../queries/mesh-query-client";
 import { PatchFinder } from "../patch-finder";
 import type { Position } from "../../document/position";
 import type { SceneChanges, SceneState } from "../scene-state";
 import type { Screen } from "../screen";
-import { faceNodes } from "../topology";
+import { faceNodes } from "../queries/topology";
 import { TriangleTree, type TriangleHit } from "../triangle-tree";
 import { addOrigin, type Hit, type HittableLayer, type Target } from "./layer";
 

@@ -1,6 +1,6 @@
-import type { Histogram, QualityMeasure } from "../document/mesh-quality";
+import type { Histogram, QualityMeasure } from "../../document/mesh-quality";
 import type { DrawnFaces, QueriedMesh, ViewOptions } from "./mesh-queries";
-import type { SerializedTree } from "./triangle-tree";
+import type { SerializedTree } from "../triangle-tree";
 
 /** The calls that the mesh query worker answers, all but `tree` in order. */
 export interface MeshQueryProtocol {

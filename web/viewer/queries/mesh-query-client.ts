@@ -1,9 +1,9 @@
-import type { Histogram, QualityMeasure } from "../document/mesh-quality";
-import { copyForTransfer } from "../workers/transfer";
-import { WorkerClient } from "../workers/worker-client";
+import type { Histogram, QualityMeasure } from "../../document/mesh-quality";
+import { copyForTransfer } from "../../workers/transfer";
+import { WorkerClient } from "../../workers/worker-client";
 import type { DrawnFaces, QueriedMesh, ViewOptions } from "./mesh-queries";
 import type { MeshQueryProtocol } from "./mesh-query-protocol";
-import type { SerializedTree } from "./triangle-tree";
+import type { SerializedTree } from "../triangle-tree";
 
 const startWorker = (): Worker =>
   new Worker(new URL("./mesh-query-worker.ts", import.meta.url), {

@@ -6,10 +6,10 @@ import {
   type Elements,
   type Histogram,
   type QualityMeasure,
-} from "../document/mesh-quality";
+} from "../../document/mesh-quality";
 import type { VolumeMesh } from "tetrafront";
-import type { Cut, CutAxis, Shading } from "../document/selection";
-import type { Position } from "../document/position";
+import type { Cut, CutAxis, Shading } from "../../document/selection";
+import type { Position } from "../../document/position";
 import { findNeighbours, outside } from "./topology";
 import {
   centroidsAlong,

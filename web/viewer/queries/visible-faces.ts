@@ -1,5 +1,5 @@
-import type { Elements } from "../document/mesh-quality";
-import type { Cut } from "../document/selection";
+import type { Elements } from "../../document/mesh-quality";
+import type { Cut } from "../../document/selection";
 import { faceNodes, outside } from "./topology";
 
 const axisIndex = { x: 0, y: 1, z: 2 } as const;

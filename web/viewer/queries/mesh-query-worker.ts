@@ -1,5 +1,5 @@
 /** The worker that answers queries about the mesh on show, which would block the page. */
-import { serveCalls } from "../workers/serve-calls";
+import { serveCalls } from "../../workers/serve-calls";
 import { MeshQueries } from "./mesh-queries";
 import type { MeshQueryProtocol } from "./mesh-query-protocol";
 
@@ -18,7 +18,7 @@ serveCalls<MeshQueryProtocol>({
   },
   tree: async (corners) => {
     // The library is large, and no picture needs it.
-    const { buildTree } = await import("./triangle-tree");
+    const { buildTree } = await import("../triangle-tree");
     const answer = buildTree(corners);
     return { answer, transfer: answer.roots };
   },
