@@ -365,11 +365,12 @@ Task<> MeshRun::Impl::measure(Work& work) {
 Task<MeshStatus> MeshRun::Impl::verify(Work& work) {
   MeshVerifier verifier(mesh_, surface_);
   co_await work.finish(verifier);
-  const std::uint64_t defects = verifier.defects().count();
-  if (defects == 0) co_return MeshStatus::kDone;
+  const MeshDefects& defects = verifier.defects();
+  if (defects.count() == 0) co_return MeshStatus::kDone;
   Diagnostic failed;
   failed.code = DiagnosticCode::kVerificationFailed;
-  failed.values = {static_cast<double>(defects)};
+  failed.entities = defects.examples;
+  failed.values = {static_cast<double>(defects.count())};
   report({failed});
   statistics_ = {};
   co_return MeshStatus::kStalled;

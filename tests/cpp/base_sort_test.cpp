@@ -19,7 +19,7 @@ struct Record {
   std::array<std::uint32_t, Words> words;
 };
 
-/// Few different keys in the first word, the place before sorting in the last: all that tells whether
+/// Few different keys in the first word, the index before sorting in the last: all that tells whether
 /// equal ones kept their order.
 template <std::size_t Words>
 std::vector<Record<Words>> records(std::size_t count, std::uint32_t keys, unsigned seed) {

@@ -382,12 +382,12 @@ TEST(BoundaryTest, ARegionWithANonManifoldEdgeIsOneRegion) {
     return std::find(cells.begin(), cells.end(), c) != cells.end();
   };
   std::vector<std::array<int, 3>> nodes;
-  const auto node = [&](std::array<int, 3> place) {
-    const auto at = std::find(nodes.begin(), nodes.end(), place);
+  const auto node = [&](std::array<int, 3> position) {
+    const auto at = std::find(nodes.begin(), nodes.end(), position);
     const auto index = static_cast<std::uint32_t>(at - nodes.begin());
     if (at == nodes.end()) {
-      nodes.push_back(place);
-      for (const int c : place) mesh.points.push_back(c);
+      nodes.push_back(position);
+      for (const int c : position) mesh.points.push_back(c);
     }
     return index;
   };

@@ -174,9 +174,9 @@ TEST(GridGradationTest, SizesOfStretchedGridsFollowTheirTensors) {
   BackgroundGrid grid = roughGrid(3, 8);
   for (BackgroundNode& node : grid.nodes) node.stretching = 4.0;
   const GridLocator locator(grid, kGrowth);
-  for (std::uint32_t t = 0; t < locator.grid().tetrahedra.size(); ++t) {
+  for (const GridTetId tet : IdRange<GridTetId>(locator.grid().tetrahedra.size())) {
     GridLocator::Location location;
-    location.tetrahedron = t;
+    location.tetrahedron = tet;
     location.weights = {1.0, 0.0, 0.0, 0.0};
     const std::array<double, 3> sizes = principalAxes(locator.tensorAt(location)).values;
     EXPECT_NEAR(locator.sizeAt(location), std::min({sizes[0], sizes[1], sizes[2]}), 1e-12);

@@ -28,16 +28,16 @@ BackgroundGrid cubeGrid(int n) {
   return grid;
 }
 
-Vec3 placeOf(const GridLocator& locator, const GridLocator::Location& location) {
-  Vec3 place(0.0);
+Vec3 positionOf(const GridLocator& locator, const GridLocator::Location& location) {
+  Vec3 position(0.0);
   for (std::size_t i = 0; i < 4; ++i) {
-    const std::uint32_t node = locator.grid().tetrahedra[location.tetrahedron][i];
-    place += location.weights[i] * locator.grid().nodes[node].position;
+    const std::uint32_t node = locator.grid().tetrahedra[location.tetrahedron.index()][i];
+    position += location.weights[i] * locator.grid().nodes[node].position;
   }
-  return place;
+  return position;
 }
 
-void expectPlace(const Vec3& found, const Vec3& expected, double tolerance) {
+void expectPosition(const Vec3& found, const Vec3& expected, double tolerance) {
   EXPECT_LT(glm::length(found - expected), tolerance)
       << "(" << found.x << " " << found.y << " " << found.z << ") instead of (" << expected.x << " "
       << expected.y << " " << expected.z << ")";
@@ -48,12 +48,12 @@ TEST(GridLocatorTest, FindsPositionsInsideFromAnyStart) {
   Random random(401);
   const auto count = static_cast<int>(locator.grid().tetrahedra.size());
   for (int i = 0; i < 3000; ++i) {
-    const Vec3 place = Vec3(0.5) + random.inBox(0.5);
-    const auto start = static_cast<std::uint32_t>(random.integer(0, count - 1));
-    const GridLocator::Location location = locator.locate(place, start);
+    const Vec3 position = Vec3(0.5) + random.inBox(0.5);
+    const GridTetId start(static_cast<std::uint32_t>(random.integer(0, count - 1)));
+    const GridLocator::Location location = locator.locate(position, start);
     ASSERT_TRUE(location.inside);
-    expectPlace(placeOf(locator, location), place, 1e-12);
-    EXPECT_NEAR(locator.sizeAt(location), linearSize(place), 1e-12);
+    expectPosition(positionOf(locator, location), position, 1e-12);
+    EXPECT_NEAR(locator.sizeAt(location), linearSize(position), 1e-12);
     for (const double weight : location.weights) EXPECT_GE(weight, 0.0);
   }
 }
@@ -61,24 +61,24 @@ TEST(GridLocatorTest, FindsPositionsInsideFromAnyStart) {
 TEST(GridLocatorTest, NodesAndBorderCountAsInside) {
   const GridLocator locator(cubeGrid(5));
   for (const BackgroundNode& node : locator.grid().nodes) {
-    const GridLocator::Location location = locator.locate(node.position, 3);
+    const GridLocator::Location location = locator.locate(node.position, GridTetId(3U));
     ASSERT_TRUE(location.inside);
     EXPECT_NEAR(locator.sizeAt(location), node.size, 1e-12);
   }
   // Files store rounded decimals; a thousandth is more than rounding.
-  EXPECT_TRUE(locator.locate(Vec3(1.0 + 1e-12, 0.3, 0.3), 0).inside);
-  EXPECT_FALSE(locator.locate(Vec3(1.0 + 1e-3, 0.3, 0.3), 0).inside);
+  EXPECT_TRUE(locator.locate(Vec3(1.0 + 1e-12, 0.3, 0.3), GridTetId(0U)).inside);
+  EXPECT_FALSE(locator.locate(Vec3(1.0 + 1e-3, 0.3, 0.3), GridTetId(0U)).inside);
 }
 
 TEST(GridLocatorTest, OutsideUsesTheNearestPointOfTheGrid) {
   const GridLocator locator(cubeGrid(6));
   Random random(402);
   for (int i = 0; i < 1000; ++i) {
-    const Vec3 place = Vec3(0.5) + random.inBox(2.0);
-    const Vec3 nearest = glm::clamp(place, Vec3(0.0), Vec3(1.0));
-    const GridLocator::Location location = locator.locate(place, 0);
-    EXPECT_EQ(location.inside, place == nearest);
-    expectPlace(placeOf(locator, location), nearest, 1e-10);
+    const Vec3 position = Vec3(0.5) + random.inBox(2.0);
+    const Vec3 nearest = glm::clamp(position, Vec3(0.0), Vec3(1.0));
+    const GridLocator::Location location = locator.locate(position, GridTetId(0U));
+    EXPECT_EQ(location.inside, position == nearest);
+    expectPosition(positionOf(locator, location), nearest, 1e-10);
     EXPECT_NEAR(locator.sizeAt(location), linearSize(nearest), 1e-10);
   }
 }
@@ -95,10 +95,10 @@ TEST(GridLocatorTest, FindsPositionsAcrossANotch) {
   ASSERT_LT(kept.size(), grid.tetrahedra.size());
   grid.tetrahedra = kept;
   const GridLocator locator(grid);
-  const std::uint32_t left = locator.locate(Vec3(0.1, 0.9, 0.5), 0).tetrahedron;
+  const GridTetId left = locator.locate(Vec3(0.1, 0.9, 0.5), GridTetId(0U)).tetrahedron;
   const GridLocator::Location across = locator.locate(Vec3(0.9, 0.9, 0.5), left);
   EXPECT_TRUE(across.inside);
-  expectPlace(placeOf(locator, across), Vec3(0.9, 0.9, 0.5), 1e-12);
+  expectPosition(positionOf(locator, across), Vec3(0.9, 0.9, 0.5), 1e-12);
   EXPECT_FALSE(locator.locate(Vec3(0.5, 0.9, 0.5), left).inside);
 }
 
@@ -127,9 +127,9 @@ TEST(GridLocatorTest, IsBuiltInSlices) {
     const GridLocator sliced = builder.take();
     Random random(407);
     for (int i = 0; i < 300; ++i) {
-      const Vec3 place = Vec3(0.5) + random.inBox(0.7);
-      const GridLocator::Location here = sliced.locate(place, 0);
-      const GridLocator::Location there = whole.locate(place, 0);
+      const Vec3 position = Vec3(0.5) + random.inBox(0.7);
+      const GridLocator::Location here = sliced.locate(position, GridTetId(0U));
+      const GridLocator::Location there = whole.locate(position, GridTetId(0U));
       ASSERT_EQ(here.tetrahedron, there.tetrahedron);
       ASSERT_EQ(here.weights, there.weights);
       ASSERT_EQ(sliced.sizeAt(here), whole.sizeAt(there));

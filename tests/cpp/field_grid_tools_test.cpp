@@ -55,8 +55,8 @@ TEST(CoveringGridTest, ContainsTheBoxWithAMargin) {
       EXPECT_TRUE(checkBackgroundGrid(grid).empty());
       const GridLocator locator(grid);
       for (int k = 0; k < 50; ++k) {
-        const Vec3 place = low + extent * (0.5 + random.inBox(0.52));
-        const GridLocator::Location location = locator.locate(place, 0);
+        const Vec3 position = low + extent * (0.5 + random.inBox(0.52));
+        const GridLocator::Location location = locator.locate(position, GridTetId(0U));
         EXPECT_TRUE(location.inside);
         EXPECT_NEAR(locator.sizeAt(location), 0.25, 1e-15);
       }
@@ -177,11 +177,11 @@ TEST(GridFromMeshTest, CoversCurvedPatchesThatItDoesNotReach) {
   const SizeField field = SizeField::fromGrid(GridLocator(grid));
   Random random(942);
   for (int i = 0; i < 500; ++i) {
-    Vec3 place = random.inBox();
-    if (glm::length(place) < 0.1) continue;
-    place /= glm::length(place);
-    EXPECT_TRUE(field.covers(place, hint));
-    EXPECT_FALSE(field.covers(1.3 * place, hint));
+    Vec3 position = random.inBox();
+    if (glm::length(position) < 0.1) continue;
+    position /= glm::length(position);
+    EXPECT_TRUE(field.covers(position, hint));
+    EXPECT_FALSE(field.covers(1.3 * position, hint));
   }
 }
 

@@ -23,10 +23,11 @@ std::vector<Vec3> pointsOf(const SurfaceMesh& mesh) {
 
 /// Evaluates the definition over all nodes.
 double bruteForce(const std::vector<Vec3>& points, const std::vector<double>& sizes, double growth,
-                  double cap, const Vec3& place) {
+                  double cap, const Vec3& position) {
   double least = cap;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (sizes[i] > 0.0) least = std::min(least, sizes[i] + growth * glm::length(place - points[i]));
+    if (sizes[i] > 0.0)
+      least = std::min(least, sizes[i] + growth * glm::length(position - points[i]));
   }
   return least;
 }
@@ -58,9 +59,9 @@ TEST(SizeOctreeTest, MeanEdgeOfACubeOfUnitSquares) {
 TEST(SizeOctreeTest, UniformTriangulationGivesItsEdgeLength) {
   const SurfaceMesh mesh = gridCube(8, Diagonals::kUnionJack);
   const SizeOctree octree(pointsOf(mesh), mesh.triangles, 0.3, 0.0);
-  for (const Vec3& place : {Vec3(0.5), Vec3(0.0), Vec3(1.0, 0.5, 0.2), Vec3(-3.0, 0.4, 9.0)}) {
-    EXPECT_GT(octree.sizeAt(place), 1.0 / 8.0);
-    EXPECT_LT(octree.sizeAt(place), std::sqrt(2.0) / 8.0);
+  for (const Vec3& position : {Vec3(0.5), Vec3(0.0), Vec3(1.0, 0.5, 0.2), Vec3(-3.0, 0.4, 9.0)}) {
+    EXPECT_GT(octree.sizeAt(position), 1.0 / 8.0);
+    EXPECT_LT(octree.sizeAt(position), std::sqrt(2.0) / 8.0);
   }
 }
 
@@ -75,9 +76,9 @@ TEST(SizeOctreeTest, SitesAgreeWithBruteForce) {
   EXPECT_GE(calls * kOctreeBudget, 12 * points.size()) << "no call comes to more";
   Random random(301);
   for (int i = 0; i < 500; ++i) {
-    const Vec3 place = random.inBox(8.0) - Vec3(0.0, 0.0, 3.0);
-    const double expected = bruteForce(points, sizes, 0.3, 1e30, place);
-    const double found = sites.at(place, 0).size;
+    const Vec3 position = random.inBox(8.0) - Vec3(0.0, 0.0, 3.0);
+    const double expected = bruteForce(points, sizes, 0.3, 1e30, position);
+    const double found = sites.at(position, SiteId(0U)).size;
     EXPECT_GE(found, expected * (1.0 - 1e-6)) << "single precision";
     EXPECT_LE(found, expected * 1.07);
   }
@@ -93,8 +94,8 @@ TEST(SizeOctreeTest, SitesAgreeWithBruteForceFromAFarGuess) {
   }
   for (std::size_t i = 0; i < points.size(); i += 11) {
     const double expected = bruteForce(points, sizes, 0.3, 1e30, points[i]);
-    EXPECT_LE(sites.at(points[i], 0).size, expected * 1.07) << i;
-    EXPECT_LE(sites.at(points[i], 4000).size, expected * 1.07) << i;
+    EXPECT_LE(sites.at(points[i], SiteId(0U)).size, expected * 1.07) << i;
+    EXPECT_LE(sites.at(points[i], SiteId(4000U)).size, expected * 1.07) << i;
   }
 }
 
@@ -110,9 +111,9 @@ TEST(SizeOctreeTest, OctreeAgreesWithBruteForce) {
     for (int i = 0; i < kSamples; ++i) {
       // Half of the positions are near the surface, where the field is not smooth.
       const Vec3 near = points[static_cast<std::size_t>(random.integer(0, 5000))];
-      const Vec3 place =
+      const Vec3 position =
           i % 2 == 0 ? near + random.inBox(0.05) : random.inBox(3.0) - Vec3(0.0, 0.0, 3.0);
-      const Vec3 held = glm::clamp(place, Vec3(-8.0), Vec3(8.0));
+      const Vec3 held = glm::clamp(position, Vec3(-8.0), Vec3(8.0));
       const double expected = bruteForce(points, sizes, 0.3, octree.cap(), held);
       const double error = octree.sizeAt(held) / expected - 1.0;
       sum += std::fabs(error);
@@ -170,10 +171,10 @@ TEST(SizeOctreeTest, FollowsScaleAndOffset) {
     translate(moved, offset);
     const SizeOctree octree(pointsOf(moved), moved.triangles, 0.3, 1e30);
     for (int i = 0; i < 200; ++i) {
-      const Vec3 place = random.inBox(3.0) - Vec3(0.0, 0.0, 3.0);
-      const double expected = factor * original.sizeAt(place);
+      const Vec3 position = random.inBox(3.0) - Vec3(0.0, 0.0, 3.0);
+      const double expected = factor * original.sizeAt(position);
       // A leaf may be split in only one of them if a comparison is a tie.
-      EXPECT_NEAR(octree.sizeAt(factor * place + offset), expected, 0.1 * expected);
+      EXPECT_NEAR(octree.sizeAt(factor * position + offset), expected, 0.1 * expected);
     }
   }
 }
@@ -196,8 +197,8 @@ TEST(SizeOctreeTest, SlicesGiveTheSameAsOneRun) {
   EXPECT_EQ(sliced.leafCount(), whole.leafCount());
   Random random(304);
   for (int i = 0; i < 500; ++i) {
-    const Vec3 place = random.inBox(4.0);
-    EXPECT_EQ(sliced.sizeAt(place), whole.sizeAt(place));
+    const Vec3 position = random.inBox(4.0);
+    EXPECT_EQ(sliced.sizeAt(position), whole.sizeAt(position));
   }
 }
 
@@ -212,11 +213,11 @@ TEST(SizeOctreeTest, IgnoresUnusedNodes) {
   EXPECT_EQ(with.sizeAt(Vec3(0.3)), without.sizeAt(Vec3(0.3)));
 }
 
-double slowDescent(const std::vector<Vec3>& places, const std::vector<double>& lengths,
+double slowDescent(const std::vector<Vec3>& positions, const std::vector<double>& lengths,
                    double descent, const Vec3& at) {
   double most = -1e300;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    most = std::max(most, lengths[i] - descent * glm::length(at - places[i]));
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    most = std::max(most, lengths[i] - descent * glm::length(at - positions[i]));
   }
   return most;
 }
@@ -234,9 +235,9 @@ TEST(SizeOctreeTest, FallsWithTheDistanceFromASurface) {
   const SizeOctree octree = builder.take();
   Random random(305);
   for (int i = 0; i < 2000; ++i) {
-    const Vec3 place = 0.5 * (Vec3(1.0) + random.inBox(1.0));
-    const double wanted = slowDescent(points, lengths, 0.3, place);
-    EXPECT_NEAR(octree.sizeAt(place), wanted, 0.2 * std::max(wanted, 0.25 * 0.3)) << i;
+    const Vec3 position = 0.5 * (Vec3(1.0) + random.inBox(1.0));
+    const double expected = slowDescent(points, lengths, 0.3, position);
+    EXPECT_NEAR(octree.sizeAt(position), expected, 0.2 * std::max(expected, 0.25 * 0.3)) << i;
   }
 }
 

@@ -15,8 +15,8 @@
 namespace tetrafront::testing {
 namespace {
 
-SizeSource pointSource(const Vec3& place, double size, double distance, double growth) {
-  return {SourceType::kPoint, {place, Vec3(0.0), Vec3(0.0)}, size, distance, growth};
+SizeSource pointSource(const Vec3& position, double size, double distance, double growth) {
+  return {SourceType::kPoint, {position, Vec3(0.0), Vec3(0.0)}, size, distance, growth};
 }
 
 std::vector<SizeSource> randomSources(Random& random, int count) {
@@ -36,7 +36,7 @@ std::vector<SizeSource> randomSources(Random& random, int count) {
 
 /// The smallest size over a lattice of positions on the source, which grows with the distance from
 /// each.
-double sampledSize(const SizeSource& source, const Vec3& place) {
+double sampledSize(const SizeSource& source, const Vec3& position) {
   constexpr int kPieces = 60;
   const auto& [a, b, c] = source.points;
   double nearest = std::numeric_limits<double>::max();
@@ -44,7 +44,7 @@ double sampledSize(const SizeSource& source, const Vec3& place) {
     for (int j = 0; i + j <= kPieces; ++j) {
       const double u = source.type == SourceType::kPoint ? 0.0 : double{1.0} * i / kPieces;
       const double v = source.type == SourceType::kTriangle ? double{1.0} * j / kPieces : 0.0;
-      nearest = std::min(nearest, glm::length(a + u * (b - a) + v * (c - a) - place));
+      nearest = std::min(nearest, glm::length(a + u * (b - a) + v * (c - a) - position));
     }
   }
   return source.size + source.growth * std::max(0.0, nearest - source.distance);
@@ -60,10 +60,10 @@ TEST(SizeSourcesTest, SizeHoldsUpToTheDistanceAndGrowsBeyond) {
 TEST(SizeSourcesTest, DistancesAreMeasuredToTheNearestPointOfTheSource) {
   Random random(911);
   for (const SizeSource& source : randomSources(random, 60)) {
-    const Vec3 place = source.points[0] + random.inBox(3.0);
-    const double expected = sampledSize(source, place);
-    EXPECT_LE(sizeOf(source, place), expected + 1e-12);
-    EXPECT_NEAR(sizeOf(source, place), expected, 0.6 * 3.5 / 60.0);
+    const Vec3 position = source.points[0] + random.inBox(3.0);
+    const double expected = sampledSize(source, position);
+    EXPECT_LE(sizeOf(source, position), expected + 1e-12);
+    EXPECT_NEAR(sizeOf(source, position), expected, 0.6 * 3.5 / 60.0);
   }
 }
 
@@ -73,10 +73,10 @@ TEST(SizeSourcesTest, TheSmallestSizeWinsForAnyNumberOfSources) {
     const std::vector<SizeSource> list = randomSources(random, count);
     const SizeSources sources(list);
     for (int i = 0; i < 300; ++i) {
-      const Vec3 place = random.inBox(8.0);
+      const Vec3 position = random.inBox(8.0);
       double expected = 0.7;
-      for (const SizeSource& source : list) expected = std::min(expected, sizeOf(source, place));
-      EXPECT_EQ(sources.cappedSize(place, 0.7), expected) << count << " sources";
+      for (const SizeSource& source : list) expected = std::min(expected, sizeOf(source, position));
+      EXPECT_EQ(sources.cappedSize(position, 0.7), expected) << count << " sources";
     }
   }
 }

@@ -343,7 +343,7 @@ TEST(ExactPoints, SignsNearAPlaneAreExact) {
   }
 }
 
-TEST(MeshRun, UsesOnlyTheExactFillIfAsked) {
+TEST(MeshRun, UsesOnlyTheExactFillIfRequested) {
   const SurfaceMesh surface = testing::schoenhardtTower(4, 50.0);
   MeshOptions options;
   options.exactFillOnly = true;

@@ -39,21 +39,25 @@ struct Fraction {
   friend Fraction operator/(Fraction a, Fraction b) { return {a.top * b.bottom, a.bottom * b.top}; }
 };
 
-using Place = std::array<Fraction, 3>;
-using Polygon = std::vector<Place>;
+using Position = std::array<Fraction, 3>;
+using Polygon = std::vector<Position>;
 
-Place minus(const Place& a, const Place& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Fraction dot(const Place& a, const Place& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Place cross(const Place& a, const Place& b) {
+Position minus(const Position& a, const Position& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+Fraction dot(const Position& a, const Position& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+Position cross(const Position& a, const Position& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 /// The part of a convex polygon, segment or point where normal . (x - origin) >= 0.
-Polygon clipped(const Polygon& polygon, const Place& origin, const Place& normal) {
+Polygon clipped(const Polygon& polygon, const Position& origin, const Position& normal) {
   Polygon result;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Place& a = polygon[i];
-    const Place& b = polygon[(i + 1) % polygon.size()];
+    const Position& a = polygon[i];
+    const Position& b = polygon[(i + 1) % polygon.size()];
     const Fraction da = dot(normal, minus(a, origin));
     const Fraction db = dot(normal, minus(b, origin));
     if (da.sign() >= 0) result.push_back(a);
@@ -66,8 +70,9 @@ Polygon clipped(const Polygon& polygon, const Place& origin, const Place& normal
 }
 
 Polygon commonPart(const Polygon& a, const Polygon& b) {
-  const Place normal = cross(minus(b[1], b[0]), minus(b[2], b[0]));
-  const Place opposite{Fraction(0) - normal[0], Fraction(0) - normal[1], Fraction(0) - normal[2]};
+  const Position normal = cross(minus(b[1], b[0]), minus(b[2], b[0]));
+  const Position opposite{Fraction(0) - normal[0], Fraction(0) - normal[1],
+                          Fraction(0) - normal[2]};
   Polygon part = clipped(clipped(a, b[0], normal), b[0], opposite);
   for (std::size_t k = 0; k < 3; ++k) {
     part = clipped(part, b[k], cross(normal, minus(b[(k + 1) % 3], b[k])));
@@ -75,14 +80,14 @@ Polygon commonPart(const Polygon& a, const Polygon& b) {
   return part;
 }
 
-/// a and b may be one place.
-bool isOnSegment(const Place& p, const Place& a, const Place& b) {
-  const Place turn = cross(minus(p, a), minus(b, a));
+/// a and b may be one position.
+bool isOnSegment(const Position& p, const Position& a, const Position& b) {
+  const Position turn = cross(minus(p, a), minus(b, a));
   if (turn[0].sign() != 0 || turn[1].sign() != 0 || turn[2].sign() != 0) return false;
   return dot(minus(p, a), minus(p, b)).sign() <= 0;
 }
 
-/// A triangle on an integer grid; its nodes are numbered by their places.
+/// A triangle on an integer grid; its nodes are numbered by their positions.
 using GridTriangle = std::array<std::array<int, 3>, 3>;
 
 Polygon polygonOf(const GridTriangle& t) {
@@ -99,7 +104,7 @@ bool oracleMeetsImproperly(const GridTriangle& a, const GridTriangle& b) {
   }
   if (shared.size() == 3) return true;
   const Polygon part = commonPart(polygonOf(a), polygonOf(b));
-  return std::any_of(part.begin(), part.end(), [&](const Place& p) {
+  return std::any_of(part.begin(), part.end(), [&](const Position& p) {
     return shared.empty() || !isOnSegment(p, shared.front(), shared.back());
   });
 }
@@ -162,13 +167,13 @@ TEST(IntersectTest, AgreesWithTheOracleOnRandomGridTriangles) {
   std::array<int, 2> outcomes{};
   for (const std::array<int, 3>& extent :
        {std::array<int, 3>{3, 3, 3}, {4, 4, 0}, {2, 2, 1}, {4, 1, 1}}) {
-    const auto place = [&] {
+    const auto position = [&] {
       return std::array<int, 3>{random.integer(0, extent[0]), random.integer(0, extent[1]),
                                 random.integer(0, extent[2])};
     };
     for (int i = 0; i < 20000; ++i) {
-      GridTriangle a{place(), place(), place()};
-      GridTriangle b{place(), place(), place()};
+      GridTriangle a{position(), position(), position()};
+      GridTriangle b{position(), position(), position()};
       // Random corners rarely coincide: share one or two on purpose.
       const int shared = random.integer(0, 2);
       for (int k = 0; k < shared; ++k) {
@@ -188,11 +193,11 @@ TEST(IntersectTest, AgreesWithTheOracleOnRandomGridTriangles) {
 TEST(IntersectTest, DoesNotDependOnTheOrderOfCorners) {
   Random random(202);
   for (int i = 0; i < 300; ++i) {
-    const auto place = [&] {
+    const auto position = [&] {
       return std::array<int, 3>{random.integer(0, 2), random.integer(0, 2), random.integer(0, 2)};
     };
-    GridTriangle a{place(), place(), place()};
-    GridTriangle b{a[0], place(), place()};
+    GridTriangle a{position(), position(), position()};
+    GridTriangle b{a[0], position(), position()};
     if (isDegenerate(a) || isDegenerate(b)) continue;
     const bool expected = meetImproperly(numbered(a), numbered(b));
     std::sort(a.begin(), a.end());
@@ -205,7 +210,7 @@ TEST(IntersectTest, DoesNotDependOnTheOrderOfCorners) {
   }
 }
 
-TEST(IntersectTest, SharingIsToldByNumbersNotByPlaces) {
+TEST(IntersectTest, NodeNumbersDecideSharingNotPositions) {
   NumberedTriangle a = numbered({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
   NumberedTriangle b = numbered({{{1, 0, 0}, {0, 0, 0}, {0, 0, 1}}});
   EXPECT_FALSE(meetImproperly(a, b));
@@ -224,21 +229,21 @@ std::array<double, 4> mixtureOf(const Vec3& p, const std::array<Vec3, 3>& t) {
           glm::dot(normal, p - t[0]) / square};
 }
 
-TEST(MeetingPlace, IsInBothTriangles) {
+TEST(IntersectionPosition, IsInBothTriangles) {
   Random random(203);
   int met = 0;
   for (int i = 0; i < 5000; ++i) {
-    const auto place = [&] {
+    const auto position = [&] {
       return std::array<int, 3>{random.integer(0, 3), random.integer(0, 3), random.integer(0, 2)};
     };
-    const GridTriangle a{place(), place(), place()};
-    const GridTriangle b{place(), place(), place()};
+    const GridTriangle a{position(), position(), position()};
+    const GridTriangle b{position(), position(), position()};
     if (isDegenerate(a) || isDegenerate(b)) continue;
     const std::array<Vec3, 3> inA = numbered(a).corners;
     const std::array<Vec3, 3> inB = numbered(b).corners;
     if (!trianglesMeet(inA, inB)) continue;
     ++met;
-    const Vec3 common = meetingPlace(inA, inB);
+    const Vec3 common = intersectionPosition(inA, inB);
     for (const auto& triangle : {inA, inB}) {
       const std::array<double, 4> mixture = mixtureOf(common, triangle);
       for (std::size_t k = 0; k < 3; ++k) ASSERT_GE(mixture[k], -1e-9) << described(a, b);
@@ -249,7 +254,7 @@ TEST(MeetingPlace, IsInBothTriangles) {
 }
 
 /// A corner a unit in the last place off a plane is off it.
-TEST(IntersectTest, TellsTouchingFromNearlyTouching) {
+TEST(IntersectTest, DistinguishesTouchingFromNearlyTouching) {
   const std::array<Vec3, 3> floor{Vec3(0.0), Vec3(1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0)};
   for (const double gap : {0.0, 5e-324, 1e-300, 1e-16}) {
     const std::array<Vec3, 3> above{Vec3(0.25, 0.25, gap), Vec3(0.5, 0.25, 1.0),

@@ -30,7 +30,7 @@ Triangle anyTriangle(Random& random, const Vec3& around) {
 
 OrientedBox boxOf(const Triangle& t) { return OrientedBox::of(t[0], t[1], t[2]); }
 
-TEST(OrientedBoxTest, NeverTellsApartWhatMeets) {
+TEST(OrientedBoxTest, NeverSeparatesBoxesThatIntersect) {
   Random random(51);
   int met = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -67,7 +67,7 @@ TEST(OrientedBoxTest, HoldsNeedlesAsThinAsRounding) {
     for (const Vec3& corner : {from, to, tip, 0.5 * (from + to)}) {
       ASSERT_FALSE(box.isApartFrom(OrientedBox::of(corner, corner, corner))) << height;
     }
-    // Still thin: what is a little aside is told apart.
+    // The box is still thin, so it is separated from one that is slightly aside.
     const Vec3 aside = 1e-3 * glm::cross(to - from, direction(random));
     ASSERT_TRUE(box.isApartFrom(OrientedBox::of(from + aside, to + aside, tip + aside)) ||
                 glm::length(aside) < 1e-6)
@@ -105,7 +105,7 @@ TEST(OrientedBoxTest, NeedlesThatPassEachOtherAreApart) {
 }
 
 /// Where squares overflow or vanish nothing may be claimed.
-TEST(OrientedBoxTest, NumbersBeyondReachAreNotToldApart) {
+TEST(OrientedBoxTest, NumbersOutOfRangeAreNotSeparated) {
   for (const double scale : {1e200, 1e-200, 1e-300}) {
     const Triangle t{Vec3(0.0), Vec3(scale, scale, 0.0), Vec3(0.0, scale, scale)};
     const Triangle crossing{Vec3(0.0, scale, 0.0), Vec3(scale, 0.0, 0.5 * scale),

@@ -112,12 +112,12 @@ TEST(PredicatesTest, Orient2dIsExactAndAntisymmetric) {
   for (const double size : {1.0, 1e-9, 1e9}) {
     for (const double offset : {0.0, 1e6}) {
       for (int i = 0; i < 700; ++i) {
-        const auto place = [&] {
+        const auto position = [&] {
           const double x = offset + size * random.between(-1.0, 1.0);
           return Vec2(x, -offset + size * random.between(-1.0, 1.0));
         };
-        const Vec2 a = place();
-        const Vec2 b = place();
+        const Vec2 a = position();
+        const Vec2 b = position();
         Vec2 c = a + random.between(-1.0, 2.0) * (b - a);
         if (i % 4 == 0) c = b;
         c.x = nudged(c.x, random.integer(-2, 2));

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kKinds = 5;
 
-Model soundModel(std::uint64_t seed) {
+Model validModel(std::uint64_t seed) {
   switch (seed % kKinds) {
     case 0:
       return boxModel({0, 0, 0}, {1, 2, 1.5});
@@ -184,8 +184,8 @@ void damageGrid(Random& random, BackgroundGrid& grid) {
   }
 }
 
-/// What an error of these codes is about; the others may be about the whole.
-bool concernsEntities(DiagnosticCode code) {
+/// Whether an error of this code names entities; the others concern the whole model.
+bool namesEntities(DiagnosticCode code) {
   return code != DiagnosticCode::kEmptyModel && code != DiagnosticCode::kEmptyBackgroundGrid &&
          code != DiagnosticCode::kTooManyElements && code != DiagnosticCode::kOptionOutOfRange &&
          code != DiagnosticCode::kSizeTooLarge && code != DiagnosticCode::kStalled;
@@ -207,6 +207,8 @@ std::size_t countOf(EntityKind kind, const Model& model, const BackgroundGrid& g
       return grid.sources.size();
     case EntityKind::kTriangle:
     case EntityKind::kSurfaceNode:
+    case EntityKind::kNode:
+    case EntityKind::kTetrahedron:
       break;
   }
   return std::numeric_limits<std::size_t>::max();
@@ -216,7 +218,7 @@ void expectNamed(const std::vector<Diagnostic>& diagnostics, const Model& model,
                  const BackgroundGrid& grid, std::uint64_t seed) {
   for (const Diagnostic& diagnostic : diagnostics) {
     EXPECT_NE(diagnostic.code, DiagnosticCode::kVerificationFailed) << "seed " << seed;
-    if (diagnostic.severity == Severity::kError && concernsEntities(diagnostic.code)) {
+    if (diagnostic.severity == Severity::kError && namesEntities(diagnostic.code)) {
       EXPECT_FALSE(diagnostic.entities.empty())
           << "seed " << seed << ", code " << static_cast<int>(diagnostic.code);
     }
@@ -244,7 +246,7 @@ struct Damaged {
 
 Damaged damaged(std::uint64_t seed) {
   Random random(seed);
-  Damaged result{soundModel(seed), boxGrid(Vec3(-3.0), Vec3(4.0), [](const Vec3&) { return 0.6; })};
+  Damaged result{validModel(seed), boxGrid(Vec3(-3.0), Vec3(4.0), [](const Vec3&) { return 0.6; })};
   for (int damage = random.integer(1, 3); damage > 0; --damage) {
     switch (random.integer(0, 6)) {
       case 0:
@@ -269,22 +271,22 @@ Damaged damaged(std::uint64_t seed) {
 
 TEST(DamagedModels, ThePreviewNamesWhatIsWrong) {
   constexpr std::uint64_t kModels = 1000;
-  int sound = 0;
+  int accepted = 0;
   for (std::uint64_t seed = 0; seed < kModels; ++seed) {
     const Damaged input = damaged(seed);
     const ModelPreview preview = previewModel(input.model, input.grid);
     expectNamed(preview.diagnostics, input.model, input.grid, seed);
     for (const double coordinate : preview.patchPoints)
       ASSERT_TRUE(std::isfinite(coordinate)) << "seed " << seed;
-    if (!anyError(preview.diagnostics)) ++sound;
+    if (!anyError(preview.diagnostics)) ++accepted;
   }
-  EXPECT_GT(sound, 20) << "some damage is harmless";
-  EXPECT_LT(sound, static_cast<int>(kModels) / 2);
+  EXPECT_GT(accepted, 20) << "some damage is harmless";
+  EXPECT_LT(accepted, static_cast<int>(kModels) / 2);
 }
 
 TEST(DamagedModels, RunsEndWithAMeshOrANamedProblem) {
   // Coarse meshes take some tens of slices; more than this would be a run without end.
-  constexpr int kMostSlices = 2000;
+  constexpr int kMaxSlices = 2000;
   constexpr std::uint32_t kBudget = 500;
   for (std::uint64_t seed = 0; seed < 250; ++seed) {
     const Damaged input = damaged(7919 * seed);
@@ -293,8 +295,8 @@ TEST(DamagedModels, RunsEndWithAMeshOrANamedProblem) {
     options.optimization = Optimization::kNone;
     MeshRun run(input.model, input.grid, options);
     int slices = 0;
-    while (run.advance(kBudget) == MeshStatus::kRunning && slices < kMostSlices) ++slices;
-    ASSERT_LT(slices, kMostSlices) << "seed " << seed;
+    while (run.advance(kBudget) == MeshStatus::kRunning && slices < kMaxSlices) ++slices;
+    ASSERT_LT(slices, kMaxSlices) << "seed " << seed;
     expectNamed(run.diagnostics(), input.model, input.grid, seed);
     EXPECT_EQ(run.status() == MeshStatus::kDone, !anyError(run.diagnostics())) << "seed " << seed;
   }

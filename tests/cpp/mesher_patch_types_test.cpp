@@ -1,4 +1,4 @@
-// Whole runs over bodies of every patch type: closed, verified by an independent checker, and of
+// Whole runs over solids of every patch type: closed, verified by an independent checker, and of
 // the volume that the divergence theorem gives for the patches themselves.
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ double fluxThrough(const UnitSurface& surface, const Vec3& inside) {
   return std::fabs(flux);
 }
 
-/// Of a body whose patches all face away from the mean of its points.
+/// Of a solid whose patches all face away from the mean of its points.
 double exactVolume(const Model& model) {
   Vec3 inside(0.0);
   for (const Vec3& point : model.points) inside += point;
@@ -52,7 +52,7 @@ double exactVolume(const Model& model) {
   return volume;
 }
 
-/// Meshes the body and returns the mesh's volume.
+/// Meshes the solid and returns the mesh's volume.
 double meshedVolume(const Model& model, double size) {
   MeshOptions options;
   options.size = size;

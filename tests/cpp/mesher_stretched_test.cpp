@@ -44,11 +44,11 @@ Model unitBox() { return boxModel(Vec3(0.0), Vec3(1.0)); }
 BackgroundGrid stretchedGrid(const Stretch& stretch) {
   BackgroundGrid grid = boxGrid(Vec3(-0.1), Vec3(1.1), [](const Vec3&) { return 1.0; });
   for (BackgroundNode& node : grid.nodes) {
-    const Vec3 place = node.position;
+    const Vec3 position = node.position;
     node = parameters(stretch);
-    node.position = place;
+    node.position = position;
     // Which way it points must not matter.
-    if (place.x > 0.5) node.direction = -3.0 * node.direction;
+    if (position.x > 0.5) node.direction = -3.0 * node.direction;
   }
   return grid;
 }
@@ -79,13 +79,13 @@ Finished unstretched(const Stretch& stretch, Optimization optimization = Optimiz
   return meshed(model, {}, 1.0, optimization);
 }
 
-/// As the metric sees it: where the wanted element is regular.
+/// Measured in the metric, in which the target element is regular.
 QualitySummary metricQuality(VolumeMesh mesh, const Stretch& stretch) {
   const SymmetricTensor toUnit = sizeTensor(parameters(stretch)).inverse();
   for (std::size_t i = 0; i < mesh.points.size(); i += 3) {
     double* at = &mesh.points[i];
-    const Vec3 place = toUnit * Vec3(at[0], at[1], at[2]);
-    for (int k = 0; k < 3; ++k) at[k] = place[k];
+    const Vec3 position = toUnit * Vec3(at[0], at[1], at[2]);
+    for (int k = 0; k < 3; ++k) at[k] = position[k];
   }
   return measureQuality(mesh);
 }
@@ -128,11 +128,11 @@ TEST_P(StretchedBox, IsFilledFromAStretchedSurface) {
   Finished mesh = unstretched(GetParam());
   for (std::size_t i = 0; i < mesh.surface.points.size(); i += 3) {
     double* at = &mesh.surface.points[i];
-    const Vec3 place = toSpace * Vec3(at[0], at[1], at[2]);
+    const Vec3 position = toSpace * Vec3(at[0], at[1], at[2]);
     for (int k = 0; k < 3; ++k) {
       // The box's faces are planes again, exactly.
-      const double rounded = std::round(place[k]);
-      at[k] = std::fabs(place[k] - rounded) < 1e-9 ? rounded : place[k];
+      const double rounded = std::round(position[k]);
+      at[k] = std::fabs(position[k] - rounded) < 1e-9 ? rounded : position[k];
     }
   }
   const SizeField field = SizeField::fromGrid(GridLocator(stretchedGrid(GetParam())));
@@ -161,8 +161,8 @@ TEST_P(StretchedBox, IsOptimizedInItsMetric) {
   const Finished twin = unstretched(stretch, Optimization::kDefault);
   EXPECT_EQ(complaintAbout(mesh.volume, mesh.surface), "");
   EXPECT_NEAR(meanMetricEdge(mesh.volume, stretch), 1.0, 0.15);
-  const auto wanted = static_cast<double>(twin.count());
-  EXPECT_NEAR(static_cast<double>(mesh.count()), wanted, 0.1 * wanted);
+  const auto expected = static_cast<double>(twin.count());
+  EXPECT_NEAR(static_cast<double>(mesh.count()), expected, 0.1 * expected);
   const QualitySummary here = metricQuality(mesh.volume, stretch);
   const QualitySummary there = measureQuality(twin.volume);
   EXPECT_GT(here.minDihedral, std::min(20.0, 0.95 * there.minDihedral));
@@ -170,7 +170,7 @@ TEST_P(StretchedBox, IsOptimizedInItsMetric) {
   EXPECT_GT(here.meanRadiusRatio, there.meanRadiusRatio - 0.02);
 }
 
-/// Size, stretching and direction all change from place to place: each element is judged by the
+/// Size, stretching and direction all vary with the position: each element is measured by the
 /// tensor at its centroid.
 TEST(StretchedBoxTest, IsOptimizedWhereTheMetricChanges) {
   BackgroundGrid grid = boxGrid(Vec3(-0.1), Vec3(1.1), [](const Vec3&) { return 1.0; });
@@ -195,9 +195,9 @@ TEST(StretchedBoxTest, IsOptimizedWhereTheMetricChanges) {
       const Vec3 centroid = (corners[0] + corners[1] + corners[2] + corners[3]) * 0.25;
       const SymmetricTensor toUnit = field.tensorAt(centroid, hint).inverse();
       for (const Vec3& corner : corners) {
-        const Vec3 place = toUnit * (corner - centroid);
+        const Vec3 position = toUnit * (corner - centroid);
         unit.tetrahedra.push_back(static_cast<std::uint32_t>(unit.points.size() / 3));
-        unit.points.insert(unit.points.end(), {place.x, place.y, place.z});
+        unit.points.insert(unit.points.end(), {position.x, position.y, position.z});
       }
     }
     return measureQuality(unit);

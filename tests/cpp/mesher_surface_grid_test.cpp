@@ -116,7 +116,7 @@ TEST(SurfaceWithGrid, SizesFarAboveTheTrianglesLeaveNoSlivers) {
   }
 }
 
-/// Far below the surface's own edges, in whatever way it is asked for: sizes descend from the triangles,
+/// Far below the surface's own edges, however it is specified: sizes descend from the triangles,
 /// and elements keep their angles.
 TEST(SurfaceWithGrid, SizesFarBelowTheTrianglesLeaveNoSlivers) {
   const SurfaceMesh sphere = geodesicSphere(6);
@@ -142,7 +142,7 @@ TEST(SurfaceWithGrid, SizesFarBelowTheTrianglesLeaveNoSlivers) {
   EXPECT_NEAR(static_cast<double>(countOf(runs[1])), count, 0.02 * count) << "one rule for all";
 }
 
-TEST(SurfaceWithGrid, TellsOfTrianglesTooLargeForWhatIsWanted) {
+TEST(SurfaceWithGrid, WarnsOfTrianglesLargerThanTheTargetSize) {
   const SurfaceMesh cube = gridCube(1);
   MeshOptions options;
   options.size = 0.05;
@@ -153,12 +153,12 @@ TEST(SurfaceWithGrid, TellsOfTrianglesTooLargeForWhatIsWanted) {
   EXPECT_EQ(coarse->severity, Severity::kWarning);
   EXPECT_EQ(coarse->values[0], 12.0);
   EXPECT_NEAR(coarse->values[1], std::sqrt(2.0) / 0.05, 1e-9);
-  EXPECT_GT(run.statistics().meanEdge, 15.0) << "of what is wanted";
+  EXPECT_GT(run.statistics().meanEdge, 15.0) << "in units of the target length";
   EXPECT_NEAR(run.statistics().meanEdgeOfAchievable, 1.0, 0.3);
 }
 
 /// A source that no node or edge of the surface is near.
-TEST(SurfaceWithGrid, TellsOfTheTriangleAroundASmallSource) {
+TEST(SurfaceWithGrid, WarnsOfTheTriangleAroundASmallSource) {
   const SurfaceMesh cube = gridCube(4);
   const Vec3 within = Vec3(0.5 * (0.25 + 0.3), 0.26, 0.0);
   const Diagnostic* coarse = nullptr;
@@ -179,7 +179,7 @@ TEST(SurfaceWithGrid, AUniformSizeGoesBeforeTheGrid) {
             filled(cube, {}, options).fingerprint());
 }
 
-TEST(SurfaceWithGrid, AskedForMoreThanCanBeCountedIsRefusedWithANumber) {
+TEST(SurfaceWithGrid, RefusesMoreElementsThanCanBeCountedWithANumber) {
   const SurfaceMesh cube = gridCube(12);
   for (const double size : {1e-6, 1e-308}) {
     MeshOptions options;
@@ -192,7 +192,7 @@ TEST(SurfaceWithGrid, AskedForMoreThanCanBeCountedIsRefusedWithANumber) {
   }
 }
 
-TEST(SurfaceWithGrid, OutsideOfItIsRefusedWithTheFirstPlace) {
+TEST(SurfaceWithGrid, RefusesASurfaceOutsideItWithTheFirstPosition) {
   const SurfaceMesh cube = gridCube(4);
   const BackgroundGrid half =
       boxGrid(Vec3(-1.0), Vec3(2.0, 2.0, 0.5), [](const Vec3&) { return 0.2; });
@@ -208,7 +208,7 @@ TEST(SurfaceWithGrid, OutsideOfItIsRefusedWithTheFirstPlace) {
   EXPECT_GT(found.values[0], 10.0);
 }
 
-TEST(SurfaceWithGrid, IsToldWhatIsWrongWithBoth) {
+TEST(SurfaceWithGrid, ReportsTheProblemsOfBoth) {
   SurfaceMesh open = gridCube(2);
   open.triangles.resize(open.triangles.size() - 3);
   BackgroundGrid grid = gridOfSize(0.3);

@@ -144,23 +144,23 @@ TEST(MeshRun, ReportsPhasesInTheirOrderAndAFractionThatNeverFalls) {
   EXPECT_EQ(run.progress().fraction, 1.0);
 }
 
-/// Bodies that the exact fill takes long with.
-std::vector<std::pair<const char*, SurfaceMesh>> needleBodies() {
-  std::vector<std::pair<const char*, SurfaceMesh>> bodies{
+/// Solids for which the exact fill takes long.
+std::vector<std::pair<const char*, SurfaceMesh>> needleSolids() {
+  std::vector<std::pair<const char*, SurfaceMesh>> solids{
       {"plate", testing::needlePlate(6, 24, 0.05)},
       {"gear", testing::needleGear(100, 0.05)},
       {"thread", testing::screwThread(8, 64)}};
-  for (auto& [name, body] : bodies) testing::rotateRandomly(body, 2);
-  return bodies;
+  for (auto& [name, solid] : solids) testing::rotateRandomly(solid, 2);
+  return solids;
 }
 
-TEST(MeshRun, TellsHowFarTheExactFillIs) {
-  for (const auto& [name, body] : needleBodies()) {
+TEST(MeshRun, ReportsTheProgressOfTheExactFill) {
+  for (const auto& [name, solid] : needleSolids()) {
     SCOPED_TRACE(name);
     MeshOptions options;
     options.exactFillOnly = true;
     options.optimization = Optimization::kNone;
-    MeshRun run(body.points, body.triangles, options);
+    MeshRun run(solid.points, solid.triangles, options);
     Progress before = run.progress();
     int filling = 0;
     int steps = 0;
@@ -191,11 +191,11 @@ TEST(MeshRun, TellsHowFarTheExactFillIs) {
 }
 
 TEST(MeshRun, TakesNothingBackWhereTheExactFillTriesAgain) {
-  const SurfaceMesh body = testing::flatPocket();
+  const SurfaceMesh solid = testing::flatPocket();
   MeshOptions options;
   options.exactFillOnly = true;
   options.optimization = Optimization::kNone;
-  MeshRun run(body.points, body.triangles, options);
+  MeshRun run(solid.points, solid.triangles, options);
   Progress before = run.progress();
   int steps = 0;
   while (run.advance(20) == MeshStatus::kRunning) {
@@ -212,10 +212,10 @@ TEST(MeshRun, TakesNothingBackWhereTheExactFillTriesAgain) {
 
 /// Whatever the front leaves, the bar moves until it is filled.
 TEST(MeshRun, MovesWhileTheFrontAndRecoveryAreAtNeedles) {
-  const SurfaceMesh body = testing::coarseTube(128, 0.95, 100.0);
+  const SurfaceMesh solid = testing::coarseTube(128, 0.95, 100.0);
   MeshOptions options;
   options.optimization = Optimization::kNone;
-  MeshRun run(body.points, body.triangles, options);
+  MeshRun run(solid.points, solid.triangles, options);
   double before = 0.0;
   int inVolume = 0;
   int still = 0;
@@ -236,12 +236,12 @@ TEST(MeshRun, MovesWhileTheFrontAndRecoveryAreAtNeedles) {
 }
 
 TEST(MeshRun, IsCancelledAmidTheExactFillAndKeepsTheWholeFront) {
-  SurfaceMesh body = testing::needlePlate(6, 24, 0.05);
-  testing::rotateRandomly(body, 2);
+  SurfaceMesh solid = testing::needlePlate(6, 24, 0.05);
+  testing::rotateRandomly(solid, 2);
   MeshOptions options;
   options.exactFillOnly = true;
   for (const double stop : {0.05, 0.3, 0.6, 0.8}) {
-    MeshRun run(body.points, body.triangles, options);
+    MeshRun run(solid.points, solid.triangles, options);
     while (run.progress().exactFillFraction < stop && run.advance(20) == MeshStatus::kRunning) {
     }
     ASSERT_EQ(run.status(), MeshStatus::kRunning) << stop;
@@ -252,7 +252,7 @@ TEST(MeshRun, IsCancelledAmidTheExactFillAndKeepsTheWholeFront) {
     EXPECT_EQ(run.progress().fraction, reached);
     EXPECT_LT(reached, 1.0);
     EXPECT_EQ(run.volume().tetrahedra.size(), 0U);
-    EXPECT_EQ(run.volume().front.size(), body.triangles.size());
+    EXPECT_EQ(run.volume().front.size(), solid.triangles.size());
   }
 }
 
@@ -275,7 +275,7 @@ TEST(MeshRun, CanBeCancelledAtAnyTimeAndKeepsWhatIsThere) {
   }
 }
 
-TEST(MeshRun, GradesInwardsFromASurfaceFarCoarserThanTheSizeAskedFor) {
+TEST(MeshRun, GradesInwardsFromASurfaceFarCoarserThanTheTargetSize) {
   const SurfaceMesh surface = testing::gridBox(Vec3(0.0), Vec3(3.0, 3.0, 2.0), {3, 3, 2});
   for (const double size : {0.5, 0.2, 0.05}) {
     MeshOptions options;
@@ -289,14 +289,14 @@ TEST(MeshRun, GradesInwardsFromASurfaceFarCoarserThanTheSizeAskedFor) {
   }
 }
 
-struct Body {
+struct Solid {
   std::string name;
   SurfaceMesh surface;
   MeshOptions options;
 };
 
 /// Every rung of the recovery is needed by one of them.
-std::vector<Body> bodiesOfEveryRung() {
+std::vector<Solid> solidsOfEveryRung() {
   MeshOptions striving;
   striving.optimization = Optimization::kThorough;
   MeshOptions filling = striving;
@@ -321,9 +321,9 @@ void runInSlices(MeshRun& run, std::uint32_t budget) {
 
 TEST(MeshRun, GivesTheSameMeshInSlicesOfAnyLengthOnEveryRung) {
   RecoverySummary most;
-  for (const Body& body : bodiesOfEveryRung()) {
-    SCOPED_TRACE(body.name);
-    MeshRun whole(body.surface.points, body.surface.triangles, body.options);
+  for (const Solid& solid : solidsOfEveryRung()) {
+    SCOPED_TRACE(solid.name);
+    MeshRun whole(solid.surface.points, solid.surface.triangles, solid.options);
     runInSlices(whole, kOneSlice);
     const RecoverySummary summary = whole.recovery();
     most.relaxed = std::max(most.relaxed, summary.relaxed);
@@ -331,7 +331,7 @@ TEST(MeshRun, GivesTheSameMeshInSlicesOfAnyLengthOnEveryRung) {
     most.remeshed = std::max(most.remeshed, summary.remeshed);
     most.filled = std::max(most.filled, summary.filled);
     for (const std::uint32_t budget : kShortSlices) {
-      MeshRun run(body.surface.points, body.surface.triangles, body.options);
+      MeshRun run(solid.surface.points, solid.surface.triangles, solid.options);
       runInSlices(run, budget);
       EXPECT_EQ(run.fingerprint(), whole.fingerprint()) << "slices of " << budget;
     }

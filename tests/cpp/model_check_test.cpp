@@ -25,7 +25,7 @@ std::vector<DiagnosticCode> codesOf(const Model& model) {
 }
 
 /// Returns the only diagnostic of a model, which must have exactly one.
-Diagnostic onlyFault(const Model& model) {
+Diagnostic onlyDefect(const Model& model) {
   const std::vector<Diagnostic> found = diagnoseModel(model);
   EXPECT_EQ(found.size(), 1U);
   return found.empty() ? Diagnostic{} : found.front();
@@ -75,9 +75,9 @@ TEST(ModelCheck, NotFinite) {
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e40}) {
     Model model = square();
     model.points[2].y = wrong;
-    const Diagnostic fault = onlyFault(model);
-    EXPECT_EQ(fault.code, DiagnosticCode::kNotFinite);
-    EXPECT_TRUE(names(fault, EntityKind::kPoint, 2));
+    const Diagnostic defect = onlyDefect(model);
+    EXPECT_EQ(defect.code, DiagnosticCode::kNotFinite);
+    EXPECT_TRUE(names(defect, EntityKind::kPoint, 2));
   }
 }
 
@@ -109,24 +109,24 @@ TEST(ModelCheck, IndexOutOfRange) {
 
   model = square();
   model.patches.front().loops.front()[3].line = 9;
-  const Diagnostic fault = onlyFault(model);
-  EXPECT_EQ(fault.code, DiagnosticCode::kIndexOutOfRange);
-  EXPECT_TRUE(names(fault, EntityKind::kPatch, 0));
+  const Diagnostic defect = onlyDefect(model);
+  EXPECT_EQ(defect.code, DiagnosticCode::kIndexOutOfRange);
+  EXPECT_TRUE(names(defect, EntityKind::kPatch, 0));
 }
 
 TEST(ModelCheck, WrongPointCount) {
   Model model = square();
   model.lines[2].type = LineType::kParabolic;
-  Diagnostic fault = onlyFault(model);
-  EXPECT_EQ(fault.code, DiagnosticCode::kWrongPointCount);
-  EXPECT_TRUE(names(fault, EntityKind::kLine, 2));
-  EXPECT_EQ(fault.values, std::vector<double>{2.0});
+  Diagnostic defect = onlyDefect(model);
+  EXPECT_EQ(defect.code, DiagnosticCode::kWrongPointCount);
+  EXPECT_TRUE(names(defect, EntityKind::kLine, 2));
+  EXPECT_EQ(defect.values, std::vector<double>{2.0});
 
   model = square();
   model.lines[0].points.clear();
-  fault = onlyFault(model);
-  EXPECT_EQ(fault.code, DiagnosticCode::kWrongPointCount);
-  EXPECT_EQ(fault.values, std::vector<double>{0.0});
+  defect = onlyDefect(model);
+  EXPECT_EQ(defect.code, DiagnosticCode::kWrongPointCount);
+  EXPECT_EQ(defect.values, std::vector<double>{0.0});
 }
 
 TEST(ModelCheck, CoincidentPoints) {
@@ -135,34 +135,34 @@ TEST(ModelCheck, CoincidentPoints) {
       builder.line(LineType::kSpline, {{0, 0, 0}, {1, 0, 0}, {2, 0, 1}, {3, 0, 0}});
   builder.patch(PatchType::kPlanar, {{{line, false}, builder.straight({3, 0, 0}, {0, 0, 0})}});
   builder.model.points[2] = builder.model.points[1];
-  const Diagnostic fault = onlyFault(builder.model);
-  EXPECT_EQ(fault.code, DiagnosticCode::kCoincidentPoints);
-  EXPECT_TRUE(names(fault, EntityKind::kLine, line));
-  EXPECT_TRUE(names(fault, EntityKind::kPoint, 1));
-  EXPECT_TRUE(names(fault, EntityKind::kPoint, 2));
-  EXPECT_TRUE(fault.hasPosition);
+  const Diagnostic defect = onlyDefect(builder.model);
+  EXPECT_EQ(defect.code, DiagnosticCode::kCoincidentPoints);
+  EXPECT_TRUE(names(defect, EntityKind::kLine, line));
+  EXPECT_TRUE(names(defect, EntityKind::kPoint, 1));
+  EXPECT_TRUE(names(defect, EntityKind::kPoint, 2));
+  EXPECT_TRUE(defect.hasPosition);
 }
 
 TEST(ModelCheck, ZeroLengthLine) {
   Model model = square();
   model.points[1] = model.points[0];
-  const Diagnostic fault = onlyFault(model);
-  EXPECT_EQ(fault.code, DiagnosticCode::kZeroLengthLine);
-  EXPECT_TRUE(names(fault, EntityKind::kLine, 0));
+  const Diagnostic defect = onlyDefect(model);
+  EXPECT_EQ(defect.code, DiagnosticCode::kZeroLengthLine);
+  EXPECT_TRUE(names(defect, EntityKind::kLine, 0));
 }
 
 TEST(ModelCheck, WrongLineCount) {
   Model model = polygonModel({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
   model.patches.front().type = PatchType::kCoons;
-  Diagnostic fault = onlyFault(model);
-  EXPECT_EQ(fault.code, DiagnosticCode::kWrongLineCount);
-  EXPECT_EQ(fault.values, (std::vector<double>{3.0, 4.0}));
+  Diagnostic defect = onlyDefect(model);
+  EXPECT_EQ(defect.code, DiagnosticCode::kWrongLineCount);
+  EXPECT_EQ(defect.values, (std::vector<double>{3.0, 4.0}));
 
   model = square();
   model.patches.front().loops.clear();
-  fault = onlyFault(model);
-  EXPECT_EQ(fault.code, DiagnosticCode::kWrongLineCount);
-  EXPECT_EQ(fault.values, (std::vector<double>{0.0, 1.0}));
+  defect = onlyDefect(model);
+  EXPECT_EQ(defect.code, DiagnosticCode::kWrongLineCount);
+  EXPECT_EQ(defect.values, (std::vector<double>{0.0, 1.0}));
 }
 
 TEST(ModelCheck, WrongLineTypeNamesPatchAndLine) {
@@ -193,35 +193,35 @@ TEST(ModelCheck, LoopNotClosedNamesPatchLineAndPoint) {
 TEST(ModelCheck, OneOpenLineIsNoLoop) {
   ModelBuilder builder;
   builder.patch(PatchType::kPlanar, {{builder.straight({0, 0, 0}, {1, 0, 0})}});
-  EXPECT_EQ(onlyFault(builder.model).code, DiagnosticCode::kLoopNotClosed);
+  EXPECT_EQ(onlyDefect(builder.model).code, DiagnosticCode::kLoopNotClosed);
 }
 
 TEST(ModelCheck, LoopTouchesItself) {
   // A bow tie with unequal wings; a hole across the edge; a hole that touches it; a line used
   // twice.
   const Model bowTie = polygonModel({{{0, 0, 0}, {3, 1, 0}, {3, 0, 0}, {0, 2, 0}}});
-  EXPECT_EQ(onlyFault(bowTie).code, DiagnosticCode::kLoopsIntersect);
+  EXPECT_EQ(onlyDefect(bowTie).code, DiagnosticCode::kLoopsIntersect);
   const Model crossing =
       polygonModel({squareCorners({0, 0, 0}, 2.0), squareCorners({1.5, 0.5, 0}, 1.0)});
-  const Diagnostic fault = onlyFault(crossing);
-  EXPECT_EQ(fault.code, DiagnosticCode::kLoopsIntersect);
-  EXPECT_TRUE(names(fault, EntityKind::kLine, 1));
+  const Diagnostic defect = onlyDefect(crossing);
+  EXPECT_EQ(defect.code, DiagnosticCode::kLoopsIntersect);
+  EXPECT_TRUE(names(defect, EntityKind::kLine, 1));
   const Model touching =
       polygonModel({squareCorners({0, 0, 0}, 2.0), {{2, 1, 0}, {1, 0.5, 0}, {1, 1.5, 0}}});
-  EXPECT_EQ(onlyFault(touching).code, DiagnosticCode::kLoopsIntersect);
+  EXPECT_EQ(onlyDefect(touching).code, DiagnosticCode::kLoopsIntersect);
   const Model spike =
       polygonModel({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 2, 0}, {1, 1, 0}, {0, 1, 0}}});
-  EXPECT_EQ(onlyFault(spike).code, DiagnosticCode::kLoopsIntersect);
+  EXPECT_EQ(onlyDefect(spike).code, DiagnosticCode::kLoopsIntersect);
 }
 
 TEST(ModelCheck, HoleOutside) {
   const Model beside = polygonModel({squareCorners({0, 0, 0}, 1.0), squareCorners({2, 0, 0}, 1.0)});
-  const Diagnostic fault = onlyFault(beside);
-  EXPECT_EQ(fault.code, DiagnosticCode::kHoleOutside);
-  EXPECT_TRUE(names(fault, EntityKind::kLine, 4));
+  const Diagnostic defect = onlyDefect(beside);
+  EXPECT_EQ(defect.code, DiagnosticCode::kHoleOutside);
+  EXPECT_TRUE(names(defect, EntityKind::kLine, 4));
   const Model nested = polygonModel({squareCorners({0, 0, 0}, 4.0), squareCorners({1, 1, 0}, 2.0),
                                      squareCorners({1.5, 1.5, 0}, 1.0)});
-  EXPECT_EQ(onlyFault(nested).code, DiagnosticCode::kHoleOutside);
+  EXPECT_EQ(onlyDefect(nested).code, DiagnosticCode::kHoleOutside);
 }
 
 TEST(ModelCheck, NotPlanarNamesTheMovedPointAndItsDistance) {
@@ -236,14 +236,14 @@ TEST(ModelCheck, NotPlanarNamesTheMovedPointAndItsDistance) {
   for (std::uint32_t point = 0; point < flat.points.size(); ++point) {
     Model model = flat;
     model.points[point] += 0.3 * normal;
-    const Diagnostic fault = onlyFault(model);
-    EXPECT_EQ(fault.code, DiagnosticCode::kNotPlanar);
-    EXPECT_TRUE(names(fault, EntityKind::kPoint, point));
-    EXPECT_EQ(std::ranges::count(fault.entities, EntityKind::kPoint, &Entity::kind), 1);
-    EXPECT_TRUE(names(fault, EntityKind::kPatch, 0));
-    EXPECT_EQ(std::ranges::count(fault.entities, EntityKind::kLine, &Entity::kind), 2);
-    EXPECT_EQ(fault.position, model.points[point]);
-    EXPECT_NEAR(fault.values.front(), 0.3, 1e-12);
+    const Diagnostic defect = onlyDefect(model);
+    EXPECT_EQ(defect.code, DiagnosticCode::kNotPlanar);
+    EXPECT_TRUE(names(defect, EntityKind::kPoint, point));
+    EXPECT_EQ(std::ranges::count(defect.entities, EntityKind::kPoint, &Entity::kind), 1);
+    EXPECT_TRUE(names(defect, EntityKind::kPatch, 0));
+    EXPECT_EQ(std::ranges::count(defect.entities, EntityKind::kLine, &Entity::kind), 2);
+    EXPECT_EQ(defect.position, model.points[point]);
+    EXPECT_NEAR(defect.values.front(), 0.3, 1e-12);
   }
 }
 
@@ -255,10 +255,10 @@ TEST(ModelCheck, NotPlanarNamesTheMovedCornerOfABox) {
     model.points[point] += Vec3(0.1, 0.07, -0.05);
     const std::vector<Diagnostic> found = diagnoseModel(model);
     ASSERT_EQ(found.size(), 3U);
-    for (const Diagnostic& fault : found) {
-      EXPECT_EQ(fault.code, DiagnosticCode::kNotPlanar);
-      EXPECT_TRUE(names(fault, EntityKind::kPoint, point));
-      EXPECT_EQ(fault.position, model.points[point]);
+    for (const Diagnostic& defect : found) {
+      EXPECT_EQ(defect.code, DiagnosticCode::kNotPlanar);
+      EXPECT_TRUE(names(defect, EntityKind::kPoint, point));
+      EXPECT_EQ(defect.position, model.points[point]);
     }
   }
 }
@@ -269,10 +269,10 @@ TEST(ModelCheck, NotPlanarNamesThePointOfALargePolygon) {
   for (int i = 0; i < 5000; ++i)
     corners.emplace_back(std::cos(i * 0.001256), std::sin(i * 0.001256), 0.25);
   corners[1234].z = 0.5;
-  const Diagnostic fault = onlyFault(polygonModel({corners}));
-  EXPECT_EQ(fault.code, DiagnosticCode::kNotPlanar);
-  EXPECT_TRUE(names(fault, EntityKind::kPoint, 1234));
-  EXPECT_EQ(std::ranges::count(fault.entities, EntityKind::kPoint, &Entity::kind), 1);
+  const Diagnostic defect = onlyDefect(polygonModel({corners}));
+  EXPECT_EQ(defect.code, DiagnosticCode::kNotPlanar);
+  EXPECT_TRUE(names(defect, EntityKind::kPoint, 1234));
+  EXPECT_EQ(std::ranges::count(defect.entities, EntityKind::kPoint, &Entity::kind), 1);
 }
 
 TEST(ModelCheck, NotPlanarNamesNoPointIfAmbiguous) {
@@ -280,11 +280,11 @@ TEST(ModelCheck, NotPlanarNamesNoPointIfAmbiguous) {
   std::vector<Vec3> corners;
   for (int i = 0; i < 7; ++i)
     corners.push_back(Vec3(std::cos(0.9 * i), std::sin(0.9 * i), 0.3 * random.unit()));
-  const Diagnostic fault = onlyFault(polygonModel({corners}));
-  EXPECT_EQ(fault.code, DiagnosticCode::kNotPlanar);
-  EXPECT_EQ(std::ranges::count(fault.entities, EntityKind::kPoint, &Entity::kind), 0);
-  EXPECT_EQ(fault.entities.size(), 2U);
-  EXPECT_GT(fault.values.front(), 0.0);
+  const Diagnostic defect = onlyDefect(polygonModel({corners}));
+  EXPECT_EQ(defect.code, DiagnosticCode::kNotPlanar);
+  EXPECT_EQ(std::ranges::count(defect.entities, EntityKind::kPoint, &Entity::kind), 0);
+  EXPECT_EQ(defect.entities.size(), 2U);
+  EXPECT_GT(defect.values.front(), 0.0);
 }
 
 TEST(ModelCheck, PlanarityDoesNotDependOnTheModelsSize) {
@@ -336,18 +336,18 @@ TEST(ModelCheck, NotPlanarNamesTheMovedCornersOfManyBoxes) {
 }
 
 TEST(ModelCheck, EmptyModel) {
-  EXPECT_EQ(onlyFault(Model{}).code, DiagnosticCode::kEmptyModel);
+  EXPECT_EQ(onlyDefect(Model{}).code, DiagnosticCode::kEmptyModel);
   Model lines = square();
   lines.patches.clear();
-  EXPECT_EQ(onlyFault(lines).code, DiagnosticCode::kEmptyModel);
+  EXPECT_EQ(onlyDefect(lines).code, DiagnosticCode::kEmptyModel);
 }
 
 TEST(ModelCheck, DegeneratePatch) {
   const Model flat = polygonModel({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}});
-  EXPECT_EQ(onlyFault(flat).code, DiagnosticCode::kDegeneratePatch);
+  EXPECT_EQ(onlyDefect(flat).code, DiagnosticCode::kDegeneratePatch);
   Model bowTie = polygonModel({{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}});
   bowTie.patches.front().type = PatchType::kCoons;
-  EXPECT_EQ(onlyFault(bowTie).code, DiagnosticCode::kDegeneratePatch);
+  EXPECT_EQ(onlyDefect(bowTie).code, DiagnosticCode::kDegeneratePatch);
 }
 
 TEST(ModelCheck, MidPointNearAnEndFoldsAnIsoparametricPatch) {
@@ -376,13 +376,13 @@ TEST(ModelCheck, MidPointNearAnEndFoldsAnIsoparametricPatch) {
         EXPECT_TRUE(codesOf(builder.model).empty()) << share;
         continue;
       }
-      const Diagnostic fault = onlyFault(builder.model);
+      const Diagnostic defect = onlyDefect(builder.model);
       // The line itself runs back along its chord.
-      EXPECT_EQ(fault.code, lift == 0.0 ? DiagnosticCode::kLineSelfIntersection
-                                        : DiagnosticCode::kDegeneratePatch);
-      EXPECT_TRUE(names(fault, EntityKind::kLine, 1));
-      EXPECT_EQ(fault.entities.size(), lift == 0.0 ? 1U : 2U);
-      EXPECT_LT(glm::length(fault.position - corners[share < 0.5 ? 1 : 2]), 0.6) << share;
+      EXPECT_EQ(defect.code, lift == 0.0 ? DiagnosticCode::kLineSelfIntersection
+                                         : DiagnosticCode::kDegeneratePatch);
+      EXPECT_TRUE(names(defect, EntityKind::kLine, 1));
+      EXPECT_EQ(defect.entities.size(), lift == 0.0 ? 1U : 2U);
+      EXPECT_LT(glm::length(defect.position - corners[share < 0.5 ? 1 : 2]), 0.6) << share;
     }
   }
 }
@@ -392,7 +392,7 @@ TEST(ModelCheck, TrianglesHaveThreeCorners) {
   const Loop base = builder.circle({0, 0, 0}, 1.0, 1);
   const OrientedLine seam = builder.straight({1, 0, 0}, {0, 0, 1.5});
   builder.patch(PatchType::kBarnhillGregoryNielson, {{base[0], seam, {seam.line, true}}});
-  EXPECT_EQ(onlyFault(builder.model).code, DiagnosticCode::kLoopsIntersect);
+  EXPECT_EQ(onlyDefect(builder.model).code, DiagnosticCode::kLoopsIntersect);
 }
 
 TEST(ModelCheck, SharpBendOfACoonsPatchIsNoFold) {

@@ -30,14 +30,14 @@ Closure closureOf(const Model& model) {
 Model ring(int count, bool twisted) {
   ModelBuilder builder;
   for (int i = 0; i < count; ++i) {
-    const auto place = [&](int at, double z) { return Vec3(at, at * at, z); };
+    const auto position = [&](int at, double z) { return Vec3(at, at * at, z); };
     const bool turns = twisted && i + 1 == count;
     const int next = (i + 1) % count;
     builder.patch(PatchType::kCoons,
-                  {{builder.straight(place(i, 0), place(next, turns ? 1 : 0)),
-                    builder.straight(place(next, turns ? 1 : 0), place(next, turns ? 0 : 1)),
-                    builder.straight(place(next, turns ? 0 : 1), place(i, 1)),
-                    builder.straight(place(i, 1), place(i, 0))}});
+                  {{builder.straight(position(i, 0), position(next, turns ? 1 : 0)),
+                    builder.straight(position(next, turns ? 1 : 0), position(next, turns ? 0 : 1)),
+                    builder.straight(position(next, turns ? 0 : 1), position(i, 1)),
+                    builder.straight(position(i, 1), position(i, 0))}});
   }
   return builder.model;
 }
@@ -150,10 +150,10 @@ Model boxWithASeparatePatch(std::size_t apart) {
   for (OrientedLine& walked : model.patches[apart].loops.front()) {
     Line line = model.lines[walked.line];
     for (std::uint32_t& point : line.points) {
-      const Vec3 place = model.points[point];
-      const auto own = std::find(model.points.begin() + 8, model.points.end(), place);
+      const Vec3 position = model.points[point];
+      const auto own = std::find(model.points.begin() + 8, model.points.end(), position);
       point = static_cast<std::uint32_t>(own - model.points.begin());
-      if (own == model.points.end()) model.points.push_back(place);
+      if (own == model.points.end()) model.points.push_back(position);
     }
     walked.line = static_cast<std::uint32_t>(model.lines.size());
     model.lines.push_back(line);
@@ -225,11 +225,11 @@ TEST(ModelDuplicates, EachOfManyLinesBetweenTwoPointsFindsItsLowestDuplicate) {
     const std::uint32_t course = i * i % kCourses;
     const double angle = 0.06 * course;
     const Vec3 middle(1.5 - std::sin(angle), 0.5 + std::cos(angle), 0.3 * std::sin(2.0 * angle));
-    std::vector<Vec3> places{from, middle, to};
-    if (course == 0) places = {from, to};
-    if (i % 2 == 1) std::ranges::reverse(places);
+    std::vector<Vec3> positions{from, middle, to};
+    if (course == 0) positions = {from, to};
+    if (i % 2 == 1) std::ranges::reverse(positions);
     const LineId line(
-        builder.line(course == 0 ? LineType::kStraight : LineType::kParabolic, places));
+        builder.line(course == 0 ? LineType::kStraight : LineType::kParabolic, positions));
     first[course] = std::min(first[course], line);
     expected.push_back(first[course]);
   }

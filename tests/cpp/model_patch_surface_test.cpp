@@ -118,9 +118,9 @@ TEST(ModelMapped, LinesLieOnTheBorderOfThePlane) {
       for (std::size_t i = 0; i < loop.size(); ++i) {
         EXPECT_TRUE(surface.straightInPlane(0, i));
         for (const double t : {0.0, 0.3, 1.0}) {
-          const Vec3 place = resolved.curve(loop[i]).position(t);
-          const Vec2 plane = surface.boundaryToPlane(i, t, place);
-          EXPECT_LT(glm::length(surface.evaluate(plane).position - place), 1e-12);
+          const Vec3 position = resolved.curve(loop[i]).position(t);
+          const Vec2 plane = surface.boundaryToPlane(i, t, position);
+          EXPECT_LT(glm::length(surface.evaluate(plane).position - position), 1e-12);
           EXPECT_LT(glm::length(surface.clamped(plane) - plane), 1e-14);
         }
       }
@@ -202,8 +202,8 @@ TEST(ModelResolved, DrawingAClosedLineBackwardChangesNoBit) {
   const ResolvedModel second(turned);
   EXPECT_NE(first.isFlipped(LineId(0U)), second.isFlipped(LineId(0U)));
   for (double t = 0.0; t <= 1.0; t += 0.01) {
-    const Vec3 place = first.curve(OrientedLine{0, false}).position(t);
-    EXPECT_EQ(place, second.curve(OrientedLine{0, true}).position(t));
+    const Vec3 position = first.curve(OrientedLine{0, false}).position(t);
+    EXPECT_EQ(position, second.curve(OrientedLine{0, true}).position(t));
   }
 }
 

@@ -53,9 +53,9 @@ TEST(SelfCrossing, FigureOfEightIsFoundAtItsCentre) {
   for (const double scale : {1e-6, 1.0, 1e6}) {
     std::vector<Vec3> points = figureOfEight(0.0);
     for (Vec3& point : points) point *= scale;
-    const std::optional<Vec3> place = findSelfCrossing(spline(points));
-    ASSERT_TRUE(place) << scale;
-    EXPECT_LT(glm::length(*place), 0.02 * scale);
+    const std::optional<Vec3> position = findSelfCrossing(spline(points));
+    ASSERT_TRUE(position) << scale;
+    EXPECT_LT(glm::length(*position), 0.02 * scale);
   }
 }
 
@@ -69,9 +69,9 @@ TEST(SelfCrossing, IsFoundAtTheEndOfALongSpline) {
     EXPECT_FALSE(findSelfCrossing(spline(points))) << count;
     points.emplace_back(last - 0.1, 0.1, 0.0);
     points.emplace_back(last - 0.2, -0.1, 0.0);
-    const std::optional<Vec3> place = findSelfCrossing(spline(points));
-    ASSERT_TRUE(place) << count;
-    EXPECT_NEAR(place->x, last - 0.16, 0.04) << count;
+    const std::optional<Vec3> position = findSelfCrossing(spline(points));
+    ASSERT_TRUE(position) << count;
+    EXPECT_NEAR(position->x, last - 0.16, 0.04) << count;
   }
 }
 

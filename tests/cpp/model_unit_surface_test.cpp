@@ -102,8 +102,8 @@ TEST(ModelUnitSurface, WeightsSumToOne) {
     const ResolvedModel resolvedMoved(moved);
     const UnitSurface surface = surfaceOf(resolved);
     const Vec2 unit = randomUnit(random, surface.shape());
-    const Vec3 place = surfaceOf(resolvedMoved).evaluate(unit).position;
-    EXPECT_LT(glm::length(place - offset - surface.evaluate(unit).position), 3.0 * kExact);
+    const Vec3 position = surfaceOf(resolvedMoved).evaluate(unit).position;
+    EXPECT_LT(glm::length(position - offset - surface.evaluate(unit).position), 3.0 * kExact);
   });
 }
 

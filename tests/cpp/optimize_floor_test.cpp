@@ -22,7 +22,7 @@
 namespace tetrafront {
 namespace {
 
-struct Body {
+struct Solid {
   std::string name;
   std::variant<Model, SurfaceMesh> boundary;
   double size;  ///< uniform; 0: sizes of the given surface
@@ -32,27 +32,27 @@ struct Body {
   double edgesNearTarget = 0.95;
   BackgroundGrid sources{};
 };
-void PrintTo(const Body& body, std::ostream* out) { *out << body.name; }
+void PrintTo(const Solid& solid, std::ostream* out) { *out << solid.name; }
 
-MeshRun finished(const Body& body, MeshOptions options) {
-  options.size = body.size;
-  const auto* const model = std::get_if<Model>(&body.boundary);
-  const auto* const surface = std::get_if<SurfaceMesh>(&body.boundary);
-  MeshRun run = model != nullptr ? MeshRun(*model, body.sources, options)
+MeshRun finished(const Solid& solid, MeshOptions options) {
+  options.size = solid.size;
+  const auto* const model = std::get_if<Model>(&solid.boundary);
+  const auto* const surface = std::get_if<SurfaceMesh>(&solid.boundary);
+  MeshRun run = model != nullptr ? MeshRun(*model, solid.sources, options)
                                  : MeshRun(surface->points, surface->triangles, options);
   while (run.advance(10000) == MeshStatus::kRunning) {
   }
   return run;
 }
 
-void expectFloor(const Body& body, const MeshRun& run) {
+void expectFloor(const Solid& solid, const MeshRun& run) {
   ASSERT_EQ(run.status(), MeshStatus::kDone);
   EXPECT_EQ(testing::complaintAbout(run.volume(), run.surface()), "");
   const QualitySummary quality = run.quality();
-  EXPECT_GE(quality.minDihedral, body.leastDihedral);
-  EXPECT_LE(quality.maxDihedral, body.greatestDihedral);
-  EXPECT_GE(quality.meanRadiusRatio, body.meanRadiusRatio);
-  EXPECT_GE(run.statistics().edgesNearTarget, body.edgesNearTarget);
+  EXPECT_GE(quality.minDihedral, solid.leastDihedral);
+  EXPECT_LE(quality.maxDihedral, solid.greatestDihedral);
+  EXPECT_GE(quality.meanRadiusRatio, solid.meanRadiusRatio);
+  EXPECT_GE(run.statistics().edgesNearTarget, solid.edgesNearTarget);
 }
 
 /// Adds the patches of the second model to the first.
@@ -93,9 +93,9 @@ SurfaceMesh sphere(double radius, int rows, double shaking, std::uint64_t seed) 
   const double edge = std::sqrt(48.0 * std::numbers::pi / std::numbers::sqrt3 /
                                 static_cast<double>(surface.triangles.size()));
   for (std::size_t i = 0; i < surface.points.size(); i += 3) {
-    Vec3 place(surface.points[i], surface.points[i + 1], surface.points[i + 2]);
-    place = glm::normalize(place + random.inBox(shaking * edge)) * radius;
-    for (int k = 0; k < 3; ++k) surface.points[i + static_cast<std::size_t>(k)] = place[k];
+    Vec3 position(surface.points[i], surface.points[i + 1], surface.points[i + 2]);
+    position = glm::normalize(position + random.inBox(shaking * edge)) * radius;
+    for (int k = 0; k < 3; ++k) surface.points[i + static_cast<std::size_t>(k)] = position[k];
   }
   return surface;
 }
@@ -116,7 +116,7 @@ std::uint32_t beyond(const QualityStatistics& statistics) {
   return statistics.outOfRange + statistics.limitedByBoundary;
 }
 
-class QualityFloor : public ::testing::TestWithParam<Body> {};
+class QualityFloor : public ::testing::TestWithParam<Solid> {};
 
 TEST_P(QualityFloor, HoldsForTheDefaultMesh) {
   const MeshRun run = finished(GetParam(), {});
@@ -133,7 +133,7 @@ TEST_P(QualityFloor, HoldsAfterAFillWithoutInteriorNodes) {
   EXPECT_NEAR(run.statistics().meanEdge, 1.0, 0.12);
 }
 
-class BesideCoarseTriangles : public ::testing::TestWithParam<Body> {};
+class BesideCoarseTriangles : public ::testing::TestWithParam<Solid> {};
 
 /// If sizes jump, the front puts nodes close to triangles much larger than the target elements; the
 /// exact fill puts none there. The optimized mesh of the front must not be much worse than that of
@@ -149,7 +149,7 @@ TEST_P(BesideCoarseTriangles, FrontAndExactFillGiveSimilarQuality) {
   EXPECT_GT(usual.quality().meanRadiusRatio, 0.97 * filled.quality().meanRadiusRatio);
 }
 
-class NeedleFloor : public ::testing::TestWithParam<Body> {};
+class NeedleFloor : public ::testing::TestWithParam<Solid> {};
 
 /// Spheres with a few needles and caps. Improving single elements leaves some of them, so the
 /// elements around them must change too.
@@ -159,12 +159,12 @@ SurfaceMesh plate(double length, double width, double thickness, int columns, in
   return testing::gridBox(Vec3(0.0), Vec3(length, width, thickness), {columns, rows, 1});
 }
 
-class CoarseFloor : public ::testing::TestWithParam<Body> {};
+class CoarseFloor : public ::testing::TestWithParam<Solid> {};
 
 /// Small meshes of solids one element thick, in which many elements are out of range at first.
 TEST_P(CoarseFloor, HoldsInThinSolids) { expectFloor(GetParam(), finished(GetParam(), {})); }
 
-class ThoroughFloor : public ::testing::TestWithParam<Body> {};
+class ThoroughFloor : public ::testing::TestWithParam<Solid> {};
 
 /// Compared with the default mesh, no angle may be further out of range, no more elements may be
 /// out of range, and the mean shape may not be worse.
@@ -187,53 +187,53 @@ TEST_P(ThoroughFloor, IsNotBelowTheDefault) {
 INSTANTIATE_TEST_SUITE_P(
     Optimize, QualityFloor,
     ::testing::Values(
-        Body{"sphere", testing::sphereModel(1.0), 0.15, 0.885},
-        Body{"cube", testing::boxModel(Vec3(0.0), Vec3(1.0)), 0.09, 0.885},
-        Body{"torus", testing::torusModel(1.0, 0.4), 0.11, 0.885},
-        Body{"bracket", testing::bracketModel(), 0.085, 0.885},
-        Body{"cavity", both(testing::boxModel(Vec3(-1.0), Vec3(1.0)), testing::sphereModel(0.5)),
-             0.16, 0.885},
-        Body{"graded", testing::sphereModel(1.0), 0.4, 0.88, 30.0, 135.0, 0.95, fineAtPole(0.008)},
-        Body{"gapOfOneEdge", sphericalGap(0.6, 13, 0.05, 12), 0.0, 0.85},
-        Body{"gapOfHalfAnEdge", sphericalGap(1.0, 12, 0.05, 12), 0.0, 0.8, 17.0, 150.0, 0.935},
-        Body{"gapOfShakenTriangles", sphericalGap(0.4, 10, 0.05, 9, 0.2), 0.0, 0.795},
-        Body{"shellOfPoorTriangles", sphericalGap(1.0, 6, 0.3, 4, 0.25), 0.0, 0.84}),
+        Solid{"sphere", testing::sphereModel(1.0), 0.15, 0.885},
+        Solid{"cube", testing::boxModel(Vec3(0.0), Vec3(1.0)), 0.09, 0.885},
+        Solid{"torus", testing::torusModel(1.0, 0.4), 0.11, 0.885},
+        Solid{"bracket", testing::bracketModel(), 0.085, 0.885},
+        Solid{"cavity", both(testing::boxModel(Vec3(-1.0), Vec3(1.0)), testing::sphereModel(0.5)),
+              0.16, 0.885},
+        Solid{"graded", testing::sphereModel(1.0), 0.4, 0.88, 30.0, 135.0, 0.95, fineAtPole(0.008)},
+        Solid{"gapOfOneEdge", sphericalGap(0.6, 13, 0.05, 12), 0.0, 0.85},
+        Solid{"gapOfHalfAnEdge", sphericalGap(1.0, 12, 0.05, 12), 0.0, 0.8, 17.0, 150.0, 0.935},
+        Solid{"gapOfShakenTriangles", sphericalGap(0.4, 10, 0.05, 9, 0.2), 0.0, 0.795},
+        Solid{"shellOfPoorTriangles", sphericalGap(1.0, 6, 0.3, 4, 0.25), 0.0, 0.84}),
     [](const auto& each) { return each.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(
     Optimize, BesideCoarseTriangles,
-    ::testing::Values(Body{"finePatch", testing::cubeWithFinePatch(24), 0.0, 0.0},
-                      Body{"gradedCube", testing::gradedCube(12, 3), 0.0, 0.0}),
+    ::testing::Values(Solid{"finePatch", testing::cubeWithFinePatch(24), 0.0, 0.0},
+                      Solid{"gradedCube", testing::gradedCube(12, 3), 0.0, 0.0}),
     [](const auto& each) { return each.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(Optimize, NeedleFloor,
-                         ::testing::Values(Body{"a", sphere(1.0, 6, 0.25, 2), 0.0, 0.845},
-                                           Body{"b", sphere(1.0, 6, 0.27, 7), 0.0, 0.845},
-                                           Body{"c", sphere(1.0, 7, 0.25, 2), 0.0, 0.86}),
+                         ::testing::Values(Solid{"a", sphere(1.0, 6, 0.25, 2), 0.0, 0.845},
+                                           Solid{"b", sphere(1.0, 6, 0.27, 7), 0.0, 0.845},
+                                           Solid{"c", sphere(1.0, 7, 0.25, 2), 0.0, 0.86}),
                          [](const auto& each) { return each.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(Optimize, CoarseFloor,
-                         ::testing::Values(Body{"plateA", plate(3.6, 3.0, 0.8, 4, 3), 0.0, 0.65},
-                                           Body{"plateB", plate(3.6, 3.0, 0.6, 5, 4), 0.0, 0.65},
-                                           Body{"plateC", plate(4.5, 4.0, 0.8, 5, 4), 0.0, 0.65}),
+                         ::testing::Values(Solid{"plateA", plate(3.6, 3.0, 0.8, 4, 3), 0.0, 0.65},
+                                           Solid{"plateB", plate(3.6, 3.0, 0.6, 5, 4), 0.0, 0.65},
+                                           Solid{"plateC", plate(4.5, 4.0, 0.8, 5, 4), 0.0, 0.65}),
                          [](const auto& each) { return each.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(
     Optimize, ThoroughFloor,
-    ::testing::Values(Body{"cube", testing::boxModel(Vec3(0.0), Vec3(1.0)), 0.12, 0.0},
-                      Body{"gapOfHalfAnEdge", sphericalGap(0.5, 6, 0.05, 6), 0.0, 0.0},
-                      Body{"gapOfShakenTriangles", sphericalGap(0.4, 10, 0.05, 9, 0.2), 0.0, 0.0},
-                      Body{"sphereWithNeedles", sphere(1.0, 5, 0.28, 1), 0.0, 0.0},
-                      Body{"shellOfPoorTriangles", sphericalGap(1.0, 6, 0.3, 4, 0.25), 0.0, 0.0}),
+    ::testing::Values(Solid{"cube", testing::boxModel(Vec3(0.0), Vec3(1.0)), 0.12, 0.0},
+                      Solid{"gapOfHalfAnEdge", sphericalGap(0.5, 6, 0.05, 6), 0.0, 0.0},
+                      Solid{"gapOfShakenTriangles", sphericalGap(0.4, 10, 0.05, 9, 0.2), 0.0, 0.0},
+                      Solid{"sphereWithNeedles", sphere(1.0, 5, 0.28, 1), 0.0, 0.0},
+                      Solid{"shellOfPoorTriangles", sphericalGap(1.0, 6, 0.3, 4, 0.25), 0.0, 0.0}),
     [](const auto& each) { return each.param.name; });
 
 /// Hundreds of elements at needles miss every higher target. Degenerate elements must still be
 /// improved if the boundary permits it.
 TEST(OptimizeNeedles, DegenerateElementsAreImproved) {
-  const std::vector<std::pair<SurfaceMesh, double>> bodies{{testing::needleGear(24, 0.5), 2.0},
+  const std::vector<std::pair<SurfaceMesh, double>> solids{{testing::needleGear(24, 0.5), 2.0},
                                                            {testing::bentSheet(24, 0.1), 1.0},
                                                            {testing::needlePlate(4, 40, 0.5), 0.1}};
-  for (const auto& [surface, leastDihedral] : bodies) {
+  for (const auto& [surface, leastDihedral] : solids) {
     MeshRun run(surface.points, surface.triangles, MeshOptions{});
     while (run.advance(10000) == MeshStatus::kRunning) {
     }

@@ -76,9 +76,9 @@ TEST(ElementCost, DihedralCostIsAtMostOneExactlyWhenBothTargetsAreMet) {
     const double least = std::acos(measures.largestCosine) * 180.0 / std::numbers::pi;
     const double greatest = std::acos(measures.smallestCosine) * 180.0 / std::numbers::pi;
     if (std::fabs(least - 18.0) < 1e-6 || std::fabs(greatest - 150.0) < 1e-6) continue;
-    const bool wanted = least > 18.0 && greatest < 150.0;
-    ASSERT_EQ(costOf(cost, t) <= 1.0, wanted) << least << " " << greatest;
-    met += wanted ? 1 : 0;
+    const bool isMet = least > 18.0 && greatest < 150.0;
+    ASSERT_EQ(costOf(cost, t) <= 1.0, isMet) << least << " " << greatest;
+    met += isMet ? 1 : 0;
   }
   EXPECT_GT(met, 200);
 }
@@ -103,9 +103,9 @@ TEST(ElementCost, WithinAnglesShapesDoNotCompensateAnAngleOutOfRange) {
       dearestGood = std::max(dearestGood, cost);
     }
   }
-  constexpr double kMostInACavity = 500.0;
+  constexpr double kMaxInACavity = 500.0;
   EXPECT_GT(dearestGood, 0.0);
-  EXPECT_LT(dearestGood * kMostInACavity, cheapestMissed);
+  EXPECT_LT(dearestGood * kMaxInACavity, cheapestMissed);
 }
 
 /// Returns the mesh of a closed surface after the front, or after the exact fill, which makes few
@@ -133,8 +133,8 @@ TetComplex complexOf(const Filled& filled, const ElementCost<>& cost) {
   while (!complex.build(100)) {
   }
   for (std::size_t i = 0; i < complex.nodeCount(); ++i)
-    complex.setWanted<PlainSpace>(NodeId(i), kSize);
-  complex.costAnew(cost, 0, complex.slotCount());
+    complex.setTarget<PlainSpace>(NodeId(i), kSize);
+  complex.recomputeCosts(cost, 0, complex.slotCount());
   return complex;
 }
 
@@ -278,7 +278,7 @@ TEST(LastResortImprover, RetriesOnlyChangedElements) {
   auto& [complex, removal, splitter, collapser, mover, repair] = workshop;
   LastResortImprover rescue(complex, removal, splitter, collapser, mover, repair);
   const TetId tet(std::size_t{0});
-  const auto triesOfATurn = [&] {
+  const auto attemptsOfAPass = [&] {
     constexpr std::size_t kMany = 100000;
     complex.beginPass();
     rescue.allow(kMany);
@@ -293,14 +293,14 @@ TEST(LastResortImprover, RetriesOnlyChangedElements) {
   for (std::uint64_t now = 1; now != before && turns < 50; ++turns) {
     ASSERT_TRUE(complex.isLive(tet));
     before = fingerprintOf(complex.toMesh());
-    EXPECT_GT(triesOfATurn(), 0);
+    EXPECT_GT(attemptsOfAPass(), 0);
     now = fingerprintOf(complex.toMesh());
   }
   ASSERT_LT(turns, 50);
-  EXPECT_EQ(triesOfATurn(), 0);
+  EXPECT_EQ(attemptsOfAPass(), 0);
   complex.beginPass();
   complex.markChanged(tet);
-  EXPECT_GT(triesOfATurn(), 0);
+  EXPECT_GT(attemptsOfAPass(), 0);
 }
 
 /// A hollow of 20 faces around the origin, with nodes moved at random.
@@ -325,21 +325,21 @@ TEST(NodeMoves, NewtonStepsConvergeToAZeroSlope) {
     for (const bool squareRoot : {true, false}) {
       Hollow<> hollow = shakenHollow(seed);
       const ElementCost cost(squareRoot ? Measure::kBulk : Measure::kFinish);
-      Vec3 place(0.1, -0.05, 0.08);
+      Vec3 position(0.1, -0.05, 0.08);
       for (int i = 0; i < 20; ++i) {
         Vec3 step(0.0);
-        if (!newtonStep(hollow, place, squareRoot, step)) break;
-        if (hollow.costAt(place + step, cost, kInvalidCost) >=
-            hollow.costAt(place, cost, kInvalidCost)) {
+        if (!newtonStep(hollow, position, squareRoot, step)) break;
+        if (hollow.costAt(position + step, cost, kInvalidCost) >=
+            hollow.costAt(position, cost, kInvalidCost)) {
           break;
         }
-        place += step;
+        position += step;
       }
       constexpr double kStep = 1e-4;
-      const double here = hollow.costAt(place, cost, kInvalidCost);
+      const double here = hollow.costAt(position, cost, kInvalidCost);
       for (int k = 0; k < 3; ++k) {
         for (const double sign : {-1.0, 1.0}) {
-          Vec3 beside = place;
+          Vec3 beside = position;
           beside[k] += sign * kStep;
           EXPECT_GT(hollow.costAt(beside, cost, kInvalidCost), here) << "seed " << seed;
         }
@@ -367,13 +367,13 @@ TEST(NodeMoves, LoweringTheWorstNeverRaisesIt) {
   const ElementCost cost(Measure::kDihedral, kTargets30And135);
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     Hollow<> hollow = shakenHollow(seed);
-    Vec3 place(0.3, 0.2, -0.1);
-    const double before = hollow.costAt(place, cost, kInvalidCost);
+    Vec3 position(0.3, 0.2, -0.1);
+    const double before = hollow.costAt(position, cost, kInvalidCost);
     if (before >= kInvalidCost) continue;
     double worst = before;
-    lowerWorst(hollow, cost, 5, place, worst);
+    lowerWorst(hollow, cost, 5, position, worst);
     EXPECT_LE(worst, before);
-    EXPECT_NEAR(hollow.costAt(place, cost, kInvalidCost), worst, 1e-9 * worst);
+    EXPECT_NEAR(hollow.costAt(position, cost, kInvalidCost), worst, 1e-9 * worst);
   }
 }
 
@@ -381,10 +381,10 @@ TEST(NodeMoves, LoweringTheWorstNeverRaisesIt) {
 /// flat that the eighth power of its cost exceeds the cost of an invalid element.
 TEST(NodeMoves, LoweringThePowersLowersTheirSum) {
   const ElementCost cost(Measure::kDihedral, kTargets30And135);
-  const auto sum = [&](Hollow<>& hollow, const Vec3& place) {
+  const auto sum = [&](Hollow<>& hollow, const Vec3& position) {
     double powers = 0.0;
     for (std::size_t i = 0; i < hollow.size(); ++i) {
-      powers += std::pow(hollow.costOf(i, place, cost), 8.0);
+      powers += std::pow(hollow.costOf(i, position, cost), 8.0);
     }
     return powers;
   };
@@ -395,14 +395,14 @@ TEST(NodeMoves, LoweringThePowersLowersTheirSum) {
     const Vec3 inside(0.3, 0.2, -0.1);
     const auto& [a, b, c] = hollow.face(0);
     const Vec3 nearFace = inside + ((a + b + c) / 3.0 - inside) * 0.9999;
-    for (Vec3 place : {inside, nearFace}) {
-      const double before = sum(hollow, place);
-      if (hollow.costAt(place, cost, kInvalidCost) >= kInvalidCost) continue;
+    for (Vec3 position : {inside, nearFace}) {
+      const double before = sum(hollow, position);
+      if (hollow.costAt(position, cost, kInvalidCost) >= kInvalidCost) continue;
       ++tried;
       flat += before > kInvalidCost ? 1 : 0;
-      EXPECT_TRUE(lowerPowers(hollow, cost, 20, place));
-      EXPECT_LT(sum(hollow, place), 0.5 * before);
-      EXPECT_LT(hollow.costAt(place, cost, kInvalidCost), kInvalidCost);
+      EXPECT_TRUE(lowerPowers(hollow, cost, 20, position));
+      EXPECT_LT(sum(hollow, position), 0.5 * before);
+      EXPECT_LT(hollow.costAt(position, cost, kInvalidCost), kInvalidCost);
     }
   }
   EXPECT_GT(tried - flat, 20);
@@ -482,22 +482,22 @@ TEST(StretchedSpace, MovesAreMadeInTheMetric) {
       const auto& [a, b, c] = unit.face(i);
       hollow.add(toSpace * a, toSpace * b, toSpace * c, toUnit);
     }
-    const Vec3 place(0.1, -0.05, 0.08);
+    const Vec3 position(0.1, -0.05, 0.08);
     const auto expectSame = [&](const Vec3& here, const Vec3& there) {
       EXPECT_LT(glm::length(toUnit * here - there), 1e-9) << "seed " << seed;
     };
-    expectSame(circumcentreMean(hollow, toSpace * place), circumcentreMean(unit, place));
+    expectSame(circumcentreMean(hollow, toSpace * position), circumcentreMean(unit, position));
     for (const bool squareRoot : {true, false}) {
       Vec3 here(0.0);
       Vec3 there(0.0);
-      ASSERT_TRUE(newtonStep(unit, place, squareRoot, there));
-      ASSERT_TRUE(newtonStep(hollow, toSpace * place, squareRoot, here));
+      ASSERT_TRUE(newtonStep(unit, position, squareRoot, there));
+      ASSERT_TRUE(newtonStep(hollow, toSpace * position, squareRoot, here));
       expectSame(here, there);
     }
     double worstHere = 0.0;
     double worstThere = 0.0;
-    Vec3 here = toSpace * place;
-    Vec3 there = place;
+    Vec3 here = toSpace * position;
+    Vec3 there = position;
     const bool fellHere =
         lowerWorst(hollow, ElementCost<StretchedSpace>(Measure::kDihedral), 1, here, worstHere);
     EXPECT_EQ(lowerWorst(unit, ElementCost(Measure::kDihedral), 1, there, worstThere), fellHere);
@@ -581,7 +581,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(DrawnGoal{"sphere", testing::sphereModel(1.0), 0.12, 0.89},
                       DrawnGoal{"cube", testing::boxModel(Vec3(0.0), Vec3(1.0)), 0.08, 0.88},
                       DrawnGoal{"torus", testing::torusModel(1.0, 0.35), 0.085, 0.88},
-                      // With too few interior nodes, judged by the shapes of elements alone.
+                      // With too few interior nodes, measured by the shapes of elements alone.
                       DrawnGoal{"coarseTorus", testing::torusModel(1.0, 0.35), 0.28, 0.85}),
     [](const auto& each) { return each.param.name; });
 

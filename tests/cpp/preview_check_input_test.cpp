@@ -53,10 +53,10 @@ Model tube(double radius, double low, double high) {
       const double angle = 0.5 * std::numbers::pi * static_cast<double>(k % 4);
       return Vec3(radius * std::cos(angle), radius * std::sin(angle), z);
     };
-    const auto find = [&](const Vec3& place) {
+    const auto find = [&](const Vec3& position) {
       const Model& model = builder.model;
       return *std::ranges::min_element(
-          model.points, {}, [&](const Vec3& point) { return glm::length(point - place); });
+          model.points, {}, [&](const Vec3& point) { return glm::length(point - position); });
     };
     const OrientedLine up = builder.straight(find(corner(i + 1, low)), find(corner(i + 1, high)));
     const OrientedLine down = builder.straight(find(corner(i, high)), find(corner(i, low)));
@@ -254,11 +254,11 @@ TEST(CheckInput, ACoordinateOutOfRangeIsReported) {
   BackgroundGrid grid = boxGrid(Vec3(-1.0), Vec3(2.0), [](const Vec3&) { return 0.5; });
   grid.nodes[0].position.z = 1e201;
   grid.sources = {{SourceType::kPoint, {Vec3(1e202, 0.0, 0.0), Vec3(0.0), Vec3(0.0)}, 0.5}};
-  std::vector<double> told;
+  std::vector<double> reported;
   for (const Diagnostic& finding : checkInput(box, grid, {}).preview.diagnostics)
-    if (finding.code == DiagnosticCode::kNotFinite) told.push_back(finding.values.at(0));
-  std::sort(told.begin(), told.end());
-  EXPECT_EQ(told, (std::vector<double>{-1e200, 1e201, 1e202}));
+    if (finding.code == DiagnosticCode::kNotFinite) reported.push_back(finding.values.at(0));
+  std::sort(reported.begin(), reported.end());
+  EXPECT_EQ(reported, (std::vector<double>{-1e200, 1e201, 1e202}));
 }
 
 // ---- all problems at once, in a preview and in a run -------------------------------------------

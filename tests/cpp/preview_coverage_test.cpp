@@ -111,8 +111,8 @@ TEST(CoverageTest, IsReportedByThePreviewAndEndsTheRunBeforeMeshing) {
 
 // ---- proposals -----------------------------------------------------------------------------------
 
-double sizeAt(const SizeProposal& proposal, const Vec3& place) {
-  return SizeSources(proposal.sources).cappedSize(place, proposal.size);
+double sizeAt(const SizeProposal& proposal, const Vec3& position) {
+  return SizeSources(proposal.sources).cappedSize(position, proposal.size);
 }
 
 TEST(SizeProposalTest, ABoxGetsAUniformSize) {
@@ -130,15 +130,15 @@ TEST(SizeProposalTest, BendsGetTheGivenNumberOfElementsPerCircle) {
   options.elementsPerCircle = 30.0;
   options.elementsPerGap = 0.0;
   const SizeProposal proposal = proposeSizes(tube, options);
-  const double wanted = 2.0 * std::numbers::pi * kRadius / 30.0;
+  const double expected = 2.0 * std::numbers::pi * kRadius / 30.0;
   for (int i = 0; i < 40; ++i) {
     const double angle = 0.37 * i;
-    const Vec3 place(kRadius * std::cos(angle), kRadius * std::sin(angle), 0.1 * i);
-    EXPECT_NEAR(sizeAt(proposal, place), wanted, 0.3 * wanted) << "at z = " << place.z;
+    const Vec3 position(kRadius * std::cos(angle), kRadius * std::sin(angle), 0.1 * i);
+    EXPECT_NEAR(sizeAt(proposal, position), expected, 0.3 * expected) << "at z = " << position.z;
   }
   EXPECT_GT(sizeAt(proposal, Vec3(0.0, 0.0, 9.0)), 0.9 * proposal.size);
   // About one source per one or two elements of the curve, not one per sample.
-  const double elements = 2.0 * std::numbers::pi * kRadius * 4.0 / (wanted * wanted);
+  const double elements = 2.0 * std::numbers::pi * kRadius * 4.0 / (expected * expected);
   EXPECT_LT(static_cast<double>(proposal.sources.size()), elements);
   EXPECT_TRUE(checkSizeSources(proposal.sources).empty());
 }

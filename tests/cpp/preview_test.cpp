@@ -118,10 +118,10 @@ TEST(SurfacePreview, AcceptsAnyInput) {
     Random random(seed);
     Model model;
     for (int i = random.integer(0, 8); i > 0; --i) {
-      Vec3 place(0.0);
+      Vec3 position(0.0);
       for (int k = 0; k < 3; ++k)
-        place[k] = random.coin() ? random.between(-1, 1) : wild[random.bits() % wild.size()];
-      model.points.push_back(place);
+        position[k] = random.coin() ? random.between(-1, 1) : wild[random.bits() % wild.size()];
+      model.points.push_back(position);
     }
     const auto index = [&](std::size_t count) {
       return static_cast<std::uint32_t>(random.bits() % (count + 1));

@@ -31,13 +31,13 @@ MeshRun finished(MeshRun run) {
   return run;
 }
 
-QualityStatistics survey(const VolumeMesh& mesh, const SurfaceMesh& surface,
-                         const SizeField& field = SizeField::uniform(kSize),
-                         std::uint32_t budget = 1000) {
-  QualityAnalysis survey(mesh, surface, field);
-  while (!survey.advance(budget)) {
+QualityStatistics analyse(const VolumeMesh& mesh, const SurfaceMesh& surface,
+                          const SizeField& field = SizeField::uniform(kSize),
+                          std::uint32_t budget = 1000) {
+  QualityAnalysis analysis(mesh, surface, field);
+  while (!analysis.advance(budget)) {
   }
-  return survey.statistics();
+  return analysis.statistics();
 }
 
 std::array<Vec3, 4> cornersOf(const VolumeMesh& mesh, std::size_t t) {
@@ -64,7 +64,7 @@ TEST(QualityAnalysis, AgreesWithASlowCount) {
   const SurfaceMesh surface = geodesicSphere(6);
   const MeshRun run = finished(MeshRun(surface.points, surface.triangles, {}));
   const VolumeMesh mesh = run.volume();
-  const QualityStatistics statistics = survey(mesh, run.surface());
+  const QualityStatistics statistics = analyse(mesh, run.surface());
   ASSERT_EQ(statistics.regions.size(), 1U);
   const RegionStatistics& region = statistics.regions[0];
   std::array<std::uint32_t, kDihedralBins> dihedral{};
@@ -124,8 +124,8 @@ TEST(QualityAnalysis, DoesNotDependOnHowTheWorkIsSliced) {
   const SurfaceMesh surface = nestedSpheres(3, 4);
   const MeshRun run = finished(MeshRun(surface.points, surface.triangles, {}));
   const SizeField field = SizeField::uniform(kSize);
-  const QualityStatistics whole = survey(run.volume(), run.surface(), field, 10'000'000);
-  const QualityStatistics slices = survey(run.volume(), run.surface(), field, 7);
+  const QualityStatistics whole = analyse(run.volume(), run.surface(), field, 10'000'000);
+  const QualityStatistics slices = analyse(run.volume(), run.surface(), field, 7);
   EXPECT_EQ(whole.regions.size(), 2U);
   for (std::size_t r = 0; r < whole.regions.size(); ++r) {
     EXPECT_EQ(whole.regions[r].region, r);
@@ -147,13 +147,13 @@ TEST(QualityAnalysis, CountsAnElementAtASharpBoundaryEdgeAsLimited) {
   mesh.points = wedge.points;
   mesh.tetrahedra = {0, 1, 2, 3};
   mesh.regions = {0};
-  const QualityStatistics statistics = survey(mesh, wedge);
+  const QualityStatistics statistics = analyse(mesh, wedge);
   EXPECT_EQ(statistics.limitedByBoundary, 1U);
   EXPECT_EQ(statistics.outOfRange, 0U);
   ASSERT_EQ(statistics.worstLimited.size(), 1U);
   EXPECT_NEAR(statistics.worstLimited[0].smallestDihedral, 12.0, 1e-9);
   // The same element away from the boundary.
-  const QualityStatistics inner = survey(mesh, SurfaceMesh{});
+  const QualityStatistics inner = analyse(mesh, SurfaceMesh{});
   EXPECT_EQ(inner.limitedByBoundary, 0U);
   EXPECT_EQ(inner.outOfRange, 1U);
 }
@@ -167,24 +167,24 @@ TEST(QualityAnalysis, CountsAnElementAtABoundaryNeedleAsLimited) {
   SurfaceMesh base;
   base.points = mesh.points;
   base.triangles = {0, 2, 1};
-  EXPECT_EQ(survey(mesh, base).limitedByBoundary, 1U);
-  EXPECT_EQ(survey(mesh, base).limitedByNeedles, 1U);
+  EXPECT_EQ(analyse(mesh, base).limitedByBoundary, 1U);
+  EXPECT_EQ(analyse(mesh, base).limitedByNeedles, 1U);
   // Shares only an edge with the needle.
   mesh.points = {0, 0, 0, 1, 0, 0, 0.5, 0.05, 0, 0.5, 0.3, 0.8, 0.5, 0.3, 0.3};
   mesh.tetrahedra = {0, 1, 4, 3};
-  EXPECT_EQ(survey(mesh, base).limitedByNeedles, 1U);
+  EXPECT_EQ(analyse(mesh, base).limitedByNeedles, 1U);
   // Shares only a node with it.
   mesh.points.insert(mesh.points.end(), {0.52, 0.32, 0.5});
   mesh.tetrahedra = {0, 3, 4, 5};
-  EXPECT_EQ(survey(mesh, base).outOfRange, 1U);
-  EXPECT_EQ(survey(mesh, base).limitedByNeedles, 0U);
+  EXPECT_EQ(analyse(mesh, base).outOfRange, 1U);
+  EXPECT_EQ(analyse(mesh, base).limitedByNeedles, 0U);
   // Not a needle, and only one triangle; the fourth node is free.
   mesh.points = base.points;
   std::swap_ranges(mesh.points.begin() + 6, mesh.points.begin() + 9, mesh.points.begin() + 9);
   mesh.tetrahedra = {0, 1, 3, 2};
   base.points.assign(mesh.points.begin(), mesh.points.begin() + 9);
   base.triangles = {0, 1, 2};
-  EXPECT_EQ(survey(mesh, base).limitedByBoundary, 0U);
+  EXPECT_EQ(analyse(mesh, base).limitedByBoundary, 0U);
 }
 
 /// A wedge of 24 degrees in two elements: neither has both triangles of the sharp edge, but both
@@ -199,7 +199,7 @@ TEST(QualityAnalysis, CountsAllElementsAtASharpEdgeAsLimited) {
   mesh.points = wedge.points;
   mesh.tetrahedra = {0, 1, 2, 4, 0, 1, 4, 3};
   mesh.regions = {0, 0};
-  const QualityStatistics statistics = survey(mesh, wedge);
+  const QualityStatistics statistics = analyse(mesh, wedge);
   EXPECT_EQ(statistics.limitedByEdges, 2U);
   EXPECT_EQ(statistics.limitedByBoundary, 2U);
 }
@@ -220,9 +220,9 @@ TEST(QualityAnalysis, CountsElementsForcedByAnEdgeBelow60DegreesAsLimited) {
       return Vec3(along, std::cos(radians), std::sin(radians));
     };
     VolumeMesh mesh;
-    for (const Vec3& place : {Vec3(0.0), Vec3(1.0, 0.0, 0.0), at(0.0, 0.5 - wedge.shift),
-                              at(1.0, 0.5 + wedge.shift), at(0.6, 0.5)}) {
-      mesh.points.insert(mesh.points.end(), {place.x, place.y, place.z});
+    for (const Vec3& position : {Vec3(0.0), Vec3(1.0, 0.0, 0.0), at(0.0, 0.5 - wedge.shift),
+                                 at(1.0, 0.5 + wedge.shift), at(0.6, 0.5)}) {
+      mesh.points.insert(mesh.points.end(), {position.x, position.y, position.z});
     }
     SurfaceMesh sheets;
     sheets.points = mesh.points;
@@ -230,7 +230,7 @@ TEST(QualityAnalysis, CountsElementsForcedByAnEdgeBelow60DegreesAsLimited) {
     mesh.regions = {0};
     const auto isExcused = [&](const std::vector<std::uint32_t>& element) {
       mesh.tetrahedra = element;
-      const QualityStatistics statistics = survey(mesh, sheets);
+      const QualityStatistics statistics = analyse(mesh, sheets);
       EXPECT_LE(statistics.limitedByEdges + statistics.outOfRange, 1U);
       return statistics.limitedByEdges == 1U;
     };
@@ -276,7 +276,7 @@ VolumeMesh elementBetween(const SurfaceMesh& sheets, double from, double to) {
 TEST(QualityAnalysis, CountsElementsBetweenInterfacesAtSharpAnglesAsLimited) {
   SurfaceMesh sheets = sheetsAround({0.0, 24.0, 70.0, 96.0, 200.0});
   const auto isExcused = [&](double from, double to) {
-    const QualityStatistics statistics = survey(elementBetween(sheets, from, to), sheets);
+    const QualityStatistics statistics = analyse(elementBetween(sheets, from, to), sheets);
     EXPECT_EQ(statistics.limitedByEdges + statistics.outOfRange, 1U) << from << " to " << to;
     return statistics.limitedByEdges == 1U;
   };
@@ -308,7 +308,7 @@ TEST(QualityAnalysis, CountsElementsInNarrowGapsOnlyAsLimited) {
     mesh.tetrahedra = {0, 1, 3, 2};
     mesh.regions = {0};
     ASSERT_GT(measureQuality(mesh).minDihedral, 0.0);
-    const QualityStatistics statistics = survey(mesh, sheets);
+    const QualityStatistics statistics = analyse(mesh, sheets);
     EXPECT_EQ(statistics.limitedByNarrowGaps, gap < 0.6 ? 1U : 0U);
     EXPECT_EQ(statistics.outOfRange, gap < 0.6 ? 0U : 1U);
   }
@@ -326,12 +326,12 @@ TEST(QualityAnalysis, MeasuresElementsInTheMetricOfTheSizeField) {
   VolumeMesh mesh;
   const double half = 0.5 / std::numbers::sqrt2;  // edges of length 1
   for (const Vec3& corner : {Vec3(1, 1, 1), Vec3(-1, 1, -1), Vec3(1, -1, -1), Vec3(-1, -1, 1)}) {
-    const Vec3 place = toSpace * (corner * half);
-    mesh.points.insert(mesh.points.end(), {place.x, place.y, place.z});
+    const Vec3 position = toSpace * (corner * half);
+    mesh.points.insert(mesh.points.end(), {position.x, position.y, position.z});
   }
   mesh.tetrahedra = {0, 1, 2, 3};
   mesh.regions = {0};
-  const QualityStatistics statistics = survey(mesh, SurfaceMesh{}, field);
+  const QualityStatistics statistics = analyse(mesh, SurfaceMesh{}, field);
   EXPECT_NEAR(statistics.meanEdge, 1.0, 1e-9);
   EXPECT_NEAR(statistics.worst[0].radiusRatio, 1.0, 1e-9);
   EXPECT_EQ(statistics.regions[0].dihedral[14], 6U);  // 70.5 degrees

@@ -141,7 +141,7 @@ TEST(MeshInspection, CountsElementsLimitedByInterfaces) {
   EXPECT_EQ(inspect(mesh).statistics.limitedByEdges, 0U);
   mesh.regions = {0, 1, 1};
   EXPECT_EQ(inspect(mesh).statistics.limitedByEdges, 1U);
-  EXPECT_EQ(inspect(mesh).boundary.triangles.size(), 3U * 8U) << "walls are no boundary";
+  EXPECT_EQ(inspect(mesh).boundary.triangles.size(), 3U * 8U) << "interfaces are no boundary";
 }
 
 /// A gap narrower than the target elements, in a mesh of any origin.
@@ -150,11 +150,11 @@ TEST(MeshInspection, CountsElementsLimitedByNarrowGaps) {
   MeshRun run(plate.points, plate.triangles, {});
   while (run.advance(1U << 16U) == MeshStatus::kRunning) {
   }
-  const QualityStatistics told = run.statistics();
-  ASSERT_GT(told.limitedByNarrowGaps, 0U);
+  const QualityStatistics expected = run.statistics();
+  ASSERT_GT(expected.limitedByNarrowGaps, 0U);
   const QualityStatistics found = inspect(run.volume()).statistics;
-  EXPECT_EQ(found.limitedByNarrowGaps, told.limitedByNarrowGaps);
-  EXPECT_EQ(found.outOfRange, told.outOfRange);
+  EXPECT_EQ(found.limitedByNarrowGaps, expected.limitedByNarrowGaps);
+  EXPECT_EQ(found.outOfRange, expected.outOfRange);
 }
 
 TEST(MeshInspection, RejectsInvalidArrays) {

@@ -1,4 +1,4 @@
-/// Bodies that break meshers, from seeds, each at three sizes: all must be meshed completely and
+/// Solids that break meshers, from seeds, each at three sizes: all must be meshed completely and
 /// validly by a plain run, and be valid by the last rung alone.
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ using testing::Diagonals;
 /// `size` is 0, 1 or 2; the seed varies what can be varied.
 struct Family {
   std::string name;
-  int bodies;  ///< per size
+  int solids;  ///< per size
   std::function<SurfaceMesh(int size, std::uint64_t seed)> make;
 };
 void PrintTo(const Family& family, std::ostream* out) { *out << family.name; }
@@ -34,7 +34,7 @@ double between(std::uint64_t seed, double low, double high) {
 
 int oneOf(int size, std::array<int, 3> values) { return values.at(static_cast<std::size_t>(size)); }
 
-/// Somewhere else, turned, of another size, or mirrored: the same body must be meshed.
+/// Returns the solid translated, rotated, scaled or mirrored: it must be meshed as well.
 SurfaceMesh transformed(SurfaceMesh surface, std::uint64_t seed) {
   testing::rotateRandomly(surface, seed);
   if (seed % 3 == 0) testing::mirror(surface);
@@ -60,7 +60,7 @@ std::string complaintAboutRun(const SurfaceMesh& surface, bool fillOnly) {
 TEST_P(Regression, IsMeshedCompletely) {
   const Family& family = GetParam();
   for (int size = 0; size < 3; ++size) {
-    for (int i = 0; i < family.bodies; ++i) {
+    for (int i = 0; i < family.solids; ++i) {
       const auto seed = static_cast<std::uint64_t>(100 * size + i + 1);
       const SurfaceMesh surface = family.make(size, seed);
       EXPECT_EQ(complaintAboutRun(surface, false), "") << "size " << size << ", seed " << seed;
@@ -180,7 +180,7 @@ INSTANTIATE_TEST_SUITE_P(
                    profile.emplace_back(random.between(0.02, 1.0), height);
                    height += 0.001;
                  }
-                 return testing::turnedBody(profile, oneOf(size, {8, 24, 48}), seed);
+                 return testing::solidOfRevolution(profile, oneOf(size, {8, 24, 48}), seed);
                }},
         Family{"lofts", 4,
                [](int size, std::uint64_t seed) {

@@ -208,9 +208,9 @@ TEST(SurfaceRepair, SplitsSliversWithoutChangingTheShape) {
     const std::uint32_t a = mesh.triangles[h];
     const std::uint32_t b = mesh.triangles[h + 1];
     const std::uint32_t c = mesh.triangles[h + 2];
-    const Vec3 place = 0.5 * (pointOf(mesh, a) + pointOf(mesh, b));
+    const Vec3 position = 0.5 * (pointOf(mesh, a) + pointOf(mesh, b));
     const auto middle = static_cast<std::uint32_t>(nodeCount(mesh));
-    mesh.points.insert(mesh.points.end(), {place.x, place.y, place.z});
+    mesh.points.insert(mesh.points.end(), {position.x, position.y, position.z});
     mesh.triangles[h + 1] = middle;
     mesh.triangles.insert(mesh.triangles.end(), {middle, b, c, a, b, middle});
   }

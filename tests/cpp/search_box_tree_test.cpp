@@ -16,8 +16,9 @@ std::vector<Box> randomBoxes(std::size_t count) {
   Random random(31);
   std::vector<Box> boxes;
   for (std::size_t i = 0; i < count; ++i) {
-    const Vec3 place = random.inBox();
-    boxes.push_back(Box::of(place, place + random.inBox(0.05), place + random.inBox(0.05)));
+    const Vec3 position = random.inBox();
+    boxes.push_back(
+        Box::of(position, position + random.inBox(0.05), position + random.inBox(0.05)));
   }
   return boxes;
 }

@@ -53,12 +53,12 @@ void compareWithLinearSearch(std::uint64_t seed, double spread, double smallest,
     }
     present[face] = !present[face];
     if (step % 7 != 0) continue;
-    const Box asked = randomBox(random, spread, smallest, decades + 1);
+    const Box queried = randomBox(random, spread, smallest, decades + 1);
     std::vector<std::uint32_t> expected;
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-      if (present[i] && meet(boxes[i], asked)) expected.push_back(i);
+      if (present[i] && meet(boxes[i], queried)) expected.push_back(i);
     }
-    ASSERT_EQ(found(grid, asked), expected) << "seed " << seed << " step " << step;
+    ASSERT_EQ(found(grid, queried), expected) << "seed " << seed << " step " << step;
   }
 }
 
@@ -76,8 +76,8 @@ TEST(FaceGrid, AgreesWithLinearSearchBeyondItsLevels) {
 
 TEST(FaceGrid, AnswersQueriesWithMoreCellsThanIntegersHold) {
   FaceGrid grid(1e-6, Vec3(0.0));
-  const Vec3 place{0.5, 0.5, 0.5};
-  grid.insert(0, Box::of(place, place, place));
+  const Vec3 position{0.5, 0.5, 0.5};
+  grid.insert(0, Box::of(position, position, position));
   Box everything{};
   everything.low.fill(-std::numeric_limits<float>::max());
   everything.high.fill(std::numeric_limits<float>::max());
@@ -96,15 +96,16 @@ TEST(Box, RoundsOutward) {
   }
 }
 
-TEST(Incidence, ListsEachElementOnceAtEachOfItsNodes) {
+TEST(NodeLists, ListsEachElementOnceAtEachOfItsNodes) {
   const std::vector<std::uint32_t> corners{0, 1, 2, 3, 3, 2, 1, 5, 0, 5, 3, 1};
-  Incidence incidence(6);
-  for (const std::uint32_t node : corners) incidence.count(node);
-  incidence.endCounting();
-  for (std::uint32_t i = 0; i < corners.size(); ++i) incidence.add(corners[i], i / 4);
+  NodeLists<TetId> lists(6);
+  for (const std::uint32_t node : corners) lists.count(NodeId(node));
+  lists.endCounting();
+  for (std::uint32_t i = 0; i < corners.size(); ++i) lists.add(NodeId(corners[i]), TetId(i / 4));
   const auto at = [&](std::uint32_t node) {
-    const auto list = incidence.at(node);
-    return std::vector<std::uint32_t>(list.begin(), list.end());
+    std::vector<std::uint32_t> elements;
+    for (const TetId element : lists.at(NodeId(node))) elements.push_back(element.value);
+    return elements;
   };
   EXPECT_EQ(at(0), (std::vector<std::uint32_t>{0, 2}));
   EXPECT_EQ(at(1), (std::vector<std::uint32_t>{0, 1, 2}));

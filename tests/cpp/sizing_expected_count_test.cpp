@@ -1,4 +1,4 @@
-// Estimates of the number of elements, for surfaces that are easily misjudged.
+// Estimates of the number of elements, for surfaces that are easily misestimated.
 
 #include "sizing/expected_count.h"
 

@@ -30,17 +30,17 @@ namespace {
 void addHole(Model& model, const std::vector<Vec2>& units, double lift = 0.0) {
   const ResolvedModel resolved(model);
   const PatchSurface surface(resolved, model.patches.front());
-  std::vector<Vec3> places;
+  std::vector<Vec3> positions;
   for (const Vec2& unit : units) {
     const SurfacePoint point = surface.evaluate(surface.mapped()->stretchedPlane().toPlane(unit));
     const Vec3 normal = glm::normalize(glm::cross(point.alongXi, point.alongEta));
-    places.push_back(point.position + lift * normal);
+    positions.push_back(point.position + lift * normal);
   }
   const auto first = static_cast<std::uint32_t>(model.points.size());
   Line line{LineType::kSpline, {}};
   for (std::uint32_t i = 0; i < units.size(); ++i) line.points.push_back(first + i);
   line.points.push_back(first);
-  model.points.insert(model.points.end(), places.begin(), places.end());
+  model.points.insert(model.points.end(), positions.begin(), positions.end());
   model.lines.push_back(std::move(line));
   model.patches.front().loops.push_back(
       {{static_cast<std::uint32_t>(model.lines.size() - 1), false}});

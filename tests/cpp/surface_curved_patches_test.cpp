@@ -32,14 +32,14 @@ SurfaceMeasures measuresOf(const Model& model, double size) {
 
 /// Distance of a position from a surface, by Gauss-Newton steps from the nearest point of a coarse lattice of the
 /// domain.
-double distanceTo(const UnitSurface& surface, const Vec3& place) {
+double distanceTo(const UnitSurface& surface, const Vec3& position) {
   constexpr int kCells = 12;
   Vec2 unit(0.0);
   double least = 1e300;
   for (int j = 0; j <= kCells; ++j) {
     for (int i = 0; i <= kCells; ++i) {
       const Vec2 at = clampedToUnit(surface.shape(), Vec2(i, j) / static_cast<double>(kCells));
-      const double distance = glm::length(surface.evaluate(at).position - place);
+      const double distance = glm::length(surface.evaluate(at).position - position);
       if (distance >= least) continue;
       least = distance;
       unit = at;
@@ -47,7 +47,7 @@ double distanceTo(const UnitSurface& surface, const Vec3& place) {
   }
   for (int step = 0; step < 60; ++step) {
     const SurfacePoint here = surface.evaluate(unit);
-    const Vec3 gap = place - here.position;
+    const Vec3 gap = position - here.position;
     least = std::min(least, glm::length(gap));
     const double xx = glm::dot(here.alongXi, here.alongXi);
     const double xy = glm::dot(here.alongXi, here.alongEta);
@@ -131,13 +131,13 @@ TEST(SurfaceCurvedPatches, TrianglesFaceThePatch) {
 /// A quarter of the unit circle about the origin from u to v, as a spline.
 std::uint32_t quarter(ModelBuilder& builder, const Vec3& u, const Vec3& v) {
   constexpr int kPieces = 8;
-  std::vector<Vec3> places{u};
+  std::vector<Vec3> positions{u};
   for (int i = 1; i < kPieces; ++i) {
     const double angle = 0.5 * std::numbers::pi * i / kPieces;
-    places.push_back(std::cos(angle) * u + std::sin(angle) * v);
+    positions.push_back(std::cos(angle) * u + std::sin(angle) * v);
   }
-  places.push_back(v);
-  return builder.line(LineType::kSpline, places);
+  positions.push_back(v);
+  return builder.line(LineType::kSpline, positions);
 }
 
 TEST(SurfaceCurvedPatches, OctantBetweenThreeQuarterCirclesIsCoveredEvenly) {

@@ -19,7 +19,7 @@ constexpr std::uint64_t kMembersPerType = 40;
 
 class SurfacePatchFamily : public ::testing::TestWithParam<PatchType> {};
 
-TEST_P(SurfacePatchFamily, ClosesWithGoodTrianglesOfTheWantedSize) {
+TEST_P(SurfacePatchFamily, ClosesWithGoodTrianglesOfTheTargetSize) {
   for (std::uint64_t seed = 0; seed < kMembersPerType; ++seed) {
     SCOPED_TRACE(seed);
     const FamilyMember member = patchOfFamily(GetParam(), seed);

@@ -76,8 +76,8 @@ TEST(SurfacePatchMesher, InnerNodesLieOnThePatch) {
   builder.patch(PatchType::kCoons, {builder.polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}})});
   const SurfaceMesh mesh = meshOf(builder.model, SizeField::uniform(0.05));
   for (std::uint32_t node = 0; node < nodeCount(mesh); ++node) {
-    const Vec3 place = pointOf(mesh, node);
-    EXPECT_NEAR(place.z, place.x * place.y, 1e-13);
+    const Vec3 position = pointOf(mesh, node);
+    EXPECT_NEAR(position.z, position.x * position.y, 1e-13);
   }
 }
 

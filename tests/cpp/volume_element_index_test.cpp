@@ -65,7 +65,7 @@ TEST(ElementIndex, FindsRingsWhileElementsAreAddedAndRemoved) {
   addRandomElements(elements, random, 10);
   elements.dropFrom(before);
   addRandomElements(elements, random, 8);
-  expectRings("with others in place of elements dropped before a query");
+  expectRings("with others in position of elements dropped before a query");
   elements.remove(TetId(3U));
   elements.remove(TetId(before + 1));
   expectRings("with elements removed");

@@ -26,9 +26,9 @@ class BigInteger {
     BigInteger result(static_cast<long long>(std::ldexp(fraction, 53)));
     exponent += shift - 53;
     for (; exponent < 0; ++exponent) result = result.half();
-    const auto places = static_cast<std::size_t>(exponent);
-    BigInteger power(1LL << (places % 32));
-    power.digits_.insert(power.digits_.begin(), places / 32, 0U);
+    const auto bits = static_cast<std::size_t>(exponent);
+    BigInteger power(1LL << (bits % 32));
+    power.digits_.insert(power.digits_.begin(), bits / 32, 0U);
     return result * power;
   }
 

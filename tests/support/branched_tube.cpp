@@ -26,16 +26,16 @@ Model branchedTube(double branch) {
   const Loop bottom = builder.circle({0, 0, -kHalfLength}, 1.0, 1, u, v);
   const Loop top = builder.circle({0, 0, kHalfLength}, 1.0, 1, u, v);
   const OrientedLine seam = builder.straight({-1, 0, -kHalfLength}, {-1, 0, kHalfLength});
-  std::vector<Vec3> places;
+  std::vector<Vec3> positions;
   for (int i = 0; i <= kMeetingPoints; ++i) {
     const double angle = 2.0 * std::numbers::pi * (i % kMeetingPoints) / kMeetingPoints;
     const double y = branch * std::cos(angle);
-    places.emplace_back(std::sqrt(1.0 - y * y), y, branch * std::sin(angle));
+    positions.emplace_back(std::sqrt(1.0 - y * y), y, branch * std::sin(angle));
   }
-  const std::uint32_t meeting = builder.line(LineType::kSpline, places);
+  const std::uint32_t meeting = builder.line(LineType::kSpline, positions);
   const Loop end = builder.circle({kBranchEnd, 0, 0}, branch, 1, {0, 1, 0}, {0, 0, 1});
   const OrientedLine rise =
-      builder.straight(places.front(), {kBranchEnd, places.front().y, places.front().z});
+      builder.straight(positions.front(), {kBranchEnd, positions.front().y, positions.front().z});
   builder.patch(PatchType::kPlanar, {bottom});
   builder.patch(PatchType::kPlanar, {top});
   builder.patch(PatchType::kCoons,

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file A body whose patches have holes that are not planar.
+/// @file A solid whose patches have holes that are not planar.
 
 #include "tetrafront/model.h"
 

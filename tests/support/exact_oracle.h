@@ -11,11 +11,11 @@ namespace tetrafront::testing {
 
 using ExactVec3 = std::array<BigInteger, 3>;
 
-/// The places times one common power of two, as whole numbers.
+/// The positions times one common power of two, as whole numbers.
 template <std::size_t N>
-std::array<ExactVec3, N> exactly(const std::array<Vec3, N>& places) {
+std::array<ExactVec3, N> exactly(const std::array<Vec3, N>& positions) {
   int shift = 0;
-  for (const Vec3& p : places) {
+  for (const Vec3& p : positions) {
     for (int a = 0; a < 3; ++a) {
       int exponent = 0;
       if (p[a] == 0.0) continue;
@@ -26,7 +26,7 @@ std::array<ExactVec3, N> exactly(const std::array<Vec3, N>& places) {
   std::array<ExactVec3, N> result;
   for (std::size_t i = 0; i < N; ++i) {
     for (std::size_t a = 0; a < 3; ++a) {
-      result[i][a] = BigInteger::scaled(places[i][static_cast<int>(a)], shift);
+      result[i][a] = BigInteger::scaled(positions[i][static_cast<int>(a)], shift);
     }
   }
   return result;

@@ -29,7 +29,7 @@ void addSquare(SurfaceMesh& mesh, std::array<std::uint32_t, 4> n, bool otherDiag
   addTriangle(mesh, n[0], n[2], n[3]);
 }
 
-/// Nodes at one place become one node.
+/// Merges nodes at the same position.
 SurfaceMesh joined(const SurfaceMesh& mesh) {
   SurfaceMesh result;
   std::map<std::array<double, 3>, std::uint32_t> nodes;
@@ -332,7 +332,8 @@ SurfaceMesh coarseTube(int sectors, double innerRadius, double length) {
   return mesh;
 }
 
-SurfaceMesh turnedBody(const std::vector<Vec2>& radiusAndHeight, int sectors, std::uint64_t seed) {
+SurfaceMesh solidOfRevolution(const std::vector<Vec2>& radiusAndHeight, int sectors,
+                              std::uint64_t seed) {
   Random random(seed);
   std::vector<std::array<double, 2>> rings;
   for (const Vec2& p : radiusAndHeight) rings.push_back({p.x, p.y});
@@ -519,16 +520,16 @@ namespace {
 
 /// Cuts a polygon into triangles by the first ear there is. Places may be repeated where slits lead to
 /// holes.
-std::vector<std::array<std::uint32_t, 3>> firstEarsOf(const std::vector<Vec2>& places,
+std::vector<std::array<std::uint32_t, 3>> firstEarsOf(const std::vector<Vec2>& positions,
                                                       std::vector<std::uint32_t> polygon) {
   std::vector<std::array<std::uint32_t, 3>> ears;
   const auto isEar = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    const Vec2& p = places[a];
-    const Vec2& q = places[b];
-    const Vec2& r = places[c];
+    const Vec2& p = positions[a];
+    const Vec2& q = positions[b];
+    const Vec2& r = positions[c];
     if (turn(p, q, r) <= 1e-12) return false;
     return std::none_of(polygon.begin(), polygon.end(), [&](std::uint32_t other) {
-      const Vec2& o = places[other];
+      const Vec2& o = positions[other];
       if (other == a || other == b || other == c) return false;
       return turn(p, q, o) >= 0.0 && turn(q, r, o) >= 0.0 && turn(r, p, o) >= 0.0;
     });
@@ -554,15 +555,15 @@ std::vector<std::array<std::uint32_t, 3>> firstEarsOf(const std::vector<Vec2>& p
 }
 
 /// Loops in the plane, holes clockwise, drawn up; `polygon` passes through them all.
-SurfaceMesh needlePrism(const std::vector<Vec2>& places,
+SurfaceMesh needlePrism(const std::vector<Vec2>& positions,
                         const std::vector<std::vector<std::uint32_t>>& loops,
                         const std::vector<std::uint32_t>& polygon, double height) {
   SurfaceMesh mesh;
   for (const double z : {0.0, height}) {
-    for (const Vec2& p : places) addPoint(mesh, {p.x, p.y, z});
+    for (const Vec2& p : positions) addPoint(mesh, {p.x, p.y, z});
   }
-  const auto top = static_cast<std::uint32_t>(places.size());
-  for (const auto& ear : firstEarsOf(places, polygon)) {
+  const auto top = static_cast<std::uint32_t>(positions.size());
+  for (const auto& ear : firstEarsOf(positions, polygon)) {
     addTriangle(mesh, ear[0], ear[2], ear[1]);
     addTriangle(mesh, top + ear[0], top + ear[1], top + ear[2]);
   }
@@ -590,10 +591,10 @@ void addRings(SurfaceMesh& mesh, std::uint32_t rings, std::uint32_t around) {
 }  // namespace
 
 SurfaceMesh needlePlate(int n, int sides, double thickness) {
-  std::vector<Vec2> places;
+  std::vector<Vec2> positions;
   const auto add = [&](double x, double y) {
-    places.emplace_back(x, y);
-    return static_cast<std::uint32_t>(places.size() - 1);
+    positions.emplace_back(x, y);
+    return static_cast<std::uint32_t>(positions.size() - 1);
   };
   // Down the left side, with a slit along each row of holes: above them to the right, below them back.
   std::vector<std::uint32_t> outer{add(0.0, n)};
@@ -626,22 +627,22 @@ SurfaceMesh needlePlate(int n, int sides, double thickness) {
     polygon.push_back(outer.back());
   }
   loops.front() = outer;
-  return needlePrism(places, loops, polygon, thickness);
+  return needlePrism(positions, loops, polygon, thickness);
 }
 
 SurfaceMesh needleGear(int teeth, double thickness) {
   constexpr std::array<std::array<double, 2>, 6> kTooth{
       {{0.0, 0.8}, {0.2, 0.8}, {0.35, 0.95}, {0.45, 1.0}, {0.65, 1.0}, {0.8, 0.9}}};
-  std::vector<Vec2> places;
+  std::vector<Vec2> positions;
   std::vector<std::uint32_t> loop;
   for (int tooth = 0; tooth < teeth; ++tooth) {
     for (const auto& [share, radius] : kTooth) {
       const double angle = 2.0 * std::numbers::pi * (tooth + share) / teeth;
-      loop.push_back(static_cast<std::uint32_t>(places.size()));
-      places.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+      loop.push_back(static_cast<std::uint32_t>(positions.size()));
+      positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
     }
   }
-  return needlePrism(places, {loop}, loop, thickness);
+  return needlePrism(positions, {loop}, loop, thickness);
 }
 
 SurfaceMesh screwThread(int turns, int around) {
@@ -715,16 +716,16 @@ SurfaceMesh twistedBlade(int along, int across, double thickness) {
 }
 
 SurfaceMesh bentSheet(int strips, double thickness) {
-  std::vector<Vec2> places;
+  std::vector<Vec2> positions;
   std::vector<std::uint32_t> loop;
   const auto add = [&](double radius, int i) {
     const double angle = std::numbers::pi * i / strips;
-    loop.push_back(static_cast<std::uint32_t>(places.size()));
-    places.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    loop.push_back(static_cast<std::uint32_t>(positions.size()));
+    positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
   };
   for (int i = 0; i <= strips; ++i) add(1.0, i);
   for (int i = strips; i >= 0; --i) add(1.0 - thickness, i);
-  return needlePrism(places, {loop}, loop, 3.0);
+  return needlePrism(positions, {loop}, loop, 3.0);
 }
 
 SurfaceMesh blockWithIsland(int n) {
@@ -740,15 +741,15 @@ SurfaceMesh torusKnot(int p, int q, int count, int sectors) {
   constexpr double kMajor = 2.0;
   constexpr double kMinor = 1.0;
   constexpr double kRadius = 0.25;
-  const auto place = [&](double t) {
+  const auto position = [&](double t) {
     const double r = kMajor + kMinor * std::cos(q * t);
     return Vec3(r * std::cos(p * t), r * std::sin(p * t), kMinor * std::sin(q * t));
   };
   SurfaceMesh mesh;
   for (int i = 0; i < count; ++i) {
     const double t = 2.0 * std::numbers::pi * i / count;
-    const Vec3 centre = place(t);
-    const Vec3 along = glm::normalize(place(t + 1e-4) - place(t - 1e-4));
+    const Vec3 centre = position(t);
+    const Vec3 along = glm::normalize(position(t + 1e-4) - position(t - 1e-4));
     // Outwards from the torus's own axis circle: never along the knot.
     const Vec3 outwards = centre - kMajor * Vec3(std::cos(p * t), std::sin(p * t), 0.0);
     const Vec3 u = glm::normalize(outwards - along * glm::dot(outwards, along));

@@ -11,7 +11,7 @@
 
 namespace tetrafront::testing {
 
-/// Schönhardt's prisms on top of each other, each turned further by `degrees`; one body.
+/// Schönhardt's prisms on top of each other, each rotated further by `degrees`; one solid.
 SurfaceMesh schoenhardtTower(int levels, double degrees);
 
 /// A box with n x n cavities of that shape.
@@ -46,10 +46,11 @@ SurfaceMesh coarseBar(int sectors, double length);
 /// A tube, likewise.
 SurfaceMesh coarseTube(int sectors, double innerRadius, double length);
 
-/// A body turned about the z axis, from points of radius and height upwards: rings of nodes with random
+/// A solid of revolution about the z axis, from points of radius and height upwards: rings of nodes with random
 /// diagonals between them, closed by a fan at both ends. Neighbouring triangles are in one plane but for
 /// rounding.
-SurfaceMesh turnedBody(const std::vector<Vec2>& radiusAndHeight, int sectors, std::uint64_t seed);
+SurfaceMesh solidOfRevolution(const std::vector<Vec2>& radiusAndHeight, int sectors,
+                              std::uint64_t seed);
 
 /// A regular polygon of radius 1 joined by needles to one of radius `ratio` above it.
 SurfaceMesh loft(int cornersBelow, int cornersAbove, double height, double ratio);
@@ -70,7 +71,7 @@ SurfaceMesh randomBlocks(int n, double share, std::uint64_t seed);
 SurfaceMesh distantBlocks(int n, int step, std::uint64_t seed);
 
 /// What a front left of an ear-clipped plate with holes, turned in space: nearly all its nodes are in one
-/// plane but for rounding, so that a point within may find no place in doubles.
+/// plane but for rounding, so that a point within may have no position in doubles.
 SurfaceMesh flatPocket();
 
 /// A plate with n x n round holes of so many sides each (even), drawn up; its flat faces are cut into needles

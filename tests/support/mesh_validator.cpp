@@ -22,7 +22,7 @@ Triple beginningLowest(Triple t) {
   return t;
 }
 
-Vec3 placeOf(const VolumeMesh& mesh, std::uint32_t node) {
+Vec3 positionOf(const VolumeMesh& mesh, std::uint32_t node) {
   return {mesh.points[3 * std::size_t{node}], mesh.points[3 * std::size_t{node} + 1],
           mesh.points[3 * std::size_t{node} + 2]};
 }
@@ -58,12 +58,12 @@ std::string complaintAboutNumbers(const VolumeMesh& mesh, const SurfaceMesh& sur
   for (std::size_t i = 0; i < surface.points.size(); ++i) {
     if (surface.points[i] != mesh.points[i]) return sentence("surface node moved: ", i / 3);
   }
-  std::map<std::array<double, 3>, std::uint32_t> places;
+  std::map<std::array<double, 3>, std::uint32_t> positions;
   const std::set<std::uint32_t> used(mesh.tetrahedra.begin(), mesh.tetrahedra.end());
   for (const std::uint32_t node : used) {
-    const Vec3 p = placeOf(mesh, node);
-    const auto [at, isNew] = places.try_emplace({p.x + 0.0, p.y + 0.0, p.z + 0.0}, node);
-    if (!isNew) return sentence("nodes ", at->second, " and ", node, " are at one place");
+    const Vec3 p = positionOf(mesh, node);
+    const auto [at, isNew] = positions.try_emplace({p.x + 0.0, p.y + 0.0, p.z + 0.0}, node);
+    if (!isNew) return sentence("nodes ", at->second, " and ", node, " are at one position");
   }
   return {};
 }
@@ -71,21 +71,22 @@ std::string complaintAboutNumbers(const VolumeMesh& mesh, const SurfaceMesh& sur
 Triple reversed(const Triple& t) { return beginningLowest({t[0], t[2], t[1]}); }
 
 /// The faces that one tetrahedron alone should have, seen from outside it, with the region it should
-/// be in: of walls both sides. No regions where the surface knows none.
-std::map<Triple, std::uint32_t> wantedFaces(const SurfaceMesh& surface) {
-  std::map<Triple, std::uint32_t> wanted;
+/// be in; for interfaces, both of them. No regions where the surface knows none.
+std::map<Triple, std::uint32_t> expectedFaces(const SurfaceMesh& surface) {
+  std::map<Triple, std::uint32_t> expected;
   for (std::size_t t = 0; t < triangleCount(surface); ++t) {
     const std::uint32_t* n = &surface.triangles[3 * t];
     const Triple face = beginningLowest({n[0], n[1], n[2]});
     const bool isKnown = !surface.triangleRegions.empty();
-    wanted.emplace(face, isKnown ? surface.triangleRegions[2 * t] : SurfaceMesh::kNoRegion);
-    if (surface.isInterface(t)) wanted.emplace(reversed(face), surface.triangleRegions[2 * t + 1]);
+    expected.emplace(face, isKnown ? surface.triangleRegions[2 * t] : SurfaceMesh::kNoRegion);
+    if (surface.isInterface(t))
+      expected.emplace(reversed(face), surface.triangleRegions[2 * t + 1]);
   }
-  return wanted;
+  return expected;
 }
 
 std::string complaintAboutTopology(const VolumeMesh& mesh, const SurfaceMesh& surface) {
-  const std::map<Triple, std::uint32_t> wanted = wantedFaces(surface);
+  const std::map<Triple, std::uint32_t> expected = expectedFaces(surface);
   const bool knowsRegions = !surface.triangleRegions.empty();
   std::set<std::array<std::uint32_t, 4>> tetrahedra;
   std::map<Triple, std::uint32_t> unmatched;
@@ -97,7 +98,7 @@ std::string complaintAboutTopology(const VolumeMesh& mesh, const SurfaceMesh& su
                                   Triple{n[0], n[1], n[3]}, Triple{n[0], n[2], n[1]}}) {
       const Triple face = beginningLowest(corners);
       const auto other = unmatched.find(reversed(face));
-      const bool isInterface = wanted.contains(face) && wanted.contains(reversed(face));
+      const bool isInterface = expected.contains(face) && expected.contains(reversed(face));
       if (other != unmatched.end() && !isInterface) {
         if (other->second != region) return sentence("regions meet within: tetrahedron ", t);
         unmatched.erase(other);
@@ -108,16 +109,16 @@ std::string complaintAboutTopology(const VolumeMesh& mesh, const SurfaceMesh& su
     std::sort(n.begin(), n.end());
     if (!tetrahedra.insert(n).second) return sentence("tetrahedron ", t, " is a repetition");
   }
-  if (wanted == unmatched) return {};
+  if (expected == unmatched) return {};
   std::size_t missing = 0;
   std::size_t misplaced = 0;
-  for (const auto& [face, region] : wanted) {
+  for (const auto& [face, region] : expected) {
     const auto found = unmatched.find(face);
     missing += found == unmatched.end() ? 1 : 0;
     misplaced += found != unmatched.end() && found->second != region ? 1 : 0;
   }
-  return sentence("boundary differs: ", missing, " of ", wanted.size(), " triangles missing, ",
-                  unmatched.size() + missing - wanted.size(), " faces too many, ", misplaced,
+  return sentence("boundary differs: ", missing, " of ", expected.size(), " triangles missing, ",
+                  unmatched.size() + missing - expected.size(), " faces too many, ", misplaced,
                   " in another region");
 }
 
@@ -128,21 +129,23 @@ std::string complaintAboutVolumes(const VolumeMesh& mesh, const SurfaceMesh& sur
   std::map<std::uint32_t, double> ofRegion;
   for (std::size_t t = 0; t < mesh.tetrahedra.size() / 4; ++t) {
     std::array<Vec3, 4> p;
-    for (std::size_t k = 0; k < 4; ++k) p[k] = placeOf(mesh, mesh.tetrahedra[4 * t + k]);
+    for (std::size_t k = 0; k < 4; ++k) p[k] = positionOf(mesh, mesh.tetrahedra[4 * t + k]);
     if (volumeSign(p) <= 0) return sentence("volume of tetrahedron ", t, " is not positive");
     const double volume = glm::dot(p[1] - p[0], glm::cross(p[2] - p[0], p[3] - p[0])) / 6.0;
     sum += volume;
     if (!surface.triangleRegions.empty()) ofRegion[mesh.regions.at(t)] += volume;
   }
   if (surface.triangleRegions.empty()) {
-    const double wanted = enclosedVolume(surface);
-    return areClose(sum, wanted) ? "" : sentence("volumes sum to ", sum, " instead of ", wanted);
+    const double expected = enclosedVolume(surface);
+    return areClose(sum, expected) ? ""
+                                   : sentence("volumes sum to ", sum, " instead of ", expected);
   }
-  const std::vector<double> wanted = regionVolumes(surface);
-  if (wanted.size() != ofRegion.size()) return sentence(ofRegion.size(), " regions are filled");
+  const std::vector<double> expected = regionVolumes(surface);
+  if (expected.size() != ofRegion.size()) return sentence(ofRegion.size(), " regions are filled");
   for (const auto& [region, volume] : ofRegion) {
-    if (areClose(volume, wanted.at(region))) continue;
-    return sentence("region ", region, " has the volume ", volume, " instead of ", wanted[region]);
+    if (areClose(volume, expected.at(region))) continue;
+    return sentence("region ", region, " has the volume ", volume, " instead of ",
+                    expected[region]);
   }
   return {};
 }

@@ -13,7 +13,7 @@ namespace tetrafront::testing {
 /// numbers finite and indices in range; every tetrahedron of positive volume, exactly; every face
 /// of one tetrahedron, or of two on opposite sides of it; the faces of one tetrahedron only are
 /// the surface's triangles, turned as they are, and its walls are faces of two; volumes equal within
-/// 1e-10; no two used nodes at one place; no tetrahedron twice; surface nodes first and unmoved. Where
+/// 1e-10; no two used nodes at one position; no tetrahedron twice; surface nodes first and unmoved. Where
 /// the surface knows its regions, volumes are those of each region, regions meet at walls only, and
 /// each triangle has the regions on its sides that it names.
 [[nodiscard]] std::string complaintAbout(const VolumeMesh& mesh, const SurfaceMesh& surface);

@@ -58,12 +58,12 @@ std::vector<Vec3> randomLine(Random& random, const Vec3& a, const Vec3& b, doubl
   const int inner = type == LineType::kStraight    ? 0
                     : type == LineType::kParabolic ? 1
                                                    : random.integer(2, 4);
-  std::vector<Vec3> places{a};
+  std::vector<Vec3> positions{a};
   for (int i = 1; i <= inner; ++i)
-    places.push_back(a + (static_cast<double>(i) / (inner + 1)) * (b - a) +
-                     random.inBox(bend / (inner == 1 ? 1 : 2)));
-  places.push_back(b);
-  return places;
+    positions.push_back(a + (static_cast<double>(i) / (inner + 1)) * (b - a) +
+                        random.inBox(bend / (inner == 1 ? 1 : 2)));
+  positions.push_back(b);
+  return positions;
 }
 
 /// One patch over a polygon; each line drawn either way.
@@ -72,11 +72,11 @@ Model randomPatchOver(Random& random, std::span<const Vec3> corners, double bend
   Loop loop;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     LineType type{};
-    std::vector<Vec3> places =
+    std::vector<Vec3> positions =
         randomLine(random, corners[i], corners[(i + 1) % corners.size()], bend, patch, type);
     const bool reversed = random.coin();
-    if (reversed) std::ranges::reverse(places);
-    loop.push_back({builder.line(type, places), reversed});
+    if (reversed) std::ranges::reverse(positions);
+    loop.push_back({builder.line(type, positions), reversed});
   }
   builder.patch(patch, {loop});
   return builder.model;
@@ -92,9 +92,9 @@ Model randomQuadrilateral(PatchType type, std::uint64_t seed, double bend) {
   return randomPatchOver(random, corners, bend, type);
 }
 
-/// A body of one patch per face; faces share the lines between their corners.
-Model randomBody(Random& random, std::span<const Vec3> corners,
-                 std::span<const std::vector<int>> faces, double bend, PatchType patch) {
+/// A solid of one patch per face; faces share the lines between their corners.
+Model randomSolid(Random& random, std::span<const Vec3> corners,
+                  std::span<const std::vector<int>> faces, double bend, PatchType patch) {
   ModelBuilder builder;
   std::map<std::pair<int, int>, std::uint32_t> lines;
   const auto join = [&](int from, int to) {
@@ -102,9 +102,9 @@ Model randomBody(Random& random, std::span<const Vec3> corners,
     const auto known = lines.find(ends);
     if (known != lines.end()) return OrientedLine{known->second, from > to};
     LineType type{};
-    const std::vector<Vec3> places =
+    const std::vector<Vec3> positions =
         randomLine(random, corners[ends.first], corners[ends.second], bend, patch, type);
-    lines[ends] = builder.line(type, places);
+    lines[ends] = builder.line(type, positions);
     return OrientedLine{lines[ends], from > to};
   };
   for (const std::vector<int>& face : faces) {
@@ -118,16 +118,16 @@ Model randomBody(Random& random, std::span<const Vec3> corners,
 
 }  // namespace
 
-std::uint32_t ModelBuilder::point(const Vec3& place) {
-  const auto found = std::ranges::find(model.points, place);
-  const auto position = static_cast<std::uint32_t>(found - model.points.begin());
-  if (found == model.points.end()) model.points.push_back(place);
-  return position;
+std::uint32_t ModelBuilder::point(const Vec3& position) {
+  const auto found = std::ranges::find(model.points, position);
+  const auto index = static_cast<std::uint32_t>(found - model.points.begin());
+  if (found == model.points.end()) model.points.push_back(position);
+  return index;
 }
 
-std::uint32_t ModelBuilder::line(LineType type, const std::vector<Vec3>& places) {
+std::uint32_t ModelBuilder::line(LineType type, const std::vector<Vec3>& positions) {
   Line drawn{type, {}};
-  for (const Vec3& place : places) drawn.points.push_back(point(place));
+  for (const Vec3& position : positions) drawn.points.push_back(point(position));
   model.lines.push_back(std::move(drawn));
   return static_cast<std::uint32_t>(model.lines.size() - 1);
 }
@@ -156,13 +156,13 @@ Loop ModelBuilder::circle(const Vec3& centre, double radius, int arcs, const Vec
   Loop loop;
   const int pieces = kCirclePieces / arcs;
   for (int arc = 0; arc < arcs; ++arc) {
-    std::vector<Vec3> places;
+    std::vector<Vec3> positions;
     for (int i = 0; i <= pieces; ++i) {
       const int step = (arc * pieces + i) % (arcs * pieces);
       const double angle = kTurn * step / (arcs * pieces);
-      places.push_back(centre + radius * std::cos(angle) * u + radius * std::sin(angle) * v);
+      positions.push_back(centre + radius * std::cos(angle) * u + radius * std::sin(angle) * v);
     }
-    loop.push_back({line(LineType::kSpline, places), false});
+    loop.push_back({line(LineType::kSpline, positions), false});
   }
   return loop;
 }
@@ -216,14 +216,14 @@ Model randomPolygonModel(std::uint64_t seed, double& area) {
     loops.push_back(starPolygon(random, centre, 0.05, 0.13, random.integer(3, 7)));
   }
   area = 0.0;
-  std::vector<std::vector<Vec3>> places;
+  std::vector<std::vector<Vec3>> positions;
   for (std::vector<Vec2>& loop : loops) {
-    area += places.empty() ? shoelace(loop) : -shoelace(loop);
+    area += positions.empty() ? shoelace(loop) : -shoelace(loop);
     if (random.coin()) std::ranges::reverse(loop);
-    std::vector<Vec3>& corners = places.emplace_back();
+    std::vector<Vec3>& corners = positions.emplace_back();
     for (const Vec2& corner : loop) corners.push_back(origin + corner.x * u + corner.y * v);
   }
-  return polygonModel(places);
+  return polygonModel(positions);
 }
 
 Model boxModel(const Vec3& low, const Vec3& high) {
@@ -257,13 +257,13 @@ Model sphereModel(double radius) {
       const int to = face[(k + 1) % 4];
       const std::pair<int, int> ends = std::minmax(from, to);
       if (!lines.contains(ends)) {
-        std::vector<Vec3> places;
+        std::vector<Vec3> positions;
         for (int i = 0; i <= kSteps; ++i) {
           const double t = static_cast<double>(i) / kSteps;
           const Vec3 chord = corner(ends.first) * (1.0 - t) + corner(ends.second) * t;
-          places.push_back(radius * glm::normalize(chord));
+          positions.push_back(radius * glm::normalize(chord));
         }
-        lines[ends] = builder.line(LineType::kSpline, places);
+        lines[ends] = builder.line(LineType::kSpline, positions);
       }
       loop.push_back({lines[ends], from > to});
     }
@@ -317,7 +317,7 @@ Model randomBentBox(std::uint64_t seed, double bend, PatchType type) {
     corners[i] = edges * Vec3(i & 1, (i >> 1) & 1, (i >> 2) & 1) + random.inBox(bend);
   const std::array<std::vector<int>, 6> faces{
       {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}};
-  return randomBody(random, corners, faces, 0.5 * bend, type);
+  return randomSolid(random, corners, faces, 0.5 * bend, type);
 }
 
 Model randomBentTetrahedron(std::uint64_t seed, double bend, PatchType type) {
@@ -326,7 +326,7 @@ Model randomBentTetrahedron(std::uint64_t seed, double bend, PatchType type) {
                               Vec3(0.8, 0.5, 1.3)};
   for (Vec3& corner : corners) corner += random.inBox(bend);
   const std::array<std::vector<int>, 4> faces{{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {3, 2, 0}}};
-  return randomBody(random, corners, faces, bend, type);
+  return randomSolid(random, corners, faces, bend, type);
 }
 
 Model bracketModel() {
@@ -343,7 +343,7 @@ Model bracketModel() {
                                     Vec2(kThickness, 1.5),
                                     Vec2(0.0, 1.5)};
   constexpr std::size_t kFilletFrom = 3;
-  const auto at = [](const Vec2& place, double y) { return Vec3(place.x, y, place.y); };
+  const auto at = [](const Vec2& position, double y) { return Vec3(position.x, y, position.y); };
   const auto ends = [&](double y) {
     Loop loop;
     for (std::size_t i = 0; i < profile.size(); ++i) {
@@ -353,15 +353,15 @@ Model bracketModel() {
         loop.push_back(builder.straight(from, to));
         continue;
       }
-      std::vector<Vec3> places{from};
+      std::vector<Vec3> positions{from};
       for (int k = 1; k < kPieces; ++k) {
         const double angle = 0.25 * kTurn * k / kPieces;
-        places.push_back(
+        positions.push_back(
             at(Vec2(kFilletEnd - kFillet * std::sin(angle), kFilletEnd - kFillet * std::cos(angle)),
                y));
       }
-      places.push_back(to);
-      loop.push_back({builder.line(LineType::kSpline, places), false});
+      positions.push_back(to);
+      loop.push_back({builder.line(LineType::kSpline, positions), false});
     }
     builder.patch(PatchType::kPlanar, {loop});
     return loop;

@@ -14,8 +14,8 @@ namespace tetrafront::testing {
 /// Draws points, lines and patches; a point given twice with the same coordinates is one point.
 class ModelBuilder {
  public:
-  std::uint32_t point(const Vec3& place);
-  std::uint32_t line(LineType type, const std::vector<Vec3>& places);
+  std::uint32_t point(const Vec3& position);
+  std::uint32_t line(LineType type, const std::vector<Vec3>& positions);
   OrientedLine straight(const Vec3& from, const Vec3& to);
 
   /// A closed polygon of straight lines.
@@ -81,10 +81,10 @@ Model bracketModel();
 Model seamedTube(double radius, double height);
 
 /// No nodes, and one point source.
-inline BackgroundGrid sourceAt(const Vec3& place, double size, double distance) {
+inline BackgroundGrid sourceAt(const Vec3& position, double size, double distance) {
   BackgroundGrid grid;
   grid.sources.emplace_back();
-  grid.sources[0].points[0] = place;
+  grid.sources[0].points[0] = position;
   grid.sources[0].size = size;
   grid.sources[0].distance = distance;
   return grid;

@@ -67,15 +67,15 @@ std::vector<Vec3> edgeOfPaper(Random& random, const Paper& paper, const Vec2& fr
   const int pieces = type == LineType::kStraight ? 1 : type == LineType::kParabolic ? 2 : 6;
   const double sway = random.between(-0.12, 0.12);
   const Vec2 across(from.y - to.y, to.x - from.x);
-  std::vector<Vec3> places;
+  std::vector<Vec3> positions;
   for (int i = 0; i <= pieces; ++i) {
     const bool inner = i > 0 && i < pieces;
     const double t = (i + (inner ? random.between(-0.15, 0.15) : 0.0)) / pieces;
     Vec2 on = from + t * (to - from) + (4.0 * sway * t * (1.0 - t)) * across;
     if (i == pieces) on = to;
-    places.push_back(paper.at(on.x, on.y));
+    positions.push_back(paper.at(on.x, on.y));
   }
-  return places;
+  return positions;
 }
 
 Model paperPatch(PatchType type, Random& random) {
@@ -90,11 +90,11 @@ Model paperPatch(PatchType type, Random& random) {
   Loop loop;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     LineType line = parabolic ? LineType::kParabolic : LineType::kSpline;
-    std::vector<Vec3> places =
+    std::vector<Vec3> positions =
         edgeOfPaper(random, paper, corners[i], corners[(i + 1) % corners.size()], line);
     const bool reversed = random.coin();
-    if (reversed) std::ranges::reverse(places);
-    loop.push_back({builder.line(line, places), reversed});
+    if (reversed) std::ranges::reverse(positions);
+    loop.push_back({builder.line(line, positions), reversed});
   }
   builder.patch(type, {loop});
   return std::move(builder.model);
@@ -105,16 +105,17 @@ Model paperPatch(PatchType type, Random& random) {
 /// A star-shaped loop of bent lines.
 Loop bentLoop(Random& random, ModelBuilder& builder, const Vec2& centre, double low, double high,
               int corners, double bend) {
-  std::vector<Vec2> places;
+  std::vector<Vec2> positions;
   const double first = random.between(0.0, 6.28);
   for (int i = 0; i < corners; ++i) {
     const double angle = first + 6.283185307179586 * (i + random.between(-0.2, 0.2)) / corners;
-    places.push_back(centre + random.between(low, high) * Vec2(std::cos(angle), std::sin(angle)));
+    positions.push_back(centre +
+                        random.between(low, high) * Vec2(std::cos(angle), std::sin(angle)));
   }
   Loop loop;
   for (int i = 0; i < corners; ++i) {
-    const Vec2 a = places[i];
-    const Vec2 b = places[(i + 1) % corners];
+    const Vec2 a = positions[i];
+    const Vec2 b = positions[(i + 1) % corners];
     const Vec2 across(b.y - a.y, a.x - b.x);
     const double bulge = random.between(-bend, bend);
     const auto type = static_cast<LineType>(random.integer(0, 2));
@@ -177,10 +178,10 @@ double widthOf(const Model& model) {
 
 // ---- measures ----------------------------------------------------------------------------------
 
-double distanceFromSide(const Vec3& place, const Vec3& from, const Vec3& to) {
+double distanceFromSide(const Vec3& position, const Vec3& from, const Vec3& to) {
   const Vec3 along = to - from;
-  const double t = std::clamp(glm::dot(place - from, along) / glm::dot(along, along), 0.0, 1.0);
-  return glm::length(place - (from + t * along));
+  const double t = std::clamp(glm::dot(position - from, along) / glm::dot(along, along), 0.0, 1.0);
+  return glm::length(position - (from + t * along));
 }
 
 /// 2 x inradius / circumradius.

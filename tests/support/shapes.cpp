@@ -19,9 +19,9 @@ class Builder {
  public:
   using Key = std::array<int, 4>;
 
-  std::uint32_t node(const Key& key, const Vec3& place) {
+  std::uint32_t node(const Key& key, const Vec3& position) {
     const auto [at, isNew] = nodes_.try_emplace(key, static_cast<std::uint32_t>(nodes_.size()));
-    if (isNew) mesh_.points.insert(mesh_.points.end(), {place.x, place.y, place.z});
+    if (isNew) mesh_.points.insert(mesh_.points.end(), {position.x, position.y, position.z});
     return at->second;
   }
   void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -120,10 +120,10 @@ SurfaceMesh latitudeSphere(int rings, int sectors) {
     const double theta = std::numbers::pi * ring / rings;
     const double phi = 2.0 * std::numbers::pi * (sector % sectors) / sectors;
     const bool isPole = ring == 0 || ring == rings;
-    const Vec3 place = isPole ? Vec3(0.0, 0.0, ring == 0 ? 1.0 : -1.0)
-                              : Vec3(std::sin(theta) * std::cos(phi),
-                                     std::sin(theta) * std::sin(phi), std::cos(theta));
-    return builder.node({ring, isPole ? 0 : sector % sectors, 0, 0}, place);
+    const Vec3 position = isPole ? Vec3(0.0, 0.0, ring == 0 ? 1.0 : -1.0)
+                                 : Vec3(std::sin(theta) * std::cos(phi),
+                                        std::sin(theta) * std::sin(phi), std::cos(theta));
+    return builder.node({ring, isPole ? 0 : sector % sectors, 0, 0}, position);
   };
   for (int r = 0; r < rings; ++r) {
     for (int s = 0; s < sectors; ++s) {
@@ -139,13 +139,13 @@ SurfaceMesh gridBox(const Vec3& lower, const Vec3& upper, std::array<int, 3> cou
   Builder builder;
   Random random(seed);
   const auto at = [&](const std::array<int, 3>& cell) {
-    Vec3 place(0.0);
+    Vec3 position(0.0);
     for (int a = 0; a < 3; ++a) {
       const int n = counts[static_cast<std::size_t>(a)];
       const int i = cell[static_cast<std::size_t>(a)];
-      place[a] = i == n ? upper[a] : lower[a] + (upper[a] - lower[a]) * i / n;
+      position[a] = i == n ? upper[a] : lower[a] + (upper[a] - lower[a]) * i / n;
     }
-    return builder.node({cell[0], cell[1], cell[2], 0}, place);
+    return builder.node({cell[0], cell[1], cell[2], 0}, position);
   };
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::size_t u = (axis + 1) % 3;
@@ -240,7 +240,7 @@ SurfaceMesh thinPlate(int n, double thickness) {
 
 namespace {
 
-/// Appends a unit box shifted by (1,1,dz), joining nodes that are at the same place.
+/// Appends a unit box shifted by (1,1,dz), merging nodes at the same position.
 SurfaceMesh cubesJoined(double dz) {
   SurfaceMesh mesh = gridCube(1);
   SurfaceMesh other = gridCube(1);
@@ -407,12 +407,12 @@ std::size_t triangleCount(const SurfaceMesh& mesh) { return mesh.triangles.size(
 
 namespace {
 
-/// Six times the volume of a triangle with a place.
-double sixVolume(const SurfaceMesh& mesh, std::size_t triangle, const Vec3& place) {
+/// Six times the volume of the tetrahedron of a triangle and a position.
+double sixVolume(const SurfaceMesh& mesh, std::size_t triangle, const Vec3& position) {
   const std::uint32_t* nodes = &mesh.triangles[3 * triangle];
-  const Vec3 a = pointOf(mesh, nodes[0]) - place;
-  const Vec3 b = pointOf(mesh, nodes[1]) - place;
-  const Vec3 c = pointOf(mesh, nodes[2]) - place;
+  const Vec3 a = pointOf(mesh, nodes[0]) - position;
+  const Vec3 b = pointOf(mesh, nodes[1]) - position;
+  const Vec3 c = pointOf(mesh, nodes[2]) - position;
   return glm::dot(a, glm::cross(b, c));
 }
 
@@ -427,19 +427,19 @@ double enclosedVolume(const SurfaceMesh& mesh) {
   return sum / 6.0;
 }
 
-// Each region from a place of its own: seen from far away, a small one is lost in rounding.
+// Each region uses an origin of its own: from a distant one, the volume of a small region is lost in rounding.
 std::vector<double> regionVolumes(const SurfaceMesh& mesh) {
   std::vector<double> volumes;
-  std::vector<std::optional<Vec3>> places;
+  std::vector<std::optional<Vec3>> positions;
   for (std::size_t side = 0; side < mesh.triangleRegions.size(); ++side) {
     const std::uint32_t region = mesh.triangleRegions[side];
     if (region == SurfaceMesh::kNoRegion) continue;
     if (region >= volumes.size()) {
       volumes.resize(region + 1, 0.0);
-      places.resize(region + 1);
+      positions.resize(region + 1);
     }
-    if (!places[region]) places[region] = pointOf(mesh, mesh.triangles[3 * (side / 2)]);
-    const double volume = sixVolume(mesh, side / 2, *places[region]) / 6.0;
+    if (!positions[region]) positions[region] = pointOf(mesh, mesh.triangles[3 * (side / 2)]);
+    const double volume = sixVolume(mesh, side / 2, *positions[region]) / 6.0;
     volumes[region] += side % 2 == 0 ? volume : -volume;
   }
   return volumes;

@@ -54,7 +54,7 @@ SurfaceMesh cubesSharingNode();
 /// cavity, island, ...
 SurfaceMesh nestedSpheres(int depth, int n);
 
-/// [0, nx] x [0, ny] x [0, nz] cut into unit cubes, with the walls between them, of m x m squares per
+/// [0, nx] x [0, ny] x [0, nz] cut into unit cubes, with the interfaces between them, of m x m squares per
 /// side. Walls are there once, turned towards rising coordinates; the outside is turned outward.
 SurfaceMesh dividedBox(std::array<int, 3> counts, int m);
 
@@ -94,7 +94,7 @@ inline Vec3 pointOf(const SurfaceMesh& mesh, std::uint32_t node) {
 std::size_t nodeCount(const SurfaceMesh& mesh);
 std::size_t triangleCount(const SurfaceMesh& mesh);
 
-/// By the divergence theorem; positive for an outward surface without walls.
+/// By the divergence theorem; positive for an outward surface without interfaces.
 double enclosedVolume(const SurfaceMesh& mesh);
 
 /// The same for each region of a surface that knows them.

@@ -13,10 +13,10 @@ namespace tetrafront::testing {
 /// number of calls.
 template <class Tool>
 std::size_t slicesOf(Tool& tool, std::uint32_t budget) {
-  constexpr std::size_t kMost = 10'000'000;
+  constexpr std::size_t kMax = 10'000'000;
   double before = 0.0;
   EXPECT_EQ(tool.fraction(), 0.0);
-  for (std::size_t calls = 1; calls < kMost; ++calls) {
+  for (std::size_t calls = 1; calls < kMax; ++calls) {
     const bool isFinished = tool.advance(budget);
     const double fraction = tool.fraction();
     EXPECT_GE(fraction, before);
@@ -28,7 +28,7 @@ std::size_t slicesOf(Tool& tool, std::uint32_t budget) {
     return calls;
   }
   ADD_FAILURE() << "no end";
-  return kMost;
+  return kMax;
 }
 
 }  // namespace tetrafront::testing

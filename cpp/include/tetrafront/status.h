@@ -40,6 +40,8 @@ enum class EntityKind : std::uint8_t {
   kTriangle = 5,     ///< of the given or generated surface
   kSurfaceNode = 6,  ///< of the given or generated surface
   kSource = 7,       ///< in BackgroundGrid::sources
+  kNode = 8,         ///< of the volume mesh
+  kTetrahedron = 9,  ///< of the volume mesh
 };
 
 /// Subject of a diagnostic: a kind, and an index into the array of that kind.
@@ -104,7 +106,8 @@ enum class DiagnosticCode : std::uint16_t {
   kCoarseSurface = 51,
   // Volume
   kStalled = 60,  ///< values: faces left in the front
-  /// Values: number of defects; a mistake of the engine, not of the input.
+  /// One node, tetrahedron or triangle per kind of defect; values: number of defects. A mistake of the engine, not of
+  /// the input.
   kVerificationFailed = 61,
 };
 

@@ -41,6 +41,11 @@ using TriangleId = Id<struct TriangleTag>;
 using FaceId = Id<struct FaceTag>;
 using TetId = Id<struct TetTag>;
 
+// What the sizes come from. The ids of a background grid differ from those of a mesh, which is often near it.
+using GridNodeId = Id<struct GridNodeTag>;
+using GridTetId = Id<struct GridTetTag>;
+using SourceId = Id<struct SourceTag>;
+
 /// The ids [0, count) in ascending order: `for (const NodeId node : IdRange<NodeId>(count))`.
 template <class AnyId>
 class IdRange {
@@ -69,5 +74,6 @@ class IdRange {
 
 using NodeTriple = std::array<NodeId, 3>;  ///< nodes of a triangle, in its orientation
 using NodeQuad = std::array<NodeId, 4>;    ///< nodes of a tetrahedron
+using GridNodeQuad = std::array<GridNodeId, 4>;
 
 }  // namespace tetrafront

@@ -24,12 +24,12 @@ void insertEach(std::byte* first, std::byte* last, std::size_t size, const Befor
   for (std::byte* next = first + size; next < last; next += size) {
     if (!before(next, next - size)) continue;
     copyRecord(held.data(), next, size);
-    std::byte* place = next;
+    std::byte* position = next;
     do {
-      copyRecord(place, place - size, size);
-      place -= size;
-    } while (place != first && before(held.data(), place - size));
-    copyRecord(place, held.data(), size);
+      copyRecord(position, position - size, size);
+      position -= size;
+    } while (position != first && before(held.data(), position - size));
+    copyRecord(position, held.data(), size);
   }
 }
 
@@ -56,10 +56,10 @@ bool RecordSort::advance(std::size_t budget, const Before& before) {
 }
 
 bool RecordSort::mergeRuns(std::size_t budget, const Before& before) {
-  if (!room_) {
-    room_ = std::make_unique_for_overwrite<std::byte[]>(bytes_);  // NOLINT(*-avoid-c-arrays)
+  if (!buffer_) {
+    buffer_ = std::make_unique_for_overwrite<std::byte[]>(bytes_);  // NOLINT(*-avoid-c-arrays)
     from_ = first_;
-    to_ = room_.get();
+    to_ = buffer_.get();
     length_ = kRun * size_;
     beginMerge(0);
   }
@@ -68,7 +68,7 @@ bool RecordSort::mergeRuns(std::size_t budget, const Before& before) {
     merge(budget, before);
   }
   if (from_ != first_) std::copy(from_, from_ + bytes_, first_);
-  room_.reset();
+  buffer_.reset();
   return true;
 }
 

@@ -58,8 +58,8 @@ class RecordSort {
   std::size_t size_;
   std::size_t bytes_;
   bool isSorted_ = false;
-  std::size_t inRuns_ = 0;             ///< bytes in sorted runs of a few records
-  std::unique_ptr<std::byte[]> room_;  // NOLINT(*-avoid-c-arrays)
+  std::size_t inRuns_ = 0;               ///< bytes in sorted runs of a few records
+  std::unique_ptr<std::byte[]> buffer_;  // NOLINT(*-avoid-c-arrays)
   std::byte* from_ = nullptr;
   std::byte* to_ = nullptr;
   std::size_t length_ = 0;        ///< length of the runs that are merged
@@ -130,10 +130,10 @@ void sortFew(Range&& range, const Less& less = {}) {
   }
   for (std::size_t i = 1; i < count; ++i) {
     auto element = std::move(first[i]);
-    std::size_t place = i;
-    for (; place > 0 && less(element, first[place - 1]); --place)
-      first[place] = std::move(first[place - 1]);
-    first[place] = std::move(element);
+    std::size_t position = i;
+    for (; position > 0 && less(element, first[position - 1]); --position)
+      first[position] = std::move(first[position - 1]);
+    first[position] = std::move(element);
   }
 }
 

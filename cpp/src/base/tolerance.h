@@ -7,6 +7,8 @@
 /// Constants with another meaning stand beside their use, each with a name that says what it limits: accuracies that
 /// a user may expect (kPlaneTolerance), error bounds of one computation (kVolumeRounding) and stop criteria.
 
+#include "tetrafront/vec3.h"
+
 namespace tetrafront {
 
 /// Lengths below which differences do not count, relative to the extent of what is compared.
@@ -18,8 +20,13 @@ class Tolerance {
   /// any element.
   static constexpr double kCoincidence = 1e-9;
 
-  /// `extent`: diagonal of the box around a model, patch or line, or length of the line.
+  /// `extent`: length of a line, or diagonal of the box around what is compared.
   constexpr explicit Tolerance(double extent) : extent_(extent) {}
+
+  /// Tolerance of a model, patch or line in a box, which may have no volume.
+  static Tolerance ofBox(const Vec3& low, const Vec3& high) {
+    return Tolerance(glm::length(high - low));
+  }
 
   /// Positions closer than this are one position: a side between them would be of the size of rounding errors.
   [[nodiscard]] constexpr double rounding() const { return kRounding * extent_; }

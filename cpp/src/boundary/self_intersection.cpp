@@ -105,7 +105,7 @@ class SelfIntersectionFinder {
     work.beginPart(0.4);
     co_await work.forEachBlock(mesh_.triangles.size(), [this](std::size_t first, std::size_t last) {
       for (std::size_t h = first; h < last; ++h) {
-        if (ignored_[h / 3] == 0) trianglesAt_.count(mesh_.triangles[h]);
+        if (ignored_[h / 3] == 0) trianglesAt_.count(NodeId(mesh_.triangles[h]));
       }
     });
     trianglesAt_.endCounting();
@@ -113,35 +113,35 @@ class SelfIntersectionFinder {
     co_await work.forEachBlock(mesh_.triangles.size(), [this](std::size_t first, std::size_t last) {
       for (std::size_t h = first; h < last; ++h) {
         if (ignored_[h / 3] != 0) continue;
-        trianglesAt_.add(mesh_.triangles[h], static_cast<std::uint32_t>(h / 3));
+        trianglesAt_.add(NodeId(mesh_.triangles[h]), TriangleId(h / 3));
       }
     });
   }
 
   Task<> testPairsAtNodes(Work& work) {
     while (!testNodes(work.remaining())) {
-      work.setFraction(static_cast<double>(node_) / countNodes(mesh_));
+      work.setFraction(static_cast<double>(node_.value) / countNodes(mesh_));
       co_await work.yield();
     }
   }
 
   /// Tests the triangles at the next nodes; returns true when finished.
   bool testNodes(std::uint32_t budget) {
-    while (budget > 0 && node_ < countNodes(mesh_) && !hasFoundEnough()) {
+    while (budget > 0 && node_.value < countNodes(mesh_) && !hasFoundEnough()) {
       const bool isFew = trianglesAt_.at(node_).size() <= kMaxWithoutTree;
       const std::uint32_t tested = isFew ? testFewAtNode() : testManyAtNode(budget);
       budget -= std::min(tested, budget);
-      if (!directions_) ++node_;
+      if (!directions_) ++node_.value;
     }
-    return node_ == countNodes(mesh_) || hasFoundEnough();
+    return node_.value == countNodes(mesh_) || hasFoundEnough();
   }
 
   /// Returns what the tests cost.
   std::uint32_t testFewAtNode() {
-    const std::span<const std::uint32_t> triangles = trianglesAt_.at(node_);
+    const std::span<const TriangleId> triangles = trianglesAt_.at(node_);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       for (std::size_t j = i + 1; j < triangles.size(); ++j) {
-        testAtLowestNode(TriangleId(triangles[i]), TriangleId(triangles[j]));
+        testAtLowestNode(triangles[i], triangles[j]);
       }
     }
     return 1 + static_cast<std::uint32_t>(triangles.size());
@@ -149,12 +149,12 @@ class SelfIntersectionFinder {
 
   /// Returns what the tests cost. Keeps `directions_` for the next slice if the budget does not suffice.
   std::uint32_t testManyAtNode(std::uint32_t budget) {
-    const std::span<const std::uint32_t> triangles = trianglesAt_.at(node_);
+    const std::span<const TriangleId> triangles = trianglesAt_.at(node_);
     if (!directions_) {
       std::vector<Box> boxes;
       boxes.reserve(triangles.size());
-      for (const std::uint32_t t : triangles) {
-        boxes.push_back(boxOfDirections(numberedTriangle(mesh_, TriangleId(t)), NodeId(node_)));
+      for (const TriangleId t : triangles) {
+        boxes.push_back(boxOfDirections(numberedTriangle(mesh_, t), node_));
       }
       directions_.emplace(std::move(boxes));
     }
@@ -163,7 +163,7 @@ class SelfIntersectionFinder {
     const std::uint32_t last = first + std::min(count - first, budget);
     for (std::uint32_t i = first; i < last && !hasFoundEnough(); ++i) {
       directions_->tree.visitOverlaps(directions_->boxes[i], [&](std::uint32_t j) {
-        if (j > i) testAtLowestNode(TriangleId(triangles[i]), TriangleId(triangles[j]));
+        if (j > i) testAtLowestNode(triangles[i], triangles[j]);
       });
     }
     directions_->next = last;
@@ -173,7 +173,7 @@ class SelfIntersectionFinder {
 
   /// Tests triangles with several common nodes once, although they are visited at each of these nodes.
   void testAtLowestNode(TriangleId a, TriangleId b) {
-    if (lowestCommonNode(nodesOf(mesh_, a), nodesOf(mesh_, b)).value == node_) test(a, b);
+    if (lowestCommonNode(nodesOf(mesh_, a), nodesOf(mesh_, b)) == node_) test(a, b);
   }
 
   Task<> testPairsWithoutCommonNode(Work& work) {
@@ -197,7 +197,7 @@ class SelfIntersectionFinder {
   void report(const Pair& pair) {
     const Vec3 position =
         report_.canKeep(DiagnosticCode::kSelfIntersection)
-            ? meetingPlace(cornersOf(mesh_, pair.low), cornersOf(mesh_, pair.high))
+            ? intersectionPosition(cornersOf(mesh_, pair.low), cornersOf(mesh_, pair.high))
             : Vec3(0.0);
     report_.addTrianglePair(DiagnosticCode::kSelfIntersection, pair.low, pair.high, position);
   }
@@ -206,8 +206,8 @@ class SelfIntersectionFinder {
   std::span<const std::uint8_t> ignored_;
   const BoxTree& tree_;
   BoundaryReport& report_;
-  Incidence trianglesAt_;
-  std::uint32_t node_ = 0;  ///< the next node whose triangles are tested
+  NodeLists<TriangleId> trianglesAt_;
+  NodeId node_{0U};  ///< the next node whose triangles are tested
   std::optional<Directions> directions_;
   std::vector<Pair> found_;
 };

@@ -10,6 +10,7 @@
 #include "base/budget.h"
 #include "base/sort.h"
 #include "base/tolerance.h"
+#include "field/grid_access.h"
 #include "field/size_sources.h"
 #include "geom/coordinates.h"
 #include "geom/predicates.h"
@@ -25,17 +26,22 @@ constexpr double kFlatVolume = 1e-12;
 /// Tetrahedra per unit of budget: visiting one costs far less than a step of the front.
 constexpr std::size_t kPerBudget = 8;
 
-Diagnostic about(DiagnosticCode code, EntityKind kind, std::uint32_t index) {
+Entity entityOf(GridNodeId node) { return {EntityKind::kBackgroundNode, node.value}; }
+Entity entityOf(GridTetId tet) { return {EntityKind::kBackgroundTetrahedron, tet.value}; }
+Entity entityOf(SourceId source) { return {EntityKind::kSource, source.value}; }
+
+template <class AnyId>
+Diagnostic about(DiagnosticCode code, AnyId subject) {
   Diagnostic diagnostic;
   diagnostic.code = code;
-  diagnostic.entities = {{kind, index}};
+  diagnostic.entities = {entityOf(subject)};
   return diagnostic;
 }
 
-void checkNode(const BackgroundNode& node, std::uint32_t index, double smallest,
+void checkNode(const BackgroundNode& node, GridNodeId id, double smallest,
                std::vector<Diagnostic>& found) {
   const auto report = [&](DiagnosticCode code, std::vector<double> values) {
-    Diagnostic diagnostic = about(code, EntityKind::kBackgroundNode, index);
+    Diagnostic diagnostic = about(code, id);
     diagnostic.values = std::move(values);
     if (isFinite(node.position)) {
       diagnostic.hasPosition = true;
@@ -55,14 +61,14 @@ void checkNode(const BackgroundNode& node, std::uint32_t index, double smallest,
 }
 
 /// Reports sizes that are too small. checkSizeSources() reports those that are not positive.
-void checkSourceSize(const SizeSource& source, std::uint32_t index, double smallest,
+void checkSourceSize(const SizeSource& source, SourceId id, double smallest,
                      std::vector<Diagnostic>& found) {
   if (!(source.size > 0.0 && source.size < smallest)) return;
-  found.push_back(about(DiagnosticCode::kSizeOutOfRange, EntityKind::kSource, index));
+  found.push_back(about(DiagnosticCode::kSizeOutOfRange, id));
   found.back().values = {source.size};
 }
 
-bool isFlat(const std::array<Vec3, 4>& p) {
+bool isDegenerate(const std::array<Vec3, 4>& p) {
   if (orient3d(p[0], p[1], p[2], p[3]) == 0) return true;
   double longest = 0.0;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -74,22 +80,18 @@ bool isFlat(const std::array<Vec3, 4>& p) {
   return std::fabs(sixVolumes) < kFlatVolume * longest * std::sqrt(longest);
 }
 
-void checkTetrahedron(const BackgroundGrid& grid, std::uint32_t t, std::vector<Diagnostic>& found) {
-  std::array<Vec3, 4> corners;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::uint32_t node = grid.tetrahedra[t][i];
-    if (node >= grid.nodes.size()) {
-      found.push_back(
-          about(DiagnosticCode::kIndexOutOfRange, EntityKind::kBackgroundTetrahedron, t));
-      found.back().values = {static_cast<double>(node)};
+void checkTetrahedron(const BackgroundGrid& grid, GridTetId tet, std::vector<Diagnostic>& found) {
+  for (const GridNodeId node : nodesOf(grid, tet)) {
+    if (node.index() >= grid.nodes.size()) {
+      found.push_back(about(DiagnosticCode::kIndexOutOfRange, tet));
+      found.back().values = {static_cast<double>(node.value)};
       return;
     }
-    corners[i] = grid.nodes[node].position;
-    if (!isFinite(corners[i])) return;  // reported with the node
+    if (!isFinite(positionOf(grid, node))) return;  // reported with the node
   }
-  if (!isFlat(corners)) return;
-  found.push_back(about(DiagnosticCode::kDegenerateBackgroundTetrahedron,
-                        EntityKind::kBackgroundTetrahedron, t));
+  const std::array<Vec3, 4> corners = cornersOf(grid, tet);
+  if (!isDegenerate(corners)) return;
+  found.push_back(about(DiagnosticCode::kDegenerateBackgroundTetrahedron, tet));
   found.back().hasPosition = true;
   found.back().position = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
 }
@@ -100,7 +102,7 @@ bool BackgroundGridCheck::advance(std::uint32_t budget) {
   if (stage_ == Stage::kDone) return true;
   if (stage_ == Stage::kSources) checkSources();
   const std::size_t last = next_ + std::min(scaledBudget(budget, kPerBudget), end_ - next_);
-  for (; next_ < last; ++next_) workOn(static_cast<std::uint32_t>(next_));
+  for (; next_ < last; ++next_) workOn(next_);
   if (next_ == end_) endStage();
   return stage_ == Stage::kDone;
 }
@@ -108,30 +110,31 @@ bool BackgroundGridCheck::advance(std::uint32_t budget) {
 void BackgroundGridCheck::checkSources() {
   found_ = checkSizeSources(grid_->sources);
   if (part_ == GridPart::kSources) {
-    stage_ = Stage::kRepeated;
+    stage_ = Stage::kDuplicates;
     return;
   }
   if (!grid_->nodes.empty() && !grid_->tetrahedra.empty()) return;
   found_.emplace_back();
   found_.back().code = DiagnosticCode::kEmptyBackgroundGrid;
-  stage_ = Stage::kRepeated;
+  stage_ = Stage::kDuplicates;
 }
 
-void BackgroundGridCheck::workOn(std::uint32_t i) {
+void BackgroundGridCheck::workOn(std::size_t i) {
   switch (stage_) {
     case Stage::kExtent:
       return extend(grid_->nodes[i].position);
     case Stage::kNodes:
-      return checkNode(grid_->nodes[i], i, smallest_, found_);
+      return checkNode(grid_->nodes[i], GridNodeId(i), smallest_, found_);
     case Stage::kTetrahedra:
-      checkTetrahedron(*grid_, i, found_);
-      return entries_.count(listOf(sorted(grid_->tetrahedra[i])[0]));
-    case Stage::kPlace: {
-      const std::array nodes = sorted(grid_->tetrahedra[i]);
-      return entries_.add(listOf(nodes[0]), {nodes, i});
+      checkTetrahedron(*grid_, GridTetId(i), found_);
+      return entries_.count(listOf(sorted(nodesOf(*grid_, GridTetId(i)))[0]));
+    case Stage::kInsert: {
+      const GridTetId tet(i);
+      const GridNodeQuad nodes = sorted(nodesOf(*grid_, tet));
+      return entries_.add(listOf(nodes[0]), {nodes, tet});
     }
-    case Stage::kRepeated:
-      return checkRepeatedAt(i);
+    case Stage::kDuplicates:
+      return checkDuplicatesAt(GridNodeId(i));
     case Stage::kSources:
     case Stage::kDone:
       return;
@@ -143,23 +146,23 @@ void BackgroundGridCheck::endStage() {
   end_ = grid_->nodes.size();
   switch (stage_) {
     case Stage::kExtent:
-      if (low_) smallest_ = Tolerance(glm::length(high_ - *low_)).rounding();
+      if (low_) smallest_ = Tolerance::ofBox(*low_, high_).rounding();
       break;
     case Stage::kNodes:
-      for (std::uint32_t i = 0; i < grid_->sources.size(); ++i) {
-        checkSourceSize(grid_->sources[i], i, smallest_, found_);
+      for (const SourceId id : IdRange<SourceId>(grid_->sources.size())) {
+        checkSourceSize(grid_->sources[id.index()], id, smallest_, found_);
       }
-      entries_ = NodeLists<Entry>(grid_->nodes.size() + 1);
+      entries_ = NodeLists<Entry, GridNodeId>(grid_->nodes.size() + 1);
       end_ = grid_->tetrahedra.size();
       break;
     case Stage::kTetrahedra:
       entries_.endCounting();
       end_ = grid_->tetrahedra.size();
       break;
-    case Stage::kPlace:
+    case Stage::kInsert:
       end_ = grid_->nodes.size() + 1;
       break;
-    case Stage::kRepeated:
+    case Stage::kDuplicates:
       entries_ = {};
       break;
     case Stage::kSources:
@@ -169,24 +172,23 @@ void BackgroundGridCheck::endStage() {
   stage_ = static_cast<Stage>(static_cast<std::uint8_t>(stage_) + 1);
 }
 
-void BackgroundGridCheck::extend(const Vec3& place) {
-  if (!isFinite(place)) return;
-  high_ = low_ ? glm::max(high_, place) : place;
-  low_ = low_ ? glm::min(*low_, place) : place;
+void BackgroundGridCheck::extend(const Vec3& position) {
+  if (!isFinite(position)) return;
+  high_ = low_ ? glm::max(high_, position) : position;
+  low_ = low_ ? glm::min(*low_, position) : position;
 }
 
 /// Reports duplicate tetrahedra: those with the same four nodes.
-void BackgroundGridCheck::checkRepeatedAt(std::uint32_t node) {
+void BackgroundGridCheck::checkDuplicatesAt(GridNodeId node) {
   const std::span<Entry> entries = entries_.at(node);
   sortFew(entries, [](const Entry& a, const Entry& b) {
     return a.nodes != b.nodes ? a.nodes < b.nodes : a.tetrahedron < b.tetrahedron;
   });
   for (std::size_t i = 1; i < entries.size(); ++i) {
     if (entries[i].nodes != entries[i - 1].nodes) continue;
-    Diagnostic repeated = about(DiagnosticCode::kDuplicateTriangle,
-                                EntityKind::kBackgroundTetrahedron, entries[i].tetrahedron);
-    repeated.entities.push_back({EntityKind::kBackgroundTetrahedron, entries[i - 1].tetrahedron});
-    found_.push_back(std::move(repeated));
+    Diagnostic duplicate = about(DiagnosticCode::kDuplicateTriangle, entries[i].tetrahedron);
+    duplicate.entities.push_back(entityOf(entries[i - 1].tetrahedron));
+    found_.push_back(std::move(duplicate));
   }
 }
 

@@ -3,13 +3,13 @@
 /// @file Checks a background grid and its sources before a run uses them.
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "base/ids.h"
 #include "search/incidence.h"
 #include "tetrafront/background_grid.h"
 #include "tetrafront/status.h"
@@ -39,22 +39,22 @@ class BackgroundGridCheck {
     kExtent,
     kNodes,
     kTetrahedra,
-    kPlace,
-    kRepeated,
+    kInsert,
+    kDuplicates,
     kDone
   };
   struct Entry {
-    std::array<std::uint32_t, 4> nodes;  ///< ascending
-    std::uint32_t tetrahedron;
+    GridNodeQuad nodes;  ///< ascending
+    GridTetId tetrahedron;
   };
 
-  void workOn(std::uint32_t i);
+  void workOn(std::size_t i);
   void endStage();
   void checkSources();
-  void extend(const Vec3& place);
-  void checkRepeatedAt(std::uint32_t node);
-  [[nodiscard]] std::uint32_t listOf(std::uint32_t lowestNode) const {
-    return std::min(lowestNode, static_cast<std::uint32_t>(grid_->nodes.size()));
+  void extend(const Vec3& position);
+  void checkDuplicatesAt(GridNodeId node);
+  [[nodiscard]] GridNodeId listOf(GridNodeId lowestNode) const {
+    return std::min(lowestNode, GridNodeId(grid_->nodes.size()));
   }
 
   const BackgroundGrid* grid_;
@@ -65,7 +65,7 @@ class BackgroundGridCheck {
   std::optional<Vec3> low_;
   Vec3 high_{0.0};
   double smallest_ = 0.0;  ///< smallest size permitted
-  NodeLists<Entry>
+  NodeLists<Entry, GridNodeId>
       entries_;  ///< tetrahedra by their lowest node; the last list holds those of invalid nodes
   std::vector<Diagnostic> found_;
 };

@@ -1,7 +1,6 @@
 #include "tetrafront/grid_from_mesh.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -10,6 +9,8 @@
 #include <vector>
 
 #include "base/ids.h"
+#include "base/mesh_access.h"
+#include "geom/tetrahedron.h"
 
 namespace tetrafront {
 namespace {
@@ -19,15 +20,7 @@ constexpr double kSizePerEdge = 0.9;
 
 /// Coverage margin: on a curved patch, another mesh has nodes outside the triangles of this one.
 /// Allows for the bulge over an edge that spans 100 degrees of a circle.
-constexpr double kOverhang = 0.25;
-
-constexpr std::array<std::pair<std::size_t, std::size_t>, 6> kEdges{
-    {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
-
-Vec3 placeOf(const VolumeMesh& mesh, std::uint32_t node) {
-  const std::size_t i = 3 * std::size_t{node};
-  return {mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]};
-}
+constexpr double kMeshCoverageMargin = 0.25;
 
 }  // namespace
 
@@ -38,14 +31,15 @@ class MeshGridBuilder::Impl {
   Impl(VolumeMesh mesh, std::vector<double> sizes)
       : mesh_(std::move(mesh)),
         sizes_(std::move(sizes)),
-        numbers_(mesh_.points.size() / 3, kNoIndex),
-        elements_(mesh_.tetrahedra.size() / 4) {
+        isUsed_(countNodes(mesh_), 0),
+        gridNodes_(countNodes(mesh_)),
+        elements_(countTetrahedra(mesh_)) {
     if (sizes_.empty()) {
-      edges_.assign(numbers_.size(), 0.0);
-      counts_.assign(numbers_.size(), 0);
+      edgeSums_.assign(countNodes(mesh_), 0.0);
+      edgeCounts_.assign(countNodes(mesh_), 0);
     }
-    grid_.coverageMargin = kOverhang;
-    grid_.nodes.reserve(numbers_.size());
+    grid_.coverageMargin = kMeshCoverageMargin;
+    grid_.nodes.reserve(countNodes(mesh_));
     grid_.tetrahedra.reserve(elements_);
   }
 
@@ -60,55 +54,54 @@ class MeshGridBuilder::Impl {
   [[nodiscard]] const BackgroundGrid& result() const { return grid_; }
 
  private:
-  [[nodiscard]] std::size_t steps() const { return 2 * elements_ + numbers_.size(); }
+  [[nodiscard]] std::size_t steps() const { return 2 * elements_ + countNodes(mesh_); }
 
   void step(std::size_t number) {
-    if (number < elements_) return readElement(number);
+    if (number < elements_) return readElement(TetId(number));
     const std::size_t after = number - elements_;
-    if (after < numbers_.size()) return addNode(static_cast<std::uint32_t>(after));
-    addElement(after - numbers_.size());
-  }
-
-  [[nodiscard]] std::uint32_t nodeOf(std::size_t element, std::size_t corner) const {
-    return mesh_.tetrahedra[4 * element + corner];
+    if (after < countNodes(mesh_)) return addNode(NodeId(after));
+    addElement(TetId(after - countNodes(mesh_)));
   }
 
   /// An edge counts once per element, so interior edges, which have more elements, have more
   /// weight.
-  void readElement(std::size_t element) {
-    for (std::size_t k = 0; k < 4; ++k) numbers_[nodeOf(element, k)] = 0;
+  void readElement(TetId element) {
+    const NodeQuad nodes = nodesOf(mesh_, element);
+    for (const NodeId node : nodes) isUsed_[node.index()] = 1;
     if (!sizes_.empty()) return;
-    for (const auto& [i, j] : kEdges) {
-      const std::uint32_t a = nodeOf(element, i);
-      const std::uint32_t b = nodeOf(element, j);
-      const double length = glm::length(placeOf(mesh_, a) - placeOf(mesh_, b));
-      edges_[a] += length;
-      edges_[b] += length;
-      ++counts_[a];
-      ++counts_[b];
+    for (const TetEdge& edge : kTetEdges) {
+      const NodeId a = nodes[edge.from];
+      const NodeId b = nodes[edge.to];
+      const double length = glm::length(pointOf(mesh_, a) - pointOf(mesh_, b));
+      edgeSums_[a.index()] += length;
+      edgeSums_[b.index()] += length;
+      ++edgeCounts_[a.index()];
+      ++edgeCounts_[b.index()];
     }
   }
 
-  void addNode(std::uint32_t i) {
-    if (numbers_[i] == kNoIndex) return;
-    numbers_[i] = static_cast<std::uint32_t>(grid_.nodes.size());
+  void addNode(NodeId id) {
+    const std::size_t i = id.index();
+    if (isUsed_[i] == 0) return;
+    gridNodes_[i] = GridNodeId(grid_.nodes.size());
     BackgroundNode node;
-    node.position = placeOf(mesh_, i);
-    node.size = sizes_.empty() ? kSizePerEdge * (edges_[i] / counts_[i]) : sizes_[i];
+    node.position = pointOf(mesh_, id);
+    node.size = sizes_.empty() ? kSizePerEdge * (edgeSums_[i] / edgeCounts_[i]) : sizes_[i];
     grid_.nodes.push_back(node);
   }
 
-  void addElement(std::size_t element) {
-    const auto n = [&](std::size_t corner) { return numbers_[nodeOf(element, corner)]; };
-    grid_.tetrahedra.push_back({n(0), n(1), n(2), n(3)});
+  void addElement(TetId element) {
+    const auto [a, b, c, d] = nodesOf(mesh_, element);
+    const auto indexOf = [&](NodeId node) { return gridNodes_[node.index()].value; };
+    grid_.tetrahedra.push_back({indexOf(a), indexOf(b), indexOf(c), indexOf(d)});
   }
 
   VolumeMesh mesh_;
   std::vector<double> sizes_;
-  std::vector<std::uint32_t>
-      numbers_;                        ///< per node of the mesh: its index in the grid, or kNoIndex
-  std::vector<double> edges_;          ///< per node: sum of its edge lengths
-  std::vector<std::uint32_t> counts_;  ///< per node: number of its edges
+  std::vector<std::uint8_t> isUsed_;       ///< per node of the mesh: 1 if an element uses it
+  std::vector<GridNodeId> gridNodes_;      ///< per node of the mesh: its node of the grid
+  std::vector<double> edgeSums_;           ///< per node: sum of its edge lengths
+  std::vector<std::uint32_t> edgeCounts_;  ///< per node: number of its edges
   std::size_t elements_;
   std::size_t next_ = 0;
   BackgroundGrid grid_;
@@ -125,10 +118,10 @@ double MeshGridBuilder::fraction() const { return impl_->fraction(); }
 const BackgroundGrid& MeshGridBuilder::result() const { return impl_->result(); }
 
 BackgroundGrid gridFromMesh(const VolumeMesh& mesh, std::span<const double> sizes) {
-  MeshGridBuilder gridder(mesh, {sizes.begin(), sizes.end()});
-  while (!gridder.advance(std::numeric_limits<std::uint32_t>::max())) {
+  MeshGridBuilder builder(mesh, {sizes.begin(), sizes.end()});
+  while (!builder.advance(std::numeric_limits<std::uint32_t>::max())) {
   }
-  return gridder.result();
+  return builder.result();
 }
 
 }  // namespace tetrafront

@@ -1,18 +1,15 @@
 #include "field/grid_gradation.h"
 
-#include <array>
 #include <bit>
 #include <limits>
 
 #include "field/tensor_limits.h"
+#include "geom/tetrahedron.h"
 
 namespace tetrafront {
 namespace {
 
 constexpr int kSweeps = 3;
-
-constexpr std::array<std::pair<std::size_t, std::size_t>, 6> kTetrahedronEdges{
-    {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
 /// Positive doubles have the same order as their bit patterns.
 std::uint64_t keyOf(double size) { return std::bit_cast<std::uint64_t>(size); }
@@ -32,12 +29,12 @@ bool GridEdges::advance(std::size_t budget) {
   const std::size_t last = next_ + std::min(budget, end - next_);
   for (; next_ < last; ++next_) {
     if (stage_ == Stage::kCollect) {
-      collectAt(static_cast<std::uint32_t>(next_));
+      collectAt(GridNodeId(next_));
       continue;
     }
-    const auto& tet = grid_->tetrahedra[next_];
-    for (const auto& [i, j] : kTetrahedronEdges) {
-      const auto [low, high] = std::minmax(tet[i], tet[j]);
+    const GridNodeQuad nodes = nodesOf(*grid_, GridTetId(next_));
+    for (const TetEdge& edge : kTetEdges) {
+      const auto [low, high] = std::minmax(nodes[edge.from], nodes[edge.to]);
       if (stage_ == Stage::kCount) {
         others_.count(low);
       } else {
@@ -53,12 +50,12 @@ bool GridEdges::advance(std::size_t budget) {
   return stage_ == Stage::kDone;
 }
 
-void GridEdges::collectAt(std::uint32_t node) {
-  const std::span<std::uint32_t> others = others_.at(node);
+void GridEdges::collectAt(GridNodeId node) {
+  const std::span<GridNodeId> others = others_.at(node);
   sortFew(others);
   for (std::size_t i = 0; i < others.size(); ++i) {
     if (i > 0 && others[i] == others[i - 1]) continue;
-    const Vec3 along = grid_->nodes[node].position - grid_->nodes[others[i]].position;
+    const Vec3 along = positionOf(*grid_, node) - positionOf(*grid_, others[i]);
     edges_.push_back({node, others[i], glm::length(along)});
   }
 }
@@ -70,7 +67,7 @@ bool SizeLimiter::advance(std::size_t budget) {
     return false;
   }
   if (stage_ == Stage::kLower) {
-    for (; budget > 0 && !waiting_.empty(); --budget) lowerAround(waiting_.pop());
+    for (; budget > 0 && !waiting_.empty(); --budget) lowerAround(GridNodeId(waiting_.pop()));
     if (waiting_.empty()) stage_ = Stage::kDone;
     return stage_ == Stage::kDone;
   }
@@ -80,20 +77,21 @@ bool SizeLimiter::advance(std::size_t budget) {
   return stage_ == Stage::kDone;
 }
 
-void SizeLimiter::workOn(std::size_t position) {
+void SizeLimiter::workOn(std::size_t index) {
   if (stage_ == Stage::kQueue) {
-    const auto node = static_cast<std::uint32_t>(position);
-    waiting_.push(node, keyOf(grid_->nodes[node].size));
+    const GridNodeId node(index);
+    waiting_.push(node.value, keyOf(nodeOf(*grid_, node).size));
     return;
   }
-  const GridEdges::Edge& edge = edges_[position];
+  const GridEdges::Edge& edge = edges_[index];
   if (stage_ == Stage::kComply) {
-    const auto [least, most] = std::minmax(grid_->nodes[edge.a].size, grid_->nodes[edge.b].size);
-    complies_ = complies_ && most <= least + growth_ * edge.length;
+    const auto [smaller, larger] =
+        std::minmax(nodeOf(*grid_, edge.a).size, nodeOf(*grid_, edge.b).size);
+    complies_ = complies_ && larger <= smaller + growth_ * edge.length;
   } else if (stage_ == Stage::kCount) {
     spokes_.count(edge.a);
     spokes_.count(edge.b);
-  } else if (stage_ == Stage::kPlace) {
+  } else if (stage_ == Stage::kInsert) {
     spokes_.add(edge.a, {edge.b, edge.length});
     spokes_.add(edge.b, {edge.a, edge.length});
   }
@@ -109,10 +107,10 @@ void SizeLimiter::endStage() {
       stage_ = Stage::kDone;
       return;
     }
-    spokes_ = NodeLists<Spoke>(grid_->nodes.size());
+    spokes_ = NodeLists<Spoke, GridNodeId>(grid_->nodes.size());
   } else if (stage_ == Stage::kCount) {
     spokes_.endCounting();
-  } else if (stage_ == Stage::kPlace) {
+  } else if (stage_ == Stage::kInsert) {
     edges_ = {};
     waiting_.reserveIds(grid_->nodes.size());
     end_ = grid_->nodes.size();
@@ -121,13 +119,14 @@ void SizeLimiter::endStage() {
 }
 
 /// `node` has the smallest size of all waiting nodes, so no other node can lower it further.
-void SizeLimiter::lowerAround(std::uint32_t node) {
+void SizeLimiter::lowerAround(GridNodeId node) {
   for (const auto& [other, length] : std::as_const(spokes_).at(node)) {
-    const double limit = grid_->nodes[node].size + growth_ * length;
-    if (grid_->nodes[other].size <= limit) continue;
-    grid_->nodes[other].size = limit;
-    waiting_.remove(other);
-    waiting_.push(other, keyOf(limit));
+    const double limit = nodeOf(*grid_, node).size + growth_ * length;
+    double& size = nodeOf(*grid_, other).size;
+    if (size <= limit) continue;
+    size = limit;
+    waiting_.remove(other.value);
+    waiting_.push(other.value, keyOf(limit));
   }
 }
 
@@ -154,10 +153,10 @@ bool TensorLimiter::advance(std::size_t budget) {
 void TensorLimiter::limit(const GridEdges::Edge& edge) {
   const SymmetricTensor grown = SymmetricTensor::isotropic(growth_ * edge.length);
   std::vector<SymmetricTensor>& tensors = *tensors_;
-  const auto lower = [&](std::uint32_t node, std::uint32_t by) {
-    SymmetricTensor most = tensors[by];
-    most.accumulate(grown, 1.0);
-    tensors[node] = limitedBy(tensors[node], most);
+  const auto lower = [&](GridNodeId node, GridNodeId by) {
+    SymmetricTensor largest = tensors[by.index()];
+    largest.accumulate(grown, 1.0);
+    tensors[node.index()] = limitedBy(tensors[node.index()], largest);
   };
   lower(edge.a, edge.b);
   lower(edge.b, edge.a);

@@ -10,7 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/ids.h"
 #include "base/sort.h"
+#include "field/grid_access.h"
 #include "field/size_tensor.h"
 #include "search/incidence.h"
 #include "search/indexed_heap.h"
@@ -22,8 +24,8 @@ namespace tetrafront {
 class GridEdges {
  public:
   struct Edge {
-    std::uint32_t a;
-    std::uint32_t b;
+    GridNodeId a;
+    GridNodeId b;
     double length;
   };
 
@@ -37,14 +39,14 @@ class GridEdges {
   [[nodiscard]] std::vector<Edge> take() { return std::move(edges_); }
 
  private:
-  enum class Stage : std::uint8_t { kCount, kPlace, kCollect, kDone };
+  enum class Stage : std::uint8_t { kCount, kInsert, kCollect, kDone };
 
-  void collectAt(std::uint32_t node);
+  void collectAt(GridNodeId node);
 
   const BackgroundGrid* grid_;
   Stage stage_ = Stage::kCount;
   std::size_t next_ = 0;
-  NodeLists<std::uint32_t>
+  NodeLists<GridNodeId, GridNodeId>
       others_;  ///< per node: the higher nodes of its edges, once per tetrahedron
   std::vector<Edge> edges_;
 };
@@ -61,15 +63,15 @@ class SizeLimiter {
   bool advance(std::size_t budget);
 
  private:
-  enum class Stage : std::uint8_t { kEdges, kComply, kCount, kPlace, kQueue, kLower, kDone };
+  enum class Stage : std::uint8_t { kEdges, kComply, kCount, kInsert, kQueue, kLower, kDone };
   struct Spoke {
-    std::uint32_t node;
+    GridNodeId node;
     double length;
   };
 
-  void workOn(std::size_t position);
+  void workOn(std::size_t index);
   void endStage();
-  void lowerAround(std::uint32_t node);
+  void lowerAround(GridNodeId node);
 
   BackgroundGrid* grid_;
   double growth_;
@@ -79,7 +81,7 @@ class SizeLimiter {
   std::size_t end_ = 0;
   bool complies_ = true;
   std::vector<GridEdges::Edge> edges_;
-  NodeLists<Spoke> spokes_;
+  NodeLists<Spoke, GridNodeId> spokes_;
   IndexedHeap waiting_;
 };
 
@@ -100,7 +102,7 @@ class TensorLimiter {
   struct Smaller {
     const BackgroundGrid* grid;
     [[nodiscard]] double sizeOf(const GridEdges::Edge& edge) const {
-      return std::min(grid->nodes[edge.a].size, grid->nodes[edge.b].size);
+      return std::min(nodeOf(*grid, edge.a).size, nodeOf(*grid, edge.b).size);
     }
     bool operator()(const GridEdges::Edge& x, const GridEdges::Edge& y) const {
       return sizeOf(x) < sizeOf(y);

@@ -5,7 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "field/grid_access.h"
 #include "field/grid_locator_builder.h"
+#include "geom/tetrahedron.h"
 
 namespace tetrafront {
 namespace {
@@ -67,80 +69,79 @@ GridLocator::GridLocator(BackgroundGrid grid, double growth) {
   *this = builder.take();
 }
 
-std::array<double, 4> GridLocator::weightsAt(std::uint32_t tetrahedron, const Vec3& place) const {
-  const Frame& frame = frames_[tetrahedron];
-  const Vec3 d = place - frame.origin;
+std::array<double, 4> GridLocator::weightsAt(GridTetId tet, const Vec3& position) const {
+  const Frame& frame = frames_[tet.index()];
+  const Vec3 d = position - frame.origin;
   const double w1 = glm::dot(frame.gradients[0], d);
   const double w2 = glm::dot(frame.gradients[1], d);
   const double w3 = glm::dot(frame.gradients[2], d);
   return {1.0 - w1 - w2 - w3, w1, w2, w3};
 }
 
-GridLocator::Location GridLocator::locate(const Vec3& place, std::uint32_t startTetrahedron) const {
-  std::uint32_t at = startTetrahedron < frames_.size() ? startTetrahedron : 0;
+GridLocator::Location GridLocator::locate(const Vec3& position, GridTetId start) const {
+  GridTetId at = start.index() < frames_.size() ? start : GridTetId(0U);
   for (std::uint32_t step = 0; step < maxSteps_; ++step) {
-    const std::array<double, 4> weights = weightsAt(at, place);
+    const std::array<double, 4> weights = weightsAt(at, position);
     std::size_t exit = 0;
     for (std::size_t i = 1; i < 4; ++i) {
       if (weights[i] < weights[exit]) exit = i;
     }
     if (weights[exit] >= -kWeightRounding) return {at, clampedWeights(weights), true, step};
-    const std::uint32_t next = frames_[at].neighbours[exit];
-    if (next == kNoIndex) {
-      Location found = nearest(place, at);
+    const GridTetId next = frames_[at.index()].neighbours[exit];
+    if (next.isNone()) {
+      Location found = nearest(position, at);
       found.steps = step;
       return found;
     }
     at = next;
   }
-  Location found = nearest(place, at);
+  Location found = nearest(position, at);
   found.steps = maxSteps_;
   return found;
 }
 
 /// Returns the largest distance outside the grid that still counts as covered, if this tetrahedron
 /// is the nearest.
-double GridLocator::allowanceAt(std::uint32_t tetrahedron) const {
+double GridLocator::allowanceAt(GridTetId tet) const {
   if (!(grid_.coverageMargin > 0.0)) return slack_;
+  const std::array<Vec3, 4> corners = cornersOf(grid_, tet);
   double squared = 0.0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = i + 1; j < 4; ++j) {
-      const Vec3 edge = grid_.nodes[grid_.tetrahedra[tetrahedron][i]].position -
-                        grid_.nodes[grid_.tetrahedra[tetrahedron][j]].position;
-      squared = std::max(squared, glm::dot(edge, edge));
-    }
+  for (const TetEdge& ends : kTetEdges) {
+    const Vec3 edge = corners[ends.from] - corners[ends.to];
+    squared = std::max(squared, glm::dot(edge, edge));
   }
   return slack_ + grid_.coverageMargin * std::sqrt(squared);
 }
 
 /// Finds the nearest tetrahedron by branch and bound, beginning with the distance to `guess`.
-GridLocator::Location GridLocator::nearest(const Vec3& place, std::uint32_t guess) const {
+GridLocator::Location GridLocator::nearest(const Vec3& position, GridTetId guess) const {
   Location best;
   double leastSquared = std::numeric_limits<double>::max();
-  const auto consider = [&](std::uint32_t t) {
-    const std::array<double, 4> weights = weightsAt(t, place);
+  const auto consider = [&](GridTetId tet) {
+    const std::array<double, 4> weights = weightsAt(tet, position);
     if (*std::min_element(weights.begin(), weights.end()) >= -kWeightRounding) {
       leastSquared = 0.0;
-      best = {t, clampedWeights(weights), true, 0};
+      best = {tet, clampedWeights(weights), true, 0};
       return;
     }
     for (std::size_t i = 0; i < 4; ++i) {
-      if (weights[i] >= 0.0) continue;  // `place` is on the inner side: another face is nearer
+      if (weights[i] >= 0.0) continue;  // `position` is on the inner side: another face is nearer
       std::array<Vec3, 3> corners;
       for (std::size_t k = 0; k < 3; ++k) {
-        corners[k] = grid_.nodes[grid_.tetrahedra[t][kFaces[i][k]]].position;
+        corners[k] = positionOf(grid_, nodesOf(grid_, tet)[kFaces[i][k]]);
       }
-      const std::array<double, 3> w = nearestInTriangle(place, corners[0], corners[1], corners[2]);
-      const Vec3 d = w[0] * corners[0] + w[1] * corners[1] + w[2] * corners[2] - place;
+      const std::array<double, 3> w =
+          nearestInTriangle(position, corners[0], corners[1], corners[2]);
+      const Vec3 d = w[0] * corners[0] + w[1] * corners[1] + w[2] * corners[2] - position;
       const double squared = glm::dot(d, d);
       if (squared >= leastSquared) continue;
       leastSquared = squared;
-      best = {t, {}, false, 0};
+      best = {tet, {}, false, 0};
       for (std::size_t k = 0; k < 3; ++k) best.weights[kFaces[i][k]] = w[k];
     }
   };
   consider(guess);
-  tree_.visitNear(place, leastSquared, consider);
+  tree_.visitNear(position, leastSquared, [&](std::uint32_t item) { consider(GridTetId(item)); });
   const double allowance = allowanceAt(best.tetrahedron);
   best.inside = leastSquared <= allowance * allowance;
   best.weights = clampedWeights(best.weights);
@@ -149,16 +150,18 @@ GridLocator::Location GridLocator::nearest(const Vec3& place, std::uint32_t gues
 
 SymmetricTensor GridLocator::tensorAt(const Location& location) const {
   if (tensors_.empty()) return SymmetricTensor::isotropic(sizeAt(location));
-  const auto& tet = grid_.tetrahedra[location.tetrahedron];
+  const GridNodeQuad nodes = nodesOf(grid_, location.tetrahedron);
   SymmetricTensor tensor = SymmetricTensor::isotropic(0.0);
-  for (std::size_t i = 0; i < 4; ++i) tensor.accumulate(tensors_[tet[i]], location.weights[i]);
+  for (std::size_t i = 0; i < 4; ++i) {
+    tensor.accumulate(tensors_[nodes[i].index()], location.weights[i]);
+  }
   return tensor;
 }
 
 double GridLocator::sizeAt(const Location& location) const {
-  const auto& tet = grid_.tetrahedra[location.tetrahedron];
+  const GridNodeQuad nodes = nodesOf(grid_, location.tetrahedron);
   double size = 0.0;
-  for (std::size_t i = 0; i < 4; ++i) size += location.weights[i] * sizes_[tet[i]];
+  for (std::size_t i = 0; i < 4; ++i) size += location.weights[i] * sizes_[nodes[i].index()];
   return size;
 }
 

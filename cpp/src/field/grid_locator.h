@@ -19,7 +19,7 @@ namespace tetrafront {
 class GridLocator {
  public:
   struct Location {
-    std::uint32_t tetrahedron = 0;
+    GridTetId tetrahedron{0U};
     std::array<double, 4> weights{};  ///< weights of the four nodes, >= 0, sum 1
     bool inside = false;  ///< false if outside by more than rounding and the grid's coverageMargin
     std::uint32_t steps = 0;  ///< steps of the walk from one tetrahedron to the next
@@ -29,10 +29,10 @@ class GridLocator {
   /// the sizes of its nodes (grid_gradation.h). Builds the locator in one call; O(n log n).
   explicit GridLocator(BackgroundGrid grid, double growth = 0.0);
 
-  /// Returns the tetrahedron that contains `place`, or the nearest one, with the weights of its
+  /// Returns the tetrahedron that contains `position`, or the nearest one, with the weights of its
   /// nearest point. A few steps from a near start, O(n^(1/3)) from a far one, O(log n) after a
   /// failed walk.
-  [[nodiscard]] Location locate(const Vec3& place, std::uint32_t startTetrahedron) const;
+  [[nodiscard]] Location locate(const Vec3& position, GridTetId start) const;
 
   /// Interpolates the nodes' sizes linearly: the target edge length if nothing is stretched.
   [[nodiscard]] double sizeAt(const Location& location) const;
@@ -52,15 +52,15 @@ class GridLocator {
   struct Frame {
     Vec3 origin;
     std::array<Vec3, 3> gradients;
-    std::array<std::uint32_t, 4> neighbours;
+    std::array<GridTetId, 4> neighbours;  ///< none at the border
   };
 
   friend class GridLocatorBuilder;
   GridLocator() = default;
 
-  [[nodiscard]] std::array<double, 4> weightsAt(std::uint32_t tetrahedron, const Vec3& place) const;
-  [[nodiscard]] Location nearest(const Vec3& place, std::uint32_t guess) const;
-  [[nodiscard]] double allowanceAt(std::uint32_t tetrahedron) const;
+  [[nodiscard]] std::array<double, 4> weightsAt(GridTetId tet, const Vec3& position) const;
+  [[nodiscard]] Location nearest(const Vec3& position, GridTetId guess) const;
+  [[nodiscard]] double allowanceAt(GridTetId tet) const;
 
   BackgroundGrid grid_;
   std::vector<SymmetricTensor> tensors_;  ///< per node; empty if nothing is stretched

@@ -8,9 +8,10 @@
 #include <tuple>
 #include <utility>
 
-#include "base/ids.h"
 #include "base/budget.h"
+#include "base/ids.h"
 #include "base/sort.h"
+#include "field/grid_access.h"
 #include "field/grid_gradation.h"
 #include "field/tensor_limits.h"
 #include "geom/tetrahedron.h"
@@ -29,7 +30,7 @@ constexpr std::uint32_t kStepsPerLayer = 4;
 /// Tetrahedra per unit of budget: visiting one costs far less than a step of the front.
 constexpr std::size_t kTetrahedraPerBudget = 8;
 
-/// Nodes of the face opposite to node i.
+/// Returns the smallest integer whose cube is at least n.
 std::uint32_t cubeRootUp(std::size_t n) {
   std::uint32_t root = 1;
   while (std::size_t{root} * root * root < n) ++root;
@@ -55,7 +56,7 @@ class GridLocatorBuilder::Impl {
       if (!tree_->advance(share)) return false;
     } else {
       const std::size_t last = next_ + std::min(share, end_ - next_);
-      for (; next_ < last; ++next_) workOn(static_cast<std::uint32_t>(next_));
+      for (; next_ < last; ++next_) workOn(next_);
       if (next_ < end_) return false;
     }
     endStage();
@@ -79,26 +80,22 @@ class GridLocatorBuilder::Impl {
   };
   /// A face of a tetrahedron, listed at its lowest node.
   struct Face {
-    std::uint32_t middle;
-    std::uint32_t highest;
-    std::uint32_t owner;  ///< 4 x tetrahedron + node opposite
+    GridNodeId middle;
+    GridNodeId highest;
+    GridTetFace owner;
   };
 
   [[nodiscard]] std::vector<BackgroundNode>& nodes() { return made_.grid_.nodes; }
   [[nodiscard]] std::vector<std::array<std::uint32_t, 4>>& tetrahedra() {
     return made_.grid_.tetrahedra;
   }
-  [[nodiscard]] const Vec3& place(std::uint32_t t, std::size_t corner) {
-    return nodes()[tetrahedra()[t][corner]].position;
-  }
-
   void begin(Stage stage, std::size_t end) {
     stage_ = stage;
     next_ = 0;
     end_ = end;
   }
 
-  void workOn(std::uint32_t i) {
+  void workOn(std::size_t i) {
     switch (stage_) {
       case Stage::kExtent:
         lower_ = glm::min(lower_, nodes()[i].position);
@@ -109,19 +106,19 @@ class GridLocatorBuilder::Impl {
         made_.tensors_.push_back(sizeTensor(nodes()[i]));
         break;
       case Stage::kSizes:
-        setSize(i);
+        setSize(GridNodeId(i));
         break;
       case Stage::kFrames:
-        setFrame(i);
+        setFrame(GridTetId(i));
         break;
       case Stage::kFaces:
-        placeFaces(i);
+        insertFaces(GridTetId(i));
         break;
       case Stage::kNeighbours:
-        joinFacesAt(i);
+        linkFacesAt(GridNodeId(i));
         break;
       case Stage::kBoxes:
-        setBox(i);
+        setBox(GridTetId(i));
         break;
       case Stage::kLimits:
       case Stage::kTree:
@@ -141,20 +138,20 @@ class GridLocatorBuilder::Impl {
       case Stage::kTensors:
         if (growth_ > 0.0) {
           if (isStretched_) {
-            ofTensors_.emplace(made_.grid_, growth_, made_.tensors_);
+            tensorLimiter_.emplace(made_.grid_, growth_, made_.tensors_);
           } else {
-            ofSizes_.emplace(made_.grid_, growth_);
+            sizeLimiter_.emplace(made_.grid_, growth_);
           }
         }
         return begin(Stage::kLimits, 0);
       case Stage::kLimits:
-        ofSizes_.reset();
-        ofTensors_.reset();
+        sizeLimiter_.reset();
+        tensorLimiter_.reset();
         made_.sizes_.reserve(nodes().size());
         return begin(Stage::kSizes, nodes().size());
       case Stage::kSizes:
         made_.frames_.reserve(tetrahedra().size());
-        faces_ = NodeLists<Face>(nodes().size());
+        faces_ = NodeLists<Face, GridNodeId>(nodes().size());
         return begin(Stage::kFrames, tetrahedra().size());
       case Stage::kFrames:
         faces_.endCounting();
@@ -178,47 +175,51 @@ class GridLocatorBuilder::Impl {
   }
 
   bool limitSome(std::size_t budget) {
-    if (ofSizes_) return ofSizes_->advance(budget);
-    return !ofTensors_ || ofTensors_->advance(budget);
+    if (sizeLimiter_) return sizeLimiter_->advance(budget);
+    return !tensorLimiter_ || tensorLimiter_->advance(budget);
   }
 
-  void setSize(std::uint32_t node) {
-    double& size = nodes()[node].size;
+  void setSize(GridNodeId node) {
+    double& size = nodeOf(made_.grid_, node).size;
     if (isStretched_ && growth_ > 0.0) {
-      const std::array<double, 3> sizes = principalAxes(made_.tensors_[node]).values;
+      const std::array<double, 3> sizes = principalAxes(made_.tensors_[node.index()]).values;
       size = std::min(size, std::min({sizes[0], sizes[1], sizes[2]}));
     }
     made_.sizes_.push_back(size);
   }
 
   /// Builds the frame of the tetrahedron and counts its faces.
-  void setFrame(std::uint32_t t) {
-    const Vec3 origin = place(t, 0);
-    const Vec3 u = place(t, 1) - origin;
-    const Vec3 v = place(t, 2) - origin;
-    const Vec3 w = place(t, 3) - origin;
+  void setFrame(GridTetId tet) {
+    const auto [origin, b, c, d] = cornersOf(made_.grid_, tet);
+    const Vec3 u = b - origin;
+    const Vec3 v = c - origin;
+    const Vec3 w = d - origin;
     const double volume = glm::dot(u, glm::cross(v, w));  // either sign: it cancels
     made_.frames_.push_back(
         {origin,
          {glm::cross(v, w) / volume, glm::cross(w, u) / volume, glm::cross(u, v) / volume},
-         {kNoIndex, kNoIndex, kNoIndex, kNoIndex}});
-    for (std::size_t i = 0; i < 4; ++i) faces_.count(sortedFace(t, i)[0]);
+         {}});
+    for (std::size_t i = 0; i < 4; ++i) faces_.count(sortedFace({tet, i})[0]);
   }
 
-  [[nodiscard]] std::array<std::uint32_t, 3> sortedFace(std::uint32_t t, std::size_t i) {
-    const auto& tet = tetrahedra()[t];
-    return sorted(
-        std::array{tet[kFaceCorners[i][0]], tet[kFaceCorners[i][1]], tet[kFaceCorners[i][2]]});
+  [[nodiscard]] std::array<GridNodeId, 3> sortedFace(GridTetFace face) {
+    const GridNodeQuad nodes = nodesOf(made_.grid_, face.tet());
+    const auto& [a, b, c] = kFaceCorners[face.corner()];
+    return sorted(std::array{nodes[a], nodes[b], nodes[c]});
   }
 
-  void placeFaces(std::uint32_t t) {
-    for (std::uint32_t i = 0; i < 4; ++i) {
-      const auto [lowest, middle, highest] = sortedFace(t, i);
-      faces_.add(lowest, {middle, highest, 4 * t + i});
+  void insertFaces(GridTetId tet) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto [lowest, middle, highest] = sortedFace({tet, i});
+      faces_.add(lowest, {middle, highest, {tet, i}});
     }
   }
 
-  void joinFacesAt(std::uint32_t node) {
+  [[nodiscard]] GridTetId& neighbourAcross(GridTetFace face) {
+    return made_.frames_[face.tet().index()].neighbours[face.corner()];
+  }
+
+  void linkFacesAt(GridNodeId node) {
     const std::span<Face> faces = faces_.at(node);
     sortFew(faces, [](const Face& a, const Face& b) {
       return std::tie(a.middle, a.highest, a.owner) < std::tie(b.middle, b.highest, b.owner);
@@ -227,15 +228,15 @@ class GridLocatorBuilder::Impl {
       const Face& a = faces[i - 1];
       const Face& b = faces[i];
       if (a.middle != b.middle || a.highest != b.highest) continue;
-      made_.frames_[a.owner / 4].neighbours[a.owner % 4] = b.owner / 4;
-      made_.frames_[b.owner / 4].neighbours[b.owner % 4] = a.owner / 4;
+      neighbourAcross(a.owner) = b.owner.tet();
+      neighbourAcross(b.owner) = a.owner.tet();
       ++i;
     }
   }
 
-  void setBox(std::uint32_t t) {
-    Box& box = boxes_.emplace_back(Box::of(place(t, 0), place(t, 1), place(t, 2)));
-    box.include(place(t, 3));
+  void setBox(GridTetId tet) {
+    const auto [a, b, c, d] = cornersOf(made_.grid_, tet);
+    boxes_.emplace_back(Box::of(a, b, c)).include(d);
   }
 
   double growth_;
@@ -246,9 +247,9 @@ class GridLocatorBuilder::Impl {
   bool isStretched_ = false;
   Vec3 lower_{std::numeric_limits<double>::max()};
   Vec3 upper_{-std::numeric_limits<double>::max()};
-  std::optional<SizeLimiter> ofSizes_;
-  std::optional<TensorLimiter> ofTensors_;
-  NodeLists<Face> faces_;
+  std::optional<SizeLimiter> sizeLimiter_;
+  std::optional<TensorLimiter> tensorLimiter_;
+  NodeLists<Face, GridNodeId> faces_;
   std::vector<Box> boxes_;
   std::optional<BoxTreeBuilder> tree_;
 };

@@ -21,35 +21,35 @@ void SizeField::addSources(std::span<const SizeSource> sources) {
   sources_ = SizeSources(all);
 }
 
-void SizeField::cutTo(SizeOctree ceiling) { ceiling_ = std::move(ceiling); }
+void SizeField::capTo(SizeOctree ceiling) { ceiling_ = std::move(ceiling); }
 
-void SizeField::liftTo(SizeOctree floor) { floor_ = std::move(floor); }
+void SizeField::raiseTo(SizeOctree floor) { floor_ = std::move(floor); }
 
-double SizeField::liftAt(const Vec3& place, double meanSize) const {
-  return floor_ ? std::max(1.0, floor_->sizeAt(place) / meanSize) : 1.0;
+double SizeField::raiseFactorAt(const Vec3& position, double meanSize) const {
+  return floor_ ? std::max(1.0, floor_->sizeAt(position) / meanSize) : 1.0;
 }
 
-double SizeField::sizeAt(const Vec3& place, FieldHint& hint) const {
-  const double size = wantedSizeAt(place, hint);
-  return floor_ ? std::max(size, floor_->sizeAt(place)) : size;
+double SizeField::sizeAt(const Vec3& position, FieldHint& hint) const {
+  const double size = targetSizeAt(position, hint);
+  return floor_ ? std::max(size, floor_->sizeAt(position)) : size;
 }
 
-SymmetricTensor SizeField::tensorAt(const Vec3& place, FieldHint& hint) const {
-  const SymmetricTensor tensor = wantedTensorAt(place, hint);
-  return floor_ ? tensor.scaledBy(liftAt(place, meanSizeOf(tensor))) : tensor;
+SymmetricTensor SizeField::tensorAt(const Vec3& position, FieldHint& hint) const {
+  const SymmetricTensor tensor = targetTensorAt(position, hint);
+  return floor_ ? tensor.scaledBy(raiseFactorAt(position, meanSizeOf(tensor))) : tensor;
 }
 
-double SizeField::wantedSizeAt(const Vec3& place, FieldHint& hint) const {
-  double size = baseSizeAt(place, hint);
-  if (ceiling_) size = std::min(size, ceiling_->sizeAt(place));
-  return sources_.empty() ? size : sources_.cappedSize(place, size);
+double SizeField::targetSizeAt(const Vec3& position, FieldHint& hint) const {
+  double size = baseSizeAt(position, hint);
+  if (ceiling_) size = std::min(size, ceiling_->sizeAt(position));
+  return sources_.empty() ? size : sources_.cappedSize(position, size);
 }
 
-double SizeField::baseSizeAt(const Vec3& place, FieldHint& hint) const {
-  if (const auto* octree = std::get_if<SizeOctree>(&base_)) return octree->sizeAt(place);
+double SizeField::baseSizeAt(const Vec3& position, FieldHint& hint) const {
+  if (const auto* octree = std::get_if<SizeOctree>(&base_)) return octree->sizeAt(position);
   if (const auto* size = std::get_if<double>(&base_)) return *size;
   const auto& grid = std::get<GridLocator>(base_);
-  return grid.sizeAt(locate(grid, place, hint));
+  return grid.sizeAt(locate(grid, position, hint));
 }
 
 bool SizeField::isStretched() const {
@@ -57,25 +57,25 @@ bool SizeField::isStretched() const {
   return grid != nullptr && grid->isStretched();
 }
 
-SymmetricTensor SizeField::wantedTensorAt(const Vec3& place, FieldHint& hint) const {
+SymmetricTensor SizeField::targetTensorAt(const Vec3& position, FieldHint& hint) const {
   const auto* grid = std::get_if<GridLocator>(&base_);
-  if (grid == nullptr) return SymmetricTensor::isotropic(wantedSizeAt(place, hint));
-  SymmetricTensor tensor = grid->tensorAt(locate(*grid, place, hint));
+  if (grid == nullptr) return SymmetricTensor::isotropic(targetSizeAt(position, hint));
+  SymmetricTensor tensor = grid->tensorAt(locate(*grid, position, hint));
   if (ceiling_) {
-    tensor = tensor.scaledBy(std::min(1.0, ceiling_->sizeAt(place) / meanSizeOf(tensor)));
+    tensor = tensor.scaledBy(std::min(1.0, ceiling_->sizeAt(position) / meanSizeOf(tensor)));
   }
   if (sources_.empty()) return tensor;
-  return cappedTo(tensor, sources_.cappedSize(place, largestPossible(tensor)));
+  return cappedTo(tensor, sources_.cappedSize(position, largestPossible(tensor)));
 }
 
-bool SizeField::covers(const Vec3& place, FieldHint& hint) const {
+bool SizeField::covers(const Vec3& position, FieldHint& hint) const {
   const auto* grid = std::get_if<GridLocator>(&base_);
-  return grid == nullptr || locate(*grid, place, hint).inside;
+  return grid == nullptr || locate(*grid, position, hint).inside;
 }
 
-GridLocator::Location SizeField::locate(const GridLocator& grid, const Vec3& place,
+GridLocator::Location SizeField::locate(const GridLocator& grid, const Vec3& position,
                                         FieldHint& hint) const {
-  const GridLocator::Location location = grid.locate(place, hint.tetrahedron);
+  const GridLocator::Location location = grid.locate(position, hint.tetrahedron);
   hint.tetrahedron = location.tetrahedron;
   ++walked_.queries;
   walked_.steps += location.steps;

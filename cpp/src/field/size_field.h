@@ -11,6 +11,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/ids.h"
 #include "field/grid_locator.h"
 #include "field/size_octree.h"
 #include "field/size_sources.h"
@@ -22,7 +23,7 @@ namespace tetrafront {
 /// Tetrahedron in which the last query ended and the next walk begins. Keep one per caller or per
 /// front face.
 struct FieldHint {
-  std::uint32_t tetrahedron = 0;
+  GridTetId tetrahedron{0U};
 };
 
 /// Cost of the queries of a background grid.
@@ -42,35 +43,35 @@ class SizeField {
 
   /// Caps sizes by those that grow from a surface's own edges. Stretched elements keep their shape,
   /// as in raiseTo().
-  void cutTo(SizeOctree ceiling);
+  void capTo(SizeOctree ceiling);
 
   /// Raises sizes to the smallest that the surface's triangles allow. In a stretched field, all
   /// axes are scaled by one factor, so that the root mean square of the principal sizes reaches
   /// this minimum.
-  void liftTo(SizeOctree floor);
+  void raiseTo(SizeOctree floor);
 
-  /// Returns the edge length to be made at `place`, > 0. Outside a background grid, it is the value
+  /// Returns the edge length to be made at `position`, > 0. Outside a background grid, it is the value
   /// at the nearest point of the nearest tetrahedron; use covers() to detect this case.
-  [[nodiscard]] double sizeAt(const Vec3& place, FieldHint& hint) const;
+  [[nodiscard]] double sizeAt(const Vec3& position, FieldHint& hint) const;
 
   /// Whether sizes depend on the direction anywhere. If not, sizeAt() is sufficient.
   [[nodiscard]] bool isStretched() const;
 
-  /// Returns the size tensor H at `place`; outside a background grid as sizeAt().
-  [[nodiscard]] SymmetricTensor tensorAt(const Vec3& place, FieldHint& hint) const;
+  /// Returns the size tensor H at `position`; outside a background grid as sizeAt().
+  [[nodiscard]] SymmetricTensor tensorAt(const Vec3& position, FieldHint& hint) const;
 
   /// Returns the target size, without raising it to the achievable one.
-  [[nodiscard]] double wantedSizeAt(const Vec3& place, FieldHint& hint) const;
-  [[nodiscard]] SymmetricTensor wantedTensorAt(const Vec3& place, FieldHint& hint) const;
+  [[nodiscard]] double targetSizeAt(const Vec3& position, FieldHint& hint) const;
+  [[nodiscard]] SymmetricTensor targetTensorAt(const Vec3& position, FieldHint& hint) const;
 
-  [[nodiscard]] bool isLifted() const { return floor_.has_value(); }
-  /// Returns size to be made / target size, >= 1. `meanSize` is meanSizeOf() the target tensor
+  [[nodiscard]] bool isRaised() const { return floor_.has_value(); }
+  /// Returns raised size / target size, >= 1. `meanSize` is meanSizeOf() the target tensor
   /// there.
-  [[nodiscard]] double liftAt(const Vec3& place, double meanSize) const;
+  [[nodiscard]] double raiseFactorAt(const Vec3& position, double meanSize) const;
 
-  /// Returns false if `place` is outside the background grid by more than rounding and its coverage
+  /// Returns false if `position` is outside the background grid by more than rounding and its coverage
   /// margin; always true without a background grid.
-  [[nodiscard]] bool covers(const Vec3& place, FieldHint& hint) const;
+  [[nodiscard]] bool covers(const Vec3& position, FieldHint& hint) const;
 
   /// Returns the cost of all queries so far.
   [[nodiscard]] WalkCount walkCount() const { return walked_; }
@@ -79,8 +80,9 @@ class SizeField {
   using Base = std::variant<double, GridLocator, SizeOctree>;
   template <class Kind>
   SizeField(std::in_place_type_t<Kind> kind, Kind base) : base_(kind, std::move(base)) {}
-  [[nodiscard]] double baseSizeAt(const Vec3& place, FieldHint& hint) const;
-  GridLocator::Location locate(const GridLocator& grid, const Vec3& place, FieldHint& hint) const;
+  [[nodiscard]] double baseSizeAt(const Vec3& position, FieldHint& hint) const;
+  GridLocator::Location locate(const GridLocator& grid, const Vec3& position,
+                               FieldHint& hint) const;
 
   Base base_;
   SizeSources sources_;

@@ -47,13 +47,13 @@ void SizeOctree::fillDirectory(std::uint32_t node, std::uint32_t level,
   }
 }
 
-double SizeOctree::sizeAt(const Vec3& place) const {
+double SizeOctree::sizeAt(const Vec3& position) const {
   constexpr double kLattice = static_cast<double>(1U << kMaxLevel);
   // Clamp before the conversion: a distant position must not overflow the integers.
   const auto clamped = [kLattice](double v) { return std::min(std::max(0.0, v), kLattice); };
-  const double x = clamped((place.x - origin_.x) * latticePerLength_);
-  const double y = clamped((place.y - origin_.y) * latticePerLength_);
-  const double z = clamped((place.z - origin_.z) * latticePerLength_);
+  const double x = clamped((position.x - origin_.x) * latticePerLength_);
+  const double y = clamped((position.y - origin_.y) * latticePerLength_);
+  const double z = clamped((position.z - origin_.z) * latticePerLength_);
   constexpr std::uint32_t kLast = (1U << kMaxLevel) - 1U;
   const std::uint32_t i = std::min(static_cast<std::uint32_t>(x), kLast);
   const std::uint32_t j = std::min(static_cast<std::uint32_t>(y), kLast);

@@ -22,10 +22,10 @@ class SizeOctree {
   SizeOctree(std::span<const Vec3> points, std::span<const std::uint32_t> triangles, double growth,
              double cap);
 
-  /// Interpolates trilinearly in the leaf that contains `place`; outside the box, returns the value
+  /// Interpolates trilinearly in the leaf that contains `position`; outside the box, returns the value
   /// at its nearest point. Leaves of different sizes do not join continuously: the jump is below
   /// the error of the leaf.
-  [[nodiscard]] double sizeAt(const Vec3& place) const;
+  [[nodiscard]] double sizeAt(const Vec3& position) const;
 
   /// Returns the largest size of the field.
   [[nodiscard]] double cap() const { return cap_; }

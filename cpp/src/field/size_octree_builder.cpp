@@ -23,7 +23,7 @@ constexpr double kFlatBend = 0.03;
 /// Maximum number of cones that reach a cell with a list; larger cells query the tree.
 constexpr std::size_t kMaxListLength = 128;
 /// Smallest cap / edge of the box: single precision cannot distinguish a smaller one from zero.
-constexpr double kLeastCap = 1e-20;
+constexpr double kMinCap = 1e-20;
 /// Far below the sizes at the surface, errors are relative to this fraction of them.
 constexpr float kDescentSlack = 0.01F;
 /// Slack of the smallest sizes: coarser cells suffice, some dozens per triangle.
@@ -153,16 +153,16 @@ void SizeOctreeBuilder::growFrom(std::span<const Vec3> points, std::span<const d
   sites_.emplace(points, sizes, growth);
 }
 
-SizeOctreeBuilder::SizeOctreeBuilder(std::span<const Vec3> places, std::span<const double> lengths,
-                                     const SizeDescent& rule)
+SizeOctreeBuilder::SizeOctreeBuilder(std::span<const Vec3> positions,
+                                     std::span<const double> lengths, const SizeDescent& rule)
     : rule_(rule) {
   tree_.cap_ = std::numeric_limits<double>::max();
-  placeRoot(places, lengths);
+  placeRoot(positions, lengths);
   // The maximum of falling cones is the negative minimum of rising ones.
-  std::vector<double> turned;
-  turned.reserve(lengths.size());
-  for (const double length : lengths) turned.push_back(-length);
-  sites_.emplace(places, turned, rule.descent, kDescentSlack);
+  std::vector<double> negated;
+  negated.reserve(lengths.size());
+  for (const double length : lengths) negated.push_back(-length);
+  sites_.emplace(positions, negated, rule.descent, kDescentSlack);
 }
 
 void SizeOctreeBuilder::placeRoot(std::span<const Vec3> points, std::span<const double> sizes) {
@@ -177,7 +177,7 @@ void SizeOctreeBuilder::placeRoot(std::span<const Vec3> points, std::span<const 
   edge_ = rootEdge(extent * (1.0 + 2.0 * kBoxMargin), quantile(sizes, kFinestQuantile));
   tree_.origin_ = 0.5 * (lower + upper) - Vec3(0.5 * edge_);
   tree_.latticePerLength_ = static_cast<double>(1U << SizeOctree::kMaxLevel) / edge_;
-  tree_.cap_ = std::max(tree_.cap_, kLeastCap * edge_);
+  tree_.cap_ = std::max(tree_.cap_, kMinCap * edge_);
   tree_.nodes_.assign(1, 0);
   open_.reserve(SizeOctree::kMaxLevel + 1);
 }
@@ -207,7 +207,7 @@ SizeOctree SizeOctreeBuilder::take() {
 
 void SizeOctreeBuilder::refineRoot() {
   Cell root{0, 0, tree_.origin_, {}};
-  std::uint32_t guess = 0;
+  SiteId guess(0U);
   for (unsigned k = 0; k < 8; ++k) {
     root.corners[k] = sites_->at(root.lower + edge_ * Vec3(k & 1U, k >> 1U & 1U, k >> 2U), guess);
     guess = root.corners[k].site;
@@ -219,9 +219,9 @@ double SizeOctreeBuilder::width(int level) const {
   return edge_ / static_cast<double>(std::uint64_t{1} << static_cast<unsigned>(level));
 }
 
-SizeSites::Value SizeOctreeBuilder::sample(const Vec3& place, std::uint32_t guess,
+SizeSites::Value SizeOctreeBuilder::sample(const Vec3& position, SiteId guess,
                                            const List* reaching) const {
-  return reaching != nullptr ? sites_->at(place, guess, *reaching) : sites_->at(place, guess);
+  return reaching != nullptr ? sites_->at(position, guess, *reaching) : sites_->at(position, guess);
 }
 
 void SizeOctreeBuilder::refine(const Cell& cell, const List* reaching) {
@@ -230,25 +230,25 @@ void SizeOctreeBuilder::refine(const Cell& cell, const List* reaching) {
   if (rule_ && descentIsFine(cell, centre)) return close(cell);
   // The slope of the field is at most `growth`, which bounds it around the centre.
   const double swing = kHalfDiagonal * w * sites_->growth();
-  Extremes sizes = extremesAt(cell, held(centre));
-  sizes.most = std::min(tree_.cap_, centre.size + swing);
+  Extremes sizes = extremesAt(cell, stored(centre));
+  sizes.max = std::min(tree_.cap_, centre.size + swing);
   const SizeSites::Range range{cell.lower, cell.lower + Vec3(w)};
   List& own = lists_[static_cast<std::size_t>(cell.level)];
   own.clear();
   bool hasList = false;
-  double least = std::min(sizes.most, centre.size - swing);
+  double lowerBound = std::min(sizes.max, centre.size - swing);
   if (reaching != nullptr) {
-    least = sites_->collect(range, sizes.most, *reaching, own);
+    lowerBound = sites_->collect(range, sizes.max, *reaching, own);
     hasList = true;
-  } else if (estimatedReach(centre, sizes.most) < static_cast<double>(kMaxListLength)) {
-    least = sites_->collect(range, sizes.most, kMaxListLength, own);
+  } else if (estimatedReach(centre, sizes.max) < static_cast<double>(kMaxListLength)) {
+    lowerBound = sites_->collect(range, sizes.max, kMaxListLength, own);
     hasList = own.size() <= kMaxListLength;
   }
   // Samples may miss a small feature. If they would not split the cell, look for one.
-  if (!rule_ && !hasList && isFine(w, sizes) && !isFine(w, sizes.loweredTo(least))) {
-    least = sites_->leastIn(range, sizes.most, centre.site);
+  if (!rule_ && !hasList && isFine(w, sizes) && !isFine(w, sizes.loweredTo(lowerBound))) {
+    lowerBound = sites_->minIn(range, sizes.max, centre.site);
   }
-  const bool fine = !rule_ && isFine(w, sizes.loweredTo(least));
+  const bool fine = !rule_ && isFine(w, sizes.loweredTo(lowerBound));
   if (fine || cell.level == SizeOctree::kMaxLevel) {
     close(cell);
   } else {
@@ -260,39 +260,39 @@ void SizeOctreeBuilder::refine(const Cell& cell, const List* reaching) {
 /// centre.
 SizeOctreeBuilder::Extremes SizeOctreeBuilder::extremesAt(const Cell& cell, double middle) const {
   double lowest = middle;
-  double most = middle;
+  double highest = middle;
   double sum = 0.0;
   for (const Value& corner : cell.corners) {
-    const double size = held(corner);
+    const double size = stored(corner);
     lowest = std::min(lowest, size);
-    most = std::max(most, size);
+    highest = std::max(highest, size);
     sum += size;
   }
-  return {lowest, most, lowest, std::fabs(sum / 8.0 - middle)};
+  return {lowest, highest, lowest, std::fabs(sum / 8.0 - middle)};
 }
 
 bool SizeOctreeBuilder::isFine(double width, const Extremes& sizes) {
-  if (width <= kCellPerSize * sizes.least) return true;
-  if (sizes.most - sizes.least <= kFlatSpread * sizes.least) return true;
-  return width <= kSmoothCellPerSize * sizes.least && sizes.bend <= kFlatBend * sizes.least &&
-         sizes.lowest - sizes.least <= kFlatSpread * sizes.least;
+  if (width <= kCellPerSize * sizes.min) return true;
+  if (sizes.max - sizes.min <= kFlatSpread * sizes.min) return true;
+  return width <= kSmoothCellPerSize * sizes.min && sizes.bend <= kFlatBend * sizes.min &&
+         sizes.sampledMin - sizes.min <= kFlatSpread * sizes.min;
 }
 
 bool SizeOctreeBuilder::descentIsFine(const Cell& cell, const Value& centre) const {
   const double w = width(cell.level);
-  const Extremes sizes = extremesAt(cell, held(centre));
+  const Extremes sizes = extremesAt(cell, stored(centre));
   const double swing = kHalfDiagonal * w * sites_->growth();
-  if (held(centre) + swing <= rule_->least) return true;
-  const double scale = std::max(sizes.least, kDeepShare * lengthAt(centre.site));
+  if (stored(centre) + swing <= rule_->minSize) return true;
+  const double scale = std::max(sizes.min, kDeepShare * lengthAt(centre.site));
   if (w <= kCellPerSize * scale) return true;
   return w <= kSmoothCellPerSize * scale && sizes.bend <= kFlatBend * scale;
 }
 
-/// Estimates how many sites have cones below `most`, as if the surface were a plane with the size
+/// Estimates how many sites have cones below `limit`, as if the surface were a plane with the size
 /// of the nearest site.
-double SizeOctreeBuilder::estimatedReach(const Value& nearest, double most) const {
+double SizeOctreeBuilder::estimatedReach(const Value& nearest, double limit) const {
   const double size = sites_->sizeOf(nearest.site);
-  const double reach = most - size;
+  const double reach = limit - size;
   const double height = nearest.size - size;
   const double scale = lengthAt(nearest.site) * sites_->growth();
   return 4.0 * (reach * reach - height * height) / (scale * scale);
@@ -301,7 +301,7 @@ double SizeOctreeBuilder::estimatedReach(const Value& nearest, double most) cons
 void SizeOctreeBuilder::close(const Cell& cell) {
   SizeOctree::Leaf leaf;
   for (unsigned k = 0; k < 8; ++k) {
-    leaf[k] = static_cast<float>(held(cell.corners[k]));
+    leaf[k] = static_cast<float>(stored(cell.corners[k]));
   }
   tree_.nodes_[cell.node] = SizeOctree::kLeafBit | static_cast<std::uint32_t>(tree_.leaves_.size());
   tree_.leaves_.push_back(leaf);

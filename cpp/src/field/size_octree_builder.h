@@ -25,7 +25,7 @@ namespace tetrafront {
 /// A front cannot follow a jump of the size.
 struct SizeDescent {
   double descent = 0.0;  ///< decrease per unit of distance, > 0
-  double least = 0.0;    ///< smaller values are not used and need not be exact
+  double minSize = 0.0;  ///< smaller values are not used and need not be exact
 };
 
 class SizeOctreeBuilder {
@@ -40,7 +40,7 @@ class SizeOctreeBuilder {
 
   /// The smallest sizes near positions with edges of these lengths, > 0. O(n log n): away from the
   /// positions, the width of a cell is a fraction of their edge lengths.
-  SizeOctreeBuilder(std::span<const Vec3> places, std::span<const double> lengths,
+  SizeOctreeBuilder(std::span<const Vec3> positions, std::span<const double> lengths,
                     const SizeDescent& rule);
 
   // Frames point to lists in this object, so it cannot be copied or moved.
@@ -56,7 +56,7 @@ class SizeOctreeBuilder {
 
  private:
   using Value = SizeSites::Value;
-  using List = std::vector<std::uint32_t>;
+  using List = std::vector<SiteId>;
   struct Cell {
     std::uint32_t node = 0;
     int level = 0;
@@ -72,13 +72,13 @@ class SizeOctreeBuilder {
   };
   /// Known bounds of the field in a cell.
   struct Extremes {
-    double least = 0.0;   ///< minimum over the samples, or over the whole cell
-    double most = 0.0;    ///< upper bound
-    double lowest = 0.0;  ///< minimum over the samples
-    double bend = 0.0;    ///< difference between the centre and the mean of the corners
+    double min = 0.0;         ///< minimum over the samples, or over the whole cell
+    double max = 0.0;         ///< upper bound
+    double sampledMin = 0.0;  ///< minimum over the samples
+    double bend = 0.0;        ///< difference between the centre and the mean of the corners
 
     [[nodiscard]] Extremes loweredTo(double size) const {
-      return {std::min(least, size), most, lowest, bend};
+      return {std::min(min, size), max, sampledMin, bend};
     }
   };
 
@@ -90,17 +90,17 @@ class SizeOctreeBuilder {
   void split(const Cell& cell, const Value& centre, const List* reaching);
   void close(const Cell& cell);
   [[nodiscard]] double width(int level) const;
-  [[nodiscard]] Value sample(const Vec3& place, std::uint32_t guess, const List* reaching) const;
+  [[nodiscard]] Value sample(const Vec3& position, SiteId guess, const List* reaching) const;
   [[nodiscard]] Extremes extremesAt(const Cell& cell, double middle) const;
   [[nodiscard]] bool descentIsFine(const Cell& cell, const Value& centre) const;
-  [[nodiscard]] double estimatedReach(const Value& nearest, double most) const;
+  [[nodiscard]] double estimatedReach(const Value& nearest, double limit) const;
   static bool isFine(double width, const Extremes& sizes);
   /// Returns the value to store in the tree.
-  [[nodiscard]] double held(const Value& value) const {
+  [[nodiscard]] double stored(const Value& value) const {
     return rule_ ? -value.size : std::min(value.size, tree_.cap_);
   }
   /// Returns the edge length at the site.
-  [[nodiscard]] double lengthAt(std::uint32_t site) const {
+  [[nodiscard]] double lengthAt(SiteId site) const {
     return rule_ ? -sites_->sizeOf(site) : sites_->sizeOf(site);
   }
 

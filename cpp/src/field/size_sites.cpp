@@ -29,14 +29,14 @@ SizeSites::SizeSites(std::span<const Vec3> points, std::span<const double> sizes
   Vec3 upper(-std::numeric_limits<double>::max());
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     if (sizes[i] == 0.0 || std::isnan(sizes[i])) continue;
-    building_.places.push_back(points[i]);
+    building_.positions.push_back(points[i]);
     building_.sizes.push_back(sizes[i]);
     lower = glm::min(lower, points[i]);
     upper = glm::max(upper, points[i]);
   }
   centre_ = 0.5 * (lower + upper);
   extent_ = std::max(std::max(upper.x - lower.x, upper.y - lower.y), upper.z - lower.z);
-  building_.sort.emplace(building_.places);
+  building_.sort.emplace(building_.positions);
 }
 
 bool SizeSites::advance(std::size_t budget) {
@@ -69,8 +69,8 @@ bool SizeSites::advance(std::size_t budget) {
   return stage_ == Stage::kReady;
 }
 
-std::array<float, 3> SizeSites::inward(const Vec3& place) const {
-  const Vec3 p = (place - centre_) / extent_;
+std::array<float, 3> SizeSites::inward(const Vec3& position) const {
+  const Vec3 p = (position - centre_) / extent_;
   return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
 }
 
@@ -87,12 +87,12 @@ void SizeSites::beginTree() {
   const Reach nothing{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
   building_.boxes.assign(2 * std::size_t{leaves} - 1, nothing);
   building_.smallest.assign(building_.boxes.size(), kFar);
-  smallest_.assign(building_.boxes.size(), 0);
+  smallest_.assign(building_.boxes.size(), SiteId(0U));
   children_.resize(firstLeaf_);
   sites_.reserve(building_.order.size());
 }
 
-void SizeSites::include(std::size_t node, const Reach& reach, float size, std::uint32_t site) {
+void SizeSites::include(std::size_t node, const Reach& reach, float size, SiteId site) {
   Reach& box = building_.boxes[node];
   for (std::size_t k = 0; k < 3; ++k) {
     box.low[k] = std::min(box.low[k], reach.low[k]);
@@ -106,11 +106,10 @@ void SizeSites::include(std::size_t node, const Reach& reach, float size, std::u
 /// Puts sites into the leaves, in the order of the curve.
 void SizeSites::takeSites(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
-    const std::uint32_t place = building_.order[i];
-    const Site site{inward(building_.places[place]), inward(building_.sizes[place])};
+    const std::uint32_t source = building_.order[i];
+    const Site site{inward(building_.positions[source]), inward(building_.sizes[source])};
     sites_.push_back(site);
-    include(firstLeaf_ + i / kSitesPerLeaf, {site.place, site.place}, site.size,
-            static_cast<std::uint32_t>(i));
+    include(firstLeaf_ + i / kSitesPerLeaf, {site.position, site.position}, site.size, SiteId(i));
   }
 }
 
@@ -135,16 +134,16 @@ void SizeSites::join(std::size_t node) {
 }
 
 /// Returns the minimum of the cone in the reach.
-float SizeSites::cone(std::uint32_t site, const Reach& reach) const {
-  const Site& s = sites_[site];
-  const float squared = gapSquared(s.place, s.place, reach.low, reach.high);
+float SizeSites::cone(SiteId site, const Reach& reach) const {
+  const Site& s = sites_[site.index()];
+  const float squared = gapSquared(s.position, s.position, reach.low, reach.high);
   return s.size + static_cast<float>(growth_) * std::sqrt(squared);
 }
 
 /// Returns whether size + growth * distance < limit, without a square root.
 bool SizeSites::liesBelow(float size, float squaredDistance, float limit) const {
-  const float room = limit - size;
-  return room > 0.0F && squaredGrowth_ * squaredDistance < room * room;
+  const float margin = limit - size;
+  return margin > 0.0F && squaredGrowth_ * squaredDistance < margin * margin;
 }
 
 /// Calls visit(first, last) for runs of sites that may fall below `limit` in the reach, near
@@ -166,13 +165,14 @@ void SizeSites::visitBoxes(const Reach& reach, const float& limit, const float& 
   };
   std::array<Open, 64> stack;  // at most one entry per level
   std::size_t waiting = 0;
-  constexpr float kMost = std::numeric_limits<float>::max();
-  stack[waiting++] = {0, 0.0F, -kMost, kMost};
+  constexpr float kMax = std::numeric_limits<float>::max();
+  stack[waiting++] = {0, 0.0F, -kMax, kMax};
   while (waiting > 0) {
     const Open open = stack[--waiting];
     if (!liesBelow(open.size, open.squared, limit)) continue;
     if (static_cast<float>(growth_) * open.diagonal < merge) {
-      if (!visit(smallest_[open.node], smallest_[open.node] + 1)) return;
+      const std::uint32_t site = smallest_[open.node].value;
+      if (!visit(site, site + 1)) return;
       continue;
     }
     if (open.node >= firstLeaf_) {
@@ -200,14 +200,14 @@ void SizeSites::visitBoxes(const Reach& reach, const float& limit, const float& 
 }
 
 /// Returns the permitted error of the value of the site's cone.
-float SizeSites::toleranceOf(float value, std::uint32_t site) const {
-  return slack_ * larger(std::fabs(value), std::fabs(sites_[site].size));
+float SizeSites::toleranceOf(float value, SiteId site) const {
+  return slack_ * larger(std::fabs(value), std::fabs(sites_[site.index()].size));
 }
 
 /// Lowers `best`, the value of the site's cone in the reach, up to the tolerance. The tolerance
 /// depends on `best`: if it falls by much, boxes that were represented by one site are visited
 /// again.
-void SizeSites::improve(const Reach& reach, float& best, std::uint32_t& site) const {
+void SizeSites::improve(const Reach& reach, float& best, SiteId& site) const {
   constexpr float kMuchHigher = 2.0F;
   float atFirst = 0.0F;
   float tolerance = toleranceOf(best, site);
@@ -216,10 +216,10 @@ void SizeSites::improve(const Reach& reach, float& best, std::uint32_t& site) co
     float limit = best - tolerance;
     visitBoxes(reach, limit, tolerance, [&](std::uint32_t first, std::uint32_t last) {
       for (std::uint32_t i = first; i < last; ++i) {
-        const float size = cone(i, reach);
+        const float size = cone(SiteId(i), reach);
         if (size >= best) continue;
         best = size;
-        site = i;
+        site = SiteId(i);
       }
       tolerance = toleranceOf(best, site);
       limit = best - tolerance;
@@ -228,73 +228,74 @@ void SizeSites::improve(const Reach& reach, float& best, std::uint32_t& site) co
   } while (atFirst > kMuchHigher * tolerance);
 }
 
-SizeSites::Value SizeSites::at(const Vec3& place, std::uint32_t guess) const {
-  const std::array<float, 3> p = inward(place);
+SizeSites::Value SizeSites::at(const Vec3& position, SiteId guess) const {
+  const std::array<float, 3> p = inward(position);
   const Reach reach{p, p};
-  std::uint32_t site = guess;
+  SiteId site = guess;
   float best = cone(guess, reach);
   improve(reach, best, site);
   return {best * extent_, site};
 }
 
-SizeSites::Value SizeSites::at(const Vec3& place, std::uint32_t guess,
-                               std::span<const std::uint32_t> list) const {
-  const std::array<float, 3> p = inward(place);
+SizeSites::Value SizeSites::at(const Vec3& position, SiteId guess,
+                               std::span<const SiteId> list) const {
+  const std::array<float, 3> p = inward(position);
   const Reach reach{p, p};
-  std::uint32_t site = guess;
+  SiteId site = guess;
   float best = cone(guess, reach);
-  for (const std::uint32_t i : list) {
-    const std::array<float, 3>& q = sites_[i].place;
+  for (const SiteId i : list) {
+    const std::array<float, 3>& q = sites_[i.index()].position;
     const float dx = p[0] - q[0];
     const float dy = p[1] - q[1];
     const float dz = p[2] - q[2];
-    if (!liesBelow(sites_[i].size, dx * dx + dy * dy + dz * dz, best)) continue;
+    if (!liesBelow(sites_[i.index()].size, dx * dx + dy * dy + dz * dz, best)) continue;
     best = cone(i, reach);
     site = i;
   }
   return {best * extent_, site};
 }
 
-double SizeSites::leastIn(const Range& range, double limit, std::uint32_t guess) const {
+double SizeSites::minIn(const Range& range, double limit, SiteId guess) const {
   const Reach reach = inward(range);
-  std::uint32_t site = guess;
-  float least = std::min(inward(limit), cone(guess, reach));
-  improve(reach, least, site);
-  return std::min(limit, least * extent_);
+  SiteId site = guess;
+  float smallest = std::min(inward(limit), cone(guess, reach));
+  improve(reach, smallest, site);
+  return std::min(limit, smallest * extent_);
 }
 
 double SizeSites::collect(const Range& range, double limit, std::size_t maxCount,
-                          std::vector<std::uint32_t>& list) const {
+                          std::vector<SiteId>& list) const {
   list.clear();
   const Reach reach = inward(range);
   const float highest = inward(limit);
-  float least = highest;
+  float smallest = highest;
   constexpr float kNoMerge = 0.0F;
   visitBoxes(reach, highest, kNoMerge, [&](std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t i = first; i < last; ++i) {
-      const float size = cone(i, reach);
+      const float size = cone(SiteId(i), reach);
       if (size >= highest) continue;
-      least = std::min(least, size);
-      list.push_back(i);
+      smallest = std::min(smallest, size);
+      list.emplace_back(i);
     }
     return list.size() <= maxCount;
   });
-  return std::min(limit, least * extent_);
+  return std::min(limit, smallest * extent_);
 }
 
-double SizeSites::collect(const Range& range, double limit, std::span<const std::uint32_t> among,
-                          std::vector<std::uint32_t>& list) const {
+double SizeSites::collect(const Range& range, double limit, std::span<const SiteId> among,
+                          std::vector<SiteId>& list) const {
   list.clear();
   const Reach reach = inward(range);
   const float highest = inward(limit);
-  float least = highest;
-  for (const std::uint32_t i : among) {
-    const std::array<float, 3>& q = sites_[i].place;
-    if (!liesBelow(sites_[i].size, gapSquared(q, q, reach.low, reach.high), highest)) continue;
-    least = std::min(least, cone(i, reach));
+  float smallest = highest;
+  for (const SiteId i : among) {
+    const std::array<float, 3>& q = sites_[i.index()].position;
+    if (!liesBelow(sites_[i.index()].size, gapSquared(q, q, reach.low, reach.high), highest))
+      continue;
+    smallest = std::min(smallest, cone(i, reach));
     list.push_back(i);
   }
-  return std::min(limit, least * extent_);
+  return std::min(limit, smallest * extent_);
 }
 
 }  // namespace tetrafront

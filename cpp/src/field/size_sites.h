@@ -13,10 +13,14 @@
 #include <span>
 #include <vector>
 
+#include "base/ids.h"
 #include "search/morton.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {
+
+/// Index of a site in the order of the Morton curve.
+using SiteId = Id<struct SiteTag>;
 
 class SizeSites {
  public:
@@ -33,20 +37,19 @@ class SizeSites {
   bool advance(std::size_t budget);
 
   [[nodiscard]] double growth() const { return growth_; }
-  [[nodiscard]] double sizeOf(std::uint32_t site) const { return sites_[site].size * extent_; }
+  [[nodiscard]] double sizeOf(SiteId site) const { return sites_[site.index()].size * extent_; }
 
   struct Value {
     double size = 0.0;
-    std::uint32_t site = 0;  ///< site of the lowest cone: a good guess for nearby positions
+    SiteId site{0U};  ///< site of the lowest cone: a good guess for nearby positions
   };
 
   /// Returns min_i h_i + growth |x - x_i|, up to the slack. `guess` is any site; a far one costs
   /// more.
-  [[nodiscard]] Value at(const Vec3& place, std::uint32_t guess) const;
+  [[nodiscard]] Value at(const Vec3& position, SiteId guess) const;
 
   /// The same over a list of sites, exactly. O(n) for n sites of the list.
-  [[nodiscard]] Value at(const Vec3& place, std::uint32_t guess,
-                         std::span<const std::uint32_t> list) const;
+  [[nodiscard]] Value at(const Vec3& position, SiteId guess, std::span<const SiteId> list) const;
 
   /// An axis-parallel box.
   struct Range {
@@ -57,19 +60,19 @@ class SizeSites {
   /// Puts the sites into `list` whose cones fall below `limit` in the range, and returns their
   /// minimum there, or `limit`. Stops with a list longer than `maxCount` if there are more.
   double collect(const Range& range, double limit, std::size_t maxCount,
-                 std::vector<std::uint32_t>& list) const;
+                 std::vector<SiteId>& list) const;
 
   /// The same among the sites of a longer list.
-  double collect(const Range& range, double limit, std::span<const std::uint32_t> among,
-                 std::vector<std::uint32_t>& list) const;
+  double collect(const Range& range, double limit, std::span<const SiteId> among,
+                 std::vector<SiteId>& list) const;
 
   /// Returns the minimum in the range, or `limit` if that is less; up to the slack. `guess` is any
   /// site.
-  [[nodiscard]] double leastIn(const Range& range, double limit, std::uint32_t guess) const;
+  [[nodiscard]] double minIn(const Range& range, double limit, SiteId guess) const;
 
  private:
   struct Site {
-    std::array<float, 3> place;
+    std::array<float, 3> position;
     float size;
   };
   /// A box of positions, or one position.
@@ -85,16 +88,16 @@ class SizeSites {
     std::array<float, 2> diagonal;  ///< diagonal of the box
   };
 
-  [[nodiscard]] std::array<float, 3> inward(const Vec3& place) const;
+  [[nodiscard]] std::array<float, 3> inward(const Vec3& position) const;
   [[nodiscard]] Reach inward(const Range& range) const;
   [[nodiscard]] float inward(double size) const { return static_cast<float>(size / extent_); }
-  [[nodiscard]] float cone(std::uint32_t site, const Reach& reach) const;
-  [[nodiscard]] float toleranceOf(float value, std::uint32_t site) const;
-  void improve(const Reach& reach, float& best, std::uint32_t& site) const;
+  [[nodiscard]] float cone(SiteId site, const Reach& reach) const;
+  [[nodiscard]] float toleranceOf(float value, SiteId site) const;
+  void improve(const Reach& reach, float& best, SiteId& site) const;
   [[nodiscard]] bool liesBelow(float size, float squaredDistance, float limit) const;
   void beginTree();
   void takeSites(std::size_t first, std::size_t last);
-  void include(std::size_t node, const Reach& reach, float size, std::uint32_t site);
+  void include(std::size_t node, const Reach& reach, float size, SiteId site);
   void join(std::size_t node);
   template <class Visit>
   void visitBoxes(const Reach& reach, const float& limit, const float& merge, Visit visit) const;
@@ -114,13 +117,13 @@ class SizeSites {
   /// Children of the inner nodes of a complete binary tree; the children of node n are 2n+1 and
   /// 2n+2.
   std::vector<Children> children_;
-  std::vector<std::uint32_t> smallest_;  ///< per node of the tree: site of smallest size
+  std::vector<SiteId> smallest_;  ///< per node of the tree: site of smallest size
   std::uint32_t firstLeaf_ = 0;
 
   enum class Stage : std::uint8_t { kSort, kTake, kJoin, kReady };
   /// Data needed only while the tree is built.
   struct Building {
-    std::vector<Vec3> places;
+    std::vector<Vec3> positions;
     std::vector<double> sizes;
     std::optional<MortonSort> sort;
     std::vector<std::uint32_t> order;

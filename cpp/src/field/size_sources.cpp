@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/ids.h"
 #include "geom/coordinates.h"
 #include "geom/measure.h"
 #include "search/morton.h"
@@ -17,15 +18,15 @@ constexpr std::size_t kHandful = 8;
 
 std::size_t pointCountOf(SourceType type) { return static_cast<std::size_t>(type) + 1; }
 
-double distanceTo(const SizeSource& source, const Vec3& place) {
+double distanceTo(const SizeSource& source, const Vec3& position) {
   const auto& [a, b, c] = source.points;
   switch (source.type) {
     case SourceType::kPoint:
-      return glm::length(place - a);
+      return glm::length(position - a);
     case SourceType::kSegment:
-      return std::sqrt(squaredDistanceToSegment(place, a, b));
+      return std::sqrt(squaredDistanceToSegment(position, a, b));
     case SourceType::kTriangle:
-      return std::sqrt(squaredDistanceToTriangle(place, a, b, c));
+      return std::sqrt(squaredDistanceToTriangle(position, a, b, c));
   }
   return 0.0;
 }
@@ -36,8 +37,8 @@ double grown(double size, double growth, double beyond) {
 
 }  // namespace
 
-double sizeOf(const SizeSource& source, const Vec3& place) {
-  return grown(source.size, source.growth, distanceTo(source, place) - source.distance);
+double sizeOf(const SizeSource& source, const Vec3& position) {
+  return grown(source.size, source.growth, distanceTo(source, position) - source.distance);
 }
 
 SizeSources::SizeSources(std::span<const SizeSource> sources)
@@ -95,68 +96,68 @@ void SizeSources::widen(Branch& branch, const Branch& by) {
   branch.growth = std::min(branch.growth, by.growth);
 }
 
-double SizeSources::leastOf(const Branch& branch, const Vec3& place) {
-  const Vec3 gap = glm::max(glm::max(branch.low - place, place - branch.high), Vec3(0.0));
+double SizeSources::lowerBoundAt(const Branch& branch, const Vec3& position) {
+  const Vec3 gap = glm::max(glm::max(branch.low - position, position - branch.high), Vec3(0.0));
   return grown(branch.size, branch.growth, std::sqrt(glm::dot(gap, gap)) - branch.distance);
 }
 
-double SizeSources::cappedSize(const Vec3& place, double size) const {
+double SizeSources::cappedSize(const Vec3& position, double size) const {
   if (branches_.empty()) {
-    for (const SizeSource& source : sources_) size = std::min(size, sizeOf(source, place));
+    for (const SizeSource& source : sources_) size = std::min(size, sizeOf(source, position));
     return size;
   }
   struct Open {
     std::size_t branch;
-    double least;
+    double lowerBound;
   };
   std::array<Open, kStack> stack;
   std::size_t waiting = 0;
-  stack[waiting++] = {0, leastOf(branches_[0], place)};
+  stack[waiting++] = {0, lowerBoundAt(branches_[0], position)};
   while (waiting > 0) {
     const Open open = stack[--waiting];
-    if (!(open.least < size)) continue;
+    if (!(open.lowerBound < size)) continue;
     if (open.branch < firstLeaf_) {
       const std::size_t child = 2 * open.branch + 1;
-      const Open left{child, leastOf(branches_[child], place)};
-      const Open right{child + 1, leastOf(branches_[child + 1], place)};
-      const bool leftFirst = left.least <= right.least;
+      const Open left{child, lowerBoundAt(branches_[child], position)};
+      const Open right{child + 1, lowerBoundAt(branches_[child + 1], position)};
+      const bool leftFirst = left.lowerBound <= right.lowerBound;
       stack[waiting++] = leftFirst ? right : left;
       stack[waiting++] = leftFirst ? left : right;
       continue;
     }
     const std::size_t first = (open.branch - firstLeaf_) * kSourcesPerLeaf;
     const std::size_t last = std::min(first + kSourcesPerLeaf, sources_.size());
-    for (std::size_t i = first; i < last; ++i) size = std::min(size, sizeOf(sources_[i], place));
+    for (std::size_t i = first; i < last; ++i) size = std::min(size, sizeOf(sources_[i], position));
   }
   return size;
 }
 
 std::vector<Diagnostic> checkSizeSources(std::span<const SizeSource> sources) {
   std::vector<Diagnostic> found;
-  const auto report = [&found](DiagnosticCode code, std::size_t index) -> Diagnostic& {
+  const auto report = [&found](DiagnosticCode code, SourceId source) -> Diagnostic& {
     found.emplace_back();
     found.back().code = code;
-    found.back().entities = {{EntityKind::kSource, static_cast<std::uint32_t>(index)}};
+    found.back().entities = {{EntityKind::kSource, source.value}};
     return found.back();
   };
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    const SizeSource& source = sources[i];
+  for (const SourceId id : IdRange<SourceId>(sources.size())) {
+    const SizeSource& source = sources[id.index()];
     const std::size_t points = std::min(pointCountOf(source.type), source.points.size());
     const auto end = source.points.begin() + static_cast<std::ptrdiff_t>(points);
     const auto refused = std::find_if_not(source.points.begin(), end, isFinite);
     if (refused != end)
-      report(DiagnosticCode::kNotFinite, i).values = {refusedCoordinate(*refused)};
+      report(DiagnosticCode::kNotFinite, id).values = {refusedCoordinate(*refused)};
     // Comparisons with NaN are false.
     const bool isValid = source.size >= kSmallestExtent && source.size <= kLargestCoordinate &&
                          source.distance >= 0.0 && source.distance <= kLargestCoordinate &&
                          source.growth >= 0.0 && source.growth <= kMaxGrowth &&
                          source.type <= SourceType::kTriangle;
     if (isValid) continue;
-    Diagnostic& bad = report(DiagnosticCode::kSourceOutOfRange, i);
-    bad.values = {source.size, source.distance, source.growth};
+    Diagnostic& outOfRange = report(DiagnosticCode::kSourceOutOfRange, id);
+    outOfRange.values = {source.size, source.distance, source.growth};
     if (refused != end) continue;
-    bad.hasPosition = true;
-    bad.position = source.points[0];
+    outOfRange.hasPosition = true;
+    outOfRange.position = source.points[0];
   }
   return found;
 }

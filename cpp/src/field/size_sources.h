@@ -26,9 +26,9 @@ class SizeSources {
 
   [[nodiscard]] std::span<const SizeSource> all() const { return sources_; }
 
-  /// Returns the smaller of `size` and the size of the sources at `place`. O(log n) if few sources
+  /// Returns the smaller of `size` and the size of the sources at `position`. O(log n) if few sources
   /// reach the position.
-  [[nodiscard]] double cappedSize(const Vec3& place, double size) const;
+  [[nodiscard]] double cappedSize(const Vec3& position, double size) const;
 
  private:
   static constexpr std::uint32_t kSourcesPerLeaf = 4;
@@ -47,7 +47,7 @@ class SizeSources {
 
   void buildTree();
   static void widen(Branch& branch, const Branch& by);
-  static double leastOf(const Branch& branch, const Vec3& place);
+  static double lowerBoundAt(const Branch& branch, const Vec3& position);
   [[nodiscard]] Branch branchOf(std::size_t first, std::size_t last) const;
 
   std::vector<SizeSource> sources_;  ///< in the order of the leaves
@@ -55,8 +55,8 @@ class SizeSources {
   std::size_t firstLeaf_ = 0;
 };
 
-/// Returns the size of one source at `place`.
-[[nodiscard]] double sizeOf(const SizeSource& source, const Vec3& place);
+/// Returns the size of one source at `position`.
+[[nodiscard]] double sizeOf(const SizeSource& source, const Vec3& position);
 
 /// Returns one diagnostic per invalid source; empty if all can be used.
 [[nodiscard]] std::vector<Diagnostic> checkSizeSources(std::span<const SizeSource> sources);

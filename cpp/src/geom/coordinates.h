@@ -16,23 +16,23 @@ inline constexpr double kLargestCoordinate = 0x1p100;
 inline constexpr double kSmallestExtent = 0x1p-100;
 
 /// Returns the largest magnitude of the coordinates.
-[[nodiscard]] inline double magnitudeOf(const Vec3& place) {
-  return std::fmax(std::fabs(place.x), std::fmax(std::fabs(place.y), std::fabs(place.z)));
+[[nodiscard]] inline double magnitudeOf(const Vec3& position) {
+  return std::fmax(std::fabs(position.x), std::fmax(std::fabs(position.y), std::fabs(position.z)));
 }
 
 /// Returns true if no coordinate is NaN or beyond kLargestCoordinate.
-[[nodiscard]] inline bool isFinite(const Vec3& place) {
+[[nodiscard]] inline bool isFinite(const Vec3& position) {
   // A comparison with NaN is false.
-  return std::fabs(place.x) <= kLargestCoordinate && std::fabs(place.y) <= kLargestCoordinate &&
-         std::fabs(place.z) <= kLargestCoordinate;
+  return std::fabs(position.x) <= kLargestCoordinate &&
+         std::fabs(position.y) <= kLargestCoordinate && std::fabs(position.z) <= kLargestCoordinate;
 }
 
 /// Returns the first coordinate that keeps a position from being finite, or its x if there is
 /// none.
-[[nodiscard]] inline double refusedCoordinate(const Vec3& place) {
-  for (const double coordinate : {place.x, place.y, place.z})
+[[nodiscard]] inline double refusedCoordinate(const Vec3& position) {
+  for (const double coordinate : {position.x, position.y, position.z})
     if (!(std::fabs(coordinate) <= kLargestCoordinate)) return coordinate;
-  return place.x;
+  return position.x;
 }
 
 }  // namespace tetrafront

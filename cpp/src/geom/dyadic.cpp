@@ -20,12 +20,12 @@ Dyadic::Dyadic(double value) {
   auto mantissa = static_cast<std::uint64_t>(std::ldexp(fraction, kMantissaBits));
   exponent -= kMantissaBits;
   lowest_ = floorOfDivision(exponent, kDigitBits);
-  const auto places = static_cast<unsigned>(exponent - lowest_ * kDigitBits);
-  // 53 bits moved by less than 32 places: up to three digits.
+  const auto positions = static_cast<unsigned>(exponent - lowest_ * kDigitBits);
+  // 53 bits shifted by less than 32: up to three digits.
   std::uint64_t carry = 0;
   digits_.reset(3);
   for (std::size_t i = 0; i < digits_.size(); ++i) {
-    carry |= (mantissa & 0xffffffffU) << places;
+    carry |= (mantissa & 0xffffffffU) << positions;
     digits_[i] = static_cast<std::uint32_t>(carry);
     carry >>= kDigitBits;
     mantissa >>= kDigitBits;
@@ -47,7 +47,7 @@ void Dyadic::trim() {
   }
 }
 
-/// Zeros at the places [lowest, end).
+/// Zeros at the digits [lowest, end).
 void Dyadic::clear(int lowest, int end) {
   lowest_ = lowest;
   digits_.reset(static_cast<std::size_t>(end - lowest));
@@ -62,9 +62,9 @@ Dyadic Dyadic::negated() const {
 bool Dyadic::isSmaller(const Dyadic& a, const Dyadic& b) {
   if (a.end() != b.end()) return a.end() < b.end();
   const int lowest = std::min(a.lowest_, b.lowest_);
-  for (int place = a.end() - 1; place >= lowest; --place) {
-    const std::uint32_t da = a.digitAt(place);
-    const std::uint32_t db = b.digitAt(place);
+  for (int position = a.end() - 1; position >= lowest; --position) {
+    const std::uint32_t da = a.digitAt(position);
+    const std::uint32_t db = b.digitAt(position);
     if (da != db) return da < db;
   }
   return false;
@@ -76,8 +76,8 @@ Dyadic Dyadic::sumOfSizes(const Dyadic& a, const Dyadic& b) {
   result.clear(lowest, std::max(a.end(), b.end()) + 1);
   std::uint64_t carry = 0;
   for (std::size_t i = 0; i < result.digits_.size(); ++i) {
-    const int place = lowest + static_cast<int>(i);
-    carry += std::uint64_t{a.digitAt(place)} + b.digitAt(place);
+    const int position = lowest + static_cast<int>(i);
+    carry += std::uint64_t{a.digitAt(position)} + b.digitAt(position);
     result.digits_[i] = static_cast<std::uint32_t>(carry);
     carry >>= kDigitBits;
   }
@@ -91,8 +91,9 @@ Dyadic Dyadic::differenceOfSizes(const Dyadic& larger, const Dyadic& smaller) {
   result.clear(lowest, larger.end());
   std::int64_t borrow = 0;
   for (std::size_t i = 0; i < result.digits_.size(); ++i) {
-    const int place = lowest + static_cast<int>(i);
-    std::int64_t digit = std::int64_t{larger.digitAt(place)} - smaller.digitAt(place) - borrow;
+    const int position = lowest + static_cast<int>(i);
+    std::int64_t digit =
+        std::int64_t{larger.digitAt(position)} - smaller.digitAt(position) - borrow;
     borrow = digit < 0 ? 1 : 0;
     digit += borrow << kDigitBits;
     result.digits_[i] = static_cast<std::uint32_t>(digit);

@@ -93,9 +93,9 @@ class Dyadic {
  private:
   /// Returns this number times 2^(32 shift).
   [[nodiscard]] double toDoubleAt(int shift) const;
-  /// Returns the digit of weight 2^(32 place).
-  [[nodiscard]] std::uint32_t digitAt(int place) const {
-    const int i = place - lowest_;
+  /// Returns the digit of weight 2^(32 index).
+  [[nodiscard]] std::uint32_t digitAt(int index) const {
+    const int i = index - lowest_;
     return i >= 0 && i < static_cast<int>(digits_.size()) ? digits_[static_cast<std::size_t>(i)]
                                                           : 0;
   }

@@ -92,7 +92,7 @@ double squaredDistanceToTriangle(const Vec3& p, const Vec3& a, const Vec3& b, co
                   std::min(squaredDistanceToSegment(p, b, c), squaredDistanceToSegment(p, c, a)));
 }
 
-Vec3 meetingPlace(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) {
+Vec3 intersectionPosition(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) {
   CommonPoints common(a, b);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;

@@ -18,6 +18,6 @@ namespace tetrafront {
 /// Returns a point that two intersecting triangles have in common, up to rounding: the mean of the
 /// corners of their intersection. If they are only close to each other, the point is close to
 /// both.
-[[nodiscard]] Vec3 meetingPlace(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b);
+[[nodiscard]] Vec3 intersectionPosition(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b);
 
 }  // namespace tetrafront

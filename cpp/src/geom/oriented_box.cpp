@@ -13,7 +13,7 @@ using Axes = std::array<Vec3, 3>;
 constexpr double kSumRounding = 1e-14;
 
 /// Products below this may have lost digits to underflow.
-constexpr double kLeast = 0x1p-900;
+constexpr double kMin = 0x1p-900;
 
 constexpr Axes kCoordinateAxes{Vec3(1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0), Vec3(0.0, 0.0, 1.0)};
 
@@ -22,10 +22,10 @@ Vec3 unit(const Vec3& v) { return v * (1.0 / glm::length(v)); }
 /// Returns true if the axes are at right angles up to the rounding that boxOf() allows for; false
 /// for NaN.
 bool areUpright(const Axes& axes) {
-  constexpr double kMost = kSumRounding / 8.0;
+  constexpr double kMax = kSumRounding / 8.0;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (!(std::fabs(glm::dot(axes[i], axes[i]) - 1.0) < kMost)) return false;
-    if (!(std::fabs(glm::dot(axes[i], axes[(i + 1) % 3])) < kMost)) return false;
+    if (!(std::fabs(glm::dot(axes[i], axes[i]) - 1.0) < kMax)) return false;
+    if (!(std::fabs(glm::dot(axes[i], axes[(i + 1) % 3])) < kMax)) return false;
   }
   return true;
 }
@@ -78,7 +78,7 @@ double largestCoordinate(const Vec3& v) {
 OrientedBox boxOf(const Axes& axes, const Vec3& origin, const Vec3& low, const Vec3& high,
                   double size) {
   const double lengths = largestCoordinate(low) + largestCoordinate(high);
-  const double padding = 4.0 * kSumRounding * (size + lengths) + kLeast;
+  const double padding = 4.0 * kSumRounding * (size + lengths) + kMin;
   OrientedBox box{.centre = origin};
   for (std::size_t i = 0; i < 3; ++i) {
     const auto k = static_cast<int>(i);
@@ -96,7 +96,7 @@ Vec3 turnedTo(const Vec3& direction, const Vec3& other) {
 bool isApartAlong(const OrientedBox& a, const OrientedBox& b, const Vec3& axis) {
   const Vec3 way = b.centre - a.centre;
   const double reach = reachOf(a, axis) + reachOf(b, axis);
-  const double rounding = kSumRounding * (absoluteDot(way, axis) + reach) + kLeast;
+  const double rounding = kSumRounding * (absoluteDot(way, axis) + reach) + kMin;
   return std::fabs(glm::dot(way, axis)) > reach + rounding;
 }
 
@@ -117,9 +117,9 @@ OrientedBox OrientedBox::of(const Vec3& a, const Vec3& b, const Vec3& c) {
   for (const Vec3& corner : corners) {
     size = std::max(size, largestCoordinate(corner));
     for (int k = 0; k < 3; ++k) {
-      const double place = glm::dot(corner - origin, axes[static_cast<std::size_t>(k)]);
-      low[k] = std::min(low[k], place);
-      high[k] = std::max(high[k], place);
+      const double position = glm::dot(corner - origin, axes[static_cast<std::size_t>(k)]);
+      low[k] = std::min(low[k], position);
+      high[k] = std::max(high[k], position);
     }
   }
   return boxOf(axes, origin, low, high, size);
@@ -142,11 +142,11 @@ OrientedBox OrientedBox::hull(const OrientedBox& a, const OrientedBox& b) {
   Vec3 high(0.0);
   for (int k = 0; k < 3; ++k) {
     const Vec3& axis = axes[static_cast<std::size_t>(k)];
-    const double place = glm::dot(way, axis);
+    const double position = glm::dot(way, axis);
     const double reachA = reachOf(a, axis);
     const double reachB = reachOf(b, axis);
-    low[k] = std::min(-reachA, place - reachB);
-    high[k] = std::max(reachA, place + reachB);
+    low[k] = std::min(-reachA, position - reachB);
+    high[k] = std::max(reachA, position + reachB);
   }
   const double size = largestCoordinate(a.centre) + largestCoordinate(way);
   return boxOf(axes, a.centre, low, high, size);

@@ -1,9 +1,13 @@
 #pragma once
 
-/// @file The faces of a tetrahedron.
+/// @file The faces and edges of a tetrahedron.
 
 #include <array>
+#include <compare>
+#include <cstddef>
 #include <cstdint>
+
+#include "base/ids.h"
 
 namespace tetrafront {
 
@@ -11,5 +15,40 @@ namespace tetrafront {
 /// tetrahedron of positive volume.
 inline constexpr std::array<std::array<std::uint8_t, 3>, 4> kFaceCorners{
     {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
+/// Corners at the ends of an edge, and the other two.
+struct TetEdge {
+  std::size_t from;
+  std::size_t to;
+  std::size_t left;
+  std::size_t right;
+};
+
+/// All edges, each with its lower corner first; edges e and 5 - e are opposite.
+inline constexpr std::array<TetEdge, 6> kTetEdges{
+    {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}}};
+
+/// A face of a tetrahedron: the tetrahedron and the opposite corner.
+template <class AnyTetId>
+class FaceOf {
+ public:
+  constexpr FaceOf() = default;
+  constexpr FaceOf(AnyTetId tet, std::size_t corner)
+      : packed_(tet.value << 2 | static_cast<std::uint32_t>(corner)) {}
+
+  [[nodiscard]] constexpr bool isNone() const { return packed_ == kNoIndex; }
+  [[nodiscard]] constexpr AnyTetId tet() const { return AnyTetId(packed_ >> 2); }
+  [[nodiscard]] constexpr std::size_t corner() const { return packed_ & 3U; }
+  /// Index into an array with four entries per tetrahedron.
+  [[nodiscard]] constexpr std::size_t index() const { return packed_; }
+  friend constexpr auto operator<=>(const FaceOf&,
+                                    const FaceOf&) = default;  // NOLINT(*-use-nullptr)
+
+ private:
+  std::uint32_t packed_ = kNoIndex;
+};
+
+using ElementFace = FaceOf<TetId>;
+using GridTetFace = FaceOf<GridTetId>;
 
 }  // namespace tetrafront

@@ -31,7 +31,7 @@ class HoleCheck {
     for (std::size_t hole = 1; hole < drawn_->loops.size(); ++hole) {
       loops.push_back(layOutHole(drawn_->loops[hole]));
       if (worst_ > kHoleTolerance * loopExtent(*model_, drawn_->loops[hole], kHoleSamples))
-        return defect(DiagnosticCode::kHoleOffPatch, {worstLine_}, worstPlace_, {worst_});
+        return defect(DiagnosticCode::kHoleOffPatch, {worstLine_}, worstPosition_, {worst_});
     }
     if (const std::optional<LoopContact> contact =
             findContact(loops, Tolerance(extentInPlane(loops))))
@@ -45,13 +45,13 @@ class HoleCheck {
 
  private:
   [[nodiscard]] Diagnostic defect(DiagnosticCode code, const std::vector<LineId>& lines,
-                                  const Vec3& place, std::vector<double> values = {}) const {
+                                  const Vec3& position, std::vector<double> values = {}) const {
     Diagnostic diagnostic;
     diagnostic.code = code;
     diagnostic.entities = {{EntityKind::kPatch, patch_.value}};
     for (const LineId line : lines) diagnostic.entities.push_back({EntityKind::kLine, line.value});
     diagnostic.hasPosition = true;
-    diagnostic.position = place;
+    diagnostic.position = position;
     diagnostic.values = std::move(values);
     return diagnostic;
   }
@@ -90,14 +90,14 @@ class HoleCheck {
     for (const OrientedLine& line : loop) {
       const OrientedCurve curve = model_->curve(line);
       for (std::uint32_t i = 0; i < kHoleSamples; ++i) {
-        const Vec3 place = curve.position(static_cast<double>(i) / kHoleSamples);
-        const PatchProjection::Foot foot = projection_.project(place);
+        const Vec3 position = curve.position(static_cast<double>(i) / kHoleSamples);
+        const PatchProjection::Foot foot = projection_.project(position);
         result.points.push_back(foot.plane);
         result.lines.push_back(LineId(line.line));
         if (foot.distance <= worst_) continue;
         worst_ = foot.distance;
         worstLine_ = LineId(line.line);
-        worstPlace_ = place;
+        worstPosition_ = position;
       }
     }
     return result;
@@ -117,7 +117,7 @@ class HoleCheck {
   PatchProjection projection_;
   double worst_ = 0.0;
   LineId worstLine_;
-  Vec3 worstPlace_{0.0};
+  Vec3 worstPosition_{0.0};
 };
 
 }  // namespace

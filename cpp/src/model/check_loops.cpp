@@ -24,12 +24,12 @@ struct Side {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
-double squaredDistance(const Vec2& place, const Vec2& from, const Vec2& to) {
+double squaredDistance(const Vec2& position, const Vec2& from, const Vec2& to) {
   const Vec2 along = to - from;
   const double squared = glm::dot(along, along);
   const double t =
-      squared > 0.0 ? std::clamp(glm::dot(place - from, along) / squared, 0.0, 1.0) : 0.0;
-  const Vec2 gap = place - (from + t * along);
+      squared > 0.0 ? std::clamp(glm::dot(position - from, along) / squared, 0.0, 1.0) : 0.0;
+  const Vec2 gap = position - (from + t * along);
   return glm::dot(gap, gap);
 }
 
@@ -69,13 +69,13 @@ std::vector<Side> sidesOf(std::span<const PlaneLoop> loops) {
 }
 
 /// Even-odd rule.
-bool isInside(const Vec2& place, const PlaneLoop& loop) {
+bool isInside(const Vec2& position, const PlaneLoop& loop) {
   bool inside = false;
   for (std::size_t i = 0; i < loop.points.size(); ++i) {
     const Vec2& a = loop.points[i];
     const Vec2& b = loop.points[(i + 1) % loop.points.size()];
-    if ((a.y > place.y) == (b.y > place.y)) continue;
-    const bool below = cross(b - a, place - a) > 0.0;
+    if ((a.y > position.y) == (b.y > position.y)) continue;
+    const bool below = cross(b - a, position - a) > 0.0;
     if (below == (b.y > a.y)) inside = !inside;
   }
   return inside;
@@ -141,10 +141,10 @@ std::optional<LoopContact> findContact(std::span<const PlaneLoop> loops,
 
 std::optional<std::size_t> findMisplacedHole(std::span<const PlaneLoop> loops) {
   for (std::size_t hole = 1; hole < loops.size(); ++hole) {
-    const Vec2& place = loops[hole].points.front();
-    if (!isInside(place, loops.front())) return hole;
+    const Vec2& position = loops[hole].points.front();
+    if (!isInside(position, loops.front())) return hole;
     for (std::size_t other = 1; other < loops.size(); ++other)
-      if (other != hole && isInside(place, loops[other])) return hole;
+      if (other != hole && isInside(position, loops[other])) return hole;
   }
   return std::nullopt;
 }

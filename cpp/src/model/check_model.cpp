@@ -81,27 +81,27 @@ class ModelChecker::Impl {
   }
 
   void report(DiagnosticCode code, std::vector<Entity> entities, std::vector<double> values = {},
-              std::optional<Vec3> place = std::nullopt) {
+              std::optional<Vec3> position = std::nullopt) {
     Diagnostic diagnostic;
     diagnostic.code = code;
     diagnostic.entities = std::move(entities);
     diagnostic.values = std::move(values);
-    diagnostic.hasPosition = place.has_value();
-    diagnostic.position = place.value_or(Vec3(0.0));
+    diagnostic.hasPosition = position.has_value();
+    diagnostic.position = position.value_or(Vec3(0.0));
     found_.diagnostics.push_back(std::move(diagnostic));
   }
 
   void checkPoints() {
     findUsed();
     for (std::uint32_t point = 0; point < model_->points.size(); ++point) {
-      const Vec3& place = model_->points[point];
-      if (!isFinite(place))
+      const Vec3& position = model_->points[point];
+      if (!isFinite(position))
         report(DiagnosticCode::kNotFinite, {{EntityKind::kPoint, point}},
-               {refusedCoordinate(place)});
+               {refusedCoordinate(position)});
     }
     const std::vector<std::uint8_t> takesPart = usedPoints();
     checkSmallness(takesPart);
-    tolerance_ = Tolerance(extentOf(takesPart));
+    tolerance_ = toleranceOf(takesPart);
   }
 
   /// If the model is too small to compute with, all other reports would be wrong.
@@ -118,10 +118,11 @@ class ModelChecker::Impl {
     std::uint32_t farthest = 0;
     double largest = 0.0;
     for (std::uint32_t point = 0; point < takesPart.size(); ++point) {
-      const Vec3& place = model_->points[point];
-      if (takesPart[point] == 0 || !isFinite(place) || !(magnitudeOf(place) > largest)) continue;
+      const Vec3& position = model_->points[point];
+      if (takesPart[point] == 0 || !isFinite(position) || !(magnitudeOf(position) > largest))
+        continue;
       farthest = point;
-      largest = magnitudeOf(place);
+      largest = magnitudeOf(position);
     }
     isTooSmall_ = largest > 0.0 && largest < kSmallestExtent;
     if (isTooSmall_)
@@ -141,16 +142,16 @@ class ModelChecker::Impl {
     return takesPart;
   }
 
-  [[nodiscard]] double extentOf(const std::vector<std::uint8_t>& takesPart) const {
+  [[nodiscard]] Tolerance toleranceOf(const std::vector<std::uint8_t>& takesPart) const {
     std::optional<Vec3> low;
     Vec3 high(0.0);
     for (std::size_t point = 0; point < takesPart.size(); ++point) {
-      const Vec3& place = model_->points[point];
-      if (takesPart[point] == 0 || !isFinite(place)) continue;
-      high = low ? glm::max(high, place) : place;
-      low = low ? glm::min(*low, place) : place;
+      const Vec3& position = model_->points[point];
+      if (takesPart[point] == 0 || !isFinite(position)) continue;
+      high = low ? glm::max(high, position) : position;
+      low = low ? glm::min(*low, position) : position;
     }
-    return low ? glm::length(high - *low) : 0.0;
+    return low ? Tolerance::ofBox(*low, high) : Tolerance(0.0);
   }
 
   /// Marks the lines that patches use, and the points at which these begin and end.
@@ -251,8 +252,8 @@ class ModelChecker::Impl {
     found_.duplicates = findDuplicates(resolved, found_.usableLines, tolerance_);
     const auto reportPair = [&](DiagnosticCode code, EntityKind kind, std::uint32_t first,
                                 std::uint32_t second, const std::vector<std::uint8_t>& matters,
-                                const Vec3& place) {
-      report(code, {{kind, first}, {kind, second}}, {}, place);
+                                const Vec3& position) {
+      report(code, {{kind, first}, {kind, second}}, {}, position);
       if (matters[first] == 0 || matters[second] == 0)
         found_.diagnostics.back().severity = Severity::kWarning;
     };
@@ -363,12 +364,12 @@ class ModelChecker::Impl {
         if (!end || !next) continue;  // a line without points is reported as such
         std::vector<Entity> entities{{EntityKind::kPatch, patch.value},
                                      {EntityKind::kLine, loop[i].line}};
-        std::optional<Vec3> place;
+        std::optional<Vec3> position;
         if (*end < model_->points.size()) {
           entities.push_back({EntityKind::kPoint, *end});
-          if (isFinite(model_->points[*end])) place = model_->points[*end];
+          if (isFinite(model_->points[*end])) position = model_->points[*end];
         }
-        report(DiagnosticCode::kLoopNotClosed, std::move(entities), {}, place);
+        report(DiagnosticCode::kLoopNotClosed, std::move(entities), {}, position);
       }
     }
     return closed;

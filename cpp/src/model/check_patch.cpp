@@ -38,14 +38,14 @@ class PatchCheck {
   bool run() { return drawn_->type == PatchType::kPlanar ? checkPlanar() : checkCurved(); }
 
  private:
-  void report(DiagnosticCode code, const std::vector<LineId>& lines, std::optional<Vec3> place,
+  void report(DiagnosticCode code, const std::vector<LineId>& lines, std::optional<Vec3> position,
               std::vector<double> values = {}) {
     Diagnostic diagnostic;
     diagnostic.code = code;
     diagnostic.entities = {{EntityKind::kPatch, patch_.value}};
     for (const LineId line : lines) diagnostic.entities.push_back({EntityKind::kLine, line.value});
-    diagnostic.hasPosition = place.has_value();
-    diagnostic.position = place.value_or(Vec3(0.0));
+    diagnostic.hasPosition = position.has_value();
+    diagnostic.position = position.value_or(Vec3(0.0));
     diagnostic.values = std::move(values);
     diagnostics_->push_back(std::move(diagnostic));
   }
@@ -73,7 +73,7 @@ class PatchCheck {
   bool checkFlatness(const PlanarSurface& surface, double size) {
     double worst = kPlaneTolerance * size;
     std::optional<LineId> worstLine;
-    Vec3 place(0.0);
+    Vec3 position(0.0);
     for (const Loop& loop : drawn_->loops) {
       for (const OrientedLine& line : loop) {
         for (std::uint32_t i = 0; i <= kPlaneSamples; ++i) {
@@ -82,12 +82,13 @@ class PatchCheck {
           if (distance <= worst) continue;
           worst = distance;
           worstLine = LineId(line.line);
-          place = sample;
+          position = sample;
         }
       }
     }
     if (!worstLine) return true;
-    if (!reportMovedPoints(size)) report(DiagnosticCode::kNotPlanar, {*worstLine}, place, {worst});
+    if (!reportMovedPoints(size))
+      report(DiagnosticCode::kNotPlanar, {*worstLine}, position, {worst});
     return false;
   }
 

@@ -55,9 +55,9 @@ class PlaneVote {
  public:
   PlaneVote(const Model& model, const std::vector<PointId>& points)
       : model_(&model), points_(points) {
-    const Vec3& origin = place(0);
+    const Vec3& origin = position(0);
     for (std::size_t i = 1; i < points_.size(); ++i)
-      extent_ = std::max(extent_, glm::length(place(i) - origin));
+      extent_ = std::max(extent_, glm::length(position(i) - origin));
   }
 
   /// Returns the largest distance from the first point.
@@ -83,16 +83,16 @@ class PlaneVote {
   }
 
  private:
-  [[nodiscard]] const Vec3& place(std::size_t i) const {
+  [[nodiscard]] const Vec3& position(std::size_t i) const {
     return model_->points[points_[i].index()];
   }
 
   void consider(std::size_t i, std::size_t j, std::size_t k) {
     if (mostAgreeing_ == points_.size()) return;
-    const Vec3 side = place(j) - place(i);
-    const Vec3 normal = glm::cross(side, place(k) - place(i));
+    const Vec3 side = position(j) - position(i);
+    const Vec3 normal = glm::cross(side, position(k) - position(i));
     if (!(glm::length(normal) > kSpanningArea * extent_ * extent_)) return;
-    CandidatePlane plane = judge(PlanarSurface(place(i), normal, side));
+    CandidatePlane plane = judge(PlanarSurface(position(i), normal, side));
     if (plane.agreeing < mostAgreeing_) return;
     if (plane.agreeing > mostAgreeing_) best_.clear();
     mostAgreeing_ = plane.agreeing;
@@ -102,8 +102,8 @@ class PlaneVote {
     });
     if (known != best_.end()) return;
     for (int axis = 0; axis < 3; ++axis)
-      plane.alongAxes =
-          plane.alongAxes || (place(i)[axis] == place(j)[axis] && place(i)[axis] == place(k)[axis]);
+      plane.alongAxes = plane.alongAxes || (position(i)[axis] == position(j)[axis] &&
+                                            position(i)[axis] == position(k)[axis]);
     best_.push_back(std::move(plane));
   }
 
@@ -111,7 +111,7 @@ class PlaneVote {
     CandidatePlane plane;
     std::vector<std::pair<double, PointId>> off;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const double distance = std::fabs(surface.distance(place(i)));
+      const double distance = std::fabs(surface.distance(position(i)));
       if (distance > tolerance_) off.emplace_back(-distance, points_[i]);
     }
     stableSort(off);

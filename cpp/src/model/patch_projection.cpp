@@ -34,10 +34,10 @@ PatchProjection::PatchProjection(const PatchSurface& surface) : surface_(&surfac
     extent_ = std::max(extent_, glm::length(sample.position - samples_.front().position));
 }
 
-/// Step in the plane whose image approaches the position best: (J^T J) step = J^T offset.
-Vec2 PatchProjection::step(const Vec2& from, const Vec3& place) const {
+/// Step in the plane whose image approaches the target best: (J^T J) step = J^T offset.
+Vec2 PatchProjection::step(const Vec2& from, const Vec3& target) const {
   const SurfacePoint point = surface_->evaluate(from);
-  const Vec3 offset = place - point.position;
+  const Vec3 offset = target - point.position;
   double xx = glm::dot(point.alongXi, point.alongXi);
   const double xy = glm::dot(point.alongXi, point.alongEta);
   double yy = glm::dot(point.alongEta, point.alongEta);
@@ -50,8 +50,8 @@ Vec2 PatchProjection::step(const Vec2& from, const Vec3& place) const {
   return {(yy * right.x - xy * right.y) / determinant, (xx * right.y - xy * right.x) / determinant};
 }
 
-PatchProjection::Foot PatchProjection::project(const Vec3& place) const {
-  const auto distanceFrom = [&](const Vec3& position) { return glm::length(place - position); };
+PatchProjection::Foot PatchProjection::project(const Vec3& target) const {
+  const auto distanceFrom = [&](const Vec3& position) { return glm::length(target - position); };
   Foot foot{samples_.front().plane, distanceFrom(samples_.front().position)};
   for (const Sample& sample : samples_) {
     const double distance = distanceFrom(sample.position);
@@ -59,7 +59,7 @@ PatchProjection::Foot PatchProjection::project(const Vec3& place) const {
   }
   Vec3 position = surface_->evaluate(foot.plane).position;
   for (int round = 0; round < kMaxSteps; ++round) {
-    Vec2 along = step(foot.plane, place);
+    Vec2 along = step(foot.plane, target);
     Foot next = foot;
     Vec3 nextPosition = position;
     for (int halving = 0; halving <= kMaxHalvings; ++halving, along *= 0.5) {

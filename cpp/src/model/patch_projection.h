@@ -15,21 +15,21 @@ class PatchProjection {
   /// `surface` must be curved and must outlive this. O(1): evaluates some hundred positions.
   explicit PatchProjection(const PatchSurface& surface);
 
-  /// Parameters of the position on the patch closest to a position in space, found by Newton's
+  /// Parameters of the position on the patch closest to a target in space, found by Newton's
   /// method from the closest of a lattice of samples. Exact up to rounding if the distance is
   /// smaller than the patch's radii of curvature.
   struct Foot {
     Vec2 plane{0.0};
-    double distance = 0.0;  ///< from the position to the patch
+    double distance = 0.0;  ///< from the target to the patch
   };
-  [[nodiscard]] Foot project(const Vec3& place) const;
+  [[nodiscard]] Foot project(const Vec3& target) const;
 
  private:
   struct Sample {
     Vec2 plane;
     Vec3 position;
   };
-  [[nodiscard]] Vec2 step(const Vec2& from, const Vec3& place) const;
+  [[nodiscard]] Vec2 step(const Vec2& from, const Vec3& target) const;
 
   const PatchSurface* surface_;
   std::vector<Sample> samples_;

@@ -68,16 +68,16 @@ SurfacePoint PatchSurface::evaluate(const Vec2& plane) const {
   return point;
 }
 
-Vec2 PatchSurface::boundaryToPlane(std::size_t position, double t, const Vec3& place) const {
-  if (const PlanarSurface* flat = planar()) return flat->project(place);
+Vec2 PatchSurface::boundaryToPlane(std::size_t index, double t, const Vec3& position) const {
+  if (const PlanarSurface* flat = planar()) return flat->project(position);
   const MappedSurface& curved = *mapped();
-  return curved.stretchedPlane().toPlane(unitBorder(curved.unitSurface().shape(), position, t));
+  return curved.stretchedPlane().toPlane(unitBorder(curved.unitSurface().shape(), index, t));
 }
 
-bool PatchSurface::straightInPlane(std::size_t loop, std::size_t position) const {
+bool PatchSurface::straightInPlane(std::size_t loop, std::size_t index) const {
   // The border of a curved patch's domain is straight; lines of its holes are not.
   if (mapped() != nullptr) return loop == 0;
-  return model_->curve(patch_->loops[loop][position]).isStraight();
+  return model_->curve(patch_->loops[loop][index]).isStraight();
 }
 
 Vec2 PatchSurface::clamped(const Vec2& plane) const {

@@ -41,13 +41,13 @@ class PatchSurface {
 
   [[nodiscard]] SurfacePoint evaluate(const Vec2& plane) const;
 
-  /// Maps a node of a loop's line to the plane: line number `position` of its loop, parameter t in
+  /// Maps a node of a loop's line to the plane: line `index` of its loop, parameter t in
   /// the loop's direction, and its position in space. For a curved patch, only the first loop;
   /// PatchProjection maps the nodes of holes.
-  [[nodiscard]] Vec2 boundaryToPlane(std::size_t position, double t, const Vec3& place) const;
+  [[nodiscard]] Vec2 boundaryToPlane(std::size_t index, double t, const Vec3& position) const;
 
-  /// True if line number `position` of the loop is straight in the plane.
-  [[nodiscard]] bool straightInPlane(std::size_t loop, std::size_t position) const;
+  /// True if line `index` of the loop is straight in the plane.
+  [[nodiscard]] bool straightInPlane(std::size_t loop, std::size_t index) const;
 
   /// Returns the closest position at which the surface can be evaluated: the lines of a curved
   /// patch are undefined beyond their ends. A plane is unbounded.

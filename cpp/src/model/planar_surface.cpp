@@ -12,13 +12,13 @@ SurfacePoint PlanarSurface::evaluate(const Vec2& plane) const {
   return {origin_ + (plane.x * first_ + plane.y * second_), first_, second_};
 }
 
-Vec2 PlanarSurface::project(const Vec3& place) const {
-  const Vec3 offset = place - origin_;
+Vec2 PlanarSurface::project(const Vec3& position) const {
+  const Vec3 offset = position - origin_;
   return {glm::dot(first_, offset), glm::dot(second_, offset)};
 }
 
-double PlanarSurface::distance(const Vec3& place) const {
-  return glm::dot(normal_, place - origin_);
+double PlanarSurface::distance(const Vec3& position) const {
+  return glm::dot(normal_, position - origin_);
 }
 
 }  // namespace tetrafront

@@ -12,8 +12,8 @@ class PlanarSurface {
   /// `normal` of any length, `firstDirection` not along it.
   PlanarSurface(const Vec3& origin, const Vec3& normal, const Vec3& firstDirection);
   [[nodiscard]] SurfacePoint evaluate(const Vec2& plane) const;  ///< eq. (9)
-  [[nodiscard]] Vec2 project(const Vec3& place) const;           ///< eq. (10)
-  [[nodiscard]] double distance(const Vec3& place) const;        ///< signed, from the plane
+  [[nodiscard]] Vec2 project(const Vec3& position) const;        ///< eq. (10)
+  [[nodiscard]] double distance(const Vec3& position) const;     ///< signed, from the plane
 
  private:
   Vec3 origin_;

@@ -90,7 +90,7 @@ class CrossingSearch {
       low = glm::min(low, piece.low());
       high = glm::max(high, piece.high());
     }
-    reach_ = Tolerance(glm::length(high - low)).coincidence();
+    reach_ = Tolerance::ofBox(low, high).coincidence();
   }
 
   std::optional<Vec3> run() {
@@ -98,13 +98,13 @@ class CrossingSearch {
     const BoxTree tree(boxes);
     std::vector<std::size_t> near;
     for (std::size_t i = 0; i < pieces_.size() && !isSpent(); ++i) {
-      if (meetsItself(pieces_[i])) return place_;
+      if (meetsItself(pieces_[i])) return position_;
       near.clear();
       tree.visitOverlaps(boxes[i], [&](std::uint32_t k) {
         if (k > i) near.push_back(k);
       });
       stableSort(near);
-      if (std::ranges::any_of(near, [&](std::size_t k) { return meet(i, k); })) return place_;
+      if (std::ranges::any_of(near, [&](std::size_t k) { return meet(i, k); })) return position_;
     }
     return std::nullopt;
   }
@@ -171,7 +171,7 @@ class CrossingSearch {
     const double sizeA = glm::length(highA - lowA);
     const double sizeB = glm::length(highB - lowB);
     if (sizeA <= reach_ && sizeB <= reach_) {
-      place_ = 0.5 * (a.control[0] + b.control[0]);
+      position_ = 0.5 * (a.control[0] + b.control[0]);
       return true;
     }
     if (sizeA >= sizeB) {
@@ -195,7 +195,7 @@ class CrossingSearch {
   bool isClosed_;
   std::size_t comparisonsLeft_;
   double reach_ = 0.0;  ///< passages closer than this intersect
-  Vec3 place_{0.0};
+  Vec3 position_{0.0};
 };
 
 }  // namespace

@@ -64,33 +64,33 @@ std::size_t EdgeSplitter<Space>::splitSome(std::size_t next, std::size_t count,
 /// Returns the edge's midpoint, moved to where the new elements cost least.
 template <class Space>
 Vec3 EdgeSplitter<Space>::bestMiddle(const EdgeRing& ring, const ElementCost<Space>& cost) {
-  const Vec3& from = complex_.place(ring.from);
-  const Vec3& to = complex_.place(ring.to);
+  const Vec3& from = complex_.position(ring.from);
+  const Vec3& to = complex_.position(ring.to);
   hollow_.clear();
   const auto frame = [&](NodeId end, std::size_t i) -> typename Space::Frame {
     if constexpr (Space::kIsStretched) {
-      return Space::frameOf(wantedAtMiddle(ring), complex_.wanted<Space>(end),
-                            complex_.wanted<Space>(ring.nodes[i]),
-                            complex_.wanted<Space>(ring.nodes[(i + 1) % ring.nodeCount]));
+      return Space::frameOf(targetAtMiddle(ring), complex_.target<Space>(end),
+                            complex_.target<Space>(ring.nodes[i]),
+                            complex_.target<Space>(ring.nodes[(i + 1) % ring.nodeCount]));
     } else {
       return {};
     }
   };
   for (std::size_t i = 0; i < ring.nodeCount; ++i) {
-    const Vec3& p = complex_.place(ring.nodes[i]);
-    const Vec3& q = complex_.place(ring.nodes[(i + 1) % ring.nodeCount]);
+    const Vec3& p = complex_.position(ring.nodes[i]);
+    const Vec3& q = complex_.position(ring.nodes[(i + 1) % ring.nodeCount]);
     hollow_.add(to, p, q, frame(ring.to, i));
     hollow_.add(from, q, p, frame(ring.from, i));
   }
-  Vec3 place = (from + to) * 0.5;
+  Vec3 position = (from + to) * 0.5;
   constexpr int kSteps = 2;
   for (int i = 0; i < kSteps; ++i) {
     Vec3 step(0.0);
-    if (!newtonStep(hollow_, place, false, step)) break;
-    const double here = hollow_.costAt(place, cost, kInvalidCost);
-    if (hollow_.costAt(place + step, cost, here) < here) place += step;
+    if (!newtonStep(hollow_, position, false, step)) break;
+    const double here = hollow_.costAt(position, cost, kInvalidCost);
+    if (hollow_.costAt(position + step, cost, here) < here) position += step;
   }
-  return place;
+  return position;
 }
 
 template <class Space>
@@ -110,7 +110,7 @@ bool EdgeSplitter<Space>::makeHalves(const EdgeRing& ring, const ElementCost<Spa
 
 template <class Space>
 bool EdgeSplitter<Space>::split(const EdgeRing& ring, const ElementCost<Space>& cost) {
-  const Vec3 place = bestMiddle(ring, cost);
+  const Vec3 position = bestMiddle(ring, cost);
   double worst = 0.0;
   for (const TetId tet : ring.elementSpan()) worst = std::max(worst, complex_.cost(tet));
   if (relativeLength<Space>(complex_, ring.from, ring.to) > muchTooLong_) {
@@ -118,9 +118,9 @@ bool EdgeSplitter<Space>::split(const EdgeRing& ring, const ElementCost<Space>& 
   }
   // The worst element decides: by the sum, few edges would ever be split.
   for (std::size_t i = 0; i < hollow_.size(); ++i) {
-    if (hollow_.costOf(i, place, cost) > worst) return false;
+    if (hollow_.costOf(i, position, cost) > worst) return false;
   }
-  const NodeId middle = complex_.addNode<Space>(place, wantedAtMiddle(ring));
+  const NodeId middle = complex_.addNode<Space>(position, targetAtMiddle(ring));
   // makeHalves() orders the corners differently, so the last bit may differ.
   if (!makeHalves(ring, cost, middle)) return false;
   complex_.replace(ring.elementSpan(), std::span(fresh_).first(2 * ring.nodeCount));
@@ -129,8 +129,8 @@ bool EdgeSplitter<Space>::split(const EdgeRing& ring, const ElementCost<Space>& 
 
 template <class Space>
 NodeId EdgeSplitter<Space>::force(const EdgeRing& ring, const ElementCost<Space>& cost) {
-  const Vec3 place = (complex_.place(ring.from) + complex_.place(ring.to)) * 0.5;
-  const NodeId middle = complex_.addNode<Space>(place, wantedAtMiddle(ring));
+  const Vec3 position = (complex_.position(ring.from) + complex_.position(ring.to)) * 0.5;
+  const NodeId middle = complex_.addNode<Space>(position, targetAtMiddle(ring));
   if (!makeHalves(ring, cost, middle)) return {};
   complex_.replace(ring.elementSpan(), std::span(fresh_).first(2 * ring.nodeCount));
   return middle;
@@ -184,7 +184,7 @@ template <class Space>
 double NodeCollapser<Space>::costOnto(NodeId target, const ElementCost<Space>& cost,
                                       const typename Space::Limit& limit, double bound) {
   freshCount_ = 0;
-  const Vec3& place = complex_.place(target);
+  const Vec3& position = complex_.position(target);
   double sum = 0.0;
   for (std::size_t i = 0; i < star_.size; ++i) {
     const Corners& nodes = complex_.element(star_.elements[i]).nodes;
@@ -196,7 +196,7 @@ double NodeCollapser<Space>::costOnto(NodeId target, const ElementCost<Space>& c
     sum = cost.combined(sum, one);
     if (sum >= bound) return kInvalidCost;
     for (int k = 1; k < 4; ++k) {
-      if (limit.isExceededBy(complex_.place(moved[k]) - place)) return kInvalidCost;
+      if (limit.isExceededBy(complex_.position(moved[k]) - position)) return kInvalidCost;
     }
     fresh_[freshCount_++] = {moved, one};
   }
@@ -220,8 +220,8 @@ template <class Space>
 bool NodeCollapser<Space>::collapseBelow(double bound, NodeId node, const ElementCost<Space>& cost,
                                          double maxLength) {
   const auto limit = [&](NodeId target) {
-    return typename Space::Limit(maxLength, complex_.wanted<Space>(node),
-                                 complex_.wanted<Space>(target));
+    return typename Space::Limit(maxLength, complex_.target<Space>(node),
+                                 complex_.target<Space>(target));
   };
   NodeId target;
   for (const NodeId other : neighbours_) {

@@ -17,8 +17,8 @@ namespace tetrafront {
 /// Edge length divided by the mean target length at its ends.
 template <class Space = PlainSpace>
 [[nodiscard]] double relativeLength(const TetComplex& complex, NodeId a, NodeId b) {
-  return Space::relativeLength(complex.place(a) - complex.place(b), complex.wanted<Space>(a),
-                               complex.wanted<Space>(b));
+  return Space::relativeLength(complex.position(a) - complex.position(b), complex.target<Space>(a),
+                               complex.target<Space>(b));
 }
 
 template <class Space = PlainSpace>
@@ -55,8 +55,8 @@ class EdgeSplitter {
   };
   bool split(const EdgeRing& ring, const ElementCost<Space>& cost);
   bool makeHalves(const EdgeRing& ring, const ElementCost<Space>& cost, NodeId middle);
-  [[nodiscard]] typename Space::Wanted wantedAtMiddle(const EdgeRing& ring) const {
-    return Space::meanOf(complex_.wanted<Space>(ring.from), complex_.wanted<Space>(ring.to));
+  [[nodiscard]] typename Space::Target targetAtMiddle(const EdgeRing& ring) const {
+    return Space::meanOf(complex_.target<Space>(ring.from), complex_.target<Space>(ring.to));
   }
   [[nodiscard]] Vec3 bestMiddle(const EdgeRing& ring, const ElementCost<Space>& cost);
 

@@ -12,7 +12,8 @@ template <class Visit>
 int walkAround(const TetComplex& complex, TetId start, NodeId opposite, NodeId kept, Visit visit) {
   TetId tet = start;
   for (;;) {
-    const Facing across = complex.element(tet).across[cornerOf(complex.element(tet), opposite)];
+    const ElementFace across =
+        complex.element(tet).across[cornerOf(complex.element(tet), opposite)];
     if (across.isNone()) return 0;
     if (across.tet() == start) return 1;
     const NodeId fresh = complex.element(across.tet()).nodes[across.corner()];

@@ -89,29 +89,29 @@ template <class Space>
 bool ElementImprover<Space>::insertNode(TetId tet, const ElementCost<Space>& cost) {
   const Corners nodes = complex_.element(tet).nodes;
   Vec3 centroid(0.0);
-  for (const NodeId node : nodes) centroid += complex_.place(node) * 0.25;
-  const Wanted wanted =
-      Space::meanOf(complex_.wanted<Space>(nodes[0]), complex_.wanted<Space>(nodes[1]),
-                    complex_.wanted<Space>(nodes[2]), complex_.wanted<Space>(nodes[3]));
-  if (insertAt(std::span(&tet, 1), centroid, wanted, cost)) return true;
+  for (const NodeId node : nodes) centroid += complex_.position(node) * 0.25;
+  const Target target =
+      Space::meanOf(complex_.target<Space>(nodes[0]), complex_.target<Space>(nodes[1]),
+                    complex_.target<Space>(nodes[2]), complex_.target<Space>(nodes[3]));
+  if (insertAt(std::span(&tet, 1), centroid, target, cost)) return true;
   for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
     EdgeRing ring;
     if (!findRing(complex_, tet, e, kRepairRing, ring) || !ring.closed) continue;
-    const Vec3 middle = (complex_.place(ring.from) + complex_.place(ring.to)) * 0.5;
-    if (insertAt(ring.elementSpan(), middle, wanted, cost)) return true;
+    const Vec3 middle = (complex_.position(ring.from) + complex_.position(ring.to)) * 0.5;
+    if (insertAt(ring.elementSpan(), middle, target, cost)) return true;
   }
   return false;
 }
 
 /// Returns the cost of the element of an apex and a face.
 template <class Space>
-typename Space::Frame ElementImprover<Space>::coneFrame(const Wanted& apex, const Corners& nodes,
+typename Space::Frame ElementImprover<Space>::coneFrame(const Target& apex, const Corners& nodes,
                                                         std::size_t side) const {
   if constexpr (Space::kIsStretched) {
     const auto& corners = kFaceCorners[side];
-    return Space::frameOf(apex, complex_.wanted<Space>(nodes[corners[0]]),
-                          complex_.wanted<Space>(nodes[corners[1]]),
-                          complex_.wanted<Space>(nodes[corners[2]]));
+    return Space::frameOf(apex, complex_.target<Space>(nodes[corners[0]]),
+                          complex_.target<Space>(nodes[corners[1]]),
+                          complex_.target<Space>(nodes[corners[2]]));
   } else {
     return {};
   }
@@ -120,17 +120,18 @@ typename Space::Frame ElementImprover<Space>::coneFrame(const Wanted& apex, cons
 /// Adds every neighbour whose common face would form an element with the apex that is worse than
 /// the limit. Returns false if that reaches the boundary or goes too far.
 template <class Space>
-bool ElementImprover<Space>::growCavity(const Vec3& place, const Wanted& wanted,
+bool ElementImprover<Space>::growCavity(const Vec3& position, const Target& target,
                                         const ElementCost<Space>& cost, double limit) {
   for (std::size_t i = 0; i < cavity_.size(); ++i) {
     for (std::size_t k = 0; k < 4; ++k) {
       const Element& element = complex_.element(cavity_[i]);
-      const Facing across = element.across[k];
+      const ElementFace across = element.across[k];
       if (!across.isNone() && inCavity_[across.tet().index()] == cavityStamp_) continue;
       const auto& side = kFaceCorners[k];
-      const double here = cost(
-          place, complex_.place(element.nodes[side[0]]), complex_.place(element.nodes[side[1]]),
-          complex_.place(element.nodes[side[2]]), coneFrame(wanted, element.nodes, k));
+      const double here =
+          cost(position, complex_.position(element.nodes[side[0]]),
+               complex_.position(element.nodes[side[1]]), complex_.position(element.nodes[side[2]]),
+               coneFrame(target, element.nodes, k));
       if (here <= limit) continue;
       if (across.isNone()) {
         if (here >= kInvalidCost) return false;
@@ -145,7 +146,7 @@ bool ElementImprover<Space>::growCavity(const Vec3& place, const Wanted& wanted,
 }
 
 template <class Space>
-bool ElementImprover<Space>::isInCavity(Facing across) const {
+bool ElementImprover<Space>::isInCavity(ElementFace across) const {
   return !across.isNone() && inCavity_[across.tet().index()] == cavityStamp_;
 }
 
@@ -164,19 +165,20 @@ bool ElementImprover<Space>::visitCavityFaces(Visitor visit) const {
 }
 
 template <class Space>
-void ElementImprover<Space>::hollowOut(const Wanted& wanted) {
+void ElementImprover<Space>::hollowOut(const Target& target) {
   hollow_.clear();
   visitCavityFaces([&](const Element& element, std::size_t k) {
     const auto& face = kFaceCorners[k];
-    hollow_.add(complex_.place(element.nodes[face[0]]), complex_.place(element.nodes[face[1]]),
-                complex_.place(element.nodes[face[2]]), coneFrame(wanted, element.nodes, k));
+    hollow_.add(complex_.position(element.nodes[face[0]]),
+                complex_.position(element.nodes[face[1]]),
+                complex_.position(element.nodes[face[2]]), coneFrame(target, element.nodes, k));
     return true;
   });
 }
 
 template <class Space>
 bool ElementImprover<Space>::insertAt(std::span<const TetId> seeds, const Vec3& start,
-                                      const Wanted& wanted, const ElementCost<Space>& cost) {
+                                      const Target& target, const ElementCost<Space>& cost) {
   constexpr int kRounds = 3;
   constexpr int kSteps = 6;
   constexpr double kAbsorb =
@@ -191,19 +193,19 @@ bool ElementImprover<Space>::insertAt(std::span<const TetId> seeds, const Vec3& 
     inCavity_[tet.index()] = cavityStamp_;
     worst = std::max(worst, complex_.cost(tet));
   }
-  Vec3 place = start;
+  Vec3 position = start;
   double limit = worst * kAbsorb;
   bool isNear = true;
   for (int round = 0; round < kRounds; ++round) {
     const std::size_t before = cavity_.size();
-    if (!growCavity(place, wanted, cost, limit)) return false;
+    if (!growCavity(position, target, cost, limit)) return false;
     if (!isNear && cavity_.size() == before) return false;
     for (const TetId tet : cavity_) worst = std::max(worst, complex_.cost(tet));
-    hollowOut(wanted);
-    double best = hollow_.costAt(place, cost, kInvalidCost);
+    hollowOut(target);
+    double best = hollow_.costAt(position, cost, kInvalidCost);
     if (best >= kInvalidCost) return false;
-    lowerWorst(hollow_, cost, kSteps, place, best);
-    if (best < worst * (1.0 - kRepairGain)) return fillCavity(place, wanted, cost);
+    lowerWorst(hollow_, cost, kSteps, position, best);
+    if (best < worst * (1.0 - kRepairGain)) return fillCavity(position, target, cost);
     isNear = best < worst * kNear;
     limit = best * kTighten;
   }
@@ -211,9 +213,9 @@ bool ElementImprover<Space>::insertAt(std::span<const TetId> seeds, const Vec3& 
 }
 
 template <class Space>
-bool ElementImprover<Space>::fillCavity(const Vec3& place, const Wanted& wanted,
+bool ElementImprover<Space>::fillCavity(const Vec3& position, const Target& target,
                                         const ElementCost<Space>& cost) {
-  const NodeId apex = complex_.addNode<Space>(place, wanted);
+  const NodeId apex = complex_.addNode<Space>(position, target);
   fresh_.clear();
   std::vector<NodeId> kept;
   const bool isValid = visitCavityFaces([&](const Element& element, std::size_t k) {
@@ -255,8 +257,8 @@ bool ElementImprover<Space>::compound(TetId tet, const ElementCost<Space>& cost)
 /// Makes compound changes that begin at a neighbour.
 template <class Space>
 bool ElementImprover<Space>::detour(TetId tet, const ElementCost<Space>& cost) {
-  const std::array<Facing, 4> sides = complex_.element(tet).across;
-  for (const Facing across : sides) {
+  const std::array<ElementFace, 4> sides = complex_.element(tet).across;
+  for (const ElementFace across : sides) {
     if (across.isNone()) continue;
     const Corners nodes = complex_.element(across.tet()).nodes;
     for (const auto& corners : kEdgeCorners) {

@@ -53,9 +53,9 @@ class ElementImprover {
   void allowCompounds(std::size_t count) { compounds_ = count; }
 
  private:
-  using Wanted = typename Space::Wanted;
+  using Target = typename Space::Target;
 
-  [[nodiscard]] typename Space::Frame coneFrame(const Wanted& apex, const Corners& nodes,
+  [[nodiscard]] typename Space::Frame coneFrame(const Target& apex, const Corners& nodes,
                                                 std::size_t side) const;
   [[nodiscard]] bool stillBad(TetId tet, const Corners& nodes) const;
   template <class Change>
@@ -64,15 +64,15 @@ class ElementImprover {
   bool moveCorners(const Corners& nodes, const ElementCost<Space>& cost);
   bool collapseCorner(const Corners& nodes, const ElementCost<Space>& cost);
   bool insertNode(TetId tet, const ElementCost<Space>& cost);
-  bool insertAt(std::span<const TetId> seeds, const Vec3& start, const Wanted& wanted,
+  bool insertAt(std::span<const TetId> seeds, const Vec3& start, const Target& target,
                 const ElementCost<Space>& cost);
-  bool growCavity(const Vec3& place, const Wanted& wanted, const ElementCost<Space>& cost,
+  bool growCavity(const Vec3& position, const Target& target, const ElementCost<Space>& cost,
                   double limit);
-  [[nodiscard]] bool isInCavity(Facing across) const;
+  [[nodiscard]] bool isInCavity(ElementFace across) const;
   template <class Visitor>
   bool visitCavityFaces(Visitor visit) const;
-  void hollowOut(const Wanted& wanted);
-  bool fillCavity(const Vec3& place, const Wanted& wanted, const ElementCost<Space>& cost);
+  void hollowOut(const Target& target);
+  bool fillCavity(const Vec3& position, const Target& target, const ElementCost<Space>& cost);
   bool compound(TetId tet, const ElementCost<Space>& cost);
   bool detour(TetId tet, const ElementCost<Space>& cost);
   bool tryCompound(TetId tet, NodeId a, NodeId b, bool split, const ElementCost<Space>& cost);

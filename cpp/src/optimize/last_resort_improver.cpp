@@ -54,7 +54,7 @@ void LastResortImprover<Space>::gather() {
   edges_.clear();
   Vec3 centroid(0.0);
   for (const NodeId node : nodes_) {
-    centroid += complex_.place(node) * 0.25;
+    centroid += complex_.position(node) * 0.25;
     if (!complex_.findStar(node, star_)) continue;
     near_.insert(near_.end(), star_.elements.begin(),
                  star_.elements.begin() + static_cast<std::ptrdiff_t>(star_.size));
@@ -67,7 +67,7 @@ void LastResortImprover<Space>::gather() {
     }
     for (const auto& at : kEdgeCorners) {
       const auto [a, b] = std::minmax(corners[at[0]], corners[at[1]]);
-      const Vec3 away = (complex_.place(a) + complex_.place(b)) * 0.5 - centroid;
+      const Vec3 away = (complex_.position(a) + complex_.position(b)) * 0.5 - centroid;
       edges_.push_back({glm::dot(away, away), a, b});
     }
   }

@@ -16,9 +16,9 @@ class MeshScore {
   void add(const TetComplex& complex, TetId tet) {
     const Corners& nodes = complex.element(tet).nodes;
     const auto frame = complex.frameOf<Space>(nodes);
-    const Vec3& origin = complex.place(nodes[0]);
+    const Vec3& origin = complex.position(nodes[0]);
     const auto seen = [&](std::size_t k) {
-      return Space::toUnit(frame, complex.place(nodes[k]) - origin);
+      return Space::toUnit(frame, complex.position(nodes[k]) - origin);
     };
     const TetrahedronMeasures measures = measureTetrahedron(Vec3(0.0), seen(1), seen(2), seen(3));
     largestCosine_ = std::max(largestCosine_, measures.largestCosine);

@@ -11,16 +11,18 @@ template <class Space>
 bool isInNarrowGap(const TetComplex& complex, TetId tet) {
   const Corners& nodes = complex.element(tet).nodes;
   if (!std::ranges::all_of(nodes, [&](NodeId node) { return complex.isFixed(node); })) return false;
-  const auto wanted =
-      Space::meanOf(complex.wanted<Space>(nodes[0]), complex.wanted<Space>(nodes[1]),
-                    complex.wanted<Space>(nodes[2]), complex.wanted<Space>(nodes[3]));
-  std::array<Vec3, 4> seen;
+  const auto target =
+      Space::meanOf(complex.target<Space>(nodes[0]), complex.target<Space>(nodes[1]),
+                    complex.target<Space>(nodes[2]), complex.target<Space>(nodes[3]));
+  std::array<Vec3, 4> corners;
   for (std::size_t k = 0; k < 4; ++k) {
-    seen[k] = Space::inWanted(wanted, complex.place(nodes[k]) - complex.place(nodes[0]));
+    corners[k] =
+        Space::inTargetLengths(target, complex.position(nodes[k]) - complex.position(nodes[0]));
   }
-  std::array<bool, 6> joined{};
-  for (std::size_t e = 0; e < joined.size(); ++e) joined[e] = isBoundaryEdge(complex, tet, e);
-  return joinsNearSheets(seen, joined);
+  std::array<bool, 6> onBoundary{};
+  for (std::size_t e = 0; e < onBoundary.size(); ++e)
+    onBoundary[e] = isBoundaryEdge(complex, tet, e);
+  return spansNarrowGap(corners, onBoundary);
 }
 
 template bool isInNarrowGap<PlainSpace>(const TetComplex&, TetId);

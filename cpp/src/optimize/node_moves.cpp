@@ -161,7 +161,7 @@ bool newtonStep(const Hollow<Space>& hollow, const Vec3& apex, bool squareRoot, 
 
 /// State of a descent: position, value there, and the largest next step.
 struct Descent {
-  Vec3& place;
+  Vec3& position;
   double& value;
   double& reach;
 };
@@ -170,28 +170,28 @@ struct Descent {
 /// falls, and continues while it falls further. Returns false, and changes nothing, if it does not
 /// fall.
 template <class Space, class ValueAt>
-bool descend(Hollow<Space>& hollow, const Vec3& down, double mostReach, ValueAt valueAt,
+bool descend(Hollow<Space>& hollow, const Vec3& down, double maxReach, ValueAt valueAt,
              const Descent& at) {
   constexpr int kTries = 9;
   const auto& frame = hollow.frame(0);
   const auto back = Space::backFrom(frame);
   const double before = at.value;
-  Vec3 best = at.place;
+  Vec3 best = at.position;
   double length = at.reach;
   for (int i = 0; i < kTries; ++i, length *= 0.5) {
-    const Vec3 place = at.place + Space::toSpace(back, down * length);
-    const double there = valueAt(place);
+    const Vec3 position = at.position + Space::toSpace(back, down * length);
+    const double there = valueAt(position);
     if (there < at.value) {
       at.value = there;
-      best = place;
+      best = position;
     } else if (at.value < before) {
       break;
     }
   }
   if (!(at.value < before)) return false;
   at.reach =
-      std::min(mostReach, 2.0 * lengthOf(Space::toUnit(frame, best - at.place)) + 4.0 * length);
-  at.place = best;
+      std::min(maxReach, 2.0 * lengthOf(Space::toUnit(frame, best - at.position)) + 4.0 * length);
+  at.position = best;
   return true;
 }
 
@@ -220,7 +220,7 @@ bool lowerWorst(Hollow<Space>& hollow, const ElementCost<Space>& cost, int steps
     const Vec3 up = shortestInHull(gradients, count);
     const double slope = lengthOf(up);
     if (!(slope > 0.0) || !std::isfinite(slope)) return fell;
-    const auto costAt = [&](const Vec3& place) { return hollow.costAt(place, cost, worst); };
+    const auto costAt = [&](const Vec3& position) { return hollow.costAt(position, cost, worst); };
     if (!descend(hollow, up * (-1.0 / slope), kFirstStep * radius, costAt, {apex, worst, reach})) {
       return fell;
     }
@@ -253,8 +253,8 @@ bool lowerPowers(Hollow<Space>& hollow, const ElementCost<Space>& cost, int step
     up = Space::toSpace(back, up);
     const double slope = lengthOf(up);
     if (!(slope > 0.0) || !std::isfinite(slope)) return fell;
-    const auto sumAt = [&](const Vec3& place) {
-      return sumOfPowers(hollow, cost, place, worst, here);
+    const auto sumAt = [&](const Vec3& position) {
+      return sumOfPowers(hollow, cost, position, worst, here);
     };
     if (!descend(hollow, up * (-1.0 / slope), kFirstStep * radius, sumAt, {apex, here, reach})) {
       return fell;
@@ -274,51 +274,52 @@ bool NodeMover<Space>::improve(NodeId node, MoveKind kind, const ElementCost<Spa
   for (std::size_t i = 0; i < star_.size; ++i) {
     const Element& element = complex_.element(star_.elements[i]);
     const auto& side = kFaceCorners[star_.corner[i]];
-    hollow_.add(complex_.place(element.nodes[side[0]]), complex_.place(element.nodes[side[1]]),
-                complex_.place(element.nodes[side[2]]), complex_.frameOf<Space>(element.nodes));
+    hollow_.add(complex_.position(element.nodes[side[0]]),
+                complex_.position(element.nodes[side[1]]),
+                complex_.position(element.nodes[side[2]]), complex_.frameOf<Space>(element.nodes));
     old = cost.combined(old, complex_.cost(star_.elements[i]));
   }
-  Vec3 place = complex_.place(node);
+  Vec3 position = complex_.position(node);
   if (kind == MoveKind::kLowerWorst) {
     constexpr int kSteps = 5;
     constexpr double kWorthwhile = 1e-4;
     double worst = old;
-    if (!lowerWorst(hollow_, cost, kSteps, place, worst)) return false;
-    if (hollow_.costAt(place, cost, kInvalidCost) >= old * (1.0 - kWorthwhile)) return false;
-    takePlace(node, place);
+    if (!lowerWorst(hollow_, cost, kSteps, position, worst)) return false;
+    if (hollow_.costAt(position, cost, kInvalidCost) >= old * (1.0 - kWorthwhile)) return false;
+    takePlace(node, position);
     return true;
   }
   if (kind == MoveKind::kLowerPowers) {
     constexpr int kSteps = 3;
-    if (!lowerPowers(hollow_, cost, kSteps, place)) return false;
-    if (hollow_.costAt(place, cost, kInvalidCost) >= kInvalidCost) return false;
-    takePlace(node, place);
+    if (!lowerPowers(hollow_, cost, kSteps, position)) return false;
+    if (hollow_.costAt(position, cost, kInvalidCost) >= kInvalidCost) return false;
+    takePlace(node, position);
     return true;
   }
   Vec3 direction(0.0);
   if (kind == MoveKind::kCircumcentres) {
-    direction = circumcentreMean(hollow_, place) - place;
-  } else if (!newtonStep(hollow_, place, cost.measure() != Measure::kFinish, direction)) {
+    direction = circumcentreMean(hollow_, position) - position;
+  } else if (!newtonStep(hollow_, position, cost.measure() != Measure::kFinish, direction)) {
     return false;
   }
-  if (!stepAlong(direction, cost, old, place)) return false;
-  takePlace(node, place);
+  if (!stepAlong(direction, cost, old, position)) return false;
+  takePlace(node, position);
   return true;
 }
 
 /// Tries the step and its halves until the cost falls.
 template <class Space>
 bool NodeMover<Space>::stepAlong(const Vec3& direction, const ElementCost<Space>& cost, double old,
-                                 Vec3& place) {
+                                 Vec3& position) {
   const auto& frame = hollow_.frame(0);
-  const double edge = lengthOf(Space::toUnit(frame, hollow_.face(0)[0] - place));
+  const double edge = lengthOf(Space::toUnit(frame, hollow_.face(0)[0] - position));
   if (!(lengthOf(Space::toUnit(frame, direction)) >= kMinMove * edge)) return false;
   const double bound = old * (1.0 - kMinRelativeGain);
   double step = 1.0;
   for (int i = 0; i < kHalvings; ++i, step *= 0.5) {
-    const Vec3 tried = place + direction * step;
+    const Vec3 tried = position + direction * step;
     if (hollow_.costAt(tried, cost, bound) >= bound) continue;
-    place = tried;
+    position = tried;
     return true;
   }
   return false;
@@ -328,13 +329,13 @@ bool NodeMover<Space>::stepAlong(const Vec3& direction, const ElementCost<Space>
 /// position. Marks elements as changed if their cost moved by a tenth, and stars if the move was
 /// longer than a small fraction of an edge; the rest need no second visit.
 template <class Space>
-void NodeMover<Space>::takePlace(NodeId node, const Vec3& place) {
+void NodeMover<Space>::takePlace(NodeId node, const Vec3& position) {
   constexpr double kCostChange = 0.1;
-  const Vec3 old = complex_.place(node);
+  const Vec3 old = complex_.position(node);
   const auto& frame = hollow_.frame(0);
   const double edge = lengthOf(Space::toUnit(frame, hollow_.face(0)[0] - old));
-  const bool far = lengthOf(Space::toUnit(frame, place - old)) > kChangingMove * edge;
-  complex_.move(node, place);
+  const bool far = lengthOf(Space::toUnit(frame, position - old)) > kChangingMove * edge;
+  complex_.move(node, position);
   for (std::size_t i = 0; i < star_.size; ++i) {
     const TetId tet = star_.elements[i];
     const double before = complex_.cost(tet);

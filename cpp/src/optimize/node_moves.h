@@ -89,8 +89,8 @@ class NodeMover {
   bool improve(NodeId node, MoveKind kind, const ElementCost<Space>& cost);
 
  private:
-  bool stepAlong(const Vec3& direction, const ElementCost<Space>& cost, double old, Vec3& place);
-  void takePlace(NodeId node, const Vec3& place);
+  bool stepAlong(const Vec3& direction, const ElementCost<Space>& cost, double old, Vec3& position);
+  void takePlace(NodeId node, const Vec3& position);
 
   TetComplex& complex_;
   Star star_;

@@ -55,15 +55,15 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
   ImplIn(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field, Optimization level)
       : schedule_(scheduleOf(level)),
         field_(field),
-        toAsk_(mesh.points.size() / 3),
+        targetsNeeded_(mesh.points.size() / 3),
         complex_(std::move(mesh), boundaryNodes, Space::kIsStretched),
         sweeps_(complex_) {}
 
   bool advance(std::uint32_t budget) override {
     while (budget > 0 && !isDone()) {
       std::size_t done = 0;
-      if (asked_ < toAsk_) {
-        done = askField(budget);
+      if (targetsKnown_ < targetsNeeded_) {
+        done = queryTargets(budget);
       } else if (!isBuilt_) {
         done = build(budget);
       } else if (costed_ < toCost_) {
@@ -105,12 +105,12 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
   [[nodiscard]] bool isDone() const { return isBuilt_ && step_ == schedule_.size(); }
   [[nodiscard]] const Step& step() const { return schedule_[step_]; }
 
-  std::size_t askField(std::uint32_t budget) {
-    const std::size_t count = std::min<std::size_t>(budget, toAsk_ - asked_);
-    for (std::size_t i = 0; i < count; ++i, ++asked_) {
-      const NodeId node(asked_);
+  std::size_t queryTargets(std::uint32_t budget) {
+    const std::size_t count = std::min<std::size_t>(budget, targetsNeeded_ - targetsKnown_);
+    for (std::size_t i = 0; i < count; ++i, ++targetsKnown_) {
+      const NodeId node(targetsKnown_);
       if (!complex_.isUsed(node) && isBuilt_) continue;
-      complex_.setWanted<Space>(node, Space::wantedAt(field_, complex_.place(node), hint_));
+      complex_.setTarget<Space>(node, Space::targetAt(field_, complex_.position(node), hint_));
     }
     return count;
   }
@@ -145,9 +145,9 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     if (isRounds()) {
       beginRound();
     } else if (Space::kIsStretched && step_ > 0) {
-      askAnew();
+      requeryTargets();
     }
-    if (isNewMeasure) costAnew();
+    if (isNewMeasure) recomputeCosts();
   }
 
   [[nodiscard]] ElementCost<Space> costOfStep() const {
@@ -172,7 +172,7 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
 
   std::size_t costSome(std::uint32_t budget) {
     const std::size_t some = std::min<std::size_t>(budget, toCost_ - costed_);
-    complex_.costAnew(sweeps_.cost(), costed_, costed_ + some);
+    complex_.recomputeCosts(sweeps_.cost(), costed_, costed_ + some);
     costed_ += some;
     return some;
   }
@@ -183,16 +183,16 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
   /// nodes have a mean of their neighbours' targets. Without stretching this affects lengths only,
   /// which matter in rounds alone.
   void beginRound() {
-    askAnew();
-    if (Space::kIsStretched) costAnew();
+    requeryTargets();
+    if (Space::kIsStretched) recomputeCosts();
   }
 
-  void askAnew() {
-    asked_ = complex_.boundaryNodeCount();
-    toAsk_ = complex_.nodeCount();
+  void requeryTargets() {
+    targetsKnown_ = complex_.boundaryNodeCount();
+    targetsNeeded_ = complex_.nodeCount();
   }
 
-  void costAnew() {
+  void recomputeCosts() {
     costed_ = 0;
     toCost_ = complex_.slotCount();
   }
@@ -308,8 +308,8 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
   std::vector<Step> schedule_;
   const SizeField& field_;
   FieldHint hint_;
-  std::size_t asked_ = 0;  ///< nodes whose targets are known
-  std::size_t toAsk_;      ///< nodes whose targets are needed
+  std::size_t targetsKnown_ = 0;  ///< nodes whose targets are known
+  std::size_t targetsNeeded_;     ///< nodes whose targets are needed
   std::size_t costed_ = 0;
   std::size_t toCost_ = 0;
   TetComplex complex_;

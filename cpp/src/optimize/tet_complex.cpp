@@ -12,27 +12,27 @@ TetComplex::TetComplex(VolumeMesh mesh, std::size_t boundaryNodes, bool isStretc
       isStretched_(isStretched),
       regions_(std::move(mesh.regions)),
       faceSlots_(kFaceSlots) {
-  places_.reserve(mesh.points.size() / 3);
+  positions_.reserve(mesh.points.size() / 3);
   for (std::size_t i = 0; i < mesh.points.size(); i += 3) {
-    places_.emplace_back(mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]);
+    positions_.emplace_back(mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]);
   }
-  resizeNodes(places_.size());
+  resizeNodes(positions_.size());
   const std::size_t count = mesh.tetrahedra.size() / 4;
   elements_.resize(count);
   states_.assign(count, {.pass = pass_});
   build_.given = std::move(mesh.tetrahedra);
-  build_.starts.assign(places_.size() + 1, 0);
+  build_.starts.assign(positions_.size() + 1, 0);
 }
 
 bool TetComplex::build(std::size_t budget) {
   const bool byNode = build_.step == BuildStep::kMatch;
-  const std::size_t size = byNode ? places_.size() : elements_.size();
+  const std::size_t size = byNode ? positions_.size() : elements_.size();
   const std::size_t last = build_.next + std::min(budget, size - build_.next);
   switch (build_.step) {
     case BuildStep::kTake:
       takeElements(build_.next, last);
       break;
-    case BuildStep::kPlace:
+    case BuildStep::kInsert:
       placeSides(build_.next, last);
       break;
     case BuildStep::kMatch:
@@ -51,8 +51,8 @@ bool TetComplex::build(std::size_t budget) {
     }
     build_.filled.assign(build_.starts.begin(), build_.starts.end() - 1);
     build_.sides.resize(4 * elements_.size());
-    build_.step = BuildStep::kPlace;
-  } else if (build_.step == BuildStep::kPlace) {
+    build_.step = BuildStep::kInsert;
+  } else if (build_.step == BuildStep::kInsert) {
     build_.step = BuildStep::kMatch;
   } else {
     build_ = BuildState{};
@@ -92,8 +92,8 @@ void TetComplex::matchSides(std::size_t firstNode, std::size_t lastNode) {
     sortFew(sides, [](const Side& a, const Side& b) { return a.nodes < b.nodes; });
     for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
       if (sides[i].nodes != sides[i + 1].nodes) continue;
-      const Facing one = sides[i].facing;
-      const Facing other = sides[i + 1].facing;
+      const ElementFace one = sides[i].facing;
+      const ElementFace other = sides[i + 1].facing;
       if (regions_[one.tet().index()] != regions_[other.tet().index()]) continue;
       elements_[one.tet().index()].across[one.corner()] = other;
       elements_[other.tet().index()].across[other.corner()] = one;
@@ -105,12 +105,12 @@ void TetComplex::matchSides(std::size_t firstNode, std::size_t lastNode) {
 VolumeMesh TetComplex::toMesh() const {
   if (build_.step == BuildStep::kTake) return asGiven();
   constexpr std::uint32_t kUnused = 0xffffffffU;
-  std::vector<std::uint32_t> newId(places_.size(), kUnused);
+  std::vector<std::uint32_t> newId(positions_.size(), kUnused);
   VolumeMesh mesh;
-  for (std::size_t i = 0; i < places_.size(); ++i) {
+  for (std::size_t i = 0; i < positions_.size(); ++i) {
     if (i >= boundaryNodes_ && elementAt_[i].isNone()) continue;
     newId[i] = static_cast<std::uint32_t>(mesh.points.size() / 3);
-    mesh.points.insert(mesh.points.end(), {places_[i].x, places_[i].y, places_[i].z});
+    mesh.points.insert(mesh.points.end(), {positions_[i].x, positions_[i].y, positions_[i].z});
   }
   mesh.tetrahedra.reserve(4 * elementCount());
   mesh.regions.reserve(elementCount());
@@ -124,9 +124,9 @@ VolumeMesh TetComplex::toMesh() const {
 
 VolumeMesh TetComplex::asGiven() const {
   VolumeMesh mesh;
-  mesh.points.reserve(3 * places_.size());
-  for (const Vec3& place : places_)
-    mesh.points.insert(mesh.points.end(), {place.x, place.y, place.z});
+  mesh.points.reserve(3 * positions_.size());
+  for (const Vec3& position : positions_)
+    mesh.points.insert(mesh.points.end(), {position.x, position.y, position.z});
   mesh.tetrahedra = build_.given;
   mesh.regions = regions_;
   return mesh;
@@ -138,14 +138,14 @@ std::size_t TetComplex::freeNodeCount() const {
                     elementAt_.end(), [](TetId tet) { return !tet.isNone(); }));
 }
 
-NodeId TetComplex::addNode(const Vec3& place) {
-  places_.push_back(place);
-  resizeNodes(places_.size());
-  return NodeId(places_.size() - 1);
+NodeId TetComplex::addNode(const Vec3& position) {
+  positions_.push_back(position);
+  resizeNodes(positions_.size());
+  return NodeId(positions_.size() - 1);
 }
 
 void TetComplex::resizeNodes(std::size_t count) {
-  places_.resize(count);
+  positions_.resize(count);
   if (isStretched_) {
     tensors_.resize(count);
   } else {
@@ -155,9 +155,9 @@ void TetComplex::resizeNodes(std::size_t count) {
   starPass_.resize(count, pass_);
 }
 
-void TetComplex::move(NodeId node, const Vec3& place) {
-  if (inTrial_) savedPlaces_.push_back({node, places_[node.index()]});
-  places_[node.index()] = place;
+void TetComplex::move(NodeId node, const Vec3& position) {
+  if (inTrial_) savedPositions_.push_back({node, positions_[node.index()]});
+  positions_[node.index()] = position;
 }
 
 void TetComplex::setCost(TetId tet, double cost) {
@@ -166,15 +166,17 @@ void TetComplex::setCost(TetId tet, double cost) {
 }
 
 template <class Space>
-void TetComplex::costAnew(const ElementCost<Space>& cost, std::size_t first, std::size_t last) {
+void TetComplex::recomputeCosts(const ElementCost<Space>& cost, std::size_t first,
+                                std::size_t last) {
   for (std::size_t t = first; t < last; ++t) {
     if (!isLive(TetId(t))) continue;
     states_[t].cost = std::min(costOf(cost, elements_[t].nodes), kEntryCost);
   }
 }
 
-template void TetComplex::costAnew(const ElementCost<PlainSpace>&, std::size_t, std::size_t);
-template void TetComplex::costAnew(const ElementCost<StretchedSpace>&, std::size_t, std::size_t);
+template void TetComplex::recomputeCosts(const ElementCost<PlainSpace>&, std::size_t, std::size_t);
+template void TetComplex::recomputeCosts(const ElementCost<StretchedSpace>&, std::size_t,
+                                         std::size_t);
 
 void TetComplex::markStars(TetId tet) {
   for (const NodeId node : elements_[tet.index()].nodes) starPass_[node.index()] = pass_;
@@ -248,7 +250,7 @@ void TetComplex::replace(std::span<const TetId> old, std::span<const NewElement>
   for (const TetId tet : old) {
     const Element& element = elements_[tet.index()];
     for (std::size_t k = 0; k < 4; ++k) {
-      const Facing across = element.across[k];
+      const ElementFace across = element.across[k];
       if (!across.isNone() && states_[across.tet().index()].stamp == stamp) continue;
       const FaceKey key = keyOf(element.nodes, k);
       slotFor(key) = {key, across, faceStamp_};
@@ -281,7 +283,7 @@ void TetComplex::link(TetId tet, std::size_t corner) {
   const FaceKey key = keyOf(element.nodes, corner);
   FaceSlot& slot = slotFor(key);
   if (slot.stamp != faceStamp_) {
-    element.across[corner] = Facing();
+    element.across[corner] = ElementFace();
     slot = {key, {tet, corner}, faceStamp_};
     return;
   }
@@ -300,19 +302,19 @@ void TetComplex::save(TetId tet) {
 void TetComplex::beginTrial() {
   inTrial_ = true;
   savedElements_.clear();
-  savedPlaces_.clear();
+  savedPositions_.clear();
   freeSlotsKept_ = freeSlots_.size();
   takenSlots_.clear();
   slotsBeforeTrial_ = elements_.size();
-  nodesBeforeTrial_ = places_.size();
+  nodesBeforeTrial_ = positions_.size();
 }
 
 void TetComplex::keepTrial() { inTrial_ = false; }
 
 void TetComplex::takeBack() {
   inTrial_ = false;
-  for (std::size_t i = savedPlaces_.size(); i-- > 0;) {
-    places_[savedPlaces_[i].node.index()] = savedPlaces_[i].place;
+  for (std::size_t i = savedPositions_.size(); i-- > 0;) {
+    positions_[savedPositions_[i].node.index()] = savedPositions_[i].position;
   }
   for (std::size_t i = savedElements_.size(); i-- > 0;) {
     const SavedElement& saved = savedElements_[i];

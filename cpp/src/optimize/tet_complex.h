@@ -19,23 +19,9 @@ namespace tetrafront {
 
 using Corners = std::array<NodeId, 4>;
 
-/// A face of an element: the element and the opposite corner.
-class Facing {
- public:
-  constexpr Facing() = default;
-  constexpr Facing(TetId tet, std::size_t corner)
-      : packed_(tet.value << 2 | static_cast<std::uint32_t>(corner)) {}
-  [[nodiscard]] constexpr bool isNone() const { return packed_ == kNoIndex; }
-  [[nodiscard]] constexpr TetId tet() const { return TetId(packed_ >> 2); }
-  [[nodiscard]] constexpr std::size_t corner() const { return packed_ & 3U; }
-
- private:
-  std::uint32_t packed_ = kNoIndex;
-};
-
 struct Element {
   Corners nodes;
-  std::array<Facing, 4> across;  ///< the neighbour's face; none on the boundary
+  std::array<ElementFace, 4> across;  ///< the neighbour's face; none on the boundary
 };
 
 /// Returns which corner of the element a node is; it must be one. Branch-free, because the branches
@@ -76,16 +62,16 @@ class TetComplex {
   [[nodiscard]] VolumeMesh toMesh() const;
 
   // Nodes.
-  [[nodiscard]] std::size_t nodeCount() const { return places_.size(); }
-  [[nodiscard]] const Vec3& place(NodeId node) const { return places_[node.index()]; }
+  [[nodiscard]] std::size_t nodeCount() const { return positions_.size(); }
+  [[nodiscard]] const Vec3& position(NodeId node) const { return positions_[node.index()]; }
   /// Target of the size field at a node; undefined until set.
   template <class Space>
-  [[nodiscard]] const typename Space::Wanted& wanted(NodeId node) const {
-    return wantedOf<Space>(*this)[node.index()];
+  [[nodiscard]] const typename Space::Target& target(NodeId node) const {
+    return targetsOf<Space>(*this)[node.index()];
   }
   template <class Space>
-  void setWanted(NodeId node, const typename Space::Wanted& wanted) {
-    wantedOf<Space>(*this)[node.index()] = wanted;
+  void setTarget(NodeId node, const typename Space::Target& target) {
+    targetsOf<Space>(*this)[node.index()] = target;
   }
   [[nodiscard]] bool isFixed(NodeId node) const { return node.index() < boundaryNodes_; }
   /// Returns whether any element uses the node.
@@ -93,12 +79,12 @@ class TetComplex {
   [[nodiscard]] std::size_t boundaryNodeCount() const { return boundaryNodes_; }
   [[nodiscard]] std::size_t freeNodeCount() const;
   template <class Space>
-  NodeId addNode(const Vec3& place, const typename Space::Wanted& wanted) {
-    const NodeId node = addNode(place);
-    setWanted<Space>(node, wanted);
+  NodeId addNode(const Vec3& position, const typename Space::Target& target) {
+    const NodeId node = addNode(position);
+    setTarget<Space>(node, target);
     return node;
   }
-  void move(NodeId node, const Vec3& place);
+  void move(NodeId node, const Vec3& position);
   void forget(NodeId node) { elementAt_[node.index()] = TetId(); }
 
   // Elements. The slots of removed elements are reused.
@@ -111,20 +97,20 @@ class TetComplex {
   template <class Space>
   [[nodiscard]] typename Space::Frame frameOf(const Corners& nodes) const {
     if constexpr (Space::kIsStretched) {
-      return Space::frameOf(wanted<Space>(nodes[0]), wanted<Space>(nodes[1]),
-                            wanted<Space>(nodes[2]), wanted<Space>(nodes[3]));
+      return Space::frameOf(target<Space>(nodes[0]), target<Space>(nodes[1]),
+                            target<Space>(nodes[2]), target<Space>(nodes[3]));
     } else {
       return {};
     }
   }
   template <class Space>
   [[nodiscard]] double costOf(const ElementCost<Space>& cost, const Corners& nodes) const {
-    return cost(place(nodes[0]), place(nodes[1]), place(nodes[2]), place(nodes[3]),
+    return cost(position(nodes[0]), position(nodes[1]), position(nodes[2]), position(nodes[3]),
                 frameOf<Space>(nodes));
   }
   /// Recomputes the costs of slots [first, last) by another measure.
   template <class Space>
-  void costAnew(const ElementCost<Space>& cost, std::size_t first, std::size_t last);
+  void recomputeCosts(const ElementCost<Space>& cost, std::size_t first, std::size_t last);
 
   // Passes, numbered from 1, record when an element last changed.
   void beginPass() { ++pass_; }
@@ -173,9 +159,9 @@ class TetComplex {
     double cost;
     std::uint32_t pass;
   };
-  struct SavedPlace {
+  struct SavedPosition {
     NodeId node;
-    Vec3 place;
+    Vec3 position;
   };
   struct FaceKey {
     std::array<std::uint32_t, 3> nodes;
@@ -183,16 +169,16 @@ class TetComplex {
   };
   struct FaceSlot {
     FaceKey key;
-    Facing facing;
+    ElementFace facing;
     std::uint32_t stamp = 0;
   };
   /// A face in build(): faces are grouped by their lowest node; the other two nodes, and the
   /// element.
   struct Side {
     std::array<std::uint32_t, 2> nodes;
-    Facing facing;
+    ElementFace facing;
   };
-  enum class BuildStep : std::uint8_t { kTake, kPlace, kMatch, kBuilt };
+  enum class BuildStep : std::uint8_t { kTake, kInsert, kMatch, kBuilt };
   struct BuildState {
     BuildStep step = BuildStep::kTake;
     std::size_t next = 0;
@@ -205,7 +191,7 @@ class TetComplex {
 
   /// Returns the array that has an entry for each node: sizes_ or tensors_.
   template <class Space, class Self>
-  [[nodiscard]] static auto& wantedOf(Self& self) {
+  [[nodiscard]] static auto& targetsOf(Self& self) {
     if constexpr (Space::kIsStretched) {
       return self.tensors_;
     } else {
@@ -213,7 +199,7 @@ class TetComplex {
     }
   }
   [[nodiscard]] VolumeMesh asGiven() const;
-  NodeId addNode(const Vec3& place);
+  NodeId addNode(const Vec3& position);
   void resizeNodes(std::size_t count);
   [[nodiscard]] FaceKey keyOf(const Corners& nodes, std::size_t corner) const;
   FaceSlot& slotFor(const FaceKey& key);
@@ -225,7 +211,7 @@ class TetComplex {
   void save(TetId tet);
 
   std::size_t boundaryNodes_;
-  std::vector<Vec3> places_;
+  std::vector<Vec3> positions_;
   bool isStretched_;
   std::vector<double> sizes_;             ///< target lengths, without stretching
   std::vector<SymmetricTensor> tensors_;  ///< T, with stretching
@@ -242,7 +228,7 @@ class TetComplex {
   std::uint32_t faceStamp_ = 0;
   bool inTrial_ = false;
   std::vector<SavedElement> savedElements_;
-  std::vector<SavedPlace> savedPlaces_;
+  std::vector<SavedPosition> savedPositions_;
   std::size_t freeSlotsKept_ = 0;  ///< number of freeSlots_ that the trial has not used
   std::vector<TetId> takenSlots_;  ///< the slots that the trial used, the last one first
   std::size_t slotsBeforeTrial_ = 0;

@@ -106,7 +106,7 @@ class SampledPatches {
       for (const std::uint32_t other : near) {
         if (isDegenerate(other) || !meetImproperly(numbered(t), numbered(other))) continue;
         if (areCurved && haveSameNodes(t, other)) continue;
-        return meetingPlace(cornersOf(t), cornersOf(other));
+        return intersectionPosition(cornersOf(t), cornersOf(other));
       }
     }
     return std::nullopt;

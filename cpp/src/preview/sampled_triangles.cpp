@@ -6,7 +6,7 @@ namespace tetrafront {
 namespace {
 
 /// Opposite patches are roughly parallel: the cosine of the angle between a normal and the ray is at least this.
-constexpr double kMinCosine = 0.5;
+constexpr double kMinAngleCosine = 0.5;
 /// Distance of a ray's start from its own triangle / length of the ray.
 constexpr double kRayStart = 1e-6;
 
@@ -52,7 +52,7 @@ std::optional<double> SampledTriangles::gapAlong(const SampledTriangle& triangle
     nearest = t;
     cosine = glm::dot(triangles_[item].normal, ray);
   });
-  if (!nearest || std::fabs(cosine) < kMinCosine) return std::nullopt;
+  if (!nearest || std::fabs(cosine) < kMinAngleCosine) return std::nullopt;
   const Vec3 middle = triangle.centroid + ray * (0.5 * *nearest);
   return isInside(middle, modelDiagonal) ? nearest : std::nullopt;
 }

@@ -5,24 +5,25 @@
 #include <tuple>
 #include <utility>
 
+#include "base/mesh_access.h"
 #include "base/sort.h"
 #include "geom/tetrahedron.h"
 
 namespace tetrafront {
 namespace {
 
-/// The faces of a b c d (mesh.h) by index.
-using Nodes = std::array<std::uint32_t, 3>;
-
-Nodes faceOf(const VolumeMesh& mesh, std::size_t owner) {
-  Nodes nodes{};
-  for (std::size_t k = 0; k < 3; ++k)
-    nodes[k] = mesh.tetrahedra[owner / 4 * 4 + kFaceCorners[owner % 4][k]];
-  return nodes;
+/// Returns the nodes counter-clockwise as seen from outside the element (mesh.h).
+NodeTriple nodesOf(const VolumeMesh& mesh, ElementFace face) {
+  const NodeQuad nodes = nodesOf(mesh, face.tet());
+  const auto& [a, b, c] = kFaceCorners[face.corner()];
+  return {nodes[a], nodes[b], nodes[c]};
 }
 
-Nodes sortedFaceOf(const VolumeMesh& mesh, std::size_t owner) {
-  auto [a, b, c] = faceOf(mesh, owner);
+/// Returns the face with an index below four times the number of elements.
+ElementFace faceAt(std::size_t index) { return {TetId(index / 4), index % 4}; }
+
+NodeTriple sortedNodesOf(const VolumeMesh& mesh, ElementFace face) {
+  auto [a, b, c] = nodesOf(mesh, face);
   if (a > b) std::swap(a, b);
   if (b > c) std::swap(b, c);
   if (a > b) std::swap(a, b);
@@ -33,11 +34,11 @@ Nodes sortedFaceOf(const VolumeMesh& mesh, std::size_t owner) {
 
 BoundaryFinder::BoundaryFinder(const VolumeMesh& mesh)
     : mesh_(&mesh),
-      begins_(mesh.points.size() / 3 + 1, 0),
+      begins_(countNodes(mesh) + 1, 0),
       partOf_(mesh.tetrahedra.size(), Part::kNone) {}
 
 bool BoundaryFinder::advance(std::uint32_t budget) {
-  const std::size_t nodes = mesh_->points.size() / 3;
+  const std::size_t nodes = countNodes(*mesh_);
   const std::size_t faces = mesh_->tetrahedra.size();
   const std::size_t end = stage_ == Stage::kMatch ? nodes : faces;
   // Tetrahedra have four faces each. There are fewer nodes, but each is the lowest of many faces.
@@ -48,8 +49,8 @@ bool BoundaryFinder::advance(std::uint32_t budget) {
     case Stage::kCount:
       count(next_, last);
       break;
-    case Stage::kPlace:
-      place(next_, last);
+    case Stage::kInsert:
+      insert(next_, last);
       break;
     case Stage::kMatch:
       match(next_, last);
@@ -61,16 +62,16 @@ bool BoundaryFinder::advance(std::uint32_t budget) {
       return true;
   }
   next_ = last;
-  if (last == end) goOn(static_cast<Stage>(static_cast<std::uint8_t>(stage_) + 1));
+  if (last == end) begin(static_cast<Stage>(static_cast<std::uint8_t>(stage_) + 1));
   return stage_ == Stage::kDone;
 }
 
-void BoundaryFinder::goOn(Stage stage) {
+void BoundaryFinder::begin(Stage stage) {
   stage_ = stage;
   next_ = 0;
-  if (stage == Stage::kPlace) {
-    std::uint32_t begin = 0;
-    for (std::uint32_t& bucket : begins_) begin += std::exchange(bucket, begin);
+  if (stage == Stage::kInsert) {
+    std::uint32_t sum = 0;
+    for (std::uint32_t& bucket : begins_) sum += std::exchange(bucket, sum);
     faces_.resize(mesh_->tetrahedra.size());
   }
   if (stage == Stage::kMatch) {
@@ -81,13 +82,15 @@ void BoundaryFinder::goOn(Stage stage) {
 }
 
 void BoundaryFinder::count(std::size_t first, std::size_t last) {
-  for (std::size_t owner = first; owner < last; ++owner) ++begins_[sortedFaceOf(*mesh_, owner)[0]];
+  for (std::size_t i = first; i < last; ++i) {
+    ++begins_[sortedNodesOf(*mesh_, faceAt(i))[0].index()];
+  }
 }
 
-void BoundaryFinder::place(std::size_t first, std::size_t last) {
-  for (std::size_t owner = first; owner < last; ++owner) {
-    const Nodes nodes = sortedFaceOf(*mesh_, owner);
-    faces_[begins_[nodes[0]]++] = {nodes[1], nodes[2], static_cast<std::uint32_t>(owner)};
+void BoundaryFinder::insert(std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
+    const auto [lowest, middle, highest] = sortedNodesOf(*mesh_, faceAt(i));
+    faces_[begins_[lowest.index()]++] = {middle, highest, faceAt(i)};
   }
 }
 
@@ -96,35 +99,34 @@ void BoundaryFinder::match(std::size_t firstNode, std::size_t lastNode) {
     return a.middle == b.middle && a.highest == b.highest;
   };
   for (std::size_t node = firstNode; node < lastNode; ++node) {
-    Face* const begin = faces_.data() + begins_[node];
-    Face* const end = faces_.data() + begins_[node + 1];
-    sortFew(std::span(begin, end), [](const Face& a, const Face& b) {
+    const std::span<Face> faces(faces_.data() + begins_[node], faces_.data() + begins_[node + 1]);
+    sortFew(faces, [](const Face& a, const Face& b) {
       return std::tie(a.middle, a.highest, a.owner) < std::tie(b.middle, b.highest, b.owner);
     });
-    for (const Face* face = begin; face != end; ++face) {
-      if (face != begin && isSame(face[-1], face[0])) continue;
-      if (face + 1 == end || !isSame(face[0], face[1])) {
-        partOf_[face->owner] = Part::kBoundary;
-      } else if (regionOf(face[0].owner) != regionOf(face[1].owner)) {
-        partOf_[face->owner] = Part::kWall;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      if (i > 0 && isSame(faces[i - 1], faces[i])) continue;
+      Part& part = partOf_[faces[i].owner.index()];
+      if (i + 1 == faces.size() || !isSame(faces[i], faces[i + 1])) {
+        part = Part::kBoundary;
+      } else if (regionOf(faces[i].owner) != regionOf(faces[i + 1].owner)) {
+        part = Part::kInterface;
       }
     }
   }
 }
 
 void BoundaryFinder::collect(std::size_t first, std::size_t last) {
-  for (std::size_t owner = first; owner < last; ++owner) {
-    if (partOf_[owner] == Part::kNone) continue;
-    const bool isInterface = partOf_[owner] == Part::kWall;
-    const Nodes nodes = faceOf(*mesh_, owner);
-    std::vector<std::uint32_t>& triangles = isInterface ? walls_ : boundary_.triangles;
-    triangles.insert(triangles.end(), nodes.begin(), nodes.end());
-    if (!isInterface) boundary_.trianglePatch.push_back(regionOf(owner));
+  for (std::size_t i = first; i < last; ++i) {
+    if (partOf_[i] == Part::kNone) continue;
+    const bool isInterface = partOf_[i] == Part::kInterface;
+    std::vector<std::uint32_t>& triangles = isInterface ? interfaces_ : boundary_.triangles;
+    for (const NodeId node : nodesOf(*mesh_, faceAt(i))) triangles.push_back(node.value);
+    if (!isInterface) boundary_.trianglePatch.push_back(regionOf(faceAt(i)));
   }
 }
 
-std::uint32_t BoundaryFinder::regionOf(std::size_t owner) const {
-  return mesh_->regions.empty() ? 0 : mesh_->regions[owner / 4];
+std::uint32_t BoundaryFinder::regionOf(ElementFace face) const {
+  return mesh_->regions.empty() ? 0 : mesh_->regions[face.tet().index()];
 }
 
 }  // namespace tetrafront

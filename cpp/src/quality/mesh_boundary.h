@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/ids.h"
+#include "geom/tetrahedron.h"
 #include "tetrafront/mesh.h"
 
 namespace tetrafront {
@@ -29,25 +31,25 @@ class BoundaryFinder {
 
   /// Returns three nodes per face between two regions, oriented as in the first of its elements.
   /// Once, when finished.
-  [[nodiscard]] std::vector<std::uint32_t> takeWalls() { return std::move(walls_); }
+  [[nodiscard]] std::vector<std::uint32_t> takeInterfaces() { return std::move(interfaces_); }
 
  private:
-  enum class Stage : std::uint8_t { kCount, kPlace, kMatch, kCollect, kDone };
-  enum class Part : std::uint8_t { kNone, kBoundary, kWall };
+  enum class Stage : std::uint8_t { kCount, kInsert, kMatch, kCollect, kDone };
+  enum class Part : std::uint8_t { kNone, kBoundary, kInterface };
 
   /// The two other nodes of a face; its bucket gives the lowest.
   struct Face {
-    std::uint32_t middle;
-    std::uint32_t highest;
-    std::uint32_t owner;  ///< 4 x element + face
+    NodeId middle;
+    NodeId highest;
+    ElementFace owner;
   };
 
-  [[nodiscard]] std::uint32_t regionOf(std::size_t owner) const;
+  [[nodiscard]] std::uint32_t regionOf(ElementFace face) const;
   void count(std::size_t first, std::size_t last);
-  void place(std::size_t first, std::size_t last);
+  void insert(std::size_t first, std::size_t last);
   void match(std::size_t firstNode, std::size_t lastNode);
   void collect(std::size_t first, std::size_t last);
-  void goOn(Stage stage);
+  void begin(Stage stage);
 
   const VolumeMesh* mesh_;
   Stage stage_ = Stage::kCount;
@@ -56,9 +58,9 @@ class BoundaryFinder {
   /// free slot.
   std::vector<std::uint32_t> begins_;
   std::vector<Face> faces_;
-  std::vector<Part> partOf_;  ///< by owner
+  std::vector<Part> partOf_;  ///< by face (ElementFace::index())
   SurfaceMesh boundary_;
-  std::vector<std::uint32_t> walls_;
+  std::vector<std::uint32_t> interfaces_;
 };
 
 }  // namespace tetrafront

@@ -3,34 +3,27 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
+#include "base/ids.h"
+#include "base/mesh_access.h"
 #include "base/sort.h"
 #include "field/size_field.h"
 #include "geom/coordinates.h"
 #include "geom/predicates.h"
-#include "quality/verify_mesh.h"
+#include "geom/tetrahedron.h"
 #include "quality/mesh_boundary.h"
 #include "quality/quality_analysis.h"
+#include "quality/verify_mesh.h"
 
 namespace tetrafront {
 namespace {
 
-Vec3 pointOf(const VolumeMesh& mesh, std::uint32_t node) {
-  const std::size_t i = 3 * std::size_t{node};
-  return {mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]};
-}
-
-std::array<Vec3, 4> cornersOf(const VolumeMesh& mesh, std::size_t element) {
-  const std::uint32_t* nodes = &mesh.tetrahedra[4 * element];
-  return {pointOf(mesh, nodes[0]), pointOf(mesh, nodes[1]), pointOf(mesh, nodes[2]),
-          pointOf(mesh, nodes[3])};
-}
-
 bool isReadable(const VolumeMesh& mesh) {
-  const std::size_t nodes = mesh.points.size() / 3;
-  const std::size_t elements = mesh.tetrahedra.size() / 4;
+  const std::size_t nodes = countNodes(mesh);
+  const std::size_t elements = countTetrahedra(mesh);
   return elements > 0 && mesh.points.size() % 3 == 0 && mesh.tetrahedra.size() % 4 == 0 &&
          (mesh.regions.empty() || mesh.regions.size() == elements) &&
          std::all_of(mesh.points.begin(), mesh.points.end(),
@@ -39,22 +32,22 @@ bool isReadable(const VolumeMesh& mesh) {
                      [nodes](std::uint32_t node) { return node < nodes; });
 }
 
-void countNodes(const VolumeMesh& mesh, MeshInspection& out) {
-  std::vector<std::uint8_t> isUsed(mesh.points.size() / 3, 0);
+void countUsedNodes(const VolumeMesh& mesh, MeshInspection& out) {
+  std::vector<std::uint8_t> isUsed(countNodes(mesh), 0);
   for (const std::uint32_t node : mesh.tetrahedra) isUsed[node] = 1;
   const auto used = std::count(isUsed.begin(), isUsed.end(), std::uint8_t{1});
   out.nodes = static_cast<std::uint32_t>(used);
   out.unusedNodes = static_cast<std::uint32_t>(isUsed.size()) - out.nodes;
 }
 
-/// Flips inverted elements.
-void turnElement(VolumeMesh& mesh, std::size_t element, MeshInspection& out) {
+/// Reverses the orientation of an inverted element.
+void orientElement(VolumeMesh& mesh, TetId element, MeshInspection& out) {
   const auto [a, b, c, d] = cornersOf(mesh, element);
   const int sign = orient3d(a, b, c, d);
   if (sign == 0) ++out.degenerateTetrahedra;
   if (sign >= 0) return;
   ++out.invertedTetrahedra;
-  std::swap(mesh.tetrahedra[4 * element + 2], mesh.tetrahedra[4 * element + 3]);
+  std::swap(mesh.tetrahedra[4 * element.index() + 2], mesh.tetrahedra[4 * element.index() + 3]);
 }
 
 std::uint32_t narrowed(std::uint64_t count) {
@@ -82,28 +75,28 @@ class MeshInspector::Impl {
   [[nodiscard]] const MeshInspection& result() const { return out_; }
 
  private:
-  enum class Stage : std::uint8_t { kNodes, kElements, kBoundary, kVerify, kSurvey, kDone };
+  enum class Stage : std::uint8_t { kNodes, kElements, kBoundary, kVerify, kAnalyse, kDone };
 
   [[nodiscard]] Stage readNodes();
   void numberRegions();
   /// Returns whether all tetrahedra are done.
   bool measureElements(std::uint32_t budget);
-  void measureEdges(std::size_t element);
+  void measureEdges(TetId element);
   void takeBoundary();
   void takeDefects();
-  void beginSurvey();
+  void beginAnalysis();
 
   VolumeMesh mesh_;  ///< its regions are indices in regionIds_
   std::vector<std::uint32_t> regionIds_;
   Stage stage_ = Stage::kNodes;
-  std::size_t nextElement_ = 0;
+  TetId nextElement_{0U};
   double edgeSum_ = 0.0;
   std::optional<BoundaryFinder> boundary_;
-  SurfaceMesh surface_;    ///< the boundary with its positions
-  SurfaceMesh withWalls_;  ///< the boundary and the interfaces
+  SurfaceMesh surface_;         ///< the boundary with its positions
+  SurfaceMesh withInterfaces_;  ///< the boundary and the interfaces
   std::optional<MeshVerifier> verifier_;
   std::optional<SizeField> field_;
-  std::optional<QualityAnalysis> survey_;
+  std::optional<QualityAnalysis> analysis_;
   MeshInspection out_;
 };
 
@@ -124,12 +117,12 @@ bool MeshInspector::Impl::advance(std::uint32_t budget) {
     case Stage::kVerify:
       if (!verifier_->advance(budget)) break;
       takeDefects();
-      beginSurvey();
+      beginAnalysis();
       break;
-    case Stage::kSurvey:
-      if (!survey_->advance(budget)) break;
-      out_.quality = survey_->summary();
-      out_.statistics = survey_->statistics();
+    case Stage::kAnalyse:
+      if (!analysis_->advance(budget)) break;
+      out_.quality = analysis_->summary();
+      out_.statistics = analysis_->statistics();
       for (RegionStatistics& own : out_.statistics.regions) own.region = regionIds_[own.region];
       stage_ = Stage::kDone;
       break;
@@ -142,10 +135,11 @@ bool MeshInspector::Impl::advance(std::uint32_t budget) {
 MeshInspector::Impl::Stage MeshInspector::Impl::readNodes() {
   out_.isReadable = isReadable(mesh_);
   if (!out_.isReadable) return Stage::kDone;
-  mesh_.regions.resize(mesh_.tetrahedra.size() / 4, 0);
+  mesh_.regions.resize(countTetrahedra(mesh_), 0);
   numberRegions();
-  out_.tetrahedra = static_cast<std::uint32_t>(mesh_.tetrahedra.size() / 4);
-  countNodes(mesh_, out_);
+  out_.tetrahedra = static_cast<std::uint32_t>(countTetrahedra(mesh_));
+  countUsedNodes(mesh_, out_);
+  out_.shortestEdge = std::numeric_limits<double>::infinity();  // until the first edge
   return Stage::kElements;
 }
 
@@ -163,36 +157,34 @@ void MeshInspector::Impl::numberRegions() {
 }
 
 bool MeshInspector::Impl::measureElements(std::uint32_t budget) {
-  const std::size_t last =
-      nextElement_ + std::min<std::size_t>(out_.tetrahedra - nextElement_, budget);
-  for (; nextElement_ < last; ++nextElement_) {
-    turnElement(mesh_, nextElement_, out_);
+  const std::uint32_t last =
+      nextElement_.value + std::min(out_.tetrahedra - nextElement_.value, budget);
+  for (; nextElement_.value < last; ++nextElement_.value) {
+    orientElement(mesh_, nextElement_, out_);
     measureEdges(nextElement_);
   }
-  if (nextElement_ < out_.tetrahedra) return false;
+  if (nextElement_.value < out_.tetrahedra) return false;
   out_.meanEdge = edgeSum_ / (6.0 * out_.tetrahedra);
   return true;
 }
 
-void MeshInspector::Impl::measureEdges(std::size_t element) {
-  const std::array<Vec3, 4> p = cornersOf(mesh_, element);
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = i + 1; j < 4; ++j) {
-      const double length = glm::length(p[j] - p[i]);
-      edgeSum_ += length;
-      const bool isFirst = element == 0 && i == 0 && j == 1;
-      out_.shortestEdge = isFirst ? length : std::min(out_.shortestEdge, length);
-      out_.longestEdge = std::max(out_.longestEdge, length);
-    }
+void MeshInspector::Impl::measureEdges(TetId element) {
+  const std::array<Vec3, 4> corners = cornersOf(mesh_, element);
+  for (const TetEdge& edge : kTetEdges) {
+    const double length = glm::length(corners[edge.to] - corners[edge.from]);
+    out_.shortestEdge = std::min(out_.shortestEdge, length);
+    out_.longestEdge = std::max(out_.longestEdge, length);
+    edgeSum_ += length;
   }
 }
 
 void MeshInspector::Impl::takeBoundary() {
   out_.boundary = boundary_->take();
-  const std::vector<std::uint32_t> walls = boundary_->takeWalls();
+  const std::vector<std::uint32_t> interfaces = boundary_->takeInterfaces();
   boundary_.reset();
-  withWalls_.triangles = out_.boundary.triangles;
-  withWalls_.triangles.insert(withWalls_.triangles.end(), walls.begin(), walls.end());
+  withInterfaces_.triangles = out_.boundary.triangles;
+  withInterfaces_.triangles.insert(withInterfaces_.triangles.end(), interfaces.begin(),
+                                   interfaces.end());
   surface_ = out_.boundary;
   surface_.points = mesh_.points;
   for (std::uint32_t& region : out_.boundary.trianglePatch) region = regionIds_[region];
@@ -210,14 +202,14 @@ void MeshInspector::Impl::takeDefects() {
   surface_ = {};
 }
 
-void MeshInspector::Impl::beginSurvey() {
+void MeshInspector::Impl::beginAnalysis() {
   if (!(out_.meanEdge > 0.0)) {
     stage_ = Stage::kDone;
     return;
   }
   field_ = SizeField::uniform(out_.meanEdge);
-  survey_.emplace(mesh_, withWalls_, *field_);
-  stage_ = Stage::kSurvey;
+  analysis_.emplace(mesh_, withInterfaces_, *field_);
+  stage_ = Stage::kAnalyse;
 }
 
 MeshInspector::MeshInspector(std::span<const double> points,

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/ids.h"
+#include "base/mesh_access.h"
+
 namespace tetrafront {
 namespace {
 
@@ -61,12 +64,9 @@ TetrahedronMeasures measureTetrahedron(const Vec3& a, const Vec3& b, const Vec3&
 }
 
 void QualityMeter::add(const VolumeMesh& mesh, std::size_t first, std::size_t last) {
-  const auto corner = [&](std::size_t t, std::size_t k) {
-    const std::size_t i = 3 * std::size_t{mesh.tetrahedra[4 * t + k]};
-    return Vec3(mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]);
-  };
   for (std::size_t t = first; t < last; ++t) {
-    add(measureTetrahedron(corner(t, 0), corner(t, 1), corner(t, 2), corner(t, 3)));
+    const auto [a, b, c, d] = cornersOf(mesh, TetId(t));
+    add(measureTetrahedron(a, b, c, d));
   }
 }
 
@@ -92,7 +92,7 @@ QualitySummary QualityMeter::summary() const {
 
 QualitySummary measureQuality(const VolumeMesh& mesh) {
   QualityMeter meter;
-  meter.add(mesh, 0, mesh.tetrahedra.size() / 4);
+  meter.add(mesh, 0, countTetrahedra(mesh));
   return meter.summary();
 }
 

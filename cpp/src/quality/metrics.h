@@ -30,6 +30,9 @@ inline constexpr std::array<std::size_t, 4> kCosineFaces{1, 2, 3, 0};
 
 [[nodiscard]] TetrahedronMeasures measureTetrahedron(const Vec3& a, const Vec3& b, const Vec3& c,
                                                      const Vec3& d);
+[[nodiscard]] inline TetrahedronMeasures measureTetrahedron(const std::array<Vec3, 4>& corners) {
+  return measureTetrahedron(corners[0], corners[1], corners[2], corners[3]);
+}
 
 /// Returns 2 x inradius / circumradius: 1 if equilateral, 0 if two corners coincide.
 [[nodiscard]] double triangleRadiusRatio(const Vec3& a, const Vec3& b, const Vec3& c);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/mesh_access.h"
+
 namespace tetrafront {
 namespace {
 
@@ -50,8 +52,8 @@ std::size_t linearBin(double value, double binsPerUnit, std::size_t count) {
   return bin < static_cast<double>(count) ? static_cast<std::size_t>(bin) : count - 1;
 }
 
-/// Above 1 if and only if an angle misses its target; the larger, the worse.
-double badnessOf(const TetrahedronMeasures& measures) {
+/// Returns a value above 1 if and only if an angle is out of range; the larger, the worse.
+double dihedralCostOf(const TetrahedronMeasures& measures) {
   constexpr double kFlat = 1e300;
   const double c = measures.largestCosine;
   const double d = measures.smallestCosine;
@@ -59,10 +61,6 @@ double badnessOf(const TetrahedronMeasures& measures) {
   return std::max(kSquaredTangentOfHalf30 * (1.0 + c) / (1.0 - c),
                   kSquaredTangentOfHalf45 * (1.0 - d) / (1.0 + d));
 }
-
-/// Corners of an element's edges.
-constexpr std::array<std::array<std::size_t, 2>, 6> kEdges{
-    {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
 }  // namespace
 
@@ -73,19 +71,19 @@ QualityAnalysis::QualityAnalysis(const VolumeMesh& mesh, const SurfaceMesh& surf
       field_(field),
       isStretched_(field.isStretched()),
       limits_(mesh.points) {
-  const std::size_t nodes = mesh.points.size() / 3;
+  const std::size_t nodes = countNodes(mesh);
   if (isStretched_) {
     tensors_.resize(nodes);
   } else {
     sizes_.resize(nodes);
   }
-  if (field.isLifted()) lifts_.resize(nodes);
+  if (field.isRaised()) raiseFactors_.resize(nodes);
   starts_.assign(nodes + 1, 0);
 }
 
 bool QualityAnalysis::advance(std::uint32_t budget) {
-  const std::size_t nodes = mesh_.points.size() / 3;
-  const std::size_t elements = mesh_.tetrahedra.size() / 4;
+  const std::size_t nodes = countNodes(mesh_);
+  const std::size_t elements = countTetrahedra(mesh_);
   const auto slice = [&](std::size_t end, Stage following, auto work) {
     const std::size_t last = next_ + std::min<std::size_t>(budget, end - next_);
     work(next_, last);
@@ -97,16 +95,16 @@ bool QualityAnalysis::advance(std::uint32_t budget) {
   };
   switch (stage_) {
     case Stage::kSizes:
-      slice(nodes, Stage::kElements, [&](std::size_t a, std::size_t b) { askSizes(a, b); });
+      slice(nodes, Stage::kElements, [&](std::size_t a, std::size_t b) { querySizes(a, b); });
       break;
     case Stage::kElements:
-      if (slice(elements, Stage::kPlaceEdges,
+      if (slice(elements, Stage::kInsertEdges,
                 [&](std::size_t a, std::size_t b) { measureElements(a, b); })) {
         startEdges();
       }
       break;
-    case Stage::kPlaceEdges:
-      slice(elements, Stage::kEdges, [&](std::size_t a, std::size_t b) { placeEdges(a, b); });
+    case Stage::kInsertEdges:
+      slice(elements, Stage::kEdges, [&](std::size_t a, std::size_t b) { insertEdges(a, b); });
       break;
     case Stage::kEdges:
       if (slice(nodes, Stage::kBoundary,
@@ -121,7 +119,7 @@ bool QualityAnalysis::advance(std::uint32_t budget) {
       }
       break;
     case Stage::kLimits:
-      if (slice(missed_.size(), Stage::kDone,
+      if (slice(outOfRange_.size(), Stage::kDone,
                 [&](std::size_t a, std::size_t b) { findLimits(a, b); })) {
         finish();
       }
@@ -132,51 +130,41 @@ bool QualityAnalysis::advance(std::uint32_t budget) {
   return stage_ == Stage::kDone;
 }
 
-Vec3 QualityAnalysis::pointOf(std::uint32_t node) const {
-  const double* at = &mesh_.points[3 * std::size_t{node}];
-  return {at[0], at[1], at[2]};
-}
-
-std::span<const std::uint32_t, 4> QualityAnalysis::nodesOf(std::size_t element) const {
-  return std::span<const std::uint32_t, 4>(&mesh_.tetrahedra[4 * element], 4);
-}
-
-void QualityAnalysis::askSizes(std::size_t first, std::size_t last) {
+void QualityAnalysis::querySizes(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
-    const Vec3 place = pointOf(static_cast<std::uint32_t>(i));
+    const Vec3 position = pointOf(mesh_, NodeId(i));
     double size = 0.0;
     if (isStretched_) {
-      const SymmetricTensor wanted = field_.wantedTensorAt(place, hint_);
-      tensors_[i] = wanted.inverse();
-      size = meanSizeOf(wanted);
+      const SymmetricTensor target = field_.targetTensorAt(position, hint_);
+      tensors_[i] = target.inverse();
+      size = meanSizeOf(target);
     } else {
-      size = sizes_[i] = field_.wantedSizeAt(place, hint_);
+      size = sizes_[i] = field_.targetSizeAt(position, hint_);
     }
-    if (!lifts_.empty()) lifts_[i] = field_.liftAt(place, size);
+    if (!raiseFactors_.empty()) raiseFactors_[i] = field_.raiseFactorAt(position, size);
   }
 }
 
-double QualityAnalysis::meanLift(std::span<const std::uint32_t> nodes) const {
-  if (lifts_.empty()) return 1.0;
+double QualityAnalysis::meanRaiseFactor(std::span<const NodeId> nodes) const {
+  if (raiseFactors_.empty()) return 1.0;
   double sum = 0.0;
-  for (const std::uint32_t node : nodes) sum += lifts_[node];
+  for (const NodeId node : nodes) sum += raiseFactors_[node.index()];
   return sum / static_cast<double>(nodes.size());
 }
 
-std::array<Vec3, 4> QualityAnalysis::seenCorners(std::span<const std::uint32_t, 4> nodes) const {
-  std::array<Vec3, 4> corners;
-  for (std::size_t k = 0; k < 4; ++k) corners[k] = pointOf(nodes[k]);
+std::array<Vec3, 4> QualityAnalysis::metricCorners(TetId element) const {
+  std::array<Vec3, 4> corners = cornersOf(mesh_, element);
   if (!isStretched_) return corners;
-  const ElementView view = viewOf(nodes);
+  const ElementView view = viewOf(nodesOf(mesh_, element));
   for (Vec3& corner : corners) corner = view(corner);
   return corners;
 }
 
-double QualityAnalysis::relativeLength(std::uint32_t a, std::uint32_t b) const {
-  const Vec3 edge = pointOf(a) - pointOf(b);
-  if (!isStretched_) return glm::length(edge) / (0.5 * (sizes_[a] + sizes_[b]));
-  SymmetricTensor toUnit = tensors_[a].scaledBy(0.5);
-  toUnit.accumulate(tensors_[b], 0.5);
+double QualityAnalysis::relativeLength(NodeId a, NodeId b) const {
+  const Vec3 edge = pointOf(mesh_, a) - pointOf(mesh_, b);
+  if (!isStretched_) return glm::length(edge) / (0.5 * (sizes_[a.index()] + sizes_[b.index()]));
+  SymmetricTensor toUnit = tensors_[a.index()].scaledBy(0.5);
+  toUnit.accumulate(tensors_[b.index()], 0.5);
   return glm::length(toUnit * edge);
 }
 
@@ -189,25 +177,21 @@ RegionStatistics& QualityAnalysis::statisticsOf(std::uint32_t region) {
   return regions[region];
 }
 
-void QualityAnalysis::keepWorst(std::vector<Ranked>& worst, const Ranked& one) {
-  if (worst.size() == kListed && !(one.badness > worst.back().badness)) return;
+void QualityAnalysis::keepWorst(std::vector<Ranked>& worst, const Ranked& candidate) {
+  if (worst.size() == kListed && !(candidate.cost > worst.back().cost)) return;
   if (worst.size() == kListed) worst.pop_back();
-  worst.insert(
-      std::upper_bound(worst.begin(), worst.end(), one,
-                       [](const Ranked& p, const Ranked& q) { return p.badness > q.badness; }),
-      one);
+  worst.insert(std::upper_bound(worst.begin(), worst.end(), candidate,
+                                [](const Ranked& p, const Ranked& q) { return p.cost > q.cost; }),
+               candidate);
 }
 
 void QualityAnalysis::measureElements(std::size_t first, std::size_t last) {
   for (std::size_t t = first; t < last; ++t) {
-    const auto nodes = nodesOf(t);
-    const auto element = static_cast<std::uint32_t>(t);
-    const TetrahedronMeasures plain = measureTetrahedron(pointOf(nodes[0]), pointOf(nodes[1]),
-                                                         pointOf(nodes[2]), pointOf(nodes[3]));
+    const TetId element(t);
+    const TetrahedronMeasures plain = measureTetrahedron(cornersOf(mesh_, element));
     meter_.add(plain);
-    const auto seen = seenCorners(nodes);
     const TetrahedronMeasures measures =
-        isStretched_ ? measureTetrahedron(seen[0], seen[1], seen[2], seen[3]) : plain;
+        isStretched_ ? measureTetrahedron(metricCorners(element)) : plain;
     RegionStatistics& region = statisticsOf(mesh_.regions[t]);
     ++region.tetrahedra;
     region.volume += plain.volume;
@@ -219,10 +203,13 @@ void QualityAnalysis::measureElements(std::size_t first, std::size_t last) {
       smallest_ = element;
     }
     largestVolume_ = std::max(largestVolume_, plain.volume);
-    const double badness = badnessOf(measures);
-    keepWorst(worst_, {badness, element});
-    if (badness > 1.0) missed_.push_back({badness, element});
-    for (const auto& [i, j] : kEdges) ++starts_[std::min(nodes[i], nodes[j]) + 1];
+    const double cost = dihedralCostOf(measures);
+    keepWorst(worst_, {cost, element});
+    if (cost > 1.0) outOfRange_.push_back({cost, element});
+    const NodeQuad nodes = nodesOf(mesh_, element);
+    for (const TetEdge& edge : kTetEdges) {
+      ++starts_[std::min(nodes[edge.from], nodes[edge.to]).index() + 1];
+    }
   }
 }
 
@@ -230,35 +217,34 @@ void QualityAnalysis::startEdges() {
   for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
   filled_.assign(starts_.begin(), starts_.end() - 1);
   edges_.resize(starts_.back());
-  metBy_.assign(filled_.size(), 0);
+  lastLowerNode_.assign(filled_.size(), NodeId());
 }
 
-void QualityAnalysis::placeEdges(std::size_t first, std::size_t last) {
+void QualityAnalysis::insertEdges(std::size_t first, std::size_t last) {
   for (std::size_t t = first; t < last; ++t) {
-    const auto nodes = nodesOf(t);
-    for (std::size_t e = 0; e < kEdges.size(); ++e) {
-      const std::uint32_t lower = std::min(nodes[kEdges[e][0]], nodes[kEdges[e][1]]);
-      edges_[filled_[lower]++] = static_cast<std::uint32_t>(kEdges.size() * t + e);
+    const NodeQuad nodes = nodesOf(mesh_, TetId(t));
+    for (std::size_t e = 0; e < kTetEdges.size(); ++e) {
+      const NodeId lower = std::min(nodes[kTetEdges[e].from], nodes[kTetEdges[e].to]);
+      edges_[filled_[lower.index()]++] = {TetId(t), e};
     }
   }
 }
 
 void QualityAnalysis::measureEdges(std::size_t firstNode, std::size_t lastNode) {
-  for (std::size_t lower = firstNode; lower < lastNode; ++lower) {
-    for (std::uint32_t i = starts_[lower]; i < starts_[lower + 1]; ++i) {
-      const std::size_t element = edges_[i] / kEdges.size();
-      const auto& corners = kEdges[edges_[i] % kEdges.size()];
-      const auto nodes = nodesOf(element);
-      const std::uint32_t upper = std::max(nodes[corners[0]], nodes[corners[1]]);
-      if (metBy_[upper] == lower + 1) continue;
-      metBy_[upper] = static_cast<std::uint32_t>(lower + 1);
-      const double length = relativeLength(static_cast<std::uint32_t>(lower), upper);
-      ++statisticsOf(mesh_.regions[element]).edge[linearBin(length, kBinsPerEdge, kEdgeBins)];
-      sumOfEdges_ += length;
-      sumOfPossible_ += length / meanLift(std::array{static_cast<std::uint32_t>(lower), upper});
-      ++edgeCount_;
-      nearCount_ += length >= kNearFrom && length <= kNearTo ? 1 : 0;
-    }
+  for (std::size_t i = starts_[firstNode]; i < starts_[lastNode]; ++i) {
+    const TetId element = edges_[i].element();
+    const TetEdge& corners = edges_[i].corners();
+    const NodeQuad nodes = nodesOf(mesh_, element);
+    const auto [lower, upper] = std::minmax(nodes[corners.from], nodes[corners.to]);
+    if (lastLowerNode_[upper.index()] == lower) continue;
+    lastLowerNode_[upper.index()] = lower;
+    const double length = relativeLength(lower, upper);
+    RegionStatistics& region = statisticsOf(mesh_.regions[element.index()]);
+    ++region.edge[linearBin(length, kBinsPerEdge, kEdgeBins)];
+    sumOfEdges_ += length;
+    sumOfAchievable_ += length / meanRaiseFactor(std::array{lower, upper});
+    ++edgeCount_;
+    nearTargetCount_ += length >= kNearFrom && length <= kNearTo ? 1 : 0;
   }
 }
 
@@ -266,31 +252,32 @@ void QualityAnalysis::startBoundary() {
   edges_ = {};
   starts_ = {};
   filled_ = {};
-  metBy_ = {};
-  concerned_.assign(mesh_.points.size() / 3, 0);
-  for (const Ranked& one : missed_) {
-    for (const std::uint32_t node : nodesOf(one.element)) concerned_[node] = 1;
+  lastLowerNode_ = {};
+  isTested_.assign(countNodes(mesh_), 0);
+  for (const Ranked& ranked : outOfRange_) {
+    for (const NodeId node : nodesOf(mesh_, ranked.element)) isTested_[node.index()] = 1;
   }
 }
 
 void QualityAnalysis::findBoundaryFaces(std::size_t first, std::size_t last) {
-  for (std::size_t h = first; h < last; ++h) {
-    const std::span<const std::uint32_t, 3> nodes(&surface_.triangles[3 * h], 3);
-    if (concerned_[nodes[0]] + concerned_[nodes[1]] + concerned_[nodes[2]] > 0) limits_.add(nodes);
+  for (std::size_t t = first; t < last; ++t) {
+    const NodeTriple nodes = nodesOf(surface_, TriangleId(t));
+    const auto isTested = [this](NodeId node) { return isTested_[node.index()] != 0; };
+    if (std::ranges::any_of(nodes, isTested)) limits_.add(nodes);
   }
 }
 
-ElementView QualityAnalysis::viewOf(std::span<const std::uint32_t, 4> nodes) const {
+ElementView QualityAnalysis::viewOf(const NodeQuad& nodes) const {
   constexpr double kPart = 0.25;
   if (!isStretched_) {
     double size = 0.0;
-    for (const std::uint32_t node : nodes) size += kPart * sizes_[node];
-    size *= meanLift(nodes);
-    return {SymmetricTensor::isotropic(1.0 / size), pointOf(nodes[0])};
+    for (const NodeId node : nodes) size += kPart * sizes_[node.index()];
+    size *= meanRaiseFactor(nodes);
+    return {SymmetricTensor::isotropic(1.0 / size), pointOf(mesh_, nodes[0])};
   }
-  SymmetricTensor toUnit = tensors_[nodes[0]].scaledBy(kPart);
-  for (std::size_t k = 1; k < 4; ++k) toUnit.accumulate(tensors_[nodes[k]], kPart);
-  return {toUnit.scaledBy(1.0 / meanLift(nodes)), pointOf(nodes[0])};
+  SymmetricTensor toUnit = tensors_[nodes[0].index()].scaledBy(kPart);
+  for (std::size_t k = 1; k < 4; ++k) toUnit.accumulate(tensors_[nodes[k].index()], kPart);
+  return {toUnit.scaledBy(1.0 / meanRaiseFactor(nodes)), pointOf(mesh_, nodes[0])};
 }
 
 void QualityAnalysis::count(BoundaryLimit limit) {
@@ -304,58 +291,55 @@ void QualityAnalysis::count(BoundaryLimit limit) {
     case BoundaryLimit::kNeedle:
       ++statistics_.limitedByNeedles;
       break;
-    case BoundaryLimit::kNearSheets:
+    case BoundaryLimit::kNarrowGap:
       ++statistics_.limitedByNarrowGaps;
       break;
   }
   ++statistics_.limitedByBoundary;
 }
 
-ElementQuality QualityAnalysis::figuresOf(std::uint32_t element) const {
-  const auto nodes = nodesOf(element);
-  const auto corners = seenCorners(nodes);
-  const TetrahedronMeasures measures =
-      measureTetrahedron(corners[0], corners[1], corners[2], corners[3]);
-  ElementQuality figures;
-  figures.tetrahedron = element;
-  figures.smallestDihedral = degreesOf(measures.largestCosine);
-  figures.largestDihedral = degreesOf(measures.smallestCosine);
-  figures.radiusRatio = measures.radiusRatio;
-  const std::array<Vec3, 4> plain{pointOf(nodes[0]), pointOf(nodes[1]), pointOf(nodes[2]),
-                                  pointOf(nodes[3])};
-  figures.centroid = (plain[0] + plain[1] + plain[2] + plain[3]) * 0.25;
-  figures.volume = measureTetrahedron(plain[0], plain[1], plain[2], plain[3]).volume;
-  return figures;
+ElementQuality QualityAnalysis::qualityOf(TetId element) const {
+  const TetrahedronMeasures measures = measureTetrahedron(metricCorners(element));
+  ElementQuality quality;
+  quality.tetrahedron = element.value;
+  quality.smallestDihedral = degreesOf(measures.largestCosine);
+  quality.largestDihedral = degreesOf(measures.smallestCosine);
+  quality.radiusRatio = measures.radiusRatio;
+  const auto [a, b, c, d] = cornersOf(mesh_, element);
+  quality.centroid = (a + b + c + d) * 0.25;
+  quality.volume = measureTetrahedron(a, b, c, d).volume;
+  return quality;
 }
 
-std::vector<ElementQuality> QualityAnalysis::figuresOf(const std::vector<Ranked>& worst) const {
-  std::vector<ElementQuality> figures;
-  for (const Ranked& one : worst) figures.push_back(figuresOf(one.element));
-  return figures;
+std::vector<ElementQuality> QualityAnalysis::qualityOf(const std::vector<Ranked>& worst) const {
+  std::vector<ElementQuality> qualities;
+  for (const Ranked& ranked : worst) qualities.push_back(qualityOf(ranked.element));
+  return qualities;
 }
 
 void QualityAnalysis::findLimits(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
-    const auto nodes = nodesOf(missed_[i].element);
+    const NodeQuad nodes = nodesOf(mesh_, outOfRange_[i].element);
     const BoundaryLimit limit = limits_.limitOf(nodes, viewOf(nodes));
     count(limit);
-    if (limit != BoundaryLimit::kNone) keepWorst(worstLimited_, missed_[i]);
+    if (limit != BoundaryLimit::kNone) keepWorst(worstLimited_, outOfRange_[i]);
   }
 }
 
 void QualityAnalysis::finish() {
-  statistics_.worst = figuresOf(worst_);
-  statistics_.worstLimited = figuresOf(worstLimited_);
+  statistics_.worst = qualityOf(worst_);
+  statistics_.worstLimited = qualityOf(worstLimited_);
   if (mesh_.tetrahedra.empty()) return;
-  statistics_.smallest = figuresOf(smallest_);
+  statistics_.smallest = qualityOf(smallest_);
   statistics_.volumeRatio = smallestVolume_ > 0.0 ? largestVolume_ / smallestVolume_ : 0.0;
   statistics_.meanEdge = sumOfEdges_ / static_cast<double>(edgeCount_);
-  statistics_.meanEdgeOfAchievable = sumOfPossible_ / static_cast<double>(edgeCount_);
-  statistics_.edgesNearTarget = static_cast<double>(nearCount_) / static_cast<double>(edgeCount_);
-  missed_ = {};
+  statistics_.meanEdgeOfAchievable = sumOfAchievable_ / static_cast<double>(edgeCount_);
+  statistics_.edgesNearTarget =
+      static_cast<double>(nearTargetCount_) / static_cast<double>(edgeCount_);
+  outOfRange_ = {};
   sizes_ = {};
   tensors_ = {};
-  lifts_ = {};
+  raiseFactors_ = {};
 }
 
 }  // namespace tetrafront

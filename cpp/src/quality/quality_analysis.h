@@ -7,7 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "base/ids.h"
 #include "field/size_field.h"
+#include "geom/tetrahedron.h"
 #include "quality/boundary_limits.h"
 #include "quality/metrics.h"
 #include "tetrafront/mesh.h"
@@ -34,16 +36,16 @@ class QualityAnalysis {
   enum class Stage : std::uint8_t {
     kSizes,
     kElements,
-    kPlaceEdges,
+    kInsertEdges,
     kEdges,
     kBoundary,
     kLimits,
     kDone
   };
 
-  void askSizes(std::size_t first, std::size_t last);
+  void querySizes(std::size_t first, std::size_t last);
   void measureElements(std::size_t first, std::size_t last);
-  void placeEdges(std::size_t first, std::size_t last);
+  void insertEdges(std::size_t first, std::size_t last);
   void measureEdges(std::size_t firstNode, std::size_t lastNode);
   void findBoundaryFaces(std::size_t first, std::size_t last);
   void startEdges();
@@ -51,25 +53,23 @@ class QualityAnalysis {
   void findLimits(std::size_t first, std::size_t last);
   void finish();
 
-  [[nodiscard]] Vec3 pointOf(std::uint32_t node) const;
-  [[nodiscard]] std::span<const std::uint32_t, 4> nodesOf(std::size_t element) const;
-  /// The corners in the element's metric space, the first in the origin; without stretching, plain
-  /// corners up to a factor.
-  [[nodiscard]] std::array<Vec3, 4> seenCorners(std::span<const std::uint32_t, 4> nodes) const;
-  /// Statistics over the nodes of actual size / target size.
-  [[nodiscard]] double meanLift(std::span<const std::uint32_t> nodes) const;
-  [[nodiscard]] double relativeLength(std::uint32_t a, std::uint32_t b) const;
-  [[nodiscard]] ElementQuality figuresOf(std::uint32_t element) const;
-  [[nodiscard]] ElementView viewOf(std::span<const std::uint32_t, 4> nodes) const;
+  /// Returns the corners in the element's metric space, the first in the origin; without stretching,
+  /// the corners in space.
+  [[nodiscard]] std::array<Vec3, 4> metricCorners(TetId element) const;
+  /// Returns the mean of raised size / target size over the nodes.
+  [[nodiscard]] double meanRaiseFactor(std::span<const NodeId> nodes) const;
+  [[nodiscard]] double relativeLength(NodeId a, NodeId b) const;
+  [[nodiscard]] ElementQuality qualityOf(TetId element) const;
+  [[nodiscard]] ElementView viewOf(const NodeQuad& nodes) const;
   void count(BoundaryLimit limit);
   RegionStatistics& statisticsOf(std::uint32_t region);
 
   struct Ranked {
-    double badness;
-    std::uint32_t element;
+    double cost;  ///< dihedralCostOf()
+    TetId element;
   };
-  static void keepWorst(std::vector<Ranked>& worst, const Ranked& one);
-  [[nodiscard]] std::vector<ElementQuality> figuresOf(const std::vector<Ranked>& worst) const;
+  static void keepWorst(std::vector<Ranked>& worst, const Ranked& candidate);
+  [[nodiscard]] std::vector<ElementQuality> qualityOf(const std::vector<Ranked>& worst) const;
 
   const VolumeMesh& mesh_;
   const SurfaceMesh& surface_;
@@ -82,26 +82,39 @@ class QualityAnalysis {
   QualityStatistics statistics_;
   std::vector<double> sizes_;             ///< target lengths at nodes, without stretching
   std::vector<SymmetricTensor> tensors_;  ///< T of nodes, with stretching
-  std::vector<double> lifts_;  ///< raised size / target size at nodes, if the field is raised
-  /// Edges of elements by their lower node, as 6 x element + edge. Those of node i begin at
-  /// starts_[i].
+  std::vector<double>
+      raiseFactors_;  ///< raised size / target size at nodes, if the field is raised
+  /// An edge of an element, as an index into kTetEdges.
+  class ElementEdge {
+   public:
+    ElementEdge() = default;
+    ElementEdge(TetId element, std::size_t edge)
+        : packed_(static_cast<std::uint32_t>(kTetEdges.size() * element.index() + edge)) {}
+    [[nodiscard]] TetId element() const { return TetId(packed_ / kTetEdges.size()); }
+    [[nodiscard]] const TetEdge& corners() const { return kTetEdges[packed_ % kTetEdges.size()]; }
+
+   private:
+    std::uint32_t packed_ = 0;
+  };
+
+  /// Edges of elements by their lower node. Those of node i begin at starts_[i].
   std::vector<std::uint32_t> starts_;
   std::vector<std::uint32_t> filled_;
-  std::vector<std::uint32_t> edges_;
-  std::vector<std::uint32_t>
-      metBy_;  ///< per node: the last lower node that it shared an edge with, plus 1
+  std::vector<ElementEdge> edges_;
+  /// Per node: the last lower node with which it shared an edge, or none.
+  std::vector<NodeId> lastLowerNode_;
   double sumOfEdges_ = 0.0;
-  double sumOfPossible_ = 0.0;
+  double sumOfAchievable_ = 0.0;
   std::uint64_t edgeCount_ = 0;
-  std::uint64_t nearCount_ = 0;
+  std::uint64_t nearTargetCount_ = 0;
   double largestVolume_ = 0.0;
   double smallestVolume_ = 0.0;
-  std::uint32_t smallest_ = 0;
+  TetId smallest_{0U};
   std::vector<Ranked> worst_;
-  std::vector<Ranked> missed_;
+  std::vector<Ranked> outOfRange_;
   std::vector<Ranked> worstLimited_;
-  std::vector<std::uint8_t> concerned_;  ///< nodes of the elements to test
-  BoundaryLimits limits_;                ///< limits of those elements
+  std::vector<std::uint8_t> isTested_;  ///< nodes of the elements to test
+  BoundaryLimits limits_;               ///< limits of those elements
 };
 
 }  // namespace tetrafront

@@ -7,9 +7,10 @@
 #include <limits>
 #include <span>
 
+#include "base/mesh_access.h"
 #include "base/sort.h"
-#include "geom/tetrahedron.h"
 #include "geom/predicates.h"
+#include "geom/tetrahedron.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {
@@ -17,28 +18,22 @@ namespace {
 
 /// The two volumes are sums of rounded terms. A difference is a defect if it exceeds this fraction
 /// of them and also exceeds what rounding can cause, which is a much larger fraction for long and
-/// thin bodies.
+/// thin shapes.
 constexpr double kVolumeTolerance = 1e-10;
-/// Bound on the rounding error of the differences, products and sums of one term, with room for the
-/// sum of all terms.
+/// Bound on the rounding error of the differences, products and sums of one term, with a margin for
+/// the sum of all terms.
 constexpr double kRoundingPerTerm = 16.0 * std::numeric_limits<double>::epsilon();
-
-/// Faces of tetrahedron a b c d as seen from outside (mesh.h).
-Vec3 pointOf(const std::vector<double>& points, std::uint32_t node) {
-  const std::size_t i = 3 * std::size_t{node};
-  return {points[i], points[i + 1], points[i + 2]};
-}
 
 double sixVolumes(const Vec3& a, const Vec3& b, const Vec3& c) {
   return glm::dot(a, glm::cross(b, c));
 }
 
 /// Equal for equal positions, although 0 and -0 differ in their bits.
-std::uint64_t hashOf(const Vec3& place) {
+std::uint64_t hashOf(const Vec3& position) {
   // Any odd constant with well-mixed bits works: here 2^64 divided by the golden ratio.
   constexpr std::uint64_t kMultiplier = 0x9e3779b97f4a7c15U;
   std::uint64_t hash = 0;
-  for (const double x : {place.x, place.y, place.z}) {
+  for (const double x : {position.x, position.y, position.z}) {
     hash = (hash ^ std::bit_cast<std::uint64_t>(x + 0.0)) * kMultiplier;
     hash ^= hash >> 32U;
   }
@@ -47,12 +42,12 @@ std::uint64_t hashOf(const Vec3& place) {
 
 /// Nodes in ascending order, and whether the permutation is even.
 struct SortedFace {
-  std::array<std::uint32_t, 3> nodes;
+  NodeTriple nodes;
   bool isEven;
 };
 
-SortedFace sorted(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-  SortedFace face{{a, b, c}, true};
+SortedFace sortedFace(const NodeTriple& nodes) {
+  SortedFace face{nodes, true};
   const auto order = [&](std::size_t i, std::size_t j) {
     if (face.nodes[i] <= face.nodes[j]) return;
     std::swap(face.nodes[i], face.nodes[j]);
@@ -64,19 +59,28 @@ SortedFace sorted(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   return face;
 }
 
-/// Vector from `origin` to the triangle, and two of its edges. With a far origin, the volume of a
-/// small triangle is then a small product with a small rounding error; most triangles are small.
-std::array<Vec3, 3> spannedBy(const SurfaceMesh& surface, const Vec3& origin,
-                              std::size_t firstCorner) {
-  const Vec3 a = pointOf(surface.points, surface.triangles[firstCorner]);
-  return {a - origin, pointOf(surface.points, surface.triangles[firstCorner + 1]) - a,
-          pointOf(surface.points, surface.triangles[firstCorner + 2]) - a};
+/// Three edges of the tetrahedron of an origin and a triangle. If the origin is far away, the volume
+/// of a small triangle is then a small product with a small rounding error; most triangles are small.
+struct Spanned {
+  Vec3 toTriangle;
+  Vec3 first;
+  Vec3 second;
+};
+
+Spanned spannedBy(const SurfaceMesh& surface, const Vec3& origin, TriangleId triangle) {
+  const auto [a, b, c] = cornersOf(surface, triangle);
+  return {a - origin, b - a, c - a};
+}
+
+/// Returns the common origin of the volumes under the triangles; there must be one.
+Vec3 originOf(const SurfaceMesh& surface) {
+  return pointOf(surface, NodeId(surface.triangles.front()));
 }
 
 }  // namespace
 
 std::uint64_t MeshDefects::count() const {
-  return badNumbers + movedNodes + coincidentNodes + invertedTetrahedra + duplicateTetrahedra +
+  return invalidNumbers + movedNodes + coincidentNodes + invertedTetrahedra + duplicateTetrahedra +
          nonManifoldFaces + overlappingFaces + extraBoundaryFaces + missingTriangles +
          wrongRegions + wrongVolume;
 }
@@ -84,14 +88,19 @@ std::uint64_t MeshDefects::count() const {
 MeshVerifier::MeshVerifier(const VolumeMesh& mesh, const SurfaceMesh& surface)
     : mesh_(mesh), surface_(surface) {}
 
+void MeshVerifier::report(std::uint64_t& count, Entity entity) {
+  if (count == 0) defects_.examples.push_back(entity);
+  ++count;
+}
+
 /// Owners are tetrahedra, then triangles of the surface.
 std::size_t MeshVerifier::elementCount() const {
-  return mesh_.tetrahedra.size() / 4 + surface_.triangles.size() / 3;
+  return std::size_t{countTetrahedra(mesh_)} + countTriangles(surface_);
 }
 
 bool MeshVerifier::advance(std::uint32_t budget) {
-  const std::size_t tetrahedra = mesh_.tetrahedra.size() / 4;
-  const std::size_t nodes = mesh_.points.size() / 3;
+  const std::size_t tetrahedra = countTetrahedra(mesh_);
+  const std::size_t nodes = countNodes(mesh_);
   const auto slice = [&](std::size_t end, Stage following, auto work) {
     const std::size_t first = next_;
     next_ += std::min<std::size_t>(end - next_, budget);
@@ -102,34 +111,35 @@ bool MeshVerifier::advance(std::uint32_t budget) {
   };
   switch (stage_) {
     case Stage::kNumbers:
-      slice(std::max({nodes, surface_.points.size() / 3, elementCount()}), Stage::kMarkNodes,
+      slice(std::max({nodes, std::size_t{countNodes(surface_)}, elementCount()}), Stage::kMarkNodes,
             [this](std::size_t a, std::size_t b) { checkNumbers(a, b); });
       if (stage_ != Stage::kMarkNodes) break;
-      if (defects_.badNumbers > 0) stage_ = Stage::kDone;
+      if (defects_.invalidNumbers > 0) stage_ = Stage::kDone;
       isUsed_.assign(nodes, 0);
       break;
     case Stage::kMarkNodes:
-      slice(tetrahedra, Stage::kCountPlaces,
+      slice(tetrahedra, Stage::kCountPositions,
             [this](std::size_t a, std::size_t b) { markNodes(a, b); });
-      if (stage_ == Stage::kCountPlaces) emptyBuckets();
+      if (stage_ == Stage::kCountPositions) emptyBuckets();
       break;
-    case Stage::kCountPlaces:
-      slice(nodes, Stage::kSortPlaces, [this](std::size_t a, std::size_t b) {
-        forEachPlace(a, b, [this](std::uint32_t, std::size_t bucket) { ++buckets_[bucket + 1]; });
+    case Stage::kCountPositions:
+      slice(nodes, Stage::kSortPositions, [this](std::size_t a, std::size_t b) {
+        forEachPosition(a, b, [this](NodeId, std::size_t bucket) { ++buckets_[bucket + 1]; });
       });
-      if (stage_ != Stage::kSortPlaces) break;
+      if (stage_ != Stage::kSortPositions) break;
       layOutBuckets();
-      places_.resize(buckets_[nodes]);
+      nodesByPosition_.resize(buckets_[nodes]);
       break;
-    case Stage::kSortPlaces:
-      slice(nodes, Stage::kMatchPlaces, [this](std::size_t a, std::size_t b) {
-        forEachPlace(a, b, [this](std::uint32_t node, std::size_t bucket) {
-          places_[filled_[bucket]++] = node;
+    case Stage::kSortPositions:
+      slice(nodes, Stage::kMatchPositions, [this](std::size_t a, std::size_t b) {
+        forEachPosition(a, b, [this](NodeId node, std::size_t bucket) {
+          nodesByPosition_[filled_[bucket]++] = node;
         });
       });
       break;
-    case Stage::kMatchPlaces:
-      slice(nodes, Stage::kTetrahedra, [this](std::size_t a, std::size_t b) { matchPlaces(a, b); });
+    case Stage::kMatchPositions:
+      slice(nodes, Stage::kTetrahedra,
+            [this](std::size_t a, std::size_t b) { matchPositions(a, b); });
       if (stage_ == Stage::kTetrahedra) emptyBuckets();
       break;
     case Stage::kTetrahedra:
@@ -162,7 +172,7 @@ double MeshVerifier::fraction() const {
   return static_cast<double>(stage_) / static_cast<double>(Stage::kDone);
 }
 
-void MeshVerifier::emptyBuckets() { buckets_.assign(mesh_.points.size() / 3 + 1, 0); }
+void MeshVerifier::emptyBuckets() { buckets_.assign(std::size_t{countNodes(mesh_)} + 1, 0); }
 
 /// Turns counts (bucket i's at i + 1) into the begin of each bucket.
 void MeshVerifier::layOutBuckets() {
@@ -172,27 +182,33 @@ void MeshVerifier::layOutBuckets() {
 
 /// Checks the numbers of nodes, surface nodes, tetrahedra and triangles in [first, last).
 void MeshVerifier::checkNumbers(std::size_t first, std::size_t last) {
-  const std::size_t nodes = mesh_.points.size() / 3;
-  const std::size_t surfaceNodes = std::min(nodes, surface_.points.size() / 3);
-  const auto count = [&](const auto& numbers, std::size_t perItem, auto isBad) {
+  const std::uint32_t nodes = countNodes(mesh_);
+  const std::uint32_t surfaceNodes = std::min(nodes, countNodes(surface_));
+  const auto check = [&](const auto& numbers, std::size_t perItem, EntityKind kind,
+                         auto isInvalid) {
     const std::size_t end = std::min(perItem * last, numbers.size());
-    for (std::size_t i = perItem * first; i < end; ++i)
-      defects_.badNumbers += isBad(numbers[i]) ? 1U : 0U;
+    for (std::size_t i = perItem * first; i < end; ++i) {
+      if (!isInvalid(numbers[i])) continue;
+      report(defects_.invalidNumbers, {kind, static_cast<std::uint32_t>(i / perItem)});
+    }
   };
-  count(mesh_.points, 3, [](double x) { return !std::isfinite(x); });
-  count(mesh_.tetrahedra, 4, [&](std::uint32_t node) { return node >= nodes; });
-  count(surface_.triangles, 3, [&](std::uint32_t node) { return node >= surfaceNodes; });
-  const std::size_t wanted = surface_.triangleRegions.empty() ? 0 : mesh_.tetrahedra.size() / 4;
-  if (first == 0 && mesh_.regions.size() < wanted) ++defects_.badNumbers;
+  check(mesh_.points, 3, EntityKind::kNode, [](double x) { return !std::isfinite(x); });
+  check(mesh_.tetrahedra, 4, EntityKind::kTetrahedron,
+        [&](std::uint32_t node) { return node >= nodes; });
+  check(surface_.triangles, 3, EntityKind::kTriangle,
+        [&](std::uint32_t node) { return node >= surfaceNodes; });
+  const std::size_t required = surface_.triangleRegions.empty() ? 0 : countTetrahedra(mesh_);
+  if (first == 0 && mesh_.regions.size() < required) {
+    report(defects_.invalidNumbers, TetId(mesh_.regions.size()));
+  }
   checkKept(first, last);
 }
 
 void MeshVerifier::checkKept(std::size_t first, std::size_t last) {
-  const std::size_t nodes = mesh_.points.size() / 3;
-  for (std::size_t node = first; node < std::min(last, surface_.points.size() / 3); ++node) {
-    const auto i = static_cast<std::uint32_t>(node);
-    const bool isKept = node < nodes && pointOf(mesh_.points, i) == pointOf(surface_.points, i);
-    defects_.movedNodes += isKept ? 0U : 1U;
+  for (std::size_t i = first; i < std::min<std::size_t>(last, countNodes(surface_)); ++i) {
+    const NodeId node(i);
+    const bool isKept = i < countNodes(mesh_) && pointOf(mesh_, node) == pointOf(surface_, node);
+    if (!isKept) report(defects_.movedNodes, node);
   }
 }
 
@@ -202,63 +218,69 @@ void MeshVerifier::markNodes(std::size_t first, std::size_t last) {
 
 /// Calls use(node, bucket) for the used nodes in [first, last).
 template <class Use>
-void MeshVerifier::forEachPlace(std::size_t first, std::size_t last, Use use) const {
-  for (std::size_t node = first; node < last; ++node) {
-    if (isUsed_[node] == 0) continue;
-    const auto i = static_cast<std::uint32_t>(node);
-    use(i, hashOf(pointOf(mesh_.points, i)) % isUsed_.size());
+void MeshVerifier::forEachPosition(std::size_t first, std::size_t last, Use use) const {
+  for (std::size_t i = first; i < last; ++i) {
+    if (isUsed_[i] == 0) continue;
+    const NodeId node(i);
+    use(node, hashOf(pointOf(mesh_, node)) % isUsed_.size());
   }
 }
 
-void MeshVerifier::matchPlaces(std::size_t firstBucket, std::size_t lastBucket) {
-  std::vector<std::array<double, 3>> places;
+void MeshVerifier::matchPositions(std::size_t firstBucket, std::size_t lastBucket) {
+  struct Located {
+    std::array<double, 3> position;
+    NodeId node;
+  };
+  std::vector<Located> located;
   for (std::size_t bucket = firstBucket; bucket < lastBucket; ++bucket) {
     if (buckets_[bucket + 1] - buckets_[bucket] < 2) continue;
-    places.clear();
+    located.clear();
     for (std::uint32_t i = buckets_[bucket]; i < buckets_[bucket + 1]; ++i) {
-      const Vec3 p = pointOf(mesh_.points, places_[i]);
-      places.push_back({p.x, p.y, p.z});
+      const Vec3 p = pointOf(mesh_, nodesByPosition_[i]);
+      located.push_back({{p.x, p.y, p.z}, nodesByPosition_[i]});
     }
-    stableSort(places);
-    for (std::size_t i = 1; i < places.size(); ++i)
-      defects_.coincidentNodes += places[i] == places[i - 1] ? 1U : 0U;
+    stableSort(located, [](const Located& a, const Located& b) { return a.position < b.position; });
+    for (std::size_t i = 1; i < located.size(); ++i) {
+      if (located[i].position == located[i - 1].position) {
+        report(defects_.coincidentNodes, located[i].node);
+      }
+    }
   }
 }
 
 void MeshVerifier::checkTetrahedra(std::size_t first, std::size_t last) {
   for (std::size_t t = first; t < last; ++t) {
-    std::array<Vec3, 4> p;
-    for (std::size_t k = 0; k < 4; ++k) p[k] = pointOf(mesh_.points, mesh_.tetrahedra[4 * t + k]);
-    if (orient3d(p[0], p[1], p[2], p[3]) <= 0) ++defects_.invertedTetrahedra;
-    defects_.meshVolume += sixVolumes(p[1] - p[0], p[2] - p[0], p[3] - p[0]) / 6.0;
+    const auto [a, b, c, d] = cornersOf(mesh_, TetId(t));
+    if (orient3d(a, b, c, d) <= 0) report(defects_.invertedTetrahedra, TetId(t));
+    defects_.meshVolume += sixVolumes(b - a, c - a, d - a) / 6.0;
   }
 }
 
 /// Calls use(face, owner) for the faces of elements in [first, last).
 template <class Use>
 void MeshVerifier::forEachFace(std::size_t first, std::size_t last, Use use) const {
-  const std::size_t tetrahedra = mesh_.tetrahedra.size() / 4;
+  const std::size_t tetrahedra = countTetrahedra(mesh_);
   for (std::size_t e = first; e < std::min(last, tetrahedra); ++e) {
-    const std::uint32_t* nodes = &mesh_.tetrahedra[4 * e];
-    for (const auto& face : kFaceCorners) {
-      use(sorted(nodes[face[0]], nodes[face[1]], nodes[face[2]]), static_cast<std::uint32_t>(e));
+    const NodeQuad nodes = nodesOf(mesh_, TetId(e));
+    for (const auto& [a, b, c] : kFaceCorners) {
+      use(sortedFace({nodes[a], nodes[b], nodes[c]}), static_cast<std::uint32_t>(e));
     }
   }
   for (std::size_t e = std::max(first, tetrahedra); e < last; ++e) {
-    const std::uint32_t* nodes = &surface_.triangles[3 * (e - tetrahedra)];
-    use(sorted(nodes[0], nodes[1], nodes[2]), static_cast<std::uint32_t>(e));
+    use(sortedFace(nodesOf(surface_, TriangleId(e - tetrahedra))), static_cast<std::uint32_t>(e));
   }
 }
 
 void MeshVerifier::countFaces(std::size_t first, std::size_t last) {
-  forEachFace(first, last,
-              [this](const SortedFace& face, std::uint32_t) { ++buckets_[face.nodes[0] + 1]; });
+  forEachFace(first, last, [this](const SortedFace& face, std::uint32_t /*owner*/) {
+    ++buckets_[face.nodes[0].index() + 1];
+  });
 }
 
 void MeshVerifier::sortFaces(std::size_t first, std::size_t last) {
   forEachFace(first, last, [this](const SortedFace& face, std::uint32_t owner) {
-    faces_[filled_[face.nodes[0]]++] = {face.nodes[1], face.nodes[2],
-                                        owner << 1U | (face.isEven ? 1U : 0U)};
+    const auto [lowest, middle, highest] = face.nodes;
+    faces_[filled_[lowest.index()]++] = {middle, highest, owner << 1U | (face.isEven ? 1U : 0U)};
   });
 }
 
@@ -269,84 +291,94 @@ void MeshVerifier::matchFaces(std::size_t firstNode, std::size_t lastNode) {
     sortFew(std::span(begin, end), [](const Face& a, const Face& b) {
       if (a.middle != b.middle) return a.middle < b.middle;
       if (a.highest != b.highest) return a.highest < b.highest;
-      return a.ownerAndTurn < b.ownerAndTurn;
+      return a.ownerAndOrientation < b.ownerAndOrientation;
     });
     for (Face* first = begin; first != end;) {
       Face* last = first + 1;
       while (last != end && last->middle == first->middle && last->highest == first->highest)
         ++last;
-      matchOne(first, last);
+      matchOwners({first, last});
       first = last;
     }
   }
 }
 
-/// Returns the index of the owner among the surface's triangles.
-std::size_t MeshVerifier::triangleOf(const Face& face) const {
-  return (face.ownerAndTurn >> 1U) - mesh_.tetrahedra.size() / 4;
+bool MeshVerifier::isTetrahedron(const Face& face) const {
+  return face.owner() < countTetrahedra(mesh_);
 }
 
-/// Checks the owners [first, last) of one face. Tetrahedra sort before triangles.
-void MeshVerifier::matchOne(const Face* first, const Face* last) {
-  const Face* triangles = first;
-  while (triangles != last && triangles->ownerAndTurn >> 1U < mesh_.tetrahedra.size() / 4)
-    ++triangles;
-  const auto tetrahedra = static_cast<std::size_t>(triangles - first);
-  const auto wanted = static_cast<std::size_t>(last - triangles);
-  const auto turn = [](const Face& face) { return face.ownerAndTurn & 1U; };
-  const bool isTwoSided = tetrahedra == 2 && turn(first[0]) != turn(first[1]);
-  if (isTwoSided && wanted == 0) return matchInnerRegions(first[0], first[1]);
-  const bool isInterface = wanted == 1 && surface_.isInterface(triangleOf(*triangles));
-  if (isInterface ? isTwoSided
-                  : tetrahedra == 1 && wanted == 1 && turn(first[0]) == turn(*triangles)) {
-    for (const Face* face = first; face != triangles; ++face) matchRegion(*face, *triangles);
+TriangleId MeshVerifier::triangleOf(const Face& face) const {
+  return TriangleId(face.owner() - countTetrahedra(mesh_));
+}
+
+/// Checks the owners of one face. Tetrahedra sort before triangles.
+void MeshVerifier::matchOwners(std::span<const Face> owners) {
+  const auto isTriangle = [this](const Face& face) { return !isTetrahedron(face); };
+  const auto middle = std::ranges::find_if(owners, isTriangle) - owners.begin();
+  const std::span<const Face> tetrahedra = owners.first(static_cast<std::size_t>(middle));
+  const std::span<const Face> triangles = owners.subspan(static_cast<std::size_t>(middle));
+  const bool isTwoSided =
+      tetrahedra.size() == 2 && tetrahedra[0].isEven() != tetrahedra[1].isEven();
+  if (isTwoSided && triangles.empty()) return matchInnerRegions(tetrahedra[0], tetrahedra[1]);
+  const bool isInterface =
+      triangles.size() == 1 && surface_.isInterface(triangleOf(triangles[0]).index());
+  const bool isBoundary = tetrahedra.size() == 1 && triangles.size() == 1 &&
+                          tetrahedra[0].isEven() == triangles[0].isEven();
+  if (isInterface ? isTwoSided : isBoundary) {
+    for (const Face& face : tetrahedra) matchRegion(face, triangles[0]);
     return;
   }
-  if (tetrahedra > 2) ++defects_.nonManifoldFaces;
-  if (tetrahedra == 2 && !isTwoSided) ++defects_.overlappingFaces;
-  if (tetrahedra == 1 && !isInterface) ++defects_.extraBoundaryFaces;
-  defects_.missingTriangles += wanted;
-  for (const Face* face = first; face != triangles; ++face) {
-    suspects_.push_back(face->ownerAndTurn >> 1U);
-  }
+  for (const Face& face : tetrahedra) suspects_.emplace_back(face.owner());
+  for (const Face& face : triangles) report(defects_.missingTriangles, triangleOf(face));
+  if (tetrahedra.empty()) return;
+  const TetId tet(tetrahedra[0].owner());
+  if (tetrahedra.size() > 2) report(defects_.nonManifoldFaces, tet);
+  if (tetrahedra.size() == 2 && !isTwoSided) report(defects_.overlappingFaces, tet);
+  if (tetrahedra.size() == 1 && !isInterface) report(defects_.extraBoundaryFaces, tet);
 }
 
 /// Checks that regions end only at triangles of the surface.
 void MeshVerifier::matchInnerRegions(const Face& one, const Face& other) {
   if (surface_.triangleRegions.empty()) return;
-  const bool agree =
-      mesh_.regions[one.ownerAndTurn >> 1U] == mesh_.regions[other.ownerAndTurn >> 1U];
-  defects_.wrongRegions += agree ? 0U : 1U;
+  if (mesh_.regions[one.owner()] == mesh_.regions[other.owner()]) return;
+  report(defects_.wrongRegions, TetId(one.owner()));
 }
 
 void MeshVerifier::matchRegion(const Face& tetrahedron, const Face& triangle) {
   if (surface_.triangleRegions.empty()) return;
-  const std::size_t front = (tetrahedron.ownerAndTurn ^ triangle.ownerAndTurn) & 1U;
-  const std::uint32_t wanted = surface_.triangleRegions[2 * triangleOf(triangle) + front];
-  defects_.wrongRegions += mesh_.regions[tetrahedron.ownerAndTurn >> 1U] == wanted ? 0U : 1U;
+  const std::size_t front = tetrahedron.isEven() != triangle.isEven() ? 1 : 0;
+  const std::uint32_t region = surface_.triangleRegions[2 * triangleOf(triangle).index() + front];
+  if (mesh_.regions[tetrahedron.owner()] == region) return;
+  report(defects_.wrongRegions, TetId(tetrahedron.owner()));
 }
 
 void MeshVerifier::finish() {
-  // A duplicate tetrahedron leaves none of its faces matched, so both copies are among the
-  // suspects.
+  findDuplicateTetrahedra();
+  compareVolumes();
+}
+
+/// A duplicate tetrahedron leaves none of its faces matched, so both copies are among the suspects.
+void MeshVerifier::findDuplicateTetrahedra() {
+  struct Suspect {
+    NodeQuad nodes;  ///< ascending
+    TetId tet;
+  };
   sortUnique(suspects_);
-  std::vector<std::array<std::uint32_t, 4>> keys;
-  for (const std::uint32_t t : suspects_) {
-    std::array<std::uint32_t, 4> key;
-    std::copy_n(mesh_.tetrahedra.begin() + std::ptrdiff_t{4} * t, 4, key.begin());
-    keys.push_back(sorted(key));
-  }
-  stableSort(keys);
-  for (std::size_t i = 1; i < keys.size(); ++i) {
-    defects_.duplicateTetrahedra += keys[i] == keys[i - 1] ? 1U : 0U;
-  }
-  if (!surface_.triangles.empty()) {
-    const Vec3 origin = pointOf(surface_.points, surface_.triangles[0]);
-    for (std::size_t h = 0; h < surface_.triangles.size(); h += 3) {
-      if (surface_.isInterface(h / 3)) continue;
-      const std::array<Vec3, 3> spanned = spannedBy(surface_, origin, h);
-      defects_.surfaceVolume += sixVolumes(spanned[0], spanned[1], spanned[2]) / 6.0;
+  std::vector<Suspect> suspects;
+  for (const TetId tet : suspects_) suspects.push_back({sorted(nodesOf(mesh_, tet)), tet});
+  stableSort(suspects, [](const Suspect& a, const Suspect& b) { return a.nodes < b.nodes; });
+  for (std::size_t i = 1; i < suspects.size(); ++i) {
+    if (suspects[i].nodes == suspects[i - 1].nodes) {
+      report(defects_.duplicateTetrahedra, suspects[i].tet);
     }
+  }
+}
+
+void MeshVerifier::compareVolumes() {
+  for (const TriangleId triangle : IdRange<TriangleId>(countTriangles(surface_))) {
+    if (surface_.isInterface(triangle.index())) continue;
+    const Spanned spanned = spannedBy(surface_, originOf(surface_), triangle);
+    defects_.surfaceVolume += sixVolumes(spanned.toTriangle, spanned.first, spanned.second) / 6.0;
   }
   const double difference = std::fabs(defects_.meshVolume - defects_.surfaceVolume);
   const double tolerance = kVolumeTolerance * std::fabs(defects_.surfaceVolume);
@@ -360,16 +392,13 @@ double MeshVerifier::volumeRounding() const {
   const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
     products += std::sqrt(glm::dot(a, a) * glm::dot(b, b) * glm::dot(c, c));
   };
-  for (std::size_t i = 0; i < mesh_.tetrahedra.size(); i += 4) {
-    const Vec3 origin = pointOf(mesh_.points, mesh_.tetrahedra[i]);
-    add(pointOf(mesh_.points, mesh_.tetrahedra[i + 1]) - origin,
-        pointOf(mesh_.points, mesh_.tetrahedra[i + 2]) - origin,
-        pointOf(mesh_.points, mesh_.tetrahedra[i + 3]) - origin);
+  for (const TetId tet : IdRange<TetId>(countTetrahedra(mesh_))) {
+    const auto [a, b, c, d] = cornersOf(mesh_, tet);
+    add(b - a, c - a, d - a);
   }
-  for (std::size_t i = 0; i < surface_.triangles.size(); i += 3) {
-    const std::array<Vec3, 3> spanned =
-        spannedBy(surface_, pointOf(surface_.points, surface_.triangles[0]), i);
-    add(spanned[0], spanned[1], spanned[2]);
+  for (const TriangleId triangle : IdRange<TriangleId>(countTriangles(surface_))) {
+    const Spanned spanned = spannedBy(surface_, originOf(surface_), triangle);
+    add(spanned.toTriangle, spanned.first, spanned.second);
   }
   return kRoundingPerTerm * products / 6.0;
 }

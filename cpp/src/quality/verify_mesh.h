@@ -6,15 +6,18 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "base/ids.h"
 #include "tetrafront/mesh.h"
+#include "tetrafront/status.h"
 
 namespace tetrafront {
 
 /// Numbers of defects; all zero for a valid mesh.
 struct MeshDefects {
-  std::uint64_t badNumbers =
+  std::uint64_t invalidNumbers =
       0;  ///< not finite, or an index out of range; then nothing else is checked
   std::uint64_t movedNodes = 0;           ///< surface nodes with another position or index
   std::uint64_t coincidentNodes = 0;      ///< used nodes at the position of another
@@ -28,7 +31,10 @@ struct MeshDefects {
   std::uint64_t missingTriangles = 0;
   std::uint64_t wrongRegions = 0;  ///< tetrahedra whose region contradicts a face
   std::uint64_t wrongVolume = 0;   ///< 1 if the two volumes below differ
-  double meshVolume = 0.0;         ///< sum of the tetrahedra's volumes
+  /// One entity per kind of defect, the first that was found: a node or a tetrahedron of the mesh, or a triangle of
+  /// the surface. None for a wrong volume.
+  std::vector<Entity> examples;
+  double meshVolume = 0.0;  ///< sum of the tetrahedra's volumes
   double surfaceVolume =
       0.0;  ///< volume enclosed by the surface, by the divergence theorem, without interfaces
 
@@ -52,9 +58,9 @@ class MeshVerifier {
   enum class Stage : std::uint8_t {
     kNumbers,
     kMarkNodes,
-    kCountPlaces,
-    kSortPlaces,
-    kMatchPlaces,
+    kCountPositions,
+    kSortPositions,
+    kMatchPositions,
     kTetrahedra,
     kCountFaces,
     kSortFaces,
@@ -64,11 +70,15 @@ class MeshVerifier {
 
   /// The two other nodes of a face; its slot gives the lowest.
   struct Face {
-    std::uint32_t middle;
-    std::uint32_t highest;
-    /// Tetrahedron, or the number of tetrahedra plus the triangle, shifted left by one. The last
-    /// bit is the orientation of the sorted nodes as seen from outside.
-    std::uint32_t ownerAndTurn;
+    NodeId middle;
+    NodeId highest;
+    /// Owner: the tetrahedron, or the number of tetrahedra plus the triangle; shifted left by one. The last bit is
+    /// isEven().
+    std::uint32_t ownerAndOrientation;
+
+    [[nodiscard]] std::size_t owner() const { return ownerAndOrientation >> 1U; }
+    /// Whether the sorted nodes are counter-clockwise as seen from outside.
+    [[nodiscard]] bool isEven() const { return (ownerAndOrientation & 1U) != 0; }
   };
 
   void emptyBuckets();
@@ -77,16 +87,27 @@ class MeshVerifier {
   void checkKept(std::size_t first, std::size_t last);
   void markNodes(std::size_t first, std::size_t last);
   template <class Use>
-  void forEachPlace(std::size_t first, std::size_t last, Use use) const;
-  void matchPlaces(std::size_t firstBucket, std::size_t lastBucket);
+  void forEachPosition(std::size_t first, std::size_t last, Use use) const;
+  void matchPositions(std::size_t firstBucket, std::size_t lastBucket);
   void checkTetrahedra(std::size_t first, std::size_t last);
   void countFaces(std::size_t first, std::size_t last);
   void sortFaces(std::size_t first, std::size_t last);
   void matchFaces(std::size_t firstNode, std::size_t lastNode);
-  void matchOne(const Face* first, const Face* last);
+  void matchOwners(std::span<const Face> owners);
   void matchInnerRegions(const Face& one, const Face& other);
   void matchRegion(const Face& tetrahedron, const Face& triangle);
-  [[nodiscard]] std::size_t triangleOf(const Face& face) const;
+  [[nodiscard]] bool isTetrahedron(const Face& face) const;
+  [[nodiscard]] TriangleId triangleOf(const Face& face) const;
+  void report(std::uint64_t& count, NodeId node) { report(count, {EntityKind::kNode, node.value}); }
+  void report(std::uint64_t& count, TetId tet) {
+    report(count, {EntityKind::kTetrahedron, tet.value});
+  }
+  void report(std::uint64_t& count, TriangleId triangle) {
+    report(count, {EntityKind::kTriangle, triangle.value});
+  }
+  void report(std::uint64_t& count, Entity entity);
+  void findDuplicateTetrahedra();
+  void compareVolumes();
   void finish();
   [[nodiscard]] double volumeRounding() const;
   template <class Use>
@@ -103,9 +124,9 @@ class MeshVerifier {
   std::vector<std::uint32_t> buckets_;
   std::vector<std::uint32_t> filled_;
   std::vector<std::uint8_t> isUsed_;
-  std::vector<std::uint32_t> places_;    ///< nodes by bucket
+  std::vector<NodeId> nodesByPosition_;  ///< nodes by bucket
   std::unique_ptr<Face[]> faces_;        ///< faces by bucket
-  std::vector<std::uint32_t> suspects_;  ///< tetrahedra at faces that do not match
+  std::vector<TetId> suspects_;          ///< tetrahedra at faces that do not match
 };
 
 /// Verifies a mesh in one call.

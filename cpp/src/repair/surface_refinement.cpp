@@ -97,7 +97,7 @@ struct TriangleEstimate {
 void addExpected(TriangleEstimate& estimate, const SurfaceMesh& mesh, TriangleId triangle,
                  const SizeField& field, FieldHint& hint) {
   const auto [a, b, c] = cornersOf(mesh, triangle);
-  const SymmetricTensor toUnit = field.wantedTensorAt((a + b + c) / 3.0, hint).inverse();
+  const SymmetricTensor toUnit = field.targetTensorAt((a + b + c) / 3.0, hint).inverse();
   const Vec3 ab = toUnit * (b - a);
   const Vec3 ac = toUnit * (c - a);
   const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});

@@ -72,10 +72,10 @@ class BoxOverlap {
                                    apartAlong(boxes, 2, z_));
     const auto meeting = static_cast<std::size_t>(_mm_movemask_ps(apart)) ^ kAll;
     const auto* names = reinterpret_cast<const __m128i*>(boxes.names.data());
-    const auto* places = reinterpret_cast<const __m128i*>(kPacking[meeting].data());
+    const auto* permutation = reinterpret_cast<const __m128i*>(kPacking[meeting].data());
     // Store all four and keep only those that overlap: branches would be unpredictable.
     _mm_storeu_si128(reinterpret_cast<__m128i*>(end),
-                     _mm_shuffle_epi8(_mm_load_si128(names), _mm_load_si128(places)));
+                     _mm_shuffle_epi8(_mm_load_si128(names), _mm_load_si128(permutation)));
     return end + kSetSize[meeting];
   }
 
@@ -101,8 +101,8 @@ class BoxOverlap {
     const v128_t apart = wasm_v128_or(
         wasm_v128_or(apartAlong(boxes, 0, x_), apartAlong(boxes, 1, y_)), apartAlong(boxes, 2, z_));
     const auto meeting = static_cast<std::size_t>(wasm_i32x4_bitmask(apart)) ^ kAll;
-    const v128_t places = wasm_v128_load(kPacking[meeting].data());
-    wasm_v128_store(end, wasm_i8x16_swizzle(wasm_v128_load(boxes.names.data()), places));
+    const v128_t permutation = wasm_v128_load(kPacking[meeting].data());
+    wasm_v128_store(end, wasm_i8x16_swizzle(wasm_v128_load(boxes.names.data()), permutation));
     return end + kSetSize[meeting];
   }
 
@@ -141,12 +141,12 @@ class BoxOverlap {
 #if defined(__SSSE3__) || defined(__wasm_simd128__)
   /// Sets of lanes are bit masks.
   static constexpr std::size_t kAll = (1U << BoxQuad::kCount) - 1;
-  struct alignas(16) BytePlaces : std::array<std::uint8_t, 16> {};
+  struct alignas(16) BytePermutation : std::array<std::uint8_t, 16> {};
 
   /// Per set of lanes: the source index of each byte in a shuffle that moves these lanes to the
   /// front.
-  static constexpr std::array<BytePlaces, kAll + 1> kPacking = [] {
-    std::array<BytePlaces, kAll + 1> packing{};
+  static constexpr std::array<BytePermutation, kAll + 1> kPacking = [] {
+    std::array<BytePermutation, kAll + 1> packing{};
     for (std::size_t set = 0; set <= kAll; ++set) {
       std::size_t filled = 0;
       for (std::size_t lane = 0; lane < BoxQuad::kCount; ++lane) {

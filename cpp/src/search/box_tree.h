@@ -29,10 +29,10 @@ class BoxTree {
   template <class Visit>
   void visitOverlaps(const Box& box, Visit visit) const;
 
-  /// Calls visit(item) for every item whose squared distance from `place` is below `squaredLimit`,
+  /// Calls visit(item) for every item whose squared distance from `position` is below `squaredLimit`,
   /// near branches first. `visit` may lower `squaredLimit`.
   template <class Visit>
-  void visitNear(const Vec3& place, const double& squaredLimit, Visit visit) const;
+  void visitNear(const Vec3& position, const double& squaredLimit, Visit visit) const;
 
   // ---- direct traversal: node 0 is the root, the children of n are 2n + 1 and 2n + 2, and all
   // leaves have the same depth; the last ones are empty ----
@@ -61,7 +61,7 @@ class BoxTree {
   /// At most one entry per level; 2^32 items make 32 levels.
   static constexpr std::size_t kStack = 40;
 
-  static double squaredDistance(const Box& box, const Vec3& place);
+  static double squaredDistance(const Box& box, const Vec3& position);
   [[nodiscard]] std::uint32_t leafBegin(std::uint32_t node) const {
     return std::min((node - firstLeaf_) * kItemsPerLeaf, static_cast<std::uint32_t>(items_.size()));
   }
@@ -125,7 +125,7 @@ void BoxTree::visitOverlaps(const Box& box, Visit visit) const {
 }
 
 template <class Visit>
-void BoxTree::visitNear(const Vec3& place, const double& squaredLimit, Visit visit) const {
+void BoxTree::visitNear(const Vec3& position, const double& squaredLimit, Visit visit) const {
   if (nodes_.empty()) return;
   struct Open {
     std::uint32_t node;
@@ -133,21 +133,21 @@ void BoxTree::visitNear(const Vec3& place, const double& squaredLimit, Visit vis
   };
   std::array<Open, kStack> stack;
   std::size_t waiting = 0;
-  stack[waiting++] = {0, squaredDistance(nodes_[0], place)};
+  stack[waiting++] = {0, squaredDistance(nodes_[0], position)};
   while (waiting > 0) {
     const Open open = stack[--waiting];
     if (open.squared >= squaredLimit) continue;
     if (open.node < firstLeaf_) {
       const std::uint32_t child = 2 * open.node + 1;
-      const Open left{child, squaredDistance(nodes_[child], place)};
-      const Open right{child + 1, squaredDistance(nodes_[child + 1], place)};
+      const Open left{child, squaredDistance(nodes_[child], position)};
+      const Open right{child + 1, squaredDistance(nodes_[child + 1], position)};
       const bool leftFirst = left.squared <= right.squared;
       stack[waiting++] = leftFirst ? right : left;
       stack[waiting++] = leftFirst ? left : right;
       continue;
     }
     for (std::uint32_t i = leafBegin(open.node); i < leafEnd(open.node); ++i) {
-      if (squaredDistance(boxes_[i], place) < squaredLimit) visit(items_[i]);
+      if (squaredDistance(boxes_[i], position) < squaredLimit) visit(items_[i]);
     }
   }
 }

@@ -165,29 +165,28 @@ void FaceGrid::insert(std::uint32_t face, const Box& box) {
   }
   Chunk& chunk = chunks_[head];
   chunk.boxes.set(chunk.count, box, face);
-  if (face >= places_.size())
-    places_.resize(std::max<std::size_t>(face + 1, places_.size() * 3 / 2));
-  places_[face] = {head, blockId << 6 | inBlock, static_cast<std::uint8_t>(chunk.count),
-                   static_cast<std::uint8_t>(level)};
+  if (face >= slots_.size()) slots_.resize(std::max<std::size_t>(face + 1, slots_.size() * 3 / 2));
+  slots_[face] = {head, blockId << 6 | inBlock, static_cast<std::uint8_t>(chunk.count),
+                  static_cast<std::uint8_t>(level)};
   ++chunk.count;
   ++facesOnLevel_[level];
   ++faceCount_;
 }
 
 void FaceGrid::remove(std::uint32_t face) {
-  const Place place = places_[face];
-  Block& block = blocks_[place.blockAndCell >> 6];
-  const std::uint32_t inBlock = place.blockAndCell & 63U;
+  const Slot slot = slots_[face];
+  Block& block = blocks_[slot.blockAndCell >> 6];
+  const std::uint32_t inBlock = slot.blockAndCell & 63U;
   std::uint32_t& head = block.heads[inBlock];
   Chunk& first = chunks_[head];
   // The last entry of the list moves to the free slot.
   const std::uint32_t last = --first.count;
   const std::uint32_t lastFace = first.boxes.names[last];
-  chunks_[place.chunk].boxes.copy(place.slot, first.boxes, last);
+  chunks_[slot.chunk].boxes.copy(slot.entry, first.boxes, last);
   first.boxes.clear(last);
-  places_[lastFace].chunk = place.chunk;
-  places_[lastFace].slot = place.slot;
-  --facesOnLevel_[place.level];
+  slots_[lastFace].chunk = slot.chunk;
+  slots_[lastFace].entry = slot.entry;
+  --facesOnLevel_[slot.level];
   --faceCount_;
   if (first.count > 0) return;
   freeChunks_.push_back(head);

@@ -56,11 +56,11 @@ class FaceGrid {
     std::uint64_t key;
     std::uint32_t block;
   };
-  /// Storage location of a face.
-  struct Place {
+  /// Where a face is stored.
+  struct Slot {
     std::uint32_t chunk;
     std::uint32_t blockAndCell;
-    std::uint8_t slot;
+    std::uint8_t entry;  ///< in the chunk
     std::uint8_t level;
   };
   /// Cells per axis, inclusive.
@@ -96,7 +96,7 @@ class FaceGrid {
   std::vector<Block> blocks_;
   std::vector<Chunk> chunks_;
   std::vector<std::uint32_t> freeChunks_;
-  std::vector<Place> places_;
+  std::vector<Slot> slots_;
 };
 
 }  // namespace tetrafront

@@ -9,45 +9,47 @@
 #include <span>
 #include <vector>
 
+#include "base/ids.h"
+
 namespace tetrafront {
 
-/// `Entry`: type of the listed entries.
-template <class Entry>
+/// `Entry`: type of the listed entries; `Node`: type of the nodes' ids.
+template <class Entry, class Node = NodeId>
 class NodeLists {
  public:
   NodeLists() = default;
   explicit NodeLists(std::size_t nodeCount) : starts_(nodeCount + 2, 0) {}
 
   /// First pass: once per corner.
-  void count(std::uint32_t node) {
+  void count(Node node) {
     // Two entries ahead, so that the second pass moves each start to the beginning of its list.
-    ++starts_[node + std::size_t{2}];
+    ++starts_[node.index() + 2];
   }
   void endCounting() {
     for (std::size_t i = 2; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
     elements_.resize(starts_.back());
   }
   /// Second pass: the same corners again.
-  void add(std::uint32_t node, const Entry& element) {
-    elements_[starts_[node + std::size_t{1}]++] = element;
-  }
+  void add(Node node, const Entry& element) { elements_[starts_[node.index() + 1]++] = element; }
 
   /// Returns the entries at `node`, in the order of the second pass; none for nodes added later.
-  [[nodiscard]] std::span<const Entry> at(std::uint32_t node) const {
-    if (node + std::size_t{2} >= starts_.size()) return {};
-    return std::span(elements_).subspan(starts_[node], starts_[node + 1] - starts_[node]);
+  [[nodiscard]] std::span<const Entry> at(Node node) const {
+    if (node.index() + 2 >= starts_.size()) return {};
+    return std::span(elements_).subspan(beginOf(node), countAt(node));
   }
-  [[nodiscard]] std::span<Entry> at(std::uint32_t node) {
-    if (node + std::size_t{2} >= starts_.size()) return {};
-    return std::span(elements_).subspan(starts_[node], starts_[node + 1] - starts_[node]);
+  [[nodiscard]] std::span<Entry> at(Node node) {
+    if (node.index() + 2 >= starts_.size()) return {};
+    return std::span(elements_).subspan(beginOf(node), countAt(node));
   }
 
  private:
+  [[nodiscard]] std::size_t beginOf(Node node) const { return starts_[node.index()]; }
+  [[nodiscard]] std::size_t countAt(Node node) const {
+    return starts_[node.index() + 1] - starts_[node.index()];
+  }
+
   std::vector<std::uint32_t> starts_;
   std::vector<Entry> elements_;
 };
-
-/// Elements at each node by index, ascending.
-using Incidence = NodeLists<std::uint32_t>;
 
 }  // namespace tetrafront

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file A heap that stores the position of each id, so that a face that leaves the front early is
+/// @file A heap that stores the slot of each id, so that a face that leaves the front early is
 /// removed at once (Löhner & Parikh 1988, second section 6, structure (1)). Four children per node
 /// halve the levels of a binary heap for the same number of comparisons. About half of the faces
 /// are removed before their turn; lazy deletion would triple the heap.
@@ -19,12 +19,11 @@ class IndexedHeap {
  public:
   /// Permits the ids 0 .. count-1.
   void reserveIds(std::size_t count) {
-    if (count > position_.size())
-      position_.resize(std::max(count, position_.size() * 3 / 2), kNoIndex);
+    if (count > slotOf_.size()) slotOf_.resize(std::max(count, slotOf_.size() * 3 / 2), kNoIndex);
   }
   [[nodiscard]] bool empty() const { return entries_.empty(); }
   [[nodiscard]] std::size_t size() const { return entries_.size(); }
-  [[nodiscard]] bool contains(std::uint32_t id) const { return position_[id] != kNoIndex; }
+  [[nodiscard]] bool contains(std::uint32_t id) const { return slotOf_[id] != kNoIndex; }
 
   /// `id` must not be in the heap. O(log n).
   void push(std::uint32_t id, std::uint64_t key) {
@@ -41,14 +40,14 @@ class IndexedHeap {
 
   /// Removes `id` if it is in the heap. O(log n).
   void remove(std::uint32_t id) {
-    const std::uint32_t at = position_[id];
+    const std::uint32_t at = slotOf_[id];
     if (at == kNoIndex) return;
-    position_[id] = kNoIndex;
+    slotOf_[id] = kNoIndex;
     const Entry last = entries_.back();
     entries_.pop_back();
     if (last.id == id) return;
     const bool rises = last.key < entries_[at].key;
-    place(at, last);
+    put(at, last);
     if (rises) {
       siftUp(at);
     } else {
@@ -57,7 +56,7 @@ class IndexedHeap {
   }
 
   void clear() {
-    for (const Entry& entry : entries_) position_[entry.id] = kNoIndex;
+    for (const Entry& entry : entries_) slotOf_[entry.id] = kNoIndex;
     entries_.clear();
   }
 
@@ -68,9 +67,9 @@ class IndexedHeap {
   };
   static constexpr std::size_t kChildren = 4;
 
-  void place(std::size_t at, Entry entry) {
+  void put(std::size_t at, Entry entry) {
     entries_[at] = entry;
-    position_[entry.id] = static_cast<std::uint32_t>(at);
+    slotOf_[entry.id] = static_cast<std::uint32_t>(at);
   }
 
   void siftUp(std::size_t at) {
@@ -78,10 +77,10 @@ class IndexedHeap {
     while (at > 0) {
       const std::size_t parent = (at - 1) / kChildren;
       if (entries_[parent].key <= entry.key) break;
-      place(at, entries_[parent]);
+      put(at, entries_[parent]);
       at = parent;
     }
-    place(at, entry);
+    put(at, entry);
   }
 
   void siftDown(std::size_t at) {
@@ -95,14 +94,14 @@ class IndexedHeap {
         if (entries_[child].key < entries_[least].key) least = child;
       }
       if (entries_[least].key >= entry.key) break;
-      place(at, entries_[least]);
+      put(at, entries_[least]);
       at = least;
     }
-    place(at, entry);
+    put(at, entry);
   }
 
   std::vector<Entry> entries_;
-  std::vector<std::uint32_t> position_;
+  std::vector<std::uint32_t> slotOf_;
 };
 
 }  // namespace tetrafront

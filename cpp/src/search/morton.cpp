@@ -17,7 +17,7 @@ std::uint64_t spreadBits(std::uint64_t v) {
 }  // namespace
 
 bool MortonSort::advance(std::size_t budget) {
-  const std::size_t last = next_ + std::min(budget, places_.size() - next_);
+  const std::size_t last = next_ + std::min(budget, positions_.size() - next_);
   switch (stage_) {
     case Stage::kBound:
       bound(next_, last);
@@ -29,13 +29,13 @@ bool MortonSort::advance(std::size_t budget) {
       sort(next_, last);
       break;
     case Stage::kName:
-      for (std::size_t i = next_; i < last; ++i) order_.push_back(keys_[i].position);
+      for (std::size_t i = next_; i < last; ++i) order_.push_back(keys_[i].index);
       break;
     case Stage::kDone:
       return true;
   }
   next_ = last;
-  if (next_ == places_.size()) endStage();
+  if (next_ == positions_.size()) endStage();
   return stage_ == Stage::kDone;
 }
 
@@ -43,7 +43,7 @@ void MortonSort::endStage() {
   next_ = 0;
   switch (stage_) {
     case Stage::kBound:
-      keys_.reserve(places_.size());
+      keys_.reserve(positions_.size());
       stage_ = Stage::kCode;
       break;
     case Stage::kCode:
@@ -72,8 +72,8 @@ void MortonSort::endStage() {
 void MortonSort::bound(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
     for (int a = 0; a < 3; ++a) {
-      lower_[a] = std::min(lower_[a], places_[i][a]);
-      upper_[a] = std::max(upper_[a], places_[i][a]);
+      lower_[a] = std::min(lower_[a], positions_[i][a]);
+      upper_[a] = std::max(upper_[a], positions_[i][a]);
     }
   }
 }
@@ -86,7 +86,7 @@ void MortonSort::code(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
     std::uint64_t code = 0;
     for (int a = 0; a < 3; ++a) {
-      const double cell = std::min((places_[i][a] - lower_[a]) * scale, cells);
+      const double cell = std::min((positions_[i][a] - lower_[a]) * scale, cells);
       code |= spreadBits(static_cast<std::uint64_t>(cell)) << static_cast<unsigned>(a);
     }
     keys_.push_back({code, static_cast<std::uint32_t>(i)});
@@ -102,9 +102,9 @@ void MortonSort::sort(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) sorted_[begins[digitOf(keys_[i], pass_)]++] = keys_[i];
 }
 
-std::vector<std::uint32_t> mortonOrder(std::span<const Vec3> places) {
-  MortonSort sort(places);
-  while (!sort.advance(places.size())) {
+std::vector<std::uint32_t> mortonOrder(std::span<const Vec3> positions) {
+  MortonSort sort(positions);
+  while (!sort.advance(positions.size())) {
   }
   return sort.take();
 }

@@ -18,8 +18,8 @@ namespace tetrafront {
 /// Sorts positions along the curve in slices: a radix sort, O(n).
 class MortonSort {
  public:
-  /// `places` must outlive this, and may be filled until the first call of advance().
-  explicit MortonSort(std::span<const Vec3> places) : places_(places) {}
+  /// `positions` must outlive this, and may be filled until the first call of advance().
+  explicit MortonSort(std::span<const Vec3> positions) : positions_(positions) {}
 
   /// Visits `budget` positions, each eleven times in total; returns true when finished.
   bool advance(std::size_t budget);
@@ -37,7 +37,7 @@ class MortonSort {
   enum class Stage : std::uint8_t { kBound, kCode, kSort, kName, kDone };
   struct Key {
     std::uint64_t code;
-    std::uint32_t position;
+    std::uint32_t index;  ///< of the position
   };
 
   void bound(std::size_t first, std::size_t last);
@@ -48,7 +48,7 @@ class MortonSort {
     return (key.code >> (kDigitBits * pass)) % kDigits;
   }
 
-  std::span<const Vec3> places_;
+  std::span<const Vec3> positions_;
   Stage stage_ = Stage::kBound;
   unsigned pass_ = 0;
   std::size_t next_ = 0;
@@ -61,8 +61,8 @@ class MortonSort {
   std::vector<std::uint32_t> order_;
 };
 
-/// Returns the indices of `places` in the order of the curve; positions in one cell keep their
+/// Returns the indices of `positions` in the order of the curve; positions in one cell keep their
 /// order. O(n).
-[[nodiscard]] std::vector<std::uint32_t> mortonOrder(std::span<const Vec3> places);
+[[nodiscard]] std::vector<std::uint32_t> mortonOrder(std::span<const Vec3> positions);
 
 }  // namespace tetrafront

@@ -18,9 +18,9 @@ PlaneBox PlaneBox::of(const Vec2& a, const Vec2& b) {
   return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
 }
 
-void PlaneBox::include(const Vec2& place) {
-  low = {std::min(low.x, place.x), std::min(low.y, place.y)};
-  high = {std::max(high.x, place.x), std::max(high.y, place.y)};
+void PlaneBox::include(const Vec2& position) {
+  low = {std::min(low.x, position.x), std::min(low.y, position.y)};
+  high = {std::max(high.x, position.x), std::max(high.y, position.y)};
 }
 
 Quadtree::Quadtree(const PlaneBox& region) {

@@ -20,13 +20,14 @@ struct PlaneBox {
   Vec2 high{0.0};
 
   static PlaneBox of(const Vec2& a, const Vec2& b);
-  void include(const Vec2& place);
+  void include(const Vec2& position);
   [[nodiscard]] bool meets(const PlaneBox& other) const {
     return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
            other.low.y <= high.y;
   }
-  [[nodiscard]] bool holds(const Vec2& place) const {
-    return low.x <= place.x && place.x <= high.x && low.y <= place.y && place.y <= high.y;
+  [[nodiscard]] bool holds(const Vec2& position) const {
+    return low.x <= position.x && position.x <= high.x && low.y <= position.y &&
+           position.y <= high.y;
   }
 };
 

@@ -78,7 +78,7 @@ Task<std::vector<double>> AchievableSizes::measureEdges(Work& work,
   const std::size_t count = field_.isStretched() ? points.size() : 0;
   co_await work.forEachBlock(count, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      const SymmetricTensor target = field_.wantedTensorAt(points[i], hint_);
+      const SymmetricTensor target = field_.targetTensorAt(points[i], hint_);
       maps.push_back(target.inverse().scaledBy(meanSizeOf(target)));
     }
   });
@@ -96,7 +96,7 @@ Task<> AchievableSizes::capField(Work& work, const std::vector<Vec3>& points,
   if (std::ranges::none_of(lengths, isShorter)) co_return;
   SizeOctreeBuilder builder(points, lengths, options_.growth, cap);
   co_await work.finish(builder);
-  field_.cutTo(builder.take());
+  field_.capTo(builder.take());
 }
 
 /// Raises the sizes near edges that are longer than the smallest target size.
@@ -112,7 +112,7 @@ Task<> AchievableSizes::raiseField(Work& work, const std::vector<Vec3>& points,
   SizeOctreeBuilder builder(floor.positions, floor.sizes, SizeDescent{descent, minTarget_});
   floor = {};  // free its memory
   co_await work.finish(builder);
-  field_.liftTo(builder.take());
+  field_.raiseTo(builder.take());
 }
 
 /// Returns the smallest achievable sizes at the nodes and at the centroids of the triangles. If the lengths at two
@@ -125,7 +125,7 @@ Task<AchievableSizes::Floor> AchievableSizes::findFloor(Work& work, const std::v
   co_await work.finish(shortest);
   work.beginPart(1.0);
   Floor floor;
-  std::uint32_t nearest = 0;
+  SiteId nearest(0U);
   const auto add = [&](const Vec3& position) {
     // The next position is usually close to the last one. With its site as a guess, few sites are visited.
     const SizeSites::Value found = shortest.at(position, nearest);

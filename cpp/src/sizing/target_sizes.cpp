@@ -86,8 +86,8 @@ Task<> TargetSizes::measureEdges(Work& work) {
 
 double metricLengthAt(const SizeField& field, const Vec3& position, const Vec3& edge,
                       FieldHint& hint) {
-  if (!field.isStretched()) return glm::length(edge) / field.wantedSizeAt(position, hint);
-  return glm::length(field.wantedTensorAt(position, hint).inverse() * edge);
+  if (!field.isStretched()) return glm::length(edge) / field.targetSizeAt(position, hint);
+  return glm::length(field.targetTensorAt(position, hint).inverse() * edge);
 }
 
 double metricLength(const SizeField& field, const Vec3& a, const Vec3& b, FieldHint& hint) {

@@ -13,7 +13,7 @@ constexpr std::size_t kElementsPerStep = 100;
 
 void ElementIndex::begin(std::size_t nodeCount) {
   listed_ = elements_.size();
-  lists_ = Incidence(nodeCount);
+  lists_ = NodeLists<TetId>(nodeCount);
   firstLink_.clear();
   links_.clear();
   next_ = 0;
@@ -28,9 +28,9 @@ std::size_t ElementIndex::build(std::size_t budget) {
   for (; next_ < last; ++next_) {
     for (const NodeId node : elements_.nodes[next_]) {
       if (stage_ == Stage::kCount) {
-        lists_.count(node.value);
+        lists_.count(node);
       } else {
-        lists_.add(node.value, static_cast<std::uint32_t>(next_));
+        lists_.add(node, TetId(next_));
       }
     }
   }
@@ -54,7 +54,7 @@ void ElementIndex::chainNew() {
 
 template <class Take>
 void ElementIndex::forEachAt(NodeId node, const Take& take) const {
-  for (const std::uint32_t element : lists_.at(node.value)) take(TetId(element));
+  for (const TetId element : lists_.at(node)) take(element);
   if (node.index() >= firstLink_.size()) return;
   for (LinkId link = firstLink_[node.index()]; !link.isNone(); link = links_[link.index()]) {
     take(TetId(listed_ + link.index() / 4));

@@ -40,7 +40,7 @@ class ElementIndex {
   void forEachAt(NodeId node, const Take& take) const;
 
   const Elements& elements_;
-  Incidence lists_;
+  NodeLists<TetId> lists_;
   Stage stage_ = Stage::kBuilt;
   std::size_t listed_ = 0;         ///< number of elements in the lists
   std::size_t next_ = 0;           ///< next element to count or add

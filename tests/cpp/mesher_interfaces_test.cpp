@@ -1,4 +1,4 @@
-/// Bodies with common walls: each space a region, one mesh that fits together at the walls.
+/// Solids with interfaces: several regions in one mesh, whose elements match at the interfaces.
 
 #include <gtest/gtest.h>
 
@@ -43,17 +43,18 @@ MeshRun filled(const SurfaceMesh& surface, const MeshOptions& options = {}) {
 
 std::set<DiagnosticCode> errorsOf(const MeshRun& run) {
   std::set<DiagnosticCode> codes;
-  for (const Diagnostic& told : run.diagnostics()) {
-    if (told.severity == Severity::kError) codes.insert(told.code);
+  for (const Diagnostic& diagnostic : run.diagnostics()) {
+    if (diagnostic.severity == Severity::kError) codes.insert(diagnostic.code);
   }
   return codes;
 }
 
-/// Valid by the tests' own judge and by the engine's, with so many regions; their volumes, ascending.
-std::vector<double> soundVolumes(const MeshRun& run, std::size_t regions) {
+/// Expects a mesh that is valid by the tests' own validator and by the engine's, with this number of regions; returns
+/// their volumes, ascending.
+std::vector<double> validVolumes(const MeshRun& run, std::size_t regions) {
   EXPECT_EQ(run.status(), MeshStatus::kDone);
-  for (const Diagnostic& told : run.diagnostics()) {
-    EXPECT_EQ(told.severity, Severity::kInformation) << static_cast<int>(told.code);
+  for (const Diagnostic& diagnostic : run.diagnostics()) {
+    EXPECT_EQ(diagnostic.severity, Severity::kInformation) << static_cast<int>(diagnostic.code);
   }
   const VolumeMesh mesh = run.volume();
   EXPECT_EQ(testing::complaintAbout(mesh, run.surface()), "");
@@ -94,16 +95,16 @@ Model dividedBoxModel(const std::array<int, 3>& counts) {
   return builder.model;
 }
 
-TEST(MeshWalls, TwoBoxesShareOnePatch) {
+TEST(MeshInterfaces, TwoBoxesShareOnePatch) {
   const MeshRun run = meshed(dividedBoxModel({2, 1, 1}), 0.3);
-  for (const double volume : soundVolumes(run, 2)) EXPECT_NEAR(volume, 1.0, 1e-12);
-  const auto told =
+  for (const double volume : validVolumes(run, 2)) EXPECT_NEAR(volume, 1.0, 1e-12);
+  const auto reported =
       std::ranges::find(run.diagnostics(), DiagnosticCode::kNestedRegions, &Diagnostic::code);
-  ASSERT_NE(told, run.diagnostics().end());
-  EXPECT_EQ(told->values, (std::vector{2.0, 0.0}));
+  ASSERT_NE(reported, run.diagnostics().end());
+  EXPECT_EQ(reported->values, (std::vector{2.0, 0.0}));
 }
 
-TEST(MeshWalls, TooManyElementsAreThoseOfAllRegions) {
+TEST(MeshInterfaces, TooManyElementsAreThoseOfAllRegions) {
   MeshOptions options;
   options.optimization = Optimization::kNone;
   const MeshRun run = meshed(dividedBoxModel({2, 1, 1}), 0.3, options);
@@ -114,21 +115,21 @@ TEST(MeshWalls, TooManyElementsAreThoseOfAllRegions) {
   RegionMesher mesher(run.surface(), field, options);
   while (mesher.advance(100) == MeshStatus::kRunning) {
   }
-  const std::vector<Diagnostic> told = mesher.diagnostics();
-  ASSERT_EQ(told.size(), 1U);
-  EXPECT_EQ(told[0].code, DiagnosticCode::kTooManyElements);
-  EXPECT_EQ(told[0].values[1], ofFirst + 20);
-  EXPECT_GT(told[0].values[0], ofFirst + 20);
-  EXPECT_LT(told[0].values[0], 3.0 * static_cast<double>(regions.size()));
+  const std::vector<Diagnostic> reported = mesher.diagnostics();
+  ASSERT_EQ(reported.size(), 1U);
+  EXPECT_EQ(reported[0].code, DiagnosticCode::kTooManyElements);
+  EXPECT_EQ(reported[0].values[1], ofFirst + 20);
+  EXPECT_GT(reported[0].values[0], ofFirst + 20);
+  EXPECT_LT(reported[0].values[0], 3.0 * static_cast<double>(regions.size()));
 }
 
-TEST(MeshWalls, TwentySevenCubes) {
+TEST(MeshInterfaces, TwentySevenCubes) {
   const MeshRun run = meshed(dividedBoxModel({3, 3, 3}), 0.5);
-  for (const double volume : soundVolumes(run, 27)) EXPECT_NEAR(volume, 1.0, 1e-12);
+  for (const double volume : validVolumes(run, 27)) EXPECT_NEAR(volume, 1.0, 1e-12);
 }
 
-TEST(MeshWalls, WallsMeetInALine) {
-  // Three sectors of a triangular prism about its middle line, where three walls meet.
+TEST(MeshInterfaces, InterfacesMeetInALine) {
+  // Three sectors of a triangular prism about its middle line, where three interfaces meet.
   ModelBuilder builder;
   const std::array<Vec3, 3> corners{Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(1, 1.7, 0)};
   const Vec3 middle(1, 0.6, 0);
@@ -141,7 +142,7 @@ TEST(MeshWalls, WallsMeetInALine) {
     builder.patch(PatchType::kPlanar, {builder.polygon({a, b, middle})});
     builder.patch(PatchType::kPlanar, {builder.polygon({a + up, b + up, middle + up})});
   }
-  const std::vector<double> volumes = soundVolumes(meshed(builder.model, 0.3), 3);
+  const std::vector<double> volumes = validVolumes(meshed(builder.model, 0.3), 3);
   EXPECT_NEAR(volumes[0] + volumes[1] + volumes[2], 1.7, 1e-12);
   EXPECT_NEAR(volumes[2], 0.6, 1e-12);
 }
@@ -155,12 +156,13 @@ Model dividedTube(int pieces) {
     builder.patch(PatchType::kPlanar, {rings.back()});
     if (k == 0) continue;
     for (std::size_t arc = 0; arc < 4; ++arc) {
-      const auto placeAt = [&](int level, std::size_t at) {
+      const auto positionAt = [&](int level, std::size_t at) {
         const auto ring = static_cast<std::size_t>(level);
         return builder.model.points[builder.model.lines[rings[ring][at % 4].line].points.front()];
       };
-      const OrientedLine ahead = builder.straight(placeAt(k - 1, arc + 1), placeAt(k, arc + 1));
-      OrientedLine behind = builder.straight(placeAt(k - 1, arc), placeAt(k, arc));
+      const OrientedLine ahead =
+          builder.straight(positionAt(k - 1, arc + 1), positionAt(k, arc + 1));
+      OrientedLine behind = builder.straight(positionAt(k - 1, arc), positionAt(k, arc));
       behind.reversed = !behind.reversed;
       const auto ring = static_cast<std::size_t>(k);
       builder.patch(PatchType::kCoons,
@@ -170,8 +172,8 @@ Model dividedTube(int pieces) {
   return builder.model;
 }
 
-TEST(MeshWalls, TubeWithDiscs) {
-  const std::vector<double> volumes = soundVolumes(meshed(dividedTube(3), 0.25), 3);
+TEST(MeshInterfaces, TubeWithDiscs) {
+  const std::vector<double> volumes = validVolumes(meshed(dividedTube(3), 0.25), 3);
   for (const double volume : volumes) {
     EXPECT_LT(volume, 0.25 * std::numbers::pi);
     EXPECT_GT(volume, 0.22 * std::numbers::pi);
@@ -179,7 +181,7 @@ TEST(MeshWalls, TubeWithDiscs) {
 }
 
 /// A ball in a box, held by a wall through its equator: ball, and the box above and below it.
-TEST(MeshWalls, BallInABox) {
+TEST(MeshInterfaces, BallInABox) {
   ModelBuilder builder;
   const auto square = [](double z) {
     return std::vector<Vec3>{{-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}};
@@ -190,13 +192,13 @@ TEST(MeshWalls, BallInABox) {
     std::vector<std::uint32_t> meridians;
     for (std::size_t arc = 0; arc < 4; ++arc) {
       const Vec3 foot = builder.model.points[builder.model.lines[equator[arc].line].points.front()];
-      std::vector<Vec3> places;
+      std::vector<Vec3> positions;
       for (int i = 0; i <= 8; ++i) {
         const double angle = 0.5 * std::numbers::pi * i / 8;
-        places.push_back(std::cos(angle) * foot + Vec3(0, 0, pole * std::sin(angle)));
+        positions.push_back(std::cos(angle) * foot + Vec3(0, 0, pole * std::sin(angle)));
       }
-      places.back() = Vec3(0, 0, pole);
-      meridians.push_back(builder.line(LineType::kSpline, places));
+      positions.back() = Vec3(0, 0, pole);
+      meridians.push_back(builder.line(LineType::kSpline, positions));
     }
     for (std::size_t arc = 0; arc < 4; ++arc) {
       builder.patch(PatchType::kBarnhillGregoryNielson,
@@ -210,7 +212,7 @@ TEST(MeshWalls, BallInABox) {
                     {builder.polygon({middle[k], middle[(k + 1) % 4], end[(k + 1) % 4], end[k]})});
     }
   }
-  const std::vector<double> volumes = soundVolumes(meshed(builder.model, 0.15), 3);
+  const std::vector<double> volumes = validVolumes(meshed(builder.model, 0.15), 3);
   EXPECT_NEAR(volumes[0] + volumes[1] + volumes[2], 8.0, 1e-9);
   EXPECT_NEAR(volumes[1], volumes[2], 1e-2) << "above and below";
   EXPECT_LT(volumes[0], 4.0 / 3.0 * std::numbers::pi * 0.125)
@@ -218,7 +220,7 @@ TEST(MeshWalls, BallInABox) {
   EXPECT_GT(volumes[0], 0.4);
 }
 
-TEST(MeshWalls, AWallWithAHoleIsAnOpenLine) {
+TEST(MeshInterfaces, AnInterfaceWithAHoleIsAnOpenLine) {
   ModelBuilder builder;
   builder.model = dividedBoxModel({2, 1, 1});
   for (Patch& patch : builder.model.patches) {
@@ -239,9 +241,9 @@ TEST(MeshWalls, AWallWithAHoleIsAnOpenLine) {
   EXPECT_EQ(run.diagnostics().size(), 4U) << "every line of the hole";
 }
 
-/// A ring of eight cubes without the walls between them, but for one: the same space is on both sides
+/// A ring of eight cubes with one interface between them: the same region is on both sides
 /// of it. That is known before anything is meshed.
-TEST(MeshWalls, AWallThatSeparatesNothingIsNamedAtOnce) {
+TEST(MeshInterfaces, AnInterfaceThatSeparatesNothingIsNamedAtOnce) {
   Model model = dividedBoxModel({3, 3, 1});
   const Vec3 kept(1.0, 0.5, 0.5);
   std::erase_if(model.patches, [&](const Patch& patch) {
@@ -260,10 +262,10 @@ TEST(MeshWalls, AWallThatSeparatesNothingIsNamedAtOnce) {
   for (const bool isPreview : {true, false}) {
     MeshOptions options;
     options.size = 0.5;
-    const std::vector<Diagnostic> told =
+    const std::vector<Diagnostic> reported =
         isPreview ? previewModel(model, {}, options).diagnostics : meshed(model, 0.5).diagnostics();
     std::vector<Diagnostic> errors;
-    std::ranges::copy_if(told, std::back_inserter(errors), [](const Diagnostic& diagnostic) {
+    std::ranges::copy_if(reported, std::back_inserter(errors), [](const Diagnostic& diagnostic) {
       return diagnostic.severity == Severity::kError;
     });
     ASSERT_EQ(errors.size(), 1U);
@@ -274,26 +276,26 @@ TEST(MeshWalls, AWallThatSeparatesNothingIsNamedAtOnce) {
   }
 }
 
-TEST(MeshWalls, GivenSurfacesKeepTheirWalls) {
+TEST(MeshInterfaces, GivenSurfacesKeepTheirInterfaces) {
   for (const std::array<int, 3>& counts : {std::array{2, 1, 1}, std::array{2, 2, 2}}) {
     SurfaceMesh surface = testing::dividedBox(counts, 3);
     testing::rotateRandomly(surface, 4);
     testing::shuffle(surface, 5);
     const auto regions = static_cast<std::size_t>(counts[0] * counts[1] * counts[2]);
-    for (const double volume : soundVolumes(filled(surface), regions))
+    for (const double volume : validVolumes(filled(surface), regions))
       EXPECT_NEAR(volume, 1.0, 1e-12);
   }
 }
 
-/// Enclosed bodies that share no line with what is around them are walls all over, if that is wanted.
-TEST(MeshWalls, EnclosedBodiesCanBeRegions) {
+/// With InnerShells::kRegions, shells that share no line with their surroundings are interfaces.
+TEST(MeshInterfaces, InnerShellsCanBeRegions) {
   constexpr int kDepth = 4;
   const SurfaceMesh spheres = testing::nestedSpheres(kDepth, 4);
   const std::size_t trianglesEach = spheres.triangles.size() / 3 / kDepth;
   MeshOptions options;
   options.innerShells = InnerShells::kRegions;
   const MeshRun run = filled(spheres, options);
-  const std::vector<double> volumes = soundVolumes(run, kDepth);
+  const std::vector<double> volumes = validVolumes(run, kDepth);
   double sum = 0.0;
   for (const double volume : volumes) sum += volume;
   SurfaceMesh outermost = spheres;
@@ -302,24 +304,25 @@ TEST(MeshWalls, EnclosedBodiesCanBeRegions) {
   const SurfaceMesh surface = run.surface();
   for (std::uint32_t t = 0; t < surface.triangles.size() / 3; ++t)
     EXPECT_EQ(surface.isInterface(t), t >= trianglesEach) << t;
-  const auto nesting = std::ranges::find(run.diagnostics(), DiagnosticCode::kNestedRegions,
-                                         [](const Diagnostic& told) { return told.code; });
+  const auto nesting =
+      std::ranges::find(run.diagnostics(), DiagnosticCode::kNestedRegions,
+                        [](const Diagnostic& diagnostic) { return diagnostic.code; });
   ASSERT_NE(nesting, run.diagnostics().end());
   EXPECT_EQ(nesting->values, (std::vector<double>{kDepth, 0.0})) << "regions, cavities";
   EXPECT_EQ(filled(spheres).statistics().regions.size(), 2U) << "else every second is empty";
 }
 
-TEST(MeshWalls, EveryWayOfMeshingKeepsThem) {
+TEST(MeshInterfaces, EveryWayOfMeshingKeepsThem) {
   const SurfaceMesh surface = testing::dividedBox({2, 2, 1}, 3);
   std::vector<MeshOptions> ways(4);
   ways[0].optimization = Optimization::kNone;
   ways[1].optimization = Optimization::kThorough;
   ways[2].order = FrontOrder::kSmallestFirst;
   ways[3].exactFillOnly = true;
-  for (const MeshOptions& options : ways) soundVolumes(filled(surface, options), 4);
+  for (const MeshOptions& options : ways) validVolumes(filled(surface, options), 4);
 }
 
-TEST(MeshWalls, SlicesDoNotMatter) {
+TEST(MeshInterfaces, SlicesDoNotMatter) {
   const SurfaceMesh surface = testing::dividedBox({2, 2, 2}, 2);
   const MeshRun whole = filled(surface);
   const MeshRun sliced = finished(MeshRun(surface.points, surface.triangles, MeshOptions{}), 7);
@@ -329,7 +332,7 @@ TEST(MeshWalls, SlicesDoNotMatter) {
 
 /// Whatever is not filled is in the front: each region's volume is that of its tetrahedra and of what
 /// its faces enclose.
-TEST(MeshWalls, ACancelledRunHasTheRestInItsFront) {
+TEST(MeshInterfaces, ACancelledRunHasTheRestInItsFront) {
   const SurfaceMesh surface = testing::dividedBox({2, 2, 2}, 3);
   MeshRun run(surface.points, surface.triangles, MeshOptions{});
   bool wasPartial = false;
@@ -338,20 +341,20 @@ TEST(MeshWalls, ACancelledRunHasTheRestInItsFront) {
     const VolumeMesh mesh = run.volume();
     if (mesh.points.empty()) continue;
     EXPECT_EQ(run.progress().frontFaces, mesh.front.size() / 3);
-    const auto placeOf = [&](std::uint32_t node) {
+    const auto positionOf = [&](std::uint32_t node) {
       return Vec3(mesh.points[3 * node], mesh.points[3 * node + 1], mesh.points[3 * node + 2]);
     };
     double volume = 0.0;
     for (std::size_t t = 0; t < mesh.tetrahedra.size(); t += 4) {
-      const Vec3 a = placeOf(mesh.tetrahedra[t]);
-      volume += glm::dot(
-          placeOf(mesh.tetrahedra[t + 1]) - a,
-          glm::cross(placeOf(mesh.tetrahedra[t + 2]) - a, placeOf(mesh.tetrahedra[t + 3]) - a));
+      const Vec3 a = positionOf(mesh.tetrahedra[t]);
+      volume += glm::dot(positionOf(mesh.tetrahedra[t + 1]) - a,
+                         glm::cross(positionOf(mesh.tetrahedra[t + 2]) - a,
+                                    positionOf(mesh.tetrahedra[t + 3]) - a));
     }
     for (std::size_t h = 0; h < mesh.front.size(); h += 3) {
       // Counter-clockwise seen from the empty side.
-      volume -= glm::dot(placeOf(mesh.front[h]),
-                         glm::cross(placeOf(mesh.front[h + 1]), placeOf(mesh.front[h + 2])));
+      volume -= glm::dot(positionOf(mesh.front[h]),
+                         glm::cross(positionOf(mesh.front[h + 1]), positionOf(mesh.front[h + 2])));
     }
     EXPECT_NEAR(volume / 6.0, 8.0, 1e-9);
     wasPartial = wasPartial || (!mesh.tetrahedra.empty() && !mesh.front.empty());
