@@ -244,6 +244,29 @@ test("an estimate above the countable range is reported as such, without a facto
   expect(estimated(1e15).message).toMatch(/require more than 1000000000000000 /);
 });
 
+test("too many elements name the source or background node that requires the most", () => {
+  const messageOf = (kind: number) =>
+    describeDiagnostic(
+      { ...empty, code: 25, entities: entitiesOf(kind, 4), values: Float64Array.of(1.6e8, 2e7) },
+      nameByIndex,
+    ).message;
+  expect(messageOf(ENTITY_KINDS.indexOf("source"))).toMatch(/, especially at source 4 /);
+  expect(messageOf(ENTITY_KINDS.indexOf("background-node"))).toMatch(/, especially at background node 4 /);
+});
+
+test("a failed verification names an example of each kind of defect", () => {
+  const [node, tetrahedron] = [ENTITY_KINDS.indexOf("node"), ENTITY_KINDS.indexOf("tetrahedron")];
+  const messageOf = (...entities: number[]) =>
+    describeDiagnostic(
+      { ...empty, code: 61, entities: entitiesOf(...entities), values: Float64Array.of(3) },
+      nameByIndex,
+    ).message;
+  expect(messageOf(node, 4, tetrahedron, 7)).toMatch(
+    /^The finished mesh failed 3 checks of its verification, for example at node 4 .*and tetrahedron 7$/,
+  );
+  expect(messageOf()).toBe("The finished mesh failed 3 checks of its verification");
+});
+
 test("entities are named by the user's names, or else by their ids", () => {
   const cube = cubeProject();
   const lines = cube.lines.map((line) => (line.id === 3 ? { ...line, name: "lip" } : line));

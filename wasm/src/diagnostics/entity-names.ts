@@ -14,6 +14,8 @@ export const KIND_WORDS: Readonly<Record<EntityKind, string>> = {
   triangle: "triangle",
   "surface-node": "surface node",
   source: "source",
+  node: "node",
+  tetrahedron: "tetrahedron",
 };
 
 /** Names entities by index, for a given surface, whose entities have no names. */

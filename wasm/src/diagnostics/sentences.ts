@@ -175,6 +175,9 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
           return `The sizes at ${main} require ${estimated(expected, "tetrahedron")}; the limit is ${limit}`;
         case "triangle":
           return `The refined surface would have ${estimated(expected, "triangle")}, most of them in ${main}; the limit is ${limit}`;
+        case "source":
+        case "background-node":
+          return `The sizes require ${estimated(expected, "tetrahedron")}, especially at ${main}; the limit is ${limit}`;
         default:
           return `The sizes require ${estimated(expected, "tetrahedron")}; the limit is ${limit}${at === "" ? "" : `, reached${at}`}`;
       }
@@ -285,8 +288,10 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
       "Use sizes that vary more gradually there; in a given surface, use sizes closer to its edge lengths.",
   },
   "verification-failed": {
-    message: ({ data, at }) =>
-      `The finished mesh failed ${plural(data.count, "check")} of its verification${at}`,
+    message: ({ all, data }) => {
+      const defects = all(["tetrahedron", "node", "triangle"], "");
+      return `The finished mesh failed ${plural(data.count, "check")} of its verification${defects === "" ? "" : `, for example at ${defects}`}`;
+    },
     remedy: "Report this error of Tetrafront, together with the model.",
   },
 };

@@ -73,6 +73,8 @@ function entityAt(
     case "background-tetrahedron":
     case "triangle":
     case "surface-node":
+    case "node":
+    case "tetrahedron":
       return undefined;
   }
 }
