@@ -1,5 +1,6 @@
 // Builds the parts named on the command line: wasm (the engine), package (the npm package's JavaScript),
-// site (the web application), native (library, programs, tests), asan, fuzz. Default: wasm package site.
+// site (the web application), native (library, programs, tests), asan (the tests with
+// sanitizers), fuzz. Default: wasm package site.
 import { existsSync, rmSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
@@ -59,7 +60,7 @@ export const steps = {
     await must("ninja", ["-C", buildFolders.release, "build.ninja"], { log });
   },
   async asan({ compiler }) {
-    await compile("asan", { CXX: compiler });
+    await compile("asan", { CXX: compiler }, "release");
   },
   /** Does nothing if no clang with libFuzzer is installed. */
   async fuzz() {
@@ -68,9 +69,9 @@ export const steps = {
   },
 };
 
-/** Configures a preset of CMakePresets.json where needed and builds it. */
-async function compile(preset, env) {
-  await configure(preset, env);
+/** Builds a build preset of CMakePresets.json, after configuring its configure preset where needed. */
+async function compile(preset, env, configurePreset = preset) {
+  await configure(configurePreset, env);
   await must("cmake", ["--build", "--preset", preset, "--parallel", `${jobs}`], { env, quietOut: true });
 }
 

@@ -7,10 +7,9 @@ export const inRoot = (...parts) => path.join(root, ...parts);
 
 export const toolchain = inRoot(".toolchain");
 export const glmFolder = path.join(toolchain, "glm");
-/** The build folder of each preset in CMakePresets.json. */
+/** The build folder of each configure preset in CMakePresets.json. */
 export const buildFolders = {
   release: inRoot("build", "release"),
-  asan: inRoot("build", "asan"),
   wasm: inRoot("build", "wasm"),
   fuzz: inRoot("build", "fuzz"),
 };

@@ -26,8 +26,8 @@ const SHARDS_PER_JOB = 8;
 const SHARD_LIMIT_MS = 20 * 60_000;
 
 /** Runs the C++ tests in shards, `jobs` at a time. */
-async function runGoogleTest(folder, name, env) {
-  const program = path.join(folder, "tetrafront_tests");
+async function runGoogleTest(programName, name, env) {
+  const program = path.join(buildFolders.release, programName);
   const shards = Array.from({ length: SHARDS_PER_JOB * jobs }, (_, shard) => shard);
   const counts = await inParallel(shards, async (shard) => {
     const file = report(`${name}-${shard}`);
@@ -120,13 +120,14 @@ export const suites = {
     title: "C++ tests (release)",
     lane: "tests",
     needs: ["native"],
-    run: () => runGoogleTest(buildFolders.release, "cpp", {}),
+    run: () => runGoogleTest("tetrafront_tests", "cpp", {}),
   },
   "cpp-asan": {
     title: "C++ tests (ASan + UBSan)",
     lane: "tests",
     needs: ["asan"],
-    run: () => runGoogleTest(buildFolders.asan, "cpp-asan", { UBSAN_OPTIONS: "print_stacktrace=1" }),
+    run: () =>
+      runGoogleTest("tetrafront_tests_sanitized", "cpp-asan", { UBSAN_OPTIONS: "print_stacktrace=1" }),
   },
   fuzz: {
     title: "libFuzzer",
