@@ -10,16 +10,18 @@
 #include "base/fingerprint.h"
 #include "base/task.h"
 #include "boundary/boundary.h"
+#include "boundary/surface_access.h"
 #include "field/size_field.h"
 #include "optimize/locality.h"
 #include "optimize/optimizer.h"
 #include "preview/check_input.h"
-#include "quality/verify_mesh.h"
 #include "quality/metrics.h"
 #include "quality/quality_analysis.h"
+#include "quality/verify_mesh.h"
 #include "sizing/achievable_sizes.h"
 #include "sizing/check_options.h"
 #include "sizing/expected_count.h"
+#include "sizing/most_demanding.h"
 #include "sizing/target_sizes.h"
 #include "surface/surface_mesher.h"
 #include "volume/region_mesher.h"
@@ -145,6 +147,7 @@ class MeshRun::Impl {
   Task<bool> checkBoundary(Work& work);
   Task<bool> findSizes(Work& work);
   bool limitElements();
+  void nameMostDemanding(Diagnostic& tooMany) const;
   Task<MeshStatus> fill(Work& work);
   Task<> optimize(Work& work);
   Task<> measure(Work& work);
@@ -286,6 +289,14 @@ Task<bool> MeshRun::Impl::findSizes(Work& work) {
   co_return true;
 }
 
+/// Names what requires the most elements, in a diagnostic about too many of them.
+void MeshRun::Impl::nameMostDemanding(Diagnostic& tooMany) const {
+  const Extent extent = extentOf(surface_);
+  const std::optional<Entity> entity = mostDemandingSize(
+      grid_, options_, glm::length(extent.high - extent.low), tooMany.values.front());
+  if (entity) tooMany.entities.push_back(*entity);
+}
+
 /// Estimates how many elements the sizes ask for; false, with a diagnostic, if they are too many.
 bool MeshRun::Impl::limitElements() {
   const double expected = expectedTetrahedra(surface_, *field_);
@@ -296,6 +307,7 @@ bool MeshRun::Impl::limitElements() {
   Diagnostic tooMany;
   tooMany.code = DiagnosticCode::kTooManyElements;
   tooMany.values = {cappedCount(expected), static_cast<double>(options_.maxTetrahedra)};
+  nameMostDemanding(tooMany);
   report({tooMany});
   return false;
 }
@@ -308,7 +320,10 @@ Task<MeshStatus> MeshRun::Impl::fill(Work& work) {
     followFront(work, section);
     co_await work.yield();
   }
-  report(front_->diagnostics());
+  for (Diagnostic& found : front_->diagnostics()) {
+    if (found.code == DiagnosticCode::kTooManyElements) nameMostDemanding(found);
+    report({std::move(found)});
+  }
   keepUnfinished();
   co_await work.yield();
   co_return status;

@@ -33,8 +33,8 @@ std::set<Pair> allIntersectingPairs(const SurfaceMesh& mesh,
   for (std::uint32_t a = 0; a < countTriangles(mesh); ++a) {
     for (std::uint32_t b = a + 1; b < countTriangles(mesh); ++b) {
       if (ignored[a] != 0 || ignored[b] != 0) continue;
-      if (meetImproperly(numberedTriangle(mesh, TriangleId(a)),
-                         numberedTriangle(mesh, TriangleId(b)))) {
+      if (intersectImproperly(numberedTriangle(mesh, TriangleId(a)),
+                              numberedTriangle(mesh, TriangleId(b)))) {
         pairs.emplace(a, b);
       }
     }

@@ -124,12 +124,12 @@ TEST(SizeSourcesTest, CapEveryAxisOfAStretchedGrid) {
 TEST(SizeSourcesTest, DiagnosticsNameTheSourceAndItsValues) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
-  const std::vector<SizeSource> bad{
+  const std::vector<SizeSource> invalid{
       pointSource(Vec3(1.0), 0.0, 0.0, 0.3),   pointSource(Vec3(1.0), nan, 0.0, 0.3),
       pointSource(Vec3(1.0), 0.1, -1.0, 0.3),  pointSource(Vec3(1.0), 0.1, infinity, 0.3),
       pointSource(Vec3(1.0), 0.1, 0.0, -0.01), pointSource(Vec3(1.0), 0.1, 0.0, nan)};
-  const std::vector<Diagnostic> found = checkSizeSources(bad);
-  ASSERT_EQ(found.size(), bad.size());
+  const std::vector<Diagnostic> found = checkSizeSources(invalid);
+  ASSERT_EQ(found.size(), invalid.size());
   for (std::uint32_t i = 0; i < found.size(); ++i) {
     EXPECT_EQ(found[i].code, DiagnosticCode::kSourceOutOfRange);
     EXPECT_EQ(found[i].entities.at(0).kind, EntityKind::kSource);

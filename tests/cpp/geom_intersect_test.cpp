@@ -96,7 +96,7 @@ Polygon polygonOf(const GridTriangle& t) {
   return polygon;
 }
 
-bool oracleMeetsImproperly(const GridTriangle& a, const GridTriangle& b) {
+bool oracleIntersectsImproperly(const GridTriangle& a, const GridTriangle& b) {
   Polygon shared;
   for (const auto& p : a) {
     if (std::find(b.begin(), b.end(), p) == b.end()) continue;
@@ -152,9 +152,9 @@ TEST(IntersectTest, AgreesWithTheOracleOnAllTrianglesOfTheUnitCube) {
   int meeting = 0;
   for (const GridTriangle& a : triangles) {
     for (const GridTriangle& b : triangles) {
-      const bool expected = oracleMeetsImproperly(a, b);
+      const bool expected = oracleIntersectsImproperly(a, b);
       meeting += expected ? 1 : 0;
-      ASSERT_EQ(meetImproperly(numbered(a), numbered(b)), expected) << described(a, b);
+      ASSERT_EQ(intersectImproperly(numbered(a), numbered(b)), expected) << described(a, b);
     }
   }
   EXPECT_GT(meeting, 56);
@@ -180,10 +180,10 @@ TEST(IntersectTest, AgreesWithTheOracleOnRandomGridTriangles) {
         b[static_cast<std::size_t>(random.integer(0, 2))] = a[static_cast<std::size_t>(k)];
       }
       if (isDegenerate(a) || isDegenerate(b)) continue;
-      const bool expected = oracleMeetsImproperly(a, b);
+      const bool expected = oracleIntersectsImproperly(a, b);
       ++outcomes[expected ? 1 : 0];
-      ASSERT_EQ(meetImproperly(numbered(a), numbered(b)), expected) << described(a, b);
-      ASSERT_EQ(meetImproperly(numbered(b), numbered(a)), expected) << described(b, a);
+      ASSERT_EQ(intersectImproperly(numbered(a), numbered(b)), expected) << described(a, b);
+      ASSERT_EQ(intersectImproperly(numbered(b), numbered(a)), expected) << described(b, a);
     }
   }
   EXPECT_GT(outcomes[0], 5000);
@@ -199,12 +199,12 @@ TEST(IntersectTest, DoesNotDependOnTheOrderOfCorners) {
     GridTriangle a{position(), position(), position()};
     GridTriangle b{a[0], position(), position()};
     if (isDegenerate(a) || isDegenerate(b)) continue;
-    const bool expected = meetImproperly(numbered(a), numbered(b));
+    const bool expected = intersectImproperly(numbered(a), numbered(b));
     std::sort(a.begin(), a.end());
     do {
       std::sort(b.begin(), b.end());
       do {
-        ASSERT_EQ(meetImproperly(numbered(a), numbered(b)), expected) << described(a, b);
+        ASSERT_EQ(intersectImproperly(numbered(a), numbered(b)), expected) << described(a, b);
       } while (std::next_permutation(b.begin(), b.end()));
     } while (std::next_permutation(a.begin(), a.end()));
   }
@@ -213,9 +213,9 @@ TEST(IntersectTest, DoesNotDependOnTheOrderOfCorners) {
 TEST(IntersectTest, NodeNumbersDecideSharingNotPositions) {
   NumberedTriangle a = numbered({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
   NumberedTriangle b = numbered({{{1, 0, 0}, {0, 0, 0}, {0, 0, 1}}});
-  EXPECT_FALSE(meetImproperly(a, b));
+  EXPECT_FALSE(intersectImproperly(a, b));
   b.nodes = {50, 51, 52};
-  EXPECT_TRUE(meetImproperly(a, b)) << "the sheets are not joined: they touch";
+  EXPECT_TRUE(intersectImproperly(a, b)) << "the sheets are not joined: they touch";
 }
 
 /// p as a mixture of a triangle's corners and what is left across its plane, by its size.
@@ -241,7 +241,7 @@ TEST(IntersectionPosition, IsInBothTriangles) {
     if (isDegenerate(a) || isDegenerate(b)) continue;
     const std::array<Vec3, 3> inA = numbered(a).corners;
     const std::array<Vec3, 3> inB = numbered(b).corners;
-    if (!trianglesMeet(inA, inB)) continue;
+    if (!trianglesIntersect(inA, inB)) continue;
     ++met;
     const Vec3 common = intersectionPosition(inA, inB);
     for (const auto& triangle : {inA, inB}) {
@@ -259,7 +259,7 @@ TEST(IntersectTest, DistinguishesTouchingFromNearlyTouching) {
   for (const double gap : {0.0, 5e-324, 1e-300, 1e-16}) {
     const std::array<Vec3, 3> above{Vec3(0.25, 0.25, gap), Vec3(0.5, 0.25, 1.0),
                                     Vec3(0.2, 0.4, 1.0)};
-    EXPECT_EQ(trianglesMeet(floor, above), gap == 0.0) << gap;
+    EXPECT_EQ(trianglesIntersect(floor, above), gap == 0.0) << gap;
   }
 }
 

@@ -47,7 +47,7 @@ TEST(OrientedBoxTest, NeverSeparatesBoxesThatIntersect) {
       for (const Vec3& corner : inside)
         ASSERT_FALSE(both.isApartFrom(OrientedBox::of(corner, corner, corner)));
     }
-    if (!trianglesMeet(t[0], t[2])) continue;
+    if (!trianglesIntersect(t[0], t[2])) continue;
     ++met;
     ASSERT_FALSE(boxOf(t[0]).isApartFrom(boxOf(t[2])));
     ASSERT_FALSE(both.isApartFrom(boxOf(t[2])));

@@ -25,12 +25,12 @@ TEST(MeshRun, RefusesOptionsThatMakeNoSense) {
   const SurfaceMesh surface = testing::gridCube(2);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
-  for (const double bad : {-1.0, 1e200, kInfinity, kNotANumber}) {
+  for (const double invalid : {-1.0, 1e200, kInfinity, kNotANumber}) {
     for (int which = 0; which < 3; ++which) {
       MeshOptions options;
-      (which == 0 ? options.size : which == 1 ? options.growth : options.gradation) = bad;
+      (which == 0 ? options.size : which == 1 ? options.growth : options.gradation) = invalid;
       MeshRun run(surface.points, surface.triangles, options);
-      ASSERT_EQ(run.advance(1), MeshStatus::kInvalidInput) << which << " " << bad;
+      ASSERT_EQ(run.advance(1), MeshStatus::kInvalidInput) << which << " " << invalid;
       ASSERT_EQ(run.diagnostics().size(), 1U);
       EXPECT_EQ(run.diagnostics()[0].code, DiagnosticCode::kOptionOutOfRange);
       EXPECT_EQ(run.diagnostics()[0].values[0], which);

@@ -16,6 +16,7 @@
 #include "model/resolved_model.h"
 #include "support/models.h"
 #include "support/random.h"
+#include "tetrafront/covering_grid.h"
 #include "tetrafront/mesher.h"
 #include "tetrafront/preview.h"
 
@@ -227,6 +228,40 @@ TEST(CheckInput, TheNumberOfElementsIsEstimatedFromTheVolumeBeforeMeshing) {
   EXPECT_NEAR(found[0].values.at(0) / (6.0 * 6.0 * std::sqrt(2.0) * 1e9), 1.0, 1e-6);
   options.size = 0.02;
   EXPECT_TRUE(checkInput(box, {}, options).preview.diagnostics.empty());
+}
+
+TEST(CheckInput, TooManyElementsNameTheSourceThatRequiresTheMost) {
+  const Model box = boxModel({0, 0, 0}, {1, 2, 3});
+  BackgroundGrid grid;
+  const auto source = [](const Vec3& position, double size, double distance) {
+    return SizeSource{SourceType::kPoint, {position, Vec3(0.0), Vec3(0.0)}, size, distance, 0.3};
+  };
+  // The second source is smaller than the third, but acts in a much smaller volume.
+  grid.sources = {source({0.5, 1, 1}, 0.1, 0.3), source({0.5, 1, 2}, 1e-4, 1e-4),
+                  source({0.5, 1, 1.5}, 1e-3, 0.4)};
+  MeshOptions options;
+  options.size = 0.5;
+  std::vector<Diagnostic> found = checkInput(box, grid, options).preview.diagnostics;
+  ASSERT_EQ(countOf(found, DiagnosticCode::kTooManyElements), 1U);
+  ASSERT_EQ(found.back().entities.size(), 1U);
+  EXPECT_EQ(found.back().entities[0].kind, EntityKind::kSource);
+  EXPECT_EQ(found.back().entities[0].index, 2U);
+  // The uniform size requires more than any source.
+  options.size = 1e-3;
+  found = checkInput(box, grid, options).preview.diagnostics;
+  ASSERT_EQ(countOf(found, DiagnosticCode::kTooManyElements), 1U);
+  EXPECT_TRUE(found.back().entities.empty());
+}
+
+TEST(CheckInput, TooManyElementsNameTheBackgroundNodeThatRequiresTheMost) {
+  BackgroundGrid grid = coveringGrid(Vec3(0.0), Vec3(1, 2, 3), 0.005, CoverShape::kBox);
+  grid.nodes[3].size = 0.004;
+  const std::vector<Diagnostic> found =
+      checkInput(boxModel({0, 0, 0}, {1, 2, 3}), grid, {}).preview.diagnostics;
+  ASSERT_EQ(countOf(found, DiagnosticCode::kTooManyElements), 1U);
+  ASSERT_EQ(found.back().entities.size(), 1U);
+  EXPECT_EQ(found.back().entities[0].kind, EntityKind::kBackgroundNode);
+  EXPECT_EQ(found.back().entities[0].index, 3U);
 }
 
 TEST(CheckInput, ElementsOfThinRegionsAreEstimatedFromTheSurface) {

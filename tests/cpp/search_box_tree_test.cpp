@@ -52,7 +52,7 @@ TEST(BoxTree, FindsAllItemsThatOverlapABox) {
     std::sort(found.begin(), found.end());
     std::vector<std::uint32_t> expected;
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-      if (BoxTree::meets(boxes[i], box)) expected.push_back(i);
+      if (BoxTree::overlaps(boxes[i], box)) expected.push_back(i);
     }
     EXPECT_EQ(found, expected);
   }

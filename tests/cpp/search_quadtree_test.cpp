@@ -22,7 +22,7 @@ std::vector<std::uint32_t> byList(const std::map<std::uint32_t, PlaneBox>& boxes
                                   const PlaneBox& query) {
   std::vector<std::uint32_t> found;
   for (const auto& [id, box] : boxes)
-    if (box.meets(query)) found.push_back(id);
+    if (box.overlaps(query)) found.push_back(id);
   return found;
 }
 

@@ -3,10 +3,10 @@
 /// @file Background grids that cover a box or a model.
 
 #include <cstdint>
-#include <memory>
 
 #include "tetrafront/background_grid.h"
 #include "tetrafront/model.h"
+#include "tetrafront/sliced_tool.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {
@@ -27,26 +27,10 @@ enum class CoverShape : std::uint8_t {
 /// for a twentieth of the model's diagonal. Costs as much as previewModel().
 [[nodiscard]] BackgroundGrid coveringGrid(const Model& model, double size, CoverShape shape);
 
-/// Does the work of coveringGrid() in slices.
-class CoveringGridBuilder {
+/// Does the work of coveringGrid() in slices. One patch takes many units of work.
+class CoveringGridBuilder : public SlicedTool<BackgroundGrid> {
  public:
   CoveringGridBuilder(Model model, double size, CoverShape shape);
-  CoveringGridBuilder(CoveringGridBuilder&&) noexcept;
-  CoveringGridBuilder& operator=(CoveringGridBuilder&&) noexcept;
-  ~CoveringGridBuilder();
-
-  /// Does about `budget` units of work; one patch takes many. Returns true when finished.
-  bool advance(std::uint32_t budget);
-
-  /// Estimated progress, 0 to 1.
-  [[nodiscard]] double fraction() const;
-
-  /// Complete once advance() has returned true.
-  [[nodiscard]] const BackgroundGrid& result() const;
-
- private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace tetrafront

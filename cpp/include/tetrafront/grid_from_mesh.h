@@ -3,12 +3,12 @@
 /// @file A background grid from a generated mesh, for adaptive remeshing (Löhner & Parikh 1988, section 3).
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "tetrafront/background_grid.h"
 #include "tetrafront/mesh.h"
+#include "tetrafront/sliced_tool.h"
 
 namespace tetrafront {
 
@@ -18,26 +18,10 @@ namespace tetrafront {
 /// O(n) for n elements.
 [[nodiscard]] BackgroundGrid gridFromMesh(const VolumeMesh& mesh, std::span<const double> sizes);
 
-/// Does the work of gridFromMesh() in slices.
-class MeshGridBuilder {
+/// Does the work of gridFromMesh() in slices; a unit of work is an element or node.
+class MeshGridBuilder : public SlicedTool<BackgroundGrid> {
  public:
   MeshGridBuilder(VolumeMesh mesh, std::vector<double> sizes);
-  MeshGridBuilder(MeshGridBuilder&&) noexcept;
-  MeshGridBuilder& operator=(MeshGridBuilder&&) noexcept;
-  ~MeshGridBuilder();
-
-  /// Visits about `budget` elements or nodes; true when finished.
-  bool advance(std::uint32_t budget);
-
-  /// Estimated progress, 0 to 1.
-  [[nodiscard]] double fraction() const;
-
-  /// Complete once advance() has returned true.
-  [[nodiscard]] const BackgroundGrid& result() const;
-
- private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace tetrafront

@@ -4,11 +4,11 @@
 /// Signs are exact; the statistics are computed as in the report of a run.
 
 #include <cstdint>
-#include <memory>
 #include <span>
 
 #include "tetrafront/mesh.h"
 #include "tetrafront/quality_statistics.h"
+#include "tetrafront/sliced_tool.h"
 #include "tetrafront/status.h"
 
 namespace tetrafront {
@@ -39,29 +39,13 @@ struct MeshInspection {
   SurfaceMesh boundary;
 };
 
-/// Inspects a mesh in slices. O(n log n).
-class MeshInspector {
+/// Inspects a mesh in slices; a unit of work is one element. O(n log n).
+class MeshInspector : public SlicedTool<MeshInspection> {
  public:
   /// `points`: x y z per node. `tetrahedra`: nodes a b c d of element t at [4t..4t+3]. `regions`: one per element,
   /// or empty. All arrays are copied.
   MeshInspector(std::span<const double> points, std::span<const std::uint32_t> tetrahedra,
                 std::span<const std::uint32_t> regions);
-  MeshInspector(MeshInspector&&) noexcept;
-  MeshInspector& operator=(MeshInspector&&) noexcept;
-  ~MeshInspector();
-
-  /// Visits about `budget` elements; true when finished.
-  bool advance(std::uint32_t budget);
-
-  /// Estimated progress, 0 to 1.
-  [[nodiscard]] double fraction() const;
-
-  /// Complete once advance() has returned true.
-  [[nodiscard]] const MeshInspection& result() const;
-
- private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
 };
 
 /// Inspects a mesh in one call.

@@ -3,12 +3,12 @@
 /// @file Samples a drawn model for display and checks it before it is meshed.
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "tetrafront/background_grid.h"
 #include "tetrafront/model.h"
 #include "tetrafront/options.h"
+#include "tetrafront/sliced_tool.h"
 #include "tetrafront/status.h"
 
 namespace tetrafront {
@@ -34,26 +34,10 @@ struct ModelPreview {
                                         const MeshOptions& options = {});
 
 /// Does the work of previewModel() in slices, so that a preview can be cancelled.
-class ModelPreviewer {
+class ModelPreviewer : public SlicedTool<ModelPreview> {
  public:
   /// The arguments are copied.
   ModelPreviewer(Model model, BackgroundGrid grid, const MeshOptions& options = {});
-  ModelPreviewer(ModelPreviewer&&) noexcept;
-  ModelPreviewer& operator=(ModelPreviewer&&) noexcept;
-  ~ModelPreviewer();
-
-  /// Does about `budget` units of work; true when finished.
-  bool advance(std::uint32_t budget);
-
-  /// Estimated progress, 0 to 1.
-  [[nodiscard]] double fraction() const;
-
-  /// Complete once advance() has returned true.
-  [[nodiscard]] const ModelPreview& result() const;
-
- private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace tetrafront

@@ -3,11 +3,11 @@
 /// @file Sizes proposed from the shape of a model, to be edited or used directly.
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "tetrafront/background_grid.h"
 #include "tetrafront/model.h"
+#include "tetrafront/sliced_tool.h"
 
 namespace tetrafront {
 
@@ -30,27 +30,11 @@ struct SizeProposal {
 /// its size. Takes milliseconds for typical models.
 [[nodiscard]] SizeProposal proposeSizes(const Model& model, const ProposalOptions& options);
 
-/// Does the work of proposeSizes() in slices.
-class SizeProposer {
+/// Does the work of proposeSizes() in slices. One patch takes many units of work. Building the tree over all sampled
+/// triangles and sorting the proposals are not divided.
+class SizeProposer : public SlicedTool<SizeProposal> {
  public:
   SizeProposer(Model model, const ProposalOptions& options);
-  SizeProposer(SizeProposer&&) noexcept;
-  SizeProposer& operator=(SizeProposer&&) noexcept;
-  ~SizeProposer();
-
-  /// Does about `budget` units of work; one patch takes many. Returns true when finished. Building the tree over all
-  /// sampled triangles and sorting the proposals are not divided.
-  bool advance(std::uint32_t budget);
-
-  /// Estimated progress, 0 to 1.
-  [[nodiscard]] double fraction() const;
-
-  /// Complete once advance() has returned true.
-  [[nodiscard]] const SizeProposal& result() const;
-
- private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace tetrafront

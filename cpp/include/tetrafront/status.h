@@ -79,10 +79,12 @@ enum class DiagnosticCode : std::uint16_t {
   kStretchingOutOfRange = 22,  ///< node; values: stretching
   kDegenerateBackgroundTetrahedron = 23,
   kOutsideBackgroundGrid = 24,  ///< position (and line or patch) that the grid does not cover
-  kTooManyElements = 25,        ///< values: estimated tetrahedra, limit
-  kSourceOutOfRange = 26,       ///< source; values: size, distance, growth
-  kDuplicatePoints = 27,        ///< two points at one position; a warning unless patches use both
-  kSizeTooLarge = 28,           ///< warning; values: the smallest size in a model, the extent
+  /// The line, patch, source or background node that requires the most, or a position, or nothing; values: estimated
+  /// tetrahedra, limit.
+  kTooManyElements = 25,
+  kSourceOutOfRange = 26,  ///< source; values: size, distance, growth
+  kDuplicatePoints = 27,   ///< two points at one position; a warning unless patches use both
+  kSizeTooLarge = 28,      ///< warning; values: the smallest size in a model, the extent
   // Closed boundary
   kOpenEdge = 40,  ///< line (and its patch) or triangle with one triangle only at an edge; values:
                    ///< number of such edges

@@ -4,13 +4,13 @@
 /// run. Repair makes only changes that need no guessing.
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "tetrafront/background_grid.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/options.h"
+#include "tetrafront/sliced_tool.h"
 #include "tetrafront/status.h"
 #include "tetrafront/vec3.h"
 
@@ -73,28 +73,12 @@ struct InspectionOptions {
   std::uint32_t maxDiagnostics = kDefaultMaxDiagnostics;
 };
 
-/// Inspects a surface in slices. O(n log n) if every triangle has few others near it.
-class SurfaceInspector {
+/// Inspects a surface in slices; a unit of work is one triangle. O(n log n) if every triangle has few others near it.
+class SurfaceInspector : public SlicedTool<SurfaceInspection> {
  public:
   /// Arrays as for MeshRun; they are copied.
   SurfaceInspector(std::span<const double> points, std::span<const std::uint32_t> triangles,
                    const InspectionOptions& options = {});
-  SurfaceInspector(SurfaceInspector&&) noexcept;
-  SurfaceInspector& operator=(SurfaceInspector&&) noexcept;
-  ~SurfaceInspector();
-
-  /// Visits about `budget` triangles; true when finished.
-  bool advance(std::uint32_t budget);
-
-  /// Estimated progress, 0 to 1.
-  [[nodiscard]] double fraction() const;
-
-  /// Complete once advance() has returned true.
-  [[nodiscard]] const SurfaceInspection& result() const;
-
- private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
 };
 
 /// Changes that a repair may make. The defaults neither move nor add anything.
@@ -143,29 +127,14 @@ inline constexpr std::uint32_t kNoOrigin = 0xffffffffU;
 
 /// Makes the requested changes in the order of RepairOptions, and lists all of them. The result may still have
 /// problems: inspect it. Holes are filled with triangles of least total area, without new nodes; a hole stays open if
-/// this would need an edge that already exists. O(n log n) for n triangles, and O(m^3) for a hole of m edges.
-class SurfaceRepairer {
+/// this would need an edge that already exists. O(n log n) for n triangles, and O(m^3) for a hole of m edges. A unit of work
+/// is a node, edge or triangle. Welding, filling holes and orienting are divided into slices; the other steps visit all
+/// triangles in one slice.
+class SurfaceRepairer : public SlicedTool<SurfaceRepair> {
  public:
   /// Arrays as for MeshRun; they are copied.
   SurfaceRepairer(std::span<const double> points, std::span<const std::uint32_t> triangles,
                   const RepairOptions& options);
-  SurfaceRepairer(SurfaceRepairer&&) noexcept;
-  SurfaceRepairer& operator=(SurfaceRepairer&&) noexcept;
-  ~SurfaceRepairer();
-
-  /// Does one step of the repair; true when finished. Welding, filling holes and orienting are divided into slices of
-  /// about `budget` nodes, edges and triangles; the other steps visit all triangles once.
-  bool advance(std::uint32_t budget);
-
-  /// Estimated progress, 0 to 1.
-  [[nodiscard]] double fraction() const;
-
-  /// Complete once advance() has returned true.
-  [[nodiscard]] const SurfaceRepair& result() const;
-
- private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
 };
 
 /// Repairs a surface in one call.
@@ -190,30 +159,14 @@ struct SurfaceRefinement {
 /// options can reach its sizes. Edges longer than sqrt(2) x the target length are halved, in all triangles at the
 /// edge, and only if the edge is the longest of these triangles (Rivara 1984); angles therefore stay above half of
 /// what they were. New nodes are midpoints of edges, so that the shape changes by rounding only. Triangles keep
-/// their orientation. O(n log n) for n triangles of the result.
-class SurfaceRefiner {
+/// their orientation. O(n log n) for n triangles of the result. A unit of work is an edge or triangle; linking the edges
+/// of the given triangles is not divided.
+class SurfaceRefiner : public SlicedTool<SurfaceRefinement> {
  public:
   /// Arrays as for MeshRun; they are copied. `volume`: volume that the surface encloses, from its inspection; 0 if
   /// unknown. If it is known, sizes that lead to too many tetrahedra are rejected before anything is split.
   SurfaceRefiner(std::span<const double> points, std::span<const std::uint32_t> triangles,
                  BackgroundGrid grid, const MeshOptions& options, double volume = 0.0);
-  SurfaceRefiner(SurfaceRefiner&&) noexcept;
-  SurfaceRefiner& operator=(SurfaceRefiner&&) noexcept;
-  ~SurfaceRefiner();
-
-  /// Visits about `budget` edges or triangles; true when finished. Linking the edges of the given triangles is not
-  /// divided.
-  bool advance(std::uint32_t budget);
-
-  /// Estimated progress, 0 to 1.
-  [[nodiscard]] double fraction() const;
-
-  /// Complete once advance() has returned true.
-  [[nodiscard]] const SurfaceRefinement& result() const;
-
- private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace tetrafront

@@ -189,7 +189,7 @@ class SelfIntersectionFinder {
   }
 
   void test(TriangleId a, TriangleId b) {
-    if (meetImproperly(numberedTriangle(mesh_, a), numberedTriangle(mesh_, b))) {
+    if (intersectImproperly(numberedTriangle(mesh_, a), numberedTriangle(mesh_, b))) {
       found_.push_back({std::min(a, b), std::max(a, b)});
     }
   }

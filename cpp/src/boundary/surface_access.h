@@ -3,6 +3,7 @@
 /// @file Positions and triangles of a SurfaceMesh, beyond base/mesh_access.h.
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "base/ids.h"
@@ -18,6 +19,23 @@ inline std::vector<Vec3> pointsOf(const SurfaceMesh& mesh) {
   std::vector<Vec3> points(countNodes(mesh));
   for (std::size_t i = 0; i < points.size(); ++i) points[i] = pointOf(mesh, NodeId(i));
   return points;
+}
+
+/// An axis-parallel box.
+struct Extent {
+  Vec3 low{0.0};
+  Vec3 high{0.0};
+};
+
+/// Returns the box around the triangles, of which there must be one.
+inline Extent extentOf(const SurfaceMesh& mesh) {
+  const Vec3 first = pointOf(mesh, NodeId(mesh.triangles[0]));
+  Extent extent{first, first};
+  for (const std::uint32_t node : mesh.triangles) {
+    extent.low = glm::min(extent.low, pointOf(mesh, NodeId(node)));
+    extent.high = glm::max(extent.high, pointOf(mesh, NodeId(node)));
+  }
+  return extent;
 }
 
 /// Returns the triangle as the intersection tests take it.

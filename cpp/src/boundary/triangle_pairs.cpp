@@ -81,7 +81,7 @@ bool TrianglePairs::mayIntersect(const BranchPair& pair) const {
   if (isEmpty(pair.a) || isEmpty(pair.b)) return false;
   if (shareNode(common_[pair.a], common_[pair.b])) return false;
   if (pair.a == pair.b) return true;
-  return BoxTree::meets(tree_.boxOf(pair.a), tree_.boxOf(pair.b)) &&
+  return BoxTree::overlaps(tree_.boxOf(pair.a), tree_.boxOf(pair.b)) &&
          !boxes_[pair.a].isApartFrom(boxes_[pair.b]);
 }
 

@@ -100,7 +100,7 @@ void TrianglePairs::visitLeaves(const BranchPair& pair, Visit visit) const {
   const std::span<const Box> boxesB = tree_.itemBoxesOf(pair.b);
   for (std::size_t i = 0; i < itemsA.size(); ++i) {
     for (std::size_t j = pair.a == pair.b ? i + 1 : 0; j < itemsB.size(); ++j) {
-      if (!BoxTree::meets(boxesA[i], boxesB[j]) || shareNode(itemsA[i], itemsB[j])) continue;
+      if (!BoxTree::overlaps(boxesA[i], boxesB[j]) || shareNode(itemsA[i], itemsB[j])) continue;
       visit(TriangleId(itemsA[i]), TriangleId(itemsB[j]));
     }
   }

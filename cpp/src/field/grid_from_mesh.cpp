@@ -22,13 +22,11 @@ constexpr double kSizePerEdge = 0.9;
 /// Allows for the bulge over an edge that spans 100 degrees of a circle.
 constexpr double kMeshCoverageMargin = 0.25;
 
-}  // namespace
-
 /// Visits the elements to average the edge lengths at each node, then the nodes, then the elements
 /// again to add them to the grid. Leaves out nodes without elements.
-class MeshGridBuilder::Impl {
+class GridMaker final : public ToolWork<BackgroundGrid> {
  public:
-  Impl(VolumeMesh mesh, std::vector<double> sizes)
+  GridMaker(VolumeMesh mesh, std::vector<double> sizes)
       : mesh_(std::move(mesh)),
         sizes_(std::move(sizes)),
         isUsed_(countNodes(mesh_), 0),
@@ -43,15 +41,15 @@ class MeshGridBuilder::Impl {
     grid_.tetrahedra.reserve(elements_);
   }
 
-  bool advance(std::uint32_t budget) {
+  bool advance(std::uint32_t budget) override {
     const std::size_t last = next_ + std::min<std::size_t>(budget, steps() - next_);
     for (; next_ < last; ++next_) step(next_);
     return next_ == steps();
   }
-  [[nodiscard]] double fraction() const {
+  [[nodiscard]] double fraction() const override {
     return steps() == 0 ? 1.0 : static_cast<double>(next_) / static_cast<double>(steps());
   }
-  [[nodiscard]] const BackgroundGrid& result() const { return grid_; }
+  [[nodiscard]] const BackgroundGrid& result() const override { return grid_; }
 
  private:
   [[nodiscard]] std::size_t steps() const { return 2 * elements_ + countNodes(mesh_); }
@@ -107,15 +105,10 @@ class MeshGridBuilder::Impl {
   BackgroundGrid grid_;
 };
 
-MeshGridBuilder::MeshGridBuilder(VolumeMesh mesh, std::vector<double> sizes)
-    : impl_(std::make_unique<Impl>(std::move(mesh), std::move(sizes))) {}
-MeshGridBuilder::MeshGridBuilder(MeshGridBuilder&&) noexcept = default;
-MeshGridBuilder& MeshGridBuilder::operator=(MeshGridBuilder&&) noexcept = default;
-MeshGridBuilder::~MeshGridBuilder() = default;
+}  // namespace
 
-bool MeshGridBuilder::advance(std::uint32_t budget) { return impl_->advance(std::max(budget, 1U)); }
-double MeshGridBuilder::fraction() const { return impl_->fraction(); }
-const BackgroundGrid& MeshGridBuilder::result() const { return impl_->result(); }
+MeshGridBuilder::MeshGridBuilder(VolumeMesh mesh, std::vector<double> sizes)
+    : SlicedTool(std::make_unique<GridMaker>(std::move(mesh), std::move(sizes))) {}
 
 BackgroundGrid gridFromMesh(const VolumeMesh& mesh, std::span<const double> sizes) {
   MeshGridBuilder builder(mesh, {sizes.begin(), sizes.end()});

@@ -47,8 +47,8 @@ bool holds(const FlatView& view, const Triangle& triangle, const Vec3& p) {
 }
 
 /// Returns true if two closed segments in one plane intersect.
-bool segmentsMeet(const FlatView& view, const Vec3& a, const Vec3& b, const Vec3& c,
-                  const Vec3& d) {
+bool segmentsIntersect(const FlatView& view, const Vec3& a, const Vec3& b, const Vec3& c,
+                       const Vec3& d) {
   const int sideC = view.turn(a, b, c);
   const int sideD = view.turn(a, b, d);
   const int sideA = view.turn(c, d, a);
@@ -59,20 +59,20 @@ bool segmentsMeet(const FlatView& view, const Vec3& a, const Vec3& b, const Vec3
 }
 
 /// Returns true if a segment in the plane of the triangle intersects the closed triangle.
-bool flatSegmentMeets(const Triangle& triangle, const Vec3& p, const Vec3& q) {
+bool flatSegmentIntersects(const Triangle& triangle, const Vec3& p, const Vec3& q) {
   const FlatView view(triangle);
   if (holds(view, triangle, p) || holds(view, triangle, q)) return true;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (segmentsMeet(view, p, q, triangle[k], triangle[(k + 1) % 3])) return true;
+    if (segmentsIntersect(view, p, q, triangle[k], triangle[(k + 1) % 3])) return true;
   }
   return false;
 }
 
 /// `sideP` and `sideQ`: signs of the sides of the triangle's plane on which the ends of the
 /// segment are.
-bool segmentMeets(const Triangle& t, const Vec3& p, const Vec3& q, int sideP, int sideQ) {
+bool segmentIntersects(const Triangle& t, const Vec3& p, const Vec3& q, int sideP, int sideQ) {
   if (sideP * sideQ > 0) return false;
-  if (sideP == 0 && sideQ == 0) return flatSegmentMeets(t, p, q);
+  if (sideP == 0 && sideQ == 0) return flatSegmentIntersects(t, p, q);
   if (sideP == 0) return holds(FlatView(t), t, p);
   if (sideQ == 0) return holds(FlatView(t), t, q);
   const int s0 = orient3d(p, q, t[0], t[1]);
@@ -97,10 +97,10 @@ Sides sidesOf(const Triangle& t, const Triangle& other) {
   return sides;
 }
 
-bool anyEdgeMeets(const Triangle& t, const Triangle& other, const Sides& sides) {
+bool anyEdgeIntersects(const Triangle& t, const Triangle& other, const Sides& sides) {
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t l = (k + 1) % 3;
-    if (segmentMeets(t, other[k], other[l], sides.of[k], sides.of[l])) return true;
+    if (segmentIntersects(t, other[k], other[l], sides.of[k], sides.of[l])) return true;
   }
   return false;
 }
@@ -116,7 +116,7 @@ bool sectorHolds(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& p) {
 /// Returns true if the triangles x a b and x c d, which share exactly the node x, intersect
 /// elsewhere. Near x both are sectors, so they do if and only if the sectors have a direction in
 /// common.
-bool sectorsMeet(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+bool sectorsIntersect(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const int sideC = orient3d(x, a, b, c);
   const int sideD = orient3d(x, a, b, d);
   if (sideC * sideD > 0) return false;
@@ -163,17 +163,17 @@ Sharing sharingOf(const NumberedTriangle& a, const NumberedTriangle& b) {
 
 }  // namespace
 
-bool trianglesMeet(const Triangle& a, const Triangle& b) {
+bool trianglesIntersect(const Triangle& a, const Triangle& b) {
   const Sides ofB = sidesOf(a, b);
   if (ofB.allStrictlyAlike()) return false;
   const Sides ofA = sidesOf(b, a);
   if (ofA.allStrictlyAlike()) return false;
-  return anyEdgeMeets(a, b, ofB) || anyEdgeMeets(b, a, ofA);
+  return anyEdgeIntersects(a, b, ofB) || anyEdgeIntersects(b, a, ofA);
 }
 
-bool meetImproperly(const NumberedTriangle& a, const NumberedTriangle& b) {
+bool intersectImproperly(const NumberedTriangle& a, const NumberedTriangle& b) {
   const Sharing sharing = sharingOf(a, b);
-  if (sharing.count == 0) return trianglesMeet(a.corners, b.corners);
+  if (sharing.count == 0) return trianglesIntersect(a.corners, b.corners);
   if (sharing.count == 3) return true;
   // If one corner is shared, this one; if two are shared, the one that is not.
   std::size_t odd = 0;
@@ -182,7 +182,8 @@ bool meetImproperly(const NumberedTriangle& a, const NumberedTriangle& b) {
   const Vec3& last = a.corners[(odd + 2) % 3];
   if (sharing.count == 1) {
     const std::size_t j = sharing.inB[odd];
-    return sectorsMeet(a.corners[odd], next, last, b.corners[(j + 1) % 3], b.corners[(j + 2) % 3]);
+    return sectorsIntersect(a.corners[odd], next, last, b.corners[(j + 1) % 3],
+                            b.corners[(j + 2) % 3]);
   }
   const std::size_t other = 3 - sharing.inB[(odd + 1) % 3] - sharing.inB[(odd + 2) % 3];
   return wingsOverlap(next, last, a.corners[odd], b.corners[other]);

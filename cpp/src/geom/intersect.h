@@ -22,9 +22,9 @@ struct NumberedTriangle {
 /// Returns true if the closed triangles have a point in common that is not on a shared node or
 /// edge: crossing, touching and overlapping in one plane all count. Two triangles with the same
 /// three nodes always intersect. Neither triangle may be degenerate.
-[[nodiscard]] bool meetImproperly(const NumberedTriangle& a, const NumberedTriangle& b);
+[[nodiscard]] bool intersectImproperly(const NumberedTriangle& a, const NumberedTriangle& b);
 
 /// Returns true if the closed triangles have a point in common. Neither may be degenerate.
-[[nodiscard]] bool trianglesMeet(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b);
+[[nodiscard]] bool trianglesIntersect(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b);
 
 }  // namespace tetrafront

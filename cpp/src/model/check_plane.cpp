@@ -92,7 +92,7 @@ class PlaneVote {
     const Vec3 side = position(j) - position(i);
     const Vec3 normal = glm::cross(side, position(k) - position(i));
     if (!(glm::length(normal) > kSpanningArea * extent_ * extent_)) return;
-    CandidatePlane plane = judge(PlanarSurface(position(i), normal, side));
+    CandidatePlane plane = rate(PlanarSurface(position(i), normal, side));
     if (plane.agreeing < mostAgreeing_) return;
     if (plane.agreeing > mostAgreeing_) best_.clear();
     mostAgreeing_ = plane.agreeing;
@@ -107,7 +107,7 @@ class PlaneVote {
     best_.push_back(std::move(plane));
   }
 
-  [[nodiscard]] CandidatePlane judge(const PlanarSurface& surface) const {
+  [[nodiscard]] CandidatePlane rate(const PlanarSurface& surface) const {
     CandidatePlane plane;
     std::vector<std::pair<double, PointId>> off;
     for (std::size_t i = 0; i < points_.size(); ++i) {

@@ -98,13 +98,14 @@ class CrossingSearch {
     const BoxTree tree(boxes);
     std::vector<std::size_t> near;
     for (std::size_t i = 0; i < pieces_.size() && !isSpent(); ++i) {
-      if (meetsItself(pieces_[i])) return position_;
+      if (intersectsItself(pieces_[i])) return position_;
       near.clear();
       tree.visitOverlaps(boxes[i], [&](std::uint32_t k) {
         if (k > i) near.push_back(k);
       });
       stableSort(near);
-      if (std::ranges::any_of(near, [&](std::size_t k) { return meet(i, k); })) return position_;
+      if (std::ranges::any_of(near, [&](std::size_t k) { return intersect(i, k); }))
+        return position_;
     }
     return std::nullopt;
   }
@@ -122,44 +123,47 @@ class CrossingSearch {
     return boxes;
   }
 
-  bool meet(std::size_t i, std::size_t k) {
+  bool intersect(std::size_t i, std::size_t k) {
     const bool follows = k == i + 1;
     const bool closes = isClosed_ && i == 0 && k + 1 == pieces_.size();
     // Two pieces that form a closed line share both ends.
     if (follows && closes) return meetAtBothEnds(pieces_[i], pieces_[k]);
-    if (follows) return meetBeyondJoint(pieces_[i], pieces_[k]);
-    if (closes) return meetBeyondJoint(pieces_[k], pieces_[i]);
-    return piecesMeet(pieces_[i], pieces_[k]);
+    if (follows) return intersectBeyondJoint(pieces_[i], pieces_[k]);
+    if (closes) return intersectBeyondJoint(pieces_[k], pieces_[i]);
+    return piecesIntersect(pieces_[i], pieces_[k]);
   }
 
-  bool meetsItself(const Piece& piece) {
+  bool intersectsItself(const Piece& piece) {
     if (!spend() || piece.depth > kMaxDepth) return false;
     if (runsForward(piece, directionOf(piece))) return false;
     const Halves halves = halve(piece);
-    return meetsItself(halves.first) || meetsItself(halves.second) ||
-           meetBeyondJoint(halves.first, halves.second);
+    return intersectsItself(halves.first) || intersectsItself(halves.second) ||
+           intersectBeyondJoint(halves.first, halves.second);
   }
 
-  /// Returns whether two pieces meet anywhere except where the first ends and the second begins.
-  bool meetBeyondJoint(const Piece& first, const Piece& second) {
+  /// Returns whether two pieces intersect anywhere except where the first ends and the second begins.
+  bool intersectBeyondJoint(const Piece& first, const Piece& second) {
     if (!spend() || first.depth > kMaxDepth) return false;
     const Vec3 direction = directionOf(first) + directionOf(second);
     if (runsForward(first, direction) && runsForward(second, direction)) return false;
     const Halves before = halve(first);
     const Halves after = halve(second);
-    return piecesMeet(before.first, after.second) || piecesMeet(before.first, after.first) ||
-           piecesMeet(before.second, after.second) || meetBeyondJoint(before.second, after.first);
+    return piecesIntersect(before.first, after.second) ||
+           piecesIntersect(before.first, after.first) ||
+           piecesIntersect(before.second, after.second) ||
+           intersectBeyondJoint(before.second, after.first);
   }
 
   bool meetAtBothEnds(const Piece& first, const Piece& second) {
     const Halves before = halve(first);
     const Halves after = halve(second);
-    return meetBeyondJoint(before.second, after.first) ||
-           meetBeyondJoint(after.second, before.first) || piecesMeet(before.first, after.first) ||
-           piecesMeet(before.second, after.second);
+    return intersectBeyondJoint(before.second, after.first) ||
+           intersectBeyondJoint(after.second, before.first) ||
+           piecesIntersect(before.first, after.first) ||
+           piecesIntersect(before.second, after.second);
   }
 
-  bool piecesMeet(const Piece& a, const Piece& b) {
+  bool piecesIntersect(const Piece& a, const Piece& b) {
     if (!spend()) return false;
     const Vec3 lowA = a.low();
     const Vec3 highA = a.high();
@@ -176,10 +180,10 @@ class CrossingSearch {
     }
     if (sizeA >= sizeB) {
       const Halves halves = halve(a);
-      return piecesMeet(halves.first, b) || piecesMeet(halves.second, b);
+      return piecesIntersect(halves.first, b) || piecesIntersect(halves.second, b);
     }
     const Halves halves = halve(b);
-    return piecesMeet(a, halves.first) || piecesMeet(a, halves.second);
+    return piecesIntersect(a, halves.first) || piecesIntersect(a, halves.second);
   }
 
   [[nodiscard]] bool isSpent() const { return comparisonsLeft_ == 0; }

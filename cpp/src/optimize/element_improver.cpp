@@ -17,7 +17,7 @@ constexpr EdgeRemovalOptions kRepairOptions{true, kRepairGain};
 }  // namespace
 
 template <class Space>
-bool ElementImprover<Space>::stillBad(TetId tet, const Corners& nodes) const {
+bool ElementImprover<Space>::stillPoor(TetId tet, const Corners& nodes) const {
   return complex_.isLive(tet) && complex_.cost(tet) > 1.0 && complex_.element(tet).nodes == nodes;
 }
 
@@ -45,17 +45,17 @@ template <class Space>
 bool ElementImprover<Space>::improve(TetId tet, const ElementCost<Space>& cost) {
   const Corners nodes = complex_.element(tet).nodes;
   attempt(kRepairGain, [&] { return swapAround(tet, cost); });
-  if (!stillBad(tet, nodes)) return true;
+  if (!stillPoor(tet, nodes)) return true;
   attempt(kRepairGain, [&] { return moveCorners(nodes, cost); });
-  if (!stillBad(tet, nodes)) return true;
+  if (!stillPoor(tet, nodes)) return true;
   attempt(kRepairGain, [&] { return collapseCorner(nodes, cost); });
-  if (!stillBad(tet, nodes)) return true;
+  if (!stillPoor(tet, nodes)) return true;
   attempt(kRepairGain, [&] { return insertNode(tet, cost); });
-  if (!stillBad(tet, nodes)) return true;
+  if (!stillPoor(tet, nodes)) return true;
   compound(tet, cost);
-  if (!stillBad(tet, nodes)) return true;
+  if (!stillPoor(tet, nodes)) return true;
   detour(tet, cost);
-  return !stillBad(tet, nodes);
+  return !stillPoor(tet, nodes);
 }
 
 template <class Space>
@@ -184,7 +184,7 @@ bool ElementImprover<Space>::insertAt(std::span<const TetId> seeds, const Vec3& 
   constexpr double kAbsorb =
       0.7;  // absorb a neighbour behind a cone element worse than this fraction of the worst
   constexpr double kTighten = 0.95;
-  constexpr double kNear = 1.05;  // about as bad as before; a few more steps may succeed
+  constexpr double kNear = 1.05;  // about as poor as before; a few more steps may succeed
   inCavity_.resize(std::max(inCavity_.size(), complex_.slotCount()), 0);
   ++cavityStamp_;
   cavity_.assign(seeds.begin(), seeds.end());
@@ -317,11 +317,11 @@ void ElementImprover<Space>::settle(std::span<const NodeId> nodes, const Element
 template <class Space>
 bool ElementImprover<Space>::settleOne(const ElementCost<Space>& cost) {
   constexpr std::size_t kWorst = 4;
-  std::vector<TetId> bad = complex_.touchedByTrial();
-  std::erase_if(bad, [&](TetId tet) { return complex_.cost(tet) <= 1.0; });
-  stableSort(bad, [&](TetId p, TetId q) { return complex_.cost(p) > complex_.cost(q); });
-  bad.resize(std::min(bad.size(), kWorst));
-  return std::any_of(bad.begin(), bad.end(), [&](TetId tet) {
+  std::vector<TetId> poor = complex_.touchedByTrial();
+  std::erase_if(poor, [&](TetId tet) { return complex_.cost(tet) <= 1.0; });
+  stableSort(poor, [&](TetId p, TetId q) { return complex_.cost(p) > complex_.cost(q); });
+  poor.resize(std::min(poor.size(), kWorst));
+  return std::any_of(poor.begin(), poor.end(), [&](TetId tet) {
     const Corners nodes = complex_.element(tet).nodes;
     return swapAround(tet, cost) || moveCorners(nodes, cost) || collapseCorner(nodes, cost) ||
            insertNode(tet, cost);

@@ -20,8 +20,8 @@ namespace tetrafront {
 
 /// What must fall for a change to be kept, over the poor elements that it touched.
 enum class ImprovementGoal : std::uint8_t {
-  kFewer,    ///< the sum of their costs: fewer elements, however poor the remaining ones
-  kLessBad,  ///< the sum of the fourth powers of their costs: the worst elements count
+  kFewer,     ///< the sum of their costs: fewer elements, however poor the remaining ones
+  kLessPoor,  ///< the sum of the fourth powers of their costs: the worst elements count
 };
 
 template <class Space = PlainSpace>
@@ -57,7 +57,7 @@ class ElementImprover {
 
   [[nodiscard]] typename Space::Frame coneFrame(const Target& apex, const Corners& nodes,
                                                 std::size_t side) const;
-  [[nodiscard]] bool stillBad(TetId tet, const Corners& nodes) const;
+  [[nodiscard]] bool stillPoor(TetId tet, const Corners& nodes) const;
   template <class Change>
   bool attempt(double gain, Change change);
   bool swapAround(TetId tet, const ElementCost<Space>& cost);

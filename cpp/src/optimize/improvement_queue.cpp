@@ -12,7 +12,7 @@ namespace {
 /// visited, and more than that fraction of all elements: in a gap or wedge without room for nodes,
 /// improving one element spoils others.
 constexpr double kMaxLeft = 0.8;
-constexpr double kFewBad = 0.005;
+constexpr double kFewPoor = 0.005;
 /// Compound changes per step: a fixed number, plus one per this many elements.
 constexpr std::size_t kMinCompounds = 100;
 constexpr std::size_t kElementsPerCompound = 200;
@@ -54,8 +54,8 @@ void ImprovementQueue<Space>::aimAt(ImprovementGoal aim) {
 
 template <class Space>
 bool ImprovementQueue<Space>::focusOnWorst() {
-  if (bad_.empty() || aim_ == ImprovementGoal::kLessBad) return false;
-  aimAt(ImprovementGoal::kLessBad);
+  if (poor_.empty() || aim_ == ImprovementGoal::kLessPoor) return false;
+  aimAt(ImprovementGoal::kLessPoor);
   return true;
 }
 
@@ -75,24 +75,24 @@ std::size_t ImprovementQueue<Space>::missing() const {
 
 template <class Space>
 void ImprovementQueue<Space>::collect(std::size_t first, std::size_t last) {
-  if (first == 0) bad_.clear();
+  if (first == 0) poor_.clear();
   for (std::size_t t = first; t < last; ++t) {
-    if (needsImprovement(TetId(t))) bad_.emplace_back(t);
+    if (needsImprovement(TetId(t))) poor_.emplace_back(t);
   }
 }
 
 template <class Space>
 void ImprovementQueue<Space>::rank() {
-  const auto count = static_cast<double>(bad_.size());
-  const bool helped = isFirstPass_ || bad_.size() <= kVeryFew ||
-                      count <= kMaxLeft * static_cast<double>(badBefore_);
+  const auto count = static_cast<double>(poor_.size());
+  const bool helped = isFirstPass_ || poor_.size() <= kVeryFew ||
+                      count <= kMaxLeft * static_cast<double>(poorBefore_);
   isFirstPass_ = false;
-  badBefore_ = bad_.size();
-  const bool areFew = count <= kFewBad * static_cast<double>(complex_.elementCount());
+  poorBefore_ = poor_.size();
+  const bool areFew = count <= kFewPoor * static_cast<double>(complex_.elementCount());
   isHopeless_ = !helped && !areFew && !isPatient_;
-  improver_.countAbove(areFew && aim_ == ImprovementGoal::kLessBad ? 1.0 : costOfMissing_);
-  if (isHopeless_) bad_.clear();
-  stableSort(bad_, [&](TetId p, TetId q) { return complex_.cost(p) > complex_.cost(q); });
+  improver_.countAbove(areFew && aim_ == ImprovementGoal::kLessPoor ? 1.0 : costOfMissing_);
+  if (isHopeless_) poor_.clear();
+  stableSort(poor_, [&](TetId p, TetId q) { return complex_.cost(p) > complex_.cost(q); });
 }
 
 /// Returns whether improving the element failed before and no element that shares a node with it
@@ -115,7 +115,7 @@ std::size_t ImprovementQueue<Space>::improveSome(std::size_t first, std::size_t 
                                                  const ElementCost<Space>& cost) {
   std::size_t done = 0;
   for (std::size_t i = first; i < last; ++i) {
-    const TetId tet = bad_[i];
+    const TetId tet = poor_[i];
     if (!complex_.isLive(tet) || complex_.cost(tet) <= 1.0) continue;
     if (complex_.changedIn(tet) == complex_.pass())
       continue;  // made in this pass: leave it to the next
@@ -131,7 +131,7 @@ std::size_t ImprovementQueue<Space>::improveSome(std::size_t first, std::size_t 
 template <class Space>
 typename ImprovementQueue<Space>::LastResort ImprovementQueue<Space>::tryLastResort(
     std::size_t turn, const ElementCost<Space>& cost) {
-  const TetId tet = bad_[bad_.size() - 1 - turn];
+  const TetId tet = poor_[poor_.size() - 1 - turn];
   if (!isRescuing_) {
     if (!needsImprovement(tet)) return LastResort::kNotNeeded;
     lastResort_.begin(tet);

@@ -44,7 +44,7 @@ class ImprovementQueue {
   void rank();
   /// Returns whether the previous pass hardly helped and too many elements are left to continue.
   [[nodiscard]] bool canGiveUp() const { return isHopeless_; }
-  [[nodiscard]] std::size_t collected() const { return bad_.size(); }
+  [[nodiscard]] std::size_t collected() const { return poor_.size(); }
 
   /// Improves the collected elements in [first, last). Returns how many improved.
   std::size_t improveSome(std::size_t first, std::size_t last, const ElementCost<Space>& cost);
@@ -62,11 +62,11 @@ class ImprovementQueue {
   TetComplex& complex_;
   ElementImprover<Space> improver_;
   LastResortImprover<Space> lastResort_;
-  std::vector<TetId> bad_;
+  std::vector<TetId> poor_;
   Star star_;
   /// Per element slot: the pass in which its improvement failed for this goal; 0 for none.
   std::vector<std::uint32_t> failedIn_;
-  std::size_t badBefore_ = 0;   ///< elements that missed when the previous pass began
+  std::size_t poorBefore_ = 0;  ///< elements that missed when the previous pass began
   double costOfMissing_ = 1.0;  ///< cost of an angle of 30 or 135 degrees, by the targets
   bool isFirstPass_ = true;     ///< of this goal
   bool isHopeless_ = false;

@@ -16,6 +16,7 @@
 #include "preview/surface_sampler.h"
 #include "sizing/check_options.h"
 #include "sizing/expected_count.h"
+#include "sizing/most_demanding.h"
 
 namespace tetrafront {
 namespace {
@@ -150,6 +151,9 @@ class InputCheck {
     Diagnostic& tooMany = diagnostics_.emplace_back();
     tooMany.code = DiagnosticCode::kTooManyElements;
     tooMany.values = {cappedCount(expected), static_cast<double>(options_->maxTetrahedra)};
+    const std::optional<Entity> entity =
+        mostDemandingSize(*grid_, *options_, glm::length(edges), expected);
+    if (entity) tooMany.entities.push_back(*entity);
   }
 
   const Model* model_;

@@ -104,7 +104,7 @@ class SampledPatches {
       stableSort(near);
       budget_->spend(near.size());
       for (const std::uint32_t other : near) {
-        if (isDegenerate(other) || !meetImproperly(numbered(t), numbered(other))) continue;
+        if (isDegenerate(other) || !intersectImproperly(numbered(t), numbered(other))) continue;
         if (areCurved && haveSameNodes(t, other)) continue;
         return intersectionPosition(cornersOf(t), cornersOf(other));
       }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/task.h"
+#include "boundary/surface_access.h"
 #include "model/check_model.h"
 #include "tetrafront/preview.h"
 
@@ -18,12 +19,6 @@ namespace tetrafront {
 
 /// The same at once.
 [[nodiscard]] ModelPreview sampleModel(const Model& model);
-
-/// An axis-parallel box.
-struct Extent {
-  Vec3 low{0.0};
-  Vec3 high{0.0};
-};
 
 /// Returns the box of all samples; nothing if there are none.
 [[nodiscard]] std::optional<Extent> extentOf(const ModelPreview& preview);

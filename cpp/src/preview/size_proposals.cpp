@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -22,6 +21,7 @@
 #include "base/resumable.h"
 #include "base/sort.h"
 #include "base/task.h"
+#include "base/tool_job.h"
 #include "preview/model_sampler.h"
 #include "preview/sampled_triangles.h"
 #include "preview/source_selection.h"
@@ -39,21 +39,16 @@ constexpr double kMaxBend = 1.0;
 /// Units of the budget for a search around a triangle or a source.
 constexpr std::uint32_t kUnitsPerSearch = 16;
 
-}  // namespace
-
-class SizeProposer::Impl {
+class Proposals {
  public:
-  Impl(Model model, const ProposalOptions& options) : options_(options), model_(std::move(model)) {}
+  Proposals(Model model, const ProposalOptions& options)
+      : options_(options), model_(std::move(model)) {}
 
-  bool advance(std::uint32_t budget) { return job_.advance(budget); }
-  [[nodiscard]] double fraction() const { return job_.fraction(); }
-  [[nodiscard]] const SizeProposal& result() const { return proposal_; }
-
- private:
-  Task<> propose(Work& work) {
+  /// Call this once.
+  Task<SizeProposal> propose(Work& work) {
     work.beginPart(0.3);
     const ModelPreview preview = co_await sampleModel(work, model_);
-    if (!chooseLimits(preview)) co_return;
+    if (!chooseLimits(preview)) co_return std::move(proposal_);
     work.beginPart(0.4);
     SampledTriangles triangles;
     co_await collectTriangles(work, preview, triangles);
@@ -67,8 +62,10 @@ class SizeProposer::Impl {
     }
     work.beginPart(1.0);
     co_await selectSources(work);
+    co_return std::move(proposal_);
   }
 
+ private:
   /// Returns false if there is nothing to propose a size for.
   bool chooseLimits(const ModelPreview& preview) {
     if (const std::optional<Extent> extent = extentOf(preview))
@@ -214,18 +211,14 @@ class SizeProposer::Impl {
   double smallest_ = 0.0;
   std::vector<SizeSource> candidates_;
   SizeProposal proposal_;
-  Job<> job_{[this](Work& work) { return propose(work); }};  ///< last: uses the others
 };
 
-SizeProposer::SizeProposer(Model model, const ProposalOptions& options)
-    : impl_(std::make_unique<Impl>(std::move(model), options)) {}
-SizeProposer::SizeProposer(SizeProposer&&) noexcept = default;
-SizeProposer& SizeProposer::operator=(SizeProposer&&) noexcept = default;
-SizeProposer::~SizeProposer() = default;
+}  // namespace
 
-bool SizeProposer::advance(std::uint32_t budget) { return impl_->advance(budget); }
-double SizeProposer::fraction() const { return impl_->fraction(); }
-const SizeProposal& SizeProposer::result() const { return impl_->result(); }
+SizeProposer::SizeProposer(Model model, const ProposalOptions& options)
+    : SlicedTool(makeToolJob<SizeProposal>(
+          Proposals(std::move(model), options),
+          [](Work& work, Proposals& proposals) { return proposals.propose(work); })) {}
 
 SizeProposal proposeSizes(const Model& model, const ProposalOptions& options) {
   SizeProposer proposer(model, options);

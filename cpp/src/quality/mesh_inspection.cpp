@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -55,24 +56,22 @@ std::uint32_t narrowed(std::uint64_t count) {
   return static_cast<std::uint32_t>(std::min(count, kMaxCount));
 }
 
-}  // namespace
-
-class MeshInspector::Impl {
+class Inspection final : public ToolWork<MeshInspection> {
  public:
-  Impl(std::span<const double> points, std::span<const std::uint32_t> tetrahedra,
-       std::span<const std::uint32_t> regions) {
+  Inspection(std::span<const double> points, std::span<const std::uint32_t> tetrahedra,
+             std::span<const std::uint32_t> regions) {
     mesh_.points.assign(points.begin(), points.end());
     mesh_.tetrahedra.assign(tetrahedra.begin(), tetrahedra.end());
     mesh_.regions.assign(regions.begin(), regions.end());
   }
 
-  bool advance(std::uint32_t budget);
+  bool advance(std::uint32_t budget) override;
 
-  [[nodiscard]] double fraction() const {
+  [[nodiscard]] double fraction() const override {
     const double within = verifier_ ? verifier_->fraction() : 0.0;
     return (static_cast<double>(stage_) + within) / static_cast<double>(Stage::kDone);
   }
-  [[nodiscard]] const MeshInspection& result() const { return out_; }
+  [[nodiscard]] const MeshInspection& result() const override { return out_; }
 
  private:
   enum class Stage : std::uint8_t { kNodes, kElements, kBoundary, kVerify, kAnalyse, kDone };
@@ -100,7 +99,7 @@ class MeshInspector::Impl {
   MeshInspection out_;
 };
 
-bool MeshInspector::Impl::advance(std::uint32_t budget) {
+bool Inspection::advance(std::uint32_t budget) {
   switch (stage_) {
     case Stage::kNodes:
       stage_ = readNodes();
@@ -132,7 +131,7 @@ bool MeshInspector::Impl::advance(std::uint32_t budget) {
   return stage_ == Stage::kDone;
 }
 
-MeshInspector::Impl::Stage MeshInspector::Impl::readNodes() {
+Inspection::Stage Inspection::readNodes() {
   out_.isReadable = isReadable(mesh_);
   if (!out_.isReadable) return Stage::kDone;
   mesh_.regions.resize(countTetrahedra(mesh_), 0);
@@ -144,7 +143,7 @@ MeshInspector::Impl::Stage MeshInspector::Impl::readNodes() {
 }
 
 /// Regions may have any tag, and statistics are stored by index.
-void MeshInspector::Impl::numberRegions() {
+void Inspection::numberRegions() {
   for (const std::uint32_t region : mesh_.regions) {
     if (regionIds_.empty() || regionIds_.back() != region) regionIds_.push_back(region);
   }
@@ -156,7 +155,7 @@ void MeshInspector::Impl::numberRegions() {
   }
 }
 
-bool MeshInspector::Impl::measureElements(std::uint32_t budget) {
+bool Inspection::measureElements(std::uint32_t budget) {
   const std::uint32_t last =
       nextElement_.value + std::min(out_.tetrahedra - nextElement_.value, budget);
   for (; nextElement_.value < last; ++nextElement_.value) {
@@ -168,7 +167,7 @@ bool MeshInspector::Impl::measureElements(std::uint32_t budget) {
   return true;
 }
 
-void MeshInspector::Impl::measureEdges(TetId element) {
+void Inspection::measureEdges(TetId element) {
   const std::array<Vec3, 4> corners = cornersOf(mesh_, element);
   for (const TetEdge& edge : kTetEdges) {
     const double length = glm::length(corners[edge.to] - corners[edge.from]);
@@ -178,7 +177,7 @@ void MeshInspector::Impl::measureEdges(TetId element) {
   }
 }
 
-void MeshInspector::Impl::takeBoundary() {
+void Inspection::takeBoundary() {
   out_.boundary = boundary_->take();
   const std::vector<std::uint32_t> interfaces = boundary_->takeInterfaces();
   boundary_.reset();
@@ -192,7 +191,7 @@ void MeshInspector::Impl::takeBoundary() {
   stage_ = Stage::kVerify;
 }
 
-void MeshInspector::Impl::takeDefects() {
+void Inspection::takeDefects() {
   const MeshDefects& defects = verifier_->defects();
   out_.duplicateTetrahedra = narrowed(defects.duplicateTetrahedra);
   out_.nonManifoldFaces = narrowed(defects.nonManifoldFaces);
@@ -202,7 +201,7 @@ void MeshInspector::Impl::takeDefects() {
   surface_ = {};
 }
 
-void MeshInspector::Impl::beginAnalysis() {
+void Inspection::beginAnalysis() {
   if (!(out_.meanEdge > 0.0)) {
     stage_ = Stage::kDone;
     return;
@@ -212,17 +211,12 @@ void MeshInspector::Impl::beginAnalysis() {
   stage_ = Stage::kAnalyse;
 }
 
+}  // namespace
+
 MeshInspector::MeshInspector(std::span<const double> points,
                              std::span<const std::uint32_t> tetrahedra,
                              std::span<const std::uint32_t> regions)
-    : impl_(std::make_unique<Impl>(points, tetrahedra, regions)) {}
-MeshInspector::MeshInspector(MeshInspector&&) noexcept = default;
-MeshInspector& MeshInspector::operator=(MeshInspector&&) noexcept = default;
-MeshInspector::~MeshInspector() = default;
-
-bool MeshInspector::advance(std::uint32_t budget) { return impl_->advance(std::max(budget, 1U)); }
-double MeshInspector::fraction() const { return impl_->fraction(); }
-const MeshInspection& MeshInspector::result() const { return impl_->result(); }
+    : SlicedTool(std::make_unique<Inspection>(points, tetrahedra, regions)) {}
 
 MeshInspection inspectMesh(std::span<const double> points,
                            std::span<const std::uint32_t> tetrahedra,

@@ -42,7 +42,7 @@ class Obstacles {
     const auto& [a, b, c] = triangle.corners;
     tree_.visitOverlaps(Box::of(a, b, c), [&](std::uint32_t item) {
       if (isFound || isSliver(mesh_, TriangleId(item))) return;
-      isFound = meetImproperly(triangle, numberedTriangle(mesh_, TriangleId(item)));
+      isFound = intersectImproperly(triangle, numberedTriangle(mesh_, TriangleId(item)));
     });
     return isFound;
   }
@@ -131,7 +131,7 @@ class HoleFiller {
       const NumberedTriangle a = triangulation.triangleOf(triangles[i]);
       for (std::size_t j = 0; j < i; ++j) {
         const NumberedTriangle b = triangulation.triangleOf(triangles[j]);
-        if (!meetImproperly(a, b)) continue;
+        if (!intersectImproperly(a, b)) continue;
         triangulation.exclude(doubledArea(a) < doubledArea(b) ? triangles[j] : triangles[i]);
         isAnyExcluded = true;
       }

@@ -1,7 +1,8 @@
 #pragma once
 
-/// @file Compares one box with many: the innermost loop of the face grid. Compares four boxes at
-/// once if the machine has SIMD. All variants give the same results in the same order.
+/// @file Compares one box with many: the innermost loop of the face grid (Löhner & Parikh 1988, eq. (7),
+/// with the distance 0). Compares four boxes at once if the machine has SIMD. All variants give the same
+/// results in the same order.
 
 #include <array>
 #include <cstddef>
@@ -70,13 +71,13 @@ class BoxOverlap {
   std::uint32_t* append(const BoxQuad& boxes, std::uint32_t* end) const {
     const __m128 apart = _mm_or_ps(_mm_or_ps(apartAlong(boxes, 0, x_), apartAlong(boxes, 1, y_)),
                                    apartAlong(boxes, 2, z_));
-    const auto meeting = static_cast<std::size_t>(_mm_movemask_ps(apart)) ^ kAll;
+    const auto overlapping = static_cast<std::size_t>(_mm_movemask_ps(apart)) ^ kAll;
     const auto* names = reinterpret_cast<const __m128i*>(boxes.names.data());
-    const auto* permutation = reinterpret_cast<const __m128i*>(kPacking[meeting].data());
+    const auto* permutation = reinterpret_cast<const __m128i*>(kPacking[overlapping].data());
     // Store all four and keep only those that overlap: branches would be unpredictable.
     _mm_storeu_si128(reinterpret_cast<__m128i*>(end),
                      _mm_shuffle_epi8(_mm_load_si128(names), _mm_load_si128(permutation)));
-    return end + kSetSize[meeting];
+    return end + kSetSize[overlapping];
   }
 
  private:
@@ -100,10 +101,10 @@ class BoxOverlap {
   std::uint32_t* append(const BoxQuad& boxes, std::uint32_t* end) const {
     const v128_t apart = wasm_v128_or(
         wasm_v128_or(apartAlong(boxes, 0, x_), apartAlong(boxes, 1, y_)), apartAlong(boxes, 2, z_));
-    const auto meeting = static_cast<std::size_t>(wasm_i32x4_bitmask(apart)) ^ kAll;
-    const v128_t permutation = wasm_v128_load(kPacking[meeting].data());
+    const auto overlapping = static_cast<std::size_t>(wasm_i32x4_bitmask(apart)) ^ kAll;
+    const v128_t permutation = wasm_v128_load(kPacking[overlapping].data());
     wasm_v128_store(end, wasm_i8x16_swizzle(wasm_v128_load(boxes.names.data()), permutation));
-    return end + kSetSize[meeting];
+    return end + kSetSize[overlapping];
   }
 
  private:

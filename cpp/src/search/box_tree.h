@@ -50,7 +50,7 @@ class BoxTree {
     return std::span(boxes_).subspan(leafBegin(leaf), leafEnd(leaf) - leafBegin(leaf));
   }
 
-  static bool meets(const Box& a, const Box& b) {
+  static bool overlaps(const Box& a, const Box& b) {
     return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] &&
            b.low[1] <= a.high[1] && a.low[2] <= b.high[2] && b.low[2] <= a.high[2];
   }
@@ -112,14 +112,14 @@ void BoxTree::visitOverlaps(const Box& box, Visit visit) const {
   stack[waiting++] = 0;
   while (waiting > 0) {
     const std::uint32_t node = stack[--waiting];
-    if (!meets(nodes_[node], box)) continue;
+    if (!overlaps(nodes_[node], box)) continue;
     if (node < firstLeaf_) {
       stack[waiting++] = 2 * node + 2;
       stack[waiting++] = 2 * node + 1;
       continue;
     }
     for (std::uint32_t i = leafBegin(node); i < leafEnd(node); ++i) {
-      if (meets(boxes_[i], box)) visit(items_[i]);
+      if (overlaps(boxes_[i], box)) visit(items_[i]);
     }
   }
 }

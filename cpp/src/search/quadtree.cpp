@@ -119,7 +119,7 @@ void Quadtree::query(const PlaneBox& box, std::vector<std::uint32_t>& found) con
       continue;
     }
     for (std::uint32_t id = node.head; id != kNoIndex; id = items_[id].next)
-      if (items_[id].box.meets(box)) found.push_back(id);
+      if (items_[id].box.overlaps(box)) found.push_back(id);
   }
 }
 

@@ -21,7 +21,7 @@ struct PlaneBox {
 
   static PlaneBox of(const Vec2& a, const Vec2& b);
   void include(const Vec2& position);
-  [[nodiscard]] bool meets(const PlaneBox& other) const {
+  [[nodiscard]] bool overlaps(const PlaneBox& other) const {
     return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
            other.low.y <= high.y;
   }

@@ -24,19 +24,14 @@ BackgroundGridCheck targetSizeCheck(const BackgroundGrid& grid, const MeshOption
 
 std::vector<Diagnostic> checkLargestSize(const SurfaceMesh& surface, double size) {
   std::vector<Diagnostic> found;
-  Vec3 low = pointOf(surface, NodeId(surface.triangles[0]));
-  Vec3 high = low;
-  for (const std::uint32_t node : surface.triangles) {
-    low = glm::min(low, pointOf(surface, NodeId(node)));
-    high = glm::max(high, pointOf(surface, NodeId(node)));
-  }
-  const Vec3 across = high - low;
-  const double extent = std::max({across.x, across.y, across.z});
-  if (!(size > extent)) return found;
+  const Extent extent = extentOf(surface);
+  const Vec3 edges = extent.high - extent.low;
+  const double largest = std::max({edges.x, edges.y, edges.z});
+  if (!(size > largest)) return found;
   Diagnostic& tooLarge = found.emplace_back();
   tooLarge.code = DiagnosticCode::kSizeTooLarge;
   tooLarge.severity = Severity::kWarning;
-  tooLarge.values = {size, extent};
+  tooLarge.values = {size, largest};
   return found;
 }
 

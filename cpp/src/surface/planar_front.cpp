@@ -261,7 +261,7 @@ bool PlanarFront::crossesFront(const Base& base, PlanarNodeId apex) const {
   return std::ranges::any_of(nearEdges_, [&](std::uint32_t id) {
     if (id == base.id) return false;
     const Edge& edge = edges_[id];
-    return box.meets(PlaneBox::of(mesh_->planeOf(edge.from), mesh_->planeOf(edge.to))) &&
+    return box.overlaps(PlaneBox::of(mesh_->planeOf(edge.from), mesh_->planeOf(edge.to))) &&
            isBlockedBy(edge, a, b, apex);
   });
 }

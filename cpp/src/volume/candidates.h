@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Step F5.2: which nodes are tried to complete a base face, and in which order.
+/// @file Step F5.2 (Löhner & Parikh 1988, section 2): which nodes are tried to complete a base face, and in which order.
 
 #include <array>
 #include <cstdint>

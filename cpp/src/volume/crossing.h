@@ -4,11 +4,12 @@
 /// "Checking the intersection of faces"). The paper's test has three layers, each about ten times
 /// as expensive as the previous one:
 ///
-/// (a) boxes: done when the neighbourhood is gathered;
+/// (a) boxes, eq. (7): done when the neighbourhood is gathered;
 /// (b) local element coordinates: a face whose nodes all lie outside one plane of the element cannot cross it;
 /// (c) the analysis of the faces that are left.
 ///
-/// The paper uses tolerances. Here (c) uses exact signs only, by the number of nodes that face and element share:
+/// In (c), the paper intersects sides with faces within a tolerance, eq. (1) to (5). Here (c) uses exact signs only, by
+/// the number of nodes that face and element share:
 ///
 ///   3  the face is one of the element's: no crossing
 ///   2  common edge: crossing iff the third node is in the element's wedge at the edge

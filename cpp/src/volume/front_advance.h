@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file Steps F4 to F8 for one base face at a time: pick it, place the ideal point, rank the
-/// candidates, take the first whose element crosses nothing, update the front.
+/// @file Steps F4 to F8 (Löhner & Parikh 1988, section 2) for one base face at a time: pick it, place
+/// the ideal point, rank the candidates, take the first whose element crosses nothing, update the front.
 
 #include <array>
 #include <cstdint>

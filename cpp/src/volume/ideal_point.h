@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Step F5.1: the best position of the fourth node of an element over a face.
+/// @file Step F5.1 (Löhner & Parikh 1988, section 2): the best position of the fourth node of an element over a face.
 
 #include "tetrafront/vec3.h"
 #include "volume/front.h"
