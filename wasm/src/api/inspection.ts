@@ -22,6 +22,9 @@ import type { SurfaceInput } from "../mesh/mesh.js";
 import { needleWarnings } from "../mesh/quality-warnings.js";
 import { originsOf } from "./surface-numbers.js";
 
+/** Type of the objects of type `Given` that have no fields but those of `Known`. */
+type Only<Known, Given> = { readonly [Field in Exclude<keyof Given, keyof Known>]: never };
+
 export function* describedInspection(
   found: EngineInspection,
   surface: SurfaceInput,
@@ -30,7 +33,7 @@ export function* describedInspection(
   const warnings = found.isFillable ? yield* needleWarnings(surface) : [];
   const { low, high, shortestEdge, meanEdge, longestEdge, diagnostics, ...rest } = found;
   return {
-    ...rest,
+    ...(rest satisfies Only<SurfaceInspection, typeof rest>),
     cavities: rest.shells.filter(({ isCavity }) => isCavity).length,
     box: rest.nodes === 0 ? null : { low, high },
     edgeLengths: { shortest: shortestEdge, mean: meanEdge, longest: longestEdge },
@@ -93,16 +96,25 @@ const CHANGES: {
 export function describedMesh(found: EngineVolumeInspection, inverted = 0): MeshInspection {
   const {
     isReadable: _,
+    nodes,
+    unusedNodes,
+    tetrahedra,
     shortestEdge,
     meanEdge,
     longestEdge,
     quality,
     statistics,
     boundary,
-    ...rest
+    ...counts
   } = found;
-  const { nodes, unusedNodes, tetrahedra, ...counts } = rest;
-  const defects = { ...counts, invertedTetrahedra: counts.invertedTetrahedra + inverted };
+  const defects = {
+    invertedTetrahedra: counts.invertedTetrahedra + inverted,
+    degenerateTetrahedra: counts.degenerateTetrahedra,
+    duplicateTetrahedra: counts.duplicateTetrahedra,
+    nonManifoldFaces: counts.nonManifoldFaces,
+    overlappingFaces: counts.overlappingFaces,
+    coincidentNodes: counts.coincidentNodes,
+  } satisfies Record<keyof typeof counts, number>;
   return {
     isValid: Object.values(defects).every((count) => count === 0),
     nodes,
