@@ -24,6 +24,8 @@ export function changedFiles() {
 
 /** Checks that meshes have the same fingerprints in Node as natively. */
 const NATIVE_TEST = "tests/unit/package/native.test.ts";
+/** From these files the package's types, enums, limits and defaults are generated. */
+const GENERATING = /^cpp\/(include|src\/geom\/coordinates\.h)|^wasm\/.*\.(h|cpp|txt)$/;
 /** Shortest test of the whole application. */
 const SMOKE_SPEC = "tests/e2e/meshing.spec.ts";
 
@@ -40,12 +42,14 @@ export function suitesFor(files) {
     suites.set("types", undefined);
     suites.set("lint", pick(/\.(ts|tsx|mjs)$/));
   }
+  const generates = touches(GENERATING);
+  if (generates) suites.set("types", undefined);
   const engine = touches(/^cpp\/(src|include|CMakeLists)/);
   if (engine || touches(/^tests\/(cpp|support)\/.*\.(cpp|h)$/)) suites.set("cpp", undefined);
   if (engine) suites.set("tidy", undefined);
 
   const unit = new Set(pick(/^tests\/unit\/.*\.test\.tsx?$/));
-  if (touches(/^wasm\//)) unit.add("tests/unit/package");
+  if (generates || touches(/^wasm\//)) unit.add("tests/unit/package");
   else if (engine) unit.add(NATIVE_TEST);
   if (touches(/^web\//)) unit.add("tests/unit/web");
   if (touches(/^(public\/)?models\//)) unit.add("tests/unit/gallery");
