@@ -15,9 +15,6 @@ export const stateCodes: { readonly [S in DrawState]: number } = {
 
 const stateCount = Object.keys(stateCodes).length;
 
-/** States that emphasize an entity. */
-export const emphasizedStates = ["hover", "selected", "defective"] as const satisfies readonly DrawState[];
-
 /** Vertex shader declarations: the state of the vertex's entity, and whether this pass draws it. */
 export const drawStateGlsl = /* glsl */ `
   attribute float state;
