@@ -34,13 +34,13 @@ const PACKAGE = [
 /** The modules of web/, in the same way. */
 const APP = [
   ["strings"],
-  ["document"],
+  ["document", "ui"],
   ["workers"],
   ["session"],
   ["viewer"],
   ["tools"],
   ["app"],
-  ["commands", "ui"],
+  ["commands"],
   ["panels"],
 ];
 
