@@ -33,7 +33,7 @@ export type Question =
       readonly grid: GridArrays;
       readonly options: EngineOptions;
     }
-  /** `shape`: 0 box, 1 single tetrahedron. */
+  /** `shape`: index in `COVER_SHAPES`. */
   | {
       readonly kind: "cover";
       readonly id: number;

@@ -1,10 +1,11 @@
 /** Result of a run: the mesh, its statistics, and the diagnostics. */
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import type { EngineStatus } from "../generated/constants.js";
 import type { SurfaceMesh, VolumeMesh } from "./mesh.js";
 import type { PatchQuality, QualityReport } from "./quality.js";
 
 /** How a run ended. Only `done` has a complete mesh; `stalled` and `cancelled` may have a partial one. */
-export type MeshStatus = "done" | "stalled" | "cancelled" | "invalid-input";
+export type MeshStatus = Exclude<EngineStatus, "running">;
 
 /**
  * Wall-clock times in seconds. `check` includes the verification of the result; `total` includes copying it. If the

@@ -243,12 +243,6 @@ export type ProjectBackground = Project["background"];
 export type ProjectBackgroundNode = ProjectBackground["nodes"][number];
 /** A source: at distance r from it, the target size is at most size + growth · max(0, r - distance). */
 export type ProjectSource = NonNullable<ProjectBackground["sources"]>[number];
-/** What a source surrounds: a point, a segment or a triangle. */
-export type SourceType = ProjectSource["type"];
-/** How a line runs through its points. */
-export type LineType = ProjectLine["type"];
-/** How a patch spans its lines. */
-export type PatchType = ProjectPatch["type"];
 
 /** The id of a point; positive, unique among points. */
 export type PointId = number;
