@@ -8,14 +8,24 @@ export {
   type CoverShape,
   ENGINE_CODES,
   type EngineCode,
+  type EngineStatus,
   type EntityKind,
+  FRONT_ORDERS,
   type FrontOrder,
+  INNER_SHELLS,
   type InnerShells,
+  type LineType,
+  MESH_DEFAULTS,
   NO_ORIGIN,
   NO_REGION,
   type Optimization,
+  OPTIMIZATIONS,
+  type PatchType,
   type Phase,
+  PROPOSAL_DEFAULTS,
   type Severity,
+  SOURCE_GROWTH,
+  type SourceType,
 } from "./generated/constants.js";
 export type { Counted, DiagnosticData, DiagnosticNumbers, NoData, ReadLocation } from "./diagnostics/data.js";
 export type { DiagnosticCode, PackageCode } from "./diagnostics/codes.js";
@@ -76,9 +86,7 @@ export { PROJECT_FORMAT, projectSchema } from "./project/schema.js";
 export { PROJECT_VERSION } from "./project/versions.js";
 export type {
   LineId,
-  LineType,
   PatchId,
-  PatchType,
   PointId,
   Project,
   ProjectBackground,
@@ -89,7 +97,6 @@ export type {
   ProjectPoint,
   ProjectSource,
   SourceId,
-  SourceType,
 } from "./project/schema.js";
 export type { ReadCode, ReadError, ReadResult } from "./diagnostics/read-error.js";
 export { repairedSurface } from "./api/repaired-surface.js";

@@ -1,5 +1,6 @@
 import { Alert, Button, Checkbox, Group, Text } from "@mantine/core";
 import { useState } from "react";
+import { PROPOSAL_DEFAULTS } from "tetrafront";
 import { applyProposal, likelySize } from "../../commands/background-actions";
 import { ApplyButton, DialogForm } from "../../ui/frames/dialog-form";
 import { FieldRow } from "../../ui/fields/field-row";
@@ -35,7 +36,7 @@ function ProposeForm({ onClose }: { readonly onClose: () => void }) {
   const [options, setOptions] = useState<ProposalFields>(() => {
     const uniform = likelySize(app);
     const smallest = Number((smallestShare * uniform).toPrecision(2));
-    return { uniform, smallest, elementsPerCircle: 24, elementsPerGap: 3, growth: 0.3 };
+    return { ...PROPOSAL_DEFAULTS, uniform, smallest };
   });
   const [cover, setCover] = useState(true);
   const [replaceSources, setReplaceSources] = useState(true);

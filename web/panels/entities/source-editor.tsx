@@ -1,5 +1,5 @@
 import { Text } from "@mantine/core";
-import { LIMITS, type Project, type ProjectSource } from "tetrafront";
+import { LIMITS, SOURCE_GROWTH, type Project, type ProjectSource } from "tetrafront";
 import { moveSource, setSourceField } from "../../document/size-edits";
 import { FieldRow } from "../../ui/fields/field-row";
 import { NumberField } from "../../ui/fields/number-field";
@@ -7,9 +7,6 @@ import { PositionFields } from "../../ui/fields/position-fields";
 import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import { aboveZero, notNegative, sizeStep, stepFor, unitsOf, upTo } from "../shared/size-fields";
-
-/** Growth of a source without a growth of its own. */
-const defaultGrowth = 0.3;
 
 interface SourceEditorProps {
   readonly source: ProjectSource;
@@ -19,7 +16,7 @@ interface SourceEditorProps {
 /** The sizes and the corners of a source. */
 export function SourceEditor({ source, project }: SourceEditorProps) {
   const app = useApp();
-  const { id, size, distance = 0, growth = defaultGrowth, positions } = source;
+  const { id, size, distance = 0, growth = SOURCE_GROWTH, positions } = source;
   const set = (field: "size" | "distance" | "growth") => (value: number) =>
     app.documents.edit(setSourceField(id, field, value));
   return (

@@ -1,4 +1,14 @@
-import { LIMITS, type ProjectMeshing } from "tetrafront";
+import {
+  FRONT_ORDERS,
+  INNER_SHELLS,
+  LIMITS,
+  MESH_DEFAULTS,
+  OPTIMIZATIONS,
+  type FrontOrder,
+  type InnerShells,
+  type Optimization,
+  type ProjectMeshing,
+} from "tetrafront";
 import { setMeshing } from "../../document/size-edits";
 import { FieldRow } from "../../ui/fields/field-row";
 import { NumberField } from "../../ui/fields/number-field";
@@ -9,22 +19,8 @@ import styles from "./mesh-settings.module.css";
 
 const texts = strings.meshing;
 
-type InnerShells = NonNullable<ProjectMeshing["innerShells"]>;
-type Order = NonNullable<ProjectMeshing["order"]>;
-type Optimization = NonNullable<ProjectMeshing["optimization"]>;
-
-/** Settings that apply if the project has none. */
-const defaults = {
-  innerShells: "cavities",
-  gradation: 1.3,
-  order: "layered",
-  optimization: "default",
-} as const;
-
-const innerShellModes: readonly InnerShells[] = ["cavities", "regions"];
-const orders: readonly Order[] = ["layered", "smallest-first"];
-/** In order of effort: levels 0 to 3. */
-const optimizations: readonly Optimization[] = ["none", "fast", "default", "thorough"];
+/** Settings of a project apart from its size. */
+type Setting = Exclude<keyof ProjectMeshing, "size">;
 
 const refuseGradation = (value: number): string | null =>
   value === 0 || (value > 1 && value <= LIMITS.gradation) ? null : texts.invalidGradation;
@@ -33,15 +29,13 @@ const refuseGradation = (value: number): string | null =>
 export function MeshSettings() {
   const app = useApp();
   const { meshing } = useProject();
-  const order: Order = meshing?.order ?? defaults.order;
-  const optimization: Optimization = meshing?.optimization ?? defaults.optimization;
-  const gradation = meshing?.gradation ?? defaults.gradation;
-  const innerShells: InnerShells = meshing?.innerShells ?? defaults.innerShells;
+  const order: FrontOrder = meshing?.order ?? MESH_DEFAULTS.order;
+  const optimization: Optimization = meshing?.optimization ?? MESH_DEFAULTS.optimization;
+  const gradation = meshing?.gradation ?? MESH_DEFAULTS.gradation;
+  const innerShells: InnerShells = meshing?.innerShells ?? MESH_DEFAULTS.innerShells;
   // The file omits settings that equal their default.
-  const set = <Field extends keyof typeof defaults>(
-    field: Field,
-    value: NonNullable<ProjectMeshing[Field]>,
-  ): void => app.documents.edit(setMeshing(field, value === defaults[field] ? null : value));
+  const set = <Field extends Setting>(field: Field, value: NonNullable<ProjectMeshing[Field]>): void =>
+    app.documents.edit(setMeshing(field, value === MESH_DEFAULTS[field] ? null : value));
   return (
     <details className={styles["settings"]} data-testid="mesh-settings">
       <summary>
@@ -50,7 +44,7 @@ export function MeshSettings() {
       </summary>
       <ChoiceSetting
         label={texts.order}
-        values={orders}
+        values={FRONT_ORDERS}
         value={order}
         labelOf={(value) => texts.orders[value]}
         hint={texts.orderHints[order]}
@@ -58,9 +52,10 @@ export function MeshSettings() {
       />
       <ChoiceSetting
         label={texts.optimization}
-        values={optimizations}
+        values={OPTIMIZATIONS}
         value={optimization}
-        labelOf={(value) => <span title={texts.optimizations[value]}>{optimizations.indexOf(value)}</span>}
+        // The label is the level of effort: the values are in this order.
+        labelOf={(value) => <span title={texts.optimizations[value]}>{OPTIMIZATIONS.indexOf(value)}</span>}
         hint={`${texts.optimizations[optimization]}: ${texts.optimizationHints[optimization]}`}
         onChange={(value) => set("optimization", value)}
       />
@@ -77,7 +72,7 @@ export function MeshSettings() {
       <SettingHint>{texts.gradationHint}</SettingHint>
       <ChoiceSetting
         label={texts.innerShells}
-        values={innerShellModes}
+        values={INNER_SHELLS}
         value={innerShells}
         labelOf={(value) => texts.innerShellModes[value]}
         hint={texts.innerShellHints[innerShells]}
