@@ -80,7 +80,7 @@ enum class DiagnosticCode : std::uint16_t {
   kDegenerateBackgroundTetrahedron = 23,
   kOutsideBackgroundGrid = 24,  ///< position (and line or patch) that the grid does not cover
   /// The line, patch, source or background node that requires the most, or a position, or nothing; values: estimated
-  /// tetrahedra, limit.
+  /// tetrahedra, limit. In a refinement, the triangle that requires the most; values: expected triangles, limit.
   kTooManyElements = 25,
   kSourceOutOfRange = 26,  ///< source; values: size, distance, growth
   kDuplicatePoints = 27,   ///< two points at one position; a warning unless patches use both

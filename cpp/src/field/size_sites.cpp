@@ -165,8 +165,8 @@ void SizeSites::visitBoxes(const Reach& reach, const float& limit, const float& 
   };
   std::array<Open, 64> stack;  // at most one entry per level
   std::size_t waiting = 0;
-  constexpr float kMax = std::numeric_limits<float>::max();
-  stack[waiting++] = {0, 0.0F, -kMax, kMax};
+  constexpr float kLargestFloat = std::numeric_limits<float>::max();
+  stack[waiting++] = {0, 0.0F, -kLargestFloat, kLargestFloat};
   while (waiting > 0) {
     const Open open = stack[--waiting];
     if (!liesBelow(open.size, open.squared, limit)) continue;

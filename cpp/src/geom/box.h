@@ -12,14 +12,6 @@
 
 namespace tetrafront {
 
-/// Return the next float below, or above, a finite value.
-inline float nextBelow(float value) {
-  if (value == 0.0F) return std::bit_cast<float>(0x80000001U);
-  const auto bits = std::bit_cast<std::uint32_t>(value);
-  return std::bit_cast<float>(value > 0.0F ? bits - 1 : bits + 1);
-}
-inline float nextAbove(float value) { return -nextBelow(-value); }
-
 // Branch-free, because the branch would be unpredictable. A result rounded to zero keeps the sign
 // of `value`, so stepping its bit pattern gives the next float of that sign.
 inline float roundedDown(double value) {

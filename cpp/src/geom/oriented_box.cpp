@@ -13,7 +13,7 @@ using Axes = std::array<Vec3, 3>;
 constexpr double kSumRounding = 1e-14;
 
 /// Products below this may have lost digits to underflow.
-constexpr double kMin = 0x1p-900;
+constexpr double kUnderflowLimit = 0x1p-900;
 
 constexpr Axes kCoordinateAxes{Vec3(1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0), Vec3(0.0, 0.0, 1.0)};
 
@@ -22,10 +22,10 @@ Vec3 unit(const Vec3& v) { return v * (1.0 / glm::length(v)); }
 /// Returns true if the axes are at right angles up to the rounding that boxOf() allows for; false
 /// for NaN.
 bool areUpright(const Axes& axes) {
-  constexpr double kMax = kSumRounding / 8.0;
+  constexpr double kMaxAxisError = kSumRounding / 8.0;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (!(std::fabs(glm::dot(axes[i], axes[i]) - 1.0) < kMax)) return false;
-    if (!(std::fabs(glm::dot(axes[i], axes[(i + 1) % 3])) < kMax)) return false;
+    if (!(std::fabs(glm::dot(axes[i], axes[i]) - 1.0) < kMaxAxisError)) return false;
+    if (!(std::fabs(glm::dot(axes[i], axes[(i + 1) % 3])) < kMaxAxisError)) return false;
   }
   return true;
 }
@@ -78,7 +78,7 @@ double largestCoordinate(const Vec3& v) {
 OrientedBox boxOf(const Axes& axes, const Vec3& origin, const Vec3& low, const Vec3& high,
                   double size) {
   const double lengths = largestCoordinate(low) + largestCoordinate(high);
-  const double padding = 4.0 * kSumRounding * (size + lengths) + kMin;
+  const double padding = 4.0 * kSumRounding * (size + lengths) + kUnderflowLimit;
   OrientedBox box{.centre = origin};
   for (std::size_t i = 0; i < 3; ++i) {
     const auto k = static_cast<int>(i);
@@ -96,7 +96,7 @@ Vec3 turnedTo(const Vec3& direction, const Vec3& other) {
 bool isApartAlong(const OrientedBox& a, const OrientedBox& b, const Vec3& axis) {
   const Vec3 way = b.centre - a.centre;
   const double reach = reachOf(a, axis) + reachOf(b, axis);
-  const double rounding = kSumRounding * (absoluteDot(way, axis) + reach) + kMin;
+  const double rounding = kSumRounding * (absoluteDot(way, axis) + reach) + kUnderflowLimit;
   return std::fabs(glm::dot(way, axis)) > reach + rounding;
 }
 

@@ -25,13 +25,13 @@ bool ElementImprover<Space>::stillPoor(TetId tet, const Corners& nodes) const {
 template <class Space>
 template <class Change>
 bool ElementImprover<Space>::attempt(double gain, Change change) {
-  const auto badness = [&](double cost) {
+  const auto excess = [&](double cost) {
     if (cost <= counted_) return 0.0;
     return aim_ == ImprovementGoal::kFewer ? cost : cost * cost * cost * cost;
   };
   complex_.beginTrial();
   if (change()) {
-    const auto sums = complex_.sumsOfTrial(badness);
+    const auto sums = complex_.sumsOfTrial(excess);
     if (sums.now < sums.before * (1.0 - gain)) {
       complex_.keepTrial();
       return true;

@@ -26,7 +26,7 @@ class MeshScore {
     if (kTargets30And135.least * (1.0 + measures.largestCosine) > 1.0 - measures.largestCosine ||
         kTargets30And135.greatest * (1.0 - measures.smallestCosine) >
             1.0 + measures.smallestCosine) {
-      ++missedCount_;
+      ++outOfRangeCount_;
     }
     radiusRatios_ += measures.radiusRatio;
     ++count_;
@@ -42,7 +42,7 @@ class MeshScore {
   [[nodiscard]] bool isNoWorseThan(const MeshScore& other) const {
     return missing(kTargets30And135) <= other.missing(kTargets30And135) &&
            missing(kTargets35And130) <= other.missing(kTargets35And130) &&
-           missedCount_ <= other.missedCount_ &&
+           outOfRangeCount_ <= other.outOfRangeCount_ &&
            radiusRatios_ * other.count_ >= other.radiusRatios_ * count_;
   }
 
@@ -59,7 +59,7 @@ class MeshScore {
   double largestCosine_ = -1.0;
   double smallestCosine_ = 1.0;
   double radiusRatios_ = 0.0;
-  double missedCount_ = 0.0;
+  double outOfRangeCount_ = 0.0;
   double count_ = 0.0;
 };
 

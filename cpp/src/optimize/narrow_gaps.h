@@ -6,9 +6,8 @@
 
 namespace tetrafront {
 
-/// Returns whether all corners of an element lie on the boundary and it connects two sheets of the
-/// boundary without room for a node between them, as in the quality report. O(elements at its
-/// edges).
+/// Returns whether all corners of an element lie on the boundary and it connects two pieces of it
+/// that are too close for a node between them, as in the quality report. O(elements at its edges).
 template <class Space>
 [[nodiscard]] bool isInNarrowGap(const TetComplex& complex, TetId tet);
 

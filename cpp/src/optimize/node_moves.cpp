@@ -286,14 +286,14 @@ bool NodeMover<Space>::improve(NodeId node, MoveKind kind, const ElementCost<Spa
     double worst = old;
     if (!lowerWorst(hollow_, cost, kSteps, position, worst)) return false;
     if (hollow_.costAt(position, cost, kInvalidCost) >= old * (1.0 - kWorthwhile)) return false;
-    takePlace(node, position);
+    accept(node, position);
     return true;
   }
   if (kind == MoveKind::kLowerPowers) {
     constexpr int kSteps = 3;
     if (!lowerPowers(hollow_, cost, kSteps, position)) return false;
     if (hollow_.costAt(position, cost, kInvalidCost) >= kInvalidCost) return false;
-    takePlace(node, position);
+    accept(node, position);
     return true;
   }
   Vec3 direction(0.0);
@@ -303,7 +303,7 @@ bool NodeMover<Space>::improve(NodeId node, MoveKind kind, const ElementCost<Spa
     return false;
   }
   if (!stepAlong(direction, cost, old, position)) return false;
-  takePlace(node, position);
+  accept(node, position);
   return true;
 }
 
@@ -329,7 +329,7 @@ bool NodeMover<Space>::stepAlong(const Vec3& direction, const ElementCost<Space>
 /// position. Marks elements as changed if their cost moved by a tenth, and stars if the move was
 /// longer than a small fraction of an edge; the rest need no second visit.
 template <class Space>
-void NodeMover<Space>::takePlace(NodeId node, const Vec3& position) {
+void NodeMover<Space>::accept(NodeId node, const Vec3& position) {
   constexpr double kCostChange = 0.1;
   const Vec3 old = complex_.position(node);
   const auto& frame = hollow_.frame(0);

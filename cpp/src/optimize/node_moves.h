@@ -90,7 +90,7 @@ class NodeMover {
 
  private:
   bool stepAlong(const Vec3& direction, const ElementCost<Space>& cost, double old, Vec3& position);
-  void takePlace(NodeId node, const Vec3& position);
+  void accept(NodeId node, const Vec3& position);
 
   TetComplex& complex_;
   Star star_;

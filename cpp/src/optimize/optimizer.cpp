@@ -14,9 +14,9 @@
 namespace tetrafront {
 namespace {
 
-/// Mean relative edge length above which edges are split from a lower limit on: the body has walls
-/// of about one and a half elements, or its interior began without nodes. The sum of costs alone
-/// would accept too few nodes there.
+/// Mean relative edge length above which edges are split from a lower limit on: the region is about
+/// one and a half elements thick, or its interior began without nodes. The sum of costs alone would
+/// accept too few nodes there.
 constexpr double kSparse = 1.13;
 constexpr double kSplitAllOfSparse = 1.4;
 /// In thin walls, collapses would remove the new nodes again. Interiors with a longer mean edge are

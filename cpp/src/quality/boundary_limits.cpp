@@ -17,8 +17,8 @@ constexpr double kTwiceMinAngleCosine = 0.5;             // cosine of 60 degrees
 constexpr double kMaxAngleCosine = -0.7071067811865476;  // cosine of 135 degrees
 /// Radius ratio below which a triangle counts as a needle. No triangle forbids good angles by
 /// itself, but around a needle few elements can have them. On five graded shapes with a few
-/// needles, 26 of the 101 elements at an edge of one missed their angles after all improvements,
-/// and 5 of the 48 846 others.
+/// needles, 26 of the 101 elements at an edge of one had angles out of range after all
+/// improvements, and 5 of the 48 846 others.
 constexpr double kNeedle = 0.3;
 /// Width of a gap / target length below which every node inside it would be too close to one of its
 /// walls.
