@@ -147,7 +147,6 @@ class MeshRun::Impl {
   Task<bool> checkBoundary(Work& work);
   Task<bool> findSizes(Work& work);
   bool limitElements();
-  void nameMostDemanding(Diagnostic& tooMany) const;
   Task<MeshStatus> fill(Work& work);
   Task<> optimize(Work& work);
   Task<> measure(Work& work);
@@ -289,14 +288,6 @@ Task<bool> MeshRun::Impl::findSizes(Work& work) {
   co_return true;
 }
 
-/// Names what requires the most elements, in a diagnostic about too many of them.
-void MeshRun::Impl::nameMostDemanding(Diagnostic& tooMany) const {
-  const Extent extent = extentOf(surface_);
-  const std::optional<Entity> entity = mostDemandingSize(
-      grid_, options_, glm::length(extent.high - extent.low), tooMany.values.front());
-  if (entity) tooMany.entities.push_back(*entity);
-}
-
 /// Estimates how many elements the sizes ask for; false, with a diagnostic, if they are too many.
 bool MeshRun::Impl::limitElements() {
   const double expected = expectedTetrahedra(surface_, *field_);
@@ -307,7 +298,7 @@ bool MeshRun::Impl::limitElements() {
   Diagnostic tooMany;
   tooMany.code = DiagnosticCode::kTooManyElements;
   tooMany.values = {cappedCount(expected), static_cast<double>(options_.maxTetrahedra)};
-  nameMostDemanding(tooMany);
+  nameMostDemanding(tooMany, grid_, options_, boundsOf(surface_));
   report({tooMany});
   return false;
 }
@@ -320,10 +311,12 @@ Task<MeshStatus> MeshRun::Impl::fill(Work& work) {
     followFront(work, section);
     co_await work.yield();
   }
-  for (Diagnostic& found : front_->diagnostics()) {
-    if (found.code == DiagnosticCode::kTooManyElements) nameMostDemanding(found);
-    report({std::move(found)});
+  std::vector<Diagnostic> found = front_->diagnostics();
+  for (Diagnostic& diagnostic : found) {
+    if (diagnostic.code != DiagnosticCode::kTooManyElements) continue;
+    nameMostDemanding(diagnostic, grid_, options_, boundsOf(surface_));
   }
+  report(found);
   keepUnfinished();
   co_await work.yield();
   co_return status;

@@ -253,6 +253,24 @@ TEST(CheckInput, TooManyElementsNameTheSourceThatRequiresTheMost) {
   EXPECT_TRUE(found.back().entities.empty());
 }
 
+TEST(CheckInput, TooManyElementsInAPlateBlameNoSourceForVolumeOutsideIt) {
+  BackgroundGrid grid;
+  grid.sources = {{SourceType::kPoint, {Vec3(5, 5, 0.05), Vec3(0.0), Vec3(0.0)}, 0.05, 1.0, 0.3}};
+  MeshOptions options;
+  options.size = 0.1;
+  options.maxTetrahedra = 50'000;
+  const Model plate = boxModel({0, 0, 0}, {10, 10, 0.1});
+  std::vector<Diagnostic> found = checkInput(plate, grid, options).preview.diagnostics;
+  ASSERT_EQ(countOf(found, DiagnosticCode::kTooManyElements), 1U);
+  EXPECT_TRUE(found.back().entities.empty());
+  // With a greater distance, the source requires the most in the plate, too.
+  grid.sources[0].distance = 4.0;
+  found = checkInput(plate, grid, options).preview.diagnostics;
+  ASSERT_EQ(countOf(found, DiagnosticCode::kTooManyElements), 1U);
+  ASSERT_EQ(found.back().entities.size(), 1U);
+  EXPECT_EQ(found.back().entities[0].kind, EntityKind::kSource);
+}
+
 TEST(CheckInput, TooManyElementsNameTheBackgroundNodeThatRequiresTheMost) {
   BackgroundGrid grid = coveringGrid(Vec3(0.0), Vec3(1, 2, 3), 0.005, CoverShape::kBox);
   grid.nodes[3].size = 0.004;

@@ -22,20 +22,20 @@ inline std::vector<Vec3> pointsOf(const SurfaceMesh& mesh) {
 }
 
 /// An axis-parallel box.
-struct Extent {
+struct Bounds {
   Vec3 low{0.0};
   Vec3 high{0.0};
 };
 
 /// Returns the box around the triangles, of which there must be one.
-inline Extent extentOf(const SurfaceMesh& mesh) {
+inline Bounds boundsOf(const SurfaceMesh& mesh) {
   const Vec3 first = pointOf(mesh, NodeId(mesh.triangles[0]));
-  Extent extent{first, first};
+  Bounds bounds{first, first};
   for (const std::uint32_t node : mesh.triangles) {
-    extent.low = glm::min(extent.low, pointOf(mesh, NodeId(node)));
-    extent.high = glm::max(extent.high, pointOf(mesh, NodeId(node)));
+    bounds.low = glm::min(bounds.low, pointOf(mesh, NodeId(node)));
+    bounds.high = glm::max(bounds.high, pointOf(mesh, NodeId(node)));
   }
-  return extent;
+  return bounds;
 }
 
 /// Returns the triangle as the intersection tests take it.

@@ -95,20 +95,20 @@ class InputCheck {
 
   // ---- sizes -----------------------------------------------------------------------------------
 
-  [[nodiscard]] bool usesGrid() const { return options_->size == 0.0; }
+  [[nodiscard]] bool needsGrid() const { return options_->size == 0.0; }
 
   /// Makes the size field if options and grid are valid.
   Task<> findField(Work& work) {
     std::vector<Diagnostic> ofOptions = checkOptions(*options_);
     const bool areOptionsValid = ofOptions.empty();
     report(std::move(ofOptions));
-    BackgroundGridCheck check(*grid_, usesGrid() ? GridPart::kWhole : GridPart::kSources);
+    BackgroundGridCheck check(*grid_, needsGrid() ? GridPart::kWhole : GridPart::kSources);
     co_await work.finish(check);
     std::vector<Diagnostic> found = check.take();
     const bool isValid = areOptionsValid && found.empty();
     report(std::move(found));
     if (!isValid) co_return;
-    if (usesGrid()) {
+    if (needsGrid()) {
       GridLocatorBuilder builder(*grid_, options_->gradation - 1.0);
       co_await work.finish(builder);
       field_ = SizeField::fromGrid(builder.take());
@@ -119,21 +119,21 @@ class InputCheck {
   }
 
   void checkSizes() {
-    if (usesGrid()) report(checkCoverage(*model_, sampled_.preview, *field_));
-    const std::optional<Extent> extent = extentOf(sampled_.preview);
-    if (!extent) return;
-    checkLargestSize(*extent);
-    checkCount(*extent);
+    if (needsGrid()) report(checkCoverage(*model_, sampled_.preview, *field_));
+    const std::optional<Bounds> bounds = boundsOf(sampled_.preview);
+    if (!bounds) return;
+    checkLargestSize(*bounds);
+    checkCount(*bounds);
   }
 
-  void checkLargestSize(const Extent& extent) {
+  void checkLargestSize(const Bounds& bounds) {
     const std::vector<double>& points = sampled_.preview.linePoints;
     if (points.empty()) return;
     FieldHint hint;
     double smallest = field_->sizeAt(sampleAt(points, 0), hint);
     for (std::size_t i = 1; i < points.size() / 3; ++i)
       smallest = std::min(smallest, field_->sizeAt(sampleAt(points, i), hint));
-    const Vec3 edges = extent.high - extent.low;
+    const Vec3 edges = bounds.high - bounds.low;
     const double largest = std::max(edges.x, std::max(edges.y, edges.z));
     if (!(smallest > largest)) return;
     Diagnostic& tooLarge = diagnostics_.emplace_back();
@@ -142,18 +142,16 @@ class InputCheck {
     tooLarge.values = {smallest, largest};
   }
 
-  void checkCount(const Extent& extent) {
-    const Vec3 edges = extent.high - extent.low;
+  void checkCount(const Bounds& bounds) {
+    const Vec3 edges = bounds.high - bounds.low;
     const double volume = volume_.value_or(kMinFilledPart * edges.x * edges.y * edges.z);
-    const double expected = std::max(volume * tetrahedraPerVolume(extent.low, extent.high, *field_),
+    const double expected = std::max(volume * tetrahedraPerVolume(bounds.low, bounds.high, *field_),
                                      tetrahedraAtTriangles(sampled_.preview, *field_));
     if (expected <= static_cast<double>(options_->maxTetrahedra)) return;
     Diagnostic& tooMany = diagnostics_.emplace_back();
     tooMany.code = DiagnosticCode::kTooManyElements;
     tooMany.values = {cappedCount(expected), static_cast<double>(options_->maxTetrahedra)};
-    const std::optional<Entity> entity =
-        mostDemandingSize(*grid_, *options_, glm::length(edges), expected);
-    if (entity) tooMany.entities.push_back(*entity);
+    nameMostDemanding(tooMany, *grid_, *options_, bounds);
   }
 
   const Model* model_;

@@ -20,9 +20,9 @@ struct CoverInput {
 
 Task<BackgroundGrid> coverModel(Work& work, const CoverInput& input) {
   const ModelPreview samples = co_await sampleModel(work, input.model);
-  const std::optional<Extent> extent = extentOf(samples);
-  if (!extent) co_return BackgroundGrid{};
-  const auto& [low, high] = *extent;
+  const std::optional<Bounds> bounds = boundsOf(samples);
+  if (!bounds) co_return BackgroundGrid{};
+  const auto& [low, high] = *bounds;
   const double size = input.size > 0.0 ? input.size : kUniformPerDiagonal * glm::length(high - low);
   co_return coveringGrid(low, high, size, input.shape);
 }

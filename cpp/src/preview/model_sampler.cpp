@@ -28,16 +28,16 @@ ModelPreview sampleModel(const Model& model) {
   return job.finish();
 }
 
-std::optional<Extent> extentOf(const ModelPreview& preview) {
-  std::optional<Extent> extent;
+std::optional<Bounds> boundsOf(const ModelPreview& preview) {
+  std::optional<Bounds> bounds;
   for (const std::vector<double>* points : {&preview.linePoints, &preview.patchPoints}) {
     for (std::size_t i = 0; i < points->size() / 3; ++i) {
       const Vec3 position = sampleAt(*points, i);
-      if (!extent) extent = {position, position};
-      extent = {glm::min(extent->low, position), glm::max(extent->high, position)};
+      if (!bounds) bounds = {position, position};
+      bounds = {glm::min(bounds->low, position), glm::max(bounds->high, position)};
     }
   }
-  return extent;
+  return bounds;
 }
 
 }  // namespace tetrafront

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file A model as the preview samples it, without further checks: for its extent and its shape.
+/// @file A model as the preview samples it, without further checks: for its bounds and its shape.
 
 #include <optional>
 
@@ -21,7 +21,7 @@ namespace tetrafront {
 [[nodiscard]] ModelPreview sampleModel(const Model& model);
 
 /// Returns the box of all samples; nothing if there are none.
-[[nodiscard]] std::optional<Extent> extentOf(const ModelPreview& preview);
+[[nodiscard]] std::optional<Bounds> boundsOf(const ModelPreview& preview);
 
 /// Uniform size of a model of which nothing else is known / its diagonal.
 inline constexpr double kUniformPerDiagonal = 1.0 / 20.0;

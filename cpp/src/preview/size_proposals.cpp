@@ -68,8 +68,8 @@ class Proposals {
  private:
   /// Returns false if there is nothing to propose a size for.
   bool chooseLimits(const ModelPreview& preview) {
-    if (const std::optional<Extent> extent = extentOf(preview))
-      diagonal_ = glm::length(extent->high - extent->low);
+    if (const std::optional<Bounds> bounds = boundsOf(preview))
+      diagonal_ = glm::length(bounds->high - bounds->low);
     largest_ = options_.uniform > 0.0 ? options_.uniform : kUniformPerDiagonal * diagonal_;
     smallest_ = options_.smallest > 0.0 ? options_.smallest : kSmallestPerUniform * largest_;
     proposal_.size = largest_ > 0.0 && std::isfinite(largest_) ? largest_ : 0.0;

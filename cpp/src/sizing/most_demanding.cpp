@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/ids.h"
@@ -44,31 +46,87 @@ Measures measuresOf(const SizeSource& source) {
   return {};
 }
 
-/// Returns the number of elements within `extent` of a source, where its size is below `limit`.
-double elementsOf(const SizeSource& source, double extent, double limit) {
+/// Returns the box around the points that the source uses.
+Bounds boundsOf(const SizeSource& source) {
+  const auto& [a, b, c] = source.points;
+  switch (source.type) {
+    case SourceType::kPoint:
+      return {a, a};
+    case SourceType::kSegment:
+      return {glm::min(a, b), glm::max(a, b)};
+    case SourceType::kTriangle:
+      return {glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c)};
+  }
+  return {a, a};
+}
+
+/// Returns the volume common to two boxes.
+double commonVolume(const Bounds& a, const Bounds& b) {
+  const Vec3 edges = glm::max(glm::min(a.high, b.high) - glm::max(a.low, b.low), Vec3(0.0));
+  return edges.x * edges.y * edges.z;
+}
+
+/// Returns the box, widened if it is thinner than one element: a flat surface has elements as well.
+Bounds atLeastAsThickAs(double size, const Bounds& bounds) {
+  const Vec3 missing = glm::max(Vec3(size) - (bounds.high - bounds.low), Vec3(0.0));
+  return {bounds.low - 0.5 * missing, bounds.high + 0.5 * missing};
+}
+
+/// The surroundings of a source in the model's box.
+class Surroundings {
+ public:
+  Surroundings(const SizeSource& source, const Bounds& model)
+      : measures_(measuresOf(source)),
+        source_(boundsOf(source)),
+        model_(atLeastAsThickAs(source.size, model)) {}
+
+  /// Returns an upper estimate of the volume in the box up to a distance from the source.
+  [[nodiscard]] double volumeWithin(double distance) const {
+    const Bounds near{source_.low - Vec3(distance), source_.high + Vec3(distance)};
+    return std::min(measures_.volumeWithin(distance), commonVolume(near, model_));
+  }
+
+  /// Returns a distance from the source within which the whole box lies.
+  [[nodiscard]] double reach() const {
+    return glm::length(glm::max(source_.high, model_.high) - glm::min(source_.low, model_.low));
+  }
+
+ private:
+  Measures measures_;
+  Bounds source_;
+  Bounds model_;
+};
+
+/// Returns the number of elements that a source requires in the model's box, where its size is below `limit`.
+double elementsOf(const SizeSource& source, const Bounds& model, double limit) {
   if (!(source.size < limit)) return 0.0;
-  const Measures measures = measuresOf(source);
+  const Surroundings surroundings(source, model);
   const auto elementsIn = [](double volume, double size) {
     return kTetrahedraPerUnitVolume * volume / (size * size * size);
   };
-  double inner = source.growth > 0.0 ? std::min(source.distance, extent) : extent;
-  double elements = elementsIn(measures.volumeWithin(inner), source.size);
-  for (double size = source.size; inner < extent && size < limit; size *= kSizeRatioOfShell) {
-    const double outer = std::min(extent, inner + (kSizeRatioOfShell - 1.0) * size / source.growth);
-    elements += elementsIn(measures.volumeWithin(outer) - measures.volumeWithin(inner), size);
-    inner = outer;
+  const double reach = surroundings.reach();
+  double inner = source.growth > 0.0 ? std::min(source.distance, reach) : reach;
+  double within = surroundings.volumeWithin(inner);
+  double elements = elementsIn(within, source.size);
+  for (double size = source.size; inner < reach && size < limit; size *= kSizeRatioOfShell) {
+    inner = std::min(reach, inner + (kSizeRatioOfShell - 1.0) * size / source.growth);
+    const double before = std::exchange(within, surroundings.volumeWithin(inner));
+    elements += elementsIn(within - before, size);
   }
   return elements;
 }
 
-/// Returns per node the number of elements in a quarter of each of its tetrahedra.
-std::vector<double> elementsOfNodes(const BackgroundGrid& grid) {
+/// Returns the number of elements that each node requires in the model's box: in a quarter of each of its tetrahedra.
+std::vector<double> elementsOfNodes(const BackgroundGrid& grid, const Bounds& model) {
   std::vector<double> elements(grid.nodes.size(), 0.0);
   for (const GridTetId tet : IdRange<GridTetId>(grid.tetrahedra.size())) {
     const auto [a, b, c, d] = cornersOf(grid, tet);
-    const double volume = std::fabs(glm::dot(b - a, glm::cross(c - a, d - a))) / 6.0;
+    const Bounds box{glm::min(glm::min(a, b), glm::min(c, d)),
+                     glm::max(glm::max(a, b), glm::max(c, d))};
+    const double whole = std::fabs(glm::dot(b - a, glm::cross(c - a, d - a))) / 6.0;
     for (const GridNodeId id : nodesOf(grid, tet)) {
       const BackgroundNode& node = nodeOf(grid, id);
+      const double volume = std::min(whole, commonVolume(box, atLeastAsThickAs(node.size, model)));
       const double perElement = node.size * node.size * node.size * node.stretching;
       elements[id.index()] += kTetrahedraPerUnitVolume * 0.25 * volume / perElement;
     }
@@ -76,10 +134,9 @@ std::vector<double> elementsOfNodes(const BackgroundGrid& grid) {
   return elements;
 }
 
-}  // namespace
-
+/// Returns what nameMostDemanding() adds. `expected`: number of elements in all.
 std::optional<Entity> mostDemandingSize(const BackgroundGrid& grid, const MeshOptions& options,
-                                        double extent, double expected) {
+                                        const Bounds& bounds, double expected) {
   const double limit = options.size > 0.0 ? options.size : std::numeric_limits<double>::max();
   std::optional<Entity> found;
   double most = 0.0;
@@ -91,10 +148,10 @@ std::optional<Entity> mostDemandingSize(const BackgroundGrid& grid, const MeshOp
     found = {kind, static_cast<std::uint32_t>(index)};
   };
   for (std::size_t i = 0; i < grid.sources.size(); ++i) {
-    consider(EntityKind::kSource, i, elementsOf(grid.sources[i], extent, limit));
+    consider(EntityKind::kSource, i, elementsOf(grid.sources[i], bounds, limit));
   }
   if (usesGrid(grid, options)) {
-    const std::vector<double> elements = elementsOfNodes(grid);
+    const std::vector<double> elements = elementsOfNodes(grid, bounds);
     for (std::size_t i = 0; i < elements.size(); ++i) {
       consider(EntityKind::kBackgroundNode, i, elements[i]);
     }
@@ -102,6 +159,15 @@ std::optional<Entity> mostDemandingSize(const BackgroundGrid& grid, const MeshOp
   }
   // The other elements have the size of the options or of the surface's own edges.
   return expected - sum > most ? std::nullopt : found;
+}
+
+}  // namespace
+
+void nameMostDemanding(Diagnostic& tooMany, const BackgroundGrid& grid, const MeshOptions& options,
+                       const Bounds& bounds) {
+  const std::optional<Entity> entity =
+      mostDemandingSize(grid, options, bounds, tooMany.values.front());
+  if (entity) tooMany.entities.push_back(*entity);
 }
 
 }  // namespace tetrafront

@@ -2,20 +2,18 @@
 
 /// @file Finds what to change if the sizes require too many elements.
 
-#include <optional>
-
+#include "boundary/surface_access.h"
 #include "tetrafront/background_grid.h"
 #include "tetrafront/options.h"
 #include "tetrafront/status.h"
 
 namespace tetrafront {
 
-/// Returns the source, or the node of the background grid, whose size requires the most elements; none if the size of
-/// the options or the surface's own edges require more. `extent`: diagonal of the box around the model or surface;
-/// `expected`: number of elements in all. The grid must be valid. The estimate counts the whole surroundings of a source
-/// or node, also where nothing is meshed. O(sources + tetrahedra of the grid).
-[[nodiscard]] std::optional<Entity> mostDemandingSize(const BackgroundGrid& grid,
-                                                      const MeshOptions& options, double extent,
-                                                      double expected);
+/// Adds to a diagnostic about too many elements the source, or the node of the background grid, whose size requires the
+/// most; nothing if the size of the options or the surface's own edges require more. `bounds`: of the model or surface;
+/// only what lies within them counts. The grid must be valid, and the first value of `tooMany` the number of elements in
+/// all. O(sources + tetrahedra of the grid).
+void nameMostDemanding(Diagnostic& tooMany, const BackgroundGrid& grid, const MeshOptions& options,
+                       const Bounds& bounds);
 
 }  // namespace tetrafront

@@ -24,8 +24,8 @@ BackgroundGridCheck targetSizeCheck(const BackgroundGrid& grid, const MeshOption
 
 std::vector<Diagnostic> checkLargestSize(const SurfaceMesh& surface, double size) {
   std::vector<Diagnostic> found;
-  const Extent extent = extentOf(surface);
-  const Vec3 edges = extent.high - extent.low;
+  const Bounds bounds = boundsOf(surface);
+  const Vec3 edges = bounds.high - bounds.low;
   const double largest = std::max({edges.x, edges.y, edges.z});
   if (!(size > largest)) return found;
   Diagnostic& tooLarge = found.emplace_back();
