@@ -69,7 +69,7 @@ describe("a surface of needles", () => {
     save("box.off", offFile(boxSurface(4)));
     const gear = await run("mesh", "gear.off", "-o", "gear.vtu", "--require-angle", "10");
     expect(gear.stderr).toMatch(
-      /error: gear\.off: the smallest dihedral angle is .*°, but --require-angle asks for 10°/,
+      /error: gear\.off: the smallest dihedral angle is .*°, but --require-angle is 10°/,
     );
     expect(gear.code).toBe(1);
     const box = await run("mesh", "box.off", "-o", "box.vtu", "--require-angle", "10");

@@ -149,14 +149,20 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   if (!isQuiet && report.status !== "invalid-input") print(summary(input, report, written, options));
   const isLost = shouldWrite && written === null;
   const isPoor = report.status === "done" && report.dihedral.min < requiredAngle;
-  if (isPoor) printPoor(input, report, requiredAngle);
+  if (isPoor) printPoor(input, report, requiredAngle, options);
   const exitCode = isLost || isPoor ? ExitCode.notCompleted : EXIT_CODES[report.status];
   return { report, written, exitCode, changes, refinement };
 }
 
-function printPoor(input: string, { dihedral }: MeshReport, required: number): void {
-  const found = `the smallest dihedral angle is ${dihedral.min.toFixed(2)}°, but --require-angle asks for ${required}°`;
-  print(`error: ${input}: ${found}. Use --optimize thorough, or a surface without needles and narrow gaps.`);
+function printPoor(
+  input: string,
+  { dihedral }: MeshReport,
+  required: number,
+  { optimize }: MeshCommandOptions,
+): void {
+  const found = `the smallest dihedral angle is ${dihedral.min.toFixed(2)}°, but --require-angle is ${required}°`;
+  const thorough = optimize === "thorough" ? "" : "--optimize thorough, or ";
+  print(`error: ${input}: ${found}. Use ${thorough}a surface without needles and narrow gaps.`);
 }
 
 /** Prints diagnostics about the background grid with the name of its own file. */

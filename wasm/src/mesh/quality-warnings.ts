@@ -26,8 +26,7 @@ export function* needleWarnings({ points, triangles }: SurfaceInput): Steps<Diag
     code: "needle-surface",
     severity: "warning",
     message: `${shareOf(count, all, "triangle")} needles or caps; elements next to them will have small angles`,
-    remedy:
-      "Export the surface with more uniform triangles, or split its long edges with --refine-surface and a small --size.",
+    remedy: "Export the surface with more uniform triangles.",
     entities: [],
     data: { count, triangles: all },
   };
@@ -50,7 +49,7 @@ export function poorElementWarnings({ regions, binWidths, limitedByBoundary }: Q
     severity: "warning",
     message: `${shareOf(count, all, "tetrahedron")} poor: their smallest dihedral angle is below ${POOR_ANGLE}°`,
     remedy: isByNeedles
-      ? "Replace the needle triangles of the surface: export it with more uniform triangles, or use --refine-surface."
+      ? "Replace the needle triangles of the surface: export it with more uniform triangles."
       : "Use smaller elements in narrow gaps and at sharp edges, or --optimize thorough.",
     entities: [],
     data: { count, tetrahedra: all },
