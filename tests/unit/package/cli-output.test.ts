@@ -62,6 +62,8 @@ describe("a surface of needles", () => {
     expect(mesh.stderr).toMatch(
       /warning: gear\.off: \d+ of \d+ tetrahedra \(\d+ %\) are poor: .* below 10°\. Replace/,
     );
+    // The message states the number of all poor elements.
+    expect(mesh.stderr).not.toContain('more "poor-elements"');
   });
 
   test("fails with --require-angle, while a box passes", async () => {
@@ -71,7 +73,12 @@ describe("a surface of needles", () => {
     expect(gear.stderr).toMatch(
       /error: gear\.off: the smallest dihedral angle is .*°, but --require-angle is 10°/,
     );
+    expect(gear.stderr).toContain("Use --optimize thorough");
     expect(gear.code).toBe(1);
+    const thorough = ["--optimize", "thorough", "--require-angle", "10"];
+    const most = await run("mesh", "gear.off", "-o", "gear.vtu", ...thorough);
+    expect(most.stderr).not.toContain("Use --optimize thorough");
+    expect(most.code).toBe(1);
     const box = await run("mesh", "box.off", "-o", "box.vtu", "--require-angle", "10");
     expect(box.stderr).not.toMatch(/poor|needle|error/);
     expect(box.code).toBe(0);

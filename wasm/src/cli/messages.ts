@@ -1,4 +1,5 @@
 /** Messages and exit codes of the command line. */
+import type { DiagnosticCode } from "../diagnostics/codes.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import { packageDiagnostic, printable, readDiagnostic } from "../diagnostics/package-diagnostic.js";
@@ -98,13 +99,17 @@ export function countOf(diagnostics: readonly Diagnostic[], severity: Diagnostic
   return [...byKind(found)].reduce((sum, group) => sum + allOfAKind(group), 0);
 }
 
+/** Codes whose only diagnostic is about all elements at once; its message states their number. */
+const SUMMARIES: ReadonlySet<DiagnosticCode> = new Set(["needle-surface", "poor-elements"]);
+
 /**
  * Returns the total number of problems of one kind, of which only some are listed. Each diagnostic of a given
  * surface states the total. A diagnostic of a drawing counts only the problems at its own lines and patches.
  */
 function allOfAKind(group: readonly Diagnostic[]): number {
   const [first] = group;
-  if (first === undefined || !isOfSurface(first) || !("count" in first.data)) return group.length;
+  if (first === undefined || SUMMARIES.has(first.code)) return group.length;
+  if (!isOfSurface(first) || !("count" in first.data)) return group.length;
   return Math.max(group.length, first.data.count ?? 0);
 }
 
