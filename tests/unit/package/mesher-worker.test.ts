@@ -91,7 +91,7 @@ function resultWith(fingerprint: string): EngineResult {
     },
     volume: { points: noPoints, tetrahedra: none, regions: none, front: none },
     diagnostics: noDiagnostics,
-    figures: {
+    statistics: {
       nodes: 0,
       tetrahedra: 0,
       triangles: 0,

@@ -1,6 +1,6 @@
 /** Checks surfaces, meshes, projects and controls before the engine gets them; empty lists if they are valid. */
 import * as v from "valibot";
-import { LIMITS } from "../base/limits.js";
+import { LIMITS, limitText } from "../base/limits.js";
 import { plural } from "../base/plural.js";
 import type { RunControl } from "../calls/control.js";
 import { doubles, integers, problemIn, watch } from "../calls/schemas.js";
@@ -172,7 +172,10 @@ export function nothingToCover(): Diagnostic {
 /** Diagnostic for a mesh whose numbers the engine refuses. */
 export function unreadableMesh(): Diagnostic {
   const message = "the mesh has coordinates whose magnitude is too large or too small";
-  return invalidArrays(message, "Use coordinates with magnitudes from 1e-75 to 1e30, or 0.");
+  return invalidArrays(
+    message,
+    `Use coordinates with magnitudes from 1e-75 to ${limitText(LIMITS.length)}, or 0.`,
+  );
 }
 
 /** Returns the arrays of a drawing, which may be unfinished; throws only if it is not a project at all. */

@@ -13,7 +13,7 @@ import type {
 } from "../mesh/inspection.js";
 import type { MeshInput, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
 import type { MeshResult } from "../mesh/report.js";
-import { projectArrays } from "../project/arrays.js";
+import { modelArrays, projectArrays } from "../project/arrays.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 import {
   backgroundFrom,
@@ -162,8 +162,8 @@ class WorkerMesher implements Mesher {
     const answer = await this.#client.ask(question, control);
     const preview = describedPreview(answer, hasGrid ? gridByIndex(name) : name);
     const named = hasGrid ? { ...project, background: undefined } : project;
-    const told = preview.diagnostics.map((found) => withMissingId(found, named));
-    return { ...preview, diagnostics: [...wrong, ...told] };
+    const described = preview.diagnostics.map((found) => withMissingId(found, named));
+    return { ...preview, diagnostics: [...wrong, ...described] };
   }
 
   async coverProject(
@@ -173,7 +173,7 @@ class WorkerMesher implements Mesher {
   ): Promise<ProjectBackground> {
     this.#begin(control);
     refuse([...checkProject(project), ...checkCoverOptions(options)]);
-    const { model } = projectArrays(project);
+    const model = modelArrays(project);
     const id = this.#client.nextId();
     const question = { kind: "cover", id, model, ...engineCoverOptions(options) } as const;
     const grid = backgroundFrom(await this.#client.ask(question, control));
@@ -189,7 +189,7 @@ class WorkerMesher implements Mesher {
   ): Promise<SizeProposal> {
     this.#begin(control);
     refuse([...checkProject(project), ...checkProposalOptions(options)]);
-    const { model } = projectArrays(project);
+    const model = modelArrays(project);
     const id = this.#client.nextId();
     const question = { kind: "propose", id, model, options: engineProposalOptions(options) } as const;
     const answer = await this.#client.ask(question, control);

@@ -245,8 +245,8 @@ function checkAgainst(options: unknown, schema: OptionsSchema): Diagnostic[] {
       const remedy = `Correct its name: the options are ${known.join(", ")}.`;
       return invalidOption(name, `there is no option "${name}"`, remedy);
     }
-    const { label, expected: wanted } = wordsOf(schema.entries[name], name);
-    return invalidOption(name, `the ${label} is ${shown(input)}`, `Use ${wanted}.`);
+    const { label, expected: permitted } = wordsOf(schema.entries[name], name);
+    return invalidOption(name, `the ${label} is ${shown(input)}`, `Use ${permitted}.`);
   });
 }
 

@@ -15,16 +15,16 @@ import type { ProjectPreview } from "../project/preview.js";
 
 /** Returns the engine's result; its diagnostics use the names given by the user. */
 export function describedResult(result: EngineResult, name: EntityNamer): MeshResult {
-  const { status, surface, volume, figures, hasFoundNothingBetter } = result;
+  const { status, surface, volume, statistics, hasFoundNothingBetter } = result;
   return {
     surface,
     volume,
     report: {
       status,
-      ...figures,
+      ...statistics,
       diagnostics: [
         ...describeAll(result.diagnostics, name),
-        ...poorElementWarnings(figures.quality),
+        ...poorElementWarnings(statistics.quality),
         ...(hasFoundNothingBetter ? [nothingBetter()] : []),
       ],
     },

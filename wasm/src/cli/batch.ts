@@ -157,8 +157,8 @@ export function exitCodeOf(results: readonly TaskResult[]): number {
 
 function summaryOf(results: readonly TaskResult[]): string {
   const count = (code: number) => results.filter(({ exitCode }) => exitCode === code).length;
-  const bad = results.length - count(ExitCode.meshed) - count(ExitCode.notCompleted);
-  return `${plural(results.length, "file")}: ${count(ExitCode.meshed)} done, ${count(ExitCode.notCompleted)} not completed, ${bad} invalid`;
+  const invalid = results.length - count(ExitCode.meshed) - count(ExitCode.notCompleted);
+  return `${plural(results.length, "file")}: ${count(ExitCode.meshed)} done, ${count(ExitCode.notCompleted)} not completed, ${invalid} invalid`;
 }
 
 const PROGRAM = fileURLToPath(new URL("../../bin/tetrafront.mjs", import.meta.url));

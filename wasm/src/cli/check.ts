@@ -14,9 +14,9 @@ import { writeToStandardOutput } from "./files.js";
 import { withMesher } from "./grids.js";
 import { isProject, numberIn, readMeshFile, readProjectFile, refuseOptions } from "./input.js";
 import {
-  asBadInput,
+  asInvalidInput,
   asEngineFailure,
-  BadInput,
+  InvalidInput,
   countOf,
   ExitCode,
   jsonPieces,
@@ -77,7 +77,7 @@ export async function checkFile(input: string, options: CheckCommandOptions): Pr
     if (!isQuiet) print(`${input}: ${counted(diagnostics)}`);
   }
   if (result.kind === "none" && result.isEngine === true) return ExitCode.notCompleted;
-  return errors > 0 ? ExitCode.badInput : ExitCode.meshed;
+  return errors > 0 ? ExitCode.invalidInput : ExitCode.meshed;
 }
 
 function printStatistics(input: string, result: CheckResult): void {
@@ -117,9 +117,9 @@ async function checked(input: string, options: CheckCommandOptions): Promise<Che
   } catch (failure) {
     const engine = asEngineFailure(failure);
     if (engine !== undefined) return { kind: "none", diagnostics: [engine], subject: input, isEngine: true };
-    const bad = asBadInput(failure, input);
-    if (bad === undefined) throw failure;
-    return { kind: "none", diagnostics: bad.diagnostics, subject: bad.subject };
+    const invalid = asInvalidInput(failure, input);
+    if (invalid === undefined) throw failure;
+    return { kind: "none", diagnostics: invalid.diagnostics, subject: invalid.subject };
   }
 }
 
@@ -147,7 +147,7 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
       "the file contains no triangles and no tetrahedra",
       "Use a file with a surface or a volume mesh.",
     );
-    throw new BadInput(input, [nothing]);
+    throw new InvalidInput(input, [nothing]);
   }
   const { surface, changes } = await repaired(mesher, await inSteps(surfaceOf(mesh)), repair);
   const { innerShells } = options;
@@ -163,7 +163,7 @@ function notes(mesh: FileMesh): Diagnostic[] {
   );
 }
 
-/** Throws a BadInput if an option is given that does not apply to the input. */
+/** Throws an InvalidInput if an option is given that does not apply to the input. */
 function refuseOption(option: string, value: string | undefined, meantFor: string, what: string): void {
   if (value === undefined) return;
   const message = `${option} is for ${meantFor}, but the input is ${what}`;

@@ -7,7 +7,7 @@ import type { Project } from "../project/schema.js";
 import { writeToStandardOutput } from "./files.js";
 import { withMesher } from "./grids.js";
 import { formatName, isProject, readMeshFile, readProjectFile } from "./input.js";
-import { BadInput, ExitCode, reportFailure } from "./messages.js";
+import { InvalidInput, ExitCode, reportFailure } from "./messages.js";
 import {
   boxText,
   meshLines,
@@ -52,7 +52,7 @@ export function statsOfFile(input: string, options: InfoCommandOptions): Promise
     if (mesh.tetrahedra.length === 0) {
       const remedy = "Use a volume mesh; `tetrafront check` prints the statistics of a surface.";
       const none = packageDiagnostic("no-tetrahedra", "the file contains no tetrahedra", remedy);
-      throw new BadInput(input, [none]);
+      throw new InvalidInput(input, [none]);
     }
     const found = await withMesher((mesher) =>
       mesher.inspectMesh({ ...mesh, regions: mesh.tetrahedronRegion }),

@@ -14,7 +14,7 @@ import { backgroundArrays } from "../project/grid-arrays.js";
 import { readProject } from "../project/project.js";
 import type { Project } from "../project/schema.js";
 import { checkInput, FileError, openBeside, piecesOfInput, readInput, STANDARD_STREAM } from "./files.js";
-import { BadInput, unreadable } from "./messages.js";
+import { InvalidInput, unreadable } from "./messages.js";
 
 export const PROJECT_EXTENSION = ".json";
 
@@ -39,7 +39,7 @@ export function numberIn(text: string | undefined): number | undefined {
 
 /** Throws the problems found by a check of options. */
 export function refuseOptions(wrong: readonly Diagnostic[]): void {
-  if (wrong.length > 0) throw new BadInput("command line", wrong);
+  if (wrong.length > 0) throw new InvalidInput("command line", wrong);
 }
 
 /** Returns the extension of a format, given as an extension with or without its dot, or by the format's id. */
@@ -109,7 +109,7 @@ export async function readGrid(file: string): Promise<GridInput> {
   if (extension === PROJECT_EXTENSION) {
     const { background } = await readProjectFile(file);
     if (background.tetrahedra.length === 0 && (background.sources ?? []).length === 0) {
-      throw new BadInput(file, [withoutSizes]);
+      throw new InvalidInput(file, [withoutSizes]);
     }
     return { kind: "project", background: backgroundArrays(background) };
   }
@@ -119,12 +119,12 @@ export async function readGrid(file: string): Promise<GridInput> {
   };
 }
 
-/** Returns the arrays of a grid. Throws a BadInput about its file if the values at its nodes are not valid sizes. */
+/** Returns the arrays of a grid. Throws an InvalidInput about its file if the values at its nodes are not valid sizes. */
 export async function gridArrays(mesher: Mesher, file: string, grid: GridInput): Promise<BackgroundArrays> {
   if (grid.kind === "project") return grid.background;
   const read = await volumeBackground(mesher, grid.volume);
   if (!read.success)
-    throw new BadInput(
+    throw new InvalidInput(
       file,
       read.errors.map((error) => unreadable(error)),
     );
@@ -159,7 +159,7 @@ async function checkedExtension(
 
 function valueOf<T>(file: string, read: ReadResult<T>, readAs?: string): T {
   if (read.success) return read.value;
-  throw new BadInput(
+  throw new InvalidInput(
     file,
     read.errors.map((error) => unreadable(error, readAs)),
   );

@@ -38,7 +38,7 @@ import {
 import { type InfoCommandOptions, infoOnFile, statsOfFile } from "./info.js";
 import { numberIn } from "./input.js";
 import { type MeshCommandOptions, meshFile } from "./mesh.js";
-import { BadInput, ExitCode, reportFailure } from "./messages.js";
+import { InvalidInput, ExitCode, reportFailure } from "./messages.js";
 import { checkNoOverwrite, inputFiles, outputFiles } from "./paths.js";
 
 /** Runs the command line; resolves with the exit code. Messages go to stderr. */
@@ -52,7 +52,7 @@ export async function main(args: readonly string[]): Promise<number> {
     await program.parseAsync(args, { from: "user" });
     return exitCode;
   } catch (failure) {
-    if (failure instanceof CommanderError) return failure.exitCode === 0 ? 0 : ExitCode.badInput;
+    if (failure instanceof CommanderError) return failure.exitCode === 0 ? 0 : ExitCode.invalidInput;
     if (failure instanceof ClosedPipe) return ExitCode.closedPipe;
     throw failure;
   }
@@ -213,7 +213,7 @@ function jobsOf(text: string | undefined): number {
     `the number of jobs is "${text}"`,
     "Use a whole number of at least 1.",
   );
-  throw new BadInput("command line", [wrong]);
+  throw new InvalidInput("command line", [wrong]);
 }
 
 /** Returns the options as given, without those of the batch, and with this output. */

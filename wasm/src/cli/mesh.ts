@@ -30,7 +30,14 @@ import {
   readModel,
   refuseOptions,
 } from "./input.js";
-import { asBadInput, asEngineFailure, BadInput, ExitCode, print, printDiagnostics } from "./messages.js";
+import {
+  asInvalidInput,
+  asEngineFailure,
+  InvalidInput,
+  ExitCode,
+  print,
+  printDiagnostics,
+} from "./messages.js";
 import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
 import { ProgressBar } from "./progress-bar.js";
 import { printChanges, refuseRepair, type RepairCommandOptions, repaired, repairOptions } from "./repair.js";
@@ -62,7 +69,7 @@ const EXIT_CODES: Readonly<Record<MeshStatus, number>> = {
   done: ExitCode.meshed,
   stalled: ExitCode.notCompleted,
   cancelled: ExitCode.notCompleted,
-  "invalid-input": ExitCode.badInput,
+  "invalid-input": ExitCode.invalidInput,
 };
 
 /** Result of a command. */
@@ -202,10 +209,10 @@ async function withRepair(
  * the engine's.
  */
 function failed(failure: unknown, input: string, background: string | undefined): Outcome {
-  const bad = asBadInput(failure, input);
-  if (bad !== undefined) {
-    printWithGrid({ input: bad.subject, background }, bad.diagnostics, true);
-    return badInput(bad.diagnostics);
+  const invalid = asInvalidInput(failure, input);
+  if (invalid !== undefined) {
+    printWithGrid({ input: invalid.subject, background }, invalid.diagnostics, true);
+    return invalidInput(invalid.diagnostics);
   }
   const engine = asEngineFailure(failure);
   if (engine === undefined) throw failure;
@@ -213,8 +220,12 @@ function failed(failure: unknown, input: string, background: string | undefined)
   return { report: emptyReport("stalled", [engine]), exitCode: ExitCode.notCompleted, written: null };
 }
 
-function badInput(diagnostics: readonly Diagnostic[]): Outcome {
-  return { report: emptyReport("invalid-input", diagnostics), exitCode: ExitCode.badInput, written: null };
+function invalidInput(diagnostics: readonly Diagnostic[]): Outcome {
+  return {
+    report: emptyReport("invalid-input", diagnostics),
+    exitCode: ExitCode.invalidInput,
+    written: null,
+  };
 }
 
 function readOptions(options: MeshCommandOptions): MeshOptions {
@@ -240,13 +251,13 @@ function readOptions(options: MeshCommandOptions): MeshOptions {
 /** Dihedral angle of the regular tetrahedron, in degrees, rounded down: the limit of any mesh. */
 const MAX_REQUIRED_ANGLE = 70;
 
-/** Returns the angle of `--require-angle` in degrees, 0 if it is not given. Throws a BadInput. */
+/** Returns the angle of `--require-angle` in degrees, 0 if it is not given. Throws an InvalidInput. */
 function requiredAngleOf({ requireAngle }: MeshCommandOptions): number {
   const angle = Number(numberIn(requireAngle) ?? 0);
   if (angle >= 0 && angle <= MAX_REQUIRED_ANGLE) return angle;
   const message = `the required angle is "${requireAngle}"`;
   const remedy = `Use an angle from 0 to ${MAX_REQUIRED_ANGLE} degrees.`;
-  throw new BadInput("command line", [invalidOption("--require-angle", message, remedy)]);
+  throw new InvalidInput("command line", [invalidOption("--require-angle", message, remedy)]);
 }
 
 /** Returns the sources as a background grid without nodes, which has no other effect. */
@@ -257,14 +268,14 @@ function sourcesIn(texts: readonly string[] | undefined): Pick<MeshOptions, "bac
   return { background: { points: none, sizes: none, tetrahedra: new Uint32Array(), sources } };
 }
 
-/** Parses `x,y,z,size[,distance[,growth]]`. Throws a BadInput. */
+/** Parses `x,y,z,size[,distance[,growth]]`. Throws an InvalidInput. */
 function sourceIn(text: string, index: number): ProjectSource {
   const numbers = text.split(",").map(numberIn);
   const [x, y, z, size, distance, growth] = numbers;
   if (numbers.length > 6 || x === undefined || y === undefined || z === undefined || size === undefined) {
     const remedy =
       "Use x,y,z,size and optionally a distance and a growth, for example --source 0,0,1,0.05,0.2.";
-    throw new BadInput("command line", [invalidOption("--source", `invalid source "${text}"`, remedy)]);
+    throw new InvalidInput("command line", [invalidOption("--source", `invalid source "${text}"`, remedy)]);
   }
   return { id: index + 1, type: "point", positions: [[x, y, z]], size, distance, growth };
 }
@@ -371,7 +382,7 @@ async function refined(
 async function withGrid(mesher: Mesher, options: MeshOptions, given: GivenGrid): Promise<MeshOptions> {
   const grid = await gridArrays(mesher, given.file, given.grid);
   const wrong = checkBackground(grid);
-  if (wrong.length > 0) throw new BadInput(given.file, wrong);
+  if (wrong.length > 0) throw new InvalidInput(given.file, wrong);
   const sources = [...(grid.sources ?? []), ...(options.background?.sources ?? [])];
   return { ...options, background: { ...grid, sources } };
 }

@@ -7,10 +7,10 @@ import type { ReadError } from "../diagnostics/read-error.js";
 import { FileError, WriteError } from "./files.js";
 
 /** Shells report 141 for a program that writes to a pipe without a reader: 128 plus the number of the signal. */
-export const ExitCode = { meshed: 0, notCompleted: 1, badInput: 2, closedPipe: 141 } as const;
+export const ExitCode = { meshed: 0, notCompleted: 1, invalidInput: 2, closedPipe: 141 } as const;
 
 /** Thrown for invalid input; becomes messages, a report, and exit code 2. */
-export class BadInput extends Error {
+export class InvalidInput extends Error {
   constructor(
     /** Subject of the messages: a file or an option. */
     readonly subject: string,
@@ -21,14 +21,14 @@ export class BadInput extends Error {
 }
 
 /** Returns a failure caused by the input, with its diagnostics and subject; undefined for other failures. */
-export function asBadInput(failure: unknown, input: string): BadInput | undefined {
-  if (failure instanceof BadInput) return failure;
+export function asInvalidInput(failure: unknown, input: string): InvalidInput | undefined {
+  if (failure instanceof InvalidInput) return failure;
   if (failure instanceof FileError) {
     const { file, message, remedy } = failure;
-    return new BadInput(file, [packageDiagnostic("unreadable-input", message, remedy)]);
+    return new InvalidInput(file, [packageDiagnostic("unreadable-input", message, remedy)]);
   }
   if (failure instanceof MesherError && failure.code === "invalid-input") {
-    return new BadInput(input, failure.data.diagnostics);
+    return new InvalidInput(input, failure.data.diagnostics);
   }
   return undefined;
 }
@@ -47,10 +47,12 @@ export function asEngineFailure(failure: unknown): Diagnostic | undefined {
  */
 export function reportFailure(failure: unknown, input: string): number {
   const engine = asEngineFailure(failure);
-  const bad = engine === undefined ? asBadInput(failure, input) : new BadInput(input, [engine]);
-  if (bad === undefined) throw failure;
-  printDiagnostics(bad.subject, bad.diagnostics, { isQuiet: true });
-  return engine === undefined && !(failure instanceof WriteError) ? ExitCode.badInput : ExitCode.notCompleted;
+  const invalid = engine === undefined ? asInvalidInput(failure, input) : new InvalidInput(input, [engine]);
+  if (invalid === undefined) throw failure;
+  printDiagnostics(invalid.subject, invalid.diagnostics, { isQuiet: true });
+  return engine === undefined && !(failure instanceof WriteError)
+    ? ExitCode.invalidInput
+    : ExitCode.notCompleted;
 }
 
 /** `readAs`: name of the given file. An error in another file next to it names that file. */
@@ -149,10 +151,10 @@ function printGroup(subject: string, group: readonly Diagnostic[], perCode: numb
 const PIECE = 1000;
 
 /** Yields the text of JSON.stringify in pieces, with the diagnostics last. */
-export function* jsonPieces<Told extends { readonly diagnostics: readonly Diagnostic[] }>({
+export function* jsonPieces<Report extends { readonly diagnostics: readonly Diagnostic[] }>({
   diagnostics,
   ...rest
-}: Told): Generator<string, void> {
+}: Report): Generator<string, void> {
   const empty = JSON.stringify({ ...rest, diagnostics: [] }, null, 2);
   if (diagnostics.length === 0) {
     yield `${empty}\n`;

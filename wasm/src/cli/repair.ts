@@ -26,7 +26,7 @@ export interface RepairedSurface {
   readonly changes?: readonly RepairChange[];
 }
 
-/** Returns the options of a repair, undefined if none is requested. Throws a BadInput. */
+/** Returns the options of a repair, undefined if none is requested. Throws an InvalidInput. */
 export function repairOptions(given: RepairCommandOptions): RepairOptions | undefined {
   const { repair = false, weld, fillHoles, innerShells } = given;
   if (!repair && weld === undefined && fillHoles === undefined) return undefined;
@@ -39,7 +39,7 @@ export function repairOptions(given: RepairCommandOptions): RepairOptions | unde
   return options;
 }
 
-/** Throws a BadInput if a repair is requested for input that is not a surface. */
+/** Throws an InvalidInput if a repair is requested for input that is not a surface. */
 export function refuseRepair(options: RepairOptions | undefined, what: string): void {
   if (options === undefined) return;
   const message = `repairs are for surfaces, but the input is ${what}`;

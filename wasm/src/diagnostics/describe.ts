@@ -116,7 +116,7 @@ export function dataOf<Code extends EngineCode>(code: Code, values: Float64Array
 
 /** Adds to the first label with an index that indices count from 0. */
 export function withCounting(message: string, entities: readonly EntityRef[]): string {
-  const places = entities
+  const ends = entities
     .filter(({ id }) => id === undefined)
     .flatMap(({ label }) => {
       let at = message.indexOf(label);
@@ -124,8 +124,8 @@ export function withCounting(message: string, entities: readonly EntityRef[]): s
       while (at >= 0 && /\d/.test(message.charAt(at + label.length))) at = message.indexOf(label, at + 1);
       return at < 0 ? [] : [at + label.length];
     });
-  if (places.length === 0) return message;
-  const end = Math.min(...places);
+  if (ends.length === 0) return message;
+  const end = Math.min(...ends);
   return `${message.slice(0, end)} (counted from 0)${message.slice(end)}`;
 }
 

@@ -32,8 +32,8 @@ export function invalidOption(
 }
 
 /** Returns a read error as a diagnostic, for use in a list of diagnostics. */
-export function readDiagnostic({ code, message, remedy, ...place }: ReadError): Diagnostic {
-  return { ...packageDiagnostic(code, message, remedy), data: place } as Diagnostic;
+export function readDiagnostic({ code, message, remedy, ...location }: ReadError): Diagnostic {
+  return { ...packageDiagnostic(code, message, remedy), data: location } as Diagnostic;
 }
 
 /** Makes a message printable and capitalizes its first word; a path such as `points[8].id` at the beginning is kept. */

@@ -43,8 +43,7 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
         ? `${main} has the coordinate ${short(coordinate)}, whose magnitude is too large or too small`
         : `${main} has a coordinate that is not a finite number`;
     },
-    remedy:
-      "Use finite coordinates with magnitudes from 1e-75 to 1e30, or 0. If all of them are below 1e-30, scale the model up.",
+    remedy: `Use finite coordinates with magnitudes from 1e-75 to ${LENGTH}, or 0. If all of them are below ${limitText(MIN_LENGTH)}, scale the model up.`,
   },
   "index-out-of-range": {
     message: ({ main, data }) => `${main} refers to index ${data.index}, which does not exist`,

@@ -112,7 +112,7 @@ export class EngineClient {
     }
   }
 
-  /** Rejects a question whose answer is no longer wanted, and cancels its work. */
+  /** Rejects a question whose answer is no longer needed, and cancels its work. */
   #abandon(id: number, reason: unknown): void {
     const open = this.#questions.get(id);
     if (open === undefined) return;
@@ -157,8 +157,8 @@ export class EngineClient {
 
   #cancel(job: Job): void {
     if (this.#active !== job) {
-      const place = this.#waiting.indexOf(job);
-      if (place >= 0) this.#waiting.splice(place, 1);
+      const index = this.#waiting.indexOf(job);
+      if (index >= 0) this.#waiting.splice(index, 1);
       return job.resolve({ cancelledAfterSeconds: 0 });
     }
     this.#worker.post({ kind: "cancel", id: job.request.id }, []);

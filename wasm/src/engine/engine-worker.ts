@@ -49,8 +49,8 @@ export class EngineWorker {
   }
 
   /** False lets the process end although the worker lives. */
-  keepAlive(wanted: boolean): void {
-    this.#handle?.keepAlive(wanted);
+  keepAlive(isBusy: boolean): void {
+    this.#handle?.keepAlive(isBusy);
   }
 
   terminate(): void {

@@ -127,7 +127,7 @@ export interface EngineResult {
   readonly status: MeshStatus;
   readonly surface: SurfaceMesh;
   readonly volume: VolumeMesh;
-  readonly figures: Omit<MeshReport, "diagnostics" | "status">;
+  readonly statistics: Omit<MeshReport, "diagnostics" | "status">;
   /** Whether thorough optimization found no better mesh. */
   readonly hasFoundNothingBetter: boolean;
   readonly diagnostics: EngineDiagnostics;

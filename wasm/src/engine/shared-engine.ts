@@ -27,13 +27,13 @@ export function requestEngine(loader: EngineLoader): void {
  * queue.
  */
 export function settleEngine(loader: EngineLoader, module: CompiledEngine | undefined): void {
-  const place = inLine.indexOf(loader);
-  if (place < 0) return;
-  inLine.splice(place, 1);
+  const index = inLine.indexOf(loader);
+  if (index < 0) return;
+  inLine.splice(index, 1);
   if (module !== undefined) {
     compiled = module;
     for (const other of inLine.splice(0)) other.load(module);
-  } else if (place === 0) {
+  } else if (index === 0) {
     inLine[0]?.load(undefined);
   }
 }

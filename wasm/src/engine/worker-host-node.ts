@@ -21,7 +21,7 @@ export const startWorker: StartWorker = (events) => {
   });
   return {
     post: (request, transfer) => worker.postMessage(request, transfer),
-    keepAlive: (wanted) => (wanted ? worker.ref() : worker.unref()),
+    keepAlive: (isBusy) => (isBusy ? worker.ref() : worker.unref()),
     terminate: () => {
       terminated = true;
       void worker.terminate();

@@ -4,7 +4,7 @@ import type { Reply, Request } from "./protocol.js";
 export interface WorkerHandle {
   post(request: Request, transfer: readonly ArrayBuffer[]): void;
   /** False lets the process end although the worker lives. Has no effect in browsers. */
-  keepAlive(wanted: boolean): void;
+  keepAlive(isBusy: boolean): void;
   terminate(): void;
 }
 

@@ -156,7 +156,7 @@ function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineRe
   const surface = run.surface();
   const volume = run.volume();
   const quality = run.quality();
-  const figures = {
+  const statistics = {
     nodes: volume.points.length / 3,
     tetrahedra: volume.tetrahedra.length / 4,
     triangles: surface.triangles.length / 3,
@@ -179,7 +179,7 @@ function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineRe
     volume,
     diagnostics,
     hasFoundNothingBetter,
-    figures: { ...figures, seconds: clock.seconds() },
+    statistics: { ...statistics, seconds: clock.seconds() },
   };
 }
 

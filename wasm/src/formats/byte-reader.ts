@@ -289,18 +289,18 @@ export class ByteReader {
 
   /** Moves past the next occurrence of `text` and the rest of its line. */
   async skipPast(text: string): Promise<void> {
-    const wanted = new TextEncoder().encode(text);
+    const encoded = new TextEncoder().encode(text);
     for (;;) {
       await this.fill();
-      const found = indexOf(this.#bytes, wanted, this.#at);
+      const found = indexOf(this.#bytes, encoded, this.#at);
       if (found >= 0) {
-        this.#moveTo(found + wanted.length);
+        this.#moveTo(found + encoded.length);
         await this.fill();
         this.skipLine();
         return;
       }
       // Keep the bytes at the end of the window that may be the beginning of `text`.
-      this.#moveTo(Math.max(this.#at, this.#bytes.length - wanted.length + 1));
+      this.#moveTo(Math.max(this.#at, this.#bytes.length - encoded.length + 1));
       if (this.#isWhole) this.fail(`expected "${text}", found the end of the file`);
     }
   }
@@ -479,11 +479,11 @@ function textOf(bytes: Uint8Array): string {
   return new TextDecoder("utf-8", { ignoreBOM: true }).decode(bytes);
 }
 
-/** Returns the index of the next occurrence of `wanted` from `from` on, or -1. */
-export function indexOf(bytes: Uint8Array, wanted: Uint8Array, from: number): number {
-  const first = wanted[0] ?? 0;
+/** Returns the index of the next occurrence of `sequence` from `from` on, or -1. */
+export function indexOf(bytes: Uint8Array, sequence: Uint8Array, from: number): number {
+  const first = sequence[0] ?? 0;
   for (let at = bytes.indexOf(first, from); at >= 0; at = bytes.indexOf(first, at + 1)) {
-    if (wanted.every((byte, i) => bytes[at + i] === byte)) return at;
+    if (sequence.every((byte, i) => bytes[at + i] === byte)) return at;
   }
   return -1;
 }

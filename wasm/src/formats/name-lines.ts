@@ -114,8 +114,8 @@ export class FaceLines extends NameLines {
    */
   override applyTo(mesh: FileMesh): FileMesh {
     const count = mesh.trianglePatch.length;
-    const told = this.#ranges.reduce((sum, [, begin, end]) => sum + end + 1 - begin, 0);
-    const isWhole = told === count && this.#ranges.every(([, begin, end]) => begin <= end && end < count);
+    const covered = this.#ranges.reduce((sum, [, begin, end]) => sum + end + 1 - begin, 0);
+    const isWhole = covered === count && this.#ranges.every(([, begin, end]) => begin <= end && end < count);
     if (!isWhole || count === 0) return super.applyTo(mesh);
     const patches = new GroupList("patch");
     const trianglePatch = new Uint32Array(count).fill(count);

@@ -61,8 +61,8 @@ export function* tetFaces({ triangles, tetrahedra }: FileMesh): Steps<TetFaces> 
   const faceOfTriangle = new Uint32Array(triangles.length / 3).fill(NONE);
   yield* stepwise(faceOfTriangle.length, (t) => {
     const corners = [triangles[3 * t] ?? 0, triangles[3 * t + 1] ?? 0, triangles[3 * t + 2] ?? 0] as const;
-    const wanted = sorted(corners);
-    const found = firstIn(bucketOf(wanted), wanted);
+    const nodes = sorted(corners);
+    const found = firstIn(bucketOf(nodes), nodes);
     if (found === NONE) return;
     const other = twin[found] ?? NONE;
     triangle[found] = t;

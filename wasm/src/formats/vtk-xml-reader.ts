@@ -174,13 +174,13 @@ function checkCount(piece: Piece, file: XmlFile, name: string, value: string): v
 
 /** Reads the values at nodes by name, piece by piece; NaN at nodes of a piece that lacks them. */
 function* addPointData(held: readonly PieceReading[], file: XmlFile, builder: MeshBuilder): Steps<void> {
-  const told = held.map(({ piece }) => pointArrays(piece));
-  for (const [name, first] of told.flatMap((arrays) => [...arrays])) {
+  const arraysOfPieces = held.map(({ piece }) => pointArrays(piece));
+  for (const [name, first] of arraysOfPieces.flatMap((arrays) => [...arrays])) {
     if (builder.nodeData.has(name)) continue;
     const components = componentsOf(first, file);
     const parts: Float64Array[] = [];
     for (const [p, { pointCount }] of held.entries()) {
-      const found = told[p]?.get(name);
+      const found = arraysOfPieces[p]?.get(name);
       if (found === undefined) file.spend(8 * components * pointCount, first);
       parts.push(
         found === undefined

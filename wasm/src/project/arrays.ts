@@ -18,7 +18,8 @@ export function projectArrays(project: Project): ProjectArrays {
   return { model: modelArrays(project), grid: projectGrid(backgroundOf(project)) };
 }
 
-function modelArrays({ points, lines, patches }: Project): ModelArrays {
+/** Converts the points, lines and patches of a project, as `projectArrays`. O(size). */
+export function modelArrays({ points, lines, patches }: Project): ModelArrays {
   const pointAt = indexById(points);
   const lineAt = indexById(lines);
   const loops = patches.flatMap((patch) => patch.loops);
@@ -49,7 +50,7 @@ function modelArrays({ points, lines, patches }: Project): ModelArrays {
 }
 
 function indexById(entities: readonly { readonly id: number }[]): ReadonlyMap<number, number> {
-  return new Map(entities.map((entity, position) => [entity.id, position]));
+  return new Map(entities.map((entity, index) => [entity.id, index]));
 }
 
 function lengthsOf(lists: readonly (readonly unknown[])[]): Uint32Array {

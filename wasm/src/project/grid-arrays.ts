@@ -37,7 +37,7 @@ export function projectGrid(background: ProjectBackground): GridArrays {
   const { nodes, tetrahedra, sources = [], coverageMargin = 0 } = background;
   return {
     nodes: nodeArrays(nodes),
-    tetrahedra: nodePositions(tetrahedra, positionFinder(nodes)),
+    tetrahedra: nodeIndices(tetrahedra, indexFinder(nodes)),
     sources: sourceArrays(sources),
     coverageMargin,
   };
@@ -50,31 +50,31 @@ const SPARSE_IDS = 4;
  * Returns a function that finds the index of a node by id. Ids usually are 1, 2, 3 …: a table is then ten times as
  * fast as a map.
  */
-function positionFinder(nodes: readonly ProjectBackgroundNode[]): (id: number) => number {
+function indexFinder(nodes: readonly ProjectBackgroundNode[]): (id: number) => number {
   const highest = nodes.reduce((most, { id }) => Math.max(most, id), 0);
   if (highest > SPARSE_IDS * nodes.length) {
-    const positions = new Map(nodes.map(({ id }, position) => [id, position]));
-    return (id) => positions.get(id) ?? NOWHERE;
+    const indices = new Map(nodes.map(({ id }, index) => [id, index]));
+    return (id) => indices.get(id) ?? NOWHERE;
   }
-  const positions = new Uint32Array(highest + 1).fill(NOWHERE);
-  nodes.forEach(({ id }, position) => (positions[id] = position));
-  return (id) => positions[id] ?? NOWHERE;
+  const indices = new Uint32Array(highest + 1).fill(NOWHERE);
+  nodes.forEach(({ id }, index) => (indices[id] = index));
+  return (id) => indices[id] ?? NOWHERE;
 }
 
 /** Writes number by number without temporary arrays: an app calls this after every edit, for grids of any size. */
-function nodePositions(
+function nodeIndices(
   tetrahedra: ProjectBackground["tetrahedra"],
-  nodeAt: (id: number) => number,
+  indexOf: (id: number) => number,
 ): Uint32Array {
-  const positions = new Uint32Array(4 * tetrahedra.length);
+  const indices = new Uint32Array(4 * tetrahedra.length);
   let at = 0;
   for (const [a, b, c, d] of tetrahedra) {
-    positions[at++] = nodeAt(a);
-    positions[at++] = nodeAt(b);
-    positions[at++] = nodeAt(c);
-    positions[at++] = nodeAt(d);
+    indices[at++] = indexOf(a);
+    indices[at++] = indexOf(b);
+    indices[at++] = indexOf(c);
+    indices[at++] = indexOf(d);
   }
-  return positions;
+  return indices;
 }
 
 /**

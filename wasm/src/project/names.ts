@@ -21,10 +21,10 @@ export function withMissingId(diagnostic: Diagnostic, project: Referring): Diagn
 
 function missingBelow({ kind, index, id }: EntityRef, project: Referring): string | undefined {
   const { points, lines, patches } = project;
-  const among = (entities: readonly { readonly id: number }[], wanted: readonly number[]) => {
+  const among = (entities: readonly { readonly id: number }[], ids: readonly number[]) => {
     const known = new Set(entities.map((entity) => entity.id));
     // In an unfinished project, which was not checked, it may have any type.
-    const missing: unknown = Array.from(wanted).find((one) => !known.has(one));
+    const missing: unknown = Array.from(ids).find((one) => !known.has(one));
     return typeof missing === "number" ? missing : undefined;
   };
   if (kind === "line") {

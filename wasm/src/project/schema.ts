@@ -145,8 +145,8 @@ export function checkReferences(project: Document, report: Report): void {
   const lines = uniqueIds(project.lines, ["lines"], "line", report);
   uniqueIds(project.patches, ["patches"], "patch", report);
   const nodes = uniqueIds(project.background.nodes, ["background", "nodes"], "background node", report);
-  const expect = (known: ReadonlySet<number>, kind: string, wanted: number, path: Path) => {
-    if (!known.has(wanted)) report(path, `there is no ${kind} with the id ${wanted}`);
+  const expect = (known: ReadonlySet<number>, kind: string, entity: number, path: Path) => {
+    if (!known.has(entity)) report(path, `there is no ${kind} with the id ${entity}`);
   };
   project.lines.forEach((line, l) =>
     line.points.forEach((point, i) => expect(points, "point", point, ["lines", l, "points", i])),
@@ -177,12 +177,12 @@ export function sourceProblem(sources: unknown): string | undefined {
 function checkSources(sources: readonly v.InferOutput<typeof sourceSchema>[], report: Report): void {
   uniqueIds(sources, ["background", "sources"], "source", report);
   sources.forEach(({ type, positions }, s) => {
-    const wanted = POSITIONS[type];
-    if (positions.length === wanted) return;
-    const noun = wanted === 1 ? "position" : "positions";
+    const expected = POSITIONS[type];
+    if (positions.length === expected) return;
+    const noun = expected === 1 ? "position" : "positions";
     report(
       ["background", "sources", s, "positions"],
-      `a source of type "${type}" has ${wanted} ${noun}, here are ${positions.length}`,
+      `a source of type "${type}" has ${expected} ${noun}, here are ${positions.length}`,
     );
   });
 }
