@@ -88,7 +88,8 @@ template <class Enum>
 void printEnum(std::string_view type, std::string_view constant, std::string_view meaning) {
   static_assert(kCountsFromZero<Enum>);
   printUnion<Enum>(type, meaning);
-  print("/** All values of `" + std::string(type) + "`, in the order of their numbers in the engine. */");
+  print("/** All values of `" + std::string(type) +
+        "`, in the order of their numbers in the engine. */");
   print("export const " + std::string(constant) + " = [" + listOf<Enum>(", ") + "] as const;");
 }
 

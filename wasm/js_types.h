@@ -10,7 +10,8 @@
 ///     std::vector<Vec3>, of std::array  the same, all numbers one after the other
 ///     struct                            object with the same fields
 ///     std::vector of structs            array of objects
-///     the same, if kInColumns           object with one array per field, for structs that may be a million
+///     the same, if kInColumns           object with one array per field, for structs of which there may be
+///                                       a million
 ///
 /// In columns, a bool is 0 or 1, and a field that is itself a vector becomes `lengths`, its length per struct, and
 /// `items`, all its elements one after the other.
@@ -47,7 +48,7 @@ inline constexpr bool kInColumns<RepairChange> = true;
 template <>
 inline constexpr bool kInColumns<SizeSource> = true;
 
-/// The numbers of which a value consists: in memory, it is one or more of them one after the other.
+/// Type of the numbers that a value consists of; they are contiguous in memory.
 template <class T>
 struct NumbersOf;
 template <class T>

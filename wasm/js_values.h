@@ -130,7 +130,7 @@ template <class T>
 
 // ---- from JavaScript to C++
 
-/// Returns the length of the vector that such columns hold.
+/// Returns the length of the vector that the columns hold.
 template <class T>
 [[nodiscard]] std::size_t lengthOf(const val& columns) {
   if constexpr (Numeric<T>) {
@@ -161,7 +161,7 @@ void fromJs(const val& source, const Column<T>& column) {
     if (column.stride == sizeof(T)) {
       const std::size_t count = kWidth<T> * column.count;
       const val view(emscripten::typed_memory_view(count, reinterpret_cast<Number*>(column.first)));
-      // An unfinished project may have a point with too few coordinates, and then a rest that makes no point.
+      // A point of an unfinished project may lack coordinates: ignore numbers that do not fill an element.
       view.call<void>("set", source.call<val>("subarray", 0, count));
       return;
     }

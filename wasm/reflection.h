@@ -45,7 +45,7 @@ consteval std::size_t countFields() {
   }
 }
 
-/// A global variable that has the addresses of a T, without constructing one.
+/// Storage for a T that is never constructed; only addresses in it are used.
 template <class T>
 union Sample {
   char none;
