@@ -39,6 +39,7 @@ export default defineConfig({
         "--enable-unsafe-swiftshader",
         // Only the view needs WebGL; the page around it is drawn in half the time without.
         "--disable-gpu-rasterization",
+        "--disable-gpu-compositing",
       ],
     },
   },

@@ -25,7 +25,7 @@ const needs = {
   tests: [
     { what: "GoogleTest", debian: "libgtest-dev", find: findGoogleTest },
     { what: "clang-tidy (16 or later)", debian: "clang-tidy-19", find: findTidy },
-    { what: "Chromium", debian: "chromium", find: findChromium },
+    { what: "Chromium", debian: "chromium-headless-shell", find: findChromium },
   ],
 };
 

@@ -103,11 +103,13 @@ export function findSystemGlm() {
 
 /**
  * Returns Chromium for the end-to-end tests: $CHROMIUM, on PATH, in the usual folders, or in Playwright's cache.
+ * Debian's headless shell comes first: Chromium without its own windows, whose toolbars cost a quarter of the time.
  */
 export function findChromium() {
   const named = process.env.CHROMIUM;
   if (named) return isExecutable(named) ? named : undefined;
-  const onPath = which("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome");
+  const names = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"];
+  const onPath = which("chromium-headless-shell", ...names);
   if (onPath) return onPath;
   const applications = ["Google Chrome", "Chromium"].map(
     (app) => `/Applications/${app}.app/Contents/MacOS/${app}`,
