@@ -178,7 +178,8 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   registerTypes<Doubles, Indices, Model, BackgroundGrid, MeshOptions, InspectionOptions,
                 RepairOptions, ProposalOptions, double, CoverShape>();
   registerTypes<Progress, std::vector<Diagnostic>, SurfaceMesh, VolumeMesh, QualitySummary,
-                QualityStatistics, std::vector<PatchSummary>, RecoverySummary, FrontCounters>();
+                QualityStatistics, MetricShapes, std::vector<PatchSummary>, RecoverySummary,
+                FrontCounters>();
   registerTypes<SurfaceInspection, MeshInspection, SurfaceRepair, SurfaceRefinement, ModelPreview,
                 SizeProposal>();
 
@@ -193,6 +194,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .function("front", &Run::read<&MeshRun::front>)
       .function("quality", &Run::read<&MeshRun::quality>)
       .function("statistics", &Run::read<&MeshRun::statistics>)
+      .function("metricShapes", &Run::read<&MeshRun::metricShapes>)
       .function("patches", &Run::read<&MeshRun::patchSummaries>)
       .function("recovery", &Run::read<&MeshRun::recovery>)
       .function("counters", &Run::read<&MeshRun::counters>)

@@ -6,7 +6,8 @@
 ///     numbers, enums                    number
 ///     Vec3                              [number, number, number]
 ///     std::array                        array of all its numbers
-///     std::vector of numbers            Uint8Array, Uint16Array, Uint32Array or Float64Array
+///     std::vector of numbers            Uint8Array, Uint16Array, Uint32Array,
+///                                       Float32Array or Float64Array
 ///     std::vector<Vec3>, of std::array  the same, all numbers one after the other
 ///     struct                            object with the same fields
 ///     std::vector of structs            array of objects
@@ -101,6 +102,8 @@ template <class T>
 consteval std::string_view arrayClass() {
   if constexpr (std::is_same_v<T, double>) {
     return "Float64Array";
+  } else if constexpr (std::is_same_v<T, float>) {
+    return "Float32Array";
   } else if constexpr (std::is_same_v<T, std::uint32_t>) {
     return "Uint32Array";
   } else if constexpr (std::is_same_v<T, std::uint16_t>) {

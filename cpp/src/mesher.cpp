@@ -101,6 +101,7 @@ class MeshRun::Impl {
     return status_ == MeshStatus::kDone ? quality_ : measureQuality(volume());
   }
   [[nodiscard]] const QualityStatistics& statistics() const { return statistics_; }
+  [[nodiscard]] const MetricShapes& metricShapes() const { return metricShapes_; }
   [[nodiscard]] RecoverySummary recovery() const { return front_ ? front_->recovery() : recovery_; }
   [[nodiscard]] FrontCounters counters() const { return front_ ? front_->counters() : counters_; }
 
@@ -183,6 +184,7 @@ class MeshRun::Impl {
   FrontCounters counters_;
   QualitySummary quality_;
   QualityStatistics statistics_;
+  MetricShapes metricShapes_;
   std::vector<Diagnostic> diagnostics_;
   /// The last member: its tasks use the others. None once the run has ended.
   std::optional<Job<MeshStatus>> job_{std::in_place, [this](Work& work) { return run(work); }};
@@ -367,6 +369,7 @@ Task<> MeshRun::Impl::measure(Work& work) {
   co_await work.finish(analysis);
   quality_ = analysis.summary();
   statistics_ = analysis.statistics();
+  metricShapes_ = analysis.takeMetricShapes();
 }
 
 /// Proves the result exactly. A defect is a mistake of the engine; the run then ends as stalled.
@@ -410,6 +413,7 @@ std::vector<double> MeshRun::front() const { return impl_->front(); }
 const std::vector<PatchSummary>& MeshRun::patchSummaries() const { return impl_->patchSummaries(); }
 QualitySummary MeshRun::quality() const { return impl_->quality(); }
 QualityStatistics MeshRun::statistics() const { return impl_->statistics(); }
+MetricShapes MeshRun::metricShapes() const { return impl_->metricShapes(); }
 RecoverySummary MeshRun::recovery() const { return impl_->recovery(); }
 FrontCounters MeshRun::counters() const { return impl_->counters(); }
 bool MeshRun::hasFoundNothingBetter() const { return impl_->hasFoundNothingBetter(); }

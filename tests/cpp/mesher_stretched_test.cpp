@@ -56,6 +56,8 @@ BackgroundGrid stretchedGrid(const Stretch& stretch) {
 struct Finished {
   SurfaceMesh surface;
   VolumeMesh volume;
+  QualityStatistics statistics;
+  MetricShapes shapes;
   [[nodiscard]] std::size_t count() const { return volume.tetrahedra.size() / 4; }
 };
 
@@ -68,7 +70,7 @@ Finished meshed(const Model& model, const BackgroundGrid& grid, double size,
   while (run.advance(kBudget) == MeshStatus::kRunning) {
   }
   EXPECT_EQ(run.status(), MeshStatus::kDone);
-  return {run.surface(), run.volume()};
+  return {run.surface(), run.volume(), run.statistics(), run.metricShapes()};
 }
 
 /// The box as the metric sees it, meshed with size 1.
@@ -168,6 +170,34 @@ TEST_P(StretchedBox, IsOptimizedInItsMetric) {
   EXPECT_GT(here.minDihedral, std::min(20.0, 0.95 * there.minDihedral));
   EXPECT_LT(here.maxDihedral, std::max(145.0, 1.02 * there.maxDihedral));
   EXPECT_GT(here.meanRadiusRatio, there.meanRadiusRatio - 0.02);
+}
+
+/// The report's extremes and the shape of every element are those of the mesh mapped to the unit space.
+TEST_P(StretchedBox, IsMeasuredInItsMetric) {
+  const Finished mesh = meshed(unitBox(), stretchedGrid(GetParam()), 0.0);
+  const QualitySummary expected = metricQuality(mesh.volume, GetParam());
+  ASSERT_EQ(mesh.statistics.regions.size(), 1U);
+  const RegionStatistics& region = mesh.statistics.regions[0];
+  EXPECT_NEAR(region.minDihedral, expected.minDihedral, 1e-6);
+  EXPECT_NEAR(region.maxDihedral, expected.maxDihedral, 1e-6);
+  EXPECT_NEAR(region.minRadiusRatio, expected.minRadiusRatio, 1e-6);
+  EXPECT_NEAR(region.meanRadiusRatio, expected.meanRadiusRatio, 1e-6);
+  const auto& [ratios, angles] = mesh.shapes;
+  ASSERT_EQ(ratios.size(), mesh.count());
+  ASSERT_EQ(angles.size(), mesh.count());
+  EXPECT_NEAR(*std::min_element(ratios.begin(), ratios.end()), expected.minRadiusRatio, 1e-5);
+  EXPECT_NEAR(*std::min_element(angles.begin(), angles.end()), expected.minDihedral, 1e-4);
+  const ElementQuality& worst = mesh.statistics.worst.at(0);
+  EXPECT_NEAR(angles[worst.tetrahedron], worst.smallestDihedral, 1e-4);
+}
+
+TEST(StretchedBoxTest, HasNoShapesInAMetricWithoutStretching) {
+  const Finished mesh = meshed(unitBox(), {}, 0.5);
+  EXPECT_TRUE(mesh.shapes.radiusRatio.empty());
+  EXPECT_TRUE(mesh.shapes.smallestDihedral.empty());
+  const QualitySummary expected = measureQuality(mesh.volume);
+  EXPECT_EQ(mesh.statistics.regions.at(0).minDihedral, expected.minDihedral);
+  EXPECT_EQ(mesh.statistics.regions.at(0).meanRadiusRatio, expected.meanRadiusRatio);
 }
 
 /// Size, stretching and direction all vary with the position: each element is measured by the

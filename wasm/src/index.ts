@@ -115,9 +115,11 @@ export type {
   EdgeStatistics,
   ElementQuality,
   LimitedByBoundary,
+  MetricShapes,
   PatchQuality,
   QualityReport,
   RegionQuality,
+  ShapeStatistics,
 } from "./mesh/quality.js";
 export type { Mesher, SizeProposal } from "./api/mesher-interface.js";
 export type { MeshInput, SurfaceInput, SurfaceMesh, VolumeMesh } from "./mesh/mesh.js";

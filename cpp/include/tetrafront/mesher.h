@@ -67,6 +67,8 @@ class MeshRun {
   [[nodiscard]] QualitySummary quality() const;
   /// Statistics of the complete mesh; empty unless kDone.
   [[nodiscard]] QualityStatistics statistics() const;
+  /// Shapes of the elements of the complete mesh; empty unless kDone, and without stretching.
+  [[nodiscard]] MetricShapes metricShapes() const;
   [[nodiscard]] RecoverySummary recovery() const;
   [[nodiscard]] FrontCounters counters() const;
 

@@ -23,6 +23,10 @@ struct RegionStatistics {
   std::uint32_t region = 0;  ///< as in VolumeMesh::regions
   std::uint32_t tetrahedra = 0;
   double volume = 0.0;
+  double minDihedral = 0.0;     ///< degrees
+  double maxDihedral = 0.0;     ///< degrees
+  double minRadiusRatio = 0.0;  ///< 3 x inradius / circumradius, 1 for the regular tetrahedron
+  double meanRadiusRatio = 0.0;
   std::array<std::uint32_t, kDihedralBins> dihedral{};  ///< all six angles of each element
   std::array<std::uint32_t, kDihedralBins>
       smallestDihedral{};  ///< the smallest angle of each element
@@ -38,6 +42,13 @@ struct ElementQuality {
   double smallestDihedral = 0.0;  ///< degrees
   double largestDihedral = 0.0;   ///< degrees
   double radiusRatio = 0.0;
+};
+
+/// Shapes of all elements, measured in the metric of a stretched size field; empty without stretching. One number per
+/// element each.
+struct MetricShapes {
+  std::vector<float> radiusRatio;
+  std::vector<float> smallestDihedral;  ///< degrees
 };
 
 struct QualityStatistics {

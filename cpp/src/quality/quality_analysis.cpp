@@ -173,6 +173,7 @@ RegionStatistics& QualityAnalysis::statisticsOf(std::uint32_t region) {
   while (regions.size() <= region) {
     const auto next = static_cast<std::uint32_t>(regions.size());
     regions.emplace_back().region = next;
+    regionMeters_.emplace_back();
   }
   return regions[region];
 }
@@ -185,6 +186,18 @@ void QualityAnalysis::keepWorst(std::vector<Ranked>& worst, const Ranked& candid
                candidate);
 }
 
+/// Adds the shape of the next element, measured in the metric.
+void QualityAnalysis::measureShape(std::uint32_t region, const TetrahedronMeasures& measures) {
+  RegionStatistics& statistics = statisticsOf(region);
+  regionMeters_[region].add(measures);
+  for (const double cosine : measures.cosines) ++statistics.dihedral[angleBin(cosine)];
+  ++statistics.smallestDihedral[angleBin(measures.largestCosine)];
+  ++statistics.radiusRatio[linearBin(measures.radiusRatio, kBinsPerRatio, kRatioBins)];
+  if (!isStretched_) return;
+  metricShapes_.radiusRatio.push_back(static_cast<float>(measures.radiusRatio));
+  metricShapes_.smallestDihedral.push_back(static_cast<float>(degreesOf(measures.largestCosine)));
+}
+
 void QualityAnalysis::measureElements(std::size_t first, std::size_t last) {
   for (std::size_t t = first; t < last; ++t) {
     const TetId element(t);
@@ -195,9 +208,7 @@ void QualityAnalysis::measureElements(std::size_t first, std::size_t last) {
     RegionStatistics& region = statisticsOf(mesh_.regions[t]);
     ++region.tetrahedra;
     region.volume += plain.volume;
-    for (const double cosine : measures.cosines) ++region.dihedral[angleBin(cosine)];
-    ++region.smallestDihedral[angleBin(measures.largestCosine)];
-    ++region.radiusRatio[linearBin(measures.radiusRatio, kBinsPerRatio, kRatioBins)];
+    measureShape(mesh_.regions[t], measures);
     if (t == 0 || plain.volume < smallestVolume_) {
       smallestVolume_ = plain.volume;
       smallest_ = element;
@@ -327,6 +338,13 @@ void QualityAnalysis::findLimits(std::size_t first, std::size_t last) {
 }
 
 void QualityAnalysis::finish() {
+  for (RegionStatistics& region : statistics_.regions) {
+    const QualitySummary shapes = regionMeters_[region.region].summary();
+    region.minDihedral = shapes.minDihedral;
+    region.maxDihedral = shapes.maxDihedral;
+    region.minRadiusRatio = shapes.minRadiusRatio;
+    region.meanRadiusRatio = shapes.meanRadiusRatio;
+  }
   statistics_.worst = qualityOf(worst_);
   statistics_.worstLimited = qualityOf(worstLimited_);
   if (mesh_.tetrahedra.empty()) return;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/ids.h"
@@ -31,6 +32,7 @@ class QualityAnalysis {
   /// Summary in plain space; final when finished.
   [[nodiscard]] QualitySummary summary() const { return meter_.summary(); }
   [[nodiscard]] const QualityStatistics& statistics() const { return statistics_; }
+  [[nodiscard]] MetricShapes takeMetricShapes() { return std::move(metricShapes_); }
 
  private:
   enum class Stage : std::uint8_t {
@@ -63,6 +65,7 @@ class QualityAnalysis {
   [[nodiscard]] ElementView viewOf(const NodeQuad& nodes) const;
   void count(BoundaryLimit limit);
   RegionStatistics& statisticsOf(std::uint32_t region);
+  void measureShape(std::uint32_t region, const TetrahedronMeasures& measures);
 
   struct Ranked {
     double cost;  ///< dihedralCostOf()
@@ -80,6 +83,8 @@ class QualityAnalysis {
   std::size_t next_ = 0;
   QualityMeter meter_;
   QualityStatistics statistics_;
+  std::vector<QualityMeter> regionMeters_;  ///< in the metric
+  MetricShapes metricShapes_;
   std::vector<double> sizes_;             ///< target lengths at nodes, without stretching
   std::vector<SymmetricTensor> tensors_;  ///< T of nodes, with stretching
   std::vector<double>

@@ -2,6 +2,7 @@
 import type { Progress } from "../base/progress.js";
 import type { EngineFailure } from "../diagnostics/mesher-error.js";
 import type { SurfaceMesh, VolumeMesh } from "../mesh/mesh.js";
+import type { MetricShapes } from "../mesh/quality.js";
 import type { MeshReport, MeshStatus } from "../mesh/report.js";
 import type { GridArrays, ModelArrays } from "../generated/constants.js";
 import type {
@@ -127,6 +128,8 @@ export interface EngineResult {
   readonly status: MeshStatus;
   readonly surface: SurfaceMesh;
   readonly volume: VolumeMesh;
+  /** Absent without stretching. */
+  readonly metricShapes?: MetricShapes;
   readonly statistics: Omit<MeshReport, "diagnostics" | "status">;
   /** Whether thorough optimization found no better mesh. */
   readonly hasFoundNothingBetter: boolean;

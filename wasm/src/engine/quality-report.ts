@@ -1,6 +1,6 @@
 /** Returns the engine's quality statistics in the form of the report. */
 import { DIHEDRAL_BIN_WIDTH, EDGE_BIN_WIDTH, RATIO_BIN_WIDTH } from "../generated/constants.js";
-import type { ElementQuality, QualityReport } from "../mesh/quality.js";
+import type { ElementQuality, QualityReport, RegionQuality, ShapeStatistics } from "../mesh/quality.js";
 import type { EngineStatistics } from "./loader.js";
 
 const BIN_WIDTHS = {
@@ -12,6 +12,7 @@ const BIN_WIDTHS = {
 export const NO_QUALITY: QualityReport = {
   binWidths: BIN_WIDTHS,
   regions: [],
+  shapes: { dihedral: { min: 0, max: 0 }, radiusRatio: { min: 0, mean: 0 } },
   worst: [],
   smallest: null,
   volumeRatio: 0,
@@ -21,10 +22,12 @@ export const NO_QUALITY: QualityReport = {
 };
 
 export function qualityReport(statistics: EngineStatistics): QualityReport {
-  const { regions, worst, worstLimited, smallest, volumeRatio, outOfRange, ...rest } = statistics;
+  const { worst, worstLimited, smallest, volumeRatio, outOfRange, ...rest } = statistics;
+  const regions = statistics.regions.map(regionQuality);
   return {
     binWidths: BIN_WIDTHS,
     regions,
+    shapes: shapesOfAll(regions),
     worst: worst.map(elementQuality),
     smallest: worst.length === 0 ? null : elementQuality(smallest),
     volumeRatio,
@@ -47,4 +50,29 @@ export function qualityReport(statistics: EngineStatistics): QualityReport {
 function elementQuality(element: EngineStatistics["smallest"]): ElementQuality {
   const { smallestDihedral: min, largestDihedral: max, ...rest } = element;
   return { ...rest, dihedral: { min, max } };
+}
+
+function regionQuality(region: EngineStatistics["regions"][number]): RegionQuality {
+  const { minDihedral, maxDihedral, minRadiusRatio, meanRadiusRatio, ...rest } = region;
+  const dihedral = { min: minDihedral, max: maxDihedral };
+  return { ...rest, shapes: { dihedral, radiusRatio: { min: minRadiusRatio, mean: meanRadiusRatio } } };
+}
+
+function shapesOfAll(regions: readonly RegionQuality[]): ShapeStatistics {
+  const filled = regions.filter(({ tetrahedra }) => tetrahedra > 0);
+  if (filled.length === 0) return NO_QUALITY.shapes;
+  const dihedrals = filled.map(({ shapes }) => shapes.dihedral);
+  const ratios = filled.map(({ shapes }) => shapes.radiusRatio);
+  const all = filled.reduce((sum, { tetrahedra }) => sum + tetrahedra, 0);
+  const sum = filled.reduce(
+    (total, { tetrahedra, shapes }) => total + tetrahedra * shapes.radiusRatio.mean,
+    0,
+  );
+  return {
+    dihedral: {
+      min: Math.min(...dihedrals.map(({ min }) => min)),
+      max: Math.max(...dihedrals.map(({ max }) => max)),
+    },
+    radiusRatio: { min: Math.min(...ratios.map(({ min }) => min)), mean: sum / all },
+  };
 }

@@ -170,6 +170,7 @@ function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineRe
     // A cancelled mesh depends on the time of the cancellation, and the caller is waiting.
     fingerprint: status === "cancelled" ? "" : run.fingerprint(),
   };
+  const metricShapes = run.metricShapes();
   const diagnostics = run.diagnostics();
   const hasFoundNothingBetter = run.hasFoundNothingBetter();
   assertHealthy(run);
@@ -177,6 +178,7 @@ function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineRe
     status,
     surface,
     volume,
+    ...(metricShapes.radiusRatio.length > 0 && { metricShapes }),
     diagnostics,
     hasFoundNothingBetter,
     statistics: { ...statistics, seconds: clock.seconds() },

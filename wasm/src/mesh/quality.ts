@@ -28,12 +28,21 @@ export interface ElementQuality {
   readonly radiusRatio: number;
 }
 
+/** Extremes and mean of the shapes of some elements. */
+export interface ShapeStatistics {
+  /** Degrees, over all dihedral angles; 0 without elements. */
+  readonly dihedral: { readonly min: number; readonly max: number };
+  /** 3 × inradius / circumradius, 1 for the regular tetrahedron; 0 without elements. */
+  readonly radiusRatio: { readonly min: number; readonly mean: number };
+}
+
 /** Histograms of one region; bin i counts the values in [i, i + 1) bin widths. */
 export interface RegionQuality {
   /** As in `VolumeMesh.regions`. */
   readonly region: number;
   readonly tetrahedra: number;
   readonly volume: number;
+  readonly shapes: ShapeStatistics;
   /** All six dihedral angles of each tetrahedron. */
   readonly dihedral: readonly number[];
   /** Smallest dihedral angle of each tetrahedron. */
@@ -84,6 +93,8 @@ export interface QualityReport {
   /** Degrees for angles. */
   readonly binWidths: { readonly dihedral: number; readonly radiusRatio: number; readonly edge: number };
   readonly regions: readonly RegionQuality[];
+  /** Shapes of all elements. */
+  readonly shapes: ShapeStatistics;
   /** Up to ten elements, those with the worst angles first. */
   readonly worst: readonly ElementQuality[];
   /** Element with the smallest volume. */
@@ -96,4 +107,11 @@ export interface QualityReport {
   readonly outOfRange: number;
   /** Tetrahedra that the boundary forces to have such angles. */
   readonly limitedByBoundary: LimitedByBoundary;
+}
+
+/** Shapes of all elements, measured in the metric of a stretched size field; one number per element each. */
+export interface MetricShapes {
+  readonly radiusRatio: Float32Array;
+  /** Degrees. */
+  readonly smallestDihedral: Float32Array;
 }

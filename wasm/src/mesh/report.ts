@@ -2,7 +2,7 @@
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import type { EngineStatus } from "../generated/constants.js";
 import type { SurfaceMesh, VolumeMesh } from "./mesh.js";
-import type { PatchQuality, QualityReport } from "./quality.js";
+import type { MetricShapes, PatchQuality, QualityReport } from "./quality.js";
 
 /** How a run ended. Only `done` has a complete mesh; `stalled` and `cancelled` may have a partial one. */
 export type MeshStatus = Exclude<EngineStatus, "running">;
@@ -71,5 +71,7 @@ export interface MeshReport {
 export interface MeshResult {
   readonly surface: SurfaceMesh;
   readonly volume: VolumeMesh;
+  /** Shapes of the elements of a finished mesh in the metric of its size field; absent if the field is not stretched. */
+  readonly metricShapes?: MetricShapes | undefined;
   readonly report: MeshReport;
 }
