@@ -151,6 +151,33 @@ describe.each(both.map(({ name, extensions, writable }) => [name, extensions[0],
   },
 );
 
+test("VTU keeps the names and tags of patches and regions of a Gmsh file", async () => {
+  // A project's mesh in a Gmsh file: numbers are shared, so the first region has another tag than its name says.
+  const regions = [
+    { name: "region 1", tag: 61 },
+    { name: "core", tag: 62 },
+  ];
+  const { read: gmsh } = await roundTrip({ ...named, regions }, "a.msh");
+  const { read: vtu } = await roundTrip(gmsh, "a.vtu");
+  const { read: again } = await roundTrip(vtu, "b.msh");
+  for (const mesh of [gmsh, vtu, again]) {
+    expect(mesh.regions).toEqual(regions);
+    expect(new Set(mesh.patches)).toEqual(new Set(gmsh.patches));
+    expect(regionsOf(mesh)).toEqual(regionsOf(gmsh));
+  }
+});
+
+test("VTU names come from field data if another program has dropped the comments", async () => {
+  const [file] = await writeMesh(named, "a.vtu");
+  const text = new TextDecoder("latin1").decode(file?.bytes);
+  const bytes = Uint8Array.from(text.replace(/<!--.*-->\n/g, ""), (letter) => letter.charCodeAt(0));
+  expect(bytes.length).toBeLessThan(text.length);
+  const read = await readMesh(bytes, { fileName: "a.vtu" });
+  if (!read.success) throw new Error(read.errors[0].message);
+  expect(new Set(read.value.patches)).toEqual(new Set(named.patches));
+  expect(read.value.regions).toEqual(named.regions);
+});
+
 test("OFF: reads comments of any length at the end of the file", async () => {
   const [file] = await writeMesh(named, "a.off");
   const text = new TextDecoder().decode(file?.bytes);

@@ -140,6 +140,11 @@ export function hasGenericName({ name, tag }: FileGroup): boolean {
   );
 }
 
+/** Returns whether a reader of a file without names would give the group the same name. */
+export function hasDefaultName(word: "patch" | "region", { name, tag }: FileGroup): boolean {
+  return ["", "surface", String(tag), `${word} ${tag}`].includes(name);
+}
+
 /** Reports the names that a format without names drops. `tags`: the numbers written to the file. */
 export function noteNames(
   groups: readonly FileGroup[],

@@ -4,7 +4,7 @@
  */
 import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
 import type { Note } from "./file-format.js";
-import { hasGenericName, listed, shortened, usedGroups } from "./groups.js";
+import { hasDefaultName, listed, shortened, usedGroups } from "./groups.js";
 import { GroupList } from "./mesh-builder.js";
 
 /** Longest line in bytes; readers inspect no longer comments. */
@@ -20,7 +20,7 @@ export function nameLines(word: "patch" | "region", mesh: FileMesh, note: Note):
   const used = usedGroups(owners, groups);
   const cut: string[] = [];
   const lines = groups.flatMap((group, g) => {
-    if (hasGenericName(group) || !used.has(g)) return [];
+    if (hasDefaultName(word, group) || !used.has(g)) return [];
     const whole = `${word} ${group.tag} ${group.name.replace(/\s+/g, " ").trim()}`;
     const line = shortened(whole, MAX_LINE_BYTES);
     if (line !== whole) cut.push(`${word} ${group.tag}`);
@@ -42,6 +42,12 @@ export class NameLines {
   readonly regions = new Map<number, string>();
 
   readonly readComment: (line: string) => void = (line) => this.readName(line);
+
+  /** Adds the name of a patch (dimension 2) or a region (dimension 3), unless a line defines another. */
+  addName(dimension: number, tag: number, name: string): void {
+    const names = dimension === 2 ? this.patches : this.regions;
+    if (!names.has(tag)) names.set(tag, name);
+  }
 
   protected readName(line: string): void {
     const [, word, tag, name = ""] = /^\s*(patch|region) (\d+) (.*\S)\s*$/.exec(line) ?? [];

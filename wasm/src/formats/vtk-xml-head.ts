@@ -7,7 +7,17 @@ import { failureAt } from "./read-result.js";
 
 const REMEDY = "Save the mesh again as .vtu or .vtp with triangles or linear tetrahedra.";
 /** Sections whose arrays are read. In polygon files, the sections of cells are named by kind. */
-const SECTIONS = new Set(["Points", "Cells", "Verts", "Lines", "Strips", "Polys", "PointData", "CellData"]);
+const SECTIONS = new Set([
+  "FieldData",
+  "Points",
+  "Cells",
+  "Verts",
+  "Lines",
+  "Strips",
+  "Polys",
+  "PointData",
+  "CellData",
+]);
 
 /** A tag; its quoted values may contain ">". */
 const TAG = /^<(\/?)([A-Za-z]+)((?:"[^"<]*"|'[^'<]*'|[^<>"'])*)>$/;
@@ -34,6 +44,8 @@ export interface Piece {
 export interface Head {
   readonly file: Attributes;
   readonly pieces: readonly Piece[];
+  /** Arrays of the whole file. */
+  readonly fields: readonly FoundArray[];
   /** Offset after the underscore of the appended data, and their encoding. */
   readonly appended: { readonly begin: number; readonly isBase64: boolean } | undefined;
 }
@@ -42,6 +54,7 @@ export interface Head {
 export function readHead(bytes: Uint8Array): Head {
   let file: Attributes | undefined;
   const pieces: Piece[] = [];
+  const fields: FoundArray[] = [];
   let section = "";
   for (const { begin, end, isClosing, name, rest } of tagsIn(bytes)) {
     const attributes = attributesIn(rest);
@@ -53,14 +66,16 @@ export function readHead(bytes: Uint8Array): Head {
     else if (name === "DataArray" && section !== "") {
       const close = rest.endsWith("/") ? end : bytes.indexOf(LESS, end);
       const content = bytes.subarray(end, Math.max(end, close));
-      pieces.at(-1)?.arrays.push({ section, attributes, content, at: end });
+      const arrays = section === "FieldData" ? fields : pieces.at(-1)?.arrays;
+      arrays?.push({ section, attributes, content, at: end });
     } else if (name === "AppendedData") {
       const start = bytes.indexOf(UNDERSCORE, end) + 1;
       const isBase64 = attributes.get("encoding") === "base64";
-      return checkedHead(bytes, file, pieces, { begin: start === 0 ? bytes.length : start, isBase64 });
+      const appended = { begin: start === 0 ? bytes.length : start, isBase64 };
+      return checkedHead(bytes, file, { pieces, fields, appended });
     }
   }
-  return checkedHead(bytes, file, pieces, undefined);
+  return checkedHead(bytes, file, { pieces, fields, appended: undefined });
 }
 
 const UNDERSCORE = 95;
@@ -68,8 +83,7 @@ const UNDERSCORE = 95;
 function checkedHead(
   bytes: Uint8Array,
   file: Attributes | undefined,
-  pieces: readonly Piece[],
-  appended: Head["appended"],
+  { pieces, fields, appended }: Omit<Head, "file">,
 ): Head {
   const type = file?.get("type");
   if (file === undefined || (type !== "UnstructuredGrid" && type !== "PolyData"))
@@ -80,7 +94,7 @@ function checkedHead(
     const message = `unknown compressor "${compressor}"; only vtkZLibDataCompressor is supported`;
     failIn(bytes, message, indexOf(bytes, encoded("<VTKFile"), 0));
   }
-  return { file, pieces, appended };
+  return { file, pieces, fields, appended };
 }
 
 /** Fails at byte `at`. The message states its line, or its offset if it is in the binary data. */

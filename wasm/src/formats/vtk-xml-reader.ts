@@ -133,7 +133,24 @@ function* meshIn(bytes: Uint8Array, onWork: ReadContext["onWork"]): Steps<FileMe
     else yield* addCells(reading);
   }
   yield* addPointData(held, file, builder);
-  return file.names().applyTo(builder.mesh());
+  const names = file.names();
+  yield* addFieldNames(file, names);
+  return names.applyTo(builder.mesh());
+}
+
+/**
+ * Adds the names in arrays of two whole numbers, the tag and the dimension of a group. Programs that rewrite the file
+ * keep these arrays, but not the comments.
+ */
+function* addFieldNames(file: XmlFile, names: NameLines): Steps<void> {
+  for (const found of file.head.fields) {
+    const { attributes } = found;
+    const isPair = attributes.get("NumberOfTuples") === "2" && !attributes.has("NumberOfComponents");
+    if (!isPair || !/^U?Int\d+$/.test(attributes.get("type") ?? "")) continue;
+    const [tag = 0, dimension] = yield* file.numbers(found);
+    const name = attributes.get("Name") ?? "";
+    if (name !== "" && (dimension === 2 || dimension === 3)) names.addName(dimension, tag, name);
+  }
 }
 
 /** Piece whose points have been added. */

@@ -9,7 +9,7 @@ import { PAUSE, type Steps, stepwise } from "../base/steps.js";
 import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
 import { IS_LITTLE_ENDIAN, joinBytes, type Part, widened } from "./bytes.js";
 import type { Note } from "./file-format.js";
-import { hasGenericName, usedGroups } from "./groups.js";
+import { hasDefaultName, usedGroups } from "./groups.js";
 import { allNameLines } from "./name-lines.js";
 import { vtkCellData } from "./vtk.js";
 
@@ -72,10 +72,15 @@ export function* writeVtu(mesh: FileMesh, note: Note): Generator<Part, void> {
  */
 function fieldData(mesh: FileMesh): string[] {
   const taken = new Set<string>();
-  const arrays = (word: string, dimension: number, groups: readonly FileGroup[], owners: Uint32Array) => {
+  const arrays = (
+    word: "patch" | "region",
+    dimension: number,
+    groups: readonly FileGroup[],
+    owners: Uint32Array,
+  ) => {
     const used = usedGroups(owners, groups);
     return groups.flatMap((group, g) => {
-      if (hasGenericName(group) || !used.has(g)) return [];
+      if (hasDefaultName(word, group) || !used.has(g)) return [];
       const name = taken.has(group.name) ? `${group.name} (${word} ${group.tag})` : group.name;
       taken.add(name);
       const attributes = `type="Int32" Name="${inQuotes(name)}" NumberOfTuples="2" format="ascii"`;
