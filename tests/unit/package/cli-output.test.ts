@@ -4,7 +4,7 @@ import { writeFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 
-import type { Diagnostic } from "tetrafront";
+import type { Diagnostic, MeshInspection, MeshReport } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { tetrafront } from "../../support/command-line.js";
@@ -42,6 +42,21 @@ describe("the command exits with code 1 and a message if standard output is a fi
     expect(stderr).toMatch(/error: standard output: Writing failed \(EFBIG\)\. Free space/);
     expect(code).toBe(1);
   });
+
+  test.each([["--help"], ["mesh", "--help"], ["convert", "--help"]])("the help: %s %s", async (...args) => {
+    const { code, stderr } = await onFullDisk(...args);
+    expect(stderr).toMatch(/^tetrafront: error: standard output: Writing failed \(EFBIG\)\. Free space/);
+    expect(code).toBe(1);
+  });
+
+  test("the report of a mesh", async () => {
+    save("box.off", offFile(boxSurface(4)));
+    const { code, stderr } = await onFullDisk("mesh", "box.off", "-o", "box.vtu", "--report", "-", "-q");
+    expect(stderr).toMatch(
+      /box\.vtu: The file cannot be written[^]*tetrafront: error: standard output: Writing failed \(EFBIG\)\. Free space/,
+    );
+    expect(code).toBe(1);
+  });
 });
 
 describe("a surface of needles", () => {
@@ -60,10 +75,36 @@ describe("a surface of needles", () => {
     expect(mesh.code).toBe(0);
     expect(warningsIn(mesh.stdout)).toContainEqual(["poor-elements", "warning"]);
     expect(mesh.stderr).toMatch(
-      /warning: gear\.off: \d+ of \d+ tetrahedra \(\d+ %\) are poor: .* below 10°\. Replace/,
+      /warning: gear\.off: \d+ of \d+ tetrahedra \(\d+ %\) are poor: .* below 10°; .*\. Replace/,
     );
     // The message states the number of all poor elements.
     expect(mesh.stderr).not.toContain('more "poor-elements"');
+    expect(mesh.stderr).toMatch(/the worst are tetrahedron \d+ \(counted from 0\), tetrahedron \d+/);
+  });
+
+  test("gets the same warning from check of its mesh, which names the worst elements", async () => {
+    save("gear.off", offFile(needleGearSurface(60)));
+    await run("mesh", "gear.off", "-o", "gear.vtu", "-q");
+    const { code, stdout } = await run("check", "gear.vtu", "--json");
+    expect(code).toBe(0);
+    const { diagnostics } = JSON.parse(stdout) as { diagnostics: Diagnostic[] };
+    const warning = diagnostics.find((found) => found.code === "poor-elements");
+    const stats = await run("stats", "gear.vtu", "--json");
+    const { dihedral, tetrahedra, quality } = JSON.parse(stats.stdout) as MeshInspection;
+    expect(warning).toMatchObject({ severity: "warning", data: { tetrahedra } });
+    const angleOf = new Map(
+      [...quality.worst, ...quality.limitedByBoundary.worst].map((one) => [
+        one.tetrahedron,
+        one.dihedral.min,
+      ]),
+    );
+    expect(warning?.entities.map(({ kind }) => kind)).toEqual(Array(5).fill("tetrahedron"));
+    const angles = warning?.entities.map(({ index }) => angleOf.get(index) ?? 180) ?? [];
+    expect(angles[0]).toBeCloseTo(dihedral.min, 9);
+    expect(angles).toEqual([...angles].sort((a, b) => a - b));
+    expect(angles.at(-1)).toBeLessThan(10);
+    const text = await run("check", "gear.vtu");
+    expect(text.stderr).toContain("gear.vtu: 1 warning");
   });
 
   test("fails with --require-angle, while a box passes", async () => {
@@ -71,7 +112,7 @@ describe("a surface of needles", () => {
     save("box.off", offFile(boxSurface(4)));
     const gear = await run("mesh", "gear.off", "-o", "gear.vtu", "--require-angle", "10");
     expect(gear.stderr).toMatch(
-      /error: gear\.off: the smallest dihedral angle is .*°, but --require-angle is 10°/,
+      /error: gear\.off: The smallest dihedral angle is .*°, but --require-angle is 10°/,
     );
     expect(gear.stderr).toContain("Use --optimize thorough");
     expect(gear.code).toBe(1);
@@ -79,6 +120,13 @@ describe("a surface of needles", () => {
     const most = await run("mesh", "gear.off", "-o", "gear.vtu", ...thorough);
     expect(most.stderr).not.toContain("Use --optimize thorough");
     expect(most.code).toBe(1);
+    const reported = await run("mesh", "gear.off", "-o", "gear.vtu", "--require-angle", "10", "-r", "-");
+    const { diagnostics, output, dihedral } = JSON.parse(reported.stdout) as MeshReport & { output: string };
+    const error = diagnostics.find(({ severity }) => severity === "error");
+    expect(error).toMatchObject({ code: "required-angle", data: { angle: dihedral.min, required: 10 } });
+    // The mesh is written nevertheless, as the help says.
+    expect(output).toBe("gear.vtu");
+    expect(reported.code).toBe(1);
     const box = await run("mesh", "box.off", "-o", "box.vtu", "--require-angle", "10");
     expect(box.stderr).not.toMatch(/poor|needle|error/);
     expect(box.code).toBe(0);

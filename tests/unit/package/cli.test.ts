@@ -267,6 +267,25 @@ describe("invalid input gives exit code 2 and one line:", () => {
   });
 });
 
+test("--help of an unknown command is an error", async () => {
+  const result = await tetrafront(folder.path, ["repair", "--help"]);
+  expect(result).toMatchObject({ code: 2, stdout: "" });
+  expect(result.stderr).toBe("tetrafront: error: unknown command 'repair'. See: tetrafront --help\n");
+});
+
+test.each(["mesh", "check", "convert", "info", "stats", "cover", "propose"])(
+  "--help of %s lists streams and only options that the command has",
+  async (command) => {
+    const { stdout } = await tetrafront(folder.path, [command, "--help"]);
+    expect(stdout).toMatch(new RegExp(`^Usage: tetrafront ${command} `));
+    const known = new Set(stdout.match(/^ {2}(?:-\w, )?--[a-z-]+/gm)?.map((line) => /--.*/.exec(line)?.[0]));
+    const named = stdout.slice(0, stdout.indexOf("Exit code")).match(/(?<![\w-])--[a-z-]+/g) ?? [];
+    for (const option of named) expect([...known, "--help"]).toContain(option);
+    if (["mesh", "convert"].includes(command)) expect(stdout).toMatch(/^ {2}- +standard output/m);
+    if (["check", "info", "stats"].includes(command)) expect(stdout).toMatch(/- is standard input/);
+  },
+);
+
 test("--help lists the options, and --version prints the version", async () => {
   const help = await tetrafront(folder.path, ["mesh", "--help"]);
   expect(help).toMatchObject({ code: 0, stderr: "" });

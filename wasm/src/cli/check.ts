@@ -10,6 +10,7 @@ import { listed } from "../formats/groups.js";
 import { surfaceOf } from "../formats/surface-file.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
 import type { MeshInspection, RepairChange, SurfaceInspection } from "../mesh/inspection.js";
+import { poorElementWarnings } from "../mesh/quality-warnings.js";
 import { writeToStandardOutput } from "./files.js";
 import { withMesher } from "./grids.js";
 import { isProject, numberIn, readMeshFile, readProjectFile, refuseOptions } from "./input.js";
@@ -133,13 +134,18 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
     refuseOption("--max-diagnostics", options.maxDiagnostics, "surfaces", "a mesh of tetrahedra");
     const {
       boundary: _,
-      quality: __,
+      quality,
       ...inspection
     } = await mesher.inspectMesh({
       ...mesh,
       regions: mesh.tetrahedronRegion,
     });
-    return { kind: "mesh", diagnostics: [...defectsOf(inspection, mesh), ...notes(mesh)], inspection };
+    const defects = defectsOf(inspection, mesh);
+    return {
+      kind: "mesh",
+      diagnostics: [...defects, ...poorElementWarnings(quality), ...notes(mesh)],
+      inspection,
+    };
   }
   if (mesh.triangles.length === 0) {
     const nothing = packageDiagnostic(

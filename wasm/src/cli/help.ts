@@ -47,7 +47,8 @@ Element sizes
 
 Element shapes
   --optimize none keeps the mesh as the front made it. fast, default and thorough improve it, each taking
-  longer. --require-angle makes a mesh with a smaller dihedral angle fail with exit code 1.
+  longer. --require-angle makes a mesh with a smaller dihedral angle fail with exit code 1. The output file
+  is written nevertheless, and the report has the error "required-angle".
 ${QUALITY_HELP}
 
 Surfaces with problems
@@ -91,9 +92,11 @@ Examples
 export const convertHelp = () => `
 Input
 ${formatLines("readable", "surface", "volume")}
+  -                     standard input; set its format with --format
 
 Output
 ${formatLines("writable", "surface", "volume")}
+  -                     standard output; set its format with --format
 
 A surface format receives the boundary of a volume mesh. Corners at equal positions become one node.
 ${EXIT_CODES_HELP}
@@ -103,6 +106,7 @@ Examples
   tetrafront convert part.vtu -o boundary.stl
   tetrafront convert scan.obj -o scan.stl --repair
   tetrafront convert 'meshes/*.vtu' -o 'meshes/{name}.su2'
+  cat scan.obj | tetrafront convert - --from obj -o - --to stl > scan.stl
 `;
 
 export const INFO_HELP = `${READING_HELP}

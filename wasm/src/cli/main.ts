@@ -23,7 +23,7 @@ import {
 } from "./batch.js";
 import { type CheckCommandOptions, checkFile } from "./check.js";
 import { type ConvertCommandOptions, convertFile } from "./convert.js";
-import { ClosedPipe, FileError, STANDARD_STREAM, writeOutput } from "./files.js";
+import { ClosedPipe, FileError, STANDARD_STREAM, writeOutput, writeToStandardOutput } from "./files.js";
 import { type CoverCommandOptions, coverFile, type ProposeCommandOptions, proposeForFile } from "./grids.js";
 import {
   checkHelp,
@@ -47,18 +47,46 @@ export async function main(args: readonly string[]): Promise<number> {
   // trace.
   for (const stream of [process.stdout, process.stderr]) stream.on("error", () => undefined);
   let exitCode: number = ExitCode.meshed;
-  const program = commandLine(args, (code) => (exitCode = code));
+  let helpText = "";
+  const program = commandLine(args, {
+    setExitCode: (code) => (exitCode = code),
+    printHelp: (text) => (helpText += text),
+  });
   try {
-    await program.parseAsync(args, { from: "user" });
+    await program.parseAsync(withoutHelpOfUnknown(args, program), { from: "user" });
     return exitCode;
   } catch (failure) {
-    if (failure instanceof CommanderError) return failure.exitCode === 0 ? 0 : ExitCode.invalidInput;
     if (failure instanceof ClosedPipe) return ExitCode.closedPipe;
-    throw failure;
+    if (!(failure instanceof CommanderError)) throw failure;
+    return failure.exitCode === 0 ? await writeHelp(helpText) : ExitCode.invalidInput;
   }
 }
 
-function commandLine(args: readonly string[], setExitCode: SetExitCode): Command {
+/** Returns only the name of an unknown command, because its `--help` would print the help of the program. */
+function withoutHelpOfUnknown(args: readonly string[], program: Command): readonly string[] {
+  const [name] = args;
+  if (name === undefined || name.startsWith("-")) return args;
+  return program.commands.some((known) => known.name() === name) ? args : [name];
+}
+
+/** Writes the help or the version to standard output; resolves with the exit code. */
+async function writeHelp(text: string): Promise<number> {
+  try {
+    await writeToStandardOutput(text);
+    return ExitCode.meshed;
+  } catch (failure) {
+    if (failure instanceof ClosedPipe) return ExitCode.closedPipe;
+    return reportFailure(failure, STANDARD_STREAM);
+  }
+}
+
+interface CommandLineEvents {
+  readonly setExitCode: SetExitCode;
+  /** Receives the help and the version in pieces. */
+  readonly printHelp: (text: string) => void;
+}
+
+function commandLine(args: readonly string[], { setExitCode, printHelp }: CommandLineEvents): Command {
   const program = new Command("tetrafront");
   program
     .description("Fills shapes with tetrahedra by the advancing-front method.")
@@ -66,6 +94,7 @@ function commandLine(args: readonly string[], setExitCode: SetExitCode): Command
     .helpOption("-h, --help", "print this help")
     .helpCommand(false)
     .configureOutput({
+      writeOut: printHelp,
       outputError: (message, write) => write(`tetrafront: ${oneLine(message, program, args)}\n`),
     })
     .exitOverride();
@@ -104,6 +133,9 @@ const fromOption = (): Option =>
 /** One option suffices if only the input or only the output is a stream. */
 const formatOption = (): Option =>
   new Option("--format <format>", "format of the stream; for two streams use --from and --to");
+/** For commands that read files only. */
+const inputFormatOption = (): Option =>
+  new Option("--format <format>", "format of standard input; the same as --from");
 const toOption = (): Option =>
   new Option("--to <format>", "output format, if the extension does not determine it");
 
@@ -278,7 +310,10 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
       ).choices(OPTIMIZATIONS),
     );
   withJobs(withRepair(command))
-    .option("--require-angle <degrees>", "exit with 1 if the smallest dihedral angle is below this")
+    .option(
+      "--require-angle <degrees>",
+      "exit with 1 if the smallest dihedral angle is below this; still write the mesh",
+    )
     .option("-r, --report <file>", "write statistics and diagnostics as JSON; - for standard output")
     .option("-k, --keep-partial", "write the mesh even if it is partial")
     .option("-q, --quiet", "print errors only")
@@ -313,7 +348,7 @@ function addInfo(program: Command, setExitCode: SetExitCode): void {
     )
     .argument("<input...>", "projects, surfaces or meshes");
   withJobs(command)
-    .addOption(formatOption())
+    .addOption(inputFormatOption())
     .addOption(fromOption())
     .option("--json", "print JSON")
     .addHelpText("after", INFO_HELP)
@@ -328,7 +363,7 @@ function addStats(program: Command, setExitCode: SetExitCode): void {
     .description("Print the quality of the elements of volume meshes from any program.")
     .argument("<input...>", "volume meshes");
   withJobs(command)
-    .addOption(formatOption())
+    .addOption(inputFormatOption())
     .addOption(fromOption())
     .option("--json", "print JSON")
     .addHelpText("after", STATS_HELP)
@@ -407,7 +442,7 @@ function addCheck(program: Command, setExitCode: SetExitCode): void {
       "--max-diagnostics <count>",
       `list at most this many problems of each kind for a surface, or all (default ${INSPECTION_DEFAULTS.maxDiagnostics}; without --json 50)`,
     )
-    .addOption(formatOption())
+    .addOption(inputFormatOption())
     .addOption(fromOption());
   withJobs(withRepair(command))
     .option("--json", "print problems and statistics as JSON")

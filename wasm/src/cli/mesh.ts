@@ -9,9 +9,9 @@ import { repairedSurface } from "../api/repaired-surface.js";
 import { emptyReport, emptyResult } from "../api/report.js";
 import { plural } from "../base/plural.js";
 import type { RunControl } from "../calls/control.js";
-import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import type { Diagnostic, DiagnosticOf } from "../diagnostics/diagnostic.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
-import { invalidOption } from "../diagnostics/package-diagnostic.js";
+import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { FrontOrder, Optimization } from "../generated/constants.js";
 import type { RepairChange } from "../mesh/inspection.js";
@@ -155,21 +155,30 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const written = shouldWrite && (await writeResult(input, options, result, meshed)) ? options.output : null;
   if (!isQuiet && report.status !== "invalid-input") print(summary(input, report, written, options));
   const isLost = shouldWrite && written === null;
-  const isPoor = report.status === "done" && report.dihedral.min < requiredAngle;
-  if (isPoor) printPoor(input, report, requiredAngle, options);
-  const exitCode = isLost || isPoor ? ExitCode.notCompleted : EXIT_CODES[report.status];
-  return { report, written, exitCode, changes, refinement };
+  const poor = requiredAngleError(report, requiredAngle, options);
+  printDiagnostics(input, poor, { isQuiet });
+  const exitCode = isLost || poor.length > 0 ? ExitCode.notCompleted : EXIT_CODES[report.status];
+  const diagnostics = [...report.diagnostics, ...poor];
+  return { report: { ...report, diagnostics }, written, exitCode, changes, refinement };
 }
 
-function printPoor(
-  input: string,
-  { dihedral }: MeshReport,
+/** Returns an error if the finished mesh has a smaller dihedral angle than required. */
+function requiredAngleError(
+  { status, dihedral: { min: angle } }: MeshReport,
   required: number,
   { optimize }: MeshCommandOptions,
-): void {
-  const found = `the smallest dihedral angle is ${dihedral.min.toFixed(2)}°, but --require-angle is ${required}°`;
+): Diagnostic[] {
+  if (status !== "done" || angle >= required) return [];
   const thorough = optimize === "thorough" ? "" : "--optimize thorough, or ";
-  print(`error: ${input}: ${found}. Use ${thorough}a surface without needles and narrow gaps.`);
+  const error: DiagnosticOf<"required-angle"> = {
+    code: "required-angle",
+    severity: "error",
+    message: `The smallest dihedral angle is ${angle.toFixed(2)}°, but --require-angle is ${required}°`,
+    remedy: `Use ${thorough}a surface without needles and narrow gaps.`,
+    entities: [],
+    data: { angle, required },
+  };
+  return [error];
 }
 
 /** Prints diagnostics about the background grid with the name of its own file. */
@@ -420,7 +429,8 @@ async function succeeds(write: () => Promise<void>): Promise<boolean> {
     return true;
   } catch (failure) {
     if (!(failure instanceof FileError)) throw failure;
-    print(`error: ${failure.file}: ${failure.message}. ${failure.remedy}`);
+    const { file, message, remedy } = failure;
+    printDiagnostics(file, [packageDiagnostic("unreadable-input", message, remedy)], { isQuiet: true });
     return false;
   }
 }

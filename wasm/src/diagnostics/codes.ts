@@ -13,6 +13,8 @@ export type PackageCode =
   | "needle-surface"
   /** Many elements of a mesh have small dihedral angles. */
   | "poor-elements"
+  /** The mesh has a dihedral angle below the one that the command line requires. */
+  | "required-angle"
   /** Thorough optimization found no better mesh than the default. */
   | "no-improvement"
   /** A format cannot store some content, which is not in the file. */

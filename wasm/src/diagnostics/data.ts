@@ -91,6 +91,8 @@ export interface DiagnosticNumbers {
   readonly "needle-surface": Counted & { readonly triangles: number };
   /** `count`: number of elements with a dihedral angle below 10°. `tetrahedra`: number of all elements. */
   readonly "poor-elements": Counted & { readonly tetrahedra: number };
+  /** Smallest dihedral angle of the mesh, and the angle of `--require-angle`, in degrees. */
+  readonly "required-angle": { readonly angle: number; readonly required: number };
   /**
    * Name of the option in the call or on the command line; `options` for all of them, `control` for the last
    * argument.

@@ -11,9 +11,11 @@ export function invalidArrays(message: string, remedy: string): Diagnostic {
   return packageDiagnostic("invalid-arrays", message, remedy);
 }
 
+type DiagnosticWithData = "invalid-option" | "needle-surface" | "poor-elements" | "required-angle";
+
 /** Returns a diagnostic of the package about no particular entity. */
 export function packageDiagnostic(
-  code: Exclude<DiagnosticCode, EngineCode | "invalid-option" | "needle-surface" | "poor-elements">,
+  code: Exclude<DiagnosticCode, EngineCode | DiagnosticWithData>,
   message: string,
   remedy: string,
   severity: Severity = "error",

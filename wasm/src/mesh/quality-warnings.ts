@@ -1,9 +1,11 @@
 /** Warnings about the shapes of a surface's triangles and of a mesh's elements. */
 import { plural } from "../base/plural.js";
 import { type Steps, stepwise } from "../base/steps.js";
+import { joined, withCounting } from "../diagnostics/describe.js";
 import type { Diagnostic, DiagnosticOf } from "../diagnostics/diagnostic.js";
+import { nameByIndex } from "../diagnostics/entity-names.js";
 import type { SurfaceInput } from "./mesh.js";
-import type { QualityReport } from "./quality.js";
+import type { ElementQuality, QualityReport } from "./quality.js";
 
 /** Needles and caps, as the engine's statistics count them (quality_statistics.h). */
 const NEEDLE_RADIUS_RATIO = 0.3;
@@ -13,6 +15,9 @@ const MAX_NEEDLES = 0.1;
 const POOR_ANGLE = 10;
 /** Share of poor elements above which a mesh is of little use, however good the others are. */
 const MAX_POOR = 0.01;
+
+/** Number of poor elements that the warning names. */
+const NAMED_ELEMENTS = 5;
 
 /** Returns a warning if more than a tenth of the triangles are needles or caps. O(n). */
 export function* needleWarnings({ points, triangles }: SurfaceInput): Steps<Diagnostic[]> {
@@ -33,8 +38,9 @@ export function* needleWarnings({ points, triangles }: SurfaceInput): Steps<Diag
   return [warning];
 }
 
-/** Returns a warning if more than one element in a hundred has a dihedral angle below 10°. */
-export function poorElementWarnings({ regions, binWidths, limitedByBoundary }: QualityReport): Diagnostic[] {
+/** Returns a warning that names the worst elements if more than one in a hundred has a dihedral angle below 10°. */
+export function poorElementWarnings(quality: QualityReport): Diagnostic[] {
+  const { regions, binWidths, limitedByBoundary } = quality;
   const bins = POOR_ANGLE / binWidths.dihedral;
   const all = regions.reduce((sum, { tetrahedra }) => sum + tetrahedra, 0);
   const count = regions.reduce(
@@ -44,17 +50,32 @@ export function poorElementWarnings({ regions, binWidths, limitedByBoundary }: Q
   if (count <= MAX_POOR * all) return [];
   const { edges, needles, narrowGaps } = limitedByBoundary;
   const isByNeedles = needles > edges + narrowGaps;
+  const worst = worstOf(quality);
+  const entities = worst.map(({ tetrahedron }) => nameByIndex("tetrahedron", tetrahedron));
+  const names = joined(entities.map(({ label }) => label));
+  const share = `${shareOf(count, all, "tetrahedron")} poor`;
+  const message = `${share}: their smallest dihedral angle is below ${POOR_ANGLE}°; the worst ${worst.length === 1 ? "is" : "are"} ${names}`;
   const warning: DiagnosticOf<"poor-elements"> = {
     code: "poor-elements",
     severity: "warning",
-    message: `${shareOf(count, all, "tetrahedron")} poor: their smallest dihedral angle is below ${POOR_ANGLE}°`,
+    message: withCounting(message, entities),
     remedy: isByNeedles
       ? "Replace the needle triangles of the surface: export it with more uniform triangles."
       : "Use smaller elements in narrow gaps and at sharp edges, or --optimize thorough.",
-    entities: [],
+    entities,
+    position: worst[0]?.centroid,
     data: { count, tetrahedra: all },
   };
   return [warning];
+}
+
+/** Returns the poor elements with the smallest angles, of those that the report lists. */
+function worstOf({ worst, limitedByBoundary }: QualityReport): ElementQuality[] {
+  const listed = new Map([...worst, ...limitedByBoundary.worst].map((one) => [one.tetrahedron, one]));
+  return [...listed.values()]
+    .filter(({ dihedral }) => dihedral.min < POOR_ANGLE)
+    .sort((a, b) => a.dihedral.min - b.dihedral.min || a.tetrahedron - b.tetrahedron)
+    .slice(0, NAMED_ELEMENTS);
 }
 
 /** Returns "1 of 8 triangles (13 %) is" or "3 of 8 triangles (38 %) are". */
