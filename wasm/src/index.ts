@@ -100,7 +100,7 @@ export type {
 } from "./project/schema.js";
 export type { ReadCode, ReadError, ReadResult } from "./diagnostics/read-error.js";
 export { repairedSurface } from "./api/repaired-surface.js";
-export type { AbortControl, RunControl } from "./calls/control.js";
+export type { AbortControl, RunControl, UnoptimizedMesh } from "./engine/control.js";
 export type { BackgroundArrays } from "./project/background-arrays.js";
 export type {
   CoverOptions,

@@ -1,5 +1,11 @@
 /** Snapshots of the front during a run. */
-import { createMesher, type Mesher, type MeshResult, type RunControl } from "tetrafront";
+import {
+  createMesher,
+  type Mesher,
+  type MeshResult,
+  type RunControl,
+  type UnoptimizedMesh,
+} from "tetrafront";
 import { afterAll, beforeAll, expect, test } from "vitest";
 
 import { boxSurface } from "../../support/surfaces.js";
@@ -36,6 +42,39 @@ test("a run rejects with the error that onFront throws", async () => {
     throw failure;
   };
   await expect(fill({ onFront })).rejects.toBe(failure);
+});
+
+test("onUnoptimized receives the complete mesh once, and the result stays the same", async () => {
+  const surface = boxSurface(16);
+  const meshes: UnoptimizedMesh[] = [];
+  const phases: string[] = [];
+  const observed = await mesher.fillSurface(
+    surface,
+    {},
+    {
+      onUnoptimized: (mesh) => {
+        meshes.push(mesh);
+        phases.push("unoptimized");
+      },
+      onProgress: ({ phase }) => void phases.push(phase),
+    },
+  );
+  expect(meshes).toHaveLength(1);
+  expect(phases[phases.indexOf("unoptimized") - 1]).toBe("optimize");
+  const unobserved = await mesher.fillSurface(surface);
+  expect(observed.report.fingerprint).toBe(unobserved.report.fingerprint);
+  const { volume } = await mesher.inspectMesh(meshes[0]?.volume ?? observed.volume);
+  expect(volume).toBeCloseTo(observed.report.volume, 9);
+  expect(meshes[0]?.surface.triangles).toEqual(observed.surface.triangles);
+  expect(meshes[0]?.volume.tetrahedra).not.toEqual(observed.volume.tetrahedra);
+});
+
+test("a run rejects with the error that onUnoptimized throws", async () => {
+  const failure = new Error("mine");
+  const onUnoptimized = (): void => {
+    throw failure;
+  };
+  await expect(mesher.fillSurface(boxSurface(16), {}, { onUnoptimized })).rejects.toBe(failure);
 });
 
 test("onFront must be a function", async () => {

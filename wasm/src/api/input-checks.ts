@@ -2,7 +2,7 @@
 import * as v from "valibot";
 import { LIMITS, limitText } from "../base/limits.js";
 import { plural } from "../base/plural.js";
-import type { RunControl } from "../calls/control.js";
+import type { RunControl } from "../engine/control.js";
 import { doubles, integers, problemIn, watch } from "../calls/schemas.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { refuse } from "../diagnostics/mesher-error.js";
@@ -23,14 +23,15 @@ export function checkProject(project: unknown): Diagnostic[] {
   return parsed.errors.map((error) => readDiagnostic({ ...error, code: "invalid-project" }));
 }
 
-const controlSchema = v.object({ ...watch, onFront: v.optional(v.function()) });
+const listener = v.optional(v.function());
+const controlSchema = v.object({ ...watch, onFront: listener, onUnoptimized: listener });
 
 export function checkControl(control: RunControl): Diagnostic[] {
   const problem = problemIn(controlSchema, control);
   if (problem === undefined) return [];
   const where = problem.path === "" ? "" : `.${problem.path}`;
   const remedy =
-    "Pass an object with any of: a function onProgress, a function onFront, an AbortSignal signal.";
+    "Pass an object with any of: functions onProgress, onFront and onUnoptimized, an AbortSignal signal.";
   return [invalidOption("control", `the control${where} of the call is invalid: ${problem.message}`, remedy)];
 }
 

@@ -1,5 +1,5 @@
 /** The mesher: the engine in a worker, as callers see it. */
-import type { RunControl } from "../calls/control.js";
+import type { RunControl } from "../engine/control.js";
 import type {
   MeshInspection,
   SurfaceInspection,

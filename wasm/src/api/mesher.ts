@@ -1,6 +1,6 @@
 /** Implements the mesher: checks arguments, sends them to the engine, and describes its answers. */
 import { throwIfCancelled, untilCancelled } from "../calls/cancelling.js";
-import type { AbortControl, RunControl } from "../calls/control.js";
+import type { AbortControl, RunControl } from "../engine/control.js";
 import { inSteps } from "../calls/yielder.js";
 import { type EntityNamer, gridByIndex } from "../diagnostics/entity-names.js";
 import { refuse } from "../diagnostics/mesher-error.js";
@@ -113,6 +113,7 @@ class WorkerMesher implements Mesher {
       kind: "mesh-model",
       id: this.#client.nextId(),
       showFront: control.onFront !== undefined,
+      showUnoptimized: control.onUnoptimized !== undefined,
       model: drawn.model,
       grid: background === undefined ? drawn.grid : withNodes(drawn.grid, background),
       options: engineOptions(settled),
@@ -132,6 +133,7 @@ class WorkerMesher implements Mesher {
       kind: "fill-surface",
       id: this.#client.nextId(),
       showFront: control.onFront !== undefined,
+      showUnoptimized: control.onUnoptimized !== undefined,
       points: surface.points.slice(),
       triangles: surface.triangles.slice(),
       grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),

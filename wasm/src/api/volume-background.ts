@@ -2,7 +2,7 @@
 import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
 import { throwIfCancelled } from "../calls/cancelling.js";
-import type { RunControl } from "../calls/control.js";
+import type { RunControl } from "../engine/control.js";
 import { doubles, map } from "../calls/schemas.js";
 import { MesherError, refuse } from "../diagnostics/mesher-error.js";
 import type { ReadResult } from "../diagnostics/read-error.js";

@@ -8,7 +8,7 @@ import { checkOptions } from "../api/options.js";
 import { repairedSurface } from "../api/repaired-surface.js";
 import { emptyReport, emptyResult } from "../api/report.js";
 import { plural } from "../base/plural.js";
-import type { RunControl } from "../calls/control.js";
+import type { RunControl } from "../engine/control.js";
 import type { Diagnostic, DiagnosticOf } from "../diagnostics/diagnostic.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";

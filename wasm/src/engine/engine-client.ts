@@ -3,8 +3,8 @@
  * if it has failed or does not answer.
  */
 import type { Progress } from "../base/progress.js";
-import type { RunControl } from "../calls/control.js";
-import { notify, type ProgressListener } from "../calls/progress-listener.js";
+import type { RunControl } from "./control.js";
+import { notify, type ProgressListener } from "./progress-listener.js";
 import {
   cancelledError,
   disposedError,
@@ -14,6 +14,8 @@ import {
 import { EngineWorker, type WorkReply } from "./engine-worker.js";
 import type { Answer, Answers, AnswerTo, EngineResult, Question, Request } from "./protocol.js";
 import { buffersOf } from "./transfer.js";
+
+type RunReply = Extract<WorkReply, { kind: "progress" | "front" | "unoptimized" | "stopping" | "result" }>;
 
 /** Time for the worker to confirm a cancellation. Then it is terminated, within the promised half second. */
 const CANCEL_GRACE_MS = 450;
@@ -125,14 +127,15 @@ export class EngineClient {
   /** Resolves when the run ends; the arrays of the request are transferred. */
   async run(
     request: RunRequest,
-    { signal, onProgress, onFront }: RunControl,
+    { signal, onProgress, onFront, onUnoptimized }: RunControl,
   ): Promise<EngineResult | Cancelled> {
     let onAbort: (() => void) | undefined;
     try {
       return await new Promise<EngineResult | Cancelled>((resolve, reject) => {
         const triangles = trianglesIn(request);
         const state = { began: undefined, progress: undefined };
-        const job: Job = { request, triangles, onProgress, onFront, ...state, resolve, reject };
+        const listener = { onProgress, onFront, onUnoptimized };
+        const job: Job = { request, triangles, ...listener, ...state, resolve, reject };
         onAbort = () => this.#cancel(job);
         signal?.addEventListener("abort", onAbort, { once: true });
         this.#waiting.push(job);
@@ -208,6 +211,7 @@ export class EngineClient {
         return this.#receiveAnswer(reply);
       case "progress":
       case "front":
+      case "unoptimized":
       case "stopping":
       case "result":
         return this.#receiveForRun(reply);
@@ -231,7 +235,7 @@ export class EngineClient {
     this.#replaceWorker((progress) => failureError(reply, progress, triangles));
   }
 
-  #receiveForRun(reply: Extract<WorkReply, { kind: "progress" | "front" | "stopping" | "result" }>): void {
+  #receiveForRun(reply: RunReply): void {
     const open = this.#questions.get(reply.id);
     if (open !== undefined && reply.kind === "progress") {
       return notify(open, open.onProgress, reply.progress, (failure) => this.#abandon(reply.id, failure));
@@ -248,6 +252,8 @@ export class EngineClient {
         return notify(job, job.onProgress, reply.progress, onFailure);
       case "front":
         return notify(job, job.onFront, reply.corners, onFailure);
+      case "unoptimized":
+        return notify(job, job.onUnoptimized, reply.mesh, onFailure);
       case "stopping":
         return clearTimeout(this.#forceTimer);
       case "result":

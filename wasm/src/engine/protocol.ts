@@ -2,6 +2,7 @@
 import type { Progress } from "../base/progress.js";
 import type { EngineFailure } from "../diagnostics/mesher-error.js";
 import type { SurfaceMesh, VolumeMesh } from "../mesh/mesh.js";
+import type { UnoptimizedMesh } from "./control.js";
 import type { MetricShapes } from "../mesh/quality.js";
 import type { MeshReport, MeshStatus } from "../mesh/report.js";
 import type { GridArrays, ModelArrays } from "../generated/constants.js";
@@ -95,12 +96,14 @@ export type Question =
 export type Request =
   /** The first request, sent once: load the engine from this code, or fetch and compile it. */
   | { readonly kind: "load"; readonly module: CompiledEngine | undefined }
-  /** Answered by any number of `progress` and `front`, then one `result` or `failure`. */
+  /** Answered by any number of `progress` and `front`, at most one `unoptimized`, then one `result` or `failure`. */
   | {
       readonly kind: "mesh-model";
       readonly id: number;
       /** True for `front` replies. */
       readonly showFront: boolean;
+      /** True for an `unoptimized` reply. */
+      readonly showUnoptimized: boolean;
       readonly model: ModelArrays;
       readonly grid: GridArrays;
       readonly options: EngineOptions;
@@ -110,6 +113,7 @@ export type Request =
       readonly kind: "fill-surface";
       readonly id: number;
       readonly showFront: boolean;
+      readonly showUnoptimized: boolean;
       readonly points: Float64Array;
       readonly triangles: Uint32Array;
       /** Without nodes and tetrahedra, sizes come from the surface's own edges. */
@@ -163,6 +167,7 @@ export type Reply =
   | { readonly kind: "progress"; readonly id: number; readonly progress: Progress }
   /** The present front: x y z of three corners per face. */
   | { readonly kind: "front"; readonly id: number; readonly corners: Float64Array }
+  | { readonly kind: "unoptimized"; readonly id: number; readonly mesh: UnoptimizedMesh }
   /** The run takes no further step; its result is being copied. */
   | { readonly kind: "stopping"; readonly id: number }
   | { readonly kind: "result"; readonly id: number; readonly result: EngineResult }

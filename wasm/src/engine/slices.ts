@@ -6,6 +6,7 @@
 import type { Progress } from "../base/progress.js";
 import { ENGINE_STATUSES, type Phase, PHASES } from "../generated/constants.js";
 import type { MeshStatus } from "../mesh/report.js";
+import type { UnoptimizedMesh } from "./control.js";
 import type { EngineRun, EngineTool } from "./loader.js";
 import type { RunClock } from "./run-clock.js";
 
@@ -39,6 +40,8 @@ export interface RunSliceControl extends SliceControl {
    * snapshots.
    */
   readonly onFront: ((corners: Float64Array) => void) | undefined;
+  /** Receives the mesh once while it is optimized or verified; undefined for never. */
+  readonly onUnoptimized: ((mesh: UnoptimizedMesh) => void) | undefined;
 }
 
 /** Runs until the end or until it is cancelled. Always reports the last progress. */
@@ -48,6 +51,7 @@ export async function runInSlices(
   control: RunSliceControl,
 ): Promise<MeshStatus> {
   const snapshots = control.onFront && new FrontSnapshots(run, control.onFront);
+  const unoptimized = control.onUnoptimized && new UnoptimizedSnapshot(run, control.onUnoptimized);
   let reportedAt = 0;
   let reached = 0;
   for (;;) {
@@ -63,7 +67,9 @@ export async function runInSlices(
       control.onProgress({ ...progress, fraction: reached });
     }
     if (status !== undefined) return status;
-    if (phaseOf(run) === "volume") snapshots?.takeIfDue(now);
+    const phase = phaseOf(run);
+    if (phase === "volume") snapshots?.takeIfDue(now);
+    else if (phase === "optimize" || phase === "verify") unoptimized?.takeIfDue(now);
     await control.letRequestsIn();
     if (control.isCancelled()) run.cancel();
   }
@@ -85,6 +91,26 @@ class FrontSnapshots {
     this.#onFront(this.#run.front());
     const end = performance.now();
     this.#dueAt = end + Math.max(FRONT_MS, FRONT_REST * (end - now));
+  }
+}
+
+/** Sends one copy of the mesh, a while after the front has closed: a short optimization needs none. */
+class UnoptimizedSnapshot {
+  readonly #run: EngineRun;
+  readonly #onUnoptimized: (mesh: UnoptimizedMesh) => void;
+  #dueAt: number | undefined;
+
+  constructor(run: EngineRun, onUnoptimized: (mesh: UnoptimizedMesh) => void) {
+    this.#run = run;
+    this.#onUnoptimized = onUnoptimized;
+  }
+
+  /** Call it after the front has closed. */
+  takeIfDue(now: number): void {
+    this.#dueAt ??= now + FRONT_MS;
+    if (now < this.#dueAt) return;
+    this.#dueAt = Infinity;
+    this.#onUnoptimized({ surface: this.#run.surface(), volume: this.#run.volume() });
   }
 }
 

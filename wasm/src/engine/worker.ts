@@ -2,6 +2,7 @@
 import { workerPort } from "#worker-port";
 import type { FailureReason } from "../diagnostics/mesher-error.js";
 import type { MeshStatus } from "../mesh/report.js";
+import type { UnoptimizedMesh } from "./control.js";
 import { type CompiledEngine, type Engine, type EngineRun, type EngineTool, loadEngine } from "./loader.js";
 import type { Answer, EngineResult, Question, Request } from "./protocol.js";
 import { qualityReport } from "./quality-report.js";
@@ -132,7 +133,7 @@ function controlOf(id: number): SliceControl {
 
 type RunRequest = Extract<Request, { kind: "mesh-model" | "fill-surface" }>;
 
-async function mesh({ id, showFront }: RunRequest, run: EngineRun | null): Promise<void> {
+async function mesh({ id, showFront, showUnoptimized }: RunRequest, run: EngineRun | null): Promise<void> {
   if (run === null) throw new EngineFailure("the engine gave no run");
   const clock = new RunClock();
   running.add(id);
@@ -140,7 +141,13 @@ async function mesh({ id, showFront }: RunRequest, run: EngineRun | null): Promi
     assertHealthy(run);
     const onFront = (corners: Float64Array): void =>
       workerPort.post({ kind: "front", id, corners }, buffersOf(corners));
-    const control = { ...controlOf(id), onFront: showFront ? onFront : undefined };
+    const onUnoptimized = (mesh: UnoptimizedMesh): void =>
+      workerPort.post({ kind: "unoptimized", id, mesh }, buffersOf(mesh));
+    const control = {
+      ...controlOf(id),
+      onFront: showFront ? onFront : undefined,
+      onUnoptimized: showUnoptimized ? onUnoptimized : undefined,
+    };
     const status = await runInSlices(run, clock, control);
     if (status === "cancelled") workerPort.post({ kind: "stopping", id });
     const result = resultOf(run, status, clock);

@@ -1,5 +1,6 @@
 /** How a caller follows and cancels a call. */
 import type { Progress } from "../base/progress.js";
+import type { SurfaceMesh, VolumeMesh } from "../mesh/mesh.js";
 
 /** Callbacks and signal of a call. */
 export interface RunControl {
@@ -15,11 +16,23 @@ export interface RunControl {
    */
   readonly onFront?: ((corners: Float64Array) => void) | undefined;
   /**
+   * Called by `meshProject` and `fillSurface` at most once, with the mesh before optimization or in its course: about
+   * 0.25 s after the front has closed, unless the run has ended by then. The caller owns the arrays. Costs a copy of the
+   * mesh. A failure of this function has the same effect as one of `onProgress`.
+   */
+  readonly onUnoptimized?: ((mesh: UnoptimizedMesh) => void) | undefined;
+  /**
    * Aborting it ends `meshProject` and `fillSurface` with status `cancelled`, usually within 100 ms; the result holds the
    * mesh made so far. If the engine does not answer within 0.5 s, its worker is terminated and the mesh is empty. Other
    * calls reject with a `MesherError` of code `cancelled`.
    */
   readonly signal?: AbortSignal | undefined;
+}
+
+/** Complete mesh whose elements are still being improved. */
+export interface UnoptimizedMesh {
+  readonly surface: SurfaceMesh;
+  readonly volume: VolumeMesh;
 }
 
 /** Signal of `createMesher`. */

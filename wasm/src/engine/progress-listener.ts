@@ -9,6 +9,7 @@ export interface ProgressListener {
   onProgress: RunControl["onProgress"];
   /** Like `onProgress`, but for runs only. */
   onFront?: RunControl["onFront"];
+  onUnoptimized?: RunControl["onUnoptimized"];
 }
 
 /**
@@ -22,9 +23,11 @@ export function notify<Value>(
   onFailure: (failure: unknown) => void,
 ): void {
   const fail = (failure: unknown): void => {
-    if (listener.onProgress === undefined && listener.onFront === undefined) return;
+    const { onProgress, onFront, onUnoptimized } = listener;
+    if ((onProgress ?? onFront ?? onUnoptimized) === undefined) return;
     listener.onProgress = undefined;
     listener.onFront = undefined;
+    listener.onUnoptimized = undefined;
     onFailure(failure);
   };
   try {
