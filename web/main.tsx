@@ -6,6 +6,7 @@ import "@mantine/spotlight/styles.layer.css";
 import { MantineProvider } from "@mantine/core";
 import { createRoot } from "react-dom/client";
 import { createApp, type Intent } from "./app/create-app";
+import { offerLeftDocument } from "./commands/project-actions";
 import type { DrawnKind } from "./document/entities";
 import { Page } from "./panels/page/page";
 import { listenForPalette } from "./panels/shared/palette";
@@ -21,6 +22,8 @@ const app = await createApp({
   intent: intentOf(query.get("model")),
   still,
 });
+
+offerLeftDocument(app);
 
 /** The address decides what is opened, but a reload continues with the document that came of it. */
 function intentOf(model: string | null): Intent {

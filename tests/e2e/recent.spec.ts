@@ -136,7 +136,7 @@ test("a new tab does not open a project that is open in another tab", async ({ p
   await other.open();
   await expect(projectName(other.page)).toHaveValue("Engine intake");
   const dialog = await openRecentDialog(other.page);
-  await expect(dialog.getByRole("listitem")).toHaveText([/^mine.*Open now/]);
+  await expect(dialog.getByRole("listitem")).toHaveText([/^mine.*Open in another tab/]);
 });
 
 test("the address selects the project, and a reload keeps the changes to it", async ({ page }) => {
@@ -146,8 +146,15 @@ test("the address selects the project, and a reload keeps the changes to it", as
   await kept(app);
   await page.goto("./?test=1&model=plate-with-hole");
   await expect(projectName(page)).toHaveValue("Plate with a hole");
+  await expect(page.getByTestId("notice-document-left")).toContainText("“my cube” is available");
   await renameProject(page, "my plate");
   await kept(app);
+  await page.goto("./?test=1&model=plate");
+  await expect(page.getByRole("dialog", { name: "There is no example “plate”" })).toContainText(
+    "plate-with-hole",
+  );
+  await page.keyboard.press("Escape");
+  await expect(projectName(page)).toHaveValue("my plate");
   await page.reload();
   await expect(projectName(page)).toHaveValue("my plate");
   const dialog = await openRecentDialog(page);

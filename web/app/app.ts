@@ -12,6 +12,13 @@ export interface PageOptions {
   readonly generate: boolean;
   /** No motion and no multisampling, so that tests get the same pictures every time. */
   readonly still: boolean;
+  /** A document with unsaved changes that the address has replaced. */
+  readonly left?: LeftDocument | null;
+}
+
+export interface LeftDocument {
+  readonly id: string;
+  readonly name: string;
 }
 
 /** A session with all that surrounds it on a page: everything that panels and commands work with. */
@@ -28,13 +35,15 @@ export class App extends Session {
   }>(() => ({ viewer: null }));
   readonly generate: boolean;
   readonly still: boolean;
+  readonly left: LeftDocument | null;
 
-  constructor(session: SessionOptions, { gallery, generate, still }: PageOptions) {
+  constructor(session: SessionOptions, { gallery, generate, still, left = null }: PageOptions) {
     super(session);
     this.mesher = session.previewMesher;
     this.gallery = gallery;
     this.generate = generate;
     this.still = still;
+    this.left = left;
     this.run.state.subscribe((state, before) => {
       const hasFailed =
         state.outcome !== before.outcome && state.outcome?.result.report.status === "invalid-input";

@@ -50,18 +50,29 @@ export async function createApp({ autosave, generate, intent, still = false }: A
     noteFailure(error);
     return noGallery;
   });
-  const first = await firstDocument(library, gallery, intent).catch((error: unknown) => {
+  const known = knownIntent(intent, gallery);
+  const first = await firstDocument(library, gallery, known).catch((error: unknown) => {
     noteFailure(error);
     return { document: newDocument(emptyProject()) };
   });
+  const left = known.kind === "model" ? ((await library?.unsaved().catch(() => null)) ?? null) : null;
 
-  const app = new App({ first, mesher, previewMesher, library }, { gallery, generate, still });
+  const app = new App({ first, mesher, previewMesher, library }, { gallery, generate, still, left });
   if (failures.length > 0) {
     app.shell.setState({ message: { title: strings.messages.galleryFailed, lines: failures } });
+  } else if (intent.kind === "model" && known !== intent) {
+    const lines = [strings.messages.knownExamples(gallery.models.map(({ id }) => id))];
+    app.shell.setState({ message: { title: strings.messages.unknownExample(intent.id), lines } });
   }
   keepDocuments(app);
   if (generate) void app.run.generate();
   return app;
+}
+
+/** A model that the gallery does not have is no reason to leave the last document. */
+function knownIntent(intent: Intent, { models }: Gallery): Intent {
+  const isKnown = intent.kind !== "model" || models.some(({ id }) => id === intent.id);
+  return isKnown ? intent : { kind: "continue", otherwise: null };
 }
 
 async function firstDocument(

@@ -56,6 +56,12 @@ export async function openRecent(app: App, id: string, name: string): Promise<vo
 
 const failureTexts: { readonly [F in OpenFailure]: string } = strings.recent.failures;
 
+/** Offers to reopen the document that the address has replaced. */
+export function offerLeftDocument(app: App): void {
+  const { left } = app;
+  if (left) offerReopening(app, left.name, () => openRecent(app, left.id, left.name));
+}
+
 async function reopen(app: App, document: DocumentState): Promise<void> {
   finishOpening(app, await app.showAgain(document));
   meshOpened(app);
@@ -65,14 +71,16 @@ function finishOpening(app: App, before: DocumentState): void {
   app.viewer.getState().viewer?.reset();
   app.shell.setState({ drawer: null, dialog: null, leftTab: "model", message: null });
   if (!hasUnsavedChanges(before)) hideNotice(app.shell, "document-left");
-  else {
-    showNotice(app.shell, {
-      key: "document-left",
-      tone: "information",
-      text: strings.notices.documentLeft(settledProject(before).name),
-      action: { label: strings.notices.reopen, run: () => void reopen(app, before) },
-    });
-  }
+  else offerReopening(app, settledProject(before).name, () => reopen(app, before));
+}
+
+function offerReopening(app: App, name: string, reopenIt: () => Promise<void>): void {
+  showNotice(app.shell, {
+    key: "document-left",
+    tone: "information",
+    text: strings.notices.documentLeft(name),
+    action: { label: strings.notices.reopen, run: () => void reopenIt() },
+  });
 }
 
 /** A mesh made from this project before is on show already. */

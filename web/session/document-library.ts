@@ -1,3 +1,4 @@
+import { documentKey } from "../document/content-keys";
 import { newDocumentId, type OpenDocument } from "./document-store";
 import type { DocumentLocks } from "./document-locks";
 import type { DocumentStorage } from "./document-storage";
@@ -6,8 +7,8 @@ import type { TabMemory } from "./tab-memory";
 
 /** A document that Recent lists. */
 export interface RecentDocument extends DocumentSummary {
-  /** Is it open, in this tab or another? */
-  readonly isOpen: boolean;
+  /** Where it is open; null if nowhere. */
+  readonly openIn: "this-tab" | "another-tab" | null;
 }
 
 export type OpenFailure = "open-in-another-tab" | "missing" | "unreadable";
@@ -46,10 +47,11 @@ export class DocumentLibrary {
   /** Returns the documents for Recent, the one used last first. */
   async list(): Promise<readonly RecentDocument[]> {
     const [documents, openIds] = await Promise.all([this.storage.list(), this.#locks.openIds()]);
-    return documents.map((summary) => ({
-      ...summary,
-      isOpen: openIds.has(summary.id) || summary.id === this.#open?.id,
-    }));
+    const openIn = (id: string): RecentDocument["openIn"] => {
+      if (id === this.#open?.id) return "this-tab";
+      return openIds.has(id) ? "another-tab" : null;
+    };
+    return documents.map((summary) => ({ ...summary, openIn: openIn(summary.id) }));
   }
 
   /** Reads and locks a document. The caller either keeps it open with `keepOpen` or releases the lock. */
@@ -86,6 +88,15 @@ export class DocumentLibrary {
     return taken === "open-in-another-tab" ? this.#copy(own) : null;
   }
 
+  /** Returns the document with which `resume` would continue, if no file has its last changes. Does not lock it. */
+  async unsaved(): Promise<{ readonly id: string; readonly name: string } | null> {
+    const id = this.#tab.read() ?? (await this.#lastId());
+    const document = id === null ? "missing" : await this.#read(id);
+    if (typeof document === "string") return null;
+    const { project } = document.history.present;
+    return documentKey(project) === document.savedKey ? null : { id: document.id, name: project.name };
+  }
+
   /** Notes that this tab has a document open, and no longer the one before. Without a `release`, locks it. */
   keepOpen(id: string, release?: () => void): void {
     const before = this.#open;
@@ -112,11 +123,16 @@ export class DocumentLibrary {
   }
 
   async #takeLast(): Promise<LockedDocument | null> {
+    const last = await this.#lastId();
+    const taken = last === null ? "missing" : await this.take(last);
+    return typeof taken === "string" ? null : taken;
+  }
+
+  /** Returns the document used last; null if other tabs are open. */
+  async #lastId(): Promise<string | null> {
     if ((await this.#locks.openIds()).size > 0) return null;
     const [last] = await this.storage.list();
-    if (!last) return null;
-    const taken = await this.take(last.id);
-    return typeof taken === "string" ? null : taken;
+    return last?.id ?? null;
   }
 
   async #copy(id: string): Promise<LockedDocument | null> {

@@ -86,6 +86,35 @@ describe("the library of kept documents", () => {
     expect((await second.library.retake(document)).document).toBe(document);
   });
 
+  it("states in which tab a document is open", async () => {
+    const { openTab, keep } = browser();
+    const ids = await Promise.all(["other", "own", "closed"].map((name, i) => keep(name, i)));
+    const [other, own] = [openTab(), openTab()];
+    other.library.keepOpen(ids[0] ?? "");
+    own.library.keepOpen(ids[1] ?? "");
+    const listed = await own.library.list();
+    expect(listed.map(({ name, openIn }) => [name, openIn])).toEqual([
+      ["closed", null],
+      ["own", "this-tab"],
+      ["other", "another-tab"],
+    ]);
+  });
+
+  it("finds the document that would be continued if it has changes in no file", async () => {
+    const { storage, openTab, keep } = browser();
+    await keep("saved", 1);
+    expect(await openTab().library.unsaved()).toBeNull();
+    const document = newDocument({ ...cubeProject(), name: "drawn" });
+    await storage.write({ ...keptDocument(document, 2, true), savedKey: "of another state" });
+    const tab = openTab();
+    expect(await tab.library.unsaved()).toEqual({ id: document.id, name: "drawn" });
+    // It is not locked.
+    expect(nameOf(await tab.library.resume())).toBe("drawn");
+    // The document of this tab comes before the one used last.
+    const memory = Object.assign(new MemoryTab(), { id: await keep("mine", 0) });
+    expect(await openTab(memory).library.unsaved()).toBeNull();
+  });
+
   it("releases a document when another one is opened", async () => {
     const { openTab, keep, locks } = browser();
     const [a, b] = [await keep("a", 1), await keep("b", 2)];
@@ -104,10 +133,10 @@ describe("the library of kept documents", () => {
     await keep("untouched", 2, false);
     const { library } = openTab();
     library.keepOpen(a);
-    const listed = (await library.list()).map(({ name, isOpen }) => [name, isOpen]);
+    const listed = (await library.list()).map(({ name, openIn }) => [name, openIn]);
     expect(listed).toEqual([
-      ["b", false],
-      ["a", true],
+      ["b", null],
+      ["a", "this-tab"],
     ]);
   });
 

@@ -45,24 +45,24 @@ interface RecentRowProps {
   readonly onRemove: () => void;
 }
 
-function RecentRow({ document: { id, name, at, isOpen }, onRemove }: RecentRowProps) {
+function RecentRow({ document: { id, name, at, openIn }, onRemove }: RecentRowProps) {
   const app = useApp();
   return (
     <li className={styles["row"]}>
       <UnstyledButton
         className={styles["open"]}
-        disabled={isOpen}
+        disabled={openIn !== null}
         data-testid={`recent-${id}`}
         onClick={() => void openRecent(app, id, name)}
       >
         <span className={styles["name"]}>{name}</span>
-        <span className={styles["time"]}>{isOpen ? texts.open : formatTime(at, Date.now())}</span>
+        <span className={styles["time"]}>{openIn ? texts.openIn[openIn] : formatTime(at, Date.now())}</span>
       </UnstyledButton>
       <ActionIcon
         variant="subtle"
         color="gray"
         aria-label={texts.remove(name)}
-        disabled={isOpen}
+        disabled={openIn !== null}
         onClick={onRemove}
       >
         <IconTrash size={16} aria-hidden />
