@@ -128,20 +128,30 @@ test("one switch measures the whole report of a stretched mesh in the metric or 
   const facts = page.getByTestId("chart-dihedral-facts");
   const worst = page.getByTestId("worst-0");
   await expect(choice.getByRole("radio", { name: "Metric" })).toBeChecked();
-  // The report has no exact minimum and maximum in the metric, only the range of the bars.
-  await expect(facts).toHaveText(/^range \d+° to \d+°$/);
+  /** Expects that the report, its histogram, the status bar, the legend and the view's label show the same space. */
+  const expectSmallest = async (space: string): Promise<void> => {
+    const smallest = page.getByTestId("min-dihedral");
+    await expect(smallest).toContainText(space);
+    const angle = /[\d.]+°/.exec(String(await smallest.textContent()))?.[0] ?? "";
+    await expect(facts).toContainText(`min ${angle}`);
+    await expect(page.getByTestId("legend")).toContainText(space);
+    await expect(page.getByTestId("viewport-canvas")).toHaveAttribute(
+      "aria-label",
+      new RegExp(`smallest dihedral angle ${angle} ${space}`),
+    );
+    const bars = await page.getByTestId("chart-dihedral").getByRole("listitem").all();
+    const labels = await Promise.all(bars.map((bar) => bar.getAttribute("aria-label")));
+    const first = labels.findIndex((label) => !label?.startsWith("0 "));
+    expect(first).toBe(Math.floor(parseFloat(angle) / 5));
+  };
   await expect(page.getByRole("heading", { name: "Edge length / target" })).toBeVisible();
   const inMetric = await worst.textContent();
+  await expectSmallest("in the metric");
 
   await choice.getByText("Space").click();
-  const smallest = await page.getByTestId("min-dihedral").textContent();
-  await expect(facts).toContainText(`min ${smallest?.replace("min dihedral ", "")}`);
   await expect(page.getByRole("heading", { name: "Edge length / mean" })).toBeVisible();
   await expect(worst).not.toHaveText(String(inMetric));
-  const bars = await page.getByTestId("chart-dihedral").getByRole("listitem").all();
-  const labels = await Promise.all(bars.map((bar) => bar.getAttribute("aria-label")));
-  const first = labels.findIndex((label) => !label?.startsWith("0 "));
-  expect(first).toBe(Math.floor(parseFloat(String(smallest?.match(/[\d.]+/)?.[0])) / 5));
+  await expectSmallest("in space");
 
   await app.openExample("unit-cube");
   await expect(page.getByTestId("quality-report")).toBeVisible();

@@ -268,9 +268,13 @@ test("the front is drawn while it advances", async ({ page }) => {
   const first = await faces();
   expect(countOrange(await app.viewport.screenshot())).toBeGreaterThan(before + 5000);
   await expect.poll(faces).not.toBe(first);
+  await expect(page.getByTestId("legend")).toHaveCount(0);
+  // Until the result, the view shows the mesh that is being optimized.
+  await expect(page.getByTestId("legend")).toContainText("not optimized yet");
+  await expect(app.viewport).toHaveAttribute("data-busy", "true");
+  await expect(app.viewport).not.toHaveAttribute("data-front-drawn");
   await page.getByTestId("cancel").click();
   await expect(app.viewport).toHaveAttribute("data-busy", "false");
-  await expect(app.viewport).not.toHaveAttribute("data-front-drawn");
 });
 
 test("without WebGL the page reports it and still meshes", async ({ page }) => {

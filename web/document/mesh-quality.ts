@@ -1,4 +1,4 @@
-import type { VolumeMesh } from "tetrafront";
+import type { MetricShapes, VolumeMesh } from "tetrafront";
 
 /** The measures a mesh can be shaded by. Both are per tetrahedron, higher is better. */
 export type QualityMeasure = "radius-ratio" | "dihedral";
@@ -20,12 +20,40 @@ export function scalePosition(value: number, measure: QualityMeasure): number {
   return (value - worstShown[measure]) / (bestValue[measure] - worstShown[measure]);
 }
 
-/** The part of a mesh that quality depends on. */
+/**
+ * Where shapes are measured. In the metric of a stretched background grid, the target element is regular with edges of
+ * length 1. In space, elements are measured as they are drawn.
+ */
+export type QualitySpace = "metric" | "space";
+
+/** The part of a mesh that quality in space depends on. */
 export type Elements = Pick<VolumeMesh, "points" | "tetrahedra">;
 
-/** Returns the quality of one tetrahedron, given its index in the mesh. */
+/** Mesh whose quality is also known in its metric, if that is stretched. */
+export interface MeasuredMesh {
+  readonly volume: Elements;
+  readonly metricShapes?: MetricShapes | undefined;
+}
+
+/** Returns the quality of one tetrahedron in space, given its index in the mesh. */
 export function qualityOf(mesh: Elements, measure: QualityMeasure, tetrahedron: number): number {
   return functionOf(measure)(mesh, tetrahedron);
+}
+
+/** Returns the quality of one tetrahedron, given its index in the mesh. Without a stretched metric, in space. */
+export function qualityIn(
+  { volume, metricShapes }: MeasuredMesh,
+  space: QualitySpace,
+  measure: QualityMeasure,
+  tetrahedron: number,
+): number {
+  const known = space === "metric" ? metricShapes : undefined;
+  return known ? (metricValues(known, measure)[tetrahedron] ?? 0) : qualityOf(volume, measure, tetrahedron);
+}
+
+/** Returns the measure of every tetrahedron in the metric. */
+export function metricValues(shapes: MetricShapes, measure: QualityMeasure): Float32Array {
+  return measure === "radius-ratio" ? shapes.radiusRatio : shapes.smallestDihedral;
 }
 
 /** The measure of every tetrahedron. O(tetrahedra), about 0.2 s for a million: not for the page's own thread. */

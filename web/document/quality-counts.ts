@@ -1,4 +1,4 @@
-import type { QualityReport } from "tetrafront";
+import type { QualityReport, ShapeStatistics } from "tetrafront";
 
 /** Measures for which a report has a histogram per region. */
 export type CountedMeasure = "dihedral" | "radiusRatio" | "edge";
@@ -36,9 +36,7 @@ export function shareBetween(counts: readonly number[], binWidth: number, { from
   return all === 0 ? 0 : counts.slice(first, end).reduce((sum, count) => sum + count, 0) / all;
 }
 
-/** Returns the smallest range of whole bins that holds all counts; null if there are none. */
-export function rangeOfCounts(counts: readonly number[], binWidth: number): Range | null {
-  const first = counts.findIndex((count) => count > 0);
-  const last = counts.findLastIndex((count) => count > 0);
-  return first < 0 ? null : { from: first * binWidth, to: (last + 1) * binWidth };
+/** Returns the extremes and the mean of the shapes of one region, or of all regions. */
+export function shapesOf({ regions, shapes }: QualityReport, choice: RegionChoice): ShapeStatistics {
+  return regions.find(({ region }) => region === choice)?.shapes ?? shapes;
 }

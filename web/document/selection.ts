@@ -1,4 +1,5 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
+import type { QualitySpace } from "./mesh-quality";
 import { entityKey, sameEntity, type Entity } from "./entities";
 
 /** The state of the view, which undo does not change: selection, visibility, cut, shading. */
@@ -31,6 +32,8 @@ export interface ViewState {
   readonly hiddenRegions: ReadonlySet<number>;
   readonly cut: Cut;
   readonly shading: Shading;
+  /** Where the quality of a stretched mesh is measured, wherever the page shows it. */
+  readonly qualitySpace: QualitySpace;
   readonly edges: boolean;
   /** Every click toggles, as if Ctrl were held: for touch screens. */
   readonly several: boolean;
@@ -47,6 +50,7 @@ const initialView: ViewState = {
   hiddenRegions: new Set(),
   cut: { enabled: false, axis: "x", position: 0.5, flipped: false },
   shading: "radius-ratio",
+  qualitySpace: "metric",
   edges: true,
   several: false,
 };

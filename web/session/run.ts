@@ -1,4 +1,4 @@
-import { type Mesher, type MeshResult, type Progress } from "tetrafront";
+import type { Mesher, MeshResult, Progress, UnoptimizedMesh } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { meshKey } from "../document/content-keys";
 import { engineInput } from "../document/engine-input";
@@ -21,10 +21,12 @@ export interface RunState {
   readonly cancelling: boolean;
   readonly progress: Progress | null;
   /**
-   * Faces of the front while a run advances it, x y z of three corners each; empty once it has closed, and null before
-   * the first snapshot and without a run.
+   * Faces of the front while a run advances it, x y z of three corners each. The last ones stay until a mesh replaces
+   * them; null before the first snapshot and without a run.
    */
   readonly front: Float64Array | null;
+  /** The mesh that a run is optimizing; null before its front has closed, and without a run. */
+  readonly unoptimized: UnoptimizedMesh | null;
   /** The mesh on show, whatever project it belongs to. */
   readonly mesh: MeshResult | null;
   /** Key of the project that `mesh` was made from. */
@@ -36,13 +38,12 @@ export interface RunState {
   readonly log: readonly LogLine[];
 }
 
-const closedFront = new Float64Array();
-
 const emptyRun: RunState = {
   busy: false,
   cancelling: false,
   progress: null,
   front: null,
+  unoptimized: null,
   mesh: null,
   meshKey: null,
   outcome: null,
@@ -104,6 +105,7 @@ export class MeshRun {
           this.#report(progress, log);
         },
         onFront: (front) => this.state.setState({ front }),
+        onUnoptimized: (unoptimized) => this.state.setState({ unoptimized, front: null }),
       });
       elapsedSeconds = result.report.seconds.total;
       this.#finish(meshKey(project), result, log);
@@ -113,7 +115,8 @@ export class MeshRun {
       log("error", failure);
     } finally {
       this.#abort = null;
-      this.state.setState({ busy: false, cancelling: false, progress: null, front: null });
+      const ended = { busy: false, cancelling: false, progress: null, front: null, unoptimized: null };
+      this.state.setState(ended);
     }
   }
 
@@ -144,8 +147,6 @@ export class MeshRun {
       if (before?.phase === "surface")
         log("information", logStrings.boundaryTriangles(count(progress.triangles)));
       log("information", phaseNames[progress.phase]);
-      if (before?.phase === "volume" && this.state.getState().front)
-        this.state.setState({ front: closedFront });
     }
     if (isDue(before, progress)) this.state.setState({ progress });
   }
@@ -165,7 +166,7 @@ export class MeshRun {
     this.state.setState({ outcome: { key, result } });
     const showable = result.volume.tetrahedra.length > 0 || result.surface.triangles.length > 0;
     if (!showable) return;
-    this.state.setState({ mesh: result, meshKey: key });
+    this.state.setState({ mesh: result, meshKey: key, front: null, unoptimized: null });
     if (report.status === "done" && report.tetrahedra <= maxCachedTetrahedra) this.#remember(key, result);
   }
 

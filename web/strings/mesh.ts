@@ -16,6 +16,13 @@ export const measureNames = {
   dihedral: "Smallest dihedral angle",
 } as const;
 
+/** Adds to a name of a measure where it is measured, if the mesh is stretched. */
+export function measuredIn(measure: string, space: "metric" | "space" | null): string {
+  return space === null ? measure : `${measure} ${spaceNames[space]}`;
+}
+
+export const spaceNames = { metric: "in the metric", space: "in space" } as const;
+
 /** Returns a code such as "loop-not-closed" as a heading. */
 export function problemTitle(code: string): string {
   const words = code.replaceAll("-", " ");

@@ -36,6 +36,7 @@ export const pageStrings = {
     contextLost: "The graphics driver reset the view",
     contextLostHint: "The view returns in a moment. Your model and mesh are safe.",
     legend: "Colour scale",
+    unoptimized: "not optimized yet",
     hints: [
       ["Drag", "orbit"],
       ["Middle", "pan"],
@@ -74,6 +75,8 @@ export const pageStrings = {
     noOpenDialog: "The browser did not open its dialog. Try again, or drop the file here.",
     saveFailed: "The project could not be saved",
     galleryFailed: "The examples could not be loaded",
+    unknownExample: (id: string) => `There is no example “${id}”`,
+    knownExamples: (ids: readonly string[]) => `Use one of these names: ${ids.join(", ")}.`,
     engineFailed: "The mesher failed",
     notDrawn: "The mesh could not be shown",
     partFailed:
@@ -104,7 +107,7 @@ export const pageStrings = {
     title: "Open recent",
     hint: "This browser stores every project that you change, with its undo history.",
     none: "No project has been changed yet.",
-    open: "Open now",
+    openIn: { "this-tab": "Open now", "another-tab": "Open in another tab" },
     loading: "Reading the list",
     remove: (name: string) => `Remove “${name}”`,
     failures: {

@@ -111,8 +111,6 @@ export const panelStrings = {
     edges: { target: "Edge length / target", mean: "Edge length / mean" },
     edgeNoun: "edges",
     max: "max",
-    extent: "range",
-    range: (from: string, to: string) => `${from} to ${to}`,
     bar: (count: string, noun: string, from: string, to: string) => `${count} ${noun} from ${from} to ${to}`,
     nearTarget: (from: number, to: number) => `${from} to ${to}`,
     volumeRatio: "Volume ratio (max / min)",

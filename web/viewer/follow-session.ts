@@ -56,6 +56,7 @@ function runState({ documents, run }: SessionStores) {
     isMeshStale: isStale(state, documents.state.getState()),
     checkedSurface: state.outcome?.result.surface ?? null,
     front: state.front,
+    unoptimized: state.unoptimized,
   };
 }
 

@@ -1,4 +1,4 @@
-import type { MeshResult, Project, ProjectPreview, SurfaceMesh } from "tetrafront";
+import type { MeshResult, Project, ProjectPreview, SurfaceMesh, UnoptimizedMesh } from "tetrafront";
 import type { ViewState } from "../document/selection";
 import type { Defects } from "../document/validate";
 import type { ViewerColors } from "./colors";
@@ -28,6 +28,8 @@ export interface ShownState extends ViewState {
   readonly isMeshStale: boolean;
   /** Faces of the front of the current run, x y z of three corners each; null if it has not advanced, and without a run. */
   readonly front: Float64Array | null;
+  /** The mesh that the current run is optimizing, which is shown instead of `mesh`. */
+  readonly unoptimized: UnoptimizedMesh | null;
   /** The boundary that the last run checked; `triangles` and `defects` refer to it. */
   readonly checkedSurface: SurfaceMesh | null;
   readonly defects: Defects;

@@ -11,10 +11,16 @@ export interface TransferCopy<T> {
 export function copyForTransfer<T extends object>(holder: T): TransferCopy<T> {
   const buffers: ArrayBuffer[] = [];
   const entries = Object.entries(holder).map(([name, value]: [string, unknown]): [string, unknown] => {
-    if (!(value instanceof Float64Array || value instanceof Uint32Array)) return [name, value];
+    if (!isTransferable(value)) return [name, value];
     const copy = value.slice();
     buffers.push(copy.buffer);
     return [name, copy];
   });
   return { copy: Object.fromEntries(entries) as T, buffers };
+}
+
+function isTransferable(
+  value: unknown,
+): value is Float64Array<ArrayBuffer> | Float32Array<ArrayBuffer> | Uint32Array<ArrayBuffer> {
+  return value instanceof Float64Array || value instanceof Float32Array || value instanceof Uint32Array;
 }

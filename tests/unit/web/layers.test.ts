@@ -1,4 +1,4 @@
-import type { BufferAttribute, Mesh, Points } from "three";
+import { Ray, Vector3, type BufferAttribute, type Mesh, type Points } from "three";
 import { describe, expect, it, vi } from "vitest";
 import type { MeshResult, Project, ProjectSource } from "tetrafront";
 import { emptyProject } from "../../../web/document/create";
@@ -11,10 +11,11 @@ import { MeshLayer } from "../../../web/viewer/layers/mesh-layer";
 import { PatchesLayer } from "../../../web/viewer/layers/patches-layer";
 import { SourcesLayer } from "../../../web/viewer/layers/sources-layer";
 import type { SceneState } from "../../../web/viewer/scene-state";
+import { Screen } from "../../../web/viewer/screen";
 import type { DrawnFaces, QueriedMesh } from "../../../web/viewer/queries/mesh-queries";
 import type { MeshQueryClient } from "../../../web/viewer/queries/mesh-query-client";
 import { gridMesh } from "./grid-mesh";
-import { change, noTree, preview, sceneState, show } from "./scene";
+import { change, frontCamera, noTree, preview, sceneState, show, viewport } from "./scene";
 
 const { normal, hover, selected, hidden } = stateCodes;
 
@@ -229,10 +230,15 @@ describe("the layer of the mesh", () => {
     values: new Float32Array(3),
   };
 
+  /** Hits the triangle (0, 0, 0), (1, 0, 0), (0, 1, 0). */
+  const ray = new Ray(new Vector3(0.2, 0.3, 5), new Vector3(0, 0, -1));
+  const screen = new Screen(frontCamera(), viewport, { x: 100, y: 50 });
+  const triangle = [0, 0, 0, 1, 0, 0, 0, 1, 0];
+
   it("queries a new mesh at once, and a cut once per frame", async () => {
     const { queried, answers, layer } = setUp();
     show(layer, withMesh());
-    expect(queried).toEqual([one?.volume]);
+    expect(queried).toEqual([one]);
     expect(layer.isCurrent).toBe(false);
     answers[0]?.resolve(faces);
     await vi.waitFor(() => expect(layer.isCurrent).toBe(true));
@@ -247,13 +253,36 @@ describe("the layer of the mesh", () => {
     expect(queried).toHaveLength(2);
   });
 
+  it("shows the mesh that a run is optimizing until the result replaces it, without elements to click", async () => {
+    const { queried, answers, layer } = setUp();
+    const running = { ...withMesh(one), isMeshStale: true };
+    show(layer, running);
+    answers[0]?.resolve(faces);
+    await vi.waitFor(() => expect(layer.isCurrent).toBe(true));
+    const advancing = { ...running, front: new Float64Array(9) };
+    change(layer, running, advancing);
+    expect(layer.root.visible).toBe(false);
+    const optimizing = { ...running, unoptimized: two ?? null };
+    change(layer, advancing, optimizing);
+    expect(queried.at(-1)).toBe(two);
+    const cutFaces = { ...faces, onBoundary: Uint8Array.from([0]), corners: Float32Array.from(triangle) };
+    answers[1]?.resolve(cutFaces);
+    await vi.waitFor(() => expect(layer.isCurrent).toBe(true));
+    expect(layer.root.visible).toBe(true);
+    expect(layer.hit(ray, screen)).toBeNull();
+    const done = withMesh(two);
+    change(layer, optimizing, done);
+    expect(layer.root.visible).toBe(true);
+    expect(layer.hit(ray, screen)?.target).toEqual({ kind: "element", index: 0 });
+  });
+
   it("queries the next mesh after a query has failed, and no mesh twice", async () => {
     const { queried, answers, reasons, layer } = setUp();
     show(layer, withMesh(one), withMesh(two));
     answers[0]?.reject(new Error("no memory"));
     await vi.waitFor(() => expect(reasons).toEqual(["no memory"]));
     layer.queryFaces();
-    expect(queried).toEqual([one?.volume, two?.volume]);
+    expect(queried).toEqual([one, two]);
     answers[1]?.reject(new Error("no memory"));
     await vi.waitFor(() => expect(reasons).toHaveLength(2));
     layer.queryFaces();

@@ -6,8 +6,14 @@ import { gridMesh } from "./grid-mesh";
 
 const size = 3;
 const mesh = gridMesh(size);
-const queries = new MeshQueries(mesh);
-const whole: ViewOptions = { origin: [0, 0, 0], cut: null, hiddenRegions: new Set(), shading: "plain" };
+const queries = new MeshQueries({ volume: mesh });
+const whole: ViewOptions = {
+  origin: [0, 0, 0],
+  cut: null,
+  hiddenRegions: new Set(),
+  shading: "plain",
+  qualitySpace: "space",
+};
 
 const cornersOf = (face: number): number[] =>
   [0, 1, 2].flatMap((k) => {
@@ -37,7 +43,7 @@ describe("MeshQueries", () => {
       queries.facesOf({ ...whole, cut: { axis, position: 0.2, flipped: true } });
     }
     const { faces } = queries.facesOf(whole);
-    expect(faces).toEqual(new MeshQueries(mesh).facesOf(whole).faces);
+    expect(faces).toEqual(new MeshQueries({ volume: mesh }).facesOf(whole).faces);
     expect(faces).toHaveLength(6 * size * size * 2);
   });
 
@@ -53,7 +59,7 @@ describe("MeshQueries", () => {
     expect(queries.facesOf(whole).values).toHaveLength(0);
     // The cached qualities of all elements must give the same values.
     const before = queries.facesOf({ ...whole, shading: "dihedral" });
-    expect(queries.histogram("dihedral", 20).bars.reduce((sum, n) => sum + n)).toBe(
+    expect(queries.histogram("dihedral", "space", 20).bars.reduce((sum, n) => sum + n)).toBe(
       mesh.tetrahedra.length / 4,
     );
     const after = queries.facesOf({ ...whole, shading: "dihedral" });
@@ -61,11 +67,40 @@ describe("MeshQueries", () => {
   });
 });
 
+describe("MeshQueries of a stretched mesh", () => {
+  const count = mesh.tetrahedra.length / 4;
+  const radiusRatio = Float32Array.from({ length: count }, (_, t) => 0.3 + (0.5 * t) / count);
+  const smallestDihedral = Float32Array.from({ length: count }, (_, t) => 20 + (30 * t) / count);
+  const stretched = new MeshQueries({ volume: mesh, metricShapes: { radiusRatio, smallestDihedral } });
+
+  it.each([
+    ["radius-ratio", radiusRatio],
+    ["dihedral", smallestDihedral],
+  ] as const)("measures the %s in the metric or in space", (shading, values) => {
+    for (const qualitySpace of ["metric", "space", "metric"] as const) {
+      const drawn = stretched.facesOf({ ...whole, shading, qualitySpace });
+      const { min, mean } = stretched.histogram(shading, qualitySpace, 20);
+      const expected = Array.from(values, (value, t) =>
+        qualitySpace === "metric" ? value : qualityOf(mesh, shading, t),
+      );
+      expect(min).toBeCloseTo(Math.min(...expected), 4);
+      expect(mean).toBeCloseTo(expected.reduce((sum, value) => sum + value) / count, 4);
+      drawn.faces.forEach((face, i) => {
+        expect(drawn.values[3 * i]).toBeCloseTo(scalePosition(expected[face >> 2] ?? NaN, shading), 5);
+      });
+    }
+  });
+
+  it("measures a mesh without a stretched metric in space", () => {
+    expect(queries.histogram("dihedral", "metric", 20)).toEqual(queries.histogram("dihedral", "space", 20));
+  });
+});
+
 describe("MeshQueries with regions", () => {
   // Two slabs, one above the other: the lower third and the rest.
   const perLayer = 6 * size * size;
   const regions = Uint32Array.from({ length: size * perLayer }, (_, t) => (t < perLayer ? 0 : 1));
-  const slabs = new MeshQueries({ ...mesh, regions });
+  const slabs = new MeshQueries({ volume: { ...mesh, regions } });
   const facesWithout = (...hidden: number[]) => slabs.facesOf({ ...whole, hiddenRegions: new Set(hidden) });
 
   it("gives the corners of each face the region of their element", () => {

@@ -20,12 +20,12 @@ test("a mesh that could not be copied for lack of memory is sent again with the 
     },
   );
   const queries = new MeshQueryClient();
-  const mesh = gridMesh(1);
-  const slice = vi.spyOn(mesh.points, "slice").mockImplementationOnce(() => {
+  const mesh = { volume: gridMesh(1) };
+  const slice = vi.spyOn(mesh.volume.points, "slice").mockImplementationOnce(() => {
     throw new RangeError("no memory");
   });
-  await expect(queries.histogram(mesh, "dihedral", 5)).rejects.toThrow("no memory");
+  await expect(queries.histogram(mesh, "dihedral", "space", 5)).rejects.toThrow("no memory");
   slice.mockRestore();
-  void queries.histogram(mesh, "dihedral", 5);
+  void queries.histogram(mesh, "dihedral", "space", 5);
   expect(posted.map(({ name }) => name)).toEqual(["setMesh", "histogram"]);
 });

@@ -1,5 +1,6 @@
+import type { QualityReport } from "tetrafront";
 import { describe, expect, it } from "vitest";
-import { rangeOfCounts, shareBetween } from "../../../web/document/quality-counts";
+import { shapesOf, shareBetween } from "../../../web/document/quality-counts";
 
 describe("shareBetween", () => {
   it("returns the fraction of the counts in whole bins", () => {
@@ -8,14 +9,18 @@ describe("shareBetween", () => {
   });
 });
 
-describe("rangeOfCounts", () => {
-  it("returns the range from the first bin with a count to the end of the last one", () => {
-    expect(rangeOfCounts([0, 0, 7, 0, 1, 0], 5)).toEqual({ from: 10, to: 25 });
-    expect(rangeOfCounts([3], 0.1)).toEqual({ from: 0, to: 0.1 });
-  });
+describe("shapesOf", () => {
+  const shapes = (min: number) => ({ dihedral: { min, max: 140 }, radiusRatio: { min: 0.2, mean: 0.8 } });
+  const quality = {
+    shapes: shapes(20),
+    regions: [
+      { region: 3, shapes: shapes(20) },
+      { region: 7, shapes: shapes(35) },
+    ],
+  } as unknown as QualityReport;
 
-  it("returns null without counts", () => {
-    expect(rangeOfCounts([0, 0], 5)).toBeNull();
-    expect(rangeOfCounts([], 5)).toBeNull();
+  it("returns the shapes of one region or of all", () => {
+    expect(shapesOf(quality, 7).dihedral.min).toBe(35);
+    expect(shapesOf(quality, null).dihedral.min).toBe(20);
   });
 });

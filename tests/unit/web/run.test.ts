@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { createMesher, type Mesher, type Phase, type Progress } from "tetrafront";
+import { createMesher, type Mesher, type Phase, type Progress, type RunControl } from "tetrafront";
 import { emptyProject } from "../../../web/document/create";
 import { MeshRun, type LogLine } from "../../../web/session/run";
 import { DocumentStore } from "../../../web/session/document-store";
@@ -63,5 +63,38 @@ describe("the progress of a run", () => {
     expect(log.slice(0, 4).map(({ seconds }) => seconds)).toEqual([0, 1, 20, 300]);
     // The last entry has the time of the run's own report.
     expect(log.at(-1)?.seconds).toBeLessThan(1);
+  });
+});
+
+describe("the picture of a run", () => {
+  it("is the last front until the mesh to be optimized replaces it, and that mesh until the end", async () => {
+    const real = await createMesher();
+    const front = new Float64Array(9);
+    const unoptimized = await real.meshProject(emptyProject("nothing"));
+    const pictures: unknown[] = [];
+    const mesher: Mesher = Object.assign(Object.create(real) as Mesher, {
+      meshProject: (_project: unknown, _options: unknown, control: RunControl) => {
+        const shownNow = (): unknown[] => {
+          const state = run.state.getState();
+          return [state.front, state.unoptimized];
+        };
+        control.onFront?.(front);
+        control.onProgress?.(report("volume", 1));
+        control.onProgress?.(report("optimize", 2));
+        pictures.push(shownNow());
+        control.onUnoptimized?.(unoptimized);
+        control.onProgress?.(report("verify", 3));
+        pictures.push(shownNow());
+        return Promise.resolve(unoptimized);
+      },
+    });
+    const run = new MeshRun(new DocumentStore(emptyProject("nothing")), Promise.resolve(mesher));
+    await run.generate();
+    real.dispose();
+    expect(pictures).toEqual([
+      [front, null],
+      [null, unoptimized],
+    ]);
+    expect(run.state.getState()).toMatchObject({ front: null, unoptimized: null });
   });
 });

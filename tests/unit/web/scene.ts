@@ -17,6 +17,7 @@ export function sceneState(change: Partial<SceneState> = {}): SceneState {
     mesh: null,
     isMeshStale: false,
     front: null,
+    unoptimized: null,
     checkedSurface: null,
     defects: { triangles: [], patches: new Set() },
     colors: viewerColors.dark,

@@ -1,12 +1,12 @@
 import { Text } from "@mantine/core";
 import { renameProject } from "../../document/edits";
 import { findRecord } from "../../document/entities";
-import { qualityOf } from "../../document/mesh-quality";
+import { qualityIn } from "../../document/mesh-quality";
 import { FieldRow } from "../../ui/fields/field-row";
 import { formatAngle } from "../../ui/format";
 import { NameField } from "../../ui/fields/name-field";
-import { measureNames, strings } from "../../strings";
-import { useApp, useProject, useRun, useView } from "../shared/app-context";
+import { measuredIn, measureNames, strings } from "../../strings";
+import { useApp, useProject, useQualitySpace, useRun, useView } from "../shared/app-context";
 import { ElementSize } from "../background/element-size";
 import { EntityCard } from "../later/later";
 import { MeshSettings } from "./mesh-settings";
@@ -71,19 +71,20 @@ function ProjectCard() {
 
 /** The quality of the tetrahedron that was clicked on a cut. */
 function ElementCard({ tetrahedron }: { readonly tetrahedron: number }) {
-  const volume = useRun((state) => state.mesh?.volume);
-  if (!volume) return null;
-  const nodes = [...volume.tetrahedra.subarray(4 * tetrahedron, 4 * tetrahedron + 4)];
+  const mesh = useRun((state) => state.mesh);
+  const space = useQualitySpace();
+  if (!mesh) return null;
+  const nodes = [...mesh.volume.tetrahedra.subarray(4 * tetrahedron, 4 * tetrahedron + 4)];
   return (
     <>
       <SectionTitle>{strings.inspector.element(String(tetrahedron))}</SectionTitle>
       <Facts>
         <dt>{strings.inspector.elementNodes}</dt>
         <dd>{nodes.join(", ")}</dd>
-        <dt>{measureNames["radius-ratio"]}</dt>
-        <dd>{qualityOf(volume, "radius-ratio", tetrahedron).toFixed(3)}</dd>
-        <dt>{measureNames.dihedral}</dt>
-        <dd>{formatAngle(qualityOf(volume, "dihedral", tetrahedron))}</dd>
+        <dt>{measuredIn(measureNames["radius-ratio"], space)}</dt>
+        <dd>{qualityIn(mesh, space ?? "space", "radius-ratio", tetrahedron).toFixed(3)}</dd>
+        <dt>{measuredIn(measureNames.dihedral, space)}</dt>
+        <dd>{formatAngle(qualityIn(mesh, space ?? "space", "dihedral", tetrahedron))}</dd>
       </Facts>
     </>
   );

@@ -1,10 +1,10 @@
 import { ActionIcon, Progress, Tooltip, VisuallyHidden } from "@mantine/core";
 import { IconX } from "@tabler/icons-react";
-import type { Progress as RunProgressReport } from "tetrafront";
+import type { MeshReport, Progress as RunProgressReport } from "tetrafront";
 import type { RunState } from "../../session/run";
 import { formatAngle, formatCount, formatSeconds, formatShare } from "../../ui/format";
-import { phaseNames, strings } from "../../strings";
-import { useApp, useRun, useStale, useUnsaved } from "../shared/app-context";
+import { measuredIn, phaseNames, strings } from "../../strings";
+import { useApp, useQualitySpace, useRun, useStale, useUnsaved } from "../shared/app-context";
 import { useThrottled } from "../shared/use-throttled";
 import styles from "./status-bar.module.css";
 
@@ -119,7 +119,7 @@ function MeshNumbers() {
       {report && !progress && (
         <>
           <span className={styles["wide"]} data-testid="min-dihedral">
-            {strings.status.minDihedral(formatAngle(report.dihedral.min))}
+            <MinDihedral report={report} />
           </span>
           <span className={styles["wide"]} data-testid="seconds">
             {formatSeconds(report.seconds.total)}
@@ -131,4 +131,10 @@ function MeshNumbers() {
       </span>
     </div>
   );
+}
+
+function MinDihedral({ report }: { readonly report: MeshReport }) {
+  const space = useQualitySpace();
+  const { min } = space === "metric" ? report.quality.shapes.dihedral : report.dihedral;
+  return measuredIn(strings.status.minDihedral(formatAngle(min)), space);
 }

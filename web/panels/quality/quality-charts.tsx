@@ -3,7 +3,7 @@ import { bestValue, scalePosition, worstShown } from "../../document/mesh-qualit
 import {
   countsOf,
   nearTarget,
-  rangeOfCounts,
+  shapesOf,
   shareBetween,
   targetAngles,
   type CountedMeasure,
@@ -65,19 +65,9 @@ const colorWithin =
   (value: number): string =>
     value >= from && value <= to ? "var(--tf-chart)" : "var(--tf-chart-off)";
 
-/** Returns the range that the bars cover: the report has no exact extremes for a region or in the metric. */
-function rangeFacts(
-  quality: QualityReport,
-  choice: RegionChoice,
-  measure: CountedMeasure,
-  valueText: (value: number) => string,
-): Facts {
-  const range = rangeOfCounts(countsOf(quality, choice, measure), quality.binWidths[measure]);
-  return range ? [[texts.extent, texts.range(valueText(range.from), valueText(range.to))]] : [];
-}
-
 /** Histogram of all dihedral angles. */
-export function AngleChart({ statistics: { quality, extremes }, choice }: QualityChartProps) {
+export function AngleChart({ statistics: { quality }, choice }: QualityChartProps) {
+  const { min, max } = shapesOf(quality, choice).dihedral;
   return (
     <Chart
       title={texts.dihedral}
@@ -88,20 +78,17 @@ export function AngleChart({ statistics: { quality, extremes }, choice }: Qualit
       colorOf={colorWithin(targetAngles)}
       valueText={formatAngle}
       noun={texts.angles}
-      facts={
-        extremes && choice === null
-          ? [
-              [strings.quality.min, formatAngle(extremes.dihedral.min)],
-              [texts.max, formatAngle(extremes.dihedral.max)],
-            ]
-          : rangeFacts(quality, choice, "dihedral", (value) => `${Math.round(value)}°`)
-      }
+      facts={[
+        [strings.quality.min, formatAngle(min)],
+        [texts.max, formatAngle(max)],
+      ]}
     />
   );
 }
 
 /** Histogram of the radius ratios of the elements. */
-export function RatioChart({ statistics: { quality, extremes }, choice }: QualityChartProps) {
+export function RatioChart({ statistics: { quality }, choice }: QualityChartProps) {
+  const { min, mean } = shapesOf(quality, choice).radiusRatio;
   const valueText = (value: number): string => value.toFixed(2);
   return (
     <Chart
@@ -115,14 +102,10 @@ export function RatioChart({ statistics: { quality, extremes }, choice }: Qualit
       }
       valueText={valueText}
       noun={texts.tetrahedra}
-      facts={
-        extremes && choice === null
-          ? [
-              [strings.quality.min, extremes.radiusRatio.min.toFixed(3)],
-              [strings.quality.mean, extremes.radiusRatio.mean.toFixed(3)],
-            ]
-          : rangeFacts(quality, choice, "radiusRatio", valueText)
-      }
+      facts={[
+        [strings.quality.min, min.toFixed(3)],
+        [strings.quality.mean, mean.toFixed(3)],
+      ]}
     />
   );
 }

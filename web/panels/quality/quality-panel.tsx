@@ -4,9 +4,9 @@ import { bestValue, scalePosition, type QualityMeasure } from "../../document/me
 import { SectionTitle } from "../../ui/frames/section-title";
 import { formatAngle, formatCount, formatSeconds, formatShort } from "../../ui/format";
 import { HistogramChart } from "../../ui/histogram-chart";
-import { measureNames, strings } from "../../strings";
+import { measuredIn, measureNames, strings } from "../../strings";
 import { viridisAt } from "../../ui/theme/viridis";
-import { useApp, useRun, useStale, useView } from "../shared/app-context";
+import { useApp, useQualitySpace, useRun, useStale, useView } from "../shared/app-context";
 import { useHistogram } from "./use-histogram";
 import { Facts } from "../../ui/facts";
 import styles from "./quality-panel.module.css";
@@ -19,7 +19,7 @@ function valueText(measure: QualityMeasure, value: number): string {
   return measure === "dihedral" ? formatAngle(value) : value.toFixed(3);
 }
 
-/** Statistics of the mesh on show and a histogram of the quality measure, measured in space. */
+/** Statistics of the mesh on show and a histogram of the quality measure. */
 export function QualityPanel() {
   const app = useApp();
   const mesh = useRun((state) => state.mesh);
@@ -63,12 +63,13 @@ export function QualityPanel() {
 function MeasureHistogram({ mesh }: { readonly mesh: MeshResult }) {
   const shading = useView((state) => state.shading);
   const measure = shading === "dihedral" ? "dihedral" : "radius-ratio";
-  const histogram = useHistogram(mesh, measure, barCount);
+  const space = useQualitySpace();
+  const histogram = useHistogram(mesh, measure, space ?? "space", barCount);
   const { unmeasured } = strings.quality;
   return (
     <>
       <Text size="sm" c="dimmed" mb={4}>
-        {measureNames[measure]}
+        {measuredIn(measureNames[measure], space)}
       </Text>
       <HistogramChart
         bars={histogram?.bars ?? null}
@@ -98,7 +99,8 @@ interface ReportFactsProps {
 function ReportFacts({ report, measured }: ReportFactsProps) {
   const texts = strings.quality;
   const ifMeasured = (text: string): string => (measured ? text : texts.unmeasured);
-  const { min, max } = report.dihedral;
+  const space = useQualitySpace();
+  const { min, max } = space === "metric" ? report.quality.shapes.dihedral : report.dihedral;
   return (
     <Facts>
       <dt>{texts.tetrahedra}</dt>
@@ -107,7 +109,7 @@ function ReportFacts({ report, measured }: ReportFactsProps) {
       <dd>{ifMeasured(formatCount(report.nodes))}</dd>
       <dt>{texts.triangles}</dt>
       <dd>{formatCount(report.triangles)}</dd>
-      <dt>{texts.dihedral}</dt>
+      <dt>{measuredIn(texts.dihedral, space)}</dt>
       <dd>{ifMeasured(`${formatAngle(min)} – ${formatAngle(max)}`)}</dd>
       <dt>{texts.volume}</dt>
       <dd>{ifMeasured(formatShort(report.volume))}</dd>

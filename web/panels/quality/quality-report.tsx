@@ -1,23 +1,19 @@
 import { SegmentedControl, Text } from "@mantine/core";
 import { useState } from "react";
 import type { MeshResult, QualityReport as Quality } from "tetrafront";
+import type { QualitySpace } from "../../document/mesh-quality";
 import type { RegionChoice } from "../../document/quality-counts";
 import { Facts } from "../../ui/facts";
 import { formatCount, formatShort } from "../../ui/format";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { strings } from "../../strings";
-import { useRun, useStale } from "../shared/app-context";
+import { useApp, useQualitySpace, useRun, useStale } from "../shared/app-context";
 import { ElementButton, ElementTable } from "./element-table";
 import { AngleChart, EdgeChart, RatioChart } from "./quality-charts";
 import { RecoverySection } from "./recovery-section";
 import { RegionSelect } from "./region-select";
-import {
-  useIsStretched,
-  useQualityStatistics,
-  type QualitySpace,
-  type QualityStatistics,
-} from "./use-quality-statistics";
+import { useQualityStatistics, type QualityStatistics } from "./use-quality-statistics";
 import { Verdict } from "./verdict";
 
 const texts = strings.report;
@@ -42,12 +38,11 @@ export function QualityReport() {
 }
 
 function Measurements({ mesh }: { readonly mesh: MeshResult }) {
-  const isStretched = useIsStretched();
-  const [space, setSpace] = useState<QualitySpace>("metric");
-  const statistics = useQualityStatistics(mesh, isStretched, space);
+  const space = useQualitySpace();
+  const statistics = useQualityStatistics(mesh, space);
   return (
     <>
-      {isStretched && <SpaceSwitch space={space} onChange={setSpace} />}
+      {space && <SpaceSwitch space={space} />}
       {statistics ? (
         <Statistics statistics={statistics} />
       ) : (
@@ -62,13 +57,9 @@ function Measurements({ mesh }: { readonly mesh: MeshResult }) {
 
 const spaces: readonly QualitySpace[] = ["metric", "space"];
 
-interface SpaceSwitchProps {
-  readonly space: QualitySpace;
-  readonly onChange: (space: QualitySpace) => void;
-}
-
-/** Chooses where all statistics of the panel are measured. */
-function SpaceSwitch({ space, onChange }: SpaceSwitchProps) {
+/** Chooses where quality is measured, everywhere on the page. */
+function SpaceSwitch({ space }: { readonly space: QualitySpace }) {
+  const app = useApp();
   return (
     <>
       <SegmentedControl<QualitySpace>
@@ -79,7 +70,7 @@ function SpaceSwitch({ space, onChange }: SpaceSwitchProps) {
         data-testid="quality-space"
         data={spaces.map((value) => ({ value, label: texts.spaces[value] }))}
         value={space}
-        onChange={onChange}
+        onChange={(qualitySpace) => app.view.state.setState({ qualitySpace })}
       />
       <Text size="xs" c="dimmed" mt={4}>
         {texts.spaceHints[space]}

@@ -1,11 +1,12 @@
 import { useEffect, useState } from "react";
 import type { MeshResult } from "tetrafront";
-import type { Histogram, QualityMeasure } from "../../document/mesh-quality";
+import type { Histogram, QualityMeasure, QualitySpace } from "../../document/mesh-quality";
 import { useApp } from "../shared/app-context";
 
 interface Known {
   readonly mesh: MeshResult;
   readonly measure: QualityMeasure;
+  readonly space: QualitySpace;
   readonly histogram: Histogram;
 }
 
@@ -13,6 +14,7 @@ interface Known {
 export function useHistogram(
   mesh: MeshResult | null,
   measure: QualityMeasure,
+  space: QualitySpace,
   barCount: number,
 ): Histogram | null {
   const { meshQueries } = useApp();
@@ -20,12 +22,13 @@ export function useHistogram(
   useEffect(() => {
     if (!mesh) return undefined;
     let isCurrent = true;
-    meshQueries.histogram(mesh.volume, measure, barCount).then(
-      (histogram) => isCurrent && setKnown({ mesh, measure, histogram }),
+    meshQueries.histogram(mesh, measure, space, barCount).then(
+      (histogram) => isCurrent && setKnown({ mesh, measure, space, histogram }),
       // The view shows the failure; the statistics of the report remain.
       () => undefined,
     );
     return () => void (isCurrent = false);
-  }, [meshQueries, mesh, measure, barCount]);
-  return known && known.mesh === mesh && known.measure === measure ? known.histogram : null;
+  }, [meshQueries, mesh, measure, space, barCount]);
+  const isKnown = known?.mesh === mesh && known.measure === measure && known.space === space;
+  return isKnown ? known.histogram : null;
 }

@@ -5,6 +5,7 @@ import type { App } from "../../app/app";
 import { hasUnsavedChanges, type DocumentState } from "../../session/document-store";
 import type { ProblemState } from "../../session/problems";
 import { isStale, type RunState } from "../../session/run";
+import type { QualitySpace } from "../../document/mesh-quality";
 import type { ViewState } from "../../document/selection";
 import type { ShellState } from "../../session/shell";
 import type { Project, RegionQuality } from "tetrafront";
@@ -31,6 +32,13 @@ export function useUnsaved(): boolean {
 
 export function useView<T>(select: (state: ViewState) => T): T {
   return useStore(useApp().view.state, select);
+}
+
+/** Returns where the quality of the mesh on show is measured; null if it is not stretched, so that there is no choice. */
+export function useQualitySpace(): QualitySpace | null {
+  const isStretched = useRun((state) => state.mesh?.metricShapes !== undefined);
+  const space = useView((state) => state.qualitySpace);
+  return isStretched ? space : null;
 }
 
 export function useRun<T>(select: (state: RunState) => T): T {

@@ -1,7 +1,8 @@
 import { bestValue, worstShown, type QualityMeasure } from "../../document/mesh-quality";
-import { measureNames, strings } from "../../strings";
+import { measuredIn, measureNames, spaceNames, strings } from "../../strings";
+import type { RunState } from "../../session/run";
 import { viridis } from "../../ui/theme/viridis";
-import { useRegions, useRun, useView } from "../shared/app-context";
+import { useQualitySpace, useRegions, useRun, useView } from "../shared/app-context";
 import styles from "./legend.module.css";
 import { RegionList } from "../shared/region-list";
 
@@ -9,9 +10,14 @@ import { RegionList } from "../shared/region-list";
 export function Legend() {
   const shading = useView((state) => state.shading);
   const visible = useView((state) => state.layers.mesh);
-  const hasMesh = useRun((state) => (state.mesh?.report.tetrahedra ?? 0) > 0);
+  const hasMesh = useRun(showsMesh);
   if (shading === "plain" || !visible || !hasMesh) return null;
   return shading === "region" ? <RegionLegend /> : <ScaleLegend measure={shading} />;
+}
+
+/** Does the view show tetrahedra? While the front advances, it takes the place of the mesh. */
+function showsMesh({ front, unoptimized, mesh }: RunState): boolean {
+  return unoptimized !== null || (front === null && (mesh?.report.tetrahedra ?? 0) > 0);
 }
 
 /** The colour and size of each region; nothing if there is only one. */
@@ -36,8 +42,16 @@ const ticks = [1, 0.75, 0.5, 0.25, 0];
 /** The colour scale of a measure. */
 function ScaleLegend({ measure }: { readonly measure: QualityMeasure }) {
   const worst = worstShown[measure];
+  const isUnoptimized = useRun((state) => state.unoptimized !== null);
+  const space = useQualitySpace();
+  const name = measuredIn(measureNames[measure], isUnoptimized ? null : space);
+  const kind = isUnoptimized ? strings.viewport.unoptimized : space && spaceNames[space];
   return (
-    <figure className={styles["legend"]} aria-label={`${strings.viewport.legend}: ${measureNames[measure]}`}>
+    <figure
+      className={styles["legend"]}
+      aria-label={`${strings.viewport.legend}: ${name}`}
+      data-testid="legend"
+    >
       <div
         className={styles["bar"]}
         style={{ background: `linear-gradient(to top, ${viridis.join(", ")})` }}
@@ -50,7 +64,15 @@ function ScaleLegend({ measure }: { readonly measure: QualityMeasure }) {
           );
         })}
       </div>
-      <figcaption>{measureNames[measure].toLowerCase()}</figcaption>
+      <figcaption>
+        {measureNames[measure].toLowerCase()}
+        {kind !== null && (
+          <>
+            <br />
+            {kind}
+          </>
+        )}
+      </figcaption>
     </figure>
   );
 }

@@ -4,7 +4,14 @@ import { strings } from "../../strings";
 import { navigate } from "../../tools/navigation-keys";
 import type { Hover } from "../../tools/select-tool";
 import type { Viewer } from "../../viewer/viewer";
-import { useAutosavePending, useProject, useRun, useStale, useView } from "../shared/app-context";
+import {
+  useAutosavePending,
+  useProject,
+  useQualitySpace,
+  useRun,
+  useStale,
+  useView,
+} from "../shared/app-context";
 import { HoverLabel } from "./hover-label";
 import { Legend } from "./legend";
 import { PatchRoleLabels } from "./patch-role-labels";
@@ -47,12 +54,13 @@ interface ViewCanvasProps {
 function ViewCanvas({ canvas, viewer }: ViewCanvasProps) {
   const project = useProject();
   const mesh = useRun((state) => state.mesh);
+  const space = useQualitySpace();
   const cut = useView((state) => state.cut.enabled);
   const stale = useStale();
   const summary = [
     strings.viewport.label,
     ": ",
-    describeMesh(project, mesh),
+    describeMesh(project, mesh, space),
     cut ? strings.viewport.summaryCut : "",
     stale ? strings.viewport.summaryStale : "",
     ` ${strings.viewport.keys}`,

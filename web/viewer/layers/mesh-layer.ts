@@ -1,5 +1,6 @@
-import type { MeshResult, VolumeMesh } from "tetrafront";
+import type { MeshResult } from "tetrafront";
 import { BufferAttribute, BufferGeometry, FrontSide, Mesh, type DataTexture, type Ray } from "three";
+import type { QualitySpace } from "../../document/mesh-quality";
 import type { Cut, Shading } from "../../document/selection";
 import { createMeshMaterial } from "../materials/mesh-material";
 import { paletteTexture, rampTexture } from "../materials/textures";
@@ -25,14 +26,22 @@ export interface MeshLayerEvents {
   readonly onFailure: (reason: string) => void;
 }
 
+/** The result of a run, or a mesh that a run is optimizing. */
+type ShownMesh = Pick<MeshResult, "surface" | "volume" | "metricShapes">;
+
 /** Which faces to draw. Compared by identity. */
 interface FaceRequest {
-  readonly volume: VolumeMesh | null;
+  readonly mesh: ShownMesh | null;
   readonly origin: Position;
   readonly cut: Cut | null;
   readonly hiddenRegions: ReadonlySet<number>;
   readonly shading: Shading;
+  readonly qualitySpace: QualitySpace;
 }
+
+const requestParts = ["mesh", "origin", "cut", "hiddenRegions", "shading", "qualitySpace"] as const;
+/** Parts of the scene that a request depends on. */
+const sceneParts = [...requestParts, "unoptimized"] as const;
 
 /** The faces drawn, and the request that they answer. */
 interface DrawnMesh {
@@ -54,16 +63,18 @@ export class MeshLayer implements HittableLayer {
   #ramp: DataTexture | null = null;
   #palette: DataTexture | null = null;
   #request: FaceRequest = {
-    volume: null,
+    mesh: null,
     origin: [0, 0, 0],
     cut: null,
     hiddenRegions: new Set(),
     shading: "radius-ratio",
+    qualitySpace: "metric",
   };
   #drawn: DrawnMesh = { request: this.#request, faces: null, tree: null };
   #isQuerying = false;
   #isShown = true;
-  #result: MeshResult | null = null;
+  /** Does the page know the elements that are drawn? */
+  #hasElements = true;
   #patchFinder: PatchFinder | null = null;
   #patches: SceneState["project"]["patches"] = [];
 
@@ -79,14 +90,13 @@ export class MeshLayer implements HittableLayer {
     this.#patches = state.project.patches;
     if (changes.has("colors")) this.#setColors(state.colors);
     setNumber(this.#material, "edges", state.edges ? 1 : 0);
-    setNumber(this.#material, "fading", state.isMeshStale ? staleFading : 0);
-    if (changes.has("mesh")) {
-      this.#result = state.mesh;
-      this.#patchFinder = null;
-    }
-    if (changes.has("mesh", "origin", "cut", "hiddenRegions", "shading")) this.#require(state);
+    const isStale = state.isMeshStale && !state.unoptimized;
+    setNumber(this.#material, "fading", isStale ? staleFading : 0);
+    if (changes.has("mesh", "unoptimized")) this.#patchFinder = null;
+    this.#hasElements = state.unoptimized === null;
+    if (changes.has(...sceneParts)) this.#require(state);
     // A new mesh is queried right away, so that its picture precedes the queries for its statistics.
-    if (changes.has("mesh", "origin")) this.queryFaces();
+    if (changes.has("mesh", "unoptimized", "origin")) this.queryFaces();
     this.#setVisibility();
   }
 
@@ -107,11 +117,12 @@ export class MeshLayer implements HittableLayer {
 
   hit(ray: Ray, screen: Screen): Hit | null {
     const { request, tree } = this.#drawn;
-    const isOfMesh = request.volume === this.#request.volume && request.origin === this.#request.origin;
+    const isOfMesh = request.mesh === this.#request.mesh && request.origin === this.#request.origin;
     const hit = this.#isShown && isOfMesh ? tree?.firstHit(ray, FrontSide) : null;
-    if (!hit || hit.distance > screen.maxDepth) return null;
+    const target = hit && hit.distance <= screen.maxDepth ? this.#targetOf(hit) : null;
+    if (!hit || !target) return null;
     return {
-      target: this.#targetOf(hit),
+      target,
       position: addOrigin(hit.point, request.origin),
       depth: hit.distance,
     };
@@ -135,18 +146,27 @@ export class MeshLayer implements HittableLayer {
     setColor(this.#material, "fadedColor", colors.faded);
   }
 
-  #require({ mesh, origin, cut, hiddenRegions, shading }: SceneState): void {
+  #require({
+    unoptimized,
+    mesh: result,
+    origin,
+    cut,
+    hiddenRegions,
+    shading,
+    qualitySpace,
+  }: SceneState): void {
+    const mesh: ShownMesh | null = unoptimized ?? result;
     const request = {
-      volume: mesh?.volume ?? null,
+      mesh,
       origin,
       cut: cut.enabled ? cut : null,
       hiddenRegions,
       shading,
-    };
-    const keys = ["volume", "origin", "cut", "hiddenRegions", "shading"] as const;
-    if (keys.every((key) => request[key] === this.#request[key])) return;
+      qualitySpace: mesh?.metricShapes ? qualitySpace : "space",
+    } as const;
+    if (requestParts.every((part) => request[part] === this.#request[part])) return;
     this.#request = request;
-    if (request.volume === null) {
+    if (mesh === null) {
       this.#queries.release();
       this.#show(request, null);
     }
@@ -161,10 +181,10 @@ export class MeshLayer implements HittableLayer {
     try {
       while (!this.isCurrent) {
         request = this.#request;
-        const { volume, ...options } = request;
-        if (!volume) break;
-        const faces = await this.#queries.facesOf(volume, options);
-        if (volume === this.#request.volume) this.#show(request, faces);
+        const { mesh, ...options } = request;
+        if (!mesh) break;
+        const faces = await this.#queries.facesOf(mesh, options);
+        if (mesh === this.#request.mesh) this.#show(request, faces);
       }
     } catch (failure) {
       // The next frame queries what has been required since.
@@ -208,19 +228,24 @@ export class MeshLayer implements HittableLayer {
     this.root.position.set(origin[0] - x, origin[1] - y, origin[2] - z);
   }
 
-  /** A face of the boundary stands for its patch, a face of the cut for its tetrahedron. */
-  #targetOf({ triangle }: TriangleHit): Target {
+  /**
+   * A face of the boundary stands for its patch, a face of the cut for its tetrahedron. A tetrahedron of a mesh that is
+   * being optimized is no target: another mesh will replace it.
+   */
+  #targetOf({ triangle }: TriangleHit): Target | null {
     const { faces } = this.#drawn;
     const face = faces?.faces[triangle] ?? 0;
     const patch = faces?.onBoundary[triangle] === 1 ? this.#patchOf(face) : null;
     const record = patch === null ? undefined : this.#patches[patch];
-    return record ? { kind: "patch", id: record.id } : { kind: "element", index: face >> 2 };
+    if (record) return { kind: "patch", id: record.id };
+    return this.#hasElements ? { kind: "element", index: face >> 2 } : null;
   }
 
   #patchOf(face: number): number | null {
-    if (!this.#result) return null;
-    this.#patchFinder ??= new PatchFinder(this.#result.surface);
-    const { tetrahedra } = this.#result.volume;
+    const { mesh } = this.#drawn.request;
+    if (!mesh) return null;
+    this.#patchFinder ??= new PatchFinder(mesh.surface);
+    const { tetrahedra } = mesh.volume;
     const local = 3 * (face & 3);
     return this.#patchFinder.patchOf(
       [0, 1, 2].map((k) => tetrahedra[(face & ~3) + (faceNodes[local + k] ?? 0)] ?? 0),

@@ -73,7 +73,7 @@ export class PatchesLayer implements HittableLayer {
     }
     if (changes.has("layers", "mesh", "front")) {
       // A closed front has no faces: then nothing is drawn but the patches.
-      const hasMesh = (state.front ?? state.mesh?.volume.tetrahedra ?? []).length > 0;
+      const hasMesh = (state.front ?? (state.unoptimized ?? state.mesh)?.volume.tetrahedra ?? []).length > 0;
       const opacity = state.layers.mesh && hasMesh ? opacityOverMesh : opacityAlone;
       for (const drawn of ["normal", "hover", "selected", "defective"] as const) {
         setStateScale(this.#plain, drawn, opacity);

@@ -1,11 +1,14 @@
 import {
   histogramOf,
+  metricValues,
   scalePosition,
   qualitiesOf,
-  qualityOf,
+  qualityIn,
   type Elements,
   type Histogram,
+  type MeasuredMesh,
   type QualityMeasure,
+  type QualitySpace,
 } from "../../document/mesh-quality";
 import type { VolumeMesh } from "tetrafront";
 import type { Cut, CutAxis, Shading } from "../../document/selection";
@@ -21,7 +24,9 @@ import {
 } from "./visible-faces";
 
 /** The arrays of a mesh that the queries use. */
-export type QueriedMesh = Elements & Pick<VolumeMesh, "regions">;
+export interface QueriedMesh extends MeasuredMesh {
+  readonly volume: Elements & Pick<VolumeMesh, "regions">;
+}
 
 /** Which faces of a mesh are drawn, and how. */
 export interface ViewOptions {
@@ -31,6 +36,8 @@ export interface ViewOptions {
   readonly cut: Omit<Cut, "enabled"> | null;
   readonly hiddenRegions: ReadonlySet<number>;
   readonly shading: Shading;
+  /** Where the quality is measured by which the mesh is shaded. */
+  readonly qualitySpace: QualitySpace;
 }
 
 /** The triangles of a mesh to draw, in flat arrays. */
@@ -53,7 +60,8 @@ export interface DrawnFaces {
  * million tetrahedra, so this class is used in a worker.
  */
 export class MeshQueries {
-  readonly #mesh: QueriedMesh;
+  readonly #mesh: QueriedMesh["volume"];
+  readonly #measured: MeasuredMesh;
   #neighbours: Int32Array | null = null;
   /** Scratch space with an entry per face 4t + f, because every face may become visible. */
   #faces = new Uint32Array();
@@ -64,11 +72,12 @@ export class MeshQueries {
   readonly #qualities = new Map<QualityMeasure, Float32Array>();
 
   constructor(mesh: QueriedMesh) {
-    this.#mesh = mesh;
-    this.#hidden = new Uint8Array(mesh.tetrahedra.length / 4);
+    this.#mesh = mesh.volume;
+    this.#measured = mesh;
+    this.#hidden = new Uint8Array(mesh.volume.tetrahedra.length / 4);
   }
 
-  facesOf({ origin, cut, hiddenRegions, shading }: ViewOptions): DrawnFaces {
+  facesOf({ origin, cut, hiddenRegions, shading, qualitySpace }: ViewOptions): DrawnFaces {
     const neighbours = this.#cachedNeighbours();
     this.#hidden.fill(0);
     if (cut) hideBeyond(this.#centroidsAlong(cut.axis), this.#limit(cut), cut.flipped, this.#hidden);
@@ -78,11 +87,11 @@ export class MeshQueries {
     const corners = new Float32Array(9 * count);
     writeCorners(this.#mesh, faces, count, origin, corners);
     const onBoundary = Uint8Array.from(faces, (face) => Number(this.#endsRegion(face, neighbours)));
-    return { faces, onBoundary, corners, values: this.#valuesOf(faces, shading) };
+    return { faces, onBoundary, corners, values: this.#valuesOf(faces, shading, qualitySpace) };
   }
 
-  histogram(measure: QualityMeasure, barCount: number): Histogram {
-    return histogramOf(this.#qualitiesBy(measure), measure, barCount);
+  histogram(measure: QualityMeasure, space: QualitySpace, barCount: number): Histogram {
+    return histogramOf(this.#qualitiesBy(measure, space), measure, barCount);
   }
 
   #cachedNeighbours(): Int32Array {
@@ -108,25 +117,28 @@ export class MeshQueries {
     return low + position * (high - low);
   }
 
-  #qualitiesBy(measure: QualityMeasure): Float32Array {
+  #qualitiesBy(measure: QualityMeasure, space: QualitySpace): Float32Array {
+    const { metricShapes } = this.#measured;
+    if (space === "metric" && metricShapes) return metricValues(metricShapes, measure);
     return cached(this.#qualities, measure, () => qualitiesOf(this.#mesh, measure));
   }
 
-  #valuesOf(faces: Uint32Array, shading: Shading): Float32Array<ArrayBuffer> {
+  #valuesOf(faces: Uint32Array, shading: Shading, space: QualitySpace): Float32Array<ArrayBuffer> {
     if (shading === "plain") return new Float32Array();
-    const valueOf = this.#valueBy(shading);
+    const valueOf = shading === "region" ? this.#regionOf : this.#qualityBy(shading, space);
     const values = new Float32Array(3 * faces.length);
     for (let i = 0; i < faces.length; ++i) values.fill(valueOf((faces[i] ?? 0) >> 2), 3 * i, 3 * i + 3);
     return values;
   }
 
-  #valueBy(shading: QualityMeasure | "region"): (tetrahedron: number) => number {
-    const { regions } = this.#mesh;
-    if (shading === "region") return (tetrahedron) => regions[tetrahedron] ?? 0;
+  readonly #regionOf = (tetrahedron: number): number => this.#mesh.regions[tetrahedron] ?? 0;
+
+  #qualityBy(measure: QualityMeasure, space: QualitySpace): (tetrahedron: number) => number {
+    const measured = this.#measured;
     // Computing the quality of all elements would delay the picture; compute it for the drawn ones.
-    const known = this.#qualities.get(shading);
+    const known = space === "space" || !measured.metricShapes ? this.#qualities.get(measure) : undefined;
     return (tetrahedron) =>
-      scalePosition(known?.[tetrahedron] ?? qualityOf(this.#mesh, shading, tetrahedron), shading);
+      scalePosition(known?.[tetrahedron] ?? qualityIn(measured, space, measure, tetrahedron), measure);
   }
 }
 

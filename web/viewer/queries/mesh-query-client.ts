@@ -1,4 +1,4 @@
-import type { Histogram, QualityMeasure } from "../../document/mesh-quality";
+import type { Histogram, QualityMeasure, QualitySpace } from "../../document/mesh-quality";
 import { copyForTransfer } from "../../workers/transfer";
 import { WorkerClient } from "../../workers/worker-client";
 import type { DrawnFaces, QueriedMesh, ViewOptions } from "./mesh-queries";
@@ -32,8 +32,13 @@ export class MeshQueryClient {
   }
 
   /** Returns the distribution of a quality measure over the elements. */
-  histogram(mesh: QueriedMesh, measure: QualityMeasure, barCount: number): Promise<Histogram> {
-    return this.#query(mesh, () => this.#worker.call("histogram", { measure, barCount }));
+  histogram(
+    mesh: QueriedMesh,
+    measure: QualityMeasure,
+    space: QualitySpace,
+    barCount: number,
+  ): Promise<Histogram> {
+    return this.#query(mesh, () => this.#worker.call("histogram", { measure, space, barCount }));
   }
 
   /** Builds a tree for hit tests over any triangles, x y z of three corners each. Takes over the array. */
@@ -58,8 +63,11 @@ export class MeshQueryClient {
   }
 
   #send(mesh: QueriedMesh): void {
-    const { points, tetrahedra, regions } = mesh;
-    const { copy, buffers } = copyForTransfer({ points, tetrahedra, regions });
+    const { points, tetrahedra, regions } = mesh.volume;
+    const volume = copyForTransfer({ points, tetrahedra, regions });
+    const shapes = mesh.metricShapes && copyForTransfer(mesh.metricShapes);
+    const copy = { volume: volume.copy, metricShapes: shapes?.copy };
+    const buffers = [...volume.buffers, ...(shapes?.buffers ?? [])];
     // If this call fails, the query after it fails too.
     this.#worker.call("setMesh", copy, buffers).catch(() => undefined);
     this.#sentMesh = mesh;

@@ -1,4 +1,4 @@
-import type { Histogram, QualityMeasure } from "../../document/mesh-quality";
+import type { Histogram, QualityMeasure, QualitySpace } from "../../document/mesh-quality";
 import type { DrawnFaces, QueriedMesh, ViewOptions } from "./mesh-queries";
 import type { SerializedTree } from "../triangle-tree";
 
@@ -8,7 +8,11 @@ export interface MeshQueryProtocol {
   readonly setMesh: { readonly argument: QueriedMesh | null; readonly answer: null };
   readonly faces: { readonly argument: ViewOptions; readonly answer: DrawnFaces };
   readonly histogram: {
-    readonly argument: { readonly measure: QualityMeasure; readonly barCount: number };
+    readonly argument: {
+      readonly measure: QualityMeasure;
+      readonly space: QualitySpace;
+      readonly barCount: number;
+    };
     readonly answer: Histogram;
   };
   /** For hit tests: x y z of three corners per triangle, of the mesh or of anything else. */

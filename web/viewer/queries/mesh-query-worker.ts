@@ -3,7 +3,9 @@ import { serveCalls } from "../../workers/serve-calls";
 import { MeshQueries } from "./mesh-queries";
 import type { MeshQueryProtocol } from "./mesh-query-protocol";
 
-const noMesh = { points: new Float64Array(), tetrahedra: new Uint32Array(), regions: new Uint32Array() };
+const noMesh = {
+  volume: { points: new Float64Array(), tetrahedra: new Uint32Array(), regions: new Uint32Array() },
+};
 let queries = new MeshQueries(noMesh);
 
 serveCalls<MeshQueryProtocol>({
@@ -22,5 +24,5 @@ serveCalls<MeshQueryProtocol>({
     const answer = buildTree(corners);
     return { answer, transfer: answer.roots };
   },
-  histogram: ({ measure, barCount }) => ({ answer: queries.histogram(measure, barCount) }),
+  histogram: ({ measure, space, barCount }) => ({ answer: queries.histogram(measure, space, barCount) }),
 });
