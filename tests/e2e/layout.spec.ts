@@ -10,9 +10,20 @@ test("on a phone the panels are drawers, and everything needed can be reached", 
   const overflow = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
   expect(overflow).toBeLessThanOrEqual(0);
 
+  const whole = await app.viewport.boundingBox();
   await page.getByTestId("drawer-left").click();
+  const drawer = page.getByRole("dialog", { name: "Model" });
+  await expect(drawer).toBeVisible();
+  // The drawer does not cover the view, which keeps its middle on the model.
+  await expect
+    .poll(async () => {
+      const [view, cover] = [await app.viewport.boundingBox(), await drawer.boundingBox()];
+      return view && cover && view.height > 200 && view.y + view.height <= cover.y + 1;
+    })
+    .toBe(true);
   await app.select("patch-1");
   await page.keyboard.press("Escape");
+  await expect.poll(() => app.viewport.boundingBox()).toEqual(whole);
   await page.getByTestId("drawer-right").click();
   await expect(page.getByTestId("entity-name")).toHaveValue("inlet");
   await page.getByRole("button", { name: "Close" }).click();

@@ -50,6 +50,11 @@ export function recordsOf<K extends DrawnKind>(project: Project, kind: K): reado
   return lists[kind];
 }
 
+/** Does the project have no entities? */
+export function isEmptyProject(project: Project): boolean {
+  return drawnKinds.every((kind) => recordsOf(project, kind).length === 0);
+}
+
 /** Returns the record of an entity, or undefined if the project has none. O(length of the list). */
 export function findRecord<K extends DrawnKind>(
   project: Project,

@@ -164,3 +164,9 @@ export function isUntouched(state: DocumentState): boolean {
   const { past, future } = state.history;
   return past.length === 0 && future.length === 0 && !hasUnsavedChanges(state);
 }
+
+/** Returns whether a file has the project; an example or a new project that was not changed needs none. */
+export function savedState(state: DocumentState): "saved" | "unsaved" | "unchanged" {
+  if (hasUnsavedChanges(state)) return "unsaved";
+  return state.file === null && isUntouched(state) ? "unchanged" : "saved";
+}

@@ -3,6 +3,7 @@ import type { PreviewFeed } from "./preview";
 import type { MeshRun } from "./run";
 import { meshKey } from "../document/content-keys";
 import { settledProject, type DocumentStore } from "./document-store";
+import { isEmptyProject } from "../document/entities";
 import { problemsByEntity, toProblems, type Problem } from "../document/validate";
 
 export interface ProblemState {
@@ -26,7 +27,8 @@ export class ProblemList {
       const current = previewed === project;
       if (!current && previewed !== null && previews.busy) return;
       const problems = toProblems(project, [
-        ...(current ? (preview?.diagnostics ?? []) : []),
+        // An empty project lacks everything; only a run reports that.
+        ...(current && !isEmptyProject(project) ? (preview?.diagnostics ?? []) : []),
         // A run finds more than the check does.
         ...(outcome?.key === meshKey(project) ? outcome.result.report.diagnostics : []),
       ]);

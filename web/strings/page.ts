@@ -55,6 +55,7 @@ export const pageStrings = {
     ready: "Ready",
     saved: "saved",
     unsaved: "unsaved changes",
+    unchanged: "no changes",
     nodes: (count: string) => `${count} nodes`,
     tetrahedra: (count: string) => `${count} tetrahedra`,
     minDihedral: (angle: string) => `min dihedral ${angle}`,

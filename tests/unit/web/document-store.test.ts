@@ -5,6 +5,7 @@ import {
   hasUnsavedChanges,
   isUntouched,
   newDocument,
+  savedState,
   settledProject,
   type ProjectFile,
 } from "../../../web/session/document-store";
@@ -168,5 +169,17 @@ describe("the identity of a document", () => {
     documents.edit(moveTo(3));
     documents.undo();
     expect(isUntouched(stateOf(documents))).toBe(false);
+  });
+});
+
+describe("the state of saving", () => {
+  it("distinguishes a document that was never changed from a saved one", () => {
+    const { documents } = opened();
+    const state = () => savedState(documents.state.getState());
+    expect(state()).toBe("unchanged");
+    documents.edit(moveTo(7));
+    expect(state()).toBe("unsaved");
+    documents.markSaved(documents.state.getState().id, documents.project, null);
+    expect(state()).toBe("saved");
   });
 });

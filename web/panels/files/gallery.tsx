@@ -62,7 +62,7 @@ function GalleryCard({ model, current }: GalleryCardProps) {
           </Badge>
         )}
       </span>
-      <Text size="sm" c="dimmed" component="span">
+      <Text size="sm" c="dimmed" component="span" className={styles["blurb"]}>
         {model.blurb}
       </Text>
     </UnstyledButton>

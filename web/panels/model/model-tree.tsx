@@ -2,7 +2,7 @@ import { CloseButton, Text, TextInput } from "@mantine/core";
 import { IconSearch } from "@tabler/icons-react";
 import { useMemo, useRef, useState } from "react";
 import type { DrawnKind } from "../../document/entities";
-import { drawnKinds, recordsOf } from "../../document/entities";
+import { isEmptyProject } from "../../document/entities";
 import panel from "../../ui/frames/panel.module.css";
 import { strings } from "../../strings";
 import { useApp, useProject } from "../shared/app-context";
@@ -25,7 +25,7 @@ export function ModelTree() {
   const scroller = useRef<HTMLDivElement>(null);
   const { first, last, scrollTo } = useRowWindow(scroller, rows.length, rowHeight);
   const { focused, activate, onKeyDown } = useTreeNavigation({ rows, scroller, scrollTo, setClosed });
-  const isEmpty = drawnKinds.every((kind) => recordsOf(project, kind).length === 0);
+  const isEmpty = isEmptyProject(project);
   return (
     <div className={styles["panel"]} data-testid="model-tree">
       <TextInput

@@ -99,7 +99,7 @@ function PhoneMenu() {
           <IconMenu2 size={18} aria-hidden />
         </ActionIcon>
       </Menu.Target>
-      <Menu.Dropdown mah="80vh" className={menuStyles["phone"]}>
+      <Menu.Dropdown className={menuStyles["phone"]}>
         {menuNames.map((menu) => (
           <Fragment key={menu}>
             <Menu.Item
@@ -183,6 +183,8 @@ function GenerateButton({ compact }: { readonly compact: boolean }) {
       px={compact ? 10 : 14}
       fz="sm"
       leftSection={<IconPlayerPlayFilled size={13} aria-hidden />}
+      // The texts have different widths, but the header must not move when a run begins.
+      miw={compact ? 104 : 144}
       data-testid="generate"
       disabled={busy}
       onClick={() => void app.run.generate()}

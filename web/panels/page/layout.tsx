@@ -43,7 +43,7 @@ function WideBody() {
           <Splitter.Pane defaultSize={100} min={20}>
             <ViewportPanel layout="wide" />
           </Splitter.Pane>
-          <Splitter.Pane defaultSize="168px" min="60px" max="420px">
+          <Splitter.Pane defaultSize="212px" min="60px" max="420px">
             <aside className={styles["side"]} aria-label={strings.bottom.title}>
               <BottomPanel />
             </aside>
@@ -76,7 +76,7 @@ function NarrowBody({ layout }: { readonly layout: Layout }) {
   };
   return (
     <>
-      <div className={`${styles["body"]} ${styles["narrow"]}`}>
+      <div className={`${styles["body"]} ${styles["narrow"]}`} data-drawer={(phone && open) || undefined}>
         <nav className={styles["rail"]} aria-label={strings.header.panels}>
           {drawers.map(({ key, label, Icon }) => (
             <Tooltip key={key} label={label} disabled={phone} position="right">
@@ -104,6 +104,7 @@ function NarrowBody({ layout }: { readonly layout: Layout }) {
           position={phone ? "bottom" : key}
           size={phone || key === "bottom" ? "62%" : 320}
           title={label}
+          dimmed={!phone}
           onClose={() => app.shell.setState({ drawer: null })}
         >
           {panels[key]}

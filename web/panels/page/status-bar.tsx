@@ -1,10 +1,11 @@
 import { ActionIcon, Progress, Tooltip, VisuallyHidden } from "@mantine/core";
 import { IconX } from "@tabler/icons-react";
 import type { MeshReport, Progress as RunProgressReport } from "tetrafront";
+import { savedState } from "../../session/document-store";
 import type { RunState } from "../../session/run";
 import { formatAngle, formatCount, formatSeconds, formatShare } from "../../ui/format";
 import { measuredIn, phaseNames, strings } from "../../strings";
-import { useApp, useQualitySpace, useRun, useStale, useUnsaved } from "../shared/app-context";
+import { useApp, useDocument, useQualitySpace, useRun, useStale } from "../shared/app-context";
 import { useThrottled } from "../shared/use-throttled";
 import styles from "./status-bar.module.css";
 
@@ -101,10 +102,12 @@ function MeshNumbers() {
   const mesh = useRun((state) => state.mesh);
   const progress = useRun((state) => (state.busy ? state.progress : null));
   const stale = useStale();
-  const unsaved = useUnsaved();
+  const savedText = useDocument((state) => strings.status[savedState(state)]);
   const tetrahedra = progress?.tetrahedra ?? mesh?.report.tetrahedra;
   // Without elements, the statistics of the report are zeros without a meaning.
   const report = mesh && mesh.report.tetrahedra > 0 ? mesh.report : null;
+  // The statistics of the old mesh keep their room while a run replaces it.
+  const hasProgress = progress !== null || undefined;
   const points = progress?.nodes ?? report?.nodes;
   return (
     <div className={styles["numbers"]} data-stale={(stale && !progress) || undefined}>
@@ -116,18 +119,18 @@ function MeshNumbers() {
       {tetrahedra !== undefined && (
         <span data-testid="count-tetrahedra">{strings.status.tetrahedra(formatCount(tetrahedra))}</span>
       )}
-      {report && !progress && (
+      {report && (
         <>
-          <span className={styles["wide"]} data-testid="min-dihedral">
+          <span className={styles["wide"]} data-testid="min-dihedral" data-hidden={hasProgress}>
             <MinDihedral report={report} />
           </span>
-          <span className={styles["wide"]} data-testid="seconds">
+          <span className={styles["wide"]} data-testid="seconds" data-hidden={hasProgress}>
             {formatSeconds(report.seconds.total)}
           </span>
         </>
       )}
       <span className={styles["wide"]} data-testid="saved-state">
-        {unsaved ? strings.status.unsaved : strings.status.saved}
+        {savedText}
       </span>
     </div>
   );

@@ -2,7 +2,7 @@ import { createContext, useContext } from "react";
 import { useStore } from "zustand";
 import { createStore } from "zustand/vanilla";
 import type { App } from "../../app/app";
-import { hasUnsavedChanges, type DocumentState } from "../../session/document-store";
+import type { DocumentState } from "../../session/document-store";
 import type { ProblemState } from "../../session/problems";
 import { isStale, type RunState } from "../../session/run";
 import type { QualitySpace } from "../../document/mesh-quality";
@@ -24,10 +24,6 @@ export function useDocument<T>(select: (state: DocumentState) => T): T {
 
 export function useProject(): Project {
   return useDocument((state) => state.history.present.project);
-}
-
-export function useUnsaved(): boolean {
-  return useDocument(hasUnsavedChanges);
 }
 
 export function useView<T>(select: (state: ViewState) => T): T {

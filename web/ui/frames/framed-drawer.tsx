@@ -1,4 +1,4 @@
-import { Drawer } from "@mantine/core";
+import { Drawer, VisuallyHidden } from "@mantine/core";
 import type { ReactNode } from "react";
 import styles from "./framed.module.css";
 import { strings } from "../../strings";
@@ -8,12 +8,22 @@ export interface FramedDrawerProps {
   readonly opened: boolean;
   readonly position: "left" | "right" | "bottom";
   readonly size: number | string;
+  /** False if the view beside the drawer stays visible. */
+  readonly dimmed: boolean;
   readonly onClose: () => void;
   readonly children: ReactNode;
 }
 
-/** A panel at the edge of the page. Its head is a `div`, because the page already has a `header` element. */
-export function FramedDrawer({ title, opened, position, size, onClose, children }: FramedDrawerProps) {
+/** A panel with tabs at the edge of the page. The tabs name it, so only screen readers get the title. */
+export function FramedDrawer({
+  title,
+  opened,
+  position,
+  size,
+  dimmed,
+  onClose,
+  children,
+}: FramedDrawerProps) {
   return (
     <Drawer.Root
       className={styles["drawer"]}
@@ -22,12 +32,12 @@ export function FramedDrawer({ title, opened, position, size, onClose, children 
       size={size}
       onClose={onClose}
     >
-      <Drawer.Overlay backgroundOpacity={0.25} />
+      <Drawer.Overlay backgroundOpacity={dimmed ? 0.25 : 0} />
       <Drawer.Content>
-        <div className={styles["head"]}>
-          <Drawer.Title fw={600}>{title}</Drawer.Title>
-          <Drawer.CloseButton aria-label={strings.messages.close} />
-        </div>
+        <VisuallyHidden component="div">
+          <Drawer.Title>{title}</Drawer.Title>
+        </VisuallyHidden>
+        <Drawer.CloseButton className={styles["close"]} size={36} aria-label={strings.messages.close} />
         <Drawer.Body className={styles["drawerBody"]}>{children}</Drawer.Body>
       </Drawer.Content>
     </Drawer.Root>
