@@ -8,9 +8,11 @@
 #include <span>
 
 #include "base/mesh_access.h"
+#include "base/resumable.h"
 #include "base/sort.h"
 #include "geom/predicates.h"
 #include "geom/tetrahedron.h"
+#include "search/incidence.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {
@@ -27,6 +29,9 @@ constexpr double kRoundingPerTerm = 16.0 * std::numeric_limits<double>::epsilon(
 double sixVolumes(const Vec3& a, const Vec3& b, const Vec3& c) {
   return glm::dot(a, glm::cross(b, c));
 }
+
+/// A bucket of nodes whose positions have similar hashes.
+using PositionBucketId = Id<struct PositionBucketTag>;
 
 /// Equal for equal positions, although 0 and -0 differ in their bits.
 std::uint64_t hashOf(const Vec3& position) {
@@ -86,7 +91,7 @@ std::uint64_t MeshDefects::count() const {
 }
 
 MeshVerifier::MeshVerifier(const VolumeMesh& mesh, const SurfaceMesh& surface)
-    : mesh_(mesh), surface_(surface) {}
+    : mesh_(mesh), surface_(surface), job_([this](Work& work) { return verify(work); }) {}
 
 void MeshVerifier::report(std::uint64_t& count, Entity entity) {
   if (count == 0) defects_.examples.push_back(entity);
@@ -98,86 +103,83 @@ std::size_t MeshVerifier::elementCount() const {
   return std::size_t{countTetrahedra(mesh_)} + countTriangles(surface_);
 }
 
-bool MeshVerifier::advance(std::uint32_t budget) {
-  const std::size_t tetrahedra = countTetrahedra(mesh_);
+Task<> MeshVerifier::verify(Work& work) {
+  work.beginPart(0.1);
+  const std::size_t numbers =
+      std::max({std::size_t{countNodes(mesh_)}, std::size_t{countNodes(surface_)}, elementCount()});
+  co_await work.forEachBlock(
+      numbers, [this](std::size_t first, std::size_t last) { checkNumbers(first, last); });
+  if (defects_.invalidNumbers > 0) co_return;
+
+  work.beginPart(0.4);
+  co_await findCoincidentNodes(work);
+
+  work.beginPart(0.5);
+  co_await work.forEachBlock(countTetrahedra(mesh_), [this](std::size_t first, std::size_t last) {
+    checkTetrahedra(first, last);
+  });
+
+  work.beginPart(1.0);
+  co_await matchFaces(work);
+  findDuplicateTetrahedra();
+  compareVolumes();
+}
+
+Task<> MeshVerifier::findCoincidentNodes(Work& work) {
   const std::size_t nodes = countNodes(mesh_);
-  const auto slice = [&](std::size_t end, Stage following, auto work) {
-    const std::size_t first = next_;
-    next_ += std::min<std::size_t>(end - next_, budget);
-    work(first, next_);
-    if (next_ < end) return;
-    next_ = 0;
-    stage_ = following;
+  std::vector<std::uint8_t> isUsed(nodes, 0);
+  work.beginPart(0.25);
+  co_await work.forEachBlock(countTetrahedra(mesh_), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = 4 * first; i < 4 * last; ++i) isUsed[mesh_.tetrahedra[i]] = 1;
+  });
+
+  // Calls use(bucket, node) for the used nodes in [first, last).
+  const auto forEachUsed = [&](std::size_t first, std::size_t last, auto use) {
+    for (std::size_t i = first; i < last; ++i) {
+      if (isUsed[i] == 0) continue;
+      const std::uint64_t bucket = hashOf(pointOf(mesh_, NodeId(i))) % nodes;
+      use(PositionBucketId(static_cast<std::size_t>(bucket)), NodeId(i));
+    }
   };
-  switch (stage_) {
-    case Stage::kNumbers:
-      slice(std::max({nodes, std::size_t{countNodes(surface_)}, elementCount()}), Stage::kMarkNodes,
-            [this](std::size_t a, std::size_t b) { checkNumbers(a, b); });
-      if (stage_ != Stage::kMarkNodes) break;
-      if (defects_.invalidNumbers > 0) stage_ = Stage::kDone;
-      isUsed_.assign(nodes, 0);
-      break;
-    case Stage::kMarkNodes:
-      slice(tetrahedra, Stage::kCountPositions,
-            [this](std::size_t a, std::size_t b) { markNodes(a, b); });
-      if (stage_ == Stage::kCountPositions) emptyBuckets();
-      break;
-    case Stage::kCountPositions:
-      slice(nodes, Stage::kSortPositions, [this](std::size_t a, std::size_t b) {
-        forEachPosition(a, b, [this](NodeId, std::size_t bucket) { ++buckets_[bucket + 1]; });
-      });
-      if (stage_ != Stage::kSortPositions) break;
-      layOutBuckets();
-      nodesByPosition_.resize(buckets_[nodes]);
-      break;
-    case Stage::kSortPositions:
-      slice(nodes, Stage::kMatchPositions, [this](std::size_t a, std::size_t b) {
-        forEachPosition(a, b, [this](NodeId node, std::size_t bucket) {
-          nodesByPosition_[filled_[bucket]++] = node;
-        });
-      });
-      break;
-    case Stage::kMatchPositions:
-      slice(nodes, Stage::kTetrahedra,
-            [this](std::size_t a, std::size_t b) { matchPositions(a, b); });
-      if (stage_ == Stage::kTetrahedra) emptyBuckets();
-      break;
-    case Stage::kTetrahedra:
-      slice(tetrahedra, Stage::kCountFaces,
-            [this](std::size_t a, std::size_t b) { checkTetrahedra(a, b); });
-      break;
-    case Stage::kCountFaces:
-      slice(elementCount(), Stage::kSortFaces,
-            [this](std::size_t a, std::size_t b) { countFaces(a, b); });
-      if (stage_ != Stage::kSortFaces) break;
-      layOutBuckets();
-      // Leave the array uninitialized: zeroing it here would touch all its pages in one slice.
-      faces_ = std::make_unique_for_overwrite<Face[]>(buckets_[nodes]);
-      break;
-    case Stage::kSortFaces:
-      slice(elementCount(), Stage::kMatchFaces,
-            [this](std::size_t a, std::size_t b) { sortFaces(a, b); });
-      break;
-    case Stage::kMatchFaces:
-      slice(nodes, Stage::kDone, [this](std::size_t a, std::size_t b) { matchFaces(a, b); });
-      if (stage_ == Stage::kDone) finish();
-      break;
-    case Stage::kDone:
-      break;
-  }
-  return stage_ == Stage::kDone;
+  NodeLists<NodeId, PositionBucketId> buckets(nodes);
+  work.beginPart(0.5);
+  co_await work.forEachBlock(nodes, [&](std::size_t first, std::size_t last) {
+    forEachUsed(first, last,
+                [&](PositionBucketId bucket, NodeId /*node*/) { buckets.count(bucket); });
+  });
+  buckets.endCounting();
+  work.beginPart(0.75);
+  co_await work.forEachBlock(nodes, [&](std::size_t first, std::size_t last) {
+    forEachUsed(first, last,
+                [&](PositionBucketId bucket, NodeId node) { buckets.add(bucket, node); });
+  });
+  work.beginPart(1.0);
+  co_await work.forEachBlock(nodes, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) comparePositions(buckets.at(PositionBucketId(i)));
+  });
 }
 
-double MeshVerifier::fraction() const {
-  return static_cast<double>(stage_) / static_cast<double>(Stage::kDone);
-}
-
-void MeshVerifier::emptyBuckets() { buckets_.assign(std::size_t{countNodes(mesh_)} + 1, 0); }
-
-/// Turns counts (bucket i's at i + 1) into the begin of each bucket.
-void MeshVerifier::layOutBuckets() {
-  for (std::size_t i = 1; i < buckets_.size(); ++i) buckets_[i] += buckets_[i - 1];
-  filled_.assign(buckets_.begin(), buckets_.end() - 1);
+Task<> MeshVerifier::matchFaces(Work& work) {
+  const std::size_t nodes = countNodes(mesh_);
+  NodeLists<Face> faces(nodes);
+  work.beginPart(0.3);
+  co_await work.forEachBlock(elementCount(), [&](std::size_t first, std::size_t last) {
+    forEachFace(first, last, [&](const SortedFace& face, std::uint32_t /*owner*/) {
+      faces.count(face.nodes[0]);
+    });
+  });
+  faces.endCounting();
+  work.beginPart(0.6);
+  co_await work.forEachBlock(elementCount(), [&](std::size_t first, std::size_t last) {
+    forEachFace(first, last, [&](const SortedFace& face, std::uint32_t owner) {
+      const auto [lowest, middle, highest] = face.nodes;
+      faces.add(lowest, {middle, highest, owner << 1U | (face.isEven ? 1U : 0U)});
+    });
+  });
+  work.beginPart(1.0);
+  co_await work.forEachBlock(nodes, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) matchFacesOf(faces.at(NodeId(i)));
+  });
 }
 
 /// Checks the numbers of nodes, surface nodes, tetrahedra and triangles in [first, last).
@@ -212,39 +214,16 @@ void MeshVerifier::checkKept(std::size_t first, std::size_t last) {
   }
 }
 
-void MeshVerifier::markNodes(std::size_t first, std::size_t last) {
-  for (std::size_t i = 4 * first; i < 4 * last; ++i) isUsed_[mesh_.tetrahedra[i]] = 1;
-}
-
-/// Calls use(node, bucket) for the used nodes in [first, last).
-template <class Use>
-void MeshVerifier::forEachPosition(std::size_t first, std::size_t last, Use use) const {
-  for (std::size_t i = first; i < last; ++i) {
-    if (isUsed_[i] == 0) continue;
-    const NodeId node(i);
-    use(node, hashOf(pointOf(mesh_, node)) % isUsed_.size());
-  }
-}
-
-void MeshVerifier::matchPositions(std::size_t firstBucket, std::size_t lastBucket) {
-  struct Located {
-    std::array<double, 3> position;
-    NodeId node;
+/// Reports the nodes of a bucket that have the position of another.
+void MeshVerifier::comparePositions(std::span<NodeId> nodes) {
+  const auto positionOf = [this](NodeId node) {
+    const Vec3 p = pointOf(mesh_, node);
+    return std::array{p.x, p.y, p.z};
   };
-  std::vector<Located> located;
-  for (std::size_t bucket = firstBucket; bucket < lastBucket; ++bucket) {
-    if (buckets_[bucket + 1] - buckets_[bucket] < 2) continue;
-    located.clear();
-    for (std::uint32_t i = buckets_[bucket]; i < buckets_[bucket + 1]; ++i) {
-      const Vec3 p = pointOf(mesh_, nodesByPosition_[i]);
-      located.push_back({{p.x, p.y, p.z}, nodesByPosition_[i]});
-    }
-    stableSort(located, [](const Located& a, const Located& b) { return a.position < b.position; });
-    for (std::size_t i = 1; i < located.size(); ++i) {
-      if (located[i].position == located[i - 1].position) {
-        report(defects_.coincidentNodes, located[i].node);
-      }
-    }
+  sortFew(nodes, [&](NodeId a, NodeId b) { return positionOf(a) < positionOf(b); });
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    if (positionOf(nodes[i]) == positionOf(nodes[i - 1]))
+      report(defects_.coincidentNodes, nodes[i]);
   }
 }
 
@@ -271,35 +250,21 @@ void MeshVerifier::forEachFace(std::size_t first, std::size_t last, Use use) con
   }
 }
 
-void MeshVerifier::countFaces(std::size_t first, std::size_t last) {
-  forEachFace(first, last, [this](const SortedFace& face, std::uint32_t /*owner*/) {
-    ++buckets_[face.nodes[0].index() + 1];
+/// Matches the faces with the same lowest node.
+void MeshVerifier::matchFacesOf(std::span<Face> faces) {
+  sortFew(faces, [](const Face& a, const Face& b) {
+    if (a.middle != b.middle) return a.middle < b.middle;
+    if (a.highest != b.highest) return a.highest < b.highest;
+    return a.ownerAndOrientation < b.ownerAndOrientation;
   });
-}
-
-void MeshVerifier::sortFaces(std::size_t first, std::size_t last) {
-  forEachFace(first, last, [this](const SortedFace& face, std::uint32_t owner) {
-    const auto [lowest, middle, highest] = face.nodes;
-    faces_[filled_[lowest.index()]++] = {middle, highest, owner << 1U | (face.isEven ? 1U : 0U)};
-  });
-}
-
-void MeshVerifier::matchFaces(std::size_t firstNode, std::size_t lastNode) {
-  for (std::size_t node = firstNode; node < lastNode; ++node) {
-    Face* const begin = faces_.get() + buckets_[node];
-    Face* const end = faces_.get() + buckets_[node + 1];
-    sortFew(std::span(begin, end), [](const Face& a, const Face& b) {
-      if (a.middle != b.middle) return a.middle < b.middle;
-      if (a.highest != b.highest) return a.highest < b.highest;
-      return a.ownerAndOrientation < b.ownerAndOrientation;
-    });
-    for (Face* first = begin; first != end;) {
-      Face* last = first + 1;
-      while (last != end && last->middle == first->middle && last->highest == first->highest)
-        ++last;
-      matchOwners({first, last});
-      first = last;
-    }
+  const auto isSame = [](const Face& a, const Face& b) {
+    return a.middle == b.middle && a.highest == b.highest;
+  };
+  for (std::size_t first = 0; first < faces.size();) {
+    std::size_t last = first + 1;
+    while (last < faces.size() && isSame(faces[first], faces[last])) ++last;
+    matchOwners(faces.subspan(first, last - first));
+    first = last;
   }
 }
 
@@ -352,11 +317,6 @@ void MeshVerifier::matchRegion(const Face& tetrahedron, const Face& triangle) {
   report(defects_.wrongRegions, TetId(tetrahedron.owner()));
 }
 
-void MeshVerifier::finish() {
-  findDuplicateTetrahedra();
-  compareVolumes();
-}
-
 /// A duplicate tetrahedron leaves none of its faces matched, so both copies are among the suspects.
 void MeshVerifier::findDuplicateTetrahedra() {
   struct Suspect {
@@ -404,10 +364,8 @@ double MeshVerifier::volumeRounding() const {
 }
 
 MeshDefects verifyMesh(const VolumeMesh& mesh, const SurfaceMesh& surface) {
-  constexpr std::uint32_t kSlice = 1U << 16U;
   MeshVerifier verifier(mesh, surface);
-  while (!verifier.advance(kSlice)) {
-  }
+  finish(verifier);
   return verifier.defects();
 }
 

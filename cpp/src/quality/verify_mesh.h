@@ -5,11 +5,11 @@
 /// prove that the tetrahedra fill the region exactly once and keep its boundary.
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "base/ids.h"
+#include "base/task.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/status.h"
 
@@ -49,26 +49,14 @@ class MeshVerifier {
   MeshVerifier(const VolumeMesh& mesh, const SurfaceMesh& surface);
 
   /// Visits about `budget` tetrahedra; returns true when finished.
-  bool advance(std::uint32_t budget);
+  bool advance(std::uint32_t budget) { return job_.advance(budget); }
 
-  [[nodiscard]] double fraction() const;
+  /// Estimated progress, 0 to 1.
+  [[nodiscard]] double fraction() const { return job_.fraction(); }
   [[nodiscard]] const MeshDefects& defects() const { return defects_; }
 
  private:
-  enum class Stage : std::uint8_t {
-    kNumbers,
-    kMarkNodes,
-    kCountPositions,
-    kSortPositions,
-    kMatchPositions,
-    kTetrahedra,
-    kCountFaces,
-    kSortFaces,
-    kMatchFaces,
-    kDone
-  };
-
-  /// The two other nodes of a face; its slot gives the lowest.
+  /// The two other nodes of a face; its list gives the lowest.
   struct Face {
     NodeId middle;
     NodeId highest;
@@ -81,18 +69,15 @@ class MeshVerifier {
     [[nodiscard]] bool isEven() const { return (ownerAndOrientation & 1U) != 0; }
   };
 
-  void emptyBuckets();
-  void layOutBuckets();
+  Task<> verify(Work& work);
+  Task<> findCoincidentNodes(Work& work);
+  Task<> matchFaces(Work& work);
+
   void checkNumbers(std::size_t first, std::size_t last);
   void checkKept(std::size_t first, std::size_t last);
-  void markNodes(std::size_t first, std::size_t last);
-  template <class Use>
-  void forEachPosition(std::size_t first, std::size_t last, Use use) const;
-  void matchPositions(std::size_t firstBucket, std::size_t lastBucket);
+  void comparePositions(std::span<NodeId> nodes);
   void checkTetrahedra(std::size_t first, std::size_t last);
-  void countFaces(std::size_t first, std::size_t last);
-  void sortFaces(std::size_t first, std::size_t last);
-  void matchFaces(std::size_t firstNode, std::size_t lastNode);
+  void matchFacesOf(std::span<Face> faces);
   void matchOwners(std::span<const Face> owners);
   void matchInnerRegions(const Face& one, const Face& other);
   void matchRegion(const Face& tetrahedron, const Face& triangle);
@@ -108,7 +93,6 @@ class MeshVerifier {
   void report(std::uint64_t& count, Entity entity);
   void findDuplicateTetrahedra();
   void compareVolumes();
-  void finish();
   [[nodiscard]] double volumeRounding() const;
   template <class Use>
   void forEachFace(std::size_t first, std::size_t last, Use use) const;
@@ -116,17 +100,9 @@ class MeshVerifier {
 
   const VolumeMesh& mesh_;
   const SurfaceMesh& surface_;
-  Stage stage_ = Stage::kNumbers;
-  std::size_t next_ = 0;
   MeshDefects defects_;
-  /// Bucket i begins at buckets_[i]: first the used nodes whose positions hash to i, later the
-  /// faces whose lowest node is i.
-  std::vector<std::uint32_t> buckets_;
-  std::vector<std::uint32_t> filled_;
-  std::vector<std::uint8_t> isUsed_;
-  std::vector<NodeId> nodesByPosition_;  ///< nodes by bucket
-  std::unique_ptr<Face[]> faces_;        ///< faces by bucket
-  std::vector<TetId> suspects_;          ///< tetrahedra at faces that do not match
+  std::vector<TetId> suspects_;  ///< tetrahedra at faces that do not match
+  Job<> job_;                    ///< last, because it uses the other members
 };
 
 /// Verifies a mesh in one call.
