@@ -4,13 +4,15 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <optional>
 #include <utility>
+#include <vector>
 
 #include "base/ids.h"
 #include "base/mesh_access.h"
+#include "base/resumable.h"
 #include "base/sort.h"
+#include "base/task.h"
+#include "base/tool_job.h"
 #include "field/size_field.h"
 #include "geom/coordinates.h"
 #include "geom/predicates.h"
@@ -56,159 +58,108 @@ std::uint32_t narrowed(std::uint64_t count) {
   return static_cast<std::uint32_t>(std::min(count, kMaxCount));
 }
 
-class Inspection final : public ToolWork<MeshInspection> {
- public:
-  Inspection(std::span<const double> points, std::span<const std::uint32_t> tetrahedra,
-             std::span<const std::uint32_t> regions) {
-    mesh_.points.assign(points.begin(), points.end());
-    mesh_.tetrahedra.assign(tetrahedra.begin(), tetrahedra.end());
-    mesh_.regions.assign(regions.begin(), regions.end());
+/// Regions may have any tag, and statistics are stored by index. Replaces the tags by indices; returns the tags,
+/// ascending.
+std::vector<std::uint32_t> numberRegions(std::vector<std::uint32_t>& regions) {
+  std::vector<std::uint32_t> tags;
+  for (const std::uint32_t region : regions) {
+    if (tags.empty() || tags.back() != region) tags.push_back(region);
   }
-
-  bool advance(std::uint32_t budget) override;
-
-  [[nodiscard]] double fraction() const override {
-    const double within = verifier_ ? verifier_->fraction() : 0.0;
-    return (static_cast<double>(stage_) + within) / static_cast<double>(Stage::kDone);
+  sortUnique(tags);
+  for (std::uint32_t& region : regions) {
+    region = static_cast<std::uint32_t>(std::ranges::lower_bound(tags, region) - tags.begin());
   }
-  [[nodiscard]] const MeshInspection& result() const override { return out_; }
-
- private:
-  enum class Stage : std::uint8_t { kNodes, kElements, kBoundary, kVerify, kAnalyse, kDone };
-
-  [[nodiscard]] Stage readNodes();
-  void numberRegions();
-  /// Returns whether all tetrahedra are done.
-  bool measureElements(std::uint32_t budget);
-  void measureEdges(TetId element);
-  void takeBoundary();
-  void takeDefects();
-  void beginAnalysis();
-
-  VolumeMesh mesh_;  ///< its regions are indices in regionIds_
-  std::vector<std::uint32_t> regionIds_;
-  Stage stage_ = Stage::kNodes;
-  TetId nextElement_{0U};
-  double edgeSum_ = 0.0;
-  std::optional<BoundaryFinder> boundary_;
-  SurfaceMesh surface_;         ///< the boundary with its positions
-  SurfaceMesh withInterfaces_;  ///< the boundary and the interfaces
-  std::optional<MeshVerifier> verifier_;
-  std::optional<SizeField> field_;
-  std::optional<QualityAnalysis> analysis_;
-  MeshInspection out_;
-};
-
-bool Inspection::advance(std::uint32_t budget) {
-  switch (stage_) {
-    case Stage::kNodes:
-      stage_ = readNodes();
-      break;
-    case Stage::kElements:
-      if (!measureElements(budget)) break;
-      boundary_.emplace(mesh_);
-      stage_ = Stage::kBoundary;
-      break;
-    case Stage::kBoundary:
-      if (!boundary_->advance(budget)) break;
-      takeBoundary();
-      break;
-    case Stage::kVerify:
-      if (!verifier_->advance(budget)) break;
-      takeDefects();
-      beginAnalysis();
-      break;
-    case Stage::kAnalyse:
-      if (!analysis_->advance(budget)) break;
-      out_.quality = analysis_->summary();
-      out_.statistics = analysis_->statistics();
-      for (RegionStatistics& own : out_.statistics.regions) own.region = regionIds_[own.region];
-      stage_ = Stage::kDone;
-      break;
-    case Stage::kDone:
-      break;
-  }
-  return stage_ == Stage::kDone;
+  return tags;
 }
 
-Inspection::Stage Inspection::readNodes() {
-  out_.isReadable = isReadable(mesh_);
-  if (!out_.isReadable) return Stage::kDone;
-  mesh_.regions.resize(countTetrahedra(mesh_), 0);
-  numberRegions();
-  out_.tetrahedra = static_cast<std::uint32_t>(countTetrahedra(mesh_));
-  countUsedNodes(mesh_, out_);
-  out_.shortestEdge = std::numeric_limits<double>::infinity();  // until the first edge
-  return Stage::kElements;
-}
-
-/// Regions may have any tag, and statistics are stored by index.
-void Inspection::numberRegions() {
-  for (const std::uint32_t region : mesh_.regions) {
-    if (regionIds_.empty() || regionIds_.back() != region) regionIds_.push_back(region);
-  }
-  stableSort(regionIds_);
-  regionIds_.erase(std::unique(regionIds_.begin(), regionIds_.end()), regionIds_.end());
-  for (std::uint32_t& region : mesh_.regions) {
-    const auto found = std::lower_bound(regionIds_.begin(), regionIds_.end(), region);
-    region = static_cast<std::uint32_t>(found - regionIds_.begin());
-  }
-}
-
-bool Inspection::measureElements(std::uint32_t budget) {
-  const std::uint32_t last =
-      nextElement_.value + std::min(out_.tetrahedra - nextElement_.value, budget);
-  for (; nextElement_.value < last; ++nextElement_.value) {
-    orientElement(mesh_, nextElement_, out_);
-    measureEdges(nextElement_);
-  }
-  if (nextElement_.value < out_.tetrahedra) return false;
-  out_.meanEdge = edgeSum_ / (6.0 * out_.tetrahedra);
-  return true;
-}
-
-void Inspection::measureEdges(TetId element) {
-  const std::array<Vec3, 4> corners = cornersOf(mesh_, element);
+/// Adds the lengths of the element's edges to `sum`.
+void measureEdges(const VolumeMesh& mesh, TetId element, double& sum, MeshInspection& out) {
+  const std::array<Vec3, 4> corners = cornersOf(mesh, element);
   for (const TetEdge& edge : kTetEdges) {
     const double length = glm::length(corners[edge.to] - corners[edge.from]);
-    out_.shortestEdge = std::min(out_.shortestEdge, length);
-    out_.longestEdge = std::max(out_.longestEdge, length);
-    edgeSum_ += length;
+    out.shortestEdge = std::min(out.shortestEdge, length);
+    out.longestEdge = std::max(out.longestEdge, length);
+    sum += length;
   }
 }
 
-void Inspection::takeBoundary() {
-  out_.boundary = boundary_->take();
-  const std::vector<std::uint32_t> interfaces = boundary_->takeInterfaces();
-  boundary_.reset();
-  withInterfaces_.triangles = out_.boundary.triangles;
-  withInterfaces_.triangles.insert(withInterfaces_.triangles.end(), interfaces.begin(),
-                                   interfaces.end());
-  surface_ = out_.boundary;
-  surface_.points = mesh_.points;
-  for (std::uint32_t& region : out_.boundary.trianglePatch) region = regionIds_[region];
-  verifier_.emplace(mesh_, surface_);
-  stage_ = Stage::kVerify;
+/// Orients the elements and measures their edges.
+Task<> measureElements(Work& work, VolumeMesh& mesh, MeshInspection& out) {
+  double edgeSum = 0.0;
+  out.shortestEdge = std::numeric_limits<double>::infinity();
+  co_await work.forEachBlock(out.tetrahedra, [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) {
+      orientElement(mesh, TetId(t), out);
+      measureEdges(mesh, TetId(t), edgeSum, out);
+    }
+  });
+  out.meanEdge = edgeSum / (6.0 * out.tetrahedra);
 }
 
-void Inspection::takeDefects() {
-  const MeshDefects& defects = verifier_->defects();
-  out_.duplicateTetrahedra = narrowed(defects.duplicateTetrahedra);
-  out_.nonManifoldFaces = narrowed(defects.nonManifoldFaces);
-  out_.overlappingFaces = narrowed(defects.overlappingFaces);
-  out_.coincidentNodes = narrowed(defects.coincidentNodes);
-  verifier_.reset();
-  surface_ = {};
+/// Finds the boundary; returns it together with the interfaces, without positions.
+Task<SurfaceMesh> findBoundary(Work& work, const VolumeMesh& mesh, MeshInspection& out) {
+  BoundaryFinder finder(mesh);
+  co_await work.finish(finder);
+  out.boundary = finder.take();
+  SurfaceMesh surface;
+  surface.triangles = out.boundary.triangles;
+  const std::vector<std::uint32_t> interfaces = finder.takeInterfaces();
+  surface.triangles.insert(surface.triangles.end(), interfaces.begin(), interfaces.end());
+  co_return surface;
 }
 
-void Inspection::beginAnalysis() {
-  if (!(out_.meanEdge > 0.0)) {
-    stage_ = Stage::kDone;
-    return;
-  }
-  field_ = SizeField::uniform(out_.meanEdge);
-  analysis_.emplace(mesh_, withInterfaces_, *field_);
-  stage_ = Stage::kAnalyse;
+/// Counts what is wrong with the mesh, by itself and with the boundary as its surface.
+Task<> countDefects(Work& work, const VolumeMesh& mesh, MeshInspection& out) {
+  SurfaceMesh surface = out.boundary;
+  surface.points = mesh.points;
+  MeshVerifier verifier(mesh, surface);
+  co_await work.finish(verifier);
+  const MeshDefects& defects = verifier.defects();
+  out.duplicateTetrahedra = narrowed(defects.duplicateTetrahedra);
+  out.nonManifoldFaces = narrowed(defects.nonManifoldFaces);
+  out.overlappingFaces = narrowed(defects.overlappingFaces);
+  out.coincidentNodes = narrowed(defects.coincidentNodes);
+}
+
+Task<> analyse(Work& work, const VolumeMesh& mesh, const SurfaceMesh& surface,
+               MeshInspection& out) {
+  const SizeField field = SizeField::uniform(out.meanEdge);
+  QualityAnalysis analysis(mesh, surface, field);
+  co_await work.finish(analysis);
+  out.quality = analysis.summary();
+  out.statistics = analysis.statistics();
+}
+
+Task<MeshInspection> inspect(Work& work, VolumeMesh& mesh) {
+  MeshInspection out;
+  out.isReadable = isReadable(mesh);
+  if (!out.isReadable) co_return out;
+  mesh.regions.resize(countTetrahedra(mesh), 0);
+  const std::vector<std::uint32_t> regionTags = numberRegions(mesh.regions);
+  out.tetrahedra = countTetrahedra(mesh);
+  countUsedNodes(mesh, out);
+  co_await work.yield();
+
+  work.beginPart(0.15);
+  co_await measureElements(work, mesh, out);
+  work.beginPart(0.4);
+  const SurfaceMesh withInterfaces = co_await findBoundary(work, mesh, out);
+  work.beginPart(0.6);
+  co_await countDefects(work, mesh, out);
+  work.beginPart(1.0);
+  if (out.meanEdge > 0.0) co_await analyse(work, mesh, withInterfaces, out);
+  for (std::uint32_t& region : out.boundary.trianglePatch) region = regionTags[region];
+  for (RegionStatistics& own : out.statistics.regions) own.region = regionTags[own.region];
+  co_return out;
+}
+
+VolumeMesh copyOf(std::span<const double> points, std::span<const std::uint32_t> tetrahedra,
+                  std::span<const std::uint32_t> regions) {
+  VolumeMesh mesh;
+  mesh.points.assign(points.begin(), points.end());
+  mesh.tetrahedra.assign(tetrahedra.begin(), tetrahedra.end());
+  mesh.regions.assign(regions.begin(), regions.end());
+  return mesh;
 }
 
 }  // namespace
@@ -216,15 +167,13 @@ void Inspection::beginAnalysis() {
 MeshInspector::MeshInspector(std::span<const double> points,
                              std::span<const std::uint32_t> tetrahedra,
                              std::span<const std::uint32_t> regions)
-    : SlicedTool(std::make_unique<Inspection>(points, tetrahedra, regions)) {}
+    : SlicedTool(makeToolJob<MeshInspection>(copyOf(points, tetrahedra, regions), inspect)) {}
 
 MeshInspection inspectMesh(std::span<const double> points,
                            std::span<const std::uint32_t> tetrahedra,
                            std::span<const std::uint32_t> regions) {
-  constexpr std::uint32_t kSlice = 1U << 16U;
   MeshInspector inspector(points, tetrahedra, regions);
-  while (!inspector.advance(kSlice)) {
-  }
+  finish(inspector);
   return inspector.result();
 }
 

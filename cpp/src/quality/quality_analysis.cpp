@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "base/mesh_access.h"
+#include "geom/tetrahedron.h"
+#include "search/incidence.h"
 
 namespace tetrafront {
 namespace {
@@ -52,6 +54,24 @@ std::size_t linearBin(double value, double binsPerUnit, std::size_t count) {
   return bin < static_cast<double>(count) ? static_cast<std::size_t>(bin) : count - 1;
 }
 
+/// An edge of an element, as an index into kTetEdges.
+class ElementEdge {
+ public:
+  ElementEdge() = default;
+  ElementEdge(TetId element, std::size_t edge)
+      : packed_(static_cast<std::uint32_t>(kTetEdges.size() * element.index() + edge)) {}
+  [[nodiscard]] TetId element() const { return TetId(packed_ / kTetEdges.size()); }
+  [[nodiscard]] const TetEdge& corners() const { return kTetEdges[packed_ % kTetEdges.size()]; }
+
+ private:
+  std::uint32_t packed_ = 0;
+};
+
+/// Returns the lower node first.
+std::pair<NodeId, NodeId> sortedNodes(const NodeQuad& nodes, const TetEdge& edge) {
+  return std::minmax(nodes[edge.from], nodes[edge.to]);
+}
+
 /// Returns a value above 1 if and only if an angle is out of range; the larger, the worse.
 double dihedralCostOf(const TetrahedronMeasures& measures) {
   constexpr double kFlat = 1e300;
@@ -70,7 +90,7 @@ QualityAnalysis::QualityAnalysis(const VolumeMesh& mesh, const SurfaceMesh& surf
       surface_(surface),
       field_(field),
       isStretched_(field.isStretched()),
-      limits_(mesh.points) {
+      job_([this](Work& work) { return analyse(work); }) {
   const std::size_t nodes = countNodes(mesh);
   if (isStretched_) {
     tensors_.resize(nodes);
@@ -78,56 +98,81 @@ QualityAnalysis::QualityAnalysis(const VolumeMesh& mesh, const SurfaceMesh& surf
     sizes_.resize(nodes);
   }
   if (field.isRaised()) raiseFactors_.resize(nodes);
-  starts_.assign(nodes + 1, 0);
 }
 
-bool QualityAnalysis::advance(std::uint32_t budget) {
-  const std::size_t nodes = countNodes(mesh_);
+Task<> QualityAnalysis::analyse(Work& work) {
+  work.beginPart(0.2);
+  co_await work.forEachBlock(
+      countNodes(mesh_), [this](std::size_t first, std::size_t last) { querySizes(first, last); });
+  work.beginPart(0.9);
+  co_await measureElements(work);
+  work.beginPart(1.0);
+  co_await findLimits(work);
+  finish();
+}
+
+/// Measures the elements, and then each of their edges once.
+Task<> QualityAnalysis::measureElements(Work& work) {
   const std::size_t elements = countTetrahedra(mesh_);
-  const auto slice = [&](std::size_t end, Stage following, auto work) {
-    const std::size_t last = next_ + std::min<std::size_t>(budget, end - next_);
-    work(next_, last);
-    next_ = last;
-    if (next_ < end) return false;
-    next_ = 0;
-    stage_ = following;
-    return true;
-  };
-  switch (stage_) {
-    case Stage::kSizes:
-      slice(nodes, Stage::kElements, [&](std::size_t a, std::size_t b) { querySizes(a, b); });
-      break;
-    case Stage::kElements:
-      if (slice(elements, Stage::kInsertEdges,
-                [&](std::size_t a, std::size_t b) { measureElements(a, b); })) {
-        startEdges();
+  NodeLists<ElementEdge> edges(countNodes(mesh_));  // at their lower nodes
+  work.beginPart(0.5);
+  co_await work.forEachBlock(elements, [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) {
+      measureElement(TetId(t));
+      const NodeQuad nodes = nodesOf(mesh_, TetId(t));
+      for (const TetEdge& edge : kTetEdges) edges.count(sortedNodes(nodes, edge).first);
+    }
+  });
+  edges.endCounting();
+  work.beginPart(0.7);
+  co_await work.forEachBlock(elements, [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) {
+      const NodeQuad nodes = nodesOf(mesh_, TetId(t));
+      for (std::size_t e = 0; e < kTetEdges.size(); ++e) {
+        edges.add(sortedNodes(nodes, kTetEdges[e]).first, {TetId(t), e});
       }
-      break;
-    case Stage::kInsertEdges:
-      slice(elements, Stage::kEdges, [&](std::size_t a, std::size_t b) { insertEdges(a, b); });
-      break;
-    case Stage::kEdges:
-      if (slice(nodes, Stage::kBoundary,
-                [&](std::size_t a, std::size_t b) { measureEdges(a, b); })) {
-        startBoundary();
+    }
+  });
+  // Per node: the last lower node with which it shared an edge, or none.
+  std::vector<NodeId> lastLowerNode(countNodes(mesh_));
+  work.beginPart(1.0);
+  co_await work.forEachBlock(countNodes(mesh_), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      for (const ElementEdge& edge : edges.at(NodeId(i))) {
+        const auto [lower, upper] = sortedNodes(nodesOf(mesh_, edge.element()), edge.corners());
+        if (lastLowerNode[upper.index()] == lower) continue;
+        lastLowerNode[upper.index()] = lower;
+        measureEdge(lower, upper, edge.element());
       }
-      break;
-    case Stage::kBoundary:
-      if (slice(surface_.triangles.size() / 3, Stage::kLimits,
-                [&](std::size_t a, std::size_t b) { findBoundaryFaces(a, b); })) {
-        limits_.finish();
-      }
-      break;
-    case Stage::kLimits:
-      if (slice(outOfRange_.size(), Stage::kDone,
-                [&](std::size_t a, std::size_t b) { findLimits(a, b); })) {
-        finish();
-      }
-      break;
-    case Stage::kDone:
-      break;
+    }
+  });
+}
+
+/// Finds out which of the elements out of range are limited by the boundary.
+Task<> QualityAnalysis::findLimits(Work& work) {
+  std::vector<std::uint8_t> isTested(countNodes(mesh_), 0);
+  for (const Ranked& ranked : outOfRange_) {
+    for (const NodeId node : nodesOf(mesh_, ranked.element)) isTested[node.index()] = 1;
   }
-  return stage_ == Stage::kDone;
+  BoundaryLimits limits(mesh_.points);
+  work.beginPart(0.5);
+  co_await work.forEachBlock(countTriangles(surface_), [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) {
+      const NodeTriple nodes = nodesOf(surface_, TriangleId(t));
+      if (std::ranges::any_of(nodes, [&](NodeId node) { return isTested[node.index()] != 0; }))
+        limits.add(nodes);
+    }
+  });
+  limits.finish();
+  work.beginPart(1.0);
+  co_await work.forEachBlock(outOfRange_.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const NodeQuad nodes = nodesOf(mesh_, outOfRange_[i].element);
+      const BoundaryLimit limit = limits.limitOf(nodes, viewOf(nodes));
+      count(limit);
+      if (limit != BoundaryLimit::kNone) keepWorst(worstLimited_, outOfRange_[i]);
+    }
+  });
 }
 
 void QualityAnalysis::querySizes(std::size_t first, std::size_t last) {
@@ -198,84 +243,34 @@ void QualityAnalysis::measureShape(std::uint32_t region, const TetrahedronMeasur
   metricShapes_.smallestDihedral.push_back(static_cast<float>(degreesOf(measures.largestCosine)));
 }
 
-void QualityAnalysis::measureElements(std::size_t first, std::size_t last) {
-  for (std::size_t t = first; t < last; ++t) {
-    const TetId element(t);
-    const TetrahedronMeasures plain = measureTetrahedron(cornersOf(mesh_, element));
-    meter_.add(plain);
-    const TetrahedronMeasures measures =
-        isStretched_ ? measureTetrahedron(metricCorners(element)) : plain;
-    RegionStatistics& region = statisticsOf(mesh_.regions[t]);
-    ++region.tetrahedra;
-    region.volume += plain.volume;
-    measureShape(mesh_.regions[t], measures);
-    if (t == 0 || plain.volume < smallestVolume_) {
-      smallestVolume_ = plain.volume;
-      smallest_ = element;
-    }
-    largestVolume_ = std::max(largestVolume_, plain.volume);
-    const double cost = dihedralCostOf(measures);
-    keepWorst(worst_, {cost, element});
-    if (cost > 1.0) outOfRange_.push_back({cost, element});
-    const NodeQuad nodes = nodesOf(mesh_, element);
-    for (const TetEdge& edge : kTetEdges) {
-      ++starts_[std::min(nodes[edge.from], nodes[edge.to]).index() + 1];
-    }
+void QualityAnalysis::measureElement(TetId element) {
+  const TetrahedronMeasures plain = measureTetrahedron(cornersOf(mesh_, element));
+  meter_.add(plain);
+  const TetrahedronMeasures measures =
+      isStretched_ ? measureTetrahedron(metricCorners(element)) : plain;
+  RegionStatistics& region = statisticsOf(mesh_.regions[element.index()]);
+  ++region.tetrahedra;
+  region.volume += plain.volume;
+  measureShape(mesh_.regions[element.index()], measures);
+  if (element.index() == 0 || plain.volume < smallestVolume_) {
+    smallestVolume_ = plain.volume;
+    smallest_ = element;
   }
+  largestVolume_ = std::max(largestVolume_, plain.volume);
+  const double cost = dihedralCostOf(measures);
+  keepWorst(worst_, {cost, element});
+  if (cost > 1.0) outOfRange_.push_back({cost, element});
 }
 
-void QualityAnalysis::startEdges() {
-  for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
-  filled_.assign(starts_.begin(), starts_.end() - 1);
-  edges_.resize(starts_.back());
-  lastLowerNode_.assign(filled_.size(), NodeId());
-}
-
-void QualityAnalysis::insertEdges(std::size_t first, std::size_t last) {
-  for (std::size_t t = first; t < last; ++t) {
-    const NodeQuad nodes = nodesOf(mesh_, TetId(t));
-    for (std::size_t e = 0; e < kTetEdges.size(); ++e) {
-      const NodeId lower = std::min(nodes[kTetEdges[e].from], nodes[kTetEdges[e].to]);
-      edges_[filled_[lower.index()]++] = {TetId(t), e};
-    }
-  }
-}
-
-void QualityAnalysis::measureEdges(std::size_t firstNode, std::size_t lastNode) {
-  for (std::size_t i = starts_[firstNode]; i < starts_[lastNode]; ++i) {
-    const TetId element = edges_[i].element();
-    const TetEdge& corners = edges_[i].corners();
-    const NodeQuad nodes = nodesOf(mesh_, element);
-    const auto [lower, upper] = std::minmax(nodes[corners.from], nodes[corners.to]);
-    if (lastLowerNode_[upper.index()] == lower) continue;
-    lastLowerNode_[upper.index()] = lower;
-    const double length = relativeLength(lower, upper);
-    RegionStatistics& region = statisticsOf(mesh_.regions[element.index()]);
-    ++region.edge[linearBin(length, kBinsPerEdge, kEdgeBins)];
-    sumOfEdges_ += length;
-    sumOfAchievable_ += length / meanRaiseFactor(std::array{lower, upper});
-    ++edgeCount_;
-    nearTargetCount_ += length >= kNearFrom && length <= kNearTo ? 1 : 0;
-  }
-}
-
-void QualityAnalysis::startBoundary() {
-  edges_ = {};
-  starts_ = {};
-  filled_ = {};
-  lastLowerNode_ = {};
-  isTested_.assign(countNodes(mesh_), 0);
-  for (const Ranked& ranked : outOfRange_) {
-    for (const NodeId node : nodesOf(mesh_, ranked.element)) isTested_[node.index()] = 1;
-  }
-}
-
-void QualityAnalysis::findBoundaryFaces(std::size_t first, std::size_t last) {
-  for (std::size_t t = first; t < last; ++t) {
-    const NodeTriple nodes = nodesOf(surface_, TriangleId(t));
-    const auto isTested = [this](NodeId node) { return isTested_[node.index()] != 0; };
-    if (std::ranges::any_of(nodes, isTested)) limits_.add(nodes);
-  }
+/// `element`: one of the elements at the edge; the edge counts in its region.
+void QualityAnalysis::measureEdge(NodeId lower, NodeId upper, TetId element) {
+  const double length = relativeLength(lower, upper);
+  RegionStatistics& region = statisticsOf(mesh_.regions[element.index()]);
+  ++region.edge[linearBin(length, kBinsPerEdge, kEdgeBins)];
+  sumOfEdges_ += length;
+  sumOfAchievable_ += length / meanRaiseFactor(std::array{lower, upper});
+  ++edgeCount_;
+  nearTargetCount_ += length >= kNearFrom && length <= kNearTo ? 1 : 0;
 }
 
 ElementView QualityAnalysis::viewOf(const NodeQuad& nodes) const {
@@ -328,15 +323,6 @@ std::vector<ElementQuality> QualityAnalysis::qualityOf(const std::vector<Ranked>
   return qualities;
 }
 
-void QualityAnalysis::findLimits(std::size_t first, std::size_t last) {
-  for (std::size_t i = first; i < last; ++i) {
-    const NodeQuad nodes = nodesOf(mesh_, outOfRange_[i].element);
-    const BoundaryLimit limit = limits_.limitOf(nodes, viewOf(nodes));
-    count(limit);
-    if (limit != BoundaryLimit::kNone) keepWorst(worstLimited_, outOfRange_[i]);
-  }
-}
-
 void QualityAnalysis::finish() {
   for (RegionStatistics& region : statistics_.regions) {
     const QualitySummary shapes = regionMeters_[region.region].summary();
@@ -354,10 +340,6 @@ void QualityAnalysis::finish() {
   statistics_.meanEdgeOfAchievable = sumOfAchievable_ / static_cast<double>(edgeCount_);
   statistics_.edgesNearTarget =
       static_cast<double>(nearTargetCount_) / static_cast<double>(edgeCount_);
-  outOfRange_ = {};
-  sizes_ = {};
-  tensors_ = {};
-  raiseFactors_ = {};
 }
 
 }  // namespace tetrafront

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/ids.h"
+#include "base/task.h"
 #include "field/size_field.h"
-#include "geom/tetrahedron.h"
 #include "quality/boundary_limits.h"
 #include "quality/metrics.h"
 #include "tetrafront/mesh.h"
@@ -27,7 +27,10 @@ class QualityAnalysis {
 
   /// Visits about `budget` elements or nodes; returns true when finished. O(n), about 0.5 µs per
   /// element.
-  bool advance(std::uint32_t budget);
+  bool advance(std::uint32_t budget) { return job_.advance(budget); }
+
+  /// Estimated progress, 0 to 1.
+  [[nodiscard]] double fraction() const { return job_.fraction(); }
 
   /// Summary in plain space; final when finished.
   [[nodiscard]] QualitySummary summary() const { return meter_.summary(); }
@@ -35,24 +38,13 @@ class QualityAnalysis {
   [[nodiscard]] MetricShapes takeMetricShapes() { return std::move(metricShapes_); }
 
  private:
-  enum class Stage : std::uint8_t {
-    kSizes,
-    kElements,
-    kInsertEdges,
-    kEdges,
-    kBoundary,
-    kLimits,
-    kDone
-  };
+  Task<> analyse(Work& work);
+  Task<> measureElements(Work& work);
+  Task<> findLimits(Work& work);
 
   void querySizes(std::size_t first, std::size_t last);
-  void measureElements(std::size_t first, std::size_t last);
-  void insertEdges(std::size_t first, std::size_t last);
-  void measureEdges(std::size_t firstNode, std::size_t lastNode);
-  void findBoundaryFaces(std::size_t first, std::size_t last);
-  void startEdges();
-  void startBoundary();
-  void findLimits(std::size_t first, std::size_t last);
+  void measureElement(TetId element);
+  void measureEdge(NodeId lower, NodeId upper, TetId element);
   void finish();
 
   /// Returns the corners in the element's metric space, the first in the origin; without stretching,
@@ -79,8 +71,6 @@ class QualityAnalysis {
   const SizeField& field_;
   bool isStretched_;
   FieldHint hint_;
-  Stage stage_ = Stage::kSizes;
-  std::size_t next_ = 0;
   QualityMeter meter_;
   QualityStatistics statistics_;
   std::vector<QualityMeter> regionMeters_;  ///< in the metric
@@ -89,25 +79,6 @@ class QualityAnalysis {
   std::vector<SymmetricTensor> tensors_;  ///< T of nodes, with stretching
   std::vector<double>
       raiseFactors_;  ///< raised size / target size at nodes, if the field is raised
-  /// An edge of an element, as an index into kTetEdges.
-  class ElementEdge {
-   public:
-    ElementEdge() = default;
-    ElementEdge(TetId element, std::size_t edge)
-        : packed_(static_cast<std::uint32_t>(kTetEdges.size() * element.index() + edge)) {}
-    [[nodiscard]] TetId element() const { return TetId(packed_ / kTetEdges.size()); }
-    [[nodiscard]] const TetEdge& corners() const { return kTetEdges[packed_ % kTetEdges.size()]; }
-
-   private:
-    std::uint32_t packed_ = 0;
-  };
-
-  /// Edges of elements by their lower node. Those of node i begin at starts_[i].
-  std::vector<std::uint32_t> starts_;
-  std::vector<std::uint32_t> filled_;
-  std::vector<ElementEdge> edges_;
-  /// Per node: the last lower node with which it shared an edge, or none.
-  std::vector<NodeId> lastLowerNode_;
   double sumOfEdges_ = 0.0;
   double sumOfAchievable_ = 0.0;
   std::uint64_t edgeCount_ = 0;
@@ -118,8 +89,7 @@ class QualityAnalysis {
   std::vector<Ranked> worst_;
   std::vector<Ranked> outOfRange_;
   std::vector<Ranked> worstLimited_;
-  std::vector<std::uint8_t> isTested_;  ///< nodes of the elements to test
-  BoundaryLimits limits_;               ///< limits of those elements
+  Job<> job_;  ///< last, because it uses the other members
 };
 
 }  // namespace tetrafront
