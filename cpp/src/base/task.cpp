@@ -1,5 +1,9 @@
 #include "base/task.h"
 
+#include <algorithm>
+
+#include "base/budget.h"
+
 namespace tetrafront {
 
 void Work::beginPart(double end) {
@@ -36,6 +40,39 @@ void Work::advanceStep() {
 }
 
 void Work::fail() noexcept { failure_ = std::current_exception(); }
+
+Work::Finish::Finish(Work& work, void* machine, std::size_t stepsPerUnit,
+                     AdvanceMachine advanceMachine)
+    : Step(work, run),
+      machine_(machine),
+      stepsPerUnit_(stepsPerUnit),
+      advanceMachine_(advanceMachine) {}
+
+bool Work::Finish::run(Step& self) {
+  auto& finish = static_cast<Finish&>(self);
+  Work& work = finish.work();
+  constexpr std::size_t kLargest = std::numeric_limits<std::uint32_t>::max();
+  const std::size_t steps =
+      std::min(scaledBudget(work.remaining(), finish.stepsPerUnit_), kLargest);
+  const bool isFinished =
+      finish.advanceMachine_(work, finish.machine_, static_cast<std::uint32_t>(steps));
+  work.subtract(work.remaining());
+  if (isFinished) work.setFraction(1.0);
+  return isFinished;
+}
+
+Work::Blocks::Blocks(Work& work, std::size_t count, std::size_t itemsPerUnit, VisitBlock visitBlock)
+    : Step(work, run), Resumable(count), itemsPerUnit_(itemsPerUnit), visitBlock_(visitBlock) {}
+
+bool Work::Blocks::run(Step& self) {
+  auto& blocks = static_cast<Blocks&>(self);
+  Work& work = blocks.work();
+  const auto [first, last] = blocks.take(scaledBudget(work.remaining(), blocks.itemsPerUnit_));
+  blocks.visitBlock_(blocks, first, last);
+  work.subtract((last - first + blocks.itemsPerUnit_ - 1) / blocks.itemsPerUnit_);
+  work.setFraction(blocks.fraction());
+  return blocks.isPassDone();
+}
 
 void Work::subtract(std::size_t units) {
   remaining_ -= static_cast<std::uint32_t>(std::min<std::size_t>(units, remaining_));

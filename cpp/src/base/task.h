@@ -26,7 +26,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "base/budget.h"
 #include "base/resumable.h"
 
 namespace tetrafront {
@@ -35,7 +34,6 @@ namespace tetrafront {
 class Work {
  public:
   class Yield;
-  template <class Machine>
   class Finish;
   template <class Visit>
   class ForEachBlock;
@@ -57,13 +55,22 @@ class Work {
   /// ends the slice: the machine does not say how much of its last budget it used. One unit of the budget is
   /// worth `stepsPerUnit` steps of the machine. Follows machine.fraction() if there is one.
   template <class Machine>
-  [[nodiscard]] Finish<Machine> finish(Machine& machine, std::size_t stepsPerUnit = 1);
+  [[nodiscard]] Finish finish(Machine& machine, std::size_t stepsPerUnit = 1);
 
   /// `co_await work.forEachBlock(count, visit)` calls visit(first, last) for consecutive blocks of the items
   /// [0, count), each as large as the budget allows; `itemsPerUnit` items cost one unit.
   template <class Visit>
   [[nodiscard]] ForEachBlock<Visit> forEachBlock(std::size_t count, Visit visit,
                                                  std::size_t itemsPerUnit = 1);
+
+  /// `co_await work.forEachId<NodeId>(count, visit)` does the same with visit(id) for each of the ids [0, count).
+  template <class AnyId, class Visit>
+  [[nodiscard]] auto forEachId(std::size_t count, Visit visit, std::size_t itemsPerUnit = 1) {
+    const auto visitBlock = [visit](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) visit(AnyId(i));
+    };
+    return ForEachBlock<decltype(visitBlock)>(*this, count, visitBlock, itemsPerUnit);
+  }
 
   /// The work up to the next part takes the progress of the running task from where it is to `end`, 0 to 1. A task
   /// that is awaited there divides this part further. A task that declares no parts is one part. The last part is
@@ -79,25 +86,30 @@ class Work {
   template <class T>
   friend class Job;
 
-  /// Work that a task awaits and that is not a coroutine.
+  /// Work that a task awaits and that is not a coroutine. Not virtual: each awaited type would add a table and its
+  /// name to the download.
   class Step {
    public:
     Step(const Step&) = delete;
     Step& operator=(const Step&) = delete;
     /// Does the work of one slice; true when finished.
-    virtual bool advance() = 0;
+    bool advance() { return run_(*this); }
 
     void await_suspend(std::coroutine_handle<> /*task*/) { work_.step_ = this; }
     void await_resume() const noexcept {}
 
    protected:
-    explicit Step(Work& work) : work_(work) {}
+    using Run = bool (*)(Step& self);
+    Step(Work& work, Run run) : work_(work), run_(run) {}
     ~Step() = default;
     [[nodiscard]] Work& work() const { return work_; }
 
    private:
     Work& work_;
+    Run run_;
   };
+
+  class Blocks;
 
   /// Part of the progress of the job.
   struct Section {
@@ -138,55 +150,63 @@ inline Work::Yield Work::spend(std::size_t units) {
 
 inline Work::Yield Work::yield() { return spend(remaining_); }
 
-template <class Machine>
 class [[nodiscard]] Work::Finish : public Step {
  public:
-  Finish(Work& work, Machine& machine, std::size_t stepsPerUnit)
-      : Step(work), machine_(machine), stepsPerUnit_(stepsPerUnit) {}
+  /// Calls advance(steps) of a machine, and follows its fraction.
+  using AdvanceMachine = bool (*)(Work& work, void* machine, std::uint32_t steps);
+
+  Finish(Work& work, void* machine, std::size_t stepsPerUnit, AdvanceMachine advanceMachine);
   [[nodiscard]] bool await_ready() const noexcept { return false; }
 
-  bool advance() override {
-    constexpr std::size_t kLargest = std::numeric_limits<std::uint32_t>::max();
-    const std::size_t steps =
-        std::min(scaledBudget(this->work().remaining(), stepsPerUnit_), kLargest);
-    const bool isFinished = machine_.advance(static_cast<std::uint32_t>(steps));
-    this->work().subtract(this->work().remaining());
-    if (isFinished) {
-      this->work().setFraction(1.0);
-    } else if constexpr (requires { machine_.fraction(); }) {
-      this->work().setFraction(machine_.fraction());
-    }
-    return isFinished;
-  }
-
  private:
-  Machine& machine_;
+  static bool run(Step& self);
+
+  void* machine_;
   std::size_t stepsPerUnit_;
+  AdvanceMachine advanceMachine_;
 };
 
 template <class Machine>
-Work::Finish<Machine> Work::finish(Machine& machine, std::size_t stepsPerUnit) {
-  return Finish<Machine>(*this, machine, stepsPerUnit);
+Work::Finish Work::finish(Machine& machine, std::size_t stepsPerUnit) {
+  return Finish(*this, &machine, stepsPerUnit, [](Work& work, void* any, std::uint32_t steps) {
+    Machine& typed = *static_cast<Machine*>(any);
+    const bool isFinished = typed.advance(steps);
+    if constexpr (requires { typed.fraction(); }) {
+      if (!isFinished) work.setFraction(typed.fraction());
+    }
+    return isFinished;
+  });
 }
 
-template <class Visit>
-class [[nodiscard]] Work::ForEachBlock : public Step, private Resumable {
+/// The part of ForEachBlock that all visitors share.
+class Work::Blocks : public Step, private Resumable {
  public:
-  ForEachBlock(Work& work, std::size_t count, Visit visit, std::size_t itemsPerUnit)
-      : Step(work), Resumable(count), visit_(std::move(visit)), itemsPerUnit_(itemsPerUnit) {}
   [[nodiscard]] bool await_ready() const noexcept { return isPassDone(); }
 
-  bool advance() override {
-    const auto [first, last] = take(scaledBudget(this->work().remaining(), itemsPerUnit_));
-    visit_(first, last);
-    this->work().subtract((last - first + itemsPerUnit_ - 1) / itemsPerUnit_);
-    this->work().setFraction(Resumable::fraction());
-    return isPassDone();
-  }
+ protected:
+  using VisitBlock = void (*)(Blocks& self, std::size_t first, std::size_t last);
+  Blocks(Work& work, std::size_t count, std::size_t itemsPerUnit, VisitBlock visitBlock);
+  ~Blocks() = default;
+
+ private:
+  static bool run(Step& self);
+
+  std::size_t itemsPerUnit_;
+  VisitBlock visitBlock_;
+};
+
+template <class Visit>
+class [[nodiscard]] Work::ForEachBlock : public Blocks {
+ public:
+  ForEachBlock(Work& work, std::size_t count, Visit visit, std::size_t itemsPerUnit)
+      : Blocks(work, count, itemsPerUnit,
+               [](Blocks& self, std::size_t first, std::size_t last) {
+                 static_cast<ForEachBlock&>(self).visit_(first, last);
+               }),
+        visit_(std::move(visit)) {}
 
  private:
   Visit visit_;
-  std::size_t itemsPerUnit_;
 };
 
 template <class Visit>
