@@ -83,51 +83,21 @@ void measureEdges(const VolumeMesh& mesh, TetId element, double& sum, MeshInspec
   }
 }
 
-/// Orients the elements and measures their edges.
-Task<> measureElements(Work& work, VolumeMesh& mesh, MeshInspection& out) {
-  double edgeSum = 0.0;
-  out.shortestEdge = std::numeric_limits<double>::infinity();
-  co_await work.forEachBlock(out.tetrahedra, [&](std::size_t first, std::size_t last) {
-    for (std::size_t t = first; t < last; ++t) {
-      orientElement(mesh, TetId(t), out);
-      measureEdges(mesh, TetId(t), edgeSum, out);
-    }
-  });
-  out.meanEdge = edgeSum / (6.0 * out.tetrahedra);
-}
-
-/// Finds the boundary; returns it together with the interfaces, without positions.
-Task<SurfaceMesh> findBoundary(Work& work, const VolumeMesh& mesh, MeshInspection& out) {
-  BoundaryFinder finder(mesh);
-  co_await work.finish(finder);
+/// Moves the boundary to the inspection; returns it together with the interfaces, without positions.
+SurfaceMesh takeSurface(BoundaryFinder& finder, MeshInspection& out) {
   out.boundary = finder.take();
   SurfaceMesh surface;
   surface.triangles = out.boundary.triangles;
   const std::vector<std::uint32_t> interfaces = finder.takeInterfaces();
   surface.triangles.insert(surface.triangles.end(), interfaces.begin(), interfaces.end());
-  co_return surface;
+  return surface;
 }
 
-/// Counts what is wrong with the mesh, by itself and with the boundary as its surface.
-Task<> countDefects(Work& work, const VolumeMesh& mesh, MeshInspection& out) {
-  SurfaceMesh surface = out.boundary;
-  surface.points = mesh.points;
-  MeshVerifier verifier(mesh, surface);
-  co_await work.finish(verifier);
-  const MeshDefects& defects = verifier.defects();
+void takeDefects(const MeshDefects& defects, MeshInspection& out) {
   out.duplicateTetrahedra = narrowed(defects.duplicateTetrahedra);
   out.nonManifoldFaces = narrowed(defects.nonManifoldFaces);
   out.overlappingFaces = narrowed(defects.overlappingFaces);
   out.coincidentNodes = narrowed(defects.coincidentNodes);
-}
-
-Task<> analyse(Work& work, const VolumeMesh& mesh, const SurfaceMesh& surface,
-               MeshInspection& out) {
-  const SizeField field = SizeField::uniform(out.meanEdge);
-  QualityAnalysis analysis(mesh, surface, field);
-  co_await work.finish(analysis);
-  out.quality = analysis.summary();
-  out.statistics = analysis.statistics();
 }
 
 Task<MeshInspection> inspect(Work& work, VolumeMesh& mesh) {
@@ -136,19 +106,43 @@ Task<MeshInspection> inspect(Work& work, VolumeMesh& mesh) {
   if (!out.isReadable) co_return out;
   mesh.regions.resize(countTetrahedra(mesh), 0);
   const std::vector<std::uint32_t> regionTags = numberRegions(mesh.regions);
-  out.tetrahedra = countTetrahedra(mesh);
   countUsedNodes(mesh, out);
   co_await work.yield();
 
   work.beginPart(0.15);
-  co_await measureElements(work, mesh, out);
+  out.tetrahedra = countTetrahedra(mesh);
+  out.shortestEdge = std::numeric_limits<double>::infinity();  // until the first edge
+  double edgeSum = 0.0;
+  co_await work.forEachId<TetId>(out.tetrahedra, [&](TetId element) {
+    orientElement(mesh, element, out);
+    measureEdges(mesh, element, edgeSum, out);
+  });
+  out.meanEdge = edgeSum / (6.0 * out.tetrahedra);
+
   work.beginPart(0.4);
-  const SurfaceMesh withInterfaces = co_await findBoundary(work, mesh, out);
+  SurfaceMesh withInterfaces;
+  {
+    BoundaryFinder finder(mesh);
+    co_await work.finish(finder);
+    withInterfaces = takeSurface(finder, out);
+  }
   work.beginPart(0.6);
-  co_await countDefects(work, mesh, out);
-  work.beginPart(1.0);
-  if (out.meanEdge > 0.0) co_await analyse(work, mesh, withInterfaces, out);
+  {
+    SurfaceMesh surface = out.boundary;
+    surface.points = mesh.points;
+    MeshVerifier verifier(mesh, surface);
+    co_await work.finish(verifier);
+    takeDefects(verifier.defects(), out);
+  }
   for (std::uint32_t& region : out.boundary.trianglePatch) region = regionTags[region];
+  if (!(out.meanEdge > 0.0)) co_return out;
+
+  work.beginPart(1.0);
+  const SizeField field = SizeField::uniform(out.meanEdge);
+  QualityAnalysis analysis(mesh, withInterfaces, field);
+  co_await work.finish(analysis);
+  out.quality = analysis.summary();
+  out.statistics = analysis.statistics();
   for (RegionStatistics& own : out.statistics.regions) own.region = regionTags[own.region];
   co_return out;
 }

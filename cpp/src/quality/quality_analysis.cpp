@@ -102,8 +102,7 @@ QualityAnalysis::QualityAnalysis(const VolumeMesh& mesh, const SurfaceMesh& surf
 
 Task<> QualityAnalysis::analyse(Work& work) {
   work.beginPart(0.2);
-  co_await work.forEachBlock(
-      countNodes(mesh_), [this](std::size_t first, std::size_t last) { querySizes(first, last); });
+  co_await work.forEachId<NodeId>(countNodes(mesh_), [this](NodeId node) { querySize(node); });
   work.beginPart(0.9);
   co_await measureElements(work);
   work.beginPart(1.0);
@@ -116,34 +115,28 @@ Task<> QualityAnalysis::measureElements(Work& work) {
   const std::size_t elements = countTetrahedra(mesh_);
   NodeLists<ElementEdge> edges(countNodes(mesh_));  // at their lower nodes
   work.beginPart(0.5);
-  co_await work.forEachBlock(elements, [&](std::size_t first, std::size_t last) {
-    for (std::size_t t = first; t < last; ++t) {
-      measureElement(TetId(t));
-      const NodeQuad nodes = nodesOf(mesh_, TetId(t));
-      for (const TetEdge& edge : kTetEdges) edges.count(sortedNodes(nodes, edge).first);
-    }
+  co_await work.forEachId<TetId>(elements, [&](TetId element) {
+    measureElement(element);
+    const NodeQuad nodes = nodesOf(mesh_, element);
+    for (const TetEdge& edge : kTetEdges) edges.count(sortedNodes(nodes, edge).first);
   });
   edges.endCounting();
   work.beginPart(0.7);
-  co_await work.forEachBlock(elements, [&](std::size_t first, std::size_t last) {
-    for (std::size_t t = first; t < last; ++t) {
-      const NodeQuad nodes = nodesOf(mesh_, TetId(t));
-      for (std::size_t e = 0; e < kTetEdges.size(); ++e) {
-        edges.add(sortedNodes(nodes, kTetEdges[e]).first, {TetId(t), e});
-      }
+  co_await work.forEachId<TetId>(elements, [&](TetId element) {
+    const NodeQuad nodes = nodesOf(mesh_, element);
+    for (std::size_t e = 0; e < kTetEdges.size(); ++e) {
+      edges.add(sortedNodes(nodes, kTetEdges[e]).first, {element, e});
     }
   });
   // Per node: the last lower node with which it shared an edge, or none.
   std::vector<NodeId> lastLowerNode(countNodes(mesh_));
   work.beginPart(1.0);
-  co_await work.forEachBlock(countNodes(mesh_), [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      for (const ElementEdge& edge : edges.at(NodeId(i))) {
-        const auto [lower, upper] = sortedNodes(nodesOf(mesh_, edge.element()), edge.corners());
-        if (lastLowerNode[upper.index()] == lower) continue;
-        lastLowerNode[upper.index()] = lower;
-        measureEdge(lower, upper, edge.element());
-      }
+  co_await work.forEachId<NodeId>(countNodes(mesh_), [&](NodeId node) {
+    for (const ElementEdge& edge : edges.at(node)) {
+      const auto [lower, upper] = sortedNodes(nodesOf(mesh_, edge.element()), edge.corners());
+      if (lastLowerNode[upper.index()] == lower) continue;
+      lastLowerNode[upper.index()] = lower;
+      measureEdge(lower, upper, edge.element());
     }
   });
 }
@@ -156,12 +149,10 @@ Task<> QualityAnalysis::findLimits(Work& work) {
   }
   BoundaryLimits limits(mesh_.points);
   work.beginPart(0.5);
-  co_await work.forEachBlock(countTriangles(surface_), [&](std::size_t first, std::size_t last) {
-    for (std::size_t t = first; t < last; ++t) {
-      const NodeTriple nodes = nodesOf(surface_, TriangleId(t));
-      if (std::ranges::any_of(nodes, [&](NodeId node) { return isTested[node.index()] != 0; }))
-        limits.add(nodes);
-    }
+  co_await work.forEachId<TriangleId>(countTriangles(surface_), [&](TriangleId triangle) {
+    const NodeTriple nodes = nodesOf(surface_, triangle);
+    if (std::ranges::any_of(nodes, [&](NodeId node) { return isTested[node.index()] != 0; }))
+      limits.add(nodes);
   });
   limits.finish();
   work.beginPart(1.0);
@@ -175,19 +166,17 @@ Task<> QualityAnalysis::findLimits(Work& work) {
   });
 }
 
-void QualityAnalysis::querySizes(std::size_t first, std::size_t last) {
-  for (std::size_t i = first; i < last; ++i) {
-    const Vec3 position = pointOf(mesh_, NodeId(i));
-    double size = 0.0;
-    if (isStretched_) {
-      const SymmetricTensor target = field_.targetTensorAt(position, hint_);
-      tensors_[i] = target.inverse();
-      size = meanSizeOf(target);
-    } else {
-      size = sizes_[i] = field_.targetSizeAt(position, hint_);
-    }
-    if (!raiseFactors_.empty()) raiseFactors_[i] = field_.raiseFactorAt(position, size);
+void QualityAnalysis::querySize(NodeId node) {
+  const Vec3 position = pointOf(mesh_, node);
+  double size = 0.0;
+  if (isStretched_) {
+    const SymmetricTensor target = field_.targetTensorAt(position, hint_);
+    tensors_[node.index()] = target.inverse();
+    size = meanSizeOf(target);
+  } else {
+    size = sizes_[node.index()] = field_.targetSizeAt(position, hint_);
   }
+  if (!raiseFactors_.empty()) raiseFactors_[node.index()] = field_.raiseFactorAt(position, size);
 }
 
 double QualityAnalysis::meanRaiseFactor(std::span<const NodeId> nodes) const {

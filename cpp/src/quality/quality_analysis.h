@@ -42,7 +42,7 @@ class QualityAnalysis {
   Task<> measureElements(Work& work);
   Task<> findLimits(Work& work);
 
-  void querySizes(std::size_t first, std::size_t last);
+  void querySize(NodeId node);
   void measureElement(TetId element);
   void measureEdge(NodeId lower, NodeId upper, TetId element);
   void finish();

@@ -115,9 +115,8 @@ Task<> MeshVerifier::verify(Work& work) {
   co_await findCoincidentNodes(work);
 
   work.beginPart(0.5);
-  co_await work.forEachBlock(countTetrahedra(mesh_), [this](std::size_t first, std::size_t last) {
-    checkTetrahedra(first, last);
-  });
+  co_await work.forEachId<TetId>(countTetrahedra(mesh_),
+                                 [this](TetId tet) { checkTetrahedron(tet); });
 
   work.beginPart(1.0);
   co_await matchFaces(work);
@@ -129,39 +128,29 @@ Task<> MeshVerifier::findCoincidentNodes(Work& work) {
   const std::size_t nodes = countNodes(mesh_);
   std::vector<std::uint8_t> isUsed(nodes, 0);
   work.beginPart(0.25);
-  co_await work.forEachBlock(countTetrahedra(mesh_), [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = 4 * first; i < 4 * last; ++i) isUsed[mesh_.tetrahedra[i]] = 1;
+  co_await work.forEachId<TetId>(countTetrahedra(mesh_), [&](TetId tet) {
+    for (const NodeId node : nodesOf(mesh_, tet)) isUsed[node.index()] = 1;
   });
-
-  // Calls use(bucket, node) for the used nodes in [first, last).
-  const auto forEachUsed = [&](std::size_t first, std::size_t last, auto use) {
-    for (std::size_t i = first; i < last; ++i) {
-      if (isUsed[i] == 0) continue;
-      const std::uint64_t bucket = hashOf(pointOf(mesh_, NodeId(i))) % nodes;
-      use(PositionBucketId(static_cast<std::size_t>(bucket)), NodeId(i));
-    }
+  const auto bucketOf = [&](NodeId node) {
+    return PositionBucketId(static_cast<std::size_t>(hashOf(pointOf(mesh_, node)) % nodes));
   };
   NodeLists<NodeId, PositionBucketId> buckets(nodes);
   work.beginPart(0.5);
-  co_await work.forEachBlock(nodes, [&](std::size_t first, std::size_t last) {
-    forEachUsed(first, last,
-                [&](PositionBucketId bucket, NodeId /*node*/) { buckets.count(bucket); });
+  co_await work.forEachId<NodeId>(nodes, [&](NodeId node) {
+    if (isUsed[node.index()] != 0) buckets.count(bucketOf(node));
   });
   buckets.endCounting();
   work.beginPart(0.75);
-  co_await work.forEachBlock(nodes, [&](std::size_t first, std::size_t last) {
-    forEachUsed(first, last,
-                [&](PositionBucketId bucket, NodeId node) { buckets.add(bucket, node); });
+  co_await work.forEachId<NodeId>(nodes, [&](NodeId node) {
+    if (isUsed[node.index()] != 0) buckets.add(bucketOf(node), node);
   });
   work.beginPart(1.0);
-  co_await work.forEachBlock(nodes, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) comparePositions(buckets.at(PositionBucketId(i)));
-  });
+  co_await work.forEachId<PositionBucketId>(
+      nodes, [&](PositionBucketId bucket) { comparePositions(buckets.at(bucket)); });
 }
 
 Task<> MeshVerifier::matchFaces(Work& work) {
-  const std::size_t nodes = countNodes(mesh_);
-  NodeLists<Face> faces(nodes);
+  NodeLists<Face> faces(countNodes(mesh_));
   work.beginPart(0.3);
   co_await work.forEachBlock(elementCount(), [&](std::size_t first, std::size_t last) {
     forEachFace(first, last, [&](const SortedFace& face, std::uint32_t /*owner*/) {
@@ -177,9 +166,8 @@ Task<> MeshVerifier::matchFaces(Work& work) {
     });
   });
   work.beginPart(1.0);
-  co_await work.forEachBlock(nodes, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) matchFacesOf(faces.at(NodeId(i)));
-  });
+  co_await work.forEachId<NodeId>(countNodes(mesh_),
+                                  [&](NodeId node) { matchFacesOf(faces.at(node)); });
 }
 
 /// Checks the numbers of nodes, surface nodes, tetrahedra and triangles in [first, last).
@@ -227,12 +215,10 @@ void MeshVerifier::comparePositions(std::span<NodeId> nodes) {
   }
 }
 
-void MeshVerifier::checkTetrahedra(std::size_t first, std::size_t last) {
-  for (std::size_t t = first; t < last; ++t) {
-    const auto [a, b, c, d] = cornersOf(mesh_, TetId(t));
-    if (orient3d(a, b, c, d) <= 0) report(defects_.invertedTetrahedra, TetId(t));
-    defects_.meshVolume += sixVolumes(b - a, c - a, d - a) / 6.0;
-  }
+void MeshVerifier::checkTetrahedron(TetId tet) {
+  const auto [a, b, c, d] = cornersOf(mesh_, tet);
+  if (orient3d(a, b, c, d) <= 0) report(defects_.invertedTetrahedra, tet);
+  defects_.meshVolume += sixVolumes(b - a, c - a, d - a) / 6.0;
 }
 
 /// Calls use(face, owner) for the faces of elements in [first, last).

@@ -76,7 +76,7 @@ class MeshVerifier {
   void checkNumbers(std::size_t first, std::size_t last);
   void checkKept(std::size_t first, std::size_t last);
   void comparePositions(std::span<NodeId> nodes);
-  void checkTetrahedra(std::size_t first, std::size_t last);
+  void checkTetrahedron(TetId tet);
   void matchFacesOf(std::span<Face> faces);
   void matchOwners(std::span<const Face> owners);
   void matchInnerRegions(const Face& one, const Face& other);
