@@ -232,10 +232,9 @@ Task<bool> MeshRun::Impl::checkInput(Work& work) {
   if (!model_) {
     report(checkOptions(options_));
     if (anyError(diagnostics_)) co_return false;
-    BackgroundGridCheck check = targetSizeCheck(grid_, options_);
-    co_await work.finish(check);
     // Errors of the grid end the run after the boundary check, so that the user gets all diagnostics at once.
-    report(check.take());
+    const std::vector<Diagnostic> ofGrid = co_await checkTargetGrid(work, grid_, options_);
+    report(ofGrid);
     co_return true;
   }
   CheckedInput input = co_await tetrafront::checkInput(work, *model_, grid_, options_);

@@ -120,11 +120,11 @@ TEST(GridLocatorTest, IsBuiltInSlices) {
     }
     constexpr double kGridGrowth = 0.3;
     const GridLocator whole(grid, kGridGrowth);
-    GridLocatorBuilder builder(grid, kGridGrowth);
+    Job job([&](Work& work) { return buildGridLocator(work, grid, kGridGrowth); });
     std::size_t slices = 1;
-    while (!builder.advance(1)) ++slices;
+    while (!job.advance(1)) ++slices;
     EXPECT_GT(slices, 2 * grid.tetrahedra.size());
-    const GridLocator sliced = builder.take();
+    const GridLocator sliced = job.take();
     Random random(407);
     for (int i = 0; i < 300; ++i) {
       const Vec3 position = Vec3(0.5) + random.inBox(0.7);
@@ -165,11 +165,11 @@ TEST(BackgroundGridCheckTest, FindsTheSameInSlices) {
   grid.tetrahedra[70] = {7000, 7001, 7002, 7003};
   grid.tetrahedra[200] = grid.tetrahedra[3];
   grid.tetrahedra[300] = grid.tetrahedra[70];
-  BackgroundGridCheck check(grid);
+  Job job([&](Work& work) { return checkBackgroundGrid(work, grid); });
   std::size_t slices = 1;
-  while (!check.advance(1)) ++slices;
+  while (!job.advance(1)) ++slices;
   EXPECT_GT(slices, grid.tetrahedra.size() / 4);
-  const std::vector<Diagnostic> sliced = check.take();
+  const std::vector<Diagnostic> sliced = job.take();
   const std::vector<Diagnostic> whole = checkBackgroundGrid(grid);
   ASSERT_EQ(codesOf(grid),
             (std::vector{DiagnosticCode::kSizeOutOfRange, DiagnosticCode::kIndexOutOfRange,

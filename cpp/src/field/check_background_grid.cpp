@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 
-#include "base/budget.h"
+#include "base/ids.h"
 #include "base/sort.h"
 #include "base/tolerance.h"
 #include "field/grid_access.h"
 #include "field/size_sources.h"
 #include "geom/coordinates.h"
 #include "geom/predicates.h"
+#include "search/incidence.h"
 #include "tetrafront/options.h"
 
 namespace tetrafront {
@@ -23,8 +25,13 @@ namespace {
 /// flatter one would be rounding errors.
 constexpr double kFlatVolume = 1e-12;
 
-/// Tetrahedra per unit of budget: visiting one costs far less than a step of the front.
-constexpr std::size_t kPerBudget = 8;
+/// Nodes or tetrahedra per unit of budget: visiting one costs far less than a step of the front.
+constexpr std::size_t kCheckedPerUnit = 8;
+
+struct TetrahedronEntry {
+  GridNodeQuad nodes;  ///< ascending
+  GridTetId tetrahedron;
+};
 
 Entity entityOf(GridNodeId node) { return {EntityKind::kBackgroundNode, node.value}; }
 Entity entityOf(GridTetId tet) { return {EntityKind::kBackgroundTetrahedron, tet.value}; }
@@ -96,107 +103,91 @@ void checkTetrahedron(const BackgroundGrid& grid, GridTetId tet, std::vector<Dia
   found.back().position = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
 }
 
-}  // namespace
-
-bool BackgroundGridCheck::advance(std::uint32_t budget) {
-  if (stage_ == Stage::kDone) return true;
-  if (stage_ == Stage::kSources) checkSources();
-  const std::size_t last = next_ + std::min(scaledBudget(budget, kPerBudget), end_ - next_);
-  for (; next_ < last; ++next_) workOn(next_);
-  if (next_ == end_) endStage();
-  return stage_ == Stage::kDone;
-}
-
-void BackgroundGridCheck::checkSources() {
-  found_ = checkSizeSources(grid_->sources);
-  if (part_ == GridPart::kSources) {
-    stage_ = Stage::kDuplicates;
-    return;
-  }
-  if (!grid_->nodes.empty() && !grid_->tetrahedra.empty()) return;
-  found_.emplace_back();
-  found_.back().code = DiagnosticCode::kEmptyBackgroundGrid;
-  stage_ = Stage::kDuplicates;
-}
-
-void BackgroundGridCheck::workOn(std::size_t i) {
-  switch (stage_) {
-    case Stage::kExtent:
-      return extend(grid_->nodes[i].position);
-    case Stage::kNodes:
-      return checkNode(grid_->nodes[i], GridNodeId(i), smallest_, found_);
-    case Stage::kTetrahedra:
-      checkTetrahedron(*grid_, GridTetId(i), found_);
-      return entries_.count(listOf(sorted(nodesOf(*grid_, GridTetId(i)))[0]));
-    case Stage::kInsert: {
-      const GridTetId tet(i);
-      const GridNodeQuad nodes = sorted(nodesOf(*grid_, tet));
-      return entries_.add(listOf(nodes[0]), {nodes, tet});
-    }
-    case Stage::kDuplicates:
-      return checkDuplicatesAt(GridNodeId(i));
-    case Stage::kSources:
-    case Stage::kDone:
-      return;
-  }
-}
-
-void BackgroundGridCheck::endStage() {
-  next_ = 0;
-  end_ = grid_->nodes.size();
-  switch (stage_) {
-    case Stage::kExtent:
-      if (low_) smallest_ = Tolerance::ofBox(*low_, high_).rounding();
-      break;
-    case Stage::kNodes:
-      for (const SourceId id : IdRange<SourceId>(grid_->sources.size())) {
-        checkSourceSize(grid_->sources[id.index()], id, smallest_, found_);
-      }
-      entries_ = NodeLists<Entry, GridNodeId>(grid_->nodes.size() + 1);
-      end_ = grid_->tetrahedra.size();
-      break;
-    case Stage::kTetrahedra:
-      entries_.endCounting();
-      end_ = grid_->tetrahedra.size();
-      break;
-    case Stage::kInsert:
-      end_ = grid_->nodes.size() + 1;
-      break;
-    case Stage::kDuplicates:
-      entries_ = {};
-      break;
-    case Stage::kSources:
-    case Stage::kDone:
-      break;
-  }
-  stage_ = static_cast<Stage>(static_cast<std::uint8_t>(stage_) + 1);
-}
-
-void BackgroundGridCheck::extend(const Vec3& position) {
-  if (!isFinite(position)) return;
-  high_ = low_ ? glm::max(high_, position) : position;
-  low_ = low_ ? glm::min(*low_, position) : position;
-}
-
-/// Reports duplicate tetrahedra: those with the same four nodes.
-void BackgroundGridCheck::checkDuplicatesAt(GridNodeId node) {
-  const std::span<Entry> entries = entries_.at(node);
-  sortFew(entries, [](const Entry& a, const Entry& b) {
+/// Reports the tetrahedra of a list that have the same four nodes as another.
+void reportDuplicates(std::span<TetrahedronEntry> entries, std::vector<Diagnostic>& found) {
+  sortFew(entries, [](const TetrahedronEntry& a, const TetrahedronEntry& b) {
     return a.nodes != b.nodes ? a.nodes < b.nodes : a.tetrahedron < b.tetrahedron;
   });
   for (std::size_t i = 1; i < entries.size(); ++i) {
     if (entries[i].nodes != entries[i - 1].nodes) continue;
     Diagnostic duplicate = about(DiagnosticCode::kDuplicateTriangle, entries[i].tetrahedron);
     duplicate.entities.push_back(entityOf(entries[i - 1].tetrahedron));
-    found_.push_back(std::move(duplicate));
+    found.push_back(std::move(duplicate));
   }
 }
 
-std::vector<Diagnostic> checkBackgroundGrid(const BackgroundGrid& grid) {
-  BackgroundGridCheck check(grid);
-  while (!check.advance(std::numeric_limits<std::uint32_t>::max())) {
+/// Box of the valid positions.
+struct GridExtent {
+  std::optional<Vec3> low;
+  Vec3 high{0.0};
+
+  void include(const Vec3& position) {
+    if (!isFinite(position)) return;
+    high = low ? glm::max(high, position) : position;
+    low = low ? glm::min(*low, position) : position;
   }
-  return check.take();
+  [[nodiscard]] double smallestSize() const {
+    return low ? Tolerance::ofBox(*low, high).rounding() : 0.0;
+  }
+};
+
+}  // namespace
+
+Task<std::vector<Diagnostic>> checkBackgroundGrid(Work& work, const BackgroundGrid& grid,
+                                                  GridPart part) {
+  std::vector<Diagnostic> found = checkSizeSources(grid.sources);
+  if (part == GridPart::kSources) co_return found;
+  if (grid.nodes.empty() || grid.tetrahedra.empty()) {
+    found.emplace_back().code = DiagnosticCode::kEmptyBackgroundGrid;
+    co_return found;
+  }
+  const std::size_t nodes = grid.nodes.size();
+  const std::size_t tetrahedra = grid.tetrahedra.size();
+  GridExtent extent;
+  work.beginPart(0.05);
+  co_await work.forEachId<GridNodeId>(
+      nodes, [&](GridNodeId node) { extent.include(positionOf(grid, node)); }, kCheckedPerUnit);
+  const double smallest = extent.smallestSize();
+  work.beginPart(0.15);
+  co_await work.forEachId<GridNodeId>(
+      nodes, [&](GridNodeId node) { checkNode(nodeOf(grid, node), node, smallest, found); },
+      kCheckedPerUnit);
+  for (const SourceId id : IdRange<SourceId>(grid.sources.size())) {
+    checkSourceSize(grid.sources[id.index()], id, smallest, found);
+  }
+
+  // Tetrahedra by their lowest nodes. The last list holds those of invalid nodes.
+  NodeLists<TetrahedronEntry, GridNodeId> entries(nodes + 1);
+  const auto listOf = [nodes](const GridNodeQuad& ascending) {
+    return std::min(ascending[0], GridNodeId(nodes));
+  };
+  work.beginPart(0.5);
+  co_await work.forEachId<GridTetId>(
+      tetrahedra,
+      [&](GridTetId tet) {
+        checkTetrahedron(grid, tet, found);
+        entries.count(listOf(sorted(nodesOf(grid, tet))));
+      },
+      kCheckedPerUnit);
+  entries.endCounting();
+  work.beginPart(0.8);
+  co_await work.forEachId<GridTetId>(
+      tetrahedra,
+      [&](GridTetId tet) {
+        const GridNodeQuad ascending = sorted(nodesOf(grid, tet));
+        entries.add(listOf(ascending), {ascending, tet});
+      },
+      kCheckedPerUnit);
+  work.beginPart(1.0);
+  co_await work.forEachId<GridNodeId>(
+      nodes + 1, [&](GridNodeId list) { reportDuplicates(entries.at(list), found); },
+      kCheckedPerUnit);
+  co_return found;
+}
+
+std::vector<Diagnostic> checkBackgroundGrid(const BackgroundGrid& grid) {
+  Job job([&](Work& work) { return checkBackgroundGrid(work, grid); });
+  return job.finish();
 }
 
 }  // namespace tetrafront

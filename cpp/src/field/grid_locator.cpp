@@ -62,11 +62,9 @@ std::array<double, 4> clampedWeights(std::array<double, 4> weights) {
 
 }  // namespace
 
-GridLocator::GridLocator(BackgroundGrid grid, double growth) {
-  GridLocatorBuilder builder(std::move(grid), growth);
-  while (!builder.advance(std::numeric_limits<std::uint32_t>::max())) {
-  }
-  *this = builder.take();
+GridLocator::GridLocator(const BackgroundGrid& grid, double growth) {
+  Job job([&](Work& work) { return buildGridLocator(work, grid, growth); });
+  *this = job.finish();
 }
 
 std::array<double, 4> GridLocator::weightsAt(GridTetId tet, const Vec3& position) const {

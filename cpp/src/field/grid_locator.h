@@ -27,7 +27,7 @@ class GridLocator {
 
   /// `grid` must have passed checkBackgroundGrid(); its sources are ignored. `growth` > 0 limits
   /// the sizes of its nodes (grid_gradation.h). Builds the locator in one call; O(n log n).
-  explicit GridLocator(BackgroundGrid grid, double growth = 0.0);
+  explicit GridLocator(const BackgroundGrid& grid, double growth = 0.0);
 
   /// Returns the tetrahedron that contains `position`, or the nearest one, with the weights of its
   /// nearest point. A few steps from a near start, O(n^(1/3)) from a far one, O(log n) after a

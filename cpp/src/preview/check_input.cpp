@@ -102,16 +102,14 @@ class InputCheck {
     std::vector<Diagnostic> ofOptions = checkOptions(*options_);
     const bool areOptionsValid = ofOptions.empty();
     report(std::move(ofOptions));
-    BackgroundGridCheck check(*grid_, needsGrid() ? GridPart::kWhole : GridPart::kSources);
-    co_await work.finish(check);
-    std::vector<Diagnostic> found = check.take();
+    const GridPart part = needsGrid() ? GridPart::kWhole : GridPart::kSources;
+    std::vector<Diagnostic> found = co_await checkBackgroundGrid(work, *grid_, part);
     const bool isValid = areOptionsValid && found.empty();
     report(std::move(found));
     if (!isValid) co_return;
     if (needsGrid()) {
-      GridLocatorBuilder builder(*grid_, options_->gradation - 1.0);
-      co_await work.finish(builder);
-      field_ = SizeField::fromGrid(builder.take());
+      GridLocator locator = co_await buildGridLocator(work, *grid_, options_->gradation - 1.0);
+      field_ = SizeField::fromGrid(std::move(locator));
     } else {
       field_ = SizeField::uniform(options_->size);
     }

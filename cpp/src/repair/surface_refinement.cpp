@@ -65,9 +65,7 @@ Task<std::vector<Diagnostic>> check(Work& work, const SurfaceMesh& mesh, const B
   const std::vector<Diagnostic> ofOptions = checkOptions(options);
   found.insert(found.end(), ofOptions.begin(), ofOptions.end());
   co_await work.yield();
-  BackgroundGridCheck gridCheck = targetSizeCheck(grid, options);
-  co_await work.finish(gridCheck);
-  const std::vector<Diagnostic> ofGrid = gridCheck.take();
+  const std::vector<Diagnostic> ofGrid = co_await checkTargetGrid(work, grid, options);
   found.insert(found.end(), ofGrid.begin(), ofGrid.end());
   co_return found;
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "boundary/surface_access.h"
+#include "field/check_background_grid.h"
 #include "field/grid_locator_builder.h"
 #include "field/size_octree_builder.h"
 #include "sizing/surface_coverage.h"
@@ -18,8 +19,10 @@ bool hasTargetSizes(const BackgroundGrid& grid, const MeshOptions& options) {
   return options.size > 0.0 || usesGrid(grid, options) || !grid.sources.empty();
 }
 
-BackgroundGridCheck targetSizeCheck(const BackgroundGrid& grid, const MeshOptions& options) {
-  return BackgroundGridCheck(grid, usesGrid(grid, options) ? GridPart::kWhole : GridPart::kSources);
+Task<std::vector<Diagnostic>> checkTargetGrid(Work& work, const BackgroundGrid& grid,
+                                              const MeshOptions& options) {
+  return checkBackgroundGrid(work, grid,
+                             usesGrid(grid, options) ? GridPart::kWhole : GridPart::kSources);
 }
 
 std::vector<Diagnostic> checkLargestSize(const SurfaceMesh& surface, double size) {
@@ -59,9 +62,8 @@ Task<> TargetSizes::makeField(Work& work) {
 
 Task<> TargetSizes::locateGrid(Work& work) {
   work.beginPart(0.5);
-  GridLocatorBuilder builder(grid_, options_.gradation - 1.0);
-  co_await work.finish(builder);
-  field_ = SizeField::fromGrid(builder.take());
+  GridLocator locator = co_await buildGridLocator(work, grid_, options_.gradation - 1.0);
+  field_ = SizeField::fromGrid(std::move(locator));
   field_->addSources(grid_.sources);
 }
 

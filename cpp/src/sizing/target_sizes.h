@@ -23,9 +23,9 @@ namespace tetrafront {
 /// True if a size, a grid or a source is given, beyond the surface's own edges.
 [[nodiscard]] bool hasTargetSizes(const BackgroundGrid& grid, const MeshOptions& options);
 
-/// Returns the check of the part of the grid that is used.
-[[nodiscard]] BackgroundGridCheck targetSizeCheck(const BackgroundGrid& grid,
-                                                  const MeshOptions& options);
+/// Checks the part of the grid that is used. `grid` must outlive the task.
+[[nodiscard]] Task<std::vector<Diagnostic>> checkTargetGrid(Work& work, const BackgroundGrid& grid,
+                                                            const MeshOptions& options);
 
 /// Returns kSizeTooLarge if `size` exceeds the extent of the surface, which must have a triangle. O(triangles).
 [[nodiscard]] std::vector<Diagnostic> checkLargestSize(const SurfaceMesh& surface, double size);
@@ -40,7 +40,7 @@ enum class EdgeSizes : std::uint8_t { kCount, kIgnored };
 /// Makes the size field in slices.
 class TargetSizes {
  public:
-  /// The grid must have passed targetSizeCheck(). The references must outlive this.
+  /// The grid must have passed checkTargetGrid(). The references must outlive this.
   TargetSizes(const SurfaceMesh& surface, const BackgroundGrid& grid, const MeshOptions& options,
               EdgeSizes edgeSizes)
       : surface_(surface), grid_(grid), options_(options), edgeSizes_(edgeSizes) {}
