@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -19,6 +18,10 @@
 namespace tetrafront {
 
 namespace {
+
+Entity entityOf(PointId point) { return {EntityKind::kPoint, point.value}; }
+Entity entityOf(LineId line) { return {EntityKind::kLine, line.value}; }
+Entity entityOf(PatchId patch) { return {EntityKind::kPatch, patch.value}; }
 
 /// Requirements of a patch type on its outer loop.
 struct PatchRule {
@@ -42,44 +45,49 @@ PatchRule ruleOf(PatchType type) {
   return {4, false};
 }
 
-}  // namespace
-
-class ModelChecker::Impl {
+class ModelChecker {
  public:
-  explicit Impl(const Model& model) : model_(&model), movedPoints_(model) {}
+  explicit ModelChecker(const Model& model) : model_(&model), movedPoints_(model) {}
 
-  bool advance(std::uint32_t budget) {
-    const std::size_t patches = model_->patches.size();
-    if (!resolved_) {
-      checkPoints();
-      if (isTooSmall_) {
-        markAllUnusable();
-        return true;
-      }
-      checkLines();
-      if (patches == 0) report(DiagnosticCode::kEmptyModel, {});
-    } else {
-      const std::size_t last = found_.usablePatches.size() +
-                               std::min<std::size_t>(budget, patches - found_.usablePatches.size());
-      while (found_.usablePatches.size() < last) {
-        const PatchId patch(found_.usablePatches.size());
-        found_.usablePatches.push_back(checkPatch(*resolved_, patch) ? 1 : 0);
-      }
+  /// Returns false if the model is too small to compute with: all other reports would be wrong.
+  bool checkPoints() {
+    findUsed();
+    for (const PointId point : IdRange<PointId>(model_->points.size())) {
+      const Vec3& position = positionOf(point);
+      if (!isFinite(position))
+        report(DiagnosticCode::kNotFinite, {entityOf(point)}, {refusedCoordinate(position)});
     }
-    return found_.usablePatches.size() == patches;
+    const std::vector<std::uint8_t> takesPart = usedPoints();
+    tolerance_ = toleranceOf(takesPart);
+    return isLargeEnough(takesPart);
   }
 
-  [[nodiscard]] CheckedModel take() { return std::move(found_); }
+  void markAllUnusable() {
+    found_.usableLines.assign(model_->lines.size(), 0);
+    found_.usablePatches.assign(model_->patches.size(), 0);
+    for (const PointId point : IdRange<PointId>(model_->points.size()))
+      found_.duplicates.points.push_back(point);
+    for (const LineId line : IdRange<LineId>(model_->lines.size()))
+      found_.duplicates.lines.push_back(line);
+  }
 
- private:
   void checkLines() {
     for (const LineId line : IdRange<LineId>(model_->lines.size()))
       found_.usableLines.push_back(checkLine(line) ? 1 : 0);
     resolved_.emplace(*model_, found_.usableLines);
     checkDuplicates(*resolved_);
     checkCourses(*resolved_);
+    if (model_->patches.empty()) report(DiagnosticCode::kEmptyModel, {});
   }
 
+  /// Patches are checked in their order, after the lines.
+  void checkPatch(PatchId patch) {
+    found_.usablePatches.push_back(isUsable(*resolved_, patch) ? 1 : 0);
+  }
+
+  [[nodiscard]] CheckedModel take() { return std::move(found_); }
+
+ private:
   void report(DiagnosticCode code, std::vector<Entity> entities, std::vector<double> values = {},
               std::optional<Vec3> position = std::nullopt) {
     Diagnostic diagnostic;
@@ -91,42 +99,20 @@ class ModelChecker::Impl {
     found_.diagnostics.push_back(std::move(diagnostic));
   }
 
-  void checkPoints() {
-    findUsed();
-    for (std::uint32_t point = 0; point < model_->points.size(); ++point) {
-      const Vec3& position = model_->points[point];
-      if (!isFinite(position))
-        report(DiagnosticCode::kNotFinite, {{EntityKind::kPoint, point}},
-               {refusedCoordinate(position)});
-    }
-    const std::vector<std::uint8_t> takesPart = usedPoints();
-    checkSmallness(takesPart);
-    tolerance_ = toleranceOf(takesPart);
-  }
-
-  /// If the model is too small to compute with, all other reports would be wrong.
-  void markAllUnusable() {
-    found_.usableLines.assign(model_->lines.size(), 0);
-    found_.usablePatches.assign(model_->patches.size(), 0);
-    for (const PointId point : IdRange<PointId>(model_->points.size()))
-      found_.duplicates.points.push_back(point);
-    for (const LineId line : IdRange<LineId>(model_->lines.size()))
-      found_.duplicates.lines.push_back(line);
-  }
-
-  void checkSmallness(const std::vector<std::uint8_t>& takesPart) {
-    std::uint32_t farthest = 0;
+  bool isLargeEnough(const std::vector<std::uint8_t>& takesPart) {
+    PointId farthest(0U);
     double largest = 0.0;
-    for (std::uint32_t point = 0; point < takesPart.size(); ++point) {
-      const Vec3& position = model_->points[point];
-      if (takesPart[point] == 0 || !isFinite(position) || !(magnitudeOf(position) > largest))
+    for (const PointId point : IdRange<PointId>(takesPart.size())) {
+      const Vec3& position = positionOf(point);
+      if (takesPart[point.index()] == 0 || !isFinite(position) ||
+          !(magnitudeOf(position) > largest))
         continue;
       farthest = point;
       largest = magnitudeOf(position);
     }
-    isTooSmall_ = largest > 0.0 && largest < kSmallestExtent;
-    if (isTooSmall_)
-      report(DiagnosticCode::kNotFinite, {{EntityKind::kPoint, farthest}}, {largest});
+    if (largest == 0.0 || largest >= kSmallestExtent) return true;
+    report(DiagnosticCode::kNotFinite, {entityOf(farthest)}, {largest});
+    return false;
   }
 
   /// Returns the points of lines that patches use, or all points if there are no such lines.
@@ -136,7 +122,7 @@ class ModelChecker::Impl {
     for (std::size_t line = 0; line < model_->lines.size(); ++line) {
       if (isUsed_[line] == 0) continue;
       for (const std::uint32_t point : model_->lines[line].points)
-        if (point < takesPart.size()) takesPart[point] = 1;
+        if (exists(PointId(point))) takesPart[point] = 1;
     }
     if (std::ranges::count(takesPart, 1) == 0) std::ranges::fill(takesPart, 1);
     return takesPart;
@@ -145,9 +131,9 @@ class ModelChecker::Impl {
   [[nodiscard]] Tolerance toleranceOf(const std::vector<std::uint8_t>& takesPart) const {
     std::optional<Vec3> low;
     Vec3 high(0.0);
-    for (std::size_t point = 0; point < takesPart.size(); ++point) {
-      const Vec3& position = model_->points[point];
-      if (takesPart[point] == 0 || !isFinite(position)) continue;
+    for (const PointId point : IdRange<PointId>(takesPart.size())) {
+      const Vec3& position = positionOf(point);
+      if (takesPart[point.index()] == 0 || !isFinite(position)) continue;
       high = low ? glm::max(high, position) : position;
       low = low ? glm::min(*low, position) : position;
     }
@@ -164,8 +150,8 @@ class ModelChecker::Impl {
           if (walked.line >= model_->lines.size()) continue;
           isUsed_[walked.line] = 1;
           for (const bool last : {false, true}) {
-            const std::optional<std::uint32_t> end = endOf(walked, last);
-            if (end && *end < isCorner_.size()) isCorner_[*end] = 1;
+            const std::optional<PointId> end = endOf(walked, last);
+            if (end && exists(*end)) isCorner_[end->index()] = 1;
           }
         }
       }
@@ -179,17 +165,17 @@ class ModelChecker::Impl {
     const Line& drawn = model_->lines[line.index()];
     bool isUsable = true;
     if (!pointCountFits(drawn)) {
-      report(DiagnosticCode::kWrongPointCount, {{EntityKind::kLine, line.value}},
+      report(DiagnosticCode::kWrongPointCount, {entityOf(line)},
              {static_cast<double>(drawn.points.size())});
       isUsable = false;
     }
-    for (const std::uint32_t point : drawn.points) {
-      if (point < model_->points.size()) {
-        isUsable = isUsable && isFinite(model_->points[point]);
+    for (const PointId point : pointsOf(line)) {
+      if (exists(point)) {
+        isUsable = isUsable && isFinite(positionOf(point));
         continue;
       }
-      report(DiagnosticCode::kIndexOutOfRange, {{EntityKind::kLine, line.value}},
-             {static_cast<double>(point)});
+      report(DiagnosticCode::kIndexOutOfRange, {entityOf(line)},
+             {static_cast<double>(point.value)});
       isUsable = false;
     }
     return isUsable && checkPositions(line);
@@ -217,13 +203,10 @@ class ModelChecker::Impl {
   }
 
   bool checkPositions(LineId line) {
-    std::vector<PointId> points;
-    for (const std::uint32_t point : model_->lines[line.index()].points)
-      points.push_back(PointId(point));
+    const std::vector<PointId> points = pointsOf(line);
     const PointId start = points.front();
     if (std::ranges::all_of(points, [&](PointId point) { return coincide(start, point); })) {
-      report(DiagnosticCode::kZeroLengthLine, {{EntityKind::kLine, line.value}}, {},
-             positionOf(start));
+      report(DiagnosticCode::kZeroLengthLine, {entityOf(line)}, {}, positionOf(start));
       for (const PointId point : points) nameTogether(start, point);
       return false;
     }
@@ -232,11 +215,8 @@ class ModelChecker::Impl {
       if (!coincide(a, b)) return;
       distinct = false;
       nameTogether(a, b);
-      report(DiagnosticCode::kCoincidentPoints,
-             {{EntityKind::kLine, line.value},
-              {EntityKind::kPoint, a.value},
-              {EntityKind::kPoint, b.value}},
-             {}, positionOf(b));
+      report(DiagnosticCode::kCoincidentPoints, {entityOf(line), entityOf(a), entityOf(b)}, {},
+             positionOf(b));
     };
     for (std::size_t i = 0; i + 1 < points.size(); ++i) compare(points[i], points[i + 1]);
     // A spline may end at its first point. A parabola cannot, and two points with the same position
@@ -250,11 +230,10 @@ class ModelChecker::Impl {
   /// Points and lines drawn twice are harmless unless the surface uses both.
   void checkDuplicates(const ResolvedModel& resolved) {
     found_.duplicates = findDuplicates(resolved, found_.usableLines, tolerance_);
-    const auto reportPair = [&](DiagnosticCode code, EntityKind kind, std::uint32_t first,
-                                std::uint32_t second, const std::vector<std::uint8_t>& matters,
-                                const Vec3& position) {
-      report(code, {{kind, first}, {kind, second}}, {}, position);
-      if (matters[first] == 0 || matters[second] == 0)
+    const auto reportPair = [&](DiagnosticCode code, auto first, auto second,
+                                const std::vector<std::uint8_t>& matters, const Vec3& position) {
+      report(code, {entityOf(first), entityOf(second)}, {}, position);
+      if (matters[first.index()] == 0 || matters[second.index()] == 0)
         found_.diagnostics.back().severity = Severity::kWarning;
     };
     stableSort(namedPairs_);
@@ -262,14 +241,13 @@ class ModelChecker::Impl {
       const PointId first = found_.duplicates.points[point.index()];
       if (first == point || std::ranges::binary_search(namedPairs_, std::pair(first, point)))
         continue;
-      reportPair(DiagnosticCode::kDuplicatePoints, EntityKind::kPoint, first.value, point.value,
-                 isCorner_, positionOf(point));
+      reportPair(DiagnosticCode::kDuplicatePoints, first, point, isCorner_, positionOf(point));
     }
     for (const LineId line : IdRange<LineId>(model_->lines.size())) {
       const LineId first = found_.duplicates.lines[line.index()];
       if (first == line) continue;
-      reportPair(DiagnosticCode::kDuplicateLines, EntityKind::kLine, first.value, line.value,
-                 isUsed_, resolved.curve(line).position(0.5));
+      reportPair(DiagnosticCode::kDuplicateLines, first, line, isUsed_,
+                 resolved.curve(line).position(0.5));
     }
   }
 
@@ -280,8 +258,7 @@ class ModelChecker::Impl {
       const std::optional<Vec3> position = findSelfCrossing(resolved.curve(line));
       if (!position) continue;
       crosses_[line.index()] = 1;
-      report(DiagnosticCode::kLineSelfIntersection, {{EntityKind::kLine, line.value}}, {},
-             position);
+      report(DiagnosticCode::kLineSelfIntersection, {entityOf(line)}, {}, position);
       if (isUsed_[line.index()] == 0) found_.diagnostics.back().severity = Severity::kWarning;
     }
   }
@@ -289,7 +266,7 @@ class ModelChecker::Impl {
   // ---- patches ---------------------------------------------------------------------------------
 
   /// Checks one patch; returns true if its surface can be evaluated.
-  bool checkPatch(const ResolvedModel& resolved, PatchId patch) {
+  bool isUsable(const ResolvedModel& resolved, PatchId patch) {
     const Patch& drawn = model_->patches[patch.index()];
     if (!checkLineIndices(patch)) return false;
     const PatchRule rule = ruleOf(drawn.type);
@@ -325,7 +302,7 @@ class ModelChecker::Impl {
     for (const Loop& loop : model_->patches[patch.index()].loops) {
       for (const OrientedLine& line : loop) {
         if (line.line < model_->lines.size()) continue;
-        report(DiagnosticCode::kIndexOutOfRange, {{EntityKind::kPatch, patch.value}},
+        report(DiagnosticCode::kIndexOutOfRange, {entityOf(patch)},
                {static_cast<double>(line.line)});
         exist = false;
       }
@@ -340,13 +317,12 @@ class ModelChecker::Impl {
     // A hole without lines is ignored.
     for (const Loop& loop : drawn.loops) fits = fits && !loop.empty();
     if (!fits)
-      report(DiagnosticCode::kWrongLineCount, {{EntityKind::kPatch, patch.value}},
+      report(DiagnosticCode::kWrongLineCount, {entityOf(patch)},
              {static_cast<double>(given), static_cast<double>(std::max(rule.lines, 1U))});
     if (!rule.parabolicOnly || drawn.loops.empty()) return fits;
     for (const OrientedLine& line : drawn.loops.front()) {
       if (model_->lines[line.line].type == LineType::kParabolic) continue;
-      report(DiagnosticCode::kWrongLineType,
-             {{EntityKind::kPatch, patch.value}, {EntityKind::kLine, line.line}});
+      report(DiagnosticCode::kWrongLineType, {entityOf(patch), entityOf(LineId(line.line))});
       fits = false;
     }
     return fits;
@@ -357,17 +333,16 @@ class ModelChecker::Impl {
     bool closed = true;
     for (const Loop& loop : model_->patches[patch.index()].loops) {
       for (std::size_t i = 0; i < loop.size(); ++i) {
-        const std::optional<std::uint32_t> end = endOf(loop[i], true);
-        const std::optional<std::uint32_t> next = endOf(loop[(i + 1) % loop.size()], false);
+        const std::optional<PointId> end = endOf(loop[i], true);
+        const std::optional<PointId> next = endOf(loop[(i + 1) % loop.size()], false);
         if (end && next && *end == *next) continue;
         closed = false;
         if (!end || !next) continue;  // a line without points is reported as such
-        std::vector<Entity> entities{{EntityKind::kPatch, patch.value},
-                                     {EntityKind::kLine, loop[i].line}};
+        std::vector<Entity> entities{entityOf(patch), entityOf(LineId(loop[i].line))};
         std::optional<Vec3> position;
-        if (*end < model_->points.size()) {
-          entities.push_back({EntityKind::kPoint, *end});
-          if (isFinite(model_->points[*end])) position = model_->points[*end];
+        if (exists(*end)) {
+          entities.push_back(entityOf(*end));
+          if (isFinite(positionOf(*end))) position = positionOf(*end);
         }
         report(DiagnosticCode::kLoopNotClosed, std::move(entities), {}, position);
       }
@@ -379,18 +354,24 @@ class ModelChecker::Impl {
     return model_->points[point.index()];
   }
 
-  [[nodiscard]] std::optional<std::uint32_t> endOf(const OrientedLine& line, bool last) const {
+  [[nodiscard]] bool exists(PointId point) const { return point.index() < model_->points.size(); }
+
+  [[nodiscard]] std::vector<PointId> pointsOf(LineId line) const {
+    const std::vector<std::uint32_t>& points = model_->lines[line.index()].points;
+    return {points.begin(), points.end()};
+  }
+
+  [[nodiscard]] std::optional<PointId> endOf(const OrientedLine& line, bool last) const {
     const std::vector<std::uint32_t>& points = model_->lines[line.line].points;
     if (points.empty()) return std::nullopt;
-    return last != line.reversed ? points.back() : points.front();
+    return PointId(last != line.reversed ? points.back() : points.front());
   }
 
   const Model* model_;
   MovedPointFinder movedPoints_;
   CheckedModel found_;
   std::optional<ResolvedModel> resolved_;
-  Tolerance tolerance_{0.0};  ///< relative to the box of the used points
-  bool isTooSmall_ = false;
+  Tolerance tolerance_{0.0};            ///< relative to the box of the used points
   std::vector<std::uint8_t> isUsed_;    ///< per line: 1 if a patch uses it
   std::vector<std::uint8_t> isCorner_;  ///< per point: 1 if it is an end of a used line
   std::vector<std::uint8_t> crosses_;   ///< per line: 1 if it intersects itself
@@ -398,19 +379,28 @@ class ModelChecker::Impl {
   std::vector<std::pair<PointId, PointId>> namedPairs_;
 };
 
-ModelChecker::ModelChecker(const Model& model) : impl_(std::make_unique<Impl>(model)) {}
-ModelChecker::ModelChecker(ModelChecker&&) noexcept = default;
-ModelChecker& ModelChecker::operator=(ModelChecker&&) noexcept = default;
-ModelChecker::~ModelChecker() = default;
+}  // namespace
 
-bool ModelChecker::advance(std::uint32_t budget) { return impl_->advance(budget); }
-CheckedModel ModelChecker::take() { return impl_->take(); }
+Task<CheckedModel> checkModel(Work& work, const Model& model) {
+  ModelChecker checker(model);
+  work.beginPart(0.2);
+  if (!checker.checkPoints()) {
+    checker.markAllUnusable();
+    co_return checker.take();
+  }
+  checker.checkLines();
+  co_await work.yield();
+  work.beginPart(1.0);
+  for (const PatchId patch : IdRange<PatchId>(model.patches.size())) {
+    checker.checkPatch(patch);
+    co_await work.spend(kUnitsPerPatch);
+  }
+  co_return checker.take();
+}
 
 CheckedModel checkModel(const Model& model) {
-  ModelChecker checker(model);
-  while (!checker.advance(std::numeric_limits<std::uint32_t>::max())) {
-  }
-  return checker.take();
+  Job job([&](Work& work) { return checkModel(work, model); });
+  return job.finish();
 }
 
 std::vector<Diagnostic> diagnoseModel(const Model& model) {

@@ -3,9 +3,9 @@
 /// @file Finds all problems of a drawn model at once, before it is meshed.
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
+#include "base/task.h"
 #include "model/duplicates.h"
 #include "tetrafront/model.h"
 #include "tetrafront/status.h"
@@ -32,25 +32,10 @@ struct CheckedModel {
 };
 [[nodiscard]] CheckedModel checkModel(const Model& model);
 
-/// checkModel() in slices.
-class ModelChecker {
- public:
-  /// The model must outlive this.
-  explicit ModelChecker(const Model& model);
-  ModelChecker(ModelChecker&&) noexcept;
-  ModelChecker& operator=(ModelChecker&&) noexcept;
-  ~ModelChecker();
+/// Units of the budget for checking or sampling one patch. One unit is a step of the front.
+inline constexpr std::uint32_t kUnitsPerPatch = 64;
 
-  /// Checks `budget` patches, after a first call that checks points and lines; returns true when
-  /// finished.
-  bool advance(std::uint32_t budget);
-
-  /// Returns the result, once, when finished.
-  [[nodiscard]] CheckedModel take();
-
- private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
-};
+/// The same in slices. The model must outlive the task.
+[[nodiscard]] Task<CheckedModel> checkModel(Work& work, const Model& model);
 
 }  // namespace tetrafront

@@ -7,13 +7,6 @@
 
 namespace tetrafront {
 
-Task<CheckedModel> checkModel(Work& work, const Model& model) {
-  ModelChecker checker(model);
-  while (!checker.advance(std::max(work.remaining() / kUnitsPerPatch, 1U))) co_await work.yield();
-  co_await work.yield();
-  co_return checker.take();
-}
-
 Task<ModelPreview> sampleModel(Work& work, const Model& model) {
   work.beginPart(0.5);
   CheckedModel found = co_await checkModel(work, model);

@@ -11,9 +11,6 @@
 
 namespace tetrafront {
 
-/// checkModel() in slices. The model must outlive the task.
-[[nodiscard]] Task<CheckedModel> checkModel(Work& work, const Model& model);
-
 /// previewModel() with the diagnostics of checkModel() alone. The model must outlive the task.
 [[nodiscard]] Task<ModelPreview> sampleModel(Work& work, const Model& model);
 

@@ -23,9 +23,6 @@ struct SampledModel {
   std::vector<std::uint8_t> isConforming;
 };
 
-/// Units of the budget for checking or sampling one patch. One unit is a step of the front.
-inline constexpr std::uint32_t kUnitsPerPatch = 64;
-
 /// Samples everything that `found` says can be drawn. Both must outlive the task.
 [[nodiscard]] Task<SampledModel> sampleSurface(Work& work, const Model& model,
                                                const CheckedModel& found);
