@@ -17,16 +17,16 @@ TrianglePairs::TrianglePairs(const SurfaceMesh& mesh, const BoxTree& tree)
     : mesh_(mesh), tree_(tree) {
   // The last leaves of the tree are empty, up to half of all.
   std::uint32_t branches = tree.nodeCount();
-  while (branches > 0 && isEmpty(branches - 1)) --branches;
+  while (branches > 0 && isEmpty(BranchId(branches - 1))) --branches;
   boxes_.resize(branches);
   common_.resize(branches);
-  if (branches > 0) waiting_.push_back({0, 0});
+  if (branches > 0) waiting_.push_back({BranchId(0U), BranchId(0U)});
   beginPass(branches, kDescribed);
 }
 
-std::uint32_t TrianglePairs::leavesBelow(std::uint32_t branch) const {
+std::uint32_t TrianglePairs::leavesBelow(BranchId branch) const {
   std::uint32_t leaves = 1;
-  for (; !tree_.isLeaf(branch); branch = 2 * branch + 1) leaves *= 2;
+  for (; !tree_.isLeaf(branch); branch = BoxTree::leftOf(branch)) leaves *= 2;
   return leaves;
 }
 
@@ -36,8 +36,8 @@ bool TrianglePairs::shareNode(const CommonNodes& a, const CommonNodes& b) {
   });
 }
 
-bool TrianglePairs::shareNode(std::uint32_t triangle, std::uint32_t other) const {
-  return shareNode(nodesOf(mesh_, TriangleId(triangle)), nodesOf(mesh_, TriangleId(other)));
+bool TrianglePairs::shareNode(TriangleId triangle, TriangleId other) const {
+  return shareNode(nodesOf(mesh_, triangle), nodesOf(mesh_, other));
 }
 
 TrianglePairs::CommonNodes TrianglePairs::commonOf(const CommonNodes& a, const CommonNodes& b) {
@@ -47,52 +47,58 @@ TrianglePairs::CommonNodes TrianglePairs::commonOf(const CommonNodes& a, const C
   return common;
 }
 
-void TrianglePairs::describe(std::uint32_t branch) {
+void TrianglePairs::describe(BranchId branch) {
   if (isEmpty(branch)) return;
   if (tree_.isLeaf(branch)) {
     describeLeaf(branch);
   } else {
-    describeBranch(branch);
+    describeInner(branch);
   }
 }
 
-void TrianglePairs::describeLeaf(std::uint32_t leaf) {
+void TrianglePairs::describeLeaf(BranchId leaf) {
   bool isFirst = true;
   for (const std::uint32_t item : tree_.itemsOf(leaf)) {
     const std::array<Vec3, 3> p = cornersOf(mesh_, TriangleId(item));
     const OrientedBox box = OrientedBox::of(p[0], p[1], p[2]);
     const CommonNodes nodes = nodesOf(mesh_, TriangleId(item));
-    boxes_[leaf] = isFirst ? box : OrientedBox::hull(boxes_[leaf], box);
-    common_[leaf] = isFirst ? nodes : commonOf(common_[leaf], nodes);
+    OrientedBox& hull = boxes_[leaf.index()];
+    hull = isFirst ? box : OrientedBox::hull(hull, box);
+    CommonNodes& common = common_[leaf.index()];
+    common = isFirst ? nodes : commonOf(common, nodes);
     isFirst = false;
   }
 }
 
-void TrianglePairs::describeBranch(std::uint32_t branch) {
-  const std::uint32_t left = 2 * branch + 1;
-  const std::uint32_t right = left + 1;
+void TrianglePairs::describeInner(BranchId branch) {
+  const BranchId left = BoxTree::leftOf(branch);
+  const BranchId right = BoxTree::rightOf(branch);
+  boxes_[branch.index()] = boxes_[left.index()];
+  common_[branch.index()] = common_[left.index()];
   // If the right branch holds anything, the left one is full.
-  const bool isLeftOnly = isEmpty(right);
-  boxes_[branch] = isLeftOnly ? boxes_[left] : OrientedBox::hull(boxes_[left], boxes_[right]);
-  common_[branch] = isLeftOnly ? common_[left] : commonOf(common_[left], common_[right]);
+  if (isEmpty(right)) return;
+  boxes_[branch.index()] = OrientedBox::hull(boxes_[left.index()], boxes_[right.index()]);
+  common_[branch.index()] = commonOf(common_[left.index()], common_[right.index()]);
 }
 
 bool TrianglePairs::mayIntersect(const BranchPair& pair) const {
   if (isEmpty(pair.a) || isEmpty(pair.b)) return false;
-  if (shareNode(common_[pair.a], common_[pair.b])) return false;
+  if (shareNode(common_[pair.a.index()], common_[pair.b.index()])) return false;
   if (pair.a == pair.b) return true;
   return BoxTree::overlaps(tree_.boxOf(pair.a), tree_.boxOf(pair.b)) &&
-         !boxes_[pair.a].isApartFrom(boxes_[pair.b]);
+         !boxes_[pair.a.index()].isApartFrom(boxes_[pair.b.index()]);
 }
 
 void TrianglePairs::pushChildren(const BranchPair& pair) {
-  const std::uint32_t a = 2 * pair.a + 1;
-  const std::uint32_t b = 2 * pair.b + 1;
+  const BranchId leftA = BoxTree::leftOf(pair.a);
+  const BranchId leftB = BoxTree::leftOf(pair.b);
+  const BranchId rightA = BoxTree::rightOf(pair.a);
+  const BranchId rightB = BoxTree::rightOf(pair.b);
   // `waiting_` is a stack: push in reverse order of processing.
-  waiting_.push_back({a + 1, b + 1});
-  waiting_.push_back({a, b + 1});
-  if (pair.a != pair.b) waiting_.push_back({a + 1, b});
-  waiting_.push_back({a, b});
+  waiting_.push_back({rightA, rightB});
+  waiting_.push_back({leftA, rightB});
+  if (pair.a != pair.b) waiting_.push_back({rightA, leftB});
+  waiting_.push_back({leftA, leftB});
 }
 
 }  // namespace tetrafront

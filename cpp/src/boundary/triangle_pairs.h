@@ -33,23 +33,22 @@ class TrianglePairs : public Resumable {
   /// Nodes that all triangles of a branch share, as those of a fan do; the rest is none.
   using CommonNodes = NodeTriple;
 
-  /// Two nodes of the tree. A branch is a node with everything below it.
   struct BranchPair {
-    std::uint32_t a;
-    std::uint32_t b;
+    BranchId a;
+    BranchId b;
   };
 
-  [[nodiscard]] bool isEmpty(std::uint32_t branch) const {
+  [[nodiscard]] bool isEmpty(BranchId branch) const {
     return tree_.boxOf(branch).low[0] > tree_.boxOf(branch).high[0];
   }
   static CommonNodes commonOf(const CommonNodes& a, const CommonNodes& b);
   [[nodiscard]] static bool shareNode(const CommonNodes& a, const CommonNodes& b);
-  [[nodiscard]] bool shareNode(std::uint32_t triangle, std::uint32_t other) const;
+  [[nodiscard]] bool shareNode(TriangleId triangle, TriangleId other) const;
 
-  [[nodiscard]] std::uint32_t leavesBelow(std::uint32_t branch) const;
-  void describe(std::uint32_t branch);
-  void describeLeaf(std::uint32_t leaf);
-  void describeBranch(std::uint32_t branch);
+  [[nodiscard]] std::uint32_t leavesBelow(BranchId branch) const;
+  void describe(BranchId branch);
+  void describeLeaf(BranchId leaf);
+  void describeInner(BranchId branch);
   /// Returns false if no two triangles of the branches intersect, other than at common nodes.
   [[nodiscard]] bool mayIntersect(const BranchPair& pair) const;
   void pushChildren(const BranchPair& pair);
@@ -70,7 +69,7 @@ bool TrianglePairs::advance(std::size_t budget, Visit visit) {
     // From the last branch up to the root: a branch needs its children.
     const auto [first, last] = take(budget);
     for (std::size_t i = first; i < last; ++i) {
-      describe(static_cast<std::uint32_t>(boxes_.size() - 1 - i));
+      describe(BranchId(boxes_.size() - 1 - i));
     }
     if (!isPassDone()) return false;
     areBranchesDescribed_ = true;
@@ -100,8 +99,9 @@ void TrianglePairs::visitLeaves(const BranchPair& pair, Visit visit) const {
   const std::span<const Box> boxesB = tree_.itemBoxesOf(pair.b);
   for (std::size_t i = 0; i < itemsA.size(); ++i) {
     for (std::size_t j = pair.a == pair.b ? i + 1 : 0; j < itemsB.size(); ++j) {
-      if (!BoxTree::overlaps(boxesA[i], boxesB[j]) || shareNode(itemsA[i], itemsB[j])) continue;
-      visit(TriangleId(itemsA[i]), TriangleId(itemsB[j]));
+      const TriangleId a(itemsA[i]);
+      const TriangleId b(itemsB[j]);
+      if (BoxTree::overlaps(boxesA[i], boxesB[j]) && !shareNode(a, b)) visit(a, b);
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/budget.h"
+#include "base/ids.h"
 
 namespace tetrafront {
 namespace {
@@ -41,6 +42,16 @@ constexpr double kBoxMargin = 1.0 / 64.0;
 /// Quantile of the node sizes that determines the edge of the box.
 constexpr double kFinestQuantile = 0.2;
 
+/// Calls use(a, b) for the edges of each triangle, in its orientation.
+template <class Use>
+void forEachEdge(std::span<const std::uint32_t> triangles, Use use) {
+  for (std::size_t t = 0; t + 2 < triangles.size(); t += 3) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      use(NodeId(triangles[t + k]), NodeId(triangles[t + (k + 1) % 3]));
+    }
+  }
+}
+
 /// Adds the edge lengths of each triangle to both of their ends. An edge of a closed surface has
 /// two triangles, so every edge at a node counts twice.
 std::vector<double> meanEdgeLengths(std::span<const Vec3> points,
@@ -49,17 +60,13 @@ std::vector<double> meanEdgeLengths(std::span<const Vec3> points,
   const auto lengthOf = [](const Vec3& d) { return std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z); };
   std::vector<double> sum(points.size(), 0.0);
   std::vector<std::uint32_t> count(points.size(), 0);
-  for (std::size_t t = 0; t + 2 < triangles.size(); t += 3) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = triangles[t + k];
-      const std::uint32_t b = triangles[t + (k + 1) % 3];
-      const Vec3 d = points[b] - points[a];
-      sum[a] += lengthOf(views.empty() ? d : views[a] * d);
-      sum[b] += lengthOf(views.empty() ? d : views[b] * d);
-      ++count[a];
-      ++count[b];
+  forEachEdge(triangles, [&](NodeId a, NodeId b) {
+    const Vec3 d = points[b.index()] - points[a.index()];
+    for (const NodeId node : {a, b}) {
+      sum[node.index()] += lengthOf(views.empty() ? d : views[node.index()] * d);
+      ++count[node.index()];
     }
-  }
+  });
   for (std::size_t i = 0; i < sum.size(); ++i) {
     if (count[i] > 0) sum[i] /= count[i];
   }
@@ -70,16 +77,12 @@ std::vector<double> meanEdgeLengths(std::span<const Vec3> points,
 void averageOnce(std::span<const std::uint32_t> triangles, std::vector<double>& sizes) {
   std::vector<double> sum(sizes.size(), 0.0);
   std::vector<std::uint32_t> count(sizes.size(), 0);
-  for (std::size_t t = 0; t + 2 < triangles.size(); t += 3) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = triangles[t + k];
-      const std::uint32_t b = triangles[t + (k + 1) % 3];
-      sum[a] += sizes[b];
-      sum[b] += sizes[a];
-      ++count[a];
-      ++count[b];
-    }
-  }
+  forEachEdge(triangles, [&](NodeId a, NodeId b) {
+    sum[a.index()] += sizes[b.index()];
+    sum[b.index()] += sizes[a.index()];
+    ++count[a.index()];
+    ++count[b.index()];
+  });
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     if (count[i] > 0) sizes[i] = 0.5 * (sizes[i] + sum[i] / count[i]);
   }
@@ -102,11 +105,13 @@ double meanOverArea(std::span<const Vec3> points, std::span<const std::uint32_t>
   double sum = 0.0;
   double areas = 0.0;
   for (std::size_t t = 0; t < triangles.size(); t += 3) {
-    const std::uint32_t a = triangles[t];
-    const std::uint32_t b = triangles[t + 1];
-    const std::uint32_t c = triangles[t + 2];
-    const double area = glm::length(glm::cross(points[b] - points[a], points[c] - points[a]));
-    sum += area * (sizes[a] + sizes[b] + sizes[c]) / 3.0;
+    const NodeId a(triangles[t]);
+    const NodeId b(triangles[t + 1]);
+    const NodeId c(triangles[t + 2]);
+    const Vec3 origin = points[a.index()];
+    const Vec3 normal = glm::cross(points[b.index()] - origin, points[c.index()] - origin);
+    const double area = glm::length(normal);
+    sum += area * (sizes[a.index()] + sizes[b.index()] + sizes[c.index()]) / 3.0;
     areas += area;
   }
   return areas > 0.0 ? sum / areas : 0.0;

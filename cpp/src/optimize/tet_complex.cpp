@@ -104,19 +104,19 @@ void TetComplex::matchSides(std::size_t firstNode, std::size_t lastNode) {
 
 VolumeMesh TetComplex::toMesh() const {
   if (build_.step == BuildStep::kTake) return asGiven();
-  constexpr std::uint32_t kUnused = 0xffffffffU;
-  std::vector<std::uint32_t> newId(positions_.size(), kUnused);
+  std::vector<NodeId> newId(positions_.size());  // none if no element uses the node
   VolumeMesh mesh;
   for (std::size_t i = 0; i < positions_.size(); ++i) {
     if (i >= boundaryNodes_ && elementAt_[i].isNone()) continue;
-    newId[i] = static_cast<std::uint32_t>(mesh.points.size() / 3);
+    newId[i] = NodeId(mesh.points.size() / 3);
     mesh.points.insert(mesh.points.end(), {positions_[i].x, positions_[i].y, positions_[i].z});
   }
   mesh.tetrahedra.reserve(4 * elementCount());
   mesh.regions.reserve(elementCount());
   for (std::size_t t = 0; t < elements_.size(); ++t) {
     if (!isLive(TetId(t))) continue;
-    for (const NodeId node : elements_[t].nodes) mesh.tetrahedra.push_back(newId[node.index()]);
+    for (const NodeId node : elements_[t].nodes)
+      mesh.tetrahedra.push_back(newId[node.index()].value);
     mesh.regions.push_back(regions_[t]);
   }
   return mesh;

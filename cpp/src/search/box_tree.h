@@ -11,11 +11,15 @@
 #include <utility>
 #include <vector>
 
+#include "base/ids.h"
 #include "geom/box.h"
 #include "search/morton.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {
+
+/// A node of a tree, with everything below it.
+using BranchId = Id<struct BranchTag>;
 
 class BoxTree {
  public:
@@ -34,20 +38,22 @@ class BoxTree {
   template <class Visit>
   void visitNear(const Vec3& position, const double& squaredLimit, Visit visit) const;
 
-  // ---- direct traversal: node 0 is the root, the children of n are 2n + 1 and 2n + 2, and all
-  // leaves have the same depth; the last ones are empty ----
+  // ---- direct traversal: branch 0 is the root, children have larger ids, and all leaves have the
+  // same depth; the last ones are empty ----
 
   [[nodiscard]] std::uint32_t nodeCount() const {
     return static_cast<std::uint32_t>(nodes_.size());
   }
-  [[nodiscard]] bool isLeaf(std::uint32_t node) const { return node >= firstLeaf_; }
-  [[nodiscard]] const Box& boxOf(std::uint32_t node) const { return nodes_[node]; }
-  [[nodiscard]] std::span<const std::uint32_t> itemsOf(std::uint32_t leaf) const {
-    return std::span(items_).subspan(leafBegin(leaf), leafEnd(leaf) - leafBegin(leaf));
+  [[nodiscard]] static BranchId leftOf(BranchId branch) { return BranchId(2 * branch.value + 1); }
+  [[nodiscard]] static BranchId rightOf(BranchId branch) { return BranchId(2 * branch.value + 2); }
+  [[nodiscard]] bool isLeaf(BranchId branch) const { return branch.value >= firstLeaf_; }
+  [[nodiscard]] const Box& boxOf(BranchId branch) const { return nodes_[branch.index()]; }
+  [[nodiscard]] std::span<const std::uint32_t> itemsOf(BranchId leaf) const {
+    return ofLeaf(std::span(items_), leaf);
   }
   /// Returns the boxes of itemsOf(), in the same order.
-  [[nodiscard]] std::span<const Box> itemBoxesOf(std::uint32_t leaf) const {
-    return std::span(boxes_).subspan(leafBegin(leaf), leafEnd(leaf) - leafBegin(leaf));
+  [[nodiscard]] std::span<const Box> itemBoxesOf(BranchId leaf) const {
+    return ofLeaf(std::span(boxes_), leaf);
   }
 
   static bool overlaps(const Box& a, const Box& b) {
@@ -66,6 +72,11 @@ class BoxTree {
     return std::min((node - firstLeaf_) * kItemsPerLeaf, static_cast<std::uint32_t>(items_.size()));
   }
   [[nodiscard]] std::uint32_t leafEnd(std::uint32_t node) const;
+  template <class T>
+  [[nodiscard]] std::span<const T> ofLeaf(std::span<const T> ofItems, BranchId leaf) const {
+    const std::uint32_t begin = leafBegin(leaf.value);
+    return ofItems.subspan(begin, leafEnd(leaf.value) - begin);
+  }
 
   std::vector<Box> nodes_;
   std::uint32_t firstLeaf_ = 0;

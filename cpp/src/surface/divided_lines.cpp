@@ -17,6 +17,16 @@ constexpr std::uint32_t kMinSidesOfParallelLine = 2;
 /// the seam, which are the same node of the surface.
 constexpr std::uint32_t kMinSidesAtSeam = 6;
 
+struct EndPoints {
+  PointId first;
+  PointId last;
+};
+
+EndPoints endPointsOf(const Model& model, LineId line) {
+  const std::vector<std::uint32_t>& points = model.lines[line.index()].points;
+  return {PointId(points.front()), PointId(points.back())};
+}
+
 }  // namespace
 
 LineDivider::LineDivider(const ResolvedModel& model) : model_(&model) {
@@ -33,10 +43,11 @@ void LineDivider::findUsedLines() {
   for (const Patch& patch : model.patches)
     for (const Loop& loop : patch.loops)
       for (const OrientedLine& line : loop) isUsed_[line.line] = 1;
-  for (std::size_t line = 0; line < isUsed_.size(); ++line) {
-    if (isUsed_[line] == 0) continue;
-    endPoints_.push_back(model.lines[line].points.front());
-    endPoints_.push_back(model.lines[line].points.back());
+  for (const LineId line : IdRange<LineId>(lineCount())) {
+    if (!isUsed(line)) continue;
+    const EndPoints ends = endPointsOf(model, line);
+    endPoints_.push_back(ends.first);
+    endPoints_.push_back(ends.last);
   }
   sortUnique(endPoints_);
 }
@@ -44,19 +55,18 @@ void LineDivider::findUsedLines() {
 void LineDivider::findMinSides() {
   const Model& model = model_->model();
   minSides_.assign(model.lines.size(), 1);
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> lineBetween;
-  for (std::size_t line = 0; line < isUsed_.size(); ++line) {
-    if (isUsed_[line] == 0) continue;
-    const std::vector<std::uint32_t>& points = model.lines[line].points;
-    if (points.front() == points.back()) {
-      minSides_[line] = kMinSidesOfClosedLine;
+  std::map<std::pair<PointId, PointId>, LineId> lineBetween;
+  for (const LineId line : IdRange<LineId>(lineCount())) {
+    if (!isUsed(line)) continue;
+    const EndPoints ends = endPointsOf(model, line);
+    if (ends.first == ends.last) {
+      minSides_[line.index()] = kMinSidesOfClosedLine;
       continue;
     }
-    const auto [entry, isFirst] =
-        lineBetween.try_emplace(std::minmax(points.front(), points.back()), line);
+    const auto [entry, isFirst] = lineBetween.try_emplace(std::minmax(ends.first, ends.last), line);
     if (isFirst) continue;
-    minSides_[line] = kMinSidesOfParallelLine;
-    minSides_[entry->second] = kMinSidesOfParallelLine;
+    minSides_[line.index()] = kMinSidesOfParallelLine;
+    minSides_[entry->second.index()] = kMinSidesOfParallelLine;
   }
   for (const Patch& patch : model.patches) {
     if (patch.type == PatchType::kPlanar) continue;
@@ -81,19 +91,19 @@ void LineDivider::halveSides(const std::set<LineSide>& sides) {
 }
 
 void LineDivider::numberNodes() {
-  const auto nodeAt = [&](std::uint32_t point) {
+  const auto nodeAt = [&](PointId point) {
     const auto entry = std::ranges::lower_bound(endPoints_, point);
     return NodeId(static_cast<std::size_t>(entry - endPoints_.begin()));
   };
   std::size_t next = endPoints_.size();
-  for (std::uint32_t line = 0; line < isUsed_.size(); ++line) {
-    if (isUsed_[line] == 0) continue;
-    const std::vector<std::uint32_t>& points = model_->model().lines[line].points;
-    std::vector<NodeId>& nodes = lines_.nodes[line];
-    nodes.assign(lines_.divisions[line].nodes.size(), {});
-    nodes.front() = nodeAt(points.front());
-    nodes.back() = nodeAt(points.back());
-    if (model_->isFlipped(LineId(line))) std::swap(nodes.front(), nodes.back());
+  for (const LineId line : IdRange<LineId>(lineCount())) {
+    if (!isUsed(line)) continue;
+    const EndPoints ends = endPointsOf(model_->model(), line);
+    std::vector<NodeId>& nodes = lines_.nodes[line.index()];
+    nodes.assign(lines_.divisions[line.index()].nodes.size(), {});
+    nodes.front() = nodeAt(ends.first);
+    nodes.back() = nodeAt(ends.last);
+    if (model_->isFlipped(line)) std::swap(nodes.front(), nodes.back());
     for (std::size_t i = 1; i + 1 < nodes.size(); ++i) nodes[i] = NodeId(next++);
   }
 }
@@ -102,13 +112,13 @@ void LineDivider::writeTo(SurfaceMesh& mesh) const {
   const auto append = [&](const Vec3& position) {
     mesh.points.insert(mesh.points.end(), {position.x, position.y, position.z});
   };
-  for (const std::uint32_t point : endPoints_) append(model_->model().points[point]);
-  for (std::uint32_t line = 0; line < isUsed_.size(); ++line) {
-    const std::vector<NodeId>& nodes = lines_.nodes[line];
+  for (const PointId point : endPoints_) append(model_->model().points[point.index()]);
+  for (const LineId line : IdRange<LineId>(lineCount())) {
+    const std::vector<NodeId>& nodes = lines_.nodes[line.index()];
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-      if (i > 0) append(lines_.divisions[line].nodes[i]);
+      if (i > 0) append(lines_.divisions[line.index()].nodes[i]);
       mesh.sides.insert(mesh.sides.end(), {nodes[i].value, nodes[i + 1].value});
-      mesh.sideLine.push_back(line);
+      mesh.sideLine.push_back(line.value);
     }
   }
 }

@@ -54,9 +54,9 @@ class LineDivider {
   void findMinSides();
 
   const ResolvedModel* model_;
-  std::vector<std::uint8_t> isUsed_;      ///< per line
-  std::vector<std::uint32_t> minSides_;   ///< per line
-  std::vector<std::uint32_t> endPoints_;  ///< points of the model that are nodes, ascending
+  std::vector<std::uint8_t> isUsed_;     ///< per line
+  std::vector<std::uint32_t> minSides_;  ///< per line
+  std::vector<PointId> endPoints_;       ///< points of the model that are nodes, ascending
   DividedLines lines_;
 };
 
