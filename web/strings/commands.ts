@@ -1,3 +1,5 @@
+import { layerNames } from "./entities";
+
 /** Labels of the commands in menus, palette and help. */
 export const commandLabels = {
   new: "New project",
@@ -49,14 +51,7 @@ export const commandLabels = {
   cut: "Cut",
   flipCut: "Flip side of the cut",
   cutAcross: (axis: string) => `Cut across ${axis}`,
-  layers: {
-    points: "Points",
-    lines: "Lines",
-    patches: "Patches",
-    background: "Background grid",
-    sources: "Sources",
-    mesh: "Mesh",
-  },
+  layers: layerNames,
   hide: "Hide selection",
   showAll: "Show all",
   shadings: {

@@ -42,3 +42,12 @@ export const patchTypeHints = {
 } as const;
 
 export const sourceTypeNames = { point: "point", segment: "segment", triangle: "triangle" } as const;
+
+export const layerNames = {
+  points: "Points",
+  lines: "Lines",
+  patches: "Patches",
+  background: "Background grid",
+  sources: "Sources",
+  mesh: "Mesh",
+} as const;

@@ -1,3 +1,5 @@
+import { layerNames } from "./entities";
+
 /** Texts of the panels. */
 export const panelStrings = {
   tree: {
@@ -143,12 +145,7 @@ export const panelStrings = {
   },
   display: {
     layers: "Layers",
-    points: "Points",
-    lines: "Lines",
-    patches: "Patches",
-    background: "Background grid",
-    sources: "Sources",
-    mesh: "Mesh",
+    ...layerNames,
     shading: "Shading",
     region: "Region",
     plain: "Plain",

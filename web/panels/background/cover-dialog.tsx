@@ -1,10 +1,11 @@
-import { Button, Group, SegmentedControl, Text } from "@mantine/core";
+import { SegmentedControl, Text } from "@mantine/core";
 import { useState } from "react";
 import { coverModel, likelySize } from "../../commands/background-actions";
+import { DialogButtons } from "../../ui/frames/dialog-buttons";
 import { ApplyButton, DialogForm } from "../../ui/frames/dialog-form";
 import { FieldRow } from "../../ui/fields/field-row";
 import { FramedDialog } from "../../ui/frames/framed-dialog";
-import { NumberField } from "../../ui/fields/number-field";
+import { NumberRow } from "../../ui/fields/number-row";
 import { strings } from "../../strings";
 import { useApp, useProject, useShell } from "../shared/app-context";
 import { aboveZero, sizeStep } from "../shared/size-fields";
@@ -51,27 +52,22 @@ function CoverForm({ onClose }: { readonly onClose: () => void }) {
           onChange={setShape}
         />
       </FieldRow>
-      <FieldRow label={strings.inspector.size}>
-        <NumberField
-          label={strings.inspector.size}
-          value={size}
-          step={sizeStep(size)}
-          refuse={aboveZero}
-          testId="cover-size"
-          onCommit={setSize}
-        />
-      </FieldRow>
+      <NumberRow
+        label={strings.inspector.size}
+        value={size}
+        step={sizeStep(size)}
+        refuse={aboveZero}
+        testId="cover-size"
+        onCommit={setSize}
+      />
       {hasGrid && (
         <Text size="sm" c="dimmed">
           {texts.replaces}
         </Text>
       )}
-      <Group justify="flex-end" gap="xs" mt={12}>
-        <Button size="xs" variant="default" onClick={onClose}>
-          {texts.cancel}
-        </Button>
+      <DialogButtons cancel={texts.cancel} onCancel={onClose}>
         <ApplyButton data-testid="cover-apply">{texts.create}</ApplyButton>
-      </Group>
+      </DialogButtons>
     </DialogForm>
   );
 }

@@ -16,9 +16,7 @@ const texts = strings.background;
 /** The source of the element sizes, and the commands that create sizes. */
 export function ElementSize() {
   const app = useApp();
-  const project = useProject();
-  const { nodes, tetrahedra } = project.background;
-  const uniformSize = project.meshing?.size;
+  const uniformSize = useProject().meshing?.size;
   return (
     <section aria-label={texts.elementSize} data-testid="element-size">
       <SectionTitle>{texts.elementSize}</SectionTitle>
@@ -36,40 +34,56 @@ export function ElementSize() {
           app.documents.edit(setMeshing("size", value === "uniform" ? likelySize(app) : null))
         }
       />
-      {uniformSize === undefined ? (
-        <Text size="sm" c="dimmed" mb={6}>
-          {nodes.length === 0
-            ? texts.noGrid
-            : texts.gridCounts(formatCount(nodes.length), formatCount(tetrahedra.length))}
-        </Text>
-      ) : (
-        <>
-          <FieldRow label={strings.inspector.size}>
-            <NumberField
-              label={texts.uniformSize}
-              value={uniformSize}
-              step={sizeStep(uniformSize)}
-              refuse={upTo(LIMITS.length, aboveZero)}
-              testId="uniform-size"
-              {...unitsOf(project)}
-              onCommit={(value) => app.documents.edit(setMeshing("size", value))}
-            />
-          </FieldRow>
-          <Text size="xs" c="dimmed" mb={6}>
-            {texts.uniformHint}
-          </Text>
-        </>
-      )}
+      {uniformSize === undefined ? <GridCounts /> : <UniformSize size={uniformSize} />}
       <Group gap={5}>
-        {["cover", "propose"].map((id) => {
-          const command = commandNamed(id);
-          return (
-            <Button key={id} size="compact-sm" variant="default" onClick={() => runCommand(app, command)}>
-              {command.label(app)}
-            </Button>
-          );
-        })}
+        {["cover", "propose"].map((id) => (
+          <SizeCommand key={id} id={id} />
+        ))}
       </Group>
     </section>
+  );
+}
+
+function GridCounts() {
+  const { nodes, tetrahedra } = useProject().background;
+  return (
+    <Text size="sm" c="dimmed" mb={6}>
+      {nodes.length === 0
+        ? texts.noGrid
+        : texts.gridCounts(formatCount(nodes.length), formatCount(tetrahedra.length))}
+    </Text>
+  );
+}
+
+function UniformSize({ size }: { readonly size: number }) {
+  const app = useApp();
+  const project = useProject();
+  return (
+    <>
+      <FieldRow label={strings.inspector.size}>
+        <NumberField
+          label={texts.uniformSize}
+          value={size}
+          step={sizeStep(size)}
+          refuse={upTo(LIMITS.length, aboveZero)}
+          testId="uniform-size"
+          {...unitsOf(project)}
+          onCommit={(value) => app.documents.edit(setMeshing("size", value))}
+        />
+      </FieldRow>
+      <Text size="xs" c="dimmed" mb={6}>
+        {texts.uniformHint}
+      </Text>
+    </>
+  );
+}
+
+function SizeCommand({ id }: { readonly id: string }) {
+  const app = useApp();
+  const command = commandNamed(id);
+  return (
+    <Button size="compact-sm" variant="default" onClick={() => runCommand(app, command)}>
+      {command.label(app)}
+    </Button>
   );
 }

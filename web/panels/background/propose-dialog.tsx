@@ -1,12 +1,12 @@
-import { Alert, Button, Checkbox, Group, Text } from "@mantine/core";
+import { Alert, Button, Checkbox, Text } from "@mantine/core";
 import { useState } from "react";
 import { PROPOSAL_DEFAULTS } from "tetrafront";
 import { applyProposal, likelySize } from "../../commands/background-actions";
+import { DialogButtons } from "../../ui/frames/dialog-buttons";
 import { ApplyButton, DialogForm } from "../../ui/frames/dialog-form";
-import { FieldRow } from "../../ui/fields/field-row";
 import { formatCount } from "../../ui/format";
 import { FramedDialog } from "../../ui/frames/framed-dialog";
-import { NumberField } from "../../ui/fields/number-field";
+import { NumberRow } from "../../ui/fields/number-row";
 import { strings } from "../../strings";
 import { useApp, useProject, useShell } from "../shared/app-context";
 import { ProposalSummary } from "./proposal-summary";
@@ -57,28 +57,17 @@ function ProposeForm({ onClose }: { readonly onClose: () => void }) {
         options={options}
         onCommit={(name, value) => setOptions((current) => ({ ...current, [name]: value }))}
       />
-      <Checkbox
-        size="xs"
-        my={8}
-        label={texts.coverToo}
-        checked={cover}
-        onChange={(event) => setCover(event.currentTarget.checked)}
-      />
+      <Choice label={texts.coverToo} checked={cover} onChange={setCover} />
       {sourceCount > 0 && (
-        <Checkbox
-          size="xs"
-          my={8}
+        <Choice
           label={texts.replaceSources(sourceCount)}
           checked={replaceSources}
-          onChange={(event) => setReplaceSources(event.currentTarget.checked)}
+          onChange={setReplaceSources}
         />
       )}
       <ProposalSummary answer={answer} failure={failure} />
       {isTooMany && <TooManyElements onCoarser={() => answer && setOptions(coarserOptions(answer))} />}
-      <Group justify="flex-end" gap="xs" mt={12}>
-        <Button size="xs" variant="default" onClick={onClose}>
-          {texts.cancel}
-        </Button>
+      <DialogButtons cancel={texts.cancel} onCancel={onClose}>
         <ApplyButton
           data-testid="propose-apply"
           disabled={answer === null}
@@ -86,8 +75,26 @@ function ProposeForm({ onClose }: { readonly onClose: () => void }) {
         >
           {isTooMany ? texts.applyAnyway : texts.apply}
         </ApplyButton>
-      </Group>
+      </DialogButtons>
     </DialogForm>
+  );
+}
+
+interface ChoiceProps {
+  readonly label: string;
+  readonly checked: boolean;
+  readonly onChange: (checked: boolean) => void;
+}
+
+function Choice({ label, checked, onChange }: ChoiceProps) {
+  return (
+    <Checkbox
+      size="xs"
+      my={8}
+      label={label}
+      checked={checked}
+      onChange={(event) => onChange(event.currentTarget.checked)}
+    />
   );
 }
 
@@ -122,15 +129,14 @@ interface OptionFieldsProps {
 
 function OptionFields({ options, onCommit }: OptionFieldsProps) {
   return fields.map(({ name, step, canBeZero }) => (
-    <FieldRow key={name} label={texts.proposalOptions[name]}>
-      <NumberField
-        label={texts.proposalOptions[name]}
-        value={options[name]}
-        step={step}
-        refuse={canBeZero ? notNegative : aboveZero}
-        testId={`propose-${name}`}
-        onCommit={(value) => onCommit(name, value)}
-      />
-    </FieldRow>
+    <NumberRow
+      key={name}
+      label={texts.proposalOptions[name]}
+      value={options[name]}
+      step={step}
+      refuse={canBeZero ? notNegative : aboveZero}
+      testId={`propose-${name}`}
+      onCommit={(value) => onCommit(name, value)}
+    />
   ));
 }

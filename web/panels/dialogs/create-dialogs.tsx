@@ -4,10 +4,9 @@ import { create } from "../../commands/creation-actions";
 import { addBackgroundNode, addPoint } from "../../document/create";
 import { recordsOf } from "../../document/entities";
 import { ApplyButton, DialogForm } from "../../ui/frames/dialog-form";
-import { FieldRow } from "../../ui/fields/field-row";
 import { FramedDialog } from "../../ui/frames/framed-dialog";
-import { NumberField } from "../../ui/fields/number-field";
-import { PositionFields } from "../../ui/fields/position-fields";
+import { NumberRow } from "../../ui/fields/number-row";
+import { PositionRow } from "../../ui/fields/position-row";
 import { entityWords, strings } from "../../strings";
 import { useApp, useProject, useShell } from "../shared/app-context";
 import { aboveZero, stepFor } from "../shared/size-fields";
@@ -32,57 +31,49 @@ export function CreatePositionedDialog({ kind }: { readonly kind: PositionedKind
   );
 }
 
-/** Keeps the coordinates for the next point, because points often share some. */
-function PositionForm({ kind }: { readonly kind: PositionedKind }) {
+/** The values typed into the form, and what was added last. */
+function useNewEntity(kind: PositionedKind) {
   const app = useApp();
   const project = useProject();
   const last = recordsOf(project, kind).at(-1);
   const [position, setPosition] = useState<Position>(() => last?.position ?? [0, 0, 0]);
   const [size, setSize] = useState(() => recordsOf(project, "background-node").at(-1)?.size ?? 0.1);
   const [added, setAdded] = useState<string | null>(null);
-  const fields = useRef<HTMLDivElement>(null);
-  const toFirstField = (): void => fields.current?.querySelector("input")?.focus();
-  const add = (action: string): void => {
+  const add = (): void => {
     const current = app.documents.project;
     const creation =
       kind === "point" ? addPoint(current, position) : addBackgroundNode(current, position, size);
     create(app, creation);
     const [entity] = creation.entities;
     setAdded(entity ? `${entityWords[kind].one.toLowerCase()} ${entity.id}` : null);
-    if (action === "next") toFirstField();
+  };
+  return { position, setPosition, size, setSize, added, add };
+}
+
+/** Keeps the coordinates for the next point, because points often share some. */
+function PositionForm({ kind }: { readonly kind: PositionedKind }) {
+  const app = useApp();
+  const project = useProject();
+  const { position, setPosition, size, setSize, added, add } = useNewEntity(kind);
+  const fields = useRef<HTMLDivElement>(null);
+  const apply = (action: string): void => {
+    add();
+    if (action === "next") fields.current?.querySelector("input")?.focus();
     else app.shell.setState({ dialog: null });
   };
   return (
-    <DialogForm onApply={add}>
+    <DialogForm onApply={apply}>
       <div ref={fields}>
-        <FieldRow label={strings.create.position}>
-          <PositionFields
-            label={strings.create.position}
-            value={position}
-            step={stepFor(project)}
-            testId="new"
-            first
-            onCommit={(axis, value) => setPosition(([x, y, z]) => withCoordinate([x, y, z], axis, value))}
-          />
-        </FieldRow>
+        <PositionRow
+          label={strings.create.position}
+          value={position}
+          step={stepFor(project)}
+          testId="new"
+          first
+          onCommit={(axis, value) => setPosition(([x, y, z]) => withCoordinate([x, y, z], axis, value))}
+        />
       </div>
-      {kind === "background-node" && (
-        <>
-          <FieldRow label={strings.create.size}>
-            <NumberField
-              label={strings.create.size}
-              value={size}
-              step={0.01}
-              refuse={aboveZero}
-              testId="new-size"
-              onCommit={setSize}
-            />
-          </FieldRow>
-          <Text size="xs" c="dimmed">
-            {strings.create.nodeHint}
-          </Text>
-        </>
-      )}
+      {kind === "background-node" && <SizeRow size={size} onCommit={setSize} />}
       <Text size="sm" c="dimmed" role="status" mih={20} mt={6}>
         {added !== null && strings.create.added(added)}
       </Text>
@@ -93,6 +84,29 @@ function PositionForm({ kind }: { readonly kind: PositionedKind }) {
         <ApplyButton data-testid="add">{strings.create.add}</ApplyButton>
       </Group>
     </DialogForm>
+  );
+}
+
+interface SizeRowProps {
+  readonly size: number;
+  readonly onCommit: (size: number) => void;
+}
+
+function SizeRow({ size, onCommit }: SizeRowProps) {
+  return (
+    <>
+      <NumberRow
+        label={strings.create.size}
+        value={size}
+        step={0.01}
+        refuse={aboveZero}
+        testId="new-size"
+        onCommit={onCommit}
+      />
+      <Text size="xs" c="dimmed">
+        {strings.create.nodeHint}
+      </Text>
+    </>
   );
 }
 

@@ -28,38 +28,22 @@ export function EntityCard({ entity }: { readonly entity: Entity }) {
   const dependents = useMemo(() => dependentsOf(project, entity), [project, entity]);
   if (!record) return null;
   const name = entityName(project, entity) ?? "";
-  const fallback = `${entityWords[entity.kind].one} ${entity.id}`;
   return (
     <>
-      <div className={styles["title"]}>
-        <EntityIcon entity={entity} project={project} />
-        <Text fw={600} size="md" component="h2">
-          {name === "" ? fallback : name}
-        </Text>
-        {name !== "" && (
-          <Text size="sm" c="dimmed">
-            {fallback.toLowerCase()}
-          </Text>
-        )}
-        {!problems && (
-          <Badge size="sm" variant="outline" color="var(--tf-success)" className={styles["valid"]}>
-            {strings.inspector.valid}
-          </Badge>
-        )}
-      </div>
+      <EntityTitle entity={entity} project={project} isValid={!problems} />
       {entity.kind !== "background-node" && (
         <FieldRow label={strings.inspector.name}>
           <NameField
             key={entityKey(entity)}
             label={strings.inspector.name}
             value={name}
-            placeholder={fallback}
+            placeholder={fallbackName(entity)}
             testId="entity-name"
             onCommit={(next) => app.documents.edit(renameEntity(entity, next))}
           />
         </FieldRow>
       )}
-      <EntityFields entity={entity} project={project} />
+      <EntityFields key={entityKey(entity)} entity={entity} project={project} />
       <CreateFromSelection selection={[entity]} />
       {dependents.length > 0 && (
         <FieldRow label={strings.inspector.usedBy}>
@@ -73,6 +57,38 @@ export function EntityCard({ entity }: { readonly entity: Entity }) {
     </>
   );
 }
+
+interface EntityTitleProps {
+  readonly entity: Entity;
+  readonly project: Project;
+  readonly isValid: boolean;
+}
+
+/** The name of an entity, or what it is called without one. */
+function EntityTitle({ entity, project, isValid }: EntityTitleProps) {
+  const name = entityName(project, entity) ?? "";
+  const fallback = fallbackName(entity);
+  return (
+    <div className={styles["title"]}>
+      <EntityIcon entity={entity} project={project} />
+      <Text fw={600} size="md" component="h2">
+        {name === "" ? fallback : name}
+      </Text>
+      {name !== "" && (
+        <Text size="sm" c="dimmed">
+          {fallback.toLowerCase()}
+        </Text>
+      )}
+      {isValid && (
+        <Badge size="sm" variant="outline" color="var(--tf-success)" className={styles["valid"]}>
+          {strings.inspector.valid}
+        </Badge>
+      )}
+    </div>
+  );
+}
+
+const fallbackName = ({ kind, id }: Entity): string => `${entityWords[kind].one} ${id}`;
 
 function EntityFields({ entity, project }: { readonly entity: Entity; readonly project: Project }) {
   switch (entity.kind) {

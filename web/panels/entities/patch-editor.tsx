@@ -1,4 +1,4 @@
-import { ActionIcon, Select, Text, Tooltip } from "@mantine/core";
+import { Text } from "@mantine/core";
 import { IconTrash } from "@tabler/icons-react";
 import type { PatchType, Project, ProjectPatch } from "tetrafront";
 import { setPatchLoops, setPatchType } from "../../document/edits";
@@ -6,11 +6,14 @@ import { rotateToSecond } from "../../document/loops";
 import { patchMisfit, patchRules, patchTypes } from "../../document/patch-rules";
 import { FieldRow } from "../../ui/fields/field-row";
 import { ListField } from "../../ui/fields/list-field";
+import { IconButton } from "../../ui/icon-button";
 import { patchTypeHints, patchTypeNames, strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import { EntityChips } from "../shared/entity-chips";
 import styles from "./patch-editor.module.css";
 import { PatchRoleList } from "./patch-role-list";
+import { refuseIds } from "./refuse-ids";
+import { TypeSelect } from "./type-select";
 
 const options = patchTypes.map((value) => ({ value, label: patchTypeNames[value] }));
 
@@ -41,32 +44,25 @@ export function PatchEditor({ patch, project }: PatchEditorProps) {
 function TypeField({ patch, project }: PatchEditorProps) {
   const app = useApp();
   const misfitOf = (type: PatchType): string | null => patchMisfit(project, type, patch.loops);
-  const misfit = misfitOf(patch.type);
   return (
     <FieldRow label={strings.inspector.type}>
-      <Select
-        size="xs"
-        aria-label={strings.inspector.type}
-        data-testid="patch-type"
-        allowDeselect={false}
+      <TypeSelect
+        types={options}
+        value={patch.type}
+        testId="patch-type"
         comboboxProps={{ width: 260, position: "bottom-end" }}
         maxDropdownHeight={420}
-        data={options}
-        value={patch.type}
-        error={misfit}
-        renderOption={({ option }) => {
-          const type = option.value;
-          const wrong = misfitOf(type);
+        error={misfitOf(patch.type)}
+        renderOption={({ value, label }) => {
+          const misfit = misfitOf(value);
           return (
-            <span className={styles["option"]} data-misfit={wrong !== null || undefined}>
-              <b>{option.label}</b>
-              <small>{wrong ?? patchTypeHints[type]}</small>
+            <span className={styles["option"]} data-misfit={misfit !== null || undefined}>
+              <b>{label}</b>
+              <small>{misfit ?? patchTypeHints[value]}</small>
             </span>
           );
         }}
-        onChange={(value) => {
-          if (value !== null) app.documents.edit(setPatchType(patch.id, value));
-        }}
+        onChange={(type) => app.documents.edit(setPatchType(patch.id, type))}
       />
       <Text size="xs" c="dimmed" mt={4} data-testid="patch-hint">
         {patchTypeHints[patch.type]}
@@ -83,11 +79,11 @@ interface LoopFieldsProps extends PatchEditorProps {
 /** A loop as a list of ids to type and as lines to click; for equation (14) also with the roles of the lines. */
 function LoopFields({ patch, project, loop, index }: LoopFieldsProps) {
   const app = useApp();
-  const known = new Set(project.lines.map(({ id }) => id));
-  const refuse = (steps: readonly number[]): string | null => {
-    if (steps.length < 1) return strings.fields.oneLine;
-    const unknown = steps.find((step) => !known.has(Math.abs(step)));
-    return unknown === undefined ? null : strings.fields.unknownLine(String(Math.abs(unknown)));
+  const rule = {
+    known: new Set(project.lines.map(({ id }) => id)),
+    atLeast: 1,
+    tooFew: strings.fields.oneLine,
+    unknown: strings.fields.unknownLine,
   };
   const setLoops = (loops: readonly (readonly number[])[]): void =>
     app.documents.edit(setPatchLoops(patch.id, loops));
@@ -97,7 +93,7 @@ function LoopFields({ patch, project, loop, index }: LoopFieldsProps) {
     <ListField
       label={`${label}. ${strings.inspector.loopHint}`}
       values={loop}
-      refuse={refuse}
+      refuse={(steps) => refuseIds(steps, rule)}
       testId={`patch-loop-${index}`}
       onCommit={(steps) => setLoops(patch.loops.with(index, steps))}
     />
@@ -109,17 +105,13 @@ function LoopFields({ patch, project, loop, index }: LoopFieldsProps) {
       ) : (
         <div className={styles["hole"]}>
           {list}
-          <Tooltip label={strings.inspector.removeHole(index)} openDelay={400}>
-            <ActionIcon
-              size={28}
-              variant="subtle"
-              color="gray"
-              aria-label={strings.inspector.removeHole(index)}
-              onClick={() => setLoops(patch.loops.filter((_, other) => other !== index))}
-            >
-              <IconTrash size={15} aria-hidden />
-            </ActionIcon>
-          </Tooltip>
+          <IconButton
+            label={strings.inspector.removeHole(index)}
+            size={28}
+            onClick={() => setLoops(patch.loops.filter((_, other) => other !== index))}
+          >
+            <IconTrash size={15} aria-hidden />
+          </IconButton>
         </div>
       )}
       {hasRoles ? (

@@ -1,9 +1,8 @@
 import { Text } from "@mantine/core";
 import { LIMITS, SOURCE_GROWTH, type Project, type ProjectSource } from "tetrafront";
 import { moveSource, setSourceField } from "../../document/size-edits";
-import { FieldRow } from "../../ui/fields/field-row";
-import { NumberField } from "../../ui/fields/number-field";
-import { PositionFields } from "../../ui/fields/position-fields";
+import { NumberRow } from "../../ui/fields/number-row";
+import { PositionRow } from "../../ui/fields/position-row";
 import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import { aboveZero, notNegative, sizeStep, stepFor, unitsOf, upTo } from "../shared/size-fields";
@@ -15,57 +14,34 @@ interface SourceEditorProps {
 
 /** The sizes and the corners of a source. */
 export function SourceEditor({ source, project }: SourceEditorProps) {
-  const app = useApp();
+  const { documents } = useApp();
   const { id, size, distance = 0, growth = SOURCE_GROWTH, positions } = source;
-  const set = (field: "size" | "distance" | "growth") => (value: number) =>
-    app.documents.edit(setSourceField(id, field, value));
+  const length = { step: sizeStep(size), ...unitsOf(project) };
+  const fields = [
+    { name: "size", value: size, refuse: upTo(LIMITS.length, aboveZero), ...length },
+    { name: "distance", value: distance, refuse: upTo(LIMITS.length, notNegative), ...length },
+    { name: "growth", value: growth, refuse: upTo(LIMITS.growth, notNegative), step: 0.05 },
+  ] as const;
   return (
     <>
-      <FieldRow label={strings.inspector.size}>
-        <NumberField
-          key={id}
-          label={strings.inspector.size}
-          value={size}
-          step={sizeStep(size)}
-          refuse={upTo(LIMITS.length, aboveZero)}
-          testId="source-size"
-          {...unitsOf(project)}
-          onCommit={set("size")}
+      {fields.map(({ name, ...field }) => (
+        <NumberRow
+          key={name}
+          label={strings.inspector[name]}
+          testId={`source-${name}`}
+          onCommit={(value) => documents.edit(setSourceField(id, name, value))}
+          {...field}
         />
-      </FieldRow>
-      <FieldRow label={strings.inspector.distance}>
-        <NumberField
-          key={id}
-          label={strings.inspector.distance}
-          value={distance}
-          step={sizeStep(size)}
-          refuse={upTo(LIMITS.length, notNegative)}
-          testId="source-distance"
-          {...unitsOf(project)}
-          onCommit={set("distance")}
-        />
-      </FieldRow>
-      <FieldRow label={strings.inspector.growth}>
-        <NumberField
-          key={id}
-          label={strings.inspector.growth}
-          value={growth}
-          step={0.05}
-          refuse={upTo(LIMITS.growth, notNegative)}
-          testId="source-growth"
-          onCommit={set("growth")}
-        />
-      </FieldRow>
+      ))}
       {positions.map((position, index) => (
-        <FieldRow key={`${id}-${index}`} label={strings.inspector.cornerPosition(index, positions.length)}>
-          <PositionFields
-            label={strings.inspector.cornerPosition(index, positions.length)}
-            value={position}
-            step={stepFor(project)}
-            testId={`position-${index}`}
-            onCommit={(axis, value) => app.documents.edit(moveSource(id, index, axis, value))}
-          />
-        </FieldRow>
+        <PositionRow
+          key={index}
+          label={strings.inspector.cornerPosition(index, positions.length)}
+          value={position}
+          step={stepFor(project)}
+          testId={`position-${index}`}
+          onCommit={(axis, value) => documents.edit(moveSource(id, index, axis, value))}
+        />
       ))}
       <Text size="sm" c="dimmed">
         {strings.inspector.sourceRule}

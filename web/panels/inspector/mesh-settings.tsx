@@ -10,8 +10,7 @@ import {
   type ProjectMeshing,
 } from "tetrafront";
 import { setMeshing } from "../../document/size-edits";
-import { FieldRow } from "../../ui/fields/field-row";
-import { NumberField } from "../../ui/fields/number-field";
+import { NumberRow } from "../../ui/fields/number-row";
 import { strings } from "../../strings";
 import { useApp, useProject } from "../shared/app-context";
 import { ChoiceSetting, SettingHint } from "./choice-setting";
@@ -59,16 +58,14 @@ export function MeshSettings() {
         hint={`${texts.optimizations[optimization]}: ${texts.optimizationHints[optimization]}`}
         onChange={(value) => set("optimization", value)}
       />
-      <FieldRow label={texts.gradation}>
-        <NumberField
-          label={texts.gradation}
-          value={gradation}
-          step={0.05}
-          refuse={refuseGradation}
-          testId="gradation"
-          onCommit={(value) => set("gradation", value)}
-        />
-      </FieldRow>
+      <NumberRow
+        label={texts.gradation}
+        value={gradation}
+        step={0.05}
+        refuse={refuseGradation}
+        testId="gradation"
+        onCommit={(value) => set("gradation", value)}
+      />
       <SettingHint>{texts.gradationHint}</SettingHint>
       <ChoiceSetting
         label={texts.innerShells}

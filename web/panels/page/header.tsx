@@ -4,7 +4,6 @@ import {
   Kbd,
   Menu,
   Toolbar,
-  Tooltip,
   useComputedColorScheme,
   useMantineColorScheme,
 } from "@mantine/core";
@@ -26,6 +25,7 @@ import { Fragment, useState } from "react";
 import type { MenuName } from "../../commands/command";
 import { commandNamed, runCommand } from "../../commands/registry";
 import { DOWNLOADS } from "../../commands/file-menu";
+import { IconButton } from "../../ui/icon-button";
 import { Logo } from "../../ui/logo";
 import { strings } from "../../strings";
 import { useApp, useDocument, useRun, useView } from "../shared/app-context";
@@ -158,18 +158,14 @@ function SchemeToggle() {
   const dark = useComputedColorScheme("dark", { getInitialValueInEffect: false }) === "dark";
   const label = dark ? strings.header.light : strings.header.dark;
   return (
-    <Tooltip label={label} openDelay={400}>
-      <ActionIcon
-        size={28}
-        variant="subtle"
-        color="gray"
-        aria-label={label}
-        data-testid="theme"
-        onClick={() => setColorScheme(dark ? "light" : "dark")}
-      >
-        {dark ? <IconSun {...icon} /> : <IconMoon {...icon} />}
-      </ActionIcon>
-    </Tooltip>
+    <IconButton
+      label={label}
+      size={28}
+      data-testid="theme"
+      onClick={() => setColorScheme(dark ? "light" : "dark")}
+    >
+      {dark ? <IconSun {...icon} /> : <IconMoon {...icon} />}
+    </IconButton>
   );
 }
 

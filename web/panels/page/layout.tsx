@@ -65,6 +65,31 @@ const drawers = [
   { key: "bottom", label: strings.bottom.title, Icon: IconMessage2 },
 ] as const;
 
+/** Buttons that open the drawers. */
+function Rail({ phone }: { readonly phone: boolean }) {
+  const app = useApp();
+  return (
+    <nav className={styles["rail"]} aria-label={strings.header.panels}>
+      {drawers.map(({ key, label, Icon }) => (
+        <Tooltip key={key} label={label} disabled={phone} position="right">
+          <ActionIcon
+            size={phone ? 44 : 32}
+            variant="subtle"
+            color="gray"
+            aria-label={label}
+            aria-haspopup="dialog"
+            data-testid={`drawer-${key}`}
+            onClick={() => app.shell.setState({ drawer: key })}
+          >
+            <Icon size={18} aria-hidden />
+            {phone && <span className={styles["railLabel"]}>{label}</span>}
+          </ActionIcon>
+        </Tooltip>
+      ))}
+    </nav>
+  );
+}
+
 function NarrowBody({ layout }: { readonly layout: Layout }) {
   const app = useApp();
   const open = useShell((state) => state.drawer);
@@ -77,24 +102,7 @@ function NarrowBody({ layout }: { readonly layout: Layout }) {
   return (
     <>
       <div className={`${styles["body"]} ${styles["narrow"]}`} data-drawer={(phone && open) || undefined}>
-        <nav className={styles["rail"]} aria-label={strings.header.panels}>
-          {drawers.map(({ key, label, Icon }) => (
-            <Tooltip key={key} label={label} disabled={phone} position="right">
-              <ActionIcon
-                size={phone ? 44 : 32}
-                variant="subtle"
-                color="gray"
-                aria-label={label}
-                aria-haspopup="dialog"
-                data-testid={`drawer-${key}`}
-                onClick={() => app.shell.setState({ drawer: key })}
-              >
-                <Icon size={18} aria-hidden />
-                {phone && <span className={styles["railLabel"]}>{label}</span>}
-              </ActionIcon>
-            </Tooltip>
-          ))}
-        </nav>
+        <Rail phone={phone} />
         <ViewportPanel layout={layout} />
       </div>
       {drawers.map(({ key, label }) => (

@@ -1,8 +1,9 @@
-import { ActionIcon, Progress, Tooltip, VisuallyHidden } from "@mantine/core";
+import { Progress, VisuallyHidden } from "@mantine/core";
 import { IconX } from "@tabler/icons-react";
 import type { MeshReport, Progress as RunProgressReport } from "tetrafront";
 import { savedState } from "../../session/document-store";
 import type { RunState } from "../../session/run";
+import { IconButton } from "../../ui/icon-button";
 import { formatAngle, formatCount, formatSeconds, formatShare } from "../../ui/format";
 import { measuredIn, phaseNames, strings } from "../../strings";
 import { useApp, useDocument, useQualitySpace, useRun, useStale } from "../shared/app-context";
@@ -81,19 +82,15 @@ function RunProgress() {
         </span>
       )}
       <VisuallyHidden role="status">{announced}</VisuallyHidden>
-      <Tooltip label={strings.status.cancel}>
-        <ActionIcon
-          size={22}
-          variant="subtle"
-          color="gray"
-          aria-label={strings.status.cancel}
-          data-testid="cancel"
-          disabled={cancelling}
-          onClick={() => app.run.cancel()}
-        >
-          <IconX size={14} aria-hidden />
-        </ActionIcon>
-      </Tooltip>
+      <IconButton
+        label={strings.status.cancel}
+        size={22}
+        data-testid="cancel"
+        disabled={cancelling}
+        onClick={() => app.run.cancel()}
+      >
+        <IconX size={14} aria-hidden />
+      </IconButton>
     </>
   );
 }

@@ -3,6 +3,7 @@ import { showElement } from "../../commands/selection-actions";
 import { formatAngle, formatCount, formatPosition } from "../../ui/format";
 import { strings } from "../../strings";
 import table from "../../ui/table.module.css";
+import { TableHead } from "../../ui/table-head";
 import { TextButton } from "../../ui/text-button";
 import { useApp, useView } from "../shared/app-context";
 
@@ -42,15 +43,7 @@ export function ElementTable({ elements, testId }: ElementTableProps) {
   const highlighted = useView((state) => state.element);
   return (
     <table className={`${table["table"]} ${table["compact"]}`} data-testid={testId}>
-      <thead>
-        <tr>
-          {texts.columns.map((title) => (
-            <th key={title} scope="col">
-              {title}
-            </th>
-          ))}
-        </tr>
-      </thead>
+      <TableHead titles={texts.columns} />
       <tbody>
         {elements.map((element, index) => (
           <tr key={element.tetrahedron} data-highlighted={element.tetrahedron === highlighted || undefined}>

@@ -3,6 +3,7 @@ import type { PatchQuality, Project } from "tetrafront";
 import { showEntities } from "../../commands/selection-actions";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { formatAngle, formatCount, formatShort } from "../../ui/format";
+import { TableHead } from "../../ui/table-head";
 import { strings } from "../../strings";
 import { useApp, useProject, useRun, useStale } from "../shared/app-context";
 import { entityTitle } from "../shared/entity-chips";
@@ -62,22 +63,16 @@ export function PatchTable() {
         </Text>
       ) : (
         <table className={table["table"]} data-testid="patch-table">
-          <thead>
-            <tr>
-              {[
-                texts.patch,
-                texts.triangles,
-                texts.minAngle,
-                texts.meanRatio,
-                texts.meanEdge,
-                texts.deviation,
-              ].map((title) => (
-                <th key={title} scope="col">
-                  {title}
-                </th>
-              ))}
-            </tr>
-          </thead>
+          <TableHead
+            titles={[
+              texts.patch,
+              texts.triangles,
+              texts.minAngle,
+              texts.meanRatio,
+              texts.meanEdge,
+              texts.deviation,
+            ]}
+          />
           <tbody>
             {rows.map(({ id, quality }) => (
               <PatchRow key={id} id={id} quality={quality} project={project} />

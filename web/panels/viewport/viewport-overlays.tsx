@@ -1,7 +1,8 @@
-import { ActionIcon, Button, Kbd, Switch, Text, Tooltip } from "@mantine/core";
+import { Button, Kbd, Switch, Text } from "@mantine/core";
 import { IconArrowsExchange, IconPlugConnectedX } from "@tabler/icons-react";
 import type { MeshStatus } from "tetrafront";
 import { strings } from "../../strings";
+import { IconButton } from "../../ui/icon-button";
 import { useApp, useRun, useStale, useView } from "../shared/app-context";
 import { CutAxisControl, CutSlider } from "./cut-controls";
 import type { Trouble } from "./use-viewer";
@@ -24,19 +25,15 @@ export function CutBar() {
         <>
           <CutAxisControl />
           <CutSlider />
-          <Tooltip label={strings.display.flip}>
-            <ActionIcon
-              size={24}
-              variant="subtle"
-              color="gray"
-              aria-label={strings.display.flip}
-              aria-pressed={cut.flipped}
-              data-testid="cut-flip"
-              onClick={() => app.view.setCut({ flipped: !cut.flipped })}
-            >
-              <IconArrowsExchange size={15} aria-hidden />
-            </ActionIcon>
-          </Tooltip>
+          <IconButton
+            label={strings.display.flip}
+            size={24}
+            aria-pressed={cut.flipped}
+            data-testid="cut-flip"
+            onClick={() => app.view.setCut({ flipped: !cut.flipped })}
+          >
+            <IconArrowsExchange size={15} aria-hidden />
+          </IconButton>
         </>
       )}
     </div>
