@@ -1,4 +1,4 @@
-import type { MetricShapes, VolumeMesh } from "tetrafront";
+import type { MetricShapes, Project, VolumeMesh } from "tetrafront";
 
 /** The measures a mesh can be shaded by. Both are per tetrahedron, higher is better. */
 export type QualityMeasure = "radius-ratio" | "dihedral";
@@ -25,6 +25,11 @@ export function scalePosition(value: number, measure: QualityMeasure): number {
  * length 1. In space, elements are measured as they are drawn.
  */
 export type QualitySpace = "metric" | "space";
+
+/** Does the background grid ask for stretched elements? */
+export function asksForStretching({ background, meshing }: Project): boolean {
+  return meshing?.size === undefined && background.nodes.some(({ stretching = 1 }) => stretching > 1);
+}
 
 /** The part of a mesh that quality in space depends on. */
 export type Elements = Pick<VolumeMesh, "points" | "tetrahedra">;

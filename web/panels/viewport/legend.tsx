@@ -1,8 +1,8 @@
-import { bestValue, worstShown, type QualityMeasure } from "../../document/mesh-quality";
+import { asksForStretching, bestValue, worstShown, type QualityMeasure } from "../../document/mesh-quality";
 import { measuredIn, measureNames, spaceNames, strings } from "../../strings";
 import type { RunState } from "../../session/run";
 import { viridis } from "../../ui/theme/viridis";
-import { useQualitySpace, useRegions, useRun, useView } from "../shared/app-context";
+import { useProject, useQualitySpace, useRegions, useRun, useView } from "../shared/app-context";
 import styles from "./legend.module.css";
 import { RegionList } from "../shared/region-list";
 
@@ -36,16 +36,28 @@ function RegionLegend() {
   );
 }
 
+/** Returns the space of the colours, null if there is no choice. A mesh that is being optimized is measured in space. */
+function useShownSpace() {
+  const isUnoptimized = useRun((state) => state.unoptimized !== null);
+  const isStretched = asksForStretching(useProject());
+  const chosen = useQualitySpace();
+  const space = isUnoptimized ? (isStretched ? ("space" as const) : null) : chosen;
+  return { space, isUnoptimized };
+}
+
 /** Positions of the ticks on the colour scale. */
 const ticks = [1, 0.75, 0.5, 0.25, 0];
 
 /** The colour scale of a measure. */
 function ScaleLegend({ measure }: { readonly measure: QualityMeasure }) {
   const worst = worstShown[measure];
-  const isUnoptimized = useRun((state) => state.unoptimized !== null);
-  const space = useQualitySpace();
-  const name = measuredIn(measureNames[measure], isUnoptimized ? null : space);
-  const kind = isUnoptimized ? strings.viewport.unoptimized : space && spaceNames[space];
+  const { space, isUnoptimized } = useShownSpace();
+  const name = measuredIn(measureNames[measure], space);
+  const lines = [
+    measureNames[measure].toLowerCase(),
+    ...(space ? [spaceNames[space]] : []),
+    ...(isUnoptimized ? [strings.viewport.unoptimized] : []),
+  ];
   return (
     <figure
       className={styles["legend"]}
@@ -65,13 +77,9 @@ function ScaleLegend({ measure }: { readonly measure: QualityMeasure }) {
         })}
       </div>
       <figcaption>
-        {measureNames[measure].toLowerCase()}
-        {kind !== null && (
-          <>
-            <br />
-            {kind}
-          </>
-        )}
+        {lines.map((line) => (
+          <div key={line}>{line}</div>
+        ))}
       </figcaption>
     </figure>
   );
