@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "field/grid_access.h"
 #include "field/grid_locator_builder.h"

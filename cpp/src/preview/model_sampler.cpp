@@ -1,6 +1,5 @@
 #include "preview/model_sampler.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "preview/surface_sampler.h"
