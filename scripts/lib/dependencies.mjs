@@ -15,7 +15,7 @@ const ENGINE = [
   ["sizing"],
   ["surface", "volume", "optimize"],
   ["preview"],
-  ["repair"],
+  ["repair", "remesh"],
 ];
 
 /** The modules of wasm/src, in the same way. */

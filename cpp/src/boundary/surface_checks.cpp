@@ -12,12 +12,9 @@
 namespace tetrafront {
 namespace {
 
-/// Smallest magnitude of a nonzero coordinate. It may be far below the model's extent, as rounded zeros are.
-constexpr double kMinCoordinate = 0x1p-250;
-
 bool isExact(double coordinate) {
   const double magnitude = std::fabs(coordinate);
-  return magnitude == 0.0 || (magnitude >= kMinCoordinate && magnitude <= kLargestCoordinate);
+  return magnitude == 0.0 || (magnitude >= kSmallestCoordinate && magnitude <= kLargestCoordinate);
 }
 
 void checkCoordinates(const SurfaceMesh& mesh, BoundaryReport& report) {

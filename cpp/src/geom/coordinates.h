@@ -12,6 +12,10 @@ namespace tetrafront {
 /// as infinite.
 inline constexpr double kLargestCoordinate = 0x1p100;
 
+/// Nonzero coordinates below this limit would underflow in the expansions. It is far below any model's extent, as
+/// rounded zeros are.
+inline constexpr double kSmallestCoordinate = 0x1p-250;
+
 /// If all coordinates are below this limit, products of three differences lose their last bits.
 inline constexpr double kSmallestExtent = 0x1p-100;
 
@@ -33,6 +37,14 @@ inline constexpr double kSmallestExtent = 0x1p-100;
   for (const double coordinate : {position.x, position.y, position.z})
     if (!(std::fabs(coordinate) <= kLargestCoordinate)) return coordinate;
   return position.x;
+}
+
+/// Returns the position with zeros in place of coordinates below kSmallestCoordinate.
+[[nodiscard]] inline Vec3 inExactRange(Vec3 position) {
+  for (int k = 0; k < 3; ++k) {
+    if (std::fabs(position[k]) < kSmallestCoordinate) position[k] = 0.0;
+  }
+  return position;
 }
 
 }  // namespace tetrafront

@@ -69,6 +69,28 @@ class CommonPoints {
 
 }  // namespace
 
+Vec3 nearestPointOfSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 ab = b - a;
+  return partWay(a, b, glm::dot(p - a, ab), glm::dot(ab, ab));
+}
+
+Vec3 nearestPointOfTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 normal = glm::cross(b - a, c - a);
+  const double square = glm::dot(normal, normal);
+  const bool beyondAb = glm::dot(glm::cross(b - a, p - a), normal) < 0.0;
+  const bool beyondBc = glm::dot(glm::cross(c - b, p - b), normal) < 0.0;
+  const bool beyondCa = glm::dot(glm::cross(a - c, p - c), normal) < 0.0;
+  if (square > 0.0 && !beyondAb && !beyondBc && !beyondCa) {
+    return p - normal * (glm::dot(p - a, normal) / square);
+  }
+  const auto squaredLength = [](const Vec3& v) { return glm::dot(v, v); };
+  Vec3 nearest = nearestPointOfSegment(p, a, b);
+  for (const Vec3& other : {nearestPointOfSegment(p, b, c), nearestPointOfSegment(p, c, a)}) {
+    if (squaredLength(other - p) < squaredLength(nearest - p)) nearest = other;
+  }
+  return nearest;
+}
+
 double squaredDistanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 ab = b - a;
   const Vec3 ap = p - a;

@@ -8,6 +8,13 @@
 
 namespace tetrafront {
 
+/// Returns the point of the closed segment a b nearest to `p`.
+[[nodiscard]] Vec3 nearestPointOfSegment(const Vec3& p, const Vec3& a, const Vec3& b);
+
+/// Returns the point of the closed triangle a b c nearest to `p`.
+[[nodiscard]] Vec3 nearestPointOfTriangle(const Vec3& p, const Vec3& a, const Vec3& b,
+                                          const Vec3& c);
+
 /// Returns the squared distance from `p` to the closed segment a b.
 [[nodiscard]] double squaredDistanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b);
 

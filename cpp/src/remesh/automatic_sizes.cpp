@@ -1,0 +1,322 @@
+#include "remesh/automatic_sizes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "base/mesh_access.h"
+#include "base/sort.h"
+#include "boundary/surface_access.h"
+#include "geom/measure.h"
+#include "search/box_tree.h"
+
+namespace tetrafront {
+namespace {
+
+/// Angle in radians below which two triangles count as coplanar.
+constexpr double kFlatAngle = 0.002;
+/// Angle in radians below which a feature line counts as straight at a point.
+constexpr double kStraightAngle = 0.01;
+/// Triangles between two feature lines are equilateral if edges are this much longer than the gap.
+constexpr double kSizePerGap = 1.15;
+/// A part of the same line is a gap if it is this many gaps further along.
+constexpr double kArcPerGap = 3.0;
+/// Least edges of a closed feature line.
+constexpr double kEdgesPerLoop = 3.0;
+/// Distance between the positions where thickness and curvature are measured / least size.
+constexpr double kSampleWidth = 1.0;
+/// Sizes per unit of a budget.
+constexpr std::size_t kPiecesPerUnit = 8;
+
+double cosineBetween(const Vec3& a, const Vec3& b) {
+  const double lengths = glm::length(a) * glm::length(b);
+  return lengths > 0.0 ? glm::dot(a, b) / lengths : 1.0;
+}
+
+/// Returns twice the sine of half the angle: the angle itself, for small ones.
+double chordOf(double cosine) { return std::sqrt(std::max(0.0, 2.0 - 2.0 * cosine)); }
+
+class ShapeMeasure {
+ public:
+  ShapeMeasure(const ReferenceSurface& reference, const ShapeSizeRules& rules)
+      : reference_(reference), rules_(rules) {}
+
+  /// Returns indices of pieces, of those close together with normals alike only one: the one with the largest curvature.
+  [[nodiscard]] std::vector<std::uint32_t> findSamples() const;
+  void measurePiece(std::uint32_t index);
+  void measureLine(const FeatureLine& line);
+  void beginGaps();
+  void measureGaps(FeatureLineId id);
+  [[nodiscard]] ShapeSizes take() { return std::move(sizes_); }
+
+ private:
+  struct Segment {
+    FeatureLineId line;
+    std::size_t first;  ///< index of its first point
+  };
+
+  void add(const Vec3& position, double size) {
+    if (!(size < rules_.maxSize)) return;
+    sizes_.positions.push_back(position);
+    sizes_.sizes.push_back(std::max(size, rules_.minSize));
+  }
+  [[nodiscard]] double sizeForCurvature(double curvature) const {
+    return std::min(rules_.anglePerEdge / curvature, std::sqrt(8.0 * rules_.tolerance / curvature));
+  }
+  [[nodiscard]] double curvatureOf(TriangleId triangle) const;
+  [[nodiscard]] double thicknessAt(const Vec3& position, const Vec3& inward) const;
+  void castRay(const Vec3& from, const Vec3& direction, TriangleId triangle, double& nearest) const;
+  [[nodiscard]] double gapAt(FeatureLineId id, double arc) const;
+  [[nodiscard]] bool sharePatch(const FeatureLine& a, const FeatureLine& b) const;
+  [[nodiscard]] bool isSameCorner(const FeatureLine& a, const FeatureLine& b, const Vec3& position,
+                                  double squaredGap) const;
+
+  const ReferenceSurface& reference_;
+  ShapeSizeRules rules_;
+  ShapeSizes sizes_;
+  std::vector<Segment> segments_;
+  BoxTree segmentTree_;
+};
+
+/// Returns the curvature across the smooth edges of a triangle: 1 / radius on a cylinder, even if its triangles are
+/// needles.
+double ShapeMeasure::curvatureOf(TriangleId triangle) const {
+  const std::array<Vec3, 3> corners = cornersOf(reference_.mesh(), triangle);
+  const Vec3& normal = reference_.normalOf(triangle);
+  double sum = 0.0;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const TriangleId other = reference_.smoothNeighbour(halfEdgeOf(triangle, k));
+    if (other.isNone()) continue;
+    const Vec3& across = reference_.normalOf(other);
+    const double angle = chordOf(glm::dot(normal, across));
+    if (angle <= kFlatAngle) continue;
+    const Vec3 edge = corners[(k + 1) % 3] - corners[k];
+    const double sign = glm::dot(glm::cross(normal, across), edge) < 0.0 ? -1.0 : 1.0;
+    sum += 0.5 * sign * angle * glm::length(edge);
+  }
+  const double area = areaOf(corners);
+  const double diagonal = reference_.diagonal();
+  return area > 1e-12 * diagonal * diagonal ? std::fabs(sum) / area : 0.0;
+}
+
+std::vector<std::uint32_t> ShapeMeasure::findSamples() const {
+  struct Sample {
+    std::array<std::int64_t, 3> cell;
+    std::uint32_t facing;
+    std::uint32_t piece;
+    double curvature;
+  };
+  const double width = kSampleWidth * rules_.minSize;
+  std::vector<Sample> samples;
+  samples.reserve(reference_.pieces().size());
+  for (std::size_t i = 0; i < reference_.pieces().size(); ++i) {
+    const ReferenceSurface::Piece& piece = reference_.pieces()[i];
+    const Vec3& normal = reference_.normalOf(piece.triangle);
+    Sample sample{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto axis = static_cast<int>(k);
+      sample.cell[k] = static_cast<std::int64_t>(std::floor(piece.centroid[axis] / width));
+      // Five directions per axis.
+      sample.facing = 5 * sample.facing + static_cast<std::uint32_t>(2.5 + 2.49 * normal[axis]);
+    }
+    sample.piece = static_cast<std::uint32_t>(i);
+    sample.curvature = curvatureOf(piece.triangle);
+    samples.push_back(sample);
+  }
+  stableSort(samples, [](const Sample& a, const Sample& b) {
+    if (a.cell != b.cell) return a.cell < b.cell;
+    if (a.facing != b.facing) return a.facing < b.facing;
+    return a.curvature > b.curvature;
+  });
+  std::vector<std::uint32_t> chosen;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const bool isFirst = i == 0 || samples[i].cell != samples[i - 1].cell ||
+                         samples[i].facing != samples[i - 1].facing;
+    if (isFirst) chosen.push_back(samples[i].piece);
+  }
+  return chosen;
+}
+
+void ShapeMeasure::measurePiece(std::uint32_t index) {
+  const ReferenceSurface::Piece& piece = reference_.pieces()[index];
+  double size = rules_.maxSize;
+  if (!reference_.patch(reference_.patchOf(piece.triangle)).isPlanar) {
+    const double curvature = curvatureOf(piece.triangle);
+    if (curvature > 1e-6 / reference_.diagonal()) size = sizeForCurvature(curvature);
+  }
+  if (rules_.layers > 0.0) {
+    const Vec3 inward = -reference_.normalOf(piece.triangle);
+    size = std::min(size, thicknessAt(piece.centroid, inward) / rules_.layers);
+  }
+  add(piece.centroid, size);
+}
+
+/// Returns the distance to the opposite side of the body, or infinity.
+double ShapeMeasure::thicknessAt(const Vec3& position, const Vec3& inward) const {
+  const BoxTree& tree = reference_.tree();
+  double nearest = rules_.maxSize * std::max(rules_.layers, 1.0);
+  std::array<BranchId, 64> waiting;
+  std::size_t count = 0;
+  waiting[count++] = BranchId(0U);
+  while (count > 0) {
+    const BranchId branch = waiting[--count];
+    const Box& box = tree.boxOf(branch);
+    double from = 0.0;
+    double to = nearest;
+    for (int k = 0; k < 3 && from <= to; ++k) {
+      const double low = static_cast<double>(box.low[k]) - position[k];
+      const double high = static_cast<double>(box.high[k]) - position[k];
+      if (inward[k] == 0.0) {
+        if (low > 0.0 || high < 0.0) to = -1.0;
+        continue;
+      }
+      const double a = low / inward[k];
+      const double b = high / inward[k];
+      from = std::max(from, std::min(a, b));
+      to = std::min(to, std::max(a, b));
+    }
+    if (!(from <= to)) continue;
+    if (!tree.isLeaf(branch)) {
+      waiting[count++] = BoxTree::leftOf(branch);
+      waiting[count++] = BoxTree::rightOf(branch);
+      continue;
+    }
+    for (const std::uint32_t item : tree.itemsOf(branch)) {
+      castRay(position, inward, reference_.pieces()[item].triangle, nearest);
+    }
+  }
+  return nearest < rules_.maxSize * std::max(rules_.layers, 1.0)
+             ? nearest
+             : std::numeric_limits<double>::infinity();
+}
+
+/// Lowers `nearest` to the distance at which the ray leaves the body through the triangle.
+void ShapeMeasure::castRay(const Vec3& from, const Vec3& direction, TriangleId triangle,
+                           double& nearest) const {
+  if (glm::dot(reference_.normalOf(triangle), direction) < 0.5) return;
+  const auto [a, b, c] = cornersOf(reference_.mesh(), triangle);
+  const Vec3 side = glm::cross(direction, c - a);
+  const double determinant = glm::dot(b - a, side);
+  if (!(std::fabs(determinant) > 0.0)) return;
+  const double u = glm::dot(from - a, side) / determinant;
+  const Vec3 other = glm::cross(from - a, b - a);
+  const double v = glm::dot(direction, other) / determinant;
+  const double distance = glm::dot(c - a, other) / determinant;
+  if (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > 1e-7 * reference_.diagonal()) {
+    nearest = std::min(nearest, distance);
+  }
+}
+
+/// Sizes from the curvature and the length of a line.
+void ShapeMeasure::measureLine(const FeatureLine& line) {
+  const std::vector<Vec3>& points = line.points();
+  const std::size_t last = points.size() - 1;
+  for (std::size_t i = 1; i < points.size() - (line.isClosed() ? 0 : 1); ++i) {
+    const Vec3 before = points[i] - points[i - 1];
+    const Vec3 after = i < last ? points[i + 1] - points[i] : points[1] - points[0];
+    const double angle = chordOf(cosineBetween(before, after));
+    if (angle <= kStraightAngle) continue;
+    add(points[i], sizeForCurvature(2.0 * angle / (glm::length(before) + glm::length(after))));
+  }
+  const double length = line.length();
+  const double size = line.isClosed() ? length / kEdgesPerLoop : length;
+  const double step = std::max(0.25 * length, 0.5 * rules_.minSize);
+  for (double arc = 0.0; arc <= length; arc += step) add(line.at(arc), size);
+}
+
+void ShapeMeasure::beginGaps() {
+  std::vector<Box> boxes;
+  for (std::size_t l = 0; l < reference_.lines().size(); ++l) {
+    const std::vector<Vec3>& points = reference_.lines()[l].points();
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      boxes.push_back(Box::of(points[i], points[i + 1], points[i]));
+      segments_.push_back({FeatureLineId(l), i});
+    }
+  }
+  if (!boxes.empty()) segmentTree_ = BoxTree(std::span<const Box>(boxes));
+}
+
+/// Sizes from the distance to other feature lines of the same patch: the triangles between are no wider.
+void ShapeMeasure::measureGaps(FeatureLineId id) {
+  const FeatureLine& line = reference_.line(id);
+  const double step =
+      std::min(0.25 * line.length(), std::max(rules_.minSize, rules_.maxSize / 3.0));
+  for (double arc = 0.5 * step; arc < line.length(); arc += step) {
+    add(line.at(arc), kSizePerGap * gapAt(id, arc));
+  }
+}
+
+double ShapeMeasure::gapAt(FeatureLineId id, double arc) const {
+  const FeatureLine& line = reference_.line(id);
+  const Vec3 position = line.at(arc);
+  double nearest = rules_.maxSize * rules_.maxSize;
+  segmentTree_.visitNear(position, nearest, [&](std::uint32_t item) {
+    const Segment& segment = segments_[item];
+    const FeatureLine& other = reference_.line(segment.line);
+    if (!sharePatch(line, other)) return;
+    const Vec3& from = other.points()[segment.first];
+    const Vec3 point = nearestPointOfSegment(position, from, other.points()[segment.first + 1]);
+    const double square = glm::dot(point - position, point - position);
+    if (square >= nearest) return;
+    if (segment.line == id) {
+      double along = std::fabs(other.arcs()[segment.first] + glm::length(point - from) - arc);
+      if (line.isClosed()) along = std::min(along, line.length() - along);
+      const double rounding = 1e-9 * reference_.diagonal();
+      if (along < kArcPerGap * std::sqrt(square) + rounding) return;
+    } else if (isSameCorner(line, other, position, square)) {
+      return;
+    }
+    nearest = square;
+  });
+  return std::sqrt(nearest);
+}
+
+bool ShapeMeasure::sharePatch(const FeatureLine& a, const FeatureLine& b) const {
+  return std::ranges::any_of(a.patches, [&](std::uint32_t patch) {
+    return std::ranges::find(b.patches, patch) != b.patches.end();
+  });
+}
+
+/// Returns true if the lines meet at a corner near the position: an angle is no reason for ever smaller triangles.
+bool ShapeMeasure::isSameCorner(const FeatureLine& a, const FeatureLine& b, const Vec3& position,
+                                double squaredGap) const {
+  if (a.isClosed() || b.isClosed()) return false;
+  for (const NodeId end : {b.nodes().front(), b.nodes().back()}) {
+    if (end != a.nodes().front() && end != a.nodes().back()) continue;
+    const Vec3 offset = position - pointOf(reference_.mesh(), end);
+    if (glm::dot(offset, offset) < kArcPerGap * kArcPerGap * squaredGap) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Task<ShapeSizes> findShapeSizes(Work& work, const ReferenceSurface& reference,
+                                const ShapeSizeRules& rules) {
+  ShapeMeasure measure(reference, rules);
+  const std::vector<std::uint32_t> samples = measure.findSamples();
+  co_await work.yield();
+  work.beginPart(0.6);
+  co_await work.forEachBlock(
+      samples.size(),
+      [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) measure.measurePiece(samples[i]);
+      },
+      kPiecesPerUnit);
+  work.beginPart(1.0);
+  measure.beginGaps();
+  co_await work.forEachBlock(reference.lines().size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      measure.measureLine(reference.lines()[i]);
+      measure.measureGaps(FeatureLineId(i));
+    }
+  });
+  co_return measure.take();
+}
+
+}  // namespace tetrafront

@@ -1,0 +1,46 @@
+#pragma once
+
+/// @file Bounds the distance from the given surface to the remeshed one.
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "base/ids.h"
+#include "base/resumable.h"
+#include "remesh/guarded_surface.h"
+#include "search/box_tree.h"
+#include "tetrafront/vec3.h"
+
+namespace tetrafront {
+
+/// An upper bound of the distance from the points of the given surface to the remeshed one, patch by patch. Not a sample:
+/// the distance to one triangle is convex, so over a part of a triangle it is largest at a corner. Parts are divided
+/// until the bound is at most `accuracy`, or little above the distance itself. Planar patches need no measuring: their
+/// feature lines bound their distance.
+class DeviationBound : public Resumable {
+ public:
+  /// `surface` must outlive this. O(n log n).
+  DeviationBound(const GuardedSurface& surface, double accuracy);
+
+  /// Visits about `budget` given triangles; true when finished.
+  bool advance(std::size_t budget);
+
+  [[nodiscard]] double bound() const { return bound_; }
+
+ private:
+  using Corners = std::array<Vec3, 3>;
+
+  [[nodiscard]] TriangleId nearest(const Vec3& position, SmoothPatchId patch, TriangleId guess,
+                                   double& squaredDistance) const;
+  void measure(const Corners& corners, SmoothPatchId patch, TriangleId guess, int depth);
+
+  const SurfaceComplex& complex_;
+  const ReferenceSurface& reference_;
+  double accuracy_;
+  double bound_ = 0.0;
+  std::vector<TriangleId> items_;  ///< triangles of the remeshed surface in curved patches
+  BoxTree tree_;
+};
+
+}  // namespace tetrafront

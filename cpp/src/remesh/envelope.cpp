@@ -1,0 +1,195 @@
+#include "remesh/envelope.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include "base/mesh_access.h"
+#include "geom/box.h"
+#include "geom/measure.h"
+
+namespace tetrafront {
+namespace {
+
+using Corners = std::array<Vec3, 3>;
+
+/// Largest number of parts of one triangle. A triangle that needs more is nearly out of tolerance, or covers very many
+/// facets.
+constexpr int kMaxParts = 300;
+constexpr std::size_t kMaxWaiting = 64;
+/// A part reaches beyond an edge only if by more than this, relative to how far its centroid is inside: rounding.
+constexpr double kReach = 1e-6;
+
+struct Part {
+  Corners corners;
+  TriangleId hint;
+};
+
+/// The edge at which a part leaves its facet: a point, and the unit normal of the edge that points out of the facet.
+struct Cut {
+  Vec3 origin;
+  Vec3 outward;
+};
+
+/// Tries to prove one part by one facet.
+class FacetProof {
+ public:
+  FacetProof(const ReferenceSurface& reference, const Corners& corners, double tolerance)
+      : reference_(reference), corners_(corners), tolerance_(tolerance) {}
+
+  /// Returns true if the part is proven. Otherwise, cut() may say where to divide it.
+  bool prove(const Facet& facet, const Vec3& centroid, const Vec3& nearest);
+  [[nodiscard]] const std::optional<Cut>& cut() const { return cut_; }
+
+ private:
+  [[nodiscard]] bool staysNear(const Facet& facet, const Vec3& centroid, const Vec3& from,
+                               const Vec3& to);
+
+  const ReferenceSurface& reference_;
+  const Corners& corners_;
+  double tolerance_;
+  std::optional<Cut> cut_;
+};
+
+bool FacetProof::prove(const Facet& facet, const Vec3& centroid, const Vec3& nearest) {
+  for (const Vec3& corner : corners_) {
+    const double height = std::fabs(glm::dot(corner - facet.origin, facet.normal));
+    if (height + facet.flatness > tolerance_) return false;
+  }
+  // Does the centroid lie over the facet?
+  const Vec3 offset = nearest - centroid;
+  const Vec3 sideways = offset - facet.normal * glm::dot(offset, facet.normal);
+  if (glm::length(sideways) > facet.flatness + kReach * tolerance_) return false;
+  Box box = Box::of(corners_[0], corners_[1], corners_[2]);
+  box.include(corners_[0], Vec3(tolerance_));
+  box.include(corners_[1], Vec3(tolerance_));
+  box.include(corners_[2], Vec3(tolerance_));
+  return reference_.visitFacetEdges(facet, box, [&](const Vec3& from, const Vec3& to) {
+    return staysNear(facet, centroid, from, to);
+  });
+}
+
+/// Returns false if the part leaves the facet through the edge and gets too far from it. The points beyond are on the
+/// other side of the line through the edge, so they are in the convex polygon that this line cuts off.
+bool FacetProof::staysNear(const Facet& facet, const Vec3& centroid, const Vec3& from,
+                           const Vec3& to) {
+  const Vec3 edge = to - from;
+  const double length = glm::length(edge);
+  const Vec3 outward = glm::cross(edge, facet.normal) / length;
+  const double inside = -glm::dot(centroid - from, outward);
+  // From a centroid beyond the line, paths through the edge lead into the facet.
+  if (inside <= 0.0) return true;
+  std::array<double, 3> depth{};
+  for (std::size_t k = 0; k < 3; ++k) depth[k] = glm::dot(corners_[k] - from, outward);
+  if (std::max({depth[0], depth[1], depth[2]}) <= kReach * inside) return true;
+
+  double squared = 0.0;
+  double first = length;  // the part of the line that the part covers, along the edge
+  double last = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t l = (k + 1) % 3;
+    if (depth[k] > 0.0) {
+      squared = std::max(squared, squaredDistanceToSegment(corners_[k], from, to));
+    }
+    if ((depth[k] > 0.0) == (depth[l] > 0.0)) continue;
+    const Vec3 crossing =
+        corners_[k] + (corners_[l] - corners_[k]) * (depth[k] / (depth[k] - depth[l]));
+    squared = std::max(squared, squaredDistanceToSegment(crossing, from, to));
+    const double along = glm::dot(crossing - from, edge) / length;
+    first = std::min(first, along);
+    last = std::max(last, along);
+  }
+  if (last < 0.0 || first > length) return true;
+  if (squared <= tolerance_ * tolerance_) return true;
+  cut_ = Cut{from, outward};
+  return false;
+}
+
+bool isNear(const Corners& corners, const Corners& triangle, double squaredTolerance) {
+  return std::ranges::all_of(corners, [&](const Vec3& corner) {
+    return squaredDistanceToTriangle(corner, triangle[0], triangle[1], triangle[2]) <=
+           squaredTolerance;
+  });
+}
+
+/// The parts that are not proven yet.
+class WaitingParts {
+ public:
+  explicit WaitingParts(const Part& whole) { push(whole.corners, whole.hint); }
+  [[nodiscard]] bool isEmpty() const { return count_ == 0; }
+  [[nodiscard]] bool isFull() const { return count_ + 3 > kMaxWaiting; }
+  Part pop() { return parts_[--count_]; }
+  void push(const Corners& corners, TriangleId hint) { parts_[count_++] = {corners, hint}; }
+  void halve(const Part& part);
+  void divide(const Part& part, const Cut& cut);
+
+ private:
+  std::array<Part, kMaxWaiting> parts_;
+  std::size_t count_ = 0;
+};
+
+void WaitingParts::halve(const Part& part) {
+  const auto squaredLength = [&](std::size_t k) {
+    const Vec3 edge = part.corners[(k + 1) % 3] - part.corners[k];
+    return glm::dot(edge, edge);
+  };
+  std::size_t k = 0;
+  for (std::size_t i = 1; i < 3; ++i) {
+    if (squaredLength(i) > squaredLength(k)) k = i;
+  }
+  const Vec3& a = part.corners[k];
+  const Vec3& b = part.corners[(k + 1) % 3];
+  const Vec3& c = part.corners[(k + 2) % 3];
+  const Vec3 middle = 0.5 * (a + b);
+  push({a, middle, c}, part.hint);
+  push({middle, b, c}, part.hint);
+}
+
+/// Divides the part by the plane through the edge, across the facet.
+void WaitingParts::divide(const Part& part, const Cut& cut) {
+  std::array<double, 3> depth{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    depth[k] = glm::dot(part.corners[k] - cut.origin, cut.outward);
+  }
+  // The corner that is alone on its side.
+  std::size_t k = 0;
+  while ((depth[k] > 0.0) == (depth[(k + 1) % 3] > 0.0) ||
+         (depth[k] > 0.0) == (depth[(k + 2) % 3] > 0.0))
+    ++k;
+  const Vec3& a = part.corners[k];
+  const Vec3& b = part.corners[(k + 1) % 3];
+  const Vec3& c = part.corners[(k + 2) % 3];
+  const Vec3 ab = a + (b - a) * (depth[k] / (depth[k] - depth[(k + 1) % 3]));
+  const Vec3 ac = a + (c - a) * (depth[k] / (depth[k] - depth[(k + 2) % 3]));
+  push({a, ab, ac}, part.hint);
+  push({ab, b, c}, part.hint);
+  push({ab, c, ac}, part.hint);
+}
+
+}  // namespace
+
+bool isWithin(const ReferenceSurface& reference, const Corners& corners, SmoothPatchId patch,
+              double tolerance, TriangleId hint) {
+  WaitingParts waiting({corners, hint});
+  for (int parts = 0; !waiting.isEmpty(); ++parts) {
+    Part part = waiting.pop();
+    const Vec3 centroid = (part.corners[0] + part.corners[1] + part.corners[2]) / 3.0;
+    const NearestPoint nearest = reference.nearest(centroid, patch, tolerance, part.hint);
+    if (nearest.triangle.isNone()) return false;
+    part.hint = nearest.triangle;
+    if (isNear(part.corners, cornersOf(reference.mesh(), nearest.triangle), tolerance * tolerance))
+      continue;
+    FacetProof proof(reference, part.corners, tolerance);
+    if (proof.prove(reference.facetOf(nearest.triangle), centroid, nearest.position)) continue;
+    if (parts >= kMaxParts || waiting.isFull()) return false;
+    if (proof.cut()) {
+      waiting.divide(part, *proof.cut());
+    } else {
+      waiting.halve(part);
+    }
+  }
+  return true;
+}
+
+}  // namespace tetrafront

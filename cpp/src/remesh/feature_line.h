@@ -1,0 +1,49 @@
+#pragma once
+
+/// @file A feature line of a given surface: the edges along which the remesher keeps the shape exactly sharp.
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "base/ids.h"
+#include "tetrafront/vec3.h"
+
+namespace tetrafront {
+
+using FeatureLineId = Id<struct FeatureLineTag>;
+
+/// A chain of feature edges from corner to corner, or closed. A position on it is given by its arc: the length of the
+/// line up to there. On a closed line, arcs may exceed the length: they continue behind the first point.
+class FeatureLine {
+ public:
+  /// Smooth pieces of the surface that meet at the line; indices of patches in the reference surface.
+  std::vector<std::uint32_t> patches;
+  /// Cosine of the smallest crease angle along the line: 1 if the surface is flat somewhere.
+  double creaseCosine = -1.0;
+
+  /// `nodes`: nodes of the given surface along the line; the first again at the end if it is closed.
+  FeatureLine(std::vector<NodeId> nodes, std::vector<Vec3> points, bool isClosed);
+
+  [[nodiscard]] bool isClosed() const { return isClosed_; }
+  [[nodiscard]] double length() const { return arcs_.back(); }
+  [[nodiscard]] const std::vector<NodeId>& nodes() const { return nodes_; }
+  [[nodiscard]] const std::vector<Vec3>& points() const { return points_; }
+  /// Arc of each point.
+  [[nodiscard]] const std::vector<double>& arcs() const { return arcs_; }
+
+  /// Returns the position at an arc. O(log n).
+  [[nodiscard]] Vec3 at(double arc) const;
+
+  /// Returns the square of the largest distance from the line between two arcs to the segment a b. Exact up to
+  /// rounding: the distance to a segment is convex, so it is largest at a point of the line or at an end.
+  [[nodiscard]] double squaredDeviation(double from, double to, const Vec3& a, const Vec3& b) const;
+
+ private:
+  std::vector<NodeId> nodes_;
+  std::vector<Vec3> points_;
+  std::vector<double> arcs_;
+  bool isClosed_;
+};
+
+}  // namespace tetrafront

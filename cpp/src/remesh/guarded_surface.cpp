@@ -1,0 +1,223 @@
+#include "remesh/guarded_surface.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/mesh_access.h"
+#include "geom/measure.h"
+#include "geom/predicates.h"
+#include "remesh/envelope.h"
+#include "search/box_tree.h"
+
+namespace tetrafront {
+namespace {
+
+std::array<std::uint32_t, 3> valuesOf(const NodeTriple& nodes) {
+  return {nodes[0].value, nodes[1].value, nodes[2].value};
+}
+
+}  // namespace
+
+GuardedSurface::GuardedSurface(const ReferenceSurface& reference, const SurfaceLimits& limits,
+                               double baseSize)
+    : reference_(reference),
+      limits_(limits),
+      complex_(reference),
+      nextGuest_(complex_.nodeCount()),
+      grid_(baseSize, tetrafront::pointOf(reference.mesh(), NodeId(0U))) {
+  std::vector<std::uint8_t> isHoused(complex_.nodeCount(), 0);
+  for (const TriangleId t : IdRange<TriangleId>(complex_.triangleSlots())) {
+    insert(t);
+    beneath_[t.index()] = t;
+    if (reference.patch(complex_.patchOf(t)).isPlanar) continue;
+    for (const NodeId node : complex_.nodesOf(t)) {
+      if (complex_.kindOf(node) != NodeKind::kSmooth || isHoused[node.index()] != 0) continue;
+      isHoused[node.index()] = 1;
+      nextGuest_[node.index()] = firstGuest_[t.index()];
+      firstGuest_[t.index()] = node;
+    }
+  }
+}
+
+/// Enters a new triangle into the grid and the arrays.
+void GuardedSurface::insert(TriangleId triangle) {
+  if (triangle.index() >= boxes_.size()) {
+    boxes_.resize(triangle.index() + 1);
+    beneath_.resize(boxes_.size());
+    firstGuest_.resize(boxes_.size());
+    isRemoved_.resize(boxes_.size(), 0);
+  }
+  const std::array<Vec3, 3> corners = complex_.cornersOf(triangle);
+  boxes_[triangle.index()] = Box::of(corners[0], corners[1], corners[2]);
+  grid_.insert(triangle.value, boxes_[triangle.index()]);
+}
+
+TriangleId GuardedSurface::origin(TriangleId triangle) const {
+  if (!beneath(triangle).isNone()) return beneath(triangle);
+  const auto [a, b, c] = complex_.cornersOf(triangle);
+  return reference_
+      .nearest((a + b + c) / 3.0, complex_.patchOf(triangle), reference_.diagonal(), {})
+      .triangle;
+}
+
+void GuardedSurface::replaceStretch(NodeId a, NodeId b, const Stretch& stretch) {
+  complex_.setStretchBetween(a, b, complex_.addStretch(stretch));
+}
+
+bool GuardedSurface::apply(const SurfaceChange& change, bool coversSame) {
+  change_ = &change;
+  for (const TriangleId t : change.removed) isRemoved_[t.index()] = 1;
+  const bool admitted = isAdmitted(coversSame);
+  for (const TriangleId t : change.removed) isRemoved_[t.index()] = 0;
+  if (admitted) replaceTriangles();
+  return admitted;
+}
+
+/// In the order of cost.
+bool GuardedSurface::isAdmitted(bool coversSame) {
+  measureAdded();
+  return facesAsReference() && !intersects(coversSame) && isInEnvelope() && findHosts();
+}
+
+void GuardedSurface::measureAdded() {
+  numbered_.clear();
+  addedBoxes_.clear();
+  for (const SurfaceChange::Added& added : change_->added) {
+    const auto [a, b, c] = added.nodes;
+    numbered_.push_back({valuesOf(added.nodes), {positionOf(a), positionOf(b), positionOf(c)}});
+    const std::array<Vec3, 3>& corners = numbered_.back().corners;
+    addedBoxes_.push_back(Box::of(corners[0], corners[1], corners[2]));
+  }
+}
+
+bool GuardedSurface::facesAsReference() {
+  addedBeneath_.assign(change_->added.size(), TriangleId{});
+  for (std::size_t i = 0; i < change_->added.size(); ++i) {
+    const auto& [a, b, c] = numbered_[i].corners;
+    const Vec3 normal = glm::cross(b - a, c - a);
+    const double area = glm::length(normal);
+    if (!(area > 0.0) || collinear(a, b, c)) return false;
+    const SmoothPatchId id = change_->added[i].patch;
+    const SmoothPatch& patch = reference_.patch(id);
+    Vec3 facing = patch.normal;
+    if (!patch.isPlanar) {
+      const NearestPoint below =
+          reference_.nearest((a + b + c) / 3.0, id, limits_.tolerance, hintFor(i));
+      if (below.triangle.isNone()) return false;
+      addedBeneath_[i] = below.triangle;
+      facing = reference_.normalOf(below.triangle);
+    }
+    if (glm::dot(normal, facing) < limits_.facingCosine * area) return false;
+  }
+  return true;
+}
+
+/// Returns a given triangle near an added one, in its patch.
+TriangleId GuardedSurface::hintFor(std::size_t added) const {
+  const std::vector<TriangleId>& removed = change_->removed;
+  for (const TriangleId t :
+       {removed[std::min(added, removed.size() - 1)], removed.front(), removed.back()}) {
+    if (complex_.patchOf(t) == change_->added[added].patch) return beneath(t);
+  }
+  return {};
+}
+
+bool GuardedSurface::intersects(bool coversSame) {
+  for (std::size_t i = 0; i < numbered_.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (BoxTree::overlaps(addedBoxes_[i], addedBoxes_[j]) &&
+          intersectImproperly(numbered_[i], numbered_[j]))
+        return true;
+    }
+  }
+  return !coversSame && intersectsOthers();
+}
+
+bool GuardedSurface::intersectsOthers() {
+  Box whole = addedBoxes_[0];
+  for (const Box& box : addedBoxes_) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      whole.low[k] = std::min(whole.low[k], box.low[k]);
+      whole.high[k] = std::max(whole.high[k], box.high[k]);
+    }
+  }
+  const std::size_t count = grid_.query(whole, found_);
+  for (std::size_t n = 0; n < count; ++n) {
+    const TriangleId t(found_[n]);
+    if (isRemoved_[t.index()] != 0) continue;
+    const NumberedTriangle other{valuesOf(complex_.nodesOf(t)), complex_.cornersOf(t)};
+    for (std::size_t i = 0; i < numbered_.size(); ++i) {
+      if (BoxTree::overlaps(addedBoxes_[i], boxes_[t.index()]) &&
+          intersectImproperly(numbered_[i], other))
+        return true;
+    }
+  }
+  return false;
+}
+
+bool GuardedSurface::isInEnvelope() const {
+  for (std::size_t i = 0; i < numbered_.size(); ++i) {
+    const SmoothPatchId patch = change_->added[i].patch;
+    if (!reference_.patch(patch).isPlanar &&
+        !isWithin(reference_, numbered_[i].corners, patch, limits_.tolerance, addedBeneath_[i]))
+      return false;
+  }
+  return true;
+}
+
+/// Finds a new host for every given node that a removed triangle answers for.
+bool GuardedSurface::findHosts() {
+  hosts_.clear();
+  const double limit = limits_.tolerance * limits_.tolerance;
+  for (const TriangleId t : change_->removed) {
+    for (NodeId guest = firstGuest_[t.index()]; !guest.isNone();
+         guest = nextGuest_[guest.index()]) {
+      const Vec3 point = tetrafront::pointOf(reference_.mesh(), guest);
+      std::size_t host = numbered_.size();
+      double nearest = limit;
+      for (std::size_t i = 0; i < numbered_.size(); ++i) {
+        if (change_->added[i].patch != complex_.patchOf(t)) continue;
+        const auto& [a, b, c] = numbered_[i].corners;
+        const double square = squaredDistanceToTriangle(point, a, b, c);
+        if (square > nearest) continue;
+        nearest = square;
+        host = i;
+      }
+      if (host == numbered_.size()) return false;
+      hosts_.emplace_back(guest, host);
+    }
+  }
+  return true;
+}
+
+void GuardedSurface::replaceTriangles() {
+  carried_.clear();
+  for (const SurfaceChange::Added& added : change_->added) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      carried_.push_back(complex_.stretchBetween(added.nodes[k], added.nodes[(k + 1) % 3]));
+    }
+  }
+  for (const TriangleId t : change_->removed) {
+    grid_.remove(t.value);
+    complex_.removeTriangle(t);
+    firstGuest_[t.index()] = NodeId{};
+  }
+  if (!change_->moved.isNone()) complex_.moveNode(change_->moved, change_->position);
+  std::vector<TriangleId>& slots = addedBeneath_;  // in place: beneath becomes the slot
+  for (std::size_t i = 0; i < change_->added.size(); ++i) {
+    const TriangleId t = complex_.addTriangle(change_->added[i].nodes, change_->added[i].patch);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      complex_.setStretch(halfEdgeOf(t, k), carried_[3 * i + k]);
+    }
+    insert(t);
+    beneath_[t.index()] = addedBeneath_[i];
+    slots[i] = t;
+  }
+  for (const auto& [guest, host] : hosts_) {
+    const TriangleId t = slots[host];
+    nextGuest_[guest.index()] = firstGuest_[t.index()];
+    firstGuest_[t.index()] = guest;
+  }
+}
+
+}  // namespace tetrafront

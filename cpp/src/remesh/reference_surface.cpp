@@ -1,0 +1,469 @@
+#include "remesh/reference_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/mesh_access.h"
+#include "base/sort.h"
+#include "boundary/surface_access.h"
+#include "geom/measure.h"
+
+namespace tetrafront {
+namespace {
+
+/// Height below which a triangle is flatter than the rounding of its corners to single precision, relative to the
+/// largest coordinate: its normal says nothing.
+constexpr double kSliverHeight = 2e-6;
+/// Distance from a plane within which a patch is planar: rounding, relative to the diagonal and the coordinates.
+constexpr double kPlanarPerDiagonal = 1e-6;
+constexpr double kPlanarPerCoordinate = 2e-7;
+/// Cosine of the angle between a triangle and the mean normal of a node beyond which the node is the tip of a cone.
+constexpr double kApexCosine = 0.70710678;
+/// Longest piece of a triangle in the tree / diagonal, and the number of halvings that make it.
+constexpr double kPieceLength = 1.0 / 60.0;
+constexpr int kMaxHalvings = 8;
+/// Steps of a walk between neighbouring triangles, after which the tree is faster.
+constexpr int kMaxSteps = 24;
+
+double squaredLength(const Vec3& v) { return glm::dot(v, v); }
+
+Vec3 unitOf(const Vec3& v) {
+  const double length = glm::length(v);
+  return length > 0.0 ? v / length : Vec3(0.0);
+}
+
+/// Returns the corner k at the beginning of the longest edge.
+std::uint32_t longestEdgeOf(const std::array<Vec3, 3>& corners) {
+  std::uint32_t longest = 0;
+  double most = -1.0;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const double square = squaredLength(corners[(k + 1) % 3] - corners[k]);
+    if (square > most) {
+      most = square;
+      longest = k;
+    }
+  }
+  return longest;
+}
+
+/// Weight of a triangle in the normal of its corner k: grows with the angle there, whatever its area.
+double cornerWeight(const std::array<Vec3, 3>& corners, std::size_t k) {
+  const Vec3 u = unitOf(corners[(k + 1) % 3] - corners[k]);
+  const Vec3 v = unitOf(corners[(k + 2) % 3] - corners[k]);
+  return glm::length(u - v);
+}
+
+}  // namespace
+
+ReferenceSurface::ReferenceSurface(const SurfaceMesh& mesh, std::span<const std::uint32_t> groups,
+                                   const FeatureRules& rules)
+    : mesh_(mesh), groups_(groups), rules_(rules) {
+  const Bounds bounds = boundsOf(mesh);
+  diagonal_ = glm::length(bounds.high - bounds.low);
+  for (int k = 0; k < 3; ++k) {
+    largestCoordinate_ =
+        std::max({largestCoordinate_, std::fabs(bounds.low[k]), std::fabs(bounds.high[k])});
+  }
+}
+
+Task<> ReferenceSurface::prepare(Work& work) {
+  const EdgeTable edges(mesh_.triangles, countNodes(mesh_), {});
+  co_await work.yield();
+  findNormals();
+  findFeatureEdges(edges);
+  co_await work.yield();
+  findPatches();
+  findFacets();
+  co_await work.yield();
+  findCorners(edges);
+  traceLines(edges);
+  co_await work.yield();
+  std::vector<Box> boxes;
+  for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh_))) {
+    divide(t, cornersOf(mesh_, t), kMaxHalvings, boxes);
+  }
+  co_await work.yield();
+  BoxTreeBuilder builder(std::move(boxes));
+  co_await work.finish(builder, 32);
+  tree_ = builder.take();
+}
+
+/// Sets the neighbours across all edges with two triangles, and the normals.
+void ReferenceSurface::findNormals() {
+  const std::uint32_t count = countTriangles(mesh_);
+  normals_.resize(count);
+  for (std::uint32_t t = 0; t < count; ++t) {
+    const std::array<Vec3, 3> corners = cornersOf(mesh_, TriangleId(t));
+    normals_[t] = unitOf(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+  }
+}
+
+void ReferenceSurface::findFeatureEdges(const EdgeTable& edges) {
+  neighbours_.assign(mesh_.triangles.size(), TriangleId{});
+  for (const EdgeId edge : IdRange<EdgeId>(edges.edgeCount())) {
+    const std::span<const HalfEdgeId> on = edges.halfEdgesOf(edge);
+    if (on.size() != 2) continue;
+    const bool opposite =
+        nodesOf(mesh_.triangles, on[0]).from == nodesOf(mesh_.triangles, on[1]).to;
+    if (!opposite) continue;
+    neighbours_[on[0].index()] = triangleOf(on[1]);
+    neighbours_[on[1].index()] = triangleOf(on[0]);
+  }
+
+  // A sliver takes the normal of the neighbour across its longest edge, which may be a sliver too.
+  const double least = kSliverHeight * largestCoordinate_;
+  std::vector<TriangleId> follows(normals_.size(), TriangleId{});
+  for (const TriangleId t : IdRange<TriangleId>(normals_.size())) {
+    const std::array<Vec3, 3> corners = cornersOf(mesh_, t);
+    const std::uint32_t k = longestEdgeOf(corners);
+    const double longest = glm::length(corners[(k + 1) % 3] - corners[k]);
+    const double area = glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+    if (area < least * longest) follows[t.index()] = neighbours_[halfEdgeOf(t, k).index()];
+  }
+  for (const TriangleId t : IdRange<TriangleId>(normals_.size())) {
+    std::vector<TriangleId> chain;
+    TriangleId end = t;
+    while (!follows[end.index()].isNone() && chain.size() < normals_.size()) {
+      chain.push_back(end);
+      const TriangleId next = follows[end.index()];
+      follows[end.index()] = TriangleId{};
+      end = next;
+    }
+    for (const TriangleId link : chain) normals_[link.index()] = normals_[end.index()];
+  }
+
+  isFeatureEdge_.assign(edges.edgeCount(), 0);
+  for (const EdgeId edge : IdRange<EdgeId>(edges.edgeCount())) {
+    const std::span<const HalfEdgeId> on = edges.halfEdgesOf(edge);
+    bool isFeature = true;
+    if (!neighbours_[on[0].index()].isNone()) {
+      const TriangleId t = triangleOf(on[0]);
+      const TriangleId u = triangleOf(on[1]);
+      isFeature = glm::dot(normalOf(t), normalOf(u)) < rules_.creaseCosine ||
+                  (!groups_.empty() && groups_[t.index()] != groups_[u.index()]);
+    }
+    if (!isFeature) continue;
+    isFeatureEdge_[edge.index()] = 1;
+    for (const HalfEdgeId halfEdge : on) neighbours_[halfEdge.index()] = TriangleId{};
+  }
+}
+
+void ReferenceSurface::findPatches() {
+  patchOf_.assign(normals_.size(), SmoothPatchId{});
+  std::vector<TriangleId> members;
+  for (const TriangleId seed : IdRange<TriangleId>(normals_.size())) {
+    if (!patchOf(seed).isNone()) continue;
+    const SmoothPatchId id(patches_.size());
+    members.assign(1, seed);
+    patchOf_[seed.index()] = id;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const TriangleId next = smoothNeighbour(halfEdgeOf(members[i], k));
+        if (next.isNone() || !patchOf(next).isNone()) continue;
+        patchOf_[next.index()] = id;
+        members.push_back(next);
+      }
+    }
+    patches_.push_back(describePatch(members));
+  }
+}
+
+double ReferenceSurface::planarTolerance() const {
+  return kPlanarPerDiagonal * diagonal_ + kPlanarPerCoordinate * largestCoordinate_;
+}
+
+SmoothPatch ReferenceSurface::describePatch(std::span<const TriangleId> members) const {
+  SmoothPatch patch;
+  Vec3 sum(0.0);
+  for (const TriangleId t : members) {
+    const std::array<Vec3, 3> corners = cornersOf(mesh_, t);
+    sum += glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+  }
+  patch.normal = unitOf(sum);
+  patch.group = groups_.empty() ? 0 : groups_[members[0].index()];
+  const double tolerance = planarTolerance();
+  const Vec3 origin = cornersOf(mesh_, members[0])[0];
+  patch.isPlanar = glm::length(patch.normal) > 0.5;
+  for (std::size_t i = 0; i < members.size() && patch.isPlanar; ++i) {
+    // A fold has both sides in one plane.
+    patch.isPlanar = glm::dot(normalOf(members[i]), patch.normal) > 0.0;
+    for (const Vec3& corner : cornersOf(mesh_, members[i])) {
+      patch.isPlanar =
+          patch.isPlanar && std::fabs(glm::dot(corner - origin, patch.normal)) <= tolerance;
+    }
+  }
+  return patch;
+}
+
+/// Divides the curved patches into facets, around their largest triangles first.
+void ReferenceSurface::findFacets() {
+  struct Seed {
+    double area;
+    TriangleId triangle;
+    std::uint32_t unused = 0;
+  };
+  std::vector<Seed> seeds;
+  for (const TriangleId t : IdRange<TriangleId>(normals_.size())) {
+    if (!patch(patchOf(t)).isPlanar) seeds.push_back({areaOf(cornersOf(mesh_, t)), t});
+  }
+  stableSort(seeds, [](const Seed& a, const Seed& b) { return a.area > b.area; });
+  facetOf_.assign(normals_.size(), kNoIndex);
+  std::vector<TriangleId> members;
+  for (const Seed& seed : seeds) {
+    if (facetOf_[seed.triangle.index()] == kNoIndex) growFacet(seed.triangle, members);
+  }
+  std::vector<Box> boxes;
+  for (const Facet& facet : facets_) {
+    if (facet.edgeCount <= kFewEdges) continue;
+    for (std::uint32_t i = facet.firstEdge; i < facet.firstEdge + facet.edgeCount; ++i) {
+      const HalfEdgeNodes nodes = nodesOf(mesh_.triangles, facetEdges_[i]);
+      const Vec3 from = pointOf(mesh_, nodes.from);
+      boxes.push_back(Box::of(from, pointOf(mesh_, nodes.to), from));
+      treeEdges_.push_back(i);
+    }
+  }
+  if (!boxes.empty()) facetEdgeTree_ = BoxTree(std::span<const Box>(boxes));
+}
+
+void ReferenceSurface::growFacet(TriangleId seed, std::vector<TriangleId>& members) {
+  const auto id = static_cast<std::uint32_t>(facets_.size());
+  Facet facet;
+  facet.normal = normalOf(seed);
+  facet.origin = cornersOf(mesh_, seed)[0];
+  facet.firstEdge = static_cast<std::uint32_t>(facetEdges_.size());
+  const double tolerance = planarTolerance();
+  const auto heightOf = [&](TriangleId triangle) {
+    double largest = 0.0;
+    for (const Vec3& corner : cornersOf(mesh_, triangle)) {
+      largest = std::max(largest, std::fabs(glm::dot(corner - facet.origin, facet.normal)));
+    }
+    return largest;
+  };
+  members.assign(1, seed);
+  facetOf_[seed.index()] = id;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const TriangleId next = smoothNeighbour(halfEdgeOf(members[i], k));
+      if (next.isNone() || facetOf_[next.index()] != kNoIndex) continue;
+      const double height = heightOf(next);
+      if (height > tolerance || glm::dot(normalOf(next), facet.normal) <= 0.0) continue;
+      facet.flatness = std::max(facet.flatness, height);
+      facetOf_[next.index()] = id;
+      members.push_back(next);
+    }
+  }
+  for (const TriangleId t : members) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdgeId halfEdge = halfEdgeOf(t, k);
+      const TriangleId next = smoothNeighbour(halfEdge);
+      if (next.isNone() || facetOf_[next.index()] != id) facetEdges_.push_back(halfEdge);
+    }
+  }
+  facet.edgeCount = static_cast<std::uint32_t>(facetEdges_.size()) - facet.firstEdge;
+  facets_.push_back(facet);
+}
+
+/// Counts the parts into which feature lines divide the triangles at each node.
+std::vector<std::uint32_t> ReferenceSurface::countSectors() const {
+  std::vector<std::uint32_t> sectors(countNodes(mesh_), 0);
+  std::vector<std::uint8_t> isCounted(mesh_.triangles.size(), 0);
+  const auto cornerAt = [this](TriangleId triangle, NodeId node) {
+    std::uint32_t k = 0;
+    while (NodeId(mesh_.triangles[halfEdgeOf(triangle, k).index()]) != node) ++k;
+    return halfEdgeOf(triangle, k);
+  };
+  for (const HalfEdgeId corner : IdRange<HalfEdgeId>(mesh_.triangles.size())) {
+    if (isCounted[corner.index()] != 0) continue;
+    const NodeId node(mesh_.triangles[corner.index()]);
+    ++sectors[node.index()];
+    isCounted[corner.index()] = 1;
+    // Across the edge that leaves the node, then, if that ends at a line, across the one that arrives.
+    for (const std::uint32_t turns : {0U, 2U}) {
+      HalfEdgeId at = corner;
+      for (;;) {
+        const HalfEdgeId edge = turns == 0 ? at : nextOf(nextOf(at));
+        const TriangleId next = smoothNeighbour(edge);
+        if (next.isNone()) break;
+        at = cornerAt(next, node);
+        if (isCounted[at.index()] != 0) break;
+        isCounted[at.index()] = 1;
+      }
+    }
+  }
+  return sectors;
+}
+
+void ReferenceSurface::findCorners(const EdgeTable& edges) {
+  const std::size_t nodes = countNodes(mesh_);
+  isCorner_.assign(nodes, 0);
+  armBegins_.assign(nodes + 1, 0);
+  const auto endsOf = [&](EdgeId edge) {
+    return nodesOf(mesh_.triangles, edges.halfEdgesOf(edge)[0]);
+  };
+  for (const EdgeId edge : IdRange<EdgeId>(edges.edgeCount())) {
+    if (isFeatureEdge_[edge.index()] == 0) continue;
+    ++armBegins_[endsOf(edge).from.index() + 1];
+    ++armBegins_[endsOf(edge).to.index() + 1];
+  }
+  for (std::size_t i = 0; i < nodes; ++i) armBegins_[i + 1] += armBegins_[i];
+  arms_.resize(armBegins_[nodes]);
+  std::vector<std::uint32_t> next(armBegins_.begin(), armBegins_.end() - 1);
+  for (const EdgeId edge : IdRange<EdgeId>(edges.edgeCount())) {
+    if (isFeatureEdge_[edge.index()] == 0) continue;
+    const HalfEdgeNodes ends = endsOf(edge);
+    arms_[next[ends.from.index()]++] = {ends.to, edge};
+    arms_[next[ends.to.index()]++] = {ends.from, edge};
+  }
+
+  const std::vector<std::uint32_t> sectors = countSectors();
+  for (const NodeId node : IdRange<NodeId>(nodes)) {
+    const std::span<const Arm> arms = armsOf(node);
+    bool isCorner = true;
+    if (arms.empty()) {
+      isCorner = sectors[node.index()] > 1;
+    } else if (arms.size() == 2) {
+      const std::size_t sheets = edges.halfEdgesOf(arms[0].edge).size();
+      const Vec3 here = pointOf(mesh_, node);
+      const Vec3 before = unitOf(here - pointOf(mesh_, arms[0].to));
+      const Vec3 after = unitOf(pointOf(mesh_, arms[1].to) - here);
+      isCorner = sheets != edges.halfEdgesOf(arms[1].edge).size() ||
+                 sheets != sectors[node.index()] || glm::dot(before, after) < rules_.cornerCosine;
+    }
+    if (isCorner) isCorner_[node.index()] = 1;
+  }
+  findApexes();
+}
+
+/// Makes corners of nodes without feature lines whose triangles turn far from their mean normal.
+void ReferenceSurface::findApexes() {
+  std::vector<Vec3> normals(countNodes(mesh_), Vec3(0.0));
+  for (const TriangleId t : IdRange<TriangleId>(normals_.size())) {
+    const std::array<Vec3, 3> corners = cornersOf(mesh_, t);
+    const NodeTriple nodes = nodesOf(mesh_, t);
+    for (std::size_t k = 0; k < 3; ++k) {
+      normals[nodes[k].index()] += normalOf(t) * cornerWeight(corners, k);
+    }
+  }
+  for (Vec3& normal : normals) normal = unitOf(normal);
+  for (const TriangleId t : IdRange<TriangleId>(normals_.size())) {
+    for (const NodeId node : nodesOf(mesh_, t)) {
+      if (armsOf(node).empty() && glm::dot(normals[node.index()], normalOf(t)) < kApexCosine) {
+        isCorner_[node.index()] = 1;
+      }
+    }
+  }
+}
+
+void ReferenceSurface::traceLines(const EdgeTable& edges) {
+  isTraced_.assign(edges.edgeCount(), 0);
+  for (const bool fromCorners : {true, false}) {
+    for (const NodeId node : IdRange<NodeId>(countNodes(mesh_))) {
+      if (isCorner(node) != fromCorners) continue;
+      for (const Arm& arm : armsOf(node)) {
+        if (isTraced_[arm.edge.index()] == 0) traceLine(node, arm, edges);
+      }
+    }
+  }
+}
+
+void ReferenceSurface::traceLine(NodeId from, const Arm& first, const EdgeTable& edges) {
+  std::vector<NodeId> nodes{from};
+  std::vector<Vec3> points{pointOf(mesh_, from)};
+  double creaseCosine = -1.0;
+  Arm arm = first;
+  for (;;) {
+    isTraced_[arm.edge.index()] = 1;
+    nodes.push_back(arm.to);
+    points.push_back(pointOf(mesh_, arm.to));
+    const std::span<const HalfEdgeId> on = edges.halfEdgesOf(arm.edge);
+    if (on.size() == 2) {
+      creaseCosine = std::max(creaseCosine,
+                              glm::dot(normalOf(triangleOf(on[0])), normalOf(triangleOf(on[1]))));
+    }
+    if (isCorner(arm.to) || arm.to == from) break;
+    const std::span<const Arm> arms = armsOf(arm.to);
+    arm = arms[0].edge == arm.edge ? arms[1] : arms[0];
+  }
+  const bool isClosed = arm.to == from && !isCorner(from);
+  FeatureLine line(std::move(nodes), std::move(points), isClosed);
+  line.creaseCosine = creaseCosine;
+  for (const HalfEdgeId halfEdge : edges.halfEdgesOf(first.edge)) {
+    line.patches.push_back(patchOf(triangleOf(halfEdge)).value);
+  }
+  lines_.push_back(std::move(line));
+}
+
+void ReferenceSurface::divide(TriangleId triangle, const std::array<Vec3, 3>& corners, int depth,
+                              std::vector<Box>& boxes) {
+  const std::uint32_t k = longestEdgeOf(corners);
+  const Vec3& a = corners[k];
+  const Vec3& b = corners[(k + 1) % 3];
+  const Vec3& c = corners[(k + 2) % 3];
+  if (depth == 0 || glm::length(b - a) <= kPieceLength * diagonal_) {
+    Box box = Box::of(a, b, c);
+    // Midpoints are rounded: the pieces must not lose points of their triangle.
+    const Vec3 margin(1e-15 * largestCoordinate_);
+    for (const Vec3& corner : corners) box.include(corner, margin);
+    boxes.push_back(box);
+    pieces_.push_back({triangle, (a + b + c) / 3.0});
+    return;
+  }
+  const Vec3 middle = 0.5 * (a + b);
+  divide(triangle, {a, middle, c}, depth - 1, boxes);
+  divide(triangle, {middle, b, c}, depth - 1, boxes);
+}
+
+double ReferenceSurface::squaredDistance(const Vec3& position, TriangleId triangle) const {
+  const std::array<Vec3, 3> corners = cornersOf(mesh_, triangle);
+  return squaredDistanceToTriangle(position, corners[0], corners[1], corners[2]);
+}
+
+/// Returns a triangle than which no neighbour is nearer, and its nearest point.
+NearestPoint ReferenceSurface::walk(const Vec3& position, TriangleId from) const {
+  NearestPoint nearest{from, squaredDistance(position, from), {}};
+  TriangleId last{};
+  for (int step = 0; step < kMaxSteps; ++step) {
+    const TriangleId here = nearest.triangle;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const TriangleId next = smoothNeighbour(halfEdgeOf(here, k));
+      if (next.isNone() || next == last) continue;
+      const double square = squaredDistance(position, next);
+      if (square >= nearest.squaredDistance) continue;
+      nearest.squaredDistance = square;
+      nearest.triangle = next;
+    }
+    if (nearest.triangle == here) break;
+    last = here;
+  }
+  const std::array<Vec3, 3> corners = cornersOf(mesh_, nearest.triangle);
+  nearest.position = nearestPointOfTriangle(position, corners[0], corners[1], corners[2]);
+  return nearest;
+}
+
+NearestPoint ReferenceSurface::nearest(const Vec3& position, SmoothPatchId patch, double limit,
+                                       TriangleId hint) const {
+  NearestPoint best{{}, limit * limit, position};
+  if (!hint.isNone() && patchOf(hint) == patch) {
+    const NearestPoint found = walk(position, hint);
+    if (found.squaredDistance <= best.squaredDistance) return found;
+  }
+  TriangleId last{};
+  tree_.visitNear(position, best.squaredDistance, [&](std::uint32_t item) {
+    const TriangleId t = pieces_[item].triangle;
+    if (t == last || t == best.triangle || patchOf(t) != patch) return;
+    last = t;
+    const double square = squaredDistance(position, t);
+    if (square >= best.squaredDistance) return;
+    best.squaredDistance = square;
+    best.triangle = t;
+  });
+  if (!best.triangle.isNone()) {
+    const std::array<Vec3, 3> corners = cornersOf(mesh_, best.triangle);
+    best.position = nearestPointOfTriangle(position, corners[0], corners[1], corners[2]);
+  }
+  return best;
+}
+
+}  // namespace tetrafront

@@ -1,0 +1,180 @@
+#pragma once
+
+/// @file The given surface as the remesher needs it: divided into smooth patches by feature lines, and searchable. It
+/// never changes, and every distance is measured to it.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/ids.h"
+#include "base/mesh_access.h"
+#include "base/task.h"
+#include "boundary/edge_table.h"
+#include "remesh/feature_line.h"
+#include "search/box_tree.h"
+#include "tetrafront/mesh.h"
+#include "tetrafront/vec3.h"
+
+namespace tetrafront {
+
+using SmoothPatchId = Id<struct SmoothPatchTag>;
+
+/// Where the surface counts as sharp.
+struct FeatureRules {
+  double creaseCosine =
+      0.766;  ///< cosine of the smallest angle between triangles at a feature edge
+  double cornerCosine = 0.643;  ///< cosine of the smallest turn of a feature line at a corner
+};
+
+/// The point of a patch nearest to a position, and the triangle that contains it.
+struct NearestPoint {
+  TriangleId triangle{};  ///< none if nothing is near enough
+  double squaredDistance = 0.0;
+  Vec3 position{0.0};
+};
+
+/// The triangles of a smooth part of the surface: connected, and bounded by feature lines.
+struct SmoothPatch {
+  bool isPlanar = false;
+  Vec3 normal{0.0};         ///< unit normal; of a patch that is not planar, the mean one
+  std::uint32_t group = 0;  ///< given patch of its triangles
+};
+
+/// Connected triangles of a curved patch in one plane, for example those of one strip of a fillet.
+struct Facet {
+  Vec3 normal{0.0};       ///< unit normal
+  Vec3 origin{0.0};       ///< a point of the plane
+  double flatness = 0.0;  ///< largest distance of a corner from the plane
+  std::uint32_t firstEdge = 0;
+  std::uint32_t edgeCount = 0;
+};
+
+class ReferenceSurface {
+ public:
+  /// `mesh`: a valid boundary, which must outlive this. `groups`: per triangle, the given patch; empty if all are one.
+  ReferenceSurface(const SurfaceMesh& mesh, std::span<const std::uint32_t> groups,
+                   const FeatureRules& rules);
+
+  /// Finds features and patches, and builds the search tree. O(n log n).
+  Task<> prepare(Work& work);
+
+  [[nodiscard]] const SurfaceMesh& mesh() const { return mesh_; }
+  [[nodiscard]] double diagonal() const { return diagonal_; }
+  [[nodiscard]] const std::vector<FeatureLine>& lines() const { return lines_; }
+  [[nodiscard]] const FeatureLine& line(FeatureLineId id) const { return lines_[id.index()]; }
+  [[nodiscard]] std::size_t patchCount() const { return patches_.size(); }
+  [[nodiscard]] const SmoothPatch& patch(SmoothPatchId id) const { return patches_[id.index()]; }
+  [[nodiscard]] SmoothPatchId patchOf(TriangleId triangle) const {
+    return patchOf_[triangle.index()];
+  }
+  /// Unit normal; that of a neighbour if the triangle is flatter than the rounding of its corners.
+  [[nodiscard]] const Vec3& normalOf(TriangleId triangle) const {
+    return normals_[triangle.index()];
+  }
+  /// True if the remesher must keep the node: lines end or turn there, or the surface touches itself.
+  [[nodiscard]] bool isCorner(NodeId node) const { return isCorner_[node.index()] != 0; }
+  /// The neighbour across edge k, k+1 of the same patch, or none at a feature line.
+  [[nodiscard]] TriangleId smoothNeighbour(HalfEdgeId halfEdge) const {
+    return neighbours_[halfEdge.index()];
+  }
+  /// The facet of a triangle in a curved patch.
+  [[nodiscard]] const Facet& facetOf(TriangleId triangle) const {
+    return facets_[facetOf_[triangle.index()]];
+  }
+  /// Calls visit(from, to) for the edges on the boundary of a facet that may meet a box, the facet on their left, until
+  /// it returns false; returns whether it never did.
+  template <class Visit>
+  bool visitFacetEdges(const Facet& facet, const Box& box, Visit visit) const;
+
+  /// Returns the nearest point of the patch within `limit`. `hint`: a triangle of the patch that may be near, or none.
+  /// A local minimum counts, if it is near enough: the walk from the hint stays on its side of a thin wall.
+  [[nodiscard]] NearestPoint nearest(const Vec3& position, SmoothPatchId patch, double limit,
+                                     TriangleId hint) const;
+
+  /// A part of a given triangle, no longer than a fraction of the diagonal: boxes around whole needles would overlap.
+  struct Piece {
+    TriangleId triangle{};
+    Vec3 centroid{0.0};
+  };
+  [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
+  /// Boxes of the pieces.
+  [[nodiscard]] const BoxTree& tree() const { return tree_; }
+
+ private:
+  struct Arm {
+    NodeId to;
+    EdgeId edge;
+  };
+
+  void findNormals();
+  void findFeatureEdges(const EdgeTable& edges);
+  void findPatches();
+  void findFacets();
+  void growFacet(TriangleId seed, std::vector<TriangleId>& members);
+  [[nodiscard]] SmoothPatch describePatch(std::span<const TriangleId> members) const;
+  void findCorners(const EdgeTable& edges);
+  void findApexes();
+  [[nodiscard]] std::vector<std::uint32_t> countSectors() const;
+  void traceLines(const EdgeTable& edges);
+  void traceLine(NodeId from, const Arm& first, const EdgeTable& edges);
+  [[nodiscard]] std::span<const Arm> armsOf(NodeId node) const {
+    const std::uint32_t begin = armBegins_[node.index()];
+    return std::span(arms_).subspan(begin, armBegins_[node.index() + 1] - begin);
+  }
+  void divide(TriangleId triangle, const std::array<Vec3, 3>& corners, int depth,
+              std::vector<Box>& boxes);
+  [[nodiscard]] NearestPoint walk(const Vec3& position, TriangleId from) const;
+  [[nodiscard]] double squaredDistance(const Vec3& position, TriangleId triangle) const;
+  /// Distance from a plane within which triangles are in it: rounding of files.
+  [[nodiscard]] double planarTolerance() const;
+
+  const SurfaceMesh& mesh_;
+  std::span<const std::uint32_t> groups_;
+  FeatureRules rules_;
+  double diagonal_ = 0.0;
+  double largestCoordinate_ = 0.0;
+  std::vector<Vec3> normals_;
+  std::vector<TriangleId> neighbours_;       ///< per half-edge
+  std::vector<std::uint8_t> isFeatureEdge_;  ///< per edge of the table
+  std::vector<SmoothPatchId> patchOf_;
+  std::vector<SmoothPatch> patches_;
+  std::vector<std::uint8_t> isCorner_;
+  std::vector<Arm> arms_;  ///< feature edges at each node
+  std::vector<std::uint32_t> armBegins_;
+  std::vector<std::uint8_t> isTraced_;  ///< per edge of the table
+  std::vector<FeatureLine> lines_;
+  std::vector<Piece> pieces_;
+  BoxTree tree_;
+
+  /// Facets with more edges find them through the tree.
+  static constexpr std::uint32_t kFewEdges = 8;
+  std::vector<Facet> facets_;
+  std::vector<std::uint32_t> facetOf_;  ///< per triangle; kNoIndex in planar patches
+  std::vector<HalfEdgeId> facetEdges_;
+  std::vector<std::uint32_t> treeEdges_;  ///< per item of the tree: index in facetEdges_
+  BoxTree facetEdgeTree_;
+};
+
+template <class Visit>
+bool ReferenceSurface::visitFacetEdges(const Facet& facet, const Box& box, Visit visit) const {
+  const auto visitEdge = [&](std::uint32_t i) {
+    const HalfEdgeNodes nodes = nodesOf(mesh_.triangles, facetEdges_[i]);
+    return visit(pointOf(mesh_, nodes.from), pointOf(mesh_, nodes.to));
+  };
+  bool goesOn = true;
+  if (facet.edgeCount <= kFewEdges) {
+    for (std::uint32_t i = 0; i < facet.edgeCount && goesOn; ++i) {
+      goesOn = visitEdge(facet.firstEdge + i);
+    }
+    return goesOn;
+  }
+  facetEdgeTree_.visitOverlaps(box, [&](std::uint32_t item) {
+    const std::uint32_t i = treeEdges_[item];
+    if (goesOn && i - facet.firstEdge < facet.edgeCount) goesOn = visitEdge(i);
+  });
+  return goesOn;
+}
+
+}  // namespace tetrafront

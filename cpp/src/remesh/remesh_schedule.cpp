@@ -1,0 +1,272 @@
+#include "remesh/remesh_schedule.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "base/sort.h"
+
+namespace tetrafront {
+namespace {
+
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+/// Rounds of collapsing, splitting and smoothing, and passes over the poorest triangles. More of them change little.
+constexpr int kRounds = 3;
+constexpr int kFinalPasses = 2;
+constexpr int kSmoothingPasses = 1;
+constexpr int kSmoothingPassesAtLast = 3;
+/// Edges shorter than this are collapsed, in target lengths; in the first round only much shorter ones, because needles
+/// make edges short that splits will remove.
+constexpr double kShort = 0.75;
+constexpr double kVeryShort = 0.5;
+/// Edges longer than this are split.
+constexpr double kLong = 1.4;
+constexpr double kLongAtLast = 1.5;
+/// A pass of splits ends at this fraction of the longest edge, so that the longest are split first everywhere.
+constexpr double kPassFraction = 0.6;
+constexpr int kMaxPasses = 40;
+/// A pass of collapses that makes fewer than one in this many is the last.
+constexpr std::size_t kFewCollapses = 50;
+constexpr int kMaxCollapsePasses = 20;
+constexpr int kMaxFlipPasses = 20;
+/// Flips around a new node.
+constexpr int kFlipsAround = 60;
+/// Squared sines of 38 and 32 degrees: triangles with a smaller angle are improved one by one.
+constexpr double kPoorSquaredSine = 0.37904;
+constexpr double kPoorSquaredSineAtLast = 0.28081;
+/// Triangles examined for one unit of a budget.
+constexpr std::size_t kTrianglesPerUnit = 4;
+
+}  // namespace
+
+Task<> RemeshSchedule::run(Work& work) {
+  work.beginPart(0.05);
+  co_await flipAll(work);
+  for (int round = 0; round < kRounds; ++round) {
+    const double begin = 0.05 + 0.25 * round;
+    work.beginPart(begin + 0.1);
+    co_await collapseShort(work, round == 0 ? kVeryShort : kShort);
+    co_await flipAll(work);
+    work.beginPart(begin + 0.2);
+    co_await splitLong(work, round + 1 == kRounds ? kLongAtLast : kLong);
+    co_await flipAll(work);
+    work.beginPart(begin + 0.25);
+    const int passes = round + 1 == kRounds ? kSmoothingPassesAtLast : kSmoothingPasses;
+    for (int pass = 0; pass < passes; ++pass) {
+      co_await smoothAll(work);
+      co_await flipAll(work);
+    }
+  }
+  work.beginPart(1.0);
+  for (int pass = 0; pass < kFinalPasses; ++pass) {
+    const bool isLast = pass + 1 == kFinalPasses;
+    const std::uint32_t made =
+        co_await improvePoor(work, isLast ? kPoorSquaredSineAtLast : kPoorSquaredSine);
+    if (made == 0) break;
+    for (int i = 0; i < 2; ++i) {
+      co_await smoothAll(work);
+      co_await flipAll(work);
+    }
+  }
+}
+
+/// Lists the edges with a length outside [shortest, longest], each once.
+void RemeshSchedule::collectEdges(double shortest, double longest) {
+  edges_.clear();
+  for (const TriangleId t : IdRange<TriangleId>(complex_.triangleSlots())) {
+    if (!complex_.isAlive(t)) continue;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdgeId halfEdge = halfEdgeOf(t, k);
+      const auto [a, b, apex] = complex_.nodesOf(halfEdge);
+      const double length = editor_.lengthOf(a, b);
+      if (length >= shortest && length <= longest) continue;
+      const NodeId low = std::min(a, b);
+      const NodeId high = std::max(a, b);
+      if (complex_.halfEdgeBetween(low, high) == halfEdge) edges_.push_back({low, high, length});
+    }
+  }
+}
+
+// ---- collapse -----------------------------------------------------------------------------------
+
+bool RemeshSchedule::collapseIfShort(const Edge& edge, double limit) {
+  if (!complex_.areJoined(edge.a, edge.b) || editor_.lengthOf(edge.a, edge.b) >= limit)
+    return false;
+  const CollapseRule rule{kLong, 0.3, false};
+  return editor_.collapse(edge.a, edge.b, rule) || editor_.collapse(edge.b, edge.a, rule);
+}
+
+/// Collapses edges shorter than `limit`, the shortest first.
+Task<> RemeshSchedule::collapseShort(Work& work, double limit) {
+  for (int pass = 0; pass < kMaxCollapsePasses; ++pass) {
+    collectEdges(limit, kUnlimited);
+    stableSort(edges_, [](const Edge& x, const Edge& y) { return x.length < y.length; });
+    co_await work.yield();
+    std::size_t made = 0;
+    co_await work.forEachBlock(edges_.size(), [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        if (collapseIfShort(edges_[i], limit)) ++made;
+      }
+    });
+    if (made * kFewCollapses <= edges_.size()) break;
+    if (pass % 2 == 1) co_await flipAll(work);
+  }
+}
+
+// ---- split --------------------------------------------------------------------------------------
+
+/// Splits edges longer than `limit`. Splitting needles one by one without flips in between would make several times as
+/// many triangles.
+Task<> RemeshSchedule::splitLong(Work& work, double limit) {
+  double refused = kUnlimited;  // longer edges cannot be split
+  for (int pass = 0; pass < kMaxPasses; ++pass) {
+    collectEdges(0.0, limit);
+    std::erase_if(edges_, [&](const Edge& edge) { return edge.length >= refused; });
+    stableSort(edges_, [](const Edge& x, const Edge& y) { return x.length > y.length; });
+    const double least = edges_.empty() ? 0.0 : std::max(limit, kPassFraction * edges_[0].length);
+    std::erase_if(edges_, [&](const Edge& edge) { return edge.length < least; });
+    co_await work.yield();
+    bool made = false;
+    co_await work.forEachBlock(edges_.size(), [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) made = splitAndFlip(edges_[i]) || made;
+    });
+    if (!made && least <= limit) break;
+    if (!made) refused = least;
+  }
+}
+
+bool RemeshSchedule::splitAndFlip(const Edge& edge) {
+  if (!editor_.split(edge.a, edge.b)) return false;
+  flipAround(NodeId(complex_.nodeCount() - 1));
+  return true;
+}
+
+void RemeshSchedule::flipAround(NodeId node) {
+  waiting_.clear();
+  complex_.visitStar(node, [&](TriangleId t, std::uint32_t k) {
+    const NodeTriple& nodes = complex_.nodesOf(t);
+    waiting_.push_back({nodes[(k + 1) % 3], nodes[(k + 2) % 3], 0.0});
+    waiting_.push_back({node, nodes[(k + 1) % 3], 0.0});
+  });
+  for (int i = 0; i < kFlipsAround && !waiting_.empty(); ++i) {
+    const auto [a, b, length] = waiting_.back();
+    waiting_.pop_back();
+    complex_.collectEdge(a, b, edge_);
+    if (edge_.size() != 2) continue;
+    const NodeId c = complex_.nodesOf(edge_[0]).apex;
+    const NodeId d = complex_.nodesOf(edge_[1]).apex;
+    if (!editor_.flip(a, b)) continue;
+    waiting_.insert(waiting_.end(), {{a, c, 0.0}, {c, b, 0.0}, {b, d, 0.0}, {d, a, 0.0}});
+  }
+}
+
+// ---- flip ---------------------------------------------------------------------------------------
+
+/// Flips edges of the triangle at nodes that changed since the given time.
+bool RemeshSchedule::flipEdges(TriangleId triangle, std::uint32_t since) {
+  bool made = false;
+  for (std::uint32_t k = 0; k < 3 && complex_.isAlive(triangle); ++k) {
+    const auto [a, b, apex] = complex_.nodesOf(halfEdgeOf(triangle, k));
+    if (std::max(editor_.lastChange(a), editor_.lastChange(b)) >= since) {
+      made = editor_.flip(a, b) || made;
+    }
+  }
+  return made;
+}
+
+Task<> RemeshSchedule::flipAll(Work& work) {
+  for (int pass = 0; pass < kMaxFlipPasses; ++pass) {
+    const std::uint32_t since = flipped_;
+    flipped_ = editor_.nextTime();
+    bool made = false;
+    co_await work.forEachBlock(
+        complex_.triangleSlots(),
+        [&](std::size_t first, std::size_t last) {
+          for (std::size_t t = first; t < last; ++t) {
+            made = flipEdges(TriangleId(t), since) || made;
+          }
+        },
+        kTrianglesPerUnit);
+    if (!made) break;
+  }
+}
+
+// ---- move ---------------------------------------------------------------------------------------
+
+/// Where nothing has changed since the last pass, nothing will move.
+Task<> RemeshSchedule::smoothAll(Work& work) {
+  const std::uint32_t since = smoothed_;
+  smoothed_ = editor_.nextTime();
+  co_await work.forEachBlock(complex_.nodeCount(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      if (editor_.lastChange(NodeId(i)) >= since) editor_.smooth(NodeId(i));
+    }
+  });
+}
+
+// ---- the poorest triangles ----------------------------------------------------------------------
+
+/// Improves the triangles with an angle below the limit, the poorest first; returns how many.
+Task<std::uint32_t> RemeshSchedule::improvePoor(Work& work, double squaredSine) {
+  poor_.clear();
+  for (const TriangleId t : IdRange<TriangleId>(complex_.triangleSlots())) {
+    if (!complex_.isAlive(t)) continue;
+    const double square = editor_.squaredSineOf(complex_.nodesOf(t));
+    if (square < squaredSine) poor_.push_back({t, 0, square});
+  }
+  stableSort(poor_, [](const PoorTriangle& x, const PoorTriangle& y) {
+    return x.squaredSine < y.squaredSine;
+  });
+  co_await work.yield();
+  std::uint32_t made = 0;
+  co_await work.forEachBlock(poor_.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      if (improveTriangle(poor_[i].triangle, squaredSine)) ++made;
+    }
+  });
+  co_return made;
+}
+
+bool RemeshSchedule::improveTriangle(TriangleId triangle, double squaredSine) {
+  if (!complex_.isAlive(triangle)) return false;
+  const NodeTriple nodes = complex_.nodesOf(triangle);
+  if (editor_.squaredSineOf(nodes) >= squaredSine) return false;
+  // The edges k, k+1, the longest first.
+  std::array<std::size_t, 3> order{0, 1, 2};
+  const auto lengthOf = [&](std::size_t k) {
+    return editor_.lengthOf(nodes[k], nodes[(k + 1) % 3]);
+  };
+  sortFew(order, [&](std::size_t x, std::size_t y) { return lengthOf(x) > lengthOf(y); });
+  for (const std::size_t k : order) {
+    if (editor_.flip(nodes[k], nodes[(k + 1) % 3])) return true;
+  }
+  const CollapseRule rule{1.7, 1.0, true};
+  for (std::size_t i = 3; i-- > 0;) {
+    const NodeId a = nodes[order[i]];
+    const NodeId b = nodes[(order[i] + 1) % 3];
+    if (editor_.lengthOf(a, b) > 1.1) continue;
+    if (editor_.collapse(a, b, rule) || editor_.collapse(b, a, rule)) return true;
+  }
+  bool moved = false;
+  for (const NodeId node : nodes) moved = editor_.improve(node) || moved;
+  if (moved) return true;
+  const std::size_t k = order[0];
+  return splitUnder({nodes[k], nodes[(k + 1) % 3], nodes[(k + 2) % 3]});
+}
+
+/// Splits the edge of the first two nodes beneath the third: a cap, or a needle between lines.
+bool RemeshSchedule::splitUnder(const NodeTriple& nodes) {
+  const auto [a, b, c] = nodes;
+  if (editor_.lengthOf(a, b) <= 1.0) return false;
+  const Vec3 edge = complex_.pointOf(b) - complex_.pointOf(a);
+  const Vec3 to = complex_.pointOf(c) - complex_.pointOf(a);
+  const double part = std::clamp(glm::dot(to, edge) / glm::dot(edge, edge), 0.3, 0.7);
+  if (!editor_.split(a, b, part)) return false;
+  const NodeId middle(complex_.nodeCount() - 1);
+  flipAround(middle);
+  editor_.improve(middle);
+  return true;
+}
+
+}  // namespace tetrafront

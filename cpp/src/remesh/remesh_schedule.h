@@ -1,0 +1,58 @@
+#pragma once
+
+/// @file The order of the remesher's operations: collapse short edges, split long ones, flip, smooth, and at last improve
+/// the poorest triangles one by one.
+
+#include <cstdint>
+#include <vector>
+
+#include "base/task.h"
+#include "remesh/surface_editor.h"
+
+namespace tetrafront {
+
+/// The surface is valid whenever the task yields.
+class RemeshSchedule {
+ public:
+  /// `editor` must outlive this.
+  explicit RemeshSchedule(SurfaceEditor& editor) : editor_(editor), complex_(editor.complex()) {}
+
+  Task<> run(Work& work);
+
+ private:
+  struct Edge {
+    NodeId a;
+    NodeId b;
+    double length;  ///< in target lengths
+  };
+  struct PoorTriangle {
+    TriangleId triangle;
+    std::uint32_t unused = 0;
+    double squaredSine;
+  };
+
+  Task<> collapseShort(Work& work, double limit);
+  Task<> splitLong(Work& work, double limit);
+  Task<> flipAll(Work& work);
+  Task<> smoothAll(Work& work);
+  Task<std::uint32_t> improvePoor(Work& work, double squaredSine);
+
+  void collectEdges(double shortest, double longest);
+  bool collapseIfShort(const Edge& edge, double limit);
+  bool splitAndFlip(const Edge& edge);
+  void flipAround(NodeId node);
+  bool flipEdges(TriangleId triangle, std::uint32_t since);
+  bool improveTriangle(TriangleId triangle, double squaredSine);
+  bool splitUnder(const NodeTriple& nodes);
+
+  SurfaceEditor& editor_;
+  const SurfaceComplex& complex_;
+  std::vector<Edge> edges_;
+  std::vector<PoorTriangle> poor_;
+  std::vector<Edge> waiting_;
+  std::vector<HalfEdgeId> edge_;
+  std::uint32_t flipped_ = 0;   ///< time of the last pass of flips
+  std::uint32_t smoothed_ = 0;  ///< time of the last pass of moves
+};
+
+}  // namespace tetrafront

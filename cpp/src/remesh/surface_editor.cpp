@@ -1,0 +1,482 @@
+#include "remesh/surface_editor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "geom/coordinates.h"
+#include "geom/measure.h"
+#include "geom/predicates.h"
+#include "quality/metrics.h"
+
+namespace tetrafront {
+namespace {
+
+/// Least gain of a measure that counts, so that rounding does not keep a node in motion.
+constexpr double kLeastGain = 1e-3;
+/// Radius ratio above which the mean may rise although the poorest triangle gets no better.
+constexpr double kGoodRatio = 0.6;
+/// Least cosine between the two triangles of a flip: over a bend, the other diagonal is another surface.
+constexpr double kFlipCosine = 0.5;
+/// Steps of improve() / mean edge length at the node, on a patch and along a line.
+constexpr std::array<double, 3> kPatchSteps{0.4, 0.15, 0.05};
+constexpr std::array<double, 4> kLineSteps{0.3, -0.3, 0.1, -0.1};
+constexpr double kHalfRoot = 0.70710678118654752;
+/// Eight directions in the plane.
+constexpr std::array<std::array<double, 2>, 8> kDirections{{{1.0, 0.0},
+                                                            {kHalfRoot, kHalfRoot},
+                                                            {0.0, 1.0},
+                                                            {-kHalfRoot, kHalfRoot},
+                                                            {-1.0, 0.0},
+                                                            {-kHalfRoot, -kHalfRoot},
+                                                            {0.0, -1.0},
+                                                            {kHalfRoot, -kHalfRoot}}};
+
+Vec3 normalOf(const std::array<Vec3, 3>& corners) {
+  return glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+}
+
+/// Returns the triangle with one node in place of another.
+NodeTriple replaced(NodeTriple nodes, NodeId old, NodeId now) {
+  for (NodeId& node : nodes) {
+    if (node == old) node = now;
+  }
+  return nodes;
+}
+
+}  // namespace
+
+SurfaceEditor::SurfaceEditor(GuardedSurface& surface, const SizeField& sizes)
+    : surface_(surface),
+      complex_(surface.complex()),
+      reference_(surface.reference()),
+      sizes_(sizes),
+      isStretched_(sizes.isStretched()),
+      size_(complex_.nodeCount()),
+      view_(isStretched_ ? complex_.nodeCount() : 0),
+      changed_(complex_.nodeCount(), 0) {
+  for (const NodeId node : IdRange<NodeId>(complex_.nodeCount())) measureSize(node);
+}
+
+NodeId SurfaceEditor::addNode(const Vec3& point, NodeKind kind) {
+  const NodeId node = surface_.addNode(point, kind);
+  size_.emplace_back();
+  if (isStretched_) view_.emplace_back();
+  changed_.push_back(time_);
+  measureSize(node);
+  return node;
+}
+
+void SurfaceEditor::removeLastNode() {
+  surface_.removeLastNode();
+  size_.pop_back();
+  if (isStretched_) view_.pop_back();
+  changed_.pop_back();
+}
+
+void SurfaceEditor::measureSize(NodeId node) {
+  const Vec3& point = complex_.pointOf(node);
+  if (!isStretched_) {
+    size_[node.index()] = sizes_.targetSizeAt(point, fieldHint_);
+    return;
+  }
+  const SymmetricTensor tensor = sizes_.targetTensorAt(point, fieldHint_);
+  size_[node.index()] = meanSizeOf(tensor);
+  view_[node.index()] = tensor.inverse();
+}
+
+bool SurfaceEditor::apply(bool coversSame) {
+  if (!surface_.apply(change_, coversSame)) return false;
+  if (!change_.moved.isNone()) measureSize(change_.moved);
+  for (const SurfaceChange::Added& added : change_.added) {
+    for (const NodeId node : added.nodes) changed_[node.index()] = time_;
+  }
+  return true;
+}
+
+// ---- measures -----------------------------------------------------------------------------------
+
+double SurfaceEditor::lengthOf(NodeId a, NodeId b) const {
+  const Vec3 edge = complex_.pointOf(b) - complex_.pointOf(a);
+  if (!isStretched_) return 2.0 * glm::length(edge) / (sizeOf(a) + sizeOf(b));
+  return 0.5 * glm::length(view_[a.index()] * edge + view_[b.index()] * edge);
+}
+
+SurfaceEditor::Corners SurfaceEditor::inMetric(const NodeTriple& nodes, Corners corners) const {
+  if (!isStretched_) return corners;
+  const auto map = [&](const Vec3& v) {
+    return view_[nodes[0].index()] * v + view_[nodes[1].index()] * v + view_[nodes[2].index()] * v;
+  };
+  return {Vec3(0.0), map(corners[1] - corners[0]), map(corners[2] - corners[0])};
+}
+
+double SurfaceEditor::squaredSineOf(const NodeTriple& nodes) const {
+  const auto [a, b, c] = inMetric(nodes, cornersOf(nodes));
+  const Vec3 ab = b - a;
+  const Vec3 bc = c - b;
+  const Vec3 ca = a - c;
+  const double x = glm::dot(ab, ab);
+  const double y = glm::dot(bc, bc);
+  const double z = glm::dot(ca, ca);
+  const Vec3 normal = glm::cross(ab, ca);
+  // The smallest angle is between the two longer edges.
+  const double longer = std::max({x * y, y * z, z * x});
+  return longer > 0.0 ? glm::dot(normal, normal) / longer : 0.0;
+}
+
+double SurfaceEditor::radiusRatioOf(const NodeTriple& nodes) const {
+  const auto [a, b, c] = inMetric(nodes, cornersOf(nodes));
+  return triangleRadiusRatio(a, b, c);
+}
+
+double SurfaceEditor::poorestRemoved() const {
+  double poorest = 1.0;
+  for (const TriangleId t : change_.removed) {
+    const NodeTriple& nodes = complex_.nodesOf(t);
+    const auto [a, b, c] = inMetric(nodes, complex_.cornersOf(t));
+    poorest = std::min(poorest, triangleRadiusRatio(a, b, c));
+  }
+  return poorest;
+}
+
+double SurfaceEditor::poorestAdded() const {
+  double poorest = 1.0;
+  for (const SurfaceChange::Added& added : change_.added) {
+    poorest = std::min(poorest, radiusRatioOf(added.nodes));
+  }
+  return poorest;
+}
+
+double SurfaceEditor::meanAdded() const {
+  double sum = 0.0;
+  for (const SurfaceChange::Added& added : change_.added) sum += radiusRatioOf(added.nodes);
+  return sum / static_cast<double>(change_.added.size());
+}
+
+bool SurfaceEditor::follows(FeatureLineId line, double begin, double end, const Vec3& a,
+                            const Vec3& b) const {
+  const double limit = surface_.tolerance() * surface_.tolerance();
+  return reference_.line(line).squaredDeviation(begin, end, a, b) <= limit;
+}
+
+// ---- split --------------------------------------------------------------------------------------
+
+bool SurfaceEditor::split(NodeId a, NodeId b, double part) {
+  complex_.collectEdge(a, b, edge_);
+  if (edge_.empty()) return false;
+  const Vec3 straight =
+      inExactRange(complex_.pointOf(a) + (complex_.pointOf(b) - complex_.pointOf(a)) * part);
+  const StretchId id = complex_.stretchOf(edge_[0]);
+  if (!id.isNone()) {
+    const Stretch& stretch = complex_.stretch(id);
+    const double along = stretch.from == a ? part : 1.0 - part;
+    const double arc = stretch.begin + (stretch.end - stretch.begin) * along;
+    const Vec3 onLine = inExactRange(reference_.line(stretch.line).at(arc));
+    return trySplit(a, b, onLine, id, arc) ||
+           (onLine != straight && trySplit(a, b, straight, id, arc));
+  }
+  const Vec3 onPatch = splitPosition(straight, triangleOf(edge_[0]));
+  return trySplit(a, b, onPatch, id, 0.0) ||
+         (onPatch != straight && trySplit(a, b, straight, id, 0.0));
+}
+
+/// Returns the nearest point of the patch, or the position itself where that is as good.
+Vec3 SurfaceEditor::splitPosition(const Vec3& straight, TriangleId triangle) const {
+  const SmoothPatchId patch = complex_.patchOf(triangle);
+  if (reference_.patch(patch).isPlanar) return straight;
+  const NearestPoint nearest =
+      reference_.nearest(straight, patch, 2.0 * surface_.tolerance(), surface_.beneath(triangle));
+  return nearest.triangle.isNone() ? straight : inExactRange(nearest.position);
+}
+
+bool SurfaceEditor::trySplit(NodeId a, NodeId b, const Vec3& position, StretchId id, double arc) {
+  Stretch before;
+  Stretch after;
+  NodeId to{};
+  if (!id.isNone()) {
+    before = after = complex_.stretch(id);
+    to = before.from == a ? b : a;
+    before.end = after.begin = arc;
+    if (!follows(before.line, before.begin, arc, complex_.pointOf(before.from), position) ||
+        !follows(after.line, arc, after.end, position, complex_.pointOf(to)))
+      return false;
+  }
+  const NodeId middle = addNode(position, id.isNone() ? NodeKind::kSmooth : NodeKind::kLine);
+  change_.clear();
+  for (const HalfEdgeId halfEdge : edge_) {
+    const TriangleId t = triangleOf(halfEdge);
+    const HalfEdgeNodes nodes = complex_.nodesOf(halfEdge);
+    const SmoothPatchId patch = complex_.patchOf(t);
+    change_.removed.push_back(t);
+    change_.added.push_back({{nodes.from, middle, nodes.apex}, patch});
+    change_.added.push_back({{middle, nodes.to, nodes.apex}, patch});
+  }
+  if (!apply()) {
+    removeLastNode();
+    return false;
+  }
+  if (!id.isNone()) {
+    after.from = middle;
+    surface_.releaseStretch(id);
+    surface_.replaceStretch(before.from, middle, before);
+    surface_.replaceStretch(middle, to, after);
+  }
+  return true;
+}
+
+// ---- collapse -----------------------------------------------------------------------------------
+
+/// Returns true if `a` and `b` have no neighbours in common but those that their edge implies.
+bool SurfaceEditor::keepsTopology(NodeId a, NodeId b) {
+  complex_.collectRing(a, ringA_);
+  complex_.collectRing(b, ringB_);
+  const auto isCommon = [&](NodeId node) {
+    return std::ranges::find(ringB_, node) != ringB_.end();
+  };
+  return std::ranges::count_if(ringA_, isCommon) == std::ssize(edge_);
+}
+
+bool SurfaceEditor::collapse(NodeId a, NodeId b, const CollapseRule& rule) {
+  if (complex_.kindOf(a) == NodeKind::kCorner) return false;
+  complex_.collectEdge(a, b, edge_);
+  if (edge_.empty()) return false;
+  const StretchId nearId = complex_.stretchOf(edge_[0]);
+  const bool isLine = complex_.kindOf(a) == NodeKind::kLine;
+  if (isLine && nearId.isNone()) return false;
+  if (!keepsTopology(a, b)) return false;
+
+  SurfaceComplex::LineNeighbours line;
+  Stretch joint;
+  NodeId other{};
+  if (isLine) {
+    line = complex_.lineNeighbours(a);
+    if (!line.areComplete()) return false;
+    other = line.before == b ? line.after : line.before;
+    const Stretch& first = complex_.stretch(line.first);
+    const Stretch& second = complex_.stretch(line.second);
+    joint = first;
+    joint.end = first.end + (second.end - second.begin);
+    if (!follows(joint.line, joint.begin, joint.end, complex_.pointOf(line.before),
+                 complex_.pointOf(line.after)))
+      return false;
+  }
+
+  const auto isApex = [&](NodeId node) {
+    return std::ranges::any_of(edge_,
+                               [&](HalfEdgeId e) { return complex_.nodesOf(e).apex == node; });
+  };
+  // Joining two feature edges into one would hide a line.
+  if (isLine && isApex(other)) return false;
+  for (const NodeId node : ringA_) {
+    if (node != b && !isApex(node) && lengthOf(node, b) > rule.longest) return false;
+  }
+  change_.clear();
+  complex_.collectStar(a, change_.removed);
+  for (const TriangleId t : change_.removed) {
+    const NodeTriple& nodes = complex_.nodesOf(t);
+    if (std::ranges::find(nodes, b) != nodes.end()) continue;
+    change_.added.push_back({replaced(nodes, a, b), complex_.patchOf(t)});
+  }
+  if (change_.added.empty()) return false;
+  const double before = poorestRemoved();
+  const double after = poorestAdded();
+  if (rule.mustImprove ? after <= before : after < std::min(rule.poorest, before)) return false;
+  if (!apply()) return false;
+  if (isLine) {
+    surface_.releaseStretch(line.first);
+    surface_.releaseStretch(line.second);
+    surface_.replaceStretch(other, b, joint);
+  }
+  return true;
+}
+
+// ---- flip ---------------------------------------------------------------------------------------
+
+bool SurfaceEditor::flip(NodeId a, NodeId b) {
+  complex_.collectEdge(a, b, edge_);
+  if (edge_.size() != 2 || !complex_.stretchOf(edge_[0]).isNone()) return false;
+  const TriangleId t = triangleOf(edge_[0]);
+  const TriangleId u = triangleOf(edge_[1]);
+  const auto [from, to, c] = complex_.nodesOf(edge_[0]);
+  const NodeId d = complex_.nodesOf(edge_[1]).apex;
+  const SmoothPatchId patch = complex_.patchOf(t);
+  change_.clear();
+  change_.removed = {t, u};
+  change_.added = {{{from, d, c}, patch}, {{d, to, c}, patch}};
+  const double before =
+      std::min(squaredSineOf(complex_.nodesOf(t)), squaredSineOf(complex_.nodesOf(u)));
+  const double after =
+      std::min(squaredSineOf(change_.added[0].nodes), squaredSineOf(change_.added[1].nodes));
+  if (after <= before * (1.0 + kLeastGain) + 1e-12) return false;
+  if (c == d || complex_.areJoined(c, d)) return false;
+  const Vec3 first = normalOf(cornersOf(change_.added[0].nodes));
+  const Vec3 second = normalOf(cornersOf(change_.added[1].nodes));
+  if (glm::dot(first, second) < kFlipCosine * glm::length(first) * glm::length(second))
+    return false;
+  const bool isFlat = orient3d(complex_.pointOf(from), complex_.pointOf(to), complex_.pointOf(c),
+                               complex_.pointOf(d)) == 0;
+  return apply(isFlat);
+}
+
+// ---- move ---------------------------------------------------------------------------------------
+
+void SurfaceEditor::beginMove(NodeId node) {
+  change_.clear();
+  complex_.collectStar(node, change_.removed);
+  for (const TriangleId t : change_.removed) {
+    change_.added.push_back({complex_.nodesOf(t), complex_.patchOf(t)});
+  }
+  change_.moved = node;
+  change_.position = complex_.pointOf(node);
+}
+
+bool SurfaceEditor::endMove(bool wasMade) {
+  change_.clear();
+  return wasMade;
+}
+
+bool SurfaceEditor::isBetter(double poorest, double mean, bool forMean) const {
+  const double after = poorestAdded();
+  if (after > poorest + kLeastGain) return true;
+  return forMean && after > kGoodRatio && meanAdded() > mean + kLeastGain;
+}
+
+/// Puts the moved node onto its patch; false if that is too far away.
+bool SurfaceEditor::projectMove(NodeId node) {
+  const Vec3& here = complex_.pointOf(node);
+  const SmoothPatchId id = change_.added[0].patch;
+  const SmoothPatch& patch = reference_.patch(id);
+  if (patch.isPlanar) {
+    const double height = glm::dot(change_.position - here, patch.normal);
+    change_.position = inExactRange(change_.position - patch.normal * height);
+    return true;
+  }
+  const double reach = std::max(2.0 * surface_.tolerance(), 0.5 * sizeOf(node));
+  const NearestPoint nearest =
+      reference_.nearest(change_.position, id, reach, surface_.beneath(change_.removed[0]));
+  change_.position = inExactRange(nearest.position);
+  return !nearest.triangle.isNone();
+}
+
+bool SurfaceEditor::moveOnPatch(NodeId node, const Vec3& target, bool forMean) {
+  beginMove(node);
+  const Vec3 here = change_.position;
+  const double poorest = poorestRemoved();
+  const double mean = meanAdded();
+  for (const double part : {1.0, 0.5, 0.25}) {
+    change_.position = here + (target - here) * part;
+    if (projectMove(node) && isBetter(poorest, mean, forMean) && apply()) return endMove(true);
+  }
+  return endMove(false);
+}
+
+bool SurfaceEditor::moveOnLine(NodeId node, double arc, bool forMean) {
+  const SurfaceComplex::LineNeighbours line = complex_.lineNeighbours(node);
+  if (!line.areComplete()) return false;
+  beginMove(node);
+  const double poorest = poorestRemoved();
+  const double mean = meanAdded();
+  Stretch first = complex_.stretch(line.first);
+  Stretch second = complex_.stretch(line.second);
+  // Where a closed line begins, arcs jump by its length.
+  const double jump = second.begin - first.end;
+  const double here = first.end;
+  for (const double part : {1.0, 0.5, 0.25}) {
+    first.end = here + (arc - here) * part;
+    second.begin = first.end + jump;
+    change_.position = inExactRange(reference_.line(first.line).at(first.end));
+    if (!isBetter(poorest, mean, forMean) ||
+        !follows(first.line, first.begin, first.end, complex_.pointOf(line.before),
+                 change_.position) ||
+        !follows(second.line, second.begin, second.end, change_.position,
+                 complex_.pointOf(line.after)))
+      continue;
+    if (!apply()) continue;
+    surface_.updateStretch(line.first, first);
+    surface_.updateStretch(line.second, second);
+    return endMove(true);
+  }
+  return endMove(false);
+}
+
+/// Returns the mean of the triangles' centroids around a node. A triangle counts by its area in target lengths: larger
+/// where it is too large.
+Vec3 SurfaceEditor::centreOf(NodeId node) const {
+  Vec3 sum(0.0);
+  double weights = 0.0;
+  complex_.visitStar(node, [&](TriangleId t, std::uint32_t /*k*/) {
+    const NodeTriple& nodes = complex_.nodesOf(t);
+    const Corners corners = complex_.cornersOf(t);
+    const double size = (sizeOf(nodes[0]) + sizeOf(nodes[1]) + sizeOf(nodes[2])) / 3.0;
+    const double weight =
+        glm::length(normalOf(inMetric(nodes, corners))) / (size * size * size * size);
+    sum += (corners[0] + corners[1] + corners[2]) * (weight / 3.0);
+    weights += weight;
+  });
+  return weights > 0.0 ? sum / weights : complex_.pointOf(node);
+}
+
+bool SurfaceEditor::smooth(NodeId node) {
+  if (!complex_.isUsed(node) || complex_.kindOf(node) == NodeKind::kCorner) return false;
+  if (complex_.kindOf(node) == NodeKind::kSmooth) return moveOnPatch(node, centreOf(node), true);
+  const SurfaceComplex::LineNeighbours line = complex_.lineNeighbours(node);
+  if (!line.areComplete()) return false;
+  const Stretch& first = complex_.stretch(line.first);
+  const Stretch& second = complex_.stretch(line.second);
+  const double whole = (first.end - first.begin) + (second.end - second.begin);
+  const double before = sizeOf(line.before) + sizeOf(node);
+  const double after = sizeOf(line.after) + sizeOf(node);
+  return moveOnLine(node, first.begin + whole * before / (before + after), true);
+}
+
+bool SurfaceEditor::improve(NodeId node) {
+  if (!complex_.isUsed(node) || complex_.kindOf(node) == NodeKind::kCorner) return false;
+  return complex_.kindOf(node) == NodeKind::kLine ? improveOnLine(node) : improveOnPatch(node);
+}
+
+bool SurfaceEditor::improveOnLine(NodeId node) {
+  bool moved = false;
+  for (const double step : kLineSteps) {
+    const SurfaceComplex::LineNeighbours line = complex_.lineNeighbours(node);
+    if (!line.areComplete()) return moved;
+    const Stretch& towards = complex_.stretch(step > 0.0 ? line.second : line.first);
+    const double arc = complex_.stretch(line.first).end + step * (towards.end - towards.begin);
+    moved = moveOnLine(node, arc, false) || moved;
+  }
+  return moved;
+}
+
+bool SurfaceEditor::improveOnPatch(NodeId node) {
+  bool moved = false;
+  for (const double step : kPatchSteps) {
+    beginMove(node);
+    const Vec3 here = change_.position;
+    Vec3 normal(0.0);
+    double reach = 0.0;
+    for (const SurfaceChange::Added& added : change_.added) {
+      const Corners corners = cornersOf(added.nodes);
+      normal += normalOf(corners);
+      for (const Vec3& corner : corners) reach += 0.5 * glm::length(corner - here);
+    }
+    const double length = glm::length(normal);
+    if (!(length > 0.0)) return moved;
+    normal /= length;
+    reach *= step / static_cast<double>(change_.added.size());
+    const Vec3 axis = std::fabs(normal.x) < 0.6 ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, 1.0, 0.0);
+    const Vec3 u = glm::normalize(glm::cross(axis, normal));
+    const Vec3 v = glm::cross(normal, u);
+    Vec3 best = here;
+    double most = -1.0;
+    for (const auto& [x, y] : kDirections) {
+      change_.position = here + (u * x + v * y) * reach;
+      const double poorest = poorestAdded();
+      if (poorest <= most) continue;
+      most = poorest;
+      best = change_.position;
+    }
+    moved = moveOnPatch(node, best, false) || moved;
+  }
+  return moved;
+}
+
+}  // namespace tetrafront

@@ -1,0 +1,114 @@
+#pragma once
+
+/// @file The four operations of the remesher: split, collapse, flip and move. They keep the number of triangles at every
+/// edge; corners stay, nodes of a feature line stay on it, other nodes stay in their patch; and every feature edge is
+/// within the tolerance of its stretch of the line, both ways. GuardedSurface refuses what would break the rest.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/ids.h"
+#include "field/size_field.h"
+#include "field/size_tensor.h"
+#include "remesh/guarded_surface.h"
+#include "remesh/surface_complex.h"
+#include "tetrafront/vec3.h"
+
+namespace tetrafront {
+
+/// When a collapse is worth making.
+struct CollapseRule {
+  double longest = 1.4;  ///< no new edge may be longer, in target lengths
+  double poorest = 0.3;  ///< nor a new triangle have a smaller radius ratio, unless one had before
+  bool mustImprove = false;  ///< the smallest radius ratio must rise
+};
+
+class SurfaceEditor {
+ public:
+  /// Both must outlive this.
+  SurfaceEditor(GuardedSurface& surface, const SizeField& sizes);
+
+  // ---- operations: each returns true if it was made ----
+
+  /// Splits an edge at `part` of its length; the new node is the last one.
+  bool split(NodeId a, NodeId b, double part = 0.5);
+  /// Moves `a` onto `b`, with which it is joined.
+  bool collapse(NodeId a, NodeId b, const CollapseRule& rule);
+  /// Replaces the edge of two triangles by the other diagonal if the smallest angle grows.
+  bool flip(NodeId a, NodeId b);
+  /// Moves a node to where its triangles are best on average.
+  bool smooth(NodeId node);
+  /// Moves a node to where its poorest triangle is better.
+  bool improve(NodeId node);
+
+  // ---- measures, in the metric of the size field ----
+
+  [[nodiscard]] const SurfaceComplex& complex() const { return complex_; }
+  /// Length of an edge in target lengths.
+  [[nodiscard]] double lengthOf(NodeId a, NodeId b) const;
+  /// Squared sine of the smallest angle of a triangle, which is at most 60 degrees.
+  [[nodiscard]] double squaredSineOf(const NodeTriple& nodes) const;
+  [[nodiscard]] double sizeOf(NodeId node) const { return size_[node.index()]; }
+
+  // ---- time: nodes remember when a triangle at them changed last ----
+
+  std::uint32_t nextTime() { return ++time_; }
+  [[nodiscard]] std::uint32_t lastChange(NodeId node) const { return changed_[node.index()]; }
+
+ private:
+  using Corners = std::array<Vec3, 3>;
+
+  NodeId addNode(const Vec3& point, NodeKind kind);
+  void removeLastNode();
+  void measureSize(NodeId node);
+  bool apply(bool coversSame = false);
+
+  [[nodiscard]] Vec3 positionOf(NodeId node) const {
+    return node == change_.moved ? change_.position : complex_.pointOf(node);
+  }
+  [[nodiscard]] Corners cornersOf(const NodeTriple& nodes) const {
+    return {positionOf(nodes[0]), positionOf(nodes[1]), positionOf(nodes[2])};
+  }
+  /// Returns the corners in the space in which the target triangle is equilateral.
+  [[nodiscard]] Corners inMetric(const NodeTriple& nodes, Corners corners) const;
+  [[nodiscard]] double radiusRatioOf(const NodeTriple& nodes) const;
+  [[nodiscard]] double poorestRemoved() const;
+  [[nodiscard]] double poorestAdded() const;
+  [[nodiscard]] double meanAdded() const;
+
+  /// Returns true if the line between two arcs and the segment a b are within the tolerance of each other.
+  [[nodiscard]] bool follows(FeatureLineId line, double begin, double end, const Vec3& a,
+                             const Vec3& b) const;
+  bool trySplit(NodeId a, NodeId b, const Vec3& position, StretchId stretch, double arc);
+  [[nodiscard]] Vec3 splitPosition(const Vec3& straight, TriangleId triangle) const;
+  [[nodiscard]] bool keepsTopology(NodeId a, NodeId b);
+  void beginMove(NodeId node);
+  /// The measures see the node where it is again.
+  bool endMove(bool wasMade);
+  bool moveOnPatch(NodeId node, const Vec3& target, bool forMean);
+  bool moveOnLine(NodeId node, double arc, bool forMean);
+  [[nodiscard]] bool projectMove(NodeId node);
+  [[nodiscard]] bool isBetter(double poorest, double mean, bool forMean) const;
+  [[nodiscard]] Vec3 centreOf(NodeId node) const;
+  bool improveOnLine(NodeId node);
+  bool improveOnPatch(NodeId node);
+
+  GuardedSurface& surface_;
+  const SurfaceComplex& complex_;
+  const ReferenceSurface& reference_;
+  const SizeField& sizes_;
+  bool isStretched_;
+  FieldHint fieldHint_;
+  std::vector<double> size_;           ///< per node: target length
+  std::vector<SymmetricTensor> view_;  ///< per node, if stretched: maps target edges to unit length
+  std::vector<std::uint32_t> changed_;  ///< per node
+  std::uint32_t time_ = 1;
+
+  SurfaceChange change_;
+  std::vector<NodeId> ringA_;
+  std::vector<NodeId> ringB_;
+  std::vector<HalfEdgeId> edge_;
+};
+
+}  // namespace tetrafront

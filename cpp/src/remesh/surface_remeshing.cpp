@@ -1,0 +1,258 @@
+#include "remesh/surface_remeshing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "base/diagnostics.h"
+#include "base/mesh_access.h"
+#include "base/resumable.h"
+#include "base/tool_job.h"
+#include "boundary/boundary.h"
+#include "boundary/surface_access.h"
+#include "field/size_octree_builder.h"
+#include "quality/metrics.h"
+#include "remesh/automatic_sizes.h"
+#include "remesh/deviation.h"
+#include "remesh/guarded_surface.h"
+#include "remesh/reference_surface.h"
+#include "remesh/remesh_schedule.h"
+#include "remesh/surface_editor.h"
+#include "sizing/check_options.h"
+#include "sizing/target_sizes.h"
+
+namespace tetrafront {
+namespace {
+
+// Automatic lengths / diagonal of the surface, or / size.
+constexpr double kMaxSizePerDiagonal = 1.0 / 20.0;
+constexpr double kMinSizePerDiagonal = 1.0 / 300.0;
+constexpr double kMinSizePerSize = 0.1;
+constexpr double kTolerancePerDiagonal = 1.0 / 1000.0;
+constexpr double kTolerancePerSize = 0.05;
+/// Angle per edge if a size is given: only so that round stays round.
+constexpr double kCoarseDegreesPerEdge = 60.0;
+/// Turn of a feature line, in degrees, at which it has a corner.
+constexpr double kCornerDegrees = 50.0;
+/// The tests of a change keep within this part of the tolerance. From the remeshed surface to the given one they are
+/// exact; the other way they test given nodes, between which the distance is a little larger.
+constexpr double kTestedTolerance = 0.9;
+
+constexpr double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
+
+/// Returns the cosine by its series: library functions differ in the last bit, and meshes must not.
+double cosineOfDegrees(double degrees) {
+  const double square = radians(degrees) * radians(degrees);
+  double term = 1.0;
+  double sum = 1.0;
+  for (int n = 1; n < 20; ++n) {
+    term *= -square / ((2.0 * n - 1.0) * (2.0 * n));
+    sum += term;
+  }
+  return sum;
+}
+
+/// The lengths of a remeshing, with nothing left to choose.
+struct Lengths {
+  double maxSize;
+  double minSize;
+  double tolerance;
+  double radiansPerEdge;
+  double layers;
+};
+
+Lengths lengthsOf(const RemeshOptions& options, bool hasTargets, double diagonal) {
+  const bool hasSize = options.size > 0.0;
+  Lengths lengths{};
+  lengths.maxSize = options.maxSize > 0.0 ? options.maxSize : kMaxSizePerDiagonal * diagonal;
+  if (hasTargets) lengths.maxSize = hasSize ? options.size : diagonal;
+  lengths.minSize = hasSize ? kMinSizePerSize * options.size : kMinSizePerDiagonal * diagonal;
+  if (options.minSize > 0.0) lengths.minSize = options.minSize;
+  lengths.minSize = std::min(lengths.minSize, lengths.maxSize);
+  lengths.tolerance = kTolerancePerDiagonal * diagonal;
+  if (hasSize) lengths.tolerance = std::min(lengths.tolerance, kTolerancePerSize * options.size);
+  if (options.tolerance > 0.0) lengths.tolerance = options.tolerance;
+  const double degrees =
+      hasTargets ? std::max(options.anglePerEdge, kCoarseDegreesPerEdge) : options.anglePerEdge;
+  lengths.radiansPerEdge = radians(degrees);
+  lengths.layers = hasTargets ? 0.0 : options.layers;
+  return lengths;
+}
+
+MeshOptions targetOptions(const RemeshOptions& options) {
+  MeshOptions targets;
+  targets.size = options.size;
+  targets.growth = options.growth;
+  return targets;
+}
+
+SurfaceRemesh refused(std::vector<Diagnostic> diagnostics) {
+  SurfaceRemesh result;
+  result.diagnostics = std::move(diagnostics);
+  return result;
+}
+
+/// Returns what is wrong with the surface, the options and the grid; makes the surface face outward.
+Task<std::vector<Diagnostic>> checkInput(Work& work, SurfaceMesh& mesh, const BackgroundGrid& grid,
+                                         const RemeshOptions& options) {
+  const MeshOptions targets = targetOptions(options);
+  std::vector<Diagnostic> found = checkOptions(targets);
+  const std::vector<Diagnostic> ofGrid = co_await checkTargetGrid(work, grid, targets);
+  found.insert(found.end(), ofGrid.begin(), ofGrid.end());
+  BoundaryCheck boundary(mesh, BoundarySource::kGivenSurface, options.innerShells);
+  co_await work.finish(boundary);
+  const std::vector<Diagnostic> ofSurface = boundary.takeDiagnostics();
+  found.insert(found.end(), ofSurface.begin(), ofSurface.end());
+  std::erase_if(found, [](const Diagnostic& d) { return d.severity != Severity::kError; });
+  co_return found;
+}
+
+struct TargetField {
+  std::optional<SizeField> field;
+  std::vector<Diagnostic> diagnostics;  ///< not empty if the grid does not cover the surface
+};
+
+/// Makes the size field: given sizes, capped by those of the shape.
+Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
+                                  const BackgroundGrid& grid, const RemeshOptions& options,
+                                  const Lengths& lengths) {
+  work.beginPart(0.6);
+  const ShapeSizeRules rules{lengths.maxSize, lengths.minSize, lengths.tolerance,
+                             lengths.radiansPerEdge, lengths.layers};
+  const ShapeSizes sizes = co_await findShapeSizes(work, reference, rules);
+  const MeshOptions targets = targetOptions(options);
+  TargetField found;
+  if (hasTargetSizes(grid, targets)) {
+    TargetSizes given(reference.mesh(), grid, targets, EdgeSizes::kIgnored);
+    co_await work.finish(given);
+    found.diagnostics = given.diagnostics();
+    if (anyError(found.diagnostics)) co_return found;
+    found.field.emplace(given.take());
+  } else {
+    found.field.emplace(SizeField::uniform(lengths.maxSize));
+  }
+  if (sizes.positions.empty()) co_return found;
+  work.beginPart(1.0);
+  SizeOctreeBuilder builder(sizes.positions, sizes.sizes, options.growth, lengths.maxSize);
+  co_await work.finish(builder);
+  found.field->capTo(builder.take());
+  co_return found;
+}
+
+/// Copies the triangles out of the complex, without unused nodes.
+void copyTriangles(const GuardedSurface& surface, SurfaceMesh& mesh, SurfaceRemesh& result) {
+  const SurfaceComplex& complex = surface.complex();
+  std::vector<std::uint32_t> number(complex.nodeCount(), kNoIndex);
+  for (const NodeId node : IdRange<NodeId>(complex.nodeCount())) {
+    if (!complex.isUsed(node)) continue;
+    number[node.index()] = static_cast<std::uint32_t>(mesh.points.size() / 3);
+    const Vec3& point = complex.pointOf(node);
+    mesh.points.insert(mesh.points.end(), {point.x, point.y, point.z});
+  }
+  for (const TriangleId t : IdRange<TriangleId>(complex.triangleSlots())) {
+    if (!complex.isAlive(t)) continue;
+    for (const NodeId node : complex.nodesOf(t)) mesh.triangles.push_back(number[node.index()]);
+    result.origin.push_back(surface.origin(t).value);
+  }
+}
+
+void measureShapes(const SurfaceMesh& mesh, SurfaceRemesh& result) {
+  double sum = 0.0;
+  double largestCosine = 0.5;
+  for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh))) {
+    const std::array<Vec3, 3> corners = cornersOf(mesh, t);
+    sum += triangleRadiusRatio(corners[0], corners[1], corners[2]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 u = corners[(k + 1) % 3] - corners[k];
+      const Vec3 v = corners[(k + 2) % 3] - corners[k];
+      largestCosine = std::max(largestCosine, glm::dot(u, v) / (glm::length(u) * glm::length(v)));
+    }
+  }
+  result.smallestAngle = degreesOf(largestCosine);
+  result.meanRadiusRatio = sum / countTriangles(mesh);
+}
+
+}  // namespace
+
+Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh,
+                                  const std::vector<std::uint32_t>& groups,
+                                  const BackgroundGrid& grid, const RemeshOptions& options) {
+  work.beginPart(0.05);
+  std::vector<Diagnostic> problems = co_await checkInput(work, mesh, grid, options);
+  if (!problems.empty()) co_return refused(std::move(problems));
+
+  work.beginPart(0.1);
+  const FeatureRules rules{cosineOfDegrees(options.featureAngle), cosineOfDegrees(kCornerDegrees)};
+  ReferenceSurface reference(mesh, groups, rules);
+  co_await reference.prepare(work);
+  const bool hasTargets = hasTargetSizes(grid, targetOptions(options));
+  const Lengths lengths = lengthsOf(options, hasTargets, reference.diagonal());
+
+  work.beginPart(0.15);
+  TargetField targets = co_await findTargetField(work, reference, grid, options, lengths);
+  if (!targets.diagnostics.empty()) co_return refused(std::move(targets.diagnostics));
+
+  work.beginPart(0.9);
+  SurfaceLimits limits;
+  limits.tolerance = kTestedTolerance * lengths.tolerance;
+  GuardedSurface surface(reference, limits, lengths.maxSize);
+  SurfaceEditor editor(surface, *targets.field);
+  co_await work.yield();
+  RemeshSchedule schedule(editor);
+  co_await schedule.run(work);
+
+  work.beginPart(1.0);
+  SurfaceRemesh result;
+  SurfaceMesh made;
+  copyTriangles(surface, made, result);
+  measureShapes(made, result);
+  result.size = lengths.maxSize;
+  result.minSize = lengths.minSize;
+  result.tolerance = lengths.tolerance;
+  result.patches = static_cast<std::uint32_t>(reference.patchCount());
+  result.featureLines = static_cast<std::uint32_t>(reference.lines().size());
+  DeviationBound deviation(surface, limits.tolerance);
+  co_await work.finish(deviation);
+  // In the other direction, every change has kept the tolerance.
+  result.deviation = std::max(limits.tolerance, deviation.bound());
+  result.points = std::move(made.points);
+  result.triangles = std::move(made.triangles);
+  co_return result;
+}
+
+namespace {
+
+struct RemeshInput {
+  SurfaceMesh mesh;
+  std::vector<std::uint32_t> groups;
+  BackgroundGrid grid;
+  RemeshOptions options;
+};
+
+RemeshInput inputOf(std::span<const double> points, std::span<const std::uint32_t> triangles,
+                    std::span<const std::uint32_t> groups, BackgroundGrid grid,
+                    const RemeshOptions& options) {
+  RemeshInput input;
+  input.mesh.points.assign(points.begin(), points.end());
+  input.mesh.triangles.assign(triangles.begin(), triangles.end());
+  input.groups.assign(groups.begin(), groups.end());
+  input.grid = std::move(grid);
+  input.options = options;
+  return input;
+}
+
+}  // namespace
+
+SurfaceRemesher::SurfaceRemesher(std::span<const double> points,
+                                 std::span<const std::uint32_t> triangles,
+                                 std::span<const std::uint32_t> groups, BackgroundGrid grid,
+                                 const RemeshOptions& options)
+    : SlicedTool(makeToolJob<SurfaceRemesh>(
+          inputOf(points, triangles, groups, std::move(grid), options),
+          [](Work& work, RemeshInput& input) {
+            return remeshSurface(work, input.mesh, input.groups, input.grid, input.options);
+          })) {}
+
+}  // namespace tetrafront

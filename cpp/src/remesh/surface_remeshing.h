@@ -1,0 +1,20 @@
+#pragma once
+
+/// @file Remeshes a surface: checks it, finds its features and sizes, changes it, and bounds the distance.
+
+#include <cstdint>
+#include <vector>
+
+#include "base/task.h"
+#include "tetrafront/background_grid.h"
+#include "tetrafront/mesh.h"
+#include "tetrafront/remesh.h"
+
+namespace tetrafront {
+
+/// Everything must outlive the task. May reorient triangles of `mesh`.
+Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh,
+                                  const std::vector<std::uint32_t>& groups,
+                                  const BackgroundGrid& grid, const RemeshOptions& options);
+
+}  // namespace tetrafront

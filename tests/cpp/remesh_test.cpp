@@ -1,0 +1,444 @@
+/// @file Remeshing of given surfaces: what must hold after it, and after every single operation.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <ostream>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "base/mesh_access.h"
+#include "base/task.h"
+#include "boundary/boundary.h"
+#include "boundary/surface_access.h"
+#include "geom/intersect.h"
+#include "geom/measure.h"
+#include "remesh/envelope.h"
+#include "remesh/guarded_surface.h"
+#include "remesh/reference_surface.h"
+#include "remesh/surface_editor.h"
+#include "support/hard_shapes.h"
+#include "support/shapes.h"
+#include "support/slices.h"
+#include "support/surface_measures.h"
+#include "tetrafront/remesh.h"
+
+namespace tetrafront::testing {
+namespace {
+
+using Corners = std::array<Vec3, 3>;
+
+SurfaceRemesh remesh(const SurfaceMesh& mesh, const RemeshOptions& options = {},
+                     const std::vector<std::uint32_t>& groups = {},
+                     std::uint32_t budget = 1U << 20U) {
+  SurfaceRemesher remesher(mesh.points, mesh.triangles, groups, {}, options);
+  while (!remesher.advance(budget)) {
+  }
+  return remesher.result();
+}
+
+SurfaceMesh surfaceOf(const SurfaceRemesh& result) {
+  SurfaceMesh mesh;
+  mesh.points = result.points;
+  mesh.triangles = result.triangles;
+  return mesh;
+}
+
+SurfaceMesh surfaceOf(const SurfaceComplex& complex) {
+  SurfaceMesh mesh;
+  for (const NodeId node : IdRange<NodeId>(complex.nodeCount())) {
+    const Vec3& p = complex.pointOf(node);
+    mesh.points.insert(mesh.points.end(), {p.x, p.y, p.z});
+  }
+  for (const TriangleId t : IdRange<TriangleId>(complex.triangleSlots())) {
+    if (!complex.isAlive(t)) continue;
+    for (const NodeId node : complex.nodesOf(t)) mesh.triangles.push_back(node.value);
+  }
+  return mesh;
+}
+
+double diagonalOf(const SurfaceMesh& mesh) {
+  const Bounds bounds = boundsOf(mesh);
+  return glm::length(bounds.high - bounds.low);
+}
+
+/// Distance from a point to a surface, by looking at every triangle.
+double distanceTo(const SurfaceMesh& mesh, const Vec3& p) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh))) {
+    const auto [a, b, c] = cornersOf(mesh, t);
+    nearest = std::min(nearest, squaredDistanceToTriangle(p, a, b, c));
+  }
+  return std::sqrt(nearest);
+}
+
+/// Largest distance found from samples of one surface to another: a lower bound of the true one.
+double sampledDistance(const SurfaceMesh& from, const SurfaceMesh& to, std::size_t samples) {
+  std::mt19937_64 random(7);
+  std::uniform_int_distribution<std::uint32_t> anyTriangle(0, countTriangles(from) - 1);
+  std::uniform_real_distribution<double> anyPart(0.0, 1.0);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const auto [a, b, c] = cornersOf(from, TriangleId(anyTriangle(random)));
+    const double root = std::sqrt(anyPart(random));
+    const double part = anyPart(random);
+    largest = std::max(
+        largest, distanceTo(to, a * (1.0 - root) + b * (root * (1.0 - part)) + c * (root * part)));
+  }
+  return largest;
+}
+
+std::vector<Diagnostic> errorsOf(SurfaceMesh mesh, InnerShells innerShells) {
+  std::vector<Diagnostic> found;
+  closeBoundary(mesh, BoundarySource::kGivenSurface, found, innerShells);
+  std::erase_if(found, [](const Diagnostic& d) { return d.severity != Severity::kError; });
+  return found;
+}
+
+struct Body {
+  std::string name;
+  std::function<SurfaceMesh()> make;
+  InnerShells innerShells = InnerShells::kCavities;
+};
+
+std::ostream& operator<<(std::ostream& out, const Body& body) { return out << body.name; }
+
+class RemeshBody : public ::testing::TestWithParam<Body> {};
+
+TEST_P(RemeshBody, StaysAValidBoundaryNearTheGivenOne) {
+  const SurfaceMesh given = GetParam().make();
+  RemeshOptions options;
+  options.innerShells = GetParam().innerShells;
+  options.minSize = diagonalOf(given) / 60.0;
+  const SurfaceRemesh result = remesh(given, options);
+  ASSERT_TRUE(result.diagnostics.empty());
+  const SurfaceMesh made = surfaceOf(result);
+  EXPECT_TRUE(errorsOf(made, options.innerShells).empty());
+  EXPECT_LE(result.deviation, result.tolerance);
+  EXPECT_LE(sampledDistance(made, given, 300), result.tolerance);
+  EXPECT_LE(sampledDistance(given, made, 300), result.tolerance);
+  const double volume = std::fabs(enclosedVolume(given));
+  double area = 0.0;
+  for (const TriangleId t : IdRange<TriangleId>(countTriangles(given))) {
+    area += areaOf(cornersOf(given, t));
+  }
+  EXPECT_NEAR(std::fabs(enclosedVolume(made)), volume, 1.05 * area * result.tolerance);
+  // Right triangles with two equal sides have 0.828.
+  EXPECT_GT(result.meanRadiusRatio, 0.82);
+  EXPECT_EQ(result.origin.size(), countTriangles(made));
+}
+
+const std::vector<Body> kBodies{
+    {"cube", [] { return gridCube(1); }},
+    {"graded_cube", [] { return gradedCube(4, 3); }},
+    {"sphere", [] { return geodesicSphere(12); }},
+    {"needle_sphere", [] { return latitudeSphere(12, 60); }},
+    {"torus", [] { return torus(2.0, 0.5, 40, 16); }},
+    {"needle_plate", [] { return needlePlate(2, 24, 0.1); }},
+    {"needle_gear", [] { return needleGear(12, 0.3); }},
+    {"screw", [] { return screwThread(2, 24); }},
+    {"blade", [] { return twistedBlade(12, 6, 0.02); }},
+    {"bent_sheet", [] { return bentSheet(40, 0.05); }},
+    {"tube", [] { return coarseTube(40, 0.6, 2.0); }},
+    {"loft", [] { return loft(5, 24, 2.0, 0.5); }},
+    {"cavity", [] { return cubeWithSphericalCavity(2, 6); }},
+    {"shared_edge", [] { return cubesSharingEdge(); }},
+    {"shared_node", [] { return cubesSharingNode(); }},
+    {"interfaces", [] { return dividedBox({2, 2, 1}, 1); }, InnerShells::kRegions},
+    {"knot", [] { return torusKnot(2, 3, 120, 10); }},
+};
+
+INSTANTIATE_TEST_SUITE_P(Remesh, RemeshBody, ::testing::ValuesIn(kBodies),
+                         [](const auto& tested) { return tested.param.name; });
+
+TEST(Remesh, KeepsFlatFacesAndSharpEdgesExactly) {
+  const SurfaceMesh given = gridBox(Vec3(0.0), Vec3(1.0, 2.0, 3.0), {1, 1, 1});
+  RemeshOptions options;
+  options.size = 0.3;
+  const SurfaceMesh made = surfaceOf(remesh(given, options));
+  EXPECT_NEAR(enclosedVolume(made), 6.0, 1e-12);
+  double area = 0.0;
+  for (const TriangleId t : IdRange<TriangleId>(countTriangles(made))) {
+    area += areaOf(cornersOf(made, t));
+  }
+  EXPECT_NEAR(area, 22.0, 1e-12);
+}
+
+TEST(Remesh, ReachesTheTargetSize) {
+  RemeshOptions options;
+  options.size = 0.1;
+  const SurfaceMesh made = surfaceOf(remesh(gridCube(1), options));
+  std::size_t inBand = 0;
+  const EdgeUse edges = countEdges(made);
+  for (const auto& [edge, count] : edges) {
+    const double length = glm::length(pointOf(made, edge.second) - pointOf(made, edge.first));
+    if (length >= 0.06 && length <= 0.15) ++inBand;
+  }
+  EXPECT_GE(static_cast<double>(inBand), 0.97 * static_cast<double>(edges.size()));
+}
+
+TEST(Remesh, SourcesMakeTrianglesSmallerNearThem) {
+  BackgroundGrid grid;
+  SizeSource source;
+  source.points[0] = Vec3(0.0);
+  source.size = 0.02;
+  grid.sources.push_back(source);
+  RemeshOptions options;
+  options.size = 0.3;
+  const SurfaceMesh cube = gridCube(1);
+  SurfaceRemesher remesher(cube.points, cube.triangles, {}, grid, options);
+  while (!remesher.advance(1U << 20U)) {
+  }
+  const SurfaceMesh made = surfaceOf(remesher.result());
+  double nearArea = 0.0;
+  double nearCount = 0.0;
+  for (const TriangleId t : IdRange<TriangleId>(countTriangles(made))) {
+    const Corners corners = cornersOf(made, t);
+    if (glm::length(centroidOf(corners)) > 0.05) continue;
+    nearArea += areaOf(corners);
+    nearCount += 1.0;
+  }
+  ASSERT_GT(nearCount, 0.0);
+  // An equilateral triangle of size h has the area 0.433 h^2; sizes grow by 0.3 x distance.
+  EXPECT_LT(nearArea / nearCount, 0.433 * 0.04 * 0.04);
+}
+
+TEST(Remesh, TheResultDoesNotDependOnTheSlices) {
+  const SurfaceMesh given = needlePlate(2, 16, 0.1);
+  const SurfaceRemesh whole = remesh(given);
+  SurfaceRemesher remesher(given.points, given.triangles, {}, {}, {});
+  EXPECT_GT(slicesOf(remesher, 64), 100U);
+  EXPECT_EQ(remesher.result().points, whole.points);
+  EXPECT_EQ(remesher.result().triangles, whole.triangles);
+}
+
+TEST(Remesh, KeepsTheAreaOfEachGroup) {
+  // The top of the cube is divided into two groups along a diagonal that is not sharp.
+  const SurfaceMesh given = gridCube(1);
+  std::vector<std::uint32_t> groups(countTriangles(given));
+  for (std::uint32_t t = 0; t < groups.size(); ++t) groups[t] = t;
+  const SurfaceRemesh result = remesh(given, {}, groups);
+  const SurfaceMesh made = surfaceOf(result);
+  std::vector<double> areas(groups.size(), 0.0);
+  for (const TriangleId t : IdRange<TriangleId>(countTriangles(made))) {
+    areas[groups[result.origin[t.index()]]] += areaOf(cornersOf(made, t));
+  }
+  for (const double area : areas) EXPECT_NEAR(area, 0.5, 1e-12);
+}
+
+TEST(Remesh, RemeshingAgainChangesLittle) {
+  RemeshOptions options;
+  options.size = 0.2;
+  const SurfaceMesh once = surfaceOf(remesh(torus(2.0, 0.7, 48, 24), options));
+  const SurfaceMesh twice = surfaceOf(remesh(once, options));
+  EXPECT_NEAR(countTriangles(twice), countTriangles(once), 0.1 * countTriangles(once));
+}
+
+TEST(Remesh, DoesNotDependOnUnitsAndLittleOnThePlace) {
+  const SurfaceMesh given = needleGear(8, 0.3);
+  const double count = countTriangles(surfaceOf(remesh(given)));
+  for (const double factor : {1e-6, 1e6}) {
+    SurfaceMesh scaled = given;
+    scale(scaled, factor);
+    EXPECT_NEAR(countTriangles(surfaceOf(remesh(scaled))), count, 0.1 * count) << factor;
+  }
+  SurfaceMesh moved = given;
+  translate(moved, Vec3(1e3));
+  EXPECT_NEAR(countTriangles(surfaceOf(remesh(moved))), count, 0.1 * count);
+}
+
+TEST(Remesh, RefusesWhatIsNoBoundary) {
+  SurfaceMesh open = gridCube(2);
+  open.triangles.resize(open.triangles.size() - 3);
+  const SurfaceRemesh result = remesh(open);
+  ASSERT_FALSE(result.diagnostics.empty());
+  EXPECT_EQ(result.diagnostics[0].code, DiagnosticCode::kOpenEdge);
+  EXPECT_TRUE(result.triangles.empty());
+
+  RemeshOptions options;
+  options.size = -1.0;
+  EXPECT_EQ(remesh(gridCube(1), options).diagnostics[0].code, DiagnosticCode::kOptionOutOfRange);
+}
+
+// ---- every single operation ---------------------------------------------------------------------
+
+/// A surface with an editor, on which a test makes random operations.
+class EditedSurface {
+ public:
+  EditedSurface(const SurfaceMesh& mesh, double tolerance, double size)
+      : mesh_(mesh), reference_(mesh_, {}, FeatureRules{}), sizes_(SizeField::uniform(size)) {
+    Job<> job([this](Work& work) { return reference_.prepare(work); });
+    job.finish();
+    SurfaceLimits limits;
+    limits.tolerance = tolerance;
+    surface_.emplace(reference_, limits, size);
+    editor_.emplace(*surface_, sizes_);
+  }
+
+  [[nodiscard]] const SurfaceComplex& complex() const { return surface_->complex(); }
+  [[nodiscard]] const ReferenceSurface& reference() const { return reference_; }
+  [[nodiscard]] SurfaceEditor& editor() { return *editor_; }
+
+ private:
+  SurfaceMesh mesh_;
+  ReferenceSurface reference_;
+  SizeField sizes_;
+  std::optional<GuardedSurface> surface_;
+  std::optional<SurfaceEditor> editor_;
+};
+
+/// Returns true if two triangles of the surface intersect, by looking at all pairs.
+bool anyIntersect(const SurfaceMesh& mesh) {
+  for (std::uint32_t t = 0; t < countTriangles(mesh); ++t) {
+    for (std::uint32_t u = 0; u < t; ++u) {
+      if (intersectImproperly(numberedTriangle(mesh, TriangleId(t)),
+                              numberedTriangle(mesh, TriangleId(u))))
+        return true;
+    }
+  }
+  return false;
+}
+
+class RemeshOperations : public ::testing::TestWithParam<Body> {};
+
+TEST_P(RemeshOperations, EachKeepsTheSurfaceValid) {
+  const SurfaceMesh given = GetParam().make();
+  const double tolerance = 0.01 * diagonalOf(given);
+  EditedSurface edited(given, tolerance, 0.1 * diagonalOf(given));
+  const SurfaceComplex& complex = edited.complex();
+  std::mt19937_64 random(3);
+  const auto below = [&](std::size_t count) {
+    return static_cast<std::uint32_t>(random() % count);
+  };
+  const CollapseRule anyCollapse{100.0, 0.0, false};
+  int made = 0;
+  for (int i = 0; i < 300; ++i) {
+    const TriangleId t(below(complex.triangleSlots()));
+    if (!complex.isAlive(t)) continue;
+    const std::uint32_t k = below(3);
+    const NodeId a = complex.nodesOf(t)[k];
+    const NodeId b = complex.nodesOf(t)[(k + 1) % 3];
+    bool isMade = false;
+    switch (below(5)) {
+      case 0:
+        isMade = edited.editor().split(a, b, 0.3 + 0.1 * below(5));
+        break;
+      case 1:
+        isMade = edited.editor().collapse(a, b, anyCollapse);
+        break;
+      case 2:
+        isMade = edited.editor().flip(a, b);
+        break;
+      case 3:
+        isMade = edited.editor().smooth(a);
+        break;
+      default:
+        isMade = edited.editor().improve(a);
+    }
+    if (!isMade) continue;
+    ++made;
+    const SurfaceMesh now = surfaceOf(complex);
+    ASSERT_FALSE(anyIntersect(now)) << "operation " << i;
+    for (const auto& [edge, count] : countEdges(now)) ASSERT_EQ(count % 2, 0U) << "operation " << i;
+  }
+  EXPECT_GT(made, 30);
+  const SurfaceMesh now = surfaceOf(complex);
+  EXPECT_TRUE(errorsOf(now, InnerShells::kCavities).empty());
+  EXPECT_LE(sampledDistance(now, given, 300), tolerance);
+  // Given nodes keep the tolerance, and corners their place.
+  for (const NodeId node : IdRange<NodeId>(countNodes(given))) {
+    const Vec3 point = pointOf(given, node);
+    EXPECT_LE(distanceTo(now, point), tolerance * (1.0 + 1e-9));
+    if (edited.reference().isCorner(node)) {
+      EXPECT_TRUE(complex.isUsed(node) && complex.pointOf(node) == point);
+    }
+  }
+  // Feature lines, too: every stretch has its points within the tolerance of its edge.
+  double length = 0.0;
+  for (const TriangleId t : IdRange<TriangleId>(complex.triangleSlots())) {
+    for (std::uint32_t k = 0; complex.isAlive(t) && k < 3; ++k) {
+      const HalfEdgeId halfEdge = halfEdgeOf(t, k);
+      const StretchId id = complex.stretchOf(halfEdge);
+      if (id.isNone()) continue;
+      const Stretch& stretch = complex.stretch(id);
+      const auto [from, to, apex] = complex.nodesOf(halfEdge);
+      const NodeId begin = stretch.from;
+      const NodeId end = begin == from ? to : from;
+      const FeatureLine& line = edited.reference().line(stretch.line);
+      EXPECT_LE(line.squaredDeviation(stretch.begin, stretch.end, complex.pointOf(begin),
+                                      complex.pointOf(end)),
+                tolerance * tolerance * (1.0 + 1e-9));
+      length += stretch.end - stretch.begin;
+    }
+  }
+  // The stretches cover all lines: each counts once per triangle at its edge.
+  double expected = 0.0;
+  for (const FeatureLine& line : edited.reference().lines()) {
+    expected += line.length() * static_cast<double>(line.patches.size());
+  }
+  EXPECT_NEAR(length, expected, 1e-9 * expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Remesh, RemeshOperations,
+                         ::testing::Values(Body{"cube", [] { return gridCube(2); }},
+                                           Body{"sphere", [] { return geodesicSphere(4); }},
+                                           Body{"tube", [] { return coarseTube(16, 0.6, 2.0); }},
+                                           Body{"needle_plate",
+                                                [] { return needlePlate(1, 12, 0.1); }},
+                                           Body{"blade", [] { return twistedBlade(6, 3, 0.02); }},
+                                           Body{"shared_edge", [] { return cubesSharingEdge(); }},
+                                           Body{"thin_plate", [] { return thinPlate(4, 0.02); }}),
+                         [](const auto& tested) { return tested.param.name; });
+
+// ---- the envelope -------------------------------------------------------------------------------
+
+TEST(RemeshEnvelope, AcceptsOnlyTrianglesThatAreNearEverywhere) {
+  // A cylinder of 24 facets. Random triangles near it: if one is accepted, every point of it is near.
+  const SurfaceMesh given = coarseTube(24, 0.6, 2.0);
+  ReferenceSurface reference(given, {}, FeatureRules{});
+  Job<> job([&reference](Work& work) { return reference.prepare(work); });
+  job.finish();
+  const double tolerance = 0.02;
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  int accepted = 0;
+  int refused = 0;
+  for (int i = 0; i < 400; ++i) {
+    const TriangleId t(static_cast<std::uint32_t>(random() % countTriangles(given)));
+    const SmoothPatchId patch = reference.patchOf(t);
+    if (reference.patch(patch).isPlanar) continue;
+    const Vec3 centre = centroidOf(cornersOf(given, t));
+    Corners corners{};
+    for (Vec3& corner : corners) {
+      const Vec3 offset(0.3 * any(random), 0.3 * any(random), 0.3 * any(random));
+      corner = reference.nearest(centre + offset, patch, 10.0, t).position;
+    }
+    if (!isWithin(reference, corners, patch, tolerance, t)) {
+      ++refused;
+      continue;
+    }
+    ++accepted;
+    for (int n = 0; n < 50; ++n) {
+      double u = 0.5 + 0.5 * any(random);
+      double v = 0.5 + 0.5 * any(random);
+      if (u + v > 1.0) {
+        u = 1.0 - u;
+        v = 1.0 - v;
+      }
+      const Vec3 p = corners[0] + (corners[1] - corners[0]) * u + (corners[2] - corners[0]) * v;
+      EXPECT_LE(distanceTo(given, p), tolerance * (1.0 + 1e-9));
+    }
+  }
+  EXPECT_GT(accepted, 50);
+  EXPECT_GT(refused, 50);
+}
+
+}  // namespace
+}  // namespace tetrafront::testing
