@@ -16,9 +16,9 @@ beforeAll(async () => {
 });
 afterAll(() => mesher.dispose());
 
-/** About 100 000 elements: advancing the front takes longer than the delay of the first snapshot. */
+/** About 300 000 elements: advancing the front takes several times the delay of the first snapshot. */
 const fill = (control: RunControl = {}): Promise<MeshResult> =>
-  mesher.fillSurface(boxSurface(28), { optimization: "none" }, control);
+  mesher.fillSurface(boxSurface(40), { optimization: "none" }, control);
 
 test("onFront receives the advancing front, and the mesh stays the same", async () => {
   const fronts: Float64Array[] = [];

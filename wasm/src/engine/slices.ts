@@ -88,7 +88,9 @@ class FrontSnapshots {
 
   takeIfDue(now: number): void {
     if (now < this.#dueAt) return;
-    this.#onFront(this.#run.front());
+    const corners = this.#run.front();
+    // The front closes before the phase ends.
+    if (corners.length > 0) this.#onFront(corners);
     const end = performance.now();
     this.#dueAt = end + Math.max(FRONT_MS, FRONT_REST * (end - now));
   }
