@@ -20,6 +20,8 @@ constexpr int kMaxParts = 300;
 constexpr std::size_t kMaxWaiting = 64;
 /// A part reaches beyond an edge only if by more than this, relative to how far its centroid is inside: rounding.
 constexpr double kReach = 1e-6;
+/// A part is cut only if it reaches this far to both sides of the edge, relative to the tolerance: rounding.
+constexpr double kLeastCut = 1e-9;
 
 struct Part {
   Corners corners;
@@ -53,6 +55,8 @@ class FacetProof {
 };
 
 bool FacetProof::prove(const Facet& facet, const Vec3& centroid, const Vec3& nearest) {
+  // The normal of a sliver may be unknown.
+  if (facet.normal == Vec3(0.0)) return false;
   for (const Vec3& corner : corners_) {
     const double height = std::fabs(glm::dot(corner - facet.origin, facet.normal));
     if (height + facet.flatness > tolerance_) return false;
@@ -82,7 +86,8 @@ bool FacetProof::staysNear(const Facet& facet, const Vec3& centroid, const Vec3&
   if (inside <= 0.0) return true;
   std::array<double, 3> depth{};
   for (std::size_t k = 0; k < 3; ++k) depth[k] = glm::dot(corners_[k] - from, outward);
-  if (std::max({depth[0], depth[1], depth[2]}) <= kReach * inside) return true;
+  const double deepest = std::max({depth[0], depth[1], depth[2]});
+  if (deepest <= kReach * inside) return true;
 
   double squared = 0.0;
   double first = length;  // the part of the line that the part covers, along the edge
@@ -102,7 +107,7 @@ bool FacetProof::staysNear(const Facet& facet, const Vec3& centroid, const Vec3&
   }
   if (last < 0.0 || first > length) return true;
   if (squared <= tolerance_ * tolerance_) return true;
-  cut_ = Cut{from, outward};
+  if (std::min(inside, deepest) > kLeastCut * tolerance_) cut_ = Cut{from, outward};
   return false;
 }
 

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-/// Rounds of collapsing, splitting and smoothing, and passes over the poorest triangles. More of them change little.
+/// Rounds of collapsing, splitting and smoothing, and passes of smoothing. More of them change little.
 constexpr int kRounds = 3;
-constexpr int kFinalPasses = 2;
+constexpr int kFinalSmoothingPasses = 2;
 constexpr int kSmoothingPasses = 1;
 constexpr int kSmoothingPassesAtLast = 3;
 /// Edges shorter than this are collapsed, in target lengths; in the first round only much shorter ones, because needles
@@ -44,30 +44,32 @@ Task<> RemeshSchedule::run(Work& work) {
   work.beginPart(0.05);
   co_await flipAll(work);
   for (int round = 0; round < kRounds; ++round) {
+    const bool isLast = round + 1 == kRounds;
     const double begin = 0.05 + 0.25 * round;
+    const double shortest = round == 0 ? kVeryShort : kShort;
+    const double longest = isLast ? kLongAtLast : kLong;
+    const int passes = isLast ? kSmoothingPassesAtLast : kSmoothingPasses;
     work.beginPart(begin + 0.1);
-    co_await collapseShort(work, round == 0 ? kVeryShort : kShort);
+    co_await collapseShort(work, shortest);
     co_await flipAll(work);
     work.beginPart(begin + 0.2);
-    co_await splitLong(work, round + 1 == kRounds ? kLongAtLast : kLong);
+    co_await splitLong(work, longest);
     co_await flipAll(work);
     work.beginPart(begin + 0.25);
-    const int passes = round + 1 == kRounds ? kSmoothingPassesAtLast : kSmoothingPasses;
-    for (int pass = 0; pass < passes; ++pass) {
-      co_await smoothAll(work);
-      co_await flipAll(work);
-    }
+    co_await smoothAndFlip(work, passes);
   }
+  work.beginPart(0.9);
+  co_await improvePoor(work, kPoorSquaredSine);
+  co_await smoothAndFlip(work, kFinalSmoothingPasses);
   work.beginPart(1.0);
-  for (int pass = 0; pass < kFinalPasses; ++pass) {
-    const bool isLast = pass + 1 == kFinalPasses;
-    const std::uint32_t made =
-        co_await improvePoor(work, isLast ? kPoorSquaredSineAtLast : kPoorSquaredSine);
-    if (made == 0) break;
-    for (int i = 0; i < 2; ++i) {
-      co_await smoothAll(work);
-      co_await flipAll(work);
-    }
+  co_await improvePoor(work, kPoorSquaredSineAtLast);
+  co_await smoothAndFlip(work, kFinalSmoothingPasses);
+}
+
+Task<> RemeshSchedule::smoothAndFlip(Work& work, int passes) {
+  for (int pass = 0; pass < passes; ++pass) {
+    co_await smoothAll(work);
+    co_await flipAll(work);
   }
 }
 
@@ -207,8 +209,8 @@ Task<> RemeshSchedule::smoothAll(Work& work) {
 
 // ---- the poorest triangles ----------------------------------------------------------------------
 
-/// Improves the triangles with an angle below the limit, the poorest first; returns how many.
-Task<std::uint32_t> RemeshSchedule::improvePoor(Work& work, double squaredSine) {
+/// Improves the triangles with an angle below the limit, the poorest first.
+Task<> RemeshSchedule::improvePoor(Work& work, double squaredSine) {
   poor_.clear();
   for (const TriangleId t : IdRange<TriangleId>(complex_.triangleSlots())) {
     if (!complex_.isAlive(t)) continue;
@@ -219,13 +221,9 @@ Task<std::uint32_t> RemeshSchedule::improvePoor(Work& work, double squaredSine) 
     return x.squaredSine < y.squaredSine;
   });
   co_await work.yield();
-  std::uint32_t made = 0;
   co_await work.forEachBlock(poor_.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      if (improveTriangle(poor_[i].triangle, squaredSine)) ++made;
-    }
+    for (std::size_t i = first; i < last; ++i) improveTriangle(poor_[i].triangle, squaredSine);
   });
-  co_return made;
 }
 
 bool RemeshSchedule::improveTriangle(TriangleId triangle, double squaredSine) {

@@ -35,7 +35,8 @@ class RemeshSchedule {
   Task<> splitLong(Work& work, double limit);
   Task<> flipAll(Work& work);
   Task<> smoothAll(Work& work);
-  Task<std::uint32_t> improvePoor(Work& work, double squaredSine);
+  Task<> smoothAndFlip(Work& work, int passes);
+  Task<> improvePoor(Work& work, double squaredSine);
 
   void collectEdges(double shortest, double longest);
   bool collapseIfShort(const Edge& edge, double limit);
