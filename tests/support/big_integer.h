@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Whole numbers of any size, for oracles: slow, short, and sharing nothing with the
+/// @file Whole numbers of any size, for oracles. Short rather than fast, and independent of the
 /// engine's arithmetic.
 
 #include <cmath>
@@ -19,7 +19,7 @@ class BigInteger {
     for (; rest > 0; rest >>= 32U) digits_.push_back(static_cast<std::uint32_t>(rest));
   }
 
-  /// value * 2^shift, which must be a whole number.
+  /// Returns value * 2^shift, which must be a whole number.
   static BigInteger scaled(double value, int shift) {
     int exponent = 0;
     const double fraction = std::frexp(value, &exponent);  // value = fraction * 2^exponent
@@ -94,7 +94,7 @@ class BigInteger {
     }
     return result;
   }
-  /// a >= b.
+  /// Returns a - b; a must not be less than b.
   static Digits difference(const Digits& a, const Digits& b) {
     Digits result;
     std::int64_t borrow = 0;

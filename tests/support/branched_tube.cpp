@@ -20,7 +20,7 @@ constexpr int kMeetingPoints = 24;
 
 Model branchedTube(double branch) {
   ModelBuilder builder;
-  // The seam away from the branch.
+  // The seam is opposite the branch.
   const Vec3 u(-1, 0, 0);
   const Vec3 v(0, -1, 0);
   const Loop bottom = builder.circle({0, 0, -kHalfLength}, 1.0, 1, u, v);
@@ -47,8 +47,8 @@ Model branchedTube(double branch) {
 }
 
 double branchedTubeVolume(double branch) {
-  // Over the branch's section, from the first tube's surface to the branch's end; the chord of the
-  // section at y is 2 sqrt(branch^2 - y^2).
+  // Integrate over the section of the branch, from the surface of the first tube to the end of the
+  // branch. At y, the chord of the section is 2 sqrt(branch^2 - y^2).
   constexpr int kSteps = 100'000;
   double extra = 0.0;
   for (int i = 0; i < kSteps; ++i) {

@@ -6,12 +6,13 @@
 
 namespace tetrafront::testing {
 
-/// A closed tube of radius 1 about the z axis, from z = -2 to 2, from which another of radius
-/// `branch` about the x axis leaves, up to x = 2.5. Where they meet is a hole of the first tube's
-/// patch, bounded by a spline that is an end of the second tube's patch.
+/// A closed tube of radius 1 around the z axis, from z = -2 to 2. A second tube of radius `branch`
+/// around the x axis branches off and ends at x = 2.5. The spline along which the tubes meet bounds
+/// a hole in the patch of the first tube, and is one end of the patch of the second.
 Model branchedTube(double branch);
 
-/// Its volume, the splines of the model taken for the circles and the intersection they stand for.
+/// Returns its volume, computed from the exact circles and the exact intersection that the splines
+/// approximate.
 double branchedTubeVolume(double branch);
 
 }  // namespace tetrafront::testing

@@ -1,6 +1,7 @@
 #pragma once
 
-/// @file The exact signs again, by whole numbers: what the engine's predicates are tested against.
+/// @file The signs of the engine's predicates, computed with integers of any size: the oracle of
+/// their tests.
 
 #include <array>
 
@@ -11,7 +12,7 @@ namespace tetrafront::testing {
 
 using ExactVec3 = std::array<BigInteger, 3>;
 
-/// The positions times one common power of two, as whole numbers.
+/// Returns the positions as whole numbers: all are multiplied by the same power of two.
 template <std::size_t N>
 std::array<ExactVec3, N> exactly(const std::array<Vec3, N>& positions) {
   int shift = 0;
@@ -44,13 +45,13 @@ inline ExactVec3 exactCross(const ExactVec3& a, const ExactVec3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Sign of (b-a) x (c-a) . (d-a).
+/// Returns the sign of (b-a) x (c-a) . (d-a).
 inline int oracleOrient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const std::array<ExactVec3, 4> p = exactly<4>({a, b, c, d});
   return exactDot(exactCross(p[1] - p[0], p[2] - p[0]), p[3] - p[0]).sign();
 }
 
-/// Sign of the turn a b c.
+/// Returns the orientation of a b c: +1 counter-clockwise, 0 collinear, -1 clockwise.
 inline int oracleOrient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
   const std::array<ExactVec3, 3> p =
       exactly<3>({Vec3(a.x, a.y, 0.0), Vec3(b.x, b.y, 0.0), Vec3(c.x, c.y, 0.0)});

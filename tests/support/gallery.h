@@ -10,12 +10,12 @@
 namespace tetrafront::testing {
 
 struct GalleryModel {
-  std::string name;  ///< of the file, without its ending
+  std::string name;  ///< name of the file without extension
   Model model;
   std::vector<std::string> patchNames;
 };
 
-/// All of them, by name.
+/// Returns all bundled models, sorted by name.
 std::vector<GalleryModel> galleryModels();
 
 }  // namespace tetrafront::testing

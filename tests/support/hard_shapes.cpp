@@ -22,7 +22,7 @@ void addTriangle(SurfaceMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint3
   mesh.triangles.insert(mesh.triangles.end(), {a, b, c});
 }
 
-/// a b c d counter-clockwise seen from outside.
+/// Adds the square of four nodes, which are counter-clockwise seen from outside.
 void addSquare(SurfaceMesh& mesh, std::array<std::uint32_t, 4> n, bool otherDiagonal) {
   if (otherDiagonal) n = {n[1], n[2], n[3], n[0]};
   addTriangle(mesh, n[0], n[1], n[2]);
@@ -49,7 +49,8 @@ double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Cuts a simple polygon, counter-clockwise, into triangles of its corners' positions.
+/// Cuts a simple counter-clockwise polygon into triangles. A triangle holds the indices of its
+/// corners in `polygon`.
 std::vector<std::array<std::uint32_t, 3>> earsOf(const std::vector<Vec2>& polygon) {
   std::vector<std::uint32_t> rest(polygon.size());
   std::iota(rest.begin(), rest.end(), 0U);
@@ -79,7 +80,8 @@ std::vector<std::array<std::uint32_t, 3>> earsOf(const std::vector<Vec2>& polygo
   return ears;
 }
 
-/// Triangles over a flat polygon in space, given by its nodes; `flat` is it seen from outside.
+/// Adds the triangles of a flat polygon in space. `flat` holds the positions of its nodes in the
+/// plane, seen from outside.
 void addPolygon(SurfaceMesh& mesh, const std::vector<std::uint32_t>& nodes,
                 const std::vector<Vec2>& flat) {
   for (const auto& ear : earsOf(flat)) {
@@ -157,7 +159,7 @@ SurfaceMesh chazellePolyhedron(int n, double gap) {
   const double bottom = -2.0 * size;
   const double top = size * size + 2.0 * size;
   SurfaceMesh mesh;
-  // Node runs along the four upright sides, seen from outside, from the notched edges.
+  // The nodes of a notch on its two upright sides, seen from outside, from the notched edge on.
   struct Notch {
     std::array<std::uint32_t, 3> near;
     std::array<std::uint32_t, 3> far;
@@ -364,7 +366,7 @@ SurfaceMesh loft(int cornersBelow, int cornersAbove, double height, double ratio
   std::uint32_t i = 0;
   std::uint32_t j = 0;
   while (i < n || j < m) {
-    // Whichever of the next corners comes first on the way round.
+    // Continue with the polygon whose next corner comes first by angle.
     if (j == m || (i < n && (i + 1) * m <= (j + 1) * n)) {
       addTriangle(mesh, i, (i + 1) % n, n + j % m);
       ++i;
@@ -392,7 +394,7 @@ std::vector<Vec2> combOutline(int teeth, double width, double gap, double length
 SurfaceMesh cubeWithFinePatch(int n) {
   constexpr double kInset = 0.1;
   SurfaceMesh mesh = gridCube(1);
-  // The triangles on top out, the patch in.
+  // Replace the triangles on top by the patch.
   SurfaceMesh result;
   result.points = mesh.points;
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
@@ -518,8 +520,8 @@ SurfaceMesh flatPocket() {
 
 namespace {
 
-/// Cuts a polygon into triangles by the first ear there is. Places may be repeated where slits lead to
-/// holes.
+/// Cuts a polygon into triangles, always taking the first ear. Nodes may occur twice, at slits that
+/// lead to holes.
 std::vector<std::array<std::uint32_t, 3>> firstEarsOf(const std::vector<Vec2>& positions,
                                                       std::vector<std::uint32_t> polygon) {
   std::vector<std::array<std::uint32_t, 3>> ears;
@@ -554,7 +556,8 @@ std::vector<std::array<std::uint32_t, 3>> firstEarsOf(const std::vector<Vec2>& p
   return ears;
 }
 
-/// Loops in the plane, holes clockwise, drawn up; `polygon` passes through them all.
+/// Returns a prism over loops in the plane, of which holes are clockwise. `polygon` passes through
+/// all loops.
 SurfaceMesh needlePrism(const std::vector<Vec2>& positions,
                         const std::vector<std::vector<std::uint32_t>>& loops,
                         const std::vector<std::uint32_t>& polygon, double height) {
@@ -577,7 +580,7 @@ SurfaceMesh needlePrism(const std::vector<Vec2>& positions,
   return mesh;
 }
 
-/// Rings of nodes joined by squares, each cut in two, without ends.
+/// Adds the squares between consecutive rings of nodes, each as two triangles; the ends stay open.
 void addRings(SurfaceMesh& mesh, std::uint32_t rings, std::uint32_t around) {
   for (std::uint32_t i = 0; i + 1 < rings; ++i) {
     for (std::uint32_t j = 0; j < around; ++j) {
@@ -596,7 +599,8 @@ SurfaceMesh needlePlate(int n, int sides, double thickness) {
     positions.emplace_back(x, y);
     return static_cast<std::uint32_t>(positions.size() - 1);
   };
-  // Down the left side, with a slit along each row of holes: above them to the right, below them back.
+  // Go down the left side, with a slit along each row of holes: above the holes to the right, and
+  // below them back.
   std::vector<std::uint32_t> outer{add(0.0, n)};
   std::vector<std::uint32_t> polygon = outer;
   std::vector<std::vector<std::uint32_t>> loops(1);
@@ -618,7 +622,7 @@ SurfaceMesh needlePlate(int n, int sides, double thickness) {
       back.insert(back.begin(), below.begin(), below.end());
       loops.push_back(std::move(hole));
     }
-    // The last hole's far end is passed once.
+    // Pass the far end of the last hole once.
     polygon.insert(polygon.end(), back.begin() + 1, back.end());
     polygon.push_back(outer.back());
   }
@@ -697,7 +701,7 @@ SurfaceMesh twistedBlade(int along, int across, double thickness) {
   const auto n = static_cast<std::uint32_t>(2 * across);
   const std::uint32_t last = n * static_cast<std::uint32_t>(along);
   addRings(mesh, static_cast<std::uint32_t>(along + 1), n);
-  // From edge to edge: a triangle, strips of two, a triangle.
+  // Close both ends from edge to edge: a triangle, strips of two triangles, a triangle.
   for (std::uint32_t k = 0; k + 1 < n / 2; ++k) {
     const std::uint32_t below = k + 1;
     const std::uint32_t above = n - 1 - k;
@@ -750,7 +754,8 @@ SurfaceMesh torusKnot(int p, int q, int count, int sectors) {
     const double t = 2.0 * std::numbers::pi * i / count;
     const Vec3 centre = position(t);
     const Vec3 along = glm::normalize(position(t + 1e-4) - position(t - 1e-4));
-    // Outwards from the torus's own axis circle: never along the knot.
+    // This direction points away from the axis circle of the torus, so it never runs along the
+    // knot.
     const Vec3 outwards = centre - kMajor * Vec3(std::cos(p * t), std::sin(p * t), 0.0);
     const Vec3 u = glm::normalize(outwards - along * glm::dot(outwards, along));
     const Vec3 v = glm::cross(along, u);

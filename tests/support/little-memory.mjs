@@ -1,5 +1,5 @@
-// Loaded before a program and its workers (by NODE_OPTIONS): WebAssembly gets no more memory than
-// TETRAFRONT_TEST_MEMORY bytes, as on a machine that has no more.
+// Loaded before a program and its workers (by NODE_OPTIONS). Limits WebAssembly to TETRAFRONT_TEST_MEMORY
+// bytes of memory, as on a machine with little memory.
 const most = Number(process.env.TETRAFRONT_TEST_MEMORY);
 const PAGE = 65536;
 const grow = WebAssembly.Memory.prototype.grow;

@@ -16,7 +16,8 @@ namespace {
 
 using Triple = std::array<std::uint32_t, 3>;
 
-/// The same for the three ways to begin a triangle, different for its two sides.
+/// Rotates the lowest node to the front: the result depends on the orientation, but not on the
+/// first node.
 Triple beginningLowest(Triple t) {
   std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   return t;
@@ -27,7 +28,8 @@ Vec3 positionOf(const VolumeMesh& mesh, std::uint32_t node) {
           mesh.points[3 * std::size_t{node} + 2]};
 }
 
-/// In double where that is beyond doubt.
+/// Returns the sign of the volume; uses doubles if they are certain, and exact arithmetic
+/// otherwise.
 int volumeSign(const std::array<Vec3, 4>& p) {
   const Vec3 u = p[1] - p[0];
   const Vec3 v = p[2] - p[0];
@@ -70,8 +72,9 @@ std::string complaintAboutNumbers(const VolumeMesh& mesh, const SurfaceMesh& sur
 
 Triple reversed(const Triple& t) { return beginningLowest({t[0], t[2], t[1]}); }
 
-/// The faces that one tetrahedron alone should have, seen from outside it, with the region it should
-/// be in; for interfaces, both of them. No regions where the surface knows none.
+/// Returns the faces that the tetrahedra at the surface should have, seen from outside, each with
+/// the region of its tetrahedron. An interface has two entries. Without regions in the surface, no
+/// region is set.
 std::map<Triple, std::uint32_t> expectedFaces(const SurfaceMesh& surface) {
   std::map<Triple, std::uint32_t> expected;
   for (std::size_t t = 0; t < triangleCount(surface); ++t) {

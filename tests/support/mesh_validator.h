@@ -1,7 +1,8 @@
 #pragma once
 
-/// @file What the tests accept as a mesh of a surface. Written for clarity, with its own exact
-/// arithmetic and ordinary containers, so that it shares no mistake with the engine's verifier.
+/// @file Decides whether a mesh is a valid mesh of a surface. Written for clarity, with its own
+/// exact arithmetic and standard containers, so that it shares no mistake with the engine's
+/// verifier.
 
 #include <string>
 
@@ -9,13 +10,14 @@
 
 namespace tetrafront::testing {
 
-/// Empty if the mesh is accepted, else the first thing that is wrong with it. Accepted means:
-/// numbers finite and indices in range; every tetrahedron of positive volume, exactly; every face
-/// of one tetrahedron, or of two on opposite sides of it; the faces of one tetrahedron only are
-/// the surface's triangles, turned as they are, and its walls are faces of two; volumes equal within
-/// 1e-10; no two used nodes at one position; no tetrahedron twice; surface nodes first and unmoved. Where
-/// the surface knows its regions, volumes are those of each region, regions meet at walls only, and
-/// each triangle has the regions on its sides that it names.
+/// Returns the first defect of the mesh as text, or an empty string if the mesh is valid. A valid
+/// mesh has these properties. Coordinates are finite and indices are in range. Every tetrahedron
+/// has positive volume, exactly, and none is listed twice. A face belongs to one tetrahedron, or to
+/// two on opposite sides. The faces of one tetrahedron are the triangles of the surface, with the
+/// same orientation; interfaces are faces of two. The volumes of mesh and surface agree within
+/// 1e-10. No two used nodes have the same position. The first nodes are those of the surface, at
+/// the same positions. If the surface has regions, the volume of each region agrees, regions touch
+/// only at interfaces, and each triangle has the stated regions on its sides.
 [[nodiscard]] std::string complaintAbout(const VolumeMesh& mesh, const SurfaceMesh& surface);
 
 }  // namespace tetrafront::testing

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file The surface meshes of valid models.
+/// @file Meshes the surfaces of valid models.
 
 #include <cstdint>
 #include <vector>

@@ -14,10 +14,10 @@ namespace tetrafront::testing {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-/// Spline pieces per circle, whatever the number of arcs.
+/// Number of spline pieces per circle, for any number of arcs.
 constexpr int kCirclePieces = 24;
 
-/// An orthonormal pair spanning a random plane.
+/// Returns two orthonormal vectors that span a random plane.
 std::pair<Vec3, Vec3> randomPlane(Random& random) {
   Vec3 u = random.inBox();
   while (glm::length(u) < 0.1) u = random.inBox();
@@ -49,7 +49,7 @@ std::vector<Vec2> starPolygon(Random& random, const Vec2& centre, double low, do
   return polygon;
 }
 
-/// A line from a to b, bent at random; of a type that the patch type accepts.
+/// Returns a randomly bent line from a to b, of a type that the patch type accepts.
 std::vector<Vec3> randomLine(Random& random, const Vec3& a, const Vec3& b, double bend,
                              PatchType patch, LineType& type) {
   const bool parabolic =
@@ -66,7 +66,7 @@ std::vector<Vec3> randomLine(Random& random, const Vec3& a, const Vec3& b, doubl
   return positions;
 }
 
-/// One patch over a polygon; each line drawn either way.
+/// Returns one patch over a polygon; lines are drawn in random directions.
 Model randomPatchOver(Random& random, std::span<const Vec3> corners, double bend, PatchType patch) {
   ModelBuilder builder;
   Loop loop;
@@ -92,7 +92,7 @@ Model randomQuadrilateral(PatchType type, std::uint64_t seed, double bend) {
   return randomPatchOver(random, corners, bend, type);
 }
 
-/// A solid of one patch per face; faces share the lines between their corners.
+/// Returns a solid with one patch per face; faces share the lines between their corners.
 Model randomSolid(Random& random, std::span<const Vec3> corners,
                   std::span<const std::vector<int>> faces, double bend, PatchType patch) {
   ModelBuilder builder;
@@ -209,7 +209,8 @@ Model randomPolygonModel(std::uint64_t seed, double& area) {
   const Vec3 origin = random.inBox(3.0);
   std::vector<std::vector<Vec2>> loops{
       starPolygon(random, Vec2(0.0), 0.7, 1.3, random.integer(3, 12))};
-  // A star polygon of few corners may pass near its centre, so holes stay small and close to it.
+  // A star polygon with few corners may pass near its centre, so holes are small and close to the
+  // centre.
   const int holes = loops.front().size() < 5 ? 0 : random.integer(0, 4);
   for (int hole = 0; hole < holes; ++hole) {
     const Vec2 centre((hole & 1) != 0 ? 0.17 : -0.17, (hole & 2) != 0 ? 0.17 : -0.17);
@@ -276,7 +277,7 @@ Model torusModel(double majorRadius, double minorRadius) {
   constexpr int kAround = 8;
   constexpr int kAcross = 4;
   constexpr int kSteps = 8;
-  // Places by eighths of a patch, so that the corners of neighbours are equal to the last bit.
+  // Compute positions by eighths of a patch, so that neighbours have equal corners, bit for bit.
   const auto at = [&](int i, int j) {
     const double u = kTurn * (i % (kAround * kSteps)) / (kAround * kSteps);
     const double v = kTurn * (j % (kAcross * kSteps)) / (kAcross * kSteps);
@@ -368,7 +369,7 @@ Model bracketModel() {
   };
   const Loop front = ends(0.0);
   const Loop back = ends(1.0);
-  // A hole of four arcs along `through`, and its wall.
+  // Adds the patches inside a hole of four arcs that runs along `through`.
   const auto hole = [&](const Vec3& centre, const Vec3& u, const Vec3& v, const Vec3& through) {
     constexpr double kRadius = 0.22;
     constexpr int kArcs = 4;

@@ -11,7 +11,7 @@
 
 namespace tetrafront::testing {
 
-/// Draws points, lines and patches; a point given twice with the same coordinates is one point.
+/// Builds a model from points, lines and patches. Equal positions become one point.
 class ModelBuilder {
  public:
   std::uint32_t point(const Vec3& position);
@@ -21,7 +21,7 @@ class ModelBuilder {
   /// A closed polygon of straight lines.
   Loop polygon(const std::vector<Vec3>& corners);
 
-  /// A circle of `arcs` splines about `centre`, in the plane of the orthonormal u and v.
+  /// A circle around `centre` of `arcs` splines, in the plane of the orthonormal u and v.
   Loop circle(const Vec3& centre, double radius, int arcs, const Vec3& u = {1, 0, 0},
               const Vec3& v = {0, 1, 0});
 
@@ -30,17 +30,18 @@ class ModelBuilder {
   Model model;
 };
 
-/// One planar patch: the outer polygon first, then holes.
+/// One planar patch. The first polygon is the outer one; the others are holes.
 Model polygonModel(const std::vector<std::vector<Vec3>>& loops);
 
 /// The unit square in the plane z = 0 moved by `corner`, with edges of length `edge`.
 std::vector<Vec3> squareCorners(const Vec3& corner, double edge);
 
-/// A Coons patch over a quadrilateral whose lines are straight, parabolic or splines, bent and
-/// twisted by up to `bend`; which, the seed decides.
+/// A Coons patch over a quadrilateral. The seed decides whether each line is straight, parabolic or
+/// a spline, and how far, up to `bend`, it is bent and twisted.
 Model randomCoonsModel(std::uint64_t seed, double bend);
 
-/// A triangular patch of either type, likewise; the lines of an isoparametric one are parabolic.
+/// A triangular patch of either type, made in the same way; the lines of an isoparametric patch are
+/// parabolic.
 Model randomTriangleModel(PatchType type, std::uint64_t seed, double bend);
 
 /// All patch types except the planar one.
@@ -51,7 +52,7 @@ inline constexpr std::array<PatchType, 4> kCurvedTypes{
 /// Bend of random models: clearly curved, without folds.
 inline constexpr double kTypicalBend = 0.3;
 
-/// A patch of any type but planar; as randomCoonsModel() and randomTriangleModel().
+/// A patch of any curved type, made as in randomCoonsModel() and randomTriangleModel().
 Model randomCurvedModel(PatchType type, std::uint64_t seed, double bend);
 
 /// A planar patch in a random plane: a star-shaped polygon of mean radius 1 with up to four
@@ -61,26 +62,28 @@ Model randomPolygonModel(std::uint64_t seed, double& area);
 /// The box of six planar patches that share twelve lines; some lines and loops run backward.
 Model boxModel(const Vec3& low, const Vec3& high);
 
-/// A box of six Coons, or serendipity, patches whose corners are moved and whose twelve lines, of
-/// random types, or parabolic, are bent by up to `bend`.
+/// A box of six Coons or serendipity patches with displaced corners. Its twelve lines are bent by
+/// up to `bend`; those of Coons patches have random types, the others are parabolic.
 Model randomBentBox(std::uint64_t seed, double bend, PatchType type = PatchType::kCoons);
 
-/// A tetrahedron of four triangular patches of either type, likewise.
+/// A tetrahedron of four triangular patches of either type, made in the same way.
 Model randomBentTetrahedron(std::uint64_t seed, double bend, PatchType type);
 
-/// The sphere about the origin, nearly, as six Coons patches between twelve arcs: a cube blown up.
+/// Approximately a sphere around the origin: an inflated cube of six Coons patches between twelve
+/// arcs.
 Model sphereModel(double radius);
 
-/// A torus about the z axis as 8 x 4 Coons patches.
+/// A torus around the z axis, of 8 x 4 Coons patches.
 Model torusModel(double majorRadius, double minorRadius);
 
-/// An angle bracket 2 x 1 x 1.5, its arms 0.4 thick: a fillet between them, a hole in each.
+/// An angle bracket of 2 x 1 x 1.5. Its arms are 0.4 thick and have one hole each; a fillet
+/// connects them.
 Model bracketModel();
 
-/// The side of a tube, one Coons patch between two circles of one spline each, with a seam.
+/// The side of a tube: one Coons patch with a seam, between two circles of one spline each.
 Model seamedTube(double radius, double height);
 
-/// No nodes, and one point source.
+/// A grid without nodes, with one point source.
 inline BackgroundGrid sourceAt(const Vec3& position, double size, double distance) {
   BackgroundGrid grid;
   grid.sources.emplace_back();
@@ -90,7 +93,7 @@ inline BackgroundGrid sourceAt(const Vec3& position, double size, double distanc
   return grid;
 }
 
-/// Six tetrahedra over the box; `sizeAt` gives the size at its corners.
+/// A grid of six tetrahedra that fill the box; `sizeAt` returns the size at a corner.
 template <class SizeAt>
 BackgroundGrid boxGrid(const Vec3& low, const Vec3& high, SizeAt&& sizeAt) {
   BackgroundGrid grid;

@@ -18,12 +18,13 @@ namespace tetrafront::testing {
 
 namespace {
 
-/// Draws of a member that folds, touches itself or degenerates are repeated.
+/// A random patch that folds, touches itself or is degenerate is drawn again, at most this many
+/// times.
 constexpr std::uint64_t kMaxDraws = 100;
-/// Degrees. Cusps are tested apart.
+/// Degrees. Other tests cover cusps.
 constexpr double kLeastCorner = 5.0;
 
-/// A flat piece of paper, cut to a trapezoid, bent and twisted.
+/// A flat trapezoid of paper that is bent and twisted.
 class Paper {
  public:
   explicit Paper(Random& random)
@@ -58,7 +59,7 @@ class Paper {
   bool alongHeight_;
 };
 
-/// A line drawn on the paper from one corner to the next, not quite straight.
+/// Returns a slightly bent line drawn on the paper from one corner to the next.
 std::vector<Vec3> edgeOfPaper(Random& random, const Paper& paper, const Vec2& from, const Vec2& to,
                               LineType& type) {
   const int draw = random.integer(0, 5);
@@ -102,7 +103,7 @@ Model paperPatch(PatchType type, Random& random) {
 
 // ---- planar ------------------------------------------------------------------------------------
 
-/// A star-shaped loop of bent lines.
+/// Returns a star-shaped loop of bent lines.
 Loop bentLoop(Random& random, ModelBuilder& builder, const Vec2& centre, double low, double high,
               int corners, double bend) {
   std::vector<Vec2> positions;
@@ -152,7 +153,8 @@ double angleBetween(const Vec3& a, const Vec3& b) {
   return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi;
 }
 
-/// True if no two lines meet at less than kLeastCorner; drawn at random they may even cross there.
+/// Returns true if no two lines meet at an angle below kLeastCorner; random lines may even cross at
+/// a corner.
 bool cornersAreOpen(const Model& model) {
   const ResolvedModel resolved(model);
   for (const Loop& loop : model.patches.front().loops) {
@@ -165,8 +167,8 @@ bool cornersAreOpen(const Model& model) {
   return true;
 }
 
-/// The edge of a square as large as a regular figure with as many corners, or a circle, of the same
-/// perimeter.
+/// Returns the edge of a square with the area of a regular polygon (or a circle) that has the same
+/// number of corners and the same perimeter as the patch.
 double widthOf(const Model& model) {
   const ResolvedModel resolved(model);
   double perimeter = 0.0;
@@ -192,7 +194,7 @@ double radiusRatio(const std::array<double, 3>& edges) {
 
 using Sides = std::map<std::uint32_t, std::vector<std::uint32_t>>;
 
-/// Boundary nodes with their neighbours along the boundary.
+/// Returns the boundary nodes with their neighbours along the boundary.
 Sides neighboursAlongSides(const SurfaceMesh& mesh) {
   Sides sides;
   for (std::size_t i = 0; i < mesh.sides.size(); i += 2) {
@@ -202,7 +204,7 @@ Sides neighboursAlongSides(const SurfaceMesh& mesh) {
   return sides;
 }
 
-/// The angle, within the patch, at which the sides meet at a boundary node.
+/// Returns for each boundary node the angle between its sides, inside the patch.
 std::map<std::uint32_t, double> cornerAngles(const SurfaceMesh& mesh, const Sides& sides) {
   std::map<std::uint32_t, double> angles;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {

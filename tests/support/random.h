@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Seeded randomness for tests: the same numbers on every platform and library.
+/// @file Seeded random numbers for tests: the same on every platform and with every library.
 
 #include <cstdint>
 

@@ -14,7 +14,7 @@
 namespace tetrafront::testing {
 namespace {
 
-/// Collects nodes and triangles, joining nodes that are made for the same key.
+/// Collects nodes and triangles. Nodes with the same key are the same node.
 class Builder {
  public:
   using Key = std::array<int, 4>;
@@ -60,7 +60,8 @@ Icosahedron icosahedron() {
             {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}}};
 }
 
-/// Names the node with weights i, j, k (sum n) at the corners a, b, c the same from every face.
+/// Returns the key of the node with these weights (sum n) at three corners; it is the same from
+/// every face that has the node.
 Builder::Key weightKey(std::array<int, 3> corners, std::array<int, 3> weights, int n) {
   std::array<std::pair<int, int>, 3> parts;
   for (std::size_t q = 0; q < 3; ++q) {
@@ -71,7 +72,7 @@ Builder::Key weightKey(std::array<int, 3> corners, std::array<int, 3> weights, i
   return {code, parts[0].second, parts[1].second, n};
 }
 
-/// Is the square (i, j) cut from its lowest corner to the opposite one?
+/// Returns whether the square (i, j) is cut from its lowest corner to the opposite one.
 bool cutsForward(Diagonals diagonals, int i, int j, Random& random) {
   switch (diagonals) {
     case Diagonals::kParallel:
@@ -228,7 +229,8 @@ SurfaceMesh schoenhardtPrism(double degrees) {
   mesh.triangles = {0, 2, 1, 3, 4, 5};
   for (std::uint32_t k = 0; k < 3; ++k) {
     const std::uint32_t l = (k + 1) % 3;
-    // Turning the top counter-clockwise, away from k, bends the side inward along k, l+3.
+    // The top is rotated counter-clockwise, away from k: this bends the side inward along the edge
+    // from k to l+3.
     mesh.triangles.insert(mesh.triangles.end(), {k, l, l + 3, k, l + 3, k + 3});
   }
   return mesh;
@@ -289,7 +291,7 @@ SurfaceMesh dividedBox(std::array<int, 3> counts, int m) {
         return builder.node(at, Vec3(at[0], at[1], at[2]) / static_cast<double>(m));
       };
       std::array<std::uint32_t, 4> nodes{corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
-      // Only at the lowest level the outside is where coordinates fall.
+      // At the lowest level, outward is towards decreasing coordinates.
       if (level == 0) std::swap(nodes[1], nodes[3]);
       builder.triangle(nodes[0], nodes[1], nodes[2]);
       builder.triangle(nodes[0], nodes[2], nodes[3]);
@@ -333,7 +335,7 @@ void mirror(SurfaceMesh& mesh) {
 
 void rotateRandomly(SurfaceMesh& mesh, std::uint64_t seed) {
   Random random(seed);
-  // A uniform unit quaternion by rejection.
+  // Draw a uniformly distributed unit quaternion by rejection.
   std::array<double, 4> q{};
   double square = 0.0;
   do {
@@ -407,7 +409,7 @@ std::size_t triangleCount(const SurfaceMesh& mesh) { return mesh.triangles.size(
 
 namespace {
 
-/// Six times the volume of the tetrahedron of a triangle and a position.
+/// Returns six times the volume of the tetrahedron of a triangle and a position.
 double sixVolume(const SurfaceMesh& mesh, std::size_t triangle, const Vec3& position) {
   const std::uint32_t* nodes = &mesh.triangles[3 * triangle];
   const Vec3 a = pointOf(mesh, nodes[0]) - position;
@@ -427,7 +429,8 @@ double enclosedVolume(const SurfaceMesh& mesh) {
   return sum / 6.0;
 }
 
-// Each region uses an origin of its own: from a distant one, the volume of a small region is lost in rounding.
+// Each region has its own origin: with a distant origin, rounding would hide the volume of a small
+// region.
 std::vector<double> regionVolumes(const SurfaceMesh& mesh) {
   std::vector<double> volumes;
   std::vector<std::optional<Vec3>> positions;

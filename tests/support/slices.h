@@ -9,8 +9,8 @@
 
 namespace tetrafront::testing {
 
-/// Runs a tool to its end by calls of `budget`; expects fractions that rise from 0 to 1, and returns the
-/// number of calls.
+/// Runs a tool to its end in slices of `budget`, and returns the number of slices. Expects a
+/// fraction that rises from 0 to 1.
 template <class Tool>
 std::size_t slicesOf(Tool& tool, std::uint32_t budget) {
   constexpr std::size_t kMax = 10'000'000;

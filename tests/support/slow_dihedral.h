@@ -9,8 +9,8 @@
 
 namespace tetrafront::testing {
 
-/// Returns the angle at edge ab between the half-planes through c and d, in degrees, measured in the
-/// plane across the edge.
+/// Returns the angle in degrees between the half-planes from edge a b through c and d, measured in
+/// the plane across the edge.
 inline double slowDihedral(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 axis = glm::normalize(b - a);
   const Vec3 u = (c - a) - glm::dot(c - a, axis) * axis;

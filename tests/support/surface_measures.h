@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file What tests want to know about a triangle surface.
+/// @file Measures of a triangle surface for tests.
 
 #include <cstdint>
 #include <map>
@@ -20,7 +20,7 @@ struct SurfaceMeasures {
   double area = 0.0;
   double minAngle = 180.0;       ///< degrees
   double meanRadiusRatio = 0.0;  ///< 2 x inradius / circumradius, 1 equilateral
-  double meanEdgeRatio = 0.0;    ///< edge length / size asked for at its middle
+  double meanEdgeRatio = 0.0;    ///< edge length / target size at its middle
 
   [[nodiscard]] long eulerCharacteristic() const {
     return static_cast<long>(nodes) - static_cast<long>(edges) + static_cast<long>(triangles);
@@ -29,7 +29,7 @@ struct SurfaceMeasures {
 
 using EdgeUse = std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>;
 
-/// How many triangles have each edge; nodes of an edge ascending.
+/// Returns the number of triangles at each edge; the nodes of an edge are ascending.
 EdgeUse countEdges(const SurfaceMesh& mesh);
 
 SurfaceMeasures measure(const SurfaceMesh& mesh, const SizeField& field);

@@ -10,8 +10,9 @@
 namespace tetrafront::testing {
 namespace {
 
-/// The six orders of the axes; each gives a path of edges from a cube's lowest corner to its
-/// highest, whose four nodes are a tetrahedron. The flag tells which are positive.
+/// The six orders of the axes. Each is a path of edges from the lowest corner of a cube to the
+/// highest; its four nodes form a tetrahedron. The flag is set if the tetrahedron is positively
+/// oriented.
 struct Path {
   std::array<int, 3> axes;
   bool isPositive;

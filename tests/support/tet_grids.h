@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Ready-made tetrahedral meshes for tests, and the surface of one.
+/// @file Simple tetrahedral meshes for tests, and the surface of a mesh.
 
 #include <cstdint>
 
@@ -9,17 +9,19 @@
 
 namespace tetrafront::testing {
 
-/// [0,1]^3 in n^3 cubes of six tetrahedra each (Kuhn's division). Nodes of the surface come
-/// first; inner nodes are moved at random by up to `jitter` of a cube's edge, at most 0.15.
+/// The cube [0,1]^3, divided into n^3 cubes of six tetrahedra each (Kuhn's division). Nodes of the
+/// surface come first. Interior nodes are moved randomly by up to `jitter` (at most 0.15) times the
+/// edge of a cube.
 VolumeMesh cubeOfTetrahedra(int n, double jitter = 0.0, std::uint64_t seed = 1);
 
-/// The faces of one tetrahedron only, outward. Its nodes are the first `nodeCount` of the mesh.
+/// Returns the faces that only one tetrahedron has, facing outward. The nodes of the surface are
+/// the first `nodeCount` nodes of the mesh.
 SurfaceMesh surfaceOf(const VolumeMesh& mesh, std::size_t nodeCount);
 
-/// How many nodes of cubeOfTetrahedra(n) are on its surface.
+/// Returns the number of surface nodes of cubeOfTetrahedra(n).
 std::size_t surfaceNodeCount(int n);
 
-/// The mesh as a background grid, all sizes 1.
+/// Returns the mesh as a background grid of size 1.
 BackgroundGrid gridOf(const VolumeMesh& mesh);
 
 }  // namespace tetrafront::testing

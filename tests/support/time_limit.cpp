@@ -1,5 +1,5 @@
-/// @file Ends the test program if one test runs far longer than any test needs, so that a front that
-/// advances for ever fails with its name instead of blocking the whole run.
+/// @file Ends the test program if a test runs far longer than any test needs. A front that advances
+/// for ever then fails the test that it belongs to, by name, instead of blocking the whole run.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 /// The slowest test takes a few seconds; sanitizers and a busy machine multiply that.
 constexpr unsigned kLimitSeconds = 300;
 
-/// Only what a signal handler may read.
+/// Contains only data that a signal handler may read.
 char runningTest[256] = "";
 
 extern "C" void endAtTimeLimit(int /*signal*/) {
