@@ -22,15 +22,17 @@ namespace {
 constexpr double kFlatAngle = 0.002;
 /// Angle in radians below which a feature line counts as straight at a point.
 constexpr double kStraightAngle = 0.01;
-/// Triangles between two feature lines are equilateral if edges are this much longer than the gap.
+/// Edge length / width of a gap between two feature lines at which triangles across the gap are
+/// equilateral.
 constexpr double kSizePerGap = 1.15;
-/// A part of the same line is a gap if it is this many gaps further along.
+/// Another part of the same line bounds a gap only if its distance along the line is at least this
+/// many times the width of the gap.
 constexpr double kArcPerGap = 3.0;
-/// Least edges of a closed feature line.
+/// Smallest number of edges of a closed feature line.
 constexpr double kEdgesPerLoop = 3.0;
-/// Distance between the positions where thickness and curvature are measured / least size.
+/// Distance between the positions where thickness and curvature are measured / smallest size.
 constexpr double kSampleWidth = 1.0;
-/// Sizes per unit of a budget.
+/// Sizes measured per unit of budget.
 constexpr std::size_t kPiecesPerUnit = 8;
 
 double cosineBetween(const Vec3& a, const Vec3& b) {
@@ -38,7 +40,7 @@ double cosineBetween(const Vec3& a, const Vec3& b) {
   return lengths > 0.0 ? glm::dot(a, b) / lengths : 1.0;
 }
 
-/// Returns twice the sine of half the angle: the angle itself, for small ones.
+/// Returns twice the sine of half the angle, which is about the angle itself if it is small.
 double chordOf(double cosine) { return std::sqrt(std::max(0.0, 2.0 - 2.0 * cosine)); }
 
 class ShapeMeasure {
@@ -46,7 +48,8 @@ class ShapeMeasure {
   ShapeMeasure(const ReferenceSurface& reference, const ShapeSizeRules& rules)
       : reference_(reference), rules_(rules) {}
 
-  /// Returns indices of pieces, of those close together with normals alike only one: the one with the largest curvature.
+  /// Returns the indices of the pieces to measure. Of pieces that are close to each other and have
+  /// similar normals, only the one with the largest curvature is returned.
   [[nodiscard]] std::vector<std::uint32_t> findSamples() const;
   void measurePiece(std::uint32_t index);
   void measureLine(const FeatureLine& line);
@@ -83,8 +86,8 @@ class ShapeMeasure {
   BoxTree segmentTree_;
 };
 
-/// Returns the curvature across the smooth edges of a triangle: 1 / radius on a cylinder, even if its triangles are
-/// needles.
+/// Returns the curvature across the smooth edges of a triangle. On a cylinder it is 1 / radius,
+/// even if the triangles are needles.
 double ShapeMeasure::curvatureOf(TriangleId triangle) const {
   const std::array<Vec3, 3> corners = cornersOf(reference_.mesh(), triangle);
   const Vec3& normal = reference_.normalOf(triangle);
@@ -156,7 +159,7 @@ void ShapeMeasure::measurePiece(std::uint32_t index) {
   add(piece.centroid, size);
 }
 
-/// Returns the distance to the opposite side of the body, or infinity.
+/// Returns the distance to the opposite side of the solid, or infinity.
 double ShapeMeasure::thicknessAt(const Vec3& position, const Vec3& inward) const {
   const BoxTree& tree = reference_.tree();
   double nearest = rules_.maxSize * std::max(rules_.layers, 1.0);
@@ -195,7 +198,7 @@ double ShapeMeasure::thicknessAt(const Vec3& position, const Vec3& inward) const
              : std::numeric_limits<double>::infinity();
 }
 
-/// Lowers `nearest` to the distance at which the ray leaves the body through the triangle.
+/// Lowers `nearest` to the distance at which the ray leaves the solid through the triangle.
 void ShapeMeasure::castRay(const Vec3& from, const Vec3& direction, TriangleId triangle,
                            double& nearest) const {
   if (glm::dot(reference_.normalOf(triangle), direction) < 0.5) return;
@@ -212,7 +215,7 @@ void ShapeMeasure::castRay(const Vec3& from, const Vec3& direction, TriangleId t
   }
 }
 
-/// Sizes from the curvature and the length of a line.
+/// Adds the sizes that follow from the curvature and the length of a line.
 void ShapeMeasure::measureLine(const FeatureLine& line) {
   const std::vector<Vec3>& points = line.points();
   const std::size_t last = points.size() - 1;
@@ -241,7 +244,8 @@ void ShapeMeasure::beginGaps() {
   if (!boxes.empty()) segmentTree_ = BoxTree(std::span<const Box>(boxes));
 }
 
-/// Sizes from the distance to other feature lines of the same patch: the triangles between are no wider.
+/// Adds the sizes that follow from the distance to other feature lines of the same patch: triangles
+/// across a gap must not be wider than the gap.
 void ShapeMeasure::measureGaps(FeatureLineId id) {
   const FeatureLine& line = reference_.line(id);
   const double step =
@@ -282,7 +286,8 @@ bool ShapeMeasure::sharePatch(const FeatureLine& a, const FeatureLine& b) const 
   });
 }
 
-/// Returns true if the lines meet at a corner near the position: an angle is no reason for ever smaller triangles.
+/// Returns true if the lines meet at a corner near the position. Such lines bound no gap; otherwise
+/// sizes would fall to zero towards every corner.
 bool ShapeMeasure::isSameCorner(const FeatureLine& a, const FeatureLine& b, const Vec3& position,
                                 double squaredGap) const {
   if (a.isClosed() || b.isClosed()) return false;

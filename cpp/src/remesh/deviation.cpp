@@ -11,7 +11,8 @@
 namespace tetrafront {
 namespace {
 
-/// Halvings of a triangle, and ratio of the bound to the distance, at which division ends.
+/// Division of a triangle ends after this many halvings, or at this ratio of the bound to the
+/// distance.
 constexpr int kMaxDepth = 24;
 constexpr double kSharpness = 1.02;
 
@@ -48,7 +49,8 @@ bool DeviationBound::advance(std::size_t budget) {
   return isPassDone();
 }
 
-/// Returns the triangle of the patch nearest to the position. `guess`: one that may be near, or none.
+/// Returns the triangle of the patch nearest to the position. `guess`: a triangle that may be near,
+/// or none.
 TriangleId DeviationBound::nearest(const Vec3& position, SmoothPatchId patch, TriangleId guess,
                                    double& square) const {
   square = std::numeric_limits<double>::infinity();
@@ -75,7 +77,7 @@ void DeviationBound::measure(const Corners& corners, SmoothPatchId patch, Triang
   }
   const double bound = std::sqrt(largest);
   if (bound <= bound_) return;
-  // The distance of the centroid is at most the largest one.
+  // The distance of the centroid is a lower bound of the largest distance.
   const bool isSharp = bound <= std::max(accuracy_, kSharpness * std::sqrt(square));
   if (isSharp || depth == kMaxDepth) {
     bound_ = bound;

@@ -14,10 +14,11 @@
 
 namespace tetrafront {
 
-/// An upper bound of the distance from the points of the given surface to the remeshed one, patch by patch. Not a sample:
-/// the distance to one triangle is convex, so over a part of a triangle it is largest at a corner. Parts are divided
-/// until the bound is at most `accuracy`, or little above the distance itself. Planar patches need no measuring: their
-/// feature lines bound their distance.
+/// Computes an upper bound of the distance from the points of the given surface to the remeshed
+/// one, patch by patch. The bound holds everywhere, not only at samples: the distance to one
+/// triangle is convex, so over a part of a given triangle it is largest at a corner. Parts are
+/// divided until the bound is at most `accuracy`, or little above the distance itself. Planar
+/// patches are not measured, because their feature lines bound their distance.
 class DeviationBound : public Resumable {
  public:
   /// `surface` must outlive this. O(n log n).

@@ -14,13 +14,16 @@ namespace {
 
 using Corners = std::array<Vec3, 3>;
 
-/// Largest number of parts of one triangle. A triangle that needs more is nearly out of tolerance, or covers very many
+/// Largest number of parts of one triangle. A triangle that needs more is nearly out of tolerance,
+/// or covers very many
 /// facets.
 constexpr int kMaxParts = 300;
 constexpr std::size_t kMaxWaiting = 64;
-/// A part reaches beyond an edge only if by more than this, relative to how far its centroid is inside: rounding.
+/// A part counts as beyond an edge only if it extends beyond it by more than this fraction of the
+/// distance from the edge to its centroid; less is rounding.
 constexpr double kReach = 1e-6;
-/// A part is cut only if it reaches this far to both sides of the edge, relative to the tolerance: rounding.
+/// A part is cut only if it extends to both sides of the edge by more than this, relative to the
+/// tolerance; less is rounding.
 constexpr double kLeastCut = 1e-9;
 
 struct Part {
@@ -28,7 +31,8 @@ struct Part {
   TriangleId hint;
 };
 
-/// The edge at which a part leaves its facet: a point, and the unit normal of the edge that points out of the facet.
+/// The edge at which a part leaves its facet: a point, and the unit normal of the edge that points
+/// out of the facet.
 struct Cut {
   Vec3 origin;
   Vec3 outward;
@@ -61,7 +65,7 @@ bool FacetProof::prove(const Facet& facet, const Vec3& centroid, const Vec3& nea
     const double height = std::fabs(glm::dot(corner - facet.origin, facet.normal));
     if (height + facet.flatness > tolerance_) return false;
   }
-  // Does the centroid lie over the facet?
+  // The centroid must lie over the facet.
   const Vec3 offset = nearest - centroid;
   const Vec3 sideways = offset - facet.normal * glm::dot(offset, facet.normal);
   if (glm::length(sideways) > facet.flatness + kReach * tolerance_) return false;
@@ -74,15 +78,16 @@ bool FacetProof::prove(const Facet& facet, const Vec3& centroid, const Vec3& nea
   });
 }
 
-/// Returns false if the part leaves the facet through the edge and gets too far from it. The points beyond are on the
-/// other side of the line through the edge, so they are in the convex polygon that this line cuts off.
+/// Returns false if the part extends beyond the edge of the facet and, there, too far from the
+/// edge. The points beyond the edge are in the convex polygon that the line through the edge cuts
+/// off.
 bool FacetProof::staysNear(const Facet& facet, const Vec3& centroid, const Vec3& from,
                            const Vec3& to) {
   const Vec3 edge = to - from;
   const double length = glm::length(edge);
   const Vec3 outward = glm::cross(edge, facet.normal) / length;
   const double inside = -glm::dot(centroid - from, outward);
-  // From a centroid beyond the line, paths through the edge lead into the facet.
+  // If the centroid is beyond the line, paths from it through the edge enter the facet.
   if (inside <= 0.0) return true;
   std::array<double, 3> depth{};
   for (std::size_t k = 0; k < 3; ++k) depth[k] = glm::dot(corners_[k] - from, outward);
@@ -90,7 +95,7 @@ bool FacetProof::staysNear(const Facet& facet, const Vec3& centroid, const Vec3&
   if (deepest <= kReach * inside) return true;
 
   double squared = 0.0;
-  double first = length;  // the part of the line that the part covers, along the edge
+  double first = length;  // range of the line that the part covers, along the edge
   double last = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t l = (k + 1) % 3;
@@ -151,13 +156,13 @@ void WaitingParts::halve(const Part& part) {
   push({middle, b, c}, part.hint);
 }
 
-/// Divides the part by the plane through the edge, across the facet.
+/// Divides the part by the plane through the edge that is perpendicular to the facet.
 void WaitingParts::divide(const Part& part, const Cut& cut) {
   std::array<double, 3> depth{};
   for (std::size_t k = 0; k < 3; ++k) {
     depth[k] = glm::dot(part.corners[k] - cut.origin, cut.outward);
   }
-  // The corner that is alone on its side.
+  // Find the corner that is alone on its side of the plane.
   std::size_t k = 0;
   while ((depth[k] > 0.0) == (depth[(k + 1) % 3] > 0.0) ||
          (depth[k] > 0.0) == (depth[(k + 2) % 3] > 0.0))

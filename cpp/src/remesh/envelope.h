@@ -1,6 +1,7 @@
 #pragma once
 
-/// @file Proves that a triangle is near a patch of the reference surface: everywhere, not only at samples.
+/// @file Proves that every point of a triangle, not only a sample of points, is near a patch of the
+/// reference surface.
 
 #include <array>
 
@@ -10,11 +11,13 @@
 
 namespace tetrafront {
 
-/// Returns true if every point of the triangle is proven to be within `tolerance` of the curved patch. The triangle is
-/// divided until each part is proven in one of two ways:
-///   - all its corners are near one triangle of the patch: the distance to a convex set is largest at a corner;
-///   - it lies over one facet, but for what is near an edge of the facet. Where it reaches further, it is cut there.
-/// Returns false also if that takes too many parts. `hint`: as of nearest().
+/// Returns true if it can prove that every point of the triangle is within `tolerance` of the
+/// curved patch. Divides the triangle until each part is proven in one of two ways:
+///   - all its corners are near one triangle of the patch (the distance to a convex set is largest at
+///     a corner);
+///   - it lies over one facet, except for points near an edge of the facet; if the part extends too
+///     far beyond an edge, it is cut there.
+/// Also returns false if this needs too many parts. `hint`: as for nearest().
 [[nodiscard]] bool isWithin(const ReferenceSurface& reference, const std::array<Vec3, 3>& corners,
                             SmoothPatchId patch, double tolerance, TriangleId hint);
 

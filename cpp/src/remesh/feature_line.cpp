@@ -29,7 +29,7 @@ Vec3 FeatureLine::at(double arc) const {
 double FeatureLine::squaredDeviation(double from, double to, const Vec3& a, const Vec3& b) const {
   double largest =
       std::max(squaredDistanceToSegment(at(from), a, b), squaredDistanceToSegment(at(to), a, b));
-  // On a closed line, arcs may run once past the first point.
+  // On a closed line, an arc may pass the first point once.
   const double end = isClosed_ ? length() : 0.0;
   for (double shift = 0.0; shift <= end; shift += length()) {
     auto i = std::upper_bound(arcs_.begin(), arcs_.end(), from - shift) - arcs_.begin();

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file A feature line of a given surface: the edges along which the remesher keeps the shape exactly sharp.
+/// @file A feature line of a given surface: a chain of edges that the remesher keeps sharp.
 
 #include <algorithm>
 #include <cstddef>
@@ -13,16 +13,19 @@ namespace tetrafront {
 
 using FeatureLineId = Id<struct FeatureLineTag>;
 
-/// A chain of feature edges from corner to corner, or closed. A position on it is given by its arc: the length of the
-/// line up to there. On a closed line, arcs may exceed the length: they continue behind the first point.
+/// A chain of feature edges that runs from corner to corner or is closed. A position on it is given
+/// by its arc, which is the length of the line up to this position. On a closed line, an arc may
+/// exceed the length of the line: it then continues at the first point.
 class FeatureLine {
  public:
   /// Smooth pieces of the surface that meet at the line; indices of patches in the reference surface.
   std::vector<std::uint32_t> patches;
-  /// Cosine of the smallest crease angle along the line: 1 if the surface is flat somewhere.
+  /// Cosine of the smallest angle between the triangles at the line; 1 if the surface is flat at
+  /// one of its edges.
   double creaseCosine = -1.0;
 
-  /// `nodes`: nodes of the given surface along the line; the first again at the end if it is closed.
+  /// `nodes`: nodes of the given surface along the line; if the line is closed, the first node is
+  /// repeated at the end.
   FeatureLine(std::vector<NodeId> nodes, std::vector<Vec3> points, bool isClosed);
 
   [[nodiscard]] bool isClosed() const { return isClosed_; }

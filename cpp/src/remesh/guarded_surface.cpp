@@ -39,7 +39,7 @@ GuardedSurface::GuardedSurface(const ReferenceSurface& reference, const SurfaceL
   }
 }
 
-/// Enters a new triangle into the grid and the arrays.
+/// Adds a new triangle to the grid and the arrays.
 void GuardedSurface::insert(TriangleId triangle) {
   if (triangle.index() >= boxes_.size()) {
     boxes_.resize(triangle.index() + 1);
@@ -73,7 +73,7 @@ bool GuardedSurface::apply(const SurfaceChange& change, bool coversSame) {
   return admitted;
 }
 
-/// In the order of cost.
+/// Makes the cheapest checks first.
 bool GuardedSurface::isAdmitted(bool coversSame) {
   measureAdded();
   return facesAsReference() && !intersects(coversSame) && isInEnvelope() && findHosts();
@@ -112,7 +112,8 @@ bool GuardedSurface::facesAsReference() {
   return true;
 }
 
-/// Returns a given triangle near an added one, in its patch.
+/// Returns a given triangle near an added one, in the same patch; none if no removed triangle is in
+/// this patch.
 TriangleId GuardedSurface::hintFor(std::size_t added) const {
   const std::vector<TriangleId>& removed = change_->removed;
   for (const TriangleId t :
@@ -165,7 +166,8 @@ bool GuardedSurface::isInEnvelope() const {
   return true;
 }
 
-/// Finds a new host for every given node that a removed triangle answers for.
+/// Finds an added triangle within the tolerance of every given node that is a guest of a removed
+/// triangle.
 bool GuardedSurface::findHosts() {
   hosts_.clear();
   const double limit = limits_.tolerance * limits_.tolerance;
@@ -203,7 +205,8 @@ void GuardedSurface::replaceTriangles() {
     firstGuest_[t.index()] = NodeId{};
   }
   if (!change_->moved.isNone()) complex_.moveNode(change_->moved, change_->position);
-  std::vector<TriangleId>& slots = addedBeneath_;  // in place: beneath becomes the slot
+  std::vector<TriangleId>& slots =
+      addedBeneath_;  // reuses the array: each entry is read before it is replaced
   for (std::size_t i = 0; i < change_->added.size(); ++i) {
     const TriangleId t = complex_.addTriangle(change_->added[i].nodes, change_->added[i].patch);
     for (std::uint32_t k = 0; k < 3; ++k) {

@@ -1,12 +1,12 @@
 #pragma once
 
-/// @file The remeshed surface, and the one door through which it changes. apply() makes a change only if afterwards
+/// @file The remeshed surface. All changes go through apply(), which makes a change only if afterwards
 ///   1. no triangle is degenerate, and no two intersect (exact signs);
-///   2. triangles face as the reference surface does beneath them;
-///   3. triangles are within the tolerance of their patch, everywhere (envelope.h);
+///   2. triangles face in about the same direction as the reference surface beneath them;
+///   3. every point of a triangle is within the tolerance of its patch (envelope.h);
 ///   4. every given node inside a curved patch is within the tolerance of a triangle of the patch.
-/// The operations of SurfaceEditor see to the rest: the number of triangles at edges, and feature lines. On a planar
-/// patch 3 and 4 follow from 2 and from its feature lines.
+/// The operations of SurfaceEditor keep the number of triangles at each edge, and the feature lines.
+/// For a planar patch, 3 and 4 follow from 2 and from its feature lines.
 
 #include <cstdint>
 #include <span>
@@ -23,7 +23,7 @@
 
 namespace tetrafront {
 
-/// Triangles that are replaced by others. One node may move with it.
+/// A replacement of triangles by others. One node may move at the same time.
 struct SurfaceChange {
   struct Added {
     NodeTriple nodes;
@@ -42,8 +42,9 @@ struct SurfaceChange {
 };
 
 struct SurfaceLimits {
-  double tolerance = 0.0;       ///< largest distance from the reference surface
-  double facingCosine = 0.643;  ///< least cosine between a triangle and the reference beneath it
+  double tolerance = 0.0;  ///< largest distance from the reference surface
+  double facingCosine =
+      0.643;  ///< smallest cosine between the normals of a triangle and of the reference beneath it
 };
 
 class GuardedSurface {
@@ -55,20 +56,21 @@ class GuardedSurface {
   [[nodiscard]] const ReferenceSurface& reference() const { return reference_; }
   [[nodiscard]] double tolerance() const { return limits_.tolerance; }
 
-  /// Makes the change and returns true, or leaves everything as it is. `coversSame`: the added triangles cover exactly
-  /// the points that the removed ones cover, so they can only intersect each other.
+  /// Makes the change and returns true, or changes nothing and returns false. `coversSame`: the
+  /// added triangles cover exactly the same points as the removed ones, so they can only intersect
+  /// each other.
   bool apply(const SurfaceChange& change, bool coversSame = false);
 
-  /// A node without triangles, for the next change; removeLastNode() takes it back.
+  /// Adds a node without triangles, for the next change; removeLastNode() removes it again.
   NodeId addNode(const Vec3& point, NodeKind kind) { return complex_.addNode(point, kind); }
   void removeLastNode() { complex_.removeLastNode(); }
 
-  // Stretches of feature lines are the caller's: apply() carries those of edges that remain.
+  // The caller sets the stretches of feature lines; apply() keeps those of edges that remain.
   void replaceStretch(NodeId a, NodeId b, const Stretch& stretch);
   void updateStretch(StretchId id, const Stretch& stretch) { complex_.stretch(id) = stretch; }
   void releaseStretch(StretchId id) { complex_.removeStretch(id); }
 
-  /// The given triangle beneath a triangle of a curved patch, at the time it was made.
+  /// The given triangle that was beneath a triangle of a curved patch when it was made.
   [[nodiscard]] TriangleId beneath(TriangleId triangle) const { return beneath_[triangle.index()]; }
   /// A given triangle of the same patch, near the triangle.
   [[nodiscard]] TriangleId origin(TriangleId triangle) const;
@@ -92,13 +94,14 @@ class GuardedSurface {
   SurfaceLimits limits_;
   SurfaceComplex complex_;
   std::vector<TriangleId> beneath_;  ///< per triangle
-  std::vector<NodeId> firstGuest_;   ///< per triangle: first of the given nodes that it answers for
-  std::vector<NodeId> nextGuest_;    ///< per given node
+  std::vector<NodeId>
+      firstGuest_;  ///< per triangle: first of its guests, the given nodes that it must stay close to
+  std::vector<NodeId> nextGuest_;  ///< per given node: the next guest of the same triangle
   FaceGrid grid_;
   std::vector<Box> boxes_;  ///< per triangle
   std::vector<std::uint8_t> isRemoved_;
 
-  // What is known of the added triangles, in their order, while a change is examined.
+  // Scratch of apply(): data of the added triangles, in their order.
   const SurfaceChange* change_ = nullptr;
   std::vector<NumberedTriangle> numbered_;
   std::vector<Box> addedBoxes_;

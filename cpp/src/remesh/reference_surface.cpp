@@ -13,18 +13,21 @@
 namespace tetrafront {
 namespace {
 
-/// Height below which a triangle is flatter than the rounding of its corners to single precision, relative to the
-/// largest coordinate: its normal says nothing.
+/// Height below which a triangle counts as a sliver, relative to the largest coordinate: rounding
+/// its corners to single precision changes more, so its normal is meaningless.
 constexpr double kSliverHeight = 2e-6;
-/// Distance from a plane within which a patch is planar: rounding, relative to the diagonal and the coordinates.
+/// Distance from its plane up to which a patch counts as planar, relative to the diagonal and to
+/// the coordinates: an allowance for rounding.
 constexpr double kPlanarPerDiagonal = 1e-6;
 constexpr double kPlanarPerCoordinate = 2e-7;
-/// Cosine of the angle between a triangle and the mean normal of a node beyond which the node is the tip of a cone.
+/// A node counts as the tip of a cone if the cosine between the normal of one of its triangles and
+/// the mean normal is below this.
 constexpr double kApexCosine = 0.70710678;
-/// Longest piece of a triangle in the tree / diagonal, and the number of halvings that make it.
+/// Longest piece of a triangle in the tree / diagonal, and the largest number of halvings of a
+/// triangle.
 constexpr double kPieceLength = 1.0 / 60.0;
 constexpr int kMaxHalvings = 8;
-/// Steps of a walk between neighbouring triangles, after which the tree is faster.
+/// Largest number of steps of a walk between neighbouring triangles; for more, the tree is faster.
 constexpr int kMaxSteps = 24;
 
 double squaredLength(const Vec3& v) { return glm::dot(v, v); }
@@ -48,7 +51,8 @@ std::uint32_t longestEdgeOf(const std::array<Vec3, 3>& corners) {
   return longest;
 }
 
-/// Weight of a triangle in the normal of its corner k: grows with the angle there, whatever its area.
+/// Returns the weight of a triangle in the normal at its corner k; it grows with the angle there
+/// and does not depend on the area.
 double cornerWeight(const std::array<Vec3, 3>& corners, std::size_t k) {
   const Vec3 u = unitOf(corners[(k + 1) % 3] - corners[k]);
   const Vec3 v = unitOf(corners[(k + 2) % 3] - corners[k]);
@@ -187,7 +191,7 @@ SmoothPatch ReferenceSurface::describePatch(std::span<const TriangleId> members)
   const Vec3 origin = cornersOf(mesh_, members[0])[0];
   patch.isPlanar = glm::length(patch.normal) > 0.5;
   for (std::size_t i = 0; i < members.size() && patch.isPlanar; ++i) {
-    // A fold has both sides in one plane.
+    // A fold can lie in one plane, with triangles that face both ways.
     patch.isPlanar = glm::dot(normalOf(members[i]), patch.normal) > 0.0;
     for (const Vec3& corner : cornersOf(mesh_, members[i])) {
       patch.isPlanar =
@@ -279,7 +283,8 @@ std::vector<std::uint32_t> ReferenceSurface::countSectors() const {
     const NodeId node(mesh_.triangles[corner.index()]);
     ++sectors[node.index()];
     isCounted[corner.index()] = 1;
-    // Across the edge that leaves the node, then, if that ends at a line, across the one that arrives.
+    // Go around the node in one direction and then, unless this closes the circle, in the other
+    // one.
     for (const std::uint32_t turns : {0U, 2U}) {
       HalfEdgeId at = corner;
       for (;;) {
@@ -336,7 +341,8 @@ void ReferenceSurface::findCorners(const EdgeTable& edges) {
   findApexes();
 }
 
-/// Makes corners of nodes without feature lines whose triangles turn far from their mean normal.
+/// Marks nodes at the tips of cones as corners: the normals of their triangles differ much from the
+/// mean normal.
 void ReferenceSurface::findApexes() {
   std::vector<Vec3> normals(countNodes(mesh_), Vec3(0.0));
   for (const TriangleId t : IdRange<TriangleId>(normals_.size())) {
@@ -403,7 +409,7 @@ void ReferenceSurface::divide(TriangleId triangle, const std::array<Vec3, 3>& co
   const Vec3& c = corners[(k + 2) % 3];
   if (depth == 0 || glm::length(b - a) <= kPieceLength * diagonal_) {
     Box box = Box::of(a, b, c);
-    // Midpoints are rounded: the pieces must not lose points of their triangle.
+    // Midpoints are rounded, but the boxes of the pieces must contain the whole triangle.
     const Vec3 margin(1e-15 * largestCoordinate_);
     for (const Vec3& corner : corners) box.include(corner, margin);
     boxes.push_back(box);
@@ -420,7 +426,7 @@ double ReferenceSurface::squaredDistance(const Vec3& position, TriangleId triang
   return squaredDistanceToTriangle(position, corners[0], corners[1], corners[2]);
 }
 
-/// Returns a triangle than which no neighbour is nearer, and its nearest point.
+/// Walks to a triangle that is nearer than all its neighbours; returns it with its nearest point.
 NearestPoint ReferenceSurface::walk(const Vec3& position, TriangleId from) const {
   NearestPoint nearest{from, squaredDistance(position, from), {}};
   TriangleId last{};

@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file The given surface as the remesher needs it: divided into smooth patches by feature lines, and searchable. It
-/// never changes, and every distance is measured to it.
+/// @file The given surface in the form that the remesher needs: divided into smooth patches by
+/// feature lines, with a search tree. It never changes; every distance is measured to it.
 
 #include <array>
 #include <cstdint>
@@ -21,11 +21,12 @@ namespace tetrafront {
 
 using SmoothPatchId = Id<struct SmoothPatchTag>;
 
-/// Where the surface counts as sharp.
+/// Angles from which on the surface counts as sharp.
 struct FeatureRules {
   double creaseCosine =
       0.766;  ///< cosine of the smallest angle between triangles at a feature edge
-  double cornerCosine = 0.643;  ///< cosine of the smallest turn of a feature line at a corner
+  double cornerCosine =
+      0.643;  ///< cosine of the smallest angle by which a feature line turns at a corner
 };
 
 /// The point of a patch nearest to a position, and the triangle that contains it.
@@ -38,11 +39,11 @@ struct NearestPoint {
 /// The triangles of a smooth part of the surface: connected, and bounded by feature lines.
 struct SmoothPatch {
   bool isPlanar = false;
-  Vec3 normal{0.0};         ///< unit normal; of a patch that is not planar, the mean one
+  Vec3 normal{0.0};         ///< unit normal; the mean normal if the patch is not planar
   std::uint32_t group = 0;  ///< given patch of its triangles
 };
 
-/// Connected triangles of a curved patch in one plane, for example those of one strip of a fillet.
+/// Connected coplanar triangles of a curved patch, for example one strip of a fillet.
 struct Facet {
   Vec3 normal{0.0};       ///< unit normal
   Vec3 origin{0.0};       ///< a point of the plane
@@ -53,7 +54,8 @@ struct Facet {
 
 class ReferenceSurface {
  public:
-  /// `mesh`: a valid boundary, which must outlive this. `groups`: per triangle, the given patch; empty if all are one.
+  /// `mesh`: a valid boundary, which must outlive this. `groups`: the given patch of each triangle;
+  /// empty if there is only one.
   ReferenceSurface(const SurfaceMesh& mesh, std::span<const std::uint32_t> groups,
                    const FeatureRules& rules);
 
@@ -73,9 +75,10 @@ class ReferenceSurface {
   [[nodiscard]] const Vec3& normalOf(TriangleId triangle) const {
     return normals_[triangle.index()];
   }
-  /// True if the remesher must keep the node: lines end or turn there, or the surface touches itself.
+  /// True if the remesher must keep the node: a feature line ends or turns there, the node is the
+  /// tip of a cone, or the surface touches itself.
   [[nodiscard]] bool isCorner(NodeId node) const { return isCorner_[node.index()] != 0; }
-  /// The neighbour across edge k, k+1 of the same patch, or none at a feature line.
+  /// The neighbour across a half-edge, in the same patch; none at a feature line.
   [[nodiscard]] TriangleId smoothNeighbour(HalfEdgeId halfEdge) const {
     return neighbours_[halfEdge.index()];
   }
@@ -83,17 +86,19 @@ class ReferenceSurface {
   [[nodiscard]] const Facet& facetOf(TriangleId triangle) const {
     return facets_[facetOf_[triangle.index()]];
   }
-  /// Calls visit(from, to) for the edges on the boundary of a facet that may meet a box, the facet on their left, until
-  /// it returns false; returns whether it never did.
+  /// Calls visit(from, to) for the boundary edges of a facet that may touch a box, with the facet
+  /// on their left. Stops and returns false when `visit` returns false.
   template <class Visit>
   bool visitFacetEdges(const Facet& facet, const Box& box, Visit visit) const;
 
-  /// Returns the nearest point of the patch within `limit`. `hint`: a triangle of the patch that may be near, or none.
-  /// A local minimum counts, if it is near enough: the walk from the hint stays on its side of a thin wall.
+  /// Returns the nearest point of the patch within `limit`. `hint`: a triangle of the patch that
+  /// may be near, or none. The walk from the hint may end at a local minimum, which is returned if
+  /// it is within the limit; the walk thus stays on its side of a thin part.
   [[nodiscard]] NearestPoint nearest(const Vec3& position, SmoothPatchId patch, double limit,
                                      TriangleId hint) const;
 
-  /// A part of a given triangle, no longer than a fraction of the diagonal: boxes around whole needles would overlap.
+  /// A part of a given triangle, no longer than a fraction of the diagonal: boxes around whole
+  /// needles would overlap.
   struct Piece {
     TriangleId triangle{};
     Vec3 centroid{0.0};
@@ -127,7 +132,8 @@ class ReferenceSurface {
               std::vector<Box>& boxes);
   [[nodiscard]] NearestPoint walk(const Vec3& position, TriangleId from) const;
   [[nodiscard]] double squaredDistance(const Vec3& position, TriangleId triangle) const;
-  /// Distance from a plane within which triangles are in it: rounding of files.
+  /// Distance from a plane up to which triangles count as being in it; allows for the rounding of
+  /// files.
   [[nodiscard]] double planarTolerance() const;
 
   const SurfaceMesh& mesh_;
@@ -148,7 +154,7 @@ class ReferenceSurface {
   std::vector<Piece> pieces_;
   BoxTree tree_;
 
-  /// Facets with more edges find them through the tree.
+  /// Facets with more edges than this search them in the tree.
   static constexpr std::uint32_t kFewEdges = 8;
   std::vector<Facet> facets_;
   std::vector<std::uint32_t> facetOf_;  ///< per triangle; kNoIndex in planar patches

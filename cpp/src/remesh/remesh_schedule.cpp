@@ -11,31 +11,33 @@ namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-/// Rounds of collapsing, splitting and smoothing, and passes of smoothing. More of them change little.
+/// Numbers of rounds of collapsing, splitting and smoothing, and of passes of smoothing. More of
+/// them change little.
 constexpr int kRounds = 3;
 constexpr int kFinalSmoothingPasses = 2;
 constexpr int kSmoothingPasses = 1;
 constexpr int kSmoothingPassesAtLast = 3;
-/// Edges shorter than this are collapsed, in target lengths; in the first round only much shorter ones, because needles
-/// make edges short that splits will remove.
+/// Edges shorter than this are collapsed, in target lengths. In the first round only much shorter
+/// edges are collapsed: needles have short edges that splits will remove.
 constexpr double kShort = 0.75;
 constexpr double kVeryShort = 0.5;
-/// Edges longer than this are split.
+/// Edges longer than this are split, in target lengths.
 constexpr double kLong = 1.4;
 constexpr double kLongAtLast = 1.5;
-/// A pass of splits ends at this fraction of the longest edge, so that the longest are split first everywhere.
+/// A pass splits only edges longer than this fraction of the longest one, so that the longest edges
+/// are split first everywhere.
 constexpr double kPassFraction = 0.6;
 constexpr int kMaxPasses = 40;
-/// A pass of collapses that makes fewer than one in this many is the last.
+/// A pass is the last one if it collapses at most one in this many of the listed edges.
 constexpr std::size_t kFewCollapses = 50;
 constexpr int kMaxCollapsePasses = 20;
 constexpr int kMaxFlipPasses = 20;
-/// Flips around a new node.
+/// Largest number of flips around a new node.
 constexpr int kFlipsAround = 60;
-/// Squared sines of 38 and 32 degrees: triangles with a smaller angle are improved one by one.
+/// Squared sines of 38 and 32 degrees. Triangles with a smaller angle are improved one by one.
 constexpr double kPoorSquaredSine = 0.37904;
 constexpr double kPoorSquaredSineAtLast = 0.28081;
-/// Triangles examined for one unit of a budget.
+/// Triangles visited per unit of budget.
 constexpr std::size_t kTrianglesPerUnit = 4;
 
 }  // namespace
@@ -118,8 +120,8 @@ Task<> RemeshSchedule::collapseShort(Work& work, double limit) {
 
 // ---- split --------------------------------------------------------------------------------------
 
-/// Splits edges longer than `limit`. Splitting needles one by one without flips in between would make several times as
-/// many triangles.
+/// Splits edges longer than `limit`, with flips in between. Without the flips, splitting needles
+/// would make several times as many triangles.
 Task<> RemeshSchedule::splitLong(Work& work, double limit) {
   double refused = kUnlimited;  // longer edges cannot be split
   for (int pass = 0; pass < kMaxPasses; ++pass) {
@@ -165,7 +167,7 @@ void RemeshSchedule::flipAround(NodeId node) {
 
 // ---- flip ---------------------------------------------------------------------------------------
 
-/// Flips edges of the triangle at nodes that changed since the given time.
+/// Flips edges of the triangle at nodes that have changed since the given time.
 bool RemeshSchedule::flipEdges(TriangleId triangle, std::uint32_t since) {
   bool made = false;
   for (std::uint32_t k = 0; k < 3 && complex_.isAlive(triangle); ++k) {
@@ -196,7 +198,7 @@ Task<> RemeshSchedule::flipAll(Work& work) {
 
 // ---- move ---------------------------------------------------------------------------------------
 
-/// Where nothing has changed since the last pass, nothing will move.
+/// Skips nodes whose triangles have not changed since the last pass: they would not move.
 Task<> RemeshSchedule::smoothAll(Work& work) {
   const std::uint32_t since = smoothed_;
   smoothed_ = editor_.nextTime();
@@ -230,7 +232,7 @@ bool RemeshSchedule::improveTriangle(TriangleId triangle, double squaredSine) {
   if (!complex_.isAlive(triangle)) return false;
   const NodeTriple nodes = complex_.nodesOf(triangle);
   if (editor_.squaredSineOf(nodes) >= squaredSine) return false;
-  // The edges k, k+1, the longest first.
+  // Edges from corner k to k + 1, longest first.
   std::array<std::size_t, 3> order{0, 1, 2};
   const auto lengthOf = [&](std::size_t k) {
     return editor_.lengthOf(nodes[k], nodes[(k + 1) % 3]);
@@ -253,7 +255,8 @@ bool RemeshSchedule::improveTriangle(TriangleId triangle, double squaredSine) {
   return splitUnder({nodes[k], nodes[(k + 1) % 3], nodes[(k + 2) % 3]});
 }
 
-/// Splits the edge of the first two nodes beneath the third: a cap, or a needle between lines.
+/// Splits the edge between the first two nodes, below the third one: for caps, and for needles
+/// between feature lines.
 bool RemeshSchedule::splitUnder(const NodeTriple& nodes) {
   const auto [a, b, c] = nodes;
   if (editor_.lengthOf(a, b) <= 1.0) return false;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file The triangles that the remesher changes. Edges may have any number of triangles, so there are no links across
-/// edges: each node has a list of the corners at it.
+/// @file The triangles that the remesher changes. Edges may have any number of triangles, so there
+/// are no links across edges. Instead, each node has a list of its corners.
 
 #include <array>
 #include <cstdint>
@@ -16,14 +16,14 @@
 
 namespace tetrafront {
 
-/// What may happen to a node.
+/// How a node may move.
 enum class NodeKind : std::uint8_t {
   kSmooth,  ///< moves on its patch
   kLine,    ///< moves along its feature line
   kCorner,  ///< stays
 };
 
-/// An edge on a feature line stands for the stretch of the line between two arcs.
+/// The part of a feature line, between two arcs, that an edge represents.
 struct Stretch {
   FeatureLineId line{};
   double begin = 0.0;  ///< arc at `from`
@@ -42,16 +42,16 @@ class SurfaceComplex {
   [[nodiscard]] std::size_t nodeCount() const { return points_.size(); }
   [[nodiscard]] const Vec3& pointOf(NodeId node) const { return points_[node.index()]; }
   [[nodiscard]] NodeKind kindOf(NodeId node) const { return kinds_[node.index()]; }
-  /// True if a triangle has the node.
+  /// True if at least one triangle uses the node.
   [[nodiscard]] bool isUsed(NodeId node) const { return !firstCorner_[node.index()].isNone(); }
   NodeId addNode(const Vec3& point, NodeKind kind);
-  /// Removes the node that was added last; no triangle may have it.
+  /// Removes the node that was added last; no triangle may use it.
   void removeLastNode();
   void moveNode(NodeId node, const Vec3& point) { points_[node.index()] = point; }
 
   // ---- triangles ----
 
-  /// Number of slots; some are empty.
+  /// Number of slots, including empty ones.
   [[nodiscard]] std::size_t triangleSlots() const { return patches_.size(); }
   [[nodiscard]] std::size_t triangleCount() const { return patches_.size() - free_.size(); }
   [[nodiscard]] bool isAlive(TriangleId triangle) const { return !patchOf(triangle).isNone(); }
@@ -108,7 +108,8 @@ class SurfaceComplex {
   void setStretch(HalfEdgeId halfEdge, StretchId id) { stretchOf_[halfEdge.index()] = id; }
   /// Sets the stretch of all half-edges between two nodes.
   void setStretchBetween(NodeId a, NodeId b, StretchId id);
-  /// The neighbours of a node on its feature line, in the direction of the line; none if they are missing.
+  /// The neighbours of a node on its feature line, in the direction of the line; an entry without a
+  /// neighbour is none.
   struct LineNeighbours {
     NodeId before{};
     NodeId after{};

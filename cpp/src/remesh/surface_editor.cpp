@@ -12,11 +12,14 @@
 namespace tetrafront {
 namespace {
 
-/// Least gain of a measure that counts, so that rounding does not keep a node in motion.
+/// Smallest gain of a measure that justifies a change; with any gain, rounding could move a node
+/// for ever.
 constexpr double kLeastGain = 1e-3;
-/// Radius ratio above which the mean may rise although the poorest triangle gets no better.
+/// If all triangles have radius ratios above this after a move, a rise of their mean justifies the
+/// move, even if the poorest triangle does not improve.
 constexpr double kGoodRatio = 0.6;
-/// Least cosine between the two triangles of a flip: over a bend, the other diagonal is another surface.
+/// Smallest cosine between the normals of the two triangles of a flip: across a bend, the other
+/// diagonal would change the shape.
 constexpr double kFlipCosine = 0.5;
 /// Steps of improve() / mean edge length at the node, on a patch and along a line.
 constexpr std::array<double, 3> kPatchSteps{0.4, 0.15, 0.05};
@@ -36,7 +39,7 @@ Vec3 normalOf(const std::array<Vec3, 3>& corners) {
   return glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
 }
 
-/// Returns the triangle with one node in place of another.
+/// Returns the triangle with node `old` replaced by `now`.
 NodeTriple replaced(NodeTriple nodes, NodeId old, NodeId now) {
   for (NodeId& node : nodes) {
     if (node == old) node = now;
@@ -180,7 +183,8 @@ bool SurfaceEditor::split(NodeId a, NodeId b, double part) {
          (onPatch != straight && trySplit(a, b, straight, id, 0.0));
 }
 
-/// Returns the nearest point of the patch, or the position itself where that is as good.
+/// Returns the nearest point of the patch, or the position itself if the patch is planar or no
+/// point is near enough.
 Vec3 SurfaceEditor::splitPosition(const Vec3& straight, TriangleId triangle) const {
   const SmoothPatchId patch = complex_.patchOf(triangle);
   if (reference_.patch(patch).isPlanar) return straight;
@@ -226,7 +230,8 @@ bool SurfaceEditor::trySplit(NodeId a, NodeId b, const Vec3& position, StretchId
 
 // ---- collapse -----------------------------------------------------------------------------------
 
-/// Returns true if `a` and `b` have no neighbours in common but those that their edge implies.
+/// Returns true if `a` and `b` have no common neighbours other than the apexes of the triangles at
+/// their edge.
 bool SurfaceEditor::keepsTopology(NodeId a, NodeId b) {
   complex_.collectRing(a, ringA_);
   complex_.collectRing(b, ringB_);
@@ -265,7 +270,7 @@ bool SurfaceEditor::collapse(NodeId a, NodeId b, const CollapseRule& rule) {
     return std::ranges::any_of(edge_,
                                [&](HalfEdgeId e) { return complex_.nodesOf(e).apex == node; });
   };
-  // Joining two feature edges into one would hide a line.
+  // The collapse would merge two feature edges, and one of two lines would be lost.
   if (isLine && isApex(other)) return false;
   for (const NodeId node : ringA_) {
     if (node != b && !isApex(node) && lengthOf(node, b) > rule.longest) return false;
@@ -341,7 +346,7 @@ bool SurfaceEditor::isBetter(double poorest, double mean, bool forMean) const {
   return forMean && after > kGoodRatio && meanAdded() > mean + kLeastGain;
 }
 
-/// Puts the moved node onto its patch; false if that is too far away.
+/// Projects the moved node onto its patch; returns false if the patch is too far away.
 bool SurfaceEditor::projectMove(NodeId node) {
   const Vec3& here = complex_.pointOf(node);
   const SmoothPatchId id = change_.added[0].patch;
@@ -378,7 +383,7 @@ bool SurfaceEditor::moveOnLine(NodeId node, double arc, bool forMean) {
   const double mean = meanAdded();
   Stretch first = complex_.stretch(line.first);
   Stretch second = complex_.stretch(line.second);
-  // Where a closed line begins, arcs jump by its length.
+  // Arcs jump by the length of a closed line where the line begins.
   const double jump = second.begin - first.end;
   const double here = first.end;
   for (const double part : {1.0, 0.5, 0.25}) {
@@ -399,8 +404,8 @@ bool SurfaceEditor::moveOnLine(NodeId node, double arc, bool forMean) {
   return endMove(false);
 }
 
-/// Returns the mean of the triangles' centroids around a node. A triangle counts by its area in target lengths: larger
-/// where it is too large.
+/// Returns the weighted mean of the centroids of a node's triangles. The weight of a triangle grows
+/// with its area in target lengths, so that triangles that are too large shrink.
 Vec3 SurfaceEditor::centreOf(NodeId node) const {
   Vec3 sum(0.0);
   double weights = 0.0;

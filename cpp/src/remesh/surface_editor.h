@@ -1,8 +1,9 @@
 #pragma once
 
-/// @file The four operations of the remesher: split, collapse, flip and move. They keep the number of triangles at every
-/// edge; corners stay, nodes of a feature line stay on it, other nodes stay in their patch; and every feature edge is
-/// within the tolerance of its stretch of the line, both ways. GuardedSurface refuses what would break the rest.
+/// @file The four operations of the remesher: split, collapse, flip and move. They keep the number
+/// of triangles at every edge. Corners do not move, nodes of a feature line stay on it, and other
+/// nodes stay in their patch. Every feature edge and its stretch of the line stay within the
+/// tolerance of each other. GuardedSurface rejects changes that violate its other conditions.
 
 #include <array>
 #include <cstdint>
@@ -17,10 +18,11 @@
 
 namespace tetrafront {
 
-/// When a collapse is worth making.
+/// Conditions under which a collapse is made.
 struct CollapseRule {
-  double longest = 1.4;  ///< no new edge may be longer, in target lengths
-  double poorest = 0.3;  ///< nor a new triangle have a smaller radius ratio, unless one had before
+  double longest = 1.4;  ///< largest length of a new edge, in target lengths
+  double poorest =
+      0.3;  ///< smallest radius ratio of a new triangle, unless a removed one was below it
   bool mustImprove = false;  ///< the smallest radius ratio must rise
 };
 
@@ -33,13 +35,14 @@ class SurfaceEditor {
 
   /// Splits an edge at `part` of its length; the new node is the last one.
   bool split(NodeId a, NodeId b, double part = 0.5);
-  /// Moves `a` onto `b`, with which it is joined.
+  /// Moves `a` onto its neighbour `b`.
   bool collapse(NodeId a, NodeId b, const CollapseRule& rule);
-  /// Replaces the edge of two triangles by the other diagonal if the smallest angle grows.
+  /// Replaces the edge between two triangles by the other diagonal if this raises the smallest
+  /// angle.
   bool flip(NodeId a, NodeId b);
-  /// Moves a node to where its triangles are best on average.
+  /// Moves a node to the position at which its triangles are best on average.
   bool smooth(NodeId node);
-  /// Moves a node to where its poorest triangle is better.
+  /// Moves a node to a position at which its poorest triangle is better.
   bool improve(NodeId node);
 
   // ---- measures, in the metric of the size field ----
@@ -51,7 +54,7 @@ class SurfaceEditor {
   [[nodiscard]] double squaredSineOf(const NodeTriple& nodes) const;
   [[nodiscard]] double sizeOf(NodeId node) const { return size_[node.index()]; }
 
-  // ---- time: nodes remember when a triangle at them changed last ----
+  // ---- time: each node stores when one of its triangles last changed ----
 
   std::uint32_t nextTime() { return ++time_; }
   [[nodiscard]] std::uint32_t lastChange(NodeId node) const { return changed_[node.index()]; }
@@ -77,14 +80,15 @@ class SurfaceEditor {
   [[nodiscard]] double poorestAdded() const;
   [[nodiscard]] double meanAdded() const;
 
-  /// Returns true if the line between two arcs and the segment a b are within the tolerance of each other.
+  /// Returns true if the line between two arcs and the segment a b are within the tolerance of each
+  /// other.
   [[nodiscard]] bool follows(FeatureLineId line, double begin, double end, const Vec3& a,
                              const Vec3& b) const;
   bool trySplit(NodeId a, NodeId b, const Vec3& position, StretchId stretch, double arc);
   [[nodiscard]] Vec3 splitPosition(const Vec3& straight, TriangleId triangle) const;
   [[nodiscard]] bool keepsTopology(NodeId a, NodeId b);
   void beginMove(NodeId node);
-  /// The measures see the node where it is again.
+  /// Ends a trial move: the measures use the node's own position again.
   bool endMove(bool wasMade);
   bool moveOnPatch(NodeId node, const Vec3& target, bool forMean);
   bool moveOnLine(NodeId node, double arc, bool forMean);

@@ -32,17 +32,19 @@ constexpr double kMinSizePerDiagonal = 1.0 / 300.0;
 constexpr double kMinSizePerSize = 0.1;
 constexpr double kTolerancePerDiagonal = 1.0 / 1000.0;
 constexpr double kTolerancePerSize = 0.05;
-/// Angle per edge if a size is given: only so that round stays round.
+/// Angle per edge if a size is given: a coarse limit that keeps round shapes round.
 constexpr double kCoarseDegreesPerEdge = 60.0;
 /// Turn of a feature line, in degrees, at which it has a corner.
 constexpr double kCornerDegrees = 50.0;
-/// The tests of a change keep within this part of the tolerance. From the remeshed surface to the given one they are
-/// exact; the other way they test given nodes, between which the distance is a little larger.
+/// The checks of a change use this fraction of the tolerance. From the remeshed surface to the
+/// given one, they hold for every point. In the other direction they test given nodes only, and
+/// between nodes the distance may be slightly larger.
 constexpr double kTestedTolerance = 0.9;
 
 constexpr double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
 
-/// Returns the cosine by its series: library functions differ in the last bit, and meshes must not.
+/// Returns the cosine by its series: library functions differ in the last bit between platforms,
+/// but meshes must not.
 double cosineOfDegrees(double degrees) {
   const double square = radians(degrees) * radians(degrees);
   double term = 1.0;
@@ -54,7 +56,7 @@ double cosineOfDegrees(double degrees) {
   return sum;
 }
 
-/// The lengths of a remeshing, with nothing left to choose.
+/// The lengths of a remeshing, with all automatic values replaced.
 struct Lengths {
   double maxSize;
   double minSize;
@@ -94,7 +96,7 @@ SurfaceRemesh refused(std::vector<Diagnostic> diagnostics) {
   return result;
 }
 
-/// Returns what is wrong with the surface, the options and the grid; makes the surface face outward.
+/// Returns the diagnostics of the surface, the options and the grid; orients the surface outward.
 Task<std::vector<Diagnostic>> checkInput(Work& work, SurfaceMesh& mesh, const BackgroundGrid& grid,
                                          const RemeshOptions& options) {
   const MeshOptions targets = targetOptions(options);
@@ -114,7 +116,7 @@ struct TargetField {
   std::vector<Diagnostic> diagnostics;  ///< not empty if the grid does not cover the surface
 };
 
-/// Makes the size field: given sizes, capped by those of the shape.
+/// Makes the size field: the given sizes, capped by those of the shape.
 Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
                                   const BackgroundGrid& grid, const RemeshOptions& options,
                                   const Lengths& lengths) {
@@ -215,7 +217,7 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh,
   result.featureLines = static_cast<std::uint32_t>(reference.lines().size());
   DeviationBound deviation(surface, limits.tolerance);
   co_await work.finish(deviation);
-  // In the other direction, every change has kept the tolerance.
+  // For the other direction, the check of every change has ensured the tolerance.
   result.deviation = std::max(limits.tolerance, deviation.bound());
   result.points = std::move(made.points);
   result.triangles = std::move(made.triangles);

@@ -1,6 +1,7 @@
 #pragma once
 
-/// @file Remeshes a surface: checks it, finds its features and sizes, changes it, and bounds the distance.
+/// @file Remeshes a surface: checks it, finds its features and sizes, changes its triangles, and
+/// bounds the distance between the two surfaces.
 
 #include <cstdint>
 #include <vector>
