@@ -29,7 +29,7 @@ TEST(Fingerprint, DependsOnOrderAndOnTheLastBit) {
   EXPECT_NE(fingerprintOf(forth), fingerprintOf(nudged));
 }
 
-TEST(Fingerprint, TakesBothZerosForTheSameCoordinate) {
+TEST(Fingerprint, TreatsBothZerosAsTheSameCoordinate) {
   const std::array<double, 1> plus = {0.0};
   const std::array<double, 1> minus = {-0.0};
   EXPECT_EQ(fingerprintOf(plus), fingerprintOf(minus));

@@ -19,8 +19,8 @@ struct Record {
   std::array<std::uint32_t, Words> words;
 };
 
-/// Few different keys in the first word, the index before sorting in the last: all that tells whether
-/// equal ones kept their order.
+/// Returns records with few different keys in the first word, and the index before sorting in the
+/// last, which shows whether equal records keep their order.
 template <std::size_t Words>
 std::vector<Record<Words>> records(std::size_t count, std::uint32_t keys, unsigned seed) {
   std::mt19937 random(seed);
@@ -57,7 +57,7 @@ TEST(Sort, IsStableForRecordsOfAllSizes) {
   expectAsTheLibrarySorts<sorting::kLargestRecord / 4>(sort);
 }
 
-TEST(Sort, SlicesDoTheirShareAndNoMore) {
+TEST(Sort, EachSliceUsesItsBudgetAndNoMore) {
   for (const std::uint32_t keys : {1U, 5U, 1U << 30U}) {
     for (const std::size_t budget : {1U, 50U, 100'000U}) {
       auto sorted = records<3>(5000, keys, 3);
@@ -84,13 +84,13 @@ TEST(Sort, SlicesDoTheirShareAndNoMore) {
   }
 }
 
-TEST(Sort, FewAreSortedAsMany) {
+TEST(Sort, SortsFewElementsAsTheLibraryDoes) {
   const auto sort = [](auto& range, const auto& less) { sortFew(range, less); };
   expectAsTheLibrarySorts<2>(sort);
   expectAsTheLibrarySorts<5>(sort);
 }
 
-TEST(Sort, OrderedAndTurnedRunsStayWithinAFewComparisonsEach) {
+TEST(Sort, SortedAndReversedInputNeedsFewComparisons) {
   constexpr std::size_t kCount = 4096;
   for (const bool isTurned : {false, true}) {
     std::vector<std::uint32_t> numbers(kCount);
@@ -101,24 +101,25 @@ TEST(Sort, OrderedAndTurnedRunsStayWithinAFewComparisonsEach) {
       return a < b;
     });
     EXPECT_TRUE(std::is_sorted(numbers.begin(), numbers.end()));
-    // Ordered: one per neighbours. Turned: half of each merge, of which there are nine, and short runs.
+    // Sorted input needs one comparison per pair of neighbours; reversed input, half of each of the
+    // nine merges, and the short runs.
     EXPECT_LT(comparisons, kCount * (isTurned ? 10 : 2));
   }
 }
 
-TEST(Sort, TouchesOnlyTheSpanItIsGiven) {
+TEST(Sort, ChangesOnlyTheGivenSpan) {
   std::vector<std::uint32_t> numbers{9, 8, 7, 6, 5, 4, 3};
   stableSort(std::span(numbers).subspan(2, 3));
   EXPECT_EQ(numbers, (std::vector<std::uint32_t>{9, 8, 5, 6, 7, 4, 3}));
 }
 
-TEST(Sort, PairsByBothAndEachOnce) {
+TEST(Sort, SortsPairsByBothMembersAndRemovesDuplicates) {
   std::vector<std::pair<double, std::uint32_t>> pairs{{2.0, 1}, {1.0, 7}, {2.0, 0}, {1.0, 7}};
   sortUnique(pairs);
   EXPECT_EQ(pairs, (std::vector<std::pair<double, std::uint32_t>>{{1.0, 7}, {2.0, 0}, {2.0, 1}}));
 }
 
-TEST(Sort, ArraysOfAllOrders) {
+TEST(Sort, SortsArraysInAnyOrder) {
   std::array<int, 4> turned{0, 1, 2, 3};
   do {
     EXPECT_EQ(sorted(turned), (std::array{0, 1, 2, 3}));

@@ -163,7 +163,7 @@ TEST(Task, AwaitsTasksTenThousandDeep) {
   EXPECT_EQ(job.take(), 10000);
 }
 
-/// Two tasks, the second within the first, each with something to destroy.
+/// The first task awaits the second; each has a local to destroy.
 struct Nested {
   static Task<> inner(Work& work, std::vector<std::string>& log) {
     const Witness witness(log, "inner");
@@ -327,7 +327,7 @@ struct Parts {
   static Task<> root(Work& work) {
     work.beginPart(0.2);
     co_await leaf(work, 4);
-    // Left before its end, so that the next part begins where the progress is.
+    // The part is left before its end, so the next part begins at the current progress.
     work.beginPart(0.4);
     work.setFraction(0.5);
     co_await work.yield();
@@ -372,7 +372,7 @@ TEST(Work, CompletesOnlyThePartInWhichATaskEnds) {
   EXPECT_EQ(job.fraction(), 1.0);
 }
 
-TEST(Work, NeverTakesProgressBack) {
+TEST(Work, ProgressNeverDecreases) {
   Job job([](Work& work) { return Parts::root(work); });
   double before = 0.0;
   for (bool isFinished = false; !isFinished; before = job.fraction()) {

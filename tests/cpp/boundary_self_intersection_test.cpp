@@ -26,7 +26,7 @@ bool isFlat(const SurfaceMesh& mesh, std::uint32_t t) {
   return glm::length(glm::cross(p[1] - p[0], p[2] - p[0])) == 0.0;
 }
 
-/// Tests every pair of triangles; the expected result.
+/// Returns the expected result: tests every pair of triangles.
 std::set<Pair> allIntersectingPairs(const SurfaceMesh& mesh,
                                     const std::vector<std::uint8_t>& ignored) {
   std::set<Pair> pairs;
@@ -61,8 +61,8 @@ std::vector<Pair> pairsFound(const SurfaceMesh& mesh, const std::vector<std::uin
   return pairs;
 }
 
-/// Triangles between few positions, so that they share nodes and edges, are coplanar or needles, and that 20 and more
-/// meet at a node.
+/// Returns triangles between few positions: they share nodes and edges, many are coplanar or
+/// needles, and 20 or more meet at a node.
 SurfaceMesh tangle(Random& random) {
   SurfaceMesh mesh;
   const int nodes = random.integer(8, 24);

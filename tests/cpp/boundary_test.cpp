@@ -417,7 +417,7 @@ TEST(BoundaryTest, ARegionWithANonManifoldEdgeIsOneRegion) {
   EXPECT_NEAR(enclosedVolume(mesh), 6.0, 1e-14);
 }
 
-// ---- each diagnostic provoked -----------------------------------------------------------------
+// ---- each diagnostic ---------------------------------------------------------------------------
 
 TEST(BoundaryDiagnosticsTest, EmptySurface) {
   SurfaceMesh mesh;
@@ -659,7 +659,8 @@ TEST(BoundaryDiagnosticsTest, ZeroVolume) {
   EXPECT_TRUE(close(mesh).result.isValid);
 }
 
-/// Flips the outside of two boxes with a common wall: the wall counts neither as flipped nor among all.
+/// Flips the outside of two boxes with a common interface. The interface counts neither as flipped
+/// nor as one of all triangles.
 TEST(BoundaryInterfacesTest, InterfacesDoNotCountAsTrianglesOfTheirComponent) {
   SurfaceMesh mesh = dividedBox({2, 1, 1}, 1);
   ASSERT_TRUE(close(mesh).result.isValid);

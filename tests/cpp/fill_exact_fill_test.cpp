@@ -176,7 +176,7 @@ TEST(ExactFill, RemovesPointsFromBulgingBoundariesInFewSteps) {
   EXPECT_LT(steps, 700);
 }
 
-/// Needles of the flat faces cross each other in one plane apart from rounding.
+/// Needles of the flat faces cross each other in one plane, up to rounding.
 TEST(ExactFill, FillsRotatedPlatesOfNeedlesCompletely) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     SurfaceMesh surface = testing::needlePlate(3, 24, 0.05);
@@ -266,7 +266,7 @@ TEST(ExactFill, NamesATriangleOfEachTetrahedronsPocket) {
   }
 }
 
-TEST(ExactFill, HasNoResultIfTheTrianglesAreNoClosedBoundary) {
+TEST(ExactFill, HasNoResultIfTheTrianglesAreNotAClosedBoundary) {
   FillTask open = taskOf(testing::gridCube(2));
   open.triangles.pop_back();
   FillResult result;

@@ -1,4 +1,4 @@
-/// Long numbers against the tests' own whole numbers.
+/// Long numbers compared with the tests' own whole numbers.
 
 #include "geom/dyadic.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 using testing::BigInteger;
 
-/// Random doubles of very different sizes, on a grid of 2^-kShift.
+/// Returns random multiples of 2^-kShift of very different sizes.
 constexpr int kShift = 200;
 double anyDouble(testing::Random& random) {
   if (random.integer(0, 9) == 0) return random.integer(-2, 2);
@@ -40,14 +40,14 @@ TEST(Dyadic, SumsDifferencesAndProductsAreThoseOfWholeNumbers) {
     const BigInteger wholeCube =
         (wholeA + wholeB) * (wholeB - wholeC) * (wholeC + wholeA) - wholeA * wholeB * wholeC;
     ASSERT_EQ(cube.sign(), wholeCube.sign());
-    // The same number reached in another way.
+    // Compute the same number in another way.
     const Dyadic other =
         x * x * y - x * x * z - x * z * z + y * y * z + x * y * y - y * z * z - x * y * z;
     ASSERT_TRUE(cube == other) << i;
   }
 }
 
-TEST(Dyadic, GivesBackTheDoublesItIsMadeOf) {
+TEST(Dyadic, ReturnsTheDoublesItWasMadeFrom) {
   testing::Random random(2);
   for (int i = 0; i < 3000; ++i) {
     const double a = anyDouble(random);
@@ -71,12 +71,12 @@ TEST(Dyadic, CancellationLeavesTheLastBit) {
   EXPECT_EQ((large - large).digitCount(), 0U);
 }
 
-TEST(Dyadic, NumbersGrowAsLongAsTheyMust) {
+TEST(Dyadic, LongProductsAreExact) {
   const Dyadic span = Dyadic(0x1p100) + Dyadic(0x1p-250);
   Dyadic power(1.0);
   for (int i = 0; i < 30; ++i) power = power * span;
   EXPECT_GT(power.digitCount(), 300U);
-  // One more factor, once on either side and once in two parts.
+  // Multiply by one more factor, at once and in two parts.
   const Dyadic parts = power * Dyadic(0x1p100) + power * Dyadic(0x1p-250);
   EXPECT_TRUE(parts == span * power);
   EXPECT_FALSE(parts + Dyadic(0x1p-1000) == span * power);
@@ -92,7 +92,7 @@ TEST(Dyadic, DeterminantsHaveTheSignOfTheExpansions) {
     const Vec3 a = random.inBox();
     const Vec3 b = random.inBox();
     const Vec3 c = random.inBox();
-    // Nearly in their plane, or exactly.
+    // The point is in the plane of the others, or nearly.
     const double s = random.integer(-4, 4) * 0.25;
     Vec3 d = a + (b - a) * s + (c - a) * (1.0 - s);
     if (i % 4 == 0) d = c;

@@ -16,7 +16,8 @@ namespace {
 
 using Corners = std::array<Vec3, 4>;
 
-/// Sign of the determinant of rows (v, v.v), v from p to each corner.
+/// Returns the sign of the determinant with rows (v, v.v), where v is the vector from p to each
+/// corner.
 int oracleInsphere(const Corners& c, const Vec3& p) {
   const std::array<ExactVec3, 5> e = exactly<5>({c[0], c[1], c[2], c[3], p});
   std::array<ExactVec3, 4> v;
@@ -51,7 +52,7 @@ TEST(InsphereTest, WhatIsOnTheSphereIsOutside) {
   for (const Vec3& p : box) EXPECT_FALSE(isInsideSphere(corners, p));
 }
 
-/// On two circles of one sphere but for rounding: the nodes of a ring of needles.
+/// The nodes of a ring of needles: up to rounding, they lie on two circles of one sphere.
 Vec3 onRings(Random& random) {
   const double angle = random.between(0.0, 6.3);
   return {0.2 * std::cos(angle), 0.2 * std::sin(angle), random.integer(0, 1) == 0 ? -0.7 : 0.7};

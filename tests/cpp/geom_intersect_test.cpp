@@ -17,7 +17,7 @@
 namespace tetrafront::testing {
 namespace {
 
-// ---- the oracle: clip one triangle by the other in fractions, and look at what is left ----------
+// ---- the oracle: clip one triangle by the other in fractions, and inspect the remaining part ----
 
 /// A fraction of small numbers, always reduced.
 struct Fraction {
@@ -52,7 +52,7 @@ Position cross(const Position& a, const Position& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// The part of a convex polygon, segment or point where normal . (x - origin) >= 0.
+/// Returns the part of a convex polygon, segment or point where normal . (x - origin) >= 0.
 Polygon clipped(const Polygon& polygon, const Position& origin, const Position& normal) {
   Polygon result;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -161,7 +161,7 @@ TEST(IntersectTest, AgreesWithTheOracleOnAllTrianglesOfTheUnitCube) {
   EXPECT_LT(meeting, 56 * 56);
 }
 
-/// Grids so small that coplanar, collinear and touching corners are the rule.
+/// The grid is so small that most corners are coplanar, collinear or touching.
 TEST(IntersectTest, AgreesWithTheOracleOnRandomGridTriangles) {
   Random random(201);
   std::array<int, 2> outcomes{};
@@ -210,7 +210,7 @@ TEST(IntersectTest, DoesNotDependOnTheOrderOfCorners) {
   }
 }
 
-TEST(IntersectTest, NodeNumbersDecideSharingNotPositions) {
+TEST(IntersectTest, NodeIndicesNotPositionsDecideWhichNodesAreShared) {
   NumberedTriangle a = numbered({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
   NumberedTriangle b = numbered({{{1, 0, 0}, {0, 0, 0}, {0, 0, 1}}});
   EXPECT_FALSE(intersectImproperly(a, b));
@@ -218,7 +218,8 @@ TEST(IntersectTest, NodeNumbersDecideSharingNotPositions) {
   EXPECT_TRUE(intersectImproperly(a, b)) << "the sheets are not joined: they touch";
 }
 
-/// p as a mixture of a triangle's corners and what is left across its plane, by its size.
+/// Returns the weights of a triangle's corners at p, and the distance of p from the triangle's
+/// plane relative to the triangle's size.
 std::array<double, 4> mixtureOf(const Vec3& p, const std::array<Vec3, 3>& t) {
   const Vec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
   const double square = glm::dot(normal, normal);
@@ -253,7 +254,7 @@ TEST(IntersectionPosition, IsInBothTriangles) {
   EXPECT_GT(met, 500);
 }
 
-/// A corner a unit in the last place off a plane is off it.
+/// A corner that is one unit in the last place away from a plane is not in it.
 TEST(IntersectTest, DistinguishesTouchingFromNearlyTouching) {
   const std::array<Vec3, 3> floor{Vec3(0.0), Vec3(1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0)};
   for (const double gap : {0.0, 5e-324, 1e-300, 1e-16}) {

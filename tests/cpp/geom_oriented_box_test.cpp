@@ -20,7 +20,8 @@ Vec3 direction(Random& random) {
   return v / glm::length(v);
 }
 
-/// Anything from a fair triangle to a needle of 1e-9, far from the origin or near it.
+/// Returns a random triangle, from a well shaped one to a needle of 1e-9, far from the origin or
+/// near it.
 Triangle anyTriangle(Random& random, const Vec3& around) {
   const Vec3 along = direction(random) * std::pow(10.0, -random.integer(0, 2));
   const Vec3 aside = direction(random) * std::pow(10.0, -random.integer(0, 9));
@@ -37,11 +38,11 @@ TEST(OrientedBoxTest, NeverSeparatesBoxesThatIntersect) {
     const Vec3 around = Vec3(1.0, -2.0, 0.5) * (i % 2 == 0 ? 0.0 : 1e6);
     std::array<Triangle, 3> t{anyTriangle(random, around), anyTriangle(random, around),
                               anyTriangle(random, around)};
-    // The third one through the first, give or take their rounding.
+    // Move the third triangle so that it intersects the first one, up to rounding.
     const Vec3 way = (t[0][0] + t[0][1] + t[0][2] - t[2][0] - t[2][1] - t[2][2]) / 3.0;
     for (Vec3& corner : t[2]) corner += way;
     const OrientedBox both = OrientedBox::hull(boxOf(t[0]), boxOf(t[1]));
-    // The triangles that a box was made of are not apart from it, nor are their corners.
+    // The box is not apart from the triangles that it was made from, nor from their corners.
     for (const Triangle& inside : {t[0], t[1]}) {
       ASSERT_FALSE(both.isApartFrom(boxOf(inside)));
       for (const Vec3& corner : inside)
@@ -55,7 +56,8 @@ TEST(OrientedBoxTest, NeverSeparatesBoxesThatIntersect) {
   EXPECT_GT(met, 500);
 }
 
-/// Where the width is rounding, so is the direction across: the box holds the corners all the same.
+/// If the width of a needle is only rounding, so is the direction across it. The box must contain
+/// the corners nevertheless.
 TEST(OrientedBoxTest, HoldsNeedlesAsThinAsRounding) {
   Random random(52);
   for (int i = 0; i < 4000; ++i) {
@@ -67,7 +69,7 @@ TEST(OrientedBoxTest, HoldsNeedlesAsThinAsRounding) {
     for (const Vec3& corner : {from, to, tip, 0.5 * (from + to)}) {
       ASSERT_FALSE(box.isApartFrom(OrientedBox::of(corner, corner, corner))) << height;
     }
-    // The box is still thin, so it is separated from one that is slightly aside.
+    // The box is still thin, so it is separated from a slightly displaced one.
     const Vec3 aside = 1e-3 * glm::cross(to - from, direction(random));
     ASSERT_TRUE(box.isApartFrom(OrientedBox::of(from + aside, to + aside, tip + aside)) ||
                 glm::length(aside) < 1e-6)
@@ -104,7 +106,7 @@ TEST(OrientedBoxTest, NeedlesThatPassEachOtherAreApart) {
   EXPECT_TRUE(below.isApartFrom(above));
 }
 
-/// Where squares overflow or vanish nothing may be claimed.
+/// If squares overflow or vanish, boxes must not count as apart.
 TEST(OrientedBoxTest, NumbersOutOfRangeAreNotSeparated) {
   for (const double scale : {1e200, 1e-200, 1e-300}) {
     const Triangle t{Vec3(0.0), Vec3(scale, scale, 0.0), Vec3(0.0, scale, scale)};

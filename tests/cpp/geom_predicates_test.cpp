@@ -64,7 +64,7 @@ TEST(PredicatesTest, Orient3dIsExactOnNearlyFlatCorners) {
       }
     }
   }
-  // The generator must reach both kinds, or nothing was tested.
+  // Both results must occur, or the test would prove nothing.
   EXPECT_GT(signs, 1000);
   EXPECT_GT(zeros, 0);
 }
@@ -79,7 +79,7 @@ TEST(PredicatesTest, Orient3dIsExactOnSmallIntegerGrids) {
       const int y = random.integer(-2, 2);
       v = Vec3(x, y, random.integer(-2, 2));
     }
-    // Offsets that the grid's numbers survive exactly.
+    // Adding these offsets to the numbers of the grid is exact.
     for (Vec3& v : p) v += Vec3(0x1p40, -0x1p40, 0.0);
     const int expected = oracleOrient3d(p[0], p[1], p[2], p[3]);
     zeros += expected == 0 ? 1 : 0;
@@ -142,7 +142,7 @@ TEST(PredicatesTest, CollinearMeansExactlyOnOneLine) {
   EXPECT_FALSE(collinear(Vec3(0.0), Vec3(0.1, 0.2, 0.3), Vec3(0.2, 0.4, 0.7)));
 }
 
-TEST(PredicatesTest, CountsOnlyWhatNeededTheExactStage) {
+TEST(PredicatesTest, CountsOnlySignsThatNeededTheExactStage) {
   const std::uint64_t before = exactPredicateCount();
   EXPECT_EQ(orient3d(Vec3(0.0), Vec3(1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0), Vec3(0.0, 0.0, 1.0)), 1);
   EXPECT_EQ(exactPredicateCount(), before);
@@ -162,7 +162,7 @@ TEST(PredicatesTest, NeedsNoExactStageInAxisParallelPlanes) {
     EXPECT_EQ(orient3d(points[0], points[1], points[2], points[3]), 0);
   }
   EXPECT_EQ(exactPredicateCount(), before);
-  // One unit in the last place out of the plane is out of it.
+  // A point that is one unit in the last place away from the plane is not in it.
   const double above = std::nextafter(0.1, 1.0);
   EXPECT_EQ(orient3d(Vec3(0.0, 0.0, 0.1), Vec3(1.0, 0.0, 0.1), Vec3(0.0, 1.0, 0.1),
                      Vec3(0.3, 0.3, above)),

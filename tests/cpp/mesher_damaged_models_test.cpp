@@ -1,5 +1,5 @@
-// Thousands of models damaged at random: the check, the preview and the run must end, and say what
-// is wrong by its name.
+// Thousands of randomly damaged models: the check, the preview and the run must end, and their
+// diagnostics must name the damaged entity.
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ Model validModel(std::uint64_t seed) {
   }
 }
 
-/// Numbers that programs stumble over.
+/// Numbers that often cause failures.
 double wildNumber(Random& random) {
   constexpr std::array<double, 12> kWild{0.0,
                                          -0.0,
@@ -184,7 +184,7 @@ void damageGrid(Random& random, BackgroundGrid& grid) {
   }
 }
 
-/// Whether an error of this code names entities; the others concern the whole model.
+/// Returns whether errors of this code name entities; other errors concern the whole model.
 bool namesEntities(DiagnosticCode code) {
   return code != DiagnosticCode::kEmptyModel && code != DiagnosticCode::kEmptyBackgroundGrid &&
          code != DiagnosticCode::kTooManyElements && code != DiagnosticCode::kOptionOutOfRange &&
@@ -269,7 +269,7 @@ Damaged damaged(std::uint64_t seed) {
   return result;
 }
 
-TEST(DamagedModels, ThePreviewNamesWhatIsWrong) {
+TEST(DamagedModels, ThePreviewNamesTheDamage) {
   constexpr std::uint64_t kModels = 1000;
   int accepted = 0;
   for (std::uint64_t seed = 0; seed < kModels; ++seed) {
@@ -285,7 +285,7 @@ TEST(DamagedModels, ThePreviewNamesWhatIsWrong) {
 }
 
 TEST(DamagedModels, RunsEndWithAMeshOrANamedProblem) {
-  // Coarse meshes take some tens of slices; more than this would be a run without end.
+  // Coarse meshes take some tens of slices. A run that takes more than this would never end.
   constexpr int kMaxSlices = 2000;
   constexpr std::uint32_t kBudget = 500;
   for (std::uint64_t seed = 0; seed < 250; ++seed) {

@@ -129,7 +129,7 @@ TEST(MeshInterfaces, TwentySevenCubes) {
 }
 
 TEST(MeshInterfaces, InterfacesMeetInALine) {
-  // Three sectors of a triangular prism about its middle line, where three interfaces meet.
+  // Three sectors of a triangular prism around its middle line, at which three interfaces meet.
   ModelBuilder builder;
   const std::array<Vec3, 3> corners{Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(1, 1.7, 0)};
   const Vec3 middle(1, 0.6, 0);
@@ -147,7 +147,8 @@ TEST(MeshInterfaces, InterfacesMeetInALine) {
   EXPECT_NEAR(volumes[2], 0.6, 1e-12);
 }
 
-/// A tube of four Coons patches, closed by discs and cut by discs between.
+/// A tube of sections with four Coons patches each, with discs at both ends and between the
+/// sections.
 Model dividedTube(int pieces) {
   ModelBuilder builder;
   std::vector<Loop> rings;
@@ -180,7 +181,8 @@ TEST(MeshInterfaces, TubeWithDiscs) {
   }
 }
 
-/// A ball in a box, held by a wall through its equator: ball, and the box above and below it.
+/// A ball in a box, connected to it by an interface around its equator: the regions are the ball,
+/// and the box above and below the interface.
 TEST(MeshInterfaces, BallInABox) {
   ModelBuilder builder;
   const auto square = [](double z) {
@@ -224,7 +226,7 @@ TEST(MeshInterfaces, AnInterfaceWithAHoleIsAnOpenLine) {
   ModelBuilder builder;
   builder.model = dividedBoxModel({2, 1, 1});
   for (Patch& patch : builder.model.patches) {
-    // The wall: the one patch in the plane x = 1.
+    // The interface is the only patch in the plane x = 1.
     bool isInterface = true;
     for (const OrientedLine& walked : patch.loops.front()) {
       for (const std::uint32_t point : builder.model.lines[walked.line].points)
@@ -241,8 +243,8 @@ TEST(MeshInterfaces, AnInterfaceWithAHoleIsAnOpenLine) {
   EXPECT_EQ(run.diagnostics().size(), 4U) << "every line of the hole";
 }
 
-/// A ring of eight cubes with one interface between them: the same region is on both sides
-/// of it. That is known before anything is meshed.
+/// A ring of eight cubes with a single interface: the same region is on both sides of it. The check
+/// before meshing reports this.
 TEST(MeshInterfaces, AnInterfaceThatSeparatesNothingIsNamedAtOnce) {
   Model model = dividedBoxModel({3, 3, 1});
   const Vec3 kept(1.0, 0.5, 0.5);
@@ -330,8 +332,8 @@ TEST(MeshInterfaces, SlicesDoNotMatter) {
   EXPECT_EQ(whole.volume().regions, sliced.volume().regions);
 }
 
-/// Whatever is not filled is in the front: each region's volume is that of its tetrahedra and of what
-/// its faces enclose.
+/// The front bounds everything that is not filled: the volume of a region is that of its tetrahedra
+/// plus that enclosed by its faces of the front.
 TEST(MeshInterfaces, ACancelledRunHasTheRestInItsFront) {
   const SurfaceMesh surface = testing::dividedBox({2, 2, 2}, 3);
   MeshRun run(surface.points, surface.triangles, MeshOptions{});

@@ -17,7 +17,7 @@ namespace {
 /// Cells per direction of the midpoint rule below; its error is of second order.
 constexpr int kCells = 200;
 
-/// The flux of x / 3 through a curved patch, away from `inside`, by the midpoint rule.
+/// Returns the flux of x / 3 through a curved patch, away from `inside`, by the midpoint rule.
 double fluxThrough(const UnitSurface& surface, const Vec3& inside) {
   const bool triangle = surface.shape() == UnitShape::kTriangle;
   const double cell = 1.0 / kCells;
@@ -40,7 +40,7 @@ double fluxThrough(const UnitSurface& surface, const Vec3& inside) {
   return std::fabs(flux);
 }
 
-/// Of a solid whose patches all face away from the mean of its points.
+/// Returns the volume of a solid whose patches all face away from the mean of its points.
 double exactVolume(const Model& model) {
   Vec3 inside(0.0);
   for (const Vec3& point : model.points) inside += point;

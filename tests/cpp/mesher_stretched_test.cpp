@@ -1,6 +1,5 @@
-/// Stretched meshes really come out stretched: in the metric of a constant size tensor H, edges are
-/// about 1 long, and the elements are as many as in the box that T = H^-1 makes of the box, meshed
-/// with size 1.
+/// Stretched meshes. In the metric of a constant size tensor H, edges have a length of about 1. The
+/// number of elements is that of the box mapped by T = H^-1 and meshed with size 1.
 
 #include <gtest/gtest.h>
 
@@ -47,7 +46,7 @@ BackgroundGrid stretchedGrid(const Stretch& stretch) {
     const Vec3 position = node.position;
     node = parameters(stretch);
     node.position = position;
-    // Which way it points must not matter.
+    // The sign of the direction must not matter.
     if (position.x > 0.5) node.direction = -3.0 * node.direction;
   }
   return grid;
@@ -73,7 +72,7 @@ Finished meshed(const Model& model, const BackgroundGrid& grid, double size,
   return {run.surface(), run.volume(), run.statistics(), run.metricShapes()};
 }
 
-/// The box as the metric sees it, meshed with size 1.
+/// Returns the mesh of size 1 of the box mapped by T.
 Finished unstretched(const Stretch& stretch, Optimization optimization = Optimization::kNone) {
   const SymmetricTensor toUnit = sizeTensor(parameters(stretch)).inverse();
   Model model = unitBox();
@@ -92,7 +91,7 @@ QualitySummary metricQuality(VolumeMesh mesh, const Stretch& stretch) {
   return measureQuality(mesh);
 }
 
-/// Mean length of the edges, each once, in the metric.
+/// Returns the mean length of the edges in the metric; each edge counts once.
 double meanMetricEdge(const VolumeMesh& mesh, const Stretch& stretch) {
   const SymmetricTensor toUnit = sizeTensor(parameters(stretch)).inverse();
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
@@ -124,7 +123,7 @@ class StretchedBox : public ::testing::TestWithParam<Stretch> {
   }
 };
 
-/// The volume part alone: the surface is the one of the box as the metric sees it, taken back.
+/// Tests the volume alone: its surface is that of the mapped box, mapped back.
 TEST_P(StretchedBox, IsFilledFromAStretchedSurface) {
   const SymmetricTensor toSpace = sizeTensor(parameters(GetParam()));
   Finished mesh = unstretched(GetParam());
@@ -132,7 +131,7 @@ TEST_P(StretchedBox, IsFilledFromAStretchedSurface) {
     double* at = &mesh.surface.points[i];
     const Vec3 position = toSpace * Vec3(at[0], at[1], at[2]);
     for (int k = 0; k < 3; ++k) {
-      // The box's faces are planes again, exactly.
+      // Rounding makes the faces of the box exactly planar again.
       const double rounded = std::round(position[k]);
       at[k] = std::fabs(position[k] - rounded) < 1e-9 ? rounded : position[k];
     }
@@ -155,8 +154,8 @@ TEST_P(StretchedBox, IsMeshedFromItsLines) {
   expectStretched(meshed(unitBox(), stretchedGrid(GetParam()), 0.0));
 }
 
-/// Elements come out as good, in the metric, as those of the box that the metric sees: there is no
-/// sliver but where the metric sees the box's own edges sharp, as it does with a stretching of 20.
+/// In the metric, elements are as good as those of the mapped box. Slivers occur only at edges of
+/// the box that are sharp in the metric, which happens with a stretching of 20.
 TEST_P(StretchedBox, IsOptimizedInItsMetric) {
   const Stretch stretch{GetParam().stretching, 1.4 * GetParam().size};
   const Finished mesh = meshed(unitBox(), stretchedGrid(stretch), 0.0, Optimization::kDefault);
@@ -240,8 +239,8 @@ TEST(StretchedBoxTest, IsOptimizedWhereTheMetricChanges) {
   EXPECT_GT(after.meanRadiusRatio, 0.86);
 }
 
-/// In numbers of elements: with stretching s, an s-th of those of the same size without.
-TEST(StretchedBoxTest, NeedsFewerElementsByTheStretching) {
+/// With a stretching of s, the number of elements is 1/s of the number without stretching.
+TEST(StretchedBoxTest, NeedsFewerElementsInProportionToTheStretching) {
   const Stretch stretch{5.0, 0.06};
   const double stretched =
       static_cast<double>(meshed(unitBox(), stretchedGrid(stretch), 0.0).count());

@@ -66,7 +66,7 @@ TEST(SurfaceWithGrid, SizesThatItsTrianglesAllowDoNotDependOnTheSlices) {
   EXPECT_EQ(inOne.fingerprint(), inMany.fingerprint());
 }
 
-TEST(SurfaceWithGrid, SourcesCutDownItsOwnSizes) {
+TEST(SurfaceWithGrid, SourcesCapItsOwnSizes) {
   const SurfaceMesh sphere = geodesicSphere(6);
   BackgroundGrid grid;
   grid.sources.emplace_back();
@@ -77,7 +77,7 @@ TEST(SurfaceWithGrid, SourcesCutDownItsOwnSizes) {
   EXPECT_GT(countOf(run), 2 * countOf(filled(sphere, {})));
 }
 
-TEST(SurfaceWithGrid, IsStretchedWhereTheGridSaysSo) {
+TEST(SurfaceWithGrid, IsStretchedWhereTheGridAsksForIt) {
   const SurfaceMesh cube = gridCube(10);
   BackgroundGrid grid = gridOfSize(0.08);
   const MeshRun round = filled(cube, grid);
@@ -102,7 +102,8 @@ void expectGoodAngles(const MeshRun& run) {
   EXPECT_LE(run.quality().maxDihedral, 135.0);
 }
 
-/// Far above the surface's own edges sizes grow from these, and elements keep their angles.
+/// If the sizes of the grid are far above the surface's own edges, sizes grow from these edges, and
+/// the elements have good angles.
 TEST(SurfaceWithGrid, SizesFarAboveTheTrianglesLeaveNoSlivers) {
   const SurfaceMesh sphere = geodesicSphere(14);
   BackgroundGrid stretched = gridOfSize(0.4);
@@ -116,8 +117,8 @@ TEST(SurfaceWithGrid, SizesFarAboveTheTrianglesLeaveNoSlivers) {
   }
 }
 
-/// Far below the surface's own edges, however it is specified: sizes descend from the triangles,
-/// and elements keep their angles.
+/// If the target size is far below the surface's own edges, however it is specified, sizes fall
+/// from those of the triangles, and the elements have good angles.
 TEST(SurfaceWithGrid, SizesFarBelowTheTrianglesLeaveNoSlivers) {
   const SurfaceMesh sphere = geodesicSphere(6);
   MeshOptions fine;
@@ -157,7 +158,7 @@ TEST(SurfaceWithGrid, WarnsOfTrianglesLargerThanTheTargetSize) {
   EXPECT_NEAR(run.statistics().meanEdgeOfAchievable, 1.0, 0.3);
 }
 
-/// A source that no node or edge of the surface is near.
+/// No node or edge of the surface is near the source.
 TEST(SurfaceWithGrid, WarnsOfTheTriangleAroundASmallSource) {
   const SurfaceMesh cube = gridCube(4);
   const Vec3 within = Vec3(0.5 * (0.25 + 0.3), 0.26, 0.0);
@@ -171,7 +172,7 @@ TEST(SurfaceWithGrid, WarnsOfTheTriangleAroundASmallSource) {
   EXPECT_EQ(coarsenessOf(filled(cube, {})), nullptr);
 }
 
-TEST(SurfaceWithGrid, AUniformSizeGoesBeforeTheGrid) {
+TEST(SurfaceWithGrid, AUniformSizeTakesPrecedenceOverTheGrid) {
   const SurfaceMesh cube = gridCube(4);
   MeshOptions options;
   options.size = 0.2;
@@ -179,7 +180,7 @@ TEST(SurfaceWithGrid, AUniformSizeGoesBeforeTheGrid) {
             filled(cube, {}, options).fingerprint());
 }
 
-TEST(SurfaceWithGrid, RefusesMoreElementsThanCanBeCountedWithANumber) {
+TEST(SurfaceWithGrid, RejectsUncountablyManyElementsWithAFiniteEstimate) {
   const SurfaceMesh cube = gridCube(12);
   for (const double size : {1e-6, 1e-308}) {
     MeshOptions options;
@@ -192,7 +193,7 @@ TEST(SurfaceWithGrid, RefusesMoreElementsThanCanBeCountedWithANumber) {
   }
 }
 
-TEST(SurfaceWithGrid, RefusesASurfaceOutsideItWithTheFirstPosition) {
+TEST(SurfaceWithGrid, RejectsASurfaceOutsideTheGridAtItsFirstPosition) {
   const SurfaceMesh cube = gridCube(4);
   const BackgroundGrid half =
       boxGrid(Vec3(-1.0), Vec3(2.0, 2.0, 0.5), [](const Vec3&) { return 0.2; });

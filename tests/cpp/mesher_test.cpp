@@ -1,5 +1,4 @@
-/// The composed run: what it says of itself while it works, that how it is sliced does not matter, and
-/// options that make no sense.
+/// Whole runs: progress reports, independence of the slices, cancellation, and invalid options.
 
 #include "tetrafront/mesher.h"
 
@@ -21,7 +20,7 @@
 namespace tetrafront {
 namespace {
 
-TEST(MeshRun, RefusesOptionsThatMakeNoSense) {
+TEST(MeshRun, RejectsInvalidOptions) {
   const SurfaceMesh surface = testing::gridCube(2);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
@@ -38,7 +37,8 @@ TEST(MeshRun, RefusesOptionsThatMakeNoSense) {
   }
 }
 
-/// The front of a run while it works: closed, as large as reported, and of no effect on the mesh.
+/// Copies of the front during a run are closed and as large as reported, and do not affect the
+/// mesh.
 TEST(MeshRun, CopiesItsFrontWhileItAdvances) {
   const SurfaceMesh surface = testing::gridCube(6);
   const MeshOptions options;
@@ -190,7 +190,7 @@ TEST(MeshRun, ReportsTheProgressOfTheExactFill) {
   }
 }
 
-TEST(MeshRun, TakesNothingBackWhereTheExactFillTriesAgain) {
+TEST(MeshRun, ProgressNeverFallsWhenTheExactFillTriesAgain) {
   const SurfaceMesh solid = testing::flatPocket();
   MeshOptions options;
   options.exactFillOnly = true;
@@ -210,8 +210,8 @@ TEST(MeshRun, TakesNothingBackWhereTheExactFillTriesAgain) {
   EXPECT_GT(steps, 10);
 }
 
-/// Whatever the front leaves, the bar moves until it is filled.
-TEST(MeshRun, MovesWhileTheFrontAndRecoveryAreAtNeedles) {
+/// The progress rises until everything that the front leaves is filled.
+TEST(MeshRun, ProgressRisesWhileNeedlesAreFilled) {
   const SurfaceMesh solid = testing::coarseTube(128, 0.95, 100.0);
   MeshOptions options;
   options.optimization = Optimization::kNone;
@@ -235,7 +235,7 @@ TEST(MeshRun, MovesWhileTheFrontAndRecoveryAreAtNeedles) {
   EXPECT_LT(longestStill, 0.1 * inVolume) << "of " << inVolume << " slices";
 }
 
-TEST(MeshRun, IsCancelledAmidTheExactFillAndKeepsTheWholeFront) {
+TEST(MeshRun, KeepsTheWholeFrontIfCancelledDuringTheExactFill) {
   SurfaceMesh solid = testing::needlePlate(6, 24, 0.05);
   testing::rotateRandomly(solid, 2);
   MeshOptions options;
@@ -256,7 +256,7 @@ TEST(MeshRun, IsCancelledAmidTheExactFillAndKeepsTheWholeFront) {
   }
 }
 
-TEST(MeshRun, CanBeCancelledAtAnyTimeAndKeepsWhatIsThere) {
+TEST(MeshRun, KeepsThePartialMeshWheneverItIsCancelled) {
   const SurfaceMesh surface = testing::geodesicSphere(4);
   MeshRun whole(surface.points, surface.triangles, {});
   int slices = 0;
@@ -268,7 +268,7 @@ TEST(MeshRun, CanBeCancelledAtAnyTimeAndKeepsWhatIsThere) {
     ASSERT_EQ(run.status(), MeshStatus::kCancelled);
     ASSERT_EQ(run.advance(300), MeshStatus::kCancelled);
     const VolumeMesh mesh = run.volume();
-    // Once the front is closed, what is there is a valid mesh, optimized or not.
+    // Once the front has closed, there is a valid mesh, optimized or not.
     if (mesh.front.empty() && !mesh.tetrahedra.empty()) {
       ASSERT_EQ(testing::complaintAbout(mesh, run.surface()), "") << "stopped at " << stop;
     }
@@ -295,7 +295,7 @@ struct Solid {
   MeshOptions options;
 };
 
-/// Every rung of the recovery is needed by one of them.
+/// Together, these solids need every step of recovery.
 std::vector<Solid> solidsOfEveryRung() {
   MeshOptions striving;
   striving.optimization = Optimization::kThorough;
@@ -319,7 +319,7 @@ void runInSlices(MeshRun& run, std::uint32_t budget) {
   EXPECT_EQ(run.status(), MeshStatus::kDone);
 }
 
-TEST(MeshRun, GivesTheSameMeshInSlicesOfAnyLengthOnEveryRung) {
+TEST(MeshRun, GivesTheSameMeshInSlicesOfAnyLengthAtEveryStepOfRecovery) {
   RecoverySummary most;
   for (const Solid& solid : solidsOfEveryRung()) {
     SCOPED_TRACE(solid.name);

@@ -115,7 +115,7 @@ TEST(IntersectingPatches, BoxesThatCrossReportEveryPairWithAPosition) {
     EXPECT_LT(meeting.entities[0].index, 6U);
     EXPECT_GE(meeting.entities[1].index, 6U);
     ASSERT_TRUE(meeting.hasPosition);
-    // On the right patch, and on one of the long ones.
+    // The position is on the right patch and on one of the long ones.
     EXPECT_NEAR(meeting.position.x, 1.0, 1e-12);
     const Vec3 fromAxis = glm::abs(meeting.position - Vec3(1.0, 0.5, 0.5));
     EXPECT_NEAR(std::max(fromAxis.y, fromAxis.z), 0.25, 1e-12);
@@ -153,7 +153,7 @@ TEST(IntersectingPatches, CurvedPatchesThatCrossALittleAreFound) {
 }
 
 TEST(IntersectingPatches, CurvedPatchesThatAreMerelyCloseAreNotReported) {
-  // Splines are no circles: find the range of their radii.
+  // Splines only approximate circles: find the range of their radii.
   const Model outer = tube(1.0, 0.0, 2.0);
   const ResolvedModel resolved(outer);
   double least = 1.0;

@@ -1,5 +1,5 @@
-/// Solids that break meshers, from seeds, each at three sizes: all must be meshed completely and
-/// validly by a plain run, and be valid by the last rung alone.
+/// Families of solids that are hard to mesh, with seeded variations at three sizes. A default run
+/// must give a complete and valid mesh, and so must the exact fill alone.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 using testing::Diagonals;
 
-/// `size` is 0, 1 or 2; the seed varies what can be varied.
+/// `size` is 0, 1 or 2; the seed selects a variation.
 struct Family {
   std::string name;
   int solids;  ///< per size
@@ -34,7 +34,7 @@ double between(std::uint64_t seed, double low, double high) {
 
 int oneOf(int size, std::array<int, 3> values) { return values.at(static_cast<std::size_t>(size)); }
 
-/// Returns the solid translated, rotated, scaled or mirrored: it must be meshed as well.
+/// Returns the solid rotated, mirrored, scaled or translated; it must be meshed equally well.
 SurfaceMesh transformed(SurfaceMesh surface, std::uint64_t seed) {
   testing::rotateRandomly(surface, seed);
   if (seed % 3 == 0) testing::mirror(surface);
@@ -68,7 +68,7 @@ TEST_P(Regression, IsMeshedCompletely) {
   }
 }
 
-TEST_P(Regression, IsFilledByTheLastRungAlone) {
+TEST_P(Regression, IsFilledByTheExactFillAlone) {
   const Family& family = GetParam();
   for (int size = 0; size < 3; ++size) {
     const auto seed = static_cast<std::uint64_t>(100 * size + 1);
@@ -168,7 +168,7 @@ INSTANTIATE_TEST_SUITE_P(
                }},
         Family{"turned", 4,
                [](int size, std::uint64_t seed) {
-                 // Shoulders, cones and flat rings of sizes far apart.
+                 // Shoulders, cones and flat rings of very different sizes.
                  testing::Random random(seed);
                  std::vector<Vec2> profile;
                  double height = 0.0;
@@ -251,7 +251,7 @@ INSTANTIATE_TEST_SUITE_P(
                }},
         Family{"stars", 10,
                [](int size, std::uint64_t seed) {
-                 // Jagged prisms: a star of needles, drawn up.
+                 // Jagged prisms over stars with needle-like tips.
                  testing::Random random(seed);
                  std::vector<Vec2> polygon;
                  const int tips = oneOf(size, {3, 6, 10});

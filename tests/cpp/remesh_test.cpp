@@ -1,4 +1,5 @@
-/// @file Remeshing of given surfaces: what must hold after it, and after every single operation.
+/// @file Remeshing of given surfaces: properties of the result, and properties after every single
+/// operation.
 
 #include <gtest/gtest.h>
 
@@ -69,7 +70,7 @@ double diagonalOf(const SurfaceMesh& mesh) {
   return glm::length(bounds.high - bounds.low);
 }
 
-/// Distance from a point to a surface, by looking at every triangle.
+/// Returns the distance from a point to a surface: visits every triangle.
 double distanceTo(const SurfaceMesh& mesh, const Vec3& p) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh))) {
@@ -79,7 +80,8 @@ double distanceTo(const SurfaceMesh& mesh, const Vec3& p) {
   return std::sqrt(nearest);
 }
 
-/// Largest distance found from samples of one surface to another: a lower bound of the true one.
+/// Returns the largest distance from samples of one surface to another: a lower bound of the
+/// distance.
 double sampledDistance(const SurfaceMesh& from, const SurfaceMesh& to, std::size_t samples) {
   std::mt19937_64 random(7);
   std::uniform_int_distribution<std::uint32_t> anyTriangle(0, countTriangles(from) - 1);
@@ -241,7 +243,7 @@ TEST(Remesh, RemeshingAgainChangesLittle) {
   EXPECT_NEAR(countTriangles(twice), countTriangles(once), 0.1 * countTriangles(once));
 }
 
-TEST(Remesh, DoesNotDependOnUnitsAndLittleOnThePlace) {
+TEST(Remesh, DoesNotDependOnUnitsAndHardlyOnThePosition) {
   const SurfaceMesh given = needleGear(8, 0.3);
   const double count = countTriangles(surfaceOf(remesh(given)));
   for (const double factor : {1e-6, 1e6}) {
@@ -254,7 +256,7 @@ TEST(Remesh, DoesNotDependOnUnitsAndLittleOnThePlace) {
   EXPECT_NEAR(countTriangles(surfaceOf(remesh(moved))), count, 0.1 * count);
 }
 
-TEST(Remesh, RefusesWhatIsNoBoundary) {
+TEST(Remesh, RejectsSurfacesThatAreNotABoundary) {
   SurfaceMesh open = gridCube(2);
   open.triangles.resize(open.triangles.size() - 3);
   const SurfaceRemesh result = remesh(open);
@@ -269,7 +271,7 @@ TEST(Remesh, RefusesWhatIsNoBoundary) {
 
 // ---- every single operation ---------------------------------------------------------------------
 
-/// A surface with an editor, on which a test makes random operations.
+/// A surface with an editor, for tests that make random operations.
 class EditedSurface {
  public:
   EditedSurface(const SurfaceMesh& mesh, double tolerance, double size)
@@ -294,7 +296,7 @@ class EditedSurface {
   std::optional<SurfaceEditor> editor_;
 };
 
-/// Returns true if two triangles of the surface intersect, by looking at all pairs.
+/// Returns true if two triangles of the surface intersect: tests all pairs.
 bool anyIntersect(const SurfaceMesh& mesh) {
   for (std::uint32_t t = 0; t < countTriangles(mesh); ++t) {
     for (std::uint32_t u = 0; u < t; ++u) {
@@ -352,7 +354,7 @@ TEST_P(RemeshOperations, EachKeepsTheSurfaceValid) {
   const SurfaceMesh now = surfaceOf(complex);
   EXPECT_TRUE(errorsOf(now, InnerShells::kCavities).empty());
   EXPECT_LE(sampledDistance(now, given, 300), tolerance);
-  // Given nodes keep the tolerance, and corners their place.
+  // Given nodes are within the tolerance of the surface, and corners have not moved.
   for (const NodeId node : IdRange<NodeId>(countNodes(given))) {
     const Vec3 point = pointOf(given, node);
     EXPECT_LE(distanceTo(now, point), tolerance * (1.0 + 1e-9));
@@ -360,7 +362,7 @@ TEST_P(RemeshOperations, EachKeepsTheSurfaceValid) {
       EXPECT_TRUE(complex.isUsed(node) && complex.pointOf(node) == point);
     }
   }
-  // Feature lines, too: every stretch has its points within the tolerance of its edge.
+  // The points of every stretch of a feature line are within the tolerance of its edge.
   double length = 0.0;
   for (const TriangleId t : IdRange<TriangleId>(complex.triangleSlots())) {
     for (std::uint32_t k = 0; complex.isAlive(t) && k < 3; ++k) {

@@ -129,7 +129,7 @@ TEST(SurfacePatchSummary, MeanEdgeIsMeasuredInTheMetric) {
   EXPECT_NEAR(meshed.patches.front().triangles, 80.0 * 4.0 / std::sqrt(3.0), 30.0);
 }
 
-TEST(SurfacePatchSummary, RunHasThemForAModelOnly) {
+TEST(SurfacePatchSummary, RunsHaveOnePerPatchOfAModelAndNoneForAGivenSurface) {
   MeshOptions options;
   options.size = 0.5;
   MeshRun run(boxModel({0, 0, 0}, {1, 1, 1}), {}, options);

@@ -211,7 +211,7 @@ TEST(FrontAdvance, MakesANodeAtTheIdealPointOneLayerDeeper) {
   EXPECT_EQ(fixture.front.layer(apex), 4) << "one more than the lowest layer of the base";
   EXPECT_EQ(fixture.elements.nodes[0], (NodeQuad{fixture.a, fixture.b, fixture.c, apex}));
   EXPECT_EQ(fixture.elements.regions[0], BaseFixture::kRegion);
-  // The other three faces of the element look away from it.
+  // The other three faces are those of the element, facing outward.
   ASSERT_EQ(fixture.front.activeCount(), 3U);
   for (const FaceId id : fixture.front.activeFaces()) {
     const NodeTriple& n = fixture.front.face(id).nodes;
@@ -240,7 +240,8 @@ TEST(FrontAdvance, ClosesAPocketOfFourFaces) {
   EXPECT_EQ(fixture.advance.counters().relaxed, 0U);
 }
 
-/// A face looks down at the base from so near that only an element of low quality fits between.
+/// A face above the base faces it from so near that only an element of low quality fits between
+/// them.
 void addLid(BaseFixture& fixture) {
   Front& front = fixture.front;
   const Vec3 up(0.0, 0.0, 0.05);
@@ -324,7 +325,7 @@ TEST(FrontAdvance, KeepsNewNodesAwayFromFaces) {
 
 /// Faces around the edge from a to b at random angles, with alternating orientations as in any closed
 /// front: a face in the direction of the base is never the first one from the base on.
-TEST(FrontAdvance, CrossesAThirdFaceBeforeOneThatLooksTheSameWay) {
+TEST(FrontAdvance, AFaceOfTheBasesDirectionIsNeverTheNextAroundAnEdge) {
   constexpr int kRounds = 500;
   std::uint32_t state = 1;
   const auto random = [&] {

@@ -221,7 +221,7 @@ TEST(VolumeMesher, MakesElementsOfTheTargetSize) {
   EXPECT_NEAR(sum / static_cast<double>(count) / edge, 1.0, 0.15);
 }
 
-TEST(VolumeMesher, KeepsWithinPopsAndExactPredicatesPerElement) {
+TEST(VolumeMesher, NeedsFewFacesAndExactSignsPerElement) {
   const Outcome outcome = fillByOwnSizes(testing::geodesicSphere(12));
   const auto count = static_cast<double>(outcome.tetrahedra());
   EXPECT_LT(static_cast<double>(outcome.counters.pops) / count, 1.05);

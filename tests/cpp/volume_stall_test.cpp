@@ -54,7 +54,7 @@ MeshOptions withoutFront() {
   return options;
 }
 
-/// Triangles of the boundary that are still in the front, whichever way it sees them.
+/// Triangles of the boundary that are still in the front, in either orientation.
 std::set<std::uint32_t> trianglesIn(const VolumeMesh& mesh, const SurfaceMesh& boundary) {
   const auto nodesOf = [](const std::vector<std::uint32_t>& triangles, std::size_t t) {
     return sorted(std::array{triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]});
@@ -133,7 +133,7 @@ TEST(VolumeMesher, NamesTrianglesThatAreLeft) {
   }
 }
 
-/// A cube that has not been touched: all triangles are left.
+/// The front has not advanced: all triangles of the cube are left.
 TEST(StallDiagnostic, NamesTheFirstTrianglesThatAreLeft) {
   const SurfaceMesh boundary = testing::gridCube(2);
   Front front(0.5, Vec3(0.0), FrontOrder::kLayered);

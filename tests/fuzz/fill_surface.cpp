@@ -1,7 +1,7 @@
-/// @file libFuzzer's target for given surfaces: the bytes choose a sound surface and ruin it, so
-/// that a few of them already reach far into the mesher. Whatever comes, a run must end in a known
-/// way, inspection must agree with it on what can be filled, and a finished mesh must be one.
-/// Built by `npm run fuzz` where clang has libFuzzer.
+/// @file libFuzzer's target for given surfaces. The bytes select a valid surface and damage it, so
+/// that a few bytes suffice to reach deep into the mesher. Every run must end with a known status,
+/// the inspection must agree with the run on which surfaces can be filled, and a finished mesh must
+/// be valid. `npm run fuzz` builds this target if clang has libFuzzer.
 
 #include <array>
 #include <bit>
@@ -24,7 +24,7 @@ namespace {
 
 using namespace tetrafront;
 
-/// The fuzzer's bytes as numbers; zeros when they are used up.
+/// Reads the fuzzer's bytes as numbers; returns zeros when they are used up.
 class Bytes {
  public:
   explicit Bytes(std::span<const std::uint8_t> data) : data_(data) {}
@@ -55,7 +55,8 @@ class Bytes {
                                   std::numeric_limits<double>::quiet_NaN()};
     const std::uint8_t kind = byte();
     if (kind < kSpecial.size()) return kSpecial[kind];
-    if (kind < 192) return (below(4097) - 1024.0) / 1024.0;  // on a lattice: degenerate places
+    if (kind < 192)
+      return (below(4097) - 1024.0) / 1024.0;  // on a lattice: causes degenerate positions
     std::uint64_t bits = 0;
     for (int i = 0; i < 8; ++i) bits = bits << 8 | byte();
     return std::bit_cast<double>(bits);

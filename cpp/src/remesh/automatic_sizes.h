@@ -1,8 +1,7 @@
 #pragma once
 
 /// @file Target sizes that follow from the shape of a surface: curvature, thickness, gaps between
-/// feature lines, and
-/// short lines.
+/// feature lines, and short lines.
 
 #include <vector>
 

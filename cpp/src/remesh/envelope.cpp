@@ -15,8 +15,7 @@ namespace {
 using Corners = std::array<Vec3, 3>;
 
 /// Largest number of parts of one triangle. A triangle that needs more is nearly out of tolerance,
-/// or covers very many
-/// facets.
+/// or covers very many facets.
 constexpr int kMaxParts = 300;
 constexpr std::size_t kMaxWaiting = 64;
 /// A part counts as beyond an edge only if it extends beyond it by more than this fraction of the

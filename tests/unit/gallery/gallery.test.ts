@@ -1,4 +1,4 @@
-/** The bundled models: each one valid, together a picture of everything that can be drawn. */
+/** The bundled models: each is valid, and together they use everything that can be drawn. */
 import { readdirSync, readFileSync } from "node:fs";
 
 import {
@@ -36,7 +36,7 @@ function projectOf(id: string): Project {
   return project;
 }
 
-/** Each model is meshed once, whichever test asks first. */
+/** Meshes each model once, for the first test that needs it. */
 async function meshOf(id: string): Promise<MeshResult> {
   const known = results.get(id);
   if (known) return known;
@@ -45,7 +45,7 @@ async function meshOf(id: string): Promise<MeshResult> {
   return result;
 }
 
-/** The same model with all its sizes so many times as large. */
+/** Returns the same model with all sizes multiplied by `factor`. */
 function coarser({ background, ...rest }: Project, factor: number): Project {
   const scaled = <T extends { size: number }>(sized: T): T => ({ ...sized, size: sized.size * factor });
   const { nodes, sources } = background;
@@ -85,7 +85,7 @@ describe("the list", () => {
 });
 
 describe.each(gallery.models.map(({ id }) => id))("%s", (id) => {
-  test("has named patches and nothing to complain of", async () => {
+  test("has named patches and no errors or warnings", async () => {
     const names = projectOf(id).patches.map(({ name }) => name);
     expect(names).not.toContain(undefined);
     expect(new Set(names).size).toBe(names.length);
@@ -100,28 +100,25 @@ describe.each(gallery.models.map(({ id }) => id))("%s", (id) => {
     expect(diagnostics.filter(({ severity }) => severity === "warning")).toEqual([]);
     expect(diagnostics.map(({ code }) => code)).not.toContain("reoriented-patch");
     expect(tetrahedra).toBeGreaterThan(1000);
-    // Stretched elements are flat by intention; 4 in 1 leaves some 10 degrees.
+    // Stretched elements are intentionally flat: a stretching of 4 gives angles of about 10 degrees.
     expect(dihedral.min).toBeGreaterThan(isStretched(projectOf(id)) ? 5 : 28);
     expect(radiusRatio.mean).toBeGreaterThan(isStretched(projectOf(id)) ? 0.7 : 0.85);
     expect(Math.abs(quality.edges.mean - 1)).toBeLessThan(0.12);
     expect(quality.edges.nearTarget).toBeGreaterThan(0.95);
   });
 
-  // Walls are then about one and a half elements thick.
-  test.each([1.5, 2])(
-    "has elements of the target size, too, where it is %d times as large",
-    async (factor) => {
-      const { quality } = (await mesher.meshProject(coarser(projectOf(id), factor))).report;
-      expect(Math.abs(quality.edges.mean - 1)).toBeLessThan(0.12);
-      expect(quality.edges.nearTarget).toBeGreaterThan(0.95);
-    },
-  );
+  // With twice the size, thin parts are about one and a half elements thick.
+  test.each([1.5, 2])("also has elements of the target size with %d times that size", async (factor) => {
+    const { quality } = (await mesher.meshProject(coarser(projectOf(id), factor))).report;
+    expect(Math.abs(quality.edges.mean - 1)).toBeLessThan(0.12);
+    expect(quality.edges.nearTarget).toBeGreaterThan(0.95);
+  });
 });
 
 /**
- * What is promised of a patch's triangles, with the sizes the model asks for. Of so few that a size more or
- * less of any line shows, less is; tests/cpp/surface_gallery_patches_test.cpp has every patch at a size that
- * is small against it.
+ * Patches with fewer triangles than this, at the sizes of the model, have lower limits: one side more or less
+ * on a line already affects their statistics. tests/cpp/surface_gallery_patches_test.cpp tests every patch at
+ * a size that is small compared with the patch.
  */
 const fewTriangles = 40;
 
@@ -131,7 +128,7 @@ describe.each(gallery.models.map(({ id }) => id))("the patches of %s", (id) => {
     const shown = patches.map(({ triangles, minAngle, meanRadiusRatio, meanEdge }) => {
       const isSmall = triangles < fewTriangles;
       const shaped = minAngle >= 20 && meanRadiusRatio >= (isSmall ? 0.8 : 0.93);
-      // Stretched triangles have other shapes by intention, and where their lines meet at 18° smaller angles.
+      // Stretched triangles intentionally have other shapes, and smaller angles where lines meet at 18°.
       return {
         shaped: shaped || isStretched(projectOf(id)),
         sized: Math.abs(meanEdge - 1) <= (isSmall ? 0.15 : 0.1),
@@ -140,7 +137,7 @@ describe.each(gallery.models.map(({ id }) => id))("the patches of %s", (id) => {
     expect(shown).toEqual(patches.map(() => ({ shaped: true, sized: true })));
   });
 
-  test("are seldom so small that less is promised", async () => {
+  test("seldom have too few triangles for the full quality", async () => {
     const { patches } = (await meshOf(id)).report;
     const missing = patches.filter(
       ({ meanRadiusRatio, meanEdge }) => meanRadiusRatio < 0.93 || Math.abs(meanEdge - 1) > 0.1,
@@ -151,7 +148,7 @@ describe.each(gallery.models.map(({ id }) => id))("the patches of %s", (id) => {
   });
 });
 
-/** The shells of a surface: sets of triangles connected by nodes. */
+/** Returns the shells of a surface: sets of triangles connected by nodes. */
 function shellCount({ surface }: MeshResult): number {
   const parent = Array.from({ length: surface.points.length / 3 }, (_, node) => node);
   const rootOf = (node: number): number => {
@@ -192,7 +189,7 @@ describe("together the models use", () => {
     expect([...new Set(sources.map(({ type }) => type))].sort()).toEqual(["point", "segment", "triangle"]);
   });
 
-  test("a cavity, and several bodies beside and inside each other", async () => {
+  test("a cavity, and several regions next to and inside each other", async () => {
     const [box, core, chain] = [
       await meshOf("sphere-in-a-box"),
       await meshOf("core-in-a-shell"),
@@ -203,7 +200,7 @@ describe("together the models use", () => {
     expect([shellCount(chain), regionCount(chain)]).toEqual([2, 2]);
   });
 
-  test("a wall between two regions, whose volumes its triangles give", async () => {
+  test("an interface between two regions, whose volumes follow from its triangles", async () => {
     const { surface, volume, report } = await meshOf("pipe-and-flow");
     expect(report.quality.regions.map(({ region }) => region)).toEqual([0, 1]);
     const walls = surface.trianglePatch.filter((_, triangle) => isInterface(surface, triangle));
@@ -251,7 +248,7 @@ describe("the paper's examples", () => {
     const { ratio, centroidOfSmallest } = volumeRange((await meshOf("engine-intake")).volume);
     expect(ratio).toBeGreaterThan(1e4);
     const distance = Math.hypot(...centroidOfSmallest.map((c, k) => c - (nose?.position[k] ?? NaN)));
-    // A few of the smallest elements' edges, in an intake of length 5.
+    // The distance is a few edges of the smallest elements; the intake has a length of 5.
     expect(distance).toBeLessThan(0.05);
   });
 });
