@@ -1,12 +1,11 @@
 /// @file Binds the engine to JavaScript; the only file that uses embind. It declares, converts and
 /// forwards, and contains no logic of its own. No exception leaves it: a call that fails reports
-/// the reason in failure() and returns an empty value.
+/// the reason in failure() and returns an empty value; without memory for its object, it returns null.
 
 #include <emscripten/bind.h>
 #include <emscripten/heap.h>
 
 #include <cstdint>
-#include <exception>
 #include <functional>
 #include <memory>
 #include <new>
@@ -15,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "failure.h"
 #include "js_types.h"
 #include "js_values.h"
 #include "tetrafront/covering_grid.h"
@@ -30,20 +30,6 @@ namespace {
 
 using Doubles = std::vector<double>;
 using Indices = std::vector<std::uint32_t>;
-
-/// Calls `work`. If it throws, stores the reason in `failure`.
-template <class Work>
-void guarded(std::string& failure, const Work& work) {
-  try {
-    work();
-  } catch (const std::bad_alloc&) {
-    failure = "out of memory";
-  } catch (const std::exception& error) {
-    failure = error.what();
-  } catch (...) {
-    failure = "unknown exception";
-  }
-}
 
 /// Returns sixteen hexadecimal digits: a JavaScript number cannot hold 64 bits exactly.
 std::string toHex(std::uint64_t value) {
@@ -63,13 +49,13 @@ class Guarded {
   /// Calls `make` for the object.
   template <class Make>
   explicit Guarded(const Make& make) {
-    guarded(failure_, [&] { object_ = std::make_unique<Object>(make()); });
+    guard_.run([&] { object_ = std::make_unique<Object>(make()); });
   }
 
   /// Returns the result of `work` with the object, or `otherwise` after a failure.
   template <class Result, class Work>
   Result call(Result otherwise, const Work& work) {
-    if (failure_.empty()) guarded(failure_, [&] { otherwise = work(*object_); });
+    if (!guard_.hasFailed()) guard_.run([&] { otherwise = work(*object_); });
     return otherwise;
   }
 
@@ -79,14 +65,18 @@ class Guarded {
     using Result = std::remove_cvref_t<std::invoke_result_t<decltype(kMethod), Object&>>;
     const val result =
         call(val(), [](Object& object) { return toJs(std::invoke(kMethod, object)); });
-    return Js<Result>(failure_.empty() ? result : toJs(Result{}));
+    return Js<Result>(guard_.hasFailed() ? toJs(Result{}) : result);
   }
 
-  [[nodiscard]] std::string failure() const { return failure_; }
+  /// Returns a Failure.
+  [[nodiscard]] std::uint32_t failure() const {
+    return static_cast<std::uint32_t>(guard_.failure());
+  }
+  [[nodiscard]] std::string failureMessage() const { return guard_.message(); }
 
  private:
   std::unique_ptr<Object> object_;
-  std::string failure_;
+  FailureGuard guard_;
 };
 
 using Run = Guarded<MeshRun>;
@@ -131,19 +121,20 @@ double fractionOf(Guarded<Tool>& tool) {
 
 Run* meshModel(const Js<Model>& model, const Js<BackgroundGrid>& grid,
                const Js<MeshOptions>& options) {
-  return new Run([&] { return MeshRun(model.value(), grid.value(), options.value()); });
+  return new (std::nothrow)
+      Run([&] { return MeshRun(model.value(), grid.value(), options.value()); });
 }
 
 Run* fillSurface(const Js<Doubles>& points, const Js<Indices>& triangles,
                  const Js<BackgroundGrid>& grid, const Js<MeshOptions>& options) {
-  return new Run(
+  return new (std::nothrow) Run(
       [&] { return MeshRun(points.value(), triangles.value(), grid.value(), options.value()); });
 }
 
 /// Returns a new tool, made from the values of its arguments.
 template <class Tool, class... Arguments>
 Guarded<Tool>* makeTool(const Js<Arguments>&... arguments) {
-  return new Guarded<Tool>([&] { return Tool(arguments.value()...); });
+  return new (std::nothrow) Guarded<Tool>([&] { return Tool(arguments.value()...); });
 }
 
 /// Returns the size of the engine's heap in bytes; it never shrinks.
@@ -162,7 +153,8 @@ void registerTool(const char* className, const char* functionName) {
       .function("advance", &advanceTool<Tool>)
       .function("fraction", &fractionOf<Tool>)
       .function("result", &Guarded<Tool>::template read<&Tool::result>)
-      .function("failure", &Guarded<Tool>::failure);
+      .function("failure", &Guarded<Tool>::failure)
+      .function("failureMessage", &Guarded<Tool>::failureMessage);
   emscripten::function(functionName, &makeTool<Tool, Arguments...>,
                        emscripten::allow_raw_pointers());
 }
@@ -200,7 +192,8 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .function("counters", &Run::read<&MeshRun::counters>)
       .function("hasFoundNothingBetter", &hasFoundNothingBetter)
       .function("fingerprint", &fingerprintOf)
-      .function("failure", &Run::failure);
+      .function("failure", &Run::failure)
+      .function("failureMessage", &Run::failureMessage);
   function("meshModel", &meshModel, allow_raw_pointers());
   function("fillSurface", &fillSurface, allow_raw_pointers());
 

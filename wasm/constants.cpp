@@ -15,10 +15,12 @@
 #include <utility>
 #include <vector>
 
+#include "failure.h"
 #include "geom/coordinates.h"
 #include "js_types.h"
 #include "reflection.h"
 #include "tetrafront/covering_grid.h"
+#include "tetrafront/diagnostic_values.h"
 #include "tetrafront/options.h"
 #include "tetrafront/quality_statistics.h"
 #include "tetrafront/size_proposals.h"
@@ -142,6 +144,68 @@ void printType(std::string_view type, std::string_view meaning) {
   print("export type " + std::string(type) + " = " + kTypeScriptType<T>.data() + ";");
 }
 
+/// Returns the type of a named value in TypeScript.
+std::string_view typeOf(ValueType type) {
+  switch (type) {
+    case ValueType::kNumber:
+      return "number";
+    case ValueType::kFlag:
+      return "boolean";
+    case ValueType::kOption:
+      return "CheckedOption";
+  }
+}
+
+/// Calls `use` with the quoted name of each code and its values.
+template <class Use>
+void forEachCode(const Use& use) {
+  for (std::size_t code = 0; code < kMaxEnumerators; ++code) {
+    const std::string_view name = kEnumerators<DiagnosticCode>[code];
+    if (!name.empty()) use(quoted(name), valuesOf(static_cast<DiagnosticCode>(code)));
+  }
+}
+
+/// Prints the values of the diagnostics: their types, and their names in the order of the engine.
+void printDiagnosticValues() {
+  print(
+      "/** Data of the diagnostics of the engine, for each code that has any. Lengths are in model "
+      "units. */");
+  print("export interface EngineNumbers {");
+  forEachCode([](const std::string& code, const DiagnosticValues& values) {
+    if (values.size() == 0) return;
+    print("  readonly " + code + ": {");
+    for (const DiagnosticValue& value : values) {
+      print("    /** " + std::string(value.meaning) + " */");
+      print("    readonly " + std::string(value.name) + (value.isOptional ? "?: " : ": ") +
+            std::string(typeOf(value.type)) + ";");
+    }
+    print("  };");
+  });
+  print("}");
+  printUnion<ValueType>(
+      "ValueType", "How a value of a diagnostic is read: a flag is 1 or 0, an option an index.");
+  print("/** Value of a diagnostic. */");
+  print(
+      "export interface EngineValue { readonly name: string; readonly type: ValueType; readonly "
+      "isOptional: boolean; }");
+  print(
+      "/** Values of the diagnostics of each code, in the order of the engine. The optional ones "
+      "come last. */");
+  print(
+      "export const ENGINE_VALUES: { readonly [Code in EngineCode]: readonly EngineValue[] } = {");
+  forEachCode([](const std::string& code, const DiagnosticValues& values) {
+    std::string list;
+    for (const DiagnosticValue& value : values) {
+      if (!list.empty()) list += ", ";
+      list += "{ name: \"" + std::string(value.name) +
+              "\", type: " + quoted(kEnumerators<ValueType>[static_cast<std::size_t>(value.type)]) +
+              ", isOptional: " + (value.isOptional ? "true" : "false") + " }";
+    }
+    print("  " + code + ": [" + list + "],");
+  });
+  print("};");
+}
+
 void printEnums() {
   printEnum<MeshStatus>("EngineStatus", "ENGINE_STATUSES", "Status of a run.");
   printEnum<Phase>("Phase", "PHASES", "Stages of a run, in order.");
@@ -160,7 +224,10 @@ void printEnums() {
   printEnum<Optimization>("Optimization", "OPTIMIZATIONS",
                           "Effort on the shape of the elements after the front has closed.");
   printEnum<CheckedOption>("CheckedOption", "CHECKED_OPTIONS", "Options that the engine checks.");
+  printEnum<Failure>("CallFailure", "CALL_FAILURES",
+                     "Reason for which a call of the engine failed.");
   printTable<DiagnosticCode>("EngineCode", "ENGINE_CODES", "Code of a diagnostic of the engine.");
+  printDiagnosticValues();
 }
 
 void printNumbers() {

@@ -11,6 +11,7 @@
 
 #include "support/models.h"
 #include "support/random.h"
+#include "tetrafront/diagnostic_values.h"
 #include "tetrafront/mesher.h"
 #include "tetrafront/preview.h"
 
@@ -218,6 +219,11 @@ void expectNamed(const std::vector<Diagnostic>& diagnostics, const Model& model,
                  const BackgroundGrid& grid, std::uint64_t seed) {
   for (const Diagnostic& diagnostic : diagnostics) {
     EXPECT_NE(diagnostic.code, DiagnosticCode::kVerificationFailed) << "seed " << seed;
+    const DiagnosticValues named = valuesOf(diagnostic.code);
+    EXPECT_GE(diagnostic.values.size(), named.required())
+        << "seed " << seed << ", code " << static_cast<int>(diagnostic.code);
+    EXPECT_LE(diagnostic.values.size(), named.size())
+        << "seed " << seed << ", code " << static_cast<int>(diagnostic.code);
     if (diagnostic.severity == Severity::kError && namesEntities(diagnostic.code)) {
       EXPECT_FALSE(diagnostic.entities.empty())
           << "seed " << seed << ", code " << static_cast<int>(diagnostic.code);

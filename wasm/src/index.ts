@@ -8,6 +8,7 @@ export {
   type CoverShape,
   ENGINE_CODES,
   type EngineCode,
+  type EngineNumbers,
   type EngineStatus,
   type EntityKind,
   FRONT_ORDERS,

@@ -50,66 +50,60 @@ struct Entity {
   std::uint32_t index = 0;
 };
 
-/// Kinds of problems. The comments list the entities and values that a diagnostic holds, in this order. The caller
-/// composes the sentence and the remedy, because it knows the names of the entities.
+/// Kinds of problems. The comments list the entities that a diagnostic holds, in this order; valuesOf() in
+/// diagnostic_values.h lists its values. The caller composes the sentence and the remedy, because it knows the names of
+/// the entities.
 enum class DiagnosticCode : std::uint16_t {
   // Model
-  kNotFinite = 0,  ///< point, node or surface node with a NaN or infinity
-  /// Entity with an invalid reference, or truncated itself; values: the index.
-  kIndexOutOfRange = 1,
-  kWrongPointCount = 2,   ///< line; values: points given
+  kNotFinite = 0,         ///< point, node or surface node with a NaN or infinity
+  kIndexOutOfRange = 1,   ///< entity with an invalid reference, or truncated itself
+  kWrongPointCount = 2,   ///< line
   kCoincidentPoints = 3,  ///< two points of one line at the same position
   kZeroLengthLine = 4,    ///< line
-  kWrongLineCount = 5,    ///< patch; values: lines in its outer loop, lines required
+  kWrongLineCount = 5,    ///< patch
   kWrongLineType = 6,     ///< patch, line: the patch type does not accept the line type
   kLoopNotClosed = 7,     ///< patch, line, point: the loop breaks after the line
   kLoopsIntersect = 8,    ///< patch, line(s): a loop intersects itself or another loop
-  kNotPlanar = 9,    ///< planar patch, line(s), point(s) moved; values: distance from the plane
-  kEmptyModel = 12,  ///< no patch, or no triangle
-  kDegeneratePatch = 13,   ///< patch whose surface has no area or folds over itself
-  kHoleOutside = 14,       ///< patch, line: a hole outside the outer loop or inside another hole
-  kOptionOutOfRange = 15,  ///< values: which CheckedOption, its value
+  kNotPlanar = 9,         ///< planar patch, line(s), point(s) moved
+  kEmptyModel = 12,       ///< no patch, or no triangle
+  kDegeneratePatch = 13,  ///< patch whose surface has no area or folds over itself
+  kHoleOutside = 14,      ///< patch, line: a hole outside the outer loop or inside another hole
+  kOptionOutOfRange = 15,
   kLineSelfIntersection = 16,  ///< line that crosses itself or runs back over itself; position
   kPatchesIntersect = 17,  ///< two patches that overlap or cross away from common lines; position
-  kHoleOffPatch = 18,      ///< curved patch, line of a hole that is not on it; values: distance
+  kHoleOffPatch = 18,      ///< curved patch, line of a hole that is not on it
   kDuplicateLines = 19,    ///< two lines along the same curve; a warning unless patches use both
   // Background grid
   kEmptyBackgroundGrid = 20,
-  kSizeOutOfRange = 21,        ///< node; values: size
-  kStretchingOutOfRange = 22,  ///< node; values: stretching
+  kSizeOutOfRange = 21,        ///< node
+  kStretchingOutOfRange = 22,  ///< node
   kDegenerateBackgroundTetrahedron = 23,
   kOutsideBackgroundGrid = 24,  ///< position (and line or patch) that the grid does not cover
-  /// The line, patch, source or background node that requires the most, or a position, or nothing; values: estimated
-  /// tetrahedra, limit. In a refinement, the triangle that requires the most; values: expected triangles, limit.
+  /// The line, patch, source or background node that requires the most, or a position, or nothing. In a refinement or
+  /// remeshing, the triangle that requires the most.
   kTooManyElements = 25,
-  kSourceOutOfRange = 26,  ///< source; values: size, distance, growth
+  kSourceOutOfRange = 26,  ///< source
   kDuplicatePoints = 27,   ///< two points at one position; a warning unless patches use both
-  kSizeTooLarge = 28,      ///< warning; values: the smallest size in a model, the extent
+  kSizeTooLarge = 28,      ///< warning: no size of a model is below its extent
   // Closed boundary
-  kOpenEdge = 40,  ///< line (and its patch) or triangle with one triangle only at an edge; values:
-                   ///< number of such edges
-  kDanglingSheet = 41,            ///< triangle (and its patch) with the same region on both sides
+  kOpenEdge = 40,       ///< line (and its patch) or triangle with one triangle only at an edge
+  kDanglingSheet = 41,  ///< triangle (and its patch) with the same region on both sides
   kInconsistentOrientation = 42,  ///< triangles that cannot be oriented consistently
   kSelfIntersection = 43,         ///< two triangles (and their patches) that intersect
   kDuplicateTriangle = 44,        ///< two triangles with the same nodes
   kDegenerateTriangle = 45,       ///< triangle with repeated or collinear nodes
   kZeroVolume = 46,               ///< shell that encloses no volume
-  /// Information: patch, or component of a given surface, that faced inward and was flipped;
-  /// values of a component: triangles flipped, triangles in all.
+  /// Information: patch, or component of a given surface, that faced inward and was flipped.
   kReorientedPatch = 47,
   kCoincidentNodes = 48,  ///< two nodes at one position that are not welded
-  kNestedRegions = 49,    ///< information; values: number of regions, of cavities
-  /// Triangle of a given surface that faces inward in a component that faces outward; values: 1
-  /// if it would be an interface with InnerShells::kRegions, else 0; number of such triangles.
-  kFlippedTriangle = 50,
-  /// Warning: triangle of a given surface whose edges are longest relative to the target length,
-  /// position; values: number of triangles with edges above twice the target length, length /
-  /// target length of the longest.
+  kNestedRegions = 49,    ///< information
+  kFlippedTriangle =
+      50,  ///< triangle of a given surface that faces inward in a component that faces outward
+  /// Warning: triangle of a given surface whose edges are longest relative to the target length, position.
   kCoarseSurface = 51,
   // Volume
-  kStalled = 60,  ///< values: faces left in the front
-  /// One node, tetrahedron or triangle per kind of defect; values: number of defects. A mistake of the engine, not of
-  /// the input.
+  kStalled = 60,
+  /// One node, tetrahedron or triangle per kind of defect. A mistake of the engine, not of the input.
   kVerificationFailed = 61,
 };
 
@@ -123,8 +117,8 @@ struct Diagnostic {
   Severity severity = Severity::kError;
   std::vector<Entity> entities;  ///< the most important first
   bool hasPosition = false;
-  Vec3 position{0.0};  ///< in model coordinates, if hasPosition
-  std::vector<double> values;
+  Vec3 position{0.0};          ///< in model coordinates, if hasPosition
+  std::vector<double> values;  ///< as in valuesOf(code)
 };
 
 /// Default number of diagnostics listed per code. A badly damaged surface can have millions.

@@ -1,9 +1,12 @@
-import { readFileSync } from "node:fs";
-
-import { ENGINE_CODES, type Diagnostic, type DiagnosticCode, type DiagnosticOf } from "tetrafront";
+import {
+  ENGINE_CODES,
+  type Diagnostic,
+  type DiagnosticCode,
+  type DiagnosticOf,
+  type NoData,
+} from "tetrafront";
 import { describe, expect, expectTypeOf, test } from "vitest";
 
-import { ENGINE_DATA } from "../../../wasm/src/diagnostics/data.js";
 import {
   describeAll,
   describeDiagnostic,
@@ -11,7 +14,14 @@ import {
   type EngineEntity,
 } from "../../../wasm/src/diagnostics/describe.js";
 import { nameByIndex } from "../../../wasm/src/diagnostics/entity-names.js";
-import { type DiagnosticArrays, ENTITY_KINDS } from "../../../wasm/src/generated/constants.js";
+import {
+  type DiagnosticArrays,
+  ENGINE_VALUES,
+  type EngineCode,
+  type EngineNumbers,
+  type EngineValue,
+  ENTITY_KINDS,
+} from "../../../wasm/src/generated/constants.js";
 import { projectNamer } from "../../../wasm/src/project/names.js";
 import { cubeProject } from "../../support/projects.js";
 
@@ -34,17 +44,16 @@ const empty = {
   values: new Float64Array(),
 };
 
-/** Returns the names of a code's values; those with a `?` can be missing. */
-const numbersOf = (name: string): readonly string[] => ENGINE_DATA[name as keyof typeof ENGINE_DATA] ?? [];
+const valuesOf = (name: string): readonly EngineValue[] => ENGINE_VALUES[name as keyof typeof ENGINE_VALUES];
 
 /** Returns a diagnostic with everything; if the first value is an option, with a valid one. */
 const completeOf = (name: string) =>
-  numbersOf(name)[0] === "option" ? { ...complete, values: Float64Array.of(1, 3, 2) } : complete;
+  valuesOf(name)[0]?.type === "option" ? { ...complete, values: Float64Array.of(1, 3, 2) } : complete;
 
 /** Returns the minimal diagnostic that the engine can report. */
 const minimalOf = (name: string) => ({
   ...empty,
-  values: new Float64Array(numbersOf(name).filter((entry) => !entry.endsWith("?")).length).fill(2),
+  values: new Float64Array(valuesOf(name).filter(({ isOptional }) => !isOptional).length).fill(2),
 });
 
 describe.each(Object.entries(ENGINE_CODES))("code %s, %s,", (code, name) => {
@@ -64,10 +73,14 @@ describe.each(Object.entries(ENGINE_CODES))("code %s, %s,", (code, name) => {
     const diagnostic = describeDiagnostic({ code: Number(code), ...completeOf(name) }, nameByIndex);
     expect(diagnostic.entities).toHaveLength(2 * ENTITY_KINDS.length);
     expect(diagnostic.position).toEqual([0.125, 1 / 3, -2]);
-    expect(Object.keys(diagnostic.data)).toEqual(numbersOf(name).map((entry) => entry.replace("?", "")));
+    expect(Object.keys(diagnostic.data)).toEqual(valuesOf(name).map((value) => value.name));
     const minimal = describeDiagnostic({ code: Number(code), ...minimalOf(name) }, nameByIndex);
     expect(minimal.position).toBeUndefined();
-    expect(Object.keys(minimal.data)).toEqual(numbersOf(name).filter((entry) => !entry.endsWith("?")));
+    expect(Object.keys(minimal.data)).toEqual(
+      valuesOf(name)
+        .filter(({ isOptional }) => !isOptional)
+        .map((value) => value.name),
+    );
   });
 
   test("is rejected if a required value is missing", () => {
@@ -76,20 +89,6 @@ describe.each(Object.entries(ENGINE_CODES))("code %s, %s,", (code, name) => {
     const raw = { code: Number(code), ...rest, values: values.subarray(1) };
     expect(() => describeDiagnostic(raw, nameByIndex)).toThrow(`with ${name}`);
   });
-});
-
-test("all values that the engine documents have names in the package", () => {
-  const header = new URL("../../../cpp/include/tetrafront/status.h", import.meta.url);
-  // A comment behind an enumerator may continue on deeply indented lines; one above it has two spaces.
-  const text = readFileSync(header, "utf8").replace(/\n {4,}\/\/\/<?/g, "");
-  const enumerators = [...text.matchAll(/((?:^ {2}\/\/\/ .*\n)*)^ {2}k\w+ = (\d+),(.*)$/gm)];
-  const withValues = enumerators.filter(([, above, , behind]) => /\bvalues\b/.test(`${above}${behind}`));
-  expect(withValues.length).toBeGreaterThan(15);
-  const named = (code: string | undefined) =>
-    Object.entries(ENGINE_DATA).find(
-      ([name]) => ENGINE_CODES[Number(code) as keyof typeof ENGINE_CODES] === name,
-    );
-  expect(withValues.filter(([, , code]) => named(code) === undefined).map(([line]) => line)).toEqual([]);
 });
 
 describe("the data of a diagnostic", () => {
@@ -103,6 +102,16 @@ describe("the data of a diagnostic", () => {
     expect(dataOf(50, 0, 3)).toEqual({ isBetweenRegions: false, count: 3 });
     expect(dataOf(15, 1, -2)).toEqual({ option: "growth", given: -2 });
     expect(dataOf(12)).toEqual({});
+  });
+
+  test("of the engine have the types of its table", () => {
+    expectTypeOf<EngineNumbers["self-intersection"]>().toEqualTypeOf<{
+      readonly count: number;
+      readonly isLowerBound?: boolean;
+    }>();
+    expectTypeOf<DiagnosticOf<"flipped-triangle">["data"]["isBetweenRegions"]>().toBeBoolean();
+    expectTypeOf<DiagnosticOf<"zero-length-line">["data"]>().toEqualTypeOf<NoData>();
+    expectTypeOf<keyof EngineNumbers>().toExtend<EngineCode>();
   });
 
   test("have a type that depends on the code", () => {

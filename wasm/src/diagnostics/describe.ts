@@ -3,13 +3,15 @@ import { PAUSE, type Steps } from "../base/steps.js";
 import {
   CHECKED_OPTIONS,
   type DiagnosticArrays,
+  ENGINE_VALUES,
   type EngineCode,
   ENTITY_KINDS,
   type EntityKind,
   SEVERITIES,
+  type ValueType,
 } from "../generated/constants.js";
 import { engineCodeName } from "./codes.js";
-import { type DiagnosticData, ENGINE_DATA } from "./data.js";
+import type { DiagnosticData } from "./data.js";
 import type { Diagnostic, DiagnosticOf, EntityRef } from "./diagnostic.js";
 import type { EntityNamer } from "./entity-names.js";
 import { sentence } from "./package-diagnostic.js";
@@ -99,20 +101,20 @@ export function describedAs<Code extends EngineCode>(
 /** Returns the engine's values by name. Throws if one is missing. */
 export function dataOf<Code extends EngineCode>(code: Code, values: Float64Array): DiagnosticData[Code] {
   const data: Record<string, unknown> = {};
-  ENGINE_DATA[code]?.forEach((entry, i) => {
-    const name = entry.replace(/\?$/, "");
+  for (const [i, { name, type, isOptional }] of ENGINE_VALUES[code].entries()) {
     const value = values[i];
-    if (value === undefined) {
-      if (name === entry) throw new Error(`the engine returned no ${name} with ${code}`);
-    } else if (name === "option") {
-      data[name] = CHECKED_OPTIONS[value];
-    } else {
-      data[name] = name.startsWith("is") ? value === 1 : value;
-    }
-  });
-  // `ENGINE_DATA` is checked against this type.
+    if (value !== undefined) data[name] = READ[type](value);
+    else if (!isOptional) throw new Error(`the engine returned no ${name} with ${code}`);
+  }
+  // The type is generated from the same table as `ENGINE_VALUES`.
   return data as DiagnosticData[Code];
 }
+
+const READ: { readonly [Type in ValueType]: (value: number) => unknown } = {
+  number: (value) => value,
+  flag: (value) => value === 1,
+  option: (value) => CHECKED_OPTIONS[value],
+};
 
 /** Adds to the first label with an index that indices count from 0. */
 export function withCounting(message: string, entities: readonly EntityRef[]): string {

@@ -1,7 +1,7 @@
 /** Errors with which calls of the package reject. */
 import { plural } from "../base/plural.js";
 import type { Progress } from "../base/progress.js";
-import type { Phase } from "../generated/constants.js";
+import type { CallFailure, Phase } from "../generated/constants.js";
 import type { DiagnosticCode } from "./codes.js";
 import type { Diagnostic } from "./diagnostic.js";
 
@@ -60,7 +60,7 @@ export interface OutOfMemory {
   readonly fittingTriangles: number | undefined;
 }
 
-export type FailureReason = "out-of-memory" | "engine-failed";
+export type FailureReason = Exclude<CallFailure, "none">;
 
 /** Failure of a call, as the worker reports it. */
 export interface EngineFailure {

@@ -4,7 +4,13 @@
  * would stay in slow baseline code.
  */
 import type { Progress } from "../base/progress.js";
-import { ENGINE_STATUSES, type Phase, PHASES } from "../generated/constants.js";
+import {
+  CALL_FAILURES,
+  ENGINE_STATUSES,
+  type CallFailure,
+  type Phase,
+  PHASES,
+} from "../generated/constants.js";
 import type { MeshStatus } from "../mesh/report.js";
 import type { UnoptimizedMesh } from "./control.js";
 import type { EngineRun, EngineTool } from "./loader.js";
@@ -44,6 +50,10 @@ export interface RunSliceControl extends SliceControl {
   readonly onUnoptimized: ((mesh: UnoptimizedMesh) => void) | undefined;
 }
 
+export function failureOf(work: { failure(): number }): CallFailure {
+  return CALL_FAILURES[work.failure()] ?? "engine-failed";
+}
+
 /** Runs until the end or until it is cancelled. Always reports the last progress. */
 export async function runInSlices(
   run: EngineRun,
@@ -57,7 +67,7 @@ export async function runInSlices(
   for (;;) {
     const status = advanceFor(SLICE_MS, run, clock);
     // A failed run has no progress to report.
-    if (status !== undefined && run.failure() !== "") return status;
+    if (status !== undefined && failureOf(run) !== "none") return status;
     const now = performance.now();
     if (status !== undefined || now - reportedAt >= PROGRESS_MS) {
       reportedAt = now;

@@ -7,18 +7,27 @@ import { type CompiledEngine, type Engine, type EngineRun, type EngineTool, load
 import type { Answer, EngineResult, Question, Request } from "./protocol.js";
 import { qualityReport } from "./quality-report.js";
 import { RunClock } from "./run-clock.js";
-import { runInSlices, type SliceControl, workInSlices } from "./slices.js";
+import { failureOf, runInSlices, type SliceControl, workInSlices } from "./slices.js";
 import { buffersOf } from "./transfer.js";
 
-const OUT_OF_MEMORY = "out of memory";
 const cancelled = new Set<number>();
 const running = new Set<number>();
 
 /** A failure that the engine has reported, to be sent as a reply. */
-class EngineFailure extends Error {
-  get reason(): FailureReason {
-    return this.message === OUT_OF_MEMORY ? "out-of-memory" : "engine-failed";
+class ReportedFailure extends Error {
+  readonly reason: FailureReason;
+
+  constructor(reason: FailureReason, message: string) {
+    super(message);
+    this.reason = reason;
   }
+}
+
+const OUT_OF_MEMORY = "out of memory";
+
+/** The engine returns null if it has no memory for a run or tool. */
+function noMemory(): ReportedFailure {
+  return new ReportedFailure("out-of-memory", OUT_OF_MEMORY);
 }
 
 /** Listens at once, because a browser drops messages sent before a worker listens. */
@@ -110,7 +119,7 @@ function toolFor(engine: Engine, question: Question): EngineTool | null {
 }
 
 async function work({ id, kind }: Question, tool: EngineTool | null): Promise<void> {
-  if (tool === null) throw new EngineFailure("the engine gave no tool");
+  if (tool === null) throw noMemory();
   try {
     assertHealthy(tool);
     const isComplete = await workInSlices(tool, controlOf(id));
@@ -134,7 +143,7 @@ function controlOf(id: number): SliceControl {
 type RunRequest = Extract<Request, { kind: "mesh-model" | "fill-surface" }>;
 
 async function mesh({ id, showFront, showUnoptimized }: RunRequest, run: EngineRun | null): Promise<void> {
-  if (run === null) throw new EngineFailure("the engine gave no run");
+  if (run === null) throw noMemory();
   const clock = new RunClock();
   running.add(id);
   try {
@@ -193,15 +202,17 @@ function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineRe
 }
 
 /** After a failure the engine returns empty values, which must not pass for a result. */
-function assertHealthy(run: { failure(): string }): void {
-  const failure = run.failure();
-  if (failure !== "") throw new EngineFailure(failure);
+function assertHealthy(run: { failure(): number; failureMessage(): string }): void {
+  const failure = failureOf(run);
+  if (failure === "none") return;
+  // A text of the engine would need memory.
+  throw failure === "out-of-memory" ? noMemory() : new ReportedFailure(failure, run.failureMessage());
 }
 
 /** The client replaces the worker after this (protocol.ts). */
 function replyFailure(engine: Engine, id: number, failure: unknown): void {
-  const reason = failure instanceof EngineFailure ? failure.reason : "engine-failed";
+  const reason = failure instanceof ReportedFailure ? failure.reason : "engine-failed";
   const message = failure instanceof Error ? failure.message : String(failure);
-  const isEngineLost = !(failure instanceof EngineFailure);
+  const isEngineLost = !(failure instanceof ReportedFailure);
   workerPort.post({ kind: "failure", id, reason, message, isEngineLost, bytes: engine.memoryBytes() });
 }
