@@ -18,6 +18,31 @@ const ENGINE = [
   ["repair", "remesh"],
 ];
 
+/**
+ * The module of each public header: the one that implements it, or the lowest that uses its data. A header may include
+ * those of its own and of lower modules; the same holds for the files of a module. `undefined` stands for the files
+ * above all modules.
+ */
+const PUBLIC_HEADERS = {
+  "vec3.h": "base",
+  "sliced_tool.h": "base",
+  "status.h": "base",
+  "diagnostic_values.h": "base",
+  "mesh.h": "base",
+  "options.h": "field",
+  "background_grid.h": "field",
+  "grid_from_mesh.h": "field",
+  "model.h": "model",
+  "quality_statistics.h": "quality",
+  "mesh_inspection.h": "quality",
+  "covering_grid.h": "preview",
+  "size_proposals.h": "preview",
+  "preview.h": "preview",
+  "surface_tools.h": "repair",
+  "remesh.h": "remesh",
+  "mesher.h": undefined,
+};
+
 /** The modules of wasm/src, in the same way. */
 const PACKAGE = [
   ["generated"],
@@ -61,19 +86,50 @@ export const layeredFolders = {
   "imports of the panels": { folder: inRoot("web", "panels"), modules: PANELS },
 };
 
+/** The layers of the engine. */
+export const engineLayers = {
+  sources: inRoot("cpp", "src"),
+  modules: ENGINE,
+  publicHeaders: inRoot("cpp", "include", "tetrafront"),
+  moduleOfHeader: PUBLIC_HEADERS,
+};
+
 /** Returns the includes that violate the dependency rule, one sentence each. */
-export function wrongIncludes() {
-  const folder = inRoot("cpp", "src");
-  const levels = levelsOf(ENGINE);
-  return filesUnder([folder])
-    .filter((file) => /\.(h|cpp)$/.test(file))
-    .flatMap((file) =>
-      includesOf(file)
-        // Every module may include the public headers.
-        .filter((include) => !include.startsWith("tetrafront/"))
-        .filter((include) => !isAllowed(levels, moduleOf(folder, file), include.split("/")[0]))
-        .map((include) => sentence(file, "includes", include, moduleOf(folder, file))),
-    );
+export function wrongIncludes({ sources, modules, publicHeaders, moduleOfHeader }) {
+  const levels = levelsOf(modules);
+  const isCode = (file) => /\.(h|cpp)$/.test(file);
+  const headers = filesUnder([publicHeaders]).filter(isCode);
+  const files = filesUnder([sources]).filter(isCode);
+  const nameOf = (header) => path.relative(publicHeaders, header);
+  const unplaced = headers
+    .filter((header) => !(nameOf(header) in moduleOfHeader))
+    .map((header) => `${path.relative(root, header)} has no module in PUBLIC_HEADERS`);
+  const moved = Object.keys(moduleOfHeader)
+    .filter((name) => !headers.some((header) => nameOf(header) === name))
+    .map((name) => `PUBLIC_HEADERS lists ${name}, which does not exist`);
+  const wrong = (file, module) =>
+    includesOf(file)
+      .filter((include) => {
+        const [folder, ...rest] = include.split("/");
+        if (folder !== "tetrafront") return !isAllowed(levels, module, folder);
+        const name = rest.join("/");
+        return name in moduleOfHeader && !isAllowed(levels, module, moduleOfHeader[name]);
+      })
+      .map((include) => sentence(file, "includes", include, module));
+  return [
+    ...unplaced,
+    ...moved,
+    ...headers.flatMap((header) => wrong(header, moduleOfHeader[nameOf(header)])),
+    ...headers.flatMap(privateIncludes),
+    ...files.flatMap((file) => wrong(file, moduleOf(sources, file))),
+  ];
+}
+
+/** Users of the engine see only the public headers. */
+function privateIncludes(header) {
+  return includesOf(header)
+    .filter((include) => !include.startsWith("tetrafront/"))
+    .map((include) => `${path.relative(root, header)} includes ${include}, which is not public`);
 }
 
 /** Returns the imports that violate the dependency rule, and the cycles of files, one sentence each; types count too. */

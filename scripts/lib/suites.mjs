@@ -92,9 +92,10 @@ export const suites = {
       const args = [...only, "--max-warnings", "0", "--no-warn-ignored"];
       const status = await run(bin("eslint"), args, { quietOut: true });
       // Reads TypeScript with a package that the setup installs.
-      const { layeredFolders, wrongImports, wrongIncludes } = await import("./dependencies.mjs");
+      const { engineLayers, layeredFolders, wrongImports, wrongIncludes } =
+        await import("./dependencies.mjs");
       const found = {
-        "C++ includes": wrongIncludes(),
+        "C++ includes": wrongIncludes(engineLayers),
         "C++ coroutines": wrongCoroutines(),
         ...Object.fromEntries(
           Object.entries(layeredFolders).map(([name, layers]) => [name, wrongImports(layers)]),

@@ -1,13 +1,13 @@
 /**
- * Tests the dependency rule of the package and of the app: modules import lower modules only, and files do not import
- * each other in cycles.
+ * Tests the dependency rule. Package and app: modules import lower modules only, and files do not import each other in
+ * cycles. Engine: modules and public headers include lower ones only.
  */
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
-import { afterEach, beforeEach, expect, test } from "vitest";
+import { afterEach, beforeEach, describe, expect, test } from "vitest";
 
-import { wrongImports } from "../../../scripts/lib/dependencies.mjs";
+import { engineLayers, wrongImports, wrongIncludes } from "../../../scripts/lib/dependencies.mjs";
 
 const LEVELS = [["base"], ["formats", "project"], ["api"]];
 let folder = "";
@@ -81,4 +81,79 @@ test("imports of the app leave out the ending and the name of an index file", ()
     expect.stringContaining("base/b.tsx imports api/x.tsx, which is not below base/"),
     expect.stringContaining("base/b.tsx imports api/z.ts, which is not below base/"),
   ]);
+});
+
+describe("includes of the engine:", () => {
+  /** Returns the violations of an engine in the folder; its public headers are `ids.h`, `shape.h` and `all.h`. */
+  const violations = (files: Readonly<Record<string, string>>) => {
+    write({ "public/ids.h": "", "public/shape.h": "", "public/all.h": "", "src/base/a.h": "", ...files });
+    return wrongIncludes({
+      sources: path.join(folder, "src"),
+      modules: [["base"], ["field", "model"], ["quality"]],
+      publicHeaders: path.join(folder, "public"),
+      moduleOfHeader: { "ids.h": "base", "shape.h": "model", "all.h": undefined },
+    });
+  };
+
+  test("those of lower modules and of the same module are allowed, and the files above all modules may include all", () => {
+    const found = violations({
+      "public/shape.h": '#include "tetrafront/ids.h"',
+      "public/all.h": '#include "tetrafront/shape.h"',
+      "src/model/b.cpp": '#include "tetrafront/shape.h"\n#include "tetrafront/ids.h"\n#include "base/a.h"',
+      "src/quality/c.h": '#include "tetrafront/shape.h"\n#include "model/b.h"\n#include <vector>',
+      "src/mesher.cpp": '#include "tetrafront/all.h"\n#include "quality/c.h"',
+    });
+    expect(found).toEqual([]);
+  });
+
+  test.each([
+    ["of a higher module", "base/b.h", '#include "model/a.h"', "model/a.h, which is not below base/"],
+    [
+      "of another module of the level",
+      "field/b.h",
+      '#include "model/a.h"',
+      "model/a.h, which is not below field/",
+    ],
+    [
+      "of the public header of a higher module",
+      "base/b.cpp",
+      '#include "tetrafront/shape.h"',
+      "tetrafront/shape.h, which is not below base/",
+    ],
+    [
+      "of the public header of another module of the level",
+      "field/b.cpp",
+      '#  include "tetrafront/shape.h"',
+      "tetrafront/shape.h, which is not below field/",
+    ],
+    [
+      "of the public header above all modules",
+      "quality/b.h",
+      '#include "tetrafront/all.h"',
+      "tetrafront/all.h, which is not below quality/",
+    ],
+  ])("one %s is an error", (_, file, text, message) => {
+    expect(violations({ [`src/${file}`]: text })).toEqual([
+      expect.stringContaining(`${file} includes ${message}`),
+    ]);
+  });
+
+  test("a public header must not include one of a higher module", () => {
+    expect(violations({ "public/ids.h": '#include "tetrafront/shape.h"' })).toEqual([
+      expect.stringContaining("ids.h includes tetrafront/shape.h, which is not below base/"),
+    ]);
+  });
+
+  test("a public header must not include a private one", () => {
+    expect(violations({ "public/shape.h": '#include "base/a.h"' })).toEqual([
+      expect.stringContaining("shape.h includes base/a.h, which is not public"),
+    ]);
+  });
+
+  test("each public header has a module, and each entry of the table a header", () => {
+    expect(violations({ "public/new.h": "" })).toEqual([expect.stringContaining("new.h has no module")]);
+    expect(wrongIncludes({ ...engineLayers, publicHeaders: path.join(folder, "public") })).toContain(
+      "PUBLIC_HEADERS lists mesher.h, which does not exist",
+    );
+  });
 });
