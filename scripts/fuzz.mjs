@@ -1,6 +1,6 @@
-// npm run fuzz [COUNT]: meshes COUNT (default 20 000) damaged surfaces and reads as many damaged files of every
-// format. The seeded ones run through the package. If clang has libFuzzer, it also searches for surfaces by
-// coverage of the engine.
+// npm run fuzz [COUNT]: meshes COUNT (default 20 000) damaged surfaces and reads as many damaged files of
+// every format, all through the package and generated from seeds. If clang has libFuzzer, it also searches
+// for surfaces guided by the coverage of the engine.
 import { build } from "./build.mjs";
 import { fuzzSurfaces } from "./lib/fuzzer.mjs";
 import { inRoot } from "./lib/paths.mjs";
@@ -12,16 +12,16 @@ const MOST_SECONDS = 600;
 
 await main(async () => {
   const count = process.argv[2] ?? "20000";
-  if (!/^[1-9]\d*$/.test(count)) throw new UserError(`"${count}" is no number of surfaces`);
+  if (!/^[1-9]\d*$/.test(count)) throw new UserError(`"${count}" is not a number of surfaces`);
   const tests = ["surface", "reader"].map((name) => `tests/unit/package/${name}-fuzz.test.ts`);
   const seeded = ["run", ...tests, "--testTimeout=0"];
   await must(inRoot("node_modules", ".bin", "vitest"), seeded, { env: { TETRAFRONT_FUZZ: count } });
 
   if (findFuzzer() === undefined) {
-    say("fuzz: no clang with libFuzzer was found, so that was all");
+    say("fuzz: no clang with libFuzzer was found, so the search guided by coverage is left out");
     return;
   }
   await build(["fuzz"], {});
   if ((await fuzzSurfaces({ count, seconds: MOST_SECONDS })) !== 0)
-    throw new UserError("A surface was found that the engine does not survive; see above");
+    throw new UserError("Found a surface that crashes the engine; see above");
 });

@@ -25,7 +25,10 @@ const app = await createApp({
 
 offerLeftDocument(app);
 
-/** The address decides what is opened, but a reload continues with the document that came of it. */
+/**
+ * The address selects the document to open, but a reload continues with the document as it was before the
+ * reload.
+ */
 function intentOf(model: string | null): Intent {
   const [navigation] = performance.getEntriesByType("navigation") as PerformanceNavigationTiming[];
   const isNew = navigation?.type === "navigate";

@@ -11,7 +11,7 @@ const isolation = {
 
 const inRoot = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 
-/** The engine asks for this module of Node in Node only; no browser comes that far. */
+/** The engine imports this module of Node only in Node, never in a browser. */
 function withoutNodeModules(): Plugin {
   const name = "\0node-only";
   return {

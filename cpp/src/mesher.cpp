@@ -29,7 +29,7 @@
 namespace tetrafront {
 namespace {
 
-/// Where the first stages end on the progress bar, 0 to 1. Estimated shares of the time of typical runs.
+/// Progress at the end of the first stages, 0 to 1: estimated shares of the time of typical runs.
 struct StageEnds {
   double input;
   double surface;
@@ -40,7 +40,8 @@ constexpr StageEnds kModelEnds{.input = 0.02, .surface = 0.14, .boundary = 0.15,
 constexpr StageEnds kSurfaceEnds{
     .input = 0.004, .surface = 0.004, .boundary = 0.015, .sizes = 0.02};
 
-/// Where the volume ends if the front leaves everything to recovery, and the share of its fronts.
+/// Progress at the end of the volume if the front leaves everything to recovery, and the share of
+/// the fronts in it.
 constexpr double kVolumeEnd = 0.75;
 constexpr double kFrontShare = 0.45;
 
@@ -69,7 +70,7 @@ class MeshRun::Impl {
     if (status_ != MeshStatus::kRunning) return status_;
     const bool isFinished = job_->advance(budget);
     if (isFinished) status_ = job_->take();
-    // A run that fails stays where it is on the progress bar.
+    // A run that fails keeps its progress.
     if (!isFinished || status_ == MeshStatus::kDone) fraction_ = job_->fraction();
     if (isFinished) job_.reset();
     return status_;

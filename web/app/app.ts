@@ -10,7 +10,7 @@ export interface PageOptions {
   readonly gallery: Gallery;
   /** Mesh every project that is opened. */
   readonly generate: boolean;
-  /** No motion and no multisampling, so that tests get the same pictures every time. */
+  /** Turns off motion and multisampling, so that tests always get the same pictures. */
   readonly still: boolean;
   /** A document with unsaved changes that the address has replaced. */
   readonly left?: LeftDocument | null;
@@ -21,13 +21,15 @@ export interface LeftDocument {
   readonly name: string;
 }
 
-/** A session with all that surrounds it on a page: everything that panels and commands work with. */
+/** A session with its view and its workers: everything that panels and commands work with. */
 export class App extends Session {
-  /** Makes covering grids and proposes sizes. Runs have a mesher of their own, so that neither waits. */
+  /**
+   * Makes covering grids and proposes sizes. Runs have their own mesher, so that neither waits for the other.
+   */
   readonly mesher: Promise<Mesher>;
   readonly shell: Shell = createShell();
   readonly gallery: Gallery;
-  /** Answers queries about the mesh on show. */
+  /** Answers queries about the mesh that is shown. */
   readonly meshQueries = new MeshQueryClient();
   /** The view; null without WebGL. */
   readonly viewer: StoreApi<{ readonly viewer: Viewer | null }> = createStore<{

@@ -12,7 +12,10 @@ import { App } from "./app";
 
 /** What a new app shows first. */
 export type Intent =
-  /** The document of this tab before a reload, or the one used last; without any, a model of the gallery. */
+  /**
+   * The document that this tab had before a reload, or the document used last; if there is none, a model of
+   * the gallery.
+   */
   | { readonly kind: "continue"; readonly otherwise: string | null }
   /** A model of the gallery, whatever was open before. */
   | { readonly kind: "model"; readonly id: string }
@@ -20,24 +23,24 @@ export type Intent =
 
 export interface AppOptions {
   /**
-   * Under this name, the tab remembers which document the app has open; the browser keeps all documents. Two apps on
-   * one page need different names. Null keeps nothing.
+   * The name under which the tab remembers which document the app has open. Two apps on one page need
+   * different names. The browser stores all documents; null stores nothing.
    */
   readonly autosave: string | null;
   /** Mesh every project that is opened, the first one too. */
   readonly generate: boolean;
   readonly intent: Intent;
-  /** No motion and no multisampling, so that tests get the same pictures every time. */
+  /** Turns off motion and multisampling, so that tests always get the same pictures. */
   readonly still?: boolean;
 }
 
 const noGallery: Gallery = { opening: "", models: [] };
 
-/** Makes an app with its own documents, meshers and workers. Several apps can live on one page. */
+/** Makes an app with its own documents, meshers and workers. A page can have several apps. */
 export async function createApp({ autosave, generate, intent, still = false }: AppOptions): Promise<App> {
   // One mesher for runs and one for everything else, so that neither waits for the other.
   const [mesher, previewMesher] = [createMesher(), createMesher()];
-  // Runs and previews report a failure themselves; here it must only not count as unhandled.
+  // Runs and previews report a failure themselves; this only prevents an unhandled rejection.
   for (const starting of [mesher, previewMesher]) starting.catch(() => undefined);
   const failures: string[] = [];
   const noteFailure = (error: unknown): void => void failures.push(String(error));
@@ -69,7 +72,7 @@ export async function createApp({ autosave, generate, intent, still = false }: A
   return app;
 }
 
-/** A model that the gallery does not have is no reason to leave the last document. */
+/** If the gallery does not have the model, keep the last document. */
 function knownIntent(intent: Intent, { models }: Gallery): Intent {
   const isKnown = intent.kind !== "model" || models.some(({ id }) => id === intent.id);
   return isKnown ? intent : { kind: "continue", otherwise: null };
@@ -93,7 +96,7 @@ async function firstDocument(
   return { document: newDocument(model ? await loadModel(model) : emptyProject()) };
 }
 
-/** Keeps the documents of an app until the page is left. */
+/** Stores the documents of an app until the user leaves the page. */
 function keepDocuments({ autosave, library, shell }: App): void {
   if (!autosave || !library) return;
   autosave.follow();

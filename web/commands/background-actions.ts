@@ -21,7 +21,7 @@ export async function coverModel(app: App, options: CoverOptions): Promise<void>
   }
 }
 
-/** Makes the mesh on show the background grid, with sizes from its edges. */
+/** Makes the shown mesh the background grid, with sizes from its edges. */
 export async function takeBackgroundFromMesh(app: App): Promise<void> {
   const { mesh } = app.run.state.getState();
   if (!mesh) return;
@@ -79,7 +79,9 @@ export async function applyProposal(app: App, proposal: SizeProposal, use: Propo
   }
 }
 
-/** Returns a first size for the user to change: the smallest of the grid, else about a twentieth of the model. */
+/**
+ * Returns a size that the user can change: the smallest of the grid, or else about a twentieth of the model.
+ */
 export function likelySize(app: App): number {
   const { project } = app.documents;
   const extents = [0, 1, 2].map((axis) => {

@@ -39,7 +39,7 @@ export async function openExample(app: App, model: GalleryModel): Promise<void> 
   }
 }
 
-/** Opens a document that the browser has kept, with its steps of undo. */
+/** Opens a document that the browser has stored, with its undo steps. */
 export async function openRecent(app: App, id: string, name: string): Promise<void> {
   try {
     const opened = await app.showRecent(id);
@@ -83,7 +83,7 @@ function offerReopening(app: App, name: string, reopenIt: () => Promise<void>): 
   });
 }
 
-/** A mesh made from this project before is on show already. */
+/** A mesh that was made from this project earlier is already shown. */
 function meshOpened(app: App): void {
   if (!app.generate) return;
   if (app.run.state.getState().mesh) app.run.cancel();

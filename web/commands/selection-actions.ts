@@ -24,7 +24,7 @@ export function showProblem(app: App, problem: Problem): void {
   if (problem.position) app.viewer.getState().viewer?.fitPosition(problem.position);
 }
 
-/** Highlights an element of the mesh on show and moves the view to it. */
+/** Highlights an element of the shown mesh and moves the view to it. */
 export function showElement(app: App, tetrahedron: number): void {
   app.view.setLayer("mesh", true);
   app.view.selectElement(tetrahedron);

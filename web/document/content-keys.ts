@@ -141,7 +141,7 @@ function usedPointHash({ points, lines }: Project): string {
 
 const noSources: readonly ProjectSource[] = [];
 
-/** The part of both keys that names and points do not enter. */
+/** Returns the part that both keys share; it does not depend on names and points. */
 function sizeParts({ background, meshing = {} }: Project): readonly (string | number)[] {
   const { nodes, tetrahedra, coverageMargin = 0 } = background;
   return [

@@ -78,7 +78,7 @@ export function setPatchType(id: number, type: ProjectPatch["type"]): ProjectEdi
   };
 }
 
-/** The outer loop first; a negative id walks that line backwards. */
+/** The outer loop first; a negative id traverses its line backwards. */
 export function setPatchLoops(id: number, loops: readonly (readonly number[])[]): ProjectEdit {
   return {
     label: stepNames.setPatchLoops(id),

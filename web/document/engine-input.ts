@@ -5,8 +5,9 @@ import { engineGrid } from "./packed-grid";
 export const manyTetrahedra = 2000;
 
 /**
- * Returns a project as the engine takes it fastest, with the options that go with it. A project is checked node by
- * node, flat arrays are not. With a uniform size, a large grid is left out; its sources still apply.
+ * Returns a project in the form that the engine accepts fastest, with the matching options. A project is
+ * checked node by node; flat arrays are not. With a uniform size, a large grid is left out; its sources still
+ * apply.
  */
 export function engineInput(project: Project): [Project, { readonly background?: BackgroundArrays }] {
   const { background, meshing } = project;

@@ -50,7 +50,7 @@ export function recordsOf<K extends DrawnKind>(project: Project, kind: K): reado
   return lists[kind];
 }
 
-/** Does the project have no entities? */
+/** Returns whether the project has no entities. */
 export function isEmptyProject(project: Project): boolean {
   return drawnKinds.every((kind) => recordsOf(project, kind).length === 0);
 }

@@ -3,8 +3,8 @@ import { prepareKeys } from "./content-keys";
 import { unpackGrid, type PackedGrid } from "./packed-grid";
 
 /**
- * Unpacks a grid in slices and hashes its lists, so that opening a project with this grid afterwards takes no time,
- * whatever its size.
+ * Unpacks a grid in slices and hashes its lists, so that opening a project with this grid afterwards takes no
+ * time, even if the grid is large.
  */
 export async function documentGrid(
   grid: PackedGrid,

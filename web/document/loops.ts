@@ -3,7 +3,7 @@ import { findRecord } from "./entities";
 import { loopDefects, selectionHints } from "../strings";
 import { rangeAlong } from "./extent";
 
-/** Closed chains of lines, the outer one first; a negative id walks that line backwards. */
+/** Closed chains of lines, the outer one first; a negative id traverses its line backwards. */
 export type LoopSearch =
   | { readonly success: true; readonly loops: readonly (readonly number[])[] }
   | { readonly success: false; readonly reason: string };
@@ -23,7 +23,9 @@ function findLooseEnd(lines: readonly ProjectLine[]): string | null {
   return null;
 }
 
-/** Takes one loop out of `left`, beginning with its first line, walked forwards. */
+/**
+ * Removes one loop from `left` and returns it. It begins with the first line of `left`, traversed forwards.
+ */
 function walkLoop(left: Map<number, ProjectLine>): number[] {
   const [first] = left.values();
   if (!first) return [];
@@ -41,7 +43,7 @@ function walkLoop(left: Map<number, ProjectLine>): number[] {
   return loop;
 }
 
-/** The area enclosed by a closed line's points, as a vector about their mean (Newell). */
+/** Returns the area vector of the polygon of a closed line's points, relative to their mean (Newell). */
 function areaVector(project: Project, line: ProjectLine): readonly number[] {
   const positions = line.points.map((id) => findRecord(project, "point", id)?.position ?? [0, 0, 0]);
   const middle = [0, 1, 2].map(
@@ -57,8 +59,9 @@ function areaVector(project: Project, line: ProjectLine): readonly number[] {
 }
 
 /**
- * Two closed lines and one that joins them are a tube with a seam, walked there and back. The second
- * closed line is walked against the first, else the tube would cross itself.
+ * Two closed lines and a line between them bound a tube with a seam, which the loop traverses in both
+ * directions. The loop traverses the second closed line opposite to the first; otherwise the tube would
+ * intersect itself.
  */
 function seamedLoop(project: Project, lines: readonly ProjectLine[]): number[] | null {
   const isClosed = (line: ProjectLine) => endsOf(line)[0] === endsOf(line)[1];
@@ -85,9 +88,9 @@ function extentOf(project: Project, loop: readonly number[]): number {
 }
 
 /**
- * Puts lines, given in any order and direction, into closed loops. Each loop begins with the line
- * given first. The loop with the largest bounding box is the outer one. A tube's two rims and the line between
- * them are one loop. Quadratic in the number of lines.
+ * Arranges lines, given in any order and direction, into closed loops. Each loop begins with the line given
+ * first. The loop with the largest bounding box is the outer one. The two rims of a tube and the line between
+ * them form one loop. Quadratic in the number of lines.
  */
 export function orderLoops(project: Project, lineIds: readonly number[]): LoopSearch {
   const lines = lineIds.map((id) => findRecord(project, "line", id)).filter((line) => line !== undefined);

@@ -9,7 +9,7 @@ export const bestValue: { readonly [M in QualityMeasure]: number } = {
   dihedral: 70.528779,
 };
 
-/** Where the colour scale begins. All lower values have its darkest colour. */
+/** Value at which the colour scale begins. All lower values have its darkest colour. */
 export const worstShown: { readonly [M in QualityMeasure]: number } = {
   "radius-ratio": 0.2,
   dihedral: 10,
@@ -26,7 +26,7 @@ export function scalePosition(value: number, measure: QualityMeasure): number {
  */
 export type QualitySpace = "metric" | "space";
 
-/** Does the background grid ask for stretched elements? */
+/** Returns whether the background grid asks for stretched elements. */
 export function asksForStretching({ background, meshing }: Project): boolean {
   return meshing?.size === undefined && background.nodes.some(({ stretching = 1 }) => stretching > 1);
 }
@@ -61,7 +61,9 @@ export function metricValues(shapes: MetricShapes, measure: QualityMeasure): Flo
   return measure === "radius-ratio" ? shapes.radiusRatio : shapes.smallestDihedral;
 }
 
-/** The measure of every tetrahedron. O(tetrahedra), about 0.2 s for a million: not for the page's own thread. */
+/**
+ * Returns the measure of every tetrahedron. O(tetrahedra), about 0.2 s for a million, so call it in a worker.
+ */
 export function qualitiesOf(mesh: Elements, measure: QualityMeasure): Float32Array {
   const quality = functionOf(measure);
   const values = new Float32Array(mesh.tetrahedra.length / 4);

@@ -93,8 +93,8 @@ function nodeAt(packed: Float64Array, i: number): ProjectBackgroundNode {
 }
 
 /**
- * Nodes and tetrahedra as a project has them, one object each, and ready to go to the engine. The page is let go
- * on in between.
+ * Converts nodes and tetrahedra to the form of a project, with one object each, and keeps their arrays for
+ * the engine. Yields to the page in between.
  */
 export async function unpackGrid(grid: PackedGrid): Promise<{ nodes: Nodes; tetrahedra: Tetrahedra }> {
   const nodes: ProjectBackgroundNode[] = [];
@@ -115,7 +115,7 @@ export async function unpackGrid(grid: PackedGrid): Promise<{ nodes: Nodes; tetr
   return { nodes, tetrahedra };
 }
 
-/** A grid that the engine has made, with ids from 1. */
+/** Returns a grid that the engine has made, with ids from 1. */
 export function packArrays(arrays: BackgroundArrays): PackedGrid {
   const { points, sizes, stretchings, directions, tetrahedra } = arrays;
   const nodes = new Float64Array(numbersPerNode * sizes.length).fill(NaN);
@@ -132,12 +132,12 @@ export function packArrays(arrays: BackgroundArrays): PackedGrid {
   return { nodes, tetrahedra: Float64Array.from(tetrahedra, (node) => node + 1) };
 }
 
-/** The grid as the engine takes it, without its sources. */
+/** Returns the grid in the engine's form, without its sources. */
 export function engineGrid(background: ProjectBackground): BackgroundArrays {
   const { nodes, tetrahedra } = packedGrid(background);
   const known = arraysOf.get(tetrahedra);
   if (known?.nodes === nodes) return { ...known.arrays, coverageMargin: background.coverageMargin };
-  // Only sizes or positions have changed: the node indices of the tetrahedra still hold.
+  // If only sizes or positions have changed, the node indices of the tetrahedra are still valid.
   const positions =
     known && sameIds(known.nodes, nodes) ? known.arrays.tetrahedra : nodePositions(nodes, tetrahedra);
   const arrays = { ...nodeArrays(nodes), tetrahedra: positions };

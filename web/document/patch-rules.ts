@@ -55,7 +55,10 @@ const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] *
 /** Points are planar if their distance from a plane, relative to their extent, is at most this. */
 const planarity = 1e-9;
 
-/** Do all points of the loops' lines lie in one plane? This only proposes a type; the engine checks it. */
+/**
+ * Returns whether all points of the loops' lines lie in one plane. This only proposes a type; the engine
+ * checks it.
+ */
 export function liesInPlane(project: Project, loops: readonly (readonly number[])[]): boolean {
   const ids = new Set(
     loops.flat().flatMap((step) => findRecord(project, "line", Math.abs(step))?.points ?? []),

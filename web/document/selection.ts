@@ -55,13 +55,16 @@ const initialView: ViewState = {
   several: false,
 };
 
-/** Is the selection a chain of points whose last point is the first one again? */
+/** Returns whether the selection is a chain of points whose last point is the first one again. */
 export function isClosedChain(selection: readonly Entity[]): boolean {
   const [first, ...rest] = selection;
   return first !== undefined && rest.length >= 3 && sameEntity(first, rest.at(-1) ?? null);
 }
 
-/** Is the entity the first of three selected points or more, so that it closes their chain? */
+/**
+ * Returns whether the entity is the first of at least three selected points, so that selecting it again
+ * closes the chain.
+ */
 function closesChain(selection: readonly Entity[], entity: Entity): boolean {
   const isChain = selection.length >= 3 && selection.every(({ kind }) => kind === "point");
   return isChain && sameEntity(selection[0] ?? null, entity) && !isClosedChain(selection);
@@ -143,7 +146,7 @@ export class ViewStore {
     });
   }
 
-  /** Shows all regions, because the regions of the new mesh are others. */
+  /** Shows all regions, because the new mesh has other regions. */
   showAllRegions(): void {
     if (this.state.getState().hiddenRegions.size > 0) this.state.setState({ hiddenRegions: new Set() });
   }
@@ -176,7 +179,7 @@ export class ViewStore {
     }));
   }
 
-  /** Resets everything that refers to entities of the project, before another one is shown. */
+  /** Resets everything that refers to entities of the project, before another project is shown. */
   reset(): void {
     this.state.setState({
       selection: [],

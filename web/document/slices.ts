@@ -1,4 +1,4 @@
-/** Longest work before the page gets control back, in milliseconds. */
+/** Longest time without yielding to the page, in milliseconds. */
 export const sliceMs = 8;
 /** Number of steps between two readings of the clock. */
 const stepsPerLook = 256;

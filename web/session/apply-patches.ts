@@ -15,8 +15,9 @@ function applyOne(container: Container, key: string | number, op: string, value:
 }
 
 /**
- * Returns the state after patches. Unchanged parts are shared with the state before, and new values are stored without
- * a copy: states never change. The cost does not depend on the size of the state or of the values.
+ * Returns the state after patches. Unchanged parts are shared with the previous state, and new values are
+ * stored without a copy, because states never change. The cost does not depend on the size of the state or of
+ * the values.
  */
 export function applyPatches<State extends object>(state: State, patches: Patches): State {
   const root = { state } as Container;

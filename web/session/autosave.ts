@@ -4,20 +4,23 @@ import type { DocumentStorage } from "./document-storage";
 import { keptDocument } from "./kept-document";
 
 export interface AutosaveState {
-  /** Is there a change that the storage does not hold yet? Leaving the page then deserves a warning. */
+  /**
+   * Whether there is a change that is not yet in the storage. The user is then warned before leaving the
+   * page.
+   */
   readonly pending: boolean;
   /** Why the last attempt failed; null if it succeeded. */
   readonly failure: string | null;
 }
 
-/** Minimum delay from a change to its writing, in milliseconds: the page shows the change first. */
+/** Minimum delay between a change and its writing, in milliseconds: the page shows the change first. */
 const minDelay = 20;
 /** Copying a large project blocks the page: wait for this multiple of the time that the last copy took. */
 const delayPerBlockingTime = 4;
 /** Delay after a failed attempt, in milliseconds. It doubles with each further failure. */
 const retryDelay = { first: 500, max: 30_000 };
 
-/** The part of the window and its document whose events announce that the page is being left. */
+/** The parts of the window and its document whose events announce that the user leaves the page. */
 export interface PageEvents {
   readonly window: Pick<EventTarget, "addEventListener" | "removeEventListener">;
   readonly document: Pick<EventTarget, "addEventListener" | "removeEventListener"> & {
@@ -26,9 +29,9 @@ export interface PageEvents {
 }
 
 /**
- * Writes the open document to the browser's storage: a few milliseconds after each change, at once when the page is
- * being left, and again and again if the storage fails. A document that is no longer open stays in the queue until
- * it is written.
+ * Writes the open document to the browser's storage: a few milliseconds after each change, and at once when
+ * the user leaves the page. If the storage fails, writing is repeated until it succeeds. A document that is
+ * no longer open stays in the queue until it is written.
  */
 export class Autosave {
   readonly #documents: DocumentStore;
@@ -57,7 +60,10 @@ export class Autosave {
     return this.#documents.state.subscribe((state) => this.#note(state));
   }
 
-  /** Writes at once when the page is hidden or left, and warns of leaving while a change is not written. */
+  /**
+   * Writes at once when the page is hidden or left, and warns the user who leaves it while a change is not
+   * yet written.
+   */
   followPage({ window, document }: PageEvents): () => void {
     const flush = (): void => void this.flush();
     const flushIfHidden = (): void => {
@@ -77,7 +83,7 @@ export class Autosave {
     };
   }
 
-  /** Writes what is not written yet. All transactions are issued before this returns. */
+  /** Writes all states in the queue. All transactions are issued before this returns. */
   async flush(): Promise<void> {
     if (this.#timer !== null) clearTimeout(this.#timer);
     this.#timer = null;
@@ -86,7 +92,7 @@ export class Autosave {
     await Promise.all(states.map((state) => this.#write(state)));
   }
 
-  /** Does not write a document any more that is about to be removed from the storage. */
+  /** Removes a document from the queue, because it is about to be removed from the storage. */
   forget(id: string): void {
     this.#queue.delete(id);
     this.#update();
@@ -113,7 +119,7 @@ export class Autosave {
       this.#update(null);
     } catch (error) {
       this.#failures += 1;
-      // A later change of the same document takes its place.
+      // A later change of the same document replaces it.
       if (!this.#queue.has(state.id)) this.#queue.set(state.id, state);
       this.#update(error instanceof Error ? error.message : String(error));
     } finally {
@@ -123,7 +129,7 @@ export class Autosave {
     }
   }
 
-  /** Starts to write. Only this part blocks the page; the storage does the rest by itself. */
+  /** Starts to write. Only this part blocks the page; the storage does the rest in the background. */
   #issue(state: DocumentState): Promise<void> {
     const started = performance.now();
     const isListed = state.file !== null || !isUntouched(state);

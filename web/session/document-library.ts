@@ -7,7 +7,7 @@ import type { TabMemory } from "./tab-memory";
 
 /** A document that Recent lists. */
 export interface RecentDocument extends DocumentSummary {
-  /** Where it is open; null if nowhere. */
+  /** Where the document is open; null if it is not open. */
   readonly openIn: "this-tab" | "another-tab" | null;
 }
 
@@ -19,14 +19,14 @@ export interface LockedDocument {
   readonly release: () => void;
 }
 
-/** More than Recent needs to list; older documents are removed. */
+/** Largest number of documents kept, more than Recent lists; older ones are removed. */
 export const maxListedDocuments = 100;
-/** A lock is released within this time, by this tab or by the page before a reload. Milliseconds. */
+/** Time within which a lock is released, by this tab or by the page before a reload, in milliseconds. */
 const releaseTime = 1000;
 
 /**
- * The documents that the browser keeps. No two tabs have the same one open: each tab has its own id in its memory
- * and holds the lock of its document.
+ * The documents that the browser stores. A document is open in at most one tab: each tab remembers the id of
+ * its document and holds the lock of that document.
  */
 export class DocumentLibrary {
   readonly storage: DocumentStorage;
@@ -35,7 +35,7 @@ export class DocumentLibrary {
   /** The document that this tab has open, and how to release its lock. */
   #open: { readonly id: string; readonly release: Promise<(() => void) | null> } | null = null;
 
-  /** Resolves when the lock of the document before is released. */
+  /** Resolves when the lock of the previous document is released. */
   #released: Promise<void> = Promise.resolve();
 
   constructor(storage: DocumentStorage, locks: DocumentLocks, tab: TabMemory) {
@@ -64,7 +64,9 @@ export class DocumentLibrary {
     return document;
   }
 
-  /** Locks a document that is in memory already. If another tab has it open by now, returns a copy of it. */
+  /**
+   * Locks a document that is already in memory. If another tab has opened it meanwhile, returns a copy of it.
+   */
   async retake(document: OpenDocument): Promise<LockedDocument> {
     const release = await this.#acquire(document.id);
     if (release) return { document, release };
@@ -84,11 +86,14 @@ export class DocumentLibrary {
     if (own === null) return this.#takeLast();
     const taken = await this.take(own);
     if (typeof taken !== "string") return taken;
-    // A duplicated tab has the memory of the first one.
+    // A duplicated tab has the memory of the original tab.
     return taken === "open-in-another-tab" ? this.#copy(own) : null;
   }
 
-  /** Returns the document with which `resume` would continue, if no file has its last changes. Does not lock it. */
+  /**
+   * Returns the document with which `resume` would continue, if no file contains its last changes. Does not
+   * lock it.
+   */
   async unsaved(): Promise<{ readonly id: string; readonly name: string } | null> {
     const id = this.#tab.read() ?? (await this.#lastId());
     const document = id === null ? "missing" : await this.#read(id);
@@ -97,7 +102,10 @@ export class DocumentLibrary {
     return documentKey(project) === document.savedKey ? null : { id: document.id, name: project.name };
   }
 
-  /** Notes that this tab has a document open, and no longer the one before. Without a `release`, locks it. */
+  /**
+   * Records that this tab has a document open instead of the previous one. Without a `release`, locks the
+   * document.
+   */
   keepOpen(id: string, release?: () => void): void {
     const before = this.#open;
     this.#open = { id, release: release ? Promise.resolve(release) : this.#locks.acquire(id, releaseTime) };
@@ -105,7 +113,7 @@ export class DocumentLibrary {
     if (before) this.#released = before.release.then((releaseBefore) => releaseBefore?.());
   }
 
-  /** Removes documents that are as they were opened, and the oldest ones beyond the limit, unless a tab has them open. */
+  /** Removes unchanged documents, and the oldest ones beyond the limit, unless a tab has them open. */
   async clean(): Promise<void> {
     const [listed, untouched, openIds] = await Promise.all([
       this.storage.list(),

@@ -1,4 +1,7 @@
-/** Registers which documents are open in the tabs of the browser, so that no two tabs write the same one. */
+/**
+ * Registers which documents are open in the tabs of the browser, so that two tabs never write the same
+ * document.
+ */
 export interface DocumentLocks {
   /**
    * Marks a document as open here. Returns a function that ends this, or null if another tab has the document open.

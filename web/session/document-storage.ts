@@ -1,7 +1,7 @@
 import { openDB, type DBSchema, type IDBPDatabase } from "idb";
 import type { DocumentSummary, KeptDocument } from "./kept-document";
 
-/** Where documents are kept between visits, each under its id. */
+/** Stores documents between visits, each under its id. */
 export interface DocumentStorage {
   /** Returns the listed documents, the one changed last first. */
   readonly list: () => Promise<readonly DocumentSummary[]>;
@@ -9,8 +9,8 @@ export interface DocumentStorage {
   readonly listUntouched: () => Promise<readonly string[]>;
   readonly read: (id: string) => Promise<KeptDocument | undefined>;
   /**
-   * Writes a document in place of its earlier state. If the storage is open, the whole transaction is issued before
-   * this returns, so that it completes even if the page is closed.
+   * Writes a document, replacing its earlier state. If the storage is open, the whole transaction is issued
+   * before this returns, so that it completes even if the page is closed.
    */
   readonly write: (document: KeptDocument) => Promise<void>;
   readonly remove: (ids: readonly string[]) => Promise<void>;
@@ -20,7 +20,7 @@ interface Schema extends DBSchema {
   documents: {
     key: string;
     value: KeptDocument;
-    /** Holds all that a list needs, so that no document has to be read for it. */
+    /** Contains everything that a list needs, so that listing reads no document. */
     indexes: { recent: [listed: number, at: number, name: string] };
   };
 }

@@ -11,7 +11,7 @@ export interface ProjectFile {
   readonly lastModified: number;
 }
 
-/** A document with its steps of undo and its file: everything that belongs to it and to no other. */
+/** A document with its undo steps and its file: everything that belongs to this document alone. */
 export interface OpenDocument {
   /** Identifies the document in the browser's storage. */
   readonly id: string;
@@ -23,21 +23,21 @@ export interface OpenDocument {
 }
 
 export interface DocumentState extends OpenDocument {
-  /** The content when the gesture under way began; null without a gesture. */
+  /** The content when the current gesture began; null without a gesture. */
   readonly gestureStart: DocumentContent | null;
 }
 
-/** A continuous change, for example a drag: one step of undo however often it is updated. */
+/** A continuous change, for example a drag: one undo step, however often it is updated. */
 export interface Gesture {
-  /** Replaces what the gesture has done so far by a change of the project as it was at the beginning. */
+  /** Replaces the gesture's change so far by a change of the project as it was at the beginning. */
   readonly update: (change: Change<DocumentContent>) => void;
-  /** Ends the gesture as one step of undo, or as none if nothing has changed. */
+  /** Ends the gesture as one undo step, or as none if nothing has changed. */
   readonly commit: () => void;
   /** Ends the gesture and restores the project as it was at the beginning. */
   readonly cancel: () => void;
 }
 
-/** Makes a document of a project that is stored nowhere yet, or in a file only. */
+/** Makes a document from a project that is not stored yet, or only in a file. */
 export function newDocument(project: Project, file: ProjectFile | null = null): OpenDocument {
   return {
     id: newDocumentId(),
@@ -47,19 +47,19 @@ export function newDocument(project: Project, file: ProjectFile | null = null): 
   };
 }
 
-/** Random: two tabs never choose the same id. */
+/** Random, so that two tabs never choose the same id. */
 export function newDocumentId(): string {
   const bytes = crypto.getRandomValues(new Uint8Array(12));
   return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
 }
 
-/** The open document: its project, its steps of undo, and whether a file holds it. */
+/** The open document: its project, its undo steps, and whether a file contains it. */
 export class DocumentStore {
   readonly state: StoreApi<DocumentState>;
-  /** True while a key is held down, so that all it repeats is one step of undo. */
+  /** True while a key is held down: all repetitions of the key are one undo step. */
   held = false;
   readonly #now: () => number;
-  /** The gesture under way. An ended gesture does nothing any more. */
+  /** The current gesture. Calls of an ended gesture have no effect. */
   #gesture: Gesture | null = null;
 
   constructor(project: Project, now: () => number = () => performance.now()) {
@@ -67,18 +67,18 @@ export class DocumentStore {
     this.state = createStore<DocumentState>(() => ({ ...newDocument(project), gestureStart: null }));
   }
 
-  /** The project as it is shown, in the middle of a gesture too. */
+  /** The project as it is shown, also during a gesture. */
   get project(): Project {
     return this.state.getState().history.present.project;
   }
 
-  /** Applies an edit. A gesture under way is committed first. */
+  /** Applies an edit, after committing the current gesture. */
   edit(edit: ProjectEdit): void {
     this.#gesture?.commit();
     this.#set(commit(this.state.getState().history, edit, this.#now(), this.held));
   }
 
-  /** Begins a gesture. A gesture under way is committed first. */
+  /** Begins a gesture, after committing the current one. */
   begin(label: string): Gesture {
     this.#gesture?.commit();
     const { history } = this.state.getState();
@@ -103,7 +103,7 @@ export class DocumentStore {
     return gesture;
   }
 
-  /** Cancels the gesture under way; without one, goes one step back. */
+  /** Cancels the current gesture; without one, goes one step back. */
   undo(): void {
     if (this.#gesture) this.#gesture.cancel();
     else this.#set(undo(this.state.getState().history));
@@ -114,7 +114,7 @@ export class DocumentStore {
     if (!this.#gesture) this.#set(redo(this.state.getState().history));
   }
 
-  /** Shows another document and returns the one before. A gesture under way is cancelled. */
+  /** Cancels the current gesture, shows another document, and returns the previous one. */
   show({ id, history, savedKey, file }: OpenDocument): DocumentState {
     this.#gesture?.cancel();
     const before = this.state.getState();
@@ -122,7 +122,10 @@ export class DocumentStore {
     return before;
   }
 
-  /** Notes that a file holds the given project of the document with this id. It may have changed meanwhile. */
+  /**
+   * Records that a file contains the given project of the document with this id. The document may have
+   * changed meanwhile.
+   */
   markSaved(id: string, project: Project, file: ProjectFile | null): void {
     if (this.state.getState().id === id) this.state.setState({ savedKey: documentKey(project), file });
   }
@@ -148,24 +151,26 @@ export class DocumentStore {
   }
 }
 
-/** The project without the gesture under way. Keys are computed for it alone, never during a drag. */
+/**
+ * The project without the current gesture. Keys are computed only for this project, so never during a drag.
+ */
 export function settledProject({ gestureStart, history }: DocumentState): Project {
   return (gestureStart ?? history.present).project;
 }
 
-/** Does the project differ from what the last opened or saved file holds? */
+/** Returns whether the project differs from the content of the file opened or saved last. */
 export function hasUnsavedChanges(state: DocumentState): boolean {
   const project = settledProject(state);
   return project !== state.history.present.project || documentKey(project) !== state.savedKey;
 }
 
-/** Is the document as it was opened: without a step of undo or redo, and as its file has it? */
+/** Returns whether the document is as it was opened: without undo or redo steps, and equal to its file. */
 export function isUntouched(state: DocumentState): boolean {
   const { past, future } = state.history;
   return past.length === 0 && future.length === 0 && !hasUnsavedChanges(state);
 }
 
-/** Returns whether a file has the project; an example or a new project that was not changed needs none. */
+/** Returns whether a file contains the project; an unchanged example or new project needs no file. */
 export function savedState(state: DocumentState): "saved" | "unsaved" | "unchanged" {
   if (hasUnsavedChanges(state)) return "unsaved";
   return state.file === null && isUntouched(state) ? "unchanged" : "saved";

@@ -24,7 +24,7 @@ const isNamed = (error: unknown, name: string): boolean =>
   error instanceof DOMException && error.name === name;
 const isAbort = (error: unknown): boolean => isNamed(error, "AbortError");
 
-/** Browsers open a dialog only right after a click or a key: its code must be there by then. */
+/** Browsers open a dialog only right after a click or a key, so its code must already be loaded. */
 export const loadFileDialogs = () => import("browser-fs-access");
 
 /** The dialogs of some browsers add a handle that can be written to. */
@@ -38,7 +38,7 @@ export async function readProjectFile(file: OpenedFile): Promise<OpenResult> {
   try {
     return await projectIn(file);
   } catch (error) {
-    // For example a folder, or a part of the app that could not be loaded.
+    // Causes are, for example, a folder, or a part of the app that could not be loaded.
     return { kind: "failed", fileName: file.name, reasons: [String(error)] };
   }
 }
@@ -106,7 +106,7 @@ export async function saveProjectFile(
   try {
     const { fileSave } = await loadFileDialogs();
     const handle = await fileSave(
-      // A promise: the browser lets the user choose a file only right after a click.
+      // Pass a promise: the browser lets the user choose a file only right after a click.
       writeProjectBlob(project),
       { ...projectFile, fileName: `${fileStem(project.name)}.json` },
       file && (await isWritable(file)) ? file.handle : null,

@@ -5,7 +5,7 @@ export interface GalleryModel {
   readonly id: string;
   readonly title: string;
   readonly blurb: string;
-  /** Models of one group stand together; the heading above them. */
+  /** Heading above the models of a group, which are consecutive. */
   readonly group: string;
   /** Relative to the page. */
   readonly file: string;

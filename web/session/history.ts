@@ -47,7 +47,10 @@ export function stepFrom<State extends object>(state: State, change: Change<Stat
   return { present, forward, backward };
 }
 
-/** Returns the history after a step, which ends what could be redone; the same object if the step is empty. */
+/**
+ * Returns the history after a step, which removes the steps that could be redone; the same object if the step
+ * is empty.
+ */
 export function addStep<State>(
   history: History<State>,
   label: string,
@@ -58,8 +61,8 @@ export function addStep<State>(
 }
 
 /**
- * Returns the history after an edit at `now`, or the same object if the edit changes nothing. The edit is `held` if
- * it comes from a key held down: all its repetitions are one step, however slowly they follow.
+ * Returns the history after an edit at `now`, or the same object if the edit changes nothing. The edit is
+ * `held` if it comes from a key that is held down: all repetitions are one step, however slow.
  */
 export function commit<State extends object>(
   history: History<State>,
@@ -75,7 +78,7 @@ export function commit<State extends object>(
     mergeKey !== undefined &&
     last.mergeKey === mergeKey &&
     (held || now - last.at <= mergeWindowMs) &&
-    // After an undo, the last step is one that the user has gone back to: it stays a step of its own.
+    // After an undo, the user has gone back to the last step: never merge into it.
     history.future.length === 0;
   if (!merges) return append(history, history.past, { label, mergeKey, at: now, ...step });
   return append(history, history.past.slice(0, -1), { label, mergeKey, at: now, ...joined(last, step) });

@@ -6,7 +6,7 @@ import { packedGrid, type PackedGrid } from "../document/packed-grid";
 import type { OpenDocument, ProjectFile } from "./document-store";
 import type { History, HistoryEntry } from "./history";
 
-/** A document as the browser's storage holds it. */
+/** A document in the form of the browser's storage. */
 export interface KeptDocument {
   readonly id: string;
   readonly name: string;
@@ -31,7 +31,10 @@ export interface KeptDocument {
 /** What Recent shows of a document. */
 export type DocumentSummary = Pick<KeptDocument, "id" | "name" | "at">;
 
-/** Limit of the steps kept with a document. Larger steps, for example new grids, end what can be undone later. */
+/**
+ * Limit of the steps stored with a document. If a step is larger, for example a new grid, it and the steps
+ * beyond it are not stored.
+ */
 export const maxKeptHistoryBytes = 4 * 2 ** 20;
 
 export function keptDocument(
@@ -78,10 +81,12 @@ export async function openKept(kept: KeptDocument): Promise<OpenDocument | null>
   return { id, history, savedKey, file };
 }
 
-/** Entries never change: the text of each is made once. */
+/** Entries never change, so the text of each is made only once. */
 const texts = new WeakMap<HistoryEntry, string>();
 
-/** Returns the texts of entries, those next to the present first, as long as they fit into the limit. */
+/**
+ * Returns the texts of entries that fit into the limit, beginning with those closest to the current state.
+ */
 function textsOf(entries: readonly HistoryEntry[], limit: number): { texts: string[]; bytes: number } {
   const kept: string[] = [];
   let bytes = 0;

@@ -26,7 +26,7 @@ export class PreviewFeed {
   #next: Project | null = null;
   /** Cancels the active request; null without one. */
   #abort: AbortController | null = null;
-  /** Has a request been cancelled since the last answer? Then the next one runs to its end. */
+  /** Whether a request was cancelled since the last answer; the next request is then not cancelled. */
   #hasGivenUp = false;
 
   constructor(documents: DocumentStore, mesher: Promise<Mesher>) {
@@ -35,7 +35,7 @@ export class PreviewFeed {
     this.request(documents.project);
   }
 
-  /** Is a request active? */
+  /** Whether a request is active. */
   get busy(): boolean {
     return this.#abort !== null;
   }

@@ -27,7 +27,7 @@ export interface RunState {
   readonly front: Float64Array | null;
   /** The mesh that a run is optimizing; null before its front has closed, and without a run. */
   readonly unoptimized: UnoptimizedMesh | null;
-  /** The mesh on show, whatever project it belongs to. */
+  /** The shown mesh, which may belong to another state of the project. */
   readonly mesh: MeshResult | null;
   /** Key of the project that `mesh` was made from. */
   readonly meshKey: string | null;
@@ -51,9 +51,9 @@ const emptyRun: RunState = {
   log: [],
 };
 
-/** Meshes kept so that undo brings the old mesh back at once. */
+/** Number of meshes kept, so that undo restores the old mesh at once. */
 const cachedMeshes = 4;
-/** Above this many tetrahedra a mesh is not kept: memory first. */
+/** Meshes with more tetrahedra are not kept, to limit memory. */
 const maxCachedTetrahedra = 400_000;
 const maxLogLines = 400;
 /**
@@ -188,7 +188,7 @@ export class MeshRun {
   }
 }
 
-/** Is it time to show the progress again? A new phase is shown at once. */
+/** Returns whether to show the progress again. A new phase is shown at once. */
 function isDue(before: Progress | null, { phase, elapsedSeconds }: Progress): boolean {
   if (before?.phase !== phase) return true;
   const { share, min, max } = progressWait;
@@ -213,12 +213,15 @@ function summary({ report }: MeshResult): string {
 /** Adds a full stop, unless the text ends with a punctuation mark. */
 const sentence = (text: string): string => (/[.!?…]$/.test(text) ? text : `${text}.`);
 
-/** Returns the number of regions of the mesh on show; 0 before it is finished. */
+/** Returns the number of regions of the shown mesh; 0 before it is finished. */
 export function regionCount({ mesh }: RunState): number {
   return mesh?.report.quality.regions.length ?? 0;
 }
 
-/** Was the mesh on show made from another state of the document? During a gesture, no key is computed. */
+/**
+ * Returns whether the shown mesh was made from another state of the document. During a gesture, no key is
+ * computed.
+ */
 export function isStale(run: RunState, document: DocumentState): boolean {
   if (run.mesh === null) return false;
   const project = settledProject(document);

@@ -19,9 +19,9 @@ export interface SessionOptions {
   readonly first: { readonly document: OpenDocument; readonly release?: () => void };
   /** Makes meshes. */
   readonly mesher: Promise<Mesher>;
-  /** Answers small questions, for example previews: they never wait for a run. */
+  /** Answers quick requests, for example previews, which never wait for a run. */
   readonly previewMesher: Promise<Mesher>;
-  /** Where documents are kept; null keeps nothing. */
+  /** Where documents are stored; null stores nothing. */
   readonly library: DocumentLibrary | null;
 }
 
@@ -50,19 +50,23 @@ export class Session {
     });
   }
 
-  /** Shows a project as a new document. Returns the document before, which Recent lists if it was changed. */
+  /**
+   * Shows a project as a new document. Returns the previous document, which Recent lists if it was changed.
+   */
   showProject(project: Project, file: ProjectFile | null = null): DocumentState {
     return this.#show(newDocument(project, file));
   }
 
-  /** Shows a document from the library. Returns the document before, or why it cannot be shown. */
+  /**
+   * Shows a document from the library. Returns the previous document, or why the document cannot be shown.
+   */
   async showRecent(id: string): Promise<DocumentState | OpenFailure> {
     if (!this.library) return "missing";
     const taken = await this.library.take(id);
     return typeof taken === "string" ? taken : this.showLocked(taken);
   }
 
-  /** Shows a document again that `showProject` or `showRecent` has returned, with all its steps of undo. */
+  /** Shows again a document that `showProject` or `showRecent` has returned, with all its undo steps. */
   async showAgain(document: OpenDocument): Promise<DocumentState> {
     if (!this.library) return this.#show(document);
     return this.showLocked(await this.library.retake(document));
@@ -82,7 +86,7 @@ export class Session {
     return before;
   }
 
-  /** Keeps the document that is about to be replaced, unless it is as it was opened from the gallery. */
+  /** Stores the document that is about to be replaced, unless it is an unchanged model of the gallery. */
   #leave(state: DocumentState): void {
     if (state.file === null && isUntouched(state)) {
       this.autosave?.forget(state.id);

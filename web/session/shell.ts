@@ -2,16 +2,16 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 
 export type DialogName = "help" | "new-point" | "new-node" | "cover" | "propose" | "recent";
 
-/** A message beside the work, which waits for no answer. */
+/** A message that does not interrupt the work and needs no answer. */
 export interface Notice {
-  /** A notice takes the place of an earlier one with the same key. */
+  /** A notice replaces an earlier one with the same key. */
   readonly key: "document-left" | "autosave-failed";
   readonly tone: "information" | "warning";
   readonly text: string;
   readonly action: { readonly label: string; readonly run: () => void };
 }
 
-/** Which tabs, drawers and dialogs are open; never undone, not kept over a reload. */
+/** Which tabs, drawers and dialogs are open. Undo does not affect it, and a reload resets it. */
 export interface ShellState {
   readonly leftTab: "model" | "examples";
   readonly rightTab: "inspector" | "quality" | "display";
@@ -19,7 +19,7 @@ export interface ShellState {
   /** On small screens the panels are drawers. */
   readonly drawer: "left" | "right" | "bottom" | null;
   readonly dialog: DialogName | null;
-  /** A failure that the user must read before going on. */
+  /** A failure that the user must read before continuing. */
   readonly message: { readonly title: string; readonly lines: readonly string[] } | null;
   readonly notices: readonly Notice[];
 }

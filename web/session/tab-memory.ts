@@ -1,4 +1,6 @@
-/** Remembers which document an app has open, over a reload of its tab but not beyond the tab. */
+/**
+ * Remembers which document an app has open. The memory survives a reload of the tab, but ends with the tab.
+ */
 export interface TabMemory {
   read(): string | null;
   write(id: string): void;

@@ -16,7 +16,7 @@ export const measureNames = {
   dihedral: "Smallest dihedral angle",
 } as const;
 
-/** Adds to a name of a measure where it is measured, if the mesh is stretched. */
+/** Returns the name of a measure. If the mesh is stretched, adds where it is measured. */
 export function measuredIn(measure: string, space: "metric" | "space" | null): string {
   return space === null ? measure : `${measure} ${spaceNames[space]}`;
 }

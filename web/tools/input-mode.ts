@@ -1,5 +1,6 @@
 /**
- * Who gets a key: the text field or the dialog that has the focus, or the view with its tools and commands.
+ * Receiver of a key: the text field or the dialog that has the focus, or the view with its tools and
+ * commands.
  */
 export type InputMode = "field" | "dialog" | "view";
 

@@ -26,7 +26,7 @@ export class PageApps<App extends object> {
     };
   }
 
-  /** Notes that the user works with an app. */
+  /** Records that the user works with an app. */
   use(app: App): void {
     if (this.state.getState().lastUsed !== app) this.state.setState({ lastUsed: app });
   }

@@ -11,10 +11,13 @@ export interface Hover {
   readonly at: ScreenPoint;
 }
 
-/** The pointer must rest this long, in milliseconds, before the entity under it lights up. */
+/** Time that the pointer must rest before the entity under it is highlighted, in milliseconds. */
 const hoverDelay = 80;
 
-/** Selects what is clicked, fits the view to what is double-clicked, and lights up what the pointer rests on. */
+/**
+ * A click selects, a double click fits the view to the entity, and a resting pointer highlights the entity
+ * under it.
+ */
 export class SelectTool implements Tool {
   readonly id = "select";
   readonly #viewer: Pick<Viewer, "fitTarget">;

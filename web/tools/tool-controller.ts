@@ -35,8 +35,9 @@ export interface ToolState {
 }
 
 /**
- * Passes the pointer and the keys to the active tool before the camera and the hotkeys see them. Listens in the
- * capture phase for that. While a tool holds a button, keys go to it alone, and Escape cancels the press.
+ * Passes pointer and key events to the active tool before the camera and the hotkeys receive them, by
+ * listening in the capture phase. While a tool has claimed a button, only the tool receives keys, and Escape
+ * cancels the press.
  */
 export class ToolController {
   readonly state: StoreApi<ToolState>;
@@ -86,7 +87,7 @@ export class ToolController {
     this.state.setState({ tool: tool.id });
   }
 
-  /** Ends a press without effect. */
+  /** Cancels a press. */
   cancel(): void {
     if (!this.#press) return;
     this.#endPress();
@@ -153,7 +154,7 @@ export class ToolController {
   }
 
   #leave(): void {
-    // A captured pointer does not leave.
+    // A captured pointer never leaves the view.
     if (this.#press?.isClaimed === true) return;
     this.cancel();
     this.#tool.move(null);

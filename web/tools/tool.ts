@@ -22,19 +22,19 @@ export interface ToolPointer {
 }
 
 /**
- * What the pointer does in the view. One tool is active at a time; `ToolController` calls it. A press of a button goes
- * `down`, `move`…, `up`, or ends early with `cancel`.
+ * Defines what the pointer does in the view. One tool is active at a time; `ToolController` calls it. A press
+ * of a button calls `down`, `move` any number of times, and `up`, or ends early with `cancel`.
  */
 export interface Tool {
   readonly id: string;
   /**
-   * A button was pressed. Returns whether the tool claims it. A claimed press is hidden from the camera, and the tool
-   * gets its moves, also outside the view. Any other press is a click, or moves the camera.
+   * A button was pressed. Returns whether the tool claims it. The camera does not see a claimed press, and
+   * the tool receives its moves, also outside the view. Any other press is a click or moves the camera.
    */
   down(pointer: ToolPointer): boolean;
   /** The pointer moved, with a claimed button or none; null if it left the view. */
   move(pointer: ToolPointer | null): void;
-  /** The button was released: a claimed one, or a click. */
+  /** The button was released, after a claimed press or a click. */
   up(pointer: ToolPointer): void;
   /** The press ended otherwise: by Escape, a camera drag, a second finger, a lost pointer or another tool. */
   cancel(): void;

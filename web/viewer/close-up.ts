@@ -2,7 +2,7 @@ import { Vector3 } from "three";
 import type { Position } from "../document/position";
 import type { Bounds } from "./bounds";
 
-/** A point or an element is shown with at least this share of the model around it. */
+/** The view of a point or an element contains at least this share of the model. */
 const minShare = 0.12;
 
 /**

@@ -1,4 +1,7 @@
-/** Replaces three's deprecated clock for the view cube's library (see vite.config.ts): that one warns in the console. */
+/**
+ * Replaces three's deprecated clock, which prints warnings, for the library of the view cube (see
+ * vite.config.ts).
+ */
 export class Clock {
   #last = performance.now();
 

@@ -1,7 +1,7 @@
 import { Color, type ShaderMaterial } from "three";
 import { displayColor } from "./materials/uniforms";
 
-/** How an entity is drawn. */
+/** State of an entity that determines how it is drawn. */
 export type DrawState = "hidden" | "normal" | "hover" | "selected" | "defective";
 
 /** Value of each state in the vertex attribute `state`. */

@@ -1,4 +1,4 @@
-/** Longest step of a motion between two frames, in seconds. */
+/** Largest time step of a motion between two frames, in seconds. */
 const maxStep = 0.1;
 
 /** Draws on request: at most once per animation frame, and not at all if nothing has changed. */
@@ -10,7 +10,10 @@ export class FrameLoop {
   #frames = 0;
   #lastDrawn = 0;
 
-  /** @param draw draws a frame this long after the last one; returns whether a motion continues. */
+  /**
+   * @param draw draws a frame, given the time since the last one in seconds; returns whether a motion
+   * continues.
+   */
   constructor(draw: (seconds: number) => boolean) {
     this.#draw = draw;
   }
@@ -31,7 +34,7 @@ export class FrameLoop {
     if (this.#isStarted && this.#handle === 0) this.#handle = requestAnimationFrame(() => this.drawNow());
   }
 
-  /** Draws at once, in place of the next animation frame. */
+  /** Draws at once, instead of at the next animation frame. */
   drawNow(): void {
     if (!this.#isStarted) return;
     cancelAnimationFrame(this.#handle);
@@ -50,7 +53,7 @@ export class FrameLoop {
     return () => this.#listeners.delete(listener);
   }
 
-  /** Ends drawing for good. */
+  /** Ends drawing permanently. */
   stop(): void {
     this.#isStarted = false;
     cancelAnimationFrame(this.#handle);

@@ -3,7 +3,7 @@ import type { Hit, HittableLayer } from "./layers/layer";
 import type { Viewport } from "./scene-state";
 import { Screen, type ScreenPoint } from "./screen";
 
-/** Entities this little behind a surface still count as on it, relative to the distance. */
+/** Entities up to this far behind a surface count as on it; relative to the distance from the eye. */
 const depthTolerance = 0.004;
 
 export interface HitOrder {

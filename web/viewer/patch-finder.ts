@@ -12,7 +12,7 @@ export class PatchFinder {
     this.#surface = surface;
     this.#first = new Uint32Array(points.length / 3 + 2);
     this.#corners = new Uint32Array(triangles.length);
-    // Counted two entries ahead, so that the second pass leaves first[n + 1] where node n + 1 begins.
+    // Count two entries ahead, so that after the second pass first[n + 1] is where node n + 1 begins.
     for (const node of triangles) this.#first[node + 2] = (this.#first[node + 2] ?? 0) + 1;
     for (let n = 2; n < this.#first.length; ++n) {
       this.#first[n] = (this.#first[n] ?? 0) + (this.#first[n - 1] ?? 0);

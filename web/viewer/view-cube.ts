@@ -38,7 +38,7 @@ export class ViewCube {
     });
     let wasOver = false;
     const light = ({ target }: PointerEvent): void => {
-      // A pointer that is not over the canvas may be over the cube, which then lights up.
+      // A pointer that has left the canvas may be over the cube, which is then highlighted.
       const isOver = !(target instanceof HTMLCanvasElement);
       if (isOver || wasOver) options.onChange();
       wasOver = isOver;

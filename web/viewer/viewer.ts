@@ -34,7 +34,7 @@ export interface ViewerOptions {
   readonly events: ViewerEvents;
 }
 
-/** A model that has grown by this factor since it was last fitted is fitted again. */
+/** If the model has grown by this factor since it was last fitted, it is fitted again. */
 const outgrowth = 1.5;
 
 /**
@@ -102,7 +102,7 @@ export class Viewer {
     if (this.#state.project !== before.project) this.#followModel();
   }
 
-  /** Begins again with the model shown, which is another one than before: fits it without motion. */
+  /** Starts again after another model was opened: fits it without motion. */
   reset(): void {
     const { empty, radius } = projectBounds(this.#state.project);
     const roomy = roomyBounds(this.#state.project);
@@ -224,7 +224,7 @@ export class Viewer {
     this.#layers.update(new SceneChanges(this.#state, before));
   }
 
-  /** Keeps local coordinates small, and fits a model that has outgrown the view. */
+  /** Keeps local coordinates small, and fits the model if it has outgrown the view. */
   #followModel(): void {
     const { project, origin } = this.#state;
     const { empty, radius } = projectBounds(project);
@@ -277,7 +277,7 @@ export class Viewer {
     this.#view.resize(clientWidth, clientHeight);
     this.#update({ viewport: this.#renderer.resize(clientWidth, clientHeight) });
     this.#cube?.resize();
-    // At once: the canvas is blank after a change of its size.
+    // Draw at once: the canvas is blank after a change of its size.
     this.#loop.drawNow();
   }
 

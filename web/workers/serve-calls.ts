@@ -6,7 +6,7 @@ export interface Answer<T> {
   readonly transfer?: readonly Transferable[];
 }
 
-/** What a worker does for each call of its protocol. */
+/** Handlers of a worker, one for each call of its protocol. */
 export type Handlers<P extends Protocol<P>> = {
   readonly [K in keyof P]: (
     argument: P[K]["argument"],

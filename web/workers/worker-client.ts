@@ -39,7 +39,7 @@ export class WorkerClient<P extends Protocol<P>> {
   #lastId = 0;
   readonly #pending = new Map<number, PendingCall>();
 
-  /** `onLost` is called when a worker has ended: the next one knows nothing of earlier calls. */
+  /** `onLost` is called when a worker has ended: the next worker has no state of earlier calls. */
   constructor(startWorker: () => WorkerPort, onLost: () => void = () => undefined) {
     this.#startWorker = startWorker;
     this.#onLost = onLost;

@@ -54,9 +54,9 @@ struct MeshOptions {
   double gradation = 1.3;
   InnerShells innerShells = InnerShells::kCavities;
   FrontOrder order = FrontOrder::kLayered;
-  /// Discards faces that cannot cross a new element by a cheap test before the full one (second section 6 (b) of
-  /// the paper; the boxes of (a) are part of the search). Without the filters, the mesh is the same but takes
-  /// longer; benchmarks show their effect.
+  /// Uses a cheap test to discard faces that cannot cross a new element, before the full test
+  /// (second section 6 (b) of the paper; the boxes of (a) are part of the search). Without the
+  /// filters, the mesh is the same but takes longer; benchmarks show their effect.
   bool filters = true;
   Optimization optimization = Optimization::kDefault;
   /// Largest number of tetrahedra; above it, a run ends with kTooManyElements. The peak memory of a run is about

@@ -54,7 +54,7 @@ struct MetricShapes {
 struct QualityStatistics {
   std::vector<RegionStatistics> regions;  ///< ascending
   std::vector<ElementQuality> worst;      ///< up to ten, by their angles, worst first
-  ElementQuality smallest;                ///< element of least volume
+  ElementQuality smallest;                ///< element with the smallest volume
   double volumeRatio = 0.0;               ///< largest / smallest volume
   double meanEdge = 0.0;                  ///< mean of length / target length
   /// Mean of length / length that the surface's triangles allow.
@@ -69,8 +69,9 @@ struct QualityStatistics {
   /// the region spans less than 30 degrees there; or less than 60, so that one element must fill the wedge, and the
   /// tetrahedron of its two triangles is out of range itself. This limit is proved.
   std::uint32_t limitedByEdges = 0;
-  /// Elements with an edge of a boundary triangle that is a needle or a cap (radius ratio below 0.3). This limit is
-  /// an experience, not a proof: good elements at such triangles exist, but rarely fit to their neighbours.
+  /// Elements with an edge of a boundary triangle that is a needle or a cap (radius ratio below
+  /// 0.3). This limit is empirical, not proved: good elements at such triangles exist, but they
+  /// rarely fit their neighbours.
   std::uint32_t limitedByNeedles = 0;
   /// Elements in a narrow gap: all nodes are on the boundary, and the element joins two parts of it that share no
   /// edge of the element and are closer than 0.6 target lengths. Not proved: the triangles of both parts determine

@@ -29,7 +29,8 @@ class ToolWork {
 template <class Result>
 class SlicedTool {
  public:
-  /// Does about `budget` units of work, at least one; true when finished. The tool says what a unit is.
+  /// Does about `budget` units of work, at least one; true when finished. Each tool defines its
+  /// unit.
   bool advance(std::uint32_t budget) { return work_->advance(std::max(budget, 1U)); }
 
   /// Estimated progress, 0 to 1.

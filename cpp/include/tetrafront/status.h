@@ -56,7 +56,7 @@ struct Entity {
 enum class DiagnosticCode : std::uint16_t {
   // Model
   kNotFinite = 0,         ///< point, node or surface node with a NaN or infinity
-  kIndexOutOfRange = 1,   ///< entity with an invalid reference, or truncated itself
+  kIndexOutOfRange = 1,   ///< entity that has an invalid reference or is truncated
   kWrongPointCount = 2,   ///< line
   kCoincidentPoints = 3,  ///< two points of one line at the same position
   kZeroLengthLine = 4,    ///< line

@@ -1,8 +1,8 @@
 #pragma once
 
-/// @file Long work in slices, written as ordinary functions. A Task is a coroutine. It yields when the budget of
-/// the slice is used up, and the next slice resumes it behind the same `co_await`. A Job owns the outermost task
-/// and does one slice per call. A task runs other work with
+/// @file Long work in slices, written as ordinary functions. A Task is a coroutine. It yields when
+/// the budget of the slice is used up, and the next slice resumes it after the same `co_await`. A
+/// Job owns the outermost task and does one slice per call. A task runs other work with
 ///
 ///     co_await work.finish(builder);                     // a class with advance(budget), see base/resumable.h
 ///     co_await work.forEachBlock(count, visit);          // a plain function, called for blocks of items

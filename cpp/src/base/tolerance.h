@@ -16,8 +16,8 @@ class Tolerance {
  public:
   /// Bounds the rounding error of some thousand operations, relative to the numbers compared.
   static constexpr double kRounding = 1e-12;
-  /// Geometry closer than this was drawn as the same: far above the rounding of coordinates, far below the size of
-  /// any element.
+  /// Geometry closer than this counts as coincident: far above the rounding of coordinates, far
+  /// below the size of any element.
   static constexpr double kCoincidence = 1e-9;
 
   /// `extent`: length of a line, or diagonal of the box around what is compared.

@@ -2,8 +2,8 @@
 
 /// @file Makes the given edges and triangles appear in a mesh of their nodes: each edge as a chain
 /// of mesh edges, each triangle as a set of faces. Swaps are tried first. If they fail, a point is
-/// added where an edge meets a face, or a triangle meets an edge. Each such point removes one
-/// crossing for good and adds none, so this terminates.
+/// added where an edge meets a face, or a triangle meets an edge. Each such point permanently
+/// removes one crossing and adds none, so this terminates.
 ///
 /// Points are added only when passes of swaps make no more progress. Most edges that cannot be recovered at
 /// first can be later, when others are present; but the parts of a split edge must stay, and block swaps.

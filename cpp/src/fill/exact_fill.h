@@ -43,7 +43,7 @@ class ExactFill {
     kRunning,
     kDone,
     kPartial,  ///< the volume around interior points that doubles cannot hold is left open
-    kFailed    ///< the triangles are no closed boundary, or the limit is reached; no result
+    kFailed    ///< the triangles are not a closed boundary, or the limit is reached; no result
   };
   /// Does about `budget` x 2 microseconds of work. The outcome does not depend on the budget.
   State advance(std::uint32_t budget);

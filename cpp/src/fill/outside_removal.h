@@ -2,7 +2,7 @@
 
 /// @file Drops the tetrahedra outside the given triangles, once all triangles are faces of the
 /// mesh: floods the interior from the tetrahedra above the triangles. A tetrahedron is both inside
-/// and outside only if the triangles are no closed boundary; this is an error.
+/// and outside only if the triangles are not a closed boundary; this is an error.
 
 #include <array>
 #include <cstdint>

@@ -145,8 +145,8 @@ double Dyadic::toDoubleAt(int shift) const {
   if (sign() == 0) return 0.0;
   const int top = end() - 1;
   const std::uint64_t leading = std::uint64_t{digitAt(top)} << kDigitBits | digitAt(top - 1);
-  // Two digits hold at least 33 bits; the third completes a double, and where the number is one,
-  // both conversions and the sum are exact.
+  // Two digits hold at least 33 bits; the third completes a double. If a double can hold the
+  // number, both conversions and the sum are exact.
   const double value =
       static_cast<double>(leading) + static_cast<double>(digitAt(top - 2)) * 0x1p-32;
   const double scaled = std::ldexp(value, (top - 1 + shift) * kDigitBits);

@@ -7,9 +7,10 @@
 namespace tetrafront {
 namespace {
 
-// The determinant of rows (v, v.v), v from p to each corner (Shewchuk 1997, section 4.4), as
-// squares times the volumes of the other three: 17 roundings at most lead from coordinates to the
-// sum, here doubled. The same in twice the digits, whose sums and products are off by a few 2^-104.
+// The determinant has the rows (v, v.v), where v is the vector from p to each corner (Shewchuk
+// 1997, section 4.4). It is a sum of squares times volumes of the other three vectors. A term has
+// at most 17 roundings, and the bounds allow for twice as many. With twice the digits, sums and
+// products have errors of a few 2^-104.
 constexpr double kPlainBound = 34.0 * 0x1p-53;
 constexpr double kTwofoldBound = 0x1p-97;
 

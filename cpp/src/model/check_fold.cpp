@@ -47,7 +47,7 @@ class NormalGrid {
     int j;
   };
 
-  /// In one row or column, between each node with a normal and the next one with a normal.
+  /// Searches one row or column for a fold between each node with a normal and the next such node.
   template <class CellAt>
   [[nodiscard]] std::optional<Vec2> findFoldAlong(int line, CellAt&& cellAt) const {
     std::optional<Vec2> before;
@@ -89,8 +89,8 @@ class NormalGrid {
     return glm::cross(point.alongXi, point.alongEta);
   }
 
-  /// Finds where the normal changes by more than 90 degrees between two parameters, if it still
-  /// does so however close they are.
+  /// Finds where the normal changes by more than 90 degrees between two parameters; nothing if the
+  /// change is below 90 degrees when they are close enough.
   [[nodiscard]] std::optional<Vec2> foldBetween(Vec2 from, Vec2 to) const {
     Vec3 normalFrom = normalAt(from);
     Vec3 normalTo = normalAt(to);

@@ -20,7 +20,7 @@ namespace tetrafront {
 /// Returns the box of all samples; nothing if there are none.
 [[nodiscard]] std::optional<Bounds> boundsOf(const ModelPreview& preview);
 
-/// Uniform size of a model of which nothing else is known / its diagonal.
+/// Default uniform size of a model / its diagonal.
 inline constexpr double kUniformPerDiagonal = 1.0 / 20.0;
 
 }  // namespace tetrafront

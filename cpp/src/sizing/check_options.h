@@ -9,7 +9,7 @@
 
 namespace tetrafront {
 
-/// Returns a kBadOption for each option that is out of range.
+/// Returns a kOptionOutOfRange for each option that is out of range.
 [[nodiscard]] std::vector<Diagnostic> checkOptions(const MeshOptions& options);
 
 }  // namespace tetrafront

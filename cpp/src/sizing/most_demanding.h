@@ -9,10 +9,11 @@
 
 namespace tetrafront {
 
-/// Adds to a diagnostic about too many elements the source, or the node of the background grid, whose size requires the
-/// most; nothing if the size of the options or the surface's own edges require more. `bounds`: of the model or surface;
-/// only what lies within them counts. The grid must be valid, and the first value of `tooMany` the number of elements in
-/// all. O(sources + tetrahedra of the grid).
+/// Adds to a diagnostic about too many elements the source, or the node of the background grid,
+/// whose size requires the most; nothing if the size of the options or the surface's own edges
+/// require more. `bounds`: of the model or surface; only elements within them count. The grid must
+/// be valid, and the first value of `tooMany` the number of elements in all. O(sources + tetrahedra
+/// of the grid).
 void nameMostDemanding(Diagnostic& tooMany, const BackgroundGrid& grid, const MeshOptions& options,
                        const Bounds& bounds);
 

@@ -9,8 +9,8 @@ namespace tetrafront {
 
 namespace {
 
-/// A closed line needs three sides to enclose an area. Two lines between the same points need two sides each: one
-/// side would do for one of them, but the result must not depend on which.
+/// A closed line needs three sides to enclose an area. Two lines between the same points need two
+/// sides each: one of them could have a single side, but the result must not depend on which one.
 constexpr std::uint32_t kMinSidesOfClosedLine = 3;
 constexpr std::uint32_t kMinSidesOfParallelLine = 2;
 /// A closed line of a patch with a seam: with fewer sides, an edge could connect a node to both copies of a node of

@@ -18,7 +18,7 @@ PlaneBox regionOf(const PlanarMesh& mesh) {
   return region;
 }
 
-/// Places one loop after the other in the plane.
+/// Maps one loop after the other to the plane.
 class BoundaryBuilder {
  public:
   BoundaryBuilder(const ResolvedModel& model, const Patch& patch, const PatchSurface& surface,

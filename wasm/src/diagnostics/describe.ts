@@ -116,7 +116,7 @@ const READ: { readonly [Type in ValueType]: (value: number) => unknown } = {
   option: (value) => CHECKED_OPTIONS[value],
 };
 
-/** Adds to the first label with an index that indices count from 0. */
+/** Adds "(counted from 0)" after the first label that has an index. */
 export function withCounting(message: string, entities: readonly EntityRef[]): string {
   const ends = entities
     .filter(({ id }) => id === undefined)

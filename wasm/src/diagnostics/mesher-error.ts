@@ -13,9 +13,9 @@ export interface MesherErrorData {
   /** An argument is invalid; `diagnostics` has at least one entry, with remedies. */
   readonly "invalid-input": { readonly diagnostics: readonly Diagnostic[] };
   /**
-   * The signal was aborted before the call or before its result. `reason` is the reason of the signal, as is
-   * `cause` of the error. Every asynchronous function with a signal rejects in this way, except that `meshProject`
-   * and `fillSurface` return a result of status `cancelled` with the mesh made so far.
+   * The signal was aborted before the call or before its result. `reason`, and the `cause` of the error, are
+   * the reason of the signal. Every asynchronous function with a signal rejects in this way, except that
+   * `meshProject` and `fillSurface` return a result of status `cancelled` with the mesh made so far.
    */
   readonly cancelled: { readonly reason: unknown };
   /** The mesher was disposed of before the call or, if `wasUnderWay`, during it. */

@@ -1,6 +1,6 @@
 /**
- * Diagnostics of the package itself. They are separate from the engine's sentences, so that callers who do not
- * need those need not load them.
+ * Diagnostics of the package itself. They are separate from the engine's sentences, so that callers who need
+ * only these do not load the engine's.
  */
 import type { EngineCode, Severity } from "../generated/constants.js";
 import type { DiagnosticCode } from "./codes.js";

@@ -16,9 +16,9 @@ export interface RunControl {
    */
   readonly onFront?: ((corners: Float64Array) => void) | undefined;
   /**
-   * Called by `meshProject` and `fillSurface` at most once, with the mesh before optimization or in its course: about
-   * 0.25 s after the front has closed, unless the run has ended by then. The caller owns the arrays. Costs a copy of the
-   * mesh. A failure of this function has the same effect as one of `onProgress`.
+   * Called by `meshProject` and `fillSurface` at most once, with the mesh before or during optimization:
+   * about 0.25 s after the front has closed, unless the run has ended by then. The caller owns the arrays.
+   * Costs a copy of the mesh. A failure of this function has the same effect as one of `onProgress`.
    */
   readonly onUnoptimized?: ((mesh: UnoptimizedMesh) => void) | undefined;
   /**

@@ -165,7 +165,7 @@ export type Reply =
   /** Sent once, when the engine is loaded, with its code for other workers. Earlier requests wait for it. */
   | { readonly kind: "ready"; readonly module: CompiledEngine }
   | { readonly kind: "progress"; readonly id: number; readonly progress: Progress }
-  /** The present front: x y z of three corners per face. */
+  /** The current front: x y z of three corners per face. */
   | { readonly kind: "front"; readonly id: number; readonly corners: Float64Array }
   | { readonly kind: "unoptimized"; readonly id: number; readonly mesh: UnoptimizedMesh }
   /** The run takes no further step; its result is being copied. */

@@ -18,9 +18,9 @@ interface Ring {
 }
 
 /**
- * Returns the polygons of a facet; each is oriented as its outermost ring in the file. Returns undefined if they
- * cannot be built safely: a ring has no area, rings intersect or touch in all corners, or the work limit is
- * reached.
+ * Returns the polygons of a facet; each is oriented as its outermost ring in the file. Returns undefined if
+ * they cannot be built safely: a ring has no area, rings intersect, a ring touches another one in all its
+ * corners, or the work limit is reached.
  */
 export function facetPolygons(
   rings: readonly (readonly number[])[],

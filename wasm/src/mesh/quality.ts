@@ -63,10 +63,11 @@ export interface LimitedByBoundary {
    * its angles is then outside the range.
    */
   readonly edges: number;
-  /** With an edge of a needle or cap of the boundary. This is experience, not proof. */
+  /** With an edge of a needle or cap of the boundary. This reason is empirical, not proved. */
   readonly needles: number;
   /**
-   * In a gap of the boundary narrower than 0.6 target lengths, without an interior node. This is experience too.
+   * In a gap of the boundary narrower than 0.6 target lengths, without an interior node. This reason is
+   * empirical too.
    */
   readonly narrowGaps: number;
   readonly worst: readonly ElementQuality[];

@@ -28,7 +28,7 @@ const backgroundSchema = v.pipe(
   }),
 );
 
-/** Checks the form; the engine judges sizes, directions and tetrahedra, as it does for a project. */
+/** Checks the form; the engine checks sizes, directions and tetrahedra, as for a project. */
 export function checkBackground(background: BackgroundArrays): Diagnostic[] {
   const problem = problemIn(backgroundSchema, background);
   if (problem !== undefined) {

@@ -19,7 +19,7 @@ export function parseProject(value: unknown): ReadResult<Project> {
   return checkedProject(upgraded(value));
 }
 
-/** As `parseProject`, for values that must have the present version already. */
+/** As `parseProject`, for values that must already have the current version. */
 export function checkedProject(value: unknown): ReadResult<Project> {
   const headProblem = checkHead(value);
   if (headProblem !== undefined) return refused(headProblem);

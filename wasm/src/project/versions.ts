@@ -1,16 +1,17 @@
-/** Brings projects of earlier versions of the file up to the present one (docs/FORMAT.md). */
+/** Upgrades projects of earlier versions of the file to the current one (docs/FORMAT.md). */
 
 /** Version of the project file that this package writes. */
 export const PROJECT_VERSION = 2;
 
-/** Step i leads from version i + 1 to the next. */
+/** Step i upgrades version i + 1 to version i + 2. */
 const STEPS: readonly ((project: JsonObject) => JsonObject)[] = [toVersion2];
 
 type JsonObject = Readonly<Record<string, unknown>>;
 
 /**
- * The value in the present version, if it is an object with an earlier one; otherwise the value itself. Checks nothing:
- * what does not have the expected shape stays as it is, for the schema to report. Does not change its argument.
+ * Returns the value upgraded to the current version if it is an object of an earlier version; otherwise the
+ * value itself. Checks nothing: parts of unexpected form are kept, and the schema reports them. Does not
+ * change its argument.
  */
 export function upgraded(value: unknown): unknown {
   if (!isObject(value)) return value;
@@ -43,13 +44,16 @@ function toVersion2(project: JsonObject): JsonObject {
   });
 }
 
-/** Keeps the order of the keys, and both keys where the record has both. */
+/**
+ * Returns the record with the key `from` renamed, in the same order; the record itself if it lacks `from` or
+ * already has `to`.
+ */
 function renamed(record: JsonObject, from: string, to: string): JsonObject {
   if (!Object.hasOwn(record, from) || Object.hasOwn(record, to)) return record;
   return Object.fromEntries(Object.entries(record).map(([key, value]) => [key === from ? to : key, value]));
 }
 
-/** A copy in which the named values, those that are there, are changed. */
+/** Returns a copy in which those of the named values that exist are changed. */
 function changed(
   record: JsonObject,
   changes: Readonly<Record<string, (value: unknown) => unknown>>,

@@ -42,7 +42,7 @@ function ProposeForm({ onClose }: { readonly onClose: () => void }) {
   const [replaceSources, setReplaceSources] = useState(true);
   const { answer, failure } = useSizeProposal(options);
   const apply = (): void => {
-    // Options that were committed just now have no answer yet.
+    // Options that have just been committed have no answer yet.
     if (!answer) return;
     onClose();
     void applyProposal(app, answer.proposal, { cover, replaceSources });

@@ -20,7 +20,10 @@ export interface SizeProposalState {
   readonly failure: string | null;
 }
 
-/** Asks the engine to propose sizes, and how many tetrahedra they would make. New options cancel the last request. */
+/**
+ * Requests proposed sizes and the expected number of tetrahedra from the engine. New options cancel the
+ * previous request.
+ */
 export function useSizeProposal(options: ProposalFields): SizeProposalState {
   const app = useApp();
   const [answer, setAnswer] = useState<ProposalAnswer | null>(null);
@@ -47,7 +50,7 @@ export function useSizeProposal(options: ProposalFields): SizeProposalState {
 /** Expected number of tetrahedra above which the dialog warns before it applies a proposal. */
 export const manyTetrahedra = 500_000;
 
-/** Factor on larger sizes that makes up for the error of the expected count. */
+/** Additional factor on larger sizes, which compensates for the error of the expected count. */
 const margin = 1.05;
 
 /**

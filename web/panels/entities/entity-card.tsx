@@ -64,7 +64,7 @@ interface EntityTitleProps {
   readonly isValid: boolean;
 }
 
-/** The name of an entity, or what it is called without one. */
+/** The name of an entity, or its default label. */
 function EntityTitle({ entity, project, isValid }: EntityTitleProps) {
   const name = entityName(project, entity) ?? "";
   const fallback = fallbackName(entity);

@@ -19,8 +19,8 @@ function isMeant(app: App, apps: Apps, { inFields }: Command, target: EventTarge
 }
 
 /**
- * Returns a listener to key events that runs the commands of an app: single keys only if no field has the focus, and
- * none in dialogs and menus.
+ * Returns a listener for key events that runs the commands of an app: single keys only if no field has the
+ * focus, and no commands in dialogs and menus.
  */
 export function hotkeyListener(app: App, apps: Apps): (event: KeyboardEvent) => void {
   const hotkeys = commands.flatMap((command) =>

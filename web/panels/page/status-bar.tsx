@@ -38,7 +38,7 @@ function phaseText({ phase, exactFillFraction: exactFill }: RunProgressReport): 
   return exactFill > 0 ? strings.status.filling : phaseNames[phase];
 }
 
-/** The progress of a run, or the state of the mesh; and the statistics of the mesh on show. */
+/** The progress of a run, or the state of the mesh; and the statistics of the shown mesh. */
 export function StatusBar() {
   const busy = useRun((state) => state.busy);
   return (
@@ -103,7 +103,7 @@ function MeshNumbers() {
   const tetrahedra = progress?.tetrahedra ?? mesh?.report.tetrahedra;
   // Without elements, the statistics of the report are zeros without a meaning.
   const report = mesh && mesh.report.tetrahedra > 0 ? mesh.report : null;
-  // The statistics of the old mesh keep their room while a run replaces it.
+  // The statistics of the old mesh keep their space in the bar while a run replaces the mesh.
   const hasProgress = progress !== null || undefined;
   const points = progress?.nodes ?? report?.nodes;
   return (

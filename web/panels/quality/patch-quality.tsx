@@ -15,7 +15,7 @@ const texts = strings.patches;
 
 const noPatches: readonly PatchQuality[] = [];
 
-/** Returns the quality of each patch in the mesh on show, by id; nothing while the mesh is out of date. */
+/** Returns the quality of each patch in the shown mesh, by id; nothing while the mesh is out of date. */
 function usePatchQuality(): readonly { readonly id: number; readonly quality: PatchQuality }[] {
   const project = useProject();
   const stale = useStale();

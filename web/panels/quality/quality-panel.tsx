@@ -19,7 +19,7 @@ function valueText(measure: QualityMeasure, value: number): string {
   return measure === "dihedral" ? formatAngle(value) : value.toFixed(3);
 }
 
-/** Statistics of the mesh on show and a histogram of the quality measure. */
+/** Statistics of the shown mesh and a histogram of the quality measure. */
 export function QualityPanel() {
   const app = useApp();
   const mesh = useRun((state) => state.mesh);
@@ -59,7 +59,10 @@ export function QualityPanel() {
   );
 }
 
-/** The histogram of the measure by which the mesh is shaded; of the radius ratio if it is shaded by none. */
+/**
+ * The histogram of the measure by which the mesh is shaded, or of the radius ratio if the shading shows no
+ * measure.
+ */
 function MeasureHistogram({ mesh }: { readonly mesh: MeshResult }) {
   const shading = useView((state) => state.shading);
   const measure = shading === "dihedral" ? "dihedral" : "radius-ratio";
@@ -92,7 +95,7 @@ function MeasureHistogram({ mesh }: { readonly mesh: MeshResult }) {
 
 interface ReportFactsProps {
   readonly report: MeshReport;
-  /** Does the report have statistics of elements? */
+  /** Returns whether the report has statistics of elements. */
   readonly measured: boolean;
 }
 

@@ -18,7 +18,7 @@ import { Verdict } from "./verdict";
 
 const texts = strings.report;
 
-/** The quality of the elements of the mesh on show. */
+/** The quality of the elements of the shown mesh. */
 export function QualityReport() {
   const mesh = useRun((state) => state.mesh);
   const stale = useStale();
@@ -119,7 +119,7 @@ function ElementCounts({ quality }: { readonly quality: Quality }) {
   );
 }
 
-/** The elements that the boundary keeps from being better. */
+/** The elements whose quality the boundary limits. */
 function LimitedSection({ quality: { limitedByBoundary } }: { readonly quality: Quality }) {
   const { count, worst } = limitedByBoundary;
   if (count === 0) return null;

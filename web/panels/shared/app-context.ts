@@ -30,7 +30,10 @@ export function useView<T>(select: (state: ViewState) => T): T {
   return useStore(useApp().view.state, select);
 }
 
-/** Returns where the quality of the mesh on show is measured; null if it is not stretched, so that there is no choice. */
+/**
+ * Returns where the quality of the shown mesh is measured; null if the mesh is not stretched, because there
+ * is then no choice.
+ */
 export function useQualitySpace(): QualitySpace | null {
   const isStretched = useRun((state) => state.mesh?.metricShapes !== undefined);
   const space = useView((state) => state.qualitySpace);
@@ -43,7 +46,7 @@ export function useRun<T>(select: (state: RunState) => T): T {
 
 const noRegions: readonly RegionQuality[] = [];
 
-/** The regions of the mesh on show; none before it is finished. */
+/** The regions of the shown mesh; none before the mesh is finished. */
 export function useRegions(): readonly RegionQuality[] {
   return useRun((state) => state.mesh?.report.quality.regions ?? noRegions);
 }
@@ -58,7 +61,7 @@ export function useShell<T>(select: (state: ShellState) => T): T {
 
 const neverPending = createStore(() => ({ pending: false }));
 
-/** Is there a change that has not been written to the browser's storage? */
+/** Returns whether there is a change that has not been written to the browser's storage. */
 export function useAutosavePending(): boolean {
   return useStore(useApp().autosave?.state ?? neverPending, (state) => state.pending);
 }

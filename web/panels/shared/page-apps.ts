@@ -6,7 +6,7 @@ import { PageApps } from "../../tools/page-apps";
 /** The apps on this page. */
 export const pageApps = new PageApps<App>();
 
-/** Registers an app with the element around it, and follows which app the user works with. */
+/** Registers an app with the element around it, and tracks which app the user works with. */
 export function usePageApp(app: App, root: RefObject<HTMLElement | null>): void {
   useEffect(() => {
     const element = root.current;
@@ -26,7 +26,7 @@ export function usePageApp(app: App, root: RefObject<HTMLElement | null>): void 
   }, [app, root]);
 }
 
-/** Is this the app that the user worked with last? */
+/** Returns whether this is the app that the user worked with last. */
 export function useIsLastUsed(app: App): boolean {
   return useStore(pageApps.state, ({ lastUsed }) => lastUsed === app);
 }

@@ -12,7 +12,7 @@ export function losePalette(): void {
   palette.close();
 }
 
-/** Is the palette open, or about to open? Then keys are meant for it. */
+/** Returns whether the palette is open or about to open; keys are then meant for it. */
 export const isPaletteOpen = (): boolean => paletteStore.getState().opened;
 
 /** Toggles the palette on Ctrl K. If its code is not loaded yet, the palette opens as soon as it is. */

@@ -15,7 +15,7 @@ export interface RegionListProps {
   readonly testId: string;
 }
 
-/** The regions of the mesh on show, with colours and element counts. A click hides or shows a region. */
+/** The regions of the shown mesh, with colours and element counts. A click hides or shows a region. */
 export function RegionList({ testId }: RegionListProps) {
   const app = useApp();
   const regions = useRegions();

@@ -15,7 +15,10 @@ export function Legend() {
   return shading === "region" ? <RegionLegend /> : <ScaleLegend measure={shading} />;
 }
 
-/** Does the view show tetrahedra? While the front advances, it takes the place of the mesh. */
+/**
+ * Returns whether the view shows tetrahedra. While the front advances, the view shows the front instead of
+ * the mesh.
+ */
 function showsMesh({ front, unoptimized, mesh }: RunState): boolean {
   return unoptimized !== null || (front === null && (mesh?.report.tetrahedra ?? 0) > 0);
 }

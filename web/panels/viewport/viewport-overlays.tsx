@@ -53,7 +53,7 @@ function badgeTexts(
   return [viewport.incomplete, hasFront ? viewport.incompleteCancelled : viewport.incompleteUnverified];
 }
 
-/** Shown if the mesh is out of date or incomplete, with a button that meshes again. */
+/** A notice that the mesh is out of date or incomplete, with a button that meshes again. */
 export function MeshBadge() {
   const app = useApp();
   const stale = useStale();

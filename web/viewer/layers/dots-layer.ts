@@ -23,7 +23,7 @@ export interface DotsOptions<Record extends Dotted> {
   readonly shape: "round" | "square";
   readonly color: (colors: ViewerColors) => string;
   readonly records: (state: SceneState) => readonly Record[];
-  /** Where a record has its dots. */
+  /** Returns the positions of a record's dots. */
   readonly positions: (record: Record) => readonly Position[];
 }
 
@@ -57,7 +57,7 @@ export class DotsLayer<Record extends Dotted> implements HittableLayer {
     this.root.visible = state.layers[this.#options.name];
     if (changes.has("colors")) this.#setColors(state.colors);
     if (changes.has("viewport")) setNumber(this.#material, "pixelRatio", state.viewport.pixelRatio);
-    // A background grid may be large: nothing is written while it is not shown.
+    // A background grid may be large, so nothing is written while it is not shown.
     if (!this.root.visible) return;
     this.#setPositions(this.#options.records(state), state.origin);
     this.#states.update(state);

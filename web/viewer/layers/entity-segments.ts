@@ -24,7 +24,7 @@ export class EntitySegments {
     return this.#ends;
   }
 
-  /** Lays out the segments that `append` writes for each record, as x y z of both ends. */
+  /** Fills the buffer with the segments that `append` writes for each record, as x y z of both ends. */
   lay<Record extends { readonly id: number }>(
     records: readonly Record[],
     append: (record: Record, ends: number[]) => void,

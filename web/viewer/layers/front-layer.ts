@@ -9,7 +9,7 @@ import type { Layer } from "./layer";
 /** The buffer grows by this factor when it is too small. */
 const growth = 1.5;
 
-/** The front: that of the current run as it advances, or the rest of it in an incomplete mesh. */
+/** The front of the current run as it advances, or the front that an incomplete mesh ends at. */
 export class FrontLayer implements Layer {
   readonly #material = createFacetMaterial({ opacity: 1, depthWrite: true, edges: true });
   readonly #geometry = new BufferGeometry();
@@ -55,7 +55,10 @@ export class FrontLayer implements Layer {
   }
 }
 
-/** Returns the corners of the front that an incomplete run left; without tetrahedra, those of the boundary. */
+/**
+ * Returns the corners of the front at which an incomplete mesh ends; without tetrahedra, those of the
+ * boundary.
+ */
 function remainingFront(mesh: MeshResult | null): Float64Array {
   const isIncomplete = mesh?.report.status === "stalled" || mesh?.report.status === "cancelled";
   if (!mesh || !isIncomplete) return new Float64Array();

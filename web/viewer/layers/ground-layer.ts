@@ -10,7 +10,7 @@ const lines = 20;
 /** Gap between model and ground, as a share of the model's radius. */
 const gap = 0.04;
 
-/** A level grid under the model: shows what is up, and how large things are. */
+/** A horizontal grid under the model, which shows the vertical direction and the scale. */
 export class GroundLayer implements Layer {
   readonly #material = createGroundMaterial();
   readonly root = new LineSegments(new BufferGeometry(), this.#material);
@@ -23,7 +23,7 @@ export class GroundLayer implements Layer {
   update(changes: SceneChanges): void {
     const { state } = changes;
     if (changes.has("colors")) setColor(this.#material, "color", state.colors.ground);
-    // The origin is the centre of the model; it moves when the model has changed much.
+    // The origin is at the centre of the model; it moves when the model has changed much.
     if (!changes.has("origin")) return;
     const { radius, low, centre } = roomyBounds(state.project);
     this.#lay(radius, low[2] - centre[2] - radius * gap);

@@ -8,7 +8,7 @@ import type { Screen } from "../screen";
 export interface Layer {
   /** Added to the scene once, by the viewer. */
   readonly root: Object3D;
-  /** Brings buffers and materials in line with the new state; costs no more than what has changed. */
+  /** Updates buffers and materials to the new state; the cost depends only on what has changed. */
   update(changes: SceneChanges): void;
   dispose(): void;
 }

@@ -20,9 +20,9 @@ import { addOrigin, type Hit, type HittableLayer, type Target } from "./layer";
 const staleFading = 0.62;
 
 export interface MeshLayerEvents {
-  /** Other faces are drawn, or other faces are required than those drawn. */
+  /** Called when the drawn faces or the required ones have changed. */
   readonly onChange: () => void;
-  /** The query for the faces failed. */
+  /** Called when the query for the faces has failed. */
   readonly onFailure: (reason: string) => void;
 }
 
@@ -51,8 +51,9 @@ interface DrawnMesh {
 }
 
 /**
- * The tetrahedra: the boundary, or what a cut leaves of it. A query in a worker finds the faces to draw. Until it
- * answers, the faces found last stay; of all requests that arrive in the meantime, only the last one is queried.
+ * The tetrahedra of the mesh: its boundary, or the part that a cut leaves. A query in a worker finds the
+ * faces to draw. Until it answers, the previous faces stay; of all requests that arrive in the meantime, only
+ * the last one is queried.
  */
 export class MeshLayer implements HittableLayer {
   readonly #material = createMeshMaterial();
@@ -73,7 +74,7 @@ export class MeshLayer implements HittableLayer {
   #drawn: DrawnMesh = { request: this.#request, faces: null, tree: null };
   #isQuerying = false;
   #isShown = true;
-  /** Does the page know the elements that are drawn? */
+  /** Returns whether the page has the elements that are drawn. */
   #hasElements = true;
   #patchFinder: PatchFinder | null = null;
   #patches: SceneState["project"]["patches"] = [];
@@ -174,7 +175,7 @@ export class MeshLayer implements HittableLayer {
     this.#events.onChange();
   }
 
-  /** Queries until the last answer is the one required by then. */
+  /** Queries until an answer contains the faces that are required at that time. */
   async #query(): Promise<void> {
     this.#isQuerying = true;
     let request = this.#request;
@@ -187,7 +188,7 @@ export class MeshLayer implements HittableLayer {
         if (mesh === this.#request.mesh) this.#show(request, faces);
       }
     } catch (failure) {
-      // The next frame queries what has been required since.
+      // The next frame queries the faces that have been required since.
       this.#show(request, null);
       this.#events.onFailure(failure instanceof Error ? failure.message : String(failure));
     } finally {
@@ -205,12 +206,12 @@ export class MeshLayer implements HittableLayer {
     if (values.length > 0) this.root.geometry.setAttribute("value", new BufferAttribute(values, 1));
     this.#setVisibility();
     this.#move();
-    // Not while a cut moves: the next faces would wait for the tree.
+    // Build no tree while a cut moves: the next faces would wait for it.
     if (this.isCurrent) void this.#drawn.tree?.prepare((copy) => this.#queries.treeOf(copy));
     this.#events.onChange();
   }
 
-  /** Sets the colours that the drawn values stand for. */
+  /** Sets the colours that represent the drawn values. */
   #setScale(): void {
     const byRegion = this.#drawn.request.shading === "region";
     setTexture(this.#material, "ramp", byRegion ? this.#palette : this.#ramp);
@@ -229,8 +230,8 @@ export class MeshLayer implements HittableLayer {
   }
 
   /**
-   * A face of the boundary stands for its patch, a face of the cut for its tetrahedron. A tetrahedron of a mesh that is
-   * being optimized is no target: another mesh will replace it.
+   * A face of the boundary selects its patch, a face of the cut its tetrahedron. A tetrahedron of a mesh that
+   * is being optimized cannot be selected, because another mesh will replace it.
    */
   #targetOf({ triangle }: TriangleHit): Target | null {
     const { faces } = this.#drawn;

@@ -8,7 +8,10 @@ import type { Screen } from "../screen";
 import { TriangleTree, type SerializedTree } from "../triangle-tree";
 import { addOrigin, type Hit, type HittableLayer } from "./layer";
 
-/** Over a mesh the patches only hint at the boundary; alone they are the model. */
+/**
+ * In front of a mesh, the patches are faint and only indicate the boundary; without a mesh, they show the
+ * model.
+ */
 const opacityOverMesh = 0.14;
 const opacityAlone = 0.42;
 /** Behind other surfaces. */
@@ -72,7 +75,7 @@ export class PatchesLayer implements HittableLayer {
       }
     }
     if (changes.has("layers", "mesh", "front")) {
-      // A closed front has no faces: then nothing is drawn but the patches.
+      // A closed front has no faces; only the patches are then drawn.
       const hasMesh = (state.front ?? (state.unoptimized ?? state.mesh)?.volume.tetrahedra ?? []).length > 0;
       const opacity = state.layers.mesh && hasMesh ? opacityOverMesh : opacityAlone;
       for (const drawn of ["normal", "hover", "selected", "defective"] as const) {

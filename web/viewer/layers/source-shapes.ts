@@ -1,7 +1,7 @@
 import type { ProjectSource } from "tetrafront";
 import type { Position } from "../../document/position";
 
-/** Straight pieces of a circle. */
+/** Number of straight pieces of a circle. */
 const circlePieces = 32;
 
 type Vector = [number, number, number];

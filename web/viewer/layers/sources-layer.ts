@@ -11,11 +11,11 @@ import { EntitySegments } from "./entity-segments";
 import { addOrigin, type Hit, type HittableLayer } from "./layer";
 import { appendEdges, appendReach } from "./source-shapes";
 
-/** Above this number of sources, only the emphasized ones show how far they reach. */
+/** If there are more sources, only emphasized sources show their distance. */
 const manySources = 200;
 const reachOpacity = 0.55;
 
-/** Sources of element size: their dots and edges, and how far their size holds. */
+/** Sources of element size: their dots and edges, and the distance up to which their size applies. */
 export class SourcesLayer implements HittableLayer {
   readonly root = new Group();
   readonly #dots = new DotsLayer<ProjectSource>({

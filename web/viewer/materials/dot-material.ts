@@ -40,7 +40,7 @@ const fragmentShader = /* glsl */ `
   }
 `;
 
-/** Dots of a fixed size on the screen, with a rim that sets them off from the background. */
+/** Dots of a fixed size on the screen, with a rim that contrasts with the background. */
 export function createDotMaterial(shape: "round" | "square"): StateMaterial {
   const uniforms = {
     ...drawStateUniforms(diameters),

@@ -27,7 +27,7 @@ const vertexShader = /* glsl */ `
     else if (end.z < 0.0 && start.z >= 0.0) start = trimmed(end, start);
     vec4 clipStart = projectionMatrix * vec4(start, 1.0);
     vec4 clipEnd = projectionMatrix * vec4(end, 1.0);
-    // In pixels, from here to the offset.
+    // From here to the offset, lengths are in pixels.
     vec2 along = (clipEnd.xy / clipEnd.w - clipStart.xy / clipStart.w) * resolution;
     along = length(along) > 0.0 ? normalize(along) : vec2(1.0, 0.0);
     vec2 offset = vec2(along.y, -along.x) * sign(position.x);

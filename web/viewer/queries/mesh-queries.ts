@@ -36,7 +36,7 @@ export interface ViewOptions {
   readonly cut: Omit<Cut, "enabled"> | null;
   readonly hiddenRegions: ReadonlySet<number>;
   readonly shading: Shading;
-  /** Where the quality is measured by which the mesh is shaded. */
+  /** Where the quality that the shading shows is measured. */
   readonly qualitySpace: QualitySpace;
 }
 

@@ -1,4 +1,4 @@
-/** The worker that answers queries about the mesh on show, which would block the page. */
+/** The worker that answers queries about the shown mesh; in the page, they would block it. */
 import { serveCalls } from "../../workers/serve-calls";
 import { MeshQueries } from "./mesh-queries";
 import type { MeshQueryProtocol } from "./mesh-query-protocol";
@@ -19,7 +19,7 @@ serveCalls<MeshQueryProtocol>({
     return { answer, transfer: [faces.buffer, onBoundary.buffer, corners.buffer, values.buffer] };
   },
   tree: async (corners) => {
-    // The library is large, and no picture needs it.
+    // Load the library on demand: it is large, and no picture needs it.
     const { buildTree } = await import("../triangle-tree");
     const answer = buildTree(corners);
     return { answer, transfer: answer.roots };
