@@ -70,7 +70,7 @@ export const models = [
     id: "bracket",
     title: "Bracket",
     blurb:
-      "Plates with bores and a fillet. Sources make the elements smaller there; elsewhere one size holds.",
+      "Plates with bores and a fillet. Sources make the elements smaller there; elsewhere one size applies.",
     group: "Background grid",
     build: bracket,
   },

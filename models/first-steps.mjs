@@ -79,7 +79,7 @@ export const models = [
   {
     id: "unit-cube",
     title: "Unit cube",
-    blurb: "Six planar patches and a background grid of one tetrahedron. The place to begin.",
+    blurb: "Six planar patches and a background grid of one tetrahedron. A good model to start with.",
     group,
     build: unitCube,
   },

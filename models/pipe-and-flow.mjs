@@ -39,8 +39,9 @@ export const models = [
   {
     id: "pipe-and-flow",
     title: "Pipe and flow",
-    blurb: "Two regions, fluid within metal: both have the four patches between them, and the mesh fits.",
-    group: "Bodies and cavities",
+    blurb:
+      "Two regions, fluid inside metal: they share the four patches between them, so their meshes match.",
+    group: "Regions and cavities",
     build: pipeAndFlow,
   },
 ];

@@ -75,6 +75,6 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
   await main(async () => {
     const started = performance.now();
     await setup();
-    say(`setup: everything is there (${((performance.now() - started) / 1000).toFixed(1)} s)`);
+    say(`setup: everything is installed (${((performance.now() - started) / 1000).toFixed(1)} s)`);
   });
 }

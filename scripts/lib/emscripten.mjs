@@ -83,7 +83,7 @@ async function debian() {
     }
     folder = output("bash", [script], { env });
   }
-  if (!folder?.trim()) throw new UserError("scripts/install-emscripten.sh names no folder: run it by hand");
+  if (!folder?.trim()) throw new UserError("scripts/install-emscripten.sh printed no folder: run it by hand");
   return { folder: folder.trim(), env: privateEnv };
 }
 

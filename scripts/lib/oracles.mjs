@@ -13,6 +13,6 @@ export function untestedOracles() {
   const python = pythonProgram();
   return ORACLES.filter(({ module }) => spawnSync(python, ["-c", `import ${module}`]).status !== 0).map(
     ({ pip, judges }) =>
-      `NOT TESTED that ${judges}: pip install ${pip} (TETRAFRONT_PYTHON names the Python, now ${python})`,
+      `NOT TESTED that ${judges}: pip install ${pip} (TETRAFRONT_PYTHON selects the Python, currently ${python})`,
   );
 }

@@ -58,11 +58,11 @@ function whatIsMissing() {
 }
 
 async function addParts(works, missing) {
-  say("setup: making a Python environment with meshio, scikit-fem and Gmsh");
+  say("setup: creating a Python environment with meshio, scikit-fem and Gmsh");
   if (!works) rmSync(folder, { recursive: true, force: true });
   if (!(await makeEnvironment())) {
     rmSync(folder, { recursive: true, force: true });
-    say("setup: Python makes no environment (is python3-venv there?): see .toolchain/python.log");
+    say("setup: Python cannot create an environment (is python3-venv installed?): see .toolchain/python.log");
     return;
   }
   for (const { name, module, debian = [] } of missing) {

@@ -115,7 +115,7 @@ createMesher().catch(({ name, code, message }) => { document.title = [name, code
       "the worker is missing",
       "worker.js",
       STRICT,
-      /worker cannot be loaded: the browser got no script .* http:\S+\.js asks for\. Serve/,
+      /worker cannot be loaded: the browser could not load its script.* for http:\S+\.js\. Serve/,
     ],
     [
       "a script that the worker imports is missing",

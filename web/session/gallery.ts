@@ -21,7 +21,7 @@ export interface GalleryGroup {
 const groupOrder = [
   "First steps",
   "Curved patches",
-  "Bodies and cavities",
+  "Regions and cavities",
   "Background grid",
   "The paper's examples",
 ];

@@ -76,7 +76,7 @@ describe("the list", () => {
     expect(heads).toHaveLength(new Set(groups).size);
     expect([...heads].sort()).toEqual([
       "Background grid",
-      "Bodies and cavities",
+      "Regions and cavities",
       "Curved patches",
       "First steps",
       "The paper's examples",

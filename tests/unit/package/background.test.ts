@@ -369,7 +369,7 @@ describe("a background grid passed as arrays", () => {
         }),
       },
       "invalid-arrays",
-      /"point" has 1 position, here are 2/,
+      /"point" needs 1 position, found 2/,
     ],
     ["together with a size", { background: around(0.3), size: 0.2 }, "invalid-option", /both/i],
     [

@@ -94,7 +94,7 @@ describe("--refine-surface", () => {
       "--refine-surface",
     ]);
     expect(code).toBe(2);
-    expect(stderr).toContain("There are no sizes to refine the surface by");
+    expect(stderr).toContain("No sizes are given for the refinement of the surface");
   });
 });
 

@@ -213,7 +213,7 @@ describe("a damaged project is rejected with the path of the damage:", () => {
       "a source with a missing position",
       (c) => addSource(c, { ...SOURCES[1], positions: [[0, 0, 0]] }),
       "background.sources[0].positions",
-      /"segment" has 2 positions, here are 1/,
+      /"segment" needs 2 positions, found 1/,
     ],
     [
       "a source with four positions",

@@ -186,7 +186,7 @@ export function checkOptions(options: MeshOptions): Diagnostic[] {
 export function checkRefineOptions(options: RefineOptions): Diagnostic[] {
   const wrong = checkWithBackground(options, refineSchema);
   if (wrong.length > 0 || options.size !== undefined || options.background !== undefined) return wrong;
-  const message = "there are no sizes to refine the surface by";
+  const message = "no sizes are given for the refinement of the surface";
   return [invalidOption("size", message, "Pass an element size, sources of size or a background grid.")];
 }
 

@@ -160,7 +160,7 @@ export function subjectOf<Code extends EngineCode>(
   };
 }
 
-/** Largest number of names in a message; of more, the rest is counted. */
+/** Largest number of names in a message; if there are more, the rest is counted. */
 export const MAX_NAMES = 8;
 
 export function joined(labels: readonly string[]): string | undefined {

@@ -21,7 +21,7 @@ export const startWorker: StartWorker = (events) => {
     // If the script could not be loaded, the event has no message. Only the bundler knows the script's address.
     const spoken = event instanceof ErrorEvent ? event.message : "";
     events.onCrash(
-      spoken || `the browser got no script for it, or for what it imports, which ${import.meta.url} asks for`,
+      spoken || `the browser could not load its script, or a script that it imports, for ${import.meta.url}`,
     );
   };
   return {

@@ -117,7 +117,7 @@ function checkHead(value: unknown): ReadError | undefined {
   if (typeof version === "number" && version > PROJECT_VERSION) {
     return {
       code: "later-version",
-      message: `the file has version ${version}, this program reads versions up to ${PROJECT_VERSION}`,
+      message: `the file has version ${version}; this program reads versions up to ${PROJECT_VERSION}`,
       remedy: "Update Tetrafront.",
       path: "version",
     };

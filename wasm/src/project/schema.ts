@@ -182,7 +182,7 @@ function checkSources(sources: readonly v.InferOutput<typeof sourceSchema>[], re
     const noun = expected === 1 ? "position" : "positions";
     report(
       ["background", "sources", s, "positions"],
-      `a source of type "${type}" has ${expected} ${noun}, here are ${positions.length}`,
+      `a source of type "${type}" needs ${expected} ${noun}, found ${positions.length}`,
     );
   });
 }
@@ -195,7 +195,7 @@ function uniqueIds(
 ): ReadonlySet<number> {
   const seen = new Set<number>();
   entities.forEach((entity, index) => {
-    if (seen.has(entity.id)) report([...path, index, "id"], `another ${kind} has the id ${entity.id} too`);
+    if (seen.has(entity.id)) report([...path, index, "id"], `another ${kind} also has the id ${entity.id}`);
     seen.add(entity.id);
   });
   return seen;
