@@ -231,7 +231,7 @@ describe("a damaged project is rejected with the path of the damage:", () => {
       "a source id used twice",
       (c) => addSource(c, SOURCES[0], SOURCES[0]),
       "background.sources[1].id",
-      /another source has the id 7/,
+      /another source also has the id 7/,
     ],
     [
       "a negative coverage margin",
