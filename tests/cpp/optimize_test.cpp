@@ -14,6 +14,7 @@
 #include "optimize/edge_removal.h"
 #include "optimize/element_cost.h"
 #include "optimize/locality.h"
+#include "optimize/mesh_score.h"
 #include "optimize/node_moves.h"
 #include "optimize/optimizer.h"
 #include "optimize/element_improver.h"
@@ -106,6 +107,30 @@ TEST(ElementCost, WithinAnglesShapesDoNotCompensateAnAngleOutOfRange) {
   constexpr double kMaxInACavity = 500.0;
   EXPECT_GT(dearestGood, 0.0);
   EXPECT_LT(dearestGood * kMaxInACavity, cheapestMissed);
+}
+
+/// One more element out of range makes a mesh worse, even if its worst angles are the same and its mean is better.
+TEST(MeshScore, CountsTheElementsOutOfRange) {
+  // A regular element and a flat one, far from each other.
+  VolumeMesh mesh;
+  for (const Vec3& p : kRegular) mesh.points.insert(mesh.points.end(), {p.x, p.y, p.z});
+  for (const Vec3& p : kRegular) mesh.points.insert(mesh.points.end(), {p.x + 9.0, p.y, 0.1 * p.z});
+  mesh.tetrahedra = {0, 1, 2, 3, 4, 5, 6, 7};
+  TetComplex complex(mesh, 8);
+  while (!complex.build(8)) {
+  }
+  /// Returns the score of a mesh with so many copies of the two elements.
+  const auto scoreOf = [&](int regular, int flat) {
+    MeshScore score;
+    for (int i = 0; i < regular; ++i) score.add<PlainSpace>(complex, TetId(0U));
+    for (int i = 0; i < flat; ++i) score.add<PlainSpace>(complex, TetId(1U));
+    return score;
+  };
+  EXPECT_TRUE(scoreOf(10, 2).isNoWorseThan(scoreOf(10, 2)));
+  EXPECT_TRUE(scoreOf(10, 1).isNoWorseThan(scoreOf(10, 2)));
+  EXPECT_FALSE(scoreOf(90, 3).isNoWorseThan(scoreOf(10, 2)));
+  EXPECT_FALSE(scoreOf(9, 2).isNoWorseThan(scoreOf(10, 2)));
+  EXPECT_FALSE(scoreOf(10, 1).isNoWorseThan(scoreOf(10, 0)));
 }
 
 /// Returns the mesh of a closed surface after the front, or after the exact fill, which makes few

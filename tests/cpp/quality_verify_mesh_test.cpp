@@ -172,6 +172,27 @@ TEST(VerifyMeshTest, FindsMovedSurfaceNodes) {
   EXPECT_TRUE(names(defects, EntityKind::kNode, 4));
 }
 
+TEST(VerifyMeshTest, FindsAVolumeThatDiffersByOneHundredMillionth) {
+  /// Returns the defects of a mesh with a coordinate of a corner of the cube moved.
+  const auto moved = [](double by) {
+    Specimen specimen;
+    specimen.mesh.points[0] += by;
+    return specimen.verified();
+  };
+  // The volume is linear in one coordinate.
+  constexpr double kStep = 1e-3;
+  const MeshDefects coarse = moved(kStep);
+  const double slope = (coarse.meshVolume - coarse.surfaceVolume) / kStep;
+  ASSERT_NE(slope, 0.0);
+  const auto changedBy = [&](double relative) {
+    return moved(relative * coarse.surfaceVolume / slope);
+  };
+  for (const double sign : {1.0, -1.0}) {
+    EXPECT_EQ(changedBy(sign * 1e-8).wrongVolume, 1U) << sign;
+    EXPECT_EQ(changedBy(sign * 1e-12).wrongVolume, 0U) << sign;
+  }
+}
+
 TEST(VerifyMeshTest, FindsCoincidentNodes) {
   Specimen specimen;
   const auto [t, k] = specimen.innerCorner();
