@@ -17,7 +17,8 @@ import {
 } from "tetrafront";
 import { afterAll, beforeAll, expect, test } from "vitest";
 
-const FILES = 10_000;
+/** Number of damaged files; `npm run fuzz COUNT` reads more. */
+const FILES = Number(process.env["TETRAFRONT_FUZZ"] ?? 2000);
 /** Number of damaged projects that are meshed. */
 const MESHED = 60;
 /** Longer files are used less often: they reveal the same errors more slowly. */

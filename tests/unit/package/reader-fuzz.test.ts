@@ -20,7 +20,7 @@ import { offBinary, offFile, plyBinary, plyStrips, stlText } from "../../support
 import { boxSurface } from "../../support/surfaces.js";
 
 /** Damaged files per format, divided equally among its samples. */
-const SEEDS = Math.max(10_000, Number(process.env["TETRAFRONT_FUZZ"] ?? 0));
+const SEEDS = Number(process.env["TETRAFRONT_FUZZ"] ?? 4000);
 /**
  * Limit of the memory that reading may allocate in arrays: a constant plus an amount per byte of the file.
  * docs/FORMAT.md promises these values.
