@@ -1,6 +1,6 @@
-// npm run fuzz [COUNT]: meshes COUNT (default 20 000) damaged surfaces and reads as many damaged projects and files of every
-// format. The seeded ones run through the package. If clang has libFuzzer, it also searches for surfaces by
-// coverage of the engine.
+// npm run fuzz [COUNT]: meshes COUNT (default 20 000) damaged surfaces and reads as many damaged projects and files of
+// every format, all through the package and generated from seeds. If clang has libFuzzer, it also searches
+// for surfaces guided by the coverage of the engine.
 import { build } from "./build.mjs";
 import { fuzzSurfaces } from "./lib/fuzzer.mjs";
 import { inRoot } from "./lib/paths.mjs";

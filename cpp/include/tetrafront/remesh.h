@@ -38,12 +38,12 @@ struct RemeshOptions {
 struct SurfaceRemesh {
   std::vector<double> points;
   std::vector<std::uint32_t> triangles;
-  /// Per triangle: a nearby given triangle of the same smooth patch.
+  /// Per triangle: a given triangle of the same smooth patch; where the patch is curved, one near it.
   std::vector<std::uint32_t> origin;
   double size = 0.0;       ///< largest target size used
   double minSize = 0.0;    ///< smallest target size used
   double tolerance = 0.0;  ///< tolerance used
-  /// Upper bound of the distance between the two surfaces, measured from each to the other.
+  /// Upper bound of the distance between the surfaces, both ways; not below the tolerance.
   double deviation = 0.0;
   std::uint32_t patches = 0;       ///< smooth patches of the given surface
   std::uint32_t featureLines = 0;  ///< feature lines of the given surface

@@ -159,43 +159,49 @@ void ShapeMeasure::measurePiece(std::uint32_t index) {
   add(piece.centroid, size);
 }
 
-/// Returns the distance to the opposite side of the solid, or infinity.
+/// Returns true if the ray meets the box before `limit`. `inverse`: 1 / direction.
+bool meetsRay(const Box& box, const Vec3& from, const Vec3& inverse, double limit) {
+  double first = 0.0;
+  double last = limit;
+  for (int k = 0; k < 3; ++k) {
+    const double a = (static_cast<double>(box.low[k]) - from[k]) * inverse[k];
+    const double b = (static_cast<double>(box.high[k]) - from[k]) * inverse[k];
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b));
+    if (first > last) return false;
+  }
+  return true;
+}
+
+/// Returns the distance to the opposite side of the body, or infinity.
 double ShapeMeasure::thicknessAt(const Vec3& position, const Vec3& inward) const {
   const BoxTree& tree = reference_.tree();
-  double nearest = rules_.maxSize * std::max(rules_.layers, 1.0);
+  // A direction along an axis must not give 0 x infinity.
+  Vec3 inverse(0.0);
+  for (int k = 0; k < 3; ++k) {
+    inverse[k] = 1.0 / (std::fabs(inward[k]) < 1e-30 ? 1e-30 : inward[k]);
+  }
+  const double limit = rules_.maxSize * std::max(rules_.layers, 1.0);
+  double nearest = limit;
   std::array<BranchId, 64> waiting;
   std::size_t count = 0;
   waiting[count++] = BranchId(0U);
   while (count > 0) {
     const BranchId branch = waiting[--count];
-    const Box& box = tree.boxOf(branch);
-    double from = 0.0;
-    double to = nearest;
-    for (int k = 0; k < 3 && from <= to; ++k) {
-      const double low = static_cast<double>(box.low[k]) - position[k];
-      const double high = static_cast<double>(box.high[k]) - position[k];
-      if (inward[k] == 0.0) {
-        if (low > 0.0 || high < 0.0) to = -1.0;
-        continue;
-      }
-      const double a = low / inward[k];
-      const double b = high / inward[k];
-      from = std::max(from, std::min(a, b));
-      to = std::min(to, std::max(a, b));
-    }
-    if (!(from <= to)) continue;
+    if (!meetsRay(tree.boxOf(branch), position, inverse, nearest)) continue;
     if (!tree.isLeaf(branch)) {
       waiting[count++] = BoxTree::leftOf(branch);
       waiting[count++] = BoxTree::rightOf(branch);
       continue;
     }
-    for (const std::uint32_t item : tree.itemsOf(branch)) {
+    const std::span<const Box> boxes = tree.itemBoxesOf(branch);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      if (!meetsRay(boxes[i], position, inverse, nearest)) continue;
+      const std::uint32_t item = tree.itemsOf(branch)[i];
       castRay(position, inward, reference_.pieces()[item].triangle, nearest);
     }
   }
-  return nearest < rules_.maxSize * std::max(rules_.layers, 1.0)
-             ? nearest
-             : std::numeric_limits<double>::infinity();
+  return nearest < limit ? nearest : std::numeric_limits<double>::infinity();
 }
 
 /// Lowers `nearest` to the distance at which the ray leaves the solid through the triangle.

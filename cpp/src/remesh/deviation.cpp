@@ -22,17 +22,19 @@ double squaredDistance(const Vec3& position, const std::array<Vec3, 3>& corners)
 
 }  // namespace
 
-DeviationBound::DeviationBound(const GuardedSurface& surface, double accuracy)
+DeviationBound::DeviationBound(const GuardedSurface& surface, double least)
     : Resumable(countTriangles(surface.reference().mesh())),
       complex_(surface.complex()),
       reference_(surface.reference()),
-      accuracy_(accuracy) {
+      bound_(least),
+      above_(countTriangles(surface.reference().mesh())) {
   std::vector<Box> boxes;
   for (const TriangleId t : IdRange<TriangleId>(complex_.triangleSlots())) {
     if (!complex_.isAlive(t) || reference_.patch(complex_.patchOf(t)).isPlanar) continue;
     const auto [a, b, c] = complex_.cornersOf(t);
     boxes.push_back(Box::of(a, b, c));
     items_.push_back(t);
+    if (!surface.beneath(t).isNone()) above_[surface.beneath(t).index()] = t;
   }
   if (!boxes.empty()) tree_ = BoxTree(std::span<const Box>(boxes));
 }
@@ -43,7 +45,7 @@ bool DeviationBound::advance(std::size_t budget) {
     const TriangleId t(i);
     const SmoothPatchId patch = reference_.patchOf(t);
     if (!reference_.patch(patch).isPlanar) {
-      measure(cornersOf(reference_.mesh(), t), patch, {}, 0);
+      measure(cornersOf(reference_.mesh(), t), patch, above_[t.index()], 0);
     }
   }
   return isPassDone();
@@ -67,18 +69,24 @@ TriangleId DeviationBound::nearest(const Vec3& position, SmoothPatchId patch, Tr
   return found;
 }
 
-void DeviationBound::measure(const Corners& corners, SmoothPatchId patch, TriangleId guess,
-                             int depth) {
-  double square = 0.0;
-  const TriangleId t = nearest((corners[0] + corners[1] + corners[2]) / 3.0, patch, guess, square);
+double DeviationBound::boundBy(const Corners& corners, TriangleId triangle) const {
+  const Corners other = complex_.cornersOf(triangle);
   double largest = 0.0;
   for (const Vec3& corner : corners) {
-    largest = std::max(largest, squaredDistance(corner, complex_.cornersOf(t)));
+    largest = std::max(largest, squaredDistance(corner, other));
   }
-  const double bound = std::sqrt(largest);
+  return std::sqrt(largest);
+}
+
+void DeviationBound::measure(const Corners& corners, SmoothPatchId patch, TriangleId guess,
+                             int depth) {
+  if (!guess.isNone() && boundBy(corners, guess) <= bound_) return;
+  double square = 0.0;
+  const TriangleId t = nearest((corners[0] + corners[1] + corners[2]) / 3.0, patch, guess, square);
+  const double bound = boundBy(corners, t);
   if (bound <= bound_) return;
-  // The distance of the centroid is a lower bound of the largest distance.
-  const bool isSharp = bound <= std::max(accuracy_, kSharpness * std::sqrt(square));
+  // The distance of the centroid is at most the largest one.
+  const bool isSharp = bound <= kSharpness * std::sqrt(square);
   if (isSharp || depth == kMaxDepth) {
     bound_ = bound;
     return;

@@ -14,15 +14,14 @@
 
 namespace tetrafront {
 
-/// Computes an upper bound of the distance from the points of the given surface to the remeshed
-/// one, patch by patch. The bound holds everywhere, not only at samples: the distance to one
-/// triangle is convex, so over a part of a given triangle it is largest at a corner. Parts are
-/// divided until the bound is at most `accuracy`, or little above the distance itself. Planar
-/// patches are not measured, because their feature lines bound their distance.
+/// An upper bound of the distance from the points of the given surface to the remeshed one, patch by patch. Not a sample:
+/// the distance to one triangle is convex, so over a part of a triangle it is largest at a corner. Parts are divided
+/// until their bound is at most that of all before, or little above the distance itself. Planar patches need no measuring: their
+/// feature lines bound their distance.
 class DeviationBound : public Resumable {
  public:
-  /// `surface` must outlive this. O(n log n).
-  DeviationBound(const GuardedSurface& surface, double accuracy);
+  /// `surface` must outlive this. `least`: the bound is not made smaller. O(n log n).
+  DeviationBound(const GuardedSurface& surface, double least);
 
   /// Visits about `budget` given triangles; true when finished.
   bool advance(std::size_t budget);
@@ -34,12 +33,14 @@ class DeviationBound : public Resumable {
 
   [[nodiscard]] TriangleId nearest(const Vec3& position, SmoothPatchId patch, TriangleId guess,
                                    double& squaredDistance) const;
+  /// Largest distance of the corners from a triangle of the remeshed surface.
+  [[nodiscard]] double boundBy(const Corners& corners, TriangleId triangle) const;
   void measure(const Corners& corners, SmoothPatchId patch, TriangleId guess, int depth);
 
   const SurfaceComplex& complex_;
   const ReferenceSurface& reference_;
-  double accuracy_;
-  double bound_ = 0.0;
+  double bound_;
+  std::vector<TriangleId> above_;  ///< per given triangle: a remeshed one made above it, or none
   std::vector<TriangleId> items_;  ///< triangles of the remeshed surface in curved patches
   BoxTree tree_;
 };

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <optional>
 
-#include "base/mesh_access.h"
 #include "geom/box.h"
 #include "geom/measure.h"
 
@@ -115,10 +114,10 @@ bool FacetProof::staysNear(const Facet& facet, const Vec3& centroid, const Vec3&
   return false;
 }
 
-bool isNear(const Corners& corners, const Corners& triangle, double squaredTolerance) {
+bool isNear(const ReferenceSurface& reference, const Corners& corners, TriangleId triangle,
+            double squaredTolerance) {
   return std::ranges::all_of(corners, [&](const Vec3& corner) {
-    return squaredDistanceToTriangle(corner, triangle[0], triangle[1], triangle[2]) <=
-           squaredTolerance;
+    return reference.squaredDistance(corner, triangle) <= squaredTolerance;
   });
 }
 
@@ -187,8 +186,7 @@ bool isWithin(const ReferenceSurface& reference, const Corners& corners, SmoothP
     const NearestPoint nearest = reference.nearest(centroid, patch, tolerance, part.hint);
     if (nearest.triangle.isNone()) return false;
     part.hint = nearest.triangle;
-    if (isNear(part.corners, cornersOf(reference.mesh(), nearest.triangle), tolerance * tolerance))
-      continue;
+    if (isNear(reference, part.corners, nearest.triangle, tolerance * tolerance)) continue;
     FacetProof proof(reference, part.corners, tolerance);
     if (proof.prove(reference.facetOf(nearest.triangle), centroid, nearest.position)) continue;
     if (parts >= kMaxParts || waiting.isFull()) return false;

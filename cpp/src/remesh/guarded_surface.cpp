@@ -12,6 +12,28 @@
 namespace tetrafront {
 namespace {
 
+/// Height / longest edge below which a triangle may only replace one that is as thin.
+constexpr double kThin = 1e-6;
+/// Height / tolerance below which a triangle is a narrow strip within the tolerance, and least cosine between it and the
+/// reference: it must not fold back.
+constexpr double kNarrow = 0.2;
+constexpr double kNarrowCosine = 0.1;
+
+double longestSideOf(const std::array<Vec3, 3>& corners) {
+  double longest = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    longest = std::max(longest, glm::length(corners[(k + 1) % 3] - corners[k]));
+  }
+  return longest;
+}
+
+/// Returns height / longest edge.
+double thicknessOf(const std::array<Vec3, 3>& corners) {
+  const double longest = longestSideOf(corners);
+  const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+  return longest > 0.0 ? glm::length(normal) / (longest * longest) : 0.0;
+}
+
 std::array<std::uint32_t, 3> valuesOf(const NodeTriple& nodes) {
   return {nodes[0].value, nodes[1].value, nodes[2].value};
 }
@@ -52,14 +74,6 @@ void GuardedSurface::insert(TriangleId triangle) {
   grid_.insert(triangle.value, boxes_[triangle.index()]);
 }
 
-TriangleId GuardedSurface::origin(TriangleId triangle) const {
-  if (!beneath(triangle).isNone()) return beneath(triangle);
-  const auto [a, b, c] = complex_.cornersOf(triangle);
-  return reference_
-      .nearest((a + b + c) / 3.0, complex_.patchOf(triangle), reference_.diagonal(), {})
-      .triangle;
-}
-
 void GuardedSurface::replaceStretch(NodeId a, NodeId b, const Stretch& stretch) {
   complex_.setStretchBetween(a, b, complex_.addStretch(stretch));
 }
@@ -76,7 +90,8 @@ bool GuardedSurface::apply(const SurfaceChange& change, bool coversSame) {
 /// Makes the cheapest checks first.
 bool GuardedSurface::isAdmitted(bool coversSame) {
   measureAdded();
-  return facesAsReference() && !intersects(coversSame) && isInEnvelope() && findHosts();
+  return isThickEnough() && facesAsReference() && !intersects(coversSame) && isInEnvelope() &&
+         findHosts();
 }
 
 void GuardedSurface::measureAdded() {
@@ -90,6 +105,17 @@ void GuardedSurface::measureAdded() {
   }
 }
 
+/// A thin triangle may only replace one that is as thin.
+bool GuardedSurface::isThickEnough() const {
+  double least = kThin;
+  for (const TriangleId t : change_->removed) {
+    least = std::min(least, thicknessOf(complex_.cornersOf(t)));
+  }
+  return std::ranges::all_of(numbered_, [&](const NumberedTriangle& triangle) {
+    return thicknessOf(triangle.corners) >= least;
+  });
+}
+
 bool GuardedSurface::facesAsReference() {
   addedBeneath_.assign(change_->added.size(), TriangleId{});
   for (std::size_t i = 0; i < change_->added.size(); ++i) {
@@ -97,17 +123,20 @@ bool GuardedSurface::facesAsReference() {
     const Vec3 normal = glm::cross(b - a, c - a);
     const double area = glm::length(normal);
     if (!(area > 0.0) || collinear(a, b, c)) return false;
+    const bool isNarrow = area < kNarrow * limits_.tolerance * longestSideOf(numbered_[i].corners);
     const SmoothPatchId id = change_->added[i].patch;
     const SmoothPatch& patch = reference_.patch(id);
     Vec3 facing = patch.normal;
+    addedBeneath_[i] = hintFor(i);
     if (!patch.isPlanar) {
       const NearestPoint below =
-          reference_.nearest((a + b + c) / 3.0, id, limits_.tolerance, hintFor(i));
+          reference_.nearest((a + b + c) / 3.0, id, limits_.tolerance, addedBeneath_[i]);
       if (below.triangle.isNone()) return false;
       addedBeneath_[i] = below.triangle;
       facing = reference_.normalOf(below.triangle);
     }
-    if (glm::dot(normal, facing) < limits_.facingCosine * area) return false;
+    const double leastCosine = isNarrow ? kNarrowCosine : limits_.facingCosine;
+    if (glm::dot(normal, facing) < leastCosine * area) return false;
   }
   return true;
 }

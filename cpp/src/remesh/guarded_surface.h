@@ -70,10 +70,8 @@ class GuardedSurface {
   void updateStretch(StretchId id, const Stretch& stretch) { complex_.stretch(id) = stretch; }
   void releaseStretch(StretchId id) { complex_.removeStretch(id); }
 
-  /// The given triangle that was beneath a triangle of a curved patch when it was made.
+  /// A given triangle of the same patch; in a curved patch, the one beneath when the triangle was made.
   [[nodiscard]] TriangleId beneath(TriangleId triangle) const { return beneath_[triangle.index()]; }
-  /// A given triangle of the same patch, near the triangle.
-  [[nodiscard]] TriangleId origin(TriangleId triangle) const;
 
  private:
   void insert(TriangleId triangle);
@@ -82,6 +80,7 @@ class GuardedSurface {
   }
   [[nodiscard]] bool isAdmitted(bool coversSame);
   void measureAdded();
+  [[nodiscard]] bool isThickEnough() const;
   [[nodiscard]] bool facesAsReference();
   [[nodiscard]] bool intersects(bool coversSame);
   [[nodiscard]] bool intersectsOthers();

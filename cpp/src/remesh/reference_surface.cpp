@@ -27,7 +27,9 @@ constexpr double kApexCosine = 0.70710678;
 /// triangle.
 constexpr double kPieceLength = 1.0 / 60.0;
 constexpr int kMaxHalvings = 8;
-/// Largest number of steps of a walk between neighbouring triangles; for more, the tree is faster.
+/// Squared height / longest edge below which barycentric coordinates lose too many digits.
+constexpr double kThinnest = 1e-8;
+/// Steps of a walk between neighbouring triangles, after which the tree is faster.
 constexpr int kMaxSteps = 24;
 
 double squaredLength(const Vec3& v) { return glm::dot(v, v); }
@@ -94,13 +96,27 @@ Task<> ReferenceSurface::prepare(Work& work) {
   tree_ = builder.take();
 }
 
-/// Sets the neighbours across all edges with two triangles, and the normals.
 void ReferenceSurface::findNormals() {
   const std::uint32_t count = countTriangles(mesh_);
   normals_.resize(count);
+  frames_.resize(count);
   for (std::uint32_t t = 0; t < count; ++t) {
-    const std::array<Vec3, 3> corners = cornersOf(mesh_, TriangleId(t));
-    normals_[t] = unitOf(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+    const auto [a, b, c] = cornersOf(mesh_, TriangleId(t));
+    Frame& frame = frames_[t];
+    frame.origin = a;
+    frame.ab = b - a;
+    frame.ac = c - a;
+    frame.abab = squaredLength(frame.ab);
+    frame.abac = glm::dot(frame.ab, frame.ac);
+    frame.acac = squaredLength(frame.ac);
+    const Vec3 normal = glm::cross(frame.ab, frame.ac);
+    const double square = squaredLength(normal);
+    normals_[t] = unitOf(normal);
+    const double longest = std::max({frame.abab, frame.acac, squaredLength(c - b)});
+    if (square > kThinnest * longest * longest) {
+      frame.normal = normals_[t];
+      frame.inverse = 1.0 / square;
+    }
   }
 }
 
@@ -422,8 +438,28 @@ void ReferenceSurface::divide(TriangleId triangle, const std::array<Vec3, 3>& co
 }
 
 double ReferenceSurface::squaredDistance(const Vec3& position, TriangleId triangle) const {
-  const std::array<Vec3, 3> corners = cornersOf(mesh_, triangle);
-  return squaredDistanceToTriangle(position, corners[0], corners[1], corners[2]);
+  const Frame& frame = frames_[triangle.index()];
+  if (frame.inverse == 0.0) {
+    const auto [a, b, c] = cornersOf(mesh_, triangle);
+    return squaredDistanceToTriangle(position, a, b, c);
+  }
+  const Vec3 offset = position - frame.origin;
+  const double alongAb = glm::dot(offset, frame.ab);
+  const double alongAc = glm::dot(offset, frame.ac);
+  // Barycentric coordinates of b and c.
+  const double v = (frame.acac * alongAb - frame.abac * alongAc) * frame.inverse;
+  const double w = (frame.abab * alongAc - frame.abac * alongAb) * frame.inverse;
+  if (v >= 0.0 && w >= 0.0 && v + w <= 1.0) {
+    const double height = glm::dot(offset, frame.normal);
+    return height * height;
+  }
+  const Vec3 b = frame.origin + frame.ab;
+  const Vec3 c = frame.origin + frame.ac;
+  double square = std::numeric_limits<double>::infinity();
+  if (w < 0.0) square = squaredDistanceToSegment(position, frame.origin, b);
+  if (v < 0.0) square = std::min(square, squaredDistanceToSegment(position, frame.origin, c));
+  if (v + w > 1.0) square = std::min(square, squaredDistanceToSegment(position, b, c));
+  return square;
 }
 
 /// Walks to a triangle that is nearer than all its neighbours; returns it with its nearest point.

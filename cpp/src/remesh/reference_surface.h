@@ -97,8 +97,9 @@ class ReferenceSurface {
   [[nodiscard]] NearestPoint nearest(const Vec3& position, SmoothPatchId patch, double limit,
                                      TriangleId hint) const;
 
-  /// A part of a given triangle, no longer than a fraction of the diagonal: boxes around whole
-  /// needles would overlap.
+  [[nodiscard]] double squaredDistance(const Vec3& position, TriangleId triangle) const;
+
+  /// A part of a given triangle, no longer than a fraction of the diagonal: boxes around whole needles would overlap.
   struct Piece {
     TriangleId triangle{};
     Vec3 centroid{0.0};
@@ -111,6 +112,19 @@ class ReferenceSurface {
   struct Arm {
     NodeId to;
     EdgeId edge;
+  };
+
+  /// What the distance to a triangle needs; computed once, because it is measured millions of times.
+  struct Frame {
+    Vec3 origin{0.0};  ///< first corner
+    Vec3 ab{0.0};
+    Vec3 ac{0.0};
+    Vec3 normal{
+        0.0};  ///< unit normal of the triangle itself; zero if it is too thin to be measured so
+    double abab = 0.0;
+    double abac = 0.0;
+    double acac = 0.0;
+    double inverse = 0.0;  ///< 1 / squared length of the cross product
   };
 
   void findNormals();
@@ -131,9 +145,7 @@ class ReferenceSurface {
   void divide(TriangleId triangle, const std::array<Vec3, 3>& corners, int depth,
               std::vector<Box>& boxes);
   [[nodiscard]] NearestPoint walk(const Vec3& position, TriangleId from) const;
-  [[nodiscard]] double squaredDistance(const Vec3& position, TriangleId triangle) const;
-  /// Distance from a plane up to which triangles count as being in it; allows for the rounding of
-  /// files.
+  /// Distance from a plane within which triangles are in it: rounding of files.
   [[nodiscard]] double planarTolerance() const;
 
   const SurfaceMesh& mesh_;
@@ -141,6 +153,7 @@ class ReferenceSurface {
   FeatureRules rules_;
   double diagonal_ = 0.0;
   double largestCoordinate_ = 0.0;
+  std::vector<Frame> frames_;
   std::vector<Vec3> normals_;
   std::vector<TriangleId> neighbours_;       ///< per half-edge
   std::vector<std::uint8_t> isFeatureEdge_;  ///< per edge of the table

@@ -32,7 +32,11 @@ constexpr int kMaxPasses = 40;
 constexpr std::size_t kFewCollapses = 50;
 constexpr int kMaxCollapsePasses = 20;
 constexpr int kMaxFlipPasses = 20;
-/// Largest number of flips around a new node.
+/// A node nearer to an edge, in target lengths, is the apex of a cap ...
+constexpr double kCapHeight = 0.25;
+/// ... if its foot is this far from the ends of the edge, relative to its length.
+constexpr double kLeastFoot = 0.1;
+/// Flips around a new node.
 constexpr int kFlipsAround = 60;
 /// Squared sines of 38 and 32 degrees. Triangles with a smaller angle are improved one by one.
 constexpr double kPoorSquaredSine = 0.37904;
@@ -140,10 +144,51 @@ Task<> RemeshSchedule::splitLong(Work& work, double limit) {
   }
 }
 
+/// Splits the edge in the middle; or beneath the apex of a cap, which the new node then replaces. A cap whose longest edge
+/// is a bend cannot be flipped, and would be split again and again.
 bool RemeshSchedule::splitAndFlip(const Edge& edge) {
-  if (!editor_.split(edge.a, edge.b)) return false;
-  flipAround(NodeId(complex_.nodeCount() - 1));
+  double part = 0.5;
+  complex_.collectEdge(edge.a, edge.b, edge_);
+  for (const HalfEdgeId halfEdge : edge_) {
+    const NodeId apex = complex_.nodesOf(halfEdge).apex;
+    const double foot = footOf(edge.a, edge.b, apex);
+    if (foot > kLeastFoot && foot < 1.0 - kLeastFoot && heightOf(edge.a, edge.b, apex) < kCapHeight)
+      part = foot;
+  }
+  if (!editor_.split(edge.a, edge.b, part)) return false;
+  const NodeId middle(complex_.nodeCount() - 1);
+  if (!collapseInto(middle)) flipAround(middle);
   return true;
+}
+
+/// Collapses the shortest edge at the node if it is much too short.
+bool RemeshSchedule::collapseInto(NodeId node) {
+  NodeId nearest{};
+  double shortest = kCapHeight;
+  complex_.visitStar(node, [&](TriangleId t, std::uint32_t k) {
+    const NodeId other = complex_.nodesOf(t)[(k + 1) % 3];
+    const double length = editor_.lengthOf(node, other);
+    if (length >= shortest) return;
+    shortest = length;
+    nearest = other;
+  });
+  if (nearest.isNone()) return false;
+  const CollapseRule rule{kLong, 0.0, false};
+  return editor_.collapse(nearest, node, rule) || editor_.collapse(node, nearest, rule);
+}
+
+/// Returns where on the edge a b, from 0 to 1, the node is nearest.
+double RemeshSchedule::footOf(NodeId a, NodeId b, NodeId node) const {
+  const Vec3 edge = complex_.pointOf(b) - complex_.pointOf(a);
+  const Vec3 offset = complex_.pointOf(node) - complex_.pointOf(a);
+  return glm::dot(offset, edge) / glm::dot(edge, edge);
+}
+
+/// Returns the distance of the node from the line through a and b, in target lengths.
+double RemeshSchedule::heightOf(NodeId a, NodeId b, NodeId node) const {
+  const Vec3 edge = complex_.pointOf(b) - complex_.pointOf(a);
+  const Vec3 offset = complex_.pointOf(node) - complex_.pointOf(a);
+  return glm::length(glm::cross(edge, offset)) / (glm::length(edge) * editor_.sizeOf(node));
 }
 
 void RemeshSchedule::flipAround(NodeId node) {
@@ -260,11 +305,9 @@ bool RemeshSchedule::improveTriangle(TriangleId triangle, double squaredSine) {
 bool RemeshSchedule::splitUnder(const NodeTriple& nodes) {
   const auto [a, b, c] = nodes;
   if (editor_.lengthOf(a, b) <= 1.0) return false;
-  const Vec3 edge = complex_.pointOf(b) - complex_.pointOf(a);
-  const Vec3 to = complex_.pointOf(c) - complex_.pointOf(a);
-  const double part = std::clamp(glm::dot(to, edge) / glm::dot(edge, edge), 0.3, 0.7);
-  if (!editor_.split(a, b, part)) return false;
+  if (!editor_.split(a, b, std::clamp(footOf(a, b, c), 0.3, 0.7))) return false;
   const NodeId middle(complex_.nodeCount() - 1);
+  if (collapseInto(middle)) return true;
   flipAround(middle);
   editor_.improve(middle);
   return true;

@@ -41,7 +41,10 @@ class RemeshSchedule {
   void collectEdges(double shortest, double longest);
   bool collapseIfShort(const Edge& edge, double limit);
   bool splitAndFlip(const Edge& edge);
+  bool collapseInto(NodeId node);
   void flipAround(NodeId node);
+  [[nodiscard]] double footOf(NodeId a, NodeId b, NodeId node) const;
+  [[nodiscard]] double heightOf(NodeId a, NodeId b, NodeId node) const;
   bool flipEdges(TriangleId triangle, std::uint32_t since);
   bool improveTriangle(TriangleId triangle, double squaredSine);
   bool splitUnder(const NodeTriple& nodes);

@@ -156,7 +156,7 @@ void copyTriangles(const GuardedSurface& surface, SurfaceMesh& mesh, SurfaceReme
   for (const TriangleId t : IdRange<TriangleId>(complex.triangleSlots())) {
     if (!complex.isAlive(t)) continue;
     for (const NodeId node : complex.nodesOf(t)) mesh.triangles.push_back(number[node.index()]);
-    result.origin.push_back(surface.origin(t).value);
+    result.origin.push_back(surface.beneath(t).value);
   }
 }
 
@@ -215,10 +215,10 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh,
   result.tolerance = lengths.tolerance;
   result.patches = static_cast<std::uint32_t>(reference.patchCount());
   result.featureLines = static_cast<std::uint32_t>(reference.lines().size());
-  DeviationBound deviation(surface, limits.tolerance);
+  // In the other direction, every change has kept the tolerance.
+  DeviationBound deviation(surface, lengths.tolerance);
   co_await work.finish(deviation);
-  // For the other direction, the check of every change has ensured the tolerance.
-  result.deviation = std::max(limits.tolerance, deviation.bound());
+  result.deviation = deviation.bound();
   result.points = std::move(made.points);
   result.triangles = std::move(made.triangles);
   co_return result;
