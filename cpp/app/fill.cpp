@@ -3,7 +3,7 @@
 /// `npx tetrafront` instead, which reads and writes common formats.
 ///
 ///     fill SURFACE.off [SIZE] [--optimization=none|fast|default|thorough]
-///          [--order=layered|smallest-first] [--filters=on|off]
+///          [--order=layered|smallest-first] [--filters=on|off] [--remesh=on|off]
 ///
 /// Prints `name value` lines. Seconds are processor time, which other work on the machine hardly
 /// affects. Bytes are the peak resident size above the size after the surface was read. Exit
@@ -28,6 +28,7 @@
 #include <vector>
 
 #include "tetrafront/mesher.h"
+#include "tetrafront/remesh.h"
 
 namespace {
 
@@ -117,14 +118,22 @@ constexpr std::array<std::pair<std::string_view, FrontOrder>, 2> kOrders{
     {{"layered", FrontOrder::kLayered}, {"smallest-first", FrontOrder::kSmallestFirst}}};
 constexpr std::array<std::pair<std::string_view, bool>, 2> kSwitch{{{"on", true}, {"off", false}}};
 
+struct Options {
+  tetrafront::MeshOptions mesh;
+  bool remesh = false;
+};
+
 /// Returns false, after printing the reason, if the argument is not an option.
-bool readArgument(std::string_view argument, tetrafront::MeshOptions& options) {
+bool readArgument(std::string_view argument, Options& all) {
+  tetrafront::MeshOptions& options = all.mesh;
   if (const auto level = valueOf(argument, "--optimization")) {
     if (choose(options.optimization, *level, kOptimizations)) return true;
   } else if (const auto order = valueOf(argument, "--order")) {
     if (choose(options.order, *order, kOrders)) return true;
   } else if (const auto filters = valueOf(argument, "--filters")) {
     if (choose(options.filters, *filters, kSwitch)) return true;
+  } else if (const auto remesh = valueOf(argument, "--remesh")) {
+    if (choose(all.remesh, *remesh, kSwitch)) return true;
   } else {
     options.size = numberIn(argument).value_or(0.0);
     if (options.size > 0.0 && std::isfinite(options.size)) return true;
@@ -150,28 +159,45 @@ std::size_t greatestResidentBytes() {
 
 double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
+/// Remeshes the surface and prints the result; leaves a surface that cannot be remeshed as it is.
+void remesh(Surface& surface, double size) {
+  tetrafront::RemeshOptions options;
+  options.size = size;
+  const double begin = processorSeconds();
+  tetrafront::SurfaceRemesher remesher(surface.points, surface.triangles, {}, {}, options);
+  while (!remesher.advance(4096U)) {
+  }
+  const tetrafront::SurfaceRemesh& result = remesher.result();
+  std::printf("remeshSeconds %.6f\n", processorSeconds() - begin);
+  if (!result.diagnostics.empty()) return;
+  surface.points = result.points;
+  surface.triangles = result.triangles;
+  std::printf("smallestAngle %.4f\ndeviation %g\n", result.smallestAngle, result.deviation);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc < 2) {
     std::fprintf(stderr,
                  "usage: fill SURFACE.off [SIZE] [--optimization=none|fast|default|thorough]\n"
-                 "       [--order=layered|smallest-first] [--filters=on|off]\n");
+                 "       [--order=layered|smallest-first] [--filters=on|off] [--remesh=on|off]\n");
     return 2;
   }
-  const std::optional<Surface> surface = readOff(argv[1]);
+  std::optional<Surface> surface = readOff(argv[1]);
   if (!surface) {
     std::fprintf(stderr, "%s: cannot be read as an OFF file of triangles\n", argv[1]);
     return 2;
   }
-  tetrafront::MeshOptions options;
+  Options options;
   for (int i = 2; i < argc; ++i) {
     if (!readArgument(argv[i], options)) return 2;
   }
+  if (options.remesh) remesh(*surface, options.mesh.size);
 
   constexpr std::uint32_t kBudget = 4096;
   const std::size_t bytesBefore = greatestResidentBytes();
-  tetrafront::MeshRun run(surface->points, surface->triangles, options);
+  tetrafront::MeshRun run(surface->points, surface->triangles, options.mesh);
   std::array<double, tetrafront::kPhaseCount> phaseSeconds{};
   const double begin = processorSeconds();
   for (bool running = true; running;) {

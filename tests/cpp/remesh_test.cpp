@@ -13,6 +13,7 @@
 #include <ostream>
 #include <random>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "base/mesh_access.h"
@@ -212,6 +213,43 @@ TEST(Remesh, SourcesMakeTrianglesSmallerNearThem) {
   EXPECT_LT(nearArea / nearCount, 0.433 * 0.04 * 0.04);
 }
 
+/// Number of triangles of a cube remeshed with a source at a corner.
+std::size_t countWithSource(double sizeAtCorner) {
+  BackgroundGrid grid;
+  if (sizeAtCorner > 0.0) {
+    SizeSource source;
+    source.points[0] = Vec3(0.0);
+    source.size = sizeAtCorner;
+    grid.sources.push_back(source);
+  }
+  const SurfaceMesh cube = gridCube(1);
+  SurfaceRemesher remesher(cube.points, cube.triangles, {}, grid, {});
+  while (!remesher.advance(1U << 20U)) {
+  }
+  return remesher.result().triangles.size() / 3;
+}
+
+TEST(Remesh, SourcesCapAutomaticSizesAndReplaceNone) {
+  const std::size_t automatic = countWithSource(0.0);
+  EXPECT_EQ(countWithSource(1.0), automatic);
+  EXPECT_GT(countWithSource(0.01), automatic);
+}
+
+TEST(Remesh, LayersAndAnglePerEdgeAlsoCountWithASize) {
+  RemeshOptions options;
+  options.size = 0.5;
+  const SurfaceMesh plate = thinPlate(4, 0.1);
+  const std::size_t count = remesh(plate, options).triangles.size();
+  options.layers = 1.0;
+  EXPECT_GT(remesh(plate, options).triangles.size(), 2 * count);
+  options.layers = -1.0;
+  options.tolerance = 0.1;
+  const SurfaceMesh sphere = geodesicSphere(24);
+  const std::size_t coarse = remesh(sphere, options).triangles.size();
+  options.anglePerEdge = 10.0;
+  EXPECT_GT(remesh(sphere, options).triangles.size(), 2 * coarse);
+}
+
 TEST(Remesh, TheResultDoesNotDependOnTheSlices) {
   const SurfaceMesh given = needlePlate(2, 16, 0.1);
   const SurfaceRemesh whole = remesh(given);
@@ -263,10 +301,51 @@ TEST(Remesh, RejectsSurfacesThatAreNotABoundary) {
   ASSERT_FALSE(result.diagnostics.empty());
   EXPECT_EQ(result.diagnostics[0].code, DiagnosticCode::kOpenEdge);
   EXPECT_TRUE(result.triangles.empty());
+}
 
+TEST(Remesh, RefusesOptionsOutOfRange) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<std::tuple<CheckedOption, double RemeshOptions::*, std::vector<double>>> ranges{
+      {CheckedOption::kSize, &RemeshOptions::size, {-1.0, 1e31, nan}},
+      {CheckedOption::kGrowth, &RemeshOptions::growth, {-0.1, 10.1, nan}},
+      {CheckedOption::kMinSize, &RemeshOptions::minSize, {-1.0, 1e31, nan}},
+      {CheckedOption::kMaxSize, &RemeshOptions::maxSize, {-1.0, 1e31, nan}},
+      {CheckedOption::kTolerance, &RemeshOptions::tolerance, {-1.0, 1e31, nan}},
+      {CheckedOption::kFeatureAngle, &RemeshOptions::featureAngle, {0.0, 0.9, 181.0, nan}},
+      {CheckedOption::kAnglePerEdge, &RemeshOptions::anglePerEdge, {-1.0, 0.9, 181.0, nan}},
+      {CheckedOption::kLayers, &RemeshOptions::layers, {101.0, nan}},
+  };
+  for (const auto& [option, field, values] : ranges) {
+    for (const double value : values) {
+      RemeshOptions options;
+      options.*field = value;
+      const SurfaceRemesh result = remesh(gridCube(1), options);
+      ASSERT_EQ(result.diagnostics.size(), 1U) << static_cast<int>(option) << ' ' << value;
+      EXPECT_EQ(result.diagnostics[0].code, DiagnosticCode::kOptionOutOfRange);
+      EXPECT_EQ(result.diagnostics[0].values[0], static_cast<double>(option));
+      EXPECT_TRUE(result.triangles.empty());
+    }
+  }
+}
+
+TEST(Remesh, RefusesSizesThatAskForTooManyTriangles) {
   RemeshOptions options;
-  options.size = -1.0;
-  EXPECT_EQ(remesh(gridCube(1), options).diagnostics[0].code, DiagnosticCode::kOptionOutOfRange);
+  options.size = 1e-9;
+  const SurfaceRemesh result = remesh(gridCube(1), options);
+  ASSERT_EQ(result.diagnostics.size(), 1U);
+  EXPECT_EQ(result.diagnostics[0].code, DiagnosticCode::kTooManyElements);
+  EXPECT_EQ(result.diagnostics[0].entities.at(0).kind, EntityKind::kTriangle);
+  // Estimates are reported up to 1e15.
+  EXPECT_NEAR(result.diagnostics[0].values[0], 1e15, 1.0);
+
+  // The given triangles are never too many, and the estimate is near the real number.
+  options.size = 0.1;
+  const std::size_t count = remesh(gridCube(1), options).triangles.size() / 3;
+  options.maxTriangles = static_cast<std::uint32_t>(1.2 * static_cast<double>(count));
+  EXPECT_TRUE(remesh(gridCube(1), options).diagnostics.empty());
+  options.maxTriangles = static_cast<std::uint32_t>(0.8 * static_cast<double>(count));
+  EXPECT_FALSE(remesh(gridCube(1), options).diagnostics.empty());
+  EXPECT_TRUE(remesh(gridCube(20), options).diagnostics.empty());
 }
 
 // ---- every single operation ---------------------------------------------------------------------

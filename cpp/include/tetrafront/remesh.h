@@ -14,11 +14,18 @@
 
 namespace tetrafront {
 
+/// Range of the angles in RemeshOptions, in degrees.
+inline constexpr double kMinRemeshAngle = 1.0;
+inline constexpr double kMaxRemeshAngle = 180.0;
+
+/// Largest number of layers across thin walls.
+inline constexpr double kMaxLayers = 100.0;
+
 /// Options of a remeshing. With the defaults, sizes follow from curvature, thickness and gaps,
 /// which suits any shape.
 struct RemeshOptions {
-  /// Target edge length, in model units, > 0; 0: automatic. Sources and a background grid cap the
-  /// sizes.
+  /// Target edge length, in model units, > 0; 0: automatic, unless a background grid is given. Sources cap
+  /// the sizes.
   double size = 0.0;
   double minSize = 0.0;  ///< smallest automatic size; 0: chosen automatically
   double maxSize = 0.0;  ///< largest automatic size; 0: a twentieth of the surface's diagonal
@@ -27,10 +34,14 @@ struct RemeshOptions {
   double tolerance = 0.0;
   double featureAngle =
       40.0;  ///< edges with a larger angle between their triangles stay sharp; degrees
-  double anglePerEdge = 20.0;  ///< largest angle that an edge may span on a curved patch; degrees
-  double layers =
-      1.0;  ///< elements across the thickness of thin parts; 0: thickness has no influence
+  /// Largest angle that an edge may span on a curved patch, in degrees; 0: 20, and 60 if a size or a grid is given.
+  double anglePerEdge = 0.0;
+  /// Elements across the thickness of thin parts; 0: thickness has no influence; negative: 1, and 0 if a size or a grid is given.
+  double layers = -1.0;
   double growth = 0.3;  ///< growth of sizes per unit of distance, 0 to kMaxGrowth
+  /// Largest number of triangles that the sizes may ask for; above it, the result has kTooManyElements. The given
+  /// triangles are never too many.
+  std::uint32_t maxTriangles = 5'000'000;
   InnerShells innerShells = InnerShells::kCavities;
 };
 

@@ -108,7 +108,18 @@ enum class DiagnosticCode : std::uint16_t {
 };
 
 /// Options whose range is checked.
-enum class CheckedOption : std::uint8_t { kSize = 0, kGrowth = 1, kGradation = 2 };
+enum class CheckedOption : std::uint8_t {
+  kSize = 0,
+  kGrowth = 1,
+  kGradation = 2,
+  // Of a remeshing
+  kMinSize = 3,
+  kMaxSize = 4,
+  kTolerance = 5,
+  kFeatureAngle = 6,
+  kAnglePerEdge = 7,
+  kLayers = 8,
+};
 
 enum class Severity : std::uint8_t { kInformation = 0, kWarning = 1, kError = 2 };
 

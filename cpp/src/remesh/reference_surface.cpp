@@ -429,7 +429,7 @@ void ReferenceSurface::divide(TriangleId triangle, const std::array<Vec3, 3>& co
     const Vec3 margin(1e-15 * largestCoordinate_);
     for (const Vec3& corner : corners) box.include(corner, margin);
     boxes.push_back(box);
-    pieces_.push_back({triangle, (a + b + c) / 3.0});
+    pieces_.push_back({triangle, (a + b + c) / 3.0, 0.5 * glm::length(glm::cross(b - a, c - a))});
     return;
   }
   const Vec3 middle = 0.5 * (a + b);

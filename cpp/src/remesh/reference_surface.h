@@ -103,6 +103,7 @@ class ReferenceSurface {
   struct Piece {
     TriangleId triangle{};
     Vec3 centroid{0.0};
+    double area = 0.0;
   };
   [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
   /// Boxes of the pieces.

@@ -1,8 +1,10 @@
 #include "remesh/surface_remeshing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -13,6 +15,7 @@
 #include "boundary/boundary.h"
 #include "boundary/surface_access.h"
 #include "field/size_octree_builder.h"
+#include "geom/coordinates.h"
 #include "quality/metrics.h"
 #include "remesh/automatic_sizes.h"
 #include "remesh/deviation.h"
@@ -21,6 +24,7 @@
 #include "remesh/remesh_schedule.h"
 #include "remesh/surface_editor.h"
 #include "sizing/check_options.h"
+#include "sizing/expected_count.h"
 #include "sizing/target_sizes.h"
 
 namespace tetrafront {
@@ -32,7 +36,8 @@ constexpr double kMinSizePerDiagonal = 1.0 / 300.0;
 constexpr double kMinSizePerSize = 0.1;
 constexpr double kTolerancePerDiagonal = 1.0 / 1000.0;
 constexpr double kTolerancePerSize = 0.05;
-/// Angle per edge if a size is given: a coarse limit that keeps round shapes round.
+constexpr double kDegreesPerEdge = 20.0;
+/// Angle per edge if sizes are given: a coarse limit that keeps round shapes round.
 constexpr double kCoarseDegreesPerEdge = 60.0;
 /// Turn of a feature line, in degrees, at which it has a corner.
 constexpr double kCornerDegrees = 50.0;
@@ -40,6 +45,8 @@ constexpr double kCornerDegrees = 50.0;
 /// given one, they hold for every point. In the other direction they test given nodes only, and
 /// between nodes the distance may be slightly larger.
 constexpr double kTestedTolerance = 0.9;
+/// Area of an equilateral triangle, in squared edge lengths.
+constexpr double kTriangleArea = 0.4330127018922193;
 
 constexpr double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
 
@@ -76,10 +83,10 @@ Lengths lengthsOf(const RemeshOptions& options, bool hasTargets, double diagonal
   lengths.tolerance = kTolerancePerDiagonal * diagonal;
   if (hasSize) lengths.tolerance = std::min(lengths.tolerance, kTolerancePerSize * options.size);
   if (options.tolerance > 0.0) lengths.tolerance = options.tolerance;
-  const double degrees =
-      hasTargets ? std::max(options.anglePerEdge, kCoarseDegreesPerEdge) : options.anglePerEdge;
-  lengths.radiansPerEdge = radians(degrees);
-  lengths.layers = hasTargets ? 0.0 : options.layers;
+  const double automatic = hasTargets ? kCoarseDegreesPerEdge : kDegreesPerEdge;
+  lengths.radiansPerEdge = radians(options.anglePerEdge > 0.0 ? options.anglePerEdge : automatic);
+  lengths.layers = options.layers;
+  if (options.layers < 0.0) lengths.layers = hasTargets ? 0.0 : 1.0;
   return lengths;
 }
 
@@ -96,11 +103,33 @@ SurfaceRemesh refused(std::vector<Diagnostic> diagnostics) {
   return result;
 }
 
+std::vector<Diagnostic> checkRemeshOptions(const RemeshOptions& options) {
+  std::vector<Diagnostic> found = checkOptions(targetOptions(options));
+  const auto isLength = [](double value) { return value >= 0.0 && value <= kLargestCoordinate; };
+  const auto isAngle = [](double value) {
+    return value >= kMinRemeshAngle && value <= kMaxRemeshAngle;
+  };
+  const auto [minSize, maxSize, tolerance] =
+      std::array{options.minSize, options.maxSize, options.tolerance};
+  const auto [featureAngle, perEdge] = std::array{options.featureAngle, options.anglePerEdge};
+  const std::array<OptionValue, 6> checked{{
+      {CheckedOption::kMinSize, minSize, isLength(minSize)},
+      {CheckedOption::kMaxSize, maxSize, isLength(maxSize)},
+      {CheckedOption::kTolerance, tolerance, isLength(tolerance)},
+      {CheckedOption::kFeatureAngle, featureAngle, isAngle(featureAngle)},
+      {CheckedOption::kAnglePerEdge, perEdge, perEdge == 0.0 || isAngle(perEdge)},
+      {CheckedOption::kLayers, options.layers, options.layers <= kMaxLayers},
+  }};
+  const std::vector<Diagnostic> others = optionsOutOfRange(checked);
+  found.insert(found.end(), others.begin(), others.end());
+  return found;
+}
+
 /// Returns the diagnostics of the surface, the options and the grid; orients the surface outward.
 Task<std::vector<Diagnostic>> checkInput(Work& work, SurfaceMesh& mesh, const BackgroundGrid& grid,
                                          const RemeshOptions& options) {
   const MeshOptions targets = targetOptions(options);
-  std::vector<Diagnostic> found = checkOptions(targets);
+  std::vector<Diagnostic> found = checkRemeshOptions(options);
   const std::vector<Diagnostic> ofGrid = co_await checkTargetGrid(work, grid, targets);
   found.insert(found.end(), ofGrid.begin(), ofGrid.end());
   BoundaryCheck boundary(mesh, BoundarySource::kGivenSurface, options.innerShells);
@@ -111,35 +140,61 @@ Task<std::vector<Diagnostic>> checkInput(Work& work, SurfaceMesh& mesh, const Ba
   co_return found;
 }
 
+/// Returns kTooManyElements if the sizes ask for more triangles than the limit, and than there are. O(pieces).
+std::vector<Diagnostic> checkTriangleCount(const ReferenceSurface& reference,
+                                           const SizeField& field, std::uint32_t maxTriangles) {
+  std::vector<double> expected(countTriangles(reference.mesh()), 0.0);
+  FieldHint hint;
+  for (const ReferenceSurface::Piece& piece : reference.pieces()) {
+    const double size = field.targetSizeAt(piece.centroid, hint);
+    expected[piece.triangle.index()] += piece.area / (kTriangleArea * size * size);
+  }
+  const double total = std::accumulate(expected.begin(), expected.end(), 0.0);
+  const double limit = std::max(static_cast<double>(maxTriangles),
+                                static_cast<double>(countTriangles(reference.mesh())));
+  if (total <= limit) return {};
+  Diagnostic tooMany;
+  tooMany.code = DiagnosticCode::kTooManyElements;
+  const auto most = std::max_element(expected.begin(), expected.end()) - expected.begin();
+  tooMany.entities = {{EntityKind::kTriangle, static_cast<std::uint32_t>(most)}};
+  tooMany.values = {cappedCount(total), limit};
+  return {tooMany};
+}
+
 struct TargetField {
   std::optional<SizeField> field;
-  std::vector<Diagnostic> diagnostics;  ///< not empty if the grid does not cover the surface
+  std::vector<Diagnostic> diagnostics;  ///< not empty if the grid or the sizes cannot be used
 };
 
-/// Makes the size field: the given sizes, capped by those of the shape.
+/// Makes the size field: given sizes, capped by those of the shape. Too many triangles are refused as soon as the sizes
+/// are known: work on the shape takes longer if they are small.
 Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
                                   const BackgroundGrid& grid, const RemeshOptions& options,
                                   const Lengths& lengths) {
-  work.beginPart(0.6);
+  MeshOptions targets = targetOptions(options);
+  if (!usesGrid(grid, targets)) targets.size = lengths.maxSize;
+  work.beginPart(0.2);
+  TargetSizes given(reference.mesh(), grid, targets, EdgeSizes::kIgnored);
+  co_await work.finish(given);
+  TargetField found;
+  found.diagnostics = given.diagnostics();
+  if (anyError(found.diagnostics)) co_return found;
+  found.field.emplace(given.take());
+  found.diagnostics = checkTriangleCount(reference, *found.field, options.maxTriangles);
+  if (!found.diagnostics.empty()) co_return found;
+  co_await work.yield();
+
+  work.beginPart(0.7);
   const ShapeSizeRules rules{lengths.maxSize, lengths.minSize, lengths.tolerance,
                              lengths.radiansPerEdge, lengths.layers};
   const ShapeSizes sizes = co_await findShapeSizes(work, reference, rules);
-  const MeshOptions targets = targetOptions(options);
-  TargetField found;
-  if (hasTargetSizes(grid, targets)) {
-    TargetSizes given(reference.mesh(), grid, targets, EdgeSizes::kIgnored);
-    co_await work.finish(given);
-    found.diagnostics = given.diagnostics();
-    if (anyError(found.diagnostics)) co_return found;
-    found.field.emplace(given.take());
-  } else {
-    found.field.emplace(SizeField::uniform(lengths.maxSize));
-  }
   if (sizes.positions.empty()) co_return found;
   work.beginPart(1.0);
   SizeOctreeBuilder builder(sizes.positions, sizes.sizes, options.growth, lengths.maxSize);
   co_await work.finish(builder);
   found.field->capTo(builder.take());
+  found.diagnostics = checkTriangleCount(reference, *found.field, options.maxTriangles);
+  co_await work.yield();
   co_return found;
 }
 
@@ -189,7 +244,7 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh,
   const FeatureRules rules{cosineOfDegrees(options.featureAngle), cosineOfDegrees(kCornerDegrees)};
   ReferenceSurface reference(mesh, groups, rules);
   co_await reference.prepare(work);
-  const bool hasTargets = hasTargetSizes(grid, targetOptions(options));
+  const bool hasTargets = options.size > 0.0 || usesGrid(grid, targetOptions(options));
   const Lengths lengths = lengthsOf(options, hasTargets, reference.diagonal());
 
   work.beginPart(0.15);
