@@ -22,6 +22,7 @@
 #include "tetrafront/mesh_inspection.h"
 #include "tetrafront/mesher.h"
 #include "tetrafront/preview.h"
+#include "tetrafront/remesh.h"
 #include "tetrafront/size_proposals.h"
 #include "tetrafront/surface_tools.h"
 
@@ -168,12 +169,12 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   using namespace tetrafront::border;
 
   registerTypes<Doubles, Indices, Model, BackgroundGrid, MeshOptions, InspectionOptions,
-                RepairOptions, ProposalOptions, double, CoverShape>();
+                RepairOptions, RemeshOptions, ProposalOptions, double, CoverShape>();
   registerTypes<Progress, std::vector<Diagnostic>, SurfaceMesh, VolumeMesh, QualitySummary,
                 QualityStatistics, MetricShapes, std::vector<PatchSummary>, RecoverySummary,
                 FrontCounters>();
-  registerTypes<SurfaceInspection, MeshInspection, SurfaceRepair, SurfaceRefinement, ModelPreview,
-                SizeProposal>();
+  registerTypes<SurfaceInspection, MeshInspection, SurfaceRepair, SurfaceRefinement, SurfaceRemesh,
+                ModelPreview, SizeProposal>();
 
   class_<Run>("Run")
       .function("advance", &advanceRun)
@@ -203,6 +204,8 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   registerTool<SurfaceRepairer, Doubles, Indices, RepairOptions>("Repair", "repairSurface");
   registerTool<SurfaceRefiner, Doubles, Indices, BackgroundGrid, MeshOptions, double>(
       "Refinement", "refineSurface");
+  registerTool<SurfaceRemesher, Doubles, Indices, Indices, BackgroundGrid, RemeshOptions>(
+      "Remesh", "remeshSurface");
   registerTool<ModelPreviewer, Model, BackgroundGrid, MeshOptions>("Preview", "previewModel");
   registerTool<CoveringGridBuilder, Model, double, CoverShape>("Cover", "cover");
   registerTool<SizeProposer, Model, ProposalOptions>("Proposal", "propose");

@@ -23,6 +23,7 @@
 #include "tetrafront/diagnostic_values.h"
 #include "tetrafront/options.h"
 #include "tetrafront/quality_statistics.h"
+#include "tetrafront/remesh.h"
 #include "tetrafront/size_proposals.h"
 #include "tetrafront/status.h"
 #include "tetrafront/surface_tools.h"
@@ -242,6 +243,11 @@ void printNumbers() {
   printNumber("MAX_STRETCHING", kMaxStretching, "Largest stretching.");
   printNumber("MAX_HOLE_EDGES", kMaxHoleEdges,
               "Largest number of edges of a hole that a repair fills.");
+  printNumber("MIN_REMESH_ANGLE", kMinRemeshAngle,
+              "Smallest feature angle and angle per edge of a remeshing, in degrees.");
+  printNumber("MAX_REMESH_ANGLE", kMaxRemeshAngle,
+              "Largest feature angle and angle per edge of a remeshing, in degrees.");
+  printNumber("MAX_LAYERS", kMaxLayers, "Largest number of layers across thin walls.");
   printNumber("NO_REGION", SurfaceMesh::kNoRegion, "In `triangleRegions`: no region.");
   printNumber("NO_ORIGIN", kNoOrigin,
               "In `SurfaceInput.origin` and `nodeOrigin`: a triangle or node that the given "
@@ -261,6 +267,9 @@ void printModule() {
   printDefaults<MeshOptions>("MESH_DEFAULTS", "Defaults of a run; a size of 0 means none.");
   printDefaults<InspectionOptions>("INSPECTION_DEFAULTS", "Defaults of an inspection.");
   printDefaults<RepairOptions>("REPAIR_DEFAULTS", "Defaults of a repair.");
+  printDefaults<RemeshOptions>("REMESH_DEFAULTS",
+                               "Defaults of a remeshing; 0, or a negative number of layers, leaves "
+                               "the choice to the engine.");
   printDefaults<ProposalOptions>("PROPOSAL_DEFAULTS",
                                  "Defaults of size proposals; 0 leaves a size to the engine.");
   printNumber("SOURCE_GROWTH", SizeSource{}.growth, "Default growth of a source.");

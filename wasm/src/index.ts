@@ -24,6 +24,7 @@ export {
   type PatchType,
   type Phase,
   PROPOSAL_DEFAULTS,
+  REMESH_DEFAULTS,
   type Severity,
   SOURCE_GROWTH,
   type SourceType,
@@ -69,6 +70,7 @@ export {
   type ShellInfo,
   type SurfaceInspection,
   type SurfaceRefinement,
+  type SurfaceRemesh,
   type SurfaceRepair,
   type TriangleQuality,
 } from "./mesh/inspection.js";
@@ -110,6 +112,7 @@ export type {
   PreviewOptions,
   ProposalOptions,
   RefineOptions,
+  RemeshOptions,
 } from "./api/option-types.js";
 export type { Diagnostic, DiagnosticOf, EntityRef } from "./diagnostics/diagnostic.js";
 export type {
@@ -123,7 +126,7 @@ export type {
   ShapeStatistics,
 } from "./mesh/quality.js";
 export type { Mesher, SizeProposal } from "./api/mesher-interface.js";
-export type { MeshInput, SurfaceInput, SurfaceMesh, VolumeMesh } from "./mesh/mesh.js";
+export type { MeshInput, PatchedSurface, SurfaceInput, SurfaceMesh, VolumeMesh } from "./mesh/mesh.js";
 export type { MeshReport, MeshResult, MeshStatus, Seconds } from "./mesh/report.js";
 export type { Progress } from "./base/progress.js";
 export type { ProjectPreview } from "./project/preview.js";

@@ -42,6 +42,7 @@ const methods: Readonly<Record<string, Call>> = {
   inspectSurface: (signal) => mesher.inspectSurface(surface, {}, { signal }),
   repairSurface: (signal) => mesher.repairSurface(surface, {}, { signal }),
   refineSurface: (signal) => mesher.refineSurface(surface, { size: 0.01 }, { signal }),
+  remeshSurface: (signal) => mesher.remeshSurface(surface, { size: 0.02 }, { signal }),
   inspectMesh: (signal) => mesher.inspectMesh({ points, tetrahedra }, { signal }),
 };
 const functions: Readonly<Record<string, Call>> = {
@@ -94,6 +95,7 @@ test("no argument is accessed if the signal was aborted before the call", async 
     inspectSurface: mesher.inspectSurface(untouched, untouched, aborted),
     repairSurface: mesher.repairSurface(untouched, untouched, aborted),
     refineSurface: mesher.refineSurface(untouched, untouched, aborted),
+    remeshSurface: mesher.remeshSurface(untouched, untouched, aborted),
     inspectMesh: mesher.inspectMesh(untouched, aborted),
   };
   expect(Object.keys(calls)).toEqual(Object.keys(methods));

@@ -82,9 +82,13 @@ test("an out-of-memory error of the engine is reported in one line and as a diag
 test("a cancelled batch ends its processes and still writes its report", async () => {
   for (const name of ["a.stl", "b.stl", "c.stl"]) save(name, stlBinary(boxSurface(1)));
   const args = ["mesh", "a.stl", "b.stl", "c.stl", "-o", "{name}.vtu", "-j", "2", "--report", "all.json"];
-  const { code, stderr } = await tetrafront(folder.path, [...args, "--size", "0.008", "--refine-surface"], {
-    env: signalAtProgress("SIGTERM", "parent"),
-  });
+  const { code, stderr } = await tetrafront(
+    folder.path,
+    [...args, "--size", "0.008", "--surface", "refine"],
+    {
+      env: signalAtProgress("SIGTERM", "parent"),
+    },
+  );
   expect(code).toBe(1);
   expect(stderr).toMatch(/3 files: 0 done, 3 not completed, 0 invalid/);
   const reports = JSON.parse(readFileSync(inFolder("all.json"), "utf8")) as { status: string }[];

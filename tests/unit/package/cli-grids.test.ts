@@ -168,27 +168,32 @@ describe("check", () => {
 });
 
 describe("mesh --background", () => {
-  test.each(["--quiet", "--refine-surface"])("names the file of the grid (%s)", async (option) => {
-    const { background } = cubeProject();
-    const nodes = background.nodes.map((node) => ({ ...node, size: 0 }));
-    save("box.off", offFile(boxSurface(1)));
-    save("wrong.json", writeProject({ ...bare, background: { ...background, nodes } }));
-    const args = [
-      "mesh",
-      "box.off",
-      "-o",
-      "a.vtu",
-      "--background",
-      "wrong.json",
-      "--report",
-      "r.json",
-      option,
-    ];
-    const { code, stderr } = await run(...args);
-    expect(code).toBe(2);
-    expect(stderr).toMatch(/error: wrong\.json: Background node 0 \(counted from 0\) has the element size 0/);
-    expect(stderr).not.toMatch(/error: box\.off/);
-  });
+  test.each(["--quiet", "--surface=refine", "--surface=remesh"])(
+    "names the file of the grid (%s)",
+    async (option) => {
+      const { background } = cubeProject();
+      const nodes = background.nodes.map((node) => ({ ...node, size: 0 }));
+      save("box.off", offFile(boxSurface(1)));
+      save("wrong.json", writeProject({ ...bare, background: { ...background, nodes } }));
+      const args = [
+        "mesh",
+        "box.off",
+        "-o",
+        "a.vtu",
+        "--background",
+        "wrong.json",
+        "--report",
+        "r.json",
+        option,
+      ];
+      const { code, stderr } = await run(...args);
+      expect(code).toBe(2);
+      expect(stderr).toMatch(
+        /error: wrong\.json: Background node 0 \(counted from 0\) has the element size 0/,
+      );
+      expect(stderr).not.toMatch(/error: box\.off/);
+    },
+  );
 
   test.each(["vtu", "msh"])("uses a .%s mesh with sizes derived from its edges", async (extension) => {
     save("cube.json", writeProject(cubeProject(0.2)));

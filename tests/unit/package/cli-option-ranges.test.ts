@@ -22,6 +22,7 @@ beforeAll(() => {
 });
 
 const MESH = ["mesh", "part.off", "-o", "x.vtu"];
+const REMESH = ["remesh", "part.off", "-o", "x.ply"];
 const PROPOSE = ["propose", "cube.json", "-o", "x.json"];
 const SIZE = /from 1e-30 to 1e30/;
 
@@ -35,6 +36,31 @@ test.each<[readonly string[], RegExp]>([
   [[...MESH, "--source", "0,0,0,1,1,99"], /sources\[0\]\.growth: expected at most 10/],
   [[...MESH, "--weld", "1e300"], /from 0 to 1e30/],
   [[...MESH, "--weld", "7"], /extent of the whole surface is 1\. Use a distance below/],
+  [[...MESH, "--surface", "polish"], /Allowed choices are keep, refine, remesh/],
+  [
+    [...MESH, "--tolerance", "0.1"],
+    /--tolerance is for surfaces that are remeshed\. Add --surface remesh, or omit/,
+  ],
+  [[...MESH, "--surface", "refine", "--layers", "2"], /--layers is for surfaces that are remeshed/],
+  [
+    [...MESH, "--surface", "remesh", "--layers", "101"],
+    /number of layers is 101\. Use a number from 0 to 100/,
+  ],
+  [["mesh", "cube.json", "-o", "x.vtu", "--surface", "remesh"], /--surface is for surfaces, .* a project/],
+  [[...REMESH, "--size", "0"], SIZE],
+  [[...REMESH, "--min-size", "-1"], SIZE],
+  [[...REMESH, "--size", "1", "--min-size", "2"], /smallest size, 2, is larger than the largest, 1/],
+  [[...REMESH, "--size", "1", "--max-size", "2"], /largest size is given together with an element size/],
+  [[...REMESH, "--tolerance", "thin"], /tolerance is "thin"\. Use a distance from 1e-30 to 1e30/],
+  [[...REMESH, "--feature-angle", "0"], /feature angle is 0\. Use an angle from 1 to 180 degrees/],
+  [[...REMESH, "--angle-per-edge", "200"], /angle per edge is 200\. Use an angle from 1 to 180/],
+  [[...REMESH, "--layers", "-1"], /number of layers is -1\. Use a number from 0 to 100/],
+  [[...REMESH, "--growth", "99"], /growth from 0 to 10/],
+  [[...REMESH, "--size", "1e-5"], /would have about \d+ triangles, most of them in .*the limit is 5000000/],
+  [["remesh", "part.off", "-o", "x.vtu"], /"\.vtu" files cannot be written here/],
+  [["remesh", "part.off", "-o", "part.off"], /would replace the input/],
+  [["remesh", "cube.json", "-o", "x.ply"], /only surfaces can be remeshed\. Mesh it with `tetrafront mesh`/],
+  [["remesh", "part.off", "-o", "-", "--to", "ply", "--json"], /--json and the surface cannot both/],
   [["cover", "cube.json", "-o", "x.json", "--size", "1e300"], SIZE],
   [[...PROPOSE, "--uniform", "1e300"], SIZE],
   [[...PROPOSE, "--per-circle", "1e300"], /from 0 to 1000/],

@@ -71,11 +71,12 @@ describe("a surface of needles", () => {
     const check = await run("check", "gear.off", "--json");
     expect(check.code).toBe(0);
     expect(warningsIn(check.stdout)).toContainEqual(["needle-surface", "warning"]);
+    expect(check.stdout).toContain("--surface remesh");
     const mesh = await run("mesh", "gear.off", "-o", "gear.vtu", "--report", "-");
     expect(mesh.code).toBe(0);
     expect(warningsIn(mesh.stdout)).toContainEqual(["poor-elements", "warning"]);
     expect(mesh.stderr).toMatch(
-      /warning: gear\.off: \d+ of \d+ tetrahedra \(\d+ %\) are poor: .* below 10°; .*\. Replace/,
+      /warning: gear\.off: \d+ of \d+ tetrahedra \(\d+ %\) are poor: .* below 10°; .*\. Remesh the surface \(--surface remesh/,
     );
     // The message states the number of all poor elements.
     expect(mesh.stderr).not.toContain('more "poor-elements"');
@@ -114,11 +115,11 @@ describe("a surface of needles", () => {
     expect(gear.stderr).toMatch(
       /error: gear\.off: The smallest dihedral angle is .*°, but --require-angle is 10°/,
     );
-    expect(gear.stderr).toContain("Use --optimize thorough");
+    expect(gear.stderr).toContain("Use --surface remesh, or --optimize thorough, or a surface");
     expect(gear.code).toBe(1);
     const thorough = ["--optimize", "thorough", "--require-angle", "10"];
     const most = await run("mesh", "gear.off", "-o", "gear.vtu", ...thorough);
-    expect(most.stderr).not.toContain("Use --optimize thorough");
+    expect(most.stderr).not.toContain("--optimize thorough");
     expect(most.code).toBe(1);
     const reported = await run("mesh", "gear.off", "-o", "gear.vtu", "--require-angle", "10", "-r", "-");
     const { diagnostics, output, dihedral } = JSON.parse(reported.stdout) as MeshReport & { output: string };

@@ -41,7 +41,7 @@ const without = ({ points, triangles }: SurfaceInput, count: number): SurfaceInp
   triangles: triangles.slice(3 * count),
 });
 
-describe("--refine-surface", () => {
+describe("--surface refine", () => {
   test("splits large triangles before meshing and reports it", async () => {
     const { points, triangles } = boxSurface(1, [0, 0, 0], [1, 1, 1]);
     const patched = offFile({ points, triangles });
@@ -49,8 +49,8 @@ describe("--refine-surface", () => {
     const args = ["mesh", "box.off", "-o", "box.msh", "--size", "0.2", "--report", "box.json"];
     const coarse = await tetrafront(folder.path, args);
     expect(coarse.code).toBe(0);
-    expect(coarse.stderr).toContain("--refine-surface");
-    const { code, stderr } = await tetrafront(folder.path, [...args, "--refine-surface"]);
+    expect(coarse.stderr).toContain("--surface refine");
+    const { code, stderr } = await tetrafront(folder.path, [...args, "--surface", "refine"]);
     expect(code).toBe(0);
     expect(stderr).not.toContain("warning");
     const { refinement, triangles: count } = jsonIn("box.json") as MeshReport & {
@@ -69,7 +69,8 @@ describe("--refine-surface", () => {
       "box.off",
       "-o",
       "b.vtu",
-      "--refine-surface",
+      "--surface",
+      "refine",
       "--size",
       "0.01",
       "--report",
@@ -91,7 +92,8 @@ describe("--refine-surface", () => {
       "box.off",
       "-o",
       "b.vtu",
-      "--refine-surface",
+      "--surface",
+      "refine",
     ]);
     expect(code).toBe(2);
     expect(stderr).toContain("No sizes are given for the refinement of the surface");
@@ -283,7 +285,7 @@ describe("mesh", () => {
         async (more, i) => {
           const { code } = await tetrafront(folder.path, [
             ...["mesh", "part.off", "-o", `${i}.vtu`, "--report", `${i}.json`, "-q", ...more],
-            ...(more.length > 0 ? ["--refine-surface"] : []),
+            ...(more.length > 0 ? ["--surface", "refine"] : []),
           ]);
           expect(code).toBe(0);
           return (jsonIn(`${i}.json`) as MeshReport).tetrahedra;

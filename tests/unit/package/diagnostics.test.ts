@@ -101,6 +101,7 @@ describe("the data of a diagnostic", () => {
     expect(dataOf(43, 12, 1)).toEqual({ count: 12, isLowerBound: true });
     expect(dataOf(50, 0, 3)).toEqual({ isBetweenRegions: false, count: 3 });
     expect(dataOf(15, 1, -2)).toEqual({ option: "growth", given: -2 });
+    expect(dataOf(15, 6, 200)).toEqual({ option: "feature-angle", given: 200 });
     expect(dataOf(12)).toEqual({});
   });
 
@@ -133,6 +134,12 @@ describe("the data of a diagnostic", () => {
     };
     expectTypeOf(optionOf).returns.toEqualTypeOf<string | number | undefined>();
   });
+});
+
+test("the remedy for an option out of range is about that option", () => {
+  const found = describeDiagnostic({ ...empty, code: 15, values: Float64Array.of(6, 200) }, nameByIndex);
+  expect(found.message).toBe("The feature angle is 200, which is out of range");
+  expect(found.remedy).toBe("Use an angle from 1 to 180 degrees.");
 });
 
 test("diagnostics are decoded from the engine's arrays, at once or in steps", () => {

@@ -102,6 +102,11 @@ const methods: Readonly<Record<Exclude<keyof api.Mesher, "dispose">, Arguments>>
   inspectSurface: { surface: box, options: { innerShells: "regions" }, control },
   repairSurface: { surface: box, options: { weld: 0, fillHoles: 3 }, control },
   refineSurface: { surface: box, options: { background }, control },
+  remeshSurface: {
+    surface: { ...box, trianglePatch: new Uint32Array(12) },
+    options: { featureAngle: 30, layers: 1, background },
+    control,
+  },
   inspectMesh: { mesh: { ...block, regions: block.tetrahedronRegion }, control },
 };
 

@@ -21,12 +21,14 @@ import {
 const fill = fileURLToPath(new URL("../../../build/release/fill", import.meta.url));
 
 /** Returns the fingerprint of the mesh that the native program makes from a surface. */
-function nativeFingerprint(surface: SurfaceInput): string | undefined {
+function nativeFingerprint(surface: SurfaceInput, ...options: string[]): string | undefined {
   const folder = mkdtempSync(path.join(tmpdir(), "tetrafront-"));
   try {
     const file = path.join(folder, "surface.off");
     writeFileSync(file, offFile(surface));
-    return /fingerprint ([0-9a-f]{16})/i.exec(execFileSync(fill, [file], { encoding: "utf8" }))?.[1];
+    return /fingerprint ([0-9a-f]{16})/i.exec(
+      execFileSync(fill, [file, ...options], { encoding: "utf8" }),
+    )?.[1];
   } finally {
     rmSync(folder, { recursive: true, force: true });
   }
@@ -84,4 +86,18 @@ test.each<[string, SurfaceInput]>([
   mesher.dispose();
   expect(report.status).toBe("done");
   expect(nativeFingerprint(surface)?.toLowerCase()).toBe(report.fingerprint);
+});
+
+test.each<[string, SurfaceInput, number | undefined]>([
+  ["a gear of needles", needleGearSurface(8, 0.2), undefined],
+  ["a torus", torusSurface(24, 10), undefined],
+  ["a sphere with a size", sphereSurface(8), 0.2],
+])("%s is remeshed and meshed alike by the native program and by WebAssembly", async (_, surface, size) => {
+  const mesher = await createMesher();
+  const remesh = await mesher.remeshSurface(surface, { size });
+  const { report } = await mesher.fillSurface(remesh.surface, { size });
+  mesher.dispose();
+  expect(report.status).toBe("done");
+  const options = ["--remesh=on", ...(size === undefined ? [] : [String(size)])];
+  expect(nativeFingerprint(surface, ...options)?.toLowerCase()).toBe(report.fingerprint);
 });

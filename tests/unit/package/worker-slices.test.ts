@@ -6,6 +6,7 @@ import {
   engineInspectionOptions,
   engineOptions,
   engineProposalOptions,
+  engineRemeshOptions,
   engineRepairOptions,
 } from "../../../wasm/dist/api/options.js";
 import { projectArrays } from "../../../wasm/dist/project/arrays.js";
@@ -93,6 +94,14 @@ const queries: Readonly<Record<Question["kind"], (id: number) => Question>> = {
     grid: emptyGrid(),
     options,
     volume: 0,
+  }),
+  "remesh-surface": (id) => ({
+    kind: "remesh-surface",
+    id,
+    ...surface,
+    groups: new Uint32Array(),
+    grid: emptyGrid(),
+    options: engineRemeshOptions({ size: 0.2 }),
   }),
   "inspect-mesh": (id) => ({ kind: "inspect-mesh", id, points, tetrahedra, regions: new Uint32Array() }),
 };

@@ -12,7 +12,7 @@ import {
   packageDiagnostic,
   readDiagnostic,
 } from "../diagnostics/package-diagnostic.js";
-import type { MeshInput, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
+import type { MeshInput, PatchedSurface, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
 import { type ProjectArrays, projectArrays } from "../project/arrays.js";
 import { checkedProject } from "../project/project.js";
 import type { Project } from "../project/schema.js";
@@ -52,10 +52,26 @@ const surfaceSchema = v.pipe(
   ),
 );
 
+const SURFACE_REMEDY =
+  "Pass x y z per node in a Float64Array and three node indices per triangle in a Uint32Array.";
+
 export function checkSurface(surface: SurfaceInput): Diagnostic[] {
-  const remedy =
-    "Pass x y z per node in a Float64Array and three node indices per triangle in a Uint32Array.";
-  return checkArrays("surface", surface, surfaceSchema, remedy);
+  return checkArrays("surface", surface, surfaceSchema, SURFACE_REMEDY);
+}
+
+const patchesSchema = v.pipe(
+  v.object({ triangles: integers(3), trianglePatch: v.optional(integers()) }),
+  v.check(
+    ({ trianglePatch, triangles }) =>
+      trianglePatch === undefined || 3 * trianglePatch.length === triangles.length,
+    "trianglePatch must have one index per triangle",
+  ),
+);
+
+export function checkPatchedSurface(surface: PatchedSurface): Diagnostic[] {
+  const wrong = checkSurface(surface);
+  if (wrong.length > 0) return wrong;
+  return checkArrays("surface", surface, patchesSchema, "Pass the patch of each triangle in a Uint32Array.");
 }
 
 /** Rejects a weld distance so large that nothing would remain of the surface. */

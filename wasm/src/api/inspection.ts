@@ -6,16 +6,18 @@ import { type EntityNamer, nameByIndex } from "../diagnostics/entity-names.js";
 import type {
   EngineInspection,
   EngineRefinement,
+  EngineRemesh,
   EngineRepair,
   EngineVolumeInspection,
 } from "../engine/loader.js";
-import { REPAIR_KINDS, type RepairKind } from "../generated/constants.js";
+import { NO_ORIGIN, REPAIR_KINDS, type RepairKind } from "../generated/constants.js";
 import { qualityReport } from "../engine/quality-report.js";
 import type {
   MeshInspection,
   RepairChange,
   SurfaceInspection,
   SurfaceRefinement,
+  SurfaceRemesh,
   SurfaceRepair,
 } from "../mesh/inspection.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
@@ -41,10 +43,11 @@ export function* describedInspection(
   };
 }
 
-export function changeDiagnostics({
-  diagnostics,
-}: Pick<EngineRepair | EngineRefinement, "diagnostics">): Diagnostic[] {
-  return describeAll(diagnostics, nameByIndex);
+export function changeDiagnostics(
+  { diagnostics }: Pick<EngineRepair | EngineRefinement | EngineRemesh, "diagnostics">,
+  name: EntityNamer = nameByIndex,
+): Diagnostic[] {
+  return describeAll(diagnostics, name);
 }
 
 /** `given`: number of nodes of the surface before the repair. */
@@ -72,6 +75,16 @@ export function describedRefinement(refinement: EngineRefinement): SurfaceRefine
   const { points, triangles, origin, splitEdges } = refinement;
   const nodeOrigin = originsOf(points.length / 3 - splitEdges, () => false, splitEdges);
   return { surface: { points, triangles, origin, nodeOrigin }, origin, splitEdges };
+}
+
+export function describedRemesh(remesh: EngineRemesh): SurfaceRemesh {
+  const { points, triangles, origin, diagnostics: _, ...figures } = remesh;
+  const nodeOrigin = new Uint32Array(points.length / 3).fill(NO_ORIGIN);
+  return {
+    surface: { points, triangles, origin, nodeOrigin },
+    origin,
+    ...(figures satisfies Only<SurfaceRemesh, typeof figures>),
+  };
 }
 
 type WithoutPosition<T> = T extends unknown ? Omit<T, "position"> : never;

@@ -4,9 +4,10 @@ import type {
   MeshInspection,
   SurfaceInspection,
   SurfaceRefinement,
+  SurfaceRemesh,
   SurfaceRepair,
 } from "../mesh/inspection.js";
-import type { MeshInput, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
+import type { MeshInput, PatchedSurface, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
 import type { MeshResult } from "../mesh/report.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 import type { ProjectPreview } from "../project/preview.js";
@@ -18,6 +19,7 @@ import type {
   PreviewOptions,
   ProposalOptions,
   RefineOptions,
+  RemeshOptions,
   RepairOptions,
 } from "./option-types.js";
 
@@ -97,6 +99,22 @@ export interface Mesher {
     options: RefineOptions,
     control?: RunControl,
   ): Promise<SurfaceRefinement>;
+  /**
+   * Replaces the triangles of a surface by new ones of the target size and good shape, near the given surface everywhere:
+   * `deviation` is an upper bound. Sharp edges, corners and the lines between patches stay. The result is closed and free
+   * of self-intersections, as the given surface must be. By default, the sizes follow from the shape.
+   * `repairedSurface(file, remesh)` keeps the patches and their names. Rejects with `invalid-input` if the surface cannot
+   * be filled, numbers are invalid, or there would be too many triangles. About linear in the number of given and new
+   * triangles; about 0.1 ms each. Works in slices beside a run.
+   *
+   *     const remesh = await mesher.remeshSurface(file);
+   *     const result = await mesher.fillSurface(repairedSurface(file, remesh));
+   */
+  remeshSurface(
+    surface: PatchedSurface,
+    options?: RemeshOptions,
+    control?: RunControl,
+  ): Promise<SurfaceRemesh>;
   /**
    * Reports whether a mesh is valid, the quality of its elements, and its boundary. Rejects with `invalid-input` if
    * coordinates or indices are invalid. O(n log n) for n elements; about 1 µs each. Works in slices beside a run.

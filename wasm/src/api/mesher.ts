@@ -9,9 +9,10 @@ import type {
   MeshInspection,
   SurfaceInspection,
   SurfaceRefinement,
+  SurfaceRemesh,
   SurfaceRepair,
 } from "../mesh/inspection.js";
-import type { MeshInput, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
+import type { MeshInput, PatchedSurface, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
 import type { MeshResult } from "../mesh/report.js";
 import { modelArrays, projectArrays } from "../project/arrays.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
@@ -29,6 +30,7 @@ import type { Project, ProjectBackground } from "../project/schema.js";
 import {
   checkControl,
   checkMesh,
+  checkPatchedSurface,
   checkProject,
   checkSurface,
   checkVolume,
@@ -42,6 +44,7 @@ import {
   describedInspection,
   describedMesh,
   describedRefinement,
+  describedRemesh,
   describedRepair,
 } from "./inspection.js";
 import type { Mesher, SizeProposal } from "./mesher-interface.js";
@@ -52,6 +55,7 @@ import type {
   PreviewOptions,
   ProposalOptions,
   RefineOptions,
+  RemeshOptions,
   RepairOptions,
 } from "./option-types.js";
 import {
@@ -62,11 +66,13 @@ import {
   checkPreviewOptions,
   checkProposalOptions,
   checkRefineOptions,
+  checkRemeshOptions,
   checkRepairOptions,
   engineCoverOptions,
   engineInspectionOptions,
   engineOptions,
   engineProposalOptions,
+  engineRemeshOptions,
   engineRepairOptions,
   withSettings,
 } from "./options.js";
@@ -284,6 +290,29 @@ class WorkerMesher implements Mesher {
     const refinement = await this.#client.ask(question, control);
     refuse(changeDiagnostics(refinement));
     return describedRefinement(refinement);
+  }
+
+  async remeshSurface(
+    surface: PatchedSurface,
+    options: RemeshOptions = {},
+    control: RunControl = {},
+  ): Promise<SurfaceRemesh> {
+    this.#begin(control);
+    refuse([...checkPatchedSurface(surface), ...checkRemeshOptions(options)]);
+    const { background } = options;
+    const question = {
+      kind: "remesh-surface",
+      id: this.#client.nextId(),
+      points: surface.points.slice(),
+      triangles: surface.triangles.slice(),
+      groups: surface.trianglePatch?.slice() ?? new Uint32Array(),
+      grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
+      options: engineRemeshOptions(options),
+    } as const;
+    const name = surfaceNamer(surface);
+    const remesh = await this.#client.ask(question, control);
+    refuse(changeDiagnostics(remesh, name));
+    return describedRemesh(remesh);
   }
 
   async inspectMesh(mesh: MeshInput, control: RunControl = {}): Promise<MeshInspection> {

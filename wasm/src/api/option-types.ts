@@ -28,6 +28,48 @@ export interface RefineOptions extends MeshOptions {
   readonly volume?: number | undefined;
 }
 
+/** Options of `remeshSurface`. By default, the sizes follow from the shape of the surface. */
+export interface RemeshOptions {
+  /**
+   * Target edge length in model units, from 1e-30 to 1e30. If it is omitted, and `background` has no nodes, the sizes are
+   * automatic: they follow from curvature, thin walls, and gaps between feature lines.
+   */
+  readonly size?: number | undefined;
+  /** Smallest size that the shape may ask for, in model units. Default: a tenth of `size`, or 1/300 of the diagonal. */
+  readonly minSize?: number | undefined;
+  /** Largest automatic size, in model units. Default: 1/20 of the diagonal. Not together with other sizes. */
+  readonly maxSize?: number | undefined;
+  /**
+   * Largest distance between the given and the new surface, in both directions, in model units. Default: 1/1000 of the
+   * diagonal, but at most 1/20 of `size`.
+   */
+  readonly tolerance?: number | undefined;
+  /**
+   * Edges with a larger angle between their triangles stay sharp: 1 to 180 degrees. Default 40. The angle is 0 in a plane
+   * and 90 at the edge of a cube.
+   */
+  readonly featureAngle?: number | undefined;
+  /**
+   * Largest angle that an edge may span on a curved patch, 1 to 180 degrees; 20 gives 18 edges around a circle. Default 20,
+   * or 60 with `size` or the nodes of a `background`.
+   */
+  readonly anglePerEdge?: number | undefined;
+  /**
+   * Number of elements across thin walls, 0 to 100; 0 ignores thickness. Default 1, or 0 with `size` or the nodes of a
+   * `background`.
+   */
+  readonly layers?: number | undefined;
+  /** Growth of the size per unit of distance, 0 to 10. Default 0.3. */
+  readonly growth?: number | undefined;
+  /** Meaning of inner shells, as in `MeshOptions`. Default `cavities`. */
+  readonly innerShells?: InnerShells | undefined;
+  /**
+   * Background grid, which must cover the surface and cannot be combined with `size`. Without nodes, its sources cap
+   * `size` or the automatic sizes.
+   */
+  readonly background?: BackgroundArrays | undefined;
+}
+
 /** Options of `previewProject`. */
 export interface PreviewOptions {
   /** Uniform size with which the project will be meshed: its background grid is then not checked. */

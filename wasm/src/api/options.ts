@@ -10,6 +10,7 @@ import type {
   EngineInspectionOptions,
   EngineOptions,
   EngineProposalOptions,
+  EngineRemeshOptions,
   EngineRepairOptions,
 } from "../engine/loader.js";
 import {
@@ -19,11 +20,15 @@ import {
   INNER_SHELLS,
   INSPECTION_DEFAULTS,
   MAX_HOLE_EDGES,
+  MAX_LAYERS,
   MAX_LENGTH,
+  MAX_REMESH_ANGLE,
   MESH_DEFAULTS,
   MIN_LENGTH,
+  MIN_REMESH_ANGLE,
   OPTIMIZATIONS,
   PROPOSAL_DEFAULTS,
+  REMESH_DEFAULTS,
   REPAIR_DEFAULTS,
 } from "../generated/constants.js";
 import { type BackgroundArrays, checkBackground, hasSourcesOnly } from "../project/background-arrays.js";
@@ -35,6 +40,7 @@ import type {
   PreviewOptions,
   ProposalOptions,
   RefineOptions,
+  RemeshOptions,
   RepairOptions,
 } from "./option-types.js";
 
@@ -126,6 +132,33 @@ const refineSchema = objectWith({
   ),
 } satisfies EntriesOf<RefineOptions>);
 
+const distanceOption = (label: string) =>
+  option(
+    label,
+    `a distance from ${limitText(MIN_LENGTH)} to ${limitText(MAX_LENGTH)}, in model units`,
+    within(MIN_LENGTH, MAX_LENGTH),
+    undefined,
+  );
+const angleOption = (label: string, otherwise: number | undefined) =>
+  option(
+    label,
+    `an angle from ${MIN_REMESH_ANGLE} to ${MAX_REMESH_ANGLE} degrees`,
+    within(MIN_REMESH_ANGLE, MAX_REMESH_ANGLE),
+    otherwise,
+  );
+const remeshSchema = objectWith({
+  size: meshEntries.size,
+  minSize: sizeOption("smallest size"),
+  maxSize: sizeOption("largest size"),
+  tolerance: distanceOption("tolerance"),
+  featureAngle: angleOption("feature angle", REMESH_DEFAULTS.featureAngle),
+  anglePerEdge: angleOption("angle per edge", undefined),
+  layers: option("number of layers", `a number from 0 to ${MAX_LAYERS}`, within(0, MAX_LAYERS), undefined),
+  growth: growthOption(REMESH_DEFAULTS.growth),
+  innerShells,
+  background,
+} satisfies EntriesOf<RemeshOptions>);
+
 const previewSchema = objectWith({
   size: meshEntries.size,
   innerShells,
@@ -190,6 +223,20 @@ export function checkRefineOptions(options: RefineOptions): Diagnostic[] {
   return [invalidOption("size", message, "Pass an element size, sources of size or a background grid.")];
 }
 
+export function checkRemeshOptions(options: RemeshOptions): Diagnostic[] {
+  const wrong = checkWithBackground(options, remeshSchema);
+  if (wrong.length > 0) return wrong;
+  const { size, minSize, maxSize, background } = options;
+  if (maxSize !== undefined && (size !== undefined || (background && !hasSourcesOnly(background)))) {
+    const message = "a largest size is given together with an element size or a background grid";
+    return [invalidOption("maxSize", message, "Omit the largest size: it limits automatic sizes only.")];
+  }
+  const largest = size ?? maxSize ?? Infinity;
+  if (minSize === undefined || minSize <= largest) return [];
+  const message = `the smallest size, ${minSize}, is larger than the largest, ${largest}`;
+  return [invalidOption("minSize", message, "Use a smaller one, or omit it.")];
+}
+
 export function checkPreviewOptions(options: PreviewOptions): Diagnostic[] {
   return checkWithBackground(options, previewSchema);
 }
@@ -215,10 +262,9 @@ export function checkRepairOptions(options: RepairOptions): Diagnostic[] {
   return checkAgainst(options, repairSchema);
 }
 
-function checkWithBackground(
-  options: Pick<MeshOptions, "size" | "background">,
-  schema: OptionsSchema,
-): Diagnostic[] {
+type SizeOptions = Pick<MeshOptions, "size" | "background">;
+
+function checkWithBackground(options: SizeOptions, schema: OptionsSchema): Diagnostic[] {
   const wrong = checkAgainst(options, schema);
   const { size, background } = asObject(options) as typeof options;
   if (background === undefined) return wrong;
@@ -302,6 +348,13 @@ export function engineProposalOptions(options: ProposalOptions): EngineProposalO
     ...rest
   } = v.parse(proposalSchema, options);
   return { uniform, smallest, ...rest };
+}
+
+/** Converts valid options; the engine chooses what is omitted. */
+export function engineRemeshOptions(options: RemeshOptions): EngineRemeshOptions {
+  const { background: _, ...parsed } = v.parse(remeshSchema, options);
+  const chosen = Object.fromEntries(Object.entries(parsed).filter(([, value]) => value !== undefined));
+  return { ...REMESH_DEFAULTS, ...chosen, innerShells: INNER_SHELL_NUMBERS[parsed.innerShells] };
 }
 
 /** Converts valid options. */

@@ -1,4 +1,4 @@
-/** Transfers the patches and regions of a surface to its repaired or refined version. */
+/** Transfers the patches and regions of a surface to its repaired, refined or remeshed version. */
 import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
 import { doubles, integers } from "../calls/schemas.js";
@@ -16,8 +16,8 @@ const repairedTriangles = v.object({
 });
 
 /**
- * Returns a repaired or refined surface with the patches and regions of the given one, and with the indices there
- * of its triangles and nodes, which messages use. Triangles that fill holes form one more patch, the last, named
+ * Returns a repaired, refined or remeshed surface with the patches and regions of the given one, and with the indices
+ * there of its triangles and nodes, which messages use. Triangles that fill holes form one more patch, the last, named
  * "filled holes". Throws a `MesherError` if an argument is not a surface or a repair.
  *
  *     const repair = await mesher.repairSurface(file, { weld: 1e-6 });

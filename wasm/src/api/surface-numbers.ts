@@ -1,11 +1,11 @@
-/** Maps the triangles and nodes of a repaired or refined surface to their indices in the given one. */
+/** Maps the triangles and nodes of a repaired, refined or remeshed surface to their indices in the given one. */
 import { type EntityNamer, nameByIndex } from "../diagnostics/entity-names.js";
 import { NO_ORIGIN } from "../generated/constants.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
 
 /**
  * Names triangles and nodes by their indices in the given surface, if the surface states them. Triangles of filled
- * holes and midpoints of split edges have no index there; they are called "filled triangle 7" and "new node 7".
+ * holes, midpoints of split edges and nodes of a remeshed surface have no index there; they are called "filled triangle 7" and "new node 7".
  */
 export function surfaceNamer({ origin, nodeOrigin }: SurfaceInput): EntityNamer {
   return (kind, index) => {

@@ -12,8 +12,8 @@ function formatLines(list: "readable" | "writable", ...contents: readonly Conten
 const EXIT_CODES_HELP = `
 Exit code
   0  done    1  not completed: stalled, cancelled, out of memory, not written    2  invalid input
-  With several inputs, the highest of their codes. Ctrl-C during meshing cancels the mesh and still writes the
-  report (1). Otherwise it ends the command without a partial file (130; SIGTERM: 143).`;
+  With several inputs, the highest of their codes. Ctrl-C during meshing or remeshing cancels it (1); \`mesh\`
+  still writes the report. Otherwise it ends the command without a partial file (130; SIGTERM: 143).`;
 
 const READING_HELP = `
 Formats: the input formats of \`tetrafront convert --help\`; - is standard input.`;
@@ -41,9 +41,14 @@ Element sizes
   or from a mesh with node values "size" (also "stretching" and "direction"; without "size", its edges).
   --source limits the sizes around a position.
 
-  The mesh keeps every triangle of a surface. If a triangle is larger than the target size, so are the elements
-  next to it; further inside, sizes decrease by --growth, at most 0.5 per unit of distance. A warning reports
-  such triangles. --refine-surface splits them first and keeps the shape.
+Surfaces
+  By default, the mesh keeps every triangle of a surface. If a triangle is larger than the target size, so are
+  the elements next to it; further inside, sizes decrease by --growth, at most 0.5 per unit of distance. Needle
+  triangles, as in STL files of CAD programs, lead to elements with small angles. Warnings report both.
+
+  --surface refine first splits triangles that are larger than the target size, and keeps the shape.
+  --surface remesh first replaces all triangles by well-shaped ones near the given surface. Without sizes, it
+  chooses them by the shape. \`tetrafront remesh --help\` explains its options.
 
 Element shapes
   --optimize none keeps the mesh as the front made it. fast, default and thorough improve it, each taking
@@ -60,13 +65,48 @@ ${EXIT_CODES_HELP}
 Examples
   tetrafront mesh part.stl -o part.vtu
   tetrafront mesh part.stl -o part.msh --size 0.05 --report report.json
-  tetrafront mesh part.stl -o part.vtu --source 0,0,1,0.01,0.2 --refine-surface
+  tetrafront mesh part.stl -o part.vtu --surface remesh
+  tetrafront mesh part.stl -o part.vtu --source 0,0,1,0.01,0.2 --surface refine
   tetrafront mesh scan.ply -o scan.vtu --weld 1e-6 --fill-holes 20
   tetrafront mesh duct.json -o finer.vtu --background sizes.vtu
   tetrafront mesh part.stl -o part.vtu --optimize thorough --require-angle 10
   tetrafront mesh 'parts/*.stl' -o 'meshes/{name}.vtu' --jobs 4 --report all.json
   cat part.stl | tetrafront mesh - --format stl -o part.vtu
   tetrafront mesh part.stl -o - --format vtu > part.vtu
+`;
+
+export const remeshHelp = () => `
+Input
+${formatLines("readable", "surface")}
+  -                     standard input; set its format with --format
+
+Output
+${formatLines("writable", "surface")}
+  -                     standard output; set its format with --format
+
+Result
+  A closed surface without self-intersections, as the given one must be, within --tolerance of it in both
+  directions. Edges sharper than --feature-angle, corners and the lines between patches stay; patches keep
+  their names. The program prints the sizes that it chose, the smallest angle, and an upper bound of the
+  distance between the surfaces.
+
+Sizes
+  Without --size and --background, the sizes follow from the shape, between --min-size and --max-size: an edge
+  spans at most --angle-per-edge where the surface is curved, thin walls have --layers elements across, and
+  sizes are small near short lines and in narrow gaps. They grow by --growth per unit of distance. --source
+  limits the sizes around a position.
+
+Rounding
+  STL files have single precision. The program reads the written surface again. If the rounding made it invalid,
+  it prints an error and exits with 1; the file is written nevertheless.
+${EXIT_CODES_HELP}
+
+Examples
+  tetrafront remesh part.stl -o remeshed.ply
+  tetrafront remesh part.stl -o remeshed.ply --size 0.5 --tolerance 0.01
+  tetrafront remesh part.stl -o remeshed.ply --layers 2 --angle-per-edge 10
+  tetrafront remesh scan.stl -o remeshed.ply --weld 1e-6 --json
+  tetrafront remesh 'parts/*.stl' -o 'remeshed/{name}.ply' --jobs 4
 `;
 
 export const checkHelp = () => `
@@ -151,7 +191,7 @@ Examples
 export const PROGRAM_HELP = `
 Start with
   tetrafront check part.stl              list the problems of a surface
-  tetrafront mesh part.stl -o part.vtu   fill it with tetrahedra
+  tetrafront mesh part.stl -o part.vtu   fill it with tetrahedra; --surface remesh improves it first
   tetrafront stats part.vtu              print the quality of the mesh
 
 Help on a command: tetrafront mesh --help`;

@@ -12,6 +12,7 @@ import {
   MESH_DEFAULTS,
   OPTIMIZATIONS,
   PROPOSAL_DEFAULTS,
+  REMESH_DEFAULTS,
 } from "../generated/constants.js";
 import {
   checkPlaceholders,
@@ -33,6 +34,7 @@ import {
   meshHelp,
   PROGRAM_HELP,
   PROPOSE_HELP,
+  remeshHelp,
   STATS_HELP,
 } from "./help.js";
 import { type InfoCommandOptions, infoOnFile, statsOfFile } from "./info.js";
@@ -40,6 +42,8 @@ import { numberIn } from "./input.js";
 import { type MeshCommandOptions, meshFile } from "./mesh.js";
 import { InvalidInput, ExitCode, reportFailure } from "./messages.js";
 import { checkNoOverwrite, inputFiles, outputFiles } from "./paths.js";
+import { type RemeshFileOptions, remeshFile } from "./remesh.js";
+import { DEFAULT_TREATMENT, SURFACE_TREATMENTS } from "./remeshing.js";
 
 /** Runs the command line; resolves with the exit code. Messages go to stderr. */
 export async function main(args: readonly string[]): Promise<number> {
@@ -99,6 +103,7 @@ function commandLine(args: readonly string[], { setExitCode, printHelp }: Comman
     })
     .exitOverride();
   addMesh(program, setExitCode);
+  addRemesh(program, setExitCode);
   addCheck(program, setExitCode);
   addConvert(program, setExitCode);
   addInfo(program, setExitCode);
@@ -147,6 +152,38 @@ const withRepair = (command: Command): Command =>
     )
     .option("--weld <distance>", "repair, and weld nodes within this distance")
     .option("--fill-holes <edges>", "repair, and fill holes of at most this many edges");
+
+const sourceOption = (): Option =>
+  new Option(
+    "--source <x,y,z,size[,distance[,growth]]>",
+    "limit the size up to a distance from a position, growing beyond it; repeatable",
+  ).argParser((text: string, before: string[] | undefined) => [...(before ?? []), text]);
+const backgroundOption = (): Option =>
+  new Option("-b, --background <file>", "take the sizes from this background grid");
+
+const withRemeshing = (command: Command): Command =>
+  command
+    .option(
+      "--min-size <length>",
+      "remeshing: smallest size that the shape may ask for (default: 1/10 of --size, or 1/300 of the diagonal)",
+    )
+    .option("--max-size <length>", "remeshing: largest automatic size (default: 1/20 of the diagonal)")
+    .option(
+      "--tolerance <distance>",
+      "remeshing: largest distance from the given surface (default: 1/1000 of the diagonal, at most 1/20 of --size)",
+    )
+    .option(
+      "--feature-angle <degrees>",
+      `remeshing: edges with a larger angle between their triangles stay sharp (default ${REMESH_DEFAULTS.featureAngle})`,
+    )
+    .option(
+      "--angle-per-edge <degrees>",
+      "remeshing: largest angle that an edge spans where the surface is curved (default 20; 60 with given sizes)",
+    )
+    .option(
+      "--layers <count>",
+      "remeshing: elements across thin walls; 0 ignores thickness (default 1; 0 with given sizes)",
+    );
 
 /** Runs one input in this process, several in processes of their own. */
 async function forEach<Options extends BatchOptions>(
@@ -283,14 +320,14 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
       "-g, --growth <rate>",
       `growth of the size per unit of distance from a given surface (default ${MESH_DEFAULTS.growth})`,
     )
+    .addOption(sourceOption())
+    .addOption(backgroundOption())
     .addOption(
       new Option(
-        "--source <x,y,z,size[,distance[,growth]]>",
-        "limit the size up to a distance from a position, growing beyond it; repeatable",
-      ).argParser((text: string, before: string[] | undefined) => [...(before ?? []), text]),
+        "--surface <treatment>",
+        `keep the triangles of a surface, split those larger than the target size, or replace all (default ${DEFAULT_TREATMENT})`,
+      ).choices(SURFACE_TREATMENTS),
     )
-    .option("-b, --background <file>", "take the sizes from this background grid")
-    .option("--refine-surface", "first split triangles of a surface that are larger than the target size")
     .option(
       "--gradation <ratio>",
       `largest size ratio of neighbouring elements of a grid; 0 for no limit (default ${MESH_DEFAULTS.gradation})`,
@@ -309,7 +346,7 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
         `effort spent on improving the elements after the front (default ${MESH_DEFAULTS.optimization})`,
       ).choices(OPTIMIZATIONS),
     );
-  withJobs(withRepair(command))
+  withJobs(withRepair(withRemeshing(command)))
     .option(
       "--require-angle <degrees>",
       "exit with 1 if the smallest dihedral angle is below this; still write the mesh",
@@ -320,6 +357,31 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
     .addHelpText("after", meshHelp)
     .action(async (inputs: string[]) =>
       setExitCode(await forEach<MeshCommandOptions>(inputs, command, meshFile)),
+    );
+}
+
+function addRemesh(program: Command, setExitCode: SetExitCode): void {
+  const command = program
+    .command("remesh")
+    .description("Replace the triangles of closed surfaces by well-shaped ones, for example of an STL file.")
+    .argument("<input...>", "surfaces; patterns such as 'parts/*.stl' are expanded")
+    .requiredOption("-o, --output <file>", "output file; for several inputs, its name must contain {name}")
+    .addOption(formatOption())
+    .addOption(fromOption())
+    .addOption(toOption())
+    .option("-s, --size <length>", "target edge length (default: automatic, by the shape)")
+    .option(
+      "-g, --growth <rate>",
+      `growth of the size per unit of distance (default ${REMESH_DEFAULTS.growth})`,
+    )
+    .addOption(sourceOption())
+    .addOption(backgroundOption());
+  withJobs(withRepair(withRemeshing(command).addOption(innerShellsOption())))
+    .option("--json", "print sizes, triangles, shapes and problems as JSON")
+    .option("-q, --quiet", "print errors only")
+    .addHelpText("after", remeshHelp)
+    .action(async (inputs: string[]) =>
+      setExitCode(await forEach<RemeshFileOptions>(inputs, command, remeshFile)),
     );
 }
 

@@ -2,13 +2,10 @@
 import { fileMeshOf } from "../api/generated-mesh.js";
 import { writeMesh } from "../api/mesh-files.js";
 import type { Mesher } from "../api/mesher-interface.js";
-import { createMesher } from "../api/mesher.js";
-import type { MeshOptions, RefineOptions, RepairOptions } from "../api/option-types.js";
+import type { MeshOptions, RepairOptions } from "../api/option-types.js";
 import { checkOptions } from "../api/options.js";
-import { repairedSurface } from "../api/repaired-surface.js";
 import { emptyReport, emptyResult } from "../api/report.js";
 import { plural } from "../base/plural.js";
-import type { RunControl } from "../engine/control.js";
 import type { Diagnostic, DiagnosticOf } from "../diagnostics/diagnostic.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
@@ -16,20 +13,10 @@ import type { SurfaceFile } from "../formats/surface-file.js";
 import type { FrontOrder, Optimization } from "../generated/constants.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
-import { checkBackground } from "../project/background-arrays.js";
-import type { ProjectSource } from "../project/schema.js";
 import { writableName, writeAll } from "./convert.js";
 import { checkOutput, FileError, refuseFolder, writeOutput } from "./files.js";
 import { withMesher } from "./grids.js";
-import {
-  gridArrays,
-  type GridInput,
-  type Input,
-  numberIn,
-  readGrid,
-  readModel,
-  refuseOptions,
-} from "./input.js";
+import { type Input, numberIn, readModel, refuseOptions } from "./input.js";
 import {
   asInvalidInput,
   asEngineFailure,
@@ -39,21 +26,40 @@ import {
   printDiagnostics,
 } from "./messages.js";
 import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
-import { ProgressBar } from "./progress-bar.js";
+import {
+  DEFAULT_TREATMENT,
+  refined,
+  type RefinementCounts,
+  refinementText,
+  refuseRemeshing,
+  type RemeshCommandOptions,
+  remeshed,
+  remeshOptions,
+  type RemeshReport,
+  remeshText,
+  type SurfaceTreatment,
+} from "./remeshing.js";
 import { printChanges, refuseRepair, type RepairCommandOptions, repaired, repairOptions } from "./repair.js";
-import { readingLines, unmeshedLines, unusedLines } from "./tables.js";
+import { type ControlOf, withRun } from "./run.js";
+import {
+  checkSizes,
+  type GivenGrid,
+  gridFiles,
+  printWithGrid,
+  readGivenGrid,
+  type SizeCommandOptions,
+  sizesIn,
+  withGrid,
+} from "./sizes.js";
+import { readingLines, unmeshedLines } from "./tables.js";
 
 /** Options as commander passes them: numbers are still text. */
-export interface MeshCommandOptions extends RepairCommandOptions {
+export interface MeshCommandOptions extends RepairCommandOptions, RemeshCommandOptions, SizeCommandOptions {
   readonly output: string;
   readonly from?: string;
   readonly to?: string;
-  readonly size?: string;
-  readonly growth?: string;
-  readonly source?: readonly string[];
   readonly gradation?: string;
-  readonly background?: string;
-  readonly refineSurface?: boolean;
+  readonly surface?: SurfaceTreatment;
   readonly order?: FrontOrder;
   /** False after --no-filters. */
   readonly filters: boolean;
@@ -81,14 +87,7 @@ interface Outcome {
   /** Changes of the surface, if a repair was requested. */
   readonly changes?: readonly RepairChange[] | undefined;
   readonly refinement?: RefinementCounts | undefined;
-}
-
-/** Result of a requested refinement of the surface. */
-interface RefinementCounts {
-  /** Number of triangles before and after. */
-  readonly given: number;
-  readonly triangles: number;
-  readonly splitEdges: number;
+  readonly remesh?: RemeshReport | undefined;
 }
 
 /** Runs the command; resolves with the exit code. */
@@ -98,16 +97,20 @@ export async function meshFile(input: string, options: MeshCommandOptions): Prom
   // If the report cannot be written, that failure is not reported in it either.
   if (failedCheck !== undefined) return failedCheck.exitCode;
   const outcome = await meshAndWrite(input, options).catch(whereFailed);
-  const { changes, refinement, written } = outcome;
-  const done = { ...(changes && { repair: changes }), ...(refinement && { refinement }) };
+  const { changes, refinement, remesh, written } = outcome;
+  const done = {
+    ...(changes && { repair: changes }),
+    ...(refinement && { refinement }),
+    ...(remesh && { remesh }),
+  };
   const report = { ...outcome.report, ...done, input, output: written };
   const isOut = options.report === undefined || (await writeReport(options.report, report));
   return isOut ? outcome.exitCode : ExitCode.notCompleted;
 }
 
-const projectRefinement = invalidOption(
-  "--refine-surface",
-  "--refine-surface is for surfaces, but the input is a project",
+const projectSurface = invalidOption(
+  "--surface",
+  "--surface is for surfaces, but the input is a project",
   "Omit it: patches are meshed with the target sizes.",
 );
 
@@ -122,86 +125,65 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const meshOptions = readOptions(options);
   const requiredAngle = requiredAngleOf(options);
   const repair = repairOptions(options);
+  const treatment = options.surface ?? DEFAULT_TREATMENT;
+  if (treatment === "remesh") remeshOptions(options, meshOptions);
+  else refuseRemeshing(options);
   await checkMeshPaths(input, options);
   const given = await readModel(input, options.from);
   if (given.kind === "project") {
-    if (options.refineSurface === true) refuseOptions([projectRefinement]);
+    if (options.surface !== undefined) refuseOptions([projectSurface]);
     if (options.growth !== undefined) refuseOptions([projectGrowth]);
     refuseRepair(repair, "a project");
   }
-  const grid = options.background === undefined ? undefined : await readGrid(options.background);
-  if (grid?.kind === "volume" && !isQuiet) {
-    for (const line of unusedLines(grid.volume)) print(`note: ${options.background}: ${line}`);
-  }
+  const grid = await readGivenGrid(options, isQuiet);
   const { model, changes } = await withRepair(given, repair);
   if (changes !== undefined && !isQuiet) printChanges(input, changes);
   if (given.kind === "surface" && !isQuiet) {
     for (const line of readingLines(given.surface)) print(`note: ${input}: ${line}`);
   }
-  const isRefined = options.refineSurface === true;
   const {
     result,
     model: meshed,
     refinement,
-  } = await mesh(model, meshOptions, {
-    isQuiet,
-    isRefined,
-    given: grid && { file: options.background ?? "", grid },
-  });
-  if (refinement !== undefined && !isQuiet) printRefinement(input, refinement);
+    remesh,
+  } = await mesh(model, meshOptions, { isQuiet, treatment, remeshing: options, grid });
+  if (refinement !== undefined && !isQuiet) print(`${input}: ${refinementText(refinement)}`);
+  if (remesh !== undefined && !isQuiet) print(`${input}: ${remeshText(remesh)}`);
   const { report } = result;
   printWithGrid({ input, background: options.background }, report.diagnostics, isQuiet);
   const shouldWrite = mayWrite(result, options);
   const written = shouldWrite && (await writeResult(input, options, result, meshed)) ? options.output : null;
   if (!isQuiet && report.status !== "invalid-input") print(summary(input, report, written, options));
   const isLost = shouldWrite && written === null;
-  const poor = requiredAngleError(report, requiredAngle, options);
+  const poor = requiredAngleError(report, requiredAngle, options, given.kind);
   printDiagnostics(input, poor, { isQuiet });
   const exitCode = isLost || poor.length > 0 ? ExitCode.notCompleted : EXIT_CODES[report.status];
   const diagnostics = [...report.diagnostics, ...poor];
-  return { report: { ...report, diagnostics }, written, exitCode, changes, refinement };
+  return { report: { ...report, diagnostics }, written, exitCode, changes, refinement, remesh };
 }
 
 /** Returns an error if the finished mesh has a smaller dihedral angle than required. */
 function requiredAngleError(
   { status, dihedral: { min: angle } }: MeshReport,
   required: number,
-  { optimize }: MeshCommandOptions,
+  { optimize, surface }: MeshCommandOptions,
+  kind: Input["kind"],
 ): Diagnostic[] {
   if (status !== "done" || angle >= required) return [];
-  const thorough = optimize === "thorough" ? "" : "--optimize thorough, or ";
+  const remedies = [
+    ...(kind === "project" || surface === "remesh" ? [] : ["--surface remesh"]),
+    ...(optimize === "thorough" ? [] : ["--optimize thorough"]),
+    "a surface without needles and narrow gaps",
+  ];
   const error: DiagnosticOf<"required-angle"> = {
     code: "required-angle",
     severity: "error",
     message: `The smallest dihedral angle is ${angle.toFixed(2)}°, but --require-angle is ${required}°`,
-    remedy: `Use ${thorough}a surface without needles and narrow gaps.`,
+    remedy: `Use ${remedies.join(", or ")}.`,
     entities: [],
     data: { angle, required },
   };
   return [error];
-}
-
-/** Prints diagnostics about the background grid with the name of its own file. */
-function printWithGrid(
-  { input, background }: { readonly input: string; readonly background: string | undefined },
-  diagnostics: readonly Diagnostic[],
-  isQuiet: boolean,
-): void {
-  const isOfGrid = ({ code, entities: [first] }: Diagnostic) =>
-    background !== undefined &&
-    (code === "empty-background-grid" || first?.kind.startsWith("background-") === true);
-  printDiagnostics(background ?? input, diagnostics.filter(isOfGrid), { isQuiet });
-  printDiagnostics(
-    input,
-    diagnostics.filter((found) => !isOfGrid(found)),
-    { isQuiet },
-  );
-}
-
-function printRefinement(input: string, { given, triangles, splitEdges }: RefinementCounts): void {
-  print(
-    `${input}: refined: ${plural(given, "triangle")} before, ${triangles} after, ${plural(splitEdges, "edge")} split`,
-  );
 }
 
 async function withRepair(
@@ -239,21 +221,14 @@ function invalidInput(diagnostics: readonly Diagnostic[]): Outcome {
 
 function readOptions(options: MeshCommandOptions): MeshOptions {
   const meshOptions: MeshOptions = {
-    size: numberIn(options.size),
-    growth: numberIn(options.growth),
+    ...sizesIn(options),
     gradation: numberIn(options.gradation),
     innerShells: options.innerShells,
     order: options.order,
     filters: options.filters,
     optimization: options.optimize,
-    ...sourcesIn(options.source),
   };
-  const wrong = checkOptions(meshOptions);
-  if (options.size !== undefined && options.background !== undefined) {
-    const message = "--size and --background exclude each other";
-    wrong.push(invalidOption("--background", message, "Use one of them."));
-  }
-  refuseOptions(wrong);
+  refuseOptions([...checkOptions(meshOptions), ...checkSizes(options)]);
   return meshOptions;
 }
 
@@ -269,131 +244,92 @@ function requiredAngleOf({ requireAngle }: MeshCommandOptions): number {
   throw new InvalidInput("command line", [invalidOption("--require-angle", message, remedy)]);
 }
 
-/** Returns the sources as a background grid without nodes, which has no other effect. */
-function sourcesIn(texts: readonly string[] | undefined): Pick<MeshOptions, "background"> {
-  if (texts === undefined) return {};
-  const none = new Float64Array();
-  const sources = texts.map(sourceIn);
-  return { background: { points: none, sizes: none, tetrahedra: new Uint32Array(), sources } };
-}
-
-/** Parses `x,y,z,size[,distance[,growth]]`. Throws an InvalidInput. */
-function sourceIn(text: string, index: number): ProjectSource {
-  const numbers = text.split(",").map(numberIn);
-  const [x, y, z, size, distance, growth] = numbers;
-  if (numbers.length > 6 || x === undefined || y === undefined || z === undefined || size === undefined) {
-    const remedy =
-      "Use x,y,z,size and optionally a distance and a growth, for example --source 0,0,1,0.05,0.2.";
-    throw new InvalidInput("command line", [invalidOption("--source", `invalid source "${text}"`, remedy)]);
-  }
-  return { id: index + 1, type: "point", positions: [[x, y, z]], size, distance, growth };
-}
-
 async function checkMeshPaths(input: string, options: MeshCommandOptions): Promise<void> {
-  const { output, from, to, background } = options;
+  const { output, from, to } = options;
   await refuseFolder(output);
   writableName(output, to, ["volume"]);
   const written = outputFiles(output, to, "the mesh");
-  const grid = background === undefined ? [] : inputFiles(background, undefined, "the background grid");
-  await checkNoOverwrite([...inputFiles(input, from), ...grid], written);
+  await checkNoOverwrite([...inputFiles(input, from), ...gridFiles(options)], written);
   await checkWritable(written);
 }
 
 async function checkReportPath(input: string, options: MeshCommandOptions): Promise<undefined> {
-  const { report, output, background, from, to } = options;
+  const { report, output, from, to } = options;
   if (report === undefined) return;
   await checkOutput(report);
-  const kept = [
-    ...outputFiles(output, to, "the mesh"),
-    ...inputFiles(input, from),
-    ...(background === undefined ? [] : inputFiles(background, undefined, "the background grid")),
-  ];
+  const kept = [...outputFiles(output, to, "the mesh"), ...inputFiles(input, from), ...gridFiles(options)];
   await checkNoOverwrite(kept, [{ words: "the report", file: report }]);
-}
-
-/** Background grid in the form of its file. */
-interface GivenGrid {
-  readonly file: string;
-  readonly grid: GridInput;
 }
 
 interface MeshingOptions {
   readonly isQuiet: boolean;
-  readonly isRefined: boolean;
-  readonly given: GivenGrid | undefined;
+  readonly treatment: SurfaceTreatment;
+  readonly remeshing: RemeshCommandOptions;
+  readonly grid: GivenGrid | undefined;
 }
 
-/** Result, and the model that was meshed after repair and refinement. */
+/** Result, and the model that was meshed after repair, refinement or remeshing. */
 interface Meshed {
   readonly result: MeshResult;
   readonly model: Input;
   readonly refinement?: RefinementCounts;
+  readonly remesh?: RemeshReport;
 }
 
-async function mesh(
-  model: Input,
-  options: MeshOptions,
-  { isQuiet, isRefined, given }: MeshingOptions,
-): Promise<Meshed> {
-  const stop = new AbortController();
-  // Listen once: a second signal takes the default action and ends the process immediately.
-  const onSignal = () => stop.abort();
-  process.once("SIGINT", onSignal).once("SIGTERM", onSignal);
-  // Load before the progress bar appears: a failure must not leave a bar or a hidden cursor behind.
-  const mesher = await createMesher().catch((failure: unknown) => {
-    process.off("SIGINT", onSignal).off("SIGTERM", onSignal);
-    throw failure;
-  });
-  const bar = process.stderr.isTTY && !isQuiet ? new ProgressBar() : undefined;
-  const control: RunControl = { signal: stop.signal, onProgress: (progress) => bar?.update(progress) };
+async function mesh(model: Input, options: MeshOptions, meshing: MeshingOptions): Promise<Meshed> {
   try {
-    const all = given === undefined ? options : await withGrid(mesher, options, given);
-    if (stop.signal.aborted) return { result: emptyResult("cancelled"), model };
-    if (model.kind === "project") {
-      return { result: await mesher.meshProject(model.project, all, control), model };
-    }
-    if (!isRefined) return { result: await mesher.fillSurface(model.surface, all, control), model };
-    // Inspect before refining, so that diagnostics use the triangle indices of the given surface.
-    const { innerShells } = options;
-    const found = await mesher.inspectSurface(model.surface, { innerShells }, control);
-    if (!found.isFillable) return { result: emptyResult("invalid-input", found.diagnostics), model };
-    // The volume helps to estimate the number of elements only if the orientation of all triangles is known.
-    const volume = found.flippedTriangles > 0 ? undefined : found.volume;
-    const { surface, counts } = await refined(mesher, model.surface, { ...all, volume }, control);
-    const result = await mesher.fillSurface(surface, all, control);
-    return { result, model: { kind: "surface", surface }, refinement: counts };
+    return await withRun(meshing.isQuiet, async (mesher, controlOf) => {
+      const all = await withGrid(mesher, options, meshing.grid);
+      const control = controlOf();
+      if (control.signal.aborted) return { result: emptyResult("cancelled"), model };
+      if (model.kind === "project") {
+        return { result: await mesher.meshProject(model.project, all, control), model };
+      }
+      const treated = await treatedSurface(mesher, model.surface, { ...meshing, options: all, controlOf });
+      const { surface, invalid, ...report } = treated;
+      const treatedModel = { kind: "surface", surface } as const;
+      if (invalid !== undefined) return { result: emptyResult("invalid-input", invalid), model };
+      return { result: await mesher.fillSurface(surface, all, control), model: treatedModel, ...report };
+    });
   } catch (failure) {
     if (!(failure instanceof MesherError) || failure.code !== "cancelled") throw failure;
     return { result: emptyResult("cancelled"), model };
-  } finally {
-    bar?.stop();
-    mesher.dispose();
-    process.off("SIGINT", onSignal).off("SIGTERM", onSignal);
   }
 }
 
-async function refined(
-  mesher: Mesher,
-  given: SurfaceFile,
-  options: RefineOptions,
-  control: RunControl,
-): Promise<{ readonly surface: SurfaceFile; readonly counts: RefinementCounts }> {
-  const refinement = await mesher.refineSurface(given, options, control);
-  const surface = repairedSurface(given, refinement);
-  const counts = {
-    given: given.triangles.length / 3,
-    triangles: surface.triangles.length / 3,
-    splitEdges: refinement.splitEdges,
-  };
-  return { surface, counts };
+interface TreatedSurface extends Pick<Meshed, "refinement" | "remesh"> {
+  readonly surface: SurfaceFile;
+  /** Problems that prevent meshing. */
+  readonly invalid?: readonly Diagnostic[];
 }
 
-async function withGrid(mesher: Mesher, options: MeshOptions, given: GivenGrid): Promise<MeshOptions> {
-  const grid = await gridArrays(mesher, given.file, given.grid);
-  const wrong = checkBackground(grid);
-  if (wrong.length > 0) throw new InvalidInput(given.file, wrong);
-  const sources = [...(grid.sources ?? []), ...(options.background?.sources ?? [])];
-  return { ...options, background: { ...grid, sources } };
+interface TreatmentOptions extends MeshingOptions {
+  /** With the background grid. */
+  readonly options: MeshOptions;
+  readonly controlOf: ControlOf;
+}
+
+/** Returns the surface as `--surface` wants it. */
+async function treatedSurface(
+  mesher: Mesher,
+  given: SurfaceFile,
+  { treatment, remeshing, options, controlOf }: TreatmentOptions,
+): Promise<TreatedSurface> {
+  switch (treatment) {
+    case "keep":
+      return { surface: given };
+    case "remesh":
+      return remeshed(mesher, given, remeshOptions(remeshing, options), controlOf("remesh"));
+    case "refine": {
+      // Inspect before refining, so that diagnostics use the triangle indices of the given surface.
+      const { innerShells } = options;
+      const found = await mesher.inspectSurface(given, { innerShells }, controlOf());
+      if (!found.isFillable) return { surface: given, invalid: found.diagnostics };
+      // The volume helps to estimate the number of elements only if the orientation of all triangles is known.
+      const volume = found.flippedTriangles > 0 ? undefined : found.volume;
+      return refined(mesher, given, { ...options, volume }, controlOf());
+    }
+  }
 }
 
 function mayWrite({ report, volume }: MeshResult, { keepPartial }: MeshCommandOptions): boolean {

@@ -19,12 +19,13 @@ export class ProgressBar {
     this.#bar.start(1, 0, { phase: "check", tetrahedra: 0, left: "" });
   }
 
-  update({ fraction, phase, tetrahedra, frontFaces, exactFillFraction }: Progress): void {
+  /** `step`: word for work other than a run, which has no elements yet. */
+  update({ fraction, phase, tetrahedra, frontFaces, exactFillFraction }: Progress, step?: string): void {
     const left =
       exactFillFraction > 0
         ? `exact fill of remaining pockets: ${(100 * exactFillFraction).toFixed(1)} %`
         : `${String(frontFaces)} front faces`;
-    this.#bar.update(fraction, { phase: phase.padEnd("surface".length), tetrahedra, left });
+    this.#bar.update(fraction, { phase: (step ?? phase).padEnd("surface".length), tetrahedra, left });
   }
 
   stop(): void {

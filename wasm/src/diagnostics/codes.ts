@@ -11,6 +11,8 @@ export type PackageCode =
   | "invalid-mesh"
   /** Many triangles of a surface are needles or caps. */
   | "needle-surface"
+  /** A surface was valid, but is not after the rounding of its file format. */
+  | "invalid-when-rounded"
   /** Many elements of a mesh have small dihedral angles. */
   | "poor-elements"
   /** The mesh has a dihedral angle below the one that the command line requires. */

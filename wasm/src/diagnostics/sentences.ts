@@ -4,7 +4,15 @@
  */
 import { LIMITS, limitText } from "../base/limits.js";
 import { plural } from "../base/plural.js";
-import { type EngineCode, type EntityKind, MIN_LENGTH } from "../generated/constants.js";
+import {
+  type CheckedOption,
+  type EngineCode,
+  type EntityKind,
+  MAX_LAYERS,
+  MAX_REMESH_ANGLE,
+  MIN_LENGTH,
+  MIN_REMESH_ANGLE,
+} from "../generated/constants.js";
 import type { DiagnosticData } from "./data.js";
 
 /** Input of a sentence. */
@@ -33,6 +41,22 @@ interface Sentence<Code extends EngineCode> {
 
 const LENGTH = limitText(LIMITS.length);
 const SHELL_KINDS: readonly EntityKind[] = ["patch", "triangle", "surface-node"];
+
+const SIZE_RANGE = `a size above 0 and up to ${LENGTH}`;
+const ANGLE_RANGE = `an angle from ${MIN_REMESH_ANGLE} to ${MAX_REMESH_ANGLE} degrees`;
+
+/** Name and range of the options that the engine checks. */
+const OPTION_WORDS: Readonly<Record<CheckedOption, readonly [name: string, range: string]>> = {
+  size: ["size", SIZE_RANGE],
+  growth: ["growth", `a growth from 0 to ${LIMITS.growth}`],
+  gradation: ["gradation", `a gradation of 0, or above 1 and up to ${LIMITS.gradation}`],
+  "min-size": ["smallest size", SIZE_RANGE],
+  "max-size": ["largest size", SIZE_RANGE],
+  tolerance: ["tolerance", `a distance above 0 and up to ${LENGTH}`],
+  "feature-angle": ["feature angle", ANGLE_RANGE],
+  "angle-per-edge": ["angle per edge", ANGLE_RANGE],
+  layers: ["number of layers", `a number from 0 to ${MAX_LAYERS}`],
+};
 
 /** One entry per engine code: the compiler rejects a table with a gap. */
 export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
@@ -113,8 +137,9 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
     remedy: "Draw the line through points on the patch; the more it is curved, the more points it needs.",
   },
   "option-out-of-range": {
-    message: ({ data }) => `The ${data.option} is ${short(data.given)}, which is out of range`,
-    remedy: `Use a size above 0 and up to ${LENGTH}, a growth from 0 to ${LIMITS.growth}, and a gradation of 0, or above 1 and up to ${LIMITS.gradation}.`,
+    message: ({ data }) =>
+      `The ${OPTION_WORDS[data.option][0]} is ${short(data.given)}, which is out of range`,
+    remedy: ({ data }) => `Use ${OPTION_WORDS[data.option][1]}.`,
   },
   "line-self-intersection": {
     message: ({ the, at }) => `${the("line")} crosses or overlaps itself${at}`,
@@ -173,7 +198,7 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
         case "patch":
           return `The sizes at ${main} require ${estimated(expected, "tetrahedron")}; the limit is ${limit}`;
         case "triangle":
-          return `The refined surface would have ${estimated(expected, "triangle")}, most of them in ${main}; the limit is ${limit}`;
+          return `The surface would have ${estimated(expected, "triangle")}, most of them in ${main}; the limit is ${limit}`;
         case "source":
         case "background-node":
           return `The sizes require ${estimated(expected, "tetrahedron")}, especially at ${main}; the limit is ${limit}`;
@@ -275,7 +300,8 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
   "coarse-surface": {
     message: ({ the, at, data: { triangles, lengthRatio } }) =>
       `${the("triangle")}${at} has an edge ${short(lengthRatio)} times the target length${triangles === 1 ? "" : `; ${triangles} triangles have edges above twice the target length`}, and elements next to ${triangles === 1 ? "it" : "them"} will be as large`,
-    remedy: "Refine the surface (--refine-surface or refineSurface()), or use larger elements.",
+    remedy:
+      "Refine the surface (--surface refine or refineSurface()), remesh it (--surface remesh or remeshSurface()), or use larger elements.",
   },
   stalled: {
     message: ({ data, all, at }) => {

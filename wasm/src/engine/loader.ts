@@ -7,6 +7,7 @@ import createEngine, {
   type Preview,
   type Proposal,
   type Refinement,
+  type Remesh,
   type Repair,
   type Run,
   type VolumeInspection,
@@ -23,6 +24,7 @@ export type EngineStatistics = ReturnType<Run["statistics"]>;
 export type EngineInspection = ResultOf<"inspectSurface">;
 export type EngineRepair = ResultOf<"repairSurface">;
 export type EngineRefinement = ResultOf<"refineSurface">;
+export type EngineRemesh = ResultOf<"remeshSurface">;
 export type EngineVolumeInspection = ResultOf<"inspectMesh">;
 export type EnginePreview = ResultOf<"previewModel">;
 export type EngineProposal = ResultOf<"propose">;
@@ -33,12 +35,21 @@ export type EngineOptions = Readonly<Parameters<Engine["meshModel"]>[2]>;
 export type EngineInspectionOptions = Readonly<Parameters<Engine["inspectSurface"]>[2]>;
 export type EngineProposalOptions = Readonly<Parameters<Engine["propose"]>[1]>;
 export type EngineRepairOptions = Readonly<Parameters<Engine["repairSurface"]>[2]>;
+export type EngineRemeshOptions = Readonly<Parameters<Engine["remeshSurface"]>[4]>;
 
 export type Engine = MainModule;
 export type EngineRun = Run;
 /** A tool of the engine that works in slices and has one result. */
 export type EngineTool =
-  Cover | Inspection | BackgroundFromMesh | Preview | Proposal | Refinement | Repair | VolumeInspection;
+  | Cover
+  | Inspection
+  | BackgroundFromMesh
+  | Preview
+  | Proposal
+  | Refinement
+  | Remesh
+  | Repair
+  | VolumeInspection;
 
 /** Fetches and compiles the file; the reason of a failure names the file. */
 export type CompileEngine = (address: URL) => Promise<CompiledEngine>;

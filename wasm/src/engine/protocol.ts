@@ -17,6 +17,8 @@ import type {
   EngineProposal,
   EngineProposalOptions,
   EngineRefinement,
+  EngineRemesh,
+  EngineRemeshOptions,
   EngineRepair,
   EngineRepairOptions,
   EngineVolumeInspection,
@@ -79,6 +81,16 @@ export type Question =
       readonly grid: GridArrays;
       readonly options: EngineOptions;
       readonly volume: number;
+    }
+  /** Grid as for `fill-surface`. `groups`: per triangle, its patch; empty if all are in one. */
+  | {
+      readonly kind: "remesh-surface";
+      readonly id: number;
+      readonly points: Float64Array;
+      readonly triangles: Uint32Array;
+      readonly groups: Uint32Array;
+      readonly grid: GridArrays;
+      readonly options: EngineRemeshOptions;
     }
   /** Without regions, all elements are in one. */
   | {
@@ -149,6 +161,7 @@ export interface Answers {
   readonly "inspect-surface": EngineInspection;
   readonly "repair-surface": EngineRepair;
   readonly "refine-surface": EngineRefinement;
+  readonly "remesh-surface": EngineRemesh;
   readonly "inspect-mesh": EngineVolumeInspection;
 }
 

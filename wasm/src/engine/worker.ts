@@ -113,6 +113,14 @@ function toolFor(engine: Engine, question: Question): EngineTool | null {
         question.options,
         question.volume,
       );
+    case "remesh-surface":
+      return engine.remeshSurface(
+        question.points,
+        question.triangles,
+        question.groups,
+        question.grid,
+        question.options,
+      );
     case "inspect-mesh":
       return engine.inspectMesh(question.points, question.tetrahedra, question.regions);
   }

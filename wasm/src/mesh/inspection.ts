@@ -122,6 +122,29 @@ export interface SurfaceRefinement {
   readonly splitEdges: number;
 }
 
+/** Surface with new triangles near the given one. */
+export interface SurfaceRemesh {
+  readonly surface: SurfaceInput;
+  /** Per triangle: index of a given triangle near it, in the same patch. */
+  readonly origin: Uint32Array;
+  /** Largest target size used, in model units. */
+  readonly size: number;
+  /** Smallest target size that the shape could ask for, in model units. */
+  readonly minSize: number;
+  /** Tolerance used, in model units. */
+  readonly tolerance: number;
+  /** Upper bound of the distance between the two surfaces in both directions, in model units; at most the tolerance. */
+  readonly deviation: number;
+  /** Number of smooth patches of the given surface: feature lines and given patches bound them. */
+  readonly patches: number;
+  /** Number of feature lines of the given surface, from corner to corner or closed. */
+  readonly featureLines: number;
+  /** Smallest angle of all new triangles, in degrees. */
+  readonly smallestAngle: number;
+  /** Mean of 2 × inradius / circumradius over all new triangles, 1 for equilateral ones. */
+  readonly meanRadiusRatio: number;
+}
+
 /** Result of `inspectMesh`. */
 export interface MeshInspection {
   /** Whether all counts of defects below are 0. */

@@ -8,12 +8,18 @@ export interface SurfaceInput {
   readonly points: Float64Array;
   readonly triangles: Uint32Array;
   /**
-   * Per triangle, if the surface was made from another one (`repairSurface`, `refineSurface`): its index there, by which
-   * messages name it, or `NO_ORIGIN`. Default: its own index.
+   * Per triangle, if the surface was made from another one (`repairSurface`, `refineSurface`, `remeshSurface`): its index
+   * there, by which messages name it, or `NO_ORIGIN`. Default: its own index.
    */
   readonly origin?: Uint32Array | undefined;
   /** The same per node. */
   readonly nodeOrigin?: Uint32Array | undefined;
+}
+
+/** Surface whose triangles belong to patches, for example a `SurfaceFile`. */
+export interface PatchedSurface extends SurfaceInput {
+  /** Per triangle: index of its patch. If omitted, all triangles are in one patch. */
+  readonly trianglePatch?: Uint32Array | undefined;
 }
 
 /** Mesh from any source: as `VolumeMesh`, but elements may have either orientation. */

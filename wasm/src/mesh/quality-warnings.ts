@@ -16,6 +16,9 @@ const POOR_ANGLE = 10;
 /** Share of poor elements above which a mesh is of little use, however good the others are. */
 const MAX_POOR = 0.01;
 
+const REMESH =
+  "Remesh the surface (--surface remesh or remeshSurface()), or export it with more uniform triangles.";
+
 /** Number of poor elements that the warning names. */
 const NAMED_ELEMENTS = 5;
 
@@ -31,7 +34,7 @@ export function* needleWarnings({ points, triangles }: SurfaceInput): Steps<Diag
     code: "needle-surface",
     severity: "warning",
     message: `${shareOf(count, all, "triangle")} needles or caps; elements next to them will have small angles`,
-    remedy: "Export the surface with more uniform triangles.",
+    remedy: REMESH,
     entities: [],
     data: { count, triangles: all },
   };
@@ -60,7 +63,7 @@ export function poorElementWarnings(quality: QualityReport): Diagnostic[] {
     severity: "warning",
     message: withCounting(message, entities),
     remedy: isByNeedles
-      ? "Replace the needle triangles of the surface: export it with more uniform triangles."
+      ? REMESH
       : "Use smaller elements in narrow gaps and at sharp edges, or --optimize thorough.",
     entities,
     position: worst[0]?.centroid,

@@ -1,0 +1,204 @@
+/** `tetrafront remesh`: replaces the triangles of a surface by well-shaped ones, and checks the written file. */
+import { readSurface, writeMesh } from "../api/mesh-files.js";
+import type { Mesher } from "../api/mesher-interface.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { MesherError } from "../diagnostics/mesher-error.js";
+import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import type { WrittenFile } from "../formats/file-format.js";
+import { formatOf } from "../formats/file-formats.js";
+import type { SurfaceFile } from "../formats/surface-file.js";
+import type { InnerShells } from "../generated/constants.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
+import type { RepairChange } from "../mesh/inspection.js";
+import type { SurfaceInput } from "../mesh/mesh.js";
+import { writableName, writeAll } from "./convert.js";
+import { refuseFolder, STANDARD_STREAM, WriteError, writeToStandardOutput } from "./files.js";
+import { readModel, refuseOptions } from "./input.js";
+import {
+  asEngineFailure,
+  asInvalidInput,
+  countOf,
+  ExitCode,
+  InvalidInput,
+  jsonPieces,
+  print,
+  printDiagnostics,
+} from "./messages.js";
+import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
+import {
+  type RemeshCommandOptions,
+  remeshed,
+  remeshOptions,
+  type RemeshReport,
+  remeshText,
+} from "./remeshing.js";
+import { printChanges, type RepairCommandOptions, repaired, repairOptions } from "./repair.js";
+import { withRun } from "./run.js";
+import {
+  checkSizes,
+  gridFiles,
+  printWithGrid,
+  readGivenGrid,
+  type SizeCommandOptions,
+  sizesIn,
+  withGrid,
+} from "./sizes.js";
+import { readingLines } from "./tables.js";
+
+/** Options as commander passes them: numbers are still text. */
+export interface RemeshFileOptions extends RepairCommandOptions, RemeshCommandOptions, SizeCommandOptions {
+  readonly output: string;
+  readonly from?: string;
+  readonly to?: string;
+  readonly json?: boolean;
+  readonly quiet?: boolean;
+}
+
+/** Result of the command, as printed by `--json`. */
+interface Outcome {
+  /** The written file, if any. */
+  readonly output: string | null;
+  readonly remesh?: RemeshReport;
+  readonly repair?: readonly RepairChange[] | undefined;
+  readonly diagnostics: readonly Diagnostic[];
+  readonly exitCode: number;
+}
+
+/** Runs the command; resolves with the exit code. */
+export async function remeshFile(input: string, options: RemeshFileOptions): Promise<number> {
+  const outcome = await remeshAndWrite(input, options).catch((failure: unknown) =>
+    failed(failure, input, options.background),
+  );
+  const { exitCode, ...report } = outcome;
+  if (options.json === true) {
+    for (const piece of jsonPieces({ input, ...report })) await writeToStandardOutput(piece);
+  }
+  return exitCode;
+}
+
+async function remeshAndWrite(input: string, options: RemeshFileOptions): Promise<Outcome> {
+  const { output, innerShells } = options;
+  const isQuiet = options.quiet === true || options.json === true;
+  refuseOptions(checkSizes(options));
+  const sizes = remeshOptions(options, { ...sizesIn(options), innerShells });
+  const repair = repairOptions(options);
+  const name = await checkPaths(input, options);
+  const given = await readModel(input, options.from);
+  if (given.kind === "project") throw new InvalidInput(input, [projectGiven]);
+  const grid = await readGivenGrid(options, isQuiet);
+  return withRun(isQuiet, async (mesher, controlOf) => {
+    const { surface, changes } = await repaired(mesher, given.surface, repair);
+    if (changes !== undefined && !isQuiet) printChanges(input, changes);
+    if (!isQuiet) for (const line of readingLines(given.surface)) print(`note: ${input}: ${line}`);
+    const all = await withGrid(mesher, sizes, grid);
+    const made = await remeshed(mesher, surface, all, controlOf("remesh"));
+    const files = await writeMesh(fileMesh(made.surface), name);
+    const diagnostics = await problemsInFile(mesher, files, made.surface, { name, innerShells });
+    await writeAll(files, { input, output, name, isQuiet });
+    if (!isQuiet) print(`${input}: ${remeshText(made.remesh)} -> ${output}`);
+    printDiagnostics(output, diagnostics, { isQuiet });
+    const exitCode = countOf(diagnostics, "error") > 0 ? ExitCode.notCompleted : ExitCode.meshed;
+    const notes = files.flatMap((file) => file.notes);
+    return {
+      output,
+      remesh: made.remesh,
+      repair: changes,
+      diagnostics: [...notes, ...diagnostics],
+      exitCode,
+    };
+  });
+}
+
+const projectGiven = packageDiagnostic(
+  "unreadable-input",
+  "the input is a project, but only surfaces can be remeshed",
+  "Mesh it with `tetrafront mesh`, which triangulates its patches.",
+);
+
+/** Checks the output before any work; returns a name whose extension selects its format. */
+async function checkPaths(input: string, options: RemeshFileOptions): Promise<string> {
+  const { output, from, to, json } = options;
+  if (json === true && output === STANDARD_STREAM) {
+    const message = "--json and the surface cannot both be written to standard output";
+    refuseOptions([invalidOption("--json", message, "Use -o with the name of a file.")]);
+  }
+  await refuseFolder(output);
+  const name = writableName(output, to, ["surface"]);
+  const written = outputFiles(output, to);
+  await checkNoOverwrite([...inputFiles(input, from), ...gridFiles(options)], written);
+  await checkWritable(written);
+  return name;
+}
+
+function fileMesh(surface: SurfaceFile): FileMesh {
+  const { points, triangles, trianglePatch, patches, surfaceRegions } = surface;
+  const none = new Uint32Array();
+  return {
+    points,
+    triangles,
+    trianglePatch,
+    patches,
+    tetrahedra: none,
+    tetrahedronRegion: none,
+    regions: [],
+    ...(surfaceRegions && { surfaceRegions }),
+    nodeData: new Map(),
+  };
+}
+
+interface FileContext {
+  /** Name whose extension selects the format. */
+  readonly name: string;
+  readonly innerShells: InnerShells | undefined;
+}
+
+/**
+ * Reads the file as another program would, and returns an error if the surface is no longer valid: formats with single
+ * precision round its nodes.
+ */
+async function problemsInFile(
+  mesher: Mesher,
+  [file]: readonly WrittenFile[],
+  surface: SurfaceInput,
+  { name, innerShells }: FileContext,
+): Promise<Diagnostic[]> {
+  if (file === undefined || formatOf(name)?.readable.includes("surface") !== true) return [];
+  const read = await readSurface(file.bytes, { fileName: name });
+  if (read.success && hasSameCorners(read.value, surface)) return [];
+  const reason = read.success
+    ? (await mesher.inspectSurface(read.value, { innerShells, maxDiagnostics: 1 })).diagnostics.find(
+        ({ severity }) => severity === "error",
+      )?.message
+    : read.errors[0].message;
+  if (reason === undefined) return [];
+  const message = `the surface is no longer valid after the rounding of its file format: ${reason}`;
+  const remedy = "Use a format with double precision, such as .ply, .obj or .off.";
+  return [packageDiagnostic("invalid-when-rounded", message, remedy)];
+}
+
+/** Returns whether the triangles of two surfaces have the same corners in the same order. */
+function hasSameCorners(one: SurfaceInput, other: SurfaceInput): boolean {
+  if (one.triangles.length !== other.triangles.length) return false;
+  return one.triangles.every((node, i) => {
+    const [a, b] = [3 * node, 3 * (other.triangles[i] ?? 0)];
+    return [0, 1, 2].every((axis) => one.points[a + axis] === other.points[b + axis]);
+  });
+}
+
+/** Prints the failure; returns its outcome. Rethrows a failure that is a bug. */
+function failed(failure: unknown, input: string, background: string | undefined): Outcome {
+  if (failure instanceof MesherError && failure.code === "cancelled") {
+    print(`${input}: cancelled, not written`);
+    return { output: null, diagnostics: [], exitCode: ExitCode.notCompleted };
+  }
+  const engine = asEngineFailure(failure);
+  if (engine !== undefined) {
+    printDiagnostics(input, [engine], { isQuiet: true });
+    return { output: null, diagnostics: [engine], exitCode: ExitCode.notCompleted };
+  }
+  const invalid = asInvalidInput(failure, input);
+  if (invalid === undefined) throw failure;
+  printWithGrid({ input: invalid.subject, background }, invalid.diagnostics, true);
+  const exitCode = failure instanceof WriteError ? ExitCode.notCompleted : ExitCode.invalidInput;
+  return { output: null, diagnostics: invalid.diagnostics, exitCode };
+}

@@ -1,0 +1,127 @@
+/** The treatment of a given surface before it is meshed: `--surface keep`, `refine` or `remesh`. */
+import type { Mesher } from "../api/mesher-interface.js";
+import type { MeshOptions, RefineOptions, RemeshOptions } from "../api/option-types.js";
+import { checkRemeshOptions } from "../api/options.js";
+import { repairedSurface } from "../api/repaired-surface.js";
+import { plural } from "../base/plural.js";
+import { invalidOption } from "../diagnostics/package-diagnostic.js";
+import type { RunControl } from "../engine/control.js";
+import type { SurfaceFile } from "../formats/surface-file.js";
+import type { SurfaceRemesh } from "../mesh/inspection.js";
+import { numberIn, refuseOptions } from "./input.js";
+import { short } from "./tables.js";
+
+export const SURFACE_TREATMENTS = ["keep", "refine", "remesh"] as const;
+export type SurfaceTreatment = (typeof SURFACE_TREATMENTS)[number];
+export const DEFAULT_TREATMENT: SurfaceTreatment = "keep";
+
+/** Options of a remeshing as commander passes them, without those of the sizes. */
+export interface RemeshCommandOptions {
+  readonly minSize?: string;
+  readonly maxSize?: string;
+  readonly tolerance?: string;
+  readonly featureAngle?: string;
+  readonly anglePerEdge?: string;
+  readonly layers?: string;
+}
+
+/** The options by their names in the call, as they are written on the command line. */
+const WRITTEN = {
+  minSize: "--min-size",
+  maxSize: "--max-size",
+  tolerance: "--tolerance",
+  featureAngle: "--feature-angle",
+  anglePerEdge: "--angle-per-edge",
+  layers: "--layers",
+} as const satisfies Record<keyof RemeshCommandOptions, string>;
+
+/** Returns the options of a remeshing with these sizes. Throws an InvalidInput if one is invalid. */
+export function remeshOptions(
+  given: RemeshCommandOptions,
+  { size, growth, innerShells, background }: MeshOptions,
+): RemeshOptions {
+  const options: RemeshOptions = {
+    size,
+    growth,
+    innerShells,
+    background,
+    minSize: numberIn(given.minSize),
+    maxSize: numberIn(given.maxSize),
+    tolerance: numberIn(given.tolerance),
+    featureAngle: numberIn(given.featureAngle),
+    anglePerEdge: numberIn(given.anglePerEdge),
+    layers: numberIn(given.layers),
+  };
+  refuseOptions(checkRemeshOptions(options));
+  return options;
+}
+
+/** Throws an InvalidInput if an option of a remeshing is given without one. */
+export function refuseRemeshing(given: RemeshCommandOptions): void {
+  const names = Object.keys(WRITTEN) as (keyof RemeshCommandOptions)[];
+  const option = names.find((name) => given[name] !== undefined);
+  if (option === undefined) return;
+  const written = WRITTEN[option];
+  const message = `${written} is for surfaces that are remeshed`;
+  refuseOptions([invalidOption(written, message, `Add --surface remesh, or omit ${written}.`)]);
+}
+
+/** Result of a requested refinement of a surface. */
+export interface RefinementCounts {
+  /** Number of triangles before and after. */
+  readonly given: number;
+  readonly triangles: number;
+  readonly splitEdges: number;
+}
+
+/** Result of a requested remeshing of a surface. */
+export interface RemeshReport extends Omit<SurfaceRemesh, "surface" | "origin"> {
+  /** Number of triangles before and after. */
+  readonly given: number;
+  readonly triangles: number;
+}
+
+const countTriangles = ({ triangles }: SurfaceFile) => triangles.length / 3;
+
+export async function refined(
+  mesher: Mesher,
+  given: SurfaceFile,
+  options: RefineOptions,
+  control: RunControl,
+): Promise<{ readonly surface: SurfaceFile; readonly refinement: RefinementCounts }> {
+  const { surface: split, origin, splitEdges } = await mesher.refineSurface(given, options, control);
+  const surface = repairedSurface(given, { surface: split, origin });
+  const refinement = { given: countTriangles(given), triangles: countTriangles(surface), splitEdges };
+  return { surface, refinement };
+}
+
+export async function remeshed(
+  mesher: Mesher,
+  given: SurfaceFile,
+  options: RemeshOptions,
+  control: RunControl,
+): Promise<{ readonly surface: SurfaceFile; readonly remesh: RemeshReport }> {
+  const { surface: made, origin, ...figures } = await mesher.remeshSurface(given, options, control);
+  const surface = repairedSurface(given, { surface: made, origin });
+  const remesh = { given: countTriangles(given), triangles: countTriangles(surface), ...figures };
+  return { surface, remesh };
+}
+
+export function refinementText({ given, triangles, splitEdges }: RefinementCounts): string {
+  return `refined: ${plural(given, "triangle")} before, ${triangles} after, ${plural(splitEdges, "edge")} split`;
+}
+
+/** Number of significant digits of lengths. */
+const DIGITS = 3;
+
+/** Describes a remeshing: triangles, chosen sizes, shapes, and the distance from the given surface. */
+export function remeshText(remesh: RemeshReport): string {
+  const { given, triangles, size, minSize, tolerance, deviation, patches, featureLines } = remesh;
+  return [
+    `remeshed: ${plural(given, "triangle")} before, ${triangles} after`,
+    `target sizes ${short(minSize, DIGITS)} to ${short(size, DIGITS)}`,
+    `${plural(patches, "smooth patch")}, ${plural(featureLines, "feature line")}`,
+    `smallest angle ${remesh.smallestAngle.toFixed(1)}°, mean radius ratio ${remesh.meanRadiusRatio.toFixed(3)}`,
+    `deviation at most ${short(deviation, DIGITS)} (tolerance ${short(tolerance, DIGITS)})`,
+  ].join("; ");
+}
