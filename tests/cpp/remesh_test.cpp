@@ -136,6 +136,7 @@ TEST_P(RemeshBody, StaysAValidBoundaryNearTheGivenOne) {
   // Right triangles with two equal sides have 0.828.
   EXPECT_GT(result.meanRadiusRatio, 0.82);
   EXPECT_EQ(result.origin.size(), countTriangles(made));
+  for (const std::uint32_t origin : result.origin) EXPECT_LT(origin, countTriangles(given));
 }
 
 const std::vector<Body> kBodies{

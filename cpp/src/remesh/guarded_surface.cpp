@@ -149,6 +149,10 @@ TriangleId GuardedSurface::hintFor(std::size_t added) const {
        {removed[std::min(added, removed.size() - 1)], removed.front(), removed.back()}) {
     if (complex_.patchOf(t) == change_->added[added].patch) return beneath(t);
   }
+  // More than two patches meet at an edge with an interface.
+  for (const TriangleId t : removed) {
+    if (complex_.patchOf(t) == change_->added[added].patch) return beneath(t);
+  }
   return {};
 }
 

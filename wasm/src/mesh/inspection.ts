@@ -133,7 +133,10 @@ export interface SurfaceRemesh {
   readonly minSize: number;
   /** Tolerance used, in model units. */
   readonly tolerance: number;
-  /** Upper bound of the distance between the two surfaces in both directions, in model units; at most the tolerance. */
+  /**
+   * Upper bound of the distance between the two surfaces in both directions, in model units: the tolerance, or more if no
+   * smaller bound could be proved.
+   */
   readonly deviation: number;
   /** Number of smooth patches of the given surface: feature lines and given patches bound them. */
   readonly patches: number;
