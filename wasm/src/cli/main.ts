@@ -161,28 +161,29 @@ const sourceOption = (): Option =>
 const backgroundOption = (): Option =>
   new Option("-b, --background <file>", "take the sizes from this background grid");
 
-const withRemeshing = (command: Command): Command =>
+/** `prefix`: what the options are for, if it is not the whole command. */
+const withRemeshing = (command: Command, prefix = ""): Command =>
   command
     .option(
       "--min-size <length>",
-      "remeshing: smallest size that the shape may ask for (default: 1/10 of --size, or 1/300 of the diagonal)",
+      `${prefix}smallest size that the shape may ask for (default: 1/10 of --size, or 1/300 of the diagonal)`,
     )
-    .option("--max-size <length>", "remeshing: largest automatic size (default: 1/20 of the diagonal)")
+    .option("--max-size <length>", `${prefix}largest automatic size (default: 1/20 of the diagonal)`)
     .option(
       "--tolerance <distance>",
-      "remeshing: largest distance from the given surface (default: 1/1000 of the diagonal, at most 1/20 of --size)",
+      `${prefix}largest distance from the given surface (default: 1/1000 of the diagonal, at most 1/20 of --size)`,
     )
     .option(
       "--feature-angle <degrees>",
-      `remeshing: edges with a larger angle between their triangles stay sharp (default ${REMESH_DEFAULTS.featureAngle})`,
+      `${prefix}edges with a larger angle between their triangles stay sharp (default ${REMESH_DEFAULTS.featureAngle})`,
     )
     .option(
       "--angle-per-edge <degrees>",
-      "remeshing: largest angle that an edge spans where the surface is curved (default 20; 60 with given sizes)",
+      `${prefix}largest angle that an edge spans where the surface is curved (default 20; 60 with given sizes)`,
     )
     .option(
       "--layers <count>",
-      "remeshing: elements across thin walls; 0 ignores thickness (default 1; 0 with given sizes)",
+      `${prefix}elements across thin walls; 0 ignores thickness (default 1; 0 with given sizes)`,
     );
 
 /** Runs one input in this process, several in processes of their own. */
@@ -346,7 +347,7 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
         `effort spent on improving the elements after the front (default ${MESH_DEFAULTS.optimization})`,
       ).choices(OPTIMIZATIONS),
     );
-  withJobs(withRepair(withRemeshing(command)))
+  withJobs(withRepair(withRemeshing(command, "remeshing: ")))
     .option(
       "--require-angle <degrees>",
       "exit with 1 if the smallest dihedral angle is below this; still write the mesh",

@@ -5,7 +5,7 @@ import type { Progress } from "../base/progress.js";
 export class ProgressBar {
   readonly #bar = new SingleBar(
     {
-      format: "{phase} {bar} {percentage} % | {tetrahedra} tetrahedra | {left}",
+      format: "{phase} {bar} {percentage} %{details}",
       stream: process.stderr,
       clearOnComplete: true,
       hideCursor: true,
@@ -16,7 +16,7 @@ export class ProgressBar {
   );
 
   constructor() {
-    this.#bar.start(1, 0, { phase: "check", tetrahedra: 0, left: "" });
+    this.#bar.start(1, 0, { phase: "check", details: "" });
   }
 
   /** `step`: word for work other than a run, which has no elements yet. */
@@ -25,7 +25,8 @@ export class ProgressBar {
       exactFillFraction > 0
         ? `exact fill of remaining pockets: ${(100 * exactFillFraction).toFixed(1)} %`
         : `${String(frontFaces)} front faces`;
-    this.#bar.update(fraction, { phase: (step ?? phase).padEnd("surface".length), tetrahedra, left });
+    const details = step === undefined ? ` | ${tetrahedra} tetrahedra | ${left}` : "";
+    this.#bar.update(fraction, { phase: (step ?? phase).padEnd("surface".length), details });
   }
 
   stop(): void {
