@@ -105,7 +105,7 @@ export interface Mesher {
    * of self-intersections, as the given surface must be. By default, the sizes follow from the shape.
    * `repairedSurface(file, remesh)` keeps the patches and their names. Rejects with `invalid-input` if the surface cannot
    * be filled, numbers are invalid, or there would be too many triangles. About linear in the number of given and new
-   * triangles; about 0.1 ms each. Works in slices beside a run.
+   * triangles; 0.2 to 1 ms each. Works in slices beside a run.
    *
    *     const remesh = await mesher.remeshSurface(file);
    *     const result = await mesher.fillSurface(repairedSurface(file, remesh));
