@@ -32,12 +32,12 @@ constexpr double kMuchChanged = 0.02;
 }  // namespace
 
 /// Interface called once per slice, for either kind of space.
-class MeshOptimizer::Impl {
+class MeshOptimizer::AnySpace {
  public:
-  Impl() = default;
-  Impl(const Impl&) = delete;
-  Impl& operator=(const Impl&) = delete;
-  virtual ~Impl() = default;
+  AnySpace() = default;
+  AnySpace(const AnySpace&) = delete;
+  AnySpace& operator=(const AnySpace&) = delete;
+  virtual ~AnySpace() = default;
 
   virtual bool advance(std::uint32_t budget) = 0;
   [[nodiscard]] virtual double fraction() const = 0;
@@ -50,9 +50,9 @@ class MeshOptimizer::Impl {
 /// Executes the schedule. Each step queries the size field if necessary, recomputes the elements'
 /// costs, decides whether it is worthwhile, and repeats its sweeps as its rule says.
 template <class Space>
-class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
+class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
  public:
-  ImplIn(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field, Optimization level)
+  InSpace(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field, Optimization level)
       : schedule_(scheduleOf(level)),
         field_(field),
         targetsNeeded_(mesh.points.size() / 3),
@@ -331,9 +331,11 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
 MeshOptimizer::MeshOptimizer(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field,
                              Optimization level) {
   if (field.isStretched()) {
-    impl_ = std::make_unique<ImplIn<StretchedSpace>>(std::move(mesh), boundaryNodes, field, level);
+    optimizer_ =
+        std::make_unique<InSpace<StretchedSpace>>(std::move(mesh), boundaryNodes, field, level);
   } else {
-    impl_ = std::make_unique<ImplIn<PlainSpace>>(std::move(mesh), boundaryNodes, field, level);
+    optimizer_ =
+        std::make_unique<InSpace<PlainSpace>>(std::move(mesh), boundaryNodes, field, level);
   }
 }
 
@@ -341,15 +343,15 @@ MeshOptimizer::MeshOptimizer(MeshOptimizer&&) noexcept = default;
 MeshOptimizer& MeshOptimizer::operator=(MeshOptimizer&&) noexcept = default;
 MeshOptimizer::~MeshOptimizer() = default;
 
-bool MeshOptimizer::advance(std::uint32_t budget) { return impl_->advance(budget); }
-double MeshOptimizer::fraction() const { return impl_->fraction(); }
+bool MeshOptimizer::advance(std::uint32_t budget) { return optimizer_->advance(budget); }
+double MeshOptimizer::fraction() const { return optimizer_->fraction(); }
 std::uint32_t MeshOptimizer::pointCount() const {
-  return static_cast<std::uint32_t>(impl_->pointCount());
+  return static_cast<std::uint32_t>(optimizer_->pointCount());
 }
 std::uint32_t MeshOptimizer::tetrahedronCount() const {
-  return static_cast<std::uint32_t>(impl_->elementCount());
+  return static_cast<std::uint32_t>(optimizer_->elementCount());
 }
-VolumeMesh MeshOptimizer::mesh() const { return impl_->mesh(); }
-bool MeshOptimizer::hasFoundNothingBetter() const { return impl_->hasFoundNothingBetter(); }
+VolumeMesh MeshOptimizer::mesh() const { return optimizer_->mesh(); }
+bool MeshOptimizer::hasFoundNothingBetter() const { return optimizer_->hasFoundNothingBetter(); }
 
 }  // namespace tetrafront

@@ -39,10 +39,11 @@ class MeshOptimizer {
   [[nodiscard]] bool hasFoundNothingBetter() const;
 
  private:
-  class Impl;
+  /// The optimizer in the metric space of the field. Its hot loops are compiled for each of the two: plain, and stretched.
+  class AnySpace;
   template <class Space>
-  class ImplIn;
-  std::unique_ptr<Impl> impl_;
+  class InSpace;
+  std::unique_ptr<AnySpace> optimizer_;
 };
 
 }  // namespace tetrafront
