@@ -388,6 +388,21 @@ bool anyIntersect(const SurfaceMesh& mesh) {
   return false;
 }
 
+/// Returns true if the triangles at a feature edge enclose at least half the angle with this cosine.
+bool isSharp(const SurfaceComplex& complex, HalfEdgeId halfEdge, double creaseCosine) {
+  const auto [from, to, apex] = complex.nodesOf(halfEdge);
+  std::vector<HalfEdgeId> edge;
+  complex.collectEdge(from, to, edge);
+  if (edge.size() != 2) return true;
+  std::array<Vec3, 2> normals{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto [a, b, c] = complex.cornersOf(triangleOf(edge[i]));
+    normals[i] = glm::normalize(glm::cross(b - a, c - a));
+  }
+  const double angle = std::acos(std::clamp(glm::dot(normals[0], normals[1]), -1.0, 1.0));
+  return angle >= 0.5 * std::acos(creaseCosine) - 1e-9;
+}
+
 class RemeshOperations : public ::testing::TestWithParam<Body> {};
 
 TEST_P(RemeshOperations, EachKeepsTheSurfaceValid) {
@@ -458,6 +473,7 @@ TEST_P(RemeshOperations, EachKeepsTheSurfaceValid) {
                                       complex.pointOf(end)),
                 tolerance * tolerance * (1.0 + 1e-9));
       length += stretch.end - stretch.begin;
+      EXPECT_TRUE(isSharp(complex, halfEdge, line.creaseCosine));
     }
   }
   // The stretches cover all lines: each counts once per triangle at its edge.
@@ -475,6 +491,7 @@ INSTANTIATE_TEST_SUITE_P(Remesh, RemeshOperations,
                                            Body{"needle_plate",
                                                 [] { return needlePlate(1, 12, 0.1); }},
                                            Body{"blade", [] { return twistedBlade(6, 3, 0.02); }},
+                                           Body{"loft", [] { return loft(5, 9, 0.7, 0.6); }},
                                            Body{"shared_edge", [] { return cubesSharingEdge(); }},
                                            Body{"thin_plate", [] { return thinPlate(4, 0.02); }}),
                          [](const auto& tested) { return tested.param.name; });

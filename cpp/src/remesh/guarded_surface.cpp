@@ -90,7 +90,7 @@ bool GuardedSurface::apply(const SurfaceChange& change, bool coversSame) {
 /// Makes the cheapest checks first.
 bool GuardedSurface::isAdmitted(bool coversSame) {
   measureAdded();
-  return isThickEnough() && facesAsReference() && !intersects(coversSame) && isInEnvelope() &&
+  return isThickEnough() && facesAsReference() && keepsCreases() && !intersects(coversSame) && isInEnvelope() &&
          findHosts();
 }
 
@@ -139,6 +139,60 @@ bool GuardedSurface::facesAsReference() {
     if (glm::dot(normal, facing) < leastCosine * area) return false;
   }
   return true;
+}
+
+/// Feature lines stay sharp: limits of the distance alone would allow a crease to become flat in places.
+bool GuardedSurface::keepsCreases() {
+  for (const SurfaceChange::Added& added : change_->added) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const NodeId a = added.nodes[k];
+      const NodeId b = added.nodes[(k + 1) % 3];
+      if (complex_.kindOf(a) == NodeKind::kSmooth || complex_.kindOf(b) == NodeKind::kSmooth)
+        continue;
+      const FeatureLineId line = lineOf(a, b);
+      if (!line.isNone() && !keepsCrease(a, b, line)) return false;
+    }
+  }
+  return true;
+}
+
+/// Returns the feature line of an edge after the change, or none.
+FeatureLineId GuardedSurface::lineOf(NodeId a, NodeId b) const {
+  for (const SurfaceChange::LineEdge& edge : change_->newLineEdges) {
+    if ((edge.a == a && edge.b == b) || (edge.a == b && edge.b == a)) return edge.line;
+  }
+  const StretchId stretch = complex_.stretchBetween(a, b);
+  return stretch.isNone() ? FeatureLineId{} : complex_.stretch(stretch).line;
+}
+
+/// Returns false if the crease at the edge would have less than half the smallest angle of its line, and less than now.
+bool GuardedSurface::keepsCrease(NodeId a, NodeId b, FeatureLineId line) {
+  const double creaseCosine = reference_.line(line).creaseCosine;
+  if (creaseCosine > reference_.rules().creaseCosine) return true;
+  const double squaredHalfCosine = 0.5 * (1.0 + creaseCosine);
+  const auto normalOf = [](const std::array<Vec3, 3>& corners) {
+    return glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+  };
+  creaseNow_.clear();
+  creaseThen_.clear();
+  complex_.collectEdge(a, b, edge_);
+  for (const HalfEdgeId halfEdge : edge_) {
+    const TriangleId t = triangleOf(halfEdge);
+    creaseNow_.push_back(normalOf(complex_.cornersOf(t)));
+    if (isRemoved_[t.index()] == 0) creaseThen_.push_back(creaseNow_.back());
+  }
+  for (const NumberedTriangle& triangle : numbered_) {
+    const bool hasA = std::ranges::find(triangle.nodes, a.value) != triangle.nodes.end();
+    const bool hasB = std::ranges::find(triangle.nodes, b.value) != triangle.nodes.end();
+    if (hasA && hasB) creaseThen_.push_back(normalOf(triangle.corners));
+  }
+  if (creaseThen_.size() != 2) return true;
+  const auto cosineOf = [](const std::vector<Vec3>& normals) {
+    return glm::dot(normals[0], normals[1]) / (glm::length(normals[0]) * glm::length(normals[1]));
+  };
+  const double cosine = cosineOf(creaseThen_);
+  if (cosine <= 0.0 || cosine * cosine <= squaredHalfCosine) return true;
+  return creaseNow_.size() == 2 && cosine <= cosineOf(creaseNow_);
 }
 
 /// Returns a given triangle near an added one, in the same patch; none if no removed triangle is in

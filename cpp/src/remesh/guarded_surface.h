@@ -29,14 +29,22 @@ struct SurfaceChange {
     NodeTriple nodes;
     SmoothPatchId patch;
   };
+  /// An edge of added triangles that will be on a feature line, but is not yet.
+  struct LineEdge {
+    NodeId a;
+    NodeId b;
+    FeatureLineId line;
+  };
   std::vector<TriangleId> removed;
   std::vector<Added> added;
+  std::vector<LineEdge> newLineEdges;
   NodeId moved{};
   Vec3 position{0.0};
 
   void clear() {
     removed.clear();
     added.clear();
+    newLineEdges.clear();
     moved = NodeId{};
   }
 };
@@ -82,6 +90,9 @@ class GuardedSurface {
   void measureAdded();
   [[nodiscard]] bool isThickEnough() const;
   [[nodiscard]] bool facesAsReference();
+  [[nodiscard]] bool keepsCreases();
+  [[nodiscard]] FeatureLineId lineOf(NodeId a, NodeId b) const;
+  [[nodiscard]] bool keepsCrease(NodeId a, NodeId b, FeatureLineId line);
   [[nodiscard]] bool intersects(bool coversSame);
   [[nodiscard]] bool intersectsOthers();
   [[nodiscard]] bool isInEnvelope() const;
@@ -108,6 +119,9 @@ class GuardedSurface {
   std::vector<std::pair<NodeId, std::size_t>> hosts_;  ///< guest, index of the added triangle
   std::vector<StretchId> carried_;                     ///< per half-edge
   std::vector<std::uint32_t> found_;
+  std::vector<HalfEdgeId> edge_;
+  std::vector<Vec3> creaseNow_;
+  std::vector<Vec3> creaseThen_;
 };
 
 }  // namespace tetrafront

@@ -63,6 +63,7 @@ class ReferenceSurface {
   Task<> prepare(Work& work);
 
   [[nodiscard]] const SurfaceMesh& mesh() const { return mesh_; }
+  [[nodiscard]] const FeatureRules& rules() const { return rules_; }
   [[nodiscard]] double diagonal() const { return diagonal_; }
   [[nodiscard]] const std::vector<FeatureLine>& lines() const { return lines_; }
   [[nodiscard]] const FeatureLine& line(FeatureLineId id) const { return lines_[id.index()]; }

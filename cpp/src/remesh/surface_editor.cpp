@@ -215,6 +215,10 @@ bool SurfaceEditor::trySplit(NodeId a, NodeId b, const Vec3& position, StretchId
     change_.added.push_back({{nodes.from, middle, nodes.apex}, patch});
     change_.added.push_back({{middle, nodes.to, nodes.apex}, patch});
   }
+  if (!id.isNone()) {
+    change_.newLineEdges.push_back({before.from, middle, before.line});
+    change_.newLineEdges.push_back({middle, to, before.line});
+  }
   if (!apply()) {
     removeLastNode();
     return false;
@@ -286,6 +290,7 @@ bool SurfaceEditor::collapse(NodeId a, NodeId b, const CollapseRule& rule) {
   const double before = poorestRemoved();
   const double after = poorestAdded();
   if (rule.mustImprove ? after <= before : after < std::min(rule.poorest, before)) return false;
+  if (isLine) change_.newLineEdges.push_back({other, b, joint.line});
   if (!apply()) return false;
   if (isLine) {
     surface_.releaseStretch(line.first);
