@@ -491,7 +491,11 @@ INSTANTIATE_TEST_SUITE_P(Remesh, RemeshOperations,
                                            Body{"needle_plate",
                                                 [] { return needlePlate(1, 12, 0.1); }},
                                            Body{"blade", [] { return twistedBlade(6, 3, 0.02); }},
-                                           Body{"loft", [] { return loft(5, 9, 0.7, 0.6); }},
+                                           Body{"barrel",
+                                                [] {
+                                                  return solidOfRevolution(
+                                                      {{0.8, 0.0}, {1.0, 0.5}, {0.8, 1.0}}, 24, 1);
+                                                }},
                                            Body{"shared_edge", [] { return cubesSharingEdge(); }},
                                            Body{"thin_plate", [] { return thinPlate(4, 0.02); }}),
                          [](const auto& tested) { return tested.param.name; });

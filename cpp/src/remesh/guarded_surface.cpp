@@ -90,8 +90,8 @@ bool GuardedSurface::apply(const SurfaceChange& change, bool coversSame) {
 /// Makes the cheapest checks first.
 bool GuardedSurface::isAdmitted(bool coversSame) {
   measureAdded();
-  return isThickEnough() && facesAsReference() && keepsCreases() && !intersects(coversSame) && isInEnvelope() &&
-         findHosts();
+  return isThickEnough() && facesAsReference() && keepsCreases() && !intersects(coversSame) &&
+         isInEnvelope() && findHosts();
 }
 
 void GuardedSurface::measureAdded() {
