@@ -84,7 +84,7 @@ class SurfaceEditor {
   /// other.
   [[nodiscard]] bool follows(FeatureLineId line, double begin, double end, const Vec3& a,
                              const Vec3& b) const;
-  bool trySplit(NodeId a, NodeId b, const Vec3& position, StretchId stretch, double arc);
+  bool trySplit(NodeId a, NodeId b, const Vec3& position, StretchId id, double arc);
   [[nodiscard]] Vec3 splitPosition(const Vec3& straight, TriangleId triangle) const;
   [[nodiscard]] bool keepsTopology(NodeId a, NodeId b);
   void beginMove(NodeId node);

@@ -76,9 +76,9 @@ describe("the list", () => {
     expect(heads).toHaveLength(new Set(groups).size);
     expect([...heads].sort()).toEqual([
       "Background grid",
-      "Regions and cavities",
       "Curved patches",
       "First steps",
+      "Regions and cavities",
       "The paper's examples",
     ]);
   });

@@ -27,7 +27,7 @@ vi.mock("../../../wasm/dist/engine/loader.js", () => ({
             advance: () => true,
             fraction: () => 1,
             result: () => ({}),
-            failure: () => "",
+            failure: () => 0,
             delete: () => undefined,
           };
         },
