@@ -121,7 +121,7 @@ createMesher().catch(({ name, code, message }) => { document.title = [name, code
       "a script that the worker imports is missing",
       "engine.js",
       STRICT,
-      /worker cannot be loaded: the browser got no script for it, or for what it imports, .*Serve worker\.js .*and the scripts/,
+      /worker cannot be loaded: the browser could not load its script, or a script that it imports, .*Serve worker\.js .*and the scripts/,
     ],
     ["the engine is missing", "engine.wasm", STRICT, /loaded: http:\S+engine\.wasm is .* status 404\. Serve/],
     [
