@@ -119,7 +119,7 @@ TEST(MeshScore, CountsTheElementsOutOfRange) {
   TetComplex complex(mesh, 8);
   while (!complex.build(8)) {
   }
-  /// Returns the score of a mesh with so many copies of the two elements.
+  /// Returns the score of a mesh with the given numbers of copies of the two elements.
   const auto scoreOf = [&](int regular, int flat) {
     MeshScore score;
     for (int i = 0; i < regular; ++i) score.add<PlainSpace>(complex, TetId(0U));

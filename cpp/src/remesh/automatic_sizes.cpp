@@ -11,6 +11,7 @@
 
 #include "base/mesh_access.h"
 #include "base/sort.h"
+#include "base/tolerance.h"
 #include "boundary/surface_access.h"
 #include "geom/measure.h"
 #include "search/box_tree.h"
@@ -32,6 +33,14 @@ constexpr double kArcPerGap = 3.0;
 constexpr double kEdgesPerLoop = 3.0;
 /// Distance between the positions where thickness and curvature are measured / smallest size.
 constexpr double kSampleWidth = 1.0;
+/// Area / squared diagonal below which the curvature of a triangle is rounding.
+constexpr double kLeastArea = 1e-12;
+/// Curvature x diagonal below which a patch is as good as flat: its sizes would exceed any body.
+constexpr double kLeastCurvature = 1e-6;
+/// In place of a smaller component of the direction of a ray, so that its inverse is finite.
+constexpr double kLeastComponent = 1e-30;
+/// Distance / diagonal from the start of a ray within which the surface is that at the start itself.
+constexpr double kRayStart = 1e-7;
 /// Sizes measured per unit of budget.
 constexpr std::size_t kPiecesPerUnit = 8;
 
@@ -104,7 +113,7 @@ double ShapeMeasure::curvatureOf(TriangleId triangle) const {
   }
   const double area = areaOf(corners);
   const double diagonal = reference_.diagonal();
-  return area > 1e-12 * diagonal * diagonal ? std::fabs(sum) / area : 0.0;
+  return area > kLeastArea * diagonal * diagonal ? std::fabs(sum) / area : 0.0;
 }
 
 std::vector<std::uint32_t> ShapeMeasure::findSamples() const {
@@ -150,7 +159,7 @@ void ShapeMeasure::measurePiece(std::uint32_t index) {
   double size = rules_.maxSize;
   if (!reference_.patch(reference_.patchOf(piece.triangle)).isPlanar) {
     const double curvature = curvatureOf(piece.triangle);
-    if (curvature > 1e-6 / reference_.diagonal()) size = sizeForCurvature(curvature);
+    if (curvature > kLeastCurvature / reference_.diagonal()) size = sizeForCurvature(curvature);
   }
   if (rules_.layers > 0.0) {
     const Vec3 inward = -reference_.normalOf(piece.triangle);
@@ -179,7 +188,7 @@ double ShapeMeasure::thicknessAt(const Vec3& position, const Vec3& inward) const
   // A direction along an axis must not give 0 x infinity.
   Vec3 inverse(0.0);
   for (int k = 0; k < 3; ++k) {
-    inverse[k] = 1.0 / (std::fabs(inward[k]) < 1e-30 ? 1e-30 : inward[k]);
+    inverse[k] = 1.0 / (std::fabs(inward[k]) < kLeastComponent ? kLeastComponent : inward[k]);
   }
   const double limit = rules_.maxSize * std::max(rules_.layers, 1.0);
   double nearest = limit;
@@ -216,7 +225,7 @@ void ShapeMeasure::castRay(const Vec3& from, const Vec3& direction, TriangleId t
   const Vec3 other = glm::cross(from - a, b - a);
   const double v = glm::dot(direction, other) / determinant;
   const double distance = glm::dot(c - a, other) / determinant;
-  if (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > 1e-7 * reference_.diagonal()) {
+  if (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > kRayStart * reference_.diagonal()) {
     nearest = std::min(nearest, distance);
   }
 }
@@ -276,7 +285,7 @@ double ShapeMeasure::gapAt(FeatureLineId id, double arc) const {
     if (segment.line == id) {
       double along = std::fabs(other.arcs()[segment.first] + glm::length(point - from) - arc);
       if (line.isClosed()) along = std::min(along, line.length() - along);
-      const double rounding = 1e-9 * reference_.diagonal();
+      const double rounding = Tolerance(reference_.diagonal()).coincidence();
       if (along < kArcPerGap * std::sqrt(square) + rounding) return;
     } else if (isSameCorner(line, other, position, square)) {
       return;

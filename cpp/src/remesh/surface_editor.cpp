@@ -15,6 +15,8 @@ namespace {
 /// Smallest gain of a measure that justifies a change; with any gain, rounding could move a node
 /// for ever.
 constexpr double kLeastGain = 1e-3;
+/// Squared sine of an angle below which the gain of a flip is rounding.
+constexpr double kLeastSquaredSine = 1e-12;
 /// If all triangles have radius ratios above this after a move, a rise of their mean justifies the
 /// move, even if the poorest triangle does not improve.
 constexpr double kGoodRatio = 0.6;
@@ -317,7 +319,7 @@ bool SurfaceEditor::flip(NodeId a, NodeId b) {
       std::min(squaredSineOf(complex_.nodesOf(t)), squaredSineOf(complex_.nodesOf(u)));
   const double after =
       std::min(squaredSineOf(change_.added[0].nodes), squaredSineOf(change_.added[1].nodes));
-  if (after <= before * (1.0 + kLeastGain) + 1e-12) return false;
+  if (after <= before * (1.0 + kLeastGain) + kLeastSquaredSine) return false;
   if (c == d || complex_.areJoined(c, d)) return false;
   const Vec3 first = normalOf(cornersOf(change_.added[0].nodes));
   const Vec3 second = normalOf(cornersOf(change_.added[1].nodes));
