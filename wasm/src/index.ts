@@ -85,15 +85,22 @@ export {
 } from "./diagnostics/mesher-error.js";
 export { parseProject, readProject, writeProject } from "./project/project.js";
 export { LIMITS } from "./base/limits.js";
-export { PROJECT_FORMAT, projectSchema } from "./project/schema.js";
+export { bodySurface, createBody, type NewBody, type PlacedSurface } from "./project/bodies.js";
+export { BODY_SURFACES, PROJECT_FORMAT, projectSchema } from "./project/schema.js";
 export { PROJECT_VERSION } from "./project/versions.js";
 export type {
+  BodyId,
+  BodyPlacement,
+  BodyRemeshing,
+  BodySurface,
   LineId,
   PatchId,
   PointId,
   Project,
   ProjectBackground,
   ProjectBackgroundNode,
+  ProjectBody,
+  ProjectBodyPatch,
   ProjectLine,
   ProjectMeshing,
   ProjectPatch,
@@ -110,6 +117,7 @@ export type {
   InspectionOptions,
   MeshOptions,
   PreviewOptions,
+  ProjectMeshOptions,
   ProposalOptions,
   RefineOptions,
   RemeshOptions,
@@ -128,6 +136,7 @@ export type {
 export type { Mesher, SizeProposal } from "./api/mesher-interface.js";
 export type { MeshInput, PatchedSurface, SurfaceInput, SurfaceMesh, VolumeMesh } from "./mesh/mesh.js";
 export type { MeshReport, MeshResult, MeshStatus, Seconds } from "./mesh/report.js";
-export type { Progress } from "./base/progress.js";
+export type { PreparedBody } from "./mesh/prepared-body.js";
+export type { Progress, ProgressPhase } from "./base/progress.js";
 export type { ProjectPreview } from "./project/preview.js";
 export { isInterface } from "./mesh/interfaces.js";

@@ -4,6 +4,7 @@ import type { MeshReport } from "tetrafront";
 
 export const phaseNames = {
   check: "Checking the model",
+  bodies: "Preparing bodies",
   sides: "Dividing lines",
   surface: "Meshing patches",
   volume: "Advancing the front",

@@ -32,6 +32,20 @@ const background: api.BackgroundArrays = {
   coverageMargin: 0.1,
   sources: [{ id: 1, type: "point", positions: [[0, 0, 0]], size: 1 }],
 };
+const sourcesOnly = {
+  ...background,
+  points: new Float64Array(),
+  sizes: new Float64Array(),
+  stretchings: undefined,
+  directions: undefined,
+  tetrahedra: new Uint32Array(),
+};
+const body: api.ProjectBody = {
+  ...api.createBody(box, { id: 1, firstPatchId: 10, name: "a" }),
+  placement: { position: [5, 0, 0], rotation: [0, 0, 0, 1], scale: 1 },
+  remeshing: { layers: 1 },
+  surface: "keep",
+};
 const control = { signal: new AbortController().signal, onProgress: () => undefined };
 const surfaceFile = { ...box, trianglePatch: new Uint32Array(12), patches: [{ name: "skin", tag: 1 }] };
 const surfaceRegions = { regions: [{ name: "body", tag: 1 }], triangleRegions: new Uint32Array(24) };
@@ -85,6 +99,11 @@ const functions: Readonly<Record<string, Arguments>> = {
   parseProject: { value: project },
   readProject: { text: api.writeProject(project) },
   writeProject: { project: { ...project, name: "a", meshing: { size: 1 } } },
+  createBody: {
+    surface: { ...box, trianglePatch: new Uint32Array(12), patches: [{ name: "a" }] },
+    body: { id: 1, firstPatchId: 2, name: "a" },
+  },
+  bodySurface: { body },
   repairedSurface: {
     given: { ...surfaceFile, surfaceRegions },
     repair: { surface: box, origin: Uint32Array.from({ length: 12 }, (_, t) => t) },
@@ -95,6 +114,12 @@ const functions: Readonly<Record<string, Arguments>> = {
 const methods: Readonly<Record<Exclude<keyof api.Mesher, "dispose">, Arguments>> = {
   meshProject: { project, options: { gradation: 1.3, background }, control },
   fillSurface: { surface: box, options: { growth: 0.3, background }, control },
+  prepareBody: {
+    project: { ...project, bodies: [body] },
+    body: body.id,
+    options: { size: 1, background: sourcesOnly },
+    control,
+  },
   previewProject: { project, options: { size: 1, innerShells: "cavities" }, control },
   coverProject: { project, options: { size: 1, shape: "box" }, control },
   proposeSizes: { project, options: { smallest: 0.5 }, control },

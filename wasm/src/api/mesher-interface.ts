@@ -8,15 +8,17 @@ import type {
   SurfaceRepair,
 } from "../mesh/inspection.js";
 import type { MeshInput, PatchedSurface, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
+import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { MeshResult } from "../mesh/report.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 import type { ProjectPreview } from "../project/preview.js";
-import type { Project, ProjectBackground, ProjectSource } from "../project/schema.js";
+import type { BodyId, Project, ProjectBackground, ProjectSource } from "../project/schema.js";
 import type {
   CoverOptions,
   InspectionOptions,
   MeshOptions,
   PreviewOptions,
+  ProjectMeshOptions,
   ProposalOptions,
   RefineOptions,
   RemeshOptions,
@@ -34,10 +36,23 @@ export interface SizeProposal {
 /** One mesher: an engine in its own worker, in browsers and in Node. Runs are queued. */
 export interface Mesher {
   /**
-   * Meshes a project: lines, patches, boundary, volume. Invalid input gives a result with status `invalid-input` and
-   * diagnostics. Rejects with a `MesherError` if memory runs out, the mesher is disposed of, or the engine fails.
+   * Meshes a project: bodies, lines, patches, boundary, volume. Bodies that are not among `preparedBodies` are prepared
+   * first, in the phase `bodies`. Invalid input gives a result with status `invalid-input` and diagnostics. Rejects with a
+   * `MesherError` if memory runs out, the mesher is disposed of, or the engine fails.
    */
-  meshProject(project: Project, options?: MeshOptions, control?: RunControl): Promise<MeshResult>;
+  meshProject(project: Project, options?: ProjectMeshOptions, control?: RunControl): Promise<MeshResult>;
+  /**
+   * Makes the surface of a body as `meshProject` with the same options will mesh it: placed, and remeshed, refined or kept.
+   * Its sizes are its own `remeshing.size`, else those of the project, else automatic, as they are with a `maxSize`; sources
+   * cap them. Rejects with `invalid-input` if the body does not exist or its surface cannot be filled. Works in slices
+   * beside a run.
+   */
+  prepareBody(
+    project: Project,
+    body: BodyId,
+    options?: MeshOptions,
+    control?: RunControl,
+  ): Promise<PreparedBody>;
   /**
    * Fills a closed surface and keeps every triangle. Nothing is repaired; see `repairSurface`. In the result, all
    * triangles face outward: components that were given inside out are flipped and reported. Without `size`, the sizes

@@ -13,6 +13,7 @@ import type {
   SurfaceRepair,
 } from "../mesh/inspection.js";
 import type { MeshInput, PatchedSurface, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
+import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { MeshResult } from "../mesh/report.js";
 import { modelArrays, projectArrays } from "../project/arrays.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
@@ -26,7 +27,8 @@ import {
 } from "../project/grid-arrays.js";
 import { projectNamer, withMissingId } from "../project/names.js";
 import type { ProjectPreview } from "../project/preview.js";
-import type { Project, ProjectBackground } from "../project/schema.js";
+import type { BodyId, Project, ProjectBackground } from "../project/schema.js";
+import { bodyWithId, preparedBody, type SurfaceCalls } from "./body-preparation.js";
 import {
   checkControl,
   checkMesh,
@@ -146,6 +148,19 @@ class WorkerMesher implements Mesher {
       options: engineOptions(options),
     } as const;
     return this.#run(request, control, surfaceNamer(surface));
+  }
+
+  async prepareBody(
+    project: Project,
+    body: BodyId,
+    options: MeshOptions = {},
+    control: RunControl = {},
+  ): Promise<PreparedBody> {
+    this.#begin(control);
+    refuse([...checkProject(project), ...checkOptions(options)]);
+    const settled = withSettings(options, project);
+    refuse(checkOptions(settled));
+    return preparedBody(this.#surfaceCalls, project, bodyWithId(project, body), settled, control);
   }
 
   async previewProject(
@@ -274,6 +289,10 @@ class WorkerMesher implements Mesher {
     options: RefineOptions,
     control: RunControl = {},
   ): Promise<SurfaceRefinement> {
+    return this.#refine(surface, options, control);
+  }
+
+  async #refine(surface: SurfaceInput, options: RefineOptions, control: RunControl, name?: EntityNamer) {
     this.#begin(control);
     refuse([...checkSurface(surface), ...checkRefineOptions(options)]);
     const { volume = 0, ...withoutVolume } = options;
@@ -288,7 +307,7 @@ class WorkerMesher implements Mesher {
       volume,
     } as const;
     const refinement = await this.#client.ask(question, control);
-    refuse(changeDiagnostics(refinement));
+    refuse(changeDiagnostics(refinement, name));
     return describedRefinement(refinement);
   }
 
@@ -297,6 +316,11 @@ class WorkerMesher implements Mesher {
     options: RemeshOptions = {},
     control: RunControl = {},
   ): Promise<SurfaceRemesh> {
+    return this.#remesh(surface, options, control);
+  }
+
+  /** Diagnostics name triangles by their indices in the surface's origin, unless another namer is given. */
+  async #remesh(surface: PatchedSurface, options: RemeshOptions, control: RunControl, name?: EntityNamer) {
     this.#begin(control);
     refuse([...checkPatchedSurface(surface), ...checkRemeshOptions(options)]);
     const { background } = options;
@@ -309,9 +333,8 @@ class WorkerMesher implements Mesher {
       grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
       options: engineRemeshOptions(options),
     } as const;
-    const name = surfaceNamer(surface);
     const remesh = await this.#client.ask(question, control);
-    refuse(changeDiagnostics(remesh, name));
+    refuse(changeDiagnostics(remesh, name ?? surfaceNamer(surface)));
     return describedRemesh(remesh);
   }
 
@@ -349,6 +372,11 @@ class WorkerMesher implements Mesher {
     this.#client.assertOpen();
     return control.signal?.aborted === true ? emptyResult("cancelled") : undefined;
   }
+
+  readonly #surfaceCalls: SurfaceCalls = {
+    remesh: (surface, options = {}, control = {}, name) => this.#remesh(surface, options, control, name),
+    refine: (surface, options, control = {}, name) => this.#refine(surface, options, control, name),
+  };
 
   async #run(request: RunRequest, control: RunControl, name: EntityNamer): Promise<MeshResult> {
     const result = await this.#client.run(request, control);

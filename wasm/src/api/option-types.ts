@@ -1,5 +1,6 @@
 /** Options of the calls of a mesher. */
 import type { CoverShape, FrontOrder, InnerShells, Optimization } from "../generated/constants.js";
+import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 
 /** Options of `repairSurface`. By default, nothing is moved or added. */
@@ -156,4 +157,13 @@ export interface MeshOptions {
   readonly optimization?: Optimization | undefined;
   /** For tests: no front; the exact fill, otherwise the last resort, fills the whole region. */
   readonly exactFillOnly?: boolean | undefined;
+}
+
+/** Options of `meshProject`. */
+export interface ProjectMeshOptions extends MeshOptions {
+  /**
+   * Results of `prepareBody` for bodies that have not changed since, with the same sizes. The others are prepared by the
+   * run.
+   */
+  readonly preparedBodies?: readonly PreparedBody[] | undefined;
 }

@@ -1,9 +1,14 @@
 /** Progress of a call. */
 import type { Phase } from "../generated/constants.js";
 
-/** Progress of a run or another call. For other calls the phase is `check`, and the counts are 0. */
+/** Phase of a call: one of the engine's, or `bodies` while the surfaces of a project's bodies are prepared. */
+export type ProgressPhase = Phase | "bodies";
+
+/** Progress of a run or another call. For other calls the phase is `check` or `bodies`, and the counts are 0. */
 export interface Progress {
-  readonly phase: Phase;
+  readonly phase: ProgressPhase;
+  /** Id of the body that is being prepared, in the phase `bodies`. */
+  readonly body?: number | undefined;
   /** Estimated fraction of the whole call, 0 to 1; never decreases. */
   readonly fraction: number;
   readonly nodes: number;

@@ -24,6 +24,8 @@ export interface DiagnosticOf<Code extends DiagnosticCode> {
   readonly remedy: string;
   readonly entities: readonly EntityRef[];
   readonly position?: readonly [number, number, number] | undefined;
+  /** Id of the body that it is about; the indices of its triangles and nodes are those of the body. */
+  readonly body?: number | undefined;
   /** Numbers of the message, by name. */
   readonly data: DiagnosticData[Code];
 }

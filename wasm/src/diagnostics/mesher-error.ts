@@ -1,7 +1,7 @@
 /** Errors with which calls of the package reject. */
 import { plural } from "../base/plural.js";
-import type { Progress } from "../base/progress.js";
-import type { CallFailure, Phase } from "../generated/constants.js";
+import type { Progress, ProgressPhase } from "../base/progress.js";
+import type { CallFailure } from "../generated/constants.js";
 import type { DiagnosticCode } from "./codes.js";
 import type { Diagnostic } from "./diagnostic.js";
 
@@ -46,7 +46,7 @@ export interface OutOfMemory {
   /** Memory that the engine had, in bytes. A browser tab or Node gives it at most 4 GB. */
   readonly bytes: number;
   /** Phase of a run; undefined for other calls. */
-  readonly phase: Phase | undefined;
+  readonly phase: ProgressPhase | undefined;
   /** Number of tetrahedra made so far. */
   readonly tetrahedra: number;
   /** Number of tetrahedra that the sizes ask for; 0 if it was not known yet. */

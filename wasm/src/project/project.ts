@@ -72,7 +72,7 @@ export function writeProject(project: Project): string {
 }
 
 function projectText(project: Project): string {
-  const { points, lines, patches, background, ...rest } = project;
+  const { points, lines, patches, bodies, background, ...rest } = project;
   const { $schema, format, version, name, description, units, meshing } = rest;
   const head = Object.entries({ $schema, format, version, name, description, units, meshing })
     .filter(([, value]) => value !== undefined)
@@ -81,6 +81,7 @@ function projectText(project: Project): string {
     `  "points": ${rows(points, "  ")}`,
     `  "lines": ${rows(lines, "  ")}`,
     `  "patches": ${rows(patches, "  ")}`,
+    ...(bodies === undefined ? [] : [`  "bodies": ${rows(bodies, "  ")}`]),
     `  "background": ${backgroundText(background)}`,
   ];
   return `{\n${[...head, ...body].join(",\n")}\n}\n`;
@@ -91,6 +92,7 @@ const writableProject = v.object({
   points: entities,
   lines: entities,
   patches: entities,
+  bodies: v.optional(entities),
   background: v.object({ nodes: entities, tetrahedra: entities, sources: v.optional(entities) }),
 });
 

@@ -10,10 +10,13 @@ import {
   FRONT_ORDERS,
   INNER_SHELLS,
   LINE_TYPES,
+  MAX_LAYERS,
+  MAX_REMESH_ANGLE,
   OPTIMIZATIONS,
   PATCH_TYPES,
   SOURCE_TYPES,
 } from "../generated/constants.js";
+import { checkBodyArrays } from "./body-arrays.js";
 import { PROJECT_VERSION } from "./versions.js";
 import { WORDS } from "./words.js";
 
@@ -59,6 +62,77 @@ const patchSchema = v.pipe(
   }),
   v.readonly(),
 );
+
+const bodyPatchSchema = v.pipe(objectWith({ id, name }), v.readonly());
+
+/** What is done to the triangles of a body before it is filled. */
+export const BODY_SURFACES = ["remesh", "refine", "keep"] as const;
+
+const remeshingSchema = v.pipe(
+  objectWith({
+    size: v.optional(described(WORDS.remeshSize, upTo(LIMITS.length))),
+    minSize: v.optional(described(WORDS.minSize, upTo(LIMITS.length))),
+    maxSize: v.optional(described(WORDS.maxSize, upTo(LIMITS.length))),
+    tolerance: v.optional(described(WORDS.tolerance, upTo(LIMITS.length))),
+    featureAngle: v.optional(described(WORDS.featureAngle, upTo(MAX_REMESH_ANGLE))),
+    anglePerEdge: v.optional(described(WORDS.anglePerEdge, upTo(MAX_REMESH_ANGLE))),
+    layers: v.optional(described(WORDS.layers, upTo(MAX_LAYERS))),
+    growth: v.optional(described(WORDS.remeshGrowth, upTo(LIMITS.growth))),
+  }),
+  v.readonly(),
+);
+
+/** Largest deviation of the norm of a rotation from 1. */
+const UNIT_TOLERANCE = 1e-6;
+
+const placementSchema = v.pipe(
+  objectWith({
+    position: v.optional(described(WORDS.bodyPosition, threeNumbers)),
+    rotation: v.optional(
+      described(
+        WORDS.rotation,
+        v.pipe(
+          v.strictTuple([number, number, number, number]),
+          v.check(
+            (rotation) => Math.abs(Math.hypot(...rotation) - 1) <= UNIT_TOLERANCE,
+            "expected a unit quaternion: the sum of its squares must be 1",
+          ),
+          v.readonly(),
+        ),
+      ),
+    ),
+    scale: v.optional(described(WORDS.scale, v.pipe(upTo(LIMITS.length), v.gtValue(0)))),
+  }),
+  v.readonly(),
+);
+
+/** The schema of a body, with checks of its arrays. */
+export const bodySchema = v.pipe(
+  objectWith({
+    id,
+    name,
+    points: described(WORDS.bodyPoints, v.string()),
+    triangles: described(WORDS.bodyTriangles, v.string()),
+    trianglePatch: v.optional(described(WORDS.trianglePatch, v.string())),
+    patches: described(WORDS.bodyPatches, v.pipe(v.array(bodyPatchSchema), v.minLength(1), v.readonly())),
+    surface: v.optional(described(WORDS.bodySurface, v.picklist(BODY_SURFACES))),
+    remeshing: v.optional(described(WORDS.remeshing, remeshingSchema)),
+    placement: v.optional(described(WORDS.placement, placementSchema)),
+  }),
+  v.rawCheck(({ dataset, addIssue }) => {
+    if (!dataset.typed) return;
+    const { value } = dataset;
+    checkBodyArrays(value, (field, problem) =>
+      addIssue({ message: `${bodyLabel(value)}: ${problem}`, path: pathItems(value, [field]) }),
+    );
+  }),
+  v.readonly(),
+);
+
+/** Returns what messages call a body: `body "bracket"`, or `body 3` by id. */
+export function bodyLabel({ id, name = "" }: { readonly id: number; readonly name?: string | undefined }) {
+  return name === "" ? `body ${id}` : `body "${name}"`;
+}
 
 const backgroundNodeSchema = v.pipe(
   objectWith({
@@ -123,6 +197,7 @@ const documentSchema = v.pipe(
     points: listOf(pointSchema),
     lines: listOf(lineSchema),
     patches: listOf(patchSchema),
+    bodies: v.optional(described(WORDS.bodies, listOf(bodySchema))),
     background: v.optional(described(WORDS.background, backgroundSchema), { nodes: [], tetrahedra: [] }),
   }),
   v.readonly(),
@@ -143,7 +218,7 @@ const POSITIONS: Readonly<Record<v.InferOutput<typeof sourceSchema>["type"], num
 export function checkReferences(project: Document, report: Report): void {
   const points = uniqueIds(project.points, ["points"], "point", report);
   const lines = uniqueIds(project.lines, ["lines"], "line", report);
-  uniqueIds(project.patches, ["patches"], "patch", report);
+  checkBodyIds(project, uniqueIds(project.patches, ["patches"], "patch", report), report);
   const nodes = uniqueIds(project.background.nodes, ["background", "nodes"], "background node", report);
   const expect = (known: ReadonlySet<number>, kind: string, entity: number, path: Path) => {
     if (!known.has(entity)) report(path, `there is no ${kind} with the id ${entity}`);
@@ -162,6 +237,13 @@ export function checkReferences(project: Document, report: Report): void {
     ),
   );
   checkSources(project.background.sources ?? [], report);
+}
+
+/** Reports duplicate ids of bodies, and of patches among all patches. */
+function checkBodyIds({ bodies = [] }: Document, drawn: ReadonlySet<number>, report: Report): void {
+  uniqueIds(bodies, ["bodies"], "body", report);
+  const patches = new Set(drawn);
+  bodies.forEach((body, b) => uniqueIds(body.patches, ["bodies", b, "patches"], "patch", report, patches));
 }
 
 /** Describes what is wrong with a list of sources; undefined if it is valid. */
@@ -192,8 +274,8 @@ function uniqueIds(
   path: Path,
   kind: string,
   report: Report,
+  seen = new Set<number>(),
 ): ReadonlySet<number> {
-  const seen = new Set<number>();
   entities.forEach((entity, index) => {
     if (seen.has(entity.id)) report([...path, index, "id"], `another ${kind} also has the id ${entity.id}`);
     seen.add(entity.id);
@@ -210,7 +292,7 @@ export const projectSchema = v.pipe(
     checkReferences(value, (path, message) => addIssue({ message, path: pathItems(value, path) }));
   }),
   v.title("Tetrafront project"),
-  v.description("Points, lines, patches and a background grid"),
+  v.description("Points, lines, patches, bodies and a background grid"),
 );
 
 /** Returns the keys from `input` on with their values. */
@@ -227,7 +309,7 @@ function pathItems(input: unknown, keys: Path): [v.IssuePathItem, ...v.IssuePath
 /** Returns the project that a value holds, or its problems. */
 export const parsedProject = (value: unknown) => parsedBy(projectSchema, value);
 
-/** A model as the app edits and saves it: points, lines, patches, sizes. */
+/** A model as the app edits and saves it: points, lines, patches, bodies, sizes. */
 export type Project = v.InferOutput<typeof projectSchema>;
 /** A point and its position in model units. */
 export type ProjectPoint = Project["points"][number];
@@ -235,6 +317,16 @@ export type ProjectPoint = Project["points"][number];
 export type ProjectLine = Project["lines"][number];
 /** A patch and the loops of lines that bound it. */
 export type ProjectPatch = Project["patches"][number];
+/** A closed triangulated surface beside what is drawn; see `createBody` and `bodySurface`. */
+export type ProjectBody = NonNullable<Project["bodies"]>[number];
+/** A patch of a body; its id differs from those of drawn patches. */
+export type ProjectBodyPatch = ProjectBody["patches"][number];
+/** How the triangles of a body are remeshed, as in `RemeshOptions`. */
+export type BodyRemeshing = NonNullable<ProjectBody["remeshing"]>;
+/** Where a body is: its points are scaled, then rotated, then moved. */
+export type BodyPlacement = NonNullable<ProjectBody["placement"]>;
+/** What is done to the triangles of a body before it is filled. */
+export type BodySurface = (typeof BODY_SURFACES)[number];
 /** The default mesh settings of a project; options of the caller take precedence. */
 export type ProjectMeshing = NonNullable<Project["meshing"]>;
 /** The background grid of a project, with its sources. */
@@ -248,7 +340,9 @@ export type ProjectSource = NonNullable<ProjectBackground["sources"]>[number];
 export type PointId = number;
 /** The id of a line; positive, unique among lines. */
 export type LineId = number;
-/** The id of a patch; positive, unique among patches. */
+/** The id of a body; positive, unique among bodies. */
+export type BodyId = number;
+/** The id of a patch; positive, unique among drawn patches and those of bodies. */
 export type PatchId = number;
 /** The id of a source; positive, unique among sources. */
 export type SourceId = number;

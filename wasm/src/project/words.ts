@@ -1,5 +1,11 @@
 import { LIMITS, limitText } from "../base/limits.js";
-import { MESH_DEFAULTS, SOURCE_GROWTH } from "../generated/constants.js";
+import {
+  MAX_LAYERS,
+  MAX_REMESH_ANGLE,
+  MESH_DEFAULTS,
+  REMESH_DEFAULTS,
+  SOURCE_GROWTH,
+} from "../generated/constants.js";
 
 const LENGTH = limitText(LIMITS.length);
 
@@ -30,6 +36,27 @@ export const WORDS = {
     "What closed shells inside a region bound: cavities (default), or regions, which are meshed too",
   order: "Next face of the front: one of the lowest layer (default), or the smallest",
   optimization: "Effort spent on improving the elements after the front",
+  bodies: "Closed triangulated surfaces beside the drawn patches",
+  bodyPoints: "Nodes of the given triangles: base64 of x y z per node, as little-endian doubles",
+  bodyTriangles: "Given triangles: base64 of three node indices each, as little-endian 32-bit integers",
+  trianglePatch:
+    "Base64 of the index in `patches` of each triangle, as little-endian 32-bit integers; may be omitted if there is one patch",
+  bodyPatches: "Patches of the body; their ids differ from those of all other patches of the project",
+  bodySurface:
+    "What is done to the given triangles before the body is filled: remesh (default), refine (split large triangles), or keep",
+  remeshing: "How the surface is remeshed",
+  remeshSize: `Target edge length in model units, above 0, up to ${LENGTH}; default: the sizes of the project, else by shape`,
+  minSize: "Smallest size that the shape may ask for, in model units",
+  maxSize: "Largest automatic size, in model units",
+  tolerance: "Largest distance between the given and the new surface, in model units",
+  featureAngle: `Edges with a larger angle between their triangles stay sharp; 1 to ${MAX_REMESH_ANGLE} degrees, default ${REMESH_DEFAULTS.featureAngle}`,
+  anglePerEdge: `Largest angle that an edge may span on a curved patch; 1 to ${MAX_REMESH_ANGLE} degrees`,
+  layers: `Number of elements across thin walls, 0 to ${MAX_LAYERS}; 0 ignores thickness`,
+  remeshGrowth: `Growth of the size per unit of distance, 0 to ${LIMITS.growth}, default ${REMESH_DEFAULTS.growth}`,
+  placement: "Where the body is: the given points are scaled, then rotated, then moved",
+  bodyPosition: "Position of the origin of the given points: x y z in model units, default 0 0 0",
+  rotation: "Unit quaternion x y z w, default 0 0 0 1",
+  scale: `Factor above 0, up to ${LENGTH}; default 1`,
   schema: "Schema for editors; ignored when the file is read",
   units: 'Label such as "mm"; nothing is converted',
   meshing: "Default mesh settings; options of the caller take precedence",

@@ -1,0 +1,294 @@
+/** Bodies of projects: their texts, the schema, placement, and their prepared surfaces. */
+import {
+  type BodyPlacement,
+  bodySurface,
+  createBody,
+  createMesher,
+  type Mesher,
+  parseProject,
+  type Progress,
+  type Project,
+  type ProjectBody,
+  readProject,
+  type SurfaceInput,
+  writeProject,
+} from "tetrafront";
+import { afterAll, beforeAll, describe, expect, test } from "vitest";
+
+import { base64Of, bytesOfBase64 } from "../../../wasm/src/base/base64.js";
+import { enclosedVolume } from "../../support/check-mesh.js";
+import { cubeProject } from "../../support/projects.js";
+import { boxSurface, sphereSurface } from "../../support/surfaces.js";
+
+let mesher: Mesher;
+beforeAll(async () => {
+  mesher = await createMesher();
+});
+afterAll(() => mesher.dispose());
+
+const EMPTY: Project = {
+  format: "tetrafront-project",
+  version: 2,
+  name: "bodies",
+  points: [],
+  lines: [],
+  patches: [],
+  background: { nodes: [], tetrahedra: [] },
+};
+
+/** The faces of a box as six patches, in the order of `boxSurface`. */
+function boxBody(changes: Partial<ProjectBody> = {}, n = 2): ProjectBody {
+  const surface = boxSurface(n);
+  const perFace = surface.triangles.length / 18;
+  const trianglePatch = new Uint32Array(6 * perFace).map((_, t) => Math.floor(t / perFace));
+  const patches = ["left", "right", "front", "back", "bottom", "top"].map((name) => ({ name }));
+  const body = createBody({ ...surface, trianglePatch, patches }, { id: 3, firstPatchId: 11, name: "box" });
+  return { ...body, ...changes };
+}
+
+const withBodies = (...bodies: ProjectBody[]): Project => ({ ...EMPTY, bodies });
+
+/** Returns the path and message of the first error. */
+function firstError(project: unknown): string {
+  const read = parseProject(project);
+  if (read.success) throw new Error("the project was accepted");
+  return read.errors[0].message;
+}
+
+const textOf = (...numbers: number[]) => base64Of(new Uint8Array(Uint32Array.from(numbers).buffer));
+const doublesText = (...numbers: number[]) => base64Of(new Uint8Array(Float64Array.from(numbers).buffer));
+
+describe("base64", () => {
+  test.each([0, 1, 2, 3, 4, 5, 255])("of %i bytes equals that of Node, and is read back", (length) => {
+    const bytes = Uint8Array.from({ length }, (_, i) => (37 * i + 251) & 255);
+    expect(base64Of(bytes)).toBe(Buffer.from(bytes).toString("base64"));
+    expect(bytesOfBase64(base64Of(bytes))).toEqual(bytes);
+  });
+
+  test.each(["A", "AA", "AAA", "A===", "AA=A", "AAA\u{1F600}", "AAA-", "AA A", "====", "AAAAA==="])(
+    "rejects %j",
+    (text) => expect(bytesOfBase64(text)).toBeUndefined(),
+  );
+});
+
+describe("a body in a project file", () => {
+  test("is read back unchanged, one body per line", () => {
+    const placement: BodyPlacement = { position: [1, 2, 3], rotation: [0, 0, 0.6, 0.8], scale: 2 };
+    const remeshing = { minSize: 0.1, layers: 2 };
+    const project = withBodies(boxBody({ placement, surface: "refine", remeshing }));
+    const text = writeProject(project);
+    expect(readProject(text)).toEqual({ success: true, value: project });
+    expect(text.split("\n").filter((line) => line.startsWith('    {"id":3'))).toHaveLength(1);
+  });
+
+  test("has the arrays of its surface, bit for bit", () => {
+    const { points, triangles } = sphereSurface(3, 0.7, [0.1, 0.2, 0.3]);
+    const body = createBody({ points, triangles }, { id: 1, firstPatchId: 5, name: "ball" });
+    expect(bodySurface(body)).toEqual({
+      points,
+      triangles,
+      trianglePatch: new Uint32Array(triangles.length / 3),
+    });
+    expect(body.patches).toEqual([{ id: 5, name: "ball" }]);
+    expect(body).not.toHaveProperty("trianglePatch");
+  });
+
+  test("keeps the names of the patches, and no meaningless ones", () => {
+    expect(boxBody().patches[5]).toEqual({ id: 16, name: "top" });
+    const surface = { ...boxSurface(1), patches: [{ name: "surface" }] };
+    expect(createBody(surface, { id: 1, firstPatchId: 1 }).patches).toEqual([{ id: 1 }]);
+  });
+
+  const invalid: [string, Partial<Record<keyof ProjectBody, unknown>>, RegExp][] = [
+    ["points that are not base64", { points: "?" }, /^bodies\[0\]\.points: body "box": expected base64/],
+    ["points without z", { points: doublesText(0, 0) }, /^bodies\[0\]\.points: .*24 bytes/],
+    [
+      "a coordinate that is not finite",
+      { points: doublesText(...new Array<number>(77).fill(0), NaN) },
+      /^bodies\[0\]\.points: .*node 25 .*NaN/,
+    ],
+    ["no triangles", { triangles: "" }, /^bodies\[0\]\.triangles: /],
+    [
+      "an index out of range",
+      { triangles: textOf(0, 1, 26) },
+      /^bodies\[0\]\.triangles: .*triangle 0 .*node 26, but there are 26 nodes/,
+    ],
+    ["too few patch indices", { trianglePatch: textOf(0) }, /^bodies\[0\]\.trianglePatch: .*48 triangles/],
+    ["no patch indices", { trianglePatch: undefined }, /^bodies\[0\]\.trianglePatch: .*6 patches/],
+    [
+      "a patch that does not exist",
+      { patches: [{ id: 1 }] },
+      /^bodies\[0\]\.trianglePatch: .*patch 1, but there are 1 patch/,
+    ],
+    [
+      "patches with the same id",
+      { patches: [1, 1, 2, 3, 4, 5].map((id) => ({ id })) },
+      /^bodies\[0\]\.patches\[1\]\.id: /,
+    ],
+    ["no patches", { patches: [] }, /^bodies\[0\]\.patches: /],
+    [
+      "a rotation that is no unit quaternion",
+      { placement: { rotation: [0, 0, 1, 1] } },
+      /^bodies\[0\]\.placement\.rotation: .*unit quaternion/,
+    ],
+    ["a scale of 0", { placement: { scale: 0 } }, /^bodies\[0\]\.placement\.scale: /],
+    ["an unknown treatment", { surface: "melt" }, /^bodies\[0\]\.surface: expected one of/],
+    ["an unknown option", { remeshing: { sizes: 1 } }, /^bodies\[0\]\.remeshing: there is no key "sizes"/],
+    ["an angle above 180", { remeshing: { featureAngle: 200 } }, /^bodies\[0\]\.remeshing\.featureAngle: /],
+  ];
+  test.each(invalid)("with %s is refused", (_, changes, expected) => {
+    expect(firstError({ ...EMPTY, bodies: [{ ...boxBody(), ...changes }] })).toMatch(expected);
+  });
+
+  test("must not use the patch id of a drawn patch or of another body, nor the id of another body", () => {
+    const cube = cubeProject();
+    const body = boxBody({ patches: boxBody().patches.map((patch, p) => ({ ...patch, id: p + 6 })) });
+    expect(firstError({ ...cube, bodies: [body] })).toMatch(
+      /^bodies\[0\]\.patches\[0\]\.id: another patch also has the id 6/,
+    );
+    expect(firstError(withBodies(boxBody(), boxBody({ id: 4 })))).toMatch(/^bodies\[1\]\.patches\[0\]\.id: /);
+    expect(firstError(withBodies(boxBody(), boxBody()))).toMatch(/^bodies\[1\]\.id: another body/);
+  });
+
+  test("with a million triangles is read in less than a second, and checked again at once", () => {
+    const surface = sphereSurface(289);
+    expect(surface.triangles.length / 3).toBeGreaterThan(1e6);
+    const project = withBodies(createBody(surface, { id: 1, firstPatchId: 1 }));
+    const timeOf = (check: () => void) => {
+      const began = performance.now();
+      check();
+      return performance.now() - began;
+    };
+    const check = () => expect(parseProject(project).success).toBe(true);
+    expect(timeOf(check)).toBeLessThan(1000);
+    const edited = { ...project, name: "edited" };
+    expect(timeOf(() => parseProject(edited))).toBeLessThan(20);
+  });
+});
+
+describe("the placement of a body", () => {
+  test("scales, then rotates, then moves", () => {
+    const half = Math.SQRT1_2;
+    // A quarter turn about z: x goes to y.
+    const placement: BodyPlacement = { position: [10, 20, 30], rotation: [0, 0, half, half], scale: 2 };
+    const given = bodySurface(boxBody()).points;
+    const { points } = bodySurface(boxBody({ placement }));
+    for (let i = 0; i < points.length; i += 3) {
+      const [x = 0, y = 0, z = 0] = given.subarray(i, i + 3);
+      expect(points[i]).toBeCloseTo(10 - 2 * y, 12);
+      expect(points[i + 1]).toBeCloseTo(20 + 2 * x, 12);
+      expect(points[i + 2]).toBeCloseTo(30 + 2 * z, 12);
+    }
+  });
+
+  test("that changes nothing gives the same coordinates", () => {
+    const placement: BodyPlacement = { position: [0, 0, 0], rotation: [0, 0, 0, 1], scale: 1 };
+    const body = createBody(sphereSurface(4), { id: 1, firstPatchId: 1 });
+    expect(bodySurface({ ...body, placement }).points).toEqual(bodySurface(body).points);
+  });
+});
+
+const diagnosticsOf = (call: Promise<unknown>) =>
+  call.then(
+    () => [],
+    (failure: { data: { diagnostics: readonly { message: string; body?: number; entities: object[] }[] } }) =>
+      failure.data.diagnostics,
+  );
+
+/** A box that a second one intersects, as one surface. */
+function intersectingSurface(): SurfaceInput {
+  const [one, two] = [boxSurface(2), boxSurface(2, [0.5, 0.4, 0.3], [1.5, 1.4, 1.3])];
+  const nodes = one.points.length / 3;
+  return {
+    points: Float64Array.of(...one.points, ...two.points),
+    triangles: Uint32Array.of(...one.triangles, ...two.triangles.map((node) => node + nodes)),
+  };
+}
+
+describe("prepareBody", () => {
+  test("keeps the triangles of a body that asks for it", async () => {
+    const body = boxBody({ surface: "keep", placement: { scale: 2 } });
+    const prepared = await mesher.prepareBody(withBodies(body), 3);
+    expect(prepared).toEqual({
+      body: 3,
+      ...bodySurface(body),
+      origin: new Uint32Array(48).map((_, t) => t),
+      diagnostics: [],
+    });
+  });
+
+  test("remeshes by default; the patches stay and the figures are there", async () => {
+    const progress: Progress[] = [];
+    const project = withBodies(boxBody());
+    const control = { onProgress: (now: Progress) => progress.push(now) };
+    const prepared = await mesher.prepareBody(project, 3, { size: 0.2 }, control);
+    const { surface, ...figures } = await mesher.remeshSurface(bodySurface(boxBody()), { size: 0.2 });
+    expect(prepared.points).toEqual(surface.points);
+    expect(prepared.triangles).toEqual(surface.triangles);
+    expect(prepared).toMatchObject(figures);
+    // Each triangle lies in the plane of its patch.
+    prepared.trianglePatch.forEach((patch, t) => {
+      for (const node of prepared.triangles.subarray(3 * t, 3 * t + 3)) {
+        expect(prepared.points[3 * node + Math.floor(patch / 2)]).toBe(patch % 2);
+      }
+    });
+    expect(progress.at(-1)).toMatchObject({ phase: "bodies", body: 3, fraction: 1 });
+  });
+
+  test("takes the body's own size, else the project's, else sizes by shape; sources cap each", async () => {
+    const count = async (project: Project, options = {}) =>
+      (await mesher.prepareBody(project, 3, options)).triangles.length / 3;
+    const plain = withBodies(boxBody());
+    const own = withBodies(boxBody({ remeshing: { size: 0.1 } }));
+    const bodySize = await count(own);
+    expect(await count(own, { size: 0.5 })).toBe(bodySize);
+    expect(await count({ ...plain, meshing: { size: 0.1 } })).toBe(bodySize);
+    expect(await count(plain, { size: 0.1 })).toBe(bodySize);
+    const { background } = cubeProject(0.1);
+    const byGrid = await count({ ...plain, background });
+    expect(byGrid).toBeGreaterThan(0.8 * bodySize);
+    expect(byGrid).toBeLessThan(1.25 * bodySize);
+    const automatic = await count(plain);
+    expect(await count({ ...plain, background }, { size: 0.5 })).toBeLessThan(0.3 * byGrid);
+    const sources = [{ id: 1, type: "point", positions: [[0, 0, 0]], size: 0.02, distance: 0.3 }] as const;
+    const capped = { ...EMPTY.background, sources };
+    expect(await count({ ...plain, background: capped })).toBeGreaterThan(1.2 * automatic);
+    expect(await count({ ...own, background: capped })).toBeGreaterThan(1.2 * bodySize);
+  });
+
+  test("divides large triangles of a body that asks for it, and keeps them without a size", async () => {
+    const project = withBodies(boxBody({ surface: "refine" }));
+    const refined = await mesher.prepareBody(project, 3, { size: 0.2 });
+    const { surface, origin } = await mesher.refineSurface(bodySurface(boxBody()), { size: 0.2 });
+    expect(refined).toMatchObject({ points: surface.points, triangles: surface.triangles, origin });
+    expect(refined.trianglePatch).toEqual(
+      origin.map((from) => bodySurface(boxBody()).trianglePatch[from] ?? 0),
+    );
+    expect((await mesher.prepareBody(project, 3)).triangles).toEqual(bodySurface(boxBody()).triangles);
+    expect(enclosedVolume(refined)).toBeCloseTo(1, 12);
+  });
+
+  test("names the body and the patch in its errors", async () => {
+    const surface = intersectingSurface();
+    const trianglePatch = new Uint32Array(surface.triangles.length / 3).map((_, t) => Number(t >= 48));
+    const patches = [{ name: "block" }, { name: "lid" }];
+    const body = createBody(
+      { ...surface, trianglePatch, patches },
+      { id: 8, firstPatchId: 20, name: "part" },
+    );
+    const [found] = await diagnosticsOf(mesher.prepareBody(withBodies(body), 8));
+    expect(found?.message).toMatch(/^Body "part": the surface .*triangle \d+ of patch "block"/);
+    expect(found?.message).toMatch(/of patch "lid"/);
+    expect(found).toMatchObject({ code: "self-intersection", body: 8 });
+    expect(found?.entities).toContainEqual({ kind: "patch", index: 1, id: 21, label: 'patch "lid"' });
+  });
+
+  test("refuses a body that does not exist, and a cancelled call", async () => {
+    const [found] = await diagnosticsOf(mesher.prepareBody(withBodies(boxBody()), 4));
+    expect(found?.message).toBe("There is no body with the id 4");
+    const aborted = new AbortController();
+    const call = mesher.prepareBody(withBodies(boxBody()), 3, { size: 0.01 }, { signal: aborted.signal });
+    setTimeout(() => aborted.abort(), 100);
+    await expect(call).rejects.toMatchObject({ code: "cancelled" });
+  });
+});

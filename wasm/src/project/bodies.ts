@@ -1,0 +1,141 @@
+/** Bodies of a project: closed triangulated surfaces with patches, and where they are. */
+import * as v from "valibot";
+import { checkArgument } from "../calls/argument-checks.js";
+import { doubles, index, integers } from "../calls/schemas.js";
+import type { FileGroup } from "../mesh/file-mesh.js";
+import type { Position } from "../mesh/inspection.js";
+import type { PatchedSurface } from "../mesh/mesh.js";
+import { bodyArrays, textOfArray } from "./body-arrays.js";
+import { bodySchema, type BodyId, type BodyPlacement, type PatchId, type ProjectBody } from "./schema.js";
+
+/** Ids and name of a new body. */
+export interface NewBody {
+  readonly id: BodyId;
+  /** Id of its first patch; the others follow. */
+  readonly firstPatchId: PatchId;
+  readonly name?: string | undefined;
+}
+
+const surfaceSchema = v.pipe(
+  v.object({
+    points: doubles(3),
+    triangles: integers(3),
+    trianglePatch: v.optional(integers()),
+    patches: v.optional(v.array(v.object({ name: v.string() }))),
+  }),
+  v.check(
+    ({ trianglePatch, triangles }) =>
+      trianglePatch === undefined || 3 * trianglePatch.length === triangles.length,
+    "trianglePatch must have one index per triangle",
+  ),
+);
+const newBodySchema = v.object({ id: index, firstPatchId: index, name: v.optional(v.string()) });
+
+/**
+ * Returns a body with the triangles of a surface, and with its patches, if it has any. A surface without named patches
+ * gets one patch with the name of the body. Its regions are not part of a body. O(n). Throws a `MesherError` if an
+ * argument has another type.
+ *
+ *     const file = await readSurface("bracket.stl", bytes);
+ *     const body = createBody(file, { id: 1, firstPatchId: 1, name: "bracket" });
+ */
+export function createBody(
+  surface: PatchedSurface & { readonly patches?: readonly Pick<FileGroup, "name">[] | undefined },
+  body: NewBody,
+): ProjectBody {
+  checkArgument("surface", surface, surfaceSchema);
+  checkArgument("body", body, newBodySchema);
+  const { points, triangles, trianglePatch } = surface;
+  const { id, firstPatchId, name } = body;
+  const given = surface.patches?.map((patch) => (isUnnamed(patch.name) ? undefined : patch.name)) ?? [];
+  const used = trianglePatch?.reduce((most, patch) => Math.max(most, patch + 1), 0) ?? 0;
+  const count = Math.max(used, given.length);
+  const names = count > 1 ? given : [given[0] ?? name];
+  return {
+    id,
+    ...(name !== undefined && { name }),
+    points: textOfArray(points),
+    triangles: textOfArray(triangles),
+    ...(count > 1 && trianglePatch && { trianglePatch: textOfArray(trianglePatch) }),
+    patches: Array.from({ length: Math.max(count, 1) }, (_, p) => {
+      const patchName = names[p];
+      return { id: firstPatchId + p, ...(patchName !== undefined && { name: patchName }) };
+    }),
+  };
+}
+
+/** Readers call the only patch of a file without patches "surface". */
+const isUnnamed = (name: string) => ["", "surface"].includes(name);
+
+/** The triangles of a body at its placement. */
+export interface PlacedSurface extends PatchedSurface {
+  /** Per triangle: index in the body's patches. */
+  readonly trianglePatch: Uint32Array;
+}
+
+/**
+ * Returns the given triangles of a body at its placement, in new arrays. Points are scaled, then rotated, then moved;
+ * without a placement they are unchanged. O(n). Throws a `MesherError` if the body is invalid.
+ */
+export function bodySurface(body: ProjectBody): PlacedSurface {
+  checkArgument("body", body, bodySchema);
+  const { points, triangles, trianglePatch } = bodyArrays(body);
+  return {
+    points: placed(points, body.placement),
+    triangles: triangles.slice(),
+    trianglePatch: trianglePatch.slice(),
+  };
+}
+
+const boxes = new WeakMap<object, readonly [low: Position, high: Position]>();
+
+/** Returns the box of a body at its placement. O(n) the first time. */
+export function bodyBox(body: ProjectBody): readonly [low: Position, high: Position] {
+  const known = boxes.get(body);
+  if (known !== undefined) return known;
+  const points = placed(bodyArrays(body).points, body.placement);
+  const low: [number, number, number] = [Infinity, Infinity, Infinity];
+  const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < points.length; i += 3) {
+    for (const axis of [0, 1, 2] as const) {
+      const coordinate = points[i + axis] ?? 0;
+      if (coordinate < low[axis]) low[axis] = coordinate;
+      if (coordinate > high[axis]) high[axis] = coordinate;
+    }
+  }
+  const box = [low, high] as const;
+  boxes.set(body, box);
+  return box;
+}
+
+/** Returns the placed copy of points. */
+function placed(points: Float64Array, placement: BodyPlacement | undefined): Float64Array {
+  const moved = points.slice();
+  if (placement === undefined) return moved;
+  const { position = [0, 0, 0], scale = 1 } = placement;
+  const rows = rotationRows(placement.rotation);
+  for (let i = 0; i < points.length; i += 3) {
+    const [x, y, z] = [scale * (points[i] ?? 0), scale * (points[i + 1] ?? 0), scale * (points[i + 2] ?? 0)];
+    for (const axis of [0, 1, 2] as const) {
+      const [a, b, c] = rows[axis];
+      moved[i + axis] = a * x + b * y + c * z + position[axis];
+    }
+  }
+  return moved;
+}
+
+type Row = readonly [number, number, number];
+
+/** Returns the matrix of a quaternion, which may differ from a unit quaternion by rounding. */
+function rotationRows(
+  rotation: readonly [x: number, y: number, z: number, w: number] = [0, 0, 0, 1],
+): readonly [Row, Row, Row] {
+  // Unlike Math.hypot, this gives the same result on all machines.
+  const norm = Math.sqrt(rotation.reduce((sum, part) => sum + part * part, 0));
+  const [x, y, z, w] = rotation.map((part) => part / norm) as [number, number, number, number];
+  return [
+    [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+    [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+    [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+  ];
+}
