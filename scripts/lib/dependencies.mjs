@@ -73,6 +73,7 @@ const APP = [
 const PANELS = [
   ["shared"],
   ["quality", "problems"],
+  ["bodies"],
   ["entities", "model", "files", "background", "viewport", "dialogs"],
   ["later"],
   ["inspector"],

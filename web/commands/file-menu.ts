@@ -3,6 +3,7 @@ import { commandLabels, downloadFormats } from "../strings";
 import { define, type Command } from "./command";
 import { downloadMesh, downloadReport } from "./download-actions";
 import { newProject, openFromDialog, save } from "./project-actions";
+import { importSurface } from "./surface-actions";
 
 const hasMesh = (app: App): boolean => app.run.state.getState().mesh !== null;
 
@@ -26,6 +27,7 @@ export const fileMenu: readonly Command[] = [
     inFields: true,
     enabled: (app) => app.library !== null,
   }),
+  define("file", 0)("import-surface", commandLabels.importSurface, (app) => void importSurface(app)),
   define("file", 0)("examples", commandLabels.examples, (app) =>
     app.shell.setState({ leftTab: "examples", drawer: "left" }),
   ),

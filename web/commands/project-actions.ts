@@ -8,10 +8,11 @@ import {
   type DocumentState,
   type ProjectFile,
 } from "../session/document-store";
-import { openProjectFile, readProjectFile, saveProjectFile, type OpenResult } from "../session/files";
+import { openDocumentFile, readDocumentFile, saveProjectFile, type OnReading, type OpenResult } from "../session/files";
 import { loadModel, type GalleryModel } from "../session/gallery";
 import { hideNotice, showNotice } from "../session/shell";
 import { strings } from "../strings";
+import type { ReadSurface } from "../workers/surface-files";
 import { showFailure, showMessage } from "./messages";
 
 /**
@@ -23,6 +24,31 @@ import { showFailure, showMessage } from "./messages";
 export function openProject(app: App, project: Project, file: ProjectFile | null = null): void {
   finishOpening(app, app.showProject(project, file));
   meshOpened(app);
+}
+
+/** Opens a surface as a new document: a project with one body, whose card shows what it is. */
+export function openSurface(app: App, name: string, read: ReadSurface): void {
+  const project = { ...emptyProject(name), bodies: [read.body] };
+  app.bodies.keep(read);
+  finishOpening(app, app.showProject(project));
+  app.run.cancel();
+  showNewBody(app, read);
+}
+
+/** Selects a new body and previews its triangles as soon as its surface is known to be valid. */
+export function showNewBody(app: App, { body: { id }, notes }: ReadSurface): void {
+  app.view.setLayer("bodies", true);
+  app.view.state.setState({ bodySurface: "new" });
+  app.view.selectAll([{ kind: "body", id }]);
+  app.shell.setState({ rightTab: "inspector", leftTab: "model", drawer: "right" });
+  app.bodies.prepareWhenValid(id);
+  if (notes.length === 0) return;
+  showNotice(app.shell, {
+    key: "file-notes",
+    tone: "information",
+    text: notes.join(" "),
+    action: { label: strings.notices.understood, run: () => undefined },
+  });
 }
 
 /** Opens an empty project, to draw in. */
@@ -92,6 +118,7 @@ function meshOpened(app: App): void {
 
 function takeOpened(app: App, result: OpenResult): void {
   if (result.kind === "opened") openProject(app, result.project, result.file);
+  else if (result.kind === "surface") openSurface(app, result.name, result.read);
   else if (result.kind === "failed") {
     showMessage(app, strings.messages.openFailed(result.fileName), result.reasons);
   }
@@ -99,15 +126,21 @@ function takeOpened(app: App, result: OpenResult): void {
 
 export async function openFromDialog(app: App): Promise<void> {
   try {
-    takeOpened(app, await openProjectFile());
+    takeOpened(app, await openDocumentFile("documents", noteReading(app)));
   } catch (error) {
     showFailure(app, strings.messages.noOpenDialog, error);
   }
 }
 
 export async function openDropped(app: App, file: File): Promise<void> {
-  takeOpened(app, await readProjectFile(file));
+  takeOpened(app, await readDocumentFile(file, noteReading(app)));
 }
+
+/** Shows in the status bar which file is being read. */
+export const noteReading =
+  (app: App): OnReading =>
+  (reading) =>
+    app.shell.setState({ reading });
 
 /** Saves to the document's file; without one, or if `askForName` is set, asks the user for a file. */
 export async function save(app: App, askForName: boolean): Promise<void> {

@@ -20,6 +20,10 @@ export function showEntities(app: App, entities: readonly Entity[]): void {
 /** Selects the first entity of a problem and moves the view to its position. */
 export function showProblem(app: App, problem: Problem): void {
   if (problem.entities.length > 0) showEntities(app, problem.entities.slice(0, 1));
+  if (problem.body !== null && problem.triangles.length > 0) {
+    app.view.markTriangles(problem.triangles, problem.body);
+    showGivenTriangles(app);
+  }
   if (problem.code === "outside-background-grid") app.view.setLayer("background", true);
   if (problem.position) app.viewer.getState().viewer?.fitPosition(problem.position);
 }
@@ -32,9 +36,17 @@ export function showElement(app: App, tetrahedron: number): void {
   app.viewer.getState().viewer?.fitSelectedFaces();
 }
 
-/** Highlights triangles of the surface that the last run rejected, and moves the view to them. */
-export function showTriangles(app: App, triangles: readonly number[]): void {
-  app.view.markTriangles(triangles);
+/** Shows the given triangles of bodies instead of a mesh. */
+function showGivenTriangles(app: App): void {
+  app.view.setLayer("mesh", false);
+  app.view.setLayer("bodies", true);
+  app.view.state.setState({ bodySurface: "given" });
+}
+
+/** Highlights triangles of the surface that the last run rejected, or of a body, and moves the view to them. */
+export function showTriangles(app: App, triangles: readonly number[], body: number | null): void {
+  app.view.markTriangles(triangles, body);
+  if (body !== null) showGivenTriangles(app);
   app.shell.setState({ drawer: null });
   app.viewer.getState().viewer?.fitSelectedFaces();
 }

@@ -1,12 +1,18 @@
 import type {
+  BodyPlacement,
+  BodyRemeshing,
   Project,
+  ProjectBody,
+  ProjectBodyPatch,
   ProjectLine,
   ProjectMeshing,
   ProjectPatch,
   ProjectPoint,
   ProjectSource,
 } from "tetrafront";
+import { bodiesOf } from "./entities";
 import { addReal, Hash, hashText } from "./hash";
+import { textKey } from "./long-texts";
 import { numbersPerNode, packedNodes, packedTetrahedra, partsOf } from "./packed-grid";
 import { forEachInSlices } from "./slices";
 
@@ -79,6 +85,19 @@ const meshingFields = fieldsOf<ProjectMeshing>({
   optimization: true,
 });
 
+const bodyPatchFields = fieldsOf<ProjectBodyPatch>({ id: true, name: true });
+const remeshingFields = fieldsOf<BodyRemeshing>({
+  size: true,
+  minSize: true,
+  maxSize: true,
+  tolerance: true,
+  featureAngle: true,
+  anglePerEdge: true,
+  layers: true,
+  growth: true,
+});
+const placementFields = fieldsOf<BodyPlacement>({ position: true, rotation: true, scale: true });
+
 const withoutName = (fields: readonly string[]): string[] => fields.filter((field) => field !== "name");
 
 /** Hashes records field by field in the given order, whatever the order of the fields in a record. */
@@ -120,6 +139,27 @@ const namelessHashesOf = {
   sources: remembering((list: readonly ProjectSource[]) => hashRecords(list, withoutName(sourceFields))),
 };
 
+/** Returns the key of the given triangles of a body and their patches. */
+export function givenSurfaceKey({ points, triangles, trianglePatch = "" }: ProjectBody): string {
+  return [points, triangles, trianglePatch].map(textKey).join(" ");
+}
+
+/** Returns the key of everything that the treated triangles of a body depend on, apart from sizes of the project. */
+export const namelessBodyKey = remembering((body: ProjectBody): string => {
+  const { id, patches, surface = "remesh", remeshing = {}, placement = {} } = body;
+  const head = [
+    id,
+    surface,
+    JSON.stringify(remeshing, remeshingFields),
+    JSON.stringify(placement, placementFields),
+  ];
+  return [...head, hashRecords(patches, withoutName(bodyPatchFields)), givenSurfaceKey(body)].join(" ");
+});
+
+const bodyKey = remembering((body: ProjectBody): string =>
+  [namelessBodyKey(body), hashText(body.name ?? ""), hashRecords(body.patches, bodyPatchFields)].join(" "),
+);
+
 const usedPoints = remembering(
   (lines: readonly ProjectLine[]) => new Set(lines.flatMap(({ points }) => points)),
 );
@@ -154,7 +194,7 @@ function sizeParts({ background, meshing = {} }: Project): readonly (string | nu
 
 /** Returns the key of everything that a project file holds. */
 export const documentKey = remembering((project: Project): string => {
-  const { points, lines, patches, background, meshing: _, ...head } = project;
+  const { points, lines, patches, bodies: _bodies, background, meshing: _meshing, ...head } = project;
   const { points: ofPoints, lines: ofLines, patches: ofPatches, sources: ofSources } = hashesOf;
   return [
     JSON.stringify(head, Object.keys(head).sort()),
@@ -163,6 +203,7 @@ export const documentKey = remembering((project: Project): string => {
     ofLines(lines),
     ofPatches(patches),
     ofSources(background.sources ?? noSources),
+    ...bodiesOf(project).map(bodyKey),
   ].join(" ");
 });
 
@@ -175,5 +216,14 @@ export const meshKey = remembering((project: Project): string => {
     namelessHashesOf.lines(lines),
     namelessHashesOf.patches(patches),
     namelessHashesOf.sources(background.sources ?? noSources),
+    ...bodiesOf(project).map(namelessBodyKey),
   ].join(" ");
 });
+
+/** Returns the key of everything that the treated triangles of a body depend on. */
+export function preparedKey(project: Project, body: ProjectBody): string {
+  const { size, gradation, innerShells } = project.meshing ?? {};
+  const { sources = noSources } = project.background;
+  const sizes = sizeParts({ ...project, meshing: { size, gradation, innerShells } });
+  return [...sizes, namelessHashesOf.sources(sources), namelessBodyKey(body)].join(" ");
+}

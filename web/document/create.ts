@@ -30,7 +30,10 @@ export function emptyProject(name: string = untitled): Project {
 
 /** Returns an id above all ids of a kind: an id is not reused while a higher one exists. */
 export function nextId(project: Project, kind: DrawnKind): number {
-  return recordsOf(project, kind).reduce((highest, { id }) => Math.max(highest, id), 0) + 1;
+  const highestOf = (of: DrawnKind): number =>
+    recordsOf(project, of).reduce((highest, { id }) => Math.max(highest, id), 0);
+  // Drawn patches and those of bodies have ids of their own.
+  return Math.max(highestOf(kind), kind === "patch" ? highestOf("body-patch") : 0) + 1;
 }
 
 export const idsOf = (selection: readonly Entity[], of: DrawnKind): number[] =>
@@ -212,6 +215,8 @@ function selectedPositions(project: Project, selection: readonly Entity[]): Posi
         });
       }
       case "patch":
+      case "body":
+      case "body-patch":
       case "source":
         return [];
     }

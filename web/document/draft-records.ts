@@ -20,6 +20,10 @@ export function listOf(project: ProjectDraft, kind: DrawnKind): { id: number; na
       return project.lines;
     case "patch":
       return project.patches;
+    case "body":
+      return project.bodies ?? [];
+    case "body-patch":
+      return (project.bodies ?? []).flatMap(({ patches }) => patches);
     case "background-node":
       return project.background.nodes;
     case "source":

@@ -126,6 +126,7 @@ export function deleteEntities(project: Project, entities: readonly Entity[]): P
       [["project", "points"], rest(project.points, "point")],
       [["project", "lines"], rest(project.lines, "line")],
       [["project", "patches"], rest(project.patches, "patch")],
+      ...(project.bodies ? [[["project", "bodies"], rest(project.bodies, "body")] as const] : []),
       [["project", "background", "nodes"], rest(background.nodes, "background-node")],
       [
         ["project", "background", "tetrahedra"],

@@ -1,14 +1,16 @@
 import type {
   Project,
   ProjectBackgroundNode,
+  ProjectBody,
+  ProjectBodyPatch,
   ProjectLine,
   ProjectPatch,
   ProjectPoint,
   ProjectSource,
 } from "tetrafront";
 
-/** Kinds of entities that the user draws and selects in tree, view and inspector. */
-export type DrawnKind = "point" | "line" | "patch" | "background-node" | "source";
+/** Kinds of entities that the user draws or imports, and selects in tree, view and inspector. */
+export type DrawnKind = "point" | "line" | "patch" | "body" | "body-patch" | "background-node" | "source";
 
 /** One drawn entity, by its id in the project file. */
 export interface Entity {
@@ -17,7 +19,15 @@ export interface Entity {
 }
 
 /** All kinds, in the order of the tree. */
-export const drawnKinds: readonly DrawnKind[] = ["point", "line", "patch", "background-node", "source"];
+export const drawnKinds: readonly DrawnKind[] = [
+  "point",
+  "line",
+  "patch",
+  "body",
+  "body-patch",
+  "background-node",
+  "source",
+];
 
 /** A string that identifies the entity in sets, maps and test ids, e.g. "point-12". */
 export function entityKey(entity: Entity): string {
@@ -32,11 +42,49 @@ interface RecordOfKind {
   point: ProjectPoint;
   line: ProjectLine;
   patch: ProjectPatch;
+  body: ProjectBody;
+  "body-patch": ProjectBodyPatch;
   "background-node": ProjectBackgroundNode;
   source: ProjectSource;
 }
 
 const noSources: readonly ProjectSource[] = [];
+const noBodies: readonly ProjectBody[] = [];
+
+export function bodiesOf({ bodies = noBodies }: Project): readonly ProjectBody[] {
+  return bodies;
+}
+
+/** The patches of lists of bodies, made once per list. */
+const bodyPatches = new WeakMap<object, readonly ProjectBodyPatch[]>();
+
+function bodyPatchesOf(project: Project): readonly ProjectBodyPatch[] {
+  const bodies = bodiesOf(project);
+  let patches = bodyPatches.get(bodies);
+  if (!patches) {
+    patches = bodies.flatMap((body) => body.patches);
+    bodyPatches.set(bodies, patches);
+  }
+  return patches;
+}
+
+/** Returns the body that a patch belongs to. */
+export function bodyOfPatch(project: Project, patch: number): ProjectBody | undefined {
+  return bodiesOf(project).find(({ patches }) => patches.some(({ id }) => id === patch));
+}
+
+/** Returns a drawn patch or a patch of a body by its id: all patches have ids of their own. */
+export function patchEntity(project: Project, id: number): Entity {
+  return { kind: bodyOfPatch(project, id) ? "body-patch" : "patch", id };
+}
+
+/** Returns a patch by its index in a mesh: the drawn patches come first, then those of the bodies. */
+export function patchAt(project: Project, index: number): Entity | undefined {
+  const drawn = project.patches[index];
+  if (drawn) return { kind: "patch", id: drawn.id };
+  const ofBody = bodyPatchesOf(project)[index - project.patches.length];
+  return ofBody && { kind: "body-patch", id: ofBody.id };
+}
 
 /** The project's records of one kind, in file order. */
 export function recordsOf<K extends DrawnKind>(project: Project, kind: K): readonly RecordOfKind[K][] {
@@ -44,6 +92,8 @@ export function recordsOf<K extends DrawnKind>(project: Project, kind: K): reado
     point: project.points,
     line: project.lines,
     patch: project.patches,
+    body: bodiesOf(project),
+    "body-patch": bodyPatchesOf(project),
     "background-node": project.background.nodes,
     source: project.background.sources ?? noSources,
   };
@@ -86,7 +136,9 @@ export function dependentsOf(project: Project, entity: Entity): Entity[] {
       return project.patches
         .filter((patch) => patch.loops.some((loop) => loop.some((step) => Math.abs(step) === entity.id)))
         .map(({ id }) => ({ kind: "patch", id }));
+    case "body":
     case "patch":
+    case "body-patch":
     case "background-node":
     case "source":
       return [];

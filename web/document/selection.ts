@@ -4,7 +4,7 @@ import { entityKey, sameEntity, type Entity } from "./entities";
 
 /** The state of the view, which undo does not change: selection, visibility, cut, shading. */
 
-export type Layer = "points" | "lines" | "patches" | "background" | "sources" | "mesh";
+export type Layer = "points" | "lines" | "patches" | "bodies" | "background" | "sources" | "mesh";
 export type CutAxis = "x" | "y" | "z";
 export type Shading = "radius-ratio" | "dihedral" | "region" | "plain";
 
@@ -23,8 +23,12 @@ export interface ViewState {
   readonly hover: Entity | null;
   /** Index of a tetrahedron picked on a cut or in a list. */
   readonly element: number | null;
-  /** Indices of triangles picked in a list of problems, in the surface of the last run. */
+  /** Indices of triangles picked in a list of problems, in the surface of the last run or of `markedBody`. */
   readonly triangles: readonly number[];
+  /** Id of the body that `triangles` belong to; null for the surface of the last run. */
+  readonly markedBody: number | null;
+  /** Which triangles of bodies are drawn where no mesh is: the given ones, or those of the preview. */
+  readonly bodySurface: "given" | "new";
   /** Keys of the entities that are not drawn. */
   readonly hidden: ReadonlySet<string>;
   readonly layers: Readonly<Record<Layer, boolean>>;
@@ -39,14 +43,23 @@ export interface ViewState {
   readonly several: boolean;
 }
 
-const nothingMarked = { element: null, triangles: [] } as const;
+const nothingMarked = { element: null, triangles: [], markedBody: null } as const;
 
 const initialView: ViewState = {
   selection: [],
   hover: null,
   ...nothingMarked,
+  bodySurface: "new",
   hidden: new Set(),
-  layers: { points: true, lines: true, patches: true, background: false, sources: false, mesh: true },
+  layers: {
+    points: true,
+    lines: true,
+    patches: true,
+    bodies: true,
+    background: false,
+    sources: false,
+    mesh: true,
+  },
   hiddenRegions: new Set(),
   cut: { enabled: false, axis: "x", position: 0.5, flipped: false },
   shading: "radius-ratio",
@@ -121,8 +134,11 @@ export class ViewStore {
     if (element !== null || triangles.length > 0) this.state.setState(nothingMarked);
   }
 
-  markTriangles(triangles: readonly number[]): void {
-    this.state.setState({ ...nothingMarked, triangles, selection: [] });
+  /** Highlights triangles of a body; without one, of the surface of the last run. */
+  markTriangles(triangles: readonly number[], markedBody: number | null = null): void {
+    const { selection } = this.state.getState();
+    // The card of a body lists its problems, so it stays.
+    this.state.setState({ triangles, markedBody, element: null, selection: markedBody === null ? [] : selection });
   }
 
   setHover(hover: Entity | null): void {
@@ -175,7 +191,7 @@ export class ViewStore {
     this.state.setState(({ layers }) => ({
       hidden: new Set(),
       hiddenRegions: new Set(),
-      layers: { ...layers, points: true, lines: true, patches: true, mesh: true },
+      layers: { ...layers, points: true, lines: true, patches: true, bodies: true, mesh: true },
     }));
   }
 

@@ -1,5 +1,6 @@
-import type { Diagnostic, EntityRef, Project } from "tetrafront";
-import { drawnKinds, entityKey, recordsOf, type DrawnKind, type Entity } from "./entities";
+import type { Diagnostic, EntityRef, Project, ProjectBody, SurfaceInspection } from "tetrafront";
+import { drawnKinds, entityKey, patchAt, patchEntity, recordsOf, type DrawnKind, type Entity } from "./entities";
+import { placed } from "./placement";
 import type { Position } from "./position";
 
 /** A problem of the project or its mesh, with the entities to select. */
@@ -11,12 +12,14 @@ export interface Problem {
   readonly message: string;
   readonly remedy: string;
   readonly entities: readonly Entity[];
-  /** Indices of triangles in the surface that the last run rejected. */
+  /** Indices of triangles in the surface that the last run rejected, or in the given surface of `body`. */
   readonly triangles: readonly number[];
+  /** Id of the body that the triangles belong to. */
+  readonly body: number | null;
   readonly position: Position | null;
 }
 
-function isDrawn(kind: EntityRef["kind"]): kind is DrawnKind {
+function isDrawn(kind: string): kind is DrawnKind {
   return (drawnKinds as readonly string[]).includes(kind);
 }
 
@@ -25,6 +28,10 @@ function toEntities(project: Project, { kind, index, id }: EntityRef): Entity[] 
   if (kind === "background-tetrahedron") {
     const nodes = project.background.tetrahedra[index] ?? [];
     return nodes.map((node) => ({ kind: "background-node", id: node }));
+  }
+  if (kind === "patch") {
+    const patch = id === undefined ? patchAt(project, index) : patchEntity(project, id);
+    return patch ? [patch] : [];
   }
   if (!isDrawn(kind)) return [];
   const found = id ?? recordsOf(project, kind)[index]?.id;
@@ -37,7 +44,7 @@ function toEntities(project: Project, { kind, index, id }: EntityRef): Entity[] 
  */
 export function toProblems(project: Project, diagnostics: readonly Diagnostic[]): Problem[] {
   const problems = new Map<string, Problem>();
-  for (const { code, severity, message, remedy, entities, position } of diagnostics) {
+  for (const { code, severity, message, remedy, entities, position, body = null } of diagnostics) {
     const key = `${code}: ${message}`;
     if (severity === "information" || problems.has(key)) continue;
     problems.set(key, {
@@ -47,12 +54,42 @@ export function toProblems(project: Project, diagnostics: readonly Diagnostic[])
       message,
       remedy,
       entities: entities.flatMap((ref) => toEntities(project, ref)),
-      triangles: entities.flatMap(({ kind, index }) => (kind === "triangle" ? [index] : [])),
+      triangles: trianglesOf(entities),
+      body,
       position: position ?? null,
     });
   }
-  const rank = { error: 0, warning: 1 };
-  return [...problems.values()].sort((a, b) => rank[a.severity] - rank[b.severity]);
+  return sorted([...problems.values()]);
+}
+
+const trianglesOf = (entities: readonly EntityRef[]): number[] =>
+  entities.flatMap(({ kind, index }) => (kind === "triangle" ? [index] : []));
+
+const rank = { error: 0, warning: 1 };
+
+/** Returns problems with the errors first. */
+export const sorted = (problems: readonly Problem[]): Problem[] =>
+  problems.toSorted((a, b) => rank[a.severity] - rank[b.severity]);
+
+/** Returns the problems of a body's given surface, at their positions in the model. */
+export function bodyProblems({ id, placement }: ProjectBody, { diagnostics }: SurfaceInspection): Problem[] {
+  return diagnostics.flatMap(({ code, severity, message, remedy, entities, position }, index) =>
+    severity === "information"
+      ? []
+      : [
+          {
+            key: `body ${id} ${index} ${code}: ${message}`,
+            severity,
+            code,
+            message,
+            remedy,
+            entities: [{ kind: "body", id } as const],
+            triangles: trianglesOf(entities),
+            body: id,
+            position: position ? placed(position, placement) : null,
+          },
+        ],
+  );
 }
 
 /** Entities and triangles to emphasize in the view. */
@@ -61,7 +98,12 @@ export interface Defects {
   readonly triangles: readonly number[];
   /** Ids of patches that are invalid as a whole. */
   readonly patches: ReadonlySet<number>;
+  /** Indices of triangles in the given surfaces of bodies, by body. */
+  readonly bodies: ReadonlyMap<number, readonly number[]>;
 }
+
+/** Largest number of triangles of a body that are highlighted. */
+const maxBodyTriangles = 20_000;
 
 /** Returns the defects that errors name: their triangles if there are any, else their patches. */
 export function defectsOf(problems: readonly Problem[]): Defects {
@@ -69,10 +111,17 @@ export function defectsOf(problems: readonly Problem[]): Defects {
   const aboutPatches = errors.filter(
     ({ triangles, entities }) => triangles.length === 0 && entities[0]?.kind === "patch",
   );
+  const bodies = new Map<number, number[]>();
+  for (const { body, triangles } of errors) {
+    if (body === null || triangles.length === 0) continue;
+    const known = bodies.get(body) ?? [];
+    if (known.length < maxBodyTriangles) bodies.set(body, [...known, ...triangles]);
+  }
   const patches = aboutPatches.flatMap(({ entities }) => entities.filter(({ kind }) => kind === "patch"));
   return {
-    triangles: errors.flatMap(({ triangles }) => triangles),
+    triangles: errors.flatMap(({ triangles, body }) => (body === null ? triangles : [])),
     patches: new Set(patches.map(({ id }) => id)),
+    bodies,
   };
 }
 
@@ -82,7 +131,9 @@ export function problemsByEntity(problems: readonly Problem[]): ReadonlyMap<stri
   for (const problem of problems) {
     for (const entity of problem.entities) {
       const key = entityKey(entity);
-      byEntity.set(key, [...(byEntity.get(key) ?? []), problem]);
+      const known = byEntity.get(key);
+      if (known) known.push(problem);
+      else byEntity.set(key, [problem]);
     }
   }
   return byEntity;

@@ -1,5 +1,6 @@
 import type { Project } from "tetrafront";
 import { readProjectBlob, writeProjectBlob } from "../workers/project-files";
+import { readSurfaceFile, type ReadSurface } from "../workers/surface-files";
 import { strings } from "../strings";
 import type { ProjectFile } from "./document-store";
 
@@ -11,6 +12,7 @@ export type OpenResult =
       /** Null if the browser does not let the app write to the file. */
       readonly file: ProjectFile | null;
     }
+  | { readonly kind: "surface"; readonly name: string; readonly read: ReadSurface }
   | { readonly kind: "cancelled" }
   | { readonly kind: "failed"; readonly fileName: string; readonly reasons: readonly string[] };
 
@@ -25,7 +27,7 @@ const isNamed = (error: unknown, name: string): boolean =>
 const isAbort = (error: unknown): boolean => isNamed(error, "AbortError");
 
 /** Browsers open a dialog only right after a click or a key, so its code must already be loaded. */
-export const loadFileDialogs = () => import("browser-fs-access");
+export const loadFileDialogs = () => Promise.all([import("browser-fs-access"), import("./mesh-formats")]);
 
 /** The dialogs of some browsers add a handle that can be written to. */
 type OpenedFile = File & { readonly handle?: FileSystemFileHandle };
@@ -33,14 +35,34 @@ type OpenedFile = File & { readonly handle?: FileSystemFileHandle };
 /** Number of open dialogs. */
 let openDialogs = 0;
 
-/** Reads a project file, from the dialog or dropped on the page. */
-export async function readProjectFile(file: OpenedFile): Promise<OpenResult> {
+/** Called when reading begins that may take long, with a signal to be aborted; and with null when it has ended. */
+export type OnReading = (reading: { readonly fileName: string; readonly abort: AbortController } | null) => void;
+
+/** Reads a project file or a surface file, from the dialog or dropped on the page. */
+export async function readDocumentFile(file: OpenedFile, onReading: OnReading): Promise<OpenResult> {
+  const abort = new AbortController();
   try {
-    return await projectIn(file);
+    const { formatOf } = await import("./mesh-formats");
+    const isSurface = formatOf(file.name)?.readable.includes("surface") === true && !isProject(file.name);
+    if (!isSurface) return await projectIn(file);
+    onReading({ fileName: file.name, abort });
+    return await surfaceIn(file, abort.signal);
   } catch (error) {
+    if (abort.signal.aborted) return { kind: "cancelled" };
     // Causes are, for example, a folder, or a part of the app that could not be loaded.
     return { kind: "failed", fileName: file.name, reasons: [String(error)] };
+  } finally {
+    onReading(null);
   }
+}
+
+const isProject = (fileName: string): boolean => /\.json$/i.test(fileName);
+
+async function surfaceIn(file: File, signal: AbortSignal): Promise<OpenResult> {
+  const name = file.name.replace(/\.[^.]*$/, "");
+  const read = await readSurfaceFile(file, file.name, { id: 1, firstPatchId: 1, name }, signal);
+  if (read.success) return { kind: "surface", name, read };
+  return { kind: "failed", fileName: file.name, reasons: read.reasons };
 }
 
 async function projectIn(file: OpenedFile): Promise<OpenResult> {
@@ -57,25 +79,35 @@ async function projectIn(file: OpenedFile): Promise<OpenResult> {
   return { kind: "failed", fileName: file.name, reasons };
 }
 
-/** Returns what to do with a mesh file, by its name; undefined for other files. The app opens projects only. */
+/** Returns what to do with a mesh file without a surface, by its name; undefined for other files. */
 async function meshFileReasons(fileName: string): Promise<readonly string[] | undefined> {
-  if (/\.json$/i.test(fileName)) return undefined;
+  if (isProject(fileName)) return undefined;
   const { formatOf } = await import("./mesh-formats");
   const format = formatOf(fileName);
   if (format === undefined || format.readable.length === 0) return undefined;
   const quoted = fileName.replaceAll('"', "");
-  const command = format.readable.includes("surface")
-    ? strings.files.meshSurface(quoted, `${quoted.replace(/\.[^.]*$/, "")}.vtu`)
-    : strings.files.inspectMesh(quoted);
-  return [strings.files.isMesh(format.name), command];
+  return [strings.files.isMesh(format.name), strings.files.inspectMesh(quoted)];
 }
 
 /** Asks the user for a file. A second request while the dialog is open counts as cancelled: browsers refuse it. */
-export async function openProjectFile(): Promise<OpenResult> {
+export async function openDocumentFile(
+  what: "documents" | "surfaces",
+  onReading: OnReading,
+): Promise<OpenResult> {
   openDialogs += 1;
   try {
-    const { fileOpen } = await loadFileDialogs();
-    return await readProjectFile(await fileOpen(projectFile));
+    const [{ fileOpen }, { extensionsFor }] = await loadFileDialogs();
+    const surfaces = {
+      description: strings.bodies.files,
+      extensions: extensionsFor("read", "surface").map((extension) => `.${extension.replace(/^\./, "")}`),
+    };
+    const both = {
+      ...projectFile,
+      description: strings.files.anyDescription,
+      extensions: [...projectFile.extensions, ...surfaces.extensions],
+    };
+    const file = await fileOpen(what === "surfaces" ? surfaces : both);
+    return await readDocumentFile(file, onReading);
   } catch (error) {
     if (isAbort(error) || (openDialogs > 1 && isNamed(error, "NotAllowedError")))
       return { kind: "cancelled" };
@@ -104,7 +136,7 @@ export async function saveProjectFile(
   file: ProjectFile | null,
 ): Promise<{ readonly file: ProjectFile | null } | null> {
   try {
-    const { fileSave } = await loadFileDialogs();
+    const [{ fileSave }] = await loadFileDialogs();
     const handle = await fileSave(
       // Pass a promise: the browser lets the user choose a file only right after a click.
       writeProjectBlob(project),

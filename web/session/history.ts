@@ -1,6 +1,6 @@
 import { create, type Patches } from "mutative";
 import type { Change, Edit, Replacement } from "../document/edit";
-import { memorySize } from "../document/memory-size";
+import { memorySize, textSize } from "../document/memory-size";
 import { applyPatches } from "./apply-patches";
 
 /** One step of undo. */
@@ -11,8 +11,10 @@ export interface HistoryEntry {
   readonly at: number;
   readonly forward: Patches;
   readonly backward: Patches;
-  /** Estimated memory of the patches. */
+  /** Estimated memory of the patches without long texts. */
   readonly bytes: number;
+  /** Long texts of the patches, which they share with other steps. */
+  readonly longTexts?: readonly string[];
 }
 
 /** A state and the steps before and after it. Plain data; every function returns a new history. */
@@ -109,22 +111,33 @@ export function redo<State extends object>(history: History<State>): History<Sta
 function append<State>(
   history: History<State>,
   past: readonly HistoryEntry[],
-  { present, label, mergeKey, at, forward, backward }: Omit<HistoryEntry, "bytes"> & Step<State>,
+  { present, label, mergeKey, at, forward, backward }: Omit<HistoryEntry, "bytes" | "longTexts"> & Step<State>,
 ): History<State> {
   if (forward.length === 0) return history;
-  const bytes = memorySize(forward) + memorySize(backward);
+  const texts = new Set<string>();
+  const bytes = memorySize(forward, texts) + memorySize(backward, texts);
+  const longTexts = texts.size > 0 && { longTexts: [...texts] };
   return {
     present,
-    past: withinLimit([...past, { label, mergeKey, at, forward, backward, bytes }]),
+    past: withinLimit([...past, { label, mergeKey, at, forward, backward, bytes, ...longTexts }]),
     future: [],
   };
 }
 
+/** Returns the memory of an entry, in bytes. Each long text counts for the first entry that has it. */
+export function entryBytes({ bytes, longTexts = [] }: HistoryEntry, counted: Set<string>): number {
+  const added = longTexts.filter((text) => !counted.has(text));
+  for (const text of added) counted.add(text);
+  return added.reduce((total, text) => total + textSize(text), bytes);
+}
+
 /** Drops the oldest entries if all together exceed the limit. */
 function withinLimit(entries: readonly HistoryEntry[]): readonly HistoryEntry[] {
+  const counted = new Set<string>();
   let bytes = 0;
   for (let i = entries.length - 1; i >= 0; --i) {
-    bytes += entries[i]?.bytes ?? 0;
+    const entry = entries[i];
+    bytes += entry ? entryBytes(entry, counted) : 0;
     if (bytes > maxHistoryBytes) return entries.slice(Math.min(i + 1, entries.length - 1));
   }
   return entries;

@@ -3,8 +3,9 @@ import type { DocumentContent } from "../document/edit";
 import { manyTetrahedra } from "../document/engine-input";
 import { documentGrid } from "../document/large-grid";
 import { packedGrid, type PackedGrid } from "../document/packed-grid";
+import { blobOf, jsonWithout, parseWith, rememberKey } from "../document/long-texts";
 import type { OpenDocument, ProjectFile } from "./document-store";
-import type { History, HistoryEntry } from "./history";
+import { entryBytes, type History, type HistoryEntry } from "./history";
 
 /** A document in the form of the browser's storage. */
 export interface KeptDocument {
@@ -14,8 +15,10 @@ export interface KeptDocument {
   readonly at: number;
   /** 1 if Recent lists the document, 0 if it is as it was opened. IndexedDB has no keys for booleans. */
   readonly listed: 0 | 1;
-  /** The project as JSON. A large background grid is left out. */
+  /** The project as JSON, without a large background grid and without long texts. */
   readonly text: string;
+  /** The long texts of the project and of the steps, by their keys. */
+  readonly longTexts?: ReadonlyMap<string, Blob>;
   /** The nodes and tetrahedra of a large background grid. */
   readonly grid?: PackedGrid;
   readonly savedKey: string;
@@ -46,14 +49,20 @@ export function keptDocument(
   const { background, ...drawn } = project;
   const isLarge = background.tetrahedra.length > manyTetrahedra;
   const stored = isLarge ? { ...background, nodes: [], tetrahedra: [] } : background;
-  const undone = textsOf(history.future, maxKeptHistoryBytes);
-  const done = textsOf([...history.past].reverse(), maxKeptHistoryBytes - undone.bytes);
+  const texts = new Map<string, string>();
+  const text = jsonWithout({ ...drawn, background: stored }, texts);
+  // The steps share most long texts with the project.
+  const counted = new Set(texts.values());
+  const undone = textsOf(history.future, maxKeptHistoryBytes, counted);
+  const done = textsOf([...history.past].reverse(), maxKeptHistoryBytes - undone.bytes, counted);
+  for (const { longTexts } of [undone, done]) longTexts.forEach((long, key) => texts.set(key, long));
   return {
     id,
     name: project.name,
     at: now,
     listed: isListed ? 1 : 0,
-    text: JSON.stringify({ ...drawn, background: stored }),
+    text,
+    ...(texts.size > 0 && { longTexts: new Map([...texts].map(([key, long]) => [key, blobOf(long)])) }),
     ...(isLarge && { grid: packedGrid(background) }),
     savedKey,
     file,
@@ -65,9 +74,15 @@ export function keptDocument(
 
 /** Returns the document to open, or null if its project cannot be read. */
 export async function openKept(kept: KeptDocument): Promise<OpenDocument | null> {
-  const read = parseProject(JSON.parse(kept.text));
+  const { id, grid, savedKey, file, version, past, future, longTexts = new Map<string, Blob>() } = kept;
+  const texts = new Map<string, string>();
+  for (const [key, blob] of longTexts) {
+    const text = await blob.text();
+    texts.set(key, text);
+    rememberKey(text, key);
+  }
+  const read = parseProject(parseWith(kept.text, texts));
   if (!read.success) return null;
-  const { id, grid, savedKey, file, version, past, future } = kept;
   const { background } = read.value;
   const project: Project = grid
     ? { ...read.value, background: { ...background, ...(await documentGrid(grid)) } }
@@ -75,34 +90,60 @@ export async function openKept(kept: KeptDocument): Promise<OpenDocument | null>
   const isUsable = version === project.version;
   const history: History<DocumentContent> = {
     present: { project },
-    past: isUsable ? past.map(entryOf) : [],
-    future: isUsable ? future.map(entryOf) : [],
+    past: isUsable ? past.map((entry) => entryOf(entry, texts)) : [],
+    future: isUsable ? future.map((entry) => entryOf(entry, texts)) : [],
   };
   return { id, history, savedKey, file };
 }
 
+/** The JSON of an entry without its long texts. */
+interface EntryText {
+  readonly json: string;
+  readonly longTexts: ReadonlyMap<string, string>;
+}
+
 /** Entries never change, so the text of each is made only once. */
-const texts = new WeakMap<HistoryEntry, string>();
+const entryTexts = new WeakMap<HistoryEntry, EntryText>();
+
+function textOf(entry: HistoryEntry): EntryText {
+  let text = entryTexts.get(entry);
+  if (!text) {
+    const longTexts = new Map<string, string>();
+    text = { json: entry.longTexts ? jsonWithout(entry, longTexts) : JSON.stringify(entry), longTexts };
+    entryTexts.set(entry, text);
+  }
+  return text;
+}
+
+interface KeptEntries {
+  readonly texts: string[];
+  readonly bytes: number;
+  readonly longTexts: ReadonlyMap<string, string>;
+}
 
 /**
- * Returns the texts of entries that fit into the limit, beginning with those closest to the current state.
+ * Returns the texts of entries that fit into the limit, beginning with those closest to the current state. Long texts
+ * that are already `counted` take no more room.
  */
-function textsOf(entries: readonly HistoryEntry[], limit: number): { texts: string[]; bytes: number } {
-  const kept: string[] = [];
+function textsOf(entries: readonly HistoryEntry[], limit: number, counted: Set<string>): KeptEntries {
+  const texts: string[] = [];
+  const longTexts = new Map<string, string>();
   let bytes = 0;
   for (const entry of entries) {
-    bytes += entry.bytes;
-    if (bytes > limit) return { texts: kept, bytes: limit };
-    const text = texts.get(entry) ?? JSON.stringify(entry);
-    texts.set(entry, text);
-    kept.push(text);
+    bytes += entryBytes(entry, counted);
+    if (bytes > limit) return { texts, bytes: limit, longTexts };
+    const text = textOf(entry);
+    text.longTexts.forEach((long, key) => longTexts.set(key, long));
+    texts.push(text.json);
   }
-  return { texts: kept, bytes };
+  return { texts, bytes, longTexts };
 }
 
 /** Edits after a reload never merge into a step from before it. */
-function entryOf(text: string): HistoryEntry {
-  const entry = { ...(JSON.parse(text) as HistoryEntry), mergeKey: undefined };
-  texts.set(entry, text);
+function entryOf(json: string, texts: ReadonlyMap<string, string>): HistoryEntry {
+  const entry = { ...(parseWith(json, texts) as HistoryEntry), mergeKey: undefined };
+  const longTexts = new Map<string, string>();
+  if (entry.longTexts) jsonWithout(entry.longTexts, longTexts);
+  entryTexts.set(entry, { json, longTexts });
   return entry;
 }

@@ -1,2 +1,2 @@
-/** Loaded on demand, when the name of an opened file is not that of a project. */
-export { formatOf } from "tetrafront";
+/** The file formats, loaded when a file is opened. */
+export { extensionsFor, formatOf } from "tetrafront";

@@ -1,10 +1,12 @@
+import type { Project } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
+import type { BodyFeed } from "./bodies";
 import type { PreviewFeed } from "./preview";
 import type { MeshRun } from "./run";
 import { meshKey } from "../document/content-keys";
 import { settledProject, type DocumentStore } from "./document-store";
-import { isEmptyProject } from "../document/entities";
-import { problemsByEntity, toProblems, type Problem } from "../document/validate";
+import { bodiesOf, isEmptyProject, recordsOf } from "../document/entities";
+import { bodyProblems, problemsByEntity, sorted, toProblems, type Problem } from "../document/validate";
 
 export interface ProblemState {
   readonly problems: readonly Problem[];
@@ -18,7 +20,12 @@ export class ProblemList {
     byEntity: new Map(),
   }));
 
-  constructor(documents: DocumentStore, previews: PreviewFeed, run: MeshRun) {
+  constructor(
+    documents: DocumentStore,
+    previews: PreviewFeed,
+    bodies: Pick<BodyFeed, "state">,
+    run: MeshRun,
+  ) {
     const update = (): void => {
       const project = settledProject(documents.state.getState());
       const { preview, project: previewed } = previews.state.getState();
@@ -26,19 +33,36 @@ export class ProblemList {
       // Keep the old problems while the check of an edit runs, so that the list does not flicker.
       const current = previewed === project;
       if (!current && previewed !== null && previews.busy) return;
-      const problems = toProblems(project, [
-        // An empty project lacks everything; only a run reports that.
-        ...(current && !isEmptyProject(project) ? (preview?.diagnostics ?? []) : []),
+      const ofDrawn = toProblems(project, [
+        // An empty project lacks everything; only a run reports that. Bodies need no patches beside them.
+        ...(current && !isEmptyProject(project) && !hasBodiesOnly(project) ? (preview?.diagnostics ?? []) : []),
         // A run finds more than the check does.
         ...(outcome?.key === meshKey(project) ? outcome.result.report.diagnostics : []),
       ]);
+      const { byId } = bodies.state.getState();
+      const ofBodies = bodiesOf(project).flatMap((body) => {
+        const inspection = byId.get(body.id)?.inspection;
+        return inspection ? bodyProblems(body, inspection) : [];
+      });
+      const problems = ofBodies.length > 0 ? sorted([...ofDrawn, ...ofBodies]) : ofDrawn;
       this.state.setState({ problems, byEntity: problemsByEntity(problems) });
     };
     documents.onSettled(update);
     previews.state.subscribe(update);
+    bodies.state.subscribe(({ byId }, before) => {
+      for (const [id, { inspection }] of byId) {
+        if (before.byId.get(id)?.inspection !== inspection) return update();
+      }
+    });
     run.state.subscribe((state, before) => {
       if (state.outcome !== before.outcome) update();
     });
     update();
   }
+}
+
+/** Returns whether nothing is drawn beside the bodies. */
+function hasBodiesOnly(project: Project): boolean {
+  const drawn = (["point", "line", "patch"] as const).some((kind) => recordsOf(project, kind).length > 0);
+  return !drawn && bodiesOf(project).length > 0;
 }

@@ -1,4 +1,4 @@
-import type { Mesher, MeshResult, Progress, UnoptimizedMesh } from "tetrafront";
+import type { Mesher, MeshResult, PreparedBody, Progress, Project, UnoptimizedMesh } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { meshKey } from "../document/content-keys";
 import { engineInput } from "../document/engine-input";
@@ -74,9 +74,17 @@ export class MeshRun {
   #running: Promise<void> = Promise.resolve();
   #lastLogId = 0;
 
-  constructor(documents: DocumentStore, mesher: Promise<Mesher>) {
+  /** Returns the triangles of bodies that are already made. */
+  readonly #preparedOf: (project: Project) => readonly PreparedBody[];
+
+  constructor(
+    documents: DocumentStore,
+    mesher: Promise<Mesher>,
+    preparedOf: (project: Project) => readonly PreparedBody[] = () => [],
+  ) {
     this.#documents = documents;
     this.#mesher = mesher;
+    this.#preparedOf = preparedOf;
     documents.onSettled((project) => this.#showCached(meshKey(project)));
   }
 
@@ -96,9 +104,10 @@ export class MeshRun {
     const log = (level: LogLevel, text: string): void => this.#log(elapsedSeconds, level, text);
     log("information", logStrings.meshing(project.name));
     try {
-      const result = await (
-        await this.#mesher
-      ).meshProject(...engineInput(project), {
+      const [input, options] = engineInput(project);
+      const preparedBodies = this.#preparedOf(project);
+      const mesher = await this.#mesher;
+      const result = await mesher.meshProject(input, { ...options, preparedBodies }, {
         signal: abort.signal,
         onProgress: (progress) => {
           elapsedSeconds = progress.elapsedSeconds;

@@ -1,6 +1,7 @@
 import type { Mesher, Project } from "tetrafront";
 import { ViewStore } from "../document/selection";
 import { Autosave } from "./autosave";
+import { BodyFeed } from "./bodies";
 import type { DocumentLibrary, LockedDocument, OpenFailure } from "./document-library";
 import {
   DocumentStore,
@@ -31,6 +32,7 @@ export class Session {
   readonly view = new ViewStore();
   readonly run: MeshRun;
   readonly previews: PreviewFeed;
+  readonly bodies: BodyFeed;
   readonly problems: ProblemList;
   readonly library: DocumentLibrary | null;
   readonly autosave: Autosave | null;
@@ -39,9 +41,10 @@ export class Session {
     this.documents = new DocumentStore(document.history.present.project);
     this.documents.show(document);
     library?.keepOpen(document.id, release);
-    this.run = new MeshRun(this.documents, mesher);
+    this.bodies = new BodyFeed(this.documents, previewMesher);
+    this.run = new MeshRun(this.documents, mesher, (project) => this.bodies.preparations.allOf(project));
     this.previews = new PreviewFeed(this.documents, previewMesher);
-    this.problems = new ProblemList(this.documents, this.previews, this.run);
+    this.problems = new ProblemList(this.documents, this.previews, this.bodies, this.run);
     this.library = library;
     this.autosave = library && new Autosave(this.documents, library.storage);
     this.run.state.subscribe((state, before) => {

@@ -5,7 +5,7 @@ export type DialogName = "help" | "new-point" | "new-node" | "cover" | "propose"
 /** A message that does not interrupt the work and needs no answer. */
 export interface Notice {
   /** A notice replaces an earlier one with the same key. */
-  readonly key: "document-left" | "autosave-failed";
+  readonly key: "document-left" | "autosave-failed" | "file-notes";
   readonly tone: "information" | "warning";
   readonly text: string;
   readonly action: { readonly label: string; readonly run: () => void };
@@ -22,6 +22,8 @@ export interface ShellState {
   /** A failure that the user must read before continuing. */
   readonly message: { readonly title: string; readonly lines: readonly string[] } | null;
   readonly notices: readonly Notice[];
+  /** The surface file that is being read. */
+  readonly reading: { readonly fileName: string; readonly abort: AbortController } | null;
 }
 
 export type Shell = StoreApi<ShellState>;
@@ -35,6 +37,7 @@ export function createShell(): Shell {
     dialog: null,
     message: null,
     notices: [],
+    reading: null,
   }));
 }
 

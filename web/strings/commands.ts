@@ -3,7 +3,8 @@ import { layerNames } from "./entities";
 /** Labels of the commands in menus, palette and help. */
 export const commandLabels = {
   new: "New project",
-  open: "Open project…",
+  open: "Open…",
+  importSurface: "Import surface…",
   recent: "Open recent…",
   examples: "Open example…",
   save: "Save project",

@@ -4,6 +4,8 @@ export const entityWords = {
   point: { one: "Point", many: "Points" },
   line: { one: "Line", many: "Lines" },
   patch: { one: "Patch", many: "Patches" },
+  body: { one: "Body", many: "Bodies" },
+  "body-patch": { one: "Patch", many: "Patches of bodies" },
   "background-node": { one: "Node", many: "Background grid" },
   source: { one: "Source", many: "Sources" },
 } as const;
@@ -13,6 +15,8 @@ export const entityNouns = {
   point: "point",
   line: "line",
   patch: "patch",
+  body: "body",
+  "body-patch": "patch",
   "background-node": "background node",
   source: "source",
 } as const;
@@ -41,12 +45,16 @@ export const patchTypeHints = {
     "Three lines of any type; the second, F2, is weighted differently. Holes allowed.",
 } as const;
 
+/** What meshing does with the given triangles of a body. */
+export const treatmentNames = { remesh: "remesh", refine: "refine", keep: "keep" } as const;
+
 export const sourceTypeNames = { point: "point", segment: "segment", triangle: "triangle" } as const;
 
 export const layerNames = {
   points: "Points",
   lines: "Lines",
   patches: "Patches",
+  bodies: "Bodies",
   background: "Background grid",
   sources: "Sources",
   mesh: "Mesh",

@@ -1,10 +1,12 @@
+import { bodyStrings } from "./bodies";
 import { problemTitle } from "./mesh";
 import { pageStrings } from "./page";
 import { panelStrings } from "./panels";
 
 /** All texts that a user reads. The package words diagnostics and errors of files. */
-export const strings = { ...pageStrings, ...panelStrings, problemTitle } as const;
+export const strings = { ...pageStrings, ...panelStrings, bodies: bodyStrings, problemTitle } as const;
 
+export { bodyStepNames } from "./bodies";
 export * from "./commands";
 export * from "./edits";
 export * from "./entities";

@@ -43,7 +43,7 @@ export const pageStrings = {
       ["Wheel", "zoom"],
       ["F", "fit"],
     ],
-    drop: "Drop a project file to open it",
+    drop: "Drop a project or a surface file to open it",
     summaryNoMesh: (name: string) => `${name}, not meshed yet.`,
     summary: (name: string, tetrahedra: string, minAngle: string) =>
       `${name}, meshed with ${tetrahedra} tetrahedra, smallest dihedral angle ${minAngle}.`,
@@ -94,14 +94,15 @@ export const pageStrings = {
       `The browser could not store your changes: ${reason}. Save the project to a file. The app keeps trying.`,
     retry: "Try again",
     dismiss: "Dismiss",
+    understood: "OK",
   },
   files: {
     description: "Tetrafront project",
+    anyDescription: "Project or surface",
     error: (message: string, line: number | undefined) =>
       line === undefined ? message : `Line ${line}: ${message}`,
-    isMesh: (format: string) => `This is a mesh file (${format}). The app opens only projects.`,
-    meshSurface: (input: string, output: string) =>
-      `Mesh the surface on the command line: npx tetrafront mesh "${input}" -o "${output}"`,
+    isMesh: (format: string) =>
+      `This is a mesh file (${format}) without a surface. The app opens projects and surfaces.`,
     inspectMesh: (input: string) => `Inspect it on the command line: npx tetrafront info "${input}"`,
   },
   recent: {

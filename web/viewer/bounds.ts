@@ -3,6 +3,7 @@ import type { Entity } from "../document/entities";
 import { findRecord, indexById } from "../document/entities";
 import type { Position } from "../document/position";
 import type { SampledProject } from "./scene-state";
+import { bodyCorners, shownBox, type ShownBody } from "./shown-bodies";
 
 /** An axis-aligned box around positions. */
 export class Bounds {
@@ -46,17 +47,23 @@ export class Bounds {
   }
 }
 
-/** Returns the bounds of the model's points; without points, those of the background grid. */
-export function projectBounds(project: Project): Bounds {
-  const records = project.points.length > 0 ? project.points : project.background.nodes;
+/** Returns the bounds of the model's points and bodies; without any, those of the background grid. */
+export function projectBounds(project: Project, bodies: readonly ShownBody[] = []): Bounds {
   const bounds = new Bounds();
+  for (const body of bodies) addBox(bounds, body);
+  const records = project.points.length > 0 || !bounds.empty ? project.points : project.background.nodes;
   for (const { position } of records) bounds.add(...position);
   return bounds;
 }
 
+function addBox(bounds: Bounds, body: ShownBody): void {
+  const box = shownBox(body);
+  if (box) bounds.add(...box.low).add(...box.high);
+}
+
 /** Returns the bounds of a project; without extent, a cube of edge length 2, as room to draw in. */
-export function roomyBounds(project: Project): Bounds {
-  const bounds = projectBounds(project);
+export function roomyBounds(project: Project, bodies: readonly ShownBody[] = []): Bounds {
+  const bounds = projectBounds(project, bodies);
   if (bounds.empty) bounds.add(0, 0, 0);
   if (bounds.radius > 0) return bounds;
   const [x, y, z] = bounds.centre;
@@ -64,7 +71,12 @@ export function roomyBounds(project: Project): Bounds {
 }
 
 /** Returns the bounds of an entity; empty if it does not exist or has not been sampled. */
-export function entityBounds(entity: Entity, project: Project, preview: SampledProject | null): Bounds {
+export function entityBounds(
+  entity: Entity,
+  project: Project,
+  preview: SampledProject | null,
+  bodies: readonly ShownBody[] = [],
+): Bounds {
   const bounds = new Bounds();
   switch (entity.kind) {
     case "point":
@@ -78,6 +90,14 @@ export function entityBounds(entity: Entity, project: Project, preview: SampledP
         bounds.add(...position);
       break;
     }
+    case "body": {
+      const body = bodies.find(({ id }) => id === entity.id);
+      if (body) addBox(bounds, body);
+      break;
+    }
+    case "body-patch":
+      for (const body of bodies) addBodyPatch(entity.id, body, bounds);
+      break;
     case "line":
     case "patch":
       if (preview) addSamples(entity, preview, bounds);
@@ -85,6 +105,19 @@ export function entityBounds(entity: Entity, project: Project, preview: SampledP
   }
   return bounds;
 }
+
+function addBodyPatch(id: number, body: ShownBody, bounds: Bounds): void {
+  const patch = body.patches.findIndex((other) => other.id === id);
+  if (patch < 0 || !body.given) return;
+  const { order, patchOffsets } = body.given.drawn;
+  const triangles = order.subarray(patchOffsets[patch], patchOffsets[patch + 1]);
+  // A sample of a large patch shows where it is.
+  const step = Math.max(1, Math.floor(triangles.length / maxSampled));
+  bounds.addAll(bodyCorners(body, [...triangles].filter((_, t) => t % step === 0)));
+}
+
+/** Number of triangles that stand for a patch of a body. */
+const maxSampled = 2000;
 
 function addSamples({ kind, id }: Entity, { samples, project }: SampledProject, bounds: Bounds): void {
   const index = indexById(project, kind).get(id);

@@ -107,6 +107,11 @@ export class EntityStates {
     return record ? { kind: this.#kind, id: record.id } : null;
   }
 
+  /** Drawn patches and those of bodies have ids of their own. */
+  get #isPatch(): boolean {
+    return this.#kind === "patch" || this.#kind === "body-patch";
+  }
+
   readonly #isOfKind = ({ kind }: Entity): boolean => kind === this.#kind;
 
   #createAttribute(vertices: number): BufferAttribute {
@@ -124,7 +129,7 @@ export class EntityStates {
     if (hidden.size > 0 && hidden.has(entityKey(entity))) return stateCodes.hidden;
     if (this.#selectedIds.has(id)) return stateCodes.selected;
     if (sameEntity(hover, entity)) return stateCodes.hover;
-    return this.#kind === "patch" && defects.patches.has(id) ? stateCodes.defective : stateCodes.normal;
+    return this.#isPatch && defects.patches.has(id) ? stateCodes.defective : stateCodes.normal;
   }
 
   #writeAll(state: Emphasis): void {
@@ -169,7 +174,7 @@ export class EntityStates {
         if (key.startsWith(prefix)) ids.add(Number(key.slice(prefix.length)));
       }
     }
-    if (this.#kind === "patch" && before.defects !== now.defects) {
+    if (this.#isPatch && before.defects !== now.defects) {
       for (const { patches } of [before.defects, now.defects]) patches.forEach((id) => ids.add(id));
     }
     return ids;

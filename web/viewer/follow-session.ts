@@ -1,16 +1,19 @@
 import type { ViewStore } from "../document/selection";
 import { defectsOf } from "../document/validate";
+import type { BodyFeed } from "../session/bodies";
 import type { DocumentStore } from "../session/document-store";
 import type { PreviewFeed } from "../session/preview";
 import type { ProblemList } from "../session/problems";
 import { isStale, type MeshRun } from "../session/run";
 import type { SampledProject, ShownState } from "./scene-state";
+import { shownBodies } from "./shown-bodies";
 import type { Viewer } from "./viewer";
 
 /** The stores that the viewer shows. */
 export interface SessionStores {
   readonly documents: DocumentStore;
   readonly previews: PreviewFeed;
+  readonly bodies: BodyFeed;
   readonly problems: ProblemList;
   readonly run: MeshRun;
   readonly view: ViewStore;
@@ -31,6 +34,7 @@ export function shownState(stores: SessionStores): ShownState {
 export function followSession(stores: SessionStores, viewer: Viewer): () => void {
   const stops = [
     stores.documents.state.subscribe(() => viewer.show(projectState(stores))),
+    stores.bodies.state.subscribe(() => viewer.show(projectState(stores))),
     stores.previews.state.subscribe(() => viewer.show(previewState(stores))),
     stores.run.state.subscribe(() => viewer.show(runState(stores))),
     stores.problems.state.subscribe(() => viewer.show(problemState(stores))),
@@ -39,9 +43,13 @@ export function followSession(stores: SessionStores, viewer: Viewer): () => void
   return () => stops.forEach((stop) => stop());
 }
 
-function projectState({ documents, run }: SessionStores) {
+function projectState({ documents, bodies, run }: SessionStores) {
   const { project } = documents;
-  return { project, isMeshStale: isStale(run.state.getState(), documents.state.getState()) };
+  return {
+    project,
+    bodies: shownBodies(project, bodies),
+    isMeshStale: isStale(run.state.getState(), documents.state.getState()),
+  };
 }
 
 function previewState({ previews }: SessionStores): { readonly preview: SampledProject | null } {

@@ -1,5 +1,6 @@
 import type { SurfaceMesh, VolumeMesh } from "tetrafront";
 import type { SceneState } from "./scene-state";
+import { bodyCorners } from "./shown-bodies";
 import { faceNodes } from "./queries/topology";
 
 function cornersOf(points: Float64Array, nodes: readonly number[]): number[] {
@@ -24,12 +25,24 @@ export function triangleCorners({ points, triangles }: SurfaceMesh, indices: rea
 }
 
 /** Returns the corners of the selected element or triangles. */
-export function selectedCorners({ element, triangles, mesh, checkedSurface }: SceneState): number[] {
+export function selectedCorners({
+  element,
+  triangles,
+  markedBody,
+  mesh,
+  checkedSurface,
+  bodies,
+}: SceneState): number[] {
   if (element !== null) return mesh ? elementCorners(mesh.volume, element) : [];
+  if (markedBody !== null) {
+    const body = bodies.find(({ id }) => id === markedBody);
+    return body ? bodyCorners(body, triangles) : [];
+  }
   return checkedSurface ? triangleCorners(checkedSurface, triangles) : [];
 }
 
 /** Returns the corners of the triangles that errors name. */
-export function defectiveCorners({ checkedSurface, defects }: SceneState): number[] {
-  return checkedSurface ? triangleCorners(checkedSurface, defects.triangles) : [];
+export function defectiveCorners({ checkedSurface, defects, bodies }: SceneState): number[] {
+  const ofBodies = bodies.flatMap((body) => bodyCorners(body, defects.bodies.get(body.id) ?? []));
+  return [...(checkedSurface ? triangleCorners(checkedSurface, defects.triangles) : []), ...ofBodies];
 }

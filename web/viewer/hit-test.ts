@@ -7,8 +7,8 @@ import { Screen, type ScreenPoint } from "./screen";
 const depthTolerance = 0.004;
 
 export interface HitOrder {
-  /** The opaque surface: it covers everything behind it. */
-  readonly solid: HittableLayer;
+  /** The opaque surfaces: the nearest covers everything behind it. */
+  readonly solid: readonly HittableLayer[];
   /** Dots and lines, which are drawn on surfaces: the first layer that is hit wins. */
   readonly onSurfaces: readonly HittableLayer[];
   /** Translucent surfaces: hit only if nothing else is. */
@@ -26,7 +26,9 @@ export function hitTest(
   const { width, height } = viewport;
   raycaster.setFromCamera(new Vector2((2 * pointer.x) / width - 1, 1 - (2 * pointer.y) / height), camera);
   const { ray } = raycaster;
-  const surface = solid.hit(ray, new Screen(camera, viewport, pointer));
+  const surface = solid
+    .map((layer) => layer.hit(ray, new Screen(camera, viewport, pointer)))
+    .reduce((nearest, hit) => (hit && (!nearest || hit.depth < nearest.depth) ? hit : nearest), null);
   const maxDepth = surface ? surface.depth * (1 + depthTolerance) : Infinity;
   const screen = new Screen(camera, viewport, pointer, maxDepth);
   for (const layer of onSurfaces) {

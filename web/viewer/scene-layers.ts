@@ -1,6 +1,7 @@
 import type { PerspectiveCamera, Scene } from "three";
 import { defectiveCorners, selectedCorners } from "./highlight-corners";
 import { hitTest } from "./hit-test";
+import { BodiesLayer } from "./layers/bodies-layer";
 import { DotsLayer } from "./layers/dots-layer";
 import { FrontLayer } from "./layers/front-layer";
 import { GridLayer } from "./layers/grid-layer";
@@ -20,6 +21,7 @@ export class SceneLayers {
   readonly mesh: MeshLayer;
   readonly #scene: Scene;
   readonly #patches: PatchesLayer;
+  readonly #bodies: BodiesLayer;
   readonly #lines = new LinesLayer();
   readonly #points = new DotsLayer({
     kind: "point",
@@ -37,6 +39,7 @@ export class SceneLayers {
   constructor(scene: Scene, meshQueries: MeshQueryClient, meshEvents: MeshLayerEvents) {
     this.#scene = scene;
     this.#patches = new PatchesLayer((corners) => meshQueries.treeOf(corners));
+    this.#bodies = new BodiesLayer((corners) => meshQueries.treeOf(corners));
     this.mesh = new MeshLayer(meshQueries, meshEvents);
     this.#all = this.#inOrder();
     for (const { root } of this.#all) scene.add(root);
@@ -61,7 +64,7 @@ export class SceneLayers {
   /** Returns what lies at a point of the view; null if nothing does. */
   hit(camera: PerspectiveCamera, viewport: Viewport, at: ScreenPoint): Hit | null {
     const onSurfaces = [this.#points, this.#grid, this.#sources, this.#lines];
-    const order = { solid: this.mesh, onSurfaces, translucent: this.#patches };
+    const order = { solid: [this.mesh, this.#bodies], onSurfaces, translucent: this.#patches };
     return hitTest(order, camera, viewport, at);
   }
 
@@ -72,17 +75,17 @@ export class SceneLayers {
   #inOrder(): Layer[] {
     const defects = new HighlightLayer({
       corners: defectiveCorners,
-      parts: ["checkedSurface", "defects"],
+      parts: ["checkedSurface", "defects", "bodies"],
       faceColor: ({ front }) => front,
       edgeColor: ({ meshEdge }) => meshEdge,
     });
     const selectedFaces = new HighlightLayer({
       corners: selectedCorners,
-      parts: ["element", "triangles", "mesh", "checkedSurface"],
+      parts: ["element", "triangles", "markedBody", "mesh", "checkedSurface", "bodies"],
       faceColor: ({ selection }) => selection,
       edgeColor: ({ hover }) => hover,
     });
-    const surfaces = [new GroundLayer(), this.#patches, this.mesh, new FrontLayer()];
+    const surfaces = [new GroundLayer(), this.#patches, this.#bodies, this.mesh, new FrontLayer()];
     return [...surfaces, defects, selectedFaces, this.#lines, this.#points, this.#grid, this.#sources];
   }
 }

@@ -3,6 +3,7 @@ import type { ViewState } from "../document/selection";
 import type { Defects } from "../document/validate";
 import type { ViewerColors } from "./colors";
 import type { Position } from "../document/position";
+import type { ShownBody } from "./shown-bodies";
 
 /** Lines and patches of a project, sampled by the engine. */
 export interface SampledProject {
@@ -23,6 +24,7 @@ export interface Viewport {
 export interface ShownState extends ViewState {
   readonly project: Project;
   readonly preview: SampledProject | null;
+  readonly bodies: readonly ShownBody[];
   readonly mesh: MeshResult | null;
   /** The mesh belongs to an earlier state of the project. */
   readonly isMeshStale: boolean;

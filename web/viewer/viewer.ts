@@ -76,7 +76,7 @@ export class Viewer {
       onFailure: events.onFailure,
     });
     const viewport = { width: 1, height: 1, pixelRatio: 1 };
-    const origin = roomyBounds(options.state.project).centre;
+    const origin = roomyBounds(options.state.project, options.state.bodies).centre;
     this.#state = { ...options.state, colors: options.colors, origin, viewport };
     this.#updateLayers(null);
     this.#view.controls.addEventListener("control", () => this.#loop.request());
@@ -99,13 +99,14 @@ export class Viewer {
     const parts = Object.keys(change) as (keyof ShownState)[];
     if (parts.every((part) => change[part] === before[part])) return;
     this.#update(change);
-    if (this.#state.project !== before.project) this.#followModel();
+    if (this.#state.project !== before.project || this.#state.bodies !== before.bodies) this.#followModel();
   }
 
   /** Starts again after another model was opened: fits it without motion. */
   reset(): void {
-    const { empty, radius } = projectBounds(this.#state.project);
-    const roomy = roomyBounds(this.#state.project);
+    const { project, bodies } = this.#state;
+    const { empty, radius } = projectBounds(project, bodies);
+    const roomy = roomyBounds(project, bodies);
     this.#fittedRadius = empty ? 0 : radius;
     this.#update({ origin: roomy.centre });
     this.#view.setModelRadius(roomy.radius);
@@ -114,10 +115,10 @@ export class Viewer {
 
   /** Moves to the given entities, or to the whole model. */
   fit(entities: readonly Entity[] | null, animate = this.#options.motion): void {
-    const { project, preview } = this.#state;
+    const { project, preview, bodies } = this.#state;
     const target = new Bounds();
     for (const entity of entities ?? []) {
-      const { low, high, empty } = entityBounds(entity, project, preview);
+      const { low, high, empty } = entityBounds(entity, project, preview, bodies);
       if (!empty) target.add(...low).add(...high);
     }
     this.#fitBounds(target, animate);
@@ -179,7 +180,8 @@ export class Viewer {
 
   /** Returns where the middle of an entity appears; null if it is out of view or does not exist. */
   entityOnScreen(entity: Entity): ScreenPoint | null {
-    const bounds = entityBounds(entity, this.#state.project, this.#state.preview);
+    const { project, preview, bodies } = this.#state;
+    const bounds = entityBounds(entity, project, preview, bodies);
     return bounds.empty ? null : this.toScreen(bounds.centre);
   }
 
@@ -226,9 +228,9 @@ export class Viewer {
 
   /** Keeps local coordinates small, and fits the model if it has outgrown the view. */
   #followModel(): void {
-    const { project, origin } = this.#state;
-    const { empty, radius } = projectBounds(project);
-    const roomy = roomyBounds(project);
+    const { project, bodies, origin } = this.#state;
+    const { empty, radius } = projectBounds(project, bodies);
+    const roomy = roomyBounds(project, bodies);
     const isOutgrown = !empty && radius > outgrowth * this.#fittedRadius;
     if (isOutgrown || empty) this.#fittedRadius = empty ? 0 : radius;
     const drift = Math.hypot(...roomy.centre.map((x, k) => x - (origin[k] ?? 0)));
@@ -239,7 +241,7 @@ export class Viewer {
 
   /** If the target is much smaller than the model, moves to the part of the model around it. */
   #fitBounds(target: Bounds, animate = this.#options.motion): void {
-    const whole = roomyBounds(this.#state.project);
+    const whole = roomyBounds(this.#state.project, this.#state.bodies);
     const [from, to] = closeUpBox(target.empty ? whole : target, whole.radius, this.#state.origin);
     this.#view.fit(from, to, animate);
     this.#loop.request();

@@ -9,6 +9,8 @@ import { entityWords, strings } from "../../strings";
 import { useApp, useProblems, useProject } from "../shared/app-context";
 import { EntityChips } from "../shared/entity-chips";
 import { EntityIcon } from "../shared/entity-icon";
+import { BodyCard } from "../bodies/body-card";
+import { BodyPatchCard } from "../bodies/body-patch-card";
 import { LineEditor } from "./line-editor";
 import { NodeEditor } from "./node-editor";
 import { PatchEditor } from "./patch-editor";
@@ -50,8 +52,8 @@ export function EntityCard({ entity }: { readonly entity: Entity }) {
           <EntityChips entities={dependents} project={project} paddingTop={5} />
         </FieldRow>
       )}
-      {entity.kind === "patch" && <PatchFacts patch={entity.id} />}
-      {problems?.map((problem) => (
+      {(entity.kind === "patch" || entity.kind === "body-patch") && <PatchFacts patch={entity.id} />}
+      {entity.kind !== "body" && problems?.map((problem) => (
         <ProblemCard key={problem.key} problem={problem} />
       ))}
     </>
@@ -104,6 +106,12 @@ function EntityFields({ entity, project }: { readonly entity: Entity; readonly p
       const patch = findRecord(project, "patch", entity.id);
       return patch && <PatchEditor patch={patch} project={project} />;
     }
+    case "body": {
+      const body = findRecord(project, "body", entity.id);
+      return body && <BodyCard body={body} />;
+    }
+    case "body-patch":
+      return <BodyPatchCard patch={entity.id} />;
     case "background-node": {
       const node = findRecord(project, "background-node", entity.id);
       return node && <NodeEditor node={node} project={project} />;

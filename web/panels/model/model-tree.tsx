@@ -1,7 +1,6 @@
 import { CloseButton, Text, TextInput } from "@mantine/core";
 import { IconSearch } from "@tabler/icons-react";
 import { useMemo, useRef, useState } from "react";
-import type { DrawnKind } from "../../document/entities";
 import { isEmptyProject } from "../../document/entities";
 import panel from "../../ui/frames/panel.module.css";
 import { strings } from "../../strings";
@@ -20,11 +19,11 @@ export function ModelTree() {
   const app = useApp();
   const project = useProject();
   const [filter, setFilter] = useState("");
-  const [closed, setClosed] = useState<ReadonlySet<DrawnKind>>(() => new Set(["point"] as const));
+  const [closed, setClosed] = useState<ReadonlySet<string>>(() => new Set(["point"]));
   const rows = useMemo(() => new TreeRows(project, filter, closed), [project, filter, closed]);
   const scroller = useRef<HTMLDivElement>(null);
   const { first, last, scrollTo } = useRowWindow(scroller, rows.length, rowHeight);
-  const { focused, activate, onKeyDown } = useTreeNavigation({ rows, scroller, scrollTo, setClosed });
+  const { focused, activate, toggle, onKeyDown } = useTreeNavigation({ rows, scroller, scrollTo, setClosed });
   const isEmpty = isEmptyProject(project);
   return (
     <div className={styles["panel"]} data-testid="model-tree">
@@ -65,6 +64,7 @@ export function ModelTree() {
               height={rowHeight}
               isFocusable={first + index === focused}
               onActivate={(mode) => activate(row, mode)}
+              onToggle={() => toggle(row)}
             />
           ))}
         </div>

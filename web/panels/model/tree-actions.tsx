@@ -70,6 +70,8 @@ const layerOfKind = {
   point: "points",
   line: "lines",
   patch: "patches",
+  body: "bodies",
+  "body-patch": "bodies",
   "background-node": "background",
   source: "sources",
 } as const;
@@ -87,6 +89,8 @@ const addEntity: { readonly [K in DrawnKind]: (app: App) => void } = {
   point: (app) => app.shell.setState({ dialog: "new-point" }),
   line: (app) => createOrHint(app, lineMakers, strings.create.line, strings.create.lineHint),
   patch: (app) => createOrHint(app, patchMakers, strings.create.patch, strings.create.patchHint),
+  body: (app) => runCommand(app, commandNamed("import-surface")),
+  "body-patch": (app) => runCommand(app, commandNamed("import-surface")),
   "background-node": (app) => app.shell.setState({ dialog: "new-node" }),
   source: (app) => runCommand(app, commandNamed("source-point")),
 };

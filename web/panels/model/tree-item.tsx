@@ -1,6 +1,6 @@
 import { IconAlertTriangle, IconChevronDown, IconChevronRight } from "@tabler/icons-react";
 import type { ComponentPropsWithoutRef, KeyboardEvent, MouseEvent } from "react";
-import { drawnKinds, entityKey } from "../../document/entities";
+import { entityKey } from "../../document/entities";
 import type { SelectMode } from "../../document/selection";
 import { formatCount } from "../../ui/format";
 import { entityWords, strings } from "../../strings";
@@ -8,7 +8,7 @@ import { useApp, useProblems, useProject, useView } from "../shared/app-context"
 import { EntityIcon } from "../shared/entity-icon";
 import styles from "./model-tree.module.css";
 import { AddButton, EntityEye, GroupEye } from "./tree-actions";
-import { rowElementId, rowKey, type TreeRow } from "./tree-rows";
+import { headings, rowElementId, rowKey, type TreeRow } from "./tree-rows";
 
 /** Returns how a click or a key changes the selection. */
 export function selectModeOf(event: MouseEvent | KeyboardEvent): SelectMode {
@@ -23,10 +23,12 @@ export interface TreeItemProps {
   readonly height: number;
   readonly isFocusable: boolean;
   readonly onActivate: (mode: SelectMode) => void;
+  /** Opens or closes the rows below. */
+  readonly onToggle: () => void;
 }
 
 /** A row of the model tree. */
-export function TreeItem({ row, top, height, isFocusable, onActivate }: TreeItemProps) {
+export function TreeItem({ row, top, height, isFocusable, onActivate, onToggle }: TreeItemProps) {
   const key = rowKey(row);
   const common = {
     id: rowElementId(key),
@@ -39,7 +41,7 @@ export function TreeItem({ row, top, height, isFocusable, onActivate }: TreeItem
   return row.type === "group" ? (
     <GroupItem row={row} common={common} />
   ) : (
-    <EntityItem row={row} common={common} />
+    <EntityItem row={row} common={common} onToggle={onToggle} />
   );
 }
 
@@ -54,7 +56,7 @@ function GroupItem({ row, common }: { readonly row: RowOf<"group">; readonly com
       className={`${styles["row"]} ${styles["group"]}`}
       aria-level={1}
       aria-expanded={row.open}
-      aria-setsize={drawnKinds.length}
+      aria-setsize={headings.length}
       aria-posinset={row.ordinal}
     >
       <Chevron size={14} aria-hidden />
@@ -66,7 +68,13 @@ function GroupItem({ row, common }: { readonly row: RowOf<"group">; readonly com
   );
 }
 
-function EntityItem({ row, common }: { readonly row: RowOf<"entity">; readonly common: Common }) {
+interface EntityItemProps {
+  readonly row: RowOf<"entity">;
+  readonly common: Common;
+  readonly onToggle: () => void;
+}
+
+function EntityItem({ row, common, onToggle }: EntityItemProps) {
   const app = useApp();
   const project = useProject();
   const key = rowKey(row);
@@ -78,13 +86,16 @@ function EntityItem({ row, common }: { readonly row: RowOf<"entity">; readonly c
       {...common}
       className={styles["row"]}
       data-hover={isHovered || undefined}
-      aria-level={2}
+      data-level={row.level}
+      aria-level={row.level}
+      {...(row.open !== null && { "aria-expanded": row.open })}
       aria-selected={isSelected}
       aria-setsize={row.siblings}
       aria-posinset={row.ordinal}
       onMouseEnter={() => app.view.setHover(row.entity)}
       onDoubleClick={() => app.viewer.getState().viewer?.fit([row.entity])}
     >
+      {row.open !== null && <Opener isOpen={row.open} onToggle={onToggle} />}
       <EntityIcon entity={row.entity} project={project} />
       <span className={styles["title"]} title={row.title}>
         {row.title}
@@ -97,5 +108,21 @@ function EntityItem({ row, common }: { readonly row: RowOf<"entity">; readonly c
       <span className={styles["detail"]}>{row.detail()}</span>
       <EntityEye entity={row.entity} title={row.title} />
     </div>
+  );
+}
+
+/** The arrow that opens or closes the rows below an entity. Keys do the same on the row. */
+function Opener({ isOpen, onToggle }: { readonly isOpen: boolean; readonly onToggle: () => void }) {
+  const Chevron = isOpen ? IconChevronDown : IconChevronRight;
+  return (
+    <Chevron
+      size={14}
+      aria-hidden
+      className={styles["opener"]}
+      onClick={(event) => {
+        event.stopPropagation();
+        onToggle();
+      }}
+    />
   );
 }

@@ -1,7 +1,20 @@
 import type { Project } from "tetrafront";
-import { drawnKinds, entityKey, recordsOf, type DrawnKind, type Entity } from "../../document/entities";
+import {
+  bodiesOf,
+  bodyOfPatch,
+  drawnKinds,
+  entityKey,
+  findRecord,
+  recordsOf,
+  sameEntity,
+  type DrawnKind,
+  type Entity,
+} from "../../document/entities";
 import { formatPosition, formatShort } from "../../ui/format";
-import { entityWords, lineTypeNames, patchTypeNames, sourceTypeNames } from "../../strings";
+import { entityWords, lineTypeNames, patchTypeNames, sourceTypeNames, treatmentNames } from "../../strings";
+
+/** The kinds that have a heading; the patches of bodies are below their bodies. */
+export const headings = drawnKinds.filter((kind) => kind !== "body-patch");
 
 /** A row of the model tree: the heading of a kind, or an entity. */
 export type TreeRow =
@@ -19,9 +32,13 @@ export type TreeRow =
       readonly title: string;
       /** Returns the text on the right; a function, because only few rows are drawn. */
       readonly detail: () => string;
-      /** 1 for the first row of its group. */
+      /** 2 below a heading, 3 below an entity. */
+      readonly level: 2 | 3;
+      /** Whether the rows below this one are shown; null if there are none. */
+      readonly open: boolean | null;
+      /** 1 for the first row of its level. */
       readonly ordinal: number;
-      /** Number of rows in its group. */
+      /** Number of rows of its level. */
       readonly siblings: number;
     };
 
@@ -64,6 +81,12 @@ function describe(project: Project, { kind, id }: Entity, index: number): Descri
       const patch = project.patches[index];
       return named(patch?.name, () => (patch ? patchTypeNames[patch.type] : ""));
     }
+    case "body": {
+      const body = bodiesOf(project)[index];
+      return named(body?.name, () => (body ? treatmentNames[body.surface ?? "remesh"] : ""));
+    }
+    case "body-patch":
+      return named(findRecord(project, "body-patch", id)?.name, () => "");
     case "background-node": {
       const { size = 0, stretching = 1 } = project.background.nodes[index] ?? {};
       const stretched = stretching === 1 ? "" : ` ×${formatShort(stretching)}`;
@@ -87,8 +110,16 @@ interface Group {
   readonly first: number;
   /** Number of entities shown under the heading. */
   readonly count: number;
-  /** Indices in the project's list; null for all of them. */
-  readonly matching: readonly number[] | null;
+  readonly entries: Entries;
+}
+
+/** The entities of a group in the order of their rows, made on demand. */
+interface Entries {
+  readonly count: number;
+  at(offset: number): Extract<TreeRow, { type: "entity" }>;
+  entityAt(offset: number): Entity;
+  /** Returns the offset of an entity; -1 if it has no row. */
+  indexOf(entity: Entity): number;
 }
 
 /**
@@ -100,19 +131,20 @@ export class TreeRows {
   readonly #project: Project;
   readonly #groups: readonly Group[];
 
-  constructor(project: Project, filter: string, closed: ReadonlySet<DrawnKind>) {
+  /** `closed`: keys of the headings and entities whose rows below are not shown. */
+  constructor(project: Project, filter: string, closed: ReadonlySet<string>) {
     this.#project = project;
     const text = filter.trim().toLowerCase();
     const groups: Group[] = [];
     let first = 0;
-    drawnKinds.forEach((kind, index) => {
+    headings.forEach((kind, index) => {
       const total = recordsOf(project, kind).length;
       const open = text !== "" || !closed.has(kind);
-      const matching = text === "" ? null : this.#matching(kind, text);
-      if (matching?.length === 0) return;
+      const entries = kind === "body" ? this.#bodyEntries(text, closed) : this.#flatEntries(kind, text);
+      if (text !== "" && entries.count === 0) return;
       const heading = { type: "group", kind, total, open, ordinal: index + 1 } as const;
-      const count = open ? (matching?.length ?? total) : 0;
-      groups.push({ heading, first, count, matching });
+      const count = open ? entries.count : 0;
+      groups.push({ heading, first, count, entries });
       first += 1 + count;
     });
     this.#groups = groups;
@@ -122,7 +154,7 @@ export class TreeRows {
   at(index: number): TreeRow | undefined {
     const group = this.#groups.findLast(({ first }) => first <= index);
     if (!group || index > group.first + group.count || index < 0) return undefined;
-    return index === group.first ? group.heading : this.#entityRow(group, index - group.first - 1);
+    return index === group.first ? group.heading : group.entries.at(index - group.first - 1);
   }
 
   slice(first: number, last: number): TreeRow[] {
@@ -132,46 +164,106 @@ export class TreeRows {
 
   /** Returns the index of the row with a key; -1 if there is none. Linear in the number of entities of its kind. */
   indexOf(key: string | null): number {
-    for (const group of this.#groups) {
-      const { kind } = group.heading;
-      if (key === kind) return group.first;
-      if (key === null || !key.startsWith(`${kind}-`)) continue;
-      const id = Number(key.slice(kind.length + 1));
-      const records = recordsOf(this.#project, kind);
-      const offset = group.matching
-        ? group.matching.findIndex((index) => records[index]?.id === id)
-        : records.findIndex((record) => record.id === id);
-      return offset < 0 || offset >= group.count ? -1 : group.first + 1 + offset;
+    const entity = key === null ? null : entityOfKey(key);
+    for (const { heading, first, count, entries } of this.#groups) {
+      if (key === heading.kind) return first;
+      if (!entity || headingOf(entity.kind) !== heading.kind) continue;
+      const offset = entries.indexOf(entity);
+      return offset < 0 || offset >= count ? -1 : first + 1 + offset;
     }
     return -1;
   }
 
   /** Returns the entities of a kind that are shown. */
   entitiesOf(kind: DrawnKind): Entity[] {
-    const group = this.#groups.find(({ heading }) => heading.kind === kind);
+    const group = this.#groups.find(({ heading }) => heading.kind === headingOf(kind));
     if (!group) return [];
-    const records = recordsOf(this.#project, kind);
-    return Array.from({ length: group.count }, (_, offset) => ({
-      kind,
-      id: records[group.matching?.[offset] ?? offset]?.id ?? 0,
-    }));
+    const shown = Array.from({ length: group.count }, (_, offset) => group.entries.entityAt(offset));
+    return shown.filter((entity) => entity.kind === kind);
   }
 
-  #entityRow({ heading: { kind }, count, matching }: Group, offset: number): TreeRow {
-    const index = matching?.[offset] ?? offset;
-    const entity = { kind, id: recordsOf(this.#project, kind)[index]?.id ?? 0 };
-    const { title, detail } = describe(this.#project, entity, index);
-    return { type: "entity", entity, title, detail, ordinal: offset + 1, siblings: count };
+  #flatEntries(kind: DrawnKind, text: string): Entries {
+    const records = recordsOf(this.#project, kind);
+    const matching = text === "" ? null : this.#matching(kind, text);
+    const count = matching?.length ?? records.length;
+    const indexAt = (offset: number): number => matching?.[offset] ?? offset;
+    const entityAt = (offset: number): Entity => ({ kind, id: records[indexAt(offset)]?.id ?? 0 });
+    return {
+      count,
+      entityAt,
+      at: (offset) => {
+        const index = indexAt(offset);
+        const entity = entityAt(offset);
+        const { title, detail } = describe(this.#project, entity, index);
+        const place = { level: 2, open: null, ordinal: offset + 1, siblings: count } as const;
+        return { type: "entity", entity, title, detail, ...place };
+      },
+      indexOf: ({ id }) =>
+        matching
+          ? matching.findIndex((index) => records[index]?.id === id)
+          : records.findIndex((record) => record.id === id),
+    };
+  }
+
+  /** The bodies, each followed by its patches. */
+  #bodyEntries(text: string, closed: ReadonlySet<string>): Entries {
+    const rows = bodiesOf(this.#project).flatMap((body, index, bodies) => {
+      const entity: Entity = { kind: "body", id: body.id };
+      const patches = body.patches
+        .map(({ id }): Entity => ({ kind: "body-patch", id }))
+        .filter((patch) => text === "" || this.#matches(patch, 0, text));
+      const isShown = text === "" || patches.length > 0 || this.#matches(entity, index, text);
+      if (!isShown) return [];
+      const open = text !== "" || !closed.has(entityKey(entity));
+      const { title, detail } = describe(this.#project, entity, index);
+      const place = { level: 2, open, ordinal: index + 1, siblings: bodies.length } as const;
+      return [
+        { type: "entity", entity, title, detail, ...place } as const,
+        ...(open ? patches : []).map((patch, p) => {
+          const described = describe(this.#project, patch, p);
+          const below = { level: 3, open: null, ordinal: p + 1, siblings: patches.length } as const;
+          return { type: "entity", entity: patch, ...described, ...below } as const;
+        }),
+      ];
+    });
+    const at = (offset: number) => {
+      const row = rows[offset];
+      if (!row) throw new RangeError("There is no such row");
+      return row;
+    };
+    return {
+      count: rows.length,
+      at,
+      entityAt: (offset) => at(offset).entity,
+      indexOf: (entity) => rows.findIndex((row) => sameEntity(row.entity, entity)),
+    };
   }
 
   #matching(kind: DrawnKind, text: string): number[] {
-    const word = entityWords[kind].one;
-    return recordsOf(this.#project, kind).flatMap(({ id }, index) => {
-      const { title, detail, words } = describe(this.#project, { kind, id }, index);
-      const isFound =
-        `${title} ${word} ${id} ${words}`.toLowerCase().includes(text) ||
-        detail().toLowerCase().includes(text);
-      return isFound ? [index] : [];
-    });
+    return recordsOf(this.#project, kind).flatMap(({ id }, index) =>
+      this.#matches({ kind, id }, index, text) ? [index] : [],
+    );
   }
+
+  #matches(entity: Entity, index: number, text: string): boolean {
+    const { title, detail, words } = describe(this.#project, entity, index);
+    return (
+      `${title} ${entityWords[entity.kind].one} ${entity.id} ${words}`.toLowerCase().includes(text) ||
+      detail().toLowerCase().includes(text)
+    );
+  }
+}
+
+/** Returns the kind of the heading above entities of a kind. */
+export const headingOf = (kind: DrawnKind): DrawnKind => (kind === "body-patch" ? "body" : kind);
+
+/** Returns the key of the row above an entity: that of its heading, or of the body of a patch. */
+export function rowAbove(project: Project, { kind, id }: Entity): string {
+  const body = kind === "body-patch" ? bodyOfPatch(project, id) : undefined;
+  return body ? entityKey({ kind: "body", id: body.id }) : headingOf(kind);
+}
+
+function entityOfKey(key: string): Entity | null {
+  const kind = drawnKinds.find((drawn) => key.slice(0, key.lastIndexOf("-")) === drawn);
+  return kind ? { kind, id: Number(key.slice(kind.length + 1)) } : null;
 }

@@ -8,18 +8,18 @@ import {
   type RefObject,
   type SetStateAction,
 } from "react";
-import { entityKey, type DrawnKind } from "../../document/entities";
+import { entityKey } from "../../document/entities";
 import type { SelectMode } from "../../document/selection";
-import { useApp, useView } from "../shared/app-context";
-import { rowElementId, rowKey, type TreeRow, type TreeRows } from "./tree-rows";
+import { useApp, useProject, useView } from "../shared/app-context";
+import { headingOf, rowAbove, rowElementId, rowKey, type TreeRow, type TreeRows } from "./tree-rows";
 import { selectModeOf } from "./tree-item";
 
 export interface TreeNavigationOptions {
   readonly rows: TreeRows;
   readonly scroller: RefObject<HTMLElement | null>;
   readonly scrollTo: (index: number) => void;
-  /** Sets which groups are closed. */
-  readonly setClosed: Dispatch<SetStateAction<ReadonlySet<DrawnKind>>>;
+  /** Sets which rows are closed, by key. */
+  readonly setClosed: Dispatch<SetStateAction<ReadonlySet<string>>>;
 }
 
 export interface TreeNavigation {
@@ -27,26 +27,29 @@ export interface TreeNavigation {
   readonly focused: number;
   /** Selects the entity of a row, or opens or closes a group. */
   readonly activate: (row: TreeRow, mode: SelectMode) => void;
+  /** Opens or closes the rows below a row. */
+  readonly toggle: (row: TreeRow) => void;
   readonly onKeyDown: (event: KeyboardEvent) => void;
 }
 
 /** Focus, selection and keys of the model tree, as the ARIA practices describe them for a tree view. */
 export function useTreeNavigation(options: TreeNavigationOptions): TreeNavigation {
   const app = useApp();
+  const project = useProject();
   const { rows, setClosed } = options;
   const { focused, focusRow, setFocusedKey } = useFocusedRow(options);
   useRevealedSelection(options);
-  const setOpen = (kind: DrawnKind, open: boolean): void =>
-    setClosed((kinds) => {
-      const next = new Set(kinds);
-      if (open) next.delete(kind);
-      else next.add(kind);
+  const setOpen = (row: TreeRow, open: boolean): void =>
+    setClosed((keys) => {
+      const next = new Set(keys);
+      if (open) next.delete(rowKey(row));
+      else next.add(rowKey(row));
       return next;
     });
   const { anchor, selectRange } = useRangeSelection(rows);
   const activate = (row: TreeRow, mode: SelectMode): void => {
     setFocusedKey(rowKey(row));
-    if (row.type === "group") setOpen(row.kind, !row.open);
+    if (row.type === "group") setOpen(row, !row.open);
     else if (mode === "add") selectRange(row);
     else {
       anchor.current = rowKey(row);
@@ -71,10 +74,10 @@ export function useTreeNavigation(options: TreeNavigationOptions): TreeNavigatio
       ArrowUp: () => stepTo(focused - 1, event.shiftKey),
       Home: () => focusRow(0),
       End: () => focusRow(rows.length - 1),
-      ArrowRight: () => (row.type === "group" && !row.open ? setOpen(row.kind, true) : focusRow(focused + 1)),
+      ArrowRight: () => (row.open === false ? setOpen(row, true) : focusRow(focused + 1)),
       ArrowLeft: () => {
-        if (row.type === "group") setOpen(row.kind, false);
-        else focusRow(rows.indexOf(row.entity.kind));
+        if (row.type === "group" || row.open === true) setOpen(row, false);
+        else focusRow(rows.indexOf(rowAbove(project, row.entity)));
       },
       Enter: () => activate(row, selectModeOf(event)),
       " ": () => activate(row, selectModeOf(event)),
@@ -87,7 +90,8 @@ export function useTreeNavigation(options: TreeNavigationOptions): TreeNavigatio
     event.preventDefault();
     action();
   };
-  return { focused, activate, onKeyDown };
+  const toggle = (row: TreeRow): void => setOpen(row, row.open === false);
+  return { focused, activate, toggle, onKeyDown };
 }
 
 /** Selects ranges of rows: from the anchor, which is the first row of a range, to another row. */
@@ -132,14 +136,17 @@ function useFocusedRow({ rows, scroller, scrollTo }: TreeNavigationOptions) {
 
 /** Opens the group of the entity selected last, and scrolls to its row. */
 function useRevealedSelection({ rows, scrollTo, setClosed }: TreeNavigationOptions): void {
+  const project = useProject();
   const selected = useView((state) => state.selection).at(-1);
   const selectedKey = selected ? entityKey(selected) : null;
   useEffect(() => {
     if (!selected) return;
-    setClosed((kinds) =>
-      kinds.has(selected.kind) ? new Set([...kinds].filter((kind) => kind !== selected.kind)) : kinds,
+    const above = [headingOf(selected.kind), rowAbove(project, selected)];
+    setClosed((keys) =>
+      above.some((key) => keys.has(key)) ? new Set([...keys].filter((key) => !above.includes(key))) : keys,
     );
-  }, [selected, setClosed]);
+    // Only a new selection opens rows, not an edit of the project.
+  }, [selected, setClosed, project]);
   useEffect(() => {
     const index = rows.indexOf(selectedKey);
     if (index >= 0) scrollTo(index);

@@ -6,7 +6,7 @@ import type { RunState } from "../../session/run";
 import { IconButton } from "../../ui/icon-button";
 import { formatAngle, formatCount, formatSeconds, formatShare } from "../../ui/format";
 import { measuredIn, phaseNames, strings } from "../../strings";
-import { useApp, useDocument, useQualitySpace, useRun, useStale } from "../shared/app-context";
+import { useApp, useDocument, useQualitySpace, useRun, useShell, useStale } from "../shared/app-context";
 import { useThrottled } from "../shared/use-throttled";
 import styles from "./status-bar.module.css";
 
@@ -41,11 +41,26 @@ function phaseText({ phase, exactFillFraction: exactFill }: RunProgressReport): 
 /** The progress of a run, or the state of the mesh; and the statistics of the shown mesh. */
 export function StatusBar() {
   const busy = useRun((state) => state.busy);
+  const reading = useShell((state) => state.reading);
   return (
     <footer className={styles["bar"]} data-testid="status">
-      {busy ? <RunProgress /> : <Outcome />}
+      {reading ? <Reading {...reading} /> : busy ? <RunProgress /> : <Outcome />}
       <MeshNumbers />
     </footer>
+  );
+}
+
+/** The surface file that is being read. */
+function Reading({ fileName, abort }: { readonly fileName: string; readonly abort: AbortController }) {
+  return (
+    <>
+      <span role="status" data-testid="reading">
+        {strings.bodies.opening(fileName)}
+      </span>
+      <IconButton label={strings.bodies.cancelOpening} size={22} onClick={() => abort.abort()}>
+        <IconX size={14} aria-hidden />
+      </IconButton>
+    </>
   );
 }
 

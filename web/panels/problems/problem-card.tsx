@@ -55,7 +55,7 @@ export function ProblemCard({ problem, testId }: ProblemCardProps) {
           {problem.position && <PositionButton position={problem.position} />}
           <code className={styles["code"]}>{problem.code}</code>
         </div>
-        {problem.triangles.length > 0 && <TriangleList triangles={problem.triangles} />}
+        {problem.triangles.length > 0 && <TriangleList problem={problem} />}
       </div>
     </div>
   );

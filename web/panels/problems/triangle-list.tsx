@@ -1,5 +1,8 @@
+import { useStore } from "zustand";
 import { showTriangles } from "../../commands/selection-actions";
+import { placed } from "../../document/placement";
 import { triangleCentroid } from "../../document/triangles";
+import type { Problem } from "../../document/validate";
 import { Chip } from "../../ui/chip";
 import { formatCount, formatPosition } from "../../ui/format";
 import { strings } from "../../strings";
@@ -9,25 +12,40 @@ import styles from "./triangle-list.module.css";
 
 const texts = strings.triangles;
 
-/** The triangles of the rejected surface that a problem names, with buttons that show them. */
-export function TriangleList({ triangles }: { readonly triangles: readonly number[] }) {
+/** Largest number of triangles listed; the others are counted. */
+const maxListed = 100;
+
+/** Returns the surface that the triangles of a problem belong to, and where it is. */
+function useSurface({ body: id }: Problem) {
+  const rejected = useRun((state) => state.outcome?.result.surface);
+  const bodies = useStore(useApp().bodies.state, (state) => state.byId);
+  if (id === null) return rejected && { surface: rejected };
+  const body = bodies.get(id);
+  return body?.loaded && { surface: body.loaded.surface, placement: body.body.placement };
+}
+
+/** The triangles of a surface that a problem names, with buttons that show them. */
+export function TriangleList({ problem }: { readonly problem: Problem }) {
   const app = useApp();
-  const surface = useRun((state) => state.outcome?.result.surface);
+  const { triangles, body } = problem;
+  const found = useSurface(problem);
   const highlighted = useView((state) => state.triangles);
-  if (!surface) return null;
+  if (!found) return null;
+  const { surface, placement } = found;
   return (
     <details className={styles["triangles"]} data-testid="triangles">
       <summary>{texts.count(formatCount(triangles.length), triangles.length === 1)}</summary>
-      <Chip onClick={() => showTriangles(app, triangles)}>{texts.all}</Chip>
+      <Chip onClick={() => showTriangles(app, triangles, body)}>{texts.all}</Chip>
       <ul>
-        {triangles.map((triangle) => {
-          const position = triangleCentroid(surface, triangle);
+        {triangles.slice(0, maxListed).map((triangle) => {
+          const given = triangleCentroid(surface, triangle);
+          const position = given && placed(given, placement);
           return (
             <li key={triangle}>
               <TextButton
                 aria-pressed={highlighted.length === 1 && highlighted[0] === triangle}
                 data-testid={`triangle-${triangle}`}
-                onClick={() => showTriangles(app, [triangle])}
+                onClick={() => showTriangles(app, [triangle], body)}
               >
                 {texts.one(formatCount(triangle))}
               </TextButton>{" "}

@@ -1,6 +1,7 @@
 import { Text, UnstyledButton } from "@mantine/core";
 import type { PatchQuality, Project } from "tetrafront";
 import { showEntities } from "../../commands/selection-actions";
+import { patchAt, type Entity } from "../../document/entities";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { formatAngle, formatCount, formatShort } from "../../ui/format";
 import { TableHead } from "../../ui/table-head";
@@ -16,20 +17,20 @@ const texts = strings.patches;
 const noPatches: readonly PatchQuality[] = [];
 
 /** Returns the quality of each patch in the shown mesh, by id; nothing while the mesh is out of date. */
-function usePatchQuality(): readonly { readonly id: number; readonly quality: PatchQuality }[] {
+function usePatchQuality(): readonly { readonly entity: Entity; readonly quality: PatchQuality }[] {
   const project = useProject();
   const stale = useStale();
   const all = useRun((state) => state.mesh?.report.patches ?? noPatches);
   if (stale) return [];
   return all.flatMap((quality) => {
-    const id = project.patches[quality.patch]?.id;
-    return id === undefined ? [] : [{ id, quality }];
+    const entity = patchAt(project, quality.patch);
+    return entity ? [{ entity, quality }] : [];
   });
 }
 
 /** The quality of the triangulation of one patch. */
 export function PatchFacts({ patch }: { readonly patch: number }) {
-  const found = usePatchQuality().find(({ id }) => id === patch);
+  const found = usePatchQuality().find(({ entity }) => entity.id === patch);
   if (!found) return null;
   const { quality } = found;
   return (
@@ -74,8 +75,8 @@ export function PatchTable() {
             ]}
           />
           <tbody>
-            {rows.map(({ id, quality }) => (
-              <PatchRow key={id} id={id} quality={quality} project={project} />
+            {rows.map(({ entity, quality }) => (
+              <PatchRow key={entity.id} entity={entity} quality={quality} project={project} />
             ))}
           </tbody>
         </table>
@@ -85,16 +86,15 @@ export function PatchTable() {
 }
 
 interface PatchRowProps {
-  readonly id: number;
+  readonly entity: Entity;
   readonly quality: PatchQuality;
   readonly project: Project;
 }
 
-function PatchRow({ id, quality, project }: PatchRowProps) {
+function PatchRow({ entity, quality, project }: PatchRowProps) {
   const app = useApp();
-  const entity = { kind: "patch", id } as const;
   return (
-    <tr data-testid={`patch-row-${id}`}>
+    <tr data-testid={`patch-row-${entity.id}`}>
       <th scope="row">
         <UnstyledButton onClick={() => showEntities(app, [entity])}>
           {entityTitle(project, entity)}

@@ -1,4 +1,5 @@
 import {
+  IconBox,
   IconGridDots,
   IconLine,
   IconPoint,
@@ -26,7 +27,10 @@ export function EntityIcon({ entity, project }: { readonly entity: Entity; reado
         <IconLine size={size} aria-hidden />
       );
     }
+    case "body":
+      return <IconBox size={size} aria-hidden />;
     case "patch":
+    case "body-patch":
       return <IconTriangle size={size} aria-hidden />;
     case "background-node":
       return <IconGridDots size={size} aria-hidden />;

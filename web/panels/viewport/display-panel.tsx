@@ -9,7 +9,7 @@ import { CutAxisControl, CutSlider } from "./cut-controls";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
 import { SectionTitle } from "../../ui/frames/section-title";
 
-const layers: readonly Layer[] = ["points", "lines", "patches", "background", "sources", "mesh"];
+const layers: readonly Layer[] = ["points", "lines", "patches", "bodies", "background", "sources", "mesh"];
 const shadings: readonly { value: Shading; label: string }[] = [
   { value: "radius-ratio", label: measureNames["radius-ratio"] },
   { value: "dihedral", label: strings.display.dihedral },

@@ -1,8 +1,9 @@
-import { entityName, findRecord } from "../../document/entities";
+import { bodyOfPatch, entityName, findRecord } from "../../document/entities";
 import { formatPosition, formatShort } from "../../ui/format";
 import { entityWords, lineTypeNames, patchTypeNames } from "../../strings";
 import type { Hover } from "../../tools/select-tool";
 import { useProject } from "../shared/app-context";
+import { entityTitle } from "../shared/entity-chips";
 import styles from "./hover-label.module.css";
 
 /** The name and type of the entity under the pointer. */
@@ -17,6 +18,12 @@ export function HoverLabel({ hover: { entity, at } }: { readonly hover: Hover })
         return lineTypeNames[findRecord(project, "line", id)?.type ?? "straight"];
       case "patch":
         return patchTypeNames[findRecord(project, "patch", id)?.type ?? "planar"];
+      case "body":
+        return "";
+      case "body-patch": {
+        const body = bodyOfPatch(project, id);
+        return body ? entityTitle(project, { kind: "body", id: body.id }) : "";
+      }
       case "background-node":
       case "source":
         return `δ ${formatShort(findRecord(project, kind, id)?.size ?? 0)}`;

@@ -1,5 +1,6 @@
 import type { MeshResult } from "tetrafront";
 import { BufferAttribute, BufferGeometry, FrontSide, Mesh, type DataTexture, type Ray } from "three";
+import { patchAt } from "../../document/entities";
 import type { QualitySpace } from "../../document/mesh-quality";
 import type { Cut, Shading } from "../../document/selection";
 import { createMeshMaterial } from "../materials/mesh-material";
@@ -77,7 +78,7 @@ export class MeshLayer implements HittableLayer {
   /** Returns whether the page has the elements that are drawn. */
   #hasElements = true;
   #patchFinder: PatchFinder | null = null;
-  #patches: SceneState["project"]["patches"] = [];
+  #project: SceneState["project"] | null = null;
 
   constructor(queries: MeshQueryClient, events: MeshLayerEvents) {
     this.#queries = queries;
@@ -88,7 +89,7 @@ export class MeshLayer implements HittableLayer {
   update(changes: SceneChanges): void {
     const { state } = changes;
     this.#isShown = state.layers.mesh && state.front === null;
-    this.#patches = state.project.patches;
+    this.#project = state.project;
     if (changes.has("colors")) this.#setColors(state.colors);
     setNumber(this.#material, "edges", state.edges ? 1 : 0);
     const isStale = state.isMeshStale && !state.unoptimized;
@@ -237,8 +238,8 @@ export class MeshLayer implements HittableLayer {
     const { faces } = this.#drawn;
     const face = faces?.faces[triangle] ?? 0;
     const patch = faces?.onBoundary[triangle] === 1 ? this.#patchOf(face) : null;
-    const record = patch === null ? undefined : this.#patches[patch];
-    if (record) return { kind: "patch", id: record.id };
+    const entity = patch === null || !this.#project ? undefined : patchAt(this.#project, patch);
+    if (entity) return entity;
     return this.#hasElements ? { kind: "element", index: face >> 2 } : null;
   }
 

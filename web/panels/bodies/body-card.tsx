@@ -1,0 +1,124 @@
+import { Button, Text } from "@mantine/core";
+import { IconPlayerPlayFilled } from "@tabler/icons-react";
+import type { ProjectBody, SurfaceInspection } from "tetrafront";
+import { commandNamed, runCommand } from "../../commands/registry";
+import { Facts } from "../../ui/facts";
+import { SectionTitle } from "../../ui/frames/section-title";
+import { formatCount, formatShort } from "../../ui/format";
+import { strings } from "../../strings";
+import { useApp, useProject, useRun } from "../shared/app-context";
+import { BodyPlacementFields } from "./body-placement";
+import { BodyPreview } from "./body-preview";
+import { BodyProblems } from "./body-problems";
+import { BodyTreatment } from "./body-treatment";
+import { useBody } from "./use-body";
+
+const texts = strings.bodies;
+
+/** What a body is, what is wrong with it, and what meshing will do with it. */
+export function BodyCard({ body }: { readonly body: ProjectBody }) {
+  const state = useBody(body.id);
+  return (
+    <div data-testid="body-card">
+      {state?.failure != null && (
+        <Text size="sm" c="var(--tf-error)" role="alert">
+          {state.failure}
+        </Text>
+      )}
+      {state?.inspection ? (
+        <BodyFacts body={body} inspection={state.inspection} />
+      ) : (
+        state?.failure == null && (
+          <Text size="sm" c="dimmed" role="status">
+            {texts.inspecting}
+          </Text>
+        )
+      )}
+      {state?.inspection && <BodyProblems body={body} inspection={state.inspection} />}
+      <BodyTreatment body={body} />
+      <BodyPreview body={body} />
+      <GenerateButton isPossible={state?.inspection?.isFillable === true} />
+      <BodyPlacementFields body={body} />
+    </div>
+  );
+}
+
+interface BodyFactsProps {
+  readonly body: ProjectBody;
+  readonly inspection: SurfaceInspection;
+}
+
+/** The size and the parts of the given surface. */
+function BodyFacts({ body, inspection }: BodyFactsProps) {
+  const { units = "" } = useProject();
+  const { box, triangles, nodes, openEdges, regions, cavities, volume, area, worst } = inspection;
+  const { scale = 1 } = body.placement ?? {};
+  const extents = box ? box.high.map((high, k) => scale * (high - (box.low[k] ?? 0))) : [];
+  const shells = [formatCount(inspection.shells.length), cavities > 0 && texts.cavities(cavities)];
+  return (
+    <>
+      <SectionTitle>{texts.shape}</SectionTitle>
+      <Facts>
+        <dt>{texts.box}</dt>
+        <dd data-testid="body-size">
+          {extents.map(formatShort).join(" × ")} {units}
+        </dd>
+        <dt>{texts.triangles}</dt>
+        <dd data-testid="body-triangles">{formatCount(triangles)}</dd>
+        <dt>{texts.nodes}</dt>
+        <dd>{formatCount(nodes)}</dd>
+        {inspection.isFillable ? (
+          <>
+            <dt>{texts.shells}</dt>
+            <dd data-testid="body-shells">{shells.filter((text) => text !== false).join(", ")}</dd>
+            {regions > 1 && (
+              <>
+                <dt>{texts.regions}</dt>
+                <dd>{formatCount(regions)}</dd>
+              </>
+            )}
+            <dt>{texts.volume}</dt>
+            <dd data-testid="body-volume">{formatShort(volume * scale ** 3)}</dd>
+          </>
+        ) : (
+          <>
+            <dt>{texts.area}</dt>
+            <dd>{formatShort(area * scale ** 2)}</dd>
+            {openEdges > 0 && (
+              <>
+                <dt>{texts.shells}</dt>
+                <dd data-testid="body-open-edges">{texts.open(openEdges)}</dd>
+              </>
+            )}
+          </>
+        )}
+        <dt>{texts.patches}</dt>
+        <dd data-testid="body-patches">{formatCount(body.patches.length)}</dd>
+        {worst[0] && (
+          <>
+            <dt>{texts.worst}</dt>
+            <dd>{formatShort(worst[0].radiusRatio)}</dd>
+          </>
+        )}
+      </Facts>
+    </>
+  );
+}
+
+function GenerateButton({ isPossible }: { readonly isPossible: boolean }) {
+  const app = useApp();
+  const busy = useRun((state) => state.busy);
+  return (
+    <Button
+      fullWidth
+      size="xs"
+      my={10}
+      disabled={busy || !isPossible}
+      leftSection={<IconPlayerPlayFilled size={13} aria-hidden />}
+      data-testid="body-generate"
+      onClick={() => runCommand(app, commandNamed("generate"))}
+    >
+      {texts.generate}
+    </Button>
+  );
+}

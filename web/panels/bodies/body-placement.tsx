@@ -1,0 +1,75 @@
+import { Button, Text } from "@mantine/core";
+import type { BodyPlacement, ProjectBody } from "tetrafront";
+import { setPlacement } from "../../document/body-edits";
+import { anglesOf, noRotation, rotationOf } from "../../document/placement";
+import type { Position } from "../../document/position";
+import { NumberRow } from "../../ui/fields/number-row";
+import { PositionRow } from "../../ui/fields/position-row";
+import { strings } from "../../strings";
+import { useApp } from "../shared/app-context";
+import { aboveZero } from "../shared/size-fields";
+import styles from "./bodies.module.css";
+import { useBody } from "./use-body";
+
+const texts = strings.bodies.placement;
+
+/** Steps of the fields: degrees, and a factor. */
+const angleStep = 5;
+const scaleStep = 0.1;
+
+const withAxis = (values: Position, axis: 0 | 1 | 2, value: number): Position => {
+  const next: [number, number, number] = [...values];
+  next[axis] = value;
+  return next;
+};
+
+/** Where a body is. */
+export function BodyPlacementFields({ body }: { readonly body: ProjectBody }) {
+  const app = useApp();
+  const box = useBody(body.id)?.inspection?.box;
+  const { position = [0, 0, 0], rotation = noRotation, scale = 1 } = body.placement ?? {};
+  const angles = anglesOf(rotation);
+  const extent = box ? Math.max(...box.high.map((high, k) => high - (box.low[k] ?? 0))) : 1;
+  const set = (change: BodyPlacement, key: string): void =>
+    app.documents.edit(setPlacement(body.id, { position, rotation, scale, ...change }, key));
+  return (
+    <details className={styles["options"]} data-testid="body-placement">
+      <summary>{texts.title}</summary>
+      <PositionRow
+        label={texts.position}
+        value={position}
+        step={10 ** Math.round(Math.log10(extent / 20))}
+        testId="placement-position"
+        onCommit={(axis, value) => set({ position: withAxis(position, axis, value) }, `position-${axis}`)}
+      />
+      <PositionRow
+        label={texts.rotation}
+        value={angles}
+        step={angleStep}
+        testId="placement-rotation"
+        onCommit={(axis, value) =>
+          set({ rotation: rotationOf(withAxis(angles, axis, value)) }, `rotation-${axis}`)
+        }
+      />
+      <NumberRow
+        label={texts.scale}
+        value={scale}
+        step={scaleStep}
+        refuse={aboveZero}
+        testId="placement-scale"
+        onCommit={(value) => set({ scale: value }, "scale")}
+      />
+      <Text size="xs" c="dimmed" mb={6}>
+        {texts.hint}
+      </Text>
+      <Button
+        size="compact-xs"
+        variant="default"
+        disabled={body.placement === undefined}
+        onClick={() => app.documents.edit(setPlacement(body.id, {}))}
+      >
+        {texts.reset}
+      </Button>
+    </details>
+  );
+}

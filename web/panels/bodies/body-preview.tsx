@@ -1,0 +1,128 @@
+import { Button, Progress, SegmentedControl, Text } from "@mantine/core";
+import { IconEye, IconX } from "@tabler/icons-react";
+import type { PreparedBody, ProjectBody } from "tetrafront";
+import { previewBody, showBodySurface } from "../../commands/surface-actions";
+import { Facts } from "../../ui/facts";
+import { FieldRow } from "../../ui/fields/field-row";
+import { IconButton } from "../../ui/icon-button";
+import { formatAngle, formatCount, formatShort } from "../../ui/format";
+import { strings } from "../../strings";
+import { useApp, useRun, useView } from "../shared/app-context";
+import styles from "./bodies.module.css";
+import { useBody, usePreparation } from "./use-body";
+
+const texts = strings.bodies.preview;
+
+/** The preview of the triangles that will be meshed: its progress, its statistics, and what the view shows. */
+export function BodyPreview({ body }: { readonly body: ProjectBody }) {
+  const app = useApp();
+  const state = useBody(body.id);
+  const { preparation, isCurrent } = usePreparation(body);
+  const isFillable = state?.inspection?.isFillable === true;
+  return (
+    <section data-testid="body-preview" data-current={isCurrent}>
+      {state?.preparing != null ? (
+        <Making fraction={state.preparing} onCancel={() => app.bodies.cancel(body.id)} />
+      ) : (
+        !isCurrent && (
+          <Button
+            fullWidth
+            size="xs"
+            mt={6}
+            variant="default"
+            disabled={!isFillable}
+            leftSection={<IconEye size={14} aria-hidden />}
+            data-testid="body-preview-make"
+            onClick={() => previewBody(app, body.id)}
+          >
+            {preparation ? texts.update : texts.make}
+          </Button>
+        )
+      )}
+      {state?.preparationFailure != null && (
+        <Text size="sm" c="var(--tf-error)" role="alert" mt={4}>
+          {state.preparationFailure}
+        </Text>
+      )}
+      {preparation && !isCurrent && (
+        <Text size="xs" c="dimmed" mt={4}>
+          {texts.stale}
+        </Text>
+      )}
+      {preparation && isCurrent && <PreparedFacts prepared={preparation.prepared} />}
+      <ShownTriangles hasPreview={isCurrent} />
+    </section>
+  );
+}
+
+function Making({ fraction, onCancel }: { readonly fraction: number; readonly onCancel: () => void }) {
+  return (
+    <div className={styles["progress"]} role="status" aria-label={texts.making}>
+      <Progress
+        value={100 * fraction}
+        size="sm"
+        aria-label={texts.making}
+        // Without graphics hardware, animating the bar costs as much as the work.
+        transitionDuration={0}
+      />
+      <Text size="xs">{Math.round(100 * fraction)} %</Text>
+      <IconButton label={texts.cancel} size={24} data-testid="body-preview-cancel" onClick={onCancel}>
+        <IconX size={14} aria-hidden />
+      </IconButton>
+    </div>
+  );
+}
+
+function PreparedFacts({ prepared }: { readonly prepared: PreparedBody }) {
+  const { triangles, size, minSize, tolerance, deviation, smallestAngle, meanRadiusRatio } = prepared;
+  const rows: readonly (readonly [label: string, value: string | undefined, testId?: string])[] = [
+    [strings.bodies.triangles, formatCount(triangles.length / 3), "prepared-triangles"],
+    [texts.size, size === undefined ? undefined : formatShort(size)],
+    [texts.minSize, minSize === undefined ? undefined : formatShort(minSize)],
+    [texts.tolerance, tolerance === undefined ? undefined : formatShort(tolerance)],
+    [texts.deviation, deviation === undefined ? undefined : formatShort(deviation), "prepared-deviation"],
+    [texts.smallestAngle, smallestAngle === undefined ? undefined : formatAngle(smallestAngle)],
+    [texts.meanRatio, meanRadiusRatio?.toFixed(3)],
+  ];
+  return (
+    <Facts>
+      {rows.flatMap(([label, value, testId]) =>
+        value === undefined
+          ? []
+          : [
+              <dt key={`${label} name`}>{label}</dt>,
+              <dd key={label} data-testid={testId}>
+                {value}
+              </dd>,
+            ],
+      )}
+    </Facts>
+  );
+}
+
+/** Selects the triangles that the view shows. */
+function ShownTriangles({ hasPreview }: { readonly hasPreview: boolean }) {
+  const app = useApp();
+  const surface = useView((state) => state.bodySurface);
+  const layer = useView((state) => state.layers.mesh);
+  const hasMesh = useRun((state) => (state.mesh?.report.tetrahedra ?? 0) > 0);
+  if (!hasPreview && !hasMesh) return null;
+  const views = (["given", "new", "mesh"] as const).map((value) => ({
+    value,
+    label: texts.views[value],
+    disabled: (value === "new" && !hasPreview) || (value === "mesh" && !hasMesh),
+  }));
+  const shown = hasMesh && layer ? "mesh" : hasPreview ? surface : "given";
+  return (
+    <FieldRow label={texts.shown}>
+      <SegmentedControl
+        size="xs"
+        fullWidth
+        aria-label={texts.shown}
+        data={views}
+        value={shown}
+        onChange={(value) => showBodySurface(app, value)}
+      />
+    </FieldRow>
+  );
+}

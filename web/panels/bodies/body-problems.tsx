@@ -1,0 +1,108 @@
+import { Button, Text } from "@mantine/core";
+import { IconTool } from "@tabler/icons-react";
+import type { ProjectBody, SurfaceInspection } from "tetrafront";
+import { repairBody } from "../../commands/surface-actions";
+import { repairCounts, type BodyRepair } from "../../document/body-repair";
+import { entityKey } from "../../document/entities";
+import { SectionTitle } from "../../ui/frames/section-title";
+import { NumberRow } from "../../ui/fields/number-row";
+import { strings } from "../../strings";
+import { ProblemCard } from "../problems/problem-card";
+import { useApp, useProblems } from "../shared/app-context";
+import { notNegative, upTo } from "../shared/size-fields";
+import styles from "./bodies.module.css";
+import { useBody } from "./use-body";
+
+const texts = strings.bodies;
+
+/** Largest number of problems in the card; the Problems panel lists all. */
+const maxListed = 3;
+const maxHoleEdges = 200;
+
+interface BodyProblemsProps {
+  readonly body: ProjectBody;
+  readonly inspection: SurfaceInspection;
+}
+
+/** The problems of a given surface, and the repair that would change them. */
+export function BodyProblems({ body, inspection }: BodyProblemsProps) {
+  const app = useApp();
+  const problems = useProblems((state) => state.byEntity.get(entityKey({ kind: "body", id: body.id })));
+  const repair = useBody(body.id)?.repair;
+  if (!problems && inspection.isFillable) return null;
+  return (
+    <section data-testid="body-problems">
+      <SectionTitle>{texts.problems}</SectionTitle>
+      {problems?.slice(0, maxListed).map((problem) => (
+        <ProblemCard key={problem.key} problem={problem} />
+      ))}
+      {problems && problems.length > maxListed && (
+        <Button
+          size="compact-xs"
+          variant="subtle"
+          onClick={() => app.shell.setState({ bottomTab: "problems", drawer: "bottom" })}
+        >
+          {texts.allProblems(problems.length)}
+        </Button>
+      )}
+      {repair && !inspection.isFillable && <RepairSection body={body} repair={repair} />}
+    </section>
+  );
+}
+
+interface RepairSectionProps {
+  readonly body: ProjectBody;
+  readonly repair: BodyRepair;
+}
+
+/** What a repair would change, with its options. */
+function RepairSection({ body, repair }: RepairSectionProps) {
+  const app = useApp();
+  const { wishes, changes, after } = repair;
+  const errors = after.diagnostics.filter(({ severity }) => severity === "error").length;
+  const propose = (change: Partial<typeof wishes>): void =>
+    void app.bodies.proposeRepair(body, { ...wishes, ...change });
+  return (
+    <section data-testid="body-repair">
+      <SectionTitle>{texts.repair.title}</SectionTitle>
+      <Text size="sm">{changes.length === 0 ? texts.repair.none : texts.repair.intro}</Text>
+      <ul className={styles["changes"]}>
+        {repairCounts(changes).map(([kind, count]) => (
+          <li key={kind} data-testid={`repair-${kind}`}>
+            {texts.repair.changes[kind](count)}
+          </li>
+        ))}
+      </ul>
+      <Text size="sm" c="dimmed" mb={6} data-testid="repair-outcome">
+        {after.isFillable ? texts.repair.solves : texts.repair.remains(errors)}
+      </Text>
+      <NumberRow
+        label={texts.repair.weld}
+        value={typeof wishes.weld === "number" ? wishes.weld : 0}
+        step={0.001}
+        refuse={notNegative}
+        testId="repair-weld"
+        onCommit={(weld) => propose({ weld })}
+      />
+      <NumberRow
+        label={texts.repair.holes}
+        value={wishes.fillHoles ?? 0}
+        step={1}
+        refuse={upTo(maxHoleEdges, notNegative)}
+        testId="repair-holes"
+        onCommit={(edges) => propose({ fillHoles: Math.round(edges) })}
+      />
+      <Button
+        size="xs"
+        mt={8}
+        fullWidth
+        disabled={changes.length === 0}
+        leftSection={<IconTool size={14} aria-hidden />}
+        data-testid="body-repair-apply"
+        onClick={() => void repairBody(app, body.id)}
+      >
+        {texts.repair.apply}
+      </Button>
+    </section>
+  );
+}

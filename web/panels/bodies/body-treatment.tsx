@@ -1,0 +1,138 @@
+import { SegmentedControl, Text } from "@mantine/core";
+import { IconRotate } from "@tabler/icons-react";
+import { BODY_SURFACES, REMESH_DEFAULTS, type BodyRemeshing, type ProjectBody } from "tetrafront";
+import { setBodySurface, setRemeshing } from "../../document/body-edits";
+import { FieldRow } from "../../ui/fields/field-row";
+import { NumberField } from "../../ui/fields/number-field";
+import { SectionTitle } from "../../ui/frames/section-title";
+import { IconButton } from "../../ui/icon-button";
+import { formatShort } from "../../ui/format";
+import { strings } from "../../strings";
+import { useApp } from "../shared/app-context";
+import { aboveZero, notNegative, sizeStep } from "../shared/size-fields";
+import styles from "./bodies.module.css";
+import { usePreparation } from "./use-body";
+
+const texts = strings.bodies.treatment;
+
+type Field = keyof BodyRemeshing;
+
+const fields: readonly Field[] = [
+  "size",
+  "minSize",
+  "maxSize",
+  "tolerance",
+  "featureAngle",
+  "anglePerEdge",
+  "layers",
+  "growth",
+];
+
+const refuseAngle = (value: number): string | null =>
+  value >= 1 && value <= 180 ? null : texts.invalidAngle;
+const refuseLayers = (value: number): string | null =>
+  value >= 0 && value <= 100 ? null : texts.invalidLayers;
+
+const refusals: { readonly [F in Field]: (value: number) => string | null } = {
+  size: aboveZero,
+  minSize: aboveZero,
+  maxSize: aboveZero,
+  tolerance: aboveZero,
+  featureAngle: refuseAngle,
+  anglePerEdge: refuseAngle,
+  layers: refuseLayers,
+  growth: notNegative,
+};
+
+/** What meshing does with the given triangles: remesh, refine or keep them; and the options of remeshing. */
+export function BodyTreatment({ body }: { readonly body: ProjectBody }) {
+  const app = useApp();
+  const surface = body.surface ?? "remesh";
+  return (
+    <section data-testid="body-treatment">
+      <SectionTitle>{texts.title}</SectionTitle>
+      <SegmentedControl
+        size="xs"
+        fullWidth
+        aria-label={texts.label}
+        data={BODY_SURFACES.map((value) => ({ value, label: texts.values[value] }))}
+        value={surface}
+        onChange={(value) => app.documents.edit(setBodySurface(body.id, value))}
+      />
+      <Text size="xs" c="dimmed" my={4}>
+        {texts.hints[surface]}
+      </Text>
+      {surface === "remesh" && (
+        <>
+          <RemeshingField body={body} field="size" />
+          <details className={styles["options"]} data-testid="remeshing-options">
+            <summary>{texts.options}</summary>
+            {fields.slice(1).map((field) => (
+              <RemeshingField key={field} body={body} field={field} />
+            ))}
+          </details>
+        </>
+      )}
+    </section>
+  );
+}
+
+interface RemeshingFieldProps {
+  readonly body: ProjectBody;
+  readonly field: Field;
+}
+
+/** An option of remeshing. While it is automatic, the field shows the value that the last preview has used. */
+function RemeshingField({ body, field }: RemeshingFieldProps) {
+  const app = useApp();
+  const used = useAutomaticValues(body)[field];
+  const set = body.remeshing?.[field];
+  const value = set ?? used;
+  const commit = (next: number | null): void => app.documents.edit(setRemeshing(body.id, field, next));
+  return (
+    <FieldRow label={texts.fields[field]}>
+      <div className={styles["automatic"]} title={texts.hintOf[field]}>
+        <NumberField
+          key={set === undefined ? "automatic" : "set"}
+          label={texts.fields[field]}
+          value={value ?? 0}
+          step={field === "layers" ? 1 : sizeStep(value ?? 1)}
+          refuse={refusals[field]}
+          testId={`remeshing-${field}`}
+          onCommit={commit}
+        />
+        {set === undefined ? (
+          <Text size="xs" c="dimmed" component="span">
+            {value === undefined ? texts.automatic : `${texts.automatic}: ${formatShort(value)}`}
+          </Text>
+        ) : (
+          <IconButton
+            label={texts.reset(texts.fields[field])}
+            size={24}
+            data-testid={`remeshing-${field}-reset`}
+            onClick={() => commit(null)}
+          >
+            <IconRotate size={14} aria-hidden />
+          </IconButton>
+        )}
+      </div>
+    </FieldRow>
+  );
+}
+
+/** Returns the values of options that the user has not set: defaults, and what the last preview has chosen. */
+function useAutomaticValues(body: ProjectBody): { readonly [F in Field]: number | undefined } {
+  const { preparation } = usePreparation(body);
+  const { size, minSize, tolerance } = preparation?.prepared ?? {};
+  const hasSize = body.remeshing?.size !== undefined;
+  return {
+    size,
+    minSize,
+    maxSize: size,
+    tolerance,
+    featureAngle: REMESH_DEFAULTS.featureAngle,
+    anglePerEdge: hasSize ? 60 : 20,
+    layers: hasSize ? 0 : 1,
+    growth: 0.3,
+  };
+}

@@ -1,0 +1,220 @@
+import { repairedSurface, type Mesher, type Project, type ProjectBody, type SurfaceInspection } from "tetrafront";
+import { createStore, type StoreApi } from "zustand/vanilla";
+import { bodiesOf } from "../document/entities";
+import { defaultRepair, type BodyRepair, type RepairWishes } from "../document/body-repair";
+import { SurfaceClient, type LoadedSurface, type NewBody, type PatchArrays } from "../workers/surface-files";
+import { BodyPreparations, type Preparation } from "./body-preparations";
+import { BodySurfaces } from "./body-surfaces";
+import type { DocumentStore } from "./document-store";
+
+/** What is known of a body of the document. */
+export interface BodyState {
+  /** The body that `loaded`, `inspection` and `repair` belong to, apart from its names, treatment and placement. */
+  readonly body: ProjectBody;
+  readonly loaded: LoadedSurface | null;
+  /** Null until the surface has been inspected. */
+  readonly inspection: SurfaceInspection | null;
+  /** What a repair would change; null if none is needed, and until it is known. */
+  readonly repair: BodyRepair | null;
+  /** Why the surface could not be read or inspected. */
+  readonly failure: string | null;
+  /** The preview made last, which may be out of date. */
+  readonly preparation: Preparation | null;
+  /** Progress of the preview that is being made, 0 to 1; null without one. */
+  readonly preparing: number | null;
+  /** Why the last preview failed. */
+  readonly preparationFailure: string | null;
+}
+
+export interface BodiesState {
+  readonly byId: ReadonlyMap<number, BodyState>;
+}
+
+/** Largest number of given triangles of which a preview is made unasked: it takes some seconds. */
+const maxUnaskedTriangles = 30_000;
+
+const unknownBody = (body: ProjectBody): BodyState => ({
+  body,
+  loaded: null,
+  inspection: null,
+  repair: null,
+  failure: null,
+  preparation: null,
+  preparing: null,
+  preparationFailure: null,
+});
+
+/** Loads and inspects the bodies of the document, and makes previews of their treated triangles. */
+export class BodyFeed {
+  readonly state: StoreApi<BodiesState> = createStore<BodiesState>(() => ({ byId: new Map() }));
+  readonly preparations: BodyPreparations;
+  readonly #documents: DocumentStore;
+  readonly #mesher: Promise<Mesher>;
+  readonly #client = new SurfaceClient();
+  readonly #surfaces = new BodySurfaces(this.#client);
+  readonly #aborts = new Map<number, AbortController>();
+  /** Ids of bodies whose preview is made as soon as they are inspected. */
+  readonly #awaited = new Set<number>();
+
+  constructor(documents: DocumentStore, mesher: Promise<Mesher>) {
+    this.#documents = documents;
+    this.#mesher = mesher;
+    this.preparations = new BodyPreparations(mesher, this.#client);
+    documents.onProject((project) => this.#follow(project));
+    this.#follow(documents.project);
+  }
+
+  /** Notes the arrays of a new body, so that it is shown as soon as it is in the document. */
+  keep(made: Pick<NewBody, "body" | "loaded">): void {
+    this.#surfaces.keep(made);
+  }
+
+  /** Makes a preview of the treated triangles of a body. A preview of the same body that is being made is aborted. */
+  async prepare(id: number): Promise<void> {
+    const { project } = this.#documents;
+    const body = bodiesOf(project).find((other) => other.id === id);
+    if (!body) return;
+    this.cancel(id);
+    const abort = new AbortController();
+    this.#aborts.set(id, abort);
+    this.#set(id, { preparing: 0, preparationFailure: null });
+    try {
+      const known = this.preparations.find(project, body);
+      const preparation =
+        known ??
+        (await this.preparations.make(project, body, abort.signal, (fraction) => {
+          if (this.#aborts.get(id) === abort) this.#set(id, { preparing: fraction });
+        }));
+      if (this.#aborts.get(id) === abort) this.#set(id, { preparation });
+    } catch (error) {
+      if (!abort.signal.aborted) {
+        this.#set(id, { preparationFailure: error instanceof Error ? error.message : String(error) });
+      }
+    } finally {
+      if (this.#aborts.get(id) === abort) {
+        this.#aborts.delete(id);
+        this.#set(id, { preparing: null });
+      }
+    }
+  }
+
+  /** Makes a preview as soon as the surface is known to be valid, unless it is large. */
+  prepareWhenValid(id: number): void {
+    this.#awaited.add(id);
+    this.#prepareAwaited();
+  }
+
+  #prepareAwaited(): void {
+    const { byId } = this.state.getState();
+    for (const id of this.#awaited) {
+      const inspection = byId.get(id)?.inspection;
+      if (!inspection) continue;
+      this.#awaited.delete(id);
+      if (inspection.isFillable && inspection.triangles <= maxUnaskedTriangles) void this.prepare(id);
+    }
+  }
+
+  /** Aborts the preview of a body. */
+  cancel(id: number): void {
+    this.#aborts.get(id)?.abort();
+    this.#aborts.delete(id);
+    this.#set(id, { preparing: null });
+  }
+
+  /** Returns the arrays of a body's given triangles. */
+  surfaceOf(body: ProjectBody): Promise<LoadedSurface> {
+    return this.#surfaces.load(body);
+  }
+
+  /** Returns a body with another surface and other patches, whose arrays are then known. */
+  async replaced(
+    body: ProjectBody,
+    surface: PatchArrays,
+    patches: ProjectBody["patches"],
+  ): Promise<ProjectBody> {
+    const made = await this.#client.replace({ body, surface, patches });
+    this.keep(made);
+    return made.body;
+  }
+
+  /** Finds out what a repair would change, and whether problems would remain. */
+  async proposeRepair(body: ProjectBody, wishes: RepairWishes = defaultRepair): Promise<void> {
+    const { surface } = await this.#surfaces.load(body);
+    const mesher = await this.#mesher;
+    const patches = body.patches.map(({ id, name = "" }) => ({ name, tag: id }));
+    try {
+      const repair = await mesher.repairSurface(surface, wishes);
+      const repaired = repairedSurface({ ...surface, patches }, repair);
+      const after = await mesher.inspectSurface(repaired);
+      const { points, triangles, trianglePatch } = repaired;
+      this.#setFor(body, {
+        repair: {
+          wishes,
+          changes: repair.changes,
+          after,
+          surface: { points, triangles, trianglePatch },
+          hasFilled: repaired.patches.length > patches.length,
+        },
+      });
+    } catch (error) {
+      this.#setFor(body, { failure: error instanceof Error ? error.message : String(error) });
+    }
+  }
+
+  #follow(project: Project): void {
+    const bodies = bodiesOf(project);
+    const { byId } = this.state.getState();
+    if (bodies.length === 0 && byId.size === 0) return;
+    const next = new Map(bodies.map((body) => [body.id, this.#followed(project, body, byId.get(body.id))]));
+    for (const id of this.#aborts.keys()) if (!next.has(id)) this.#aborts.get(id)?.abort();
+    this.state.setState({ byId: next });
+    for (const { body, loaded, inspection, failure } of next.values()) {
+      if (failure === null && (!loaded || !inspection)) void this.#inspect(body);
+    }
+  }
+
+  #followed(project: Project, body: ProjectBody, before: BodyState | undefined): BodyState {
+    const isSame = before !== undefined && hasSameSurface(before.body, body);
+    const state = isSame ? { ...before, body } : unknownBody(body);
+    const preparation = this.preparations.find(project, body) ?? state.preparation;
+    return { ...state, preparation, loaded: this.#surfaces.find(body) ?? state.loaded };
+  }
+
+  async #inspect(body: ProjectBody): Promise<void> {
+    try {
+      const loaded = await this.#surfaces.load(body);
+      this.#setFor(body, { loaded });
+      const mesher = await this.#mesher;
+      const inspection = await mesher.inspectSurface(loaded.surface);
+      this.#setFor(body, { inspection });
+      this.#prepareAwaited();
+      if (!inspection.isFillable) await this.proposeRepair(body);
+    } catch (error) {
+      this.#setFor(body, { failure: error instanceof Error ? error.message : String(error) });
+    }
+  }
+
+  /** Changes the state of a body, unless its surface has changed meanwhile. */
+  #setFor(body: ProjectBody, change: Partial<BodyState>): void {
+    const present = this.state.getState().byId.get(body.id);
+    if (present && hasSameSurface(present.body, body)) this.#set(body.id, change);
+  }
+
+  #set(id: number, change: Partial<BodyState>): void {
+    const { byId } = this.state.getState();
+    const present = byId.get(id);
+    if (!present) return;
+    const next = new Map(byId);
+    next.set(id, { ...present, ...change });
+    this.state.setState({ byId: next });
+  }
+}
+
+function hasSameSurface(a: ProjectBody, b: ProjectBody): boolean {
+  return a.trianglePatch === b.trianglePatch && a.triangles === b.triangles && a.points === b.points;
+}
+
+/** Returns whether the preview shows what a run would mesh. */
+export function isCurrent(preparations: BodyPreparations, project: Project, state: BodyState): boolean {
+  return state.preparation !== null && preparations.find(project, state.body) === state.preparation;
+}

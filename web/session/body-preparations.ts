@@ -1,0 +1,80 @@
+import type { Mesher, PreparedBody, Project, ProjectBody } from "tetrafront";
+import { preparedKey } from "../document/content-keys";
+import type { DrawnSurface } from "../document/drawn-surface";
+import { engineInput } from "../document/engine-input";
+import { bodiesOf } from "../document/entities";
+import type { SurfaceClient } from "../workers/surface-files";
+
+/** The treated triangles of a body, and how the view draws them. */
+export interface Preparation {
+  /** Key of everything that they depend on. */
+  readonly key: string;
+  readonly prepared: PreparedBody;
+  /** The values are the deviation of each triangle divided by the tolerance, if the body was remeshed. */
+  readonly drawn: DrawnSurface;
+}
+
+/** Number of results kept, so that undo restores the old preview at once. */
+const maxKept = 4;
+
+/** Makes the triangles that a run would mesh. Keeps the last results by the content that they were made from. */
+export class BodyPreparations {
+  readonly #mesher: Promise<Mesher>;
+  readonly #surfaces: SurfaceClient;
+  /** The result used last is the last one. */
+  readonly #kept = new Map<string, Preparation>();
+
+  constructor(mesher: Promise<Mesher>, surfaces: SurfaceClient) {
+    this.#mesher = mesher;
+    this.#surfaces = surfaces;
+  }
+
+  /** Returns the result for the present content of a body, if it is known. */
+  find(project: Project, body: ProjectBody): Preparation | null {
+    return this.#kept.size === 0 ? null : (this.#kept.get(preparedKey(project, body)) ?? null);
+  }
+
+  /** Returns all results that a run of the project can use. */
+  allOf(project: Project): readonly PreparedBody[] {
+    return bodiesOf(project).flatMap((body) => this.find(project, body)?.prepared ?? []);
+  }
+
+  /** Makes the triangles of a body. Rejects if this is impossible or aborted. */
+  async make(
+    project: Project,
+    body: ProjectBody,
+    signal: AbortSignal,
+    onProgress: (fraction: number) => void,
+  ): Promise<Preparation> {
+    const [input, options] = engineInput(project);
+    const key = preparedKey(project, body);
+    const mesher = await this.#mesher;
+    const prepared = await mesher.prepareBody(input, body.id, options, {
+      signal,
+      onProgress: ({ fraction }) => onProgress(fraction),
+    });
+    const drawn = await this.#surfaces.draw(surfaceOf(prepared), body.patches.length, sharesOf(prepared));
+    signal.throwIfAborted();
+    const made = { key, prepared, drawn };
+    this.#keep(made);
+    return made;
+  }
+
+  #keep(made: Preparation): void {
+    this.#kept.delete(made.key);
+    this.#kept.set(made.key, made);
+    const [oldest] = this.#kept.keys();
+    if (this.#kept.size > maxKept && oldest !== undefined) this.#kept.delete(oldest);
+  }
+}
+
+const surfaceOf = ({ points, triangles, trianglePatch }: PreparedBody) => ({ points, triangles, trianglePatch });
+
+/** Returns the deviation of each triangle divided by the tolerance. */
+function sharesOf(prepared: PreparedBody): Float32Array | null {
+  const { triangleDeviation, tolerance = 0 } = prepared as PreparedBody & {
+    readonly triangleDeviation?: Float32Array;
+  };
+  if (!triangleDeviation || tolerance === 0) return null;
+  return Float32Array.from(triangleDeviation, (deviation) => deviation / tolerance);
+}

@@ -1,0 +1,62 @@
+import { Color, DoubleSide, ShaderMaterial } from "three";
+import { drawStateGlsl, drawStateUniforms, type StateMaterial } from "../draw-state";
+import { culled, edgeStrength, facetLight } from "./glsl";
+
+const vertexShader = /* glsl */ `
+  attribute float value;
+  varying float vValue;
+  varying vec3 vViewPosition;
+  varying vec3 vBarycentric;
+  ${drawStateGlsl}
+  void main() {
+    int corner = gl_VertexID % 3;
+    vBarycentric = vec3(corner == 0, corner == 1, corner == 2);
+    vValue = value;
+    vec4 viewPosition = modelViewMatrix * vec4(position, 1.0);
+    vViewPosition = viewPosition.xyz;
+    gl_Position = isDrawn() ? projectionMatrix * viewPosition : ${culled};
+  }
+`;
+
+const fragmentShader = /* glsl */ `
+  uniform sampler2D ramp;
+  uniform vec3 plainColor;
+  uniform vec3 edgeColor;
+  uniform float shaded;
+  uniform float edges;
+  varying float vValue;
+  varying vec3 vViewPosition;
+  varying vec3 vBarycentric;
+  ${facetLight}
+  ${edgeStrength}
+  void main() {
+    vec3 color = mix(plainColor, texture2D(ramp, vec2(clamp(vValue, 0.002, 0.998), 0.5)).rgb, shaded);
+    color *= facetLight(vViewPosition);
+    gl_FragColor = vec4(mix(color, edgeColor, edges * edgeStrength(vBarycentric, 0.6)), 1.0);
+  }
+`;
+
+/**
+ * Triangles of a body without an index, seen from both sides: in one colour, or shaded by a value per corner, a position
+ * on a colour ramp.
+ */
+export function createBodyMaterial(): StateMaterial {
+  const uniforms = {
+    ...drawStateUniforms({ normal: 1, hover: 1, selected: 1, defective: 1 }),
+    ramp: { value: null },
+    plainColor: { value: new Color() },
+    edgeColor: { value: new Color() },
+    shaded: { value: 0 },
+    edges: { value: 1 },
+  };
+  const material = new ShaderMaterial({
+    vertexShader,
+    fragmentShader,
+    side: DoubleSide,
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 1,
+    uniforms,
+  });
+  return Object.assign(material, { uniforms });
+}

@@ -1,0 +1,76 @@
+import type { BodyPlacement, Project, ProjectBodyPatch } from "tetrafront";
+import type { DrawnSurface } from "../document/drawn-surface";
+import { bodiesOf } from "../document/entities";
+import { placed, placedBox } from "../document/placement";
+import type { Position } from "../document/position";
+import type { ViewState } from "../document/selection";
+import type { BodyFeed, BodyState } from "../session/bodies";
+import type { LoadedSurface } from "../workers/surface-files";
+
+/** A body as the view shows it. */
+export interface ShownBody {
+  readonly id: number;
+  readonly patches: readonly ProjectBodyPatch[];
+  readonly placement: BodyPlacement | undefined;
+  /** The given triangles; null until they are loaded. */
+  readonly given: LoadedSurface | null;
+  /** The triangles of an up-to-date preview, at their place; null without one. */
+  readonly preview: DrawnSurface | null;
+}
+
+interface Known {
+  readonly bodies: Project["bodies"];
+  readonly shown: readonly ShownBody[];
+}
+
+const noBodies: readonly ShownBody[] = [];
+/** The last result for each state of the feed: equal results must be the same object. */
+const known = new WeakMap<object, Known>();
+
+/** Returns the bodies of a project. */
+export function shownBodies(project: Project, feed: BodyFeed): readonly ShownBody[] {
+  const bodies = bodiesOf(project);
+  if (bodies.length === 0) return noBodies;
+  const { byId } = feed.state.getState();
+  const last = known.get(byId);
+  if (last?.bodies === project.bodies && last) return last.shown;
+  const shown = bodies.map(({ id, patches, placement }): ShownBody => {
+    const state = byId.get(id);
+    const given = state?.loaded ?? null;
+    return { id, patches, placement, given, preview: state ? currentPreview(project, feed, state) : null };
+  });
+  known.set(byId, { bodies: project.bodies, shown });
+  return shown;
+}
+
+function currentPreview(project: Project, { preparations }: BodyFeed, state: BodyState): DrawnSurface | null {
+  const body = bodiesOf(project).find(({ id }) => id === state.body.id);
+  const current = state.preparation && body ? preparations.find(project, body) : null;
+  return current === state.preparation ? (current?.drawn ?? null) : null;
+}
+
+/** Returns the triangles to draw, and where to move them. */
+export function drawnOf(
+  { given, preview, placement }: ShownBody,
+  surface: ViewState["bodySurface"],
+): { readonly drawn: DrawnSurface | null; readonly placement: BodyPlacement | undefined } {
+  if (surface === "new" && preview) return { drawn: preview, placement: undefined };
+  return { drawn: given?.drawn ?? null, placement };
+}
+
+/** Returns the box of a body at its place; null until its triangles are loaded. */
+export function shownBox({ given, placement }: ShownBody) {
+  return given && placedBox(given.drawn.low, given.drawn.high, placement);
+}
+
+/** Returns the corners of given triangles of a body at their place, x y z each. Leaves out indices out of range. */
+export function bodyCorners({ given, placement }: ShownBody, indices: readonly number[]): number[] {
+  if (!given) return [];
+  const { points, triangles } = given.surface;
+  return indices.flatMap((triangle) =>
+    [...triangles.subarray(3 * triangle, 3 * triangle + 3)].flatMap((node) => {
+      const at: Position = [points[3 * node] ?? 0, points[3 * node + 1] ?? 0, points[3 * node + 2] ?? 0];
+      return [...placed(at, placement)];
+    }),
+  );
+}

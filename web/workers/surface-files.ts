@@ -1,0 +1,130 @@
+import type { PatchedSurface, ProjectBody } from "tetrafront";
+import type { DrawnSurface } from "../document/drawn-surface";
+import { rememberKey } from "../document/long-texts";
+import { copyForTransfer } from "./transfer";
+import { WorkerClient } from "./worker-client";
+
+/** Triangles whose patches are known. */
+export interface PatchArrays {
+  readonly points: Float64Array;
+  readonly triangles: Uint32Array;
+  readonly trianglePatch: Uint32Array;
+}
+
+/** The given triangles of a body, as arrays. */
+export interface LoadedSurface {
+  readonly surface: PatchArrays;
+  readonly drawn: DrawnSurface;
+}
+
+/** The texts of a body that hold its arrays. */
+export type BodyTexts = Pick<ProjectBody, "points" | "triangles" | "trianglePatch">;
+
+/** A body made in the worker, with the keys of its long texts. */
+export interface NewBody {
+  readonly body: ProjectBody;
+  readonly keys: readonly (readonly [text: "points" | "triangles" | "trianglePatch", key: string])[];
+  readonly loaded: LoadedSurface;
+}
+
+/** Ids and name of a new body. */
+export interface BodyHead {
+  readonly id: number;
+  readonly firstPatchId: number;
+  readonly name: string;
+}
+
+export interface ReadSurface extends NewBody {
+  /** Sentences about content of the file that was ignored. */
+  readonly notes: readonly string[];
+}
+
+export type SurfaceReading =
+  | ({ readonly success: true } & ReadSurface)
+  | { readonly success: false; readonly reasons: readonly string[] };
+
+/** A surface and the patches of a body, which replace those of a given body. */
+export interface ReplacedSurface {
+  readonly body: ProjectBody;
+  readonly surface: PatchArrays;
+  readonly patches: ProjectBody["patches"];
+}
+
+export interface SurfaceProtocol {
+  readonly read: {
+    readonly argument: { readonly file: Blob; readonly fileName: string; readonly head: BodyHead };
+    readonly answer: SurfaceReading;
+  };
+  /** Returns the arrays of a body. */
+  readonly load: { readonly argument: ProjectBody; readonly answer: Omit<NewBody, "body"> };
+  readonly replace: { readonly argument: ReplacedSurface; readonly answer: NewBody };
+  readonly draw: {
+    readonly argument: {
+      readonly surface: PatchedSurface;
+      readonly patchCount: number;
+      readonly values: Float32Array | Float64Array | null;
+    };
+    readonly answer: DrawnSurface;
+  };
+}
+
+const startWorker = (): Worker =>
+  new Worker(new URL("./surface-worker.ts", import.meta.url), { type: "module", name: "tetrafront-surfaces" });
+
+const remembered = <Made extends NewBody>(made: Made): Made => {
+  for (const [text, key] of made.keys) rememberKey(made.body[text] ?? "", key);
+  return made;
+};
+
+/**
+ * Reads a surface file in a worker of its own. Rejects if `signal` aborts or the worker fails, for example out of memory.
+ */
+export async function readSurfaceFile(
+  file: Blob,
+  fileName: string,
+  head: BodyHead,
+  signal: AbortSignal,
+): Promise<SurfaceReading> {
+  const client = new WorkerClient<SurfaceProtocol>(startWorker);
+  signal.addEventListener("abort", () => client.dispose());
+  try {
+    const read = await client.call("read", { file, fileName, head });
+    return read.success ? remembered(read) : read;
+  } finally {
+    client.dispose();
+  }
+}
+
+/** Converts the surfaces of bodies between texts, arrays and triangles to draw, in a worker. */
+export class SurfaceClient {
+  readonly #worker = new WorkerClient<SurfaceProtocol>(startWorker);
+
+  /** Returns the arrays of a body. */
+  async load(body: ProjectBody): Promise<LoadedSurface> {
+    const { keys, loaded } = await this.#worker.call("load", body);
+    remembered({ body, keys, loaded });
+    return loaded;
+  }
+
+  /** Returns a body with another surface and other patches. */
+  async replace({ body, surface, patches }: ReplacedSurface): Promise<NewBody> {
+    const { copy, buffers } = copyForTransfer(surface);
+    const { points: _points, triangles: _triangles, trianglePatch: _patch, ...rest } = body;
+    const head: ProjectBody = { ...rest, points: "", triangles: "" };
+    return remembered(await this.#worker.call("replace", { body: head, surface: copy, patches }, buffers));
+  }
+
+  /** Returns the triangles to draw of a surface. */
+  draw(
+    surface: PatchedSurface,
+    patchCount: number,
+    values: Float32Array | Float64Array | null,
+  ): Promise<DrawnSurface> {
+    const { copy, buffers } = copyForTransfer(surface);
+    const copied = values?.slice() ?? null;
+    return this.#worker.call("draw", { surface: copy, patchCount, values: copied }, [
+      ...buffers,
+      ...(copied ? [copied.buffer] : []),
+    ]);
+  }
+}

@@ -1,0 +1,67 @@
+/** Reads surface files and converts the surfaces of bodies, so that no step of it blocks the page. */
+import { bodySurface, createBody, readSurface, type PatchedSurface, type ProjectBody } from "tetrafront";
+import { buffersOfDrawn, drawnSurface } from "../document/drawn-surface";
+import { minLongText, textKey } from "../document/long-texts";
+import { serveCalls } from "./serve-calls";
+import type { LoadedSurface, NewBody, PatchArrays, SurfaceProtocol } from "./surface-files";
+
+serveCalls<SurfaceProtocol>({
+  read: async ({ file, fileName, head }) => {
+    const read = await readSurface(file.stream(), { fileName });
+    if (!read.success) {
+      const reasons = read.errors.map(({ message, remedy, line }) =>
+        [line === undefined ? message : `Line ${line}: ${message}`, remedy].filter((text) => text !== "").join(". "),
+      );
+      return { answer: { success: false, reasons } };
+    }
+    const made = newBody(createBody(read.value, head));
+    return { answer: { success: true, ...made, notes: read.value.notes ?? [] }, transfer: buffersOf(made.loaded) };
+  },
+  load: (body) => {
+    const loaded = loadedFrom(body);
+    return { answer: { keys: keysOf(body), loaded }, transfer: buffersOf(loaded) };
+  },
+  replace: ({ body, surface, patches }) => {
+    const groups = patches.map(({ id, name = "" }) => ({ name, tag: id }));
+    const made = createBody({ ...surface, patches: groups }, { id: body.id, firstPatchId: 1, name: "" });
+    const { trianglePatch, points, triangles } = made;
+    const replaced = newBody({
+      ...body,
+      points,
+      triangles,
+      ...(trianglePatch !== undefined && { trianglePatch }),
+      patches,
+    });
+    return { answer: replaced, transfer: buffersOf(replaced.loaded) };
+  },
+  draw: ({ surface, patchCount, values }) => {
+    const answer = drawnSurface(surface, patchCount, values);
+    return { answer, transfer: buffersOfDrawn(answer) };
+  },
+});
+
+function newBody(body: ProjectBody): NewBody {
+  return { body, keys: keysOf(body), loaded: loadedFrom(body) };
+}
+
+/** Returns the arrays of a body where they were given: the view moves them. */
+function loadedFrom({ placement: _, ...body }: ProjectBody): LoadedSurface {
+  const surface = withPatches(bodySurface(body));
+  return { surface, drawn: drawnSurface(surface, body.patches.length) };
+}
+
+function withPatches({ points, triangles, trianglePatch }: PatchedSurface): PatchArrays {
+  return { points, triangles, trianglePatch: trianglePatch ?? new Uint32Array(triangles.length / 3) };
+}
+
+function keysOf(body: ProjectBody): NewBody["keys"] {
+  return (["points", "triangles", "trianglePatch"] as const).flatMap((text) => {
+    const value = body[text] ?? "";
+    return value.length < minLongText ? [] : [[text, textKey(value)] as const];
+  });
+}
+
+function buffersOf({ surface, drawn }: LoadedSurface): ArrayBuffer[] {
+  const arrays = [surface.points, surface.triangles, surface.trianglePatch];
+  return [...arrays.map(({ buffer }) => buffer as ArrayBuffer), ...buffersOfDrawn(drawn)];
+}
