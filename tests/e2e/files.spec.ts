@@ -115,13 +115,12 @@ test("dropping a project file on the page opens it", async ({ page }) => {
   await expect(page.getByTestId("project-name")).toHaveValue("Dropped cube");
 });
 
-test("dropping a mesh file on the page shows what the file is and what to do with it", async ({ page }) => {
+test("dropping a file without a surface shows what is wrong with it and what to do", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   await dropProject(page, "solid part", "part.STL");
   const surface = page.getByRole("dialog", { name: "part.STL could not be opened" });
-  await expect(surface).toContainText("a mesh file (STL)");
-  await expect(surface).toContainText('npx tetrafront mesh "part.STL" -o "part.vtu"');
+  await expect(surface).toContainText("no triangles");
   await dropProject(page, "", "part.ele");
   const volume = page.getByRole("dialog", { name: "part.ele could not be opened" });
   await expect(volume).toContainText('npx tetrafront info "part.ele"');

@@ -8,7 +8,13 @@ import {
   type DocumentState,
   type ProjectFile,
 } from "../session/document-store";
-import { openDocumentFile, readDocumentFile, saveProjectFile, type OnReading, type OpenResult } from "../session/files";
+import {
+  openDocumentFile,
+  readDocumentFile,
+  saveProjectFile,
+  type OnReading,
+  type OpenResult,
+} from "../session/files";
 import { loadModel, type GalleryModel } from "../session/gallery";
 import { hideNotice, showNotice } from "../session/shell";
 import { strings } from "../strings";

@@ -1,4 +1,11 @@
-import type { BodyPlacement, BodyRemeshing, BodySurface, Project, ProjectBody, ProjectBodyPatch } from "tetrafront";
+import type {
+  BodyPlacement,
+  BodyRemeshing,
+  BodySurface,
+  Project,
+  ProjectBody,
+  ProjectBodyPatch,
+} from "tetrafront";
 import { bodyStepNames, stepNames } from "../strings";
 import type { Creation } from "./create";
 import { nounOf, recordOf, type ProjectDraft } from "./draft-records";

@@ -60,7 +60,8 @@ export function drawnSurface(
 function sortedByPatch(count: number, patchCount: number, patchOf: (triangle: number) => number) {
   const patchOffsets = new Uint32Array(patchCount + 1);
   for (let t = 0; t < count; ++t) patchOffsets[patchOf(t) + 1] = (patchOffsets[patchOf(t) + 1] ?? 0) + 1;
-  for (let p = 0; p < patchCount; ++p) patchOffsets[p + 1] = (patchOffsets[p + 1] ?? 0) + (patchOffsets[p] ?? 0);
+  for (let p = 0; p < patchCount; ++p)
+    patchOffsets[p + 1] = (patchOffsets[p + 1] ?? 0) + (patchOffsets[p] ?? 0);
   const next = patchOffsets.slice();
   const order = new Uint32Array(count);
   for (let t = 0; t < count; ++t) {

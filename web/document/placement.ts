@@ -37,7 +37,11 @@ export function placedBox(
   if (!placement) return { low, high };
   const corners = Array.from({ length: 8 }, (_, corner) =>
     placed(
-      [0, 1, 2].map((axis) => (((corner >> axis) & 1) === 1 ? high : low)[axis] ?? 0) as [number, number, number],
+      [0, 1, 2].map((axis) => (((corner >> axis) & 1) === 1 ? high : low)[axis] ?? 0) as [
+        number,
+        number,
+        number,
+      ],
       placement,
     ),
   );

@@ -138,7 +138,12 @@ export class ViewStore {
   markTriangles(triangles: readonly number[], markedBody: number | null = null): void {
     const { selection } = this.state.getState();
     // The card of a body lists its problems, so it stays.
-    this.state.setState({ triangles, markedBody, element: null, selection: markedBody === null ? [] : selection });
+    this.state.setState({
+      triangles,
+      markedBody,
+      element: null,
+      selection: markedBody === null ? [] : selection,
+    });
   }
 
   setHover(hover: Entity | null): void {

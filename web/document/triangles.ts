@@ -2,7 +2,10 @@ import type { SurfaceMesh } from "tetrafront";
 import type { Position } from "./position";
 
 /** Returns the centroid of a triangle; null if the surface has no such triangle. */
-export function triangleCentroid({ points, triangles }: SurfaceMesh, triangle: number): Position | null {
+export function triangleCentroid(
+  { points, triangles }: Pick<SurfaceMesh, "points" | "triangles">,
+  triangle: number,
+): Position | null {
   const nodes = triangles.subarray(3 * triangle, 3 * triangle + 3);
   if (nodes.length < 3) return null;
   const along = (axis: number): number =>

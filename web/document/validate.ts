@@ -1,5 +1,13 @@
 import type { Diagnostic, EntityRef, Project, ProjectBody, SurfaceInspection } from "tetrafront";
-import { drawnKinds, entityKey, patchAt, patchEntity, recordsOf, type DrawnKind, type Entity } from "./entities";
+import {
+  drawnKinds,
+  entityKey,
+  patchAt,
+  patchEntity,
+  recordsOf,
+  type DrawnKind,
+  type Entity,
+} from "./entities";
 import { placed } from "./placement";
 import type { Position } from "./position";
 
@@ -71,10 +79,17 @@ const rank = { error: 0, warning: 1 };
 export const sorted = (problems: readonly Problem[]): Problem[] =>
   problems.toSorted((a, b) => rank[a.severity] - rank[b.severity]);
 
+/** Warnings about the shape of given triangles, which remeshing replaces. */
+const shapeCodes: ReadonlySet<string> = new Set(["needle-surface", "coarse-surface"]);
+
 /** Returns the problems of a body's given surface, at their positions in the model. */
-export function bodyProblems({ id, placement }: ProjectBody, { diagnostics }: SurfaceInspection): Problem[] {
+export function bodyProblems(
+  { id, placement, surface = "remesh" }: ProjectBody,
+  { diagnostics }: SurfaceInspection,
+): Problem[] {
+  const isRemeshed = surface === "remesh";
   return diagnostics.flatMap(({ code, severity, message, remedy, entities, position }, index) =>
-    severity === "information"
+    severity === "information" || (isRemeshed && shapeCodes.has(code))
       ? []
       : [
           {

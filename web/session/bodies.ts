@@ -1,4 +1,10 @@
-import { repairedSurface, type Mesher, type Project, type ProjectBody, type SurfaceInspection } from "tetrafront";
+import {
+  repairedSurface,
+  type Mesher,
+  type Project,
+  type ProjectBody,
+  type SurfaceInspection,
+} from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { bodiesOf } from "../document/entities";
 import { defaultRepair, type BodyRepair, type RepairWishes } from "../document/body-repair";

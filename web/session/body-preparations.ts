@@ -68,7 +68,11 @@ export class BodyPreparations {
   }
 }
 
-const surfaceOf = ({ points, triangles, trianglePatch }: PreparedBody) => ({ points, triangles, trianglePatch });
+const surfaceOf = ({ points, triangles, trianglePatch }: PreparedBody) => ({
+  points,
+  triangles,
+  trianglePatch,
+});
 
 /** Returns the deviation of each triangle divided by the tolerance. */
 function sharesOf(prepared: PreparedBody): Float32Array | null {

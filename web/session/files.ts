@@ -36,7 +36,9 @@ type OpenedFile = File & { readonly handle?: FileSystemFileHandle };
 let openDialogs = 0;
 
 /** Called when reading begins that may take long, with a signal to be aborted; and with null when it has ended. */
-export type OnReading = (reading: { readonly fileName: string; readonly abort: AbortController } | null) => void;
+export type OnReading = (
+  reading: { readonly fileName: string; readonly abort: AbortController } | null,
+) => void;
 
 /** Reads a project file or a surface file, from the dialog or dropped on the page. */
 export async function readDocumentFile(file: OpenedFile, onReading: OnReading): Promise<OpenResult> {

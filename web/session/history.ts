@@ -111,7 +111,14 @@ export function redo<State extends object>(history: History<State>): History<Sta
 function append<State>(
   history: History<State>,
   past: readonly HistoryEntry[],
-  { present, label, mergeKey, at, forward, backward }: Omit<HistoryEntry, "bytes" | "longTexts"> & Step<State>,
+  {
+    present,
+    label,
+    mergeKey,
+    at,
+    forward,
+    backward,
+  }: Omit<HistoryEntry, "bytes" | "longTexts"> & Step<State>,
 ): History<State> {
   if (forward.length === 0) return history;
   const texts = new Set<string>();

@@ -35,7 +35,9 @@ export class ProblemList {
       if (!current && previewed !== null && previews.busy) return;
       const ofDrawn = toProblems(project, [
         // An empty project lacks everything; only a run reports that. Bodies need no patches beside them.
-        ...(current && !isEmptyProject(project) && !hasBodiesOnly(project) ? (preview?.diagnostics ?? []) : []),
+        ...(current && !isEmptyProject(project) && !hasBodiesOnly(project)
+          ? (preview?.diagnostics ?? [])
+          : []),
         // A run finds more than the check does.
         ...(outcome?.key === meshKey(project) ? outcome.result.report.diagnostics : []),
       ]);

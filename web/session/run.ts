@@ -107,15 +107,19 @@ export class MeshRun {
       const [input, options] = engineInput(project);
       const preparedBodies = this.#preparedOf(project);
       const mesher = await this.#mesher;
-      const result = await mesher.meshProject(input, { ...options, preparedBodies }, {
-        signal: abort.signal,
-        onProgress: (progress) => {
-          elapsedSeconds = progress.elapsedSeconds;
-          this.#report(progress, log);
+      const result = await mesher.meshProject(
+        input,
+        { ...options, ...(preparedBodies.length > 0 && { preparedBodies }) },
+        {
+          signal: abort.signal,
+          onProgress: (progress) => {
+            elapsedSeconds = progress.elapsedSeconds;
+            this.#report(progress, log);
+          },
+          onFront: (front) => this.state.setState({ front }),
+          onUnoptimized: (unoptimized) => this.state.setState({ unoptimized, front: null }),
         },
-        onFront: (front) => this.state.setState({ front }),
-        onUnoptimized: (unoptimized) => this.state.setState({ unoptimized, front: null }),
-      });
+      );
       elapsedSeconds = result.report.seconds.total;
       this.#finish(meshKey(project), result, log);
     } catch (error) {

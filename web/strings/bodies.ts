@@ -108,7 +108,7 @@ export const bodyStrings = {
     making: "Making the triangles…",
     cancel: "Cancel preview",
     stale: "The preview is out of date.",
-    shown: "Shown triangles",
+    shown: "Show",
     views: { given: "Given", new: "New", mesh: "Mesh" },
     size: "Largest size",
     minSize: "Smallest size",

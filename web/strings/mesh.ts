@@ -3,7 +3,6 @@ import type { MeshReport } from "tetrafront";
 /** Texts about runs and meshes. */
 
 export const phaseNames = {
-  bodies: "Preparing bodies",
   check: "Checking the model",
   bodies: "Preparing bodies",
   sides: "Dividing lines",

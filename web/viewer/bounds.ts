@@ -113,7 +113,12 @@ function addBodyPatch(id: number, body: ShownBody, bounds: Bounds): void {
   const triangles = order.subarray(patchOffsets[patch], patchOffsets[patch + 1]);
   // A sample of a large patch shows where it is.
   const step = Math.max(1, Math.floor(triangles.length / maxSampled));
-  bounds.addAll(bodyCorners(body, [...triangles].filter((_, t) => t % step === 0)));
+  bounds.addAll(
+    bodyCorners(
+      body,
+      [...triangles].filter((_, t) => t % step === 0),
+    ),
+  );
 }
 
 /** Number of triangles that stand for a patch of a body. */

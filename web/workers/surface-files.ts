@@ -69,7 +69,10 @@ export interface SurfaceProtocol {
 }
 
 const startWorker = (): Worker =>
-  new Worker(new URL("./surface-worker.ts", import.meta.url), { type: "module", name: "tetrafront-surfaces" });
+  new Worker(new URL("./surface-worker.ts", import.meta.url), {
+    type: "module",
+    name: "tetrafront-surfaces",
+  });
 
 const remembered = <Made extends NewBody>(made: Made): Made => {
   for (const [text, key] of made.keys) rememberKey(made.body[text] ?? "", key);

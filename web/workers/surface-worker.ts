@@ -10,12 +10,17 @@ serveCalls<SurfaceProtocol>({
     const read = await readSurface(file.stream(), { fileName });
     if (!read.success) {
       const reasons = read.errors.map(({ message, remedy, line }) =>
-        [line === undefined ? message : `Line ${line}: ${message}`, remedy].filter((text) => text !== "").join(". "),
+        [line === undefined ? message : `Line ${line}: ${message}`, remedy]
+          .filter((text) => text !== "")
+          .join(". "),
       );
       return { answer: { success: false, reasons } };
     }
     const made = newBody(createBody(read.value, head));
-    return { answer: { success: true, ...made, notes: read.value.notes ?? [] }, transfer: buffersOf(made.loaded) };
+    return {
+      answer: { success: true, ...made, notes: read.value.notes ?? [] },
+      transfer: buffersOf(made.loaded),
+    };
   },
   load: (body) => {
     const loaded = loadedFrom(body);

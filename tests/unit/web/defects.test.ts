@@ -9,6 +9,7 @@ const problem = (part: Partial<Problem>): Problem => ({
   remedy: "",
   entities: [],
   triangles: [],
+  body: null,
   position: null,
   ...part,
 });
@@ -23,6 +24,6 @@ describe("defectsOf", () => {
       problem({ entities: [{ kind: "line", id: 5 }, patch(4)] }),
       problem({ entities: [patch(6)], severity: "warning" }),
     ]);
-    expect(defects).toEqual({ triangles: [7, 8], patches: new Set([2, 3]) });
+    expect(defects).toEqual({ triangles: [7, 8], patches: new Set([2, 3]), bodies: new Map() });
   });
 });

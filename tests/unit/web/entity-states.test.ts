@@ -10,7 +10,7 @@ const nothing: Emphasis = {
   selection: [],
   hover: null,
   hidden: new Set(),
-  defects: { triangles: [], patches: new Set() },
+  defects: { triangles: [], patches: new Set(), bodies: new Map() },
 };
 /** Ids that are not indices, with one, two and three vertices. */
 const patches = [{ id: 7 }, { id: 3 }, { id: 12 }];
@@ -39,7 +39,7 @@ describe("EntityStates", () => {
   });
 
   it("prefers hidden to selected, selected to hover, and hover to defective", () => {
-    const defects = { triangles: [], patches: new Set([3, 7, 12]) };
+    const defects = { triangles: [], patches: new Set([3, 7, 12]), bodies: new Map() };
     const states = shown({
       defects,
       hidden: new Set(["patch-7"]),

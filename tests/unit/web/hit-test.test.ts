@@ -73,7 +73,12 @@ function pick(at: { x: number; y: number }, change: Partial<SceneState> = {}, so
   const [lines, patches, sources] = [new LinesLayer(), new PatchesLayer(noTree), new SourcesLayer()];
   const state = { ...base, ...change };
   for (const layer of [points, lines, patches, sources]) show(layer, state);
-  return hitTest({ solid, onSurfaces: [points, sources, lines], translucent: patches }, camera, viewport, at);
+  return hitTest(
+    { solid: [solid], onSurfaces: [points, sources, lines], translucent: patches },
+    camera,
+    viewport,
+    at,
+  );
 }
 
 /** Returns where the position (x, d, z) appears in the view. */
@@ -117,7 +122,7 @@ describe("hit test", () => {
     local.updateMatrixWorld();
     const patches = new PatchesLayer(noTree);
     show(patches, { ...base, origin });
-    const order = { solid: nothing, onSurfaces: [], translucent: patches };
+    const order = { solid: [nothing], onSurfaces: [], translucent: patches };
     const hit = hitTest(order, local, viewport, at(-3, 0.5, 2));
     hit?.position.forEach((x, k) => expect(x).toBeCloseTo([-3, 2, 0.5][k] ?? 0));
     expect(hit?.target).toEqual({ kind: "patch", id: 3 });

@@ -161,7 +161,10 @@ describe("the layer of patches", () => {
     const hovered = { ...start, hover: { kind: "patch", id: 8 } as const };
     change(layer, start, hovered);
     expect(visible()).toEqual([true, true, false]);
-    change(layer, hovered, { ...start, defects: { triangles: [], patches: new Set([9]) } });
+    change(layer, hovered, {
+      ...start,
+      defects: { triangles: [], patches: new Set([9]), bodies: new Map() },
+    });
     expect(visible()).toEqual([true, true, true]);
     show(layer, { ...start, hidden: new Set(["patch-8", "patch-9"]) });
     expect(visible()).toEqual([false, false, false]);

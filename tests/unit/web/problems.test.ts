@@ -17,7 +17,12 @@ it("an empty project has no problems until it is meshed or something is drawn", 
   const documents = new DocumentStore(emptyProject("new"), () => 0);
   const previews = new PreviewFeed(documents, Promise.resolve(mesher));
   const run = new MeshRun(documents, Promise.resolve(mesher));
-  const problems = new ProblemList(documents, previews, new BodyFeed(documents, Promise.resolve(mesher)), run);
+  const problems = new ProblemList(
+    documents,
+    previews,
+    new BodyFeed(documents, Promise.resolve(mesher)),
+    run,
+  );
   const count = (): number => problems.state.getState().problems.length;
   await vi.waitFor(() => expect(previews.state.getState().preview?.diagnostics.length).toBeGreaterThan(0));
   expect(count()).toBe(0);

@@ -1,5 +1,4 @@
 import { describe, expect, it } from "vitest";
-import type { DrawnKind } from "../../../web/document/entities";
 import { TreeRows } from "../../../web/panels/model/tree-rows";
 import { cubeProject } from "../../support/projects";
 
@@ -10,7 +9,7 @@ describe("the rows of the tree", () => {
   const project = cubeProject();
 
   it("are found by their keys, with open, closed and filtered groups", () => {
-    const cases: readonly (readonly [filter: string, closed: readonly DrawnKind[]])[] = [
+    const cases: readonly (readonly [filter: string, closed: readonly string[]])[] = [
       ["", []],
       ["", ["point", "background-node"]],
       ["node", ["background-node"]],
@@ -33,7 +32,7 @@ describe("the rows of the tree", () => {
   it("contain all entities below the headings of their kinds", () => {
     const rows = new TreeRows(project, "", new Set());
     const { points, lines, patches, background } = project;
-    expect(rows.length).toBe(5 + points.length + lines.length + patches.length + background.nodes.length);
+    expect(rows.length).toBe(6 + points.length + lines.length + patches.length + background.nodes.length);
     expect(new TreeRows(project, "", new Set(["line"])).length).toBe(rows.length - lines.length);
   });
 

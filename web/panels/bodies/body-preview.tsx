@@ -49,8 +49,8 @@ export function BodyPreview({ body }: { readonly body: ProjectBody }) {
           {texts.stale}
         </Text>
       )}
-      {preparation && isCurrent && <PreparedFacts prepared={preparation.prepared} />}
       <ShownTriangles hasPreview={isCurrent} />
+      {preparation && isCurrent && <PreparedFacts prepared={preparation.prepared} />}
     </section>
   );
 }

@@ -6,7 +6,6 @@ import { FieldRow } from "../../ui/fields/field-row";
 import { NumberField } from "../../ui/fields/number-field";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { IconButton } from "../../ui/icon-button";
-import { formatShort } from "../../ui/format";
 import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import { aboveZero, notNegative, sizeStep } from "../shared/size-fields";
@@ -95,7 +94,7 @@ function RemeshingField({ body, field }: RemeshingFieldProps) {
         <NumberField
           key={set === undefined ? "automatic" : "set"}
           label={texts.fields[field]}
-          value={value ?? 0}
+          value={set ?? Number((used ?? 0).toPrecision(4))}
           step={field === "layers" ? 1 : sizeStep(value ?? 1)}
           refuse={refusals[field]}
           testId={`remeshing-${field}`}
@@ -103,7 +102,7 @@ function RemeshingField({ body, field }: RemeshingFieldProps) {
         />
         {set === undefined ? (
           <Text size="xs" c="dimmed" component="span">
-            {value === undefined ? texts.automatic : `${texts.automatic}: ${formatShort(value)}`}
+            {texts.automatic}
           </Text>
         ) : (
           <IconButton

@@ -17,7 +17,6 @@ export function usePreparation(body: ProjectBody): {
   const app = useApp();
   const project = useProject();
   const preparation = useBody(body.id)?.preparation ?? null;
-  const isCurrent =
-    preparation !== null && app.bodies.preparations.find(project, body) === preparation;
+  const isCurrent = preparation !== null && app.bodies.preparations.find(project, body) === preparation;
   return { preparation, isCurrent };
 }

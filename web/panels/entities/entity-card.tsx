@@ -53,9 +53,8 @@ export function EntityCard({ entity }: { readonly entity: Entity }) {
         </FieldRow>
       )}
       {(entity.kind === "patch" || entity.kind === "body-patch") && <PatchFacts patch={entity.id} />}
-      {entity.kind !== "body" && problems?.map((problem) => (
-        <ProblemCard key={problem.key} problem={problem} />
-      ))}
+      {entity.kind !== "body" &&
+        problems?.map((problem) => <ProblemCard key={problem.key} problem={problem} />)}
     </>
   );
 }
