@@ -9,7 +9,7 @@ import {
   bundleCommandLine,
   bundlePages,
   dropOrphans,
-  minifyLoader,
+  minifyScripts,
   writeProjectSchema,
 } from "./lib/package-files.mjs";
 import { buildFolders, inRoot } from "./lib/paths.mjs";
@@ -23,11 +23,12 @@ const bin = (name) => inRoot("node_modules", ".bin", name);
 export const steps = {
   async wasm({ emscripten }) {
     await compile("wasm", { ...emscripten.env, EMSCRIPTEN_ROOT: emscripten.folder });
-    await minifyLoader();
+    await minifyScripts();
   },
   async package() {
     const inputs = filesUnder([inRoot("wasm"), inRoot("tsconfig.base.json"), inRoot("package-lock.json")]);
-    const hash = hashOf([...inputs, inRoot("wasm", "dist", "engine", "engine.d.ts")]);
+    const types = ["engine", "tools"].map((module) => inRoot("wasm", "dist", "engine", `${module}.d.ts`));
+    const hash = hashOf([...inputs, ...types]);
     const stamp = inRoot("wasm", "dist", ".built-from");
     if (isFresh(stamp, hash)) return;
     await must(bin("tsc"), ["-p", "wasm"], { quietOut: true });

@@ -9,6 +9,6 @@ export default {
   context: folder,
   entry: "./main.js",
   output: { path: path.join(folder, "dist"), filename: "main.js" },
-  // Raise the limit of webpack's size warning: the engine has 0.8 MB and is fetched once.
+  // Raise the limit of webpack's size warning: the engine has 0.7 MB and is fetched once.
   performance: { maxAssetSize: 1_000_000 },
 };

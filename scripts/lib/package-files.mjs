@@ -4,9 +4,12 @@ import { pathToFileURL } from "node:url";
 import { filesUnder, hashOf, isFresh, markFresh } from "./fresh.mjs";
 import { inRoot } from "./paths.mjs";
 
+/** The modules of the compiled engine in dist/engine. */
+const MODULES = ["engine", "tools"];
+
 /** Files in dist that are not compiled from TypeScript. */
 const EMSCRIPTENS = new Set(
-  ["engine.js", "engine.d.ts", "engine.wasm"].map((name) => path.join("engine", name)),
+  MODULES.flatMap((module) => ["js", "d.ts", "wasm"].map((type) => path.join("engine", `${module}.${type}`))),
 );
 
 /** Removes the output of deleted sources: the compiler keeps it, and npm would pack it. */
@@ -34,19 +37,21 @@ export async function writeProjectSchema() {
   writeFileSync(inRoot("wasm", "dist", "project.schema.json"), `${JSON.stringify(schema, undefined, 2)}\n`);
 }
 
-/** Minifies the engine's loader, unless it is minified already. */
-export async function minifyLoader() {
-  const loader = inRoot("wasm", "dist", "engine", "engine.js");
-  const stamp = inRoot("wasm", "dist", ".minified");
-  if (isFresh(stamp, hashOf([loader]))) return;
+/** Minifies Emscripten's script of each module, unless it is minified already. */
+export async function minifyScripts() {
   const { transform } = await import("esbuild");
-  const { code } = await transform(readFileSync(loader, "utf8"), {
-    minify: true,
-    format: "esm",
-    target: "es2022",
-  });
-  writeFileSync(loader, code);
-  markFresh(stamp, hashOf([loader]));
+  for (const module of MODULES) {
+    const script = inRoot("wasm", "dist", "engine", `${module}.js`);
+    const stamp = inRoot("wasm", "dist", `.minified-${module}`);
+    if (isFresh(stamp, hashOf([script]))) continue;
+    const { code } = await transform(readFileSync(script, "utf8"), {
+      minify: true,
+      format: "esm",
+      target: "es2022",
+    });
+    writeFileSync(script, code);
+    markFresh(stamp, hashOf([script]));
+  }
 }
 
 /** Bundles everything that only the command line loads into one minified script, with a source map. */

@@ -33,14 +33,18 @@ test.afterAll(() => fresh.dispose());
 test.afterEach(() => server?.close());
 
 /**
- * Serves a folder, except the file `missing`, with this Content-Security-Policy; resolves with the address of the
+ * Serves a folder, except the files `missing`, with this Content-Security-Policy; resolves with the address of the
  * page.
  */
-async function served(folder: string, policy: string, missing?: string): Promise<string> {
+async function served(
+  folder: string,
+  policy: string,
+  missing: ReadonlySet<string> = new Set(),
+): Promise<string> {
   const started = createServer((request, response) => {
     const name = new URL(request.url ?? "/", "http://localhost").pathname;
     const file = path.join(folder, name === "/" ? "index.html" : name);
-    const isThere = existsSync(file) && statSync(file).isFile() && path.basename(file) !== missing;
+    const isThere = existsSync(file) && statSync(file).isFile() && !missing.has(path.basename(file));
     if (!isThere) return void response.writeHead(404).end();
     const type = TYPES[path.extname(file)] ?? "application/octet-stream";
     response.writeHead(200, {
@@ -68,10 +72,13 @@ async function expectBoxMeshed(page: Page, address: string): Promise<void> {
   await page.goto(address);
   const button = page.getByRole("button", { name: "Mesh" });
   await expect(button, problems.join("\n")).toBeEnabled();
+  expect(engines).toHaveLength(1);
   await button.click();
   await expect(page.getByRole("status")).toHaveText(/^done: \d+ tetrahedra of volume 1\.000000$/);
   expect(problems.filter((text) => !text.includes("404"))).toEqual([]);
-  expect(engines.length).toBeLessThanOrEqual(1);
+  // Refining the surface needs the tools.
+  expect(engines).toHaveLength(2);
+  expect(new Set(engines).size).toBe(2);
 }
 
 test("the package works on a plain page without a bundler, under a strict Content-Security-Policy", async ({
@@ -80,7 +87,7 @@ test("the package works on a plain page without a bundler, under a strict Conten
   await expectBoxMeshed(page, await served(fresh.example("page"), STRICT));
 });
 
-test("the engine is fetched once for any number of meshers and replaced workers", async ({ page }) => {
+test("each module is fetched once for any number of meshers and replaced workers", async ({ page }) => {
   const folder = path.join(fresh.folder, "page");
   if (!existsSync(folder)) fresh.example("page");
   writeFileSync(path.join(folder, "many.html"), '<script type="module" src="many.js"></script>');
@@ -89,8 +96,50 @@ test("the engine is fetched once for any number of meshers and replaced workers"
   page.context().on("request", (request) => fetched.push(path.basename(request.url())));
   await page.goto(`${await served(folder, STRICT)}many.html`);
   await expect(page).toHaveTitle("invalid-input cancelled true true true");
-  expect(fetched.filter((name) => name === "engine.wasm")).toHaveLength(1);
+  const modules = fetched.filter((name) => name.endsWith(".wasm"));
+  expect(modules.sort()).toEqual(["engine.wasm", "tools.wasm"]);
 });
+
+for (const [file, reason] of [
+  ["tools.wasm", /http:\S+tools\.wasm is .* status 404\. Serve/],
+  ["tools.js", /http:\S+tools\.js\. Serve/],
+] as const) {
+  test(`filling a surface does not fetch ${file}; inspecting it does, again after a failure`, async ({
+    page,
+  }) => {
+    const folder = path.join(fresh.folder, "page");
+    if (!existsSync(folder)) fresh.example("page");
+    writeFileSync(path.join(folder, "inspect.html"), '<script type="module" src="inspect.js"></script>');
+    writeFileSync(path.join(folder, "inspect.js"), FILL_THEN_INSPECT);
+    const missing = new Set<string>([file]);
+    const fetched: string[] = [];
+    page.context().on("request", (request) => fetched.push(path.basename(request.url())));
+    await page.goto(`${await served(folder, STRICT, missing)}inspect.html`);
+    await expect(page).toHaveTitle("done");
+    expect(fetched).not.toContain(file);
+    await page.evaluate("inspect()");
+    await expect(page).toHaveTitle(/^engine-not-loaded: The engine cannot be loaded: /);
+    expect(await page.title()).toMatch(reason);
+    missing.clear();
+    await page.evaluate("inspect()");
+    await expect(page).toHaveTitle("closed");
+    await page.evaluate("fill()");
+    await expect(page).toHaveTitle("done");
+  });
+}
+
+/** Fills a tetrahedron; `inspect()` and `fill()` do more with the same mesher. */
+const FILL_THEN_INSPECT = `import { createMesher } from "./node_modules/tetrafront/dist/page/tetrafront.js";
+const points = Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1);
+const surface = { points, triangles: Uint32Array.of(0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3) };
+const mesher = await createMesher();
+const show = (text) => { document.title = text; };
+globalThis.fill = () => mesher.fillSurface(surface).then(({ report }) => show(report.status));
+globalThis.inspect = () => mesher.inspectSurface(surface).then(
+  ({ isClosed }) => show(isClosed ? "closed" : "open"),
+  ({ code, message }) => show(code + ": " + message),
+);
+await fill();`;
 
 /** Starts two meshers together and a third one later, whose worker is then replaced during a call. */
 const MANY_MESHERS = `import { createMesher } from "./node_modules/tetrafront/dist/page/tetrafront.js";
@@ -148,7 +197,7 @@ createMesher().catch(({ name, code, message }) => { document.title = [name, code
       if (!existsSync(folder)) fresh.example("page");
       writeFileSync(path.join(folder, "failing.html"), '<script type="module" src="failing.js"></script>');
       const open = policy.replace("script-src 'self'", "script-src 'self' http:");
-      const address = await served(folder, open, missing);
+      const address = await served(folder, open, new Set([missing]));
       const site = what.includes("another") ? address.replace("127.0.0.1", "localhost") : address;
       const module = `${site}node_modules/tetrafront/dist/page/tetrafront.js`;
       writeFileSync(path.join(folder, "failing.js"), FAILING.replace("MODULE", module));
@@ -181,7 +230,7 @@ test("webpack bundles the package", async ({ page }) => {
   await expectBoxMeshed(page, await served(folder, STRICT));
 });
 
-test("esbuild bundles the package, with the worker as a separate entry and the engine copied", async ({
+test("esbuild bundles the package, with the worker as a separate entry and the modules copied", async ({
   page,
 }) => {
   const folder = path.join(fresh.folder, "vite");
@@ -191,7 +240,9 @@ test("esbuild bundles the package, with the worker as a separate entry and the e
   const entries = [path.join(folder, "main.js"), path.join(dist, "engine", "worker.js")];
   const options = ["--bundle", "--format=esm", "--splitting", "--entry-names=[name]", `--outdir=${target}`];
   execFileSync(bin("esbuild"), [...entries, ...options, "--log-level=warning"], { cwd: fresh.folder });
-  copyFileSync(path.join(dist, "engine", "engine.wasm"), path.join(target, "engine.wasm"));
+  for (const name of ["engine.wasm", "tools.wasm"]) {
+    copyFileSync(path.join(dist, "engine", name), path.join(target, name));
+  }
   writeFileSync(path.join(target, "index.html"), readFileSync(path.join(folder, "index.html")));
   await expectBoxMeshed(page, await served(target, STRICT));
 });

@@ -13,8 +13,8 @@ import { boxSurface } from "../../support/surfaces.js";
 interface MockWorker {
   /** Requests other than `load`. */
   readonly requests: Exclude<Request, { kind: "load" }>[];
-  /** The modules received with `load`; undefined if the worker is to compile the engine. */
-  readonly loads: (WebAssembly.Module | undefined)[];
+  /** The requests `load`, without a module if the worker is to compile it. */
+  readonly loads: Omit<Extract<Request, { kind: "load" }>, "kind">[];
   readonly reply: (reply: Reply) => void;
   readonly crash: (message: string) => void;
   terminated: boolean;
@@ -22,7 +22,7 @@ interface MockWorker {
 
 /** The smallest valid module: a header. */
 const module = new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0));
-const READY = { kind: "ready", module } as const;
+const READY = { kind: "ready", name: "engine", module } as const;
 const workers: MockWorker[] = [];
 /** Error thrown instead of starting a worker. */
 let refusal: Error | undefined;
@@ -41,7 +41,9 @@ vi.mock("../../../wasm/dist/engine/worker-host-node.js", () => ({
     workers.push(worker);
     return {
       post: (request: Request) =>
-        request.kind === "load" ? worker.loads.push(request.module) : worker.requests.push(request),
+        request.kind === "load"
+          ? worker.loads.push({ name: request.name, module: request.module })
+          : worker.requests.push(request),
       keepAlive: () => undefined,
       terminate: () => (worker.terminated = true),
     };
@@ -132,7 +134,7 @@ describe("createMesher", () => {
 
   test("rejects if the engine cannot be loaded or the worker crashes", async () => {
     const unusable = createMesher();
-    workerNumber(0).reply({ kind: "unusable", message: "no WebAssembly" });
+    workerNumber(0).reply({ kind: "unusable", name: "engine", message: "no WebAssembly" });
     await expect(unusable).rejects.toThrow(/cannot be loaded.*no WebAssembly/);
     await expect(unusable).rejects.toMatchObject({ name: "MesherError", code: "engine-not-loaded" });
     const dead = createMesher();
@@ -241,7 +243,10 @@ describe("a worker", () => {
 describe("a replacement worker", () => {
   test.each<[string, (worker: MockWorker) => void]>([
     ["that crashes at once", (worker) => worker.crash("no script")],
-    ["that cannot load the engine", (worker) => worker.reply({ kind: "unusable", message: "no file" })],
+    [
+      "that cannot load the engine",
+      (worker) => worker.reply({ kind: "unusable", name: "engine", message: "no file" }),
+    ],
   ])("%s is not requested again: all calls are rejected with the reason", async (_, fail) => {
     const mesher = await readyMesher();
     const calls = [
@@ -277,7 +282,82 @@ test("a replacement worker gets the compiled engine", async () => {
   const run = mesher.fillSurface(boxSurface(1));
   workerNumber(0).crash("unreachable executed");
   await expect(run).rejects.toMatchObject({ code: "engine-failed" });
-  expect(workerNumber(1).loads).toEqual([module]);
+  expect(workerNumber(1).loads).toEqual([{ name: "engine", module }]);
+});
+
+describe("the tools", () => {
+  /** Starts a mesher in its own copy of the package, which has no tools yet, with a proposal and a run. */
+  async function waitingForTools() {
+    vi.resetModules();
+    const { createMesher } = await import("tetrafront");
+    const starting = createMesher();
+    const worker = workerNumber(0);
+    worker.reply(READY);
+    const mesher = await starting;
+    const run = mesher.fillSurface(boxSurface(1));
+    const proposal = mesher.proposeSizes(cubeProject());
+    worker.reply({ kind: "wanted", name: "tools" });
+    return { mesher, worker, run, proposal };
+  }
+  const answer = { size: 2, sources: projectArrays(cubeProject()).grid.sources };
+  const compileTools = { name: "tools", module: undefined } as const;
+
+  test("are compiled by the first worker that wants them, and later workers get them", async () => {
+    const { mesher, worker, run, proposal } = await waitingForTools();
+    expect(worker.loads.at(-1)).toEqual(compileTools);
+    worker.reply({ kind: "ready", name: "tools", module });
+    worker.reply({ kind: "answer", id: idOf(worker, 1), question: "propose", answer });
+    expect(await proposal).toEqual({ size: 2, sources: [] });
+    worker.crash("unreachable executed");
+    await expect(run).rejects.toMatchObject({ code: "engine-failed" });
+    const fresh = workerNumber(1);
+    fresh.reply(READY);
+    void mesher.proposeSizes(cubeProject()).catch(() => undefined);
+    fresh.reply({ kind: "wanted", name: "tools" });
+    expect(fresh.loads).toEqual([
+      { name: "engine", module },
+      { name: "tools", module },
+    ]);
+    mesher.dispose();
+  });
+
+  test("that cannot be loaded reject only the calls that need them; the next such call tries again", async () => {
+    const { mesher, worker, run, proposal } = await waitingForTools();
+    const message = "http://localhost/tools.wasm is answered with HTTP status 404";
+    worker.reply({ kind: "unusable", name: "tools", message });
+    worker.reply({ kind: "unanswerable", id: idOf(worker, 1), message });
+    await expect(proposal).rejects.toMatchObject({
+      name: "MesherError",
+      code: "engine-not-loaded",
+      data: { what: "engine", reason: message, remedy: "Serve engine.wasm." },
+    });
+    expect(worker.terminated).toBe(false);
+    const next = mesher.proposeSizes(cubeProject());
+    worker.reply({ kind: "wanted", name: "tools" });
+    expect(worker.loads.slice(1)).toEqual([compileTools, compileTools]);
+    worker.reply({ kind: "ready", name: "tools", module });
+    worker.reply({ kind: "answer", id: idOf(worker, 2), question: "propose", answer });
+    expect(await next).toEqual({ size: 2, sources: [] });
+    worker.reply({ kind: "result", id: idOf(worker), result: resultWith("own") });
+    expect((await run).report.fingerprint).toBe("own");
+  });
+
+  test("whose worker is disposed of while it compiles them are compiled by the next worker", async () => {
+    const { mesher, run, proposal } = await waitingForTools();
+    const settled = Promise.allSettled([run, proposal]);
+    const { createMesher } = await import("tetrafront");
+    const starting = createMesher();
+    const other = workerNumber(1);
+    other.reply(READY);
+    const second = await starting;
+    void second.proposeSizes(cubeProject()).catch(() => undefined);
+    other.reply({ kind: "wanted", name: "tools" });
+    expect(other.loads).toEqual([{ name: "engine", module }]);
+    mesher.dispose();
+    expect((await settled).map(({ status }) => status)).toEqual(["rejected", "rejected"]);
+    expect(other.loads.at(-1)).toEqual(compileTools);
+    second.dispose();
+  });
 });
 
 test("if a query runs out of memory, the run beside it is rejected with its progress", async () => {

@@ -35,18 +35,20 @@ describe("the packed files", () => {
     const files = filesIn(installed()).filter((name) => !name.startsWith("node_modules/"));
     // Servers and bundlers that do not support .mjs must find every file they need.
     expect(files.filter((name) => /\.m[jt]s$/.test(name))).toEqual(["bin/tetrafront.mjs"]);
-    const engine = [
+    const generated = [
       "dist/project.schema.json",
-      ...["engine.js", "engine.d.ts", "engine.wasm"].map((name) => `dist/engine/${name}`),
+      ...["engine", "tools"].flatMap((name) =>
+        ["js", "d.ts", "wasm"].map((type) => `dist/engine/${name}.${type}`),
+      ),
     ];
-    const scripts = files.filter((name) => /^dist\/.*\.js$/.test(name) && !engine.includes(name));
+    const scripts = files.filter((name) => /^dist\/.*\.js$/.test(name) && !generated.includes(name));
     const expected = scripts.flatMap((name) =>
       name.startsWith("dist/page/")
         ? [name, `${name}.map`]
         : [name, `${name}.map`, name.replace(/\.js$/, ".d.ts")],
     );
     const others = ["LICENSE", "README.md", "package.json", "bin/tetrafront.mjs"];
-    expect(files.sort()).toEqual([...expected, ...others, ...engine].sort());
+    expect(files.sort()).toEqual([...expected, ...others, ...generated].sort());
   });
 
   test("have source maps with source content", () => {
@@ -58,7 +60,7 @@ describe("the packed files", () => {
 
   test("let a page mesh a surface with less than 400 kB compressed: engine, API and worker", () => {
     const files = filesIn(installed()).filter((name) => !name.startsWith("node_modules/"));
-    // Formats are in separate files, which a page fetches when it reads or writes one of them.
+    // Formats and tools are in separate files, which a page fetches when it needs one of them (tests/e2e/package.spec.ts).
     const page = files.filter((name) => /^dist\/page\/(?!.*-deferred).*\.js$/.test(name));
     const engine = ["engine.wasm", "engine.js", "loader.js"].map((name) => `dist/engine/${name}`);
     const bytes = [...engine, ...page].map((name) => gzipSync(readFileSync(installed(name))).length);

@@ -1,5 +1,5 @@
-/** The worker between a mock port and a mock engine: which queries reach the engine. */
-import { expect, test, vi } from "vitest";
+/** The worker between a mock port and mock modules: which queries reach the tools, and when these are loaded. */
+import { afterEach, beforeAll, expect, test, vi } from "vitest";
 
 import type { Reply, Request } from "../../../wasm/src/engine/protocol.js";
 
@@ -16,11 +16,16 @@ vi.mock("../../../wasm/dist/engine/worker-port-node.js", () => ({
     letRequestsIn: () => new Promise((resolve) => setImmediate(resolve)),
   },
 }));
+const modules = vi.hoisted(() => ({ failure: undefined as Error | undefined, loads: 0 }));
+
 vi.mock("../../../wasm/dist/engine/loader.js", () => ({
-  loadEngine: () =>
-    Promise.resolve({
+  loadEngine: () => new Promise(() => undefined),
+  loadTools: () => {
+    modules.loads += 1;
+    if (modules.failure !== undefined) return Promise.reject(modules.failure);
+    return Promise.resolve({
       module: undefined,
-      engine: {
+      instance: {
         propose: (model: unknown) => {
           port.started.push(model);
           return {
@@ -32,22 +37,51 @@ vi.mock("../../../wasm/dist/engine/loader.js", () => ({
           };
         },
       },
-    }),
+    });
+  },
 }));
 
 function proposal(id: number): Request {
   return { kind: "propose", id, model: `model ${id}` } as unknown as Request;
 }
 
-test("queries cancelled in the queue are not started, and the others are answered in order", async () => {
-  await import("../../../wasm/dist/engine/worker.js");
-  port.handle({ kind: "load", module: undefined });
+/** Sends the code that the worker has asked for last. */
+function sendTools(): void {
+  expect(port.replies.at(-1)).toEqual({ kind: "wanted", name: "tools" });
+  port.handle({ kind: "load", name: "tools", module: undefined });
+}
+
+beforeAll(() => import("../../../wasm/dist/engine/worker.js"));
+afterEach(() => {
+  port.replies.splice(0);
+  port.started.splice(0);
+});
+
+test("queries that wait for tools that cannot be loaded get the reason; later ones ask again", async () => {
+  modules.failure = new Error("tools.wasm is answered with HTTP status 404");
+  for (const id of [5, 6]) port.handle(proposal(id));
+  sendTools();
+  const { message } = modules.failure;
+  await vi.waitFor(() => expect(port.replies).toHaveLength(4));
+  expect(port.replies.slice(1)).toEqual([
+    { kind: "unusable", name: "tools", message },
+    { kind: "unanswerable", id: 5, message },
+    { kind: "unanswerable", id: 6, message },
+  ]);
+  expect(port.started).toEqual([]);
+  modules.failure = undefined;
+});
+
+test("queries cancelled in the queue are not started; the others load the tools once and are answered in order", async () => {
+  modules.loads = 0;
   for (const id of [1, 2, 3, 4]) port.handle(proposal(id));
   for (const id of [2, 3]) port.handle({ kind: "cancel", id });
+  sendTools();
   const answered = () => port.replies.flatMap((reply) => (reply.kind === "answer" ? [reply.id] : []));
   await vi.waitFor(() => expect(answered()).toEqual([1, 4]));
   expect(port.started).toEqual(["model 1", "model 4"]);
   // The id of a cancelled query can be used again.
   port.handle(proposal(2));
   await vi.waitFor(() => expect(port.started).toHaveLength(3));
+  expect(modules.loads).toBe(1);
 });

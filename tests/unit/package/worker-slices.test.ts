@@ -24,7 +24,10 @@ vi.mock("../../../wasm/dist/engine/worker-port-node.js", async () => {
   const { readFile } = await import("node:fs/promises");
   return {
     workerPort: {
-      post: (reply: Reply) => port.onReply(reply),
+      post: (reply: Reply) => {
+        if (reply.kind === "wanted") port.handle({ kind: "load", name: reply.name, module: undefined });
+        else port.onReply(reply);
+      },
       onRequest: (handle: (request: Request) => void) => (port.handle = handle),
       letRequestsIn: () => new Promise((resolve) => setImmediate(resolve)),
       compile: async (address: URL) => WebAssembly.compile(await readFile(address)),
@@ -34,10 +37,14 @@ vi.mock("../../../wasm/dist/engine/worker-port-node.js", async () => {
 
 afterEach(() => vi.restoreAllMocks());
 
-const started = new Promise<void>((resolve) => {
-  port.onReply = ({ kind }) => kind === "ready" && resolve();
+/** Resolves when the worker has answered a query, for which it loads its tools. */
+const started = new Promise<void>((resolve, reject) => {
+  port.onReply = (reply) => {
+    if (reply.kind === "answer") resolve();
+    if (reply.kind === "unusable") reject(new Error(reply.message));
+  };
   void import("../../../wasm/dist/engine/worker.js").then(() =>
-    port.handle({ kind: "load", module: undefined }),
+    port.handle({ kind: "cover", id: 0, ...projectArrays(cubeProject()), size: 0, shape: 0 }),
   );
 });
 

@@ -25,7 +25,8 @@ export interface MesherErrorData {
   /**
    * The worker or the engine could not be loaded: from where and why, as far as known, and what to do. If a worker
    * had to be replaced, all pending and later calls reject with this error. The mesher is then disposed of; use
-   * `createMesher` to try again.
+   * `createMesher` to try again. If only the part of the engine for calls other than runs could not be loaded, only
+   * these calls reject, and the next one tries again.
    */
   readonly "engine-not-loaded": {
     readonly what: "worker" | "engine";

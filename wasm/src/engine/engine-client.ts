@@ -116,12 +116,17 @@ export class EngineClient {
 
   /** Rejects a question whose answer is no longer needed, and cancels its work. */
   #abandon(id: number, reason: unknown): void {
+    if (this.#refuse(id, reason)) this.#worker.post({ kind: "cancel", id }, []);
+  }
+
+  /** Rejects a question; returns false if it is not open. */
+  #refuse(id: number, reason: unknown): boolean {
     const open = this.#questions.get(id);
-    if (open === undefined) return;
+    if (open === undefined) return false;
     this.#questions.delete(id);
     open.reject(reason);
-    this.#worker.post({ kind: "cancel", id }, []);
     this.#updateKeepAlive();
+    return true;
   }
 
   /** Resolves when the run ends; the arrays of the request are transferred. */
@@ -198,6 +203,7 @@ export class EngineClient {
         this.#updateKeepAlive();
       },
       onReply: (reply) => this.#receive(reply),
+      onUnanswerable: (id, failure) => this.#refuse(id, failure),
       onCrash: (failure) => this.#replaceWorker(failure),
       onUnusable: (failure) => this.#close(failure),
     });

@@ -1,16 +1,18 @@
 /** A worker with an engine. Reports once if the engine cannot be used; a terminated worker reports nothing. */
 import { loadRemedies, startWorker } from "#worker-host";
-import { requestEngine, settleEngine, type EngineLoader } from "./shared-engine.js";
+import { sharedCode, type CodeLoader } from "./shared-code.js";
 import { crashError, type MesherError, notLoadedError } from "../diagnostics/mesher-error.js";
-import type { Reply, Request } from "./protocol.js";
+import type { ModuleName, Reply, Request } from "./protocol.js";
 import type { WorkerHandle } from "./worker-host.js";
 
 /** Replies of a worker that is ready. */
-export type WorkReply = Exclude<Reply, { kind: "ready" | "unusable" }>;
+export type WorkReply = Exclude<Reply, { kind: "wanted" | "ready" | "unusable" | "unanswerable" }>;
 
 export interface EngineWorkerEvents {
   onReady(): void;
   onReply(reply: WorkReply): void;
+  /** The call with this id failed, because the part of the engine that it needs could not be loaded. */
+  onUnanswerable(id: number, failure: MesherError): void;
   /** The worker ended after it was ready; a new one may work. */
   onCrash(failure: () => MesherError): void;
   /** The worker never became ready; a new one would fail in the same way. */
@@ -20,8 +22,9 @@ export interface EngineWorkerEvents {
 export class EngineWorker {
   readonly #events: EngineWorkerEvents;
   readonly #handle: WorkerHandle | undefined;
-  readonly #loader: EngineLoader = {
-    load: (module) => this.#handle?.post({ kind: "load", module }, []),
+  readonly #loaders: { readonly [Name in ModuleName]: CodeLoader } = {
+    engine: { load: (module) => this.#handle?.post({ kind: "load", name: "engine", module }, []) },
+    tools: { load: (module) => this.#handle?.post({ kind: "load", name: "tools", module }, []) },
   };
   #isReady = false;
   #isOver = false;
@@ -40,7 +43,7 @@ export class EngineWorker {
       queueMicrotask(() => this.#end(() => notLoadedError("worker", String(failure), loadRemedies.worker)));
       return;
     }
-    requestEngine(this.#loader);
+    sharedCode.engine.request(this.#loaders.engine);
   }
 
   /** A request sent before the worker is ready waits in it. */
@@ -56,21 +59,30 @@ export class EngineWorker {
   terminate(): void {
     this.#isOver = true;
     this.#handle?.terminate();
-    settleEngine(this.#loader, undefined);
+    for (const name of ["engine", "tools"] as const) sharedCode[name].settle(this.#loaders[name], undefined);
   }
 
   #receive(reply: Reply): void {
     if (this.#isOver) return;
     switch (reply.kind) {
+      case "wanted":
+        return sharedCode[reply.name].request(this.#loaders[reply.name]);
       case "ready":
-        this.#isReady = true;
-        settleEngine(this.#loader, reply.module);
-        return this.#events.onReady();
+        sharedCode[reply.name].settle(this.#loaders[reply.name], reply.module);
+        return reply.name === "engine" ? this.#becomeReady() : undefined;
       case "unusable":
-        return this.#end(() => notLoadedError("engine", reply.message, loadRemedies.engine));
+        sharedCode[reply.name].settle(this.#loaders[reply.name], undefined);
+        return reply.name === "engine" ? this.#end(() => engineError(reply.message)) : undefined;
+      case "unanswerable":
+        return this.#events.onUnanswerable(reply.id, engineError(reply.message));
       default:
         return this.#events.onReply(reply);
     }
+  }
+
+  #becomeReady(): void {
+    this.#isReady = true;
+    this.#events.onReady();
   }
 
   #end(failure: () => MesherError): void {
@@ -79,4 +91,8 @@ export class EngineWorker {
     if (this.#isReady) this.#events.onCrash(failure);
     else this.#events.onUnusable(failure);
   }
+}
+
+function engineError(reason: string): MesherError {
+  return notLoadedError("engine", reason, loadRemedies.engine);
 }

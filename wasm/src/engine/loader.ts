@@ -1,24 +1,27 @@
-/** Loads the compiled engine, once per worker. The only file that names the compiled module. */
-import createEngine, {
-  type Cover,
-  type Inspection,
-  type MainModule,
-  type BackgroundFromMesh,
-  type Preview,
-  type Proposal,
-  type Refinement,
-  type Remesh,
-  type Repair,
-  type Run,
-  type VolumeInspection,
-} from "./engine.js";
+/**
+ * Loads the compiled engine: the module "engine", which fills models and surfaces, and the module "tools", for everything
+ * else. The only file that names the compiled modules.
+ */
+import createEngine, { type MainModule as Engine, type Run } from "./engine.js";
+import type {
+  BackgroundFromMesh,
+  Cover,
+  Inspection,
+  MainModule as Tools,
+  Preview,
+  Proposal,
+  Refinement,
+  Remesh,
+  Repair,
+  VolumeInspection,
+} from "./tools.js";
 
-type ResultOf<Tool extends keyof Engine> = Engine[Tool] extends (...given: never[]) => infer Made
+type ResultOf<Tool extends keyof Tools> = Tools[Tool] extends (...given: never[]) => infer Made
   ? NonNullable<Made> extends { result(): infer Result }
     ? Result
     : never
   : never;
-/** Results of the engine, as engine.d.ts states them. */
+/** Results of the engine, as the types of its modules state them. */
 export type EngineDiagnostics = ReturnType<Run["diagnostics"]>;
 export type EngineStatistics = ReturnType<Run["statistics"]>;
 export type EngineInspection = ResultOf<"inspectSurface">;
@@ -32,12 +35,12 @@ export type EngineGrid = ResultOf<"cover">;
 
 /** Options of the engine: 0 for a size that is not given, and enumerators by their numbers. */
 export type EngineOptions = Readonly<Parameters<Engine["meshModel"]>[2]>;
-export type EngineInspectionOptions = Readonly<Parameters<Engine["inspectSurface"]>[2]>;
-export type EngineProposalOptions = Readonly<Parameters<Engine["propose"]>[1]>;
-export type EngineRepairOptions = Readonly<Parameters<Engine["repairSurface"]>[2]>;
-export type EngineRemeshOptions = Readonly<Parameters<Engine["remeshSurface"]>[4]>;
+export type EngineInspectionOptions = Readonly<Parameters<Tools["inspectSurface"]>[2]>;
+export type EngineProposalOptions = Readonly<Parameters<Tools["propose"]>[1]>;
+export type EngineRepairOptions = Readonly<Parameters<Tools["repairSurface"]>[2]>;
+export type EngineRemeshOptions = Readonly<Parameters<Tools["remeshSurface"]>[4]>;
 
-export type Engine = MainModule;
+export type { Engine, Tools };
 export type EngineRun = Run;
 /** A tool of the engine that works in slices and has one result. */
 export type EngineTool =
@@ -52,25 +55,45 @@ export type EngineTool =
   | VolumeInspection;
 
 /** Fetches and compiles the file; the reason of a failure names the file. */
-export type CompileEngine = (address: URL) => Promise<CompiledEngine>;
+export type CompileModule = (address: URL) => Promise<CompiledModule>;
 
-/** An engine and its compiled code, for other workers. */
-export interface LoadedEngine {
-  readonly engine: Engine;
-  readonly module: CompiledEngine;
+/** An instance of a module and its compiled code, for other workers. */
+export interface LoadedModule<Instance> {
+  readonly instance: Instance;
+  readonly module: CompiledModule;
 }
 
 /**
- * Returns an engine from `given` code or, without it, from the file beside this module. Rejects if WebAssembly or
- * the file is missing.
+ * Returns an instance of a module from `given` code or, without it, from the file beside this script. Rejects if
+ * WebAssembly or a file is missing.
  */
-export async function loadEngine(
-  given: CompiledEngine | undefined,
-  compile: CompileEngine,
-): Promise<LoadedEngine> {
-  const found = given ?? (await compile(new URL("./engine.wasm", import.meta.url)));
-  const module = found as WebAssembly.Module;
-  const engine = await new Promise<Engine>((resolve, reject) => {
+export type LoadModule<Instance> = (
+  given: CompiledModule | undefined,
+  compile: CompileModule,
+) => Promise<LoadedModule<Instance>>;
+
+export const loadEngine: LoadModule<Engine> = async (given, compile) => {
+  const module = given ?? (await compile(new URL("./engine.wasm", import.meta.url)));
+  return instantiated(createEngine, module);
+};
+
+export const loadTools: LoadModule<Tools> = async (given, compile) => {
+  const [{ default: createTools }, module] = await Promise.all([
+    import("./tools.js"),
+    given === undefined ? compile(new URL("./tools.wasm", import.meta.url)) : Promise.resolve(given),
+  ]);
+  return instantiated(createTools, module);
+};
+
+type ReceiveInstance = (instance: WebAssembly.Instance, module: WebAssembly.Module) => void;
+
+/** `create`: the function that Emscripten makes for a module. */
+async function instantiated<Instance>(
+  create: (options: { readonly instantiateWasm: unknown }) => Promise<Instance>,
+  compiled: CompiledModule,
+): Promise<LoadedModule<Instance>> {
+  const module = compiled as WebAssembly.Module;
+  const instance = await new Promise<Instance>((resolve, reject) => {
     // Emscripten's own promise does not report failures in this function.
     const instantiateWasm = (imports: WebAssembly.Imports, receive: ReceiveInstance) => {
       WebAssembly.instantiate(module, imports)
@@ -78,12 +101,10 @@ export async function loadEngine(
         .catch(reject);
       return {};
     };
-    createEngine({ instantiateWasm }).then(resolve, reject);
+    create({ instantiateWasm }).then(resolve, reject);
   });
-  return { engine, module };
+  return { instance, module };
 }
 
-type ReceiveInstance = (instance: WebAssembly.Instance, module: WebAssembly.Module) => void;
-
 /** A WebAssembly.Module, under a name that also exists without the types of browsers. */
-export type CompiledEngine = object;
+export type CompiledModule = object;

@@ -7,7 +7,7 @@ import type { MetricShapes } from "../mesh/quality.js";
 import type { MeshReport, MeshStatus } from "../mesh/report.js";
 import type { GridArrays, ModelArrays } from "../generated/constants.js";
 import type {
-  CompiledEngine,
+  CompiledModule,
   EngineDiagnostics,
   EngineGrid,
   EngineInspection,
@@ -23,6 +23,9 @@ import type {
   EngineRepairOptions,
   EngineVolumeInspection,
 } from "./loader.js";
+
+/** A module of the compiled engine: "engine" fills models and surfaces, "tools" answers questions. */
+export type ModuleName = "engine" | "tools";
 
 /**
  * A question. The worker answers it in slices, also during a run: any number of `progress` replies, then one
@@ -106,8 +109,11 @@ export type Question =
  * ignored.
  */
 export type Request =
-  /** The first request, sent once: load the engine from this code, or fetch and compile it. */
-  | { readonly kind: "load"; readonly module: CompiledEngine | undefined }
+  /**
+   * Load a module from this code, or fetch and compile it. The first request loads the engine; after that, each
+   * `wanted` is answered by one.
+   */
+  | { readonly kind: "load"; readonly name: ModuleName; readonly module: CompiledModule | undefined }
   /** Answered by any number of `progress` and `front`, at most one `unoptimized`, then one `result` or `failure`. */
   | {
       readonly kind: "mesh-model";
@@ -175,8 +181,10 @@ export type AnswerTo<Kind extends keyof Answers> = {
 export type Answer = { [Kind in keyof Answers]: AnswerTo<Kind> }[keyof Answers];
 
 export type Reply =
-  /** Sent once, when the engine is loaded, with its code for other workers. Earlier requests wait for it. */
-  | { readonly kind: "ready"; readonly module: CompiledEngine }
+  /** The worker needs the code of this module, which is loaded on first use. */
+  | { readonly kind: "wanted"; readonly name: ModuleName }
+  /** Sent once per module, when it is loaded, with its code for other workers. Requests that need it wait. */
+  | { readonly kind: "ready"; readonly name: ModuleName; readonly module: CompiledModule }
   | { readonly kind: "progress"; readonly id: number; readonly progress: Progress }
   /** The current front: x y z of three corners per face. */
   | { readonly kind: "front"; readonly id: number; readonly corners: Float64Array }
@@ -195,5 +203,7 @@ export type Reply =
       /** The engine trapped instead of reporting a failure: its heap may be corrupt. */
       readonly isEngineLost: boolean;
     } & EngineFailure)
-  /** The engine could not be loaded: its address and the reason. */
-  | { readonly kind: "unusable"; readonly message: string };
+  /** A module could not be loaded: its address and the reason. */
+  | { readonly kind: "unusable"; readonly name: ModuleName; readonly message: string }
+  /** The call with this id needs a module that could not be loaded. The next such call tries again. */
+  | { readonly kind: "unanswerable"; readonly id: number; readonly message: string };

@@ -4,7 +4,8 @@ import type { LoadRemedies, StartWorker } from "./worker-host.js";
 
 export const loadRemedies: LoadRemedies = {
   worker: "Install the package again; a bundle of it for Node needs worker.js beside it.",
-  engine: "Install the package again; a bundle of it for Node needs engine.wasm beside worker.js.",
+  engine:
+    "Install the package again; a bundle of it for Node needs engine.wasm and tools.wasm beside worker.js.",
 };
 
 export const startWorker: StartWorker = (events) => {

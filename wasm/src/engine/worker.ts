@@ -3,7 +3,8 @@ import { workerPort } from "#worker-port";
 import type { FailureReason } from "../diagnostics/mesher-error.js";
 import type { MeshStatus } from "../mesh/report.js";
 import type { UnoptimizedMesh } from "./control.js";
-import { type CompiledEngine, type Engine, type EngineRun, type EngineTool, loadEngine } from "./loader.js";
+import { LazyModule, textOf } from "./lazy-module.js";
+import { type Engine, type EngineRun, type EngineTool, loadEngine, loadTools, type Tools } from "./loader.js";
 import type { Answer, EngineResult, Question, Request } from "./protocol.js";
 import { qualityReport } from "./quality-report.js";
 import { RunClock } from "./run-clock.js";
@@ -30,83 +31,87 @@ function noMemory(): ReportedFailure {
   return new ReportedFailure("out-of-memory", OUT_OF_MEMORY);
 }
 
-/** Listens at once, because a browser drops messages sent before a worker listens. */
-const loaded = new Promise<Engine | undefined>((resolve) => {
-  workerPort.onRequest((request) => {
-    if (request.kind === "load") resolve(load(request.module));
-    else void loaded.then((engine) => engine && serve(engine, request));
-  });
+const lazyEngine = new LazyModule<Engine>({
+  // The creator sends it unasked, because the mesher is ready only with it.
+  askForCode: () => undefined,
+  load: (given) => loadEngine(given, workerPort.compile),
+  onReady: (module) => workerPort.post({ kind: "ready", name: "engine", module }),
+  onUnusable: (message) => workerPort.post({ kind: "unusable", name: "engine", message }),
 });
 
-/** Returns the engine; reports and returns undefined if it cannot be loaded. */
-async function load(given: CompiledEngine | undefined): Promise<Engine | undefined> {
-  try {
-    const { engine, module } = await loadEngine(given, workerPort.compile);
-    workerPort.post({ kind: "ready", module });
-    return engine;
-  } catch (failure) {
-    const message = failure instanceof Error ? failure.message : String(failure);
-    workerPort.post({ kind: "unusable", message });
-    return undefined;
-  }
-}
+const lazyTools = new LazyModule<Tools>({
+  askForCode: () => workerPort.post({ kind: "wanted", name: "tools" }),
+  load: (given) => loadTools(given, workerPort.compile),
+  onReady: (module) => workerPort.post({ kind: "ready", name: "tools", module }),
+  onUnusable: (message) => workerPort.post({ kind: "unusable", name: "tools", message }),
+});
 
-async function serve(engine: Engine, request: WorkRequest): Promise<void> {
-  try {
-    await handle(engine, request);
-  } catch (failure) {
-    replyFailure(engine, request.id, failure);
-  }
-}
+// Listens at once, because a browser drops messages sent before a worker listens.
+workerPort.onRequest((request) => void serve(request));
+lazyEngine.instance().catch(() => undefined);
 
-type WorkRequest = Exclude<Request, { kind: "load" }>;
-
-async function handle(engine: Engine, request: WorkRequest): Promise<void> {
+async function serve(request: Request): Promise<void> {
   switch (request.kind) {
+    case "load":
+      return (request.name === "engine" ? lazyEngine : lazyTools).receive(request.module);
     case "cancel":
       if (running.has(request.id)) cancelled.add(request.id);
       return;
     case "mesh-model":
-      return mesh(request, engine.meshModel(request.model, request.grid, request.options));
+      return workIn(lazyEngine, request.id, (engine) =>
+        mesh(request, engine.meshModel(request.model, request.grid, request.options)),
+      );
     case "fill-surface":
-      return mesh(
-        request,
-        engine.fillSurface(request.points, request.triangles, request.grid, request.options),
+      return workIn(lazyEngine, request.id, (engine) =>
+        mesh(request, engine.fillSurface(request.points, request.triangles, request.grid, request.options)),
       );
     default:
-      return answer(engine, request);
+      return workIn(lazyTools, request.id, (tools) => answer(tools, request));
   }
 }
 
-/** A question that was abandoned while it waited is not begun. */
-async function answer(engine: Engine, question: Question): Promise<void> {
-  const { id } = question;
+/** Works on the request with this id in an instance of the module that it needs; replies if that fails. */
+async function workIn<Instance extends Engine | Tools>(
+  module: LazyModule<Instance>,
+  id: number,
+  work: (instance: Instance) => Promise<void>,
+): Promise<void> {
+  let instance: Instance | undefined;
   running.add(id);
   try {
-    await workerPort.letRequestsIn();
-    if (!cancelled.has(id)) await work(question, toolFor(engine, question));
+    instance = await module.instance();
+    await work(instance);
+  } catch (failure) {
+    if (instance === undefined) workerPort.post({ kind: "unanswerable", id, message: textOf(failure) });
+    else replyFailure(instance, id, failure);
   } finally {
     running.delete(id);
     cancelled.delete(id);
   }
 }
 
-function toolFor(engine: Engine, question: Question): EngineTool | null {
+/** A question that was abandoned while it waited is not begun. */
+async function answer(tools: Tools, question: Question): Promise<void> {
+  await workerPort.letRequestsIn();
+  if (!cancelled.has(question.id)) await work(question, toolFor(tools, question));
+}
+
+function toolFor(tools: Tools, question: Question): EngineTool | null {
   switch (question.kind) {
     case "preview":
-      return engine.previewModel(question.model, question.grid, question.options);
+      return tools.previewModel(question.model, question.grid, question.options);
     case "cover":
-      return engine.cover(question.model, question.size, question.shape);
+      return tools.cover(question.model, question.size, question.shape);
     case "propose":
-      return engine.propose(question.model, question.options);
+      return tools.propose(question.model, question.options);
     case "background-from-mesh":
-      return engine.backgroundFromMesh(question.mesh, question.sizes);
+      return tools.backgroundFromMesh(question.mesh, question.sizes);
     case "inspect-surface":
-      return engine.inspectSurface(question.points, question.triangles, question.options);
+      return tools.inspectSurface(question.points, question.triangles, question.options);
     case "repair-surface":
-      return engine.repairSurface(question.points, question.triangles, question.options);
+      return tools.repairSurface(question.points, question.triangles, question.options);
     case "refine-surface":
-      return engine.refineSurface(
+      return tools.refineSurface(
         question.points,
         question.triangles,
         question.grid,
@@ -114,7 +119,7 @@ function toolFor(engine: Engine, question: Question): EngineTool | null {
         question.volume,
       );
     case "remesh-surface":
-      return engine.remeshSurface(
+      return tools.remeshSurface(
         question.points,
         question.triangles,
         question.groups,
@@ -122,7 +127,7 @@ function toolFor(engine: Engine, question: Question): EngineTool | null {
         question.options,
       );
     case "inspect-mesh":
-      return engine.inspectMesh(question.points, question.tetrahedra, question.regions);
+      return tools.inspectMesh(question.points, question.tetrahedra, question.regions);
   }
 }
 
@@ -153,7 +158,6 @@ type RunRequest = Extract<Request, { kind: "mesh-model" | "fill-surface" }>;
 async function mesh({ id, showFront, showUnoptimized }: RunRequest, run: EngineRun | null): Promise<void> {
   if (run === null) throw noMemory();
   const clock = new RunClock();
-  running.add(id);
   try {
     assertHealthy(run);
     const onFront = (corners: Float64Array): void =>
@@ -170,8 +174,6 @@ async function mesh({ id, showFront, showUnoptimized }: RunRequest, run: EngineR
     const result = resultOf(run, status, clock);
     workerPort.post({ kind: "result", id, result }, buffersOf(result));
   } finally {
-    running.delete(id);
-    cancelled.delete(id);
     run.delete();
   }
 }
@@ -218,9 +220,9 @@ function assertHealthy(run: { failure(): number; failureMessage(): string }): vo
 }
 
 /** The client replaces the worker after this (protocol.ts). */
-function replyFailure(engine: Engine, id: number, failure: unknown): void {
+function replyFailure(instance: Engine | Tools, id: number, failure: unknown): void {
   const reason = failure instanceof ReportedFailure ? failure.reason : "engine-failed";
-  const message = failure instanceof Error ? failure.message : String(failure);
+  const message = textOf(failure);
   const isEngineLost = !(failure instanceof ReportedFailure);
-  workerPort.post({ kind: "failure", id, reason, message, isEngineLost, bytes: engine.memoryBytes() });
+  workerPort.post({ kind: "failure", id, reason, message, isEngineLost, bytes: instance.memoryBytes() });
 }
