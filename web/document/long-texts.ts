@@ -38,9 +38,9 @@ export function textKey(text: string): string {
   return text.length < minLongText ? keyOf(text) : entryOf(text).key;
 }
 
-/** Notes the key of a text that a worker has computed, so that the page need not. */
-export function rememberKey(text: string, key: string): void {
-  if (text.length >= minLongText && !known.has(text)) remember(text, { key, blob: null });
+/** Notes the key and the blob of a text that a worker or the storage knows, so that the page need not make them. */
+export function rememberText(text: string, key: string, blob: Blob): void {
+  if (text.length >= minLongText) remember(text, { key, blob });
 }
 
 /** Returns a long text as a blob, which passes to workers and to the storage without a copy. */

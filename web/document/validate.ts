@@ -8,6 +8,7 @@ import {
   type DrawnKind,
   type Entity,
 } from "./entities";
+import { bodyRemedies } from "../strings";
 import { placed } from "./placement";
 import type { Position } from "./position";
 
@@ -97,7 +98,7 @@ export function bodyProblems(
             severity,
             code,
             message,
-            remedy,
+            remedy: bodyRemedies[code] ?? remedy,
             entities: [{ kind: "body", id } as const],
             triangles: trianglesOf(entities),
             body: id,

@@ -3,7 +3,7 @@ import type { DocumentContent } from "../document/edit";
 import { manyTetrahedra } from "../document/engine-input";
 import { documentGrid } from "../document/large-grid";
 import { packedGrid, type PackedGrid } from "../document/packed-grid";
-import { blobOf, jsonWithout, parseWith, rememberKey } from "../document/long-texts";
+import { blobOf, jsonWithout, parseWith, rememberText } from "../document/long-texts";
 import type { OpenDocument, ProjectFile } from "./document-store";
 import { entryBytes, type History, type HistoryEntry } from "./history";
 
@@ -79,7 +79,7 @@ export async function openKept(kept: KeptDocument): Promise<OpenDocument | null>
   for (const [key, blob] of longTexts) {
     const text = await blob.text();
     texts.set(key, text);
-    rememberKey(text, key);
+    rememberText(text, key, blob);
   }
   const read = parseProject(parseWith(kept.text, texts));
   if (!read.success) return null;

@@ -19,6 +19,16 @@ export const bodyStepNames = {
   brush: "Paint size",
 } as const;
 
+/** What to do in the app about problems of a given surface, by code. */
+export const bodyRemedies: Readonly<Record<string, string>> = {
+  "open-edge": "Repair the surface: the repair fills holes and welds nodes. Or close it in your CAD program.",
+  "inconsistent-orientation": "Repair the surface: the repair flips triangles.",
+  "flipped-triangle": "Repair the surface: the repair flips triangles.",
+  "duplicate-triangle": "Repair the surface: the repair removes duplicate triangles.",
+  "degenerate-triangle": "Repair the surface: the repair removes degenerate triangles.",
+  "needle-surface": "Select Remesh, or export the surface with more uniform triangles.",
+};
+
 const counted = (count: number, one: string, many: string): string =>
   count === 1 ? `1 ${one}` : `${count.toLocaleString("en-US")} ${many}`;
 

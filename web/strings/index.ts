@@ -6,7 +6,7 @@ import { panelStrings } from "./panels";
 /** All texts that a user reads. The package words diagnostics and errors of files. */
 export const strings = { ...pageStrings, ...panelStrings, bodies: bodyStrings, problemTitle } as const;
 
-export { bodyStepNames } from "./bodies";
+export { bodyRemedies, bodyStepNames } from "./bodies";
 export * from "./commands";
 export * from "./edits";
 export * from "./entities";

@@ -1,18 +1,23 @@
 /** Reads and writes large project files. The page starts one worker per file and ends it afterwards. */
 import { readProject } from "tetrafront";
 import { packedGrid, unpackGrid } from "../document/packed-grid";
+import { bodiesOf } from "../document/entities";
+import { buffersOfPacked, packedBody } from "./packed-bodies";
 import { projectBlob, type ProjectProtocol } from "./project-files";
 import { serveCalls } from "./serve-calls";
 
 serveCalls<ProjectProtocol>({
   read: async (file) => {
     const result = readProject(await file.text());
-    if (!result.success) return { answer: { result, grid: null } };
+    if (!result.success) return { answer: { result, grid: null, bodies: [] } };
     const { background } = result.value;
-    const value = { ...result.value, background: { ...background, nodes: [], tetrahedra: [] } };
+    const bodies = bodiesOf(result.value).map(packedBody);
+    const drawn = { ...result.value, background: { ...background, nodes: [], tetrahedra: [] } };
+    const value = bodies.length > 0 ? { ...drawn, bodies: [] } : drawn;
     const grid = packedGrid(background);
-    const transfer = [grid.nodes.buffer as ArrayBuffer, grid.tetrahedra.buffer as ArrayBuffer];
-    return { answer: { result: { success: true, value }, grid }, transfer };
+    const ofGrid = [grid.nodes.buffer as ArrayBuffer, grid.tetrahedra.buffer as ArrayBuffer];
+    const transfer = [...ofGrid, ...buffersOfPacked(bodies)];
+    return { answer: { result: { success: true, value }, grid, bodies }, transfer };
   },
   write: async ({ project, grid }) => {
     const background = { ...project.background, ...(await unpackGrid(grid)) };

@@ -1,6 +1,6 @@
 import type { PatchedSurface, ProjectBody } from "tetrafront";
 import type { DrawnSurface } from "../document/drawn-surface";
-import { rememberKey } from "../document/long-texts";
+import { unpackedBody, type PackedBody } from "./packed-bodies";
 import { copyForTransfer } from "./transfer";
 import { WorkerClient } from "./worker-client";
 
@@ -20,10 +20,15 @@ export interface LoadedSurface {
 /** The texts of a body that hold its arrays. */
 export type BodyTexts = Pick<ProjectBody, "points" | "triangles" | "trianglePatch">;
 
-/** A body made in the worker, with the keys of its long texts. */
+/** A body and its arrays. */
 export interface NewBody {
   readonly body: ProjectBody;
-  readonly keys: readonly (readonly [text: "points" | "triangles" | "trianglePatch", key: string])[];
+  readonly loaded: LoadedSurface;
+}
+
+/** A body made in the worker. */
+export interface PackedNewBody {
+  readonly packed: PackedBody;
   readonly loaded: LoadedSurface;
 }
 
@@ -39,9 +44,8 @@ export interface ReadSurface extends NewBody {
   readonly notes: readonly string[];
 }
 
-export type SurfaceReading =
-  | ({ readonly success: true } & ReadSurface)
-  | { readonly success: false; readonly reasons: readonly string[] };
+export type SurfaceReading<Read = ReadSurface> =
+  ({ readonly success: true } & Read) | { readonly success: false; readonly reasons: readonly string[] };
 
 /** A surface and the patches of a body, which replace those of a given body. */
 export interface ReplacedSurface {
@@ -53,11 +57,11 @@ export interface ReplacedSurface {
 export interface SurfaceProtocol {
   readonly read: {
     readonly argument: { readonly file: Blob; readonly fileName: string; readonly head: BodyHead };
-    readonly answer: SurfaceReading;
+    readonly answer: SurfaceReading<PackedNewBody & Pick<ReadSurface, "notes">>;
   };
   /** Returns the arrays of a body. */
-  readonly load: { readonly argument: ProjectBody; readonly answer: Omit<NewBody, "body"> };
-  readonly replace: { readonly argument: ReplacedSurface; readonly answer: NewBody };
+  readonly load: { readonly argument: ProjectBody; readonly answer: PackedNewBody };
+  readonly replace: { readonly argument: ReplacedSurface; readonly answer: PackedNewBody };
   readonly draw: {
     readonly argument: {
       readonly surface: PatchedSurface;
@@ -74,10 +78,9 @@ const startWorker = (): Worker =>
     name: "tetrafront-surfaces",
   });
 
-const remembered = <Made extends NewBody>(made: Made): Made => {
-  for (const [text, key] of made.keys) rememberKey(made.body[text] ?? "", key);
-  return made;
-};
+async function unpacked({ packed, loaded }: PackedNewBody): Promise<NewBody> {
+  return { body: await unpackedBody(packed), loaded };
+}
 
 /**
  * Reads a surface file in a worker of its own. Rejects if `signal` aborts or the worker fails, for example out of memory.
@@ -92,7 +95,7 @@ export async function readSurfaceFile(
   signal.addEventListener("abort", () => client.dispose());
   try {
     const read = await client.call("read", { file, fileName, head });
-    return read.success ? remembered(read) : read;
+    return read.success ? { success: true, ...(await unpacked(read)), notes: read.notes } : read;
   } finally {
     client.dispose();
   }
@@ -104,8 +107,8 @@ export class SurfaceClient {
 
   /** Returns the arrays of a body. */
   async load(body: ProjectBody): Promise<LoadedSurface> {
-    const { keys, loaded } = await this.#worker.call("load", body);
-    remembered({ body, keys, loaded });
+    const { packed, loaded } = await this.#worker.call("load", body);
+    await unpackedBody(packed);
     return loaded;
   }
 
@@ -114,7 +117,7 @@ export class SurfaceClient {
     const { copy, buffers } = copyForTransfer(surface);
     const { points: _points, triangles: _triangles, trianglePatch: _patch, ...rest } = body;
     const head: ProjectBody = { ...rest, points: "", triangles: "" };
-    return remembered(await this.#worker.call("replace", { body: head, surface: copy, patches }, buffers));
+    return unpacked(await this.#worker.call("replace", { body: head, surface: copy, patches }, buffers));
   }
 
   /** Returns the triangles to draw of a surface. */

@@ -1,9 +1,9 @@
 /** Reads surface files and converts the surfaces of bodies, so that no step of it blocks the page. */
 import { bodySurface, createBody, readSurface, type PatchedSurface, type ProjectBody } from "tetrafront";
 import { buffersOfDrawn, drawnSurface } from "../document/drawn-surface";
-import { minLongText, textKey } from "../document/long-texts";
+import { buffersOfPacked, packedBody } from "./packed-bodies";
 import { serveCalls } from "./serve-calls";
-import type { LoadedSurface, NewBody, PatchArrays, SurfaceProtocol } from "./surface-files";
+import type { LoadedSurface, PackedNewBody, PatchArrays, SurfaceProtocol } from "./surface-files";
 
 serveCalls<SurfaceProtocol>({
   read: async ({ file, fileName, head }) => {
@@ -19,12 +19,12 @@ serveCalls<SurfaceProtocol>({
     const made = newBody(createBody(read.value, head));
     return {
       answer: { success: true, ...made, notes: read.value.notes ?? [] },
-      transfer: buffersOf(made.loaded),
+      transfer: buffersOf(made),
     };
   },
   load: (body) => {
-    const loaded = loadedFrom(body);
-    return { answer: { keys: keysOf(body), loaded }, transfer: buffersOf(loaded) };
+    const answer = newBody(body);
+    return { answer, transfer: buffersOf(answer) };
   },
   replace: ({ body, surface, patches }) => {
     const groups = patches.map(({ id, name = "" }) => ({ name, tag: id }));
@@ -37,7 +37,7 @@ serveCalls<SurfaceProtocol>({
       ...(trianglePatch !== undefined && { trianglePatch }),
       patches,
     });
-    return { answer: replaced, transfer: buffersOf(replaced.loaded) };
+    return { answer: replaced, transfer: buffersOf(replaced) };
   },
   draw: ({ surface, patchCount, values }) => {
     const answer = drawnSurface(surface, patchCount, values);
@@ -45,8 +45,8 @@ serveCalls<SurfaceProtocol>({
   },
 });
 
-function newBody(body: ProjectBody): NewBody {
-  return { body, keys: keysOf(body), loaded: loadedFrom(body) };
+function newBody(body: ProjectBody): PackedNewBody {
+  return { packed: packedBody(body), loaded: loadedFrom(body) };
 }
 
 /** Returns the arrays of a body where they were given: the view moves them. */
@@ -59,14 +59,11 @@ function withPatches({ points, triangles, trianglePatch }: PatchedSurface): Patc
   return { points, triangles, trianglePatch: trianglePatch ?? new Uint32Array(triangles.length / 3) };
 }
 
-function keysOf(body: ProjectBody): NewBody["keys"] {
-  return (["points", "triangles", "trianglePatch"] as const).flatMap((text) => {
-    const value = body[text] ?? "";
-    return value.length < minLongText ? [] : [[text, textKey(value)] as const];
-  });
-}
-
-function buffersOf({ surface, drawn }: LoadedSurface): ArrayBuffer[] {
+function buffersOf({ packed, loaded: { surface, drawn } }: PackedNewBody): ArrayBuffer[] {
   const arrays = [surface.points, surface.triangles, surface.trianglePatch];
-  return [...arrays.map(({ buffer }) => buffer as ArrayBuffer), ...buffersOfDrawn(drawn)];
+  return [
+    ...arrays.map(({ buffer }) => buffer as ArrayBuffer),
+    ...buffersOfDrawn(drawn),
+    ...buffersOfPacked([packed]),
+  ];
 }

@@ -1,0 +1,275 @@
+import { readFile } from "node:fs/promises";
+import AxeBuilder from "@axe-core/playwright";
+import { expect, test, type Page } from "@playwright/test";
+import { readProject } from "tetrafront";
+import { parseMsh, parseVtu, type FileMesh } from "../support/mesh-files";
+import { plateSurface, plateVolume } from "../support/plate";
+import { stlBinary, stlText } from "../support/surface-files";
+import { AppPage } from "./app-page";
+
+const plate = { half: 5, thickness: 1, radius: 2, corners: 24 } as const;
+const surface = plateSurface(plate);
+const triangleCount = surface.triangles.length / 3;
+
+async function dropBytes(page: Page, bytes: Uint8Array, fileName: string): Promise<void> {
+  await page.evaluate(
+    ([base64, name]) => {
+      const content = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([content], name));
+      window.dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, cancelable: true }));
+    },
+    [Buffer.from(bytes).toString("base64"), fileName] as const,
+  );
+}
+
+async function downloaded(page: Page, act: () => Promise<void>): Promise<Uint8Array> {
+  const [download] = await Promise.all([page.waitForEvent("download"), act()]);
+  return new Uint8Array(await readFile(await download.path()));
+}
+
+async function downloadMesh(page: Page, format: RegExp): Promise<Uint8Array> {
+  return downloaded(page, async () => {
+    await page.getByTestId("download").click();
+    await page.getByRole("menuitem", { name: format }).click();
+  });
+}
+
+async function openPlate(page: Page, fileName = "plate.stl"): Promise<AppPage> {
+  const app = new AppPage(page);
+  await app.openCube();
+  await dropBytes(page, stlBinary(surface), fileName);
+  await expect(page.getByTestId("body-triangles")).toHaveText(triangleCount.toLocaleString("en-US"));
+  return app;
+}
+
+const previewed = (page: Page): Promise<void> =>
+  expect(page.getByTestId("body-preview")).toHaveAttribute("data-current", "true");
+
+/** Six times the volume of each tetrahedron, the number of elements at each face, and the open edges of the boundary. */
+function measured({ points, tetrahedra }: FileMesh) {
+  const at = (node: number): number[] => [...points.subarray(3 * node, 3 * node + 3)];
+  const sixfold = tetrahedra.map((nodes) => {
+    const [a = [], b = [], c = [], d = []] = nodes.map(at);
+    const [u, v, w] = [b, c, d].map((p) => p.map((x, k) => x - (a[k] ?? 0)));
+    const [[ux = 0, uy = 0, uz = 0] = [], [vx = 0, vy = 0, vz = 0] = [], [wx = 0, wy = 0, wz = 0] = []] = [
+      u,
+      v,
+      w,
+    ];
+    return ux * (vy * wz - vz * wy) - uy * (vx * wz - vz * wx) + uz * (vx * wy - vy * wx);
+  });
+  const faces = new Map<string, number>();
+  for (const nodes of tetrahedra) {
+    for (const left of nodes) {
+      const key = nodes
+        .filter((node) => node !== left)
+        .toSorted((p, q) => p - q)
+        .join();
+      faces.set(key, (faces.get(key) ?? 0) + 1);
+    }
+  }
+  const edges = new Map<string, number>();
+  for (const [key, count] of faces) {
+    if (count > 1) continue;
+    const corners = key.split(",");
+    for (const left of corners) {
+      const edge = corners.filter((corner) => corner !== left).join();
+      edges.set(edge, (edges.get(edge) ?? 0) + 1);
+    }
+  }
+  return {
+    volume: sixfold.reduce((sum, six) => sum + six / 6, 0),
+    inverted: sixfold.filter((six) => six <= 0).length,
+    crowdedFaces: [...faces.values()].filter((count) => count > 2).length,
+    openEdges: [...edges.values()].filter((count) => count % 2 === 1).length,
+  };
+}
+
+test("a binary STL becomes a mesh: card, preview, mesh, download", async ({ page }) => {
+  const app = await openPlate(page);
+  await expect(page.getByTestId("project-name")).toBeHidden();
+  await expect(page.getByTestId("entity-name")).toHaveValue("plate");
+  await expect(page.getByTestId("body-size")).toContainText("10 × 10 × 1");
+  await expect(page.getByTestId("body-shells")).toHaveText("1");
+  const volume = Number(await page.getByTestId("body-volume").textContent());
+  expect(Math.abs(volume / plateVolume(plate) - 1)).toBeLessThan(1e-3);
+  await previewed(page);
+  const prepared = Number((await page.getByTestId("prepared-triangles").textContent())?.replaceAll(",", ""));
+  expect(prepared).toBeGreaterThan(3 * triangleCount);
+  expect(await app.viewport.getAttribute("data-tets")).toBe("0");
+
+  await page.getByTestId("body-generate").click();
+  const { tets } = await app.meshed();
+  const mesh = parseVtu(await downloadMesh(page, /VTU/));
+  expect(mesh.tetrahedra).toHaveLength(tets);
+  const { volume: filled, ...defects } = measured(mesh);
+  expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
+  expect(Math.abs(filled / plateVolume(plate) - 1)).toBeLessThan(5e-3);
+});
+
+test("the treatment of a body is undone and redone with its mesh, and a reload restores everything", async ({
+  page,
+}) => {
+  const app = await openPlate(page);
+  await previewed(page);
+  await app.type("remeshing-size", "1.5");
+  await expect(page.getByTestId("body-preview")).toHaveAttribute("data-current", "false");
+  await page.getByTestId("body-preview-make").click();
+  await previewed(page);
+  const coarse = await app.generate();
+  await page.getByTestId("body-treatment").getByText("Keep", { exact: true }).click();
+  await expect(app.viewport).toHaveAttribute("data-stale", "true");
+  const kept = await app.generate();
+  expect(kept.tets).toBeLessThan(coarse.tets);
+  await page.keyboard.press("Control+z");
+  expect(await app.meshed()).toEqual(coarse);
+  await page.keyboard.press("Control+Shift+z");
+  expect(await app.meshed()).toEqual(kept);
+
+  await page.keyboard.press("Control+z");
+  await expect(app.viewport).toHaveAttribute("data-autosaved", "true");
+  await page.reload();
+  expect(await app.meshed()).toEqual(coarse);
+  await page.getByTestId("tree-body-1").click();
+  await expect(page.getByTestId("remeshing-size")).toHaveValue("1.5");
+  await expect(page.getByTestId("body-triangles")).toHaveText(triangleCount.toLocaleString("en-US"));
+  await page.getByRole("button", { name: "Redo: Change treatment of body 1" }).click();
+  await expect(page.getByTestId("body-treatment").getByRole("radio", { name: "Keep" })).toBeChecked();
+});
+
+test("a broken STL shows its problems and is repaired", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const [a = 0, b = 0, c = 0] = surface.triangles.subarray(30, 33);
+  // Two triangles are missing, and one faces inward.
+  const triangles = Uint32Array.from([
+    ...surface.triangles.subarray(6, 30),
+    a,
+    c,
+    b,
+    ...surface.triangles.subarray(33),
+  ]);
+  await dropBytes(page, stlBinary({ ...surface, triangles }), "broken.stl");
+  const problems = page.getByTestId("body-problems");
+  await expect(problems.locator("[data-code=open-edge]").first()).toBeVisible();
+  await expect(page.getByTestId("body-generate")).toBeDisabled();
+  await expect(page.getByTestId("repair-filled-hole")).toContainText("fills");
+  await expect(page.getByTestId("repair-flipped-triangle")).toHaveText("flips 1 triangle");
+  await expect(page.getByTestId("repair-outcome")).toHaveText("Afterwards, the surface can be meshed.");
+  const before = await app.viewport.screenshot();
+  await problems.getByRole("button", { name: "Show", exact: true }).first().click();
+  await expect.poll(async () => (await app.viewport.screenshot()).equals(before)).toBe(false);
+  await page.getByTestId("body-repair-apply").click();
+  await expect(problems).toBeHidden();
+  await previewed(page);
+  const { tets } = await app.generate();
+  const { volume, ...defects } = measured(parseVtu(await downloadMesh(page, /VTU/)));
+  expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
+  expect(Math.abs(volume / plateVolume(plate) - 1)).toBeLessThan(5e-3);
+  expect(tets).toBeGreaterThan(0);
+  await page.getByRole("button", { name: /^Undo: Repair/ }).click();
+  await expect(problems).toBeVisible();
+});
+
+test("a damaged file is rejected with its name, the reason and the remedy", async ({ page }) => {
+  const app = new AppPage(page);
+  const before = await app.openCube();
+  await dropBytes(page, stlBinary(surface).subarray(0, 1000), "cut.stl");
+  const dialog = page.getByRole("dialog", { name: "cut.stl could not be opened" });
+  await expect(dialog).toContainText(/triangles/);
+  await dialog.getByRole("button", { name: "Close" }).last().click();
+  expect(await app.meshed()).toEqual(before);
+});
+
+test("patches of a body are in the tree, are renamed and picked in the view, and name the boundaries of the mesh", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const half = surface.triangles.length / 2;
+  const [lower, upper] = [surface.triangles.subarray(0, half), surface.triangles.subarray(half)];
+  const solids = [
+    stlText({ ...surface, triangles: lower }, "first"),
+    stlText({ ...surface, triangles: upper }, "second"),
+  ];
+  await dropBytes(page, Buffer.concat(solids), "two.stl");
+  await expect(page.getByTestId("body-patches")).toHaveText("2");
+  await expect(page.getByTestId("tree-body-patch-1")).toContainText("first");
+  await page.getByTestId("tree-body-patch-2").click();
+  await app.type("entity-name", "inlet");
+  await expect(page.getByTestId("tree-body-patch-2")).toContainText("inlet");
+
+  // A click on a triangle of the second solid selects its patch.
+  await page.getByTestId("tree-body-1").click();
+  await page.keyboard.press("5");
+  const nodes = [...upper.subarray(0, 3)];
+  const centroid = [0, 1, 2].map((axis) =>
+    nodes.reduce((sum, node) => sum + (surface.points[3 * node + axis] ?? 0) / 3, 0),
+  );
+  const at = await page.evaluate((position) => {
+    const { tetrafrontPosition } = window as unknown as {
+      tetrafrontPosition: (at: unknown) => { x: number; y: number };
+    };
+    return tetrafrontPosition(position);
+  }, centroid);
+  await app.viewport.click({ position: at });
+  await expect(page.getByTestId("entity-name")).toHaveValue(/inlet|first/);
+
+  await page.getByTestId("tree-body-1").click();
+  await previewed(page);
+  await app.generate();
+  const names = parseMsh(await downloadMesh(page, /MSH/)).triangles.map(({ name }) => name);
+  expect(names.toSorted()).toEqual(["first", "inlet"]);
+});
+
+test("an imported surface joins the open document, is moved and deleted, each as one step of undo", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const choosing = page.waitForEvent("filechooser");
+  await page.getByTestId("add-body").click();
+  await (
+    await choosing
+  ).setFiles({
+    name: "plate.stl",
+    mimeType: "model/stl",
+    buffer: Buffer.from(stlBinary(surface)),
+  });
+  await expect(page.getByTestId("tree-body-1")).toBeVisible();
+  await expect(page.getByTestId("tree-patch-1")).toBeVisible();
+  await page.getByTestId("body-placement").locator("summary").click();
+  await app.type("placement-position-z", "20");
+  await app.type("placement-rotation-x", "90");
+  await expect(page.getByTestId("placement-rotation-x")).toHaveValue("90");
+  await previewed(page).catch(() => undefined);
+  const saved = await downloaded(page, () => page.keyboard.press("Control+s"));
+  const read = readProject(new TextDecoder().decode(saved));
+  expect(read.success && read.value.bodies?.[0]?.placement?.position).toEqual([0, 0, 20]);
+  expect(read.success && read.value.bodies?.[0]?.patches[0]?.id).toBe(7);
+  await page.getByTestId("tree-body-1").press("Delete");
+  await expect(page.getByTestId("tree-body-1")).toBeHidden();
+  for (let step = 0; step < 4; ++step) await page.keyboard.press("Control+z");
+  await expect(page.getByTestId("tree-body-1")).toBeHidden();
+  await expect(page.getByTestId("tree-patch-1")).toBeVisible();
+});
+
+for (const scheme of ["dark", "light"] as const) {
+  test(`on a phone a dropped surface shows its card, without violations in the ${scheme} theme`, async ({
+    page,
+  }) => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    const app = new AppPage(page);
+    await app.open(scheme, "unit-cube");
+    await dropBytes(page, stlBinary(surface), "plate.stl");
+    await expect(page.getByTestId("body-volume")).toBeVisible();
+    await previewed(page);
+    const overflow = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+    expect(overflow).toBeLessThanOrEqual(0);
+    await page.getByTestId("remeshing-options").locator("summary").click();
+    const axe = new AxeBuilder({ page }).setLegacyMode(true).options({ resultTypes: ["violations"] });
+    const { violations } = await axe.analyze();
+    expect(violations.map(({ id, nodes }) => `${id}: ${nodes[0]?.html}`)).toEqual([]);
+  });
+}
