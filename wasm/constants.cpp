@@ -274,6 +274,7 @@ void printModule() {
                                  "Defaults of size proposals; 0 leaves a size to the engine.");
   printNumber("SOURCE_GROWTH", SizeSource{}.growth, "Default growth of a source.");
   printType<Model>("ModelArrays", "A drawn model.");
+  printType<BodySurfaces>("BodySurfaceArrays", "The surfaces of all bodies, in one.");
   printType<BackgroundGrid>("GridArrays", "A background grid.");
   printType<std::vector<Diagnostic>>("DiagnosticArrays", "Diagnostics of an answer.");
 }

@@ -56,6 +56,13 @@ Run* meshModel(const Js<Model>& model, const Js<BackgroundGrid>& grid,
       Run([&] { return MeshRun(model.value(), grid.value(), options.value()); });
 }
 
+Run* meshWithBodies(const Js<Model>& model, const Js<BodySurfaces>& bodies,
+                    const Js<BackgroundGrid>& grid, const Js<MeshOptions>& options) {
+  return new (std::nothrow) Run([&] {
+    return MeshRun(model.value(), bodies.value(), grid.value(), options.value());
+  });
+}
+
 Run* fillSurface(const Js<Doubles>& points, const Js<Indices>& triangles,
                  const Js<BackgroundGrid>& grid, const Js<MeshOptions>& options) {
   return new (std::nothrow) Run(
@@ -70,7 +77,7 @@ EMSCRIPTEN_BINDINGS(engine) {
   using namespace tetrafront;
   using namespace tetrafront::border;
 
-  registerTypes<Doubles, Indices, Model, BackgroundGrid, MeshOptions>();
+  registerTypes<Doubles, Indices, Model, BodySurfaces, BackgroundGrid, MeshOptions>();
   registerTypes<Progress, std::vector<Diagnostic>, SurfaceMesh, VolumeMesh, QualitySummary,
                 QualityStatistics, MetricShapes, std::vector<PatchSummary>, RecoverySummary,
                 FrontCounters>();
@@ -95,6 +102,7 @@ EMSCRIPTEN_BINDINGS(engine) {
       .function("failure", &Run::failure)
       .function("failureMessage", &Run::failureMessage);
   function("meshModel", &meshModel, allow_raw_pointers());
+  function("meshWithBodies", &meshWithBodies, allow_raw_pointers());
   function("fillSurface", &fillSurface, allow_raw_pointers());
   function("memoryBytes", &memoryBytes);
 }

@@ -23,6 +23,7 @@
 #include "sizing/expected_count.h"
 #include "sizing/most_demanding.h"
 #include "sizing/target_sizes.h"
+#include "surface/patch_summary.h"
 #include "surface/surface_mesher.h"
 #include "volume/region_mesher.h"
 
@@ -37,6 +38,7 @@ struct StageEnds {
   double sizes;
 };
 constexpr StageEnds kModelEnds{.input = 0.02, .surface = 0.14, .boundary = 0.15, .sizes = 0.15};
+constexpr StageEnds kBodyEnds{.input = 0.02, .surface = 0.14, .boundary = 0.155, .sizes = 0.16};
 constexpr StageEnds kSurfaceEnds{
     .input = 0.004, .surface = 0.004, .boundary = 0.015, .sizes = 0.02};
 
@@ -58,6 +60,15 @@ class MeshRun::Impl {
  public:
   Impl(Model model, BackgroundGrid grid, const MeshOptions& options)
       : options_(options), model_(std::move(model)), grid_(std::move(grid)) {}
+
+  Impl(Model model, BodySurfaces bodies, BackgroundGrid grid, const MeshOptions& options)
+      : options_(options), bodies_(std::move(bodies)), grid_(std::move(grid)) {
+    if (!model.patches.empty()) {
+      model_ = std::move(model);
+    } else {
+      addBodies();
+    }
+  }
 
   Impl(std::span<const double> points, std::span<const std::uint32_t> triangles,
        BackgroundGrid grid, const MeshOptions& options)
@@ -148,6 +159,8 @@ class MeshRun::Impl {
   Task<bool> meshSurface(Work& work);
   Task<bool> checkBoundary(Work& work);
   Task<bool> findSizes(Work& work);
+  void addBodies();
+  void summarizeBodies();
   bool limitElements();
   Task<MeshStatus> fill(Work& work);
   Task<> optimize(Work& work);
@@ -167,7 +180,8 @@ class MeshRun::Impl {
   [[nodiscard]] std::size_t boundaryNodes() const { return surface_.points.size() / 3; }
 
   MeshOptions options_;
-  std::optional<Model> model_;  ///< none if a surface is given
+  std::optional<Model> model_;          ///< none if a surface is given
+  std::optional<BodySurfaces> bodies_;  ///< without triangles once they are in the surface
   BackgroundGrid grid_;
   MeshStatus status_ = MeshStatus::kRunning;
   Phase phase_ = Phase::kCheck;
@@ -193,21 +207,23 @@ class MeshRun::Impl {
 
 /// The chain F1-F9 of Löhner & Parikh 1988, section 2, then optimization and verification.
 Task<MeshStatus> MeshRun::Impl::run(Work& work) {
-  const StageEnds& ends = model_ ? kModelEnds : kSurfaceEnds;
+  const StageEnds& ends = !model_ ? kSurfaceEnds : bodies_ ? kBodyEnds : kModelEnds;
   begin(work, Phase::kCheck, ends.input);
   if (!co_await checkInput(work)) co_return MeshStatus::kInvalidInput;
 
   if (model_) {
     begin(work, Phase::kSides, ends.surface);
     if (!co_await meshSurface(work)) co_return MeshStatus::kInvalidInput;
+    if (bodies_) addBodies();
   }
   begin(work, model_ ? Phase::kSurface : Phase::kCheck, ends.boundary);
   if (!co_await checkBoundary(work)) co_return MeshStatus::kInvalidInput;
 
-  if (!model_) {
-    begin(work, Phase::kCheck, ends.sizes);
+  if (!model_ || bodies_) {
+    begin(work, model_ ? Phase::kSurface : Phase::kCheck, ends.sizes);
     if (!co_await findSizes(work)) co_return MeshStatus::kInvalidInput;
   }
+  if (bodies_) summarizeBodies();
   if (!limitElements()) co_return MeshStatus::kInvalidInput;
 
   begin(work, Phase::kVolume, kVolumeEnd);
@@ -239,7 +255,10 @@ Task<bool> MeshRun::Impl::checkInput(Work& work) {
     co_return true;
   }
   CheckedInput input = co_await tetrafront::checkInput(work, *model_, grid_, options_);
-  report(input.preview.diagnostics);
+  for (const Diagnostic& found : input.preview.diagnostics) {
+    // Bodies change how regions are nested; the boundary check reports it.
+    if (!bodies_ || found.code != DiagnosticCode::kNestedRegions) report({found});
+  }
   field_ = std::move(input.field);
   co_return field_.has_value() && !anyError(diagnostics_);
 }
@@ -262,7 +281,7 @@ Task<bool> MeshRun::Impl::meshSurface(Work& work) {
 
 Task<bool> MeshRun::Impl::checkBoundary(Work& work) {
   const BoundarySource source =
-      model_ ? BoundarySource::kDrawnPatches : BoundarySource::kGivenSurface;
+      model_ || bodies_ ? BoundarySource::kDrawnPatches : BoundarySource::kGivenSurface;
   BoundaryCheck check(surface_, source, options_.innerShells, MixedOrientation::kRefuse);
   co_await work.finish(check);
   for (const Diagnostic& found : check.diagnostics()) {
@@ -288,6 +307,31 @@ Task<bool> MeshRun::Impl::findSizes(Work& work) {
   co_await work.finish(achievable);
   report(achievable.diagnostics());
   co_return true;
+}
+
+/// Appends the bodies to the surface, with their patches after those of the model. The boundary check reports invalid
+/// indices, so they must stay invalid.
+void MeshRun::Impl::addBodies() {
+  constexpr std::uint32_t kInvalid = 0xffffffffU;
+  const auto nodes = static_cast<std::uint32_t>(boundaryNodes());
+  const auto patches = static_cast<std::uint32_t>(patches_.size());
+  const BodySurfaces bodies = std::exchange(*bodies_, BodySurfaces{});
+  bodies_->patches = std::max(bodies.patches, 1U);
+  surface_.points.insert(surface_.points.end(), bodies.points.begin(), bodies.points.end());
+  for (const std::uint32_t node : bodies.triangles) {
+    surface_.triangles.push_back(node < bodies.points.size() / 3 ? nodes + node : kInvalid);
+  }
+  for (std::size_t t = 0; t < bodies.triangles.size() / 3; ++t) {
+    const std::uint32_t own = t < bodies.trianglePatch.size() ? bodies.trianglePatch[t] : 0;
+    surface_.trianglePatch.push_back(patches + std::min(own, bodies_->patches - 1));
+  }
+}
+
+void MeshRun::Impl::summarizeBodies() {
+  const auto first = static_cast<std::uint32_t>(patches_.size());
+  const std::vector<PatchSummary> found =
+      summarizeGivenPatches(surface_, *field_, first, first + bodies_->patches);
+  patches_.insert(patches_.end(), found.begin(), found.end());
 }
 
 /// Estimates how many elements the sizes ask for; false, with a diagnostic, if they are too many.
@@ -389,6 +433,10 @@ Task<MeshStatus> MeshRun::Impl::verify(Work& work) {
 
 MeshRun::MeshRun(Model model, BackgroundGrid grid, const MeshOptions& options)
     : impl_(std::make_unique<Impl>(std::move(model), std::move(grid), options)) {}
+
+MeshRun::MeshRun(Model model, BodySurfaces bodies, BackgroundGrid grid, const MeshOptions& options)
+    : impl_(std::make_unique<Impl>(std::move(model), std::move(bodies), std::move(grid), options)) {
+}
 
 MeshRun::MeshRun(std::span<const double> points, std::span<const std::uint32_t> triangles,
                  const MeshOptions& options)

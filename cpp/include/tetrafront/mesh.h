@@ -15,7 +15,8 @@ struct SurfaceMesh {
 
   std::vector<double> points;
   std::vector<std::uint32_t> triangles;
-  /// Per triangle: the index of its patch in the model; in a given surface, the index of its shell.
+  /// Per triangle: the index of its patch, first those of the model, then those of the bodies; in a given surface, the
+  /// index of its shell.
   std::vector<std::uint32_t> trianglePatch;
   /// Two per triangle: the region that sees its nodes clockwise, then the region that sees them
   /// counter-clockwise, which is kNoRegion unless the triangle is an interface. Empty if the regions are not
@@ -30,6 +31,15 @@ struct SurfaceMesh {
   [[nodiscard]] bool isInterface(std::size_t triangle) const {
     return !triangleRegions.empty() && triangleRegions[2 * triangle + 1] != kNoRegion;
   }
+};
+
+/// Closed surfaces beside a drawn model, all in one: the triangles of the bodies of a project. They are kept.
+struct BodySurfaces {
+  std::vector<double> points;            ///< x y z per node
+  std::vector<std::uint32_t> triangles;  ///< three nodes per triangle, in either orientation
+  /// Per triangle: the index of its patch among the patches of all bodies, below `patches`.
+  std::vector<std::uint32_t> trianglePatch;
+  std::uint32_t patches = 0;  ///< number of patches of all bodies
 };
 
 /// A tetrahedral mesh. Tetrahedron t has the nodes tetrahedra[4t .. 4t+3] = a b c d with

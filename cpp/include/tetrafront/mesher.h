@@ -23,6 +23,12 @@ class MeshRun {
   /// Meshes a drawn model: lines, patches, closed boundary, volume.
   MeshRun(Model model, BackgroundGrid grid, const MeshOptions& options);
 
+  /// Meshes a drawn model and bodies together: they may be disjoint or nested, but must not intersect. The patches of the
+  /// bodies follow those of the model. A model without patches is left out: the bodies are then meshed as a given
+  /// surface. Sizes are those of a given surface, in the triangles of the drawn patches and of the bodies; drawn patches
+  /// need a size or a background grid.
+  MeshRun(Model model, BodySurfaces bodies, BackgroundGrid grid, const MeshOptions& options);
+
   /// Meshes the inside of a given closed surface and keeps all of its triangles. `points` holds x y z per node,
   /// `triangles` three node indices per triangle. A component that faces inward as a whole is flipped; single
   /// triangles that face inward are errors. Sizes follow from the surface's own edges, unless options.size is set.
@@ -53,7 +59,8 @@ class MeshRun {
   /// The boundary, oriented outward. Complete after Phase::kSurface.
   [[nodiscard]] const SurfaceMesh& surface() const;
 
-  /// One summary per patch, in the model's order. Complete after Phase::kSurface; empty for a given surface.
+  /// One summary per patch, in the order of the model and of the bodies. Complete after Phase::kSurface; empty for a
+  /// given surface.
   [[nodiscard]] const std::vector<PatchSummary>& patchSummaries() const;
 
   /// Returns a copy of the current mesh, complete or not. O(n) for n elements.

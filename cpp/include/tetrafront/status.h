@@ -144,15 +144,15 @@ struct QualitySummary {
   double volume = 0.0;  ///< sum over the tetrahedra
 };
 
-/// Triangulation of one patch of a drawn model.
+/// Triangulation of one patch of a drawn model or a body.
 struct PatchSummary {
-  std::uint32_t patch = 0;  ///< index into Model::patches
+  std::uint32_t patch = 0;  ///< index, as in SurfaceMesh::trianglePatch
   std::uint32_t triangles = 0;
   double minAngle = 0.0;         ///< degrees, in space
   double meanRadiusRatio = 0.0;  ///< 2 x inradius / circumradius, 1 for the equilateral triangle
   double meanEdge = 0.0;  ///< mean of length / target length, in the metric of the size field
   /// Largest distance, in model units, between a triangle and the exact patch, sampled at the centroids of the
-  /// triangles and the midpoints of their edges.
+  /// triangles and the midpoints of their edges; 0 for a body, whose triangles are given.
   double chordDeviation = 0.0;
 };
 

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "base/tolerance.h"
+#include "boundary/surface_access.h"
 #include "quality/metrics.h"
+#include "sizing/target_sizes.h"
 
 namespace tetrafront {
 
@@ -14,42 +16,11 @@ namespace {
 /// If the sine of the angle between two tangents is smaller, they define no tangent plane.
 constexpr double kParallel = Tolerance::kCoincidence;
 
-/// Sums and extrema over the triangles.
-class Summary {
+/// Sums and extrema of the shapes of triangles and of the lengths of their edges.
+class Shapes {
  public:
-  Summary(const PatchMetric& metric, const PlanarMesh& mesh) : metric_(&metric), mesh_(&mesh) {}
-
-  void addTriangle(const PlanarMesh::Triangle& nodes) {
-    std::array<Vec3, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k) corners[k] = mesh_->positionOf(nodes[k]);
-    addShape(corners);
-    addDeviation(
-        (mesh_->planeOf(nodes[0]) + mesh_->planeOf(nodes[1]) + mesh_->planeOf(nodes[2])) / 3.0,
-        (corners[0] + corners[1] + corners[2]) / 3.0);
-    for (std::size_t k = 0; k < 3; ++k) addEdge(nodes[(k + 1) % 3], nodes[(k + 2) % 3]);
+  void addTriangle(const std::array<Vec3, 3>& corners) {
     ++triangles_;
-  }
-
-  /// Adds a side once more: triangles visit interior edges twice, but sides once.
-  void addBoundarySide(const PlanarMesh::Side& side) {
-    edgeSum_ += metricLength(side.from, side.to);
-    ++edgeCount_;
-  }
-
-  [[nodiscard]] PatchSummary result(PatchId patch) const {
-    PatchSummary summary;
-    summary.patch = patch.value;
-    summary.triangles = triangles_;
-    if (triangles_ == 0) return summary;
-    summary.minAngle = degreesOf(largestCosine_);
-    summary.meanRadiusRatio = radiusRatioSum_ / triangles_;
-    summary.meanEdge = edgeSum_ / edgeCount_;
-    summary.chordDeviation = deviation_;
-    return summary;
-  }
-
- private:
-  void addShape(const std::array<Vec3, 3>& corners) {
     radiusRatioSum_ += triangleRadiusRatio(corners[0], corners[1], corners[2]);
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 first = corners[(k + 1) % 3] - corners[k];
@@ -60,9 +31,60 @@ class Summary {
     }
   }
 
-  void addEdge(PlanarNodeId from, PlanarNodeId to) {
-    edgeSum_ += metricLength(from, to);
+  /// `length`: length / target length.
+  void addEdge(double length) {
+    edgeSum_ += length;
     ++edgeCount_;
+  }
+
+  [[nodiscard]] PatchSummary result(std::uint32_t patch) const {
+    PatchSummary summary;
+    summary.patch = patch;
+    summary.triangles = triangles_;
+    if (triangles_ == 0) return summary;
+    summary.minAngle = degreesOf(largestCosine_);
+    summary.meanRadiusRatio = radiusRatioSum_ / triangles_;
+    summary.meanEdge = edgeSum_ / edgeCount_;
+    return summary;
+  }
+
+ private:
+  std::uint32_t triangles_ = 0;
+  double largestCosine_ = -1.0;
+  double radiusRatioSum_ = 0.0;
+  double edgeSum_ = 0.0;
+  double edgeCount_ = 0.0;
+};
+
+/// Statistics of a drawn patch.
+class Summary {
+ public:
+  Summary(const PatchMetric& metric, const PlanarMesh& mesh) : metric_(&metric), mesh_(&mesh) {}
+
+  void addTriangle(const PlanarMesh::Triangle& nodes) {
+    std::array<Vec3, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = mesh_->positionOf(nodes[k]);
+    shapes_.addTriangle(corners);
+    addDeviation(
+        (mesh_->planeOf(nodes[0]) + mesh_->planeOf(nodes[1]) + mesh_->planeOf(nodes[2])) / 3.0,
+        (corners[0] + corners[1] + corners[2]) / 3.0);
+    for (std::size_t k = 0; k < 3; ++k) addEdge(nodes[(k + 1) % 3], nodes[(k + 2) % 3]);
+  }
+
+  /// Adds a side once more: triangles visit interior edges twice, but sides once.
+  void addBoundarySide(const PlanarMesh::Side& side) {
+    shapes_.addEdge(metricLength(side.from, side.to));
+  }
+
+  [[nodiscard]] PatchSummary result(PatchId patch) const {
+    PatchSummary summary = shapes_.result(patch.value);
+    summary.chordDeviation = deviation_;
+    return summary;
+  }
+
+ private:
+  void addEdge(PlanarNodeId from, PlanarNodeId to) {
+    shapes_.addEdge(metricLength(from, to));
     // The other triangle visits the edge in the opposite direction; a side has no other triangle.
     if (from > to && !mesh_->isBoundary(from)) return;
     addDeviation(0.5 * (mesh_->planeOf(from) + mesh_->planeOf(to)),
@@ -94,11 +116,7 @@ class Summary {
   const PatchMetric* metric_;
   const PlanarMesh* mesh_;
   FieldHint hint_;
-  std::uint32_t triangles_ = 0;
-  double largestCosine_ = -1.0;
-  double radiusRatioSum_ = 0.0;
-  double edgeSum_ = 0.0;
-  double edgeCount_ = 0.0;
+  Shapes shapes_;
   double deviation_ = 0.0;
 };
 
@@ -109,6 +127,29 @@ PatchSummary summarizePatch(const PatchMetric& metric, const PlanarMesh& mesh, P
   for (const PlanarMesh::Triangle& triangle : mesh.triangles) summary.addTriangle(triangle);
   for (const PlanarMesh::Side& side : mesh.sides) summary.addBoundarySide(side);
   return summary.result(patch);
+}
+
+std::vector<PatchSummary> summarizeGivenPatches(const SurfaceMesh& surface, const SizeField& field,
+                                                std::uint32_t first, std::uint32_t end) {
+  std::vector<Shapes> shapes(end - first);
+  FieldHint hint;
+  for (std::size_t t = 0; t < countTriangles(surface); ++t) {
+    const std::uint32_t patch = surface.trianglePatch[t];
+    if (patch < first || patch >= end) continue;
+    Shapes& own = shapes[patch - first];
+    const std::array<Vec3, 3> corners = cornersOf(surface, TriangleId(t));
+    own.addTriangle(corners);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& from = corners[k];
+      const Vec3& to = corners[(k + 1) % 3];
+      own.addEdge(metricLengthAt(field, 0.5 * (from + to), to - from, hint));
+    }
+  }
+  std::vector<PatchSummary> summaries;
+  for (std::uint32_t patch = first; patch < end; ++patch) {
+    summaries.push_back(shapes[patch - first].result(patch));
+  }
+  return summaries;
 }
 
 }  // namespace tetrafront
