@@ -4,13 +4,19 @@ import {
   bodySurface,
   createBody,
   createMesher,
+  fileMeshOf,
   type Mesher,
+  type MeshResult,
   parseProject,
+  patchNames,
   type Progress,
   type Project,
+  type ProjectBackground,
   type ProjectBody,
+  readMesh,
   readProject,
   type SurfaceInput,
+  writeMesh,
   writeProject,
 } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
@@ -290,5 +296,177 @@ describe("prepareBody", () => {
     const call = mesher.prepareBody(withBodies(boxBody()), 3, { size: 0.01 }, { signal: aborted.signal });
     setTimeout(() => aborted.abort(), 100);
     await expect(call).rejects.toMatchObject({ code: "cancelled" });
+  });
+});
+
+const errorsIn = ({ report }: MeshResult) =>
+  report.diagnostics.filter(({ severity }) => severity === "error");
+
+describe("meshProject with bodies", () => {
+  test("alone gives the mesh of the filled surface", async () => {
+    const surface = sphereSurface(5);
+    const body = createBody(surface, { id: 1, firstPatchId: 4, name: "ball" });
+    const kept = await mesher.meshProject(withBodies({ ...body, surface: "keep" }));
+    const filled = await mesher.fillSurface(surface);
+    expect(kept.report.status).toBe("done");
+    expect(kept.report.fingerprint).toBe(filled.report.fingerprint);
+    const remeshed = await mesher.meshProject(withBodies(body), { size: 0.3 });
+    const prepared = await mesher.remeshSurface(surface, { size: 0.3 });
+    const refilled = await mesher.fillSurface(prepared.surface, { size: 0.3 });
+    expect(remeshed.report.fingerprint).toBe(refilled.report.fingerprint);
+    expect(remeshed.report.fingerprint).not.toBe(filled.report.fingerprint);
+  });
+
+  test("beside a drawn cube adds their volume, and names all patches in every format", async () => {
+    const ball = createBody(sphereSurface(5, 0.5), { id: 1, firstPatchId: 17, name: "ball" });
+    const project: Project = {
+      ...cubeProject(),
+      meshing: { size: 0.2 },
+      bodies: [
+        boxBody({ placement: { position: [3, 0, 0] } }),
+        { ...ball, placement: { position: [-2, 0, 0] } },
+      ],
+    };
+    const result = await mesher.meshProject(project);
+    expect(result.report.status).toBe("done");
+    expect(result.report.diagnostics.filter(({ severity }) => severity !== "information")).toEqual([]);
+    const ballVolume = enclosedVolume(await mesher.prepareBody(project, 1));
+    expect(result.report.volume).toBeCloseTo(2 + ballVolume, 9);
+    expect(ballVolume).toBeGreaterThan(0.5);
+    const names = patchNames(project);
+    expect(names).toEqual([
+      ...["bottom", "top", "front", "back", "left", "right"],
+      ...["left", "right", "front", "back", "bottom", "top", "ball"],
+    ]);
+    expect(result.report.patches.map(({ patch }) => patch)).toEqual(names.map((_, p) => p));
+    expect(Math.min(...result.report.patches.map(({ minAngle }) => minAngle))).toBeGreaterThan(25);
+    for (const extension of ["msh", "vtu", "inp"]) {
+      const [file] = await writeMesh(fileMeshOf(result, { project }), `part.${extension}`);
+      expect(new TextDecoder().decode(file?.bytes)).toContain("ball");
+    }
+    const [file] = await writeMesh(fileMeshOf(result, { project }), "part.vtu");
+    const read = await readMesh(file?.bytes ?? new Uint8Array(), { fileName: "part.vtu" });
+    expect(read.success && read.value.patches.map(({ name }) => name)).toContain("ball");
+  });
+
+  test("within a drawn cube leaves a cavity, or makes a region", async () => {
+    const placement: BodyPlacement = { position: [0.5, 0.5, 0.5] };
+    const ball = createBody(sphereSurface(4, 0.25), { id: 1, firstPatchId: 17 });
+    const project: Project = { ...cubeProject(), bodies: [{ ...ball, surface: "keep", placement }] };
+    const inside = enclosedVolume(bodySurface(ball));
+    const cavity = await mesher.meshProject(project);
+    expect(cavity.report.volume).toBeCloseTo(1 - inside, 9);
+    const regions = await mesher.meshProject(project, { innerShells: "regions" });
+    expect(regions.report.volume).toBeCloseTo(1, 9);
+    expect(regions.report.quality.regions).toHaveLength(2);
+  });
+
+  test("that intersects a drawn patch names both patches", async () => {
+    const project: Project = {
+      ...cubeProject(),
+      bodies: [boxBody({ placement: { position: [0.5, 0.3, 0.3] } })],
+    };
+    const [found] = errorsIn(await mesher.meshProject(project));
+    expect(found?.code).toBe("self-intersection");
+    const ids = found?.entities.filter(({ kind }) => kind === "patch").map(({ id }) => id);
+    expect(ids?.some((id) => id !== undefined && id >= 11)).toBe(true);
+    expect(ids?.some((id) => id !== undefined && id <= 6)).toBe(true);
+  });
+
+  test("takes prepared bodies as they are", async () => {
+    const project = withBodies(boxBody());
+    const prepared = await mesher.prepareBody(project, 3, { size: 0.5 });
+    const phases = new Set<string>();
+    const onProgress = ({ phase }: Progress) => void phases.add(phase);
+    const result = await mesher.meshProject(project, { preparedBodies: [prepared] }, { onProgress });
+    expect(result.surface.triangles).toHaveLength(prepared.triangles.length);
+    expect(phases).not.toContain("bodies");
+    // The arrays still belong to the caller.
+    expect(prepared.points.length).toBeGreaterThan(0);
+  });
+
+  test("reports the body that is prepared, and progress that never decreases", async () => {
+    const other = createBody(sphereSurface(5), { id: 4, firstPatchId: 30, name: "ball" });
+    const project = withBodies(boxBody(), { ...other, placement: { position: [4, 0, 0] } });
+    const seen: Progress[] = [];
+    const { report } = await mesher.meshProject(
+      project,
+      { size: 0.1 },
+      { onProgress: (now) => seen.push(now) },
+    );
+    expect(report.status).toBe("done");
+    expect(new Set(seen.map(({ body }) => body))).toEqual(new Set([3, 4, undefined]));
+    for (const [i, { fraction, elapsedSeconds }] of seen.entries()) {
+      expect(fraction).toBeGreaterThanOrEqual(seen[i - 1]?.fraction ?? 0);
+      expect(elapsedSeconds).toBeGreaterThanOrEqual(seen[i - 1]?.elapsedSeconds ?? 0);
+    }
+    expect(seen.at(-1)?.fraction).toBe(1);
+    const { seconds } = report;
+    expect(seconds.surface).toBeGreaterThan(0);
+    expect(seconds.surface).toBeLessThan(seconds.total);
+  });
+
+  test("can be cancelled while a body is prepared", async () => {
+    const abort = new AbortController();
+    const onProgress = ({ phase }: Progress) => phase === "bodies" && abort.abort();
+    const began = performance.now();
+    const { report } = await mesher.meshProject(
+      withBodies(boxBody()),
+      { size: 0.01 },
+      { signal: abort.signal, onProgress },
+    );
+    expect(report.status).toBe("cancelled");
+    expect(performance.now() - began).toBeLessThan(5000);
+  });
+
+  test("reports the errors of all bodies by name", async () => {
+    const open = (id: number, name: string) => {
+      const { points, triangles } = boxSurface(1);
+      return createBody({ points, triangles: triangles.slice(3) }, { id, firstPatchId: 100 * id, name });
+    };
+    const result = await mesher.meshProject(withBodies(open(1, "cup"), boxBody(), open(2, "lid")));
+    expect(result.report.status).toBe("invalid-input");
+    const named = new Set(errorsIn(result).map(({ body, message }) => `${body} ${message.slice(0, 10)}`));
+    expect(named).toEqual(new Set(['1 Body "cup"', '2 Body "lid"']));
+  });
+
+  test("reports errors of what is drawn before it prepares bodies", async () => {
+    const cube = cubeProject();
+    const project: Project = { ...cube, patches: cube.patches.slice(1), bodies: [boxBody()] };
+    const phases = new Set<string>();
+    const onProgress = ({ phase }: Progress) => void phases.add(phase);
+    const result = await mesher.meshProject(project, { size: 0.02 }, { onProgress });
+    expect(errorsIn(result)[0]?.code).toBe("open-edge");
+    expect(phases).not.toContain("bodies");
+  });
+});
+
+describe("the preview of a project with bodies", () => {
+  test("has no problems without sizes and drawn patches", async () => {
+    expect((await mesher.previewProject(withBodies(boxBody()))).diagnostics).toEqual([]);
+    const [found] = (await mesher.previewProject(EMPTY)).diagnostics;
+    expect(found?.code).toBe("empty-model");
+  });
+
+  test("reports options of a body that contradict each other", async () => {
+    const body = boxBody({ remeshing: { size: 1, minSize: 2 } });
+    const [found] = (await mesher.previewProject(withBodies(body))).diagnostics;
+    expect(found).toMatchObject({ code: "invalid-option", severity: "error", body: 3 });
+    expect(found?.message).toMatch(/^Body "box": the smallest size, 2, /);
+  });
+
+  test("goes with a covering grid and proposed sizes for the whole extent", async () => {
+    const body = boxBody({ placement: { position: [9, 0, 0] } });
+    const boxOf = ({ nodes }: ProjectBackground) => {
+      const x = nodes.map(({ position }) => position[0]);
+      return [Math.min(...x), Math.max(...x)];
+    };
+    const [low = 0, high = 0] = boxOf(await mesher.coverProject({ ...cubeProject(), bodies: [body] }));
+    expect(low).toBeLessThan(0);
+    expect(high).toBeGreaterThan(10);
+    const [bodyLow = 0] = boxOf(await mesher.coverProject(withBodies(body)));
+    expect(bodyLow).toBeGreaterThan(8.5);
+    const { size } = await mesher.proposeSizes(withBodies(body));
+    expect(size).toBeCloseTo(Math.sqrt(3) / 20, 9);
   });
 });

@@ -42,9 +42,15 @@ const sourcesOnly = {
 };
 const body: api.ProjectBody = {
   ...api.createBody(box, { id: 1, firstPatchId: 10, name: "a" }),
-  placement: { position: [5, 0, 0], rotation: [0, 0, 0, 1], scale: 1 },
+  placement: { position: [1.5, 0, 0], rotation: [0, 0, 0, 1], scale: 1 },
   remeshing: { layers: 1 },
   surface: "keep",
+};
+const prepared = {
+  body: 1,
+  ...api.bodySurface(body),
+  origin: Uint32Array.from({ length: 12 }, (_, t) => t),
+  diagnostics: [],
 };
 const control = { signal: new AbortController().signal, onProgress: () => undefined };
 const surfaceFile = { ...box, trianglePatch: new Uint32Array(12), patches: [{ name: "skin", tag: 1 }] };
@@ -112,7 +118,11 @@ const functions: Readonly<Record<string, Arguments>> = {
 };
 
 const methods: Readonly<Record<Exclude<keyof api.Mesher, "dispose">, Arguments>> = {
-  meshProject: { project, options: { gradation: 1.3, background }, control },
+  meshProject: {
+    project: { ...project, bodies: [body] },
+    options: { gradation: 1.3, background, preparedBodies: [prepared] },
+    control,
+  },
   fillSurface: { surface: box, options: { growth: 0.3, background }, control },
   prepareBody: {
     project: { ...project, bodies: [body] },

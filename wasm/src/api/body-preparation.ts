@@ -1,43 +1,50 @@
-/** Prepares the surfaces of a project's bodies: their options and their diagnostics. */
+/** Prepares the surfaces of a project's bodies: their options, their progress and their diagnostics. */
+import type { Progress } from "../base/progress.js";
 import { shown } from "../base/values.js";
-import { invalidOption, sentence } from "../diagnostics/package-diagnostic.js";
 import type { Diagnostic, EntityRef } from "../diagnostics/diagnostic.js";
-import { type EntityNamer, nameByIndex } from "../diagnostics/entity-names.js";
+import { entityLabel, type EntityNamer, nameByIndex } from "../diagnostics/entity-names.js";
 import { MesherError, refuse } from "../diagnostics/mesher-error.js";
+import { invalidOption, sentence } from "../diagnostics/package-diagnostic.js";
 import type { RunControl } from "../engine/control.js";
+import type { BodySurfaceArrays } from "../generated/constants.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 import { bodySurface, type PlacedSurface } from "../project/bodies.js";
 import { backgroundArrays, backgroundOf } from "../project/grid-arrays.js";
-import { bodyLabel, type BodyId, type Project, type ProjectBody } from "../project/schema.js";
+import { withPatchOfTriangle } from "../project/names.js";
+import type { BodyId, Project, ProjectBody } from "../project/schema.js";
 import type { Mesher } from "./mesher-interface.js";
 import type { MeshOptions, RemeshOptions } from "./option-types.js";
+import { checkRemeshOptions } from "./options.js";
+
+type Named<Call extends (...given: never[]) => unknown> = (
+  ...given: [...Required<Parameters<Call>>, EntityNamer]
+) => ReturnType<Call>;
 
 /** Calls of the mesher that change a surface, with names for the entities in diagnostics. */
 export interface SurfaceCalls {
-  readonly remesh: (
-    ...call: [...Parameters<Mesher["remeshSurface"]>, EntityNamer]
-  ) => ReturnType<Mesher["remeshSurface"]>;
-  readonly refine: (
-    ...call: [...Parameters<Mesher["refineSurface"]>, EntityNamer]
-  ) => ReturnType<Mesher["refineSurface"]>;
+  readonly remesh: Named<Mesher["remeshSurface"]>;
+  readonly refine: Named<Mesher["refineSurface"]>;
 }
 
 /** Returns the body with this id; throws a `MesherError` if there is none. */
 export function bodyWithId({ bodies = [] }: Project, id: BodyId): ProjectBody {
   const body = bodies.find((one) => one.id === id);
   if (body !== undefined) return body;
-  refuse([
-    invalidOption(
-      "body",
-      `there is no body with the id ${shown(id)}`,
-      "Pass the id of a body of the project.",
-    ),
-  ]);
-  throw new RangeError("unreachable");
+  const message = `there is no body with the id ${shown(id)}`;
+  throw new MesherError("invalid-input", message, {
+    diagnostics: [invalidOption("body", message, "Pass the id of a body of the project.")],
+  });
 }
 
-/** `options`: valid ones, with the project's settings. */
+/** Returns what is wrong with the options of bodies, without looking at their triangles. */
+export function bodyProblems({ bodies = [] }: Project): Diagnostic[] {
+  return bodies.flatMap((body) =>
+    checkRemeshOptions({ ...body.remeshing }).map((found) => ofBody(found, body, new Uint32Array())),
+  );
+}
+
+/** Prepares a body. `options`: valid ones, with the project's settings. */
 export async function preparedBody(
   calls: SurfaceCalls,
   project: Project,
@@ -54,7 +61,7 @@ export async function preparedBody(
     return { body: body.id, ...(await treated(calls, project, body, given, options, control)) };
   } catch (failure) {
     if (failure instanceof MesherError && failure.code === "invalid-input") {
-      refuse(failure.data.diagnostics.map((found) => ofBody(found, body, given)));
+      refuse(failure.data.diagnostics.map((found) => ofBody(found, body, given.trianglePatch)));
     }
     throw failure;
   }
@@ -79,8 +86,7 @@ async function treated(
   }
   const hasSizes = sizes.size !== undefined || sizes.background !== undefined;
   if (treatment === "refine" && hasSizes) {
-    const wanted = { ...options, ...sizes };
-    const { surface, origin } = await calls.refine(given, wanted, control, name);
+    const { surface, origin } = await calls.refine(given, { ...options, ...sizes }, control, name);
     return { ...withPatches(given, surface, origin), diagnostics: [] };
   }
   const origin = given.trianglePatch.map((_, triangle) => triangle);
@@ -123,31 +129,109 @@ const NO_NODES: BackgroundArrays = {
   tetrahedra: new Uint32Array(),
 };
 
-/** Names the triangles of a body with their patches. */
-function bodyNamer(body: ProjectBody, { trianglePatch }: PlacedSurface): EntityNamer {
-  return (kind, index) => {
-    const named = nameByIndex(kind, index);
-    if (kind !== "triangle" || body.patches.length === 1) return named;
-    const patch = body.patches[trianglePatch[index] ?? 0];
-    return patch === undefined ? named : { ...named, label: `${named.label} of ${patchLabel(patch)}` };
+/** Names the triangles of a body; with their patches, if it has several. */
+function bodyNamer({ patches }: ProjectBody, { trianglePatch }: PlacedSurface): EntityNamer {
+  const name: EntityNamer = (kind, index) => {
+    const patch = kind === "patch" ? patches[index] : undefined;
+    if (patch === undefined) return nameByIndex(kind, index);
+    return { kind, index, id: patch.id, label: entityLabel("patch", patch) };
   };
-}
-
-/** Returns what messages call a patch: `patch "wing"`, or `patch 3` by id. */
-function patchLabel({ id, name = "" }: { readonly id: number; readonly name?: string | undefined }): string {
-  return name === "" ? `patch ${id}` : `patch "${name}"`;
+  return patches.length === 1 ? name : withPatchOfTriangle(name, trianglePatch);
 }
 
 /** Adds the body to the message of a diagnostic, and the patches of its triangles to its entities. */
-function ofBody(found: Diagnostic, body: ProjectBody, { trianglePatch }: PlacedSurface): Diagnostic {
-  const isTriangle = ({ kind }: EntityRef) => kind === "triangle";
-  const patches = found.entities.filter(isTriangle).map(({ index }) => trianglePatch[index] ?? 0);
-  const refs = [...new Set(patches)].flatMap((index): EntityRef[] => {
+function ofBody(found: Diagnostic, body: ProjectBody, trianglePatch: Uint32Array): Diagnostic {
+  const triangles = found.entities.filter(({ kind }) => kind === "triangle");
+  const patches = new Set(triangles.map(({ index }) => trianglePatch[index] ?? 0));
+  const refs = [...patches].flatMap((index): EntityRef[] => {
     const patch = body.patches[index];
-    return patch === undefined ? [] : [{ kind: "patch", index, id: patch.id, label: patchLabel(patch) }];
+    return patch === undefined
+      ? []
+      : [{ kind: "patch", index, id: patch.id, label: entityLabel("patch", patch) }];
   });
-  const message = sentence(
-    `${bodyLabel(body)}: ${found.message.charAt(0).toLowerCase()}${found.message.slice(1)}`,
-  );
+  const [first = "", ...rest] = found.message;
+  const message = sentence(`${entityLabel("body", body)}: ${first.toLowerCase()}${rest.join("")}`);
   return { ...found, message, body: body.id, entities: [...found.entities, ...refs] };
+}
+
+/** The bodies of a project, ready to be meshed. */
+export interface PreparedBodies {
+  /** In the order of the project; without those that have errors. */
+  readonly bodies: readonly PreparedBody[];
+  /** Of all bodies. */
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+/** Part of a run that is spent on bodies, if there are any to prepare: an estimate for the progress. */
+const BODY_SHARE = 0.4;
+
+/** Returns the control of the run that follows the preparation of bodies, which took some seconds. */
+export function afterBodies(control: RunControl, seconds: number): RunControl {
+  const { onProgress } = control;
+  if (onProgress === undefined) return control;
+  const shared = (progress: Progress): void =>
+    onProgress({
+      ...progress,
+      fraction: BODY_SHARE + (1 - BODY_SHARE) * progress.fraction,
+      elapsedSeconds: seconds + progress.elapsedSeconds,
+    });
+  return { ...control, onProgress: shared };
+}
+
+/** Prepares the bodies that are not among `known`, one after the other, and reports their common progress. */
+export async function preparedBodies(
+  calls: SurfaceCalls,
+  project: Project,
+  options: MeshOptions,
+  known: readonly PreparedBody[],
+  control: RunControl,
+): Promise<PreparedBodies> {
+  const { bodies = [] } = project;
+  const ready = new Map(known.map((prepared) => [prepared.body, prepared]));
+  const missing = bodies.filter(({ id }) => !ready.has(id));
+  const diagnostics: Diagnostic[] = [];
+  const began = performance.now();
+  for (const [b, body] of missing.entries()) {
+    const elapsedSeconds = (performance.now() - began) / 1000;
+    const { onProgress } = control;
+    const shared = (progress: Progress): void =>
+      onProgress?.({
+        ...progress,
+        fraction: (BODY_SHARE * (b + progress.fraction)) / missing.length,
+        elapsedSeconds: elapsedSeconds + progress.elapsedSeconds,
+      });
+    try {
+      const watched = { ...control, onProgress: onProgress && shared };
+      ready.set(body.id, await preparedBody(calls, project, body, options, watched));
+    } catch (failure) {
+      if (!(failure instanceof MesherError && failure.code === "invalid-input")) throw failure;
+      diagnostics.push(...failure.data.diagnostics);
+    }
+  }
+  const prepared = bodies.flatMap(({ id }) => ready.get(id) ?? []);
+  return { bodies: prepared, diagnostics: [...diagnostics, ...prepared.flatMap((one) => one.diagnostics)] };
+}
+
+/** Joins the surfaces of bodies into one; their patches are those of all bodies of the project, in its order. */
+export function joinedBodies({ bodies = [] }: Project, prepared: readonly PreparedBody[]): BodySurfaceArrays {
+  const firstPatches = new Map<BodyId, number>();
+  let patches = 0;
+  for (const { id, patches: own } of bodies) {
+    firstPatches.set(id, patches);
+    patches += own.length;
+  }
+  const count = (field: "points" | "triangles" | "trianglePatch") =>
+    prepared.reduce((sum, body) => sum + body[field].length, 0);
+  const points = new Float64Array(count("points"));
+  const triangles = new Uint32Array(count("triangles"));
+  const trianglePatch = new Uint32Array(count("trianglePatch"));
+  let [nodes, corners, owners] = [0, 0, 0];
+  for (const body of prepared) {
+    const firstPatch = firstPatches.get(body.body) ?? 0;
+    points.set(body.points, 3 * nodes);
+    for (const node of body.triangles) triangles[corners++] = nodes + node;
+    for (const patch of body.trianglePatch) trianglePatch[owners++] = firstPatch + patch;
+    nodes += body.points.length / 3;
+  }
+  return { points, triangles, trianglePatch, patches };
 }

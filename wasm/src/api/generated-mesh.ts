@@ -10,7 +10,7 @@ import { carriedRegions } from "../formats/region-names.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
 import { withPatches } from "../mesh/mesh-checks.js";
 import type { MeshResult } from "../mesh/report.js";
-import type { Project } from "../project/schema.js";
+import { type Project, patchesOf } from "../project/schema.js";
 
 /** Source of the names of a generated mesh. */
 export interface NameSource {
@@ -24,8 +24,8 @@ export interface NameSource {
 }
 
 /**
- * Returns a generated mesh, ready to be written. Its patches are those of the project (named, else "patch 12" by
- * id), those of the given surface, or its shells. Its regions are those of the surface's file, else numbered. A
+ * Returns a generated mesh, ready to be written. Its patches are those of the project and its bodies (named, else
+ * "patch 12" by id), those of the given surface, or its shells. Its regions are those of the surface's file, else numbered. A
  * partial mesh yields a partial file. Throws a `MesherError` if an argument is invalid or the surface has a
  * different number of triangles than the mesh.
  */
@@ -34,7 +34,7 @@ export function fileMeshOf(mesh: Pick<MeshResult, "surface" | "volume">, names: 
   checkArgument("names", names, nameSource);
   const { surface, volume } = mesh;
   const { project, surface: given } = names;
-  const patchLimit = Math.max(surface.trianglePatch.length, project?.patches.length ?? 0);
+  const patchLimit = Math.max(surface.trianglePatch.length, project ? patchesOf(project).length : 0);
   checkArgument("mesh.surface.trianglePatch", surface.trianglePatch, indicesBelow(patchLimit));
   // A partial mesh may contain elements of the last of many regions only.
   const regionLimit = Math.max(volume.regions.length, surface.trianglePatch.length);
@@ -72,8 +72,10 @@ function checkSameSurface(triangles: number, given: NameSource["surface"]): void
   refuse([packageDiagnostic("invalid-arrays", message, remedy)]);
 }
 
+const patchList = v.array(v.object({ id: v.number(), name: v.optional(v.string()) }));
 const projectPatches = v.object({
-  patches: v.array(v.object({ id: v.number(), name: v.optional(v.string()) })),
+  patches: patchList,
+  bodies: v.optional(v.array(v.object({ patches: patchList }))),
 });
 const nameSource = v.object({ project: v.optional(projectPatches), surface: v.optional(withPatches) });
 const meshResult = v.object({
@@ -94,10 +96,10 @@ const indicesBelow = (limit: number) =>
   );
 
 /**
- * Returns the name of each patch in a file: its own, or one made of its id. Throws a `MesherError` if `project` is
- * invalid.
+ * Returns the name of each patch in a file, first those drawn, then those of the bodies: its own, or one made of its id.
+ * Throws a `MesherError` if `project` is invalid.
  */
 export function patchNames(project: Project): string[] {
   checkArgument("project", project, projectPatches);
-  return project.patches.map(({ id, name }) => (name === undefined || name === "" ? `patch ${id}` : name));
+  return patchesOf(project).map(({ id, name }) => (name === undefined || name === "" ? `patch ${id}` : name));
 }

@@ -3,8 +3,10 @@ import { throwIfCancelled, untilCancelled } from "../calls/cancelling.js";
 import type { AbortControl, RunControl } from "../engine/control.js";
 import { inSteps } from "../calls/yielder.js";
 import { type EntityNamer, gridByIndex } from "../diagnostics/entity-names.js";
-import { refuse } from "../diagnostics/mesher-error.js";
+import { MesherError, refuse } from "../diagnostics/mesher-error.js";
 import { EngineClient, type RunRequest } from "../engine/engine-client.js";
+import type { EngineResult } from "../engine/protocol.js";
+import type { BodySurfaceArrays } from "../generated/constants.js";
 import type {
   MeshInspection,
   SurfaceInspection,
@@ -15,7 +17,7 @@ import type {
 import type { MeshInput, PatchedSurface, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { MeshResult } from "../mesh/report.js";
-import { modelArrays, projectArrays } from "../project/arrays.js";
+import { modelWithBodyBoxes, projectArrays } from "../project/arrays.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 import {
   backgroundFrom,
@@ -25,10 +27,18 @@ import {
   projectSources,
   withNodes,
 } from "../project/grid-arrays.js";
-import { projectNamer, withMissingId } from "../project/names.js";
+import { projectNamer, withMissingId, withPatchOfTriangle } from "../project/names.js";
 import type { ProjectPreview } from "../project/preview.js";
 import type { BodyId, Project, ProjectBackground } from "../project/schema.js";
-import { bodyWithId, preparedBody, type SurfaceCalls } from "./body-preparation.js";
+import {
+  bodyProblems,
+  bodyWithId,
+  joinedBodies,
+  afterBodies,
+  preparedBodies,
+  preparedBody,
+  type SurfaceCalls,
+} from "./body-preparation.js";
 import {
   checkControl,
   checkMesh,
@@ -55,6 +65,7 @@ import type {
   InspectionOptions,
   MeshOptions,
   PreviewOptions,
+  ProjectMeshOptions,
   ProposalOptions,
   RefineOptions,
   RemeshOptions,
@@ -66,6 +77,7 @@ import {
   checkInspectionOptions,
   checkOptions,
   checkPreviewOptions,
+  checkProjectOptions,
   checkProposalOptions,
   checkRefineOptions,
   checkRemeshOptions,
@@ -78,7 +90,7 @@ import {
   engineRepairOptions,
   withSettings,
 } from "./options.js";
-import { describedPreview, describedResult, emptyResult } from "./report.js";
+import { describedPreview, describedResult, emptyResult, withPreparation } from "./report.js";
 import { surfaceNamer } from "./surface-numbers.js";
 
 /**
@@ -107,15 +119,58 @@ class WorkerMesher implements Mesher {
   readonly #client = new EngineClient();
   readonly ready = this.#client.ready;
 
-  async meshProject(project: Project, options: MeshOptions = {}, control: RunControl = {}) {
+  async meshProject(project: Project, options: ProjectMeshOptions = {}, control: RunControl = {}) {
     const early = this.#endedEarly(control);
     if (early !== undefined) return early;
-    const unusable = [...checkProject(project), ...checkOptions(options)];
+    const unusable = [...checkProject(project), ...checkProjectOptions(options)];
     if (unusable.length > 0) return emptyResult("invalid-input", unusable);
-    const settled = withSettings(options, project);
+    const { preparedBodies: known = [], ...own } = options;
+    const settled = withSettings(own, project);
     const wrong = checkOptions(settled);
     if (wrong.length > 0) return emptyResult("invalid-input", wrong);
-    const { background } = settled;
+    if (hasBodies(project)) return this.#meshWithBodies(project, settled, known, control);
+    return this.#meshModel(project, settled, control);
+  }
+
+  /** Prepares the bodies of a valid project, then meshes it. `options`: valid ones, with the project's settings. */
+  async #meshWithBodies(
+    project: Project,
+    options: MeshOptions,
+    known: readonly PreparedBody[],
+    control: RunControl,
+  ): Promise<MeshResult> {
+    const began = performance.now();
+    const seconds = () => (performance.now() - began) / 1000;
+    try {
+      const errors = await this.#errorsBefore(project, options, control.signal);
+      if (errors.length > 0) return emptyResult("invalid-input", errors, seconds());
+      const ready = await preparedBodies(this.#surfaceCalls, project, options, known, control);
+      const { bodies, diagnostics } = ready;
+      if (bodies.length < (project.bodies?.length ?? 0)) {
+        return emptyResult("invalid-input", diagnostics, seconds());
+      }
+      throwIfCancelled(control.signal);
+      const later = known.length < bodies.length ? afterBodies(control, seconds()) : control;
+      const preparation = seconds();
+      const result = await this.#meshModel(project, options, later, joinedBodies(project, bodies));
+      return withPreparation(result, preparation, diagnostics);
+    } catch (failure) {
+      if (failure instanceof MesherError && failure.code === "cancelled") {
+        return emptyResult("cancelled", [], seconds());
+      }
+      throw failure;
+    }
+  }
+
+  /** Returns the errors of what is drawn: nobody wants to wait for the bodies to learn of them. */
+  async #errorsBefore(project: Project, options: MeshOptions, signal: AbortSignal | undefined) {
+    const { size, innerShells, background } = options;
+    const { diagnostics } = await this.previewProject(project, { size, innerShells, background }, { signal });
+    return diagnostics.filter(({ severity }) => severity === "error");
+  }
+
+  #meshModel(project: Project, options: MeshOptions, control: RunControl, bodies?: BodySurfaceArrays) {
+    const { background } = options;
     const drawn = projectArrays(project);
     const request = {
       kind: "mesh-model",
@@ -123,11 +178,15 @@ class WorkerMesher implements Mesher {
       showFront: control.onFront !== undefined,
       showUnoptimized: control.onUnoptimized !== undefined,
       model: drawn.model,
+      bodies,
       grid: background === undefined ? drawn.grid : withNodes(drawn.grid, background),
-      options: engineOptions(settled),
+      options: engineOptions(options),
     } as const;
-    const name = projectNamer(project);
-    return this.#run(request, control, background === undefined ? name : gridByIndex(name));
+    const byName = projectNamer(project);
+    const name = background === undefined ? byName : gridByIndex(byName);
+    return this.#run(request, control, ({ surface }) =>
+      bodies === undefined ? name : withPatchOfTriangle(name, surface.trianglePatch),
+    );
   }
 
   async fillSurface(surface: SurfaceInput, options: MeshOptions = {}, control: RunControl = {}) {
@@ -147,7 +206,8 @@ class WorkerMesher implements Mesher {
       grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
       options: engineOptions(options),
     } as const;
-    return this.#run(request, control, surfaceNamer(surface));
+    const name = surfaceNamer(surface);
+    return this.#run(request, control, () => name);
   }
 
   async prepareBody(
@@ -174,19 +234,24 @@ class WorkerMesher implements Mesher {
     const { size, innerShells, background } = withSettings(unusable.length > 0 ? {} : options, project);
     const wrong = unusable.length > 0 ? unusable : checkPreviewOptions({ size, innerShells, background });
     const hasGrid = background !== undefined && wrong.length === 0;
+    const grid = hasGrid ? withNodes(drawn.grid, background) : drawn.grid;
+    // Bodies alone need no sizes.
+    const isAlone = hasBodies(project) && project.patches.length === 0 && grid.tetrahedra.length === 0;
     const question = {
       kind: "preview",
       id: this.#client.nextId(),
       model: drawn.model,
-      grid: hasGrid ? withNodes(drawn.grid, background) : drawn.grid,
-      options: engineOptions(wrong.length > 0 ? {} : { size, innerShells }),
+      grid,
+      options: engineOptions(wrong.length > 0 ? {} : { size: isAlone ? (size ?? 1) : size, innerShells }),
     } as const;
     const name = projectNamer(project);
     const answer = await this.#client.ask(question, control);
     const preview = describedPreview(answer, hasGrid ? gridByIndex(name) : name);
     const named = hasGrid ? { ...project, background: undefined } : project;
     const described = preview.diagnostics.map((found) => withMissingId(found, named));
-    return { ...preview, diagnostics: [...wrong, ...described] };
+    if (!hasBodies(project)) return { ...preview, diagnostics: [...wrong, ...described] };
+    const ofModel = described.filter(({ code }) => code !== "empty-model");
+    return { ...preview, diagnostics: [...wrong, ...bodyProblems(project), ...ofModel] };
   }
 
   async coverProject(
@@ -196,7 +261,7 @@ class WorkerMesher implements Mesher {
   ): Promise<ProjectBackground> {
     this.#begin(control);
     refuse([...checkProject(project), ...checkCoverOptions(options)]);
-    const model = modelArrays(project);
+    const model = modelWithBodyBoxes(project);
     const id = this.#client.nextId();
     const question = { kind: "cover", id, model, ...engineCoverOptions(options) } as const;
     const grid = backgroundFrom(await this.#client.ask(question, control));
@@ -212,7 +277,7 @@ class WorkerMesher implements Mesher {
   ): Promise<SizeProposal> {
     this.#begin(control);
     refuse([...checkProject(project), ...checkProposalOptions(options)]);
-    const model = modelArrays(project);
+    const model = modelWithBodyBoxes(project);
     const id = this.#client.nextId();
     const question = { kind: "propose", id, model, options: engineProposalOptions(options) } as const;
     const answer = await this.#client.ask(question, control);
@@ -378,10 +443,19 @@ class WorkerMesher implements Mesher {
     refine: (surface, options, control = {}, name) => this.#refine(surface, options, control, name),
   };
 
-  async #run(request: RunRequest, control: RunControl, name: EntityNamer): Promise<MeshResult> {
+  async #run(
+    request: RunRequest,
+    control: RunControl,
+    nameFor: (result: EngineResult) => EntityNamer,
+  ): Promise<MeshResult> {
     const result = await this.#client.run(request, control);
     return "cancelledAfterSeconds" in result
       ? emptyResult("cancelled", [], result.cancelledAfterSeconds)
-      : describedResult(result, name);
+      : describedResult(result, nameFor(result));
   }
+}
+
+/** Returns whether there is a body; callers without type checks may preview anything. */
+function hasBodies({ bodies }: Project): boolean {
+  return bodies !== undefined && bodies.length > 0;
 }

@@ -3,7 +3,7 @@ import * as v from "valibot";
 import { numbersOf } from "../base/enums.js";
 import { LIMITS, limitText } from "../base/limits.js";
 import { asObject, shown } from "../base/values.js";
-import { objectWith } from "../calls/schemas.js";
+import { doubles, index, integers, objectWith } from "../calls/schemas.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import type {
@@ -31,6 +31,7 @@ import {
   REMESH_DEFAULTS,
   REPAIR_DEFAULTS,
 } from "../generated/constants.js";
+import type { PreparedBody } from "../mesh/prepared-body.js";
 import { type BackgroundArrays, checkBackground, hasSourcesOnly } from "../project/background-arrays.js";
 import type { Project } from "../project/schema.js";
 import type {
@@ -38,6 +39,7 @@ import type {
   InspectionOptions,
   MeshOptions,
   PreviewOptions,
+  ProjectMeshOptions,
   ProposalOptions,
   RefineOptions,
   RemeshOptions,
@@ -121,6 +123,28 @@ const meshEntries = {
   exactFillOnly: switchOption("choice of the exact fill alone", MESH_DEFAULTS.exactFillOnly),
 } satisfies EntriesOf<MeshOptions>;
 const meshSchema = objectWith(meshEntries);
+
+const preparedList = v.array(
+  v.pipe(
+    v.object({
+      body: index,
+      points: doubles(3),
+      triangles: integers(3),
+      trianglePatch: integers(),
+      diagnostics: v.array(v.object({ severity: v.string() })),
+    }),
+    v.check(({ triangles, trianglePatch }) => triangles.length === 3 * trianglePatch.length),
+  ),
+);
+const projectMeshSchema = objectWith({
+  ...meshEntries,
+  preparedBodies: option(
+    "list of prepared bodies",
+    "a list of results of prepareBody",
+    v.custom<readonly PreparedBody[]>((value) => v.is(preparedList, value)),
+    undefined,
+  ),
+} satisfies EntriesOf<ProjectMeshOptions>);
 
 const refineSchema = objectWith({
   ...meshEntries,
@@ -213,6 +237,10 @@ const gridSchema = objectWith({ sizes: v.optional(v.unknown()) });
 
 export function checkOptions(options: MeshOptions): Diagnostic[] {
   return checkWithBackground(options, meshSchema);
+}
+
+export function checkProjectOptions(options: ProjectMeshOptions): Diagnostic[] {
+  return checkWithBackground(options, projectMeshSchema);
 }
 
 /** Checks the options of `refineSurface`, which needs sizes. */

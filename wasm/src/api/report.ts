@@ -42,6 +42,27 @@ export function describedPreview(preview: EnginePreview, name: EntityNamer): Pro
   return { ...preview, diagnostics: describeAll(preview.diagnostics, name) };
 }
 
+/** Adds the preparation of bodies to the result of a run: its time and its diagnostics. */
+export function withPreparation(
+  result: MeshResult,
+  preparation: number,
+  diagnostics: readonly Diagnostic[],
+): MeshResult {
+  const { seconds } = result.report;
+  return {
+    ...result,
+    report: {
+      ...result.report,
+      seconds: {
+        ...seconds,
+        total: seconds.total + preparation,
+        surface: seconds.surface + preparation,
+      },
+      diagnostics: [...diagnostics, ...result.report.diagnostics],
+    },
+  };
+}
+
 /** Returns a result without a mesh, for a run that was rejected, or cancelled before it made any element. */
 export function emptyResult(
   status: MeshStatus,

@@ -18,6 +18,14 @@ export const KIND_WORDS: Readonly<Record<EntityKind, string>> = {
   tetrahedron: "tetrahedron",
 };
 
+/** Returns what messages call an entity of a project: `line "lip"` or, without a name, `line 12`. */
+export function entityLabel(
+  word: string,
+  { id, name = "" }: { readonly id: number; readonly name?: string | undefined },
+): string {
+  return name === "" ? `${word} ${id}` : `${word} "${name}"`;
+}
+
 /** Names entities by index, for a given surface, whose entities have no names. */
 export const nameByIndex: EntityNamer = (kind, index) => {
   return { kind, index, label: `${KIND_WORDS[kind]} ${index}` };

@@ -298,7 +298,8 @@ function isAnswerTo<Kind extends keyof Answers>(kind: Kind, reply: Answer): repl
   return reply.question === kind;
 }
 
-/** Returns the number of triangles of the request's surface; 0 if it has none. */
+/** Returns the number of triangles of the request's surface or bodies; 0 if it has none. */
 function trianglesIn(request: Request): number {
+  if (request.kind === "mesh-model") return (request.bodies?.triangles.length ?? 0) / 3;
   return "triangles" in request ? request.triangles.length / 3 : 0;
 }

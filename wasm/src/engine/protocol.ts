@@ -5,7 +5,7 @@ import type { SurfaceMesh, VolumeMesh } from "../mesh/mesh.js";
 import type { UnoptimizedMesh } from "./control.js";
 import type { MetricShapes } from "../mesh/quality.js";
 import type { MeshReport, MeshStatus } from "../mesh/report.js";
-import type { GridArrays, ModelArrays } from "../generated/constants.js";
+import type { BodySurfaceArrays, GridArrays, ModelArrays } from "../generated/constants.js";
 import type {
   CompiledModule,
   EngineDiagnostics,
@@ -123,6 +123,8 @@ export type Request =
       /** True for an `unoptimized` reply. */
       readonly showUnoptimized: boolean;
       readonly model: ModelArrays;
+      /** Surfaces to mesh together with the model; undefined without any. */
+      readonly bodies: BodySurfaceArrays | undefined;
       readonly grid: GridArrays;
       readonly options: EngineOptions;
     }

@@ -59,7 +59,7 @@ async function serve(request: Request): Promise<void> {
       return;
     case "mesh-model":
       return workIn(lazyEngine, request.id, (engine) =>
-        mesh(request, engine.meshModel(request.model, request.grid, request.options)),
+        mesh(request, modelRun(engine, request)),
       );
     case "fill-surface":
       return workIn(lazyEngine, request.id, (engine) =>
@@ -88,6 +88,13 @@ async function workIn<Instance extends Engine | Tools>(
     running.delete(id);
     cancelled.delete(id);
   }
+}
+
+function modelRun(engine: Engine, request: Extract<Request, { kind: "mesh-model" }>): EngineRun | null {
+  const { model, bodies, grid, options } = request;
+  return bodies === undefined
+    ? engine.meshModel(model, grid, options)
+    : engine.meshWithBodies(model, bodies, grid, options);
 }
 
 /** A question that was abandoned while it waited is not begun. */

@@ -41,7 +41,10 @@ export interface MeshInput {
 export interface SurfaceMesh {
   readonly points: Float64Array;
   readonly triangles: Uint32Array;
-  /** Per triangle: index of its patch in the project; for a given surface, its shell. */
+  /**
+   * Per triangle: index of its patch in the project, first those drawn, then those of the bodies; for a given surface, its
+   * shell.
+   */
   readonly trianglePatch: Uint32Array;
   /**
    * Two per triangle: the region from which its nodes are seen clockwise, and the region from which they are seen

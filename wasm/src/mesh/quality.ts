@@ -1,8 +1,8 @@
 /** Quality statistics of a mesh and its patches. */
 
-/** Quality of the triangulation of one patch of a project. */
+/** Quality of the triangulation of one patch of a project or a body. */
 export interface PatchQuality {
-  /** Index in the project. */
+  /** Index in the project: first the drawn patches, then those of the bodies. */
   readonly patch: number;
   readonly triangles: number;
   /** Degrees, in space. */
@@ -11,7 +11,7 @@ export interface PatchQuality {
   readonly meanRadiusRatio: number;
   /** Mean of edge length / target length, in the metric of the size field. */
   readonly meanEdge: number;
-  /** Largest distance between a triangle and the exact patch, in model units. */
+  /** Largest distance between a triangle and the exact patch, in model units; 0 for a body. */
   readonly chordDeviation: number;
 }
 

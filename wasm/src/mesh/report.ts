@@ -9,7 +9,7 @@ export type MeshStatus = Exclude<EngineStatus, "running">;
 
 /**
  * Wall-clock times in seconds. `check` includes the verification of the result; `total` includes copying it. If the
- * worker had to be terminated, only `total` is known; the others are 0.
+ * worker had to be terminated, only `total` is known; the others are 0. `surface` includes the preparation of bodies.
  */
 export interface Seconds {
   readonly total: number;
@@ -35,7 +35,7 @@ export interface MeshReport {
   readonly volume: number;
   /** Empty unless the mesh is finished. */
   readonly quality: QualityReport;
-  /** In the order of the patches; empty for a given surface. */
+  /** In the order of the patches, first those drawn, then those of the bodies; empty for a given surface. */
   readonly patches: readonly PatchQuality[];
   /** How the pockets were closed that the front left. */
   readonly recovery: {

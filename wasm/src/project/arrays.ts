@@ -1,6 +1,7 @@
 /** Converts a project, with ids and names, to the flat arrays that the engine takes. */
 import { numbersOf } from "../base/enums.js";
 import { type GridArrays, LINE_TYPES, type ModelArrays, PATCH_TYPES } from "../generated/constants.js";
+import { bodyBox } from "./bodies.js";
 import { backgroundOf, NOWHERE, projectGrid } from "./grid-arrays.js";
 import type { Project } from "./schema.js";
 
@@ -47,6 +48,23 @@ export function modelArrays({ points, lines, patches }: Project): ModelArrays {
       },
     },
   };
+}
+
+/**
+ * As `modelArrays`, with the diagonal of the box of each body as one more line: for tools that need only the extent of
+ * the project besides what is drawn.
+ */
+export function modelWithBodyBoxes(project: Project): ModelArrays {
+  const { bodies = [], points, lines } = project;
+  const box = (end: 0 | 1) =>
+    bodies.map((body, b) => ({ id: -1 - 2 * b - end, position: bodyBox(body)[end] }));
+  const ends = [...box(0), ...box(1)];
+  const diagonals = bodies.map((_, b) => ({
+    id: -1 - b,
+    type: "straight" as const,
+    points: [-1 - 2 * b, -2 - 2 * b],
+  }));
+  return modelArrays({ ...project, points: [...points, ...ends], lines: [...lines, ...diagonals] });
 }
 
 function indexById(entities: readonly { readonly id: number }[]): ReadonlyMap<number, number> {

@@ -1,9 +1,9 @@
 /** Names and ids of a project's entities, for messages. */
 import type { Diagnostic, EntityRef } from "../diagnostics/diagnostic.js";
-import { type EntityNamer, KIND_WORDS, nameByIndex } from "../diagnostics/entity-names.js";
+import { entityLabel, type EntityNamer, KIND_WORDS, nameByIndex } from "../diagnostics/entity-names.js";
 import type { EntityKind } from "../generated/constants.js";
 import { backgroundOf } from "./grid-arrays.js";
-import type { Project, ProjectBackground } from "./schema.js";
+import { patchesOf, type Project, type ProjectBackground } from "./schema.js";
 
 /** The parts of a project that refer to ids. A background grid given as arrays has no ids. */
 type Referring = Pick<Project, "points" | "lines" | "patches"> & {
@@ -47,10 +47,18 @@ export function projectNamer(project: Project): EntityNamer {
   return (kind, index) => {
     const entity = entityAt(project, kind, index);
     if (entity === undefined) return nameByIndex(kind, index);
-    const words = KIND_WORDS[kind];
-    const label =
-      entity.name === undefined || entity.name === "" ? `${words} ${entity.id}` : `${words} "${entity.name}"`;
-    return { kind, index, id: entity.id, label };
+    return { kind, index, id: entity.id, label: entityLabel(KIND_WORDS[kind], entity) };
+  };
+}
+
+/** As `name`, but names triangles with their patches: `triangle 7 of patch "wing"`. */
+export function withPatchOfTriangle(name: EntityNamer, trianglePatch: Uint32Array): EntityNamer {
+  return (kind, index) => {
+    const named = name(kind, index);
+    const patch = kind === "triangle" ? trianglePatch[index] : undefined;
+    return patch === undefined
+      ? named
+      : { ...named, label: `${named.label} of ${name("patch", patch).label}` };
   };
 }
 
@@ -65,7 +73,7 @@ function entityAt(
     case "line":
       return project.lines[index];
     case "patch":
-      return project.patches[index];
+      return project.patches[index] ?? patchesOf(project)[index];
     case "background-node":
       return backgroundOf(project).nodes[index];
     case "source":

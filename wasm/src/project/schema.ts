@@ -6,6 +6,7 @@
 import * as v from "valibot";
 import { LIMITS } from "../base/limits.js";
 import { objectWith, parsedBy } from "../calls/schemas.js";
+import { entityLabel } from "../diagnostics/entity-names.js";
 import {
   FRONT_ORDERS,
   INNER_SHELLS,
@@ -123,16 +124,11 @@ export const bodySchema = v.pipe(
     if (!dataset.typed) return;
     const { value } = dataset;
     checkBodyArrays(value, (field, problem) =>
-      addIssue({ message: `${bodyLabel(value)}: ${problem}`, path: pathItems(value, [field]) }),
+      addIssue({ message: `${entityLabel("body", value)}: ${problem}`, path: pathItems(value, [field]) }),
     );
   }),
   v.readonly(),
 );
-
-/** Returns what messages call a body: `body "bracket"`, or `body 3` by id. */
-export function bodyLabel({ id, name = "" }: { readonly id: number; readonly name?: string | undefined }) {
-  return name === "" ? `body ${id}` : `body "${name}"`;
-}
 
 const backgroundNodeSchema = v.pipe(
   objectWith({
@@ -340,6 +336,14 @@ export type ProjectSource = NonNullable<ProjectBackground["sources"]>[number];
 export type PointId = number;
 /** The id of a line; positive, unique among lines. */
 export type LineId = number;
+/** Returns all patches in the order of `trianglePatch`: first those drawn, then those of the bodies. */
+export function patchesOf({
+  patches,
+  bodies = [],
+}: Pick<Project, "patches" | "bodies">): readonly ProjectBodyPatch[] {
+  return bodies.length === 0 ? patches : [...patches, ...bodies.flatMap((body) => body.patches)];
+}
+
 /** The id of a body; positive, unique among bodies. */
 export type BodyId = number;
 /** The id of a patch; positive, unique among drawn patches and those of bodies. */
