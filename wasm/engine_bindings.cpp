@@ -58,9 +58,8 @@ Run* meshModel(const Js<Model>& model, const Js<BackgroundGrid>& grid,
 
 Run* meshWithBodies(const Js<Model>& model, const Js<BodySurfaces>& bodies,
                     const Js<BackgroundGrid>& grid, const Js<MeshOptions>& options) {
-  return new (std::nothrow) Run([&] {
-    return MeshRun(model.value(), bodies.value(), grid.value(), options.value());
-  });
+  return new (std::nothrow)
+      Run([&] { return MeshRun(model.value(), bodies.value(), grid.value(), options.value()); });
 }
 
 Run* fillSurface(const Js<Doubles>& points, const Js<Indices>& triangles,

@@ -140,7 +140,7 @@ function bodyNamer({ patches }: ProjectBody, { trianglePatch }: PlacedSurface): 
 }
 
 /** Adds the body to the message of a diagnostic, and the patches of its triangles to its entities. */
-function ofBody(found: Diagnostic, body: ProjectBody, trianglePatch: Uint32Array): Diagnostic {
+export function ofBody(found: Diagnostic, body: ProjectBody, trianglePatch: Uint32Array): Diagnostic {
   const triangles = found.entities.filter(({ kind }) => kind === "triangle");
   const patches = new Set(triangles.map(({ index }) => trianglePatch[index] ?? 0));
   const refs = [...patches].flatMap((index): EntityRef[] => {

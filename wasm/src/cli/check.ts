@@ -1,5 +1,7 @@
 /** `tetrafront check`: lists all problems of a project, a surface or a mesh, without meshing it. */
+import { ofBody } from "../api/body-preparation.js";
 import type { Mesher } from "../api/mesher-interface.js";
+import type { PreviewOptions } from "../api/option-types.js";
 import { checkInspectionOptions, checkPreviewOptions } from "../api/options.js";
 import { LIMITS } from "../base/limits.js";
 import { plural } from "../base/plural.js";
@@ -11,6 +13,8 @@ import { surfaceOf } from "../formats/surface-file.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
 import type { MeshInspection, RepairChange, SurfaceInspection } from "../mesh/inspection.js";
 import { poorElementWarnings } from "../mesh/quality-warnings.js";
+import { bodySurface } from "../project/bodies.js";
+import type { Project } from "../project/schema.js";
 import { writeToStandardOutput } from "./files.js";
 import { withMesher } from "./grids.js";
 import { isProject, numberIn, readMeshFile, readProjectFile, refuseOptions } from "./input.js";
@@ -97,6 +101,25 @@ function maxDiagnosticsOf({ maxDiagnostics }: CheckCommandOptions): number | und
   return maxDiagnostics === "all" ? LIMITS.maxDiagnostics : numberIn(maxDiagnostics);
 }
 
+/** Checks what is drawn, and the triangles of each body by themselves. */
+async function checkedProject(
+  mesher: Mesher,
+  project: Project,
+  options: PreviewOptions,
+): Promise<CheckResult> {
+  const { diagnostics } = await mesher.previewProject(project, options);
+  const ofBodies: Diagnostic[] = [];
+  const innerShells = options.innerShells ?? project.meshing?.innerShells;
+  for (const body of project.bodies ?? []) {
+    const surface = bodySurface(body);
+    const found = await mesher.inspectSurface(surface, { innerShells });
+    // A surface is remeshed because of its needles.
+    const problems = found.diagnostics.filter(({ severity }) => severity === "error");
+    ofBodies.push(...problems.map((problem) => ofBody(problem, body, surface.trianglePatch)));
+  }
+  return { kind: "project", diagnostics: [...diagnostics, ...ofBodies] };
+}
+
 async function checked(input: string, options: CheckCommandOptions): Promise<CheckResult> {
   try {
     const size = numberIn(options.size);
@@ -109,10 +132,7 @@ async function checked(input: string, options: CheckCommandOptions): Promise<Che
       refuseOption("--max-diagnostics", options.maxDiagnostics, "surfaces", "a project");
       refuseRepair(repairOptions(options), "a project");
       const project = await readProjectFile(input, options.from);
-      const { diagnostics } = await withMesher((mesher) =>
-        mesher.previewProject(project, { size, innerShells }),
-      );
-      return { kind: "project", diagnostics };
+      return await withMesher((mesher) => checkedProject(mesher, project, { size, innerShells }));
     }
     return await withMesher((mesher) => inspected(mesher, input, options));
   } catch (failure) {

@@ -1,7 +1,8 @@
 /**
  * `tetrafront convert`: converts a mesh file to another format; of a volume mesh the boundary, if the format stores
- * surfaces only.
+ * surfaces only; to a project with one body.
  */
+import path from "node:path";
 import { writeMesh } from "../api/mesh-files.js";
 import type { RepairOptions } from "../api/option-types.js";
 import { plural } from "../base/plural.js";
@@ -15,9 +16,13 @@ import { numbered } from "../formats/groups.js";
 import { type SurfaceFile, surfaceOf } from "../formats/surface-file.js";
 import { findDefects, tetFaces } from "../formats/tet-faces.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
-import { FileError, refuseFolder, writeOutput } from "./files.js";
+import { createBody } from "../project/bodies.js";
+import { writeProject } from "../project/project.js";
+import { PROJECT_FORMAT, type Project, type ProjectBody } from "../project/schema.js";
+import { PROJECT_VERSION } from "../project/versions.js";
+import { FileError, refuseFolder, STANDARD_STREAM, writeOutput } from "./files.js";
 import { withMesher } from "./grids.js";
-import { formatName, readMeshFile } from "./input.js";
+import { formatName, isProject, readMeshFile } from "./input.js";
 import { ExitCode, print, printDiagnostics, reportFailure } from "./messages.js";
 import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
 import { printChanges, refuseRepair, type RepairCommandOptions, repaired, repairOptions } from "./repair.js";
@@ -37,6 +42,7 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
     const { output, quiet: isQuiet = false } = options;
     const repair = repairOptions(options);
     await refuseFolder(output);
+    if (isProject(output, options.to)) return await convertToProject(input, options, repair);
     const name = writableName(output, options.to, ["surface", "volume"]);
     const written = outputFiles(output, options.to);
     await checkNoOverwrite(inputFiles(input, options.from), written);
@@ -57,6 +63,51 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
   } catch (failure) {
     return reportFailure(failure, input);
   }
+}
+
+/** Writes a project with the surface as its only body. */
+async function convertToProject(
+  input: string,
+  { output, from, to, quiet: isQuiet = false }: ConvertCommandOptions,
+  repair: RepairOptions | undefined,
+): Promise<number> {
+  const written = outputFiles(output, to);
+  await checkNoOverwrite(inputFiles(input, from), written);
+  await checkWritable(written);
+  const given = await readMeshFile(input, from);
+  const whole = given.triangles.length > 0 ? given : await withBoundary(given);
+  const mesh = await surfaceFrom(await inSteps(boundaryOf(whole)), {
+    input,
+    output,
+    name: output,
+    repair,
+    isQuiet,
+  });
+  const name = input === STANDARD_STREAM ? "surface" : path.basename(input, path.extname(input));
+  await writeOutput(
+    output,
+    writeProject(projectOf(name, createBody(mesh, { id: 1, firstPatchId: 1, name }))),
+  );
+  if (!isQuiet) {
+    const left = [...given.nodeData.keys()];
+    if (left.length > 0) print(`note: ${input}: ${omittedDataMessage(left)}`);
+    for (const line of readingLines(given)) print(`note: ${input}: ${line}`);
+    print(`${input}: ${contentsOf(mesh)} -> ${output}`);
+  }
+  return ExitCode.meshed;
+}
+
+function projectOf(name: string, body: ProjectBody): Project {
+  return {
+    format: PROJECT_FORMAT,
+    version: PROJECT_VERSION,
+    name,
+    points: [],
+    lines: [],
+    patches: [],
+    bodies: [body],
+    background: { nodes: [], tetrahedra: [] },
+  };
 }
 
 /** Returns a name with the output's extension. Throws a FileError if the format cannot write any of `contents`. */

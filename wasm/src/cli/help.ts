@@ -138,6 +138,8 @@ Output
 ${formatLines("writable", "surface", "volume")}
   -                     standard output; set its format with --format
 
+  part.json             project with the surface as its only body
+
 A surface format receives the boundary of a volume mesh. Corners at equal positions become one node.
 ${EXIT_CODES_HELP}
 
@@ -145,6 +147,7 @@ Examples
   tetrafront convert part.vtu -o part.msh
   tetrafront convert part.vtu -o boundary.stl
   tetrafront convert scan.obj -o scan.stl --repair
+  tetrafront convert part.stl -o part.json
   tetrafront convert 'meshes/*.vtu' -o 'meshes/{name}.su2'
   cat scan.obj | tetrafront convert - --from obj -o - --to stl > scan.stl
 `;

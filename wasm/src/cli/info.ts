@@ -3,7 +3,10 @@ import { plural } from "../base/plural.js";
 import { packageDiagnostic, printable } from "../diagnostics/package-diagnostic.js";
 import { formatOf } from "../formats/file-formats.js";
 import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
-import type { Project } from "../project/schema.js";
+import { entityLabel } from "../diagnostics/entity-names.js";
+import { bodyBox } from "../project/bodies.js";
+import { bodyArrays } from "../project/body-arrays.js";
+import type { BodySurface, Project, ProjectBody } from "../project/schema.js";
 import { writeToStandardOutput } from "./files.js";
 import { withMesher } from "./grids.js";
 import { formatName, isProject, readMeshFile, readProjectFile } from "./input.js";
@@ -96,7 +99,7 @@ async function answered(
   }
 }
 
-function projectContents({ name, units, points, lines, patches, background }: Project) {
+function projectContents({ name, units, points, lines, patches, bodies = [], background }: Project) {
   return {
     format: "Tetrafront project",
     name,
@@ -104,8 +107,23 @@ function projectContents({ name, units, points, lines, patches, background }: Pr
     points: points.length,
     lines: lines.length,
     patches: patches.length,
+    bodies: bodies.map(bodyContents),
     backgroundTetrahedra: background.tetrahedra.length,
     sources: background.sources?.length ?? 0,
+  };
+}
+
+function bodyContents(body: ProjectBody) {
+  const { points, triangles } = bodyArrays(body);
+  const [low, high] = bodyBox(body);
+  return {
+    id: body.id,
+    name: body.name ?? "",
+    nodes: points.length / 3,
+    triangles: triangles.length / 3,
+    patches: body.patches.map(({ id, name = "" }) => ({ id, name })),
+    surface: body.surface ?? "remesh",
+    box: { low, high },
   };
 }
 
@@ -113,9 +131,25 @@ function projectLines(held: ReturnType<typeof projectContents>): string[] {
   return [
     `${held.format} "${held.name}"${held.units === null ? "" : `, in ${held.units}`}`,
     [plural(held.points, "point"), plural(held.lines, "line"), plural(held.patches, "patch")].join(", "),
+    ...held.bodies.flatMap(bodyLines),
     `a background grid of ${plural(held.backgroundTetrahedra, "tetrahedron")}, ${plural(held.sources, "source")}`,
   ];
 }
+
+function bodyLines(body: ReturnType<typeof bodyContents>): string[] {
+  const { triangles, patches, surface, box } = body;
+  const shape = [plural(triangles, "triangle"), plural(patches.length, "patch"), boxText(box)];
+  return [
+    `${entityLabel("body", body)}: ${[...shape, SURFACE_WORDS[surface]].join(", ")}`,
+    ...patches.flatMap((patch) => (patch.name === "" ? [] : [`  ${entityLabel("patch", patch)}`])),
+  ];
+}
+
+const SURFACE_WORDS: Readonly<Record<BodySurface, string>> = {
+  remesh: "to be remeshed",
+  refine: "to be refined",
+  keep: "kept",
+};
 
 interface HeldGroup {
   readonly name: string;

@@ -111,12 +111,12 @@ export async function meshFile(input: string, options: MeshCommandOptions): Prom
 const projectSurface = invalidOption(
   "--surface",
   "--surface is for surfaces, but the input is a project",
-  "Omit it: patches are meshed with the target sizes.",
+  "Omit it: patches are meshed with the target sizes, and each body has a treatment of its own.",
 );
 
 const projectGrowth = invalidOption(
   "--growth",
-  "--growth is for surfaces, but the input is a project",
+  "--growth is for surfaces, but the input is a project without bodies",
   "Omit it: the background grid and the sources of the project define the growth.",
 );
 
@@ -132,7 +132,8 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const given = await readModel(input, options.from);
   if (given.kind === "project") {
     if (options.surface !== undefined) refuseOptions([projectSurface]);
-    if (options.growth !== undefined) refuseOptions([projectGrowth]);
+    const hasBodies = (given.project.bodies ?? []).length > 0;
+    if (options.growth !== undefined && !hasBodies) refuseOptions([projectGrowth]);
     refuseRepair(repair, "a project");
   }
   const grid = await readGivenGrid(options, isQuiet);

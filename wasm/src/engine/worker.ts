@@ -58,9 +58,7 @@ async function serve(request: Request): Promise<void> {
       if (running.has(request.id)) cancelled.add(request.id);
       return;
     case "mesh-model":
-      return workIn(lazyEngine, request.id, (engine) =>
-        mesh(request, modelRun(engine, request)),
-      );
+      return workIn(lazyEngine, request.id, (engine) => mesh(request, modelRun(engine, request)));
     case "fill-surface":
       return workIn(lazyEngine, request.id, (engine) =>
         mesh(request, engine.fillSurface(request.points, request.triangles, request.grid, request.options)),
