@@ -57,7 +57,7 @@ EMSCRIPTEN_BINDINGS(tools) {
   registerTypes<Doubles, Indices, double, Model, VolumeMesh, BackgroundGrid, CoverShape,
                 MeshOptions, InspectionOptions, RepairOptions, RemeshOptions, ProposalOptions>();
   registerTypes<SurfaceInspection, MeshInspection, SurfaceRepair, SurfaceRefinement, SurfaceRemesh,
-                ModelPreview, SizeProposal>();
+                PatchSplit, ModelPreview, SizeProposal>();
 
   registerTool<SurfaceInspector, Doubles, Indices, InspectionOptions>("Inspection",
                                                                       "inspectSurface");
@@ -65,6 +65,7 @@ EMSCRIPTEN_BINDINGS(tools) {
   registerTool<SurfaceRepairer, Doubles, Indices, RepairOptions>("Repair", "repairSurface");
   registerTool<SurfaceRefiner, Doubles, Indices, BackgroundGrid, MeshOptions, double>(
       "Refinement", "refineSurface");
+  registerTool<PatchSplitter, Doubles, Indices, Indices, double>("PatchSplitting", "splitPatches");
   registerTool<SurfaceRemesher, Doubles, Indices, Indices, BackgroundGrid, RemeshOptions>(
       "Remesh", "remeshSurface");
   registerTool<ModelPreviewer, Model, BackgroundGrid, MeshOptions>("Preview", "previewModel");

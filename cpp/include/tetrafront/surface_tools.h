@@ -169,4 +169,31 @@ class SurfaceRefiner : public SlicedTool<SurfaceRefinement> {
                  BackgroundGrid grid, const MeshOptions& options, double volume = 0.0);
 };
 
+/// Range and default of the angle between patches, in degrees.
+inline constexpr double kMinPatchAngle = 1.0;
+inline constexpr double kMaxPatchAngle = 180.0;
+inline constexpr double kPatchAngle = 40.0;
+
+/// Patches of a surface, separated by its sharp edges. They are ordered by position: by the lowest z of their points, then
+/// the lowest y, the lowest x, the highest z, and so on. The order belongs to the shape: other triangles, or the same ones
+/// in another order, do not change it.
+struct PatchSplit {
+  std::vector<std::uint32_t> trianglePatch;  ///< per triangle: index of its patch
+  std::vector<std::uint32_t>
+      patchGroup;  ///< per patch: the group of its triangles; 0 without groups
+  /// Not empty if a coordinate, an index or the angle is invalid; there are no patches then.
+  std::vector<Diagnostic> diagnostics;
+};
+
+/// Splits a surface into patches, in slices. Triangles are in one patch if they are in one group and a path of smooth edges
+/// joins them; a line of sharp edges that ends within a face does not divide it. The surface may be open or
+/// intersect itself. O(n log n) for n triangles; finding the edges and patches is not divided.
+class PatchSplitter : public SlicedTool<PatchSplit> {
+ public:
+  /// Arrays as for MeshRun; they are copied. `groups`: a number per triangle, for example its patch in a file, or empty.
+  /// `angle`: edges with a larger angle between the normals of their triangles are sharp; degrees.
+  PatchSplitter(std::span<const double> points, std::span<const std::uint32_t> triangles,
+                std::span<const std::uint32_t> groups, double angle = kPatchAngle);
+};
+
 }  // namespace tetrafront

@@ -52,4 +52,19 @@ inline double areaOf(const std::array<Vec3, 3>& corners) {
   return 0.5 * glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
 }
 
+/// Returns the corner k at the beginning of the longest edge.
+inline std::uint32_t longestEdgeOf(const std::array<Vec3, 3>& corners) {
+  std::uint32_t longest = 0;
+  double most = -1.0;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const Vec3 edge = corners[(k + 1) % 3] - corners[k];
+    const double square = glm::dot(edge, edge);
+    if (square > most) {
+      most = square;
+      longest = k;
+    }
+  }
+  return longest;
+}
+
 }  // namespace tetrafront

@@ -7,15 +7,13 @@
 
 #include "base/mesh_access.h"
 #include "base/sort.h"
+#include "boundary/smooth_triangles.h"
 #include "boundary/surface_access.h"
 #include "geom/measure.h"
 
 namespace tetrafront {
 namespace {
 
-/// Height below which a triangle counts as a sliver, relative to the largest coordinate: rounding
-/// its corners to single precision changes more, so its normal is meaningless.
-constexpr double kSliverHeight = 2e-6;
 /// Distance from its plane up to which a patch counts as planar, relative to the diagonal and to
 /// the coordinates: an allowance for rounding.
 constexpr double kPlanarPerDiagonal = 1e-6;
@@ -37,20 +35,6 @@ double squaredLength(const Vec3& v) { return glm::dot(v, v); }
 Vec3 unitOf(const Vec3& v) {
   const double length = glm::length(v);
   return length > 0.0 ? v / length : Vec3(0.0);
-}
-
-/// Returns the corner k at the beginning of the longest edge.
-std::uint32_t longestEdgeOf(const std::array<Vec3, 3>& corners) {
-  std::uint32_t longest = 0;
-  double most = -1.0;
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    const double square = squaredLength(corners[(k + 1) % 3] - corners[k]);
-    if (square > most) {
-      most = square;
-      longest = k;
-    }
-  }
-  return longest;
 }
 
 /// Returns the weight of a triangle in the normal at its corner k; it grows with the angle there
@@ -77,8 +61,12 @@ ReferenceSurface::ReferenceSurface(const SurfaceMesh& mesh, std::span<const std:
 Task<> ReferenceSurface::prepare(Work& work) {
   const EdgeTable edges(mesh_.triangles, countNodes(mesh_), {});
   co_await work.yield();
-  findNormals();
-  findFeatureEdges(edges);
+  findFrames();
+  SmoothTriangles smooth =
+      findSmoothTriangles(mesh_, edges, groups_, rules_.creaseCosine, largestCoordinate_);
+  normals_ = std::move(smooth.normals);
+  neighbours_ = std::move(smooth.neighbours);
+  isFeatureEdge_ = std::move(smooth.isSharp);
   co_await work.yield();
   findPatches();
   findFacets();
@@ -96,9 +84,8 @@ Task<> ReferenceSurface::prepare(Work& work) {
   tree_ = builder.take();
 }
 
-void ReferenceSurface::findNormals() {
+void ReferenceSurface::findFrames() {
   const std::uint32_t count = countTriangles(mesh_);
-  normals_.resize(count);
   frames_.resize(count);
   for (std::uint32_t t = 0; t < count; ++t) {
     const auto [a, b, c] = cornersOf(mesh_, TriangleId(t));
@@ -111,83 +98,20 @@ void ReferenceSurface::findNormals() {
     frame.acac = squaredLength(frame.ac);
     const Vec3 normal = glm::cross(frame.ab, frame.ac);
     const double square = squaredLength(normal);
-    normals_[t] = unitOf(normal);
     const double longest = std::max({frame.abab, frame.acac, squaredLength(c - b)});
     if (square > kThinnest * longest * longest) {
-      frame.normal = normals_[t];
+      frame.normal = unitOf(normal);
       frame.inverse = 1.0 / square;
     }
   }
 }
 
-void ReferenceSurface::findFeatureEdges(const EdgeTable& edges) {
-  neighbours_.assign(mesh_.triangles.size(), TriangleId{});
-  for (const EdgeId edge : IdRange<EdgeId>(edges.edgeCount())) {
-    const std::span<const HalfEdgeId> on = edges.halfEdgesOf(edge);
-    if (on.size() != 2) continue;
-    const bool opposite =
-        nodesOf(mesh_.triangles, on[0]).from == nodesOf(mesh_.triangles, on[1]).to;
-    if (!opposite) continue;
-    neighbours_[on[0].index()] = triangleOf(on[1]);
-    neighbours_[on[1].index()] = triangleOf(on[0]);
-  }
-
-  // A sliver takes the normal of the neighbour across its longest edge, which may be a sliver too.
-  const double least = kSliverHeight * largestCoordinate_;
-  std::vector<TriangleId> follows(normals_.size(), TriangleId{});
-  for (const TriangleId t : IdRange<TriangleId>(normals_.size())) {
-    const std::array<Vec3, 3> corners = cornersOf(mesh_, t);
-    const std::uint32_t k = longestEdgeOf(corners);
-    const double longest = glm::length(corners[(k + 1) % 3] - corners[k]);
-    const double area = glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
-    if (area < least * longest) follows[t.index()] = neighbours_[halfEdgeOf(t, k).index()];
-  }
-  for (const TriangleId t : IdRange<TriangleId>(normals_.size())) {
-    std::vector<TriangleId> chain;
-    TriangleId end = t;
-    while (!follows[end.index()].isNone() && chain.size() < normals_.size()) {
-      chain.push_back(end);
-      const TriangleId next = follows[end.index()];
-      follows[end.index()] = TriangleId{};
-      end = next;
-    }
-    for (const TriangleId link : chain) normals_[link.index()] = normals_[end.index()];
-  }
-
-  isFeatureEdge_.assign(edges.edgeCount(), 0);
-  for (const EdgeId edge : IdRange<EdgeId>(edges.edgeCount())) {
-    const std::span<const HalfEdgeId> on = edges.halfEdgesOf(edge);
-    bool isFeature = true;
-    if (!neighbours_[on[0].index()].isNone()) {
-      const TriangleId t = triangleOf(on[0]);
-      const TriangleId u = triangleOf(on[1]);
-      isFeature = glm::dot(normalOf(t), normalOf(u)) < rules_.creaseCosine ||
-                  (!groups_.empty() && groups_[t.index()] != groups_[u.index()]);
-    }
-    if (!isFeature) continue;
-    isFeatureEdge_[edge.index()] = 1;
-    for (const HalfEdgeId halfEdge : on) neighbours_[halfEdge.index()] = TriangleId{};
-  }
-}
-
 void ReferenceSurface::findPatches() {
   patchOf_.assign(normals_.size(), SmoothPatchId{});
-  std::vector<TriangleId> members;
-  for (const TriangleId seed : IdRange<TriangleId>(normals_.size())) {
-    if (!patchOf(seed).isNone()) continue;
-    const SmoothPatchId id(patches_.size());
-    members.assign(1, seed);
-    patchOf_[seed.index()] = id;
-    for (std::size_t i = 0; i < members.size(); ++i) {
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        const TriangleId next = smoothNeighbour(halfEdgeOf(members[i], k));
-        if (next.isNone() || !patchOf(next).isNone()) continue;
-        patchOf_[next.index()] = id;
-        members.push_back(next);
-      }
-    }
+  forEachSmoothPatch(neighbours_, [this](std::span<const TriangleId> members) {
+    for (const TriangleId t : members) patchOf_[t.index()] = SmoothPatchId(patches_.size());
     patches_.push_back(describePatch(members));
-  }
+  });
 }
 
 double ReferenceSurface::planarTolerance() const {

@@ -129,8 +129,7 @@ class ReferenceSurface {
     double inverse = 0.0;  ///< 1 / squared length of the cross product
   };
 
-  void findNormals();
-  void findFeatureEdges(const EdgeTable& edges);
+  void findFrames();
   void findPatches();
   void findFacets();
   void growFacet(TriangleId seed, std::vector<TriangleId>& members);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -15,6 +14,7 @@
 #include "boundary/boundary.h"
 #include "boundary/surface_access.h"
 #include "field/size_octree_builder.h"
+#include "geom/angles.h"
 #include "geom/coordinates.h"
 #include "quality/metrics.h"
 #include "remesh/automatic_sizes.h"
@@ -47,21 +47,6 @@ constexpr double kCornerDegrees = 50.0;
 constexpr double kTestedTolerance = 0.9;
 /// Area of an equilateral triangle, in squared edge lengths.
 constexpr double kTriangleArea = 0.4330127018922193;
-
-constexpr double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
-
-/// Returns the cosine by its series: library functions differ in the last bit between platforms,
-/// but meshes must not.
-double cosineOfDegrees(double degrees) {
-  const double square = radians(degrees) * radians(degrees);
-  double term = 1.0;
-  double sum = 1.0;
-  for (int n = 1; n < 20; ++n) {
-    term *= -square / ((2.0 * n - 1.0) * (2.0 * n));
-    sum += term;
-  }
-  return sum;
-}
 
 /// The lengths of a remeshing, with all automatic values replaced.
 struct Lengths {

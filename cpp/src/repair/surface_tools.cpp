@@ -1,10 +1,13 @@
 #include "tetrafront/surface_tools.h"
 
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "base/resumable.h"
 #include "base/task.h"
 #include "base/tool_job.h"
+#include "repair/patch_splitting.h"
 #include "repair/surface_inspection.h"
 #include "repair/surface_refinement.h"
 #include "repair/surface_repair.h"
@@ -23,6 +26,12 @@ struct RefinementInput {
   SurfaceMesh mesh;
   BackgroundGrid grid;
   MeshOptions options;
+};
+
+struct SplitInput {
+  SurfaceMesh mesh;
+  std::vector<std::uint32_t> groups;
+  double angle;
 };
 
 }  // namespace
@@ -58,6 +67,15 @@ SurfaceRefiner::SurfaceRefiner(std::span<const double> points,
           RefinementInput{copyOf(points, triangles), std::move(grid), options},
           [volume](Work& work, RefinementInput& input) {
             return refineSurface(work, input.mesh, input.grid, input.options, volume);
+          })) {}
+
+PatchSplitter::PatchSplitter(std::span<const double> points,
+                             std::span<const std::uint32_t> triangles,
+                             std::span<const std::uint32_t> groups, double angle)
+    : SlicedTool(makeToolJob<PatchSplit>(
+          SplitInput{copyOf(points, triangles), {groups.begin(), groups.end()}, angle},
+          [](Work& work, const SplitInput& input) {
+            return splitPatches(work, input.mesh, input.groups, input.angle);
           })) {}
 
 }  // namespace tetrafront

@@ -1,0 +1,81 @@
+#include "boundary/smooth_triangles.h"
+
+#include <array>
+#include <cstddef>
+
+namespace tetrafront {
+namespace {
+
+/// Height below which a triangle counts as a sliver, relative to the largest coordinate: rounding
+/// its corners to single precision changes more, so its normal is meaningless.
+constexpr double kSliverHeight = 2e-6;
+
+/// Sets the neighbours across edges of two triangles of the same orientation.
+void linkTriangles(SmoothTriangles& smooth, const SurfaceMesh& mesh, const EdgeTable& edges) {
+  smooth.neighbours.assign(mesh.triangles.size(), TriangleId{});
+  for (const EdgeId edge : IdRange<EdgeId>(edges.edgeCount())) {
+    const std::span<const HalfEdgeId> on = edges.halfEdgesOf(edge);
+    if (on.size() != 2) continue;
+    if (nodesOf(mesh.triangles, on[0]).from != nodesOf(mesh.triangles, on[1]).to) continue;
+    smooth.neighbours[on[0].index()] = triangleOf(on[1]);
+    smooth.neighbours[on[1].index()] = triangleOf(on[0]);
+  }
+}
+
+/// Gives a sliver the normal of the neighbour across its longest edge, which may be a sliver too.
+void replaceNormalsOfSlivers(SmoothTriangles& smooth, const SurfaceMesh& mesh, double height) {
+  std::vector<Vec3>& normals = smooth.normals;
+  std::vector<TriangleId> follows(normals.size(), TriangleId{});
+  for (const TriangleId t : IdRange<TriangleId>(normals.size())) {
+    const std::array<Vec3, 3> corners = cornersOf(mesh, t);
+    const std::uint32_t k = longestEdgeOf(corners);
+    const double longest = glm::length(corners[(k + 1) % 3] - corners[k]);
+    const double area = glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+    if (area < height * longest) follows[t.index()] = smooth.neighbours[halfEdgeOf(t, k).index()];
+  }
+  for (const TriangleId t : IdRange<TriangleId>(normals.size())) {
+    std::vector<TriangleId> chain;
+    TriangleId end = t;
+    while (!follows[end.index()].isNone() && chain.size() < normals.size()) {
+      chain.push_back(end);
+      const TriangleId next = follows[end.index()];
+      follows[end.index()] = TriangleId{};
+      end = next;
+    }
+    for (const TriangleId link : chain) normals[link.index()] = normals[end.index()];
+  }
+}
+
+}  // namespace
+
+SmoothTriangles findSmoothTriangles(const SurfaceMesh& mesh, const EdgeTable& edges,
+                                    std::span<const std::uint32_t> groups, double creaseCosine,
+                                    double largestCoordinate) {
+  SmoothTriangles smooth;
+  for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh))) {
+    const auto [a, b, c] = cornersOf(mesh, t);
+    const Vec3 normal = glm::cross(b - a, c - a);
+    const double length = glm::length(normal);
+    smooth.normals.push_back(length > 0.0 ? normal / length : Vec3(0.0));
+  }
+  linkTriangles(smooth, mesh, edges);
+  replaceNormalsOfSlivers(smooth, mesh, kSliverHeight * largestCoordinate);
+
+  smooth.isSharp.assign(edges.edgeCount(), 0);
+  for (const EdgeId edge : IdRange<EdgeId>(edges.edgeCount())) {
+    const std::span<const HalfEdgeId> on = edges.halfEdgesOf(edge);
+    bool isSharp = true;
+    if (!smooth.neighbours[on[0].index()].isNone()) {
+      const std::size_t t = triangleOf(on[0]).index();
+      const std::size_t u = triangleOf(on[1]).index();
+      isSharp = glm::dot(smooth.normals[t], smooth.normals[u]) < creaseCosine ||
+                (!groups.empty() && groups[t] != groups[u]);
+    }
+    if (!isSharp) continue;
+    smooth.isSharp[edge.index()] = 1;
+    for (const HalfEdgeId halfEdge : on) smooth.neighbours[halfEdge.index()] = TriangleId{};
+  }
+  return smooth;
+}
+
+}  // namespace tetrafront
