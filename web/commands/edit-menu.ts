@@ -3,6 +3,7 @@ import { commandLabels } from "../strings";
 import { define, type Command } from "./command";
 import { hasHighlight, hasSelection } from "./conditions";
 import { deleteSelection } from "./selection-actions";
+import { mergeableBody, mergeSelectedPatches } from "./surface-actions";
 
 const past = (app: App) => app.documents.state.getState().history.past;
 const future = (app: App) => app.documents.state.getState().history.future;
@@ -30,6 +31,9 @@ export const editMenu: readonly Command[] = [
     (app) => app.view.state.setState(({ several }) => ({ several: !several })),
     { checked: (app) => app.view.state.getState().several },
   ),
+  define("edit", 1)("merge-patches", commandLabels.mergePatches, (app) => void mergeSelectedPatches(app), {
+    enabled: (app) => mergeableBody(app.documents.project, app.view.state.getState().selection) !== undefined,
+  }),
   define("edit", 1)("deselect", commandLabels.deselect, (app) => app.view.clear(), {
     keys: ["Escape"],
     enabled: (app) => hasSelection(app) || hasHighlight(app),

@@ -1,7 +1,8 @@
 import type { Project, ProjectBody } from "tetrafront";
 import type { App } from "../app/app";
 import { addBody, nextBodyIds, replaceBody, usedPatches } from "../document/body-edits";
-import { bodiesOf, findRecord } from "../document/entities";
+import { bodiesOf, bodyOfPatch, findRecord, type Entity } from "../document/entities";
+import { mergePatches } from "../document/patch-splitting";
 import { openDocumentFile } from "../session/files";
 import type { PatchArrays } from "../workers/surface-files";
 import { bodyStepNames, strings } from "../strings";
@@ -68,6 +69,42 @@ async function replaceSurface(
   } catch (error) {
     showFailure(app, label, error);
   }
+}
+
+/** Applies the proposed split of a body's patches. */
+export async function splitPatches(app: App, id: number): Promise<void> {
+  const state = app.bodies.state.getState().byId.get(id);
+  const body = findRecord(app.documents.project, "body", id);
+  if (!state?.split || !body) return;
+  const { split, patch } = state.split;
+  const { surface } = await app.bodies.surfaceOf(body);
+  const subject = patch === null ? nameOf(body) : `patch ${patch}`;
+  app.bodies.dropSplit(id);
+  const { trianglePatch, patches } = split;
+  await replaceSurface(app, body, bodyStepNames.split(subject), { ...surface, trianglePatch }, patches);
+}
+
+/** Returns the body of the selected patches if they can be merged. */
+export function mergeableBody(project: Project, selection: readonly Entity[]): ProjectBody | undefined {
+  const [first] = selection;
+  if (!first || selection.length < 2) return undefined;
+  const body = bodyOfPatch(project, first.id);
+  const ids = new Set(body?.patches.map(({ id }) => id));
+  return selection.every((entity) => entity.kind === "body-patch" && ids.has(entity.id)) ? body : undefined;
+}
+
+/** Merges the selected patches of a body into the first of them. */
+export async function mergeSelectedPatches(app: App): Promise<void> {
+  const { selection } = app.view.state.getState();
+  const body = mergeableBody(app.documents.project, selection);
+  if (!body) return;
+  const ids = new Set(selection.map(({ id }) => id));
+  const { surface } = await app.bodies.surfaceOf(body);
+  const { trianglePatch, patches } = mergePatches(surface.trianglePatch, body.patches, ids);
+  const label = bodyStepNames.merge(ids.size);
+  const kept = body.patches.find(({ id }) => ids.has(id));
+  await replaceSurface(app, body, label, { ...surface, trianglePatch }, patches);
+  if (kept) app.view.selectAll([{ kind: "body-patch", id: kept.id }]);
 }
 
 /** Selects what the view shows of bodies: given triangles, those of a preview, or the mesh. */

@@ -6,9 +6,16 @@ import {
   type SurfaceInspection,
 } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
+import { nextBodyIds } from "../document/body-edits";
 import { bodiesOf } from "../document/entities";
 import { defaultRepair, type BodyRepair, type RepairWishes } from "../document/body-repair";
-import { SurfaceClient, type LoadedSurface, type NewBody, type PatchArrays } from "../workers/surface-files";
+import {
+  SurfaceClient,
+  type DrawnSplit,
+  type LoadedSurface,
+  type NewBody,
+  type PatchArrays,
+} from "../workers/surface-files";
 import { BodyPreparations, type Preparation } from "./body-preparations";
 import { BodySurfaces } from "./body-surfaces";
 import type { DocumentStore } from "./document-store";
@@ -22,6 +29,8 @@ export interface BodyState {
   readonly inspection: SurfaceInspection | null;
   /** What a repair would change; null if none is needed, and until it is known. */
   readonly repair: BodyRepair | null;
+  /** The patches that a split would make; null without a proposal. */
+  readonly split: BodySplit | null;
   /** Why the surface could not be read or inspected. */
   readonly failure: string | null;
   /** The preview made last, which may be out of date. */
@@ -30,6 +39,14 @@ export interface BodyState {
   readonly preparing: number | null;
   /** Why the last preview failed. */
   readonly preparationFailure: string | null;
+}
+
+/** A proposed split of patches by angle. */
+export interface BodySplit extends DrawnSplit {
+  /** Degrees. */
+  readonly angle: number;
+  /** Id of the patch that is split; null for all. */
+  readonly patch: number | null;
 }
 
 export interface BodiesState {
@@ -44,6 +61,7 @@ const unknownBody = (body: ProjectBody): BodyState => ({
   loaded: null,
   inspection: null,
   repair: null,
+  split: null,
   failure: null,
   preparation: null,
   preparing: null,
@@ -165,6 +183,20 @@ export class BodyFeed {
     } catch (error) {
       this.#setFor(body, { failure: error instanceof Error ? error.message : String(error) });
     }
+  }
+
+  /** Shows which patches a split along edges with a larger angle would make, of one patch or of all. */
+  async proposeSplit(body: ProjectBody, angle: number, patch: number | null): Promise<void> {
+    const { surface } = await this.#surfaces.load(body);
+    const only = patch === null ? null : body.patches.findIndex(({ id }) => id === patch);
+    const { firstPatchId: nextId } = nextBodyIds(this.#documents.project);
+    const options = { angle, only, nextId, bodyName: body.name ?? "" };
+    const made = await this.#client.split(surface, body.patches, options);
+    this.#setFor(body, { split: { ...made, angle, patch } });
+  }
+
+  dropSplit(id: number): void {
+    this.#set(id, { split: null });
   }
 
   #follow(project: Project): void {

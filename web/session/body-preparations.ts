@@ -10,7 +10,7 @@ export interface Preparation {
   /** Key of everything that they depend on. */
   readonly key: string;
   readonly prepared: PreparedBody;
-  /** The values are the deviation of each triangle divided by the tolerance, if the body was remeshed. */
+  /** If the body was remeshed, its values are positions on the colour scale of the deviation. */
   readonly drawn: DrawnSurface;
 }
 
@@ -74,11 +74,11 @@ const surfaceOf = ({ points, triangles, trianglePatch }: PreparedBody) => ({
   trianglePatch,
 });
 
-/** Returns the deviation of each triangle divided by the tolerance. */
+/** Returns the positions on the colour scale: 1 for triangles without deviation, 0 for those at the tolerance. */
 function sharesOf(prepared: PreparedBody): Float32Array | null {
   const { triangleDeviation, tolerance = 0 } = prepared as PreparedBody & {
     readonly triangleDeviation?: Float32Array;
   };
   if (!triangleDeviation || tolerance === 0) return null;
-  return Float32Array.from(triangleDeviation, (deviation) => deviation / tolerance);
+  return Float32Array.from(triangleDeviation, (deviation) => 1 - deviation / tolerance);
 }

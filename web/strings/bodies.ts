@@ -128,6 +128,16 @@ export const bodyStrings = {
     meanRatio: "Mean 2r/R",
     deviationLegend: "deviation / tolerance",
   },
+  split: {
+    title: "Patches",
+    hint: "Splits patches along edges with a larger angle.",
+    angle: "Angle",
+    preview: "Preview split",
+    result: (patches: number) => `Gives ${counted(patches, "patch", "patches")}.`,
+    apply: "Split",
+    cancel: "Cancel",
+    merge: "Merge patches",
+  },
   generate: "Generate mesh",
   placement: {
     title: "Placement",

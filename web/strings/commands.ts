@@ -17,6 +17,7 @@ export const commandLabels = {
   delete: "Delete selection",
   selectSeveral: "Select several (each click toggles)",
   deselect: "Clear selection",
+  mergePatches: "Merge selected patches of a body",
 
   newPoint: "Point…",
   newNode: "Background node…",

@@ -16,6 +16,18 @@ export interface ShownBody {
   readonly given: LoadedSurface | null;
   /** The triangles of an up-to-date preview, at their place; null without one. */
   readonly preview: DrawnSurface | null;
+  /** The given triangles with the patches that a proposed split would make; null without a proposal. */
+  readonly split: { readonly drawn: DrawnSurface; readonly patches: readonly ProjectBodyPatch[] } | null;
+}
+
+/** Triangles to draw, and how. */
+export interface DrawnTriangles {
+  readonly drawn: DrawnSurface | null;
+  readonly patches: readonly ProjectBodyPatch[];
+  /** Where to move them; undefined if they are at their place. */
+  readonly placement: BodyPlacement | undefined;
+  /** Meaning of the values: deviations, or indices of patches. */
+  readonly values: "deviation" | "patch";
 }
 
 interface Known {
@@ -37,7 +49,9 @@ export function shownBodies(project: Project, feed: BodyFeed): readonly ShownBod
   const shown = bodies.map(({ id, patches, placement }): ShownBody => {
     const state = byId.get(id);
     const given = state?.loaded ?? null;
-    return { id, patches, placement, given, preview: state ? currentPreview(project, feed, state) : null };
+    const preview = state ? currentPreview(project, feed, state) : null;
+    const split = state?.split ? { drawn: state.split.drawn, patches: state.split.split.patches } : null;
+    return { id, patches, placement, given, preview, split };
   });
   known.set(byId, { bodies: project.bodies, shown });
   return shown;
@@ -49,13 +63,15 @@ function currentPreview(project: Project, { preparations }: BodyFeed, state: Bod
   return current === state.preparation ? (current?.drawn ?? null) : null;
 }
 
-/** Returns the triangles to draw, and where to move them. */
+/** Returns the triangles to draw of a body. */
 export function drawnOf(
-  { given, preview, placement }: ShownBody,
+  { given, preview, split, patches, placement }: ShownBody,
   surface: ViewState["bodySurface"],
-): { readonly drawn: DrawnSurface | null; readonly placement: BodyPlacement | undefined } {
-  if (surface === "new" && preview) return { drawn: preview, placement: undefined };
-  return { drawn: given?.drawn ?? null, placement };
+): DrawnTriangles {
+  if (split) return { ...split, placement, values: "patch" };
+  if (surface === "new" && preview)
+    return { drawn: preview, patches, placement: undefined, values: "deviation" };
+  return { drawn: given?.drawn ?? null, patches, placement, values: "patch" };
 }
 
 /** Returns the box of a body at its place; null until its triangles are loaded. */

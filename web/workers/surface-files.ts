@@ -1,5 +1,6 @@
 import type { PatchedSurface, ProjectBody } from "tetrafront";
 import type { DrawnSurface } from "../document/drawn-surface";
+import type { SplitOptions, SplitPatches } from "../document/patch-splitting";
 import { unpackedBody, type PackedBody } from "./packed-bodies";
 import { copyForTransfer } from "./transfer";
 import { WorkerClient } from "./worker-client";
@@ -47,6 +48,12 @@ export interface ReadSurface extends NewBody {
 export type SurfaceReading<Read = ReadSurface> =
   ({ readonly success: true } & Read) | { readonly success: false; readonly reasons: readonly string[] };
 
+/** Patches that a split makes, and the triangles to draw, coloured by patch. */
+export interface DrawnSplit {
+  readonly split: SplitPatches;
+  readonly drawn: DrawnSurface;
+}
+
 /** A surface and the patches of a body, which replace those of a given body. */
 export interface ReplacedSurface {
   readonly body: ProjectBody;
@@ -62,6 +69,14 @@ export interface SurfaceProtocol {
   /** Returns the arrays of a body. */
   readonly load: { readonly argument: ProjectBody; readonly answer: PackedNewBody };
   readonly replace: { readonly argument: ReplacedSurface; readonly answer: PackedNewBody };
+  readonly split: {
+    readonly argument: {
+      readonly surface: PatchArrays;
+      readonly patches: ProjectBody["patches"];
+      readonly options: SplitOptions;
+    };
+    readonly answer: DrawnSplit;
+  };
   readonly draw: {
     readonly argument: {
       readonly surface: PatchedSurface;
@@ -118,6 +133,12 @@ export class SurfaceClient {
     const { points: _points, triangles: _triangles, trianglePatch: _patch, ...rest } = body;
     const head: ProjectBody = { ...rest, points: "", triangles: "" };
     return unpacked(await this.#worker.call("replace", { body: head, surface: copy, patches }, buffers));
+  }
+
+  /** Returns the patches of a body after a split. */
+  split(surface: PatchArrays, patches: ProjectBody["patches"], options: SplitOptions): Promise<DrawnSplit> {
+    const { copy, buffers } = copyForTransfer(surface);
+    return this.#worker.call("split", { surface: copy, patches, options }, buffers);
   }
 
   /** Returns the triangles to draw of a surface. */

@@ -1,6 +1,7 @@
 /** Reads surface files and converts the surfaces of bodies, so that no step of it blocks the page. */
 import { bodySurface, createBody, readSurface, type PatchedSurface, type ProjectBody } from "tetrafront";
 import { buffersOfDrawn, drawnSurface } from "../document/drawn-surface";
+import { splitByAngle } from "../document/patch-splitting";
 import { buffersOfPacked, packedBody } from "./packed-bodies";
 import { serveCalls } from "./serve-calls";
 import type { LoadedSurface, PackedNewBody, PatchArrays, SurfaceProtocol } from "./surface-files";
@@ -39,6 +40,11 @@ serveCalls<SurfaceProtocol>({
     });
     return { answer: replaced, transfer: buffersOf(replaced) };
   },
+  split: ({ surface, patches, options }) => {
+    const split = splitByAngle(surface, patches, options);
+    const drawn = drawnSurface({ ...surface, ...split }, split.patches.length, split.trianglePatch);
+    return { answer: { split, drawn }, transfer: [split.trianglePatch.buffer, ...buffersOfDrawn(drawn)] };
+  },
   draw: ({ surface, patchCount, values }) => {
     const answer = drawnSurface(surface, patchCount, values);
     return { answer, transfer: buffersOfDrawn(answer) };
@@ -52,7 +58,9 @@ function newBody(body: ProjectBody): PackedNewBody {
 /** Returns the arrays of a body where they were given: the view moves them. */
 function loadedFrom({ placement: _, ...body }: ProjectBody): LoadedSurface {
   const surface = withPatches(bodySurface(body));
-  return { surface, drawn: drawnSurface(surface, body.patches.length) };
+  // One patch needs no colour of its own.
+  const values = body.patches.length > 1 ? surface.trianglePatch : null;
+  return { surface, drawn: drawnSurface(surface, body.patches.length, values) };
 }
 
 function withPatches({ points, triangles, trianglePatch }: PatchedSurface): PatchArrays {

@@ -7,6 +7,7 @@ import { SectionTitle } from "../../ui/frames/section-title";
 import { formatCount, formatShort } from "../../ui/format";
 import { strings } from "../../strings";
 import { useApp, useProject, useRun } from "../shared/app-context";
+import { SplitSection } from "./body-patches";
 import { BodyPlacementFields } from "./body-placement";
 import { BodyPreview } from "./body-preview";
 import { BodyProblems } from "./body-problems";
@@ -38,6 +39,7 @@ export function BodyCard({ body }: { readonly body: ProjectBody }) {
       <BodyTreatment body={body} />
       <BodyPreview body={body} />
       <GenerateButton isPossible={state?.inspection?.isFillable === true} />
+      <SplitSection body={body} patch={null} />
       <BodyPlacementFields body={body} />
     </div>
   );

@@ -1,6 +1,7 @@
 import { Button, Text } from "@mantine/core";
 import { createFrom, makers, sourceMakers } from "../../commands/create-menu";
 import { deleteSelection } from "../../commands/selection-actions";
+import { mergeableBody, mergeSelectedPatches } from "../../commands/surface-actions";
 import type { Entity } from "../../document/entities";
 import { isClosedChain } from "../../document/selection";
 import { SectionTitle } from "../../ui/frames/section-title";
@@ -23,6 +24,18 @@ export function SelectionCard({ selection }: { readonly selection: readonly Enti
       </SectionTitle>
       <EntityChips entities={selection} project={project} />
       <CreateFromSelection selection={selection} explain />
+      {mergeableBody(project, selection) && (
+        <Button
+          mt={10}
+          mr={8}
+          size="compact-xs"
+          variant="default"
+          data-testid="merge-patches"
+          onClick={() => void mergeSelectedPatches(app)}
+        >
+          {strings.bodies.split.merge}
+        </Button>
+      )}
       <Button mt={10} size="compact-xs" variant="default" onClick={() => deleteSelection(app)}>
         {strings.inspector.deleteAll}
       </Button>

@@ -1,13 +1,60 @@
+import { useStore } from "zustand";
 import { asksForStretching, bestValue, worstShown, type QualityMeasure } from "../../document/mesh-quality";
 import { measuredIn, measureNames, spaceNames, strings } from "../../strings";
 import type { RunState } from "../../session/run";
+import { shownBodies } from "../../viewer/shown-bodies";
 import { viridis } from "../../ui/theme/viridis";
-import { useProject, useQualitySpace, useRegions, useRun, useView } from "../shared/app-context";
+import { useApp, useProject, useQualitySpace, useRegions, useRun, useView } from "../shared/app-context";
 import styles from "./legend.module.css";
 import { RegionList } from "../shared/region-list";
 
 /** The meaning of the mesh's colours. */
 export function Legend() {
+  const showsDeviation = useDeviationShown();
+  if (showsDeviation) return <DeviationLegend />;
+  return <MeshLegend />;
+}
+
+/** Returns whether the view shows the deviation of new triangles of a body. */
+function useDeviationShown(): boolean {
+  const app = useApp();
+  const project = useProject();
+  const surface = useView((state) => state.bodySurface);
+  const meshLayer = useView((state) => state.layers.mesh);
+  const bodyLayer = useView((state) => state.layers.bodies);
+  const hasMesh = useRun((state) => showsMesh(state) || (state.front?.length ?? 0) > 0);
+  useStore(app.bodies.state, ({ byId }) => byId);
+  if (!bodyLayer || surface !== "new" || (meshLayer && hasMesh)) return false;
+  return shownBodies(project, app.bodies).some(
+    ({ preview, split }) => preview !== null && preview.values !== null && split === null,
+  );
+}
+
+/** The colour scale of the distance between the new triangles and the given surface. */
+function DeviationLegend() {
+  const name = strings.bodies.preview.deviationLegend;
+  return (
+    <figure
+      className={styles["legend"]}
+      aria-label={`${strings.viewport.legend}: ${name}`}
+      data-testid="deviation-legend"
+    >
+      <div
+        className={styles["bar"]}
+        style={{ background: `linear-gradient(to top, ${viridis.join(", ")})` }}
+      />
+      <div className={styles["ticks"]}>
+        {ticks.map((tick) => (
+          <span key={tick}>{(1 - tick).toFixed(2)}</span>
+        ))}
+      </div>
+      <figcaption>{name}</figcaption>
+    </figure>
+  );
+}
+
+/** The meaning of the colours of tetrahedra. */
+function MeshLegend() {
   const shading = useView((state) => state.shading);
   const visible = useView((state) => state.layers.mesh);
   const hasMesh = useRun(showsMesh);

@@ -2,7 +2,7 @@ import { Group, type DataTexture, type Ray } from "three";
 import { setStateColors } from "../draw-state";
 import { createBodyMaterial } from "../materials/body-material";
 import { createPatchMaterial } from "../materials/patch-material";
-import { rampTexture } from "../materials/textures";
+import { paletteTexture, rampTexture } from "../materials/textures";
 import { setColor, setNumber, setTexture } from "../materials/uniforms";
 import type { ViewerColors } from "../colors";
 import type { SceneChanges, SceneState } from "../scene-state";
@@ -20,7 +20,8 @@ export class BodiesLayer implements HittableLayer {
   readonly #objects = new Map<number, BodyObject>();
   readonly #materials: BodyMaterials = {
     plain: createBodyMaterial(),
-    shaded: createBodyMaterial(),
+    deviation: createBodyMaterial(),
+    patch: createBodyMaterial(),
     emphasized: createPatchMaterial({
       opacities: { hover: 0.35, selected: 0.5, defective: 0.8 },
       polygonOffset: -1,
@@ -32,19 +33,19 @@ export class BodiesLayer implements HittableLayer {
   };
   readonly #buildTree: BuildTree;
   #ramp: DataTexture | null = null;
+  #palette: DataTexture | null = null;
 
   /** @param buildTree builds trees for hit tests in a worker. */
   constructor(buildTree: BuildTree) {
     this.#buildTree = buildTree;
-    setNumber(this.#materials.shaded, "shaded", 1);
+    setNumber(this.#materials.deviation, "shaded", 1);
+    setNumber(this.#materials.patch, "shaded", 1);
   }
 
   update(changes: SceneChanges): void {
     const { state } = changes;
     if (changes.has("colors")) this.#setColors(state.colors);
-    for (const material of [this.#materials.plain, this.#materials.shaded]) {
-      setNumber(material, "edges", state.edges ? 1 : 0);
-    }
+    for (const material of this.#bases) setNumber(material, "edges", state.edges ? 1 : 0);
     if (changes.has("bodies", "bodySurface", "origin")) this.#setBodies(state);
     const isSolid = !showsMesh(state);
     for (const [id, object] of this.#objects) {
@@ -65,14 +66,24 @@ export class BodiesLayer implements HittableLayer {
     for (const object of this.#objects.values()) object.dispose();
     for (const material of Object.values(this.#materials) as { dispose: () => void }[]) material.dispose();
     this.#ramp?.dispose();
+    this.#palette?.dispose();
+  }
+
+  get #bases() {
+    const { plain, deviation, patch } = this.#materials;
+    return [plain, deviation, patch];
   }
 
   #setColors(colors: ViewerColors): void {
     const { hover, selection: selected, front: defective } = colors;
     this.#ramp?.dispose();
+    this.#palette?.dispose();
     this.#ramp = rampTexture(colors.ramp);
-    setTexture(this.#materials.shaded, "ramp", this.#ramp);
-    for (const material of [this.#materials.plain, this.#materials.shaded]) {
+    this.#palette = paletteTexture(colors.regions);
+    setTexture(this.#materials.deviation, "ramp", this.#ramp);
+    setTexture(this.#materials.patch, "ramp", this.#palette);
+    setNumber(this.#materials.patch, "hues", colors.regions.length);
+    for (const material of this.#bases) {
       setColor(material, "plainColor", colors.meshPlain);
       setColor(material, "edgeColor", colors.meshEdge);
     }
@@ -93,8 +104,7 @@ export class BodiesLayer implements HittableLayer {
       const object = this.#objects.get(body.id) ?? new BodyObject(this.#materials);
       if (!this.#objects.has(body.id)) this.root.add(object.root);
       this.#objects.set(body.id, object);
-      const { drawn, placement } = drawnOf(body, bodySurface);
-      object.setTriangles(drawn, body.patches, placement, this.#buildTree);
+      object.setTriangles(drawnOf(body, bodySurface), this.#buildTree);
       object.place(origin);
     }
   }

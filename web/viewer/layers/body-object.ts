@@ -1,4 +1,4 @@
-import type { BodyPlacement, ProjectBodyPatch } from "tetrafront";
+import type { BodyPlacement } from "tetrafront";
 import { BufferAttribute, BufferGeometry, DoubleSide, Group, Matrix4, Mesh, type Ray } from "three";
 import type { DrawnSurface } from "../../document/drawn-surface";
 import { noRotation, placed } from "../../document/placement";
@@ -6,6 +6,7 @@ import type { Position } from "../../document/position";
 import { EntityStates } from "../entity-states";
 import type { StateMaterial } from "../draw-state";
 import type { SceneState } from "../scene-state";
+import type { DrawnTriangles } from "../shown-bodies";
 import type { Screen } from "../screen";
 import { TriangleTree, type SerializedTree } from "../triangle-tree";
 import type { Hit } from "./layer";
@@ -14,9 +15,10 @@ export type BuildTree = (corners: Float32Array<ArrayBuffer>) => Promise<Serializ
 
 /** Materials of the passes, which the bodies share. */
 export interface BodyMaterials {
-  /** Without values and with values. */
+  /** In one colour, and by each meaning of values. */
   readonly plain: StateMaterial;
-  readonly shaded: StateMaterial;
+  readonly deviation: StateMaterial;
+  readonly patch: StateMaterial;
   readonly emphasized: StateMaterial;
   readonly behind: StateMaterial;
 }
@@ -46,13 +48,8 @@ export class BodyObject {
     });
   }
 
-  /** Sets the triangles. They are at their place already if `placement` is undefined. */
-  setTriangles(
-    drawn: DrawnSurface | null,
-    patches: readonly ProjectBodyPatch[],
-    placement: BodyPlacement | undefined,
-    buildTree: BuildTree,
-  ): void {
+  /** Sets the triangles. */
+  setTriangles({ drawn, patches, placement, values }: DrawnTriangles, buildTree: BuildTree): void {
     this.#placement = placement;
     const isSame = drawn === this.#drawn;
     this.#drawn = drawn;
@@ -65,6 +62,7 @@ export class BodyObject {
       Uint32Array.from(drawn.patchOffsets, (triangle) => 3 * triangle),
     );
     if (!isSame) this.#setGeometry(drawn, buildTree);
+    this.#base.material = drawn.values ? this.#materials[values] : this.#materials.plain;
     this.#geometry.setAttribute("state", this.#states.attribute);
   }
 
@@ -116,7 +114,6 @@ export class BodyObject {
     this.#geometry.dispose();
     this.#geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(corners, 3));
     if (values) this.#geometry.setAttribute("value", new BufferAttribute(values, 1));
-    this.#base.material = values ? this.#materials.shaded : this.#materials.plain;
     for (const mesh of [this.#base, this.#emphasized, this.#behind]) mesh.geometry = this.#geometry;
     this.#tree = new TriangleTree(corners);
     void this.#tree.prepare(buildTree);

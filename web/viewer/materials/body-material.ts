@@ -20,6 +20,7 @@ const vertexShader = /* glsl */ `
 
 const fragmentShader = /* glsl */ `
   uniform sampler2D ramp;
+  uniform float hues;
   uniform vec3 plainColor;
   uniform vec3 edgeColor;
   uniform float shaded;
@@ -30,7 +31,8 @@ const fragmentShader = /* glsl */ `
   ${facetLight}
   ${edgeStrength}
   void main() {
-    vec3 color = mix(plainColor, texture2D(ramp, vec2(clamp(vValue, 0.002, 0.998), 0.5)).rgb, shaded);
+    float texel = hues > 0.0 ? mod(vValue + 0.5, hues) / hues : clamp(vValue, 0.002, 0.998);
+    vec3 color = mix(plainColor, texture2D(ramp, vec2(texel, 0.5)).rgb, shaded);
     color *= facetLight(vViewPosition);
     gl_FragColor = vec4(mix(color, edgeColor, edges * edgeStrength(vBarycentric, 0.6)), 1.0);
   }
@@ -38,12 +40,13 @@ const fragmentShader = /* glsl */ `
 
 /**
  * Triangles of a body without an index, seen from both sides: in one colour, or shaded by a value per corner, a position
- * on a colour ramp.
+ * on a colour ramp, or with a palette of `hues` colours the index of a colour.
  */
 export function createBodyMaterial(): StateMaterial {
   const uniforms = {
     ...drawStateUniforms({ normal: 1, hover: 1, selected: 1, defective: 1 }),
     ramp: { value: null },
+    hues: { value: 0 },
     plainColor: { value: new Color() },
     edgeColor: { value: new Color() },
     shaded: { value: 0 },

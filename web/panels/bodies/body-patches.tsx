@@ -1,0 +1,80 @@
+import { Button, Group, Text } from "@mantine/core";
+import { useState } from "react";
+import { REMESH_DEFAULTS, type ProjectBody } from "tetrafront";
+import { showBodySurface, splitPatches } from "../../commands/surface-actions";
+import { NumberRow } from "../../ui/fields/number-row";
+import { strings } from "../../strings";
+import { useApp } from "../shared/app-context";
+import styles from "./bodies.module.css";
+import { useBody } from "./use-body";
+
+const texts = strings.bodies.split;
+
+const refuseAngle = (value: number): string | null =>
+  value >= 1 && value <= 180 ? null : strings.bodies.treatment.invalidAngle;
+
+interface SplitSectionProps {
+  readonly body: ProjectBody;
+  /** Id of the only patch to split; null for all. */
+  readonly patch: number | null;
+}
+
+/** Splits patches along sharp edges. The view shows the result in colours before it is applied. */
+export function SplitSection({ body, patch }: SplitSectionProps) {
+  const app = useApp();
+  const [angle, setAngle] = useState<number>(REMESH_DEFAULTS.featureAngle);
+  const split = useBody(body.id)?.split;
+  const proposed = split?.patch === patch ? split : null;
+  const propose = (next: number): void => {
+    showBodySurface(app, "given");
+    void app.bodies.proposeSplit(body, next, patch);
+  };
+  return (
+    <details className={styles["options"]} data-testid="split-patches">
+      <summary>{texts.title}</summary>
+      <NumberRow
+        label={texts.angle}
+        value={angle}
+        step={5}
+        refuse={refuseAngle}
+        testId="split-angle"
+        onCommit={(next) => {
+          setAngle(next);
+          if (proposed) propose(next);
+        }}
+      />
+      <Text size="xs" c="dimmed" mb={6}>
+        {texts.hint}
+      </Text>
+      {proposed ? (
+        <>
+          <Text size="sm" mb={6} role="status" data-testid="split-result">
+            {texts.result(proposed.split.patches.length)}
+          </Text>
+          <Group gap={8}>
+            <Button
+              size="compact-sm"
+              disabled={proposed.split.patches.length === body.patches.length}
+              data-testid="split-apply"
+              onClick={() => void splitPatches(app, body.id)}
+            >
+              {texts.apply}
+            </Button>
+            <Button size="compact-sm" variant="default" onClick={() => app.bodies.dropSplit(body.id)}>
+              {texts.cancel}
+            </Button>
+          </Group>
+        </>
+      ) : (
+        <Button
+          size="compact-sm"
+          variant="default"
+          data-testid="split-preview"
+          onClick={() => propose(angle)}
+        >
+          {texts.preview}
+        </Button>
+      )}
+    </details>
+  );
+}
