@@ -243,7 +243,6 @@ test("an imported surface joins the open document, is moved and deleted, each as
   await app.type("placement-position-z", "20");
   await app.type("placement-rotation-x", "90");
   await expect(page.getByTestId("placement-rotation-x")).toHaveValue("90");
-  await previewed(page).catch(() => undefined);
   const saved = await downloaded(page, () => page.keyboard.press("Control+s"));
   const read = readProject(new TextDecoder().decode(saved));
   expect(read.success && read.value.bodies?.[0]?.placement?.position).toEqual([0, 0, 20]);
@@ -273,3 +272,40 @@ for (const scheme of ["dark", "light"] as const) {
     expect(violations.map(({ id, nodes }) => `${id}: ${nodes[0]?.html}`)).toEqual([]);
   });
 }
+
+test("patches are split by angle after a preview and merged again, and a click in the view picks one", async ({
+  page,
+}) => {
+  const app = await openPlate(page);
+  await previewed(page);
+  await page.getByTestId("split-patches").locator("summary").click();
+  const before = await app.colours();
+  await page.getByTestId("split-preview").click();
+  await expect(page.getByTestId("split-result")).toHaveText("Gives 7 patches.");
+  // The view shows each patch in a colour of its own before the split is applied.
+  await expect.poll(() => app.colours()).not.toBe(before);
+  await expect(page.getByTestId("body-patches")).toHaveText("1");
+  await page.getByTestId("split-apply").click();
+  await expect(page.getByTestId("body-patches")).toHaveText("7");
+  await expect(page.getByTestId("tree-body-patch-7")).toBeVisible();
+
+  const at = await page.evaluate(() => {
+    const { tetrafrontPosition } = window as unknown as {
+      tetrafrontPosition: (at: unknown) => { x: number; y: number };
+    };
+    return tetrafrontPosition([4, 4, 1]);
+  });
+  await app.viewport.click({ position: at });
+  // The top is the patch whose lowest corner is highest, so it comes last.
+  await expect(page.getByTestId("tree-body-patch-7")).toHaveAttribute("aria-selected", "true");
+  await app.type("entity-name", "top");
+  await page.getByTestId("tree-body-patch-1").click();
+  await page.getByTestId("tree-body-patch-2").click({ modifiers: ["Control"] });
+  await page.getByTestId("merge-patches").click();
+  await expect(page.getByTestId("tree-body-patch-2")).toBeHidden();
+  await page.getByRole("button", { name: "Undo: Merge 2 patches" }).click();
+  await expect(page.getByTestId("tree-body-patch-2")).toBeVisible();
+  await page.keyboard.press("Control+z");
+  await page.getByRole("button", { name: /^Undo: Split plate/ }).click();
+  await expect(page.getByTestId("tree-body-patch-2")).toBeHidden();
+});
