@@ -1,4 +1,5 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
+import type { Brush } from "./brush";
 import type { QualitySpace } from "./mesh-quality";
 import { entityKey, sameEntity, type Entity } from "./entities";
 
@@ -39,6 +40,8 @@ export interface ViewState {
   /** Where the quality of a stretched mesh is measured, wherever the page shows it. */
   readonly qualitySpace: QualitySpace;
   readonly edges: boolean;
+  /** The brush with which the left button paints sizes; null if it selects. */
+  readonly brush: Brush | null;
   /** Every click toggles, as if Ctrl were held: for touch screens. */
   readonly several: boolean;
 }
@@ -65,6 +68,7 @@ const initialView: ViewState = {
   shading: "radius-ratio",
   qualitySpace: "metric",
   edges: true,
+  brush: null,
   several: false,
 };
 
@@ -150,6 +154,12 @@ export class ViewStore {
     if (!sameEntity(hover, this.state.getState().hover)) this.state.setState({ hover });
   }
 
+  /** Takes a brush, or puts it away. */
+  setBrush(brush: Brush | null): void {
+    this.state.setState({ brush });
+    if (brush) this.setLayer("sources", true);
+  }
+
   setLayer(layer: Layer, visible: boolean): void {
     if (this.state.getState().layers[layer] === visible) return;
     this.state.setState(({ layers }) => ({ layers: { ...layers, [layer]: visible } }));
@@ -208,6 +218,7 @@ export class ViewStore {
       ...nothingMarked,
       hidden: new Set(),
       hiddenRegions: new Set(),
+      brush: null,
       several: false,
     });
   }

@@ -16,7 +16,6 @@ export const bodyStepNames = {
   repair: (body: string) => `Repair ${body}`,
   merge: (count: number) => `Merge ${count} patches`,
   split: (what: string) => `Split ${what}`,
-  brush: "Paint size",
 } as const;
 
 /** What to do in the app about problems of a given surface, by code. */
@@ -139,6 +138,13 @@ export const bodyStrings = {
     merge: "Merge patches",
   },
   generate: "Generate mesh",
+  brush: {
+    title: "Paint size",
+    size: "Size",
+    radius: "Radius",
+    hint: "Drag over the surface: the stroke becomes sources that limit the size within the radius. Esc ends painting.",
+    paint: "Paint",
+  },
   placement: {
     title: "Placement",
     position: "Position",

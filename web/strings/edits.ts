@@ -29,6 +29,7 @@ export const stepNames = {
   addLines: (count: number) => `Add ${count} lines`,
   addHole: (patch: string) => `Add hole to ${patch}`,
   addTetrahedron: "Add background tetrahedron",
+  paintSize: "Paint size",
 } as const;
 
 /** Why nothing can be created from the selection: what to select instead. */

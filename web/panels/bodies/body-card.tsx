@@ -7,6 +7,7 @@ import { SectionTitle } from "../../ui/frames/section-title";
 import { formatCount, formatShort } from "../../ui/format";
 import { strings } from "../../strings";
 import { useApp, useProject, useRun } from "../shared/app-context";
+import { BrushSection } from "./body-brush";
 import { SplitSection } from "./body-patches";
 import { BodyPlacementFields } from "./body-placement";
 import { BodyPreview } from "./body-preview";
@@ -40,6 +41,7 @@ export function BodyCard({ body }: { readonly body: ProjectBody }) {
       <BodyPreview body={body} />
       <GenerateButton isPossible={state?.inspection?.isFillable === true} />
       <SplitSection body={body} patch={null} />
+      <BrushSection body={body} />
       <BodyPlacementFields body={body} />
     </div>
   );

@@ -1,6 +1,7 @@
 import { useComputedColorScheme } from "@mantine/core";
 import { useEffect, useRef, useState, type RefObject } from "react";
 import type { App } from "../../app/app";
+import { BrushTool } from "../../tools/brush-tool";
 import { SelectTool, type Hover } from "../../tools/select-tool";
 import { ToolController } from "../../tools/tool-controller";
 import { viewerColors } from "../../ui/theme/theme";
@@ -88,12 +89,18 @@ function connect(
   onHover: (hover: Hover | null) => void,
 ): () => void {
   const stop = followSession(app, viewer);
-  const tools = new ToolController(canvas, viewer, new SelectTool(viewer, app.view, onHover), (target) =>
-    pageApps.owns(app, target),
-  );
+  const select = new SelectTool(viewer, app.view, onHover);
+  const tools = new ToolController(canvas, viewer, select, (target) => pageApps.owns(app, target));
+  const brush = new BrushTool(app.documents, app.view);
+  const stopTools = app.view.state.subscribe((state, before) => {
+    if ((state.brush === null) === (before.brush === null)) return;
+    tools.use(state.brush ? brush : select);
+    canvas.style.cursor = state.brush ? "crosshair" : "";
+  });
   app.viewer.setState({ viewer });
   return () => {
     stop();
+    stopTools();
     tools.dispose();
     app.viewer.setState({ viewer: null });
   };
