@@ -309,3 +309,70 @@ test("patches are split by angle after a preview and merged again, and a click i
   await page.getByRole("button", { name: /^Undo: Split plate/ }).click();
   await expect(page.getByTestId("tree-body-patch-2")).toBeHidden();
 });
+
+const screenPosition = (page: Page, position: readonly number[]): Promise<{ x: number; y: number }> =>
+  page.evaluate((at) => {
+    const { tetrafrontPosition } = window as unknown as {
+      tetrafrontPosition: (at: unknown) => { x: number; y: number };
+    };
+    return tetrafrontPosition(at);
+  }, position);
+
+/** Drags the left button in the view. */
+async function drag(
+  app: AppPage,
+  from: { x: number; y: number },
+  to: { x: number; y: number },
+): Promise<void> {
+  const { x = 0, y = 0 } = (await app.viewport.boundingBox()) ?? {};
+  const { mouse } = app.page;
+  await mouse.move(x + from.x, y + from.y);
+  await mouse.move(x + from.x + 1, y + from.y);
+  await mouse.down();
+  await mouse.move(x + (from.x + to.x) / 2, y + (from.y + to.y) / 2, { steps: 4 });
+  await mouse.move(x + to.x, y + to.y, { steps: 4 });
+  await mouse.up();
+}
+
+test("a stroke of the brush paints sources that refine the preview, as one step of undo", async ({
+  page,
+}) => {
+  const app = await openPlate(page);
+  await previewed(page);
+  const coarse = Number((await page.getByTestId("prepared-triangles").textContent())?.replaceAll(",", ""));
+  await page.getByTestId("body-brush").locator("summary").click();
+  await app.type("brush-size", "0.1");
+  await page.getByTestId("brush-toggle").click();
+  await expect(page.getByTestId("brush-toggle")).toHaveAttribute("aria-pressed", "true");
+  await drag(app, await screenPosition(page, [3, -4, 1]), await screenPosition(page, [4, 3, 1]));
+  await expect(page.getByTestId("tree-source-2")).toBeVisible();
+  await page.keyboard.press("Escape");
+  await expect(page.getByTestId("brush-toggle")).toHaveAttribute("aria-pressed", "false");
+  await page.getByTestId("body-preview-make").click();
+  await previewed(page);
+  const fine = Number((await page.getByTestId("prepared-triangles").textContent())?.replaceAll(",", ""));
+  expect(fine).toBeGreaterThan(1.5 * coarse);
+  await page.getByRole("button", { name: "Undo: Paint size" }).click();
+  await expect(page.getByTestId("tree-source-1")).toBeHidden();
+  await previewed(page);
+});
+
+test("handles move a body, a drag as one step of undo", async ({ page }) => {
+  const app = await openPlate(page);
+  await previewed(page);
+  await page.getByTestId("body-placement").locator("summary").click();
+  const handles = page.getByTestId("body-placement").getByRole("radiogroup", { name: "Handles" });
+  const before = await app.viewport.screenshot();
+  await handles.getByText("Move", { exact: true }).click();
+  await expect.poll(async () => (await app.viewport.screenshot()).equals(before)).toBe(false);
+  const middle = await screenPosition(page, [0, 0, 0.5]);
+  // The arrow along z points up in the view.
+  await drag(app, { x: middle.x, y: middle.y - 50 }, { x: middle.x, y: middle.y - 150 });
+  const z = page.getByTestId("placement-position-z");
+  await expect.poll(async () => Number(await z.inputValue())).toBeGreaterThan(1);
+  expect(Math.abs(Number(await page.getByTestId("placement-position-x").inputValue()))).toBeLessThan(1e-6);
+  await page.getByRole("button", { name: "Undo: Move body 1" }).click();
+  await expect(z).toHaveValue("0");
+  await page.keyboard.press("Escape");
+  await expect(handles.getByRole("radio", { name: "None" })).toBeChecked();
+});

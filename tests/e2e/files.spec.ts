@@ -120,7 +120,8 @@ test("dropping a file without a surface shows what is wrong with it and what to 
   await app.open();
   await dropProject(page, "solid part", "part.STL");
   const surface = page.getByRole("dialog", { name: "part.STL could not be opened" });
-  await expect(surface).toContainText("no triangles");
+  await expect(surface).toContainText("line 2: expected");
+  await expect(surface).toContainText("Export the surface again");
   await dropProject(page, "", "part.ele");
   const volume = page.getByRole("dialog", { name: "part.ele could not be opened" });
   await expect(volume).toContainText('npx tetrafront info "part.ele"');

@@ -68,6 +68,18 @@ export function rotationOf(angles: Position): Quaternion {
   return unit(parts);
 }
 
+/** Returns the rotation by `first` followed by `then`. */
+export function combined(then: Quaternion, first: Quaternion): Quaternion {
+  const [x, y, z, w] = then;
+  const [a, b, c, d] = first;
+  return unit([
+    w * a + x * d + y * c - z * b,
+    w * b - x * c + y * d + z * a,
+    w * c + x * b - y * a + z * d,
+    w * d - x * a - y * b - z * c,
+  ]);
+}
+
 function unit(parts: Quaternion): Quaternion {
   const norm = Math.hypot(...parts);
   return parts.map((part) => part / norm) as [number, number, number, number];

@@ -42,6 +42,8 @@ export interface ViewState {
   readonly edges: boolean;
   /** The brush with which the left button paints sizes; null if it selects. */
   readonly brush: Brush | null;
+  /** What the handles in the view do; null without handles. */
+  readonly moving: Moving | null;
   /** Every click toggles, as if Ctrl were held: for touch screens. */
   readonly several: boolean;
 }
@@ -69,6 +71,7 @@ const initialView: ViewState = {
   qualitySpace: "metric",
   edges: true,
   brush: null,
+  moving: null,
   several: false,
 };
 
@@ -85,6 +88,12 @@ export function isClosedChain(selection: readonly Entity[]): boolean {
 function closesChain(selection: readonly Entity[], entity: Entity): boolean {
   const isChain = selection.length >= 3 && selection.every(({ kind }) => kind === "point");
   return isChain && sameEntity(selection[0] ?? null, entity) && !isClosedChain(selection);
+}
+
+/** The body that handles in the view move. */
+export interface Moving {
+  readonly body: number;
+  readonly mode: "translate" | "rotate";
 }
 
 export type SelectMode = "replace" | "add" | "toggle";
@@ -156,8 +165,13 @@ export class ViewStore {
 
   /** Takes a brush, or puts it away. */
   setBrush(brush: Brush | null): void {
-    this.state.setState({ brush });
+    this.state.setState({ brush, moving: null });
     if (brush) this.setLayer("sources", true);
+  }
+
+  /** Shows handles that move or rotate a body, or hides them. */
+  setMoving(moving: Moving | null): void {
+    this.state.setState({ moving, brush: null });
   }
 
   setLayer(layer: Layer, visible: boolean): void {
@@ -219,6 +233,7 @@ export class ViewStore {
       hidden: new Set(),
       hiddenRegions: new Set(),
       brush: null,
+      moving: null,
       several: false,
     });
   }

@@ -152,6 +152,8 @@ export const bodyStrings = {
     scale: "Scale",
     hint: "Scales, then rotates about x, y and z (degrees), then moves the given points.",
     reset: "Reset placement",
+    handles: "Handles",
+    modes: { off: "None", translate: "Move", rotate: "Rotate" },
   },
   patchOf: "Body",
   cardList: "Bodies",

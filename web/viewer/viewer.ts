@@ -1,3 +1,4 @@
+import type { PerspectiveCamera } from "three";
 import type { Entity } from "../document/entities";
 import { Bounds, boundsOf, entityBounds, projectBounds, roomyBounds } from "./bounds";
 import { ViewCamera, type StandardView } from "./camera";
@@ -9,7 +10,7 @@ import type { Hit, Layer, Target } from "./layers/layer";
 import type { MeshQueryClient } from "./queries/mesh-query-client";
 import type { Position } from "../document/position";
 import { SceneLayers } from "./scene-layers";
-import { SceneChanges, type SceneState, type ShownState } from "./scene-state";
+import { SceneChanges, type SceneState, type ShownState, type Viewport } from "./scene-state";
 import { SceneRenderer } from "./scene-renderer";
 import { Screen, type ScreenPoint } from "./screen";
 import type { ViewCube } from "./view-cube";
@@ -193,6 +194,15 @@ export class Viewer {
       remove();
       this.#loop.request();
     };
+  }
+
+  get camera(): PerspectiveCamera {
+    return this.#view.camera;
+  }
+
+  /** Width and height in CSS pixels. */
+  get size(): Pick<Viewport, "width" | "height"> {
+    return this.#state.viewport;
   }
 
   /** Draws again, after a layer has changed by itself. */

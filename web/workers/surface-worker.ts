@@ -11,7 +11,7 @@ serveCalls<SurfaceProtocol>({
     const read = await readSurface(file.stream(), { fileName });
     if (!read.success) {
       const reasons = read.errors.map(({ message, remedy, line }) =>
-        [line === undefined ? message : `Line ${line}: ${message}`, remedy]
+        [line === undefined || /^line \d/i.test(message) ? message : `Line ${line}: ${message}`, remedy]
           .filter((text) => text !== "")
           .join(". "),
       );

@@ -4,7 +4,7 @@ import { addBody, nextBodyIds, setPlacement } from "../../../web/document/body-e
 import { documentKey, meshKey, preparedKey } from "../../../web/document/content-keys";
 import { drawnSurface } from "../../../web/document/drawn-surface";
 import { deleteEntities, renameEntity } from "../../../web/document/edits";
-import { anglesOf, placed, placedBox, rotationOf } from "../../../web/document/placement";
+import { anglesOf, combined, placed, placedBox, rotationOf } from "../../../web/document/placement";
 import { bodyProblems } from "../../../web/document/validate";
 import { DocumentStore } from "../../../web/session/document-store";
 import { entryBytes, maxHistoryBytes } from "../../../web/session/history";
@@ -80,6 +80,13 @@ describe("the placement of a body", () => {
     expect(documents.project.bodies?.[0]?.placement).toEqual({ scale: 2 });
     documents.edit(setPlacement(3, { scale: 1 }));
     expect(documents.project.bodies?.[0]).toEqual(body);
+  });
+
+  it("combines rotations in order", () => {
+    const [first, then] = [rotationOf([40, 0, -20]), rotationOf([0, 70, 10])];
+    const both = placed([1, 2, 3], { rotation: combined(then, first) });
+    const inOrder = placed(placed([1, 2, 3], { rotation: first }), { rotation: then });
+    both.forEach((x, k) => expect(x).toBeCloseTo(inOrder[k] ?? NaN, 12));
   });
 
   it("moves the positions of problems", () => {

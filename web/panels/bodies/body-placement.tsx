@@ -1,12 +1,13 @@
-import { Button, Text } from "@mantine/core";
+import { Button, SegmentedControl, Text } from "@mantine/core";
 import type { BodyPlacement, ProjectBody } from "tetrafront";
 import { setPlacement } from "../../document/body-edits";
 import { anglesOf, noRotation, rotationOf } from "../../document/placement";
 import type { Position } from "../../document/position";
+import { FieldRow } from "../../ui/fields/field-row";
 import { NumberRow } from "../../ui/fields/number-row";
 import { PositionRow } from "../../ui/fields/position-row";
 import { strings } from "../../strings";
-import { useApp } from "../shared/app-context";
+import { useApp, useView } from "../shared/app-context";
 import { aboveZero } from "../shared/size-fields";
 import styles from "./bodies.module.css";
 import { useBody } from "./use-body";
@@ -35,6 +36,7 @@ export function BodyPlacementFields({ body }: { readonly body: ProjectBody }) {
   return (
     <details className={styles["options"]} data-testid="body-placement">
       <summary>{texts.title}</summary>
+      <HandleControl body={body.id} />
       <PositionRow
         label={texts.position}
         value={position}
@@ -71,5 +73,25 @@ export function BodyPlacementFields({ body }: { readonly body: ProjectBody }) {
         {texts.reset}
       </Button>
     </details>
+  );
+}
+
+const modes = ["off", "translate", "rotate"] as const;
+
+/** Shows handles in the view that move or rotate the body. */
+function HandleControl({ body }: { readonly body: number }) {
+  const app = useApp();
+  const moving = useView((state) => state.moving);
+  return (
+    <FieldRow label={texts.handles}>
+      <SegmentedControl
+        size="xs"
+        fullWidth
+        aria-label={texts.handles}
+        data={modes.map((value) => ({ value, label: texts.modes[value] }))}
+        value={moving?.body === body ? moving.mode : "off"}
+        onChange={(mode) => app.view.setMoving(mode === "off" ? null : { body, mode })}
+      />
+    </FieldRow>
   );
 }

@@ -1,6 +1,7 @@
 import { useComputedColorScheme } from "@mantine/core";
 import { useEffect, useRef, useState, type RefObject } from "react";
 import type { App } from "../../app/app";
+import type { Moving } from "../../document/selection";
 import { BrushTool } from "../../tools/brush-tool";
 import { SelectTool, type Hover } from "../../tools/select-tool";
 import { ToolController } from "../../tools/tool-controller";
@@ -81,6 +82,20 @@ function viewerEvents(
   };
 }
 
+/** Shows the handles that move a body. Their code is loaded when they are first used. */
+async function showHandles(
+  app: App,
+  viewer: Viewer,
+  tools: ToolController,
+  otherwise: SelectTool,
+  moving: Moving,
+): Promise<void> {
+  const { MoveTool } = await import("../../tools/move-tool");
+  if (app.view.state.getState().moving !== moving) return;
+  const { documents, bodies, view } = app;
+  tools.use(new MoveTool({ viewer, documents, bodies, view, otherwise }, moving));
+}
+
 /** Connects a viewer with its app: what it shows, and what the pointer does in it. Returns a function that ends this. */
 function connect(
   app: App,
@@ -93,8 +108,9 @@ function connect(
   const tools = new ToolController(canvas, viewer, select, (target) => pageApps.owns(app, target));
   const brush = new BrushTool(app.documents, app.view);
   const stopTools = app.view.state.subscribe((state, before) => {
-    if ((state.brush === null) === (before.brush === null)) return;
-    tools.use(state.brush ? brush : select);
+    if ((state.brush === null) === (before.brush === null) && state.moving === before.moving) return;
+    if (!state.moving) tools.use(state.brush ? brush : select);
+    else void showHandles(app, viewer, tools, select, state.moving);
     canvas.style.cursor = state.brush ? "crosshair" : "";
   });
   app.viewer.setState({ viewer });
