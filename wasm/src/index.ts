@@ -85,6 +85,7 @@ export {
 } from "./diagnostics/mesher-error.js";
 export { parseProject, readProject, writeProject } from "./project/project.js";
 export { LIMITS } from "./base/limits.js";
+export { bodyPatchGroups, bodyWithPatches, mergePatches } from "./api/body-patches.js";
 export { bodySurface, createBody, type NewBody, type PlacedSurface } from "./project/bodies.js";
 export { BODY_SURFACES, PROJECT_FORMAT, projectSchema } from "./project/schema.js";
 export { PROJECT_VERSION } from "./project/versions.js";
@@ -121,6 +122,7 @@ export type {
   ProposalOptions,
   RefineOptions,
   RemeshOptions,
+  SplitOptions,
 } from "./api/option-types.js";
 export type { Diagnostic, DiagnosticOf, EntityRef } from "./diagnostics/diagnostic.js";
 export type {
@@ -133,7 +135,7 @@ export type {
   RegionQuality,
   ShapeStatistics,
 } from "./mesh/quality.js";
-export type { Mesher, SizeProposal } from "./api/mesher-interface.js";
+export type { Mesher, SizeProposal, SplitInput, SplitSurface } from "./api/mesher-interface.js";
 export type { MeshInput, PatchedSurface, SurfaceInput, SurfaceMesh, VolumeMesh } from "./mesh/mesh.js";
 export type { MeshReport, MeshResult, MeshStatus, Seconds } from "./mesh/report.js";
 export type { PreparedBody } from "./mesh/prepared-body.js";

@@ -141,8 +141,12 @@ Task<PatchSplit> splitPatches(Work& work, const SurfaceMesh& mesh,
   split.diagnostics = checkSplitting(mesh, angle);
   if (!split.diagnostics.empty()) co_return split;
   if (groups.size() != countTriangles(mesh)) groups = {};
+  work.beginPart(0.1);
+  co_await work.yield();
+  work.beginPart(0.4);
   const EdgeTable edges(mesh.triangles, countNodes(mesh), {});
   co_await work.yield();
+  work.beginPart(0.7);
   const Bounds bounds = boundsOf(mesh);
   const Vec3 largest = glm::max(glm::abs(bounds.low), glm::abs(bounds.high));
   const double coordinate = std::max({largest.x, largest.y, largest.z});
@@ -150,6 +154,7 @@ Task<PatchSplit> splitPatches(Work& work, const SurfaceMesh& mesh,
       findSmoothTriangles(mesh, edges, groups, cosineOfDegrees(angle), coordinate);
   co_await work.yield();
 
+  work.beginPart(0.9);
   std::vector<PatchKeys> keys;
   std::vector<std::uint32_t> firstOf;
   split.trianglePatch.resize(countTriangles(mesh));
@@ -162,6 +167,7 @@ Task<PatchSplit> splitPatches(Work& work, const SurfaceMesh& mesh,
   });
   co_await work.yield();
 
+  work.beginPart(1.0);
   const double tolerance =
       kEqualPerDiagonal * glm::length(bounds.high - bounds.low) + kEqualPerCoordinate * coordinate;
   const std::vector<std::uint32_t> order = PatchOrder(keys, tolerance).sorted();

@@ -110,6 +110,13 @@ const functions: Readonly<Record<string, Arguments>> = {
     body: { id: 1, firstPatchId: 2, name: "a" },
   },
   bodySurface: { body },
+  bodyPatchGroups: { body },
+  bodyWithPatches: {
+    body,
+    surface: { trianglePatch: new Uint32Array(12), patches: [{ name: "a" }] },
+    nextPatchId: 11,
+  },
+  mergePatches: { body, ids: [10] },
   repairedSurface: {
     given: { ...surfaceFile, surfaceRegions },
     repair: { surface: box, origin: Uint32Array.from({ length: 12 }, (_, t) => t) },
@@ -137,6 +144,11 @@ const methods: Readonly<Record<Exclude<keyof api.Mesher, "dispose">, Arguments>>
   inspectSurface: { surface: box, options: { innerShells: "regions" }, control },
   repairSurface: { surface: box, options: { weld: 0, fillHoles: 3 }, control },
   refineSurface: { surface: box, options: { background }, control },
+  splitPatches: {
+    surface: { ...box, trianglePatch: new Uint32Array(12), patches: [{ name: "a", tag: 1 }] },
+    options: { angle: 30 },
+    control,
+  },
   remeshSurface: {
     surface: { ...box, trianglePatch: new Uint32Array(12) },
     options: { featureAngle: 30, layers: 1, background },
@@ -283,7 +295,7 @@ describe.each([
           expect(message, label).not.toBe("");
         }
         const namesArgument = path.length === 0 && ["a number", "a symbol"].includes(description);
-        if (namesArgument && !["index", "triangle"].includes(argument)) {
+        if (namesArgument && !["index", "triangle", "nextPatchId"].includes(argument)) {
           expect(errors?.[0]?.message, label).toMatch(
             MESSAGE_PATTERNS[argument] ?? new RegExp(argument, "i"),
           );

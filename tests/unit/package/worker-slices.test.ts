@@ -102,6 +102,7 @@ const queries: Readonly<Record<Question["kind"], (id: number) => Question>> = {
     options,
     volume: 0,
   }),
+  "split-patches": (id) => ({ kind: "split-patches", id, ...surface, groups: new Uint32Array(), angle: 40 }),
   "remesh-surface": (id) => ({
     kind: "remesh-surface",
     id,

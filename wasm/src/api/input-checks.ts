@@ -12,6 +12,7 @@ import {
   packageDiagnostic,
   readDiagnostic,
 } from "../diagnostics/package-diagnostic.js";
+import type { FileGroup } from "../mesh/file-mesh.js";
 import type { MeshInput, PatchedSurface, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
 import { type ProjectArrays, projectArrays } from "../project/arrays.js";
 import { checkedProject } from "../project/project.js";
@@ -72,6 +73,12 @@ export function checkPatchedSurface(surface: PatchedSurface): Diagnostic[] {
   const wrong = checkSurface(surface);
   if (wrong.length > 0) return wrong;
   return checkArrays("surface", surface, patchesSchema, "Pass the patch of each triangle in a Uint32Array.");
+}
+
+const groupsSchema = v.optional(v.array(v.object({ name: v.string(), tag: v.number() })));
+
+export function checkGroups(groups: readonly FileGroup[] | undefined): Diagnostic[] {
+  return checkArrays("surface.patches", groups, groupsSchema, "Pass the patches of a file, or none.");
 }
 
 /** Rejects a weld distance so large that nothing would remain of the surface. */

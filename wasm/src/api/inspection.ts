@@ -5,6 +5,7 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { type EntityNamer, nameByIndex } from "../diagnostics/entity-names.js";
 import type {
   EngineInspection,
+  EnginePatchSplit,
   EngineRefinement,
   EngineRemesh,
   EngineRepair,
@@ -44,7 +45,7 @@ export function* describedInspection(
 }
 
 export function changeDiagnostics(
-  { diagnostics }: Pick<EngineRepair | EngineRefinement | EngineRemesh, "diagnostics">,
+  { diagnostics }: Pick<EngineRepair | EngineRefinement | EngineRemesh | EnginePatchSplit, "diagnostics">,
   name: EntityNamer = nameByIndex,
 ): Diagnostic[] {
   return describeAll(diagnostics, name);

@@ -1,5 +1,6 @@
 /** The mesher: the engine in a worker, as callers see it. */
 import type { RunControl } from "../engine/control.js";
+import type { FileGroup } from "../mesh/file-mesh.js";
 import type {
   MeshInspection,
   SurfaceInspection,
@@ -23,6 +24,7 @@ import type {
   RefineOptions,
   RemeshOptions,
   RepairOptions,
+  SplitOptions,
 } from "./option-types.js";
 
 /** Result of `proposeSizes`. */
@@ -31,6 +33,18 @@ export interface SizeProposal {
   readonly size: number;
   /** Sources, those with the smallest size first, with ids from 1. */
   readonly sources: readonly ProjectSource[];
+}
+
+/** Surface with patches that may have names, for example a `SurfaceFile`. */
+export interface SplitInput extends PatchedSurface {
+  readonly patches?: readonly FileGroup[] | undefined;
+}
+
+/** Patches of a surface that was split. */
+export interface SplitSurface {
+  /** Per triangle: index in `patches`. */
+  readonly trianglePatch: Uint32Array;
+  readonly patches: readonly FileGroup[];
 }
 
 /** One mesher: an engine in its own worker, in browsers and in Node. Runs are queued. */
@@ -130,6 +144,19 @@ export interface Mesher {
     options?: RemeshOptions,
     control?: RunControl,
   ): Promise<SurfaceRemesh>;
+  /**
+   * Splits a surface into patches at its edges that are sharper than `angle`; given patches stay separate. Returns the
+   * surface with its new patches in the order of their positions, the lowest first: this order belongs to the shape and
+   * not to the triangles. Pieces of a named patch are called "wing", "wing 2", …, all others "patch 1", "patch 2", …. The
+   * surface may be open. Rejects with `invalid-input` if numbers are invalid. O(n log n) for n triangles; about 1 µs each.
+   *
+   *     const surface = await mesher.splitPatches(file, { angle: 30 });
+   */
+  splitPatches<Surface extends SplitInput>(
+    surface: Surface,
+    options?: SplitOptions,
+    control?: RunControl,
+  ): Promise<Surface & SplitSurface>;
   /**
    * Reports whether a mesh is valid, the quality of its elements, and its boundary. Rejects with `invalid-input` if
    * coordinates or indices are invalid. O(n log n) for n elements; about 1 µs each. Works in slices beside a run.

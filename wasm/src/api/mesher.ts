@@ -41,6 +41,7 @@ import {
 } from "./body-preparation.js";
 import {
   checkControl,
+  checkGroups,
   checkMesh,
   checkPatchedSurface,
   checkProject,
@@ -59,7 +60,7 @@ import {
   describedRemesh,
   describedRepair,
 } from "./inspection.js";
-import type { Mesher, SizeProposal } from "./mesher-interface.js";
+import type { Mesher, SizeProposal, SplitInput, SplitSurface } from "./mesher-interface.js";
 import type {
   CoverOptions,
   InspectionOptions,
@@ -70,8 +71,11 @@ import type {
   RefineOptions,
   RemeshOptions,
   RepairOptions,
+  SplitOptions,
 } from "./option-types.js";
+import { splitGroups } from "./patch-names.js";
 import {
+  angleOfSplit,
   checkCoverOptions,
   checkGridOptions,
   checkInspectionOptions,
@@ -82,6 +86,7 @@ import {
   checkRefineOptions,
   checkRemeshOptions,
   checkRepairOptions,
+  checkSplitOptions,
   engineCoverOptions,
   engineInspectionOptions,
   engineOptions,
@@ -401,6 +406,28 @@ class WorkerMesher implements Mesher {
     const remesh = await this.#client.ask(question, control);
     refuse(changeDiagnostics(remesh, name ?? surfaceNamer(surface)));
     return describedRemesh(remesh);
+  }
+
+  async splitPatches<Surface extends SplitInput>(
+    surface: Surface,
+    options: SplitOptions = {},
+    control: RunControl = {},
+  ): Promise<Surface & SplitSurface> {
+    this.#begin(control);
+    refuse([...checkPatchedSurface(surface), ...checkSplitOptions(options)]);
+    refuse(checkGroups(surface.patches));
+    const question = {
+      kind: "split-patches",
+      id: this.#client.nextId(),
+      points: surface.points.slice(),
+      triangles: surface.triangles.slice(),
+      groups: surface.trianglePatch?.slice() ?? new Uint32Array(),
+      angle: angleOfSplit(options),
+    } as const;
+    const split = await this.#client.ask(question, control);
+    refuse(changeDiagnostics(split, surfaceNamer(surface)));
+    const { trianglePatch, patchGroup } = split;
+    return { ...surface, trianglePatch, patches: splitGroups(patchGroup, surface.patches ?? []) };
   }
 
   async inspectMesh(mesh: MeshInput, control: RunControl = {}): Promise<MeshInspection> {

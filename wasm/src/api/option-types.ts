@@ -71,6 +71,15 @@ export interface RemeshOptions {
   readonly background?: BackgroundArrays | undefined;
 }
 
+/** Options of `splitPatches`. */
+export interface SplitOptions {
+  /**
+   * Edges with a larger angle between their triangles separate patches: 1 to 180 degrees. Default 40. The angle is 0 in a
+   * plane and 90 at the edge of a cube.
+   */
+  readonly angle?: number | undefined;
+}
+
 /** Options of `previewProject`. */
 export interface PreviewOptions {
   /** Uniform size with which the project will be meshed: its background grid is then not checked. */

@@ -44,6 +44,7 @@ import type {
   RefineOptions,
   RemeshOptions,
   RepairOptions,
+  SplitOptions,
 } from "./option-types.js";
 
 const INNER_SHELL_NUMBERS = numbersOf(INNER_SHELLS);
@@ -183,6 +184,10 @@ const remeshSchema = objectWith({
   background,
 } satisfies EntriesOf<RemeshOptions>);
 
+const splitSchema = objectWith({
+  angle: angleOption("angle between patches", REMESH_DEFAULTS.featureAngle),
+} satisfies EntriesOf<SplitOptions>);
+
 const previewSchema = objectWith({
   size: meshEntries.size,
   innerShells,
@@ -263,6 +268,10 @@ export function checkRemeshOptions(options: RemeshOptions): Diagnostic[] {
   if (minSize === undefined || minSize <= largest) return [];
   const message = `the smallest size, ${minSize}, is larger than the largest, ${largest}`;
   return [invalidOption("minSize", message, "Use a smaller one, or omit it.")];
+}
+
+export function checkSplitOptions(options: SplitOptions): Diagnostic[] {
+  return checkAgainst(options, splitSchema);
 }
 
 export function checkPreviewOptions(options: PreviewOptions): Diagnostic[] {
@@ -376,6 +385,11 @@ export function engineProposalOptions(options: ProposalOptions): EngineProposalO
     ...rest
   } = v.parse(proposalSchema, options);
   return { uniform, smallest, ...rest };
+}
+
+/** Returns the angle of valid options. */
+export function angleOfSplit(options: SplitOptions): number {
+  return v.parse(splitSchema, options).angle ?? REMESH_DEFAULTS.featureAngle;
 }
 
 /** Converts valid options; the engine chooses what is omitted. */

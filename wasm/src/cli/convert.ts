@@ -26,10 +26,11 @@ import { formatName, isProject, readMeshFile } from "./input.js";
 import { ExitCode, print, printDiagnostics, reportFailure } from "./messages.js";
 import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
 import { printChanges, refuseRepair, type RepairCommandOptions, repaired, repairOptions } from "./repair.js";
+import { type SplitCommandOptions, splitOptions, splitText, withSplit } from "./splitting.js";
 import { mixedOrientationLines, readingLines } from "./tables.js";
 
 /** Options as commander passes them. */
-export interface ConvertCommandOptions extends RepairCommandOptions {
+export interface ConvertCommandOptions extends RepairCommandOptions, SplitCommandOptions {
   readonly output: string;
   readonly from?: string;
   readonly to?: string;
@@ -41,6 +42,7 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
   try {
     const { output, quiet: isQuiet = false } = options;
     const repair = repairOptions(options);
+    splitOptions(options);
     await refuseFolder(output);
     if (isProject(output, options.to)) return await convertToProject(input, options, repair);
     const name = writableName(output, options.to, ["surface", "volume"]);
@@ -48,7 +50,8 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
     await checkNoOverwrite(inputFiles(input, options.from), written);
     await checkWritable(written);
     const given = await readMeshFile(input, options.from);
-    const mesh = await prepared(given, { input, output, name, repair, isQuiet });
+    const whole = await prepared(given, { input, output, name, repair, isQuiet });
+    const mesh = await withSplitPatches(input, whole, options);
     await writeAll(await writeMesh(mesh, name), { input, output, name, isQuiet });
     if (!isQuiet) {
       const faces = await inSteps(tetFaces(mesh));
@@ -68,21 +71,23 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
 /** Writes a project with the surface as its only body. */
 async function convertToProject(
   input: string,
-  { output, from, to, quiet: isQuiet = false }: ConvertCommandOptions,
+  options: ConvertCommandOptions,
   repair: RepairOptions | undefined,
 ): Promise<number> {
+  const { output, from, to, quiet: isQuiet = false } = options;
   const written = outputFiles(output, to);
   await checkNoOverwrite(inputFiles(input, from), written);
   await checkWritable(written);
   const given = await readMeshFile(input, from);
   const whole = given.triangles.length > 0 ? given : await withBoundary(given);
-  const mesh = await surfaceFrom(await inSteps(boundaryOf(whole)), {
+  const surface = await surfaceFrom(await inSteps(boundaryOf(whole)), {
     input,
     output,
     name: output,
     repair,
     isQuiet,
   });
+  const mesh = await withSplitPatches(input, surface, options);
   const name = input === STANDARD_STREAM ? "surface" : path.basename(input, path.extname(input));
   await writeOutput(
     output,
@@ -95,6 +100,18 @@ async function convertToProject(
     print(`${input}: ${contentsOf(mesh)} -> ${output}`);
   }
   return ExitCode.meshed;
+}
+
+async function withSplitPatches(
+  input: string,
+  mesh: FileMesh,
+  options: ConvertCommandOptions,
+): Promise<FileMesh> {
+  const split = splitOptions(options);
+  if (split === undefined || mesh.triangles.length === 0) return mesh;
+  const made = await withMesher((mesher) => withSplit(mesher, mesh, split));
+  if (options.quiet !== true) print(`${input}: ${splitText(mesh, made)}`);
+  return made;
 }
 
 function projectOf(name: string, body: ProjectBody): Project {

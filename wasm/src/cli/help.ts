@@ -56,6 +56,11 @@ Element shapes
   is written nevertheless, and the report has the error "required-angle".
 ${QUALITY_HELP}
 
+Patches
+  Patches of a surface become boundaries of the mesh, with their names. --split-patches divides them at edges
+  that are sharper than its angle. The new patches are numbered from the lowest one up: "patch 1", "patch 2";
+  pieces of a named patch are called "wing", "wing 2".
+
 Surfaces with problems
   \`tetrafront check\` lists the problems of a surface. Nothing is repaired unless you ask for it. --repair welds
   coincident nodes, removes degenerate and duplicate triangles, and flips triangles outward. --weld also welds
@@ -66,6 +71,7 @@ Examples
   tetrafront mesh part.stl -o part.vtu
   tetrafront mesh part.stl -o part.msh --size 0.05 --report report.json
   tetrafront mesh part.stl -o part.vtu --surface remesh
+  tetrafront mesh part.stl -o part.msh --surface remesh --split-patches
   tetrafront mesh part.stl -o part.vtu --source 0,0,1,0.01,0.2 --surface refine
   tetrafront mesh scan.ply -o scan.vtu --weld 1e-6 --fill-holes 20
   tetrafront mesh duct.json -o finer.vtu --background sizes.vtu
@@ -147,7 +153,7 @@ Examples
   tetrafront convert part.vtu -o part.msh
   tetrafront convert part.vtu -o boundary.stl
   tetrafront convert scan.obj -o scan.stl --repair
-  tetrafront convert part.stl -o part.json
+  tetrafront convert part.stl -o part.json --split-patches 30
   tetrafront convert 'meshes/*.vtu' -o 'meshes/{name}.su2'
   cat scan.obj | tetrafront convert - --from obj -o - --to stl > scan.stl
 `;

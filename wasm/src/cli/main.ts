@@ -153,6 +153,11 @@ const withRepair = (command: Command): Command =>
     .option("--weld <distance>", "repair, and weld nodes within this distance")
     .option("--fill-holes <edges>", "repair, and fill holes of at most this many edges");
 
+const splitOption = (): Option =>
+  new Option(
+    "--split-patches [angle]",
+    `split patches at edges with a larger angle between their triangles, in degrees (default ${REMESH_DEFAULTS.featureAngle})`,
+  );
 const sourceOption = (): Option =>
   new Option(
     "--source <x,y,z,size[,distance[,growth]]>",
@@ -347,7 +352,7 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
         `effort spent on improving the elements after the front (default ${MESH_DEFAULTS.optimization})`,
       ).choices(OPTIMIZATIONS),
     );
-  withJobs(withRepair(withRemeshing(command, "remeshing: ")))
+  withJobs(withRepair(withRemeshing(command, "remeshing: ")).addOption(splitOption()))
     .option(
       "--require-angle <degrees>",
       "exit with 1 if the smallest dihedral angle is below this; still write the mesh",
@@ -377,7 +382,7 @@ function addRemesh(program: Command, setExitCode: SetExitCode): void {
     )
     .addOption(sourceOption())
     .addOption(backgroundOption());
-  withJobs(withRepair(withRemeshing(command).addOption(innerShellsOption())))
+  withJobs(withRepair(withRemeshing(command).addOption(innerShellsOption())).addOption(splitOption()))
     .option("--json", "print sizes, triangles, shapes and problems as JSON")
     .option("-q, --quiet", "print errors only")
     .addHelpText("after", remeshHelp)
@@ -395,7 +400,7 @@ function addConvert(program: Command, setExitCode: SetExitCode): void {
     .addOption(formatOption())
     .addOption(fromOption())
     .addOption(toOption());
-  withJobs(withRepair(command))
+  withJobs(withRepair(command).addOption(splitOption()))
     .option("-q, --quiet", "print errors only")
     .addHelpText("after", convertHelp)
     .action(async (inputs: string[]) =>

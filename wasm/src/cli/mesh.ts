@@ -2,7 +2,7 @@
 import { fileMeshOf } from "../api/generated-mesh.js";
 import { writeMesh } from "../api/mesh-files.js";
 import type { Mesher } from "../api/mesher-interface.js";
-import type { MeshOptions, RepairOptions } from "../api/option-types.js";
+import type { MeshOptions, RepairOptions, SplitOptions } from "../api/option-types.js";
 import { checkOptions } from "../api/options.js";
 import { emptyReport, emptyResult } from "../api/report.js";
 import { plural } from "../base/plural.js";
@@ -51,10 +51,12 @@ import {
   sizesIn,
   withGrid,
 } from "./sizes.js";
+import { refuseSplit, type SplitCommandOptions, splitOptions, splitText, withSplit } from "./splitting.js";
 import { readingLines, unmeshedLines } from "./tables.js";
 
 /** Options as commander passes them: numbers are still text. */
-export interface MeshCommandOptions extends RepairCommandOptions, RemeshCommandOptions, SizeCommandOptions {
+export interface MeshCommandOptions
+  extends RepairCommandOptions, RemeshCommandOptions, SizeCommandOptions, SplitCommandOptions {
   readonly output: string;
   readonly from?: string;
   readonly to?: string;
@@ -125,6 +127,7 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const meshOptions = readOptions(options);
   const requiredAngle = requiredAngleOf(options);
   const repair = repairOptions(options);
+  const split = splitOptions(options);
   const treatment = options.surface ?? DEFAULT_TREATMENT;
   if (treatment === "remesh") remeshOptions(options, meshOptions);
   else refuseRemeshing(options);
@@ -135,10 +138,12 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
     const hasBodies = (given.project.bodies ?? []).length > 0;
     if (options.growth !== undefined && !hasBodies) refuseOptions([projectGrowth]);
     refuseRepair(repair, "a project");
+    refuseSplit(split);
   }
   const grid = await readGivenGrid(options, isQuiet);
-  const { model, changes } = await withRepair(given, repair);
+  const { model, changes, split: splitWords } = await withRepair(given, repair, split);
   if (changes !== undefined && !isQuiet) printChanges(input, changes);
+  if (splitWords !== undefined && !isQuiet) print(`${input}: ${splitWords}`);
   if (given.kind === "surface" && !isQuiet) {
     for (const line of readingLines(given.surface)) print(`note: ${input}: ${line}`);
   }
@@ -187,13 +192,26 @@ function requiredAngleError(
   return [error];
 }
 
+/** Input after its repair and the splitting of its patches. */
+interface Repaired {
+  readonly model: Input;
+  readonly changes?: readonly RepairChange[] | undefined;
+  /** Description of the splitting. */
+  readonly split?: string | undefined;
+}
+
 async function withRepair(
   given: Input,
   repair: RepairOptions | undefined,
-): Promise<{ readonly model: Input; readonly changes?: readonly RepairChange[] | undefined }> {
-  if (given.kind === "project" || repair === undefined) return { model: given };
-  const { surface, changes } = await withMesher((mesher) => repaired(mesher, given.surface, repair));
-  return { model: { kind: "surface", surface }, changes };
+  split: SplitOptions | undefined,
+): Promise<Repaired> {
+  if (given.kind === "project" || (repair === undefined && split === undefined)) return { model: given };
+  return withMesher(async (mesher) => {
+    const { surface: whole, changes } = await repaired(mesher, given.surface, repair);
+    const surface = await withSplit(mesher, whole, split);
+    const words = split && splitText(whole, surface);
+    return { model: { kind: "surface", surface }, changes, split: words };
+  });
 }
 
 /**

@@ -43,10 +43,12 @@ import {
   sizesIn,
   withGrid,
 } from "./sizes.js";
+import { type SplitCommandOptions, splitOptions, splitText, withSplit } from "./splitting.js";
 import { readingLines } from "./tables.js";
 
 /** Options as commander passes them: numbers are still text. */
-export interface RemeshFileOptions extends RepairCommandOptions, RemeshCommandOptions, SizeCommandOptions {
+export interface RemeshFileOptions
+  extends RepairCommandOptions, RemeshCommandOptions, SizeCommandOptions, SplitCommandOptions {
   readonly output: string;
   readonly from?: string;
   readonly to?: string;
@@ -82,14 +84,17 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
   refuseOptions(checkSizes(options));
   const sizes = remeshOptions(options, { ...sizesIn(options), innerShells });
   const repair = repairOptions(options);
+  const split = splitOptions(options);
   const name = await checkPaths(input, options);
   const given = await readModel(input, options.from);
   if (given.kind === "project") throw new InvalidInput(input, [projectGiven]);
   const grid = await readGivenGrid(options, isQuiet);
   return withRun(isQuiet, async (mesher, controlOf) => {
-    const { surface, changes } = await repaired(mesher, given.surface, repair);
+    const { surface: whole, changes } = await repaired(mesher, given.surface, repair);
+    const surface = await withSplit(mesher, whole, split);
     if (changes !== undefined && !isQuiet) printChanges(input, changes);
     if (!isQuiet) for (const line of readingLines(given.surface)) print(`note: ${input}: ${line}`);
+    if (split !== undefined && !isQuiet) print(`${input}: ${splitText(whole, surface)}`);
     const all = await withGrid(mesher, sizes, grid);
     const made = await remeshed(mesher, surface, all, controlOf("remesh"));
     const files = await writeMesh(fileMesh(made.surface), name);

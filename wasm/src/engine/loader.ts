@@ -8,6 +8,7 @@ import type {
   Cover,
   Inspection,
   MainModule as Tools,
+  PatchSplitting,
   Preview,
   Proposal,
   Refinement,
@@ -27,6 +28,7 @@ export type EngineStatistics = ReturnType<Run["statistics"]>;
 export type EngineInspection = ResultOf<"inspectSurface">;
 export type EngineRepair = ResultOf<"repairSurface">;
 export type EngineRefinement = ResultOf<"refineSurface">;
+export type EnginePatchSplit = ResultOf<"splitPatches">;
 export type EngineRemesh = ResultOf<"remeshSurface">;
 export type EngineVolumeInspection = ResultOf<"inspectMesh">;
 export type EnginePreview = ResultOf<"previewModel">;
@@ -47,6 +49,7 @@ export type EngineTool =
   | Cover
   | Inspection
   | BackgroundFromMesh
+  | PatchSplitting
   | Preview
   | Proposal
   | Refinement

@@ -13,6 +13,7 @@ import type {
   EngineInspection,
   EngineInspectionOptions,
   EngineOptions,
+  EnginePatchSplit,
   EnginePreview,
   EngineProposal,
   EngineProposalOptions,
@@ -84,6 +85,15 @@ export type Question =
       readonly grid: GridArrays;
       readonly options: EngineOptions;
       readonly volume: number;
+    }
+  /** `groups`: as for `remesh-surface`. `angle`: degrees. */
+  | {
+      readonly kind: "split-patches";
+      readonly id: number;
+      readonly points: Float64Array;
+      readonly triangles: Uint32Array;
+      readonly groups: Uint32Array;
+      readonly angle: number;
     }
   /** Grid as for `fill-surface`. `groups`: per triangle, its patch; empty if all are in one. */
   | {
@@ -169,6 +179,7 @@ export interface Answers {
   readonly "inspect-surface": EngineInspection;
   readonly "repair-surface": EngineRepair;
   readonly "refine-surface": EngineRefinement;
+  readonly "split-patches": EnginePatchSplit;
   readonly "remesh-surface": EngineRemesh;
   readonly "inspect-mesh": EngineVolumeInspection;
 }

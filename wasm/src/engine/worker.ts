@@ -123,6 +123,8 @@ function toolFor(tools: Tools, question: Question): EngineTool | null {
         question.options,
         question.volume,
       );
+    case "split-patches":
+      return tools.splitPatches(question.points, question.triangles, question.groups, question.angle);
     case "remesh-surface":
       return tools.remeshSurface(
         question.points,

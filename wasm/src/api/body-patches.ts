@@ -1,0 +1,100 @@
+/** Other patches for the triangles of a body: split, or merged. */
+import * as v from "valibot";
+import { checkArgument } from "../calls/argument-checks.js";
+import { index, integers } from "../calls/schemas.js";
+import { hasGenericName } from "../formats/groups.js";
+import type { FileGroup } from "../mesh/file-mesh.js";
+import { bodyArrays, textOfArray } from "../project/body-arrays.js";
+import { bodySchema, type PatchId, type ProjectBody } from "../project/schema.js";
+
+/**
+ * Returns a body with other patches of the same triangles, as `splitPatches` makes them. A patch that has triangles of a
+ * given patch keeps its id, the first one if there are several; the others get ids from `nextPatchId` on. O(n). Throws a
+ * `MesherError` if an argument is invalid.
+ *
+ *     const split = await mesher.splitPatches({ ...bodySurface(body), patches: bodyPatchGroups(body) });
+ */
+export function bodyWithPatches(
+  body: ProjectBody,
+  surface: { readonly trianglePatch: Uint32Array; readonly patches: readonly Pick<FileGroup, "name">[] },
+  nextPatchId: PatchId,
+): ProjectBody {
+  checkArgument("body", body, bodySchema);
+  checkArgument("surface", surface, newPatchesSchema(bodyArrays(body).trianglePatch.length));
+  checkArgument("nextPatchId", nextPatchId, index);
+  const before = bodyArrays(body).trianglePatch;
+  const from = new Map<number, number>();
+  surface.trianglePatch.forEach((patch, t) => from.has(patch) || from.set(patch, before[t] ?? 0));
+  const kept = new Set<number>();
+  let nextId = nextPatchId;
+  const patches = surface.patches.map(({ name }, p) => {
+    const given = from.get(p);
+    const id = given === undefined || kept.has(given) ? undefined : body.patches[given]?.id;
+    if (given !== undefined) kept.add(given);
+    // Names such as "patch 3" would not be unique among bodies; without a name, the id is shown.
+    return { id: id ?? nextId++, ...(!hasGenericName({ name, tag: 0 }) && { name }) };
+  });
+  return withOwners(body, surface.trianglePatch, patches);
+}
+
+const newPatchesSchema = (triangles: number) =>
+  v.pipe(
+    v.object({
+      trianglePatch: integers(),
+      patches: v.pipe(v.array(v.object({ name: v.string() })), v.minLength(1)),
+    }),
+    v.check(
+      ({ trianglePatch }) => trianglePatch.length === triangles,
+      "trianglePatch must have one index per triangle",
+    ),
+    v.check(
+      ({ trianglePatch, patches }) => trianglePatch.every((patch) => patch < patches.length),
+      "trianglePatch has an index beyond its patches",
+    ),
+  );
+
+/**
+ * Returns a body in which some of its patches are one: the first of them in the body, with its id and name. Ids that the
+ * body does not have are ignored. O(n). Throws a `MesherError` if an argument is invalid.
+ */
+export function mergePatches(body: ProjectBody, ids: readonly PatchId[]): ProjectBody {
+  checkArgument("body", body, bodySchema);
+  checkArgument("ids", ids, v.array(v.number()));
+  const merged = new Set(ids);
+  const first = body.patches.findIndex(({ id }) => merged.has(id));
+  const patches = body.patches.filter(({ id }, p) => p === first || !merged.has(id));
+  const newIndex = body.patches.map((patch, p) =>
+    patches.indexOf(merged.has(patch.id) ? (body.patches[first] ?? patch) : (body.patches[p] ?? patch)),
+  );
+  return withOwners(
+    body,
+    bodyArrays(body).trianglePatch.map((patch) => newIndex[patch] ?? 0),
+    patches,
+  );
+}
+
+function withOwners(
+  { trianglePatch: _, ...body }: ProjectBody,
+  trianglePatch: Uint32Array,
+  patches: ProjectBody["patches"],
+): ProjectBody {
+  return { ...body, ...(patches.length > 1 && { trianglePatch: textOfArray(trianglePatch) }), patches };
+}
+
+/**
+ * Returns the patches of a body as those of a surface for `splitPatches`, with their ids as numbers. A single patch with the
+ * name of the body counts as unnamed. Throws a `MesherError` if the body is invalid.
+ */
+export function bodyPatchGroups(body: Pick<ProjectBody, "name" | "patches">): FileGroup[] {
+  checkArgument("body", body, namedPatches);
+  const { name: ofBody, patches } = body;
+  return patches.map(({ id, name = "" }) => {
+    const isOwn = name !== "" && !(patches.length === 1 && name === ofBody);
+    return { name: isOwn ? name : `patch ${id}`, tag: id };
+  });
+}
+
+const namedPatches = v.object({
+  name: v.optional(v.string()),
+  patches: v.array(v.object({ id: v.number(), name: v.optional(v.string()) })),
+});

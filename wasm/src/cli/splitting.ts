@@ -1,0 +1,43 @@
+/** `--split-patches`: patches by the sharp edges of a surface. */
+import type { Mesher, SplitInput, SplitSurface } from "../api/mesher-interface.js";
+import type { SplitOptions } from "../api/option-types.js";
+import { checkSplitOptions } from "../api/options.js";
+import { plural } from "../base/plural.js";
+import { invalidOption } from "../diagnostics/package-diagnostic.js";
+import { numberIn, refuseOptions } from "./input.js";
+
+/** Options as commander passes them. */
+export interface SplitCommandOptions {
+  /** An angle in degrees, or true without one. */
+  readonly splitPatches?: string | true;
+}
+
+/** Returns the options of a split, undefined if none is requested. Throws an InvalidInput. */
+export function splitOptions({ splitPatches }: SplitCommandOptions): SplitOptions | undefined {
+  if (splitPatches === undefined) return undefined;
+  const options: SplitOptions = splitPatches === true ? {} : { angle: numberIn(splitPatches) };
+  refuseOptions(checkSplitOptions(options));
+  return options;
+}
+
+/** Throws an InvalidInput if a split is requested for a project. */
+export function refuseSplit(options: SplitOptions | undefined): void {
+  if (options === undefined) return;
+  const message = "--split-patches is for surfaces, but the input is a project";
+  const remedy = "Omit it, or split the surface when you convert it to a project.";
+  refuseOptions([invalidOption("--split-patches", message, remedy)]);
+}
+
+/** Returns the surface with its patches split, if that is requested. */
+export async function withSplit<Surface extends SplitInput & SplitSurface>(
+  mesher: Mesher,
+  surface: Surface,
+  options: SplitOptions | undefined,
+): Promise<Surface> {
+  return options === undefined ? surface : mesher.splitPatches(surface, options);
+}
+
+/** Describes a split. */
+export function splitText(before: SplitSurface, after: SplitSurface): string {
+  return `split: ${plural(before.patches.length, "patch")} before, ${after.patches.length} after`;
+}
