@@ -137,7 +137,7 @@ bool engineAnswer(const std::vector<Integers>& points, const std::array<int, 4>&
   if (apex == kUnknown) apex = around.setNewNode(front.node(id(element[3])));
   EXPECT_GT(test.volumeSign(apex), 0);
   test.setApex(apex);
-  return test.firstCrossedFace() != CrossingTest::kNoFace;
+  return !test.firstCrossedFace().isNone();
 }
 
 /// Tests random elements and faces over a small integer grid, where all kinds of contact are

@@ -352,9 +352,7 @@ TEST(FrontAdvance, AFaceOfTheBasesDirectionIsNeverTheNextAroundAnEdge) {
     while (fixture.around.nodeId(local) != apex) ++local;
     ASSERT_GT(fixture.crossing.volumeSign(local), 0);
     fixture.crossing.setApex(local);
-    const std::size_t crossed = fixture.crossing.firstCrossedFace();
-    ASSERT_NE(crossed, CrossingTest::kNoFace) << "round " << round;
-    EXPECT_EQ(fixture.around.faceId(crossed), opposite);
+    EXPECT_EQ(fixture.crossing.firstCrossedFace(), opposite) << "round " << round;
   }
 }
 

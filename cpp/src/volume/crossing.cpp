@@ -118,16 +118,16 @@ void CrossingTest::maskNodes() {
   }
 }
 
-std::size_t CrossingTest::firstCrossedFace() {
+FaceId CrossingTest::firstCrossedFace() {
   const std::size_t count = around_.faceCount();
   for (std::size_t i = 0; i < count; ++i) {
     ++counters_.facesTested;
     const LocalTriple& face = around_.face(i);
     if (filters_ && (mask_[face[0]] & mask_[face[1]] & mask_[face[2]]) != 0) continue;
     ++counters_.facesAnalysed;
-    if (crosses(face)) return i;
+    if (crosses(face)) return around_.faceId(i);
   }
-  return kNoFace;
+  return {};
 }
 
 int CrossingTest::orient(LocalNode a, LocalNode b, LocalNode c, LocalNode d) const {

@@ -55,9 +55,8 @@ class CrossingTest {
   /// Returns the exact sign of the volume of base and apex.
   [[nodiscard]] int volumeSign(LocalNode apex) const;
 
-  /// Returns the first gathered face that the element crosses, or kNoFace.
-  static constexpr std::size_t kNoFace = static_cast<std::size_t>(-1);
-  [[nodiscard]] std::size_t firstCrossedFace();
+  /// Returns the first gathered face that the element crosses; none if it crosses no face.
+  [[nodiscard]] FaceId firstCrossedFace();
 
   [[nodiscard]] const Counters& counters() const { return counters_; }
 

@@ -109,9 +109,8 @@ bool FrontAdvance<Trace>::tryCandidate(FaceId face, const Candidate& candidate,
   const LocalNode apex = isNew ? around_.setNewNode(position) : candidate.node;
   if (crossing_.volumeSign(apex) <= 0) return refuse(Refusal::kBehind);
   ++counters_.candidatesTried;
-  const std::size_t crossed = firstCrossedFace(apex);
-  if (crossed != CrossingTest::kNoFace) {
-    culprit = around_.faceId(crossed);
+  if (const FaceId crossed = firstCrossedFace(apex); !crossed.isNone()) {
+    culprit = crossed;
     return refuse(Refusal::kCrosses);
   }
   const ExistingFaces existing = findExistingFaces(apex);
@@ -129,7 +128,7 @@ bool FrontAdvance<Trace>::tryCandidate(FaceId face, const Candidate& candidate,
 }
 
 template <class Trace>
-std::size_t FrontAdvance<Trace>::firstCrossedFace(LocalNode apex) {
+FaceId FrontAdvance<Trace>::firstCrossedFace(LocalNode apex) {
   [[maybe_unused]] const CrossingScope scope(trace_);
   crossing_.setApex(apex);
   facesMasked_ += around_.faceCount();

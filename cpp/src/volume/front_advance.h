@@ -63,7 +63,7 @@ class FrontAdvance {
   [[nodiscard]] std::uint64_t facesVisited() const {
     return counters_.gatheredFaces + facesMasked_;
   }
-  [[nodiscard]] std::size_t firstCrossedFace(LocalNode apex);
+  [[nodiscard]] FaceId firstCrossedFace(LocalNode apex);
   [[nodiscard]] bool isTooCloseToFace(const Vec3& position, double distance, FaceId& culprit);
   [[nodiscard]] ExistingFaces findExistingFaces(LocalNode apex) const;
   void accept(FaceId face, NodeId apex, const ExistingFaces& existing);

@@ -45,7 +45,7 @@ PocketFiller::PocketFiller(Front& front, Elements& elements, ElementIndex& index
                            PocketSet& pockets)
     : front_(front), elements_(elements), index_(index), pockets_(pockets) {
   for (std::size_t i = pockets_.size(); i-- > 0;) push(PocketId(i));
-  tries_.assign(pockets_.size(), {0, kFirstTries[0].rings, kFirstTries[0].order, kNoElements});
+  tries_.assign(pockets_.size(), {0, kFirstTries[0].rings, kFirstTries[0].order});
   partialFillsLeft_ =
       kMaxPartialFills + kPartialFillsPerPocket * static_cast<std::uint32_t>(pockets_.size());
 }
@@ -124,15 +124,15 @@ bool PocketFiller::prepareNext(Try& now) const {
   const bool wasLater = now.triesMade >= kFirstTries.size();
   if (!wasLater && now.triesMade + 1 < kFirstTries.size() && partialFillsLeft_ > 0) {
     const FirstTry& first = kFirstTries[now.triesMade + 1];
-    now = {now.triesMade + 1, first.rings, first.order, kNoElements};
+    now = {now.triesMade + 1, first.rings, first.order};
   } else if (!wasLater) {
-    now = {kFirstTries.size(), 0, 0, kNoElements};
+    now = {kFirstTries.size(), 0, 0};
   } else if (!now.isLargest) {
     now.rings = std::max(1U, 2 * now.rings);
   } else {
-    now = {now.triesMade, 0, now.order + 1, kNoElements, false, now.isLastRound};
+    now = {now.triesMade, 0, now.order + 1, {}, false, now.isLastRound};
     if (now.order == ExactFill::kOrders && !now.isLastRound) {
-      now = {now.triesMade, 0, 0, kNoElements, false, true};
+      now = {now.triesMade, 0, 0, {}, false, true};
     }
   }
   return now.order < ExactFill::kOrders;

@@ -6,8 +6,8 @@
 /// a different one. Pockets that resist are enlarged more and more, at last to everything that is
 /// connected.
 
+#include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -39,14 +39,13 @@ class PocketFiller {
   [[nodiscard]] const std::vector<Made>& made() const { return made_; }
 
  private:
-  static constexpr std::size_t kNoElements = std::numeric_limits<std::size_t>::max();
   /// How a pocket is tried.
   struct Try {
     std::uint32_t triesMade;  ///< number of first tries made
     std::uint32_t rings;      ///< rings of elements removed with the pocket
     unsigned order;           ///< see ExactFill::kOrders
     /// number of elements removed in the previous try, with half as many rings
-    std::size_t removed;
+    std::optional<std::size_t> removed = {};
     bool isLargest = false;    ///< more rings have no more elements
     bool isLastRound = false;  ///< of all orders, without a cost limit
   };
