@@ -1,30 +1,18 @@
 /** The command line: options and arguments of `tetrafront` and its commands. Each command has a file of its own. */
 import { readFileSync } from "node:fs";
-import { availableParallelism } from "node:os";
 import { Command, CommanderError, Option } from "commander";
-import { DEFAULT_COVER_SHAPE } from "../api/options.js";
-import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import {
-  COVER_SHAPES,
   FRONT_ORDERS,
-  INNER_SHELLS,
   INSPECTION_DEFAULTS,
   MESH_DEFAULTS,
   OPTIMIZATIONS,
   PROPOSAL_DEFAULTS,
   REMESH_DEFAULTS,
 } from "../generated/constants.js";
-import {
-  checkPlaceholders,
-  exitCodeOf,
-  expandInputs,
-  outputFor,
-  runTasks,
-  type TaskResult,
-} from "./batch.js";
 import { type CheckCommandOptions, checkFile } from "./check.js";
 import { type ConvertCommandOptions, convertFile } from "./convert.js";
-import { ClosedPipe, FileError, STANDARD_STREAM, writeOutput, writeToStandardOutput } from "./files.js";
+import { forEachInput } from "./each-input.js";
+import { ClosedPipe, STANDARD_STREAM, writeToStandardOutput } from "./files.js";
 import { type CoverCommandOptions, coverFile, type ProposeCommandOptions, proposeForFile } from "./grids.js";
 import {
   checkHelp,
@@ -38,12 +26,24 @@ import {
   STATS_HELP,
 } from "./help.js";
 import { type InfoCommandOptions, infoOnFile, statsOfFile } from "./info.js";
-import { numberIn } from "./input.js";
 import { type MeshCommandOptions, meshFile } from "./mesh.js";
-import { InvalidInput, ExitCode, reportFailure } from "./messages.js";
-import { checkNoOverwrite, inputFiles, outputFiles } from "./paths.js";
+import { ExitCode, reportFailure } from "./messages.js";
 import { type RemeshFileOptions, remeshFile } from "./remesh.js";
 import { DEFAULT_TREATMENT, SURFACE_TREATMENTS } from "./remeshing.js";
+import {
+  backgroundOption,
+  formatOption,
+  fromOption,
+  innerShellsOption,
+  inputFormatOption,
+  shapeOption,
+  sourceOption,
+  splitOption,
+  toOption,
+  withJobs,
+  withRemeshing,
+  withRepair,
+} from "./shared-options.js";
 
 /** Runs the command line; resolves with the exit code. Messages go to stderr. */
 export async function main(args: readonly string[]): Promise<number> {
@@ -116,199 +116,6 @@ function commandLine(args: readonly string[], { setExitCode, printHelp }: Comman
 
 type SetExitCode = (code: number) => void;
 
-interface BatchOptions {
-  readonly from?: string;
-  readonly to?: string;
-  readonly format?: string;
-  readonly jobs?: string;
-  readonly output?: string;
-  readonly report?: string;
-  readonly json?: boolean;
-  readonly quiet?: boolean;
-}
-
-const withJobs = (command: Command): Command =>
-  command.option(
-    "-j, --jobs <count>",
-    "process at most this many inputs at once (default: one per processor)",
-  );
-
-const fromOption = (): Option =>
-  new Option("--from <format>", "input format, if the extension does not determine it");
-/** One option suffices if only the input or only the output is a stream. */
-const formatOption = (): Option =>
-  new Option("--format <format>", "format of the stream; for two streams use --from and --to");
-/** For commands that read files only. */
-const inputFormatOption = (): Option =>
-  new Option("--format <format>", "format of standard input; the same as --from");
-const toOption = (): Option =>
-  new Option("--to <format>", "output format, if the extension does not determine it");
-
-const withRepair = (command: Command): Command =>
-  command
-    .option(
-      "--repair",
-      "weld coincident nodes, remove degenerate and duplicate triangles, flip triangles outward",
-    )
-    .option("--weld <distance>", "repair, and weld nodes within this distance")
-    .option("--fill-holes <edges>", "repair, and fill holes of at most this many edges");
-
-const splitOption = (): Option =>
-  new Option(
-    "--split-patches [angle]",
-    `split patches at edges with a larger angle between their triangles, in degrees (default ${REMESH_DEFAULTS.featureAngle})`,
-  );
-const sourceOption = (): Option =>
-  new Option(
-    "--source <x,y,z,size[,distance[,growth]]>",
-    "limit the size up to a distance from a position, growing beyond it; repeatable",
-  ).argParser((text: string, before: string[] | undefined) => [...(before ?? []), text]);
-const backgroundOption = (): Option =>
-  new Option("-b, --background <file>", "take the sizes from this background grid");
-
-/** `prefix`: what the options are for, if it is not the whole command. */
-const withRemeshing = (command: Command, prefix = ""): Command =>
-  command
-    .option(
-      "--min-size <length>",
-      `${prefix}smallest size that the shape may ask for (default: 1/10 of --size, or 1/300 of the diagonal)`,
-    )
-    .option("--max-size <length>", `${prefix}largest automatic size (default: 1/20 of the diagonal)`)
-    .option(
-      "--tolerance <distance>",
-      `${prefix}largest distance from the given surface (default: 1/1000 of the diagonal, at most 1/20 of --size)`,
-    )
-    .option(
-      "--feature-angle <degrees>",
-      `${prefix}edges with a larger angle between their triangles stay sharp (default ${REMESH_DEFAULTS.featureAngle})`,
-    )
-    .option(
-      "--angle-per-edge <degrees>",
-      `${prefix}largest angle that an edge spans where the surface is curved (default 20; 60 with given sizes)`,
-    )
-    .option(
-      "--layers <count>",
-      `${prefix}elements across thin walls; 0 ignores thickness (default 1; 0 with given sizes)`,
-    );
-
-/** Runs one input in this process, several in processes of their own. */
-async function forEach<Options extends BatchOptions>(
-  inputs: readonly string[],
-  command: Command,
-  one: (input: string, options: Options) => Promise<number>,
-): Promise<number> {
-  const options = withStreamFormat<Options>(inputs, command.opts());
-  try {
-    const jobs = jobsOf(options.jobs);
-    if (options.output !== undefined) checkPlaceholders(options.output);
-    if (options.report !== undefined) checkPlaceholders(options.report, []);
-    const files = await expandInputs(inputs);
-    const [only] = files;
-    if (files.length > 1 && files.includes(STANDARD_STREAM)) {
-      throw new FileError(
-        "-",
-        "standard input cannot be combined with other inputs",
-        "Use it as the only input.",
-      );
-    }
-    if (files.length === 1 && only !== undefined) {
-      const { output } = options;
-      return await one(
-        only,
-        output?.includes("{name}") === true ? withOutput(options, only, output) : options,
-      );
-    }
-    return await batch(files, command, options, jobs);
-  } catch (failure) {
-    return reportFailure(failure, inputs[0] ?? "");
-  }
-}
-
-function withStreamFormat<Options extends BatchOptions>(
-  inputs: readonly string[],
-  options: Options,
-): Options {
-  const { format, from, to, output } = options;
-  if (format === undefined) return options;
-  const isInput = inputs[0] === STANDARD_STREAM;
-  return {
-    ...options,
-    ...(isInput ? { from: from ?? format } : {}),
-    ...(output === STANDARD_STREAM || !isInput ? { to: to ?? format } : {}),
-  };
-}
-
-function withOutput<Options extends BatchOptions>(options: Options, input: string, output: string): Options {
-  return { ...options, output: outputFor(input, output) };
-}
-
-async function batch(
-  files: readonly string[],
-  command: Command,
-  options: BatchOptions,
-  jobs: number,
-): Promise<number> {
-  const { output, report, from, to } = options;
-  const outputs = output === undefined ? [] : files.map((file) => outputFor(file, output));
-  await checkNoOverwrite(
-    files.flatMap((file) => inputFiles(file, from, `the input ${file}`)),
-    [
-      ...outputs.flatMap((file, i) => outputFiles(file, to, `the output of ${files[i]}`)),
-      ...(report === undefined ? [] : [{ words: "the report", file: report }]),
-    ],
-  );
-  const tasks = files.map((input, i) => ({
-    input,
-    args: [
-      command.name(),
-      ...givenOptions(command, outputs[i]),
-      ...(report === undefined ? [] : ["--report", "-"]),
-      "--",
-      input,
-    ],
-  }));
-  const results = await runTasks(tasks, jobs, options.quiet === true);
-  const isJson = report !== undefined || options.json === true;
-  const text = isJson
-    ? `[\n${results.flatMap(jsonOf).join(",\n")}\n]\n`
-    : results.map(({ stdout }) => stdout).join("");
-  if (report !== undefined || text !== "") await writeOutput(report ?? "-", text);
-  return exitCodeOf(results);
-}
-
-function jsonOf({ stdout }: TaskResult): string[] {
-  return stdout.trim() === "" ? [] : [stdout.trim()];
-}
-
-function jobsOf(text: string | undefined): number {
-  const jobs = text === undefined ? availableParallelism() : numberIn(text);
-  if (Number.isInteger(jobs) && Number(jobs) >= 1) return Number(jobs);
-  const wrong = invalidOption(
-    "--jobs",
-    `the number of jobs is "${text}"`,
-    "Use a whole number of at least 1.",
-  );
-  throw new InvalidInput("command line", [wrong]);
-}
-
-/** Returns the options as given, without those of the batch, and with this output. */
-function givenOptions(command: Command, output: string | undefined): string[] {
-  const own = new Set(["jobs", "report"]);
-  return command.options.flatMap((option) => {
-    const name = option.attributeName();
-    const value = command.getOptionValue(name) as GivenValue;
-    const { long } = option;
-    if (own.has(name) || value === undefined || long == null) return [];
-    // --no-x sets x to false, --x to true.
-    if (typeof value === "boolean") return value === option.negate ? [] : [long];
-    if (typeof value !== "string") return value.flatMap((one) => [long, one]);
-    return [long, name === "output" ? (output ?? value) : value];
-  });
-}
-
-/** Every option here is a word, a repeatable word or a flag. */
-type GivenValue = string | readonly string[] | boolean | undefined;
-
 function addMesh(program: Command, setExitCode: SetExitCode): void {
   const command = program
     .command("mesh")
@@ -362,7 +169,7 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
     .option("-q, --quiet", "print errors only")
     .addHelpText("after", meshHelp)
     .action(async (inputs: string[]) =>
-      setExitCode(await forEach<MeshCommandOptions>(inputs, command, meshFile)),
+      setExitCode(await forEachInput<MeshCommandOptions>(inputs, command, meshFile)),
     );
 }
 
@@ -387,7 +194,7 @@ function addRemesh(program: Command, setExitCode: SetExitCode): void {
     .option("-q, --quiet", "print errors only")
     .addHelpText("after", remeshHelp)
     .action(async (inputs: string[]) =>
-      setExitCode(await forEach<RemeshFileOptions>(inputs, command, remeshFile)),
+      setExitCode(await forEachInput<RemeshFileOptions>(inputs, command, remeshFile)),
     );
 }
 
@@ -404,7 +211,7 @@ function addConvert(program: Command, setExitCode: SetExitCode): void {
     .option("-q, --quiet", "print errors only")
     .addHelpText("after", convertHelp)
     .action(async (inputs: string[]) =>
-      setExitCode(await forEach<ConvertCommandOptions>(inputs, command, convertFile)),
+      setExitCode(await forEachInput<ConvertCommandOptions>(inputs, command, convertFile)),
     );
 }
 
@@ -421,7 +228,7 @@ function addInfo(program: Command, setExitCode: SetExitCode): void {
     .option("--json", "print JSON")
     .addHelpText("after", INFO_HELP)
     .action(async (inputs: string[]) =>
-      setExitCode(await forEach<InfoCommandOptions>(inputs, command, infoOnFile)),
+      setExitCode(await forEachInput<InfoCommandOptions>(inputs, command, infoOnFile)),
     );
 }
 
@@ -436,12 +243,9 @@ function addStats(program: Command, setExitCode: SetExitCode): void {
     .option("--json", "print JSON")
     .addHelpText("after", STATS_HELP)
     .action(async (inputs: string[]) =>
-      setExitCode(await forEach<InfoCommandOptions>(inputs, command, statsOfFile)),
+      setExitCode(await forEachInput<InfoCommandOptions>(inputs, command, statsOfFile)),
     );
 }
-
-const shapeOption = (): Option =>
-  new Option("--shape <shape>", `shape of the grid (default ${DEFAULT_COVER_SHAPE})`).choices(COVER_SHAPES);
 
 function addCover(program: Command, setExitCode: SetExitCode): void {
   program
@@ -492,13 +296,6 @@ function addPropose(program: Command, setExitCode: SetExitCode): void {
     );
 }
 
-function innerShellsOption(): Option {
-  return new Option(
-    "--inner-shells <meaning>",
-    `leave closed shells inside a region empty, or mesh them as regions (default ${MESH_DEFAULTS.innerShells})`,
-  ).choices(INNER_SHELLS);
-}
-
 function addCheck(program: Command, setExitCode: SetExitCode): void {
   const command = program
     .command("check")
@@ -517,7 +314,7 @@ function addCheck(program: Command, setExitCode: SetExitCode): void {
     .option("-q, --quiet", "print errors only")
     .addHelpText("after", checkHelp)
     .action(async (inputs: string[]) =>
-      setExitCode(await forEach<CheckCommandOptions>(inputs, command, checkFile)),
+      setExitCode(await forEachInput<CheckCommandOptions>(inputs, command, checkFile)),
     );
 }
 

@@ -9,14 +9,14 @@
  */
 import { Yielder } from "../calls/yielder.js";
 import { type ByteSource, piecesOf } from "./byte-source.js";
+import { joined } from "./bytes.js";
 import { decimalIn, otherNumber } from "./decimal.js";
 import { failureAt, type FileLocation, ReadFailure } from "./read-result.js";
+import { indexOf, MARK_BYTES, startsWithMark, textOf } from "./text-bytes.js";
 
 const LINE_FEED = 10;
 const CARRIAGE_RETURN = 13;
 const SPACE = 32;
-/** Byte-order mark in UTF-8. */
-const MARK = [0xef, 0xbb, 0xbf] as const;
 /** Longest entry of a file, in bytes; a face of ten thousand corners fits. */
 const LOOKAHEAD = 1 << 18;
 /** Bytes requested at once, so that the rest of the window is rarely copied. */
@@ -149,7 +149,7 @@ export class ByteReader {
     }
     this.#before += this.#at;
     this.#at = 0;
-    this.#bytes = concatenated(parts, length);
+    this.#bytes = joined(parts);
     this.#view = new DataView(this.#bytes.buffer, this.#bytes.byteOffset, length);
   }
 
@@ -169,7 +169,7 @@ export class ByteReader {
       length += part.length;
       parts.push(part);
     }
-    return concatenated(parts, length);
+    return joined(parts);
   }
 
   /** Returns up to `count` unread bytes of the window without consuming them. */
@@ -398,8 +398,8 @@ export class ByteReader {
     for (; this.#at < bytes.length; this.#at++) {
       const byte = bytes[this.#at] ?? 0;
       if (byte > SPACE) {
-        if (byte === MARK[0] && startsWithMark(bytes, this.#at)) {
-          this.#at += MARK.length - 1;
+        if (startsWithMark(bytes, this.#at)) {
+          this.#at += MARK_BYTES - 1;
           continue;
         }
         if (byte === this.#continuation && this.#isContinued(this.#at)) {
@@ -468,34 +468,6 @@ export class ByteReader {
     if (text === "") return "the end of the file";
     return end - this.#at > SHOWN ? `"${text}…"` : `"${text}"`;
   }
-}
-
-function startsWithMark(bytes: Uint8Array, at = 0): boolean {
-  return MARK.every((byte, i) => bytes[at + i] === byte);
-}
-
-/** Decodes UTF-8. Invalid bytes become replacement characters, so that the text is empty only if there are no bytes. */
-function textOf(bytes: Uint8Array): string {
-  return new TextDecoder("utf-8", { ignoreBOM: true }).decode(bytes);
-}
-
-/** Returns the index of the next occurrence of `sequence` from `from` on, or -1. */
-export function indexOf(bytes: Uint8Array, sequence: Uint8Array, from: number): number {
-  const first = sequence[0] ?? 0;
-  for (let at = bytes.indexOf(first, from); at >= 0; at = bytes.indexOf(first, at + 1)) {
-    if (sequence.every((byte, i) => bytes[at + i] === byte)) return at;
-  }
-  return -1;
-}
-
-function concatenated(parts: readonly Uint8Array[], length: number): Uint8Array<ArrayBuffer> {
-  const joined = new Uint8Array(length);
-  let at = 0;
-  for (const part of parts) {
-    joined.set(part, at);
-    at += part.length;
-  }
-  return joined;
 }
 
 /** Location for problems of a file's first line. */

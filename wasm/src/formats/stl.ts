@@ -7,12 +7,13 @@
  */
 import { plural } from "../base/plural.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
-import { ByteReader, FIRST_LINE, indexOf } from "./byte-reader.js";
+import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { hexOf } from "./colors.js";
 import { type GroupList, MeshBuilder } from "./mesh-builder.js";
 import { NAME_BREAK, STL_NAMES } from "./name-lines.js";
 import { failureAt, ReadFailure } from "./read-result.js";
+import { indexOf } from "./text-bytes.js";
 
 const HEADER_BYTES = 80;
 const COUNT_BYTES = 4;

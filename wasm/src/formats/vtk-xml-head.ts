@@ -2,8 +2,8 @@
  * Finds the tags of a VTU or VTP file in its bytes. It does not decode the text between them, which may exceed the
  * longest possible string.
  */
-import { indexOf } from "./byte-reader.js";
 import { failureAt } from "./read-result.js";
+import { indexOf } from "./text-bytes.js";
 
 const REMEDY = "Save the mesh again as .vtu or .vtp with triangles or linear tetrahedra.";
 /** Sections whose arrays are read. In polygon files, the sections of cells are named by kind. */

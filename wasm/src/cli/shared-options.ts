@@ -1,0 +1,77 @@
+/** Options that several commands have. */
+import { type Command, Option } from "commander";
+import { DEFAULT_COVER_SHAPE } from "../api/options.js";
+import { COVER_SHAPES, INNER_SHELLS, MESH_DEFAULTS, REMESH_DEFAULTS } from "../generated/constants.js";
+
+export const withJobs = (command: Command): Command =>
+  command.option(
+    "-j, --jobs <count>",
+    "process at most this many inputs at once (default: one per processor)",
+  );
+
+export const fromOption = (): Option =>
+  new Option("--from <format>", "input format, if the extension does not determine it");
+/** One option suffices if only the input or only the output is a stream. */
+export const formatOption = (): Option =>
+  new Option("--format <format>", "format of the stream; for two streams use --from and --to");
+/** For commands that read files only. */
+export const inputFormatOption = (): Option =>
+  new Option("--format <format>", "format of standard input; the same as --from");
+export const toOption = (): Option =>
+  new Option("--to <format>", "output format, if the extension does not determine it");
+
+export const withRepair = (command: Command): Command =>
+  command
+    .option(
+      "--repair",
+      "weld coincident nodes, remove degenerate and duplicate triangles, flip triangles outward",
+    )
+    .option("--weld <distance>", "repair, and weld nodes within this distance")
+    .option("--fill-holes <edges>", "repair, and fill holes of at most this many edges");
+
+export const splitOption = (): Option =>
+  new Option(
+    "--split-patches [angle]",
+    `split patches at edges with a larger angle between their triangles, in degrees (default ${REMESH_DEFAULTS.featureAngle})`,
+  );
+export const sourceOption = (): Option =>
+  new Option(
+    "--source <x,y,z,size[,distance[,growth]]>",
+    "limit the size up to a distance from a position, growing beyond it; repeatable",
+  ).argParser((text: string, before: string[] | undefined) => [...(before ?? []), text]);
+export const backgroundOption = (): Option =>
+  new Option("-b, --background <file>", "take the sizes from this background grid");
+
+/** `prefix`: what the options are for, if it is not the whole command. */
+export const withRemeshing = (command: Command, prefix = ""): Command =>
+  command
+    .option(
+      "--min-size <length>",
+      `${prefix}smallest size that the shape may ask for (default: 1/10 of --size, or 1/300 of the diagonal)`,
+    )
+    .option("--max-size <length>", `${prefix}largest automatic size (default: 1/20 of the diagonal)`)
+    .option(
+      "--tolerance <distance>",
+      `${prefix}largest distance from the given surface (default: 1/1000 of the diagonal, at most 1/20 of --size)`,
+    )
+    .option(
+      "--feature-angle <degrees>",
+      `${prefix}edges with a larger angle between their triangles stay sharp (default ${REMESH_DEFAULTS.featureAngle})`,
+    )
+    .option(
+      "--angle-per-edge <degrees>",
+      `${prefix}largest angle that an edge spans where the surface is curved (default 20; 60 with given sizes)`,
+    )
+    .option(
+      "--layers <count>",
+      `${prefix}elements across thin walls; 0 ignores thickness (default 1; 0 with given sizes)`,
+    );
+
+export const innerShellsOption = (): Option =>
+  new Option(
+    "--inner-shells <meaning>",
+    `leave closed shells inside a region empty, or mesh them as regions (default ${MESH_DEFAULTS.innerShells})`,
+  ).choices(INNER_SHELLS);
+
+export const shapeOption = (): Option =>
+  new Option("--shape <shape>", `shape of the grid (default ${DEFAULT_COVER_SHAPE})`).choices(COVER_SHAPES);
