@@ -276,7 +276,7 @@ Damaged damaged(std::uint64_t seed) {
 }
 
 TEST(DamagedModels, ThePreviewNamesTheDamage) {
-  constexpr std::uint64_t kModels = 1000;
+  constexpr std::uint64_t kModels = 500;
   int accepted = 0;
   for (std::uint64_t seed = 0; seed < kModels; ++seed) {
     const Damaged input = damaged(seed);
@@ -286,7 +286,7 @@ TEST(DamagedModels, ThePreviewNamesTheDamage) {
       ASSERT_TRUE(std::isfinite(coordinate)) << "seed " << seed;
     if (!anyError(preview.diagnostics)) ++accepted;
   }
-  EXPECT_GT(accepted, 20) << "some damage is harmless";
+  EXPECT_GT(accepted, 10) << "some damage is harmless";
   EXPECT_LT(accepted, static_cast<int>(kModels) / 2);
 }
 

@@ -86,7 +86,7 @@ TEST(MesherPatchTypes, TetrahedraOfTriangularPatchesMeshToTheirVolume) {
 
 TEST(MesherPatchTypes, BoxesOfQuadrilateralPatchesMeshToTheirVolume) {
   for (const PatchType type : {PatchType::kSerendipity, PatchType::kCoons}) {
-    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    for (std::uint64_t seed = 0; seed < 2; ++seed) {
       SCOPED_TRACE(static_cast<int>(type) * 100 + static_cast<int>(seed));
       expectMeshes(randomBentBox(seed, 0.2, type));
     }

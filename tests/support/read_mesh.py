@@ -1,10 +1,17 @@
-"""Reads mesh files by meshio (or gmsh) and prints what is in each, as one line of JSON per file."""
+"""Reads and writes mesh files by meshio (or gmsh). Prints one line of JSON per line of standard input:
+
+read meshio KIND PATH / read gmsh PATH    what is in the file
+write FROM TO OPTIONS                     null, after meshio has read one file and written another
+
+The fields are separated by tabs. A failure is printed as a text. Imports take longer than the work, so one process
+answers all questions.
+"""
 
 import json
 import sys
 
 
-def by_meshio(path, kind):
+def by_meshio(kind, path):
     import meshio
 
     mesh = meshio.read(path, file_format=kind)
@@ -46,6 +53,21 @@ def by_gmsh(path):
     return {"points": [place[n] for n in sorted(place)], "groups": groups, "entities": entities, "triangles": triangles}
 
 
+def answer_to(question, *fields):
+    if question == "write":
+        return write_by_meshio(*fields)
+    program, *rest = fields
+    return by_gmsh(*rest) if program == "gmsh" else by_meshio(*rest)
+
+
+def write_by_meshio(source, target, options):
+    import meshio
+
+    mesh = meshio.read(source)
+    mesh.cell_sets = {}
+    meshio.write(target, mesh, **eval(options))
+
+
 def main():
     if sys.argv[1] == "which":
         found = []
@@ -57,9 +79,15 @@ def main():
                 pass
         print(json.dumps(found))
         return
-    for argument in sys.argv[1:]:
-        reader, kind, path = argument.split(":", 2)
-        print(json.dumps(by_gmsh(path) if reader == "gmsh" else by_meshio(path, kind)))
+    answers = sys.stdout
+    # meshio prints remarks on some formats.
+    sys.stdout = sys.stderr
+    for line in sys.stdin:
+        try:
+            answer = answer_to(*line.rstrip("\n").split("\t"))
+        except Exception as failure:
+            answer = f"{type(failure).__name__}: {failure}"
+        print(json.dumps(answer), file=answers, flush=True)
 
 
 if __name__ == "__main__":

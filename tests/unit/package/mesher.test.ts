@@ -392,7 +392,7 @@ describe("a preview", () => {
 
   test("is returned while a run is active", async () => {
     let running = true;
-    const run = mesher.fillSurface(sphereSurface(40)).finally(() => (running = false));
+    const run = mesher.fillSurface(sphereSurface(24)).finally(() => (running = false));
     await mesher.previewProject(cubeProject());
     expect(running).toBe(true);
     expect((await run).report.status).toBe("done");
@@ -416,7 +416,7 @@ describe("progress", () => {
   test("never decreases and is reported at most ten times per second and once at the end", async () => {
     const seen: { progress: Progress; at: number }[] = [];
     const { report } = await mesher.fillSurface(
-      sphereSurface(36),
+      sphereSurface(24),
       {},
       {
         onProgress: (progress) => seen.push({ progress, at: progress.elapsedSeconds }),
@@ -559,7 +559,7 @@ describe("disposing", () => {
 
   test("rejects active and later calls", async () => {
     const short = await createMesher();
-    const runs = [short.fillSurface(sphereSurface(40)), short.previewProject(cubeProject())];
+    const runs = [short.fillSurface(sphereSurface(24)), short.previewProject(cubeProject())];
     short.dispose();
     short.dispose();
     const after = short.fillSurface(boxSurface(1));

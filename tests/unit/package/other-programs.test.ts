@@ -1,13 +1,14 @@
 /**
  * meshio and Gmsh read the files we write, and we read the files meshio writes, if Python has these programs.
  */
-import { spawnSync } from "node:child_process";
+import { spawn, spawnSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
+import { createInterface } from "node:readline";
 import { fileURLToPath } from "node:url";
 
 import { readMesh, writeMesh, type FileMesh } from "tetrafront";
-import { describe, expect, test } from "vitest";
+import { afterAll, describe, expect, test } from "vitest";
 
 import { inSteps } from "../../../wasm/src/calls/yielder.js";
 import { boundaryOf } from "../../../wasm/src/formats/boundary.js";
@@ -17,13 +18,25 @@ import { temporaryFolder } from "../../support/temporary-folder.js";
 const python = process.env["TETRAFRONT_PYTHON"] ?? "python3";
 const script = fileURLToPath(new URL("../../support/read_mesh.py", import.meta.url));
 
-function run(args: readonly string[]): string {
-  const { stdout, status, stderr } = spawnSync(python, args, { encoding: "utf8", maxBuffer: 1 << 26 });
-  return status === 0 ? stdout : `failed: ${stderr}`;
-}
+const which = spawnSync(python, [script, "which"], { encoding: "utf8" });
+const programs = which.status === 0 ? (JSON.parse(which.stdout) as string[]) : [];
 
-const which = run([script, "which"]);
-const programs = which.startsWith("[") ? (JSON.parse(which) as string[]) : [];
+/** One process answers all questions, because its imports take longer than its work. */
+const programsProcess = spawn(python, [script, "answer"], { stdio: ["pipe", "pipe", "ignore"] });
+const answers: AsyncIterator<string, undefined> = createInterface(programsProcess.stdout)[
+  Symbol.asyncIterator
+]();
+afterAll(() => programsProcess.stdin.end());
+
+/** Asks read_mesh.py; throws the text of a failure. */
+async function ask(...question: readonly string[]): Promise<unknown> {
+  programsProcess.stdin.write(`${question.join("\t")}\n`);
+  const { value: line } = await answers.next();
+  if (line === undefined) throw new Error(`read_mesh.py ended at: ${question.join(" ")}`);
+  const answer = JSON.parse(line) as unknown;
+  if (typeof answer === "string") throw new Error(answer);
+  return answer;
+}
 
 interface ReadMesh {
   readonly points: readonly (readonly number[])[];
@@ -44,11 +57,7 @@ async function save(fileName: string, given: FileMesh = mesh): Promise<string> {
 }
 
 async function readByMeshio(fileName: string, format: string, given: FileMesh = mesh): Promise<ReadMesh> {
-  const answer = run([script, `meshio:${format}:${await save(fileName, given)}`]);
-  // meshio prints remarks on some formats before the answer.
-  const line = answer.split("\n").find((text) => text.startsWith("{"));
-  if (line === undefined) throw new Error(answer);
-  return JSON.parse(line) as ReadMesh;
+  return (await ask("read", "meshio", format, await save(fileName, given))) as ReadMesh;
 }
 
 const plus = (values: ArrayLike<number>) => Array.from(values, (value) => value + 0);
@@ -159,8 +168,6 @@ if (programs.includes("meshio")) {
   });
 
   describe("files written by meshio are read:", () => {
-    const convert =
-      "import meshio, sys\nm = meshio.read(sys.argv[1])\nm.cell_sets = {}\nk = eval(sys.argv[3])\nmeshio.write(sys.argv[2], m, **k)";
     test.each<[string, string]>([
       ["again.vtu", "dict(binary=False)"],
       ["again.vtu", "dict(compression=None)"],
@@ -182,8 +189,7 @@ if (programs.includes("meshio")) {
           ? "from.msh"
           : "from.vtu";
       const target = path.join(folder.path, fileName);
-      const answer = run(["-c", convert, await save(source), target, options]);
-      expect(answer).not.toMatch(/^failed/);
+      await ask("write", await save(source), target, options);
       const read = await readMesh(readFileSync(target), { fileName });
       if (!read.success) throw new Error(read.errors[0].message);
       const found: FileMesh = read.value;
@@ -201,8 +207,8 @@ if (programs.includes("meshio")) {
 
 if (programs.includes("gmsh")) {
   test.each(["stl", "obj", "off", "ply"])("Gmsh reads the boundary from .%s", async (format) => {
-    const answer = run([script, `gmsh::${await save(`part.${format}`)}`]);
-    const { points, triangles } = JSON.parse(answer) as { points: number[][]; triangles: number };
+    const answer = await ask("read", "gmsh", await save(`part.${format}`));
+    const { points, triangles } = answer as { points: number[][]; triangles: number };
     // STL stores float32; Gmsh may parse decimals in OBJ with a different last digit.
     const rounded = (x: number) => (format === "stl" ? Math.fround(x) : Number(x.toPrecision(14))) + 0;
     const positions = (all: readonly number[][]) =>
@@ -216,8 +222,7 @@ if (programs.includes("gmsh")) {
   test.each(["part.msh", "part.msh2"])(
     "Gmsh reads the same points and named groups from %s",
     async (fileName) => {
-      const answer = run([script, `gmsh::${await save(fileName)}`]);
-      const read = JSON.parse(answer) as {
+      const read = (await ask("read", "gmsh", await save(fileName))) as {
         points: number[][];
         groups: [number, number, string, number[][]][];
       };
@@ -239,7 +244,7 @@ if (programs.includes("gmsh")) {
     ["part.mesh", expected],
     ["part.bdf", expected],
   ])("Gmsh reads the same points and tagged elements from %s", async (fileName, expected) => {
-    const read = JSON.parse(run([script, `gmsh::${await save(fileName)}`])) as {
+    const read = (await ask("read", "gmsh", await save(fileName))) as {
       points: number[][];
       entities: [number, number, number[][]][];
     };

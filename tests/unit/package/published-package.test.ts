@@ -8,6 +8,7 @@ import { gzipSync } from "node:zlib";
 
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
+import { typescriptCompiler } from "../../../scripts/lib/tools.mjs";
 import { freshInstall, npm, type FreshInstall } from "../../support/fresh-install.js";
 import { stlBinary } from "../../support/surface-files.js";
 import { boxSurface } from "../../support/surfaces.js";
@@ -105,7 +106,7 @@ describe("after installation into an empty folder", () => {
     const settings = ["--strict", "--noEmit", "--skipLibCheck", "false", "--module", "nodenext"];
     const known = ["--target", "es2022", "--lib", "es2022", "--types", "node"];
     const types = ["--typeRoots", path.join(root, "node_modules", "@types")];
-    const args = [bin("tsc"), "program.ts", "--ignoreConfig", ...settings, ...known, ...types];
+    const args = [typescriptCompiler, "program.ts", "--ignoreConfig", ...settings, ...known, ...types];
     const { stdout } = await run(process.execPath, args, { cwd: fresh.folder });
     expect(stdout).toBe("");
   }, 120_000);
