@@ -19,7 +19,7 @@ await main(async () => {
   const names = process.argv.slice(2).map((name) => `${path.basename(name, ".mjs")}.mjs`);
   const unknown = names.find((name) => !all.includes(name));
   if (unknown) throw new UserError(`There is no tests/bench/${unknown}; there are ${all.join(", ")}`);
-  await build(["wasm", "package", "site", "native"], await setup(["native", "tests"]));
+  await build(["wasm", "package", "site", "native"], await setup(["native", "tests", "oracles"]));
   const env = { TETRAFRONT_FILL: path.join(buildFolders.release, "fill") };
   for (const name of names.length > 0 ? names : all) {
     say(`\n== ${name}`);

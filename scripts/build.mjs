@@ -14,7 +14,8 @@ import {
 } from "./lib/package-files.mjs";
 import { buildFolders, inRoot } from "./lib/paths.mjs";
 import { jobs, main, must, say, UserError } from "./lib/run.mjs";
-import { findFuzzer, which } from "./lib/tools.mjs";
+import { findFuzzer, typescriptCompiler, which } from "./lib/tools.mjs";
+import { ensurePython } from "./lib/python.mjs";
 import { setup } from "./setup.mjs";
 
 const bin = (name) => inRoot("node_modules", ".bin", name);
@@ -31,7 +32,7 @@ export const steps = {
     const hash = hashOf([...inputs, ...types]);
     const stamp = inRoot("wasm", "dist", ".built-from");
     if (isFresh(stamp, hash)) return;
-    await must(bin("tsc"), ["-p", "wasm"], { quietOut: true });
+    await must(typescriptCompiler, ["-p", "wasm"], { quietOut: true });
     dropOrphans();
     await writeProjectSchema();
     await bundlePages();
@@ -54,7 +55,10 @@ export const steps = {
   async native({ compiler }) {
     await compile("release", { CXX: compiler });
   },
-  /** Configures only: clang-tidy reads compile_commands.json and the sources of the unity build. */
+  /**
+   * Configures only: clang-tidy reads compile_commands.json and the sources of the unity build. Suites that need
+   * `native` or `asan` need this first, because two of them must not configure at the same time.
+   */
   async database({ compiler }) {
     await configure("release", { CXX: compiler });
     const log = path.join(buildFolders.release, "configure-again.log");
@@ -63,6 +67,8 @@ export const steps = {
   async asan({ compiler }) {
     await compile("asan", { CXX: compiler }, "release");
   },
+  /** Installs the Python packages that check our files: a download, which the other builds need not wait for. */
+  oracles: ensurePython,
   /** Does nothing if no clang with libFuzzer is installed. */
   async fuzz() {
     const compiler = findFuzzer();

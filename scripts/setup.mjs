@@ -30,25 +30,27 @@ const needs = {
 };
 
 /**
- * @param purposes "native" (compile for this machine), "tests", both or none, in addition to the build.
+ * @param purposes what to install in addition to what a build needs: "native" (to compile for this machine), "tests",
+ * "oracles" (Python packages that check our files).
  * @returns the tools found: `{ emscripten, compiler, chromium }`.
  */
-export async function setup(purposes = ["native", "tests"]) {
+export async function setup(purposes = ["native", "tests", "oracles"]) {
   if (Number(process.versions.node.split(".")[0]) < kMinNode) {
     throw new UserError(`Node ${kMinNode} or later is needed; this is ${process.version}`);
   }
   if (process.env.CHROMIUM && purposes.includes("tests") && !findChromium()) {
     throw new UserError(`CHROMIUM=${process.env.CHROMIUM} is not a program: correct or unset it`);
   }
-  const wanted = ["build", ...purposes].flatMap((purpose) => needs[purpose]);
+  const wanted = ["build", ...purposes].flatMap((purpose) => needs[purpose] ?? []);
   await installMissing(wanted.filter((item) => item.find() === undefined));
   const stillMissing = wanted.filter((item) => item.find() === undefined);
   if (stillMissing.length > 0) {
     const words = stillMissing.map((item) => item.what).join(", ");
     throw new UserError(`Still not found after installing Debian's packages: ${words}`);
   }
-  await Promise.all([ensurePackages(), purposes.includes("tests") && ensurePython()]);
-  const emscripten = await ensureEmscripten();
+  // Python's system packages come last: only one program at a time can use apt.
+  const [emscripten] = await Promise.all([ensureEmscripten(), ensurePackages()]);
+  if (purposes.includes("oracles")) await ensurePython();
   await ensureGlm(emscripten.folder);
   return { emscripten, compiler: findCompiler(), chromium: findChromium() };
 }

@@ -104,6 +104,8 @@ await main(async () => {
   const tools = await setup(["native", "tests"]);
   clearReports();
   const prepare = builder(tools);
+  // A download, beside everything else.
+  if (selection.has("unit")) void prepare(["oracles"]);
   const lanes = ["static", "tests"].map((lane) => runLane(lane, selection, tools, prepare));
   const rows = (await Promise.all(lanes)).flat();
   const all = sum(rows.map((row) => row.counts));

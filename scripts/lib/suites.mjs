@@ -9,7 +9,7 @@ import { untestedOracles } from "./oracles.mjs";
 import { buildFolders, inRoot, reports } from "./paths.mjs";
 import { inParallel, jobs, run } from "./run.mjs";
 import { tidy } from "./tidy.mjs";
-import { findFuzzer } from "./tools.mjs";
+import { findFuzzer, typescriptCompiler } from "./tools.mjs";
 
 const bin = (name) => inRoot("node_modules", ".bin", name);
 const report = (name) => path.join(reports, `${name}.json`);
@@ -57,7 +57,8 @@ function freePort() {
 /**
  * All suites. `needs` lists the parts that must be built first. `run(tools, only)` returns
  * `{ passed, failed, failures }`; `only` restricts a suite to some tests or files. `untested` lists, one line each,
- * what this machine cannot test. The suites of a lane run one after the other, the two lanes side by side.
+ * what this machine cannot test. The suites of a lane run one after the other, the two lanes side by side: the static
+ * checks use the time in which the end-to-end tests wait for the browser. The others keep all processors busy.
  */
 export const suites = {
   format: {
@@ -78,7 +79,8 @@ export const suites = {
     async run() {
       const results = [];
       for (const project of ["wasm", "web", "tests"]) {
-        const status = await run(bin("tsc"), ["-p", project, "--noEmit"], { quietOut: true });
+        const args = ["-p", project, "--noEmit"];
+        const status = await run(typescriptCompiler, args, { quietOut: true });
         results.push(check(status === 0, `type errors in ${project}/`));
       }
       return sum(results);
@@ -117,16 +119,30 @@ export const suites = {
       return check(bad.length === 0, `clang-tidy finds problems in ${bad.join(", ")}`);
     },
   },
+  e2e: {
+    title: "end-to-end tests",
+    lane: "tests",
+    needs: ["wasm", "package", "site"],
+    async run({ chromium }, only = []) {
+      const env = {
+        CHROMIUM: chromium,
+        TETRAFRONT_E2E_PORT: `${await freePort()}`,
+        PLAYWRIGHT_JSON_OUTPUT_NAME: report("e2e"),
+      };
+      await run(bin("playwright"), ["test", ...only, "--reporter=list,json"], { env, quietOut: true });
+      return countPlaywright(report("e2e"));
+    },
+  },
   cpp: {
     title: "C++ tests (release)",
     lane: "tests",
-    needs: ["native"],
+    needs: ["database", "native"],
     run: () => runGoogleTest("tetrafront_tests", "cpp", {}),
   },
   "cpp-asan": {
     title: "C++ tests (ASan + UBSan)",
     lane: "tests",
-    needs: ["asan"],
+    needs: ["database", "asan"],
     run: () =>
       runGoogleTest("tetrafront_tests_sanitized", "cpp-asan", { UBSAN_OPTIONS: "print_stacktrace=1" }),
   },
@@ -150,7 +166,7 @@ export const suites = {
     title: "unit tests",
     lane: "tests",
     // One test compares the meshes of the package with those of the native program.
-    needs: ["wasm", "package", "native"],
+    needs: ["wasm", "package", "database", "native", "oracles"],
     async run(_tools, only = []) {
       const output = `--outputFile.json=${report("unit")}`;
       await run(bin("vitest"), ["run", ...only, "--reporter=dot", "--reporter=json", output], {
@@ -159,20 +175,6 @@ export const suites = {
       return countVitest(report("unit"));
     },
     untested: untestedOracles,
-  },
-  e2e: {
-    title: "end-to-end tests",
-    lane: "tests",
-    needs: ["wasm", "package", "site"],
-    async run({ chromium }, only = []) {
-      const env = {
-        CHROMIUM: chromium,
-        TETRAFRONT_E2E_PORT: `${await freePort()}`,
-        PLAYWRIGHT_JSON_OUTPUT_NAME: report("e2e"),
-      };
-      await run(bin("playwright"), ["test", ...only, "--reporter=list,json"], { env, quietOut: true });
-      return countPlaywright(report("e2e"));
-    },
   },
 };
 

@@ -9,6 +9,9 @@ import { findTidy } from "./tools.mjs";
 /** Folder of the compile commands for clang-tidy. */
 const databaseFolder = inRoot("build", "tidy");
 
+/** Warnings of clang that .clang-tidy lists as checks. */
+const CLANG_WARNINGS = ["-Wreserved-identifier", "-Wsuggest-override", "-Wzero-as-null-pointer-constant"];
+
 /**
  * Runs clang-tidy on the engine, one module of the unity build at a time, and on the native programs. A module is
  * checked again only if one of its sources, any header or the rules changed. Returns the names of modules and
@@ -60,7 +63,8 @@ function sourcesIn(unit) {
 /** Runs clang-tidy on one source and prints its warnings, without the count of suppressed ones. */
 function isTidy(program, file) {
   // GCC's std::stable_sort uses functions that C++17 deprecates; GCC does not warn about its own headers.
-  const extra = [`-isystem${glmFolder}`, "-Wno-deprecated-declarations"].map((arg) => `--extra-arg=${arg}`);
+  const options = [`-isystem${glmFolder}`, "-Wno-deprecated-declarations", ...CLANG_WARNINGS];
+  const extra = options.map((option) => `--extra-arg=${option}`);
   const args = ["--quiet", "-p", databaseFolder, ...extra, file];
   return new Promise((resolve, reject) => {
     const child = spawn(program, args, { cwd: root, stdio: ["ignore", "pipe", "ignore"] });

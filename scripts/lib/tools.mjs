@@ -1,6 +1,7 @@
 import { accessSync, constants, existsSync, readdirSync, statSync } from "node:fs";
 import { homedir } from "node:os";
 import path from "node:path";
+import { inRoot } from "./paths.mjs";
 import { output } from "./run.mjs";
 
 /** Returns the full path of a program on PATH, or undefined. */
@@ -36,6 +37,12 @@ export function atLeast(version, least) {
   }
   return true;
 }
+
+/**
+ * The compiler of TypeScript 7, a native program that takes a quarter of the time. ESLint, TypeDoc and
+ * scripts/lib/dependencies.mjs need the JavaScript API of TypeScript 6, which it lacks.
+ */
+export const typescriptCompiler = inRoot("node_modules", "@typescript", "native", "bin", "tsc");
 
 /** Returns a native compiler that can build the engine (C++20 with <span>, <bit>, <numbers>), or undefined. */
 export function findCompiler() {

@@ -24,7 +24,7 @@ struct Id {
 
   [[nodiscard]] constexpr bool isNone() const { return value == kNoIndex; }
   [[nodiscard]] constexpr std::size_t index() const { return value; }
-  friend constexpr auto operator<=>(const Id&, const Id&) = default;  // NOLINT(*-use-nullptr)
+  friend constexpr auto operator<=>(const Id&, const Id&) = default;
 };
 
 // What the user draws.

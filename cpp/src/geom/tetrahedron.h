@@ -41,8 +41,7 @@ class FaceOf {
   [[nodiscard]] constexpr std::size_t corner() const { return packed_ & 3U; }
   /// Index into an array with four entries per tetrahedron.
   [[nodiscard]] constexpr std::size_t index() const { return packed_; }
-  friend constexpr auto operator<=>(const FaceOf&,
-                                    const FaceOf&) = default;  // NOLINT(*-use-nullptr)
+  friend constexpr auto operator<=>(const FaceOf&, const FaceOf&) = default;
 
  private:
   std::uint32_t packed_ = kNoIndex;
