@@ -10,7 +10,7 @@ import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import { aboveZero, notNegative, sizeStep } from "../shared/size-fields";
 import styles from "./bodies.module.css";
-import { usePreparation } from "./use-body";
+import { useBody, usePreparation } from "./use-body";
 
 const texts = strings.bodies.treatment;
 
@@ -94,8 +94,8 @@ function RemeshingField({ body, field }: RemeshingFieldProps) {
         <NumberField
           key={set === undefined ? "automatic" : "set"}
           label={texts.fields[field]}
-          value={set ?? Number((used ?? 0).toPrecision(4))}
-          step={field === "layers" ? 1 : sizeStep(value ?? 1)}
+          value={set ?? Number(used.toPrecision(4))}
+          step={field === "layers" ? 1 : sizeStep(value)}
           refuse={refusals[field]}
           testId={`remeshing-${field}`}
           onCommit={commit}
@@ -119,19 +119,34 @@ function RemeshingField({ body, field }: RemeshingFieldProps) {
   );
 }
 
-/** Returns the values of options that the user has not set: defaults, and what the last preview has chosen. */
-function useAutomaticValues(body: ProjectBody): { readonly [F in Field]: number | undefined } {
+/** Defaults of the package, as shares of the diagonal and of a given size. */
+const defaults = {
+  size: 1 / 20,
+  minSize: { diagonal: 1 / 300, size: 1 / 10 },
+  tolerance: { diagonal: 1 / 1000, size: 1 / 20 },
+  anglePerEdge: { automatic: 20, size: 60 },
+  growth: 0.3,
+} as const;
+
+/** Returns the values of options that the user has not set: what the last preview has chosen, else the defaults. */
+function useAutomaticValues(body: ProjectBody): { readonly [F in Field]: number } {
   const { preparation } = usePreparation(body);
-  const { size, minSize, tolerance } = preparation?.prepared ?? {};
-  const hasSize = body.remeshing?.size !== undefined;
+  const box = useBody(body.id)?.inspection?.box;
+  const extents = box ? box.high.map((high, k) => high - (box.low[k] ?? 0)) : [];
+  const diagonal = (body.placement?.scale ?? 1) * Math.hypot(...extents);
+  const prepared = preparation?.prepared;
+  const given = body.remeshing?.size;
+  const { minSize, tolerance, anglePerEdge } = defaults;
+  const size = prepared?.size ?? defaults.size * diagonal;
   return {
     size,
-    minSize,
+    minSize: prepared?.minSize ?? (given === undefined ? minSize.diagonal * diagonal : minSize.size * given),
     maxSize: size,
-    tolerance,
+    tolerance:
+      prepared?.tolerance ?? Math.min(tolerance.diagonal * diagonal, tolerance.size * (given ?? Infinity)),
     featureAngle: REMESH_DEFAULTS.featureAngle,
-    anglePerEdge: hasSize ? 60 : 20,
-    layers: hasSize ? 0 : 1,
-    growth: 0.3,
+    anglePerEdge: given === undefined ? anglePerEdge.automatic : anglePerEdge.size,
+    layers: given === undefined ? 1 : 0,
+    growth: defaults.growth,
   };
 }

@@ -1,0 +1,86 @@
+import { Raycaster, Vector2, type BufferGeometry, type Mesh, type ShaderMaterial } from "three";
+import { createBody } from "tetrafront";
+import { describe, expect, it } from "vitest";
+import { drawnSurface } from "../../../web/document/drawn-surface";
+import { BodiesLayer } from "../../../web/viewer/layers/bodies-layer";
+import { Screen } from "../../../web/viewer/screen";
+import type { ShownBody } from "../../../web/viewer/shown-bodies";
+import { boxSurface } from "../../support/surfaces";
+import { change, frontCamera, noTree, sceneState, show, viewport } from "./scene";
+
+const surface = boxSurface(1, [-1, -1, -1], [1, 1, 1]);
+const trianglePatch = Uint32Array.from({ length: surface.triangles.length / 3 }, (_, t) => t % 2);
+const patches = [{ id: 4 }, { id: 9 }];
+const { placement } = createBody(surface, { id: 1, firstPatchId: 4 });
+const given = {
+  surface: { ...surface, trianglePatch },
+  drawn: drawnSurface({ ...surface, trianglePatch }, 2, trianglePatch),
+};
+const body: ShownBody = { id: 1, patches, placement, given, preview: null, split: null };
+const start = sceneState({ bodies: [body] });
+
+const passes = (layer: BodiesLayer) =>
+  layer.root.children.flatMap(({ children }) => children as Mesh<BufferGeometry, ShaderMaterial>[]);
+const at = (layer: BodiesLayer, x: number, y: number) => {
+  const raycaster = new Raycaster();
+  raycaster.setFromCamera(
+    new Vector2((2 * x) / viewport.width - 1, 1 - (2 * y) / viewport.height),
+    frontCamera(),
+  );
+  return layer.hit(raycaster.ray, new Screen(frontCamera(), viewport, { x, y }));
+};
+
+describe("the layer of bodies", () => {
+  it("is hit where its placement puts a body, in model coordinates", () => {
+    const layer = new BodiesLayer(noTree);
+    show(layer, start);
+    const hit = at(layer, 100, 50);
+    expect(hit?.target.kind).toBe("body-patch");
+    expect(hit?.depth).toBeCloseTo(9);
+    hit?.position.forEach((x, k) => expect(x).toBeCloseTo([0, -1, 0][k] ?? NaN));
+    const moved = { ...start, bodies: [{ ...body, placement: { position: [0, 4, 0], scale: 2 } as const }] };
+    change(layer, start, moved);
+    expect(at(layer, 100, 50)?.depth).toBeCloseTo(12);
+    expect(at(layer, 100, 50)?.position[1]).toBeCloseTo(2);
+    const away = { ...start, bodies: [{ ...body, placement: { position: [8, 0, 0] } as const }] };
+    change(layer, moved, away);
+    expect(at(layer, 100, 50)).toBeNull();
+    change(layer, away, { ...away, origin: [8, 0, 0] });
+    expect(at(layer, 100, 50)?.position[0]).toBeCloseTo(8);
+    change(layer, away, { ...start, hidden: new Set(["body-1"]) });
+    expect(at(layer, 100, 50)).toBeNull();
+  });
+
+  it("emphasizes a selected patch, and gives way to a mesh", () => {
+    const layer = new BodiesLayer(noTree);
+    const visible = (): boolean[] => passes(layer).map((pass) => pass.visible);
+    show(layer, start);
+    expect(visible()).toEqual([true, false, false]);
+    const selected = { ...start, selection: [{ kind: "body-patch", id: 9 } as const] };
+    change(layer, start, selected);
+    expect(visible()).toEqual([true, true, true]);
+    change(layer, selected, { ...selected, front: new Float64Array(9) });
+    expect(visible()).toEqual([false, true, true]);
+    change(layer, selected, { ...start, bodies: [] });
+    expect(layer.root.children).toHaveLength(0);
+  });
+
+  it("colours given triangles by patch, and those of a preview by their deviation", () => {
+    const layer = new BodiesLayer(noTree);
+    const shading = () => {
+      const uniforms = passes(layer)[0]?.material.uniforms;
+      return [Number(uniforms?.["shaded"]?.value), Number(uniforms?.["hues"]?.value) > 0];
+    };
+    show(layer, start);
+    expect(shading()).toEqual([1, true]);
+    const values = new Float32Array(surface.triangles.length / 3).fill(0.5);
+    const previewed = { ...start, bodies: [{ ...body, preview: drawnSurface(surface, 2, values) }] };
+    change(layer, start, previewed);
+    expect(shading()).toEqual([1, false]);
+    const plain = { ...start, bodies: [{ ...body, preview: drawnSurface(surface, 2) }] };
+    change(layer, previewed, plain);
+    expect(shading()).toEqual([0, false]);
+    change(layer, plain, { ...plain, bodySurface: "given" });
+    expect(shading()).toEqual([1, true]);
+  });
+});
