@@ -1,5 +1,6 @@
 /** One rule for cancelling: every call with a signal rejects with a `MesherError` of code `cancelled`. */
 import {
+  createBody,
   createMesher,
   MesherError,
   readMesh,
@@ -22,6 +23,7 @@ const block = blockMesh(4);
 const { points, tetrahedra } = block;
 const volume = { ...block, nodeData: new Map() };
 const project = cubeProject();
+const withBody = { ...project, bodies: [createBody(surface, { id: 1, firstPatchId: 100 })] };
 
 let mesher: Mesher;
 let vtu: Uint8Array;
@@ -43,6 +45,8 @@ const methods: Readonly<Record<string, Call>> = {
   repairSurface: (signal) => mesher.repairSurface(surface, {}, { signal }),
   refineSurface: (signal) => mesher.refineSurface(surface, { size: 0.01 }, { signal }),
   remeshSurface: (signal) => mesher.remeshSurface(surface, { size: 0.02 }, { signal }),
+  splitPatches: (signal) => mesher.splitPatches(surface, {}, { signal }),
+  prepareBody: (signal) => mesher.prepareBody(withBody, 1, {}, { signal }),
   inspectMesh: (signal) => mesher.inspectMesh({ points, tetrahedra }, { signal }),
 };
 const functions: Readonly<Record<string, Call>> = {
@@ -96,6 +100,8 @@ test("no argument is accessed if the signal was aborted before the call", async 
     repairSurface: mesher.repairSurface(untouched, untouched, aborted),
     refineSurface: mesher.refineSurface(untouched, untouched, aborted),
     remeshSurface: mesher.remeshSurface(untouched, untouched, aborted),
+    splitPatches: mesher.splitPatches(untouched, untouched, aborted),
+    prepareBody: mesher.prepareBody(untouched, 1, untouched, aborted),
     inspectMesh: mesher.inspectMesh(untouched, aborted),
   };
   expect(Object.keys(calls)).toEqual(Object.keys(methods));
