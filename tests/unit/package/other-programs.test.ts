@@ -22,16 +22,19 @@ const which = spawnSync(python, [script, "which"], { encoding: "utf8" });
 const programs = which.status === 0 ? (JSON.parse(which.stdout) as string[]) : [];
 
 /** One process answers all questions, because its imports take longer than its work. */
-const programsProcess = spawn(python, [script, "answer"], { stdio: ["pipe", "pipe", "ignore"] });
-const answers: AsyncIterator<string, undefined> = createInterface(programsProcess.stdout)[
-  Symbol.asyncIterator
-]();
-afterAll(() => programsProcess.stdin.end());
+function startProcess() {
+  const { stdin, stdout } = spawn(python, [script, "answer"], { stdio: ["pipe", "pipe", "ignore"] });
+  const lines: AsyncIterator<string, undefined> = createInterface(stdout)[Symbol.asyncIterator]();
+  return { stdin, lines };
+}
+let answering: ReturnType<typeof startProcess> | undefined;
+afterAll(() => answering?.stdin.end());
 
 /** Asks read_mesh.py; throws the text of a failure. */
 async function ask(...question: readonly string[]): Promise<unknown> {
-  programsProcess.stdin.write(`${question.join("\t")}\n`);
-  const { value: line } = await answers.next();
+  answering ??= startProcess();
+  answering.stdin.write(`${question.join("\t")}\n`);
+  const { value: line } = await answering.lines.next();
   if (line === undefined) throw new Error(`read_mesh.py ended at: ${question.join(" ")}`);
   const answer = JSON.parse(line) as unknown;
   if (typeof answer === "string") throw new Error(answer);
