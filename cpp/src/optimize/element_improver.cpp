@@ -1,6 +1,7 @@
 #include "optimize/element_improver.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "base/sort.h"
 
@@ -85,6 +86,24 @@ bool ElementImprover<Space>::collapseCorner(const Corners& nodes, const ElementC
   });
 }
 
+/// Returns a point above the middle of the shortest edge, at its length: where an element at the short edge of a needle needs
+/// its apex.
+template <class Space>
+Vec3 ElementImprover<Space>::besideShortestEdge(const Corners& nodes, const Vec3& centroid) const {
+  double shortest = std::numeric_limits<double>::infinity();
+  Vec3 middle = centroid;
+  for (const auto& corners : kEdgeCorners) {
+    const Vec3& a = complex_.position(nodes[corners[0]]);
+    const Vec3& b = complex_.position(nodes[corners[1]]);
+    const double length = glm::length(b - a);
+    if (length >= shortest) continue;
+    shortest = length;
+    middle = (a + b) * 0.5;
+  }
+  const double whole = glm::length(centroid - middle);
+  return whole > shortest ? middle + (centroid - middle) * (shortest / whole) : centroid;
+}
+
 template <class Space>
 bool ElementImprover<Space>::insertNode(TetId tet, const ElementCost<Space>& cost) {
   const Corners nodes = complex_.element(tet).nodes;
@@ -94,6 +113,7 @@ bool ElementImprover<Space>::insertNode(TetId tet, const ElementCost<Space>& cos
       Space::meanOf(complex_.target<Space>(nodes[0]), complex_.target<Space>(nodes[1]),
                     complex_.target<Space>(nodes[2]), complex_.target<Space>(nodes[3]));
   if (insertAt(std::span(&tet, 1), centroid, target, cost)) return true;
+  if (insertAt(std::span(&tet, 1), besideShortestEdge(nodes, centroid), target, cost)) return true;
   for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
     EdgeRing ring;
     if (!findRing(complex_, tet, e, kRepairRing, ring) || !ring.closed) continue;

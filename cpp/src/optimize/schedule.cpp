@@ -73,6 +73,14 @@ constexpr Step kLastResortStep{.sweeps = kLastResort,
                                .again = Again::kWhileLastResortHelps,
                                .maxRepeats = kImprovementPasses};
 
+/// A few needles of the boundary leave elements around them that miss 12 degrees.
+constexpr Step lastResortLow() {
+  Step step = kLastResortStep;
+  step.targets = kTargets12And160;
+  return step;
+}
+constexpr Step kLastResortLow = lastResortLow();
+
 constexpr Step ease(Entry entry) {
   return {.sweeps = kEase,
           .costBasis = CostBasis::kWithinAngles,
@@ -98,6 +106,7 @@ constexpr std::array kImproveSteps{
     repairLow(kTargets18And150, Entry::kAlways),
     repairLow(kTargets8And165),
     repairFlat(),
+    kLastResortLow,
     Step{.sweeps = kImprove,
          .costBasis = CostBasis::kTargets,
          .many = kManyHigh,
