@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include "base/mesh_access.h"
@@ -31,8 +32,11 @@ constexpr double kSizePerGap = 1.15;
 constexpr double kArcPerGap = 3.0;
 /// Smallest number of edges of a closed feature line.
 constexpr double kEdgesPerLoop = 3.0;
-/// Distance between the positions where thickness and curvature are measured / smallest size.
+/// Distance between the positions where curvature is measured / smallest size.
 constexpr double kSampleWidth = 1.0;
+/// Thickness is measured in cells of so many sample widths, and in smaller cells where it is less than the width: rays are
+/// expensive.
+constexpr std::array<std::int64_t, 3> kThicknessCells{4, 2, 1};
 /// Area / squared diagonal below which the curvature of a triangle is rounding.
 constexpr double kLeastArea = 1e-12;
 /// Curvature x diagonal below which a patch is as good as flat: its sizes would exceed any body.
@@ -57,10 +61,16 @@ class ShapeMeasure {
   ShapeMeasure(const ReferenceSurface& reference, const ShapeSizeRules& rules)
       : reference_(reference), rules_(rules) {}
 
-  /// Returns the indices of the pieces to measure. Of pieces that are close to each other and have
-  /// similar normals, only the one with the largest curvature is returned.
-  [[nodiscard]] std::vector<std::uint32_t> findSamples() const;
-  void measurePiece(std::uint32_t index);
+  /// A piece to measure.
+  struct Sample {
+    std::uint32_t piece;
+    std::size_t level;  ///< the first of kThicknessCells in which it is the first sample
+  };
+  /// Returns the pieces to measure. Of pieces that are very close to each other and have similar normals, only the one
+  /// with the largest curvature is returned.
+  [[nodiscard]] std::vector<Sample> findSamples() const;
+  /// Measures a sample; all of them in their order.
+  void measure(const Sample& sample);
   void measureLine(const FeatureLine& line);
   void beginGaps();
   void measureGaps(FeatureLineId id);
@@ -91,6 +101,7 @@ class ShapeMeasure {
   const ReferenceSurface& reference_;
   ShapeSizeRules rules_;
   ShapeSizes sizes_;
+  std::array<bool, kThicknessCells.size()> isThin_{};  ///< the cells of the last sample
   std::vector<Segment> segments_;
   BoxTree segmentTree_;
 };
@@ -116,62 +127,70 @@ double ShapeMeasure::curvatureOf(TriangleId triangle) const {
   return area > kLeastArea * diagonal * diagonal ? std::fabs(sum) / area : 0.0;
 }
 
-std::vector<std::uint32_t> ShapeMeasure::findSamples() const {
-  struct Sample {
-    std::array<std::int64_t, 3> cell;
+std::vector<ShapeMeasure::Sample> ShapeMeasure::findSamples() const {
+  using Cell = std::array<std::int64_t, 3>;
+  struct Place {
     std::uint32_t facing;
-    std::uint32_t piece;
+    std::array<Cell, kThicknessCells.size()> cells;
     double curvature;
+    std::uint32_t piece;
   };
   const double width = kSampleWidth * rules_.minSize;
-  std::vector<Sample> samples;
-  samples.reserve(reference_.pieces().size());
+  std::vector<Place> places;
+  places.reserve(reference_.pieces().size());
   for (std::size_t i = 0; i < reference_.pieces().size(); ++i) {
     const ReferenceSurface::Piece& piece = reference_.pieces()[i];
     const Vec3& normal = reference_.normalOf(piece.triangle);
-    Sample sample{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto axis = static_cast<int>(k);
-      sample.cell[k] = static_cast<std::int64_t>(std::floor(piece.centroid[axis] / width));
+    Place place{0, {}, curvatureOf(piece.triangle), static_cast<std::uint32_t>(i)};
+    for (int k = 0; k < 3; ++k) {
+      for (std::size_t level = 0; level < kThicknessCells.size(); ++level) {
+        const double step = static_cast<double>(kThicknessCells[level]) * width;
+        place.cells[level][static_cast<std::size_t>(k)] =
+            static_cast<std::int64_t>(std::floor(piece.centroid[k] / step));
+      }
       // Five directions per axis.
-      sample.facing = 5 * sample.facing + static_cast<std::uint32_t>(2.5 + 2.49 * normal[axis]);
+      place.facing = 5 * place.facing + static_cast<std::uint32_t>(2.5 + 2.49 * normal[k]);
     }
-    sample.piece = static_cast<std::uint32_t>(i);
-    sample.curvature = curvatureOf(piece.triangle);
-    samples.push_back(sample);
+    places.push_back(place);
   }
-  stableSort(samples, [](const Sample& a, const Sample& b) {
-    if (a.cell != b.cell) return a.cell < b.cell;
-    if (a.facing != b.facing) return a.facing < b.facing;
-    return a.curvature > b.curvature;
+  stableSort(places, [](const Place& a, const Place& b) {
+    return std::tie(a.facing, a.cells, b.curvature) < std::tie(b.facing, b.cells, a.curvature);
   });
-  std::vector<std::uint32_t> chosen;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const bool isFirst = i == 0 || samples[i].cell != samples[i - 1].cell ||
-                         samples[i].facing != samples[i - 1].facing;
-    if (isFirst) chosen.push_back(samples[i].piece);
+  std::vector<Sample> samples;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    std::size_t level = 0;
+    if (i > 0 && places[i].facing == places[i - 1].facing) {
+      while (level < kThicknessCells.size() &&
+             places[i].cells[level] == places[i - 1].cells[level])
+        ++level;
+    }
+    if (level < kThicknessCells.size()) samples.push_back({places[i].piece, level});
   }
-  return chosen;
+  return samples;
 }
 
-void ShapeMeasure::measurePiece(std::uint32_t index) {
-  const ReferenceSurface::Piece& piece = reference_.pieces()[index];
+void ShapeMeasure::measure(const Sample& sample) {
+  const ReferenceSurface::Piece& piece = reference_.pieces()[sample.piece];
   double size = rules_.maxSize;
   if (!reference_.patch(reference_.patchOf(piece.triangle)).isPlanar) {
     const double curvature = curvatureOf(piece.triangle);
     if (curvature > kLeastCurvature / reference_.diagonal()) size = sizeForCurvature(curvature);
   }
-  if (rules_.layers > 0.0) {
+  if (rules_.layers > 0.0 && (sample.level == 0 || isThin_[sample.level - 1])) {
     const Vec3 inward = -reference_.normalOf(piece.triangle);
-    size = std::min(size, thicknessAt(piece.centroid, inward) / rules_.layers);
+    const double ofThickness = thicknessAt(piece.centroid, inward) / rules_.layers;
+    for (std::size_t level = sample.level; level < kThicknessCells.size(); ++level) {
+      const double width =
+          static_cast<double>(kThicknessCells[level]) * kSampleWidth * rules_.minSize;
+      isThin_[level] = ofThickness < width;
+    }
+    size = std::min(size, ofThickness);
   }
   add(piece.centroid, size);
 }
 
-/// Returns true if the ray meets the box before `limit`. `inverse`: 1 / direction.
-bool meetsRay(const Box& box, const Vec3& from, const Vec3& inverse, double limit) {
-  double first = 0.0;
-  double last = limit;
+/// Returns true if the ray meets the box between two distances. `inverse`: 1 / direction.
+bool meetsRay(const Box& box, const Vec3& from, const Vec3& inverse, double first, double last) {
   for (int k = 0; k < 3; ++k) {
     const double a = (static_cast<double>(box.low[k]) - from[k]) * inverse[k];
     const double b = (static_cast<double>(box.high[k]) - from[k]) * inverse[k];
@@ -191,13 +210,14 @@ double ShapeMeasure::thicknessAt(const Vec3& position, const Vec3& inward) const
     inverse[k] = 1.0 / (std::fabs(inward[k]) < kLeastComponent ? kLeastComponent : inward[k]);
   }
   const double limit = rules_.maxSize * std::max(rules_.layers, 1.0);
+  const double start = kRayStart * reference_.diagonal();
   double nearest = limit;
   std::array<BranchId, 64> waiting;
   std::size_t count = 0;
   waiting[count++] = BranchId(0U);
   while (count > 0) {
     const BranchId branch = waiting[--count];
-    if (!meetsRay(tree.boxOf(branch), position, inverse, nearest)) continue;
+    if (!meetsRay(tree.boxOf(branch), position, inverse, start, nearest)) continue;
     if (!tree.isLeaf(branch)) {
       waiting[count++] = BoxTree::leftOf(branch);
       waiting[count++] = BoxTree::rightOf(branch);
@@ -205,7 +225,7 @@ double ShapeMeasure::thicknessAt(const Vec3& position, const Vec3& inward) const
     }
     const std::span<const Box> boxes = tree.itemBoxesOf(branch);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-      if (!meetsRay(boxes[i], position, inverse, nearest)) continue;
+      if (!meetsRay(boxes[i], position, inverse, start, nearest)) continue;
       const std::uint32_t item = tree.itemsOf(branch)[i];
       castRay(position, inward, reference_.pieces()[item].triangle, nearest);
     }
@@ -319,13 +339,13 @@ bool ShapeMeasure::isSameCorner(const FeatureLine& a, const FeatureLine& b, cons
 Task<ShapeSizes> findShapeSizes(Work& work, const ReferenceSurface& reference,
                                 const ShapeSizeRules& rules) {
   ShapeMeasure measure(reference, rules);
-  const std::vector<std::uint32_t> samples = measure.findSamples();
+  const std::vector<ShapeMeasure::Sample> samples = measure.findSamples();
   co_await work.yield();
   work.beginPart(0.6);
   co_await work.forEachBlock(
       samples.size(),
       [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) measure.measurePiece(samples[i]);
+        for (std::size_t i = first; i < last; ++i) measure.measure(samples[i]);
       },
       kPiecesPerUnit);
   work.beginPart(1.0);
