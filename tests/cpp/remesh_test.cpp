@@ -137,6 +137,8 @@ TEST_P(RemeshBody, StaysAValidBoundaryNearTheGivenOne) {
   EXPECT_GT(result.meanRadiusRatio, 0.82);
   EXPECT_EQ(result.origin.size(), countTriangles(made));
   for (const std::uint32_t origin : result.origin) EXPECT_LT(origin, countTriangles(given));
+  EXPECT_EQ(result.triangleDeviation.size(), countTriangles(made));
+  for (const float sampled : result.triangleDeviation) EXPECT_LE(sampled, result.deviation);
 }
 
 const std::vector<Body> kBodies{
@@ -168,11 +170,31 @@ TEST(Remesh, KeepsFlatFacesAndSharpEdgesExactly) {
   options.size = 0.3;
   const SurfaceMesh made = surfaceOf(remesh(given, options));
   EXPECT_NEAR(enclosedVolume(made), 6.0, 1e-12);
+  for (const float sampled : remesh(given, options).triangleDeviation) EXPECT_LT(sampled, 1e-12F);
   double area = 0.0;
   for (const TriangleId t : IdRange<TriangleId>(countTriangles(made))) {
     area += areaOf(cornersOf(made, t));
   }
   EXPECT_NEAR(area, 22.0, 1e-12);
+}
+
+TEST(Remesh, SamplesTheDeviationOfEachTriangle) {
+  RemeshOptions options;
+  options.size = 0.3;
+  options.tolerance = 0.1;
+  const SurfaceMesh given = geodesicSphere(24);
+  const SurfaceRemesh result = remesh(given, options);
+  const SurfaceMesh made = surfaceOf(result);
+  for (const TriangleId t : IdRange<TriangleId>(countTriangles(made))) {
+    // The nodes are on the sphere, so the middle of the longest edge is deepest or the centroid is.
+    const auto [a, b, c] = cornersOf(made, t);
+    double depth = 1.0 - glm::length(a + b + c) / 3.0;
+    for (const Vec3& middle : {0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) {
+      depth = std::max(depth, 1.0 - glm::length(middle));
+    }
+    // The given facets are up to 0.0015 below the sphere.
+    EXPECT_NEAR(result.triangleDeviation[t.index()], depth, 0.002);
+  }
 }
 
 TEST(Remesh, ReachesTheTargetSize) {

@@ -34,9 +34,10 @@ constexpr double kArcPerGap = 3.0;
 constexpr double kEdgesPerLoop = 3.0;
 /// Distance between the positions where curvature is measured / smallest size.
 constexpr double kSampleWidth = 1.0;
-/// Thickness is measured in cells of so many sample widths, and in smaller cells where it is less than the width: rays are
-/// expensive.
+/// Thickness is measured once in each cell of so many sample widths, and in smaller cells where it is less than so many
+/// widths of the cell: rays are expensive.
 constexpr std::array<std::int64_t, 3> kThicknessCells{4, 2, 1};
+constexpr double kThicknessPerCell = 1.5;
 /// Area / squared diagonal below which the curvature of a triangle is rounding.
 constexpr double kLeastArea = 1e-12;
 /// Curvature x diagonal below which a patch is as good as flat: its sizes would exceed any body.
@@ -160,8 +161,7 @@ std::vector<ShapeMeasure::Sample> ShapeMeasure::findSamples() const {
   for (std::size_t i = 0; i < places.size(); ++i) {
     std::size_t level = 0;
     if (i > 0 && places[i].facing == places[i - 1].facing) {
-      while (level < kThicknessCells.size() &&
-             places[i].cells[level] == places[i - 1].cells[level])
+      while (level < kThicknessCells.size() && places[i].cells[level] == places[i - 1].cells[level])
         ++level;
     }
     if (level < kThicknessCells.size()) samples.push_back({places[i].piece, level});
@@ -182,7 +182,7 @@ void ShapeMeasure::measure(const Sample& sample) {
     for (std::size_t level = sample.level; level < kThicknessCells.size(); ++level) {
       const double width =
           static_cast<double>(kThicknessCells[level]) * kSampleWidth * rules_.minSize;
-      isThin_[level] = ofThickness < width;
+      isThin_[level] = ofThickness < kThicknessPerCell * width;
     }
     size = std::min(size, ofThickness);
   }

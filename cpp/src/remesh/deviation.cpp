@@ -104,4 +104,17 @@ void DeviationBound::measure(const Corners& corners, SmoothPatchId patch, Triang
   measure({middle, corners[(k + 1) % 3], corners[(k + 2) % 3]}, patch, t, depth + 1);
 }
 
+float sampledDeviation(const GuardedSurface& surface, TriangleId triangle) {
+  const auto [a, b, c] = surface.complex().cornersOf(triangle);
+  const SmoothPatchId patch = surface.complex().patchOf(triangle);
+  const double tolerance = surface.tolerance();
+  double largest = 0.0;
+  for (const Vec3& sample : {(a + b + c) / 3.0, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) {
+    const NearestPoint nearest = surface.reference().nearest(sample, patch, tolerance, {});
+    largest = std::max(largest,
+                       nearest.triangle.isNone() ? tolerance * tolerance : nearest.squaredDistance);
+  }
+  return static_cast<float>(std::sqrt(largest));
+}
+
 }  // namespace tetrafront

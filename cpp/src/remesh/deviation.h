@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Bounds the distance from the given surface to the remeshed one.
+/// @file The distance between the given surface and the remeshed one: a bound, and samples per triangle for display.
 
 #include <array>
 #include <cstddef>
@@ -44,5 +44,9 @@ class DeviationBound : public Resumable {
   std::vector<TriangleId> items_;  ///< triangles of the remeshed surface in curved patches
   BoxTree tree_;
 };
+
+/// Returns the largest distance of the centroid and of the middles of the edges of a remeshed triangle from its patch of the
+/// given surface. O(log n).
+[[nodiscard]] float sampledDeviation(const GuardedSurface& surface, TriangleId triangle);
 
 }  // namespace tetrafront

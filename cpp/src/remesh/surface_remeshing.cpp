@@ -197,6 +197,7 @@ void copyTriangles(const GuardedSurface& surface, SurfaceMesh& mesh, SurfaceReme
     if (!complex.isAlive(t)) continue;
     for (const NodeId node : complex.nodesOf(t)) mesh.triangles.push_back(number[node.index()]);
     result.origin.push_back(surface.beneath(t).value);
+    result.triangleDeviation.push_back(sampledDeviation(surface, t));
   }
 }
 

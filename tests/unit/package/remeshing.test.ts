@@ -75,6 +75,8 @@ describe("remeshSurface", () => {
     expect(found).toMatchObject({ isFillable: true, isClosed: true, isEmbedded: true });
     expect(found.diagnostics.filter(({ severity }) => severity !== "information")).toEqual([]);
     expect(origin).toHaveLength(surface.triangles.length / 3);
+    expect(remesh.triangleDeviation).toHaveLength(surface.triangles.length / 3);
+    expect(Math.max(...remesh.triangleDeviation)).toBeLessThanOrEqual(remesh.deviation);
     expect(Math.max(...origin)).toBeLessThan(given.triangles.length / 3);
     const { area } = await mesher.inspectSurface(given);
     const change = Math.abs(enclosedVolume(surface) - enclosedVolume(given));

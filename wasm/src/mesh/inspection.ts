@@ -127,6 +127,11 @@ export interface SurfaceRemesh {
   readonly surface: SurfaceInput;
   /** Per triangle: index of a given triangle near it, in the same patch. */
   readonly origin: Uint32Array;
+  /**
+   * Per triangle: its distance from the given surface, the largest of four samples, in model units. For display; `deviation`
+   * is the bound.
+   */
+  readonly triangleDeviation: Float32Array;
   /** Largest target size used, in model units. */
   readonly size: number;
   /** Smallest target size that the shape could ask for, in model units. */
