@@ -336,6 +336,7 @@ TEST(Remesh, RefusesOptionsOutOfRange) {
       {CheckedOption::kTolerance, &RemeshOptions::tolerance, {-1.0, 1e31, nan}},
       {CheckedOption::kFeatureAngle, &RemeshOptions::featureAngle, {0.0, 0.9, 181.0, nan}},
       {CheckedOption::kAnglePerEdge, &RemeshOptions::anglePerEdge, {-1.0, 0.9, 181.0, nan}},
+      {CheckedOption::kDropDetails, &RemeshOptions::dropDetails, {-1.0, 1e31, nan}},
       {CheckedOption::kLayers, &RemeshOptions::layers, {101.0, nan}},
   };
   for (const auto& [option, field, values] : ranges) {

@@ -11,6 +11,7 @@
 #include "tetrafront/options.h"
 #include "tetrafront/sliced_tool.h"
 #include "tetrafront/status.h"
+#include "tetrafront/vec3.h"
 
 namespace tetrafront {
 
@@ -38,11 +39,20 @@ struct RemeshOptions {
   double anglePerEdge = 0.0;
   /// Elements across the thickness of thin parts; 0: thickness has no influence; negative: 1, and 0 if a size or a grid is given.
   double layers = -1.0;
+  /// Details below this are dropped first: where feature lines are nearer to each other, they become one. In model units;
+  /// 0: all details are kept.
+  double dropDetails = 0.0;
   double growth = 0.3;  ///< growth of sizes per unit of distance, 0 to kMaxGrowth
   /// Largest number of triangles that the sizes may ask for; above it, the result has kTooManyElements. The given
   /// triangles are never too many.
   std::uint32_t maxTriangles = 5'000'000;
   InnerShells innerShells = InnerShells::kCavities;
+};
+
+/// A node of a feature line of the given surface, and the point of another line onto which it was moved.
+struct MergedDetail {
+  Vec3 from{0.0};
+  Vec3 onto{0.0};
 };
 
 /// Result of a remeshing.
@@ -58,6 +68,7 @@ struct SurfaceRemesh {
   double tolerance = 0.0;  ///< tolerance used
   /// Upper bound of the distance between the surfaces, both ways; not below the tolerance.
   double deviation = 0.0;
+  std::vector<MergedDetail> mergedDetails;  ///< what RemeshOptions::dropDetails has changed
   std::uint32_t patches = 0;       ///< smooth patches of the given surface
   std::uint32_t featureLines = 0;  ///< feature lines of the given surface
   double smallestAngle = 0.0;      ///< of all triangles, in degrees

@@ -119,6 +119,7 @@ enum class CheckedOption : std::uint8_t {
   kFeatureAngle = 6,
   kAnglePerEdge = 7,
   kLayers = 8,
+  kDropDetails = 9,
 };
 
 enum class Severity : std::uint8_t { kInformation = 0, kWarning = 1, kError = 2 };

@@ -7,7 +7,6 @@
 #include "geom/measure.h"
 #include "geom/predicates.h"
 #include "remesh/envelope.h"
-#include "search/box_tree.h"
 
 namespace tetrafront {
 namespace {
@@ -34,10 +33,6 @@ double thicknessOf(const std::array<Vec3, 3>& corners) {
   return longest > 0.0 ? glm::length(normal) / (longest * longest) : 0.0;
 }
 
-std::array<std::uint32_t, 3> valuesOf(const NodeTriple& nodes) {
-  return {nodes[0].value, nodes[1].value, nodes[2].value};
-}
-
 }  // namespace
 
 GuardedSurface::GuardedSurface(const ReferenceSurface& reference, const SurfaceLimits& limits,
@@ -46,7 +41,7 @@ GuardedSurface::GuardedSurface(const ReferenceSurface& reference, const SurfaceL
       limits_(limits),
       complex_(reference),
       nextGuest_(complex_.nodeCount()),
-      grid_(baseSize, tetrafront::pointOf(reference.mesh(), NodeId(0U))) {
+      grid_(complex_, baseSize, tetrafront::pointOf(reference.mesh(), NodeId(0U))) {
   std::vector<std::uint8_t> isHoused(complex_.nodeCount(), 0);
   for (const TriangleId t : IdRange<TriangleId>(complex_.triangleSlots())) {
     insert(t);
@@ -63,15 +58,11 @@ GuardedSurface::GuardedSurface(const ReferenceSurface& reference, const SurfaceL
 
 /// Adds a new triangle to the grid and the arrays.
 void GuardedSurface::insert(TriangleId triangle) {
-  if (triangle.index() >= boxes_.size()) {
-    boxes_.resize(triangle.index() + 1);
-    beneath_.resize(boxes_.size());
-    firstGuest_.resize(boxes_.size());
-    isRemoved_.resize(boxes_.size(), 0);
+  if (triangle.index() >= beneath_.size()) {
+    beneath_.resize(triangle.index() + 1);
+    firstGuest_.resize(beneath_.size());
   }
-  const std::array<Vec3, 3> corners = complex_.cornersOf(triangle);
-  boxes_[triangle.index()] = Box::of(corners[0], corners[1], corners[2]);
-  grid_.insert(triangle.value, boxes_[triangle.index()]);
+  grid_.insert(triangle);
 }
 
 void GuardedSurface::replaceStretch(NodeId a, NodeId b, const Stretch& stretch) {
@@ -80,9 +71,9 @@ void GuardedSurface::replaceStretch(NodeId a, NodeId b, const Stretch& stretch) 
 
 bool GuardedSurface::apply(const SurfaceChange& change, bool coversSame) {
   change_ = &change;
-  for (const TriangleId t : change.removed) isRemoved_[t.index()] = 1;
+  grid_.setHidden(change.removed, true);
   const bool admitted = isAdmitted(coversSame);
-  for (const TriangleId t : change.removed) isRemoved_[t.index()] = 0;
+  grid_.setHidden(change.removed, false);
   if (admitted) replaceTriangles();
   return admitted;
 }
@@ -96,12 +87,9 @@ bool GuardedSurface::isAdmitted(bool coversSame) {
 
 void GuardedSurface::measureAdded() {
   numbered_.clear();
-  addedBoxes_.clear();
   for (const SurfaceChange::Added& added : change_->added) {
     const auto [a, b, c] = added.nodes;
-    numbered_.push_back({valuesOf(added.nodes), {positionOf(a), positionOf(b), positionOf(c)}});
-    const std::array<Vec3, 3>& corners = numbered_.back().corners;
-    addedBoxes_.push_back(Box::of(corners[0], corners[1], corners[2]));
+    numbered_.push_back(numbered(added.nodes, {positionOf(a), positionOf(b), positionOf(c)}));
   }
 }
 
@@ -179,7 +167,7 @@ bool GuardedSurface::keepsCrease(NodeId a, NodeId b, FeatureLineId line) {
   for (const HalfEdgeId halfEdge : edge_) {
     const TriangleId t = triangleOf(halfEdge);
     creaseNow_.push_back(normalOf(complex_.cornersOf(t)));
-    if (isRemoved_[t.index()] == 0) creaseThen_.push_back(creaseNow_.back());
+    if (!grid_.isHidden(t)) creaseThen_.push_back(creaseNow_.back());
   }
   for (const NumberedTriangle& triangle : numbered_) {
     const bool hasA = std::ranges::find(triangle.nodes, a.value) != triangle.nodes.end();
@@ -211,36 +199,8 @@ TriangleId GuardedSurface::hintFor(std::size_t added) const {
 }
 
 bool GuardedSurface::intersects(bool coversSame) {
-  for (std::size_t i = 0; i < numbered_.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (BoxTree::overlaps(addedBoxes_[i], addedBoxes_[j]) &&
-          intersectImproperly(numbered_[i], numbered_[j]))
-        return true;
-    }
-  }
-  return !coversSame && intersectsOthers();
-}
-
-bool GuardedSurface::intersectsOthers() {
-  Box whole = addedBoxes_[0];
-  for (const Box& box : addedBoxes_) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      whole.low[k] = std::min(whole.low[k], box.low[k]);
-      whole.high[k] = std::max(whole.high[k], box.high[k]);
-    }
-  }
-  const std::size_t count = grid_.query(whole, found_);
-  for (std::size_t n = 0; n < count; ++n) {
-    const TriangleId t(found_[n]);
-    if (isRemoved_[t.index()] != 0) continue;
-    const NumberedTriangle other{valuesOf(complex_.nodesOf(t)), complex_.cornersOf(t)};
-    for (std::size_t i = 0; i < numbered_.size(); ++i) {
-      if (BoxTree::overlaps(addedBoxes_[i], boxes_[t.index()]) &&
-          intersectImproperly(numbered_[i], other))
-        return true;
-    }
-  }
-  return false;
+  return TriangleGrid::intersectEachOther(numbered_) ||
+         (!coversSame && grid_.intersectsAny(numbered_));
 }
 
 bool GuardedSurface::isInEnvelope() const {
@@ -287,7 +247,7 @@ void GuardedSurface::replaceTriangles() {
     }
   }
   for (const TriangleId t : change_->removed) {
-    grid_.remove(t.value);
+    grid_.remove(t);
     complex_.removeTriangle(t);
     firstGuest_[t.index()] = NodeId{};
   }

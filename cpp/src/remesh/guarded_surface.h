@@ -14,11 +14,10 @@
 #include <vector>
 
 #include "base/ids.h"
-#include "geom/box.h"
 #include "geom/intersect.h"
 #include "remesh/reference_surface.h"
 #include "remesh/surface_complex.h"
-#include "search/face_grid.h"
+#include "remesh/triangle_grid.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {
@@ -94,7 +93,6 @@ class GuardedSurface {
   [[nodiscard]] FeatureLineId lineOf(NodeId a, NodeId b) const;
   [[nodiscard]] bool keepsCrease(NodeId a, NodeId b, FeatureLineId line);
   [[nodiscard]] bool intersects(bool coversSame);
-  [[nodiscard]] bool intersectsOthers();
   [[nodiscard]] bool isInEnvelope() const;
   [[nodiscard]] bool findHosts();
   [[nodiscard]] TriangleId hintFor(std::size_t added) const;
@@ -107,18 +105,14 @@ class GuardedSurface {
   std::vector<NodeId>
       firstGuest_;  ///< per triangle: first of its guests, the given nodes that it must stay close to
   std::vector<NodeId> nextGuest_;  ///< per given node: the next guest of the same triangle
-  FaceGrid grid_;
-  std::vector<Box> boxes_;  ///< per triangle
-  std::vector<std::uint8_t> isRemoved_;
+  TriangleGrid grid_;
 
   // Scratch of apply(): data of the added triangles, in their order.
   const SurfaceChange* change_ = nullptr;
   std::vector<NumberedTriangle> numbered_;
-  std::vector<Box> addedBoxes_;
   std::vector<TriangleId> addedBeneath_;
   std::vector<std::pair<NodeId, std::size_t>> hosts_;  ///< guest, index of the added triangle
   std::vector<StretchId> carried_;                     ///< per half-edge
-  std::vector<std::uint32_t> found_;
   std::vector<HalfEdgeId> edge_;
   std::vector<Vec3> creaseNow_;
   std::vector<Vec3> creaseThen_;

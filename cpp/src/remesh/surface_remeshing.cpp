@@ -18,6 +18,7 @@
 #include "geom/coordinates.h"
 #include "quality/metrics.h"
 #include "remesh/automatic_sizes.h"
+#include "remesh/detail_merger.h"
 #include "remesh/deviation.h"
 #include "remesh/guarded_surface.h"
 #include "remesh/reference_surface.h"
@@ -97,12 +98,13 @@ std::vector<Diagnostic> checkRemeshOptions(const RemeshOptions& options) {
   const auto [minSize, maxSize, tolerance] =
       std::array{options.minSize, options.maxSize, options.tolerance};
   const auto [featureAngle, perEdge] = std::array{options.featureAngle, options.anglePerEdge};
-  const std::array<OptionValue, 6> checked{{
+  const std::array<OptionValue, 7> checked{{
       {CheckedOption::kMinSize, minSize, isLength(minSize)},
       {CheckedOption::kMaxSize, maxSize, isLength(maxSize)},
       {CheckedOption::kTolerance, tolerance, isLength(tolerance)},
       {CheckedOption::kFeatureAngle, featureAngle, isAngle(featureAngle)},
       {CheckedOption::kAnglePerEdge, perEdge, perEdge == 0.0 || isAngle(perEdge)},
+      {CheckedOption::kDropDetails, options.dropDetails, isLength(options.dropDetails)},
       {CheckedOption::kLayers, options.layers, options.layers <= kMaxLayers},
   }};
   const std::vector<Diagnostic> others = optionsOutOfRange(checked);
@@ -217,10 +219,38 @@ void measureShapes(const SurfaceMesh& mesh, SurfaceRemesh& result) {
   result.meanRadiusRatio = sum / countTriangles(mesh);
 }
 
+/// What was dropped before the remeshing.
+struct DroppedDetails {
+  std::vector<TriangleId> origin;  ///< per triangle: the given one; empty if nothing was dropped
+  std::vector<MergedDetail> merged;
+  double deviation = 0.0;
+};
+
+Task<DroppedDetails> dropDetails(Work& work, SurfaceMesh& mesh, std::vector<std::uint32_t>& groups,
+                                 const FeatureRules& rules, double distance) {
+  DroppedDetails dropped;
+  ReferenceSurface reference(mesh, groups, rules);
+  co_await reference.prepare(work);
+  DetailMerger merger(reference, distance);
+  co_await merger.run(work);
+  if (merger.merged().empty()) co_return dropped;
+  dropped.merged = merger.merged();
+  dropped.deviation = merger.deviation();
+  SurfaceMesh made;
+  merger.copyTo(made, dropped.origin);
+  mesh.points = std::move(made.points);
+  mesh.triangles = std::move(made.triangles);
+  if (groups.empty()) co_return dropped;
+  std::vector<std::uint32_t> ofMade;
+  for (const TriangleId given : dropped.origin) ofMade.push_back(groups[given.index()]);
+  groups = std::move(ofMade);
+  co_return dropped;
+}
+
 }  // namespace
 
 Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh,
-                                  const std::vector<std::uint32_t>& groups,
+                                  std::vector<std::uint32_t>& groups,
                                   const BackgroundGrid& grid, const RemeshOptions& options) {
   work.beginPart(0.05);
   std::vector<Diagnostic> problems = co_await checkInput(work, mesh, grid, options);
@@ -228,6 +258,10 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh,
 
   work.beginPart(0.1);
   const FeatureRules rules{cosineOfDegrees(options.featureAngle), cosineOfDegrees(kCornerDegrees)};
+  DroppedDetails dropped;
+  if (options.dropDetails > 0.0) {
+    dropped = co_await dropDetails(work, mesh, groups, rules, options.dropDetails);
+  }
   ReferenceSurface reference(mesh, groups, rules);
   co_await reference.prepare(work);
   const bool hasTargets = options.size > 0.0 || usesGrid(grid, targetOptions(options));
@@ -259,7 +293,11 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh,
   // In the other direction, every change has kept the tolerance.
   DeviationBound deviation(surface, lengths.tolerance);
   co_await work.finish(deviation);
-  result.deviation = deviation.bound();
+  result.deviation = deviation.bound() + dropped.deviation;
+  result.mergedDetails = std::move(dropped.merged);
+  for (std::uint32_t& triangle : result.origin) {
+    if (!dropped.origin.empty()) triangle = dropped.origin[triangle].value;
+  }
   result.points = std::move(made.points);
   result.triangles = std::move(made.triangles);
   co_return result;

@@ -13,9 +13,9 @@
 
 namespace tetrafront {
 
-/// Everything must outlive the task. May reorient triangles of `mesh`.
-Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh,
-                                  const std::vector<std::uint32_t>& groups,
+/// Everything must outlive the task. May reorient triangles of `mesh`, and changes `mesh` and `groups` if details are
+/// dropped.
+Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std::uint32_t>& groups,
                                   const BackgroundGrid& grid, const RemeshOptions& options);
 
 }  // namespace tetrafront
