@@ -326,6 +326,84 @@ TEST(Remesh, RejectsSurfacesThatAreNotABoundary) {
   EXPECT_TRUE(result.triangles.empty());
 }
 
+/// A block of 4 x 2 x 1 whose top has a step of this height in the middle, straight across.
+SurfaceMesh blockWithStep(double height) {
+  return extruded(
+      {{0.0, 0.0}, {4.0, 0.0}, {4.0, 1.0}, {2.0, 1.0}, {2.0, 1.0 + height}, {0.0, 1.0 + height}},
+      2.0, 1, 1);
+}
+
+double largestOffset(const SurfaceRemesh& result) {
+  double largest = 0.0;
+  for (const MergedDetail& merged : result.mergedDetails) {
+    largest = std::max(largest, glm::length(merged.onto - merged.from));
+  }
+  return largest;
+}
+
+TEST(RemeshDetails, AreKeptUnlessAsked) {
+  const SurfaceRemesh result = remesh(blockWithStep(0.004));
+  EXPECT_TRUE(result.mergedDetails.empty());
+  EXPECT_LT(result.smallestAngle, 15.0);
+  EXPECT_NEAR(std::fabs(enclosedVolume(surfaceOf(result))), 8.0 + 0.004 * 4.0, 1e-9);
+}
+
+TEST(RemeshDetails, StepsNarrowerThanTheLengthDisappear) {
+  RemeshOptions options;
+  options.dropDetails = 0.01;
+  const SurfaceRemesh result = remesh(blockWithStep(0.004), options);
+  const SurfaceMesh made = surfaceOf(result);
+  EXPECT_TRUE(errorsOf(made, InnerShells::kCavities).empty());
+  EXPECT_FALSE(result.mergedDetails.empty());
+  EXPECT_LE(largestOffset(result), 0.01);
+  EXPECT_GT(result.smallestAngle, 20.0);
+  EXPECT_LE(result.deviation, result.tolerance + 0.01);
+  EXPECT_NEAR(std::fabs(enclosedVolume(made)), 8.0, 0.004 * 8.0);
+  for (const std::uint32_t origin : result.origin) {
+    EXPECT_LT(origin, countTriangles(blockWithStep(0.004)));
+  }
+}
+
+TEST(RemeshDetails, StepsAboveTheLengthStay) {
+  RemeshOptions options;
+  options.dropDetails = 0.003;
+  EXPECT_TRUE(remesh(blockWithStep(0.004), options).mergedDetails.empty());
+}
+
+/// Short edges along a feature line and around corners are no details.
+TEST(RemeshDetails, FineTrianglesAreNoDetails) {
+  RemeshOptions options;
+  options.dropDetails = 0.1;
+  EXPECT_TRUE(remesh(gridCube(20), options).mergedDetails.empty());
+  EXPECT_TRUE(remesh(coarseTube(200, 0.6, 2.0), options).mergedDetails.empty());
+  EXPECT_TRUE(remesh(geodesicSphere(20), options).mergedDetails.empty());
+}
+
+/// Everything may be a detail here; what cannot be merged without harm must stay.
+TEST(RemeshDetails, TheSurfaceStaysAValidBoundary) {
+  const std::vector<SurfaceMesh> bodies{
+      screwThread(2, 24),        needleGear(12, 0.3),      thinPlate(4, 0.05),
+      twistedBlade(12, 6, 0.02), dividedBox({2, 2, 1}, 3), cubesSharingEdge(),
+      cubeWithCubicCavity(3, 3), bentSheet(20, 0.05),
+  };
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const InnerShells shells = i == 4 ? InnerShells::kRegions : InnerShells::kCavities;
+    for (const double part : {0.01, 0.05, 0.2}) {
+      RemeshOptions options;
+      options.innerShells = shells;
+      options.dropDetails = part * diagonalOf(bodies[i]);
+      options.minSize = diagonalOf(bodies[i]) / 40.0;
+      const SurfaceRemesh result = remesh(bodies[i], options);
+      ASSERT_TRUE(result.diagnostics.empty());
+      const SurfaceMesh made = surfaceOf(result);
+      EXPECT_TRUE(errorsOf(made, shells).empty()) << i << ' ' << part;
+      EXPECT_LE(largestOffset(result), options.dropDetails);
+      EXPECT_LE(sampledDistance(made, bodies[i], 100), result.deviation) << i << ' ' << part;
+      EXPECT_LE(sampledDistance(bodies[i], made, 100), result.deviation) << i << ' ' << part;
+    }
+  }
+}
+
 TEST(Remesh, RefusesOptionsOutOfRange) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<std::tuple<CheckedOption, double RemeshOptions::*, std::vector<double>>> ranges{

@@ -70,6 +70,7 @@ export {
   type ShellInfo,
   type SurfaceInspection,
   type SurfaceRefinement,
+  type MergedDetail,
   type SurfaceRemesh,
   type SurfaceRepair,
   type TriangleQuality,

@@ -94,6 +94,7 @@ const remeshingFields = fieldsOf<BodyRemeshing>({
   featureAngle: true,
   anglePerEdge: true,
   layers: true,
+  dropDetails: true,
   growth: true,
 });
 const placementFields = fieldsOf<BodyPlacement>({ position: true, rotation: true, scale: true });

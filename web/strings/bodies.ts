@@ -11,6 +11,7 @@ export const bodyStepNames = {
     featureAngle: "Set feature angle",
     anglePerEdge: "Set angle per edge",
     layers: "Set layers",
+    dropDetails: "Set details to drop",
     growth: "Set growth of remeshing",
   },
   repair: (body: string) => `Repair ${body}`,
@@ -95,6 +96,7 @@ export const bodyStrings = {
       featureAngle: "Feature angle",
       anglePerEdge: "Angle per edge",
       layers: "Layers",
+      dropDetails: "Drop details below",
       growth: "Growth",
     },
     hintOf: {
@@ -105,6 +107,7 @@ export const bodyStrings = {
       featureAngle: "Edges with a larger angle stay sharp, in degrees.",
       anglePerEdge: "Largest angle that an edge spans on a curved patch, in degrees.",
       layers: "Elements across thin walls; 0 ignores thickness.",
+      dropDetails: "Sharp edges nearer to each other than this become one.",
       growth: "Growth of the size per unit of distance.",
     },
     reset: (field: string) => `Make ${field.toLowerCase()} automatic`,

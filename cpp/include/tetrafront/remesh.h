@@ -69,10 +69,10 @@ struct SurfaceRemesh {
   /// Upper bound of the distance between the surfaces, both ways; not below the tolerance.
   double deviation = 0.0;
   std::vector<MergedDetail> mergedDetails;  ///< what RemeshOptions::dropDetails has changed
-  std::uint32_t patches = 0;       ///< smooth patches of the given surface
-  std::uint32_t featureLines = 0;  ///< feature lines of the given surface
-  double smallestAngle = 0.0;      ///< of all triangles, in degrees
-  double meanRadiusRatio = 0.0;    ///< of all triangles
+  std::uint32_t patches = 0;                ///< smooth patches of the given surface
+  std::uint32_t featureLines = 0;           ///< feature lines of the given surface
+  double smallestAngle = 0.0;               ///< of all triangles, in degrees
+  double meanRadiusRatio = 0.0;             ///< of all triangles
   /// Not empty if the surface was not remeshed, because it is not a valid boundary or an option is
   /// out of range.
   std::vector<Diagnostic> diagnostics;

@@ -148,7 +148,8 @@ void DetailMerger::collectCandidates() {
       candidates_.push_back({a, b, glm::length(complex_.pointOf(b) - complex_.pointOf(a))});
     }
   }
-  stableSort(candidates_, [](const Candidate& x, const Candidate& y) { return x.length < y.length; });
+  stableSort(candidates_,
+             [](const Candidate& x, const Candidate& y) { return x.length < y.length; });
 }
 
 bool DetailMerger::merge(const Candidate& candidate) {

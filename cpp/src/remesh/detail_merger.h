@@ -70,9 +70,9 @@ class DetailMerger {
   double distance_;
   SurfaceComplex complex_;
   TriangleGrid grid_;
-  std::vector<LinePlace> places_;   ///< per node
-  std::vector<NodeId> into_;        ///< per node: the one onto which it was moved, or none
-  std::vector<double> moved_;       ///< per node: how far points of the surface have moved to come here
+  std::vector<LinePlace> places_;  ///< per node
+  std::vector<NodeId> into_;       ///< per node: the one onto which it was moved, or none
+  std::vector<double> moved_;  ///< per node: how far points of the surface have moved to come here
   std::vector<TriangleId> origin_;  ///< per triangle
   std::vector<MergedDetail> merged_;
 

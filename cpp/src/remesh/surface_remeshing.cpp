@@ -249,8 +249,7 @@ Task<DroppedDetails> dropDetails(Work& work, SurfaceMesh& mesh, std::vector<std:
 
 }  // namespace
 
-Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh,
-                                  std::vector<std::uint32_t>& groups,
+Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std::uint32_t>& groups,
                                   const BackgroundGrid& grid, const RemeshOptions& options) {
   work.beginPart(0.05);
   std::vector<Diagnostic> problems = co_await checkInput(work, mesh, grid, options);

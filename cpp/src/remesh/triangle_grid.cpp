@@ -46,7 +46,8 @@ bool TriangleGrid::intersectEachOther(std::span<const NumberedTriangle> triangle
 bool TriangleGrid::intersectsAny(std::span<const NumberedTriangle> triangles) {
   if (triangles.empty()) return false;
   ofGiven_.clear();
-  for (const NumberedTriangle& triangle : triangles) ofGiven_.push_back(boxAround(triangle.corners));
+  for (const NumberedTriangle& triangle : triangles)
+    ofGiven_.push_back(boxAround(triangle.corners));
   Box whole = ofGiven_[0];
   for (const Box& box : ofGiven_) {
     for (std::size_t k = 0; k < 3; ++k) {

@@ -15,7 +15,8 @@
 
 namespace tetrafront {
 
-[[nodiscard]] NumberedTriangle numbered(const NodeTriple& nodes, const std::array<Vec3, 3>& corners);
+[[nodiscard]] NumberedTriangle numbered(const NodeTriple& nodes,
+                                        const std::array<Vec3, 3>& corners);
 
 class TriangleGrid {
  public:

@@ -63,6 +63,22 @@ function patchAreas({ points, triangles, trianglePatch, patches }: SurfaceFile):
   return areas;
 }
 
+/** A block of 4 × 1 × 2 with a step across its top. */
+function steppedBlock(height: number): SurfaceInput {
+  const outline = [0, 0, 4, 0, 4, 1, 2, 1, 2, 1 + height, 0, 1 + height];
+  const corners = outline.length / 2;
+  const points = [0, 2].flatMap((z) =>
+    Array.from({ length: corners }, (_, i) => [outline[2 * i] ?? 0, outline[2 * i + 1] ?? 0, z]),
+  );
+  const triangles: number[] = [];
+  for (let i = 0; i < corners; ++i) {
+    const next = (i + 1) % corners;
+    triangles.push(i, next, corners + next, i, corners + next, corners + i);
+    if (i > 0 && next > 0) triangles.push(0, next, i, corners, corners + i, corners + next);
+  }
+  return { points: Float64Array.from(points.flat()), triangles: Uint32Array.from(triangles) };
+}
+
 describe("remeshSurface", () => {
   test.each<[string, SurfaceInput]>([
     ["a gear of needles", needleGearSurface(12, 0.2)],
@@ -91,6 +107,20 @@ describe("remeshSurface", () => {
     const result = await mesher.fillSurface(surface);
     expectValid(result);
     expect(result.report.dihedral.min).toBeGreaterThan(10);
+  });
+
+  test("drops details on request, and lists them", async () => {
+    const given = steppedBlock(0.004);
+    const kept = await mesher.remeshSurface(given);
+    expect(kept.mergedDetails).toEqual([]);
+    expect(kept.smallestAngle).toBeLessThan(15);
+    const dropped = await mesher.remeshSurface(given, { dropDetails: 0.01 });
+    expect(dropped.smallestAngle).toBeGreaterThan(20);
+    expect(dropped.mergedDetails.length).toBeGreaterThan(1);
+    for (const { from, onto } of dropped.mergedDetails) {
+      expect(Math.hypot(...from.map((x, k) => x - (onto[k] ?? 0)))).toBeLessThanOrEqual(0.01);
+    }
+    expect(await mesher.inspectSurface(dropped.surface)).toMatchObject({ isFillable: true });
   });
 
   test("keeps named patches, with their areas, and the interface between two regions", async () => {

@@ -60,6 +60,12 @@ export interface RemeshOptions {
    * `background`.
    */
   readonly layers?: number | undefined;
+  /**
+   * Drops details below this length first, in model units, above 0: where sharp edges are nearer to each other, they become
+   * one, so narrow strips, low steps and the ends of cusps disappear, and so do shorter edges. The changes are listed in
+   * `mergedDetails`. Default: all details are kept.
+   */
+  readonly dropDetails?: number | undefined;
   /** Growth of the size per unit of distance, 0 to 10. Default 0.3. */
   readonly growth?: number | undefined;
   /** Meaning of inner shells, as in `MeshOptions`. Default `cavities`. */

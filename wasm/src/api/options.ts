@@ -179,6 +179,7 @@ const remeshSchema = objectWith({
   featureAngle: angleOption("feature angle", REMESH_DEFAULTS.featureAngle),
   anglePerEdge: angleOption("angle per edge", undefined),
   layers: option("number of layers", `a number from 0 to ${MAX_LAYERS}`, within(0, MAX_LAYERS), undefined),
+  dropDetails: distanceOption("length of dropped details"),
   growth: growthOption(REMESH_DEFAULTS.growth),
   innerShells,
   background,

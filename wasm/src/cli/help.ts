@@ -102,6 +102,11 @@ Sizes
   sizes are small near short lines and in narrow gaps. They grow by --growth per unit of distance. --source
   limits the sizes around a position.
 
+Small details
+  Strips and steps that are much narrower than the sizes leave triangles with small angles. --drop-details merges
+  sharp edges that are nearer to each other than a length; 1/2000 of the diagonal is a good one. --json lists
+  every merge.
+
 Rounding
   STL files have single precision. The program reads the written surface again. If the rounding made it invalid,
   it prints an error and exits with 1; the file is written nevertheless.

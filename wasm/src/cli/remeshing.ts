@@ -23,6 +23,7 @@ export interface RemeshCommandOptions {
   readonly featureAngle?: string;
   readonly anglePerEdge?: string;
   readonly layers?: string;
+  readonly dropDetails?: string;
 }
 
 /** The options by their names in the call, as they are written on the command line. */
@@ -33,6 +34,7 @@ const WRITTEN = {
   featureAngle: "--feature-angle",
   anglePerEdge: "--angle-per-edge",
   layers: "--layers",
+  dropDetails: "--drop-details",
 } as const satisfies Record<keyof RemeshCommandOptions, string>;
 
 /** Returns the options of a remeshing with these sizes. Throws an InvalidInput if one is invalid. */
@@ -51,6 +53,7 @@ export function remeshOptions(
     featureAngle: numberIn(given.featureAngle),
     anglePerEdge: numberIn(given.anglePerEdge),
     layers: numberIn(given.layers),
+    dropDetails: numberIn(given.dropDetails),
   };
   refuseOptions(checkRemeshOptions(options));
   return options;
@@ -75,7 +78,7 @@ export interface RefinementCounts {
 }
 
 /** Result of a requested remeshing of a surface. */
-export interface RemeshReport extends Omit<SurfaceRemesh, "surface" | "origin"> {
+export interface RemeshReport extends Omit<SurfaceRemesh, "surface" | "origin" | "triangleDeviation"> {
   /** Number of triangles before and after. */
   readonly given: number;
   readonly triangles: number;
@@ -101,8 +104,9 @@ export async function remeshed(
   options: RemeshOptions,
   control: RunControl,
 ): Promise<{ readonly surface: SurfaceFile; readonly remesh: RemeshReport }> {
-  const { surface: made, origin, ...figures } = await mesher.remeshSurface(given, options, control);
-  const surface = repairedSurface(given, { surface: made, origin });
+  const made = await mesher.remeshSurface(given, options, control);
+  const { surface: _surface, origin: _origin, triangleDeviation: _deviation, ...figures } = made;
+  const surface = repairedSurface(given, made);
   const remesh = { given: countTriangles(given), triangles: countTriangles(surface), ...figures };
   return { surface, remesh };
 }
@@ -113,6 +117,17 @@ export function refinementText({ given, triangles, splitEdges }: RefinementCount
 
 /** Number of significant digits of lengths. */
 const DIGITS = 3;
+const POSITION_DIGITS = 5;
+/** A report lists all of them. */
+const LISTED_DETAILS = 5;
+
+function mergedText(merged: RemeshReport["mergedDetails"]): string {
+  const places = merged
+    .slice(0, LISTED_DETAILS)
+    .map(({ onto }) => `(${onto.map((coordinate) => short(coordinate, POSITION_DIGITS)).join(", ")})`);
+  const more = merged.length > LISTED_DETAILS ? ` and ${merged.length - LISTED_DETAILS} more` : "";
+  return `${plural(merged.length, "detail")} dropped, at ${places.join(", ")}${more}`;
+}
 
 /** Describes a remeshing: triangles, chosen sizes, shapes, and the distance from the given surface. */
 export function remeshText(remesh: RemeshReport): string {
@@ -123,5 +138,6 @@ export function remeshText(remesh: RemeshReport): string {
     `${plural(patches, "smooth patch")}, ${plural(featureLines, "feature line")}`,
     `smallest angle ${remesh.smallestAngle.toFixed(1)}°, mean radius ratio ${remesh.meanRadiusRatio.toFixed(3)}`,
     `deviation at most ${short(deviation, DIGITS)} (tolerance ${short(tolerance, DIGITS)})`,
+    ...(remesh.mergedDetails.length === 0 ? [] : [mergedText(remesh.mergedDetails)]),
   ].join("; ");
 }

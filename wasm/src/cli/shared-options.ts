@@ -65,6 +65,10 @@ export const withRemeshing = (command: Command, prefix = ""): Command =>
     .option(
       "--layers <count>",
       `${prefix}elements across thin walls; 0 ignores thickness (default 1; 0 with given sizes)`,
+    )
+    .option(
+      "--drop-details <length>",
+      `${prefix}merge sharp edges that are nearer to each other than this (default: keep all details)`,
     );
 
 export const innerShellsOption = (): Option =>

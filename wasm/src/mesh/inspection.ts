@@ -122,6 +122,12 @@ export interface SurfaceRefinement {
   readonly splitEdges: number;
 }
 
+/** A node of a sharp edge that was moved onto another sharp edge. */
+export interface MergedDetail {
+  readonly from: readonly [number, number, number];
+  readonly onto: readonly [number, number, number];
+}
+
 /** Surface with new triangles near the given one. */
 export interface SurfaceRemesh {
   readonly surface: SurfaceInput;
@@ -143,6 +149,11 @@ export interface SurfaceRemesh {
    * smaller bound could be proved.
    */
   readonly deviation: number;
+  /**
+   * What `dropDetails` changed: each node of a sharp edge that was moved onto another one, from where to where. `deviation`
+   * includes these changes.
+   */
+  readonly mergedDetails: readonly MergedDetail[];
   /** Number of smooth patches of the given surface: feature lines and given patches bound them. */
   readonly patches: number;
   /** Number of feature lines of the given surface, from corner to corner or closed. */

@@ -78,6 +78,7 @@ const remeshingSchema = v.pipe(
     featureAngle: v.optional(described(WORDS.featureAngle, upTo(MAX_REMESH_ANGLE))),
     anglePerEdge: v.optional(described(WORDS.anglePerEdge, upTo(MAX_REMESH_ANGLE))),
     layers: v.optional(described(WORDS.layers, upTo(MAX_LAYERS))),
+    dropDetails: v.optional(described(WORDS.dropDetails, upTo(LIMITS.length))),
     growth: v.optional(described(WORDS.remeshGrowth, upTo(LIMITS.growth))),
   }),
   v.readonly(),

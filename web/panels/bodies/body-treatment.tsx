@@ -24,6 +24,7 @@ const fields: readonly Field[] = [
   "featureAngle",
   "anglePerEdge",
   "layers",
+  "dropDetails",
   "growth",
 ];
 
@@ -40,6 +41,7 @@ const refusals: { readonly [F in Field]: (value: number) => string | null } = {
   featureAngle: refuseAngle,
   anglePerEdge: refuseAngle,
   layers: refuseLayers,
+  dropDetails: aboveZero,
   growth: notNegative,
 };
 
@@ -147,6 +149,7 @@ function useAutomaticValues(body: ProjectBody): { readonly [F in Field]: number 
     featureAngle: REMESH_DEFAULTS.featureAngle,
     anglePerEdge: given === undefined ? anglePerEdge.automatic : anglePerEdge.size,
     layers: given === undefined ? 1 : 0,
+    dropDetails: 0,
     growth: defaults.growth,
   };
 }
