@@ -114,6 +114,11 @@ double squaredDistanceToTriangle(const Vec3& p, const Vec3& a, const Vec3& b, co
                   std::min(squaredDistanceToSegment(p, b, c), squaredDistanceToSegment(p, c, a)));
 }
 
+double longestEdgeLengthOf(const std::array<Vec3, 3>& corners) {
+  const auto [a, b, c] = corners;
+  return std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
+}
+
 Vec3 intersectionPosition(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) {
   CommonPoints common(a, b);
   for (std::size_t i = 0; i < 3; ++i) {

@@ -22,6 +22,9 @@ namespace tetrafront {
 [[nodiscard]] double squaredDistanceToTriangle(const Vec3& p, const Vec3& a, const Vec3& b,
                                                const Vec3& c);
 
+/// Returns the length of the longest edge.
+[[nodiscard]] double longestEdgeLengthOf(const std::array<Vec3, 3>& corners);
+
 /// Returns a point that two intersecting triangles have in common, up to rounding: the mean of the
 /// corners of their intersection. If they are only close to each other, the point is close to
 /// both.

@@ -19,20 +19,11 @@ namespace {
 /// Otherwise a line merely bends, or two lines meet at a corner.
 constexpr double kArcPerWidth = 3.0;
 /// Passes of merges and splits. Merges bring other lines closer.
-constexpr int kMaxPasses = 8;
+constexpr int kMaxMergePasses = 8;
 /// A triangle that was thicker than the distance may turn by at most 60 degrees.
 constexpr double kLeastTurnCosine = 0.5;
 /// Part of an edge, from either end, in which it is not split: the ends themselves are near enough.
 constexpr double kLeastPart = 1e-3;
-
-Vec3 normalOf(const std::array<Vec3, 3>& corners) {
-  return glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-}
-
-double longestSideOf(const std::array<Vec3, 3>& corners) {
-  return std::max({glm::length(corners[1] - corners[0]), glm::length(corners[2] - corners[1]),
-                   glm::length(corners[0] - corners[2])});
-}
 
 }  // namespace
 
@@ -64,8 +55,8 @@ void DetailMerger::insert(TriangleId triangle, TriangleId origin) {
 }
 
 Task<> DetailMerger::run(Work& work) {
-  for (int pass = 0; pass < kMaxPasses; ++pass) {
-    work.beginPart((1.0 + pass) / kMaxPasses);
+  for (int pass = 0; pass < kMaxMergePasses; ++pass) {
+    work.beginPart((1.0 + pass) / kMaxMergePasses);
     std::size_t made = 0;
     const std::size_t slots = complex_.triangleSlots();
     co_await work.forEachBlock(slots, [&](std::size_t first, std::size_t last) {
@@ -207,10 +198,10 @@ bool DetailMerger::isAdmitted() {
     const std::array<Vec3, 3> corners{complex_.pointOf(a), complex_.pointOf(b),
                                       complex_.pointOf(c)};
     if (collinear(corners[0], corners[1], corners[2])) return false;
-    const Vec3 normal = normalOf(corners);
+    const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const Vec3& facing = reference_.normalOf(added.origin);
     // Thin triangles may turn as they like.
-    const bool isThick = glm::length(normal) > distance_ * longestSideOf(corners);
+    const bool isThick = glm::length(normal) > distance_ * longestEdgeLengthOf(corners);
     if (isThick && glm::dot(normal, facing) < kLeastTurnCosine * glm::length(normal)) return false;
     numbered_.push_back(numbered(added.nodes, corners));
   }

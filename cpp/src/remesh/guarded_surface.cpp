@@ -18,17 +18,9 @@ constexpr double kThin = 1e-6;
 constexpr double kNarrow = 0.2;
 constexpr double kNarrowCosine = 0.1;
 
-double longestSideOf(const std::array<Vec3, 3>& corners) {
-  double longest = 0.0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    longest = std::max(longest, glm::length(corners[(k + 1) % 3] - corners[k]));
-  }
-  return longest;
-}
-
 /// Returns height / longest edge.
 double thicknessOf(const std::array<Vec3, 3>& corners) {
-  const double longest = longestSideOf(corners);
+  const double longest = longestEdgeLengthOf(corners);
   const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
   return longest > 0.0 ? glm::length(normal) / (longest * longest) : 0.0;
 }
@@ -111,7 +103,8 @@ bool GuardedSurface::facesAsReference() {
     const Vec3 normal = glm::cross(b - a, c - a);
     const double area = glm::length(normal);
     if (!(area > 0.0) || collinear(a, b, c)) return false;
-    const bool isNarrow = area < kNarrow * limits_.tolerance * longestSideOf(numbered_[i].corners);
+    const bool isNarrow =
+        area < kNarrow * limits_.tolerance * longestEdgeLengthOf(numbered_[i].corners);
     const SmoothPatchId id = change_->added[i].patch;
     const SmoothPatch& patch = reference_.patch(id);
     Vec3 facing = patch.normal;
