@@ -76,9 +76,7 @@ const surfaceOf = ({ points, triangles, trianglePatch }: PreparedBody) => ({
 
 /** Returns the positions on the colour scale: 1 for triangles without deviation, 0 for those at the tolerance. */
 function sharesOf(prepared: PreparedBody): Float32Array | null {
-  const { triangleDeviation, tolerance = 0 } = prepared as PreparedBody & {
-    readonly triangleDeviation?: ArrayLike<number>;
-  };
+  const { triangleDeviation, tolerance = 0 } = prepared;
   if (!triangleDeviation || tolerance === 0) return null;
   return Float32Array.from(triangleDeviation, (deviation) => 1 - deviation / tolerance);
 }
