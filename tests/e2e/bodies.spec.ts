@@ -299,6 +299,20 @@ test("patches are split by angle after a preview and merged again, and a click i
   // The top is the patch whose lowest corner is highest, so it comes last.
   await expect(page.getByTestId("tree-body-patch-7")).toHaveAttribute("aria-selected", "true");
   await app.type("entity-name", "top");
+
+  await page.getByTestId("tree-body-patch-5").click();
+  await app.type("entity-name", "hole");
+  await page.getByTestId("split-patches").locator("summary").click();
+  await app.type("split-angle", "5");
+  await page.getByTestId("split-preview").click();
+  await expect(page.getByTestId("split-result")).toHaveText("Gives 30 patches.");
+  await page.getByTestId("split-apply").click();
+  await expect(page.getByTestId("tree-body-patch-8")).toContainText("hole 2");
+  await expect(page.getByTestId("tree-body-patch-7")).toContainText("top");
+  await page.getByRole("button", { name: /^Undo: Split patch 5/ }).click();
+  await expect(page.getByTestId("tree-body-patch-8")).toBeHidden();
+  await page.keyboard.press("Control+z");
+
   await page.getByTestId("tree-body-patch-1").click();
   await page.getByTestId("tree-body-patch-2").click({ modifiers: ["Control"] });
   await page.getByTestId("merge-patches").click();

@@ -2,9 +2,7 @@ import type { Project, ProjectBody } from "tetrafront";
 import type { App } from "../app/app";
 import { addBody, nextBodyIds, replaceBody, usedPatches } from "../document/body-edits";
 import { bodiesOf, bodyOfPatch, findRecord, type Entity } from "../document/entities";
-import { mergePatches } from "../document/patch-splitting";
 import { openDocumentFile } from "../session/files";
-import type { PatchArrays } from "../workers/surface-files";
 import { bodyStepNames, strings } from "../strings";
 import { showFailure, showMessage } from "./messages";
 import { noteReading, showNewBody } from "./project-actions";
@@ -46,28 +44,46 @@ export async function repairBody(app: App, id: number): Promise<void> {
     name: strings.bodies.repair.filledPatch,
   };
   const patches = hasFilled ? [...body.patches, filled] : body.patches;
-  await replaceSurface(app, body, bodyStepNames.repair(nameOf(body)), surface, patches);
+  const used = usedPatches(patches, surface.trianglePatch);
+  const { trianglePatch } = used;
+  await changeBody(app, body, bodyStepNames.repair(nameOf(body)), () =>
+    app.bodies.replaced(body, { ...surface, trianglePatch }, used.patches),
+  );
   app.bodies.prepareWhenValid(id);
 }
 
 const nameOf = ({ id, name }: ProjectBody): string => name ?? `body ${id}`;
 
-/** Replaces the triangles of a body as one step of undo, unless the body has changed meanwhile. */
-async function replaceSurface(
+/** Replaces a body as one step of undo, unless it has changed meanwhile. Returns whether it was replaced. */
+async function changeBody(
   app: App,
   body: ProjectBody,
   label: string,
-  surface: PatchArrays,
-  patches: ProjectBody["patches"],
-): Promise<void> {
+  change: () => Promise<ProjectBody>,
+): Promise<boolean> {
   try {
-    const used = usedPatches(patches, surface.trianglePatch);
-    const { trianglePatch } = used;
-    const replaced = await app.bodies.replaced(body, { ...surface, trianglePatch }, used.patches);
-    if (findRecord(app.documents.project, "body", body.id) !== body) return;
-    app.documents.edit(replaceBody(app.documents.project, label, replaced));
+    const changed = await change();
+    if (findRecord(app.documents.project, "body", body.id) !== body) return false;
+    app.documents.edit(replaceBody(app.documents.project, label, changed));
+    return true;
   } catch (error) {
     showFailure(app, label, error);
+    return false;
+  }
+}
+
+/** Shows which patches a split of a body would make: of one patch, or of all if `patch` is null. */
+export async function previewSplit(
+  app: App,
+  body: ProjectBody,
+  angle: number,
+  patch: number | null,
+): Promise<void> {
+  showBodySurface(app, "given");
+  try {
+    await app.bodies.proposeSplit(body, angle, patch);
+  } catch (error) {
+    showFailure(app, strings.bodies.split.preview, error);
   }
 }
 
@@ -77,11 +93,9 @@ export async function splitPatches(app: App, id: number): Promise<void> {
   const body = findRecord(app.documents.project, "body", id);
   if (!state?.split || !body) return;
   const { split, patch } = state.split;
-  const { surface } = await app.bodies.surfaceOf(body);
   const subject = patch === null ? nameOf(body) : `patch ${patch}`;
   app.bodies.dropSplit(id);
-  const { trianglePatch, patches } = split;
-  await replaceSurface(app, body, bodyStepNames.split(subject), { ...surface, trianglePatch }, patches);
+  await changeBody(app, body, bodyStepNames.split(subject), () => app.bodies.withSplit(body, split));
 }
 
 /** Returns the body of the selected patches if they can be merged. */
@@ -98,13 +112,11 @@ export async function mergeSelectedPatches(app: App): Promise<void> {
   const { selection } = app.view.state.getState();
   const body = mergeableBody(app.documents.project, selection);
   if (!body) return;
-  const ids = new Set(selection.map(({ id }) => id));
-  const { surface } = await app.bodies.surfaceOf(body);
-  const { trianglePatch, patches } = mergePatches(surface.trianglePatch, body.patches, ids);
-  const label = bodyStepNames.merge(ids.size);
-  const kept = body.patches.find(({ id }) => ids.has(id));
-  await replaceSurface(app, body, label, { ...surface, trianglePatch }, patches);
-  if (kept) app.view.selectAll([{ kind: "body-patch", id: kept.id }]);
+  const ids = selection.map(({ id }) => id);
+  const label = bodyStepNames.merge(ids.length);
+  const isMerged = await changeBody(app, body, label, () => app.bodies.withMerged(body, ids));
+  const kept = body.patches.find(({ id }) => ids.includes(id));
+  if (isMerged && kept) app.view.selectAll([{ kind: "body-patch", id: kept.id }]);
 }
 
 /** Selects what the view shows of bodies: given triangles, those of a preview, or the mesh. */

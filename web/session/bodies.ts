@@ -1,21 +1,17 @@
 import {
+  bodyPatchGroups,
   repairedSurface,
   type Mesher,
   type Project,
   type ProjectBody,
+  type SplitSurface,
   type SurfaceInspection,
 } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { nextBodyIds } from "../document/body-edits";
-import { bodiesOf } from "../document/entities";
 import { defaultRepair, type BodyRepair, type RepairWishes } from "../document/body-repair";
-import {
-  SurfaceClient,
-  type DrawnSplit,
-  type LoadedSurface,
-  type NewBody,
-  type PatchArrays,
-} from "../workers/surface-files";
+import { bodiesOf } from "../document/entities";
+import { SurfaceClient, type LoadedSurface, type NewBody, type PatchArrays } from "../workers/surface-files";
 import { BodyPreparations, type Preparation } from "./body-preparations";
 import { BodySurfaces } from "./body-surfaces";
 import type { DocumentStore } from "./document-store";
@@ -42,11 +38,12 @@ export interface BodyState {
 }
 
 /** A proposed split of patches by angle. */
-export interface BodySplit extends DrawnSplit {
-  /** Degrees. */
-  readonly angle: number;
+export interface BodySplit {
   /** Id of the patch that is split; null for all. */
   readonly patch: number | null;
+  readonly split: SplitSurface;
+  /** The body after the split. */
+  readonly after: NewBody;
 }
 
 export interface BodiesState {
@@ -79,6 +76,8 @@ export class BodyFeed {
   readonly #aborts = new Map<number, AbortController>();
   /** Ids of bodies whose preview is made as soon as they are inspected. */
   readonly #awaited = new Set<number>();
+  /** Aborts the proposal of a split that is being made. */
+  #splitting = new AbortController();
 
   constructor(documents: DocumentStore, mesher: Promise<Mesher>) {
     this.#documents = documents;
@@ -145,11 +144,6 @@ export class BodyFeed {
     this.#set(id, { preparing: null });
   }
 
-  /** Returns the arrays of a body's given triangles. */
-  surfaceOf(body: ProjectBody): Promise<LoadedSurface> {
-    return this.#surfaces.load(body);
-  }
-
   /** Returns a body with another surface and other patches, whose arrays are then known. */
   async replaced(
     body: ProjectBody,
@@ -157,6 +151,20 @@ export class BodyFeed {
     patches: ProjectBody["patches"],
   ): Promise<ProjectBody> {
     const made = await this.#client.replace({ body, surface, patches });
+    this.keep(made);
+    return made.body;
+  }
+
+  /** Returns a body with the patches of a split. Its arrays are then known. */
+  async withSplit(body: ProjectBody, split: SplitSurface): Promise<ProjectBody> {
+    const made = await this.#split(body, split);
+    this.keep(made);
+    return made.body;
+  }
+
+  /** Returns a body in which some patches are merged into the first of them. Its arrays are then known. */
+  async withMerged(body: ProjectBody, ids: readonly number[]): Promise<ProjectBody> {
+    const made = await this.#client.merge(body, ids);
     this.keep(made);
     return made.body;
   }
@@ -187,16 +195,34 @@ export class BodyFeed {
 
   /** Shows which patches a split along edges with a larger angle would make, of one patch or of all. */
   async proposeSplit(body: ProjectBody, angle: number, patch: number | null): Promise<void> {
-    const { surface } = await this.#surfaces.load(body);
-    const only = patch === null ? null : body.patches.findIndex(({ id }) => id === patch);
-    const { firstPatchId: nextId } = nextBodyIds(this.#documents.project);
-    const options = { angle, only, nextId, bodyName: body.name ?? "" };
-    const made = await this.#client.split(surface, body.patches, options);
-    this.#setFor(body, { split: { ...made, angle, patch } });
+    const { signal } = this.#newSplitting();
+    try {
+      const { surface } = await this.#surfaces.load(body);
+      const mesher = await this.#mesher;
+      const patches = patch === null ? undefined : [body.patches.findIndex(({ id }) => id === patch)];
+      const given = { ...surface, patches: bodyPatchGroups(body) };
+      const split = await mesher.splitPatches(given, { angle, patches }, { signal });
+      const after = await this.#split(body, split);
+      const present = this.state.getState().byId.get(body.id)?.body;
+      if (signal.aborted || present?.patches !== body.patches) return;
+      this.#setFor(body, { split: { patch, split, after } });
+    } catch (error) {
+      if (!signal.aborted) throw error;
+    }
   }
 
   dropSplit(id: number): void {
+    this.#newSplitting();
     this.#set(id, { split: null });
+  }
+
+  #split(body: ProjectBody, split: SplitSurface): Promise<NewBody> {
+    return this.#client.split(body, split, nextBodyIds(this.#documents.project).firstPatchId);
+  }
+
+  #newSplitting(): AbortController {
+    this.#splitting.abort();
+    return (this.#splitting = new AbortController());
   }
 
   #follow(project: Project): void {
@@ -215,7 +241,9 @@ export class BodyFeed {
     const isSame = before !== undefined && hasSameSurface(before.body, body);
     const state = isSame ? { ...before, body } : unknownBody(body);
     const preparation = this.preparations.find(project, body) ?? state.preparation;
-    return { ...state, preparation, loaded: this.#surfaces.find(body) ?? state.loaded };
+    // A split names its patches by those of the body.
+    const split = before?.body.patches === body.patches ? state.split : null;
+    return { ...state, split, preparation, loaded: this.#surfaces.find(body) ?? state.loaded };
   }
 
   async #inspect(body: ProjectBody): Promise<void> {

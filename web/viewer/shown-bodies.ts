@@ -50,7 +50,8 @@ export function shownBodies(project: Project, feed: BodyFeed): readonly ShownBod
     const state = byId.get(id);
     const given = state?.loaded ?? null;
     const preview = state ? currentPreview(project, feed, state) : null;
-    const split = state?.split ? { drawn: state.split.drawn, patches: state.split.split.patches } : null;
+    const after = state?.split?.after;
+    const split = after ? { drawn: after.loaded.drawn, patches: after.body.patches } : null;
     return { id, patches, placement, given, preview, split };
   });
   known.set(byId, { bodies: project.bodies, shown });

@@ -1,6 +1,5 @@
-import type { PatchedSurface, ProjectBody } from "tetrafront";
+import type { PatchedSurface, ProjectBody, SplitSurface } from "tetrafront";
 import type { DrawnSurface } from "../document/drawn-surface";
-import type { SplitOptions, SplitPatches } from "../document/patch-splitting";
 import { unpackedBody, type PackedBody } from "./packed-bodies";
 import { copyForTransfer } from "./transfer";
 import { WorkerClient } from "./worker-client";
@@ -48,12 +47,6 @@ export interface ReadSurface extends NewBody {
 export type SurfaceReading<Read = ReadSurface> =
   ({ readonly success: true } & Read) | { readonly success: false; readonly reasons: readonly string[] };
 
-/** Patches that a split makes, and the triangles to draw, coloured by patch. */
-export interface DrawnSplit {
-  readonly split: SplitPatches;
-  readonly drawn: DrawnSurface;
-}
-
 /** A surface and the patches of a body, which replace those of a given body. */
 export interface ReplacedSurface {
   readonly body: ProjectBody;
@@ -71,11 +64,15 @@ export interface SurfaceProtocol {
   readonly replace: { readonly argument: ReplacedSurface; readonly answer: PackedNewBody };
   readonly split: {
     readonly argument: {
-      readonly surface: PatchArrays;
-      readonly patches: ProjectBody["patches"];
-      readonly options: SplitOptions;
+      readonly body: ProjectBody;
+      readonly split: SplitSurface;
+      readonly nextPatchId: number;
     };
-    readonly answer: DrawnSplit;
+    readonly answer: PackedNewBody;
+  };
+  readonly merge: {
+    readonly argument: { readonly body: ProjectBody; readonly ids: readonly number[] };
+    readonly answer: PackedNewBody;
   };
   readonly draw: {
     readonly argument: {
@@ -96,6 +93,11 @@ const startWorker = (): Worker =>
 async function unpacked({ packed, loaded }: PackedNewBody): Promise<NewBody> {
   return { body: await unpackedBody(packed), loaded };
 }
+
+const withTrianglesOf = ({ points, triangles }: ProjectBody, { body, loaded }: NewBody): NewBody => ({
+  body: { ...body, points, triangles },
+  loaded,
+});
 
 /**
  * Reads a surface file in a worker of its own. Rejects if `signal` aborts or the worker fails, for example out of memory.
@@ -135,10 +137,16 @@ export class SurfaceClient {
     return unpacked(await this.#worker.call("replace", { body: head, surface: copy, patches }, buffers));
   }
 
-  /** Returns the patches of a body after a split. */
-  split(surface: PatchArrays, patches: ProjectBody["patches"], options: SplitOptions): Promise<DrawnSplit> {
-    const { copy, buffers } = copyForTransfer(surface);
-    return this.#worker.call("split", { surface: copy, patches, options }, buffers);
+  /** Returns a body with the patches of a split. New patches get ids from `nextPatchId` on. */
+  async split(body: ProjectBody, split: SplitSurface, nextPatchId: number): Promise<NewBody> {
+    const { trianglePatch, patches } = split;
+    const answer = await this.#worker.call("split", { body, split: { trianglePatch, patches }, nextPatchId });
+    return withTrianglesOf(body, await unpacked(answer));
+  }
+
+  /** Returns a body in which the patches with the given ids are merged into the first of them. */
+  async merge(body: ProjectBody, ids: readonly number[]): Promise<NewBody> {
+    return withTrianglesOf(body, await unpacked(await this.#worker.call("merge", { body, ids })));
   }
 
   /** Returns the triangles to draw of a surface. */

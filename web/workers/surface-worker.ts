@@ -1,9 +1,16 @@
 /** Reads surface files and converts the surfaces of bodies, so that no step of it blocks the page. */
-import { bodySurface, createBody, readSurface, type PatchedSurface, type ProjectBody } from "tetrafront";
+import {
+  bodySurface,
+  bodyWithPatches,
+  createBody,
+  mergePatches,
+  readSurface,
+  type PatchedSurface,
+  type ProjectBody,
+} from "tetrafront";
 import { buffersOfDrawn, drawnSurface } from "../document/drawn-surface";
-import { splitByAngle } from "../document/patch-splitting";
 import { buffersOfPacked, packedBody } from "./packed-bodies";
-import { serveCalls } from "./serve-calls";
+import { serveCalls, type Answer } from "./serve-calls";
 import type { LoadedSurface, PackedNewBody, PatchArrays, SurfaceProtocol } from "./surface-files";
 
 serveCalls<SurfaceProtocol>({
@@ -40,11 +47,8 @@ serveCalls<SurfaceProtocol>({
     });
     return { answer: replaced, transfer: buffersOf(replaced) };
   },
-  split: ({ surface, patches, options }) => {
-    const split = splitByAngle(surface, patches, options);
-    const drawn = drawnSurface({ ...surface, ...split }, split.patches.length, split.trianglePatch);
-    return { answer: { split, drawn }, transfer: [split.trianglePatch.buffer, ...buffersOfDrawn(drawn)] };
-  },
+  split: ({ body, split, nextPatchId }) => withSameTriangles(bodyWithPatches(body, split, nextPatchId)),
+  merge: ({ body, ids }) => withSameTriangles(mergePatches(body, ids)),
   draw: ({ surface, patchCount, values }) => {
     const answer = drawnSurface(surface, patchCount, values);
     return { answer, transfer: buffersOfDrawn(answer) };
@@ -53,6 +57,12 @@ serveCalls<SurfaceProtocol>({
 
 function newBody(body: ProjectBody): PackedNewBody {
   return { packed: packedBody(body), loaded: loadedFrom(body) };
+}
+
+/** Omits the texts of points and triangles, which the page has. */
+function withSameTriangles(body: ProjectBody): Answer<PackedNewBody> {
+  const answer = { packed: packedBody({ ...body, points: "", triangles: "" }), loaded: loadedFrom(body) };
+  return { answer, transfer: buffersOf(answer) };
 }
 
 /** Returns the arrays of a body where they were given: the view moves them. */

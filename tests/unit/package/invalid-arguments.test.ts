@@ -146,7 +146,7 @@ const methods: Readonly<Record<Exclude<keyof api.Mesher, "dispose">, Arguments>>
   refineSurface: { surface: box, options: { background }, control },
   splitPatches: {
     surface: { ...box, trianglePatch: new Uint32Array(12), patches: [{ name: "a", tag: 1 }] },
-    options: { angle: 30 },
+    options: { angle: 30, patches: [0] },
     control,
   },
   remeshSurface: {

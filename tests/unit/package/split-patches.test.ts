@@ -16,6 +16,7 @@ import {
   readProject,
   readSurface,
   repairedSurface,
+  type SplitOptions,
   type SurfaceInput,
   writeMesh,
 } from "tetrafront";
@@ -23,6 +24,7 @@ import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import { splitGroups } from "../../../wasm/src/api/patch-names.js";
 import { tetrafront } from "../../support/command-line.js";
+import { plateSurface } from "../../support/plate.js";
 import { offFile, stlBinary } from "../../support/surface-files.js";
 import { boxSurface, sphereSurface } from "../../support/surfaces.js";
 import { temporaryFolder } from "../../support/temporary-folder.js";
@@ -110,6 +112,51 @@ describe("splitPatches", () => {
     });
   });
 
+  describe("of some patches", () => {
+    const cube = boxSurface(2);
+    /** Each patch consists of two opposite faces of the cube, eight triangles each. */
+    const trianglePatch = new Uint32Array(48).map((_, t) => Math.floor(t / 16));
+    const given: FileGroup[] = [
+      { name: "wing", tag: 4, color: [1, 0, 0] },
+      { name: "patch 1", tag: 1 },
+      { name: "surface", tag: 2 },
+    ];
+    const splitOf = (patches: readonly number[]) =>
+      mesher.splitPatches({ ...cube, trianglePatch, patches: given }, { patches });
+
+    test.each([0, 1, 2])("leaves all but patch %i as they are", async (only) => {
+      const split = await splitOf([only]);
+      expect(split.patches).toHaveLength(4);
+      expect(new Set(split.patches.map(({ name }) => name)).size).toBe(4);
+      expect(new Set(split.patches.map(({ tag }) => tag)).size).toBe(4);
+      const pieces = new Set<FileGroup | undefined>();
+      split.trianglePatch.forEach((patch, t) => {
+        const [before, after] = [given[trianglePatch[t] ?? 0], split.patches[patch]];
+        if (before === given[only]) pieces.add(after);
+        else expect(after).toEqual(before);
+      });
+      expect(pieces.size).toBe(2);
+      const names = [
+        ["wing", "wing 2"],
+        ["patch 1", "patch 2"],
+        ["patch 2", "patch 3"],
+      ];
+      expect([...pieces].map((piece) => piece?.name).sort()).toEqual(names[only]);
+    });
+
+    test("splits none if none is given, and ignores patches that do not exist", async () => {
+      const split = await splitOf([]);
+      expect(namesByCentroid(cube, split)).toEqual(namesByCentroid(cube, { trianglePatch, patches: given }));
+      expect(split.patches).toHaveLength(3);
+      expect(await splitOf([7])).toEqual(split);
+    });
+
+    test("needs no names", async () => {
+      const split = await mesher.splitPatches({ ...cube, trianglePatch }, { patches: [1] });
+      expect(split.patches).toEqual(PATCHES.slice(0, 4).map((name, p) => ({ name, tag: p + 1 })));
+    });
+  });
+
   test("names arrive in the mesh and in every file", async () => {
     const split = await mesher.splitPatches(boxSurface(2));
     const remesh = await mesher.remeshSurface(split, { size: 0.4 });
@@ -135,6 +182,7 @@ describe("splitPatches", () => {
   test("refuses invalid angles and numbers", async () => {
     const cube = boxSurface(1);
     await expect(mesher.splitPatches(cube, { angle: 0 })).rejects.toThrow("angle between patches is 0");
+    await expect(mesher.splitPatches(cube, { patches: [-1] })).rejects.toThrow("list of patches to split");
     const wild = { ...cube, triangles: cube.triangles.map((node, i) => (i === 4 ? 99 : node)) };
     await expect(mesher.splitPatches(wild)).rejects.toMatchObject({ code: "invalid-input" });
   });
@@ -154,14 +202,19 @@ describe("names of split patches", () => {
       { name: "wing 2 2", tag: 5 },
     ]);
   });
+
+  test("are found in linear time", () => {
+    const groups = splitGroups(new Uint32Array(100_000), [{ name: "wing", tag: 1 }]);
+    expect(groups.at(-1)).toEqual({ name: "wing 100000", tag: 100_000 });
+  });
 });
 
 describe("patches of a body", () => {
   const newBody = () => createBody(boxSurface(2), { id: 1, firstPatchId: 4, name: "box" });
-  const splitBody = async (body: ProjectBody, nextPatchId: number) =>
+  const splitBody = async (body: ProjectBody, nextPatchId: number, options?: SplitOptions) =>
     bodyWithPatches(
       body,
-      await mesher.splitPatches({ ...bodySurface(body), patches: bodyPatchGroups(body) }),
+      await mesher.splitPatches({ ...bodySurface(body), patches: bodyPatchGroups(body) }, options),
       nextPatchId,
     );
 
@@ -170,6 +223,39 @@ describe("patches of a body", () => {
     expect(body.patches).toEqual([4, 10, 11, 12, 13, 14].map((id) => ({ id })));
     expect(new Set(bodySurface(body).trianglePatch).size).toBe(6);
     expect(await splitBody(body, 20)).toEqual(body);
+  });
+
+  test("are split one alone: the others keep their ids, names and triangles", async () => {
+    const surface = plateSurface({ half: 5, thickness: 1, radius: 2, corners: 24 });
+    const plate = await splitBody(createBody(surface, { id: 1, firstPatchId: 5, name: "plate" }), 8);
+    // The bottom, four sides, the hole and the top.
+    expect(plate.patches).toEqual([5, 8, 9, 10, 11, 12, 13].map((id) => ({ id })));
+    const before = bodySurface(plate).trianglePatch;
+    const hole = plate.patches.findIndex((_, p) => before.filter((patch) => patch === p).length === 48);
+    const names = plate.patches.map((_, p) => (p === hole ? "hole" : `region ${p}`));
+    const named = { ...plate, patches: plate.patches.map(({ id }, p) => ({ id, name: names[p] ?? "" })) };
+
+    const split = await splitBody(named, 20, { angle: 5, patches: [hole] });
+    const after = bodySurface(split).trianglePatch;
+    const pieces = new Map<number, number>();
+    after.forEach((patch, t) => {
+      if (before[t] === hole) pieces.set(patch, (pieces.get(patch) ?? 0) + 1);
+      else expect(split.patches[patch]).toEqual(named.patches[before[t] ?? 0]);
+    });
+    expect([...pieces.values()]).toEqual(Array.from({ length: 24 }, () => 2));
+    expect(split.patches).toHaveLength(6 + 24);
+    const ofHole = split.patches.filter((_, p) => pieces.has(p));
+    expect(ofHole[0]).toEqual(named.patches[hole]);
+    expect(ofHole.slice(1)).toEqual(
+      Array.from({ length: 23 }, (_, i) => ({ id: 20 + i, name: `hole ${i + 2}` })),
+    );
+    const flat = await splitBody(named, 20, { angle: 1, patches: [0] });
+    expect(flat.patches).toEqual(named.patches);
+  });
+
+  test("keep their names where the surface is smooth", async () => {
+    const ball = createBody(sphereSurface(6), { id: 1, firstPatchId: 1, name: "ball" });
+    expect((await splitBody(ball, 2)).patches).toEqual([{ id: 1, name: "ball" }]);
   });
 
   test("are merged into the first of them", async () => {

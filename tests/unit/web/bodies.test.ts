@@ -1,6 +1,6 @@
 import { bodySurface, createBody, type Project, type ProjectBody } from "tetrafront";
 import { describe, expect, it } from "vitest";
-import { addBody, nextBodyIds, setPlacement } from "../../../web/document/body-edits";
+import { addBody, nextBodyIds, setPlacement, usedPatches } from "../../../web/document/body-edits";
 import { documentKey, meshKey, preparedKey } from "../../../web/document/content-keys";
 import { drawnSurface } from "../../../web/document/drawn-surface";
 import { deleteEntities, renameEntity } from "../../../web/document/edits";
@@ -173,6 +173,12 @@ describe("a document with bodies", () => {
   it("gives new bodies and patches ids of their own", () => {
     expect(nextBodyIds(cubeProject())).toEqual({ id: 1, firstPatchId: 7 });
     expect(nextBodyIds(withBody())).toEqual({ id: 4, firstPatchId: 21 });
+  });
+
+  it("drops patches without triangles", () => {
+    const patches = [4, 5, 6, 7].map((id) => ({ id }));
+    const used = usedPatches(patches, Uint32Array.of(3, 1, 3, 1));
+    expect(used).toEqual({ patches: [{ id: 5 }, { id: 7 }], trianglePatch: Uint32Array.of(1, 0, 1, 0) });
   });
 
   it("lists the patches of a body below it", () => {

@@ -9,8 +9,9 @@ import { bodySchema, type PatchId, type ProjectBody } from "../project/schema.js
 
 /**
  * Returns a body with other patches of the same triangles, as `splitPatches` makes them. A patch that has triangles of a
- * given patch keeps its id, the first one if there are several; the others get ids from `nextPatchId` on. O(n). Throws a
- * `MesherError` if an argument is invalid.
+ * given patch keeps its id, the first one if there are several; the others get ids from `nextPatchId` on. A given patch of
+ * which there is only one piece keeps its name too, unless the piece has one. O(n). Throws a `MesherError` if an argument
+ * is invalid.
  *
  *     const split = await mesher.splitPatches({ ...bodySurface(body), patches: bodyPatchGroups(body) });
  */
@@ -25,14 +26,19 @@ export function bodyWithPatches(
   const before = bodyArrays(body).trianglePatch;
   const from = new Map<number, number>();
   surface.trianglePatch.forEach((patch, t) => from.has(patch) || from.set(patch, before[t] ?? 0));
+  const pieces = new Map<number, number>();
+  for (const given of from.values()) pieces.set(given, (pieces.get(given) ?? 0) + 1);
   const kept = new Set<number>();
   let nextId = nextPatchId;
   const patches = surface.patches.map(({ name }, p) => {
-    const given = from.get(p);
-    const id = given === undefined || kept.has(given) ? undefined : body.patches[given]?.id;
-    if (given !== undefined) kept.add(given);
+    const source = from.get(p);
+    const given = source === undefined ? undefined : body.patches[source];
+    const id = source === undefined || kept.has(source) ? undefined : given?.id;
+    if (source !== undefined) kept.add(source);
     // Names such as "patch 3" would not be unique among bodies; without a name, the id is shown.
-    return { id: id ?? nextId++, ...(!hasGenericName({ name, tag: 0 }) && { name }) };
+    const isWhole = source !== undefined && pieces.get(source) === 1;
+    const own = hasGenericName({ name, tag: 0 }) ? (isWhole ? given?.name : undefined) : name;
+    return { id: id ?? nextId++, ...(own !== undefined && { name: own }) };
   });
   return withOwners(body, surface.trianglePatch, patches);
 }
@@ -63,9 +69,8 @@ export function mergePatches(body: ProjectBody, ids: readonly PatchId[]): Projec
   const merged = new Set(ids);
   const first = body.patches.findIndex(({ id }) => merged.has(id));
   const patches = body.patches.filter(({ id }, p) => p === first || !merged.has(id));
-  const newIndex = body.patches.map((patch, p) =>
-    patches.indexOf(merged.has(patch.id) ? (body.patches[first] ?? patch) : (body.patches[p] ?? patch)),
-  );
+  let count = 0;
+  const newIndex = body.patches.map(({ id }, p) => (p !== first && merged.has(id) ? first : count++));
   return withOwners(
     body,
     bodyArrays(body).trianglePatch.map((patch) => newIndex[patch] ?? 0),

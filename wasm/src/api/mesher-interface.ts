@@ -147,8 +147,8 @@ export interface Mesher {
   /**
    * Splits a surface into patches at its edges that are sharper than `angle`; given patches stay separate. Returns the
    * surface with its new patches in the order of their positions, the lowest first: this order belongs to the shape and
-   * not to the triangles. Pieces of a named patch are called "wing", "wing 2", …, all others "patch 1", "patch 2", …. The
-   * surface may be open. Rejects with `invalid-input` if numbers are invalid. O(n log n) for n triangles; about 1 µs each.
+   * not to the triangles. Pieces of a named patch are called "wing", "wing 2", …, all others "patch 1", "patch 2", ….
+   * `patches` limits the split to some of the patches. The surface may be open. Rejects with `invalid-input` if numbers are invalid. O(n log n) for n triangles; about 1 µs each.
    *
    *     const surface = await mesher.splitPatches(file, { angle: 30 });
    */

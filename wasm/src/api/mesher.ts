@@ -73,7 +73,7 @@ import type {
   RepairOptions,
   SplitOptions,
 } from "./option-types.js";
-import { splitGroups } from "./patch-names.js";
+import { splitSurface } from "./patch-names.js";
 import {
   angleOfSplit,
   checkCoverOptions,
@@ -424,10 +424,10 @@ class WorkerMesher implements Mesher {
       groups: surface.trianglePatch?.slice() ?? new Uint32Array(),
       angle: angleOfSplit(options),
     } as const;
-    const split = await this.#client.ask(question, control);
-    refuse(changeDiagnostics(split, surfaceNamer(surface)));
-    const { trianglePatch, patchGroup } = split;
-    return { ...surface, trianglePatch, patches: splitGroups(patchGroup, surface.patches ?? []) };
+    const { patches } = options;
+    const pieces = await this.#client.ask(question, control);
+    refuse(changeDiagnostics(pieces, surfaceNamer(surface)));
+    return { ...surface, ...splitSurface(pieces, surface.patches ?? [], patches) };
   }
 
   async inspectMesh(mesh: MeshInput, control: RunControl = {}): Promise<MeshInspection> {

@@ -84,6 +84,11 @@ export interface SplitOptions {
    * plane and 90 at the edge of a cube.
    */
   readonly angle?: number | undefined;
+  /**
+   * Indices of the patches to split. Default all. The others keep their triangles, names and tags, also if they consist
+   * of several components. An index that the surface does not have is ignored.
+   */
+  readonly patches?: readonly number[] | undefined;
 }
 
 /** Options of `previewProject`. */

@@ -187,6 +187,12 @@ const remeshSchema = objectWith({
 
 const splitSchema = objectWith({
   angle: angleOption("angle between patches", REMESH_DEFAULTS.featureAngle),
+  patches: option(
+    "list of patches to split",
+    "a list of patch indices, counted from 0",
+    v.custom<readonly number[]>((value) => v.is(v.array(index), value)),
+    undefined,
+  ),
 } satisfies EntriesOf<SplitOptions>);
 
 const previewSchema = objectWith({

@@ -1,7 +1,7 @@
 import { Button, Group, Text } from "@mantine/core";
 import { useState } from "react";
 import { REMESH_DEFAULTS, type ProjectBody } from "tetrafront";
-import { showBodySurface, splitPatches } from "../../commands/surface-actions";
+import { previewSplit, splitPatches } from "../../commands/surface-actions";
 import { NumberRow } from "../../ui/fields/number-row";
 import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";
@@ -25,10 +25,7 @@ export function SplitSection({ body, patch }: SplitSectionProps) {
   const [angle, setAngle] = useState<number>(REMESH_DEFAULTS.featureAngle);
   const split = useBody(body.id)?.split;
   const proposed = split?.patch === patch ? split : null;
-  const propose = (next: number): void => {
-    showBodySurface(app, "given");
-    void app.bodies.proposeSplit(body, next, patch);
-  };
+  const propose = (next: number): void => void previewSplit(app, body, next, patch);
   return (
     <details className={styles["options"]} data-testid="split-patches">
       <summary>{texts.title}</summary>
