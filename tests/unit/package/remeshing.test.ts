@@ -277,7 +277,12 @@ describe("tetrafront remesh", () => {
     );
     expect([code, stderr]).toEqual([0, ""]);
     const { output, remesh, diagnostics } = JSON.parse(stdout) as RemeshOutput;
-    const { surface, origin: _, triangleDeviation: _deviation, ...figures } = await mesher.remeshSurface(gear, { layers: 2 });
+    const {
+      surface,
+      origin: _,
+      triangleDeviation: _deviation,
+      ...figures
+    } = await mesher.remeshSurface(gear, { layers: 2 });
     const [given, triangles] = [gear, surface].map((one) => one.triangles.length / 3);
     expect(remesh).toEqual({ given, triangles, ...figures });
     expect(output).toBe("made.ply");
