@@ -6,9 +6,9 @@
 namespace tetrafront {
 namespace {
 
-/// Height below which a triangle counts as a sliver, relative to the largest coordinate: rounding
-/// its corners to single precision changes more, so its normal is meaningless.
-constexpr double kSliverHeight = 2e-6;
+/// Height below which a triangle counts as a sliver, relative to the largest coordinate. Text files often have six digits,
+/// and rounding its corners to them changes more, so its normal is meaningless.
+constexpr double kSliverHeight = 1e-5;
 
 /// Sets the neighbours across edges of two triangles of the same orientation.
 void linkTriangles(SmoothTriangles& smooth, const SurfaceMesh& mesh, const EdgeTable& edges) {

@@ -1,9 +1,11 @@
-"""Runs other tetrahedral meshers on a closed surface, for comparison in `npm run bench speed`.
+"""Runs other tetrahedral meshers on a closed surface, for comparison in `npm run bench speed` and `npm run bench parts`.
 
     peers.py                      prints the names of the peers whose packages can be imported
     peers.py NAME SURFACE.off     fills the surface with this peer and prints `name value` lines
+    peers.py parts                prints the names of the peers that mesh parts
+    peers.py part NAME PART.stl   meshes the part with this peer's defaults, which may change the surface
 
-All peers get the same triangles, which they must keep, one thread, and sizes from the surface. Seconds are
+To fill a surface, all peers get the same triangles, which they must keep, one thread, and sizes from the surface. Seconds are
 processor time of the meshing call alone, without reading, passing and measuring the mesh.
 """
 
@@ -83,6 +85,70 @@ def tetgen(points, triangles):
     return result[0], result[1], seconds
 
 
+def read_stl(path):
+    """Returns the points, each once, and the triangles of a binary STL file."""
+    with open(path, "rb") as file:
+        data = file.read()
+    rows = numpy.frombuffer(
+        data, offset=84, dtype=[("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("more", "<u2")]
+    )
+    points, numbers = numpy.unique(rows["corners"].reshape(-1, 3), axis=0, return_inverse=True)
+    triangles = numpy.asarray(numbers).reshape(-1, 3)
+    distinct = (triangles != numpy.roll(triangles, 1, axis=1)).all(axis=1)
+    return points.astype(float), triangles[distinct]
+
+
+def gmsh_part(path):
+    import gmsh as engine
+
+    engine.initialize(interruptible=False)
+    engine.option.setNumber("General.Terminal", 0)
+    engine.option.setNumber("General.NumThreads", 1)
+
+    def work():
+        engine.merge(path)
+        mesh = engine.model.mesh
+        mesh.classifySurfaces(numpy.radians(40), True, True, numpy.pi)
+        mesh.createGeometry()
+        surfaces = [tag for _, tag in engine.model.getEntities(2)]
+        engine.model.geo.addVolume([engine.model.geo.addSurfaceLoop(surfaces)])
+        engine.model.geo.synchronize()
+        low, high = numpy.array(engine.model.getBoundingBox(-1, -1)).reshape(2, 3)
+        engine.option.setNumber("Mesh.MeshSizeMax", numpy.linalg.norm(high - low) / 20)
+        mesh.generate(3)
+
+    _, seconds = timed(work)
+    names, places, _ = engine.model.mesh.getNodes()
+    positions = numpy.zeros(int(names.max()) + 1, dtype=int)
+    positions[names.astype(int)] = numpy.arange(len(names))
+    _, corners = engine.model.mesh.getElementsByType(4)
+    engine.finalize()
+    return places.reshape(-1, 3), positions[corners.astype(int)].reshape(-1, 4), seconds
+
+
+def tetgen_part(path):
+    from tetgen import TetGen
+
+    points, triangles = read_stl(path)
+    mesher = TetGen(points, triangles.astype(numpy.int32))
+    result, seconds = timed(lambda: mesher.tetrahedralize(switches="pq1.2Q"))
+    return result[0], result[1], seconds
+
+
+def ftetwild_part(path):
+    from pytetwild import tetrahedralize
+
+    points, triangles = read_stl(path)
+    result, seconds = timed(lambda: tetrahedralize(points, triangles.astype(numpy.int32), optimize=True))
+    return numpy.asarray(result[0]), numpy.asarray(result[1]), seconds
+
+
+PART_PEERS = {
+    "Gmsh, classified and remeshed": ("gmsh", gmsh_part),
+    "TetGen, quality": ("tetgen", tetgen_part),
+    "fTetWild": ("pytetwild", ftetwild_part),
+}
+
 DELAUNAY, FRONTAL, HXT = 1, 4, 10
 
 PEERS = {
@@ -136,14 +202,26 @@ def importable(module):
         return False
 
 
+def print_names(peers):
+    for name, (module, _) in peers.items():
+        if importable(module):
+            print(name)
+    return 0
+
+
 def main(arguments):
     if not arguments:
-        for name, (module, _) in PEERS.items():
-            if importable(module):
-                print(name)
-        return 0
-    name, path = arguments
-    points, elements, seconds = PEERS[name][1](*read_off(path))
+        return print_names(PEERS)
+    if arguments == ["parts"]:
+        return print_names(PART_PEERS)
+    if arguments[0] == "part":
+        points, elements, seconds = PART_PEERS[arguments[1]][1](arguments[2])
+    else:
+        name, path = arguments
+        points, elements, seconds = PEERS[name][1](*read_off(path))
+    if len(elements) == 0:
+        print("no element", file=sys.stderr)
+        return 1
     angles = dihedral_angles(points, elements)
     print(f"tetrahedra {len(elements)}")
     print(f"seconds {seconds:.6f}")

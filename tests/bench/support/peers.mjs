@@ -11,15 +11,24 @@ const TIMEOUT_MS = 1000 * Number(process.env.TETRAFRONT_PEER_SECONDS ?? 900);
 
 export const INSTALL = `${python} -m pip install numpy gmsh netgen-mesher tetgen`;
 
+export const INSTALL_PART_PEERS = `${python} -m pip install numpy gmsh tetgen pytetwild`;
+
 /** Returns the names of the peers that can run; empty if Python or numpy is missing. */
-export function availablePeers() {
-  const { status, stdout } = spawnSync(python, [script], { encoding: "utf8" });
+export const availablePeers = () => namesOf([]);
+export const availablePartPeers = () => namesOf(["parts"]);
+
+/** Returns the peer's results for the surface, or `{ failure }` with a short reason. */
+export const runPeer = (name, file) => resultOf([name, file]);
+/** The same for a part in an STL file. */
+export const runPartPeer = (name, file) => resultOf(["part", name, file]);
+
+function namesOf(words) {
+  const { status, stdout } = spawnSync(python, [script, ...words], { encoding: "utf8" });
   return status === 0 ? stdout.split("\n").filter(Boolean) : [];
 }
 
-/** Returns the peer's results for the surface, or `{ failure }` with a short reason. */
-export function runPeer(name, file) {
-  const { status, stdout, stderr, error } = spawnSync(python, [script, name, file], {
+function resultOf(words) {
+  const { status, stdout, stderr, error } = spawnSync(python, [script, ...words], {
     encoding: "utf8",
     timeout: TIMEOUT_MS,
   });

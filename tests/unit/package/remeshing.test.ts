@@ -264,6 +264,19 @@ describe("tetrafront remesh", () => {
     );
   });
 
+  test("names --drop-details where angles are small, and lists what it dropped", async () => {
+    save("step.off", offFile(steppedBlock(0.004)));
+    const kept = await run("remesh", "step.off", "-o", "made.off");
+    expect(kept.stderr).toMatch(/smallest angle [\d.]+° \(--drop-details [\d.e-]+ may raise it\)/);
+    const dropped = await run("remesh", "step.off", "-o", "made.off", "--drop-details", "0.01");
+    expect([kept.code, dropped.code]).toEqual([0, 0]);
+    expect(dropped.stderr).toMatch(/\d+ details dropped, at \(2, 1, /);
+    expect(dropped.stderr).not.toContain("--drop-details");
+    const refused = await run("remesh", "step.off", "-o", "made.off", "--drop-details", "-1");
+    expect(refused.code).toBe(2);
+    expect(refused.stderr).toContain("--drop-details");
+  });
+
   test("prints JSON, and nothing else, with --json", async () => {
     save("gear.off", offFile(gear));
     const { code, stdout, stderr } = await run(
