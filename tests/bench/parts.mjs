@@ -42,7 +42,10 @@ function volumeOf({ points, triangles }) {
   const at = (corner, k) => points[3 * triangles[corner] + k] - points[k];
   for (let t = 0; t < triangles.length; t += 3) {
     const [a, b, c] = [0, 1, 2].map((i) => [0, 1, 2].map((k) => at(t + i, k)));
-    sum += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+    sum +=
+      a[0] * (b[1] * c[2] - b[2] * c[1]) +
+      a[1] * (b[2] * c[0] - b[0] * c[2]) +
+      a[2] * (b[0] * c[1] - b[1] * c[0]);
   }
   return Math.abs(sum / 6);
 }
