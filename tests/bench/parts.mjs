@@ -56,8 +56,8 @@ async function runOurs(mesher, surface, options) {
   try {
     const remesh = await mesher.remeshSurface(surface, options);
     const remeshed = performance.now();
-    const { status, report, diagnostics } = await mesher.fillSurface(repairedSurface(surface, remesh));
-    if (status !== "done") return { failure: diagnostics[0]?.code ?? status };
+    const { report } = await mesher.fillSurface(repairedSurface(surface, remesh));
+    if (report.status !== "done") return { failure: report.diagnostics[0]?.code ?? report.status };
     return {
       triangles: remesh.surface.triangles.length / 3,
       smallestAngle: remesh.smallestAngle,
@@ -66,7 +66,7 @@ async function runOurs(mesher, surface, options) {
       perSecond: remesh.surface.triangles.length / 3 / ((remeshed - began) / 1000),
       tetrahedra: report.tetrahedra,
       minDihedral: report.dihedral.min,
-      meanRadiusRatio: report.meanRadiusRatio,
+      meanRadiusRatio: report.radiusRatio.mean,
       seconds: (performance.now() - began) / 1000,
     };
   } catch (error) {

@@ -71,8 +71,8 @@ export const NEEDLE_PARTS = {
   "thin tube": () => tube(0.95, 1, 3, 120),
   "flat washer": () => tube(0.4, 1, 0.08, 160),
   "wheel with a thin web": () => wheel(90),
-  "block with a step of 1/1000": () =>
-    prism([[0, 0], [4, 0], [4, 1], [2, 1], [2, 1.004], [0, 1.004]], 2), // prettier-ignore
+  "block with a low step": () =>
+    prism([[0, 0], [4, 0], [4, 1], [2, 1], [2, 1.002], [0, 1.002]], 2), // prettier-ignore
   "sharp wedge": () => prism([[0, 0], [4, 0], [4, 0.5]], 1), // prettier-ignore
 };
 
