@@ -6,9 +6,11 @@
 namespace tetrafront {
 namespace {
 
-/// Height below which a triangle counts as a sliver, relative to the largest coordinate. Text files often have six digits,
-/// and rounding its corners to them changes more, so its normal is meaningless.
-constexpr double kSliverHeight = 1e-5;
+/// Height below which a triangle counts as a sliver, relative to the largest coordinate: rounding
+/// its corners to single precision changes more, so its normal is meaningless.
+constexpr double kSliverHeight = 2e-6;
+/// The same for a triangle between triangles that face in the same direction: text files often have six digits.
+constexpr double kSmoothSliverHeight = 1e-5;
 
 /// Sets the neighbours across edges of two triangles of the same orientation.
 void linkTriangles(SmoothTriangles& smooth, const SurfaceMesh& mesh, const EdgeTable& edges) {
@@ -22,8 +24,22 @@ void linkTriangles(SmoothTriangles& smooth, const SurfaceMesh& mesh, const EdgeT
   }
 }
 
+/// Returns true if the neighbours across all edges would join smoothly without the triangle.
+bool isBetweenSmooth(const SmoothTriangles& smooth, TriangleId t, double creaseCosine) {
+  std::array<Vec3, 3> normals;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const TriangleId next = smooth.neighbours[halfEdgeOf(t, k).index()];
+    if (next.isNone()) return false;
+    normals[k] = smooth.normals[next.index()];
+  }
+  return glm::dot(normals[0], normals[1]) >= creaseCosine &&
+         glm::dot(normals[1], normals[2]) >= creaseCosine &&
+         glm::dot(normals[2], normals[0]) >= creaseCosine;
+}
+
 /// Gives a sliver the normal of the neighbour across its longest edge, which may be a sliver too.
-void replaceNormalsOfSlivers(SmoothTriangles& smooth, const SurfaceMesh& mesh, double height) {
+void replaceNormalsOfSlivers(SmoothTriangles& smooth, const SurfaceMesh& mesh, double creaseCosine,
+                             double largestCoordinate) {
   std::vector<Vec3>& normals = smooth.normals;
   std::vector<TriangleId> follows(normals.size(), TriangleId{});
   for (const TriangleId t : IdRange<TriangleId>(normals.size())) {
@@ -31,7 +47,12 @@ void replaceNormalsOfSlivers(SmoothTriangles& smooth, const SurfaceMesh& mesh, d
     const std::uint32_t k = longestEdgeOf(corners);
     const double longest = glm::length(corners[(k + 1) % 3] - corners[k]);
     const double area = glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
-    if (area < height * longest) follows[t.index()] = smooth.neighbours[halfEdgeOf(t, k).index()];
+    const double height = area / longest;
+    if (height < kSliverHeight * largestCoordinate ||
+        (height < kSmoothSliverHeight * largestCoordinate &&
+         isBetweenSmooth(smooth, t, creaseCosine))) {
+      follows[t.index()] = smooth.neighbours[halfEdgeOf(t, k).index()];
+    }
   }
   for (const TriangleId t : IdRange<TriangleId>(normals.size())) {
     std::vector<TriangleId> chain;
@@ -59,7 +80,7 @@ SmoothTriangles findSmoothTriangles(const SurfaceMesh& mesh, const EdgeTable& ed
     smooth.normals.push_back(length > 0.0 ? normal / length : Vec3(0.0));
   }
   linkTriangles(smooth, mesh, edges);
-  replaceNormalsOfSlivers(smooth, mesh, kSliverHeight * largestCoordinate);
+  replaceNormalsOfSlivers(smooth, mesh, creaseCosine, largestCoordinate);
 
   smooth.isSharp.assign(edges.edgeCount(), 0);
   for (const EdgeId edge : IdRange<EdgeId>(edges.edgeCount())) {
