@@ -296,37 +296,16 @@ TEST(Remesh, KeepsTheAreaOfEachGroup) {
   for (const double area : areas) EXPECT_NEAR(area, 0.5, 1e-12);
 }
 
-/// The rounding of a text file tilts a sliver in a flat face by 45 degrees.
+/// The rounding of a text file tilts a sliver in a flat face by more than the feature angle.
 TEST(Remesh, SliversInSmoothFacesHaveNoCreases) {
   const double rounding = 3e-6;
   SurfaceMesh cube;
-  cube.points = {0,
-                 0,
-                 0,
-                 1,
-                 0,
-                 0,
-                 1,
-                 1,
-                 0,
-                 0,
-                 1,
-                 0,
-                 0,
-                 0,
-                 1,
-                 1,
-                 0,
-                 1,
-                 1,
-                 1,
-                 1,
-                 0,
-                 1,
-                 1,
-                 0.5 + rounding,
-                 0.5 - rounding,
-                 1.0 + rounding};
+  for (const Vec3& p :
+       {Vec3(0.0, 0.0, 0.0), Vec3(1.0, 0.0, 0.0), Vec3(1.0, 1.0, 0.0), Vec3(0.0, 1.0, 0.0),
+        Vec3(0.0, 0.0, 1.0), Vec3(1.0, 0.0, 1.0), Vec3(1.0, 1.0, 1.0), Vec3(0.0, 1.0, 1.0),
+        Vec3(0.5 + rounding, 0.5 - rounding, 1.0 + 2.0 * rounding)}) {
+    cube.points.insert(cube.points.end(), {p.x, p.y, p.z});
+  }
   cube.triangles = {0, 2, 1, 0, 3, 2, 0, 1, 5, 0, 5, 4, 1, 2, 6, 1, 6, 5, 2, 3, 7,
                     2, 7, 6, 3, 0, 4, 3, 4, 7, 4, 5, 8, 5, 6, 8, 4, 8, 6, 4, 6, 7};
   const SurfaceRemesh result = remesh(cube);
