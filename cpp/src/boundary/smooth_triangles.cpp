@@ -9,7 +9,8 @@ namespace {
 /// Height below which a triangle counts as a sliver, relative to the largest coordinate: rounding
 /// its corners to single precision changes more, so its normal is meaningless.
 constexpr double kSliverHeight = 2e-6;
-/// The same for a triangle between triangles that face in the same direction: text files often have six digits.
+/// The same limit if the triangles around it would join smoothly without it. Text files often have six digits, and
+/// rounding to them moves a corner by up to 5e-6 of its coordinate.
 constexpr double kSmoothSliverHeight = 1e-5;
 
 /// Sets the neighbours across edges of two triangles of the same orientation.

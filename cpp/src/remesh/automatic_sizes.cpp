@@ -34,8 +34,8 @@ constexpr double kArcPerGap = 3.0;
 constexpr double kEdgesPerLoop = 3.0;
 /// Distance between the positions where curvature is measured / smallest size.
 constexpr double kSampleWidth = 1.0;
-/// Thickness is measured once in each cell of so many sample widths, and in smaller cells where it is less than so many
-/// widths of the cell: rays are expensive.
+/// Widths of the cells in which thickness is measured once, in sample widths. The next smaller cells are used only where
+/// the thickness / width of the cell is below this: rays are expensive.
 constexpr std::array<std::int64_t, 3> kThicknessCells{4, 2, 1};
 constexpr double kThicknessPerCell = 1.5;
 /// Area / squared diagonal below which the curvature of a triangle is rounding.

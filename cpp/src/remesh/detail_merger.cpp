@@ -20,9 +20,9 @@ namespace {
 constexpr double kArcPerWidth = 3.0;
 /// Passes of merges and splits. Merges bring other lines closer.
 constexpr int kMaxMergePasses = 8;
-/// A triangle that was thicker than the distance may turn by at most 60 degrees.
+/// A triangle that is thicker than the distance may be turned by at most 60 degrees from the given surface.
 constexpr double kLeastTurnCosine = 0.5;
-/// Part of an edge, from either end, in which it is not split: the ends themselves are near enough.
+/// An edge is not split within this fraction of its length from its ends: rounding could make the parts degenerate.
 constexpr double kLeastPart = 1e-3;
 
 }  // namespace
@@ -153,15 +153,11 @@ bool DetailMerger::merge(const Candidate& candidate) {
   return moveOnto(a, b) || moveOnto(b, a);
 }
 
-/// The ends of an edge have no common neighbours except the apexes of its triangles.
 bool DetailMerger::keepsTopology(NodeId a, NodeId b) {
   complex_.collectEdge(a, b, edge_);
   complex_.collectRing(a, ringA_);
   complex_.collectRing(b, ringB_);
-  const auto isCommon = [&](NodeId node) {
-    return std::ranges::find(ringB_, node) != ringB_.end();
-  };
-  return std::ranges::count_if(ringA_, isCommon) == std::ssize(edge_);
+  return collapseKeepsTopology(edge_, ringA_, ringB_);
 }
 
 bool DetailMerger::moveOnto(NodeId a, NodeId b) {

@@ -158,4 +158,10 @@ SurfaceComplex::LineNeighbours SurfaceComplex::lineNeighbours(NodeId node) const
   return found;
 }
 
+bool collapseKeepsTopology(std::span<const HalfEdgeId> edge, std::span<const NodeId> ringA,
+                           std::span<const NodeId> ringB) {
+  const auto isCommon = [&](NodeId node) { return std::ranges::find(ringB, node) != ringB.end(); };
+  return std::ranges::count_if(ringA, isCommon) == std::ssize(edge);
+}
+
 }  // namespace tetrafront

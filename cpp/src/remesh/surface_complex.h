@@ -134,4 +134,10 @@ class SurfaceComplex {
   std::vector<StretchId> freeStretches_;
 };
 
+/// Returns true if a collapse of the edge keeps the topology: its ends have no common neighbours except the apexes of its
+/// triangles. `edge`: all half-edges between the ends, of which the rings are given.
+[[nodiscard]] bool collapseKeepsTopology(std::span<const HalfEdgeId> edge,
+                                         std::span<const NodeId> ringA,
+                                         std::span<const NodeId> ringB);
+
 }  // namespace tetrafront

@@ -241,10 +241,7 @@ bool SurfaceEditor::trySplit(NodeId a, NodeId b, const Vec3& position, StretchId
 bool SurfaceEditor::keepsTopology(NodeId a, NodeId b) {
   complex_.collectRing(a, ringA_);
   complex_.collectRing(b, ringB_);
-  const auto isCommon = [&](NodeId node) {
-    return std::ranges::find(ringB_, node) != ringB_.end();
-  };
-  return std::ranges::count_if(ringA_, isCommon) == std::ssize(edge_);
+  return collapseKeepsTopology(edge_, ringA_, ringB_);
 }
 
 bool SurfaceEditor::collapse(NodeId a, NodeId b, const CollapseRule& rule) {

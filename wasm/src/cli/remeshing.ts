@@ -129,7 +129,7 @@ function mergedText(merged: RemeshReport["mergedDetails"]): string {
   return `${plural(merged.length, "detail")} dropped, at ${places.join(", ")}${more}`;
 }
 
-/** Below this, a user is told how to avoid small angles, in degrees. */
+/** Smallest angle, in degrees, below which the program suggests dropping details. */
 const SMALL_ANGLE = 15;
 
 /** Details narrower than half the tolerance cause most small angles. */
