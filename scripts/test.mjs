@@ -5,7 +5,7 @@ import { build } from "./build.mjs";
 import { changedFiles, suitesFor } from "./lib/changed.mjs";
 import { sum } from "./lib/counts.mjs";
 import { main, say, UserError } from "./lib/run.mjs";
-import { clearReports, suites } from "./lib/suites.mjs";
+import { clearReports, lanes, suites } from "./lib/suites.mjs";
 import { setup } from "./setup.mjs";
 
 /**
@@ -41,41 +41,41 @@ async function failureOf(work) {
 }
 
 async function runSuite(suite, only, tools, prepare) {
-  const started = performance.now();
+  const from = seconds();
   let counts;
   const failure =
     (await prepare(suite.needs)) ??
     (await failureOf(async () => {
       counts = await suite.run(tools, only);
     }));
-  const seconds = secondsSince(started);
-  return { suite, seconds, counts: counts ?? { passed: 0, failed: 1, failures: [failure] } };
+  return { suite, from, to: seconds(), counts: counts ?? { passed: 0, failed: 1, failures: [failure] } };
 }
 
-/** Runs the suites of one lane in the order of `names`. */
+/** Runs the selected suites of one lane, one after the other. */
 async function runLane(lane, selection, tools, prepare) {
   const rows = [];
-  for (const [name, only] of selection) {
-    if (suites[name].lane !== lane) continue;
-    const row = await runSuite(suites[name], only, tools, prepare);
+  for (const name of lane.filter((name) => selection.has(name))) {
+    const row = await runSuite(suites[name], selection.get(name), tools, prepare);
     say(`\n== ${suites[name].title}: ${row.counts.passed} passed, ${row.counts.failed} failed`);
     rows.push(row);
   }
   return rows;
 }
 
-const secondsSince = (started) => (performance.now() - started) / 1000;
+/** Seconds since this program started. */
+const seconds = () => performance.now() / 1000;
 
-function print(rows, all, seconds) {
-  const lines = rows.map(({ suite, counts, seconds: s }) => {
+function print(rows, all) {
+  const lines = rows.map(({ suite, counts, from, to }) => {
     const numbers = `${String(counts.passed).padStart(6)} passed ${String(counts.failed).padStart(4)} failed`;
-    return `${suite.title.padEnd(32)}${numbers} ${s.toFixed(1).padStart(8)} s`;
+    const time = `${(to - from).toFixed(1).padStart(8)} s`;
+    return `${suite.title.padEnd(32)}${numbers} ${time}  from ${from.toFixed(0).padStart(4)} s`;
   });
   const failures = rows.flatMap(({ suite, counts }) =>
     counts.failures.map((name) => `FAILED ${suite.title}: ${name}`),
   );
   const untested = rows.flatMap(({ suite }) => suite.untested?.() ?? []);
-  const total = `${"all, with builds and setup".padEnd(57)}${seconds.toFixed(1).padStart(8)} s`;
+  const total = `${"all, with builds and setup".padEnd(57)}${seconds().toFixed(1).padStart(8)} s`;
   process.stdout.write(
     `\n${[...lines, total, ...untested, ...failures, `${all.passed} passed, ${all.failed} failed`].join("\n")}\n`,
   );
@@ -99,16 +99,15 @@ function select(names) {
 }
 
 await main(async () => {
-  const started = performance.now();
   const selection = select(process.argv.slice(2));
   const tools = await setup(["native", "tests"]);
   clearReports();
   const prepare = builder(tools);
   // A download, beside everything else.
   if (selection.has("unit")) void prepare(["oracles"]);
-  const lanes = ["static", "tests"].map((lane) => runLane(lane, selection, tools, prepare));
-  const rows = (await Promise.all(lanes)).flat();
+  const running = lanes.map((lane) => runLane(lane, selection, tools, prepare));
+  const rows = (await Promise.all(running)).flat();
   const all = sum(rows.map((row) => row.counts));
-  print(rows, all, secondsSince(started));
+  print(rows, all);
   if (all.failed > 0) process.exitCode = 1;
 });

@@ -26,6 +26,8 @@ const PIP = [
   "pip",
   "install",
   "-q",
+  // Python compiles the modules that a test imports when it imports them.
+  "--no-compile",
   "--disable-pip-version-check",
   "--only-binary=:all:",
   "--retries=1",

@@ -57,13 +57,11 @@ function freePort() {
 /**
  * All suites. `needs` lists the parts that must be built first. `run(tools, only)` returns
  * `{ passed, failed, failures }`; `only` restricts a suite to some tests or files. `untested` lists, one line each,
- * what this machine cannot test. The suites of a lane run one after the other, the two lanes side by side: the static
- * checks use the time in which the end-to-end tests wait for the browser. The others keep all processors busy.
+ * what this machine cannot test.
  */
 export const suites = {
   format: {
     title: "format",
-    lane: "static",
     needs: [],
     async run() {
       return sum([
@@ -72,9 +70,13 @@ export const suites = {
       ]);
     },
   },
+  cpp: {
+    title: "C++ tests (release)",
+    needs: ["database", "native"],
+    run: () => runGoogleTest("tetrafront_tests", "cpp", {}),
+  },
   types: {
     title: "types",
-    lane: "static",
     needs: ["wasm", "package"],
     async run() {
       const results = [];
@@ -88,7 +90,6 @@ export const suites = {
   },
   lint: {
     title: "lint (TypeScript, dependencies)",
-    lane: "static",
     needs: ["wasm", "package"],
     async run(_tools, only = ["."]) {
       const args = [...only, "--max-warnings", "0", "--no-warn-ignored"];
@@ -112,43 +113,20 @@ export const suites = {
   },
   tidy: {
     title: "lint (C++)",
-    lane: "static",
     needs: ["database"],
     async run() {
       const bad = await tidy();
       return check(bad.length === 0, `clang-tidy finds problems in ${bad.join(", ")}`);
     },
   },
-  e2e: {
-    title: "end-to-end tests",
-    lane: "tests",
-    needs: ["wasm", "package", "site"],
-    async run({ chromium }, only = []) {
-      const env = {
-        CHROMIUM: chromium,
-        TETRAFRONT_E2E_PORT: `${await freePort()}`,
-        PLAYWRIGHT_JSON_OUTPUT_NAME: report("e2e"),
-      };
-      await run(bin("playwright"), ["test", ...only, "--reporter=list,json"], { env, quietOut: true });
-      return countPlaywright(report("e2e"));
-    },
-  },
-  cpp: {
-    title: "C++ tests (release)",
-    lane: "tests",
-    needs: ["database", "native"],
-    run: () => runGoogleTest("tetrafront_tests", "cpp", {}),
-  },
   "cpp-asan": {
     title: "C++ tests (ASan + UBSan)",
-    lane: "tests",
     needs: ["database", "asan"],
     run: () =>
       runGoogleTest("tetrafront_tests_sanitized", "cpp-asan", { UBSAN_OPTIONS: "print_stacktrace=1" }),
   },
   fuzz: {
     title: "libFuzzer",
-    lane: "tests",
     needs: ["fuzz"],
     async run() {
       if (findFuzzer() === undefined) return sum([]);
@@ -162,9 +140,21 @@ export const suites = {
           ]
         : [],
   },
+  e2e: {
+    title: "end-to-end tests",
+    needs: ["wasm", "package", "site"],
+    async run({ chromium }, only = []) {
+      const env = {
+        CHROMIUM: chromium,
+        TETRAFRONT_E2E_PORT: `${await freePort()}`,
+        PLAYWRIGHT_JSON_OUTPUT_NAME: report("e2e"),
+      };
+      await run(bin("playwright"), ["test", ...only, "--reporter=list,json"], { env, quietOut: true });
+      return countPlaywright(report("e2e"));
+    },
+  },
   unit: {
     title: "unit tests",
-    lane: "tests",
     // One test compares the meshes of the package with those of the native program.
     needs: ["wasm", "package", "database", "native", "oracles"],
     async run(_tools, only = []) {
@@ -177,6 +167,16 @@ export const suites = {
     untested: untestedOracles,
   },
 };
+
+/**
+ * The suites of a lane run one after the other, the lanes side by side. Either lane alone can keep two processors busy,
+ * so none is idle when the other lane ends, while its programs start or link, or while a test waits for the browser.
+ * Both take about the same processor time. What needs the package comes late in the lane that does not build it.
+ */
+export const lanes = [
+  ["format", "cpp", "types", "lint", "tidy", "cpp-asan", "fuzz"],
+  ["e2e", "unit"],
+];
 
 /** Removes the reports of earlier runs. */
 export function clearReports() {
