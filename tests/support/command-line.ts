@@ -1,4 +1,4 @@
-import { spawn, type ChildProcess } from "node:child_process";
+import { fork, spawn, type ChildProcess } from "node:child_process";
 import { fileURLToPath } from "node:url";
 
 const program = fileURLToPath(new URL("../../wasm/bin/tetrafront.mjs", import.meta.url));
@@ -18,11 +18,50 @@ interface RunOptions {
   readonly env?: Readonly<Record<string, string>>;
 }
 
-/** Runs `tetrafront` in a folder. */
-export function tetrafront(
+/**
+ * Runs `tetrafront` in a folder: in a process of its own if there are options, otherwise in one that runs all such
+ * commands of a test file.
+ */
+export async function tetrafront(
   folder: string,
   args: readonly string[],
-  { started, input, env }: RunOptions = {},
+  options?: RunOptions,
+): Promise<CommandResult> {
+  if (options !== undefined) return inOwnProcess(folder, args, options);
+  const result = last.then(() => inHost(folder, args));
+  last = result.catch(() => undefined);
+  return result;
+}
+
+/** Settles when the last command in the host has ended. */
+let last: Promise<unknown> = Promise.resolve();
+let host: ChildProcess | undefined;
+
+function startHost(): ChildProcess {
+  const child = fork(new URL("./command-line-host.mjs", import.meta.url), {
+    // What the command writes comes in messages; standard output must not be a file.
+    stdio: ["ignore", "pipe", "inherit", "ipc"],
+  });
+  child.once("exit", () => (host = undefined));
+  return child;
+}
+
+function inHost(folder: string, args: readonly string[]): Promise<CommandResult> {
+  const child = (host ??= startHost());
+  return new Promise((resolve, reject) => {
+    const onExit = (code: number | null) => reject(new Error(`the host of tetrafront ended with ${code}`));
+    child.once("exit", onExit).once("message", (result) => {
+      child.off("exit", onExit);
+      resolve(result as CommandResult);
+    });
+    child.send({ folder, args });
+  });
+}
+
+function inOwnProcess(
+  folder: string,
+  args: readonly string[],
+  { started, input, env }: RunOptions,
 ): Promise<CommandResult> {
   return new Promise((resolve, reject) => {
     const child = spawn(process.execPath, [program, ...args], {

@@ -67,7 +67,7 @@ describe("a surface of needles", () => {
     ]);
 
   test("gets a warning from check and its mesh another one", async () => {
-    save("gear.off", offFile(needleGearSurface(60)));
+    save("gear.off", offFile(needleGearSurface(24)));
     const check = await run("check", "gear.off", "--json");
     expect(check.code).toBe(0);
     expect(warningsIn(check.stdout)).toContainEqual(["needle-surface", "warning"]);
@@ -84,7 +84,7 @@ describe("a surface of needles", () => {
   });
 
   test("gets the same warning from check of its mesh, which names the worst elements", async () => {
-    save("gear.off", offFile(needleGearSurface(60)));
+    save("gear.off", offFile(needleGearSurface(24)));
     await run("mesh", "gear.off", "-o", "gear.vtu", "-q");
     const { code, stdout } = await run("check", "gear.vtu", "--json");
     expect(code).toBe(0);
@@ -109,7 +109,7 @@ describe("a surface of needles", () => {
   });
 
   test("fails with --require-angle, while a box passes", async () => {
-    save("gear.off", offFile(needleGearSurface(60)));
+    save("gear.off", offFile(needleGearSurface(24)));
     save("box.off", offFile(boxSurface(4)));
     const gear = await run("mesh", "gear.off", "-o", "gear.vtu", "--require-angle", "10");
     expect(gear.stderr).toMatch(
