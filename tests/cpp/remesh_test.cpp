@@ -393,17 +393,17 @@ TEST(RemeshDetails, StepsAboveTheLengthStay) {
 TEST(RemeshDetails, FineTrianglesAreNoDetails) {
   RemeshOptions options;
   options.dropDetails = 0.1;
-  EXPECT_TRUE(remesh(gridCube(20), options).mergedDetails.empty());
-  EXPECT_TRUE(remesh(coarseTube(200, 0.6, 2.0), options).mergedDetails.empty());
-  EXPECT_TRUE(remesh(geodesicSphere(20), options).mergedDetails.empty());
+  EXPECT_TRUE(remesh(gridCube(10), options).mergedDetails.empty());
+  EXPECT_TRUE(remesh(coarseTube(100, 0.6, 2.0), options).mergedDetails.empty());
+  EXPECT_TRUE(remesh(geodesicSphere(10), options).mergedDetails.empty());
 }
 
 /// Everything may be a detail here; what cannot be merged without harm must stay.
 TEST(RemeshDetails, TheSurfaceStaysAValidBoundary) {
   const std::vector<SurfaceMesh> bodies{
-      screwThread(2, 24),        needleGear(12, 0.3),      thinPlate(4, 0.05),
+      screwThread(1, 16),        needleGear(8, 0.3),       thinPlate(4, 0.05),
       twistedBlade(12, 6, 0.02), dividedBox({2, 2, 1}, 3), cubesSharingEdge(),
-      cubeWithCubicCavity(3, 3), bentSheet(20, 0.05),
+      cubeWithCubicCavity(3, 3), bentSheet(12, 0.05),
   };
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const InnerShells shells = i == 4 ? InnerShells::kRegions : InnerShells::kCavities;
@@ -411,7 +411,7 @@ TEST(RemeshDetails, TheSurfaceStaysAValidBoundary) {
       RemeshOptions options;
       options.innerShells = shells;
       options.dropDetails = part * diagonalOf(bodies[i]);
-      options.minSize = diagonalOf(bodies[i]) / 40.0;
+      options.minSize = diagonalOf(bodies[i]) / 20.0;
       const SurfaceRemesh result = remesh(bodies[i], options);
       ASSERT_TRUE(result.diagnostics.empty());
       const SurfaceMesh made = surfaceOf(result);
