@@ -5,6 +5,7 @@ import { readProject } from "tetrafront";
 import { parseMsh, parseVtu, type FileMesh } from "../support/mesh-files";
 import { plateSurface, plateVolume } from "../support/plate";
 import { stlBinary, stlText } from "../support/surface-files";
+import { steppedBlock } from "../support/surfaces";
 import { AppPage } from "./app-page";
 
 const plate = { half: 5, thickness: 1, radius: 2, corners: 24 } as const;
@@ -160,6 +161,15 @@ test("a broken STL shows its problems and is repaired", async ({ page }) => {
   const before = await app.viewport.screenshot();
   await problems.getByRole("button", { name: "Show", exact: true }).first().click();
   await expect.poll(async () => (await app.viewport.screenshot()).equals(before)).toBe(false);
+  // Each change is listed and shown.
+  await page.getByTestId("repair-flipped-triangle").click();
+  const shown = await app.viewport.screenshot();
+  await page
+    .getByTestId("body-repair")
+    .getByRole("button", { name: /^Triangle \d+$/ })
+    .first()
+    .click();
+  await expect.poll(async () => (await app.viewport.screenshot()).equals(shown)).toBe(false);
   await page.getByTestId("body-repair-apply").click();
   await expect(problems).toBeHidden();
   await previewed(page);
@@ -170,6 +180,31 @@ test("a broken STL shows its problems and is repaired", async ({ page }) => {
   expect(tets).toBeGreaterThan(0);
   await page.getByRole("button", { name: /^Undo: Repair/ }).click();
   await expect(problems).toBeVisible();
+});
+
+test("dropped details are listed and shown, and problems name the controls of the app", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await dropBytes(page, stlBinary(steppedBlock(0.004)), "step.stl");
+  await previewed(page);
+  await expect(page.getByTestId("dropped-details")).toBeHidden();
+  await page.getByTestId("remeshing-options").getByText("Remeshing options").click();
+  await page.getByTestId("remeshing-dropDetails").fill("0.01");
+  await page.getByTestId("remeshing-dropDetails").press("Enter");
+  await page.getByTestId("body-preview-make").click();
+  await previewed(page);
+  await expect(page.getByTestId("dropped-details")).toHaveText(/^\d+ details dropped$/);
+  await expect(page.getByTestId("prepared-warning")).toContainText("because details were dropped");
+  await page.getByTestId("dropped-details").click();
+  const before = await app.viewport.screenshot();
+  await page.getByRole("button", { name: "Detail 1", exact: true }).click();
+  await expect.poll(async () => (await app.viewport.screenshot()).equals(before)).toBe(false);
+  await page.getByTestId("body-treatment").getByText("Keep", { exact: true }).click();
+  const needles = page.locator("[data-code=needle-surface]").first();
+  await expect(needles).toContainText("Select Remesh for the body");
+  await app.generate();
+  await expect(page.locator("[data-code=poor-elements]").first()).toContainText("Select Remesh");
+  await expect(page.getByText(/--surface|remeshSurface/)).toHaveCount(0);
 });
 
 test("a damaged file is rejected with its name, the reason and the remedy", async ({ page }) => {

@@ -21,9 +21,16 @@ export interface BodyRepair {
 
 export type RepairKind = RepairChange["kind"];
 
-/** Returns the number of changes of each kind, the most frequent first. */
-export function repairCounts(changes: readonly RepairChange[]): readonly (readonly [RepairKind, number])[] {
-  const counts = new Map<RepairKind, number>();
-  for (const { kind } of changes) counts.set(kind, (counts.get(kind) ?? 0) + 1);
-  return [...counts].sort(([, a], [, b]) => b - a);
+/** Changes of one kind. */
+export type RepairGroup = readonly [kind: RepairKind, changes: readonly RepairChange[]];
+
+/** Returns the changes by their kinds, the most frequent first. */
+export function repairGroups(changes: readonly RepairChange[]): readonly RepairGroup[] {
+  const groups = new Map<RepairKind, RepairChange[]>();
+  for (const change of changes) {
+    const known = groups.get(change.kind);
+    if (known) known.push(change);
+    else groups.set(change.kind, [change]);
+  }
+  return [...groups].sort(([, a], [, b]) => b.length - a.length);
 }

@@ -8,7 +8,7 @@ import {
   type DrawnKind,
   type Entity,
 } from "./entities";
-import { bodyRemedies } from "../strings";
+import { remedyInApp } from "../strings";
 import { placed } from "./placement";
 import type { Position } from "./position";
 
@@ -53,7 +53,8 @@ function toEntities(project: Project, { kind, index, id }: EntityRef): Entity[] 
  */
 export function toProblems(project: Project, diagnostics: readonly Diagnostic[]): Problem[] {
   const problems = new Map<string, Problem>();
-  for (const { code, severity, message, remedy, entities, position, body = null } of diagnostics) {
+  for (const diagnostic of diagnostics) {
+    const { code, severity, message, entities, position, body = null } = diagnostic;
     const key = `${code}: ${message}`;
     if (severity === "information" || problems.has(key)) continue;
     problems.set(key, {
@@ -61,7 +62,7 @@ export function toProblems(project: Project, diagnostics: readonly Diagnostic[])
       severity,
       code,
       message,
-      remedy,
+      remedy: remedyInApp(diagnostic),
       entities: entities.flatMap((ref) => toEntities(project, ref)),
       triangles: trianglesOf(entities),
       body,
@@ -89,8 +90,9 @@ export function bodyProblems(
   { diagnostics }: SurfaceInspection,
 ): Problem[] {
   const isRemeshed = surface === "remesh";
-  return diagnostics.flatMap(({ code, severity, message, remedy, entities, position }, index) =>
-    severity === "information" || (isRemeshed && shapeCodes.has(code))
+  return diagnostics.flatMap((diagnostic, index) => {
+    const { code, severity, message, entities, position } = diagnostic;
+    return severity === "information" || (isRemeshed && shapeCodes.has(code))
       ? []
       : [
           {
@@ -98,14 +100,14 @@ export function bodyProblems(
             severity,
             code,
             message,
-            remedy: bodyRemedies[code] ?? remedy,
+            remedy: remedyInApp(diagnostic, true),
             entities: [{ kind: "body", id } as const],
             triangles: trianglesOf(entities),
             body: id,
             position: position ? placed(position, placement) : null,
           },
-        ],
-  );
+        ];
+  });
 }
 
 /** Entities and triangles to emphasize in the view. */

@@ -2,7 +2,7 @@ import type { Mesher, MeshResult, PreparedBody, Progress, Project, UnoptimizedMe
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { meshKey } from "../document/content-keys";
 import { engineInput } from "../document/engine-input";
-import { logStrings, phaseNames } from "../strings";
+import { logStrings, phaseNames, remedyInApp } from "../strings";
 import { settledProject, type DocumentState, type DocumentStore } from "./document-store";
 
 export type LogLevel = "information" | "success" | "warning" | "error";
@@ -166,10 +166,10 @@ export class MeshRun {
 
   #finish(key: string, result: MeshResult, log: (level: LogLevel, text: string) => void): void {
     const { report } = result;
-    for (const { severity, message, remedy } of report.diagnostics) {
+    for (const diagnostic of report.diagnostics) {
       log(
-        severity,
-        [message, remedy]
+        diagnostic.severity,
+        [diagnostic.message, remedyInApp(diagnostic)]
           .filter((part) => part !== "")
           .map(sentence)
           .join(" "),

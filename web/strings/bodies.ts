@@ -1,4 +1,7 @@
 /** Texts about bodies. */
+import type { RepairChange } from "tetrafront";
+
+type ChangeOf<Kind extends RepairChange["kind"]> = Extract<RepairChange, { readonly kind: Kind }>;
 
 /** Names of the steps of undo. */
 export const bodyStepNames = {
@@ -18,16 +21,6 @@ export const bodyStepNames = {
   merge: (count: number) => `Merge ${count} patches`,
   split: (what: string) => `Split ${what}`,
 } as const;
-
-/** What to do in the app about problems of a given surface, by code. */
-export const bodyRemedies: Readonly<Record<string, string>> = {
-  "open-edge": "Repair the surface: the repair fills holes and welds nodes. Or close it in your CAD program.",
-  "inconsistent-orientation": "Repair the surface: the repair flips triangles.",
-  "flipped-triangle": "Repair the surface: the repair flips triangles.",
-  "duplicate-triangle": "Repair the surface: the repair removes duplicate triangles.",
-  "degenerate-triangle": "Repair the surface: the repair removes degenerate triangles.",
-  "needle-surface": "Select Remesh, or export the surface with more uniform triangles.",
-};
 
 const counted = (count: number, one: string, many: string): string =>
   count === 1 ? `1 ${one}` : `${count.toLocaleString("en-US")} ${many}`;
@@ -76,6 +69,15 @@ export const bodyStrings = {
     holesHint: "Largest number of edges of a hole that is filled.",
     apply: "Repair",
     filledPatch: "filled holes",
+    places: {
+      "welded-node": ({ node, into }) => `Node ${node} to node ${into}`,
+      "removed-node": ({ node }) => `Node ${node}`,
+      "removed-triangle": ({ triangle }) => `Triangle ${triangle}`,
+      "removed-duplicate": ({ triangle, sameAs }) => `Triangle ${triangle}, as triangle ${sameAs}`,
+      "split-triangle": ({ beyond }) => `Triangle ${beyond}`,
+      "filled-hole": ({ triangles }) => `Hole with ${counted(triangles, "triangle", "triangles")}`,
+      "flipped-triangle": ({ triangle }) => `Triangle ${triangle}`,
+    } satisfies { readonly [Kind in RepairChange["kind"]]: (change: ChangeOf<Kind>) => string },
   },
   treatment: {
     title: "Triangles",
@@ -129,6 +131,8 @@ export const bodyStrings = {
     smallestAngle: "Smallest angle",
     meanRatio: "Mean 2r/R",
     deviationLegend: "deviation / tolerance",
+    details: (count: number) => counted(count, "detail dropped", "details dropped"),
+    detail: (index: number) => `Detail ${index}`,
   },
   split: {
     title: "Patches",

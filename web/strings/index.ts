@@ -6,8 +6,9 @@ import { panelStrings } from "./panels";
 /** All texts that a user reads. The package words diagnostics and errors of files. */
 export const strings = { ...pageStrings, ...panelStrings, bodies: bodyStrings, problemTitle } as const;
 
-export { bodyRemedies, bodyStepNames } from "./bodies";
+export { bodyStepNames } from "./bodies";
 export * from "./commands";
 export * from "./edits";
 export * from "./entities";
 export * from "./mesh";
+export { remedyInApp } from "./remedies";

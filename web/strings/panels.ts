@@ -256,6 +256,7 @@ export const panelStrings = {
     one: (triangle: string) => `Triangle ${triangle}`,
     all: "Show all",
   },
+  positions: { more: (count: number) => `and ${count.toLocaleString("en-US")} more` },
   severities: { error: "Error", warning: "Warning" },
   bottom: {
     title: "Log and problems",

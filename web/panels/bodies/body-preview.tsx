@@ -8,6 +8,7 @@ import { IconButton } from "../../ui/icon-button";
 import { formatAngle, formatCount, formatShort } from "../../ui/format";
 import { strings } from "../../strings";
 import { useApp, useRun, useView } from "../shared/app-context";
+import { PositionList } from "../shared/position-list";
 import styles from "./bodies.module.css";
 import { useBody, usePreparation } from "./use-body";
 
@@ -51,6 +52,7 @@ export function BodyPreview({ body }: { readonly body: ProjectBody }) {
       )}
       <ShownTriangles hasPreview={isCurrent} />
       {preparation && isCurrent && <PreparedFacts prepared={preparation.prepared} />}
+      {preparation && isCurrent && <DroppedDetails prepared={preparation.prepared} />}
     </section>
   );
 }
@@ -97,6 +99,33 @@ function PreparedFacts({ prepared }: { readonly prepared: PreparedBody }) {
             ],
       )}
     </Facts>
+  );
+}
+
+/** What was dropped, and the warnings about the new triangles. */
+function DroppedDetails({
+  prepared: { mergedDetails = [], diagnostics },
+}: {
+  readonly prepared: PreparedBody;
+}) {
+  return (
+    <>
+      {mergedDetails.length > 0 && (
+        <PositionList
+          summary={texts.details(mergedDetails.length)}
+          positions={mergedDetails.map(({ onto }, index) => ({
+            label: texts.detail(index + 1),
+            position: onto,
+          }))}
+          testId="dropped-details"
+        />
+      )}
+      {diagnostics.map(({ message }) => (
+        <Text key={message} size="xs" c="var(--tf-warning)" mt={4} data-testid="prepared-warning">
+          {message}
+        </Text>
+      ))}
+    </>
   );
 }
 

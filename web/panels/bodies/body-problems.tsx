@@ -1,14 +1,16 @@
 import { Button, Text } from "@mantine/core";
 import { IconTool } from "@tabler/icons-react";
-import type { ProjectBody, SurfaceInspection } from "tetrafront";
+import type { ProjectBody, RepairChange, SurfaceInspection } from "tetrafront";
 import { repairBody } from "../../commands/surface-actions";
-import { repairCounts, type BodyRepair } from "../../document/body-repair";
+import { repairGroups, type BodyRepair } from "../../document/body-repair";
 import { entityKey } from "../../document/entities";
+import { placed } from "../../document/placement";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { NumberRow } from "../../ui/fields/number-row";
 import { strings } from "../../strings";
 import { ProblemCard } from "../problems/problem-card";
 import { useApp, useProblems } from "../shared/app-context";
+import { PositionList } from "../shared/position-list";
 import { notNegative, upTo } from "../shared/size-fields";
 import styles from "./bodies.module.css";
 import { useBody } from "./use-body";
@@ -55,6 +57,10 @@ interface RepairSectionProps {
   readonly repair: BodyRepair;
 }
 
+/** Returns what a change is about. */
+const changeLabel = (change: RepairChange): string =>
+  (texts.repair.places[change.kind] as (change: RepairChange) => string)(change);
+
 /** What a repair would change, with its options. */
 function RepairSection({ body, repair }: RepairSectionProps) {
   const app = useApp();
@@ -67,9 +73,16 @@ function RepairSection({ body, repair }: RepairSectionProps) {
       <SectionTitle>{texts.repair.title}</SectionTitle>
       <Text size="sm">{changes.length === 0 ? texts.repair.none : texts.repair.intro}</Text>
       <ul className={styles["changes"]}>
-        {repairCounts(changes).map(([kind, count]) => (
-          <li key={kind} data-testid={`repair-${kind}`}>
-            {texts.repair.changes[kind](count)}
+        {repairGroups(changes).map(([kind, group]) => (
+          <li key={kind}>
+            <PositionList
+              summary={texts.repair.changes[kind](group.length)}
+              positions={group.map((change) => ({
+                label: changeLabel(change),
+                position: placed(change.position, body.placement),
+              }))}
+              testId={`repair-${kind}`}
+            />
           </li>
         ))}
       </ul>

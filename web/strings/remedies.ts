@@ -1,0 +1,32 @@
+/** What to do in the app about problems: the package's remedies name options of its calls and of the command line. */
+import type { Diagnostic } from "tetrafront";
+
+const remesh = "Select Remesh for the body, or export the surface with more uniform triangles.";
+
+/** By code, for problems of drawings and of bodies. */
+const remedies: Readonly<Partial<Record<Diagnostic["code"], string>>> = {
+  "empty-background-grid":
+    "Set a uniform size in the mesh settings, or create a background grid that covers the model.",
+  "coarse-surface": "Select Remesh or Refine for the body, or use larger elements.",
+  "needle-surface": remesh,
+  "poor-elements":
+    "Select Remesh for bodies with needles, use smaller elements in narrow gaps and at sharp edges, or set Optimization to Thorough.",
+};
+
+/** By code, for problems of the given surface of a body. */
+const ofBodies: Readonly<Partial<Record<Diagnostic["code"], string>>> = {
+  "open-edge": "Repair the surface: the repair fills holes and welds nodes. Or close it in your CAD program.",
+  "inconsistent-orientation": "Repair the surface: the repair flips triangles.",
+  "flipped-triangle": "Repair the surface: the repair flips triangles.",
+  "duplicate-triangle": "Repair the surface: the repair removes duplicate triangles.",
+  "degenerate-triangle": "Repair the surface: the repair removes degenerate triangles.",
+  "coincident-nodes": "Repair the surface: the repair welds nodes.",
+};
+
+/** Returns what to do about a problem in the app. `isOfBody`: it is about the given surface of a body. */
+export function remedyInApp(
+  { code, remedy, body }: Pick<Diagnostic, "code" | "remedy" | "body">,
+  isOfBody = body !== undefined,
+): string {
+  return (isOfBody ? ofBodies[code] : undefined) ?? remedies[code] ?? remedy;
+}
