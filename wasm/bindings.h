@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <new>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -60,6 +61,42 @@ class Guarded {
   std::unique_ptr<Object> object_;
   FailureGuard guard_;
 };
+
+/// Advances a tool; after a failure, it counts as finished.
+template <class Tool>
+bool advanceTool(Guarded<Tool>& tool, std::uint32_t budget) {
+  return tool.call(true, [&](Tool& object) { return object.advance(budget); });
+}
+
+template <class Tool>
+void stopTool(Guarded<Tool>& tool) {
+  tool.call(0, [](Tool& object) { return object.stop(), 0; });
+}
+
+template <class Tool>
+double fractionOf(Guarded<Tool>& tool) {
+  return tool.call(1.0, [](Tool& object) { return object.fraction(); });
+}
+
+/// Returns a new tool, made from the values of its arguments; call delete() in JavaScript to destroy it.
+template <class Tool, class... Arguments>
+Guarded<Tool>* makeTool(const Js<Arguments>&... arguments) {
+  return new (std::nothrow) Guarded<Tool>([&] { return Tool(arguments.value()...); });
+}
+
+/// Registers a tool as a class and the function that makes one.
+template <class Tool, class... Arguments>
+void registerTool(const char* className, const char* functionName) {
+  emscripten::class_<Guarded<Tool>>(className)
+      .function("advance", &advanceTool<Tool>)
+      .function("fraction", &fractionOf<Tool>)
+      .function("stop", &stopTool<Tool>)
+      .function("result", &Guarded<Tool>::template read<&Tool::result>)
+      .function("failure", &Guarded<Tool>::failure)
+      .function("failureMessage", &Guarded<Tool>::failureMessage);
+  emscripten::function(functionName, &makeTool<Tool, Arguments...>,
+                       emscripten::allow_raw_pointers());
+}
 
 /// Registers the TypeScript types of values that cross the border.
 template <class... T>

@@ -1,4 +1,5 @@
-/// @file Binds the runs, which fill models and surfaces, for the module "engine".
+/// @file Binds the runs, which fill models and surfaces, and the improvement of meshes, which needs the same optimizer, for
+/// the module "engine".
 
 #include <cstdint>
 #include <new>
@@ -6,6 +7,7 @@
 #include <vector>
 
 #include "bindings.h"
+#include "tetrafront/mesh_improvement.h"
 #include "tetrafront/mesher.h"
 
 namespace tetrafront::border {
@@ -76,10 +78,10 @@ EMSCRIPTEN_BINDINGS(engine) {
   using namespace tetrafront;
   using namespace tetrafront::border;
 
-  registerTypes<Doubles, Indices, Model, BodySurfaces, BackgroundGrid, MeshOptions>();
+  registerTypes<Doubles, Indices, Optimization, Model, BodySurfaces, BackgroundGrid, MeshOptions>();
   registerTypes<Progress, std::vector<Diagnostic>, SurfaceMesh, VolumeMesh, QualitySummary,
                 QualityStatistics, MetricShapes, std::vector<PatchSummary>, RecoverySummary,
-                FrontCounters>();
+                FrontCounters, MeshImprovement>();
 
   class_<Run>("Run")
       .function("advance", &advanceRun)
@@ -103,5 +105,7 @@ EMSCRIPTEN_BINDINGS(engine) {
   function("meshModel", &meshModel, allow_raw_pointers());
   function("meshWithBodies", &meshWithBodies, allow_raw_pointers());
   function("fillSurface", &fillSurface, allow_raw_pointers());
+  registerTool<MeshImprover, Doubles, Indices, Indices, Indices, Optimization>("Improvement",
+                                                                               "improveMesh");
   function("memoryBytes", &memoryBytes);
 }

@@ -35,6 +35,7 @@ const PUBLIC_HEADERS = {
   "model.h": "model",
   "quality_statistics.h": "quality",
   "mesh_inspection.h": "quality",
+  "mesh_improvement.h": "optimize",
   "covering_grid.h": "preview",
   "size_proposals.h": "preview",
   "preview.h": "preview",

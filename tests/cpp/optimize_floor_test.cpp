@@ -184,6 +184,37 @@ TEST_P(ThoroughFloor, IsNotBelowTheDefault) {
   EXPECT_LE(beyond(striving.statistics()), beyond(usual.statistics()));
 }
 
+/// Slices of the optimizer, and whether it has found nothing better.
+struct Effort {
+  std::size_t slices = 0;
+  bool hasFoundNothingBetter = false;
+  std::uint64_t fingerprint = 0;
+};
+
+Effort effortFor(const SurfaceMesh& surface, Optimization level) {
+  MeshOptions options;
+  options.optimization = level;
+  MeshRun run(surface.points, surface.triangles, options);
+  Effort effort;
+  for (Phase phase = Phase::kCheck; run.advance(500) == MeshStatus::kRunning;
+       phase = run.progress().phase) {
+    if (phase == Phase::kOptimize) ++effort.slices;
+  }
+  effort.hasFoundNothingBetter = run.hasFoundNothingBetter();
+  effort.fingerprint = run.fingerprint();
+  return effort;
+}
+
+TEST(Optimize, ThoroughEndsEarlyIfTheBoundaryLeavesNothingToGain) {
+  for (const SurfaceMesh& surface : {testing::latitudeSphere(30, 60), testing::gradedCube(16, 3)}) {
+    const Effort usual = effortFor(surface, Optimization::kDefault);
+    const Effort thorough = effortFor(surface, Optimization::kThorough);
+    EXPECT_TRUE(thorough.hasFoundNothingBetter);
+    EXPECT_EQ(thorough.fingerprint, usual.fingerprint);
+    EXPECT_LT(static_cast<double>(thorough.slices), 1.3 * static_cast<double>(usual.slices));
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Optimize, QualityFloor,
     ::testing::Values(

@@ -360,6 +360,30 @@ double largestOffset(const SurfaceRemesh& result) {
   return largest;
 }
 
+TEST(Remesh, ReturnsAValidSurfaceWheneverItIsStopped) {
+  const SurfaceMesh given = screwThread(2, 16);
+  RemeshOptions options;
+  options.size = 0.2;
+  const SurfaceRemesh whole = remesh(given, options);
+  ASSERT_TRUE(whole.diagnostics.empty());
+  EXPECT_FALSE(whole.isPartial);
+  std::size_t between = 0;
+  for (const int slices : {0, 500, 800, 1100, 1400, 1800}) {
+    SurfaceRemesher remesher(given.points, given.triangles, {}, {}, options);
+    for (int i = 0; i < slices; ++i) remesher.advance(100);
+    remesher.stop();
+    while (!remesher.advance(100)) {
+    }
+    const SurfaceRemesh& result = remesher.result();
+    EXPECT_TRUE(result.isPartial) << slices;
+    EXPECT_TRUE(errorsOf(surfaceOf(result), InnerShells::kCavities).empty()) << slices;
+    EXPECT_LE(sampledDistance(surfaceOf(result), given, 100), result.deviation) << slices;
+    EXPECT_LE(sampledDistance(given, surfaceOf(result), 100), result.deviation) << slices;
+    if (result.triangles != given.triangles && result.triangles != whole.triangles) ++between;
+  }
+  EXPECT_GT(between, 2U);
+}
+
 TEST(RemeshDetails, AreKeptUnlessAsked) {
   const SurfaceRemesh result = remesh(blockWithStep(0.004));
   EXPECT_TRUE(result.mergedDetails.empty());

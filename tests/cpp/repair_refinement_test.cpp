@@ -161,6 +161,16 @@ TEST(SurfaceRefiner, LeavesAFineSurfaceUnchanged) {
   }
 }
 
+TEST(SurfaceRefiner, ReturnsTheLongestGivenEdgeInTargetLengths) {
+  const SurfaceMesh cube = gridCube(1);
+  const double diagonal = std::sqrt(2.0);
+  EXPECT_NEAR(refine(cube, {}, sized(0.1)).lengthRatio, diagonal / 0.1, 1e-9);
+  EXPECT_NEAR(refine(cube, {}, sized(1.0)).lengthRatio, diagonal, 1e-9);
+  EXPECT_EQ(refine(cube, {}).lengthRatio, 0.0);
+  // A source at a corner.
+  EXPECT_GT(refine(cube, sourceAt(Vec3(0.0), 0.05, 0.1)).lengthRatio, 2.0);
+}
+
 TEST(SurfaceRefiner, KeepsAnglesAboveHalfOfTheGivenOnes) {
   const SurfaceMesh drum = drumOfNeedles(40);
   const double before = smallestAngle(drum);

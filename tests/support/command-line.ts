@@ -82,17 +82,19 @@ function inOwnProcess(
 }
 
 /**
- * Returns an environment in which the program, or its parent, gets a signal as soon as its mesh has
- * tetrahedra.
+ * Returns an environment in which the program, or its parent, gets a signal as soon as its mesh has tetrahedra, or as it
+ * has reported this fraction of its work.
  */
 export function signalAtProgress(
   signal: NodeJS.Signals,
   target: "program" | "parent",
+  fraction?: number,
 ): Record<string, string> {
   const hook = new URL("./signal-at-progress.mjs", import.meta.url).href;
   return {
     NODE_OPTIONS: `--import "${hook}"`,
     TETRAFRONT_TEST_SIGNAL: signal,
     TETRAFRONT_TEST_TARGET: target,
+    ...(fraction !== undefined && { TETRAFRONT_TEST_FRACTION: String(fraction) }),
   };
 }

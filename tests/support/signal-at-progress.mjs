@@ -1,9 +1,14 @@
-// Loaded before a program (by NODE_OPTIONS): when its worker reports the first tetrahedra, sends the signal
-// TETRAFRONT_TEST_SIGNAL to the program itself, or to its parent if TETRAFRONT_TEST_TARGET is "parent".
+// Loaded before a program (by NODE_OPTIONS): when its worker reports the first tetrahedra, or the fraction
+// TETRAFRONT_TEST_FRACTION, sends the signal TETRAFRONT_TEST_SIGNAL to the program itself, or to its parent if
+// TETRAFRONT_TEST_TARGET is "parent".
 import { closeSync, openSync } from "node:fs";
 import { Worker } from "node:worker_threads";
 
-const { TETRAFRONT_TEST_SIGNAL: signal, TETRAFRONT_TEST_TARGET: target } = process.env;
+const {
+  TETRAFRONT_TEST_SIGNAL: signal,
+  TETRAFRONT_TEST_TARGET: target,
+  TETRAFRONT_TEST_FRACTION: fraction,
+} = process.env;
 const { emit } = Worker.prototype;
 let isSent = false;
 
@@ -17,9 +22,14 @@ function isFirstChild() {
   }
 }
 
+/** Returns whether the moment has come. */
+function isDue({ tetrahedra, fraction: reached }) {
+  return fraction === undefined ? tetrahedra > 0 : reached > Number(fraction);
+}
+
 Worker.prototype.emit = function (event, ...args) {
   const [reply] = args;
-  if (!isSent && event === "message" && reply?.kind === "progress" && reply.progress.tetrahedra > 0) {
+  if (!isSent && event === "message" && reply?.kind === "progress" && isDue(reply.progress)) {
     isSent = true;
     if (target !== "parent") process.kill(process.pid, signal);
     else if (isFirstChild()) process.kill(process.ppid, signal);

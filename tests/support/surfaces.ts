@@ -207,3 +207,19 @@ class SurfaceBuilder {
     return node;
   }
 }
+
+/** A block of 4 × 1 × 2 with a step across its top. */
+export function steppedBlock(height: number): SurfaceInput {
+  const outline = [0, 0, 4, 0, 4, 1, 2, 1, 2, 1 + height, 0, 1 + height];
+  const corners = outline.length / 2;
+  const points = [0, 2].flatMap((z) =>
+    Array.from({ length: corners }, (_, i) => [outline[2 * i] ?? 0, outline[2 * i + 1] ?? 0, z]),
+  );
+  const triangles: number[] = [];
+  for (let i = 0; i < corners; ++i) {
+    const next = (i + 1) % corners;
+    triangles.push(i, next, corners + next, i, corners + next, corners + i);
+    if (i > 0 && next > 0) triangles.push(0, next, i, corners, corners + i, corners + next);
+  }
+  return { points: Float64Array.from(points.flat()), triangles: Uint32Array.from(triangles) };
+}

@@ -111,11 +111,14 @@ export type {
   SourceId,
 } from "./project/schema.js";
 export type { ReadCode, ReadError, ReadResult } from "./diagnostics/read-error.js";
+export { improvedMesh } from "./api/improvement.js";
+export type { ImproveInput, MeshImprovement, MeshShapes } from "./mesh/improvement.js";
 export { repairedSurface } from "./api/repaired-surface.js";
-export type { AbortControl, RunControl, UnoptimizedMesh } from "./engine/control.js";
+export type { AbortControl, PartialControl, RunControl, UnoptimizedMesh } from "./engine/control.js";
 export type { BackgroundArrays } from "./project/background-arrays.js";
 export type {
   CoverOptions,
+  ImproveOptions,
   InspectionOptions,
   MeshOptions,
   PreviewOptions,

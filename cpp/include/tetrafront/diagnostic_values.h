@@ -145,6 +145,12 @@ constexpr DiagnosticValues valuesOf(DiagnosticCode code) {
       return {{"faces", "Number of faces left in the front."}};
     case DiagnosticCode::kVerificationFailed:
       return {count("Number of defects.")};
+    case DiagnosticCode::kDegenerateTetrahedron:
+      return {count("Number of such tetrahedra.")};
+    case DiagnosticCode::kNonManifoldFace:
+      return {count("Number of such faces.")};
+    case DiagnosticCode::kOverlappingTetrahedra:
+      return {count("Number of such pairs.")};
     case DiagnosticCode::kCoincidentPoints:
     case DiagnosticCode::kZeroLengthLine:
     case DiagnosticCode::kWrongLineType:

@@ -73,6 +73,7 @@ struct SurfaceRemesh {
   std::uint32_t featureLines = 0;           ///< feature lines of the given surface
   double smallestAngle = 0.0;               ///< of all triangles, in degrees
   double meanRadiusRatio = 0.0;             ///< of all triangles
+  bool isPartial = false;  ///< stop() ended the work before all triangles were improved
   /// Not empty if the surface was not remeshed, because it is not a valid boundary or an option is
   /// out of range.
   std::vector<Diagnostic> diagnostics;
@@ -81,7 +82,7 @@ struct SurfaceRemesh {
 /// Remeshes a surface in slices. Every change keeps the surface closed and, by exact signs, free of
 /// self-intersections; it also keeps the tolerance, the feature lines, the corners and the groups.
 /// A unit of work is about one change. The work is about linear in the number of triangles given
-/// and made.
+/// and made. After stop(), the result is the surface as it then was.
 class SurfaceRemesher : public SlicedTool<SurfaceRemesh> {
  public:
   /// Arrays as for MeshRun; they are copied. `groups`: a number per triangle, for example its patch

@@ -23,6 +23,7 @@ class ToolWork {
   virtual bool advance(std::uint32_t budget) = 0;
   [[nodiscard]] virtual double fraction() const = 0;
   [[nodiscard]] virtual const Result& result() const = 0;
+  virtual void stop() {}
 };
 
 /// A tool. Movable, not copyable; after it was moved from, it can only be assigned to or destroyed.
@@ -35,6 +36,9 @@ class SlicedTool {
 
   /// Estimated progress, 0 to 1.
   [[nodiscard]] double fraction() const { return work_->fraction(); }
+
+  /// Asks a tool that can end early for what it has made so far: advance() returns true soon after. Other tools go on.
+  void stop() { work_->stop(); }
 
   /// Complete once advance() has returned true.
   [[nodiscard]] const Result& result() const { return work_->result(); }

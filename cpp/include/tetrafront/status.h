@@ -105,6 +105,10 @@ enum class DiagnosticCode : std::uint16_t {
   kStalled = 60,
   /// One node, tetrahedron or triangle per kind of defect. A mistake of the engine, not of the input.
   kVerificationFailed = 61,
+  // Given mesh of tetrahedra
+  kDegenerateTetrahedron = 70,  ///< tetrahedron whose volume is zero, exactly; position
+  kNonManifoldFace = 71,        ///< the tetrahedra that share one face, more than two; position
+  kOverlappingTetrahedra = 72,  ///< two tetrahedra that overlap or touch wrongly; position
 };
 
 /// Options whose range is checked.

@@ -149,6 +149,7 @@ struct SurfaceRefinement {
   std::vector<std::uint32_t>
       origin;                    ///< per triangle: index of the given triangle that contains it
   std::uint32_t splitEdges = 0;  ///< number of split edges, and of new nodes
+  double lengthRatio = 0.0;      ///< longest given edge / target length; 0 if no sizes are given
   /// Not empty if the surface was not refined: arrays, sizes or the grid are invalid, or the result would have too
   /// many elements. kTooManyElements with a triangle names the one that asks for the most; values: expected triangles,
   /// limit. Without a triangle, values: expected tetrahedra in the volume, limit.

@@ -11,7 +11,7 @@
 
 namespace tetrafront {
 
-/// One task on a copy of the arguments of a tool. Keeps the result.
+/// One task on a copy of the arguments of a tool. Keeps the result. If the input has a flag `isStopped`, stop() sets it.
 template <class Result, class Input>
 class ToolJob final : public ToolWork<Result> {
  public:
@@ -30,6 +30,9 @@ class ToolJob final : public ToolWork<Result> {
   }
   [[nodiscard]] double fraction() const override { return job_.fraction(); }
   [[nodiscard]] const Result& result() const override { return result_; }
+  void stop() override {
+    if constexpr (requires { input_.isStopped; }) input_.isStopped = true;
+  }
 
  private:
   Input input_;

@@ -46,6 +46,25 @@ class MeshScore {
            radiusRatios_ * other.count_ >= other.radiusRatios_ * count_;
   }
 
+  /// Returns whether this mesh is no worse than the other, and better in some respect.
+  [[nodiscard]] bool isBetterThan(const MeshScore& other) const {
+    return isNoWorseThan(other) && !other.isNoWorseThan(*this);
+  }
+
+  /// Returns whether hope is lost, after the first of several rounds, that this mesh becomes no worse than the other: many
+  /// elements are outside 30 to 135 degrees, as with a boundary of needles, and they have become more, or the mean has
+  /// fallen by more than later rounds regain.
+  [[nodiscard]] bool isHopelessBeside(const MeshScore& other) const {
+    constexpr double kFew = 1000.0;     // elements: their rounds take little time
+    constexpr double kMany = 0.01;      // of all elements
+    constexpr double kMostMore = 1.02;  // times as many elements
+    constexpr double kMostLost =
+        0.004;  // of the mean radius ratio; later rounds regain up to 0.0035
+    if (count_ < kFew || outOfRangeCount_ <= kMany * count_) return false;
+    return outOfRangeCount_ > kMostMore * other.outOfRangeCount_ ||
+           radiusRatios_ / count_ < other.radiusRatios_ / other.count_ - kMostLost;
+  }
+
  private:
   [[nodiscard]] double least() const { return (1.0 - largestCosine_) / (1.0 + largestCosine_); }
   [[nodiscard]] double greatest() const {

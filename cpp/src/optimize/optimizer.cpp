@@ -52,8 +52,9 @@ class MeshOptimizer::AnySpace {
 template <class Space>
 class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
  public:
-  InSpace(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field, Optimization level)
-      : schedule_(scheduleOf(level)),
+  InSpace(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field,
+          std::vector<Step> schedule)
+      : schedule_(std::move(schedule)),
         field_(field),
         targetsNeeded_(mesh.points.size() / 3),
         complex_(std::move(mesh), boundaryNodes, Space::kIsStretched),
@@ -126,7 +127,8 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
 
   [[nodiscard]] bool isLeftOut() const {
     return (step().entry == Entry::kIfGivenUp && !isGivenUp_) ||
-           (step().entry == Entry::kIfBefore && !isUnderWay_);
+           (step().entry == Entry::kIfBefore && !isUnderWay_) ||
+           (step().entry == Entry::kIfGaining && !isGaining_);
   }
 
   /// Advances to the next step that is not skipped.
@@ -248,7 +250,7 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
     if (isAgain(sweeps_.takeChanges())) return repeat();
     if (step().costBasis == CostBasis::kTargets) isGivenUp_ = sweeps_.improvements().canGiveUp();
     servePurpose();
-    turnToStep(step_ + 1);
+    turnToStep(isHopeless_ ? schedule_.size() : step_ + 1);
   }
 
   [[nodiscard]] bool isAgain(std::size_t changes) {
@@ -258,10 +260,10 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
         return !isLast;
       case Again::kWhileItGains: {
         const double before = std::exchange(meanCost_, meanCostOf(complex_));
-        return !isLast &&
-               static_cast<double>(changes) >=
-                   step().minChanges * static_cast<double>(freeNodes_) &&
-               meanCost_ < before * (1.0 - step().minGain);
+        isGaining_ =
+            static_cast<double>(changes) >= step().minChanges * static_cast<double>(freeNodes_) &&
+            meanCost_ < before * (1.0 - step().minGain);
+        return !isLast && isGaining_;
       }
       case Again::kWhileItImproves:
         if (changes > 0 && !isLast) return true;
@@ -292,8 +294,11 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
         keptScore_ = sweeps_.score();
         kept_ = complex_.toMesh();
         return;
+      case Purpose::kGiveUp:
+        isHopeless_ = sweeps_.score().isHopelessBeside(keptScore_);
+        return;
       case Purpose::kCompare:
-        if (sweeps_.score().isNoWorseThan(keptScore_)) kept_.reset();
+        if (sweeps_.score().isBetterThan(keptScore_)) kept_.reset();
         return;
     }
   }
@@ -321,6 +326,8 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
   int repeats_ = 0;          ///< of the step
   double meanCost_ = 0.0;    ///< of the elements at the end of the last round
   bool isMuchChanged_ = false;
+  bool isGaining_ = false;              ///< the last round gained
+  bool isHopeless_ = false;             ///< the kept mesh is the result
   bool isGivenUp_ = false;              ///< the target of the last improvement was given up
   std::uint32_t improvementBegan_ = 0;  ///< pass in which improvements began; 0 before
   std::size_t freeNodes_ = 0;           ///< at the end of the last sweep; counting them is O(nodes)
@@ -329,14 +336,27 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
 };
 
 MeshOptimizer::MeshOptimizer(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field,
-                             Optimization level) {
+                             Optimization level)
+    : optimizer_(make(std::move(mesh), boundaryNodes, field, scheduleOf(level))) {}
+
+MeshOptimizer::MeshOptimizer(std::unique_ptr<AnySpace> optimizer)
+    : optimizer_(std::move(optimizer)) {}
+
+MeshOptimizer MeshOptimizer::cautious(VolumeMesh mesh, std::size_t boundaryNodes,
+                                      const SizeField& field) {
+  return MeshOptimizer(make(std::move(mesh), boundaryNodes, field, cautiousSchedule()));
+}
+
+std::unique_ptr<MeshOptimizer::AnySpace> MeshOptimizer::make(VolumeMesh mesh,
+                                                             std::size_t boundaryNodes,
+                                                             const SizeField& field,
+                                                             std::vector<Step> schedule) {
   if (field.isStretched()) {
-    optimizer_ =
-        std::make_unique<InSpace<StretchedSpace>>(std::move(mesh), boundaryNodes, field, level);
-  } else {
-    optimizer_ =
-        std::make_unique<InSpace<PlainSpace>>(std::move(mesh), boundaryNodes, field, level);
+    return std::make_unique<InSpace<StretchedSpace>>(std::move(mesh), boundaryNodes, field,
+                                                     std::move(schedule));
   }
+  return std::make_unique<InSpace<PlainSpace>>(std::move(mesh), boundaryNodes, field,
+                                               std::move(schedule));
 }
 
 MeshOptimizer::MeshOptimizer(MeshOptimizer&&) noexcept = default;

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "field/size_field.h"
 #include "tetrafront/mesh.h"
@@ -14,12 +15,16 @@
 
 namespace tetrafront {
 
+struct Step;
+
 class MeshOptimizer {
  public:
   /// The first `boundaryNodes` nodes of the mesh are fixed. The field must outlive this. O(n) per
   /// sweep.
   MeshOptimizer(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field,
                 Optimization level);
+  /// The same with the steps of cautiousSchedule().
+  static MeshOptimizer cautious(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field);
   MeshOptimizer(MeshOptimizer&&) noexcept;
   MeshOptimizer& operator=(MeshOptimizer&&) noexcept;
   ~MeshOptimizer();
@@ -43,6 +48,10 @@ class MeshOptimizer {
   class AnySpace;
   template <class Space>
   class InSpace;
+  explicit MeshOptimizer(std::unique_ptr<AnySpace> optimizer);
+  static std::unique_ptr<AnySpace> make(VolumeMesh mesh, std::size_t boundaryNodes,
+                                        const SizeField& field, std::vector<Step> schedule);
+
   std::unique_ptr<AnySpace> optimizer_;
 };
 

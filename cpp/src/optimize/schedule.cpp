@@ -123,13 +123,26 @@ constexpr std::array kImproveSteps{
     ease(Entry::kIfBefore),
 };
 
+constexpr Step thoroughRounds(CostBasis costBasis, int maxRepeats) {
+  return {.sweeps = kRound,
+          .costBasis = costBasis,
+          .again = Again::kWhileItGains,
+          .maxRepeats = maxRepeats,
+          .minGain = kMinThoroughGain};
+}
+
+/// The later rounds, which continue the first one.
+constexpr Step laterRounds() {
+  Step step = thoroughRounds(CostBasis::kAsBefore, kMaxThoroughRounds - 1);
+  step.entry = Entry::kIfGaining;
+  return step;
+}
+
 constexpr std::array kThoroughSteps{
     Step{.sweeps = kScore, .purpose = Purpose::kKeep},
-    Step{.sweeps = kRound,
-         .costBasis = CostBasis::kWithinAngles,
-         .again = Again::kWhileItGains,
-         .maxRepeats = kMaxThoroughRounds,
-         .minGain = kMinThoroughGain},
+    thoroughRounds(CostBasis::kWithinAngles, 1),
+    Step{.sweeps = kScore, .purpose = Purpose::kGiveUp},
+    laterRounds(),
     Step{.sweeps = kImprove,
          .costBasis = CostBasis::kTargets,
          .targets = kTargets35And130,
@@ -141,7 +154,21 @@ constexpr std::array kThoroughSteps{
     Step{.sweeps = kScore, .purpose = Purpose::kCompare},
 };
 
+/// Without the steps that compare meshes.
+constexpr std::array kCautiousSteps{
+    Step{.sweeps = kScore},
+    thoroughRounds(CostBasis::kWithinAngles, kMaxThoroughRounds),
+    Step{.sweeps = kScore},
+    Step{.sweeps = kPolish, .costBasis = CostBasis::kWithinAngles, .maxRepeats = kPolishPasses},
+};
+
 }  // namespace
+
+std::vector<Step> cautiousSchedule() {
+  std::vector<Step> steps(kImproveSteps.begin(), kImproveSteps.end());
+  steps.insert(steps.end(), kCautiousSteps.begin(), kCautiousSteps.end());
+  return steps;
+}
 
 std::vector<Step> scheduleOf(Optimization level) {
   std::vector<Step> steps;

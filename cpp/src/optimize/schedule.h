@@ -9,7 +9,9 @@
 ///            degrees (below 18 only if those fail); then the last few with more patience; then
 ///            shapes of all that changed, with no angle worse
 /// thorough   rounds with no angle worse than the worst; 35 degrees; shapes; and back to the mesh
-///            of the improvement if the result is not at least as good in every respect
+///            of the improvement if the result is worse in any respect or equal, or if the first round
+///            shows that it cannot be better
+/// cautious   improve; then as thorough, and every change is kept
 
 #include <cstdint>
 #include <limits>
@@ -51,6 +53,7 @@ enum class Entry : std::uint8_t {
   kAlways,
   kIfGivenUp,  ///< if the target of the last improvement was given up
   kIfBefore,   ///< if the previous step was executed
+  kIfGaining,  ///< if the last round gained
   kIfFewMiss,  ///< if some elements, but very few, miss the step's target and it was not given up
 };
 
@@ -68,7 +71,8 @@ enum class Purpose : std::uint8_t {
   kSweeps,
   kSeeIfSparse,  ///< finds out whether the mesh has too few interior nodes
   kKeep,         ///< keeps this mesh and its score for comparison
-  kCompare,      ///< restores the kept mesh unless this one is no worse
+  kGiveUp,       ///< restores the kept mesh and ends if this one cannot become as good
+  kCompare,      ///< restores the kept mesh unless this one is better
 };
 
 struct Step {
@@ -95,5 +99,8 @@ struct Step {
 /// Returns the steps of a level; none for Optimization::kNone. The spans in the steps are valid for
 /// ever.
 [[nodiscard]] std::vector<Step> scheduleOf(Optimization level);
+
+/// Returns steps that hardly ever make the worst angles of a mesh worse.
+[[nodiscard]] std::vector<Step> cautiousSchedule();
 
 }  // namespace tetrafront

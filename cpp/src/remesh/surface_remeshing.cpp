@@ -250,7 +250,8 @@ Task<DroppedDetails> dropDetails(Work& work, SurfaceMesh& mesh, std::vector<std:
 }  // namespace
 
 Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std::uint32_t>& groups,
-                                  const BackgroundGrid& grid, const RemeshOptions& options) {
+                                  const BackgroundGrid& grid, const RemeshOptions& options,
+                                  const bool& isStopped) {
   work.beginPart(0.05);
   std::vector<Diagnostic> problems = co_await checkInput(work, mesh, grid, options);
   if (!problems.empty()) co_return refused(std::move(problems));
@@ -277,10 +278,17 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
   SurfaceEditor editor(surface, *targets.field);
   co_await work.yield();
   RemeshSchedule schedule(editor);
-  co_await schedule.run(work);
+  Job<> changes([&schedule](Work& inner) { return schedule.run(inner); });
+  bool isFinished = false;
+  while (!isFinished && !isStopped) {
+    isFinished = changes.advance(work.remaining());
+    work.setFraction(changes.fraction());
+    co_await work.yield();
+  }
 
   work.beginPart(1.0);
   SurfaceRemesh result;
+  result.isPartial = !isFinished;
   SurfaceMesh made;
   copyTriangles(surface, made, result);
   measureShapes(made, result);
@@ -309,6 +317,7 @@ struct RemeshInput {
   std::vector<std::uint32_t> groups;
   BackgroundGrid grid;
   RemeshOptions options;
+  bool isStopped = false;
 };
 
 RemeshInput inputOf(std::span<const double> points, std::span<const std::uint32_t> triangles,
@@ -332,7 +341,8 @@ SurfaceRemesher::SurfaceRemesher(std::span<const double> points,
     : SlicedTool(makeToolJob<SurfaceRemesh>(
           inputOf(points, triangles, groups, std::move(grid), options),
           [](Work& work, RemeshInput& input) {
-            return remeshSurface(work, input.mesh, input.groups, input.grid, input.options);
+            return remeshSurface(work, input.mesh, input.groups, input.grid, input.options,
+                                 input.isStopped);
           })) {}
 
 }  // namespace tetrafront

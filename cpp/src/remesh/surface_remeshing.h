@@ -14,8 +14,9 @@
 namespace tetrafront {
 
 /// Everything must outlive the task. May reorient triangles of `mesh`, and changes `mesh` and `groups` if details are
-/// dropped.
+/// dropped. Once `isStopped` is true, the surface is returned as it is.
 Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std::uint32_t>& groups,
-                                  const BackgroundGrid& grid, const RemeshOptions& options);
+                                  const BackgroundGrid& grid, const RemeshOptions& options,
+                                  const bool& isStopped);
 
 }  // namespace tetrafront

@@ -103,6 +103,7 @@ double EdgeBisection::needOf(EdgeId edge) {
 }
 
 void EdgeBisection::request(EdgeId edge, double length) {
+  longest_ = std::max(longest_, length);
   Edge& requested = edges_[edge.index()];
   if (!(length > kMaxEdgeLength) || !(requested.length > 0.0)) return;
   if (waiting_.contains(edge.value)) {

@@ -28,6 +28,9 @@ class EdgeBisection {
   /// Finds edges that are too long inside their triangles, although they are not along themselves.
   void measureTriangles(std::size_t first, std::size_t last);
 
+  /// Returns the largest length measured so far, in target lengths.
+  [[nodiscard]] double longest() const { return longest_; }
+
   /// Bisects about `budget` edges. Returns true when finished, or when the surface has more than `maxTriangles`
   /// triangles.
   bool advance(std::uint32_t budget, double maxTriangles);
@@ -74,6 +77,7 @@ class EdgeBisection {
   IndexedHeap waiting_;                 ///< edges that may be too long, the longest first
   std::vector<HalfEdgeId> around_;      ///< half-edges of the edge that is bisected
   std::uint32_t bisectedEdges_ = 0;
+  double longest_ = 0.0;
 };
 
 }  // namespace tetrafront

@@ -160,6 +160,7 @@ Task<SurfaceRefinement> refineSurface(Work& work, SurfaceMesh& mesh, const Backg
   co_await work.forEachBlock(countTriangles(mesh), [&](std::size_t first, std::size_t last) {
     bisection.measureTriangles(first, last);
   });
+  const double lengthRatio = bisection.longest();
   work.beginPart(1.0);
   while (!bisection.advance(work.remaining(), maxTriangles)) {
     work.setFraction(std::min(1.0, countTriangles(mesh) / estimate.total));
@@ -174,6 +175,7 @@ Task<SurfaceRefinement> refineSurface(Work& work, SurfaceMesh& mesh, const Backg
   result.triangles = std::move(mesh.triangles);
   result.origin = bisection.takeOrigin();
   result.splitEdges = bisection.bisectedEdges();
+  result.lengthRatio = lengthRatio;
   co_return result;
 }
 

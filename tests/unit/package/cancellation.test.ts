@@ -48,6 +48,7 @@ const methods: Readonly<Record<string, Call>> = {
   splitPatches: (signal) => mesher.splitPatches(surface, {}, { signal }),
   prepareBody: (signal) => mesher.prepareBody(withBody, 1, {}, { signal }),
   inspectMesh: (signal) => mesher.inspectMesh({ points, tetrahedra }, { signal }),
+  improveMesh: (signal) => mesher.improveMesh({ points, tetrahedra }, {}, { signal }),
 };
 const functions: Readonly<Record<string, Call>> = {
   createMesher: (signal) => createMesher({ signal }),
@@ -103,6 +104,7 @@ test("no argument is accessed if the signal was aborted before the call", async 
     splitPatches: mesher.splitPatches(untouched, untouched, aborted),
     prepareBody: mesher.prepareBody(untouched, 1, untouched, aborted),
     inspectMesh: mesher.inspectMesh(untouched, aborted),
+    improveMesh: mesher.improveMesh(untouched, untouched, aborted),
   };
   expect(Object.keys(calls)).toEqual(Object.keys(methods));
   for (const call of Object.values(calls)) await expect(call).rejects.toMatchObject({ code: "cancelled" });

@@ -121,6 +121,16 @@ const functions: Readonly<Record<string, Arguments>> = {
     given: { ...surfaceFile, surfaceRegions },
     repair: { surface: box, origin: Uint32Array.from({ length: 12 }, (_, t) => t) },
   },
+  improvedMesh: {
+    given: block,
+    improvement: {
+      isImproved: true,
+      points: block.points,
+      tetrahedra: block.tetrahedra,
+      regions: block.tetrahedronRegion,
+      nodeOrigin: Uint32Array.from({ length: block.points.length / 3 }, (_, node) => node),
+    },
+  },
   isInterface: { surface: meshed.surface, triangle: 0 },
 };
 
@@ -155,6 +165,11 @@ const methods: Readonly<Record<Exclude<keyof api.Mesher, "dispose">, Arguments>>
     control,
   },
   inspectMesh: { mesh: { ...block, regions: block.tetrahedronRegion }, control },
+  improveMesh: {
+    mesh: { ...block, regions: block.tetrahedronRegion },
+    options: { optimization: "fast" },
+    control: { ...control, partial: true },
+  },
 };
 
 function detached<T extends Float64Array | Uint32Array>(array: T): T {

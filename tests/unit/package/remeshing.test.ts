@@ -25,6 +25,7 @@ import {
   joined,
   needleGearSurface,
   sphereSurface,
+  steppedBlock,
   torusSurface,
 } from "../../support/surfaces.js";
 import { temporaryFolder } from "../../support/temporary-folder.js";
@@ -61,22 +62,6 @@ function patchAreas({ points, triangles, trianglePatch, patches }: SurfaceFile):
     areas[patch] = (areas[patch] ?? 0) + 0.5 * Math.hypot(...cross);
   });
   return areas;
-}
-
-/** A block of 4 × 1 × 2 with a step across its top. */
-function steppedBlock(height: number): SurfaceInput {
-  const outline = [0, 0, 4, 0, 4, 1, 2, 1, 2, 1 + height, 0, 1 + height];
-  const corners = outline.length / 2;
-  const points = [0, 2].flatMap((z) =>
-    Array.from({ length: corners }, (_, i) => [outline[2 * i] ?? 0, outline[2 * i + 1] ?? 0, z]),
-  );
-  const triangles: number[] = [];
-  for (let i = 0; i < corners; ++i) {
-    const next = (i + 1) % corners;
-    triangles.push(i, next, corners + next, i, corners + next, corners + i);
-    if (i > 0 && next > 0) triangles.push(0, next, i, corners, corners + i, corners + next);
-  }
-  return { points: Float64Array.from(points.flat()), triangles: Uint32Array.from(triangles) };
 }
 
 describe("remeshSurface", () => {
@@ -272,6 +257,10 @@ describe("tetrafront remesh", () => {
     expect([kept.code, dropped.code]).toEqual([0, 0]);
     expect(dropped.stderr).toMatch(/\d+ details dropped, at \(2, 1/);
     expect(dropped.stderr).not.toContain("--drop-details");
+    expect(dropped.stderr).toMatch(
+      /warning: step\.off: The deviation from the given surface is at most [\d.]+, but the tolerance is [\d.]+, because details were dropped\. Drop smaller/,
+    );
+    expect(kept.stderr).not.toContain("warning");
     const refused = await run("remesh", "step.off", "-o", "made.off", "--drop-details", "-1");
     expect(refused.code).toBe(2);
     expect(refused.stderr).toContain("The length of dropped details is -1");
@@ -294,6 +283,7 @@ describe("tetrafront remesh", () => {
       surface,
       origin: _,
       triangleDeviation: _deviation,
+      diagnostics: _diagnostics,
       ...figures
     } = await mesher.remeshSurface(gear, { layers: 2 });
     const [given, triangles] = [gear, surface].map((one) => one.triangles.length / 3);

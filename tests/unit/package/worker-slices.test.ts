@@ -37,14 +37,17 @@ vi.mock("../../../wasm/dist/engine/worker-port-node.js", async () => {
 
 afterEach(() => vi.restoreAllMocks());
 
-/** Resolves when the worker has answered a query, for which it loads its tools. */
+/** Resolves when the worker has loaded the engine and answered a query, for which it loads its tools. */
 const started = new Promise<void>((resolve, reject) => {
   port.onReply = (reply) => {
+    if (reply.kind === "ready" && reply.name === "engine") {
+      port.handle({ kind: "cover", id: 0, ...projectArrays(cubeProject()), size: 0, shape: 0 });
+    }
     if (reply.kind === "answer") resolve();
     if (reply.kind === "unusable") reject(new Error(reply.message));
   };
   void import("../../../wasm/dist/engine/worker.js").then(() =>
-    port.handle({ kind: "cover", id: 0, ...projectArrays(cubeProject()), size: 0, shape: 0 }),
+    port.handle({ kind: "load", name: "engine", module: undefined }),
   );
 });
 
@@ -112,6 +115,15 @@ const queries: Readonly<Record<Question["kind"], (id: number) => Question>> = {
     options: engineRemeshOptions({ size: 0.2 }),
   }),
   "inspect-mesh": (id) => ({ kind: "inspect-mesh", id, points, tetrahedra, regions: new Uint32Array() }),
+  "improve-mesh": (id) => ({
+    kind: "improve-mesh",
+    id,
+    points,
+    tetrahedra,
+    regions: new Uint32Array(),
+    keptTriangles: new Uint32Array(),
+    level: 2,
+  }),
 };
 
 describe.each(Object.entries(queries))("%s", (_, makeQuery) => {

@@ -78,11 +78,12 @@ async function treated(
   const { surface: treatment = "remesh", remeshing = {} } = body;
   const sizes = bodySizes(project, body, options);
   const name = bodyNamer(body, given);
+  const named = (found: readonly Diagnostic[]) => found.map((one) => ofBody(one, body, given.trianglePatch));
   if (treatment === "remesh") {
     const { innerShells } = options;
     const wanted: RemeshOptions = { ...remeshing, ...sizes, innerShells };
-    const { surface, origin, ...figures } = await calls.remesh(given, wanted, control, name);
-    return { ...withPatches(given, surface, origin), ...figures, diagnostics: [] };
+    const { surface, origin, diagnostics, ...figures } = await calls.remesh(given, wanted, control, name);
+    return { ...withPatches(given, surface, origin), ...figures, diagnostics: named(diagnostics) };
   }
   const hasSizes = sizes.size !== undefined || sizes.background !== undefined;
   if (treatment === "refine" && hasSizes) {

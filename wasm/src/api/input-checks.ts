@@ -13,6 +13,7 @@ import {
   readDiagnostic,
 } from "../diagnostics/package-diagnostic.js";
 import type { FileGroup } from "../mesh/file-mesh.js";
+import type { ImproveInput } from "../mesh/improvement.js";
 import type { MeshInput, PatchedSurface, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
 import { type ProjectArrays, projectArrays } from "../project/arrays.js";
 import { checkedProject } from "../project/project.js";
@@ -25,7 +26,12 @@ export function checkProject(project: unknown): Diagnostic[] {
 }
 
 const listener = v.optional(v.function());
-const controlSchema = v.object({ ...watch, onFront: listener, onUnoptimized: listener });
+const controlSchema = v.object({
+  ...watch,
+  onFront: listener,
+  onUnoptimized: listener,
+  partial: v.optional(v.boolean()),
+});
 
 export function checkControl(control: RunControl): Diagnostic[] {
   const problem = problemIn(controlSchema, control);
@@ -154,6 +160,25 @@ export function checkMesh(mesh: MeshInput): Diagnostic[] {
   const problems = checkArrays("mesh", mesh, meshSchema, TETRAHEDRA_REMEDY);
   if (problems.length > 0) return problems;
   return mesh.tetrahedra.length === 0 ? [noTetrahedra()] : [];
+}
+
+/** Checks a mesh that is to be improved. */
+export function checkImproveInput(mesh: ImproveInput): Diagnostic[] {
+  const wrong = checkMesh(mesh);
+  if (wrong.length > 0) return wrong;
+  const nodes = mesh.points.length / 3;
+  const schema = v.object({
+    triangles: v.optional(
+      v.pipe(
+        integers(3),
+        v.check(
+          (corners) => corners.every((node) => node < nodes),
+          "a triangle refers to a node that does not exist",
+        ),
+      ),
+    ),
+  });
+  return checkArrays("mesh", mesh, schema, "Pass three node indices per triangle in a Uint32Array.");
 }
 
 function noTetrahedra(): Diagnostic {

@@ -1,7 +1,7 @@
 /** Converts the engine's results on given surfaces and meshes to those of the API. */
 import type { Steps } from "../base/steps.js";
 import { describeAll, describeInSteps } from "../diagnostics/describe.js";
-import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import type { Diagnostic, DiagnosticOf } from "../diagnostics/diagnostic.js";
 import { type EntityNamer, nameByIndex } from "../diagnostics/entity-names.js";
 import type {
   EngineInspection,
@@ -73,9 +73,9 @@ export function describedRepair(
 }
 
 export function describedRefinement(refinement: EngineRefinement): SurfaceRefinement {
-  const { points, triangles, origin, splitEdges } = refinement;
+  const { points, triangles, origin, splitEdges, lengthRatio } = refinement;
   const nodeOrigin = originsOf(points.length / 3 - splitEdges, () => false, splitEdges);
-  return { surface: { points, triangles, origin, nodeOrigin }, origin, splitEdges };
+  return { surface: { points, triangles, origin, nodeOrigin }, origin, splitEdges, lengthRatio };
 }
 
 export function describedRemesh(remesh: EngineRemesh): SurfaceRemesh {
@@ -85,7 +85,31 @@ export function describedRemesh(remesh: EngineRemesh): SurfaceRemesh {
     surface: { points, triangles, origin, nodeOrigin },
     origin,
     ...(figures satisfies Only<SurfaceRemesh, typeof figures>),
+    diagnostics: deviationWarnings(figures),
   };
+}
+
+/** Digits of lengths in messages. */
+const DIGITS = 3;
+
+function deviationWarnings({
+  deviation,
+  tolerance,
+  mergedDetails,
+}: Pick<SurfaceRemesh, "deviation" | "tolerance" | "mergedDetails">): Diagnostic[] {
+  if (deviation <= tolerance) return [];
+  const [found, asked] = [deviation, tolerance].map((length) => Number(length.toPrecision(DIGITS)));
+  const isByDetails = mergedDetails.length > 0;
+  const cause = isByDetails ? ", because details were dropped" : "";
+  const warning: DiagnosticOf<"deviation-above-tolerance"> = {
+    code: "deviation-above-tolerance",
+    severity: "warning",
+    message: `The deviation from the given surface is at most ${found}, but the tolerance is ${asked}${cause}`,
+    remedy: isByDetails ? "Drop smaller details only." : "Use smaller triangles or a larger tolerance.",
+    entities: [],
+    data: { deviation, tolerance },
+  };
+  return [warning];
 }
 
 type WithoutPosition<T> = T extends unknown ? Omit<T, "position"> : never;

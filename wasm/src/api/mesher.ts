@@ -1,6 +1,6 @@
 /** Implements the mesher: checks arguments, sends them to the engine, and describes its answers. */
 import { throwIfCancelled, untilCancelled } from "../calls/cancelling.js";
-import type { AbortControl, RunControl } from "../engine/control.js";
+import type { AbortControl, PartialControl, RunControl } from "../engine/control.js";
 import { inSteps } from "../calls/yielder.js";
 import { type EntityNamer, gridByIndex } from "../diagnostics/entity-names.js";
 import { MesherError, refuse } from "../diagnostics/mesher-error.js";
@@ -14,6 +14,7 @@ import type {
   SurfaceRemesh,
   SurfaceRepair,
 } from "../mesh/inspection.js";
+import type { ImproveInput, MeshImprovement } from "../mesh/improvement.js";
 import type { MeshInput, PatchedSurface, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { MeshResult } from "../mesh/report.js";
@@ -42,6 +43,7 @@ import {
 import {
   checkControl,
   checkGroups,
+  checkImproveInput,
   checkMesh,
   checkPatchedSurface,
   checkProject,
@@ -60,9 +62,11 @@ import {
   describedRemesh,
   describedRepair,
 } from "./inspection.js";
+import { describedImprovement, improvementErrors } from "./improvement.js";
 import type { Mesher, SizeProposal, SplitInput, SplitSurface } from "./mesher-interface.js";
 import type {
   CoverOptions,
+  ImproveOptions,
   InspectionOptions,
   MeshOptions,
   PreviewOptions,
@@ -78,6 +82,7 @@ import {
   angleOfSplit,
   checkCoverOptions,
   checkGridOptions,
+  checkImproveOptions,
   checkInspectionOptions,
   checkOptions,
   checkPreviewOptions,
@@ -93,6 +98,7 @@ import {
   engineProposalOptions,
   engineRemeshOptions,
   engineRepairOptions,
+  levelOfImprovement,
   withSettings,
 } from "./options.js";
 import { describedPreview, describedResult, emptyResult, withPreparation } from "./report.js";
@@ -384,13 +390,18 @@ class WorkerMesher implements Mesher {
   async remeshSurface(
     surface: PatchedSurface,
     options: RemeshOptions = {},
-    control: RunControl = {},
+    control: PartialControl = {},
   ): Promise<SurfaceRemesh> {
     return this.#remesh(surface, options, control);
   }
 
   /** Diagnostics name triangles by their indices in the surface's origin, unless another namer is given. */
-  async #remesh(surface: PatchedSurface, options: RemeshOptions, control: RunControl, name?: EntityNamer) {
+  async #remesh(
+    surface: PatchedSurface,
+    options: RemeshOptions,
+    control: PartialControl,
+    name?: EntityNamer,
+  ) {
     this.#begin(control);
     refuse([...checkPatchedSurface(surface), ...checkRemeshOptions(options)]);
     const { background } = options;
@@ -444,6 +455,29 @@ class WorkerMesher implements Mesher {
     const found = await this.#client.ask(question, control);
     if (!found.isReadable) refuse([unreadableMesh()]);
     return describedMesh(found, mesh.invertedTetrahedra?.length);
+  }
+
+  async improveMesh(
+    mesh: ImproveInput,
+    options: ImproveOptions = {},
+    control: PartialControl = {},
+  ): Promise<MeshImprovement> {
+    this.#begin(control);
+    refuse([...checkImproveInput(mesh), ...checkImproveOptions(options)]);
+    const { points, tetrahedra, regions = new Uint32Array(), triangles = new Uint32Array() } = mesh;
+    const question = {
+      kind: "improve-mesh",
+      id: this.#client.nextId(),
+      points: points.slice(),
+      tetrahedra: tetrahedra.slice(),
+      regions: regions.slice(),
+      keptTriangles: triangles.slice(),
+      level: levelOfImprovement(options),
+    } as const;
+    const found = await this.#client.ask(question, control);
+    if (!found.isReadable) refuse([unreadableMesh()]);
+    refuse(improvementErrors(found));
+    return describedImprovement(found);
   }
 
   dispose(): void {

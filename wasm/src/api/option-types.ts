@@ -77,6 +77,12 @@ export interface RemeshOptions {
   readonly background?: BackgroundArrays | undefined;
 }
 
+/** Options of `improveMesh`. */
+export interface ImproveOptions {
+  /** Effort: `fast` moves nodes and removes edges; `default` also splits and collapses edges; `thorough` goes on longer. */
+  readonly optimization?: Exclude<Optimization, "none"> | undefined;
+}
+
 /** Options of `splitPatches`. */
 export interface SplitOptions {
   /**

@@ -36,6 +36,7 @@ import { type BackgroundArrays, checkBackground, hasSourcesOnly } from "../proje
 import type { Project } from "../project/schema.js";
 import type {
   CoverOptions,
+  ImproveOptions,
   InspectionOptions,
   MeshOptions,
   PreviewOptions,
@@ -195,6 +196,11 @@ const splitSchema = objectWith({
   ),
 } satisfies EntriesOf<SplitOptions>);
 
+export const IMPROVEMENT_LEVELS = ["fast", "default", "thorough"] as const;
+const improveSchema = objectWith({
+  optimization: choiceOption("optimization", IMPROVEMENT_LEVELS, "default"),
+} satisfies EntriesOf<ImproveOptions>);
+
 const previewSchema = objectWith({
   size: meshEntries.size,
   innerShells,
@@ -279,6 +285,10 @@ export function checkRemeshOptions(options: RemeshOptions): Diagnostic[] {
 
 export function checkSplitOptions(options: SplitOptions): Diagnostic[] {
   return checkAgainst(options, splitSchema);
+}
+
+export function checkImproveOptions(options: ImproveOptions): Diagnostic[] {
+  return checkAgainst(options, improveSchema);
 }
 
 export function checkPreviewOptions(options: PreviewOptions): Diagnostic[] {
@@ -397,6 +407,11 @@ export function engineProposalOptions(options: ProposalOptions): EngineProposalO
 /** Returns the angle of valid options. */
 export function angleOfSplit(options: SplitOptions): number {
   return v.parse(splitSchema, options).angle ?? REMESH_DEFAULTS.featureAngle;
+}
+
+/** Returns the number of the level of valid options. */
+export function levelOfImprovement(options: ImproveOptions): number {
+  return OPTIMIZATION_NUMBERS[v.parse(improveSchema, options).optimization];
 }
 
 /** Converts valid options; the engine chooses what is omitted. */

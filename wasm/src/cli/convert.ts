@@ -199,7 +199,7 @@ function welded(mesh: FileMesh, surface: SurfaceFile): FileMesh {
 }
 
 /** Adds the boundary faces as triangles, one patch per region. */
-async function withBoundary(mesh: FileMesh): Promise<FileMesh> {
+export async function withBoundary(mesh: FileMesh): Promise<FileMesh> {
   const regions = mesh.tetrahedronRegion;
   const { boundary } = await withMesher((mesher) => mesher.inspectMesh({ ...mesh, regions }));
   return {

@@ -12,8 +12,8 @@ function formatLines(list: "readable" | "writable", ...contents: readonly Conten
 const EXIT_CODES_HELP = `
 Exit code
   0  done    1  not completed: stalled, cancelled, out of memory, not written    2  invalid input
-  With several inputs, the highest of their codes. Ctrl-C during meshing or remeshing cancels it (1); \`mesh\`
-  still writes the report. Otherwise it ends the command without a partial file (130; SIGTERM: 143).`;
+  With several inputs, the highest of their codes. Ctrl-C during meshing cancels it (1); \`mesh\` still writes
+  the report, and \`remesh\` and \`improve\` write what they have made so far. Otherwise it ends the command without a partial file (130; SIGTERM: 143).`;
 
 const READING_HELP = `
 Formats: the input formats of \`tetrafront convert --help\`; - is standard input.`;
@@ -42,10 +42,13 @@ Element sizes
   --source limits the sizes around a position.
 
 Surfaces
-  By default, the mesh keeps every triangle of a surface. If a triangle is larger than the target size, so are
-  the elements next to it; further inside, sizes decrease by --growth, at most 0.5 per unit of distance. Needle
-  triangles, as in STL files of CAD programs, lead to elements with small angles. Warnings report both.
+  By default, the mesh keeps every triangle of a surface, unless the given sizes are far smaller: if an edge is
+  longer than twice the target length, large triangles are split or, if many are needles, replaced. A note
+  states what was done.
 
+  --surface keep keeps all triangles. If a triangle is larger than the target size, so are the elements next
+  to it; further inside, sizes decrease by --growth, at most 0.5 per unit of distance. Needle triangles, as in
+  STL files of CAD programs, lead to elements with small angles. Warnings report both.
   --surface refine first splits triangles that are larger than the target size, and keeps the shape.
   --surface remesh first replaces all triangles by well-shaped ones near the given surface. Without sizes, it
   chooses them by the shape. \`tetrafront remesh --help\` explains its options.
@@ -72,7 +75,7 @@ Examples
   tetrafront mesh part.stl -o part.msh --size 0.05 --report report.json
   tetrafront mesh part.stl -o part.vtu --surface remesh
   tetrafront mesh part.stl -o part.msh --surface remesh --split-patches
-  tetrafront mesh part.stl -o part.vtu --source 0,0,1,0.01,0.2 --surface refine
+  tetrafront mesh part.stl -o part.vtu --source 0,0,1,0.01,0.2
   tetrafront mesh scan.ply -o scan.vtu --weld 1e-6 --fill-holes 20
   tetrafront mesh duct.json -o finer.vtu --background sizes.vtu
   tetrafront mesh part.stl -o part.vtu --optimize thorough --require-angle 10
@@ -118,6 +121,37 @@ Examples
   tetrafront remesh part.stl -o remeshed.ply --layers 2 --angle-per-edge 10
   tetrafront remesh scan.stl -o remeshed.ply --weld 1e-6 --json
   tetrafront remesh 'parts/*.stl' -o 'remeshed/{name}.ply' --jobs 4
+`;
+
+export const improveHelp = () => `
+Input
+${formatLines("readable", "volume")}
+  -                     standard input; set its format with --format
+
+Output
+${formatLines("writable", "volume")}
+  -                     standard output; set its format with --format
+
+Result
+  Elements are improved by swapping edges, moving nodes, and splitting and collapsing edges. The boundary, the
+  interfaces between regions, and the triangles of the file stay as they are; patches and regions keep their
+  names. The sizes stay those of the mesh. The smallest dihedral angle, the mean radius ratio and the share of
+  elements outside 30 to 135 degrees become better or stay as they are; the largest dihedral angle does not
+  rise above 135 degrees. If nothing better is found, the program says so and writes the given mesh. Values at
+  the nodes are not kept if nodes move.
+
+Meshes with problems
+  Inverted elements are oriented, with a note. Elements without volume, elements that overlap, and faces of
+  more than two elements are errors, which name the elements. \`tetrafront check\` lists more problems.
+  Ctrl-C ends the work early; the mesh made so far is valid and is written.
+${QUALITY_HELP}
+${EXIT_CODES_HELP}
+
+Examples
+  tetrafront improve mesh.vtu -o better.vtu
+  tetrafront improve mesh.msh -o better.msh --optimize thorough
+  tetrafront improve mesh.inp -o better.vtu --json
+  tetrafront improve 'meshes/*.msh' -o 'better/{name}.vtu' --jobs 4
 `;
 
 export const checkHelp = () => `

@@ -9,6 +9,7 @@ import {
   PROPOSAL_DEFAULTS,
   REMESH_DEFAULTS,
 } from "../generated/constants.js";
+import { IMPROVEMENT_LEVELS } from "../api/options.js";
 import { type CheckCommandOptions, checkFile } from "./check.js";
 import { type ConvertCommandOptions, convertFile } from "./convert.js";
 import { forEachInput } from "./each-input.js";
@@ -18,6 +19,7 @@ import {
   checkHelp,
   convertHelp,
   COVER_HELP,
+  improveHelp,
   INFO_HELP,
   meshHelp,
   PROGRAM_HELP,
@@ -25,11 +27,12 @@ import {
   remeshHelp,
   STATS_HELP,
 } from "./help.js";
+import { type ImproveCommandOptions, improveFile } from "./improve.js";
 import { type InfoCommandOptions, infoOnFile, statsOfFile } from "./info.js";
 import { type MeshCommandOptions, meshFile } from "./mesh.js";
 import { ExitCode, reportFailure } from "./messages.js";
 import { type RemeshFileOptions, remeshFile } from "./remesh.js";
-import { DEFAULT_TREATMENT, SURFACE_TREATMENTS } from "./remeshing.js";
+import { SURFACE_TREATMENTS } from "./remeshing.js";
 import {
   backgroundOption,
   formatOption,
@@ -104,6 +107,7 @@ function commandLine(args: readonly string[], { setExitCode, printHelp }: Comman
     .exitOverride();
   addMesh(program, setExitCode);
   addRemesh(program, setExitCode);
+  addImprove(program, setExitCode);
   addCheck(program, setExitCode);
   addConvert(program, setExitCode);
   addInfo(program, setExitCode);
@@ -138,7 +142,7 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
     .addOption(
       new Option(
         "--surface <treatment>",
-        `keep the triangles of a surface, split those larger than the target size, or replace all (default ${DEFAULT_TREATMENT})`,
+        "keep the triangles of a surface, split those larger than the target size, or replace all (default: keep, unless the sizes are far smaller)",
       ).choices(SURFACE_TREATMENTS),
     )
     .option(
@@ -195,6 +199,29 @@ function addRemesh(program: Command, setExitCode: SetExitCode): void {
     .addHelpText("after", remeshHelp)
     .action(async (inputs: string[]) =>
       setExitCode(await forEachInput<RemeshFileOptions>(inputs, command, remeshFile)),
+    );
+}
+
+function addImprove(program: Command, setExitCode: SetExitCode): void {
+  const command = program
+    .command("improve")
+    .description("Improve the elements of volume meshes from any program; the boundary stays as it is.")
+    .argument("<input...>", "volume meshes; patterns such as 'meshes/*.vtu' are expanded")
+    .requiredOption("-o, --output <file>", "output file; for several inputs, its name must contain {name}")
+    .addOption(formatOption())
+    .addOption(fromOption())
+    .addOption(toOption())
+    .addOption(
+      new Option("--optimize <level>", "effort spent on the elements (default default)").choices(
+        IMPROVEMENT_LEVELS,
+      ),
+    );
+  withJobs(command)
+    .option("--json", "print shapes before and after, and problems, as JSON")
+    .option("-q, --quiet", "print errors only")
+    .addHelpText("after", improveHelp)
+    .action(async (inputs: string[]) =>
+      setExitCode(await forEachInput<ImproveCommandOptions>(inputs, command, improveFile)),
     );
 }
 

@@ -1,7 +1,6 @@
 /** `tetrafront mesh`: reads, meshes and writes; prints a summary. */
 import { fileMeshOf } from "../api/generated-mesh.js";
 import { writeMesh } from "../api/mesh-files.js";
-import type { Mesher } from "../api/mesher-interface.js";
 import type { MeshOptions, RepairOptions, SplitOptions } from "../api/option-types.js";
 import { checkOptions } from "../api/options.js";
 import { emptyReport, emptyResult } from "../api/report.js";
@@ -9,7 +8,6 @@ import { plural } from "../base/plural.js";
 import type { Diagnostic, DiagnosticOf } from "../diagnostics/diagnostic.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
 import type { FrontOrder, Optimization } from "../generated/constants.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
@@ -27,20 +25,17 @@ import {
 } from "./messages.js";
 import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
 import {
-  DEFAULT_TREATMENT,
-  refined,
   type RefinementCounts,
   refinementText,
   refuseRemeshing,
   type RemeshCommandOptions,
-  remeshed,
   remeshOptions,
   type RemeshReport,
   remeshText,
   type SurfaceTreatment,
 } from "./remeshing.js";
 import { printChanges, refuseRepair, type RepairCommandOptions, repaired, repairOptions } from "./repair.js";
-import { type ControlOf, withRun } from "./run.js";
+import { withRun } from "./run.js";
 import {
   checkSizes,
   type GivenGrid,
@@ -53,6 +48,7 @@ import {
 } from "./sizes.js";
 import { refuseSplit, type SplitCommandOptions, splitOptions, splitText, withSplit } from "./splitting.js";
 import { readingLines, unmeshedLines } from "./tables.js";
+import { treatedSurface } from "./treatment.js";
 
 /** Options as commander passes them: numbers are still text. */
 export interface MeshCommandOptions
@@ -128,7 +124,7 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const requiredAngle = requiredAngleOf(options);
   const repair = repairOptions(options);
   const split = splitOptions(options);
-  const treatment = options.surface ?? DEFAULT_TREATMENT;
+  const { surface: treatment } = options;
   if (treatment === "remesh") remeshOptions(options, meshOptions);
   else refuseRemeshing(options);
   await checkMeshPaths(input, options);
@@ -282,7 +278,7 @@ async function checkReportPath(input: string, options: MeshCommandOptions): Prom
 
 interface MeshingOptions {
   readonly isQuiet: boolean;
-  readonly treatment: SurfaceTreatment;
+  readonly treatment: SurfaceTreatment | undefined;
   readonly remeshing: RemeshCommandOptions;
   readonly grid: GivenGrid | undefined;
 }
@@ -305,10 +301,11 @@ async function mesh(model: Input, options: MeshOptions, meshing: MeshingOptions)
         return { result: await mesher.meshProject(model.project, all, control), model };
       }
       const treated = await treatedSurface(mesher, model.surface, { ...meshing, options: all, controlOf });
-      const { surface, invalid, ...report } = treated;
+      const { surface, invalid, diagnostics = [], ...report } = treated;
       const treatedModel = { kind: "surface", surface } as const;
       if (invalid !== undefined) return { result: emptyResult("invalid-input", invalid), model };
-      return { result: await mesher.fillSurface(surface, all, control), model: treatedModel, ...report };
+      const result = withDiagnostics(await mesher.fillSurface(surface, all, control), diagnostics);
+      return { result, model: treatedModel, ...report };
     });
   } catch (failure) {
     if (!(failure instanceof MesherError) || failure.code !== "cancelled") throw failure;
@@ -316,39 +313,10 @@ async function mesh(model: Input, options: MeshOptions, meshing: MeshingOptions)
   }
 }
 
-interface TreatedSurface extends Pick<Meshed, "refinement" | "remesh"> {
-  readonly surface: SurfaceFile;
-  /** Problems that prevent meshing. */
-  readonly invalid?: readonly Diagnostic[];
-}
-
-interface TreatmentOptions extends MeshingOptions {
-  /** With the background grid. */
-  readonly options: MeshOptions;
-  readonly controlOf: ControlOf;
-}
-
-/** Returns the surface as `--surface` wants it. */
-async function treatedSurface(
-  mesher: Mesher,
-  given: SurfaceFile,
-  { treatment, remeshing, options, controlOf }: TreatmentOptions,
-): Promise<TreatedSurface> {
-  switch (treatment) {
-    case "keep":
-      return { surface: given };
-    case "remesh":
-      return remeshed(mesher, given, remeshOptions(remeshing, options), controlOf("remesh"));
-    case "refine": {
-      // Inspect before refining, so that diagnostics use the triangle indices of the given surface.
-      const { innerShells } = options;
-      const found = await mesher.inspectSurface(given, { innerShells }, controlOf());
-      if (!found.isFillable) return { surface: given, invalid: found.diagnostics };
-      // The volume helps to estimate the number of elements only if the orientation of all triangles is known.
-      const volume = found.flippedTriangles > 0 ? undefined : found.volume;
-      return refined(mesher, given, { ...options, volume }, controlOf());
-    }
-  }
+/** Adds the diagnostics of the treatment, which came first. */
+function withDiagnostics(result: MeshResult, first: readonly Diagnostic[]): MeshResult {
+  const { report } = result;
+  return { ...result, report: { ...report, diagnostics: [...first, ...report.diagnostics] } };
 }
 
 function mayWrite({ report, volume }: MeshResult, { keepPartial }: MeshCommandOptions): boolean {

@@ -96,19 +96,23 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
     if (!isQuiet) for (const line of readingLines(given.surface)) print(`note: ${input}: ${line}`);
     if (split !== undefined && !isQuiet) print(`${input}: ${splitText(whole, surface)}`);
     const all = await withGrid(mesher, sizes, grid);
-    const made = await remeshed(mesher, surface, all, controlOf("remesh"));
+    const made = await remeshed(mesher, surface, all, { ...controlOf("remesh"), partial: true });
     const files = await writeMesh(fileMesh(made.surface), name);
     const diagnostics = await problemsInFile(mesher, files, made.surface, { name, innerShells });
     await writeAll(files, { input, output, name, isQuiet });
+    const { isPartial } = made.remesh;
+    if (isPartial) print(`${input}: stopped; the surface made so far is valid, and was written`);
     if (!isQuiet) print(`${input}: ${remeshText(made.remesh)} -> ${output}`);
+    printDiagnostics(input, made.diagnostics, { isQuiet });
     printDiagnostics(output, diagnostics, { isQuiet });
-    const exitCode = countOf(diagnostics, "error") > 0 ? ExitCode.notCompleted : ExitCode.meshed;
+    const isComplete = !isPartial && countOf(diagnostics, "error") === 0;
+    const exitCode = isComplete ? ExitCode.meshed : ExitCode.notCompleted;
     const notes = files.flatMap((file) => file.notes);
     return {
       output,
       remesh: made.remesh,
       repair: changes,
-      diagnostics: [...notes, ...diagnostics],
+      diagnostics: [...notes, ...made.diagnostics, ...diagnostics],
       exitCode,
     };
   });

@@ -4,8 +4,9 @@ import type { MeshOptions, RefineOptions, RemeshOptions } from "../api/option-ty
 import { checkRemeshOptions } from "../api/options.js";
 import { repairedSurface } from "../api/repaired-surface.js";
 import { plural } from "../base/plural.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
-import type { RunControl } from "../engine/control.js";
+import type { PartialControl, RunControl } from "../engine/control.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { SurfaceRemesh } from "../mesh/inspection.js";
 import { numberIn, refuseOptions } from "./input.js";
@@ -13,7 +14,6 @@ import { short } from "./tables.js";
 
 export const SURFACE_TREATMENTS = ["keep", "refine", "remesh"] as const;
 export type SurfaceTreatment = (typeof SURFACE_TREATMENTS)[number];
-export const DEFAULT_TREATMENT: SurfaceTreatment = "keep";
 
 /** Options of a remeshing as commander passes them, without those of the sizes. */
 export interface RemeshCommandOptions {
@@ -75,10 +75,15 @@ export interface RefinementCounts {
   readonly given: number;
   readonly triangles: number;
   readonly splitEdges: number;
+  /** Longest given edge / target length. */
+  readonly lengthRatio: number;
 }
 
 /** Result of a requested remeshing of a surface. */
-export interface RemeshReport extends Omit<SurfaceRemesh, "surface" | "origin" | "triangleDeviation"> {
+export interface RemeshReport extends Omit<
+  SurfaceRemesh,
+  "surface" | "origin" | "triangleDeviation" | "diagnostics"
+> {
   /** Number of triangles before and after. */
   readonly given: number;
   readonly triangles: number;
@@ -92,23 +97,35 @@ export async function refined(
   options: RefineOptions,
   control: RunControl,
 ): Promise<{ readonly surface: SurfaceFile; readonly refinement: RefinementCounts }> {
-  const { surface: split, origin, splitEdges } = await mesher.refineSurface(given, options, control);
+  const {
+    surface: split,
+    origin,
+    splitEdges,
+    lengthRatio,
+  } = await mesher.refineSurface(given, options, control);
   const surface = repairedSurface(given, { surface: split, origin });
-  const refinement = { given: countTriangles(given), triangles: countTriangles(surface), splitEdges };
+  const counts = { given: countTriangles(given), triangles: countTriangles(surface) };
+  const refinement = { ...counts, splitEdges, lengthRatio };
   return { surface, refinement };
+}
+
+interface RemeshedSurface {
+  readonly surface: SurfaceFile;
+  readonly remesh: RemeshReport;
+  readonly diagnostics: readonly Diagnostic[];
 }
 
 export async function remeshed(
   mesher: Mesher,
   given: SurfaceFile,
   options: RemeshOptions,
-  control: RunControl,
-): Promise<{ readonly surface: SurfaceFile; readonly remesh: RemeshReport }> {
+  control: PartialControl,
+): Promise<RemeshedSurface> {
   const made = await mesher.remeshSurface(given, options, control);
-  const { surface: _surface, origin: _origin, triangleDeviation: _deviation, ...figures } = made;
+  const { surface: _surface, origin: _origin, triangleDeviation: _deviation, diagnostics, ...figures } = made;
   const surface = repairedSurface(given, made);
   const remesh = { given: countTriangles(given), triangles: countTriangles(surface), ...figures };
-  return { surface, remesh };
+  return { surface, remesh, diagnostics };
 }
 
 export function refinementText({ given, triangles, splitEdges }: RefinementCounts): string {

@@ -11,13 +11,19 @@ export type PackageCode =
   | "invalid-mesh"
   /** Many triangles of a surface are needles or caps. */
   | "needle-surface"
+  /** A remeshed surface may be farther from the given one than the tolerance. */
+  | "deviation-above-tolerance"
+  /** Triangles of a surface were far larger than the sizes, and were split or replaced. */
+  | "divided-surface"
   /** A surface was valid, but is not after the rounding of its file format. */
   | "invalid-when-rounded"
   /** Many elements of a mesh have small dihedral angles. */
   | "poor-elements"
   /** The mesh has a dihedral angle below the one that the command line requires. */
   | "required-angle"
-  /** Thorough optimization found no better mesh than the default. */
+  /** Elements of a mesh had negative volume and were oriented. */
+  | "inverted-tetrahedra"
+  /** Thorough optimization found no better mesh than the default, or an improvement none better than the given one. */
   | "no-improvement"
   /** A format cannot store some content, which is not in the file. */
   | "left-out"

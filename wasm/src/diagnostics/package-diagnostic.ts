@@ -11,7 +11,8 @@ export function invalidArrays(message: string, remedy: string): Diagnostic {
   return packageDiagnostic("invalid-arrays", message, remedy);
 }
 
-type DiagnosticWithData = "invalid-option" | "needle-surface" | "poor-elements" | "required-angle";
+type DiagnosticWithData =
+  "deviation-above-tolerance" | "invalid-option" | "needle-surface" | "poor-elements" | "required-angle";
 
 /** Returns a diagnostic of the package about no particular entity. */
 export function packageDiagnostic(

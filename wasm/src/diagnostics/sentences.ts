@@ -320,6 +320,22 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
     },
     remedy: "Report this error of Tetrafront, together with the model.",
   },
+  "degenerate-tetrahedron": {
+    message: ({ the, at, data }) =>
+      `${the("tetrahedron")} has no volume${at}${total(data.count, "such tetrahedron")}`,
+    remedy: "Remove it together with its neighbours, or mesh the region again.",
+  },
+  "non-manifold-face": {
+    message: ({ all, at, data }) =>
+      `${all(["tetrahedron"], "More than two tetrahedra")} share one face${at}; a face belongs to at most two tetrahedra${total(data.count, "such face")}`,
+    remedy: "Make the mesh conform: remove all but two of them, or mesh the region again.",
+  },
+  "overlapping-tetrahedra": {
+    message: ({ all, at, data }) =>
+      `${all(["tetrahedron"], "Two tetrahedra")} overlap, or touch without a common face${at}${totalOfTetrahedra(data.count)}`,
+    remedy:
+      "Remove duplicates, connect parts that touch at common nodes and faces, or mesh the region again.",
+  },
 };
 
 /** Returns whether an estimate is the engine's largest value, which stands for all above it (`counted` there). */
@@ -339,6 +355,10 @@ function along(all: Subject<EngineCode>["all"]): string {
 
 function total(count: number, noun: string): string {
   return count === 1 ? "" : ` (${plural(count, noun)} in all)`;
+}
+
+function totalOfTetrahedra(count: number): string {
+  return count === 1 ? "" : ` (${count} such pairs in all)`;
 }
 
 /** `isLowerBound`: the search was ended before all pairs were found. */

@@ -29,6 +29,15 @@ export interface RunControl {
   readonly signal?: AbortSignal | undefined;
 }
 
+/** Control of a call whose result is valid at any moment. */
+export interface PartialControl extends RunControl {
+  /**
+   * If true, aborting the signal ends the work early, and the call resolves with what it has made so far; `isPartial` of the
+   * result is then true. Default false: the call rejects.
+   */
+  readonly partial?: boolean | undefined;
+}
+
 /** Complete mesh whose elements are still being improved. */
 export interface UnoptimizedMesh {
   readonly surface: SurfaceMesh;

@@ -3,7 +3,7 @@
  * if it has failed or does not answer.
  */
 import type { Progress } from "../base/progress.js";
-import type { RunControl } from "./control.js";
+import type { PartialControl, RunControl } from "./control.js";
 import { notify, type ProgressListener } from "./progress-listener.js";
 import {
   cancelledError,
@@ -44,6 +44,8 @@ type FailureAt = (progress: Progress | undefined) => MesherError;
 
 interface OpenQuestion extends ProgressListener {
   readonly question: Question;
+  /** Whether it is to be answered with what has been made so far. */
+  isStopped: boolean;
   readonly receive: (reply: Answer) => void;
 }
 
@@ -94,14 +96,18 @@ export class EngineClient {
   /** Resolves with the answer. The arrays are not transferred, because the question may have to be sent to a new worker. */
   async ask<Kind extends keyof Answers>(
     question: Question & { readonly kind: Kind },
-    { signal, onProgress }: RunControl,
+    { signal, onProgress, partial: isPartial = false }: PartialControl,
   ): Promise<Answers[Kind]> {
-    const onAbort = () => signal && this.#abandon(question.id, cancelledError(signal));
+    const onAbort = () => {
+      if (isPartial) this.#stop(question.id);
+      else if (signal) this.#abandon(question.id, cancelledError(signal));
+    };
     try {
       return await new Promise((resolve, reject) => {
         signal?.addEventListener("abort", onAbort, { once: true });
         this.#questions.set(question.id, {
           question,
+          isStopped: false,
           onProgress,
           receive: (reply) => isAnswerTo(question.kind, reply) && resolve(reply.answer),
           reject,
@@ -117,6 +123,14 @@ export class EngineClient {
   /** Rejects a question whose answer is no longer needed, and cancels its work. */
   #abandon(id: number, reason: unknown): void {
     if (this.#refuse(id, reason)) this.#worker.post({ kind: "cancel", id }, []);
+  }
+
+  /** Asks for what has been made so far. */
+  #stop(id: number): void {
+    const open = this.#questions.get(id);
+    if (open === undefined) return;
+    open.isStopped = true;
+    this.#worker.post({ kind: "stop", id }, []);
   }
 
   /** Rejects a question; returns false if it is not open. */
@@ -181,7 +195,10 @@ export class EngineClient {
     this.#worker = this.#startWorker();
     const now = performance.now();
     try {
-      for (const { question } of this.#questions.values()) this.#worker.post(question, []);
+      for (const { question, isStopped } of this.#questions.values()) {
+        this.#worker.post(question, []);
+        if (isStopped) this.#worker.post({ kind: "stop", id: question.id }, []);
+      }
     } finally {
       this.#finish(() => job.resolve({ cancelledAfterSeconds: (now - (job.began ?? now)) / 1000 }));
     }

@@ -1,8 +1,8 @@
 /**
- * Loads the compiled engine: the module "engine", which fills models and surfaces, and the module "tools", for everything
- * else. The only file that names the compiled modules.
+ * Loads the compiled engine: the module "engine", which fills models and surfaces and improves meshes, and the module
+ * "tools", for everything else. The only file that names the compiled modules.
  */
-import createEngine, { type MainModule as Engine, type Run } from "./engine.js";
+import createEngine, { type Improvement, type MainModule as Engine, type Run } from "./engine.js";
 import type {
   BackgroundFromMesh,
   Cover,
@@ -31,6 +31,7 @@ export type EngineRefinement = ResultOf<"refineSurface">;
 export type EnginePatchSplit = ResultOf<"splitPatches">;
 export type EngineRemesh = ResultOf<"remeshSurface">;
 export type EngineVolumeInspection = ResultOf<"inspectMesh">;
+export type EngineImprovement = ReturnType<Improvement["result"]>;
 export type EnginePreview = ResultOf<"previewModel">;
 export type EngineProposal = ResultOf<"propose">;
 export type EngineGrid = ResultOf<"cover">;
@@ -47,6 +48,7 @@ export type EngineRun = Run;
 /** A tool of the engine that works in slices and has one result. */
 export type EngineTool =
   | Cover
+  | Improvement
   | Inspection
   | BackgroundFromMesh
   | PatchSplitting

@@ -10,6 +10,7 @@ import type {
   CompiledModule,
   EngineDiagnostics,
   EngineGrid,
+  EngineImprovement,
   EngineInspection,
   EngineInspectionOptions,
   EngineOptions,
@@ -25,12 +26,12 @@ import type {
   EngineVolumeInspection,
 } from "./loader.js";
 
-/** A module of the compiled engine: "engine" fills models and surfaces, "tools" answers questions. */
+/** A module of the compiled engine: "engine" fills models and surfaces and improves meshes, "tools" answers the other questions. */
 export type ModuleName = "engine" | "tools";
 
 /**
  * A question. The worker answers it in slices, also during a run: any number of `progress` replies, then one
- * `answer` or `failure`. After a `cancel` there is neither.
+ * `answer` or `failure`. After a `cancel` there is neither; after a `stop`, an `answer` soon.
  */
 export type Question =
   /** `options`: those to mesh with. */
@@ -112,6 +113,16 @@ export type Question =
       readonly points: Float64Array;
       readonly tetrahedra: Uint32Array;
       readonly regions: Uint32Array;
+    }
+  /** As `inspect-mesh`. `triangles`: faces that stay. `level`: index in `OPTIMIZATIONS`. */
+  | {
+      readonly kind: "improve-mesh";
+      readonly id: number;
+      readonly points: Float64Array;
+      readonly tetrahedra: Uint32Array;
+      readonly regions: Uint32Array;
+      readonly keptTriangles: Uint32Array;
+      readonly level: number;
     };
 
 /**
@@ -155,7 +166,9 @@ export type Request =
    * Cancels the run or question with this id. A run replies `stopping` and then `result`; a question does not
    * reply.
    */
-  | { readonly kind: "cancel"; readonly id: number };
+  | { readonly kind: "cancel"; readonly id: number }
+  /** Ends the work on the question with this id early; its answer is what has been made so far. */
+  | { readonly kind: "stop"; readonly id: number };
 
 /** A result whose diagnostics are not yet described in words; only the sender of the request can do that. */
 export interface EngineResult {
@@ -182,6 +195,7 @@ export interface Answers {
   readonly "split-patches": EnginePatchSplit;
   readonly "remesh-surface": EngineRemesh;
   readonly "inspect-mesh": EngineVolumeInspection;
+  readonly "improve-mesh": EngineImprovement;
 }
 
 /** The answer to a question, which names its kind. */

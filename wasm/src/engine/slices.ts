@@ -40,6 +40,11 @@ export interface SliceControl {
   readonly letRequestsIn: () => Promise<void>;
 }
 
+export interface ToolSliceControl extends SliceControl {
+  /** Returns whether to end the work early with what has been made so far. */
+  readonly isStopped: () => boolean;
+}
+
 export interface RunSliceControl extends SliceControl {
   /**
    * Receives the front from time to time while it advances, x y z of three corners per face; undefined for no
@@ -126,11 +131,12 @@ class UnoptimizedSnapshot {
   }
 }
 
-/** Works on a question until the end; returns false if it was cancelled first. */
-export async function workInSlices(tool: EngineTool, control: SliceControl): Promise<boolean> {
+/** Works on a question until it is answered or stopped; returns false if it was cancelled first. */
+export async function workInSlices(tool: EngineTool, control: ToolSliceControl): Promise<boolean> {
   const began = performance.now();
   let reportedAt = began;
   for (;;) {
+    if (control.isStopped()) tool.stop();
     const deadline = performance.now() + SLICE_MS;
     let isFinished: boolean;
     do isFinished = tool.advance(BUDGET);

@@ -12,6 +12,8 @@ import { failureOf, runInSlices, type SliceControl, workInSlices } from "./slice
 import { buffersOf } from "./transfer.js";
 
 const cancelled = new Set<number>();
+/** Questions to answer with what has been made so far. */
+const stopped = new Set<number>();
 const running = new Set<number>();
 
 /** A failure that the engine has reported, to be sent as a reply. */
@@ -57,14 +59,24 @@ async function serve(request: Request): Promise<void> {
     case "cancel":
       if (running.has(request.id)) cancelled.add(request.id);
       return;
+    case "stop":
+      if (running.has(request.id)) stopped.add(request.id);
+      return;
     case "mesh-model":
       return workIn(lazyEngine, request.id, (engine) => mesh(request, modelRun(engine, request)));
     case "fill-surface":
       return workIn(lazyEngine, request.id, (engine) =>
         mesh(request, engine.fillSurface(request.points, request.triangles, request.grid, request.options)),
       );
+    case "improve-mesh":
+      return workIn(lazyEngine, request.id, (engine) =>
+        answer(request, () => {
+          const { points, tetrahedra, regions, keptTriangles, level } = request;
+          return engine.improveMesh(points, tetrahedra, regions, keptTriangles, level);
+        }),
+      );
     default:
-      return workIn(lazyTools, request.id, (tools) => answer(tools, request));
+      return workIn(lazyTools, request.id, (tools) => answer(request, () => toolFor(tools, request)));
   }
 }
 
@@ -85,6 +97,7 @@ async function workIn<Instance extends Engine | Tools>(
   } finally {
     running.delete(id);
     cancelled.delete(id);
+    stopped.delete(id);
   }
 }
 
@@ -95,13 +108,16 @@ function modelRun(engine: Engine, request: Extract<Request, { kind: "mesh-model"
     : engine.meshWithBodies(model, bodies, grid, options);
 }
 
+/** A question that the module "tools" answers. */
+type ToolQuestion = Exclude<Question, { readonly kind: "improve-mesh" }>;
+
 /** A question that was abandoned while it waited is not begun. */
-async function answer(tools: Tools, question: Question): Promise<void> {
+async function answer(question: Question, makeTool: () => EngineTool | null): Promise<void> {
   await workerPort.letRequestsIn();
-  if (!cancelled.has(question.id)) await work(question, toolFor(tools, question));
+  if (!cancelled.has(question.id)) await work(question, makeTool());
 }
 
-function toolFor(tools: Tools, question: Question): EngineTool | null {
+function toolFor(tools: Tools, question: ToolQuestion): EngineTool | null {
   switch (question.kind) {
     case "preview":
       return tools.previewModel(question.model, question.grid, question.options);
@@ -142,7 +158,7 @@ async function work({ id, kind }: Question, tool: EngineTool | null): Promise<vo
   if (tool === null) throw noMemory();
   try {
     assertHealthy(tool);
-    const isComplete = await workInSlices(tool, controlOf(id));
+    const isComplete = await workInSlices(tool, { ...controlOf(id), isStopped: () => stopped.has(id) });
     if (!isComplete) return;
     const answer = tool.result();
     assertHealthy(tool);

@@ -120,6 +120,8 @@ export interface SurfaceRefinement {
   readonly origin: Uint32Array;
   /** Number of split edges, including halves that were split again; equals the number of new points. */
   readonly splitEdges: number;
+  /** Longest given edge / target length; 0 if no sizes are given. Above 2, `fillSurface` would warn with `coarse-surface`. */
+  readonly lengthRatio: number;
 }
 
 /** A node of a sharp edge that was moved onto another sharp edge. */
@@ -162,6 +164,10 @@ export interface SurfaceRemesh {
   readonly smallestAngle: number;
   /** Mean of 2 × inradius / circumradius over all new triangles, 1 for equilateral ones. */
   readonly meanRadiusRatio: number;
+  /** Whether the call was stopped before all triangles were improved; see `PartialControl`. */
+  readonly isPartial: boolean;
+  /** A warning if `deviation` exceeds `tolerance`. */
+  readonly diagnostics: readonly Diagnostic[];
 }
 
 /** Result of `inspectMesh`. */

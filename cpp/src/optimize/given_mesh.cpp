@@ -1,0 +1,374 @@
+#include "optimize/given_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "base/diagnostics.h"
+#include "base/ids.h"
+#include "base/mesh_access.h"
+#include "base/sort.h"
+#include "boundary/boundary_report.h"
+#include "boundary/self_intersection.h"
+#include "geom/predicates.h"
+#include "geom/tetrahedron.h"
+#include "search/box_tree.h"
+#include "search/disjoint_sets.h"
+#include "search/incidence.h"
+
+namespace tetrafront {
+namespace {
+
+/// A face of an element, or a kept triangle, in the list of its lowest node.
+struct ListedFace {
+  NodeId middle;
+  NodeId highest;
+  ElementFace owner;  ///< none for a kept triangle
+
+  [[nodiscard]] auto key() const { return std::tie(middle, highest); }
+};
+
+/// Faces with the same nodes: of elements first, then kept triangles.
+struct FaceGroup {
+  std::span<const ListedFace> owners;
+  bool isKept = false;  ///< a kept triangle has the same nodes
+};
+
+NodeTriple cornersOfFace(const VolumeMesh& mesh, ElementFace face) {
+  const NodeQuad nodes = nodesOf(mesh, face.tet());
+  const auto& [a, b, c] = kFaceCorners[face.corner()];
+  return {nodes[a], nodes[b], nodes[c]};
+}
+
+/// Returns whether both elements lie on the same side of their common face.
+bool onSameSide(const VolumeMesh& mesh, ElementFace one, ElementFace other) {
+  const NodeTriple a = cornersOfFace(mesh, one);
+  const NodeTriple b = cornersOfFace(mesh, other);
+  const std::size_t shift = b[0] == a[0] ? 0 : b[1] == a[0] ? 1 : 2;
+  return b[(shift + 1) % 3] == a[1];
+}
+
+Vec3 centroidOf(const VolumeMesh& mesh, ElementFace face) {
+  const auto [a, b, c] = cornersOfFace(mesh, face);
+  return (pointOf(mesh, a) + pointOf(mesh, b) + pointOf(mesh, c)) / 3.0;
+}
+
+/// Lists the faces of elements and the kept triangles at their lowest nodes.
+class FaceLists {
+ public:
+  explicit FaceLists(const VolumeMesh& mesh, std::span<const std::uint32_t> keptTriangles)
+      : mesh_(mesh), kept_(keptTriangles), lists_(countNodes(mesh)) {}
+
+  Task<> build(Work& work) {
+    work.beginPart(0.3);
+    co_await work.forEachBlock(faceCount(), [this](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) lists_.count(sortedNodes(i)[0]);
+    });
+    lists_.endCounting();
+    work.beginPart(0.7);
+    co_await work.forEachBlock(faceCount(), [this](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) add(i);
+    });
+    work.beginPart(1.0);
+    co_await work.forEachId<NodeId>(countNodes(mesh_), [this](NodeId node) {
+      sortFew(lists_.at(node), [](const ListedFace& a, const ListedFace& b) {
+        return std::tie(a.middle, a.highest, a.owner) < std::tie(b.middle, b.highest, b.owner);
+      });
+    });
+  }
+
+  /// Calls visit(group) for the faces whose lowest node is `node`.
+  template <class Visit>
+  void forEachGroup(NodeId node, Visit visit) const {
+    const std::span<const ListedFace> faces = lists_.at(node);
+    for (std::size_t first = 0; first < faces.size();) {
+      std::size_t last = first + 1;
+      while (last < faces.size() && faces[last].key() == faces[first].key()) ++last;
+      std::size_t owners = first;
+      while (owners < last && !faces[owners].owner.isNone()) ++owners;
+      if (owners > first) visit(FaceGroup{faces.subspan(first, owners - first), owners < last});
+      first = last;
+    }
+  }
+
+ private:
+  [[nodiscard]] std::size_t faceCount() const { return mesh_.tetrahedra.size() + kept_.size() / 3; }
+
+  [[nodiscard]] NodeTriple sortedNodes(std::size_t i) const {
+    const std::size_t faces = mesh_.tetrahedra.size();
+    if (i < faces) return sorted(cornersOfFace(mesh_, {TetId(i / 4), i % 4}));
+    const std::size_t k = 3 * (i - faces);
+    return sorted(NodeTriple{NodeId(kept_[k]), NodeId(kept_[k + 1]), NodeId(kept_[k + 2])});
+  }
+
+  void add(std::size_t i) {
+    const auto [lowest, middle, highest] = sortedNodes(i);
+    const bool isFace = i < mesh_.tetrahedra.size();
+    const ElementFace owner = isFace ? ElementFace(TetId(i / 4), i % 4) : ElementFace();
+    lists_.add(lowest, {middle, highest, owner});
+  }
+
+  const VolumeMesh& mesh_;
+  std::span<const std::uint32_t> kept_;
+  NodeLists<ListedFace> lists_;  // of no owner last: its packed value is the largest
+};
+
+/// Counts one kind of defect and describes the first.
+class DefectCount {
+ public:
+  explicit DefectCount(DiagnosticCode code) { first_.code = code; }
+
+  void add(std::vector<Entity> entities, const Vec3& position) {
+    if (count_++ > 0) return;
+    first_.entities = std::move(entities);
+    first_.hasPosition = true;
+    first_.position = position;
+  }
+  void set(std::uint64_t count) { count_ = count; }
+  void report(std::vector<Diagnostic>& out) {
+    if (count_ == 0) return;
+    first_.values = {static_cast<double>(count_)};
+    out.push_back(first_);
+  }
+
+ private:
+  Diagnostic first_;
+  std::uint64_t count_ = 0;
+};
+
+Entity entityOf(TetId tet) { return {EntityKind::kTetrahedron, tet.value}; }
+
+/// Does the work of prepareGivenMesh().
+class GivenMeshMaker {
+ public:
+  GivenMeshMaker(const VolumeMesh& given, std::span<const std::uint32_t> kept)
+      : mesh_(given),
+        kept_(kept),
+        faces_(mesh_, kept),
+        part_(countTetrahedra(given)),
+        isKept_(countNodes(given), 0) {}
+
+  Task<> run(Work& work) {
+    work.beginPart(0.1);
+    co_await work.forEachId<TetId>(countTetrahedra(mesh_), [this](TetId tet) { orient(tet); });
+    degenerate_.report(made_.diagnostics);
+    if (anyError(made_.diagnostics)) co_return;
+    work.beginPart(0.4);
+    co_await faces_.build(work);
+    work.beginPart(0.5);
+    DisjointSets sets(countTetrahedra(mesh_));
+    co_await work.forEachId<NodeId>(countNodes(mesh_), [&](NodeId node) {
+      faces_.forEachGroup(node, [&](const FaceGroup& group) { match(group, sets); });
+    });
+    nonManifold_.report(made_.diagnostics);
+    overlapping_.report(made_.diagnostics);
+    if (anyError(made_.diagnostics)) co_return;
+    work.beginPart(0.8);
+    co_await checkBoundary(work);
+    if (anyError(made_.diagnostics)) co_return;
+    work.beginPart(0.9);
+    divide(sets);
+    co_await work.forEachId<NodeId>(countNodes(mesh_), [this](NodeId node) {
+      faces_.forEachGroup(node, [this](const FaceGroup& group) { keep(group); });
+    });
+    for (const std::uint32_t node : kept_) isKept_[node] = 1;
+    renumber();
+  }
+
+  [[nodiscard]] GivenMesh take() { return std::move(made_); }
+
+ private:
+  void orient(TetId tet) {
+    const auto [a, b, c, d] = cornersOf(mesh_, tet);
+    const int sign = orient3d(a, b, c, d);
+    if (sign == 0) degenerate_.add({entityOf(tet)}, (a + b + c + d) / 4.0);
+    if (sign >= 0) return;
+    ++made_.orientedTetrahedra;
+    std::swap(mesh_.tetrahedra[4 * tet.index() + 2], mesh_.tetrahedra[4 * tet.index() + 3]);
+  }
+
+  [[nodiscard]] std::uint32_t regionOf(const ListedFace& face) const {
+    return mesh_.regions[face.owner.tet().index()];
+  }
+
+  void match(const FaceGroup& group, DisjointSets& sets) {
+    const ElementFace one = group.owners[0].owner;
+    if (group.owners.size() > 2) {
+      std::vector<Entity> elements;
+      for (const ListedFace& face : group.owners) elements.push_back(entityOf(face.owner.tet()));
+      return nonManifold_.add(std::move(elements), centroidOf(mesh_, one));
+    }
+    if (group.owners.size() == 1) return boundary_.push_back(one);
+    const ElementFace other = group.owners[1].owner;
+    if (onSameSide(mesh_, one, other)) {
+      return overlapping_.add({entityOf(one.tet()), entityOf(other.tet())}, centroidOf(mesh_, one));
+    }
+    if (regionOf(group.owners[0]) != regionOf(group.owners[1])) return;
+    if (group.isKept) {
+      keptInside_.emplace_back(one.tet(), other.tet());
+    } else {
+      sets.join(one.tet().value, other.tet().value);
+    }
+  }
+
+  /// Positive elements that match at their faces overlap only if their boundary intersects itself: otherwise each
+  /// point would be in as many elements as the boundary winds around it. Parts that touch at equal triangles, whose
+  /// nodes are not shared, do not overlap.
+  Task<> checkBoundary(Work& work) {
+    std::ranges::sort(boundary_);
+    SurfaceMesh surface = weldedBoundary();
+    const std::vector<std::uint8_t> ignored = touching(surface);
+    work.beginPart(0.3);
+    BoxTreeBuilder builder(triangleBoxes(surface));
+    co_await work.finish(builder);
+    const BoxTree tree = builder.take();
+    work.beginPart(1.0);
+    BoundaryReport report(surface, BoundarySource::kGivenSurface, 1);
+    co_await checkSelfIntersections(work, surface, ignored, tree, report);
+    for (const Diagnostic& found : report.take()) {
+      const auto elementAt = [&](std::size_t i) {
+        return entityOf(boundary_[found.entities.at(i).index].tet());
+      };
+      overlapping_.add({elementAt(0), elementAt(1)}, found.position);
+      overlapping_.set(static_cast<std::uint64_t>(found.values.at(0)));
+    }
+    overlapping_.report(made_.diagnostics);
+  }
+
+  /// Returns the boundary with nodes at one position as one.
+  SurfaceMesh weldedBoundary() {
+    SurfaceMesh surface;
+    surface.points = mesh_.points;
+    surface.triangles.reserve(3 * boundary_.size());
+    for (const ElementFace face : boundary_) {
+      for (const NodeId node : cornersOfFace(mesh_, face)) surface.triangles.push_back(node.value);
+    }
+    std::vector<std::uint32_t> nodes = surface.triangles;
+    sortUnique(nodes);
+    const auto position = [&](std::uint32_t node) {
+      const double* const p = &mesh_.points[3 * std::size_t{node}];
+      return std::array{p[0], p[1], p[2]};
+    };
+    stableSort(nodes, [&](std::uint32_t a, std::uint32_t b) { return position(a) < position(b); });
+    std::vector<std::uint32_t> welded(countNodes(mesh_));
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const bool isSame = i > 0 && position(nodes[i]) == position(nodes[i - 1]);
+      welded[nodes[i]] = isSame ? welded[nodes[i - 1]] : nodes[i];
+    }
+    for (std::uint32_t& node : surface.triangles) node = welded[node];
+    return surface;
+  }
+
+  /// Returns a flag per triangle: 1 for the second of two that touch from opposite sides.
+  static std::vector<std::uint8_t> touching(const SurfaceMesh& surface) {
+    struct Oriented {
+      NodeTriple nodes;
+      std::uint32_t isEven;
+      std::uint32_t triangle;
+    };
+    std::vector<Oriented> all;
+    all.reserve(countTriangles(surface));
+    for (const TriangleId t : IdRange<TriangleId>(countTriangles(surface))) {
+      const NodeTriple nodes = nodesOf(surface, t);
+      const NodeTriple ascending = sorted(nodes);
+      const auto lowest =
+          static_cast<std::size_t>(std::ranges::find(nodes, ascending[0]) - nodes.begin());
+      all.push_back({ascending, nodes[(lowest + 1) % 3] == ascending[1] ? 1U : 0U, t.value});
+    }
+    stableSort(all, [](const Oriented& a, const Oriented& b) { return a.nodes < b.nodes; });
+    std::vector<std::uint8_t> isTouching(all.size(), 0);
+    for (std::size_t i = 1; i < all.size(); ++i) {
+      if (all[i].nodes != all[i - 1].nodes || all[i].isEven == all[i - 1].isEven) continue;
+      if (isTouching[all[i - 1].triangle] == 0) isTouching[all[i].triangle] = 1;
+    }
+    return isTouching;
+  }
+
+  /// Numbers the parts. Elements on both sides of a kept triangle that separates nothing are parts of their own: the
+  /// optimizer could otherwise pass around its rim.
+  void divide(DisjointSets& sets) {
+    const std::vector<std::uint32_t> numbers = sets.numbers();
+    std::vector<std::uint8_t> isAlone(numbers.size(), 0);
+    for (const auto& [one, other] : keptInside_) {
+      if (numbers[one.index()] != numbers[other.index()]) continue;
+      isAlone[one.index()] = 1;
+      isAlone[other.index()] = 1;
+    }
+    std::vector<std::uint32_t> partOf(numbers.size(), kNoIndex);
+    for (std::size_t t = 0; t < numbers.size(); ++t) {
+      std::uint32_t& known = partOf[numbers[t]];
+      const auto next = static_cast<std::uint32_t>(made_.regionOfPart.size());
+      if (isAlone[t] == 0 && known == kNoIndex) known = next;
+      part_[t] = isAlone[t] != 0 ? next : known;
+      if (part_[t] == next) made_.regionOfPart.push_back(mesh_.regions[t]);
+    }
+  }
+
+  /// Keeps the face if it bounds a part.
+  void keep(const FaceGroup& group) {
+    const ElementFace one = group.owners[0].owner;
+    const std::uint32_t own = part_[one.tet().index()];
+    const bool isBoundary = group.owners.size() == 1;
+    const std::uint32_t beyond =
+        isBoundary ? SurfaceMesh::kNoRegion : part_[group.owners[1].owner.tet().index()];
+    if (beyond == own) return;
+    for (const NodeId node : cornersOfFace(mesh_, one)) {
+      isKept_[node.index()] = 1;
+      made_.surface.triangles.push_back(node.value);
+    }
+    made_.surface.triangleRegions.insert(made_.surface.triangleRegions.end(), {own, beyond});
+  }
+
+  /// Puts the kept nodes first and omits unused ones.
+  void renumber() {
+    std::vector<std::uint8_t> isUsed = isKept_;
+    for (const std::uint32_t node : mesh_.tetrahedra) isUsed[node] = 1;
+    std::vector<std::uint32_t> newIndex(isUsed.size(), kNoIndex);
+    for (const std::uint8_t keeps : {std::uint8_t{1}, std::uint8_t{0}}) {
+      for (std::uint32_t node = 0; node < isUsed.size(); ++node) {
+        if (isUsed[node] == 0 || isKept_[node] != keeps) continue;
+        newIndex[node] = static_cast<std::uint32_t>(made_.nodeOrigin.size());
+        made_.nodeOrigin.push_back(node);
+        const auto first = mesh_.points.begin() + 3 * static_cast<std::ptrdiff_t>(node);
+        made_.mesh.points.insert(made_.mesh.points.end(), first, first + 3);
+      }
+      if (keeps == 1) made_.keptNodes = made_.nodeOrigin.size();
+    }
+    for (std::uint32_t& node : mesh_.tetrahedra) node = newIndex[node];
+    for (std::uint32_t& node : made_.surface.triangles) node = newIndex[node];
+    made_.surface.points.assign(
+        made_.mesh.points.begin(),
+        made_.mesh.points.begin() + 3 * static_cast<std::ptrdiff_t>(made_.keptNodes));
+    made_.surface.trianglePatch.assign(made_.surface.triangles.size() / 3, 0);
+    made_.mesh.tetrahedra = std::move(mesh_.tetrahedra);
+    made_.mesh.regions = std::move(part_);
+  }
+
+  VolumeMesh mesh_;
+  std::span<const std::uint32_t> kept_;
+  FaceLists faces_;
+  std::vector<ElementFace> boundary_;  ///< faces of one element
+  std::vector<std::pair<TetId, TetId>>
+      keptInside_;  ///< elements of one region beside a kept triangle
+  std::vector<std::uint32_t> part_;
+  std::vector<std::uint8_t> isKept_;
+  DefectCount degenerate_{DiagnosticCode::kDegenerateTetrahedron};
+  DefectCount nonManifold_{DiagnosticCode::kNonManifoldFace};
+  DefectCount overlapping_{DiagnosticCode::kOverlappingTetrahedra};
+  GivenMesh made_;
+};
+
+}  // namespace
+
+Task<GivenMesh> prepareGivenMesh(Work& work, const VolumeMesh& given,
+                                 std::span<const std::uint32_t> keptTriangles) {
+  GivenMeshMaker maker(given, keptTriangles);
+  co_await maker.run(work);
+  co_return maker.take();
+}
+
+}  // namespace tetrafront

@@ -1,0 +1,220 @@
+#include "tetrafront/mesh_improvement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/diagnostics.h"
+#include "base/ids.h"
+#include "base/mesh_access.h"
+#include "base/tool_job.h"
+#include "field/grid_locator_builder.h"
+#include "field/size_field.h"
+#include "geom/coordinates.h"
+#include "optimize/given_mesh.h"
+#include "optimize/locality.h"
+#include "optimize/optimizer.h"
+#include "quality/quality_analysis.h"
+#include "quality/verify_mesh.h"
+#include "tetrafront/grid_from_mesh.h"
+
+namespace tetrafront {
+namespace {
+
+/// What MeshImprover was given.
+struct ImproverInput {
+  VolumeMesh mesh;
+  std::vector<std::uint32_t> keptTriangles;
+  Optimization level = Optimization::kDefault;
+  bool isStopped = false;
+};
+
+bool hasNodesAndElements(const VolumeMesh& mesh) {
+  return mesh.points.size() % 3 == 0 && mesh.tetrahedra.size() % 4 == 0 &&
+         !mesh.tetrahedra.empty() &&
+         (mesh.regions.empty() || mesh.regions.size() == countTetrahedra(mesh)) &&
+         std::ranges::all_of(mesh.points,
+                             [](double x) { return std::fabs(x) <= kLargestCoordinate; });
+}
+
+bool isUsable(const ImproverInput& input) {
+  const std::size_t nodes = countNodes(input.mesh);
+  const auto exists = [nodes](std::uint32_t node) { return node < nodes; };
+  return hasNodesAndElements(input.mesh) && input.keptTriangles.size() % 3 == 0 &&
+         std::ranges::all_of(input.mesh.tetrahedra, exists) &&
+         std::ranges::all_of(input.keptTriangles, exists);
+}
+
+Task<MeshShapes> measureShapes(Work& work, const VolumeMesh& mesh, const SurfaceMesh& surface) {
+  VolumeMesh ofOneRegion = mesh;
+  ofOneRegion.regions.assign(countTetrahedra(mesh), 0);
+  const SizeField field = SizeField::uniform(1.0);
+  QualityAnalysis analysis(ofOneRegion, surface, field);
+  co_await work.finish(analysis);
+  MeshShapes shapes;
+  shapes.nodes = countNodes(mesh);
+  shapes.tetrahedra = countTetrahedra(mesh);
+  shapes.quality = analysis.summary();
+  shapes.limitedByBoundary = analysis.statistics().limitedByBoundary;
+  shapes.outOfRange = analysis.statistics().outOfRange + shapes.limitedByBoundary;
+  co_return shapes;
+}
+
+Task<SizeField> fieldOfOwnEdges(Work& work, const VolumeMesh& mesh) {
+  MeshGridBuilder grid(mesh, {});
+  work.beginPart(0.3);
+  co_await work.finish(grid);
+  work.beginPart(1.0);
+  GridLocator locator =
+      co_await buildGridLocator(work, grid.result(), MeshOptions{}.gradation - 1.0);
+  co_return SizeField::fromGrid(std::move(locator));
+}
+
+/// Dihedral angles up to this one, in degrees, are good.
+constexpr double kLargestGoodAngle = 135.0;
+/// Smallest difference that counts: above the rounding of a measure.
+constexpr double kLeastDifference = 1e-9;
+
+/// Returns how much better `after` is: the least gain of all measures, and the largest.
+struct Gains {
+  double least;
+  double largest;
+};
+Gains gainsBetween(const MeshShapes& before, const MeshShapes& after) {
+  const auto share = [](const MeshShapes& shapes) {
+    return static_cast<double>(shapes.outOfRange) / static_cast<double>(shapes.tetrahedra);
+  };
+  const auto [least, largest] =
+      std::minmax({after.quality.minDihedral - before.quality.minDihedral,
+                   std::max(before.quality.maxDihedral, kLargestGoodAngle) -
+                       std::max(after.quality.maxDihedral, kLargestGoodAngle),
+                   after.quality.meanRadiusRatio - before.quality.meanRadiusRatio,
+                   share(before) - share(after)});
+  return {least, largest};
+}
+
+bool isBetter(const MeshShapes& before, const MeshShapes& after) {
+  const Gains gains = gainsBetween(before, after);
+  return gains.least > -kLeastDifference && gains.largest > kLeastDifference;
+}
+
+/// Proves that the mesh is valid and has the kept faces. A defect is a mistake of the engine.
+Task<bool> isProved(Work& work, const VolumeMesh& mesh, const GivenMesh& given,
+                    std::vector<Diagnostic>& diagnostics) {
+  MeshVerifier verifier(mesh, given.surface);
+  co_await work.finish(verifier);
+  const MeshDefects& defects = verifier.defects();
+  // The given mesh may have coincident nodes.
+  const std::uint64_t count = defects.count() - defects.coincidentNodes;
+  if (count == 0) co_return true;
+  Diagnostic failed;
+  failed.code = DiagnosticCode::kVerificationFailed;
+  failed.entities = defects.examples;
+  failed.values = {static_cast<double>(count)};
+  diagnostics.push_back(std::move(failed));
+  co_return false;
+}
+
+/// Runs the optimizer until it has finished or the input is stopped.
+Task<> finishUnlessStopped(Work& work, MeshOptimizer& optimizer, const bool& isStopped) {
+  while (!isStopped && !optimizer.advance(work.remaining())) {
+    work.setFraction(optimizer.fraction());
+    co_await work.yield();
+  }
+}
+
+/// A mesh and its shapes.
+struct Attempt {
+  VolumeMesh mesh;
+  MeshShapes shapes;
+};
+
+/// Tries to improve the mesh by the given level; then, if some measure is worse, with caution.
+Task<Attempt> bestAttempt(Work& work, const GivenMesh& given, const MeshShapes& before,
+                          const ImproverInput& input) {
+  work.beginPart(0.05);
+  const SizeField field = co_await fieldOfOwnEdges(work, given.mesh);
+  work.beginPart(0.1);
+  MortonReordering reordering(given.mesh, given.keptNodes);
+  co_await work.finish(reordering);
+  const VolumeMesh ordered = reordering.take();
+  Attempt made;
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    const bool isCautious = attempt == 1;
+    work.beginPart(isCautious ? 0.95 : 0.65);
+    MeshOptimizer optimizer = isCautious
+                                  ? MeshOptimizer::cautious(ordered, given.keptNodes, field)
+                                  : MeshOptimizer(ordered, given.keptNodes, field, input.level);
+    co_await finishUnlessStopped(work, optimizer, input.isStopped);
+    made.mesh = optimizer.mesh();
+    work.beginPart(isCautious ? 1.0 : 0.7);
+    made.shapes = co_await measureShapes(work, made.mesh, given.surface);
+    if (input.isStopped || isBetter(before, made.shapes)) break;
+  }
+  co_return made;
+}
+
+/// Moves a mesh of parts to the result.
+void takeMesh(VolumeMesh&& mesh, const GivenMesh& given, MeshImprovement& out) {
+  out.points = std::move(mesh.points);
+  out.tetrahedra = std::move(mesh.tetrahedra);
+  out.regions.reserve(mesh.regions.size());
+  for (const std::uint32_t part : mesh.regions) out.regions.push_back(given.regionOfPart[part]);
+  out.nodeOrigin = given.nodeOrigin;
+  if (!out.isImproved) return;
+  out.nodeOrigin.resize(given.keptNodes);
+  out.nodeOrigin.resize(out.points.size() / 3, kNoIndex);
+}
+
+Task<MeshImprovement> improve(Work& work, ImproverInput& input) {
+  MeshImprovement out;
+  out.isReadable = isUsable(input);
+  if (!out.isReadable) co_return out;
+  input.mesh.regions.resize(countTetrahedra(input.mesh), 0);
+  work.beginPart(0.1);
+  GivenMesh given = co_await prepareGivenMesh(work, input.mesh, input.keptTriangles);
+  out.orientedTetrahedra = given.orientedTetrahedra;
+  out.diagnostics = given.diagnostics;
+  if (anyError(out.diagnostics)) co_return out;
+  work.beginPart(0.12);
+  out.before = co_await measureShapes(work, given.mesh, given.surface);
+  work.beginPart(0.98);
+  Attempt made = co_await bestAttempt(work, given, out.before, input);
+  out.isPartial = input.isStopped;
+  out.isImproved = isBetter(out.before, made.shapes);
+  if (out.isImproved) {
+    work.beginPart(1.0);
+    const bool isValid = co_await isProved(work, made.mesh, given, out.diagnostics);
+    if (!isValid) co_return out;
+    out.after = made.shapes;
+    takeMesh(std::move(made.mesh), given, out);
+  } else {
+    out.after = out.before;
+    takeMesh(VolumeMesh(given.mesh), given, out);
+  }
+  co_return out;
+}
+
+ImproverInput copyOf(std::span<const double> points, std::span<const std::uint32_t> tetrahedra,
+                     std::span<const std::uint32_t> regions,
+                     std::span<const std::uint32_t> keptTriangles, Optimization level) {
+  ImproverInput input;
+  input.mesh.points.assign(points.begin(), points.end());
+  input.mesh.tetrahedra.assign(tetrahedra.begin(), tetrahedra.end());
+  input.mesh.regions.assign(regions.begin(), regions.end());
+  input.keptTriangles.assign(keptTriangles.begin(), keptTriangles.end());
+  input.level = level;
+  return input;
+}
+
+}  // namespace
+
+MeshImprover::MeshImprover(std::span<const double> points,
+                           std::span<const std::uint32_t> tetrahedra,
+                           std::span<const std::uint32_t> regions,
+                           std::span<const std::uint32_t> keptTriangles, Optimization level)
+    : SlicedTool(makeToolJob<MeshImprovement>(
+          copyOf(points, tetrahedra, regions, keptTriangles, level), improve)) {}
+
+}  // namespace tetrafront

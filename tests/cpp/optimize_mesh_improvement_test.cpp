@@ -1,0 +1,391 @@
+/// The improvement of given meshes: what must stay is compared with the given mesh by maps of positions, validity with the
+/// tests' validator, and the angles with slow formulas.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/ids.h"
+#include "support/hard_shapes.h"
+#include "support/mesh_validator.h"
+#include "support/random.h"
+#include "support/shapes.h"
+#include "support/slices.h"
+#include "support/slow_dihedral.h"
+#include "support/tet_grids.h"
+#include "tetrafront/mesh_improvement.h"
+#include "tetrafront/mesher.h"
+
+namespace tetrafront::testing {
+namespace {
+
+VolumeMesh meshed(const SurfaceMesh& surface, MeshOptions options) {
+  MeshRun run(surface.points, surface.triangles, options);
+  while (run.advance(1U << 16U) == MeshStatus::kRunning) {
+  }
+  EXPECT_EQ(run.status(), MeshStatus::kDone);
+  return run.volume();
+}
+
+/// The mesh of the front: none of its elements was improved.
+VolumeMesh meshOfFront(const SurfaceMesh& surface) {
+  return meshed(surface,
+                {.innerShells = InnerShells::kRegions, .optimization = Optimization::kNone});
+}
+
+/// A mesh with few nodes and elements of almost no volume.
+VolumeMesh poorMesh(const SurfaceMesh& surface) {
+  return meshed(surface, {.optimization = Optimization::kNone, .exactFillOnly = true});
+}
+
+MeshImprovement improved(const VolumeMesh& mesh, const std::vector<std::uint32_t>& kept = {},
+                         Optimization level = Optimization::kDefault) {
+  MeshImprover improver(mesh.points, mesh.tetrahedra, mesh.regions, kept, level);
+  while (!improver.advance(1U << 16U)) {
+  }
+  return improver.result();
+}
+
+using Position = std::array<double, 3>;
+
+Position positionOf(const std::vector<double>& points, std::uint32_t node) {
+  const std::size_t i = 3 * std::size_t{node};
+  return {points[i], points[i + 1], points[i + 2]};
+}
+
+Vec3 pointAt(const std::vector<double>& points, std::uint32_t node) {
+  const auto [x, y, z] = positionOf(points, node);
+  return {x, y, z};
+}
+
+using Corners3 = std::array<Position, 3>;
+
+/// The regions at each face that does not lie inside one region; one for the boundary.
+std::map<Corners3, std::vector<std::uint32_t>> wallsOf(const std::vector<double>& points,
+                                                       const std::vector<std::uint32_t>& tetrahedra,
+                                                       const std::vector<std::uint32_t>& regions) {
+  std::map<Corners3, std::vector<std::uint32_t>> faces;
+  for (std::size_t t = 0; t < tetrahedra.size() / 4; ++t) {
+    for (std::size_t skipped = 0; skipped < 4; ++skipped) {
+      Corners3 corners;
+      for (std::size_t k = 0, to = 0; k < 4; ++k) {
+        if (k != skipped) corners[to++] = positionOf(points, tetrahedra[4 * t + k]);
+      }
+      std::ranges::sort(corners);
+      faces[corners].push_back(regions.empty() ? 0 : regions[t]);
+    }
+  }
+  for (auto& [corners, beside] : faces) std::ranges::sort(beside);
+  std::erase_if(faces, [](const auto& face) {
+    return face.second.size() == 2 && face.second[0] == face.second[1];
+  });
+  return faces;
+}
+
+std::map<std::uint32_t, double> volumesOf(const std::vector<double>& points,
+                                          const std::vector<std::uint32_t>& tetrahedra,
+                                          const std::vector<std::uint32_t>& regions) {
+  std::map<std::uint32_t, double> volumes;
+  for (std::size_t t = 0; t < tetrahedra.size() / 4; ++t) {
+    const auto at = [&](std::size_t k) { return pointAt(points, tetrahedra[4 * t + k]); };
+    volumes[regions.empty() ? 0 : regions[t]] +=
+        std::fabs(glm::dot(glm::cross(at(1) - at(0), at(2) - at(0)), at(3) - at(0))) / 6.0;
+  }
+  return volumes;
+}
+
+/// Smallest and largest dihedral angle, in degrees.
+std::pair<double, double> anglesOf(const std::vector<double>& points,
+                                   const std::vector<std::uint32_t>& tetrahedra) {
+  std::pair<double, double> range{180.0, 0.0};
+  for (std::size_t t = 0; t < tetrahedra.size() / 4; ++t) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = i + 1; j < 4; ++j) {
+        std::vector<std::size_t> others;
+        for (std::size_t other = 0; other < 4; ++other) {
+          if (other != i && other != j) others.push_back(other);
+        }
+        const auto at = [&](std::size_t corner) {
+          return pointAt(points, tetrahedra[4 * t + corner]);
+        };
+        const double angle = slowDihedral(at(i), at(j), at(others[0]), at(others[1]));
+        range = {std::min(range.first, angle), std::max(range.second, angle)};
+      }
+    }
+  }
+  return range;
+}
+
+/// Returns the mesh with the nodes of its boundary first, and this boundary, for the validator.
+std::string complaintAboutImproved(const MeshImprovement& made) {
+  const auto walls = wallsOf(made.points, made.tetrahedra, {});
+  std::set<Position> onBoundary;
+  for (const auto& [corners, regions] : walls) onBoundary.insert(corners.begin(), corners.end());
+  std::vector<std::uint32_t> order;
+  const auto nodes = static_cast<std::uint32_t>(made.points.size() / 3);
+  for (const bool isOn : {true, false}) {
+    for (std::uint32_t node = 0; node < nodes; ++node) {
+      if (onBoundary.contains(positionOf(made.points, node)) == isOn) order.push_back(node);
+    }
+  }
+  std::vector<std::uint32_t> newIndex(nodes);
+  VolumeMesh mesh;
+  for (std::uint32_t i = 0; i < nodes; ++i) {
+    newIndex[order[i]] = i;
+    const Position at = positionOf(made.points, order[i]);
+    mesh.points.insert(mesh.points.end(), at.begin(), at.end());
+  }
+  for (const std::uint32_t node : made.tetrahedra) mesh.tetrahedra.push_back(newIndex[node]);
+  mesh.regions.assign(made.regions.size(), 0);
+  return complaintAbout(mesh, surfaceOf(mesh, onBoundary.size()));
+}
+
+/// Checks everything that an improvement promises.
+void expectKept(const VolumeMesh& given, const MeshImprovement& made) {
+  EXPECT_TRUE(made.isReadable);
+  EXPECT_TRUE(made.diagnostics.empty());
+  EXPECT_EQ(complaintAboutImproved(made), "");
+  EXPECT_EQ(wallsOf(given.points, given.tetrahedra, given.regions),
+            wallsOf(made.points, made.tetrahedra, made.regions));
+  const auto before = volumesOf(given.points, given.tetrahedra, given.regions);
+  const auto after = volumesOf(made.points, made.tetrahedra, made.regions);
+  ASSERT_EQ(before.size(), after.size());
+  for (const auto& [region, volume] : before) {
+    EXPECT_NEAR(after.at(region), volume, 1e-9 * volume) << region;
+  }
+  const auto [least, most] = anglesOf(given.points, given.tetrahedra);
+  const auto [leastNow, mostNow] = anglesOf(made.points, made.tetrahedra);
+  EXPECT_GE(leastNow, least - 1e-6);
+  EXPECT_LE(mostNow, std::max(most, 135.0) + 1e-6);
+  EXPECT_NEAR(made.after.quality.minDihedral, leastNow, 1e-6);
+  EXPECT_NEAR(made.before.quality.minDihedral, least, 1e-6);
+  EXPECT_GE(made.after.quality.meanRadiusRatio, made.before.quality.meanRadiusRatio - 1e-9);
+  EXPECT_EQ(made.after.tetrahedra, made.tetrahedra.size() / 4);
+  EXPECT_EQ(made.after.nodes, made.points.size() / 3);
+  ASSERT_EQ(made.nodeOrigin.size(), made.points.size() / 3);
+  for (std::uint32_t node = 0; node < made.nodeOrigin.size(); ++node) {
+    if (made.nodeOrigin[node] == kNoIndex) continue;
+    EXPECT_EQ(positionOf(made.points, node), positionOf(given.points, made.nodeOrigin[node]));
+  }
+}
+
+TEST(MeshImprovement, MakesPoorElementsGoodAndKeepsTheBoundary) {
+  const VolumeMesh given = poorMesh(geodesicSphere(6));
+  const MeshImprovement made = improved(given);
+  expectKept(given, made);
+  EXPECT_TRUE(made.isImproved);
+  EXPECT_LT(made.before.quality.minDihedral, 3.0);
+  EXPECT_GT(made.after.quality.minDihedral, 25.0);
+  EXPECT_GT(made.after.quality.meanRadiusRatio, 0.85);
+  EXPECT_EQ(made.after.outOfRange, 0U);
+}
+
+TEST(MeshImprovement, IsNeverWorse) {
+  const std::vector<SurfaceMesh> surfaces{
+      gridCube(4),      latitudeSphere(8, 16),   thinPlate(8, 0.05),   needlePlate(2, 12, 0.2),
+      gradedCube(5, 3), randomBlocks(3, 0.5, 3), torus(1, 0.3, 20, 8), screwThread(2, 10)};
+  std::size_t improvements = 0;
+  for (const SurfaceMesh& surface : surfaces) {
+    for (const VolumeMesh& given : {meshOfFront(surface), poorMesh(surface), meshed(surface, {})}) {
+      const MeshImprovement made = improved(given);
+      expectKept(given, made);
+      if (made.isImproved) ++improvements;
+    }
+  }
+  EXPECT_GT(improvements, 16U);
+}
+
+TEST(MeshImprovement, KeepsInterfacesAndRegionNumbers) {
+  VolumeMesh given = meshOfFront(dividedBox({2, 2, 1}, 3));
+  constexpr std::uint32_t kLarge = 0xffffffffU;
+  for (std::uint32_t& region : given.regions) region = region == 3 ? kLarge : 7 * region;
+  const MeshImprovement made = improved(given);
+  expectKept(given, made);
+  EXPECT_TRUE(made.isImproved);
+  const std::set<std::uint32_t> numbers(made.regions.begin(), made.regions.end());
+  EXPECT_EQ(numbers, (std::set<std::uint32_t>{0, 7, 14, kLarge}));
+}
+
+/// The three positions of each triangle.
+std::set<Corners3> facesAmong(const std::vector<double>& points,
+                              const std::vector<std::uint32_t>& tetrahedra) {
+  std::set<Corners3> faces;
+  for (std::size_t t = 0; t < tetrahedra.size() / 4; ++t) {
+    for (std::size_t skipped = 0; skipped < 4; ++skipped) {
+      Corners3 corners;
+      for (std::size_t k = 0, to = 0; k < 4; ++k) {
+        if (k != skipped) corners[to++] = positionOf(points, tetrahedra[4 * t + k]);
+      }
+      std::ranges::sort(corners);
+      faces.insert(corners);
+    }
+  }
+  return faces;
+}
+
+TEST(MeshImprovement, KeepsTrianglesInsideARegion) {
+  const VolumeMesh given = cubeOfTetrahedra(5, 0.15, 3);
+  // A sheet with a rim inside the cube: interior faces around one interior node.
+  std::vector<std::uint32_t> kept;
+  std::set<Corners3> wanted;
+  const auto walls = wallsOf(given.points, given.tetrahedra, {});
+  for (std::size_t t = 0; t < given.tetrahedra.size() / 4; t += 9) {
+    const auto* const nodes = &given.tetrahedra[4 * t];
+    Corners3 corners{positionOf(given.points, nodes[0]), positionOf(given.points, nodes[1]),
+                     positionOf(given.points, nodes[2])};
+    std::ranges::sort(corners);
+    if (walls.contains(corners)) continue;
+    kept.insert(kept.end(), {nodes[0], nodes[1], nodes[2]});
+    wanted.insert(corners);
+  }
+  ASSERT_GT(wanted.size(), 30U);
+  const MeshImprovement made = improved(given, kept);
+  expectKept(given, made);
+  const std::set<Corners3> faces = facesAmong(made.points, made.tetrahedra);
+  EXPECT_TRUE(std::ranges::includes(faces, wanted));
+  // Without the triangles, some of these faces go.
+  const MeshImprovement free = improved(given);
+  EXPECT_TRUE(free.isImproved);
+  EXPECT_FALSE(std::ranges::includes(facesAmong(free.points, free.tetrahedra), wanted));
+}
+
+TEST(MeshImprovement, OrientsInvertedElements) {
+  VolumeMesh given = cubeOfTetrahedra(4, 0.1);
+  const MeshImprovement expected = improved(given);
+  for (std::size_t t = 0; t < given.tetrahedra.size() / 4; t += 3) {
+    std::swap(given.tetrahedra[4 * t + 2], given.tetrahedra[4 * t + 3]);
+  }
+  const MeshImprovement made = improved(given);
+  EXPECT_EQ(made.orientedTetrahedra, (given.tetrahedra.size() / 4 + 2) / 3);
+  EXPECT_EQ(made.tetrahedra, expected.tetrahedra);
+  EXPECT_EQ(made.points, expected.points);
+}
+
+TEST(MeshImprovement, ReturnsTheGivenMeshIfNothingIsBetter) {
+  VolumeMesh given;
+  given.points = {0, 0, 0, 9, 9, 9, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  given.tetrahedra = {0, 2, 3, 4};
+  const MeshImprovement made = improved(given);
+  EXPECT_FALSE(made.isImproved);
+  expectKept(given, made);
+  EXPECT_EQ(made.tetrahedra, (std::vector<std::uint32_t>{0, 1, 2, 3}));
+  EXPECT_EQ(made.nodeOrigin, (std::vector<std::uint32_t>{0, 2, 3, 4}));
+}
+
+/// Expects exactly one diagnostic, an error of this code that names these elements.
+void expectRefused(const VolumeMesh& mesh, DiagnosticCode code,
+                   const std::set<std::uint32_t>& elements) {
+  const MeshImprovement made = improved(mesh);
+  ASSERT_EQ(made.diagnostics.size(), 1U);
+  const Diagnostic& found = made.diagnostics[0];
+  EXPECT_EQ(found.code, code);
+  EXPECT_EQ(found.severity, Severity::kError);
+  EXPECT_TRUE(found.hasPosition);
+  std::set<std::uint32_t> named;
+  for (const Entity& entity : found.entities) {
+    EXPECT_EQ(entity.kind, EntityKind::kTetrahedron);
+    named.insert(entity.index);
+  }
+  EXPECT_EQ(named, elements);
+  EXPECT_TRUE(made.tetrahedra.empty());
+}
+
+TEST(MeshImprovement, RefusesElementsWithoutVolume) {
+  VolumeMesh mesh = cubeOfTetrahedra(2);
+  mesh.tetrahedra[4 * 5 + 1] = mesh.tetrahedra[4 * 5];
+  expectRefused(mesh, DiagnosticCode::kDegenerateTetrahedron, {5});
+}
+
+TEST(MeshImprovement, RefusesAFaceOfThreeElements) {
+  VolumeMesh mesh;
+  mesh.points = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, -1, 0.1, 0.1, 2};
+  mesh.tetrahedra = {0, 1, 2, 3, 0, 2, 1, 4, 0, 1, 2, 5};
+  expectRefused(mesh, DiagnosticCode::kNonManifoldFace, {0, 1, 2});
+}
+
+TEST(MeshImprovement, RefusesElementsThatOverlap) {
+  // On one side of a common face.
+  VolumeMesh mesh;
+  mesh.points = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.2, 0.2, 2};
+  mesh.tetrahedra = {0, 1, 2, 3, 0, 1, 2, 4};
+  expectRefused(mesh, DiagnosticCode::kOverlappingTetrahedra, {0, 1});
+  // Through each other, without a common node.
+  VolumeMesh apart;
+  apart.points = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.1, 0.1, 0.1, 2, 0, 0, 0, 2, 0, 0, 0, 2};
+  apart.tetrahedra = {0, 1, 2, 3, 4, 5, 6, 7};
+  expectRefused(apart, DiagnosticCode::kOverlappingTetrahedra, {0, 1});
+}
+
+TEST(MeshImprovement, RefusesAHangingNode) {
+  // The second block has a node in the middle of a face of the first.
+  VolumeMesh mesh;
+  mesh.points = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, -1, 0.25, 0.25, 0};
+  mesh.tetrahedra = {0, 1, 2, 3, 0, 5, 1, 4, 1, 5, 2, 4, 2, 5, 0, 4};
+  const MeshImprovement made = improved(mesh);
+  ASSERT_EQ(made.diagnostics.size(), 1U);
+  EXPECT_EQ(made.diagnostics[0].code, DiagnosticCode::kOverlappingTetrahedra);
+}
+
+TEST(MeshImprovement, AcceptsPartsThatTouchWithNodesOfTheirOwn) {
+  VolumeMesh mesh = poorMesh(gridCube(3));
+  const auto nodes = static_cast<std::uint32_t>(mesh.points.size() / 3);
+  const VolumeMesh other = mesh;
+  for (std::size_t i = 0; i < other.points.size(); i += 3) {
+    // A mirror image beside it, so that the triangles of both match.
+    mesh.points.insert(mesh.points.end(),
+                       {-other.points[i], other.points[i + 1], other.points[i + 2]});
+  }
+  for (const std::uint32_t node : other.tetrahedra) mesh.tetrahedra.push_back(nodes + node);
+  mesh.regions.assign(mesh.tetrahedra.size() / 4, 0);
+  const MeshImprovement made = improved(mesh);
+  EXPECT_TRUE(made.diagnostics.empty());
+  EXPECT_TRUE(made.isImproved);
+  EXPECT_EQ(made.orientedTetrahedra, other.tetrahedra.size() / 4);
+}
+
+TEST(MeshImprovement, RefusesInvalidArrays) {
+  VolumeMesh mesh = cubeOfTetrahedra(1);
+  mesh.tetrahedra[3] = 1000;
+  EXPECT_FALSE(improved(mesh).isReadable);
+  EXPECT_FALSE(improved(VolumeMesh{}).isReadable);
+  EXPECT_FALSE(improved(cubeOfTetrahedra(1), {0, 1, 1000}).isReadable);
+}
+
+TEST(MeshImprovement, IsTheSameInSlicesOfAnySize) {
+  const VolumeMesh given = poorMesh(gridCube(3));
+  const MeshImprovement whole = improved(given);
+  for (const std::uint32_t budget : {1U, 37U, 1000U}) {
+    MeshImprover improver(given.points, given.tetrahedra, given.regions, {},
+                          Optimization::kDefault);
+    slicesOf(improver, budget);
+    EXPECT_EQ(improver.result().points, whole.points);
+    EXPECT_EQ(improver.result().tetrahedra, whole.tetrahedra);
+  }
+}
+
+TEST(MeshImprovement, ReturnsAValidMeshWheneverItIsStopped) {
+  const VolumeMesh given = poorMesh(geodesicSphere(4));
+  std::size_t improvements = 0;
+  for (const int slices : {0, 5, 60, 100, 150, 200}) {
+    MeshImprover improver(given.points, given.tetrahedra, given.regions, {},
+                          Optimization::kDefault);
+    for (int i = 0; i < slices; ++i) improver.advance(200);
+    improver.stop();
+    while (!improver.advance(200)) {
+    }
+    expectKept(given, improver.result());
+    EXPECT_TRUE(improver.result().isPartial);
+    if (improver.result().isImproved) ++improvements;
+  }
+  EXPECT_GT(improvements, 0U);
+}
+
+}  // namespace
+}  // namespace tetrafront::testing

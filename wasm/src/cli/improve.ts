@@ -1,0 +1,150 @@
+/** `tetrafront improve`: improves the elements of a volume mesh, and compares their shapes before and after. */
+import type { ImproveOptions } from "../api/option-types.js";
+import { improvedMesh } from "../api/improvement.js";
+import { writeMesh } from "../api/mesh-files.js";
+import { plural } from "../base/plural.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { MesherError } from "../diagnostics/mesher-error.js";
+import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import { omittedDataMessage } from "../formats/format-limits.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
+import type { MeshImprovement, MeshShapes } from "../mesh/improvement.js";
+import { withBoundary, writableName, writeAll } from "./convert.js";
+import { refuseFolder, STANDARD_STREAM, WriteError, writeToStandardOutput } from "./files.js";
+import { readMeshFile, refuseOptions } from "./input.js";
+import {
+  asEngineFailure,
+  asInvalidInput,
+  ExitCode,
+  InvalidInput,
+  jsonPieces,
+  print,
+  printDiagnostics,
+} from "./messages.js";
+import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
+import { withRun } from "./run.js";
+import { mixedOrientationLines, readingLines } from "./tables.js";
+
+/** Options as commander passes them. */
+export interface ImproveCommandOptions {
+  readonly output: string;
+  readonly from?: string;
+  readonly to?: string;
+  readonly optimize?: Exclude<ImproveOptions["optimization"], undefined>;
+  readonly json?: boolean;
+  readonly quiet?: boolean;
+}
+
+/** Result of the command, as printed by `--json`. */
+interface Outcome extends Partial<
+  Pick<MeshImprovement, "isImproved" | "isPartial" | "orientedTetrahedra" | "before" | "after">
+> {
+  /** The written file, if any. */
+  readonly output: string | null;
+  readonly diagnostics: readonly Diagnostic[];
+  readonly exitCode: number;
+}
+
+/** Runs the command; resolves with the exit code. */
+export async function improveFile(input: string, options: ImproveCommandOptions): Promise<number> {
+  const outcome = await improveAndWrite(input, options).catch((failure: unknown) => failed(failure, input));
+  const { exitCode, ...report } = outcome;
+  if (options.json === true) {
+    for (const piece of jsonPieces({ input, ...report })) await writeToStandardOutput(piece);
+  }
+  return exitCode;
+}
+
+async function improveAndWrite(input: string, options: ImproveCommandOptions): Promise<Outcome> {
+  const { output } = options;
+  const isQuiet = options.quiet === true || options.json === true;
+  const name = await checkPaths(input, options);
+  const given = await readVolumeMesh(input, options.from);
+  if (!isQuiet) {
+    for (const line of [...mixedOrientationLines(given), ...readingLines(given)]) {
+      print(`note: ${input}: ${line}`);
+    }
+  }
+  const made = await withRun(isQuiet, (mesher, controlOf) =>
+    mesher.improveMesh(
+      { ...given, regions: given.tetrahedronRegion },
+      { optimization: options.optimize },
+      { ...controlOf("improve"), partial: true },
+    ),
+  );
+  const { points, tetrahedra, regions, nodeOrigin: _, diagnostics, ...figures } = made;
+  const mesh = made.isImproved ? improvedMesh(given, { ...made, points, tetrahedra, regions }) : given;
+  const files = await writeMesh(mesh.triangles.length > 0 ? mesh : await withBoundary(mesh), name);
+  await writeAll(files, { input, output, name, isQuiet });
+  printDiagnostics(input, diagnostics, { isQuiet });
+  if (made.isPartial) print(`${input}: stopped; the mesh made so far is valid, and was written`);
+  if (!isQuiet) {
+    const left = [...given.nodeData.keys()];
+    if (made.isImproved && left.length > 0) print(`note: ${input}: ${omittedDataMessage(left)}`);
+    print(`${input}: ${improvementText(made)} -> ${output}`);
+  }
+  const notes = files.flatMap((file) => file.notes);
+  const exitCode = made.isPartial ? ExitCode.notCompleted : ExitCode.meshed;
+  return { output, ...figures, diagnostics: [...notes, ...diagnostics], exitCode };
+}
+
+/** Checks the output before any work; returns a name whose extension selects its format. */
+async function checkPaths(input: string, options: ImproveCommandOptions): Promise<string> {
+  const { output, from, to, json } = options;
+  if (json === true && output === STANDARD_STREAM) {
+    const message = "--json and the mesh cannot both be written to standard output";
+    refuseOptions([invalidOption("--json", message, "Use -o with the name of a file.")]);
+  }
+  await refuseFolder(output);
+  const name = writableName(output, to, ["volume"]);
+  const written = outputFiles(output, to);
+  await checkNoOverwrite(inputFiles(input, from), written);
+  await checkWritable(written);
+  return name;
+}
+
+async function readVolumeMesh(input: string, from: string | undefined): Promise<FileMesh> {
+  const mesh = await readMeshFile(input, from);
+  if (mesh.tetrahedra.length > 0) return mesh;
+  const remedy = "Use a volume mesh; `tetrafront mesh` makes one of a surface.";
+  const none = packageDiagnostic("no-tetrahedra", "the file contains no tetrahedra", remedy);
+  throw new InvalidInput(input, [none]);
+}
+
+/** Describes the elements before and after. */
+function improvementText({ isImproved, before, after }: MeshImprovement): string {
+  const changes = [
+    `${plural(before.tetrahedra, "tetrahedron")} before, ${after.tetrahedra} after`,
+    `${plural(before.nodes, "node")} before, ${after.nodes} after`,
+    changed("smallest dihedral angle", (shapes) => `${shapes.dihedral.min.toFixed(1)}°`),
+    changed("largest", (shapes) => `${shapes.dihedral.max.toFixed(1)}°`),
+    changed("mean radius ratio", (shapes) => shapes.radiusRatio.mean.toFixed(3)),
+    changed("outside 30° to 135°", ({ outOfRange }) => String(outOfRange)),
+  ];
+  const limited =
+    after.limitedByBoundary > 0 ? [`${after.limitedByBoundary} of them limited by the boundary`] : [];
+  return `${isImproved ? "improved" : "unchanged"}: ${[...changes, ...limited].join("; ")}`;
+
+  function changed(what: string, text: (shapes: MeshShapes) => string): string {
+    const [was, is] = [text(before), text(after)];
+    return was === is ? `${what} ${was}` : `${what} ${was} before, ${is} after`;
+  }
+}
+
+/** Prints the failure; returns its outcome. Rethrows a failure that is a bug. */
+function failed(failure: unknown, input: string): Outcome {
+  if (failure instanceof MesherError && failure.code === "cancelled") {
+    print(`${input}: cancelled, not written`);
+    return { output: null, diagnostics: [], exitCode: ExitCode.notCompleted };
+  }
+  const engine = asEngineFailure(failure);
+  if (engine !== undefined) {
+    printDiagnostics(input, [engine], { isQuiet: true });
+    return { output: null, diagnostics: [engine], exitCode: ExitCode.notCompleted };
+  }
+  const invalid = asInvalidInput(failure, input);
+  if (invalid === undefined) throw failure;
+  printDiagnostics(invalid.subject, invalid.diagnostics, { isQuiet: true });
+  const exitCode = failure instanceof WriteError ? ExitCode.notCompleted : ExitCode.invalidInput;
+  return { output: null, diagnostics: invalid.diagnostics, exitCode };
+}

@@ -1,0 +1,51 @@
+/** Result of the improvement of a given mesh. */
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import type { MeshInput } from "./mesh.js";
+
+/** Mesh to be improved, for example `{ ...file, regions: file.tetrahedronRegion }` with a `FileMesh`. */
+export interface ImproveInput extends MeshInput {
+  /**
+   * Three node indices per triangle, for example the patches of a file. Those that are faces of elements stay, also inside
+   * a region, and so do their nodes. The boundary and the interfaces between regions stay in any case.
+   */
+  readonly triangles?: Uint32Array | undefined;
+}
+
+/** Number and shapes of the elements of a mesh. */
+export interface MeshShapes {
+  /** Number of nodes used by an element. */
+  readonly nodes: number;
+  readonly tetrahedra: number;
+  /** Degrees. */
+  readonly dihedral: { readonly min: number; readonly max: number };
+  /** 3 × inradius / circumradius, 1 for the regular tetrahedron. */
+  readonly radiusRatio: { readonly min: number; readonly mean: number };
+  /** In cubed model units. */
+  readonly volume: number;
+  /** Number of elements with a dihedral angle outside 30 to 135 degrees. */
+  readonly outOfRange: number;
+  /** Number of those that the boundary or an interface limits; see `LimitedByBoundary`. */
+  readonly limitedByBoundary: number;
+}
+
+/** Result of `improveMesh`. */
+export interface MeshImprovement {
+  /** False if no better mesh was found: the elements are then the given ones, in their order. */
+  readonly isImproved: boolean;
+  /** Whether the call was stopped early. */
+  readonly isPartial: boolean;
+  /** x y z per node. */
+  readonly points: Float64Array;
+  /** Four node indices per element, a b c d with (b-a)×(c-a)·(d-a) > 0. */
+  readonly tetrahedra: Uint32Array;
+  /** Per element: its region, with the given numbers. */
+  readonly regions: Uint32Array;
+  /** Per node: its index in the given mesh; `NO_ORIGIN` if it may have moved or is new. */
+  readonly nodeOrigin: Uint32Array;
+  /** Number of elements that were given with negative volume; two of their nodes were exchanged. */
+  readonly orientedTetrahedra: number;
+  readonly before: MeshShapes;
+  readonly after: MeshShapes;
+  /** Notes: elements that were inverted, and whether no better mesh was found. */
+  readonly diagnostics: readonly Diagnostic[];
+}
