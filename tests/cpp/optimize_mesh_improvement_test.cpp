@@ -358,6 +358,65 @@ TEST(MeshImprovement, RefusesInvalidArrays) {
   EXPECT_FALSE(improved(cubeOfTetrahedra(1), {0, 1, 1000}).isReadable);
 }
 
+/// Changes one element, node or region of the mesh.
+void damage(VolumeMesh& mesh, Random& random) {
+  const auto below = [&](std::size_t count) {
+    return static_cast<std::size_t>(random.bits() % count);
+  };
+  const std::size_t elements = mesh.tetrahedra.size() / 4;
+  const std::size_t element = 4 * below(elements);
+  const auto corner = static_cast<std::ptrdiff_t>(element);
+  switch (below(6)) {
+    case 0:  // another node
+      mesh.tetrahedra[element + below(4)] =
+          static_cast<std::uint32_t>(below(mesh.points.size() / 3));
+      return;
+    case 1:  // the same element twice
+      for (std::size_t k = 0; k < 4; ++k) mesh.tetrahedra.push_back(mesh.tetrahedra[element + k]);
+      mesh.regions.push_back(mesh.regions[element / 4]);
+      return;
+    case 2:  // a hole
+      mesh.tetrahedra.erase(mesh.tetrahedra.begin() + corner, mesh.tetrahedra.begin() + corner + 4);
+      mesh.regions.erase(mesh.regions.begin() + corner / 4);
+      return;
+    case 3:  // another region
+      mesh.regions[element / 4] = static_cast<std::uint32_t>(below(3));
+      return;
+    case 4:  // inverted
+      std::swap(mesh.tetrahedra[element], mesh.tetrahedra[element + 1]);
+      return;
+    default:  // a moved node
+      for (std::size_t k = 0; k < 3; ++k) {
+        mesh.points[3 * mesh.tetrahedra[element] + k] += 0.2 * (random.unit() - 0.5);
+      }
+  }
+}
+
+TEST(MeshImprovement, RefusesDamagedMeshesOrKeepsTheirBoundary) {
+  const VolumeMesh whole = meshOfFront(gridCube(3));
+  std::size_t refused = 0;
+  std::size_t improvements = 0;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    Random random(seed);
+    VolumeMesh mesh = whole;
+    for (std::size_t i = 0; i <= seed % 4; ++i) damage(mesh, random);
+    const MeshImprovement made = improved(mesh);
+    ASSERT_TRUE(made.isReadable) << seed;
+    if (!made.diagnostics.empty()) {
+      EXPECT_NE(made.diagnostics[0].code, DiagnosticCode::kVerificationFailed) << seed;
+      ++refused;
+      continue;
+    }
+    if (made.isImproved) ++improvements;
+    EXPECT_EQ(wallsOf(mesh.points, mesh.tetrahedra, mesh.regions),
+              wallsOf(made.points, made.tetrahedra, made.regions))
+        << seed;
+    EXPECT_EQ(complaintAboutImproved(made), "") << seed;
+  }
+  EXPECT_GT(refused, 100U);
+  EXPECT_GT(improvements, 100U);
+}
+
 TEST(MeshImprovement, IsTheSameInSlicesOfAnySize) {
   const VolumeMesh given = poorMesh(gridCube(3));
   const MeshImprovement whole = improved(given);
