@@ -15,6 +15,7 @@ import { SurfaceClient, type LoadedSurface, type NewBody, type PatchArrays } fro
 import { BodyPreparations, type Preparation } from "./body-preparations";
 import { BodySurfaces } from "./body-surfaces";
 import type { DocumentStore } from "./document-store";
+import { failureText } from "./failure-text";
 
 /** What is known of a body of the document. */
 export interface BodyState {
@@ -111,7 +112,7 @@ export class BodyFeed {
       if (this.#aborts.get(id) === abort) this.#set(id, { preparation });
     } catch (error) {
       if (!abort.signal.aborted) {
-        this.#set(id, { preparationFailure: error instanceof Error ? error.message : String(error) });
+        this.#set(id, { preparationFailure: failureText(error) });
       }
     } finally {
       if (this.#aborts.get(id) === abort) {
@@ -189,7 +190,7 @@ export class BodyFeed {
         },
       });
     } catch (error) {
-      this.#setFor(body, { failure: error instanceof Error ? error.message : String(error) });
+      this.#setFor(body, { failure: failureText(error) });
     }
   }
 
@@ -256,7 +257,7 @@ export class BodyFeed {
       this.#prepareAwaited();
       if (!inspection.isFillable) await this.proposeRepair(body);
     } catch (error) {
-      this.#setFor(body, { failure: error instanceof Error ? error.message : String(error) });
+      this.#setFor(body, { failure: failureText(error) });
     }
   }
 

@@ -2,6 +2,7 @@ import type { Mesher, Project, ProjectPreview } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { engineInput } from "../document/engine-input";
 import type { DocumentStore } from "./document-store";
+import { failureText } from "./failure-text";
 
 export interface PreviewState {
   /** The sampled lines and patches of `project`; null until the first answer. */
@@ -64,7 +65,7 @@ export class PreviewFeed {
       } catch (error) {
         if (abort.signal.aborted) continue;
         this.#hasGivenUp = false;
-        this.state.setState({ failure: error instanceof Error ? error.message : String(error) });
+        this.state.setState({ failure: failureText(error) });
       }
     }
     this.#abort = null;

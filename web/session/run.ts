@@ -4,6 +4,7 @@ import { meshKey } from "../document/content-keys";
 import { engineInput } from "../document/engine-input";
 import { logStrings, phaseNames, remedyInApp } from "../strings";
 import { settledProject, type DocumentState, type DocumentStore } from "./document-store";
+import { failureText } from "./failure-text";
 
 export type LogLevel = "information" | "success" | "warning" | "error";
 
@@ -123,7 +124,7 @@ export class MeshRun {
       elapsedSeconds = result.report.seconds.total;
       this.#finish(meshKey(project), result, log);
     } catch (error) {
-      const failure = error instanceof Error ? error.message : String(error);
+      const failure = failureText(error);
       this.state.setState({ failure });
       log("error", failure);
     } finally {

@@ -1,11 +1,12 @@
 /** Remedies of problems in the app: they name no options of the command line and no calls. */
 import { readFileSync } from "node:fs";
 
-import type { Diagnostic } from "tetrafront";
+import { type Diagnostic, MesherError } from "tetrafront";
 import { expect, test } from "vitest";
 
 import { bodyProblems, toProblems } from "../../../web/document/validate";
 import { emptyProject } from "../../../web/document/create";
+import { failureText } from "../../../web/session/failure-text";
 import { remedyInApp } from "../../../web/strings";
 
 const OPTION_OR_CALL = /--[a-z]|[a-z]\(\)/;
@@ -58,4 +59,20 @@ test("problems of runs and of bodies have these remedies", () => {
   const open = { ...coarse, code: "open-edge", remedy: "Use --weld.", data: { count: 1 } } as const;
   const inspection = { diagnostics: [open] } as unknown as Parameters<typeof bodyProblems>[1];
   expect(bodyProblems(body, inspection)[0]?.remedy).toMatch(/^Repair the surface/);
+});
+
+test("failures of calls have these remedies", () => {
+  const failed = {
+    code: "open-edge",
+    severity: "error",
+    message: "It is open",
+    remedy: "Use --weld.",
+    entities: [],
+    body: 1,
+    data: { count: 1 },
+  } as const;
+  const failure = new MesherError("invalid-input", "It is open. Use --weld.", { diagnostics: [failed] });
+  expect(failureText(failure)).toMatch(/^It is open\. Repair the surface/);
+  expect(failureText(new Error("lost"))).toBe("lost");
+  expect(failureText("lost")).toBe("lost");
 });

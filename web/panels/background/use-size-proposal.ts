@@ -2,6 +2,7 @@ import { useEffect, useState } from "react";
 import type { ProposalOptions, SizeProposal } from "tetrafront";
 import { expectedTetrahedra } from "../../session/expected-tetrahedra";
 import { useApp } from "../shared/app-context";
+import { failureText } from "../../session/failure-text";
 
 /** The options of a proposal that the user can change. */
 export type ProposalFields = { readonly [Field in keyof ProposalOptions]-?: number };
@@ -40,7 +41,7 @@ export function useSizeProposal(options: ProposalFields): SizeProposalState {
     };
     setFailure(null);
     ask().catch((error: unknown) => {
-      if (!signal.aborted) setFailure(error instanceof Error ? error.message : String(error));
+      if (!signal.aborted) setFailure(failureText(error));
     });
     return () => abort.abort();
   }, [app, options]);
