@@ -150,7 +150,7 @@ ${EXIT_CODES_HELP}
 Examples
   tetrafront improve mesh.vtu -o better.vtu
   tetrafront improve mesh.msh -o better.msh --optimize thorough
-  tetrafront improve mesh.inp -o better.vtu --json
+  tetrafront improve mesh.vtk -o better.vtu --json
   tetrafront improve 'meshes/*.msh' -o 'better/{name}.vtu' --jobs 4
 `;
 
