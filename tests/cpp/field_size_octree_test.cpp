@@ -186,6 +186,21 @@ TEST(SizeOctreeTest, OutsideItsBoxUsesTheNearestValue) {
   EXPECT_TRUE(std::isfinite(octree.sizeAt(Vec3(-1e300))));
 }
 
+/// The sizes of a shape may end in a single site, for example at its only thin corner.
+TEST(SizeOctreeTest, EndsIfAllSitesAreAtOnePosition) {
+  for (const std::size_t count : {1, 5}) {
+    const std::vector<Vec3> points(count, Vec3(2.0, 0.1, 0.9));
+    const std::vector<double> sizes(count, 0.5);
+    SizeOctreeBuilder builder(points, sizes, 0.3, 0.75);
+    bool isFinished = false;
+    for (int i = 0; i < 1000 && !isFinished; ++i) isFinished = builder.advance(100);
+    ASSERT_TRUE(isFinished);
+    const double size = builder.take().sizeAt(points[0]);
+    EXPECT_GE(size, 0.5);
+    EXPECT_LT(size, 0.75);
+  }
+}
+
 TEST(SizeOctreeTest, SlicesGiveTheSameAsOneRun) {
   const SurfaceMesh mesh = gradedSphere();
   const SizeOctree whole(pointsOf(mesh), mesh.triangles, 0.3, 1e9);

@@ -4,13 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
 
+#include "support/damage.h"
 #include "support/models.h"
-#include "support/random.h"
 #include "tetrafront/diagnostic_values.h"
 #include "tetrafront/mesher.h"
 #include "tetrafront/preview.h"
@@ -33,28 +32,6 @@ Model validModel(std::uint64_t seed) {
     default:
       return randomBentTetrahedron(seed, 0.1, PatchType::kIsoparametricTriangle);
   }
-}
-
-/// Numbers that often cause failures.
-double wildNumber(Random& random) {
-  constexpr std::array<double, 12> kWild{0.0,
-                                         -0.0,
-                                         1e-320,
-                                         -1e-40,
-                                         1e-13,
-                                         1e12,
-                                         -1e29,
-                                         -1e308,
-                                         1.5,
-                                         -2.0,
-                                         std::numeric_limits<double>::infinity(),
-                                         std::numeric_limits<double>::quiet_NaN()};
-  return kWild[random.bits() % kWild.size()];
-}
-
-template <class Value>
-Value& any(Random& random, std::vector<Value>& values) {
-  return values[random.bits() % values.size()];
 }
 
 void damagePoint(Random& random, Model& model) {
@@ -174,12 +151,7 @@ void damageGrid(Random& random, BackgroundGrid& grid) {
       if (grid.tetrahedra.empty()) grid.tetrahedra.push_back({0, 0, 0, 0});
       break;
     default: {
-      SizeSource& source = grid.sources.emplace_back();
-      source.type = static_cast<SourceType>(random.integer(0, 2));
-      source.points = {random.inBox(), random.inBox(), random.coin() ? random.inBox() : Vec3(0.0)};
-      source.size = random.coin() ? 0.3 : wildNumber(random);
-      source.distance = random.coin() ? 0.2 : wildNumber(random);
-      source.growth = random.coin() ? 0.3 : wildNumber(random);
+      grid.sources.push_back(wildSource(random));
       break;
     }
   }

@@ -7,6 +7,9 @@
 namespace tetrafront {
 namespace {
 
+/// Smallest extent / size: squares of sizes relative to it fit single precision.
+constexpr double kMinExtentPerSize = 1e-10;
+
 float larger(float a, float b) { return a > b ? a : b; }
 
 /// Returns the squared distance between two boxes; 0 if they overlap.
@@ -36,6 +39,10 @@ SizeSites::SizeSites(std::span<const Vec3> points, std::span<const double> sizes
   }
   centre_ = 0.5 * (lower + upper);
   extent_ = std::max(std::max(upper.x - lower.x, upper.y - lower.y), upper.z - lower.z);
+  // All sites may be at one position.
+  for (const double size : building_.sizes) {
+    extent_ = std::max(extent_, kMinExtentPerSize * std::fabs(size));
+  }
   building_.sort.emplace(building_.positions);
 }
 
