@@ -5,7 +5,11 @@ import { pythonProgram } from "./python.mjs";
 const ORACLES = [
   { module: "meshio", pip: "meshio", judges: "meshio reads the files written here, and its own are read" },
   { module: "gmsh", pip: "gmsh", judges: "Gmsh reads the files written here" },
-  { module: "skfem", pip: "scikit-fem", judges: "finite elements converge on the meshes (examples/heat)" },
+  {
+    module: "skfem",
+    pip: "scikit-fem",
+    judges: "finite elements converge on the meshes (examples/heat, examples/part)",
+  },
 ];
 
 /** Returns one line for each check that did not run, with what to install. */

@@ -12,6 +12,7 @@ import { withMesher } from "./grids.js";
 import { formatName, isProject, readMeshFile, readProjectFile } from "./input.js";
 import { InvalidInput, ExitCode, reportFailure } from "./messages.js";
 import {
+  type Box,
   boxText,
   meshLines,
   mixedOrientationLines,
@@ -157,12 +158,16 @@ interface HeldGroup {
   readonly elements: number;
 }
 
+interface HeldPatch extends HeldGroup {
+  readonly box: Box | null;
+}
+
 function meshContents(mesh: FileMesh) {
   return {
     points: mesh.points.length / 3,
     box: boxOf(mesh.points),
     triangles: mesh.triangles.length / 3,
-    patches: heldGroups(mesh.patches, mesh.trianglePatch),
+    patches: heldPatches(mesh),
     tetrahedra: mesh.tetrahedra.length / 4,
     reversedInFile: mesh.reversedTetrahedra ?? 0,
     inverted: mesh.invertedTetrahedra?.length ?? 0,
@@ -177,15 +182,42 @@ function heldGroups(groups: readonly FileGroup[], positions: Uint32Array): HeldG
   return groups.map(({ name, tag }, i) => ({ name, tag, elements: counts[i] ?? 0 }));
 }
 
-function boxOf(points: Float64Array) {
-  if (points.length === 0) return null;
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  points.forEach((x, i) => {
-    low[i % 3] = Math.min(low[i % 3] ?? x, x);
-    high[i % 3] = Math.max(high[i % 3] ?? x, x);
+function heldPatches({ patches, trianglePatch, triangles, points }: FileMesh): HeldPatch[] {
+  const boxes = patches.map(() => emptyBox());
+  triangles.forEach((node, corner) => {
+    const box = boxes[trianglePatch[Math.floor(corner / 3)] ?? 0];
+    if (box !== undefined) extend(box, points, node);
   });
-  return { low, high };
+  return heldGroups(patches, trianglePatch).map((group, i) => ({
+    ...group,
+    box: group.elements > 0 ? (boxes[i] ?? null) : null,
+  }));
+}
+
+function boxOf(points: Float64Array): Box | null {
+  if (points.length === 0) return null;
+  const box = emptyBox();
+  for (let node = 0; 3 * node < points.length; ++node) extend(box, points, node);
+  return box;
+}
+
+const emptyBox = () => ({ low: [Infinity, Infinity, Infinity], high: [-Infinity, -Infinity, -Infinity] });
+
+function extend({ low, high }: ReturnType<typeof emptyBox>, points: Float64Array, node: number): void {
+  for (let axis = 0; axis < 3; ++axis) {
+    const x = points[3 * node + axis] ?? 0;
+    low[axis] = Math.min(low[axis] ?? x, x);
+    high[axis] = Math.max(high[axis] ?? x, x);
+  }
+}
+
+/** One line per patch, by their numbers. */
+function patchLines(patches: readonly HeldPatch[]): string[] {
+  return [...patches]
+    .sort((a, b) => a.tag - b.tag)
+    .map(({ name, tag, elements, box }) =>
+      [`patch ${tag} "${name}": ${elements}`, ...(box === null ? [] : [boxText(box)])].join(", "),
+    );
 }
 
 function contentLines(held: { readonly format: string } & ReturnType<typeof meshContents>): string[] {
@@ -196,7 +228,7 @@ function contentLines(held: { readonly format: string } & ReturnType<typeof mesh
     plural(held.points, "point"),
     ...(held.box === null ? [] : [boxText(held.box)]),
     plural(held.triangles, "triangle"),
-    ...groups("patch", held.patches),
+    ...patchLines(held.patches),
     plural(held.tetrahedra, "tetrahedron"),
     ...groups("region", held.regions),
     ...held.nodeData.map(({ name, components }) => `values at the nodes "${name}": ${components} per node`),

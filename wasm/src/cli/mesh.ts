@@ -376,7 +376,7 @@ function summary(
     ...(tetrahedra > 0 ? shapes : []),
     ...(status === "done" ? [`mean edge ${quality.edges.mean.toFixed(2)} of the target`] : []),
     ...(outOfRange > 0 ? [`${outOfRange} outside 30° to 135°`] : []),
-    ...(limited.count > 0 ? [`${limited.count} of them limited by the boundary`] : []),
+    ...(limited.count > 0 ? [`${limited.count} more outside, limited by the boundary`] : []),
     `${seconds.total.toFixed(2)} s`,
   ].join(", ");
   const where = written ?? unwritten();

@@ -33,7 +33,7 @@ export function boxText({ low, high }: Box): string {
   return `box (${from?.join(", ")}) to (${to?.join(", ")})`;
 }
 
-interface Box {
+export interface Box {
   readonly low: readonly number[];
   readonly high: readonly number[];
 }

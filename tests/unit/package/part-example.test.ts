@@ -1,0 +1,46 @@
+/** The example of a part, from an STL file to displacements, if Python has scikit-fem and meshio. */
+import { execFile, spawnSync } from "node:child_process";
+import { fileURLToPath } from "node:url";
+import { promisify } from "node:util";
+
+import { describe, expect, test } from "vitest";
+import { stlBinary } from "../../support/surface-files.js";
+import { boxSurface } from "../../support/surfaces.js";
+import { temporaryFolder } from "../../support/temporary-folder.js";
+
+const python = process.env["TETRAFRONT_PYTHON"] ?? "python3";
+const example = fileURLToPath(new URL("../../../examples/part/part.py", import.meta.url));
+const program = fileURLToPath(new URL("../../../wasm/bin/tetrafront.mjs", import.meta.url));
+const isAvailable = spawnSync(python, ["-c", "import skfem, meshio"]).status === 0;
+
+describe("the example of a part", () => {
+  const folder = temporaryFolder();
+
+  async function runExample(...patches: string[]): Promise<string> {
+    const command = [example, "bar.stl", ...patches, process.execPath, program];
+    return (await promisify(execFile)(python, command, { cwd: folder.path })).stdout;
+  }
+
+  test("compiles", () => {
+    const { status, stderr } = spawnSync(python, ["-m", "py_compile", example], {
+      encoding: "utf8",
+      env: { ...process.env, PYTHONPYCACHEPREFIX: folder.path },
+    });
+    expect(status, stderr).toBe(0);
+  });
+
+  if (isAvailable) {
+    test("pulls a bar to the length that the theory gives", async () => {
+      folder.save("bar.stl", stlBinary(boxSurface(1, [0, 0, 0], [1, 1, 4])));
+      const printed = await runExample("patch 1", "patch 6");
+      const [, largest] = /largest displacement (\S+)/.exec(printed) ?? [];
+      // Stress 1, Young's modulus 2000, length 4; the fixed end cannot become narrower.
+      expect(Number(largest)).toBeGreaterThan(0.0019);
+      expect(Number(largest)).toBeLessThan(0.00205);
+      // The lowest patch is the first.
+      const { stdout } = await folder.run("info", "part.msh");
+      expect(stdout).toMatch(/patch 1 "patch 1": \d+, box \(0, 0, 0\) to \(1, 1, 0\)/);
+      expect(stdout).toMatch(/patch 6 "patch 6": \d+, box \(0, 0, 4\) to \(1, 1, 4\)/);
+    });
+  }
+});
