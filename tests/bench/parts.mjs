@@ -4,7 +4,12 @@ import { mkdtempSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { arch, cpus, tmpdir } from "node:os";
 import path from "node:path";
 import { NEEDLE_PARTS, toStl } from "./support/needle-parts.mjs";
-import { availablePartPeers, INSTALL_PART_PEERS, runPartPeer } from "./support/peers.mjs";
+import {
+  availablePartPeers,
+  INSTALL_PART_PEERS,
+  installMissingPartPeers,
+  runPartPeer,
+} from "./support/peers.mjs";
 import { createMesher, repairedSurface } from "../../wasm/dist/index.js";
 import { readSurfaceFile } from "../../wasm/dist/node.js";
 
@@ -128,6 +133,8 @@ function printPeers(parts) {
         ]);
     }
   }
+  const install = installMissingPartPeers();
+  if (install) console.log(`\nNot all meshers were tried. To try the others: ${install}`);
 }
 
 const mesher = await createMesher();

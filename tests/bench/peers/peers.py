@@ -2,7 +2,8 @@
 
     peers.py                      prints the names of the peers whose packages can be imported
     peers.py NAME SURFACE.off     fills the surface with this peer and prints `name value` lines
-    peers.py parts                prints the names of the peers that mesh parts
+    peers.py parts                prints the names of the peers that mesh parts and can be imported
+    peers.py missing-parts        prints the packages of the others
     peers.py part NAME PART.stl   meshes the part with this peer's defaults, which may change the surface
 
 To fill a surface, all peers get the same triangles, which they must keep, one thread, and sizes from the surface. Seconds are
@@ -149,6 +150,9 @@ PART_PEERS = {
     "fTetWild": ("pytetwild", ftetwild_part),
 }
 
+# Packages that a module needs besides its own.
+NEEDED_TOO = {"pytetwild": ["pyvista"]}
+
 DELAUNAY, FRONTAL, HXT = 1, 4, 10
 
 PEERS = {
@@ -202,6 +206,13 @@ def importable(module):
         return False
 
 
+def print_missing(peers):
+    for module, _ in peers.values():
+        if not importable(module):
+            print(" ".join([module, *NEEDED_TOO.get(module, [])]))
+    return 0
+
+
 def print_names(peers):
     for name, (module, _) in peers.items():
         if importable(module):
@@ -214,6 +225,8 @@ def main(arguments):
         return print_names(PEERS)
     if arguments == ["parts"]:
         return print_names(PART_PEERS)
+    if arguments == ["missing-parts"]:
+        return print_missing(PART_PEERS)
     if arguments[0] == "part":
         points, elements, seconds = PART_PEERS[arguments[1]][1](arguments[2])
     else:

@@ -80,6 +80,8 @@ export const NEEDLE_PARTS = {
 export function toStl({ points, triangles }) {
   const count = triangles.length / 3;
   const bytes = Buffer.alloc(84 + 50 * count);
+  // Gmsh does not read a small binary file if its header is empty.
+  bytes.write("binary STL of a part");
   bytes.writeUInt32LE(count, 80);
   for (let t = 0; t < count; ++t) {
     for (let k = 0; k < 9; ++k) {

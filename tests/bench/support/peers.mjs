@@ -11,11 +11,17 @@ const TIMEOUT_MS = 1000 * Number(process.env.TETRAFRONT_PEER_SECONDS ?? 900);
 
 export const INSTALL = `${python} -m pip install numpy gmsh netgen-mesher tetgen`;
 
-export const INSTALL_PART_PEERS = `${python} -m pip install numpy gmsh tetgen pytetwild`;
+export const INSTALL_PART_PEERS = `${python} -m pip install numpy gmsh tetgen pytetwild pyvista`;
 
 /** Returns the names of the peers that can run; empty if Python or numpy is missing. */
 export const availablePeers = () => namesOf([]);
 export const availablePartPeers = () => namesOf(["parts"]);
+
+/** Returns the command that installs the meshers of parts that are missing, or undefined if all can run. */
+export function installMissingPartPeers() {
+  const packages = namesOf(["missing-parts"]);
+  return packages.length > 0 ? `${python} -m pip install ${packages.join(" ")}` : undefined;
+}
 
 /** Returns the peer's results for the surface, or `{ failure }` with a short reason. */
 export const runPeer = (name, file) => resultOf([name, file]);
