@@ -413,6 +413,20 @@ TEST(RemeshDetails, StepsAboveTheLengthStay) {
   EXPECT_TRUE(remesh(blockWithStep(0.004), options).mergedDetails.empty());
 }
 
+/// What is as thin as rounding after a merge would have no volume.
+TEST(RemeshDetails, RegionsDoNotDisappear) {
+  SurfaceMesh plates = dividedBox({2, 1, 1}, 1);
+  stretch(plates, {1.0, 1.0, 1e-7});
+  RemeshOptions options;
+  options.innerShells = InnerShells::kRegions;
+  options.minSize = 0.2;
+  options.maxSize = 0.6;
+  options.dropDetails = 2.0;
+  const SurfaceRemesh result = remesh(plates, options);
+  ASSERT_TRUE(result.diagnostics.empty());
+  EXPECT_TRUE(errorsOf(surfaceOf(result), InnerShells::kRegions).empty());
+}
+
 /// Short edges along a feature line and around corners are no details.
 TEST(RemeshDetails, FineTrianglesAreNoDetails) {
   RemeshOptions options;

@@ -226,18 +226,25 @@ struct DroppedDetails {
   double deviation = 0.0;
 };
 
+/// Keeps all details if a region would be left without volume.
 Task<DroppedDetails> dropDetails(Work& work, SurfaceMesh& mesh, std::vector<std::uint32_t>& groups,
-                                 const FeatureRules& rules, double distance) {
+                                 const FeatureRules& rules, const RemeshOptions& options) {
   DroppedDetails dropped;
   ReferenceSurface reference(mesh, groups, rules);
   co_await reference.prepare(work);
-  DetailMerger merger(reference, distance);
+  DetailMerger merger(reference, options.dropDetails);
   co_await merger.run(work);
   if (merger.merged().empty()) co_return dropped;
+  SurfaceMesh made;
+  std::vector<TriangleId> origin;
+  merger.copyTo(made, origin);
+  SurfaceMesh checked = made;
+  BoundaryCheck boundary(checked, BoundarySource::kGivenSurface, options.innerShells);
+  co_await work.finish(boundary);
+  if (anyError(boundary.takeDiagnostics())) co_return dropped;
+  dropped.origin = std::move(origin);
   dropped.merged = merger.merged();
   dropped.deviation = merger.deviation();
-  SurfaceMesh made;
-  merger.copyTo(made, dropped.origin);
   mesh.points = std::move(made.points);
   mesh.triangles = std::move(made.triangles);
   if (groups.empty()) co_return dropped;
@@ -260,7 +267,7 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
   const FeatureRules rules{cosineOfDegrees(options.featureAngle), cosineOfDegrees(kCornerDegrees)};
   DroppedDetails dropped;
   if (options.dropDetails > 0.0) {
-    dropped = co_await dropDetails(work, mesh, groups, rules, options.dropDetails);
+    dropped = co_await dropDetails(work, mesh, groups, rules, options);
   }
   ReferenceSurface reference(mesh, groups, rules);
   co_await reference.prepare(work);
