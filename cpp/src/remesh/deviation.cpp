@@ -11,10 +11,13 @@
 namespace tetrafront {
 namespace {
 
-/// Division of a triangle ends after this many halvings, or at this ratio of the bound to the
-/// distance.
+/// Division of a triangle ends after this many steps, or at this ratio of the bound to the distance.
 constexpr int kMaxDepth = 24;
 constexpr double kSharpness = 1.02;
+/// A part is cut only if it extends to both sides of the edge by more than this, relative to the bound; less is rounding.
+constexpr double kLeastCutPerBound = 1e-9;
+/// Steps of a walk between neighbouring triangles, after which the tree is faster.
+constexpr int kMaxWalk = 24;
 
 double squaredDistance(const Vec3& position, const std::array<Vec3, 3>& corners) {
   return squaredDistanceToTriangle(position, corners[0], corners[1], corners[2]);
@@ -37,6 +40,23 @@ DeviationBound::DeviationBound(const GuardedSurface& surface, double least)
     if (!surface.beneath(t).isNone()) above_[surface.beneath(t).index()] = t;
   }
   if (!boxes.empty()) tree_ = BoxTree(std::span<const Box>(boxes));
+  findNeighbours();
+}
+
+/// Links the triangles of each curved patch across its edges.
+void DeviationBound::findNeighbours() {
+  neighbours_.resize(3 * complex_.triangleSlots());
+  std::vector<HalfEdgeId> edge;
+  for (const TriangleId t : items_) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdgeId halfEdge = halfEdgeOf(t, k);
+      if (!complex_.stretchOf(halfEdge).isNone()) continue;
+      const auto [a, b, apex] = complex_.nodesOf(halfEdge);
+      complex_.collectEdge(a, b, edge);
+      if (edge.size() != 2) continue;
+      neighbours_[halfEdge.index()] = triangleOf(edge[edge[0] == halfEdge ? 1 : 0]);
+    }
+  }
 }
 
 bool DeviationBound::advance(std::size_t budget) {
@@ -51,11 +71,29 @@ bool DeviationBound::advance(std::size_t budget) {
   return isPassDone();
 }
 
-/// Returns the triangle of the patch nearest to the position. `guess`: a triangle that may be near,
-/// or none.
-TriangleId DeviationBound::nearest(const Vec3& position, SmoothPatchId patch, TriangleId guess,
-                                   double& square) const {
-  square = std::numeric_limits<double>::infinity();
+/// Walks from a triangle to one that is nearer to the position than its neighbours.
+TriangleId DeviationBound::walk(const Vec3& position, TriangleId from) const {
+  TriangleId here = from;
+  double square = squaredDistance(position, complex_.cornersOf(here));
+  for (int step = 0; step < kMaxWalk; ++step) {
+    const TriangleId last = here;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const TriangleId next = neighbours_[halfEdgeOf(last, k).index()];
+      if (next.isNone()) continue;
+      const double other = squaredDistance(position, complex_.cornersOf(next));
+      if (other >= square) continue;
+      square = other;
+      here = next;
+    }
+    if (here == last) break;
+  }
+  return here;
+}
+
+/// Returns the triangle of the patch nearest to the position. `guess`: one that may be near, or none.
+TriangleId DeviationBound::nearest(const Vec3& position, SmoothPatchId patch,
+                                   TriangleId guess) const {
+  double square = std::numeric_limits<double>::infinity();
   if (!guess.isNone()) square = squaredDistance(position, complex_.cornersOf(guess));
   TriangleId found = guess;
   tree_.visitNear(position, square, [&](std::uint32_t item) {
@@ -78,39 +116,62 @@ double DeviationBound::boundBy(const Corners& corners, TriangleId triangle) cons
   return std::sqrt(largest);
 }
 
+/// Returns the plane through an edge of the triangle beyond which most of the part lies, if the rest of the part is
+/// within the bound of the triangle.
+std::optional<Cut> DeviationBound::findCut(const Corners& corners, TriangleId triangle) const {
+  const Corners over = complex_.cornersOf(triangle);
+  const Vec3 cross = glm::cross(over[1] - over[0], over[2] - over[0]);
+  const double area = glm::length(cross);
+  if (!(area > 0.0)) return {};
+  const Vec3 normal = cross / area;
+  for (const Vec3& corner : corners) {
+    if (std::fabs(glm::dot(corner - over[0], normal)) > bound_) return {};
+  }
+  std::optional<Cut> best;
+  double farthest = kLeastCutPerBound * bound_;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 edge = over[(k + 1) % 3] - over[k];
+    const Cut cut{over[k], glm::cross(edge, normal) / glm::length(edge)};
+    const auto [least, most] = std::ranges::minmax(cut.depthsOf(corners));
+    if (most <= farthest || least >= -kLeastCutPerBound * bound_) continue;
+    farthest = most;
+    best = cut;
+  }
+  return best;
+}
+
 void DeviationBound::measure(const Corners& corners, SmoothPatchId patch, TriangleId guess,
                              int depth) {
-  if (!guess.isNone() && boundBy(corners, guess) <= bound_) return;
-  double square = 0.0;
-  const TriangleId t = nearest((corners[0] + corners[1] + corners[2]) / 3.0, patch, guess, square);
-  const double bound = boundBy(corners, t);
+  const Vec3 centroid = (corners[0] + corners[1] + corners[2]) / 3.0;
+  TriangleId t = guess.isNone() ? nearest(centroid, patch, {}) : walk(centroid, guess);
+  double bound = boundBy(corners, t);
+  if (bound <= bound_) return;
+  if (const std::optional<Cut> cut = findCut(corners, t); cut && depth < kMaxDepth) {
+    for (const Corners& part : divide(corners, *cut)) measure(part, patch, t, depth + 1);
+    return;
+  }
+  t = nearest(centroid, patch, t);
+  bound = boundBy(corners, t);
   if (bound <= bound_) return;
   // The distance of the centroid is at most the largest one.
-  const bool isSharp = bound <= kSharpness * std::sqrt(square);
-  if (isSharp || depth == kMaxDepth) {
+  const bool isSharp =
+      bound <= kSharpness * std::sqrt(squaredDistance(centroid, complex_.cornersOf(t)));
+  if (isSharp || depth >= kMaxDepth) {
     bound_ = bound;
     return;
   }
-  std::size_t k = 0;
-  const auto squaredLength = [&](std::size_t i) {
-    const Vec3 edge = corners[(i + 1) % 3] - corners[i];
-    return glm::dot(edge, edge);
-  };
-  for (std::size_t i = 1; i < 3; ++i) {
-    if (squaredLength(i) > squaredLength(k)) k = i;
-  }
-  const Vec3 middle = 0.5 * (corners[k] + corners[(k + 1) % 3]);
-  measure({corners[k], middle, corners[(k + 2) % 3]}, patch, t, depth + 1);
-  measure({middle, corners[(k + 1) % 3], corners[(k + 2) % 3]}, patch, t, depth + 1);
+  for (const Corners& half : halvesOf(corners)) measure(half, patch, t, depth + 1);
 }
 
 float sampledDeviation(const GuardedSurface& surface, TriangleId triangle) {
   const auto [a, b, c] = surface.complex().cornersOf(triangle);
   const SmoothPatchId patch = surface.complex().patchOf(triangle);
+  if (surface.reference().patch(patch).isPlanar) return 0.0F;
   const double tolerance = surface.tolerance();
   double largest = 0.0;
   for (const Vec3& sample : {(a + b + c) / 3.0, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) {
-    const NearestPoint nearest = surface.reference().nearest(sample, patch, tolerance, {});
+    const NearestPoint nearest =
+        surface.reference().nearest(sample, patch, tolerance, surface.beneath(triangle));
     largest = std::max(largest,
                        nearest.triangle.isNone() ? tolerance * tolerance : nearest.squaredDistance);
   }

@@ -4,19 +4,22 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "base/ids.h"
 #include "base/resumable.h"
 #include "remesh/guarded_surface.h"
+#include "remesh/triangle_parts.h"
 #include "search/box_tree.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {
 
 /// An upper bound of the distance from the points of the given surface to the remeshed one, patch by patch. Not a sample:
-/// the distance to one triangle is convex, so over a part of a triangle it is largest at a corner. Parts are divided
-/// until their bound is at most that of all before, or little above the distance itself. Planar patches need no measuring: their
+/// the distance to one triangle is convex, so over a part of a triangle it is largest at a corner. Parts are divided at
+/// the edges of the triangle next to them until their bound is at most that of all before, or little above the distance
+/// itself. Planar patches need no measuring: their
 /// feature lines bound their distance.
 class DeviationBound : public Resumable {
  public:
@@ -29,12 +32,15 @@ class DeviationBound : public Resumable {
   [[nodiscard]] double bound() const { return bound_; }
 
  private:
-  using Corners = std::array<Vec3, 3>;
+  using Corners = TriangleCorners;
 
-  [[nodiscard]] TriangleId nearest(const Vec3& position, SmoothPatchId patch, TriangleId guess,
-                                   double& squaredDistance) const;
+  void findNeighbours();
+  [[nodiscard]] TriangleId walk(const Vec3& position, TriangleId from) const;
+  [[nodiscard]] TriangleId nearest(const Vec3& position, SmoothPatchId patch,
+                                   TriangleId guess) const;
   /// Largest distance of the corners from a triangle of the remeshed surface.
   [[nodiscard]] double boundBy(const Corners& corners, TriangleId triangle) const;
+  [[nodiscard]] std::optional<Cut> findCut(const Corners& corners, TriangleId triangle) const;
   void measure(const Corners& corners, SmoothPatchId patch, TriangleId guess, int depth);
 
   const SurfaceComplex& complex_;
@@ -42,6 +48,8 @@ class DeviationBound : public Resumable {
   double bound_;
   std::vector<TriangleId> above_;  ///< per given triangle: a remeshed one made above it, or none
   std::vector<TriangleId> items_;  ///< triangles of the remeshed surface in curved patches
+  std::vector<TriangleId>
+      neighbours_;  ///< per half-edge: across it in the same curved patch, or none
   BoxTree tree_;
 };
 

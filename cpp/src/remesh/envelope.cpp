@@ -7,11 +7,12 @@
 
 #include "geom/box.h"
 #include "geom/measure.h"
+#include "remesh/triangle_parts.h"
 
 namespace tetrafront {
 namespace {
 
-using Corners = std::array<Vec3, 3>;
+using Corners = TriangleCorners;
 
 /// Largest number of parts of one triangle. A triangle that needs more is nearly out of tolerance,
 /// or covers very many facets.
@@ -29,13 +30,6 @@ struct Part {
   TriangleId hint;
 };
 
-/// The edge at which a part leaves its facet: a point, and the unit normal of the edge that points
-/// out of the facet.
-struct Cut {
-  Vec3 origin;
-  Vec3 outward;
-};
-
 /// Tries to prove one part by one facet.
 class FacetProof {
  public:
@@ -44,6 +38,7 @@ class FacetProof {
 
   /// Returns true if the part is proven. Otherwise, cut() may say where to divide it.
   bool prove(const Facet& facet, const Vec3& centroid, const Vec3& nearest);
+  /// The edge at which the part leaves the facet, if it is worth dividing there.
   [[nodiscard]] const std::optional<Cut>& cut() const { return cut_; }
 
  private:
@@ -87,8 +82,7 @@ bool FacetProof::staysNear(const Facet& facet, const Vec3& centroid, const Vec3&
   const double inside = -glm::dot(centroid - from, outward);
   // If the centroid is beyond the line, paths from it through the edge enter the facet.
   if (inside <= 0.0) return true;
-  std::array<double, 3> depth{};
-  for (std::size_t k = 0; k < 3; ++k) depth[k] = glm::dot(corners_[k] - from, outward);
+  const std::array<double, 3> depth = Cut{from, outward}.depthsOf(corners_);
   const double deepest = std::max({depth[0], depth[1], depth[2]});
   if (deepest <= kReach * inside) return true;
 
@@ -129,51 +123,11 @@ class WaitingParts {
   [[nodiscard]] bool isFull() const { return count_ + 3 > kMaxWaiting; }
   Part pop() { return parts_[--count_]; }
   void push(const Corners& corners, TriangleId hint) { parts_[count_++] = {corners, hint}; }
-  void halve(const Part& part);
-  void divide(const Part& part, const Cut& cut);
 
  private:
   std::array<Part, kMaxWaiting> parts_;
   std::size_t count_ = 0;
 };
-
-void WaitingParts::halve(const Part& part) {
-  const auto squaredLength = [&](std::size_t k) {
-    const Vec3 edge = part.corners[(k + 1) % 3] - part.corners[k];
-    return glm::dot(edge, edge);
-  };
-  std::size_t k = 0;
-  for (std::size_t i = 1; i < 3; ++i) {
-    if (squaredLength(i) > squaredLength(k)) k = i;
-  }
-  const Vec3& a = part.corners[k];
-  const Vec3& b = part.corners[(k + 1) % 3];
-  const Vec3& c = part.corners[(k + 2) % 3];
-  const Vec3 middle = 0.5 * (a + b);
-  push({a, middle, c}, part.hint);
-  push({middle, b, c}, part.hint);
-}
-
-/// Divides the part by the plane through the edge that is perpendicular to the facet.
-void WaitingParts::divide(const Part& part, const Cut& cut) {
-  std::array<double, 3> depth{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    depth[k] = glm::dot(part.corners[k] - cut.origin, cut.outward);
-  }
-  // Find the corner that is alone on its side of the plane.
-  std::size_t k = 0;
-  while ((depth[k] > 0.0) == (depth[(k + 1) % 3] > 0.0) ||
-         (depth[k] > 0.0) == (depth[(k + 2) % 3] > 0.0))
-    ++k;
-  const Vec3& a = part.corners[k];
-  const Vec3& b = part.corners[(k + 1) % 3];
-  const Vec3& c = part.corners[(k + 2) % 3];
-  const Vec3 ab = a + (b - a) * (depth[k] / (depth[k] - depth[(k + 1) % 3]));
-  const Vec3 ac = a + (c - a) * (depth[k] / (depth[k] - depth[(k + 2) % 3]));
-  push({a, ab, ac}, part.hint);
-  push({ab, b, c}, part.hint);
-  push({ab, c, ac}, part.hint);
-}
 
 }  // namespace
 
@@ -191,9 +145,10 @@ bool isWithin(const ReferenceSurface& reference, const Corners& corners, SmoothP
     if (proof.prove(reference.facetOf(nearest.triangle), centroid, nearest.position)) continue;
     if (parts >= kMaxParts || waiting.isFull()) return false;
     if (proof.cut()) {
-      waiting.divide(part, *proof.cut());
+      for (const Corners& piece : divide(part.corners, *proof.cut()))
+        waiting.push(piece, part.hint);
     } else {
-      waiting.halve(part);
+      for (const Corners& half : halvesOf(part.corners)) waiting.push(half, part.hint);
     }
   }
   return true;

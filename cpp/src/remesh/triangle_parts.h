@@ -1,0 +1,52 @@
+#pragma once
+
+/// @file Parts of a triangle, for proofs that hold for every point of it.
+
+#include <array>
+#include <cstddef>
+
+#include "boundary/surface_access.h"
+#include "tetrafront/vec3.h"
+
+namespace tetrafront {
+
+using TriangleCorners = std::array<Vec3, 3>;
+
+/// Divides a triangle at the middle of its longest edge.
+[[nodiscard]] inline std::array<TriangleCorners, 2> halvesOf(const TriangleCorners& corners) {
+  const std::size_t k = longestEdgeOf(corners);
+  const Vec3& a = corners[k];
+  const Vec3& b = corners[(k + 1) % 3];
+  const Vec3& c = corners[(k + 2) % 3];
+  const Vec3 middle = 0.5 * (a + b);
+  return {{{a, middle, c}, {middle, b, c}}};
+}
+
+/// A plane through an edge.
+struct Cut {
+  Vec3 origin;
+  Vec3 outward;  ///< unit normal
+
+  [[nodiscard]] std::array<double, 3> depthsOf(const TriangleCorners& corners) const {
+    return {glm::dot(corners[0] - origin, outward), glm::dot(corners[1] - origin, outward),
+            glm::dot(corners[2] - origin, outward)};
+  }
+};
+
+/// Divides a triangle by a plane that has corners on both sides. The first part is alone on its side.
+[[nodiscard]] inline std::array<TriangleCorners, 3> divide(const TriangleCorners& corners,
+                                                           const Cut& cut) {
+  const std::array<double, 3> depth = cut.depthsOf(corners);
+  std::size_t k = 0;
+  while ((depth[k] > 0.0) == (depth[(k + 1) % 3] > 0.0) ||
+         (depth[k] > 0.0) == (depth[(k + 2) % 3] > 0.0))
+    ++k;
+  const Vec3& a = corners[k];
+  const Vec3& b = corners[(k + 1) % 3];
+  const Vec3& c = corners[(k + 2) % 3];
+  const Vec3 ab = a + (b - a) * (depth[k] / (depth[k] - depth[(k + 1) % 3]));
+  const Vec3 ac = a + (c - a) * (depth[k] / (depth[k] - depth[(k + 2) % 3]));
+  return {{{a, ab, ac}, {ab, b, c}, {ab, c, ac}}};
+}
+
+}  // namespace tetrafront
