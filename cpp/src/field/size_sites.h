@@ -31,6 +31,8 @@ class SizeSites {
             float slack = kSlack);
   SizeSites(const SizeSites&) = delete;
   SizeSites& operator=(const SizeSites&) = delete;
+  SizeSites(SizeSites&&) = default;
+  SizeSites& operator=(SizeSites&&) = default;
 
   /// Sorts `budget` sites; visits each site thirteen times in all. Returns true when finished.
   /// Call no other function before.

@@ -11,12 +11,8 @@ namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-/// Numbers of rounds of collapsing, splitting and smoothing, and of passes of smoothing. More of
-/// them change little.
+/// Number of rounds of collapsing and splitting. More of them change little.
 constexpr int kRounds = 3;
-constexpr int kFinalSmoothingPasses = 2;
-constexpr int kSmoothingPasses = 1;
-constexpr int kSmoothingPassesAtLast = 3;
 /// Edges shorter than this are collapsed, in target lengths. In the first round only much shorter
 /// edges are collapsed: needles have short edges that splits will remove.
 constexpr double kShort = 0.75;
@@ -51,29 +47,22 @@ Task<> RemeshSchedule::run(Work& work) {
   co_await flipAll(work);
   for (int round = 0; round < kRounds; ++round) {
     const bool isLast = round + 1 == kRounds;
-    const double begin = 0.05 + 0.25 * round;
+    const double begin = 0.05 + 0.2 * round;
     const double shortest = round == 0 ? kVeryShort : kShort;
     const double longest = isLast ? kLongAtLast : kLong;
-    const int passes = isLast ? kSmoothingPassesAtLast : kSmoothingPasses;
     work.beginPart(begin + 0.1);
     co_await collapseShort(work, shortest);
     co_await flipAll(work);
     work.beginPart(begin + 0.2);
     co_await splitLong(work, longest);
     co_await flipAll(work);
-    work.beginPart(begin + 0.25);
-    co_await smoothAndFlip(work, passes);
   }
-  work.beginPart(0.9);
-  co_await improvePoor(work, kPoorSquaredSine);
-  co_await smoothAndFlip(work, kFinalSmoothingPasses);
-  work.beginPart(1.0);
-  co_await improvePoor(work, kPoorSquaredSineAtLast);
-  co_await smoothAndFlip(work, kFinalSmoothingPasses);
-}
-
-Task<> RemeshSchedule::smoothAndFlip(Work& work, int passes) {
-  for (int pass = 0; pass < passes; ++pass) {
+  work.beginPart(0.8);
+  co_await smoothAll(work);
+  co_await flipAll(work);
+  for (const double squaredSine : {kPoorSquaredSine, kPoorSquaredSineAtLast}) {
+    work.beginPart(squaredSine == kPoorSquaredSine ? 0.9 : 1.0);
+    co_await improvePoor(work, squaredSine);
     co_await smoothAll(work);
     co_await flipAll(work);
   }

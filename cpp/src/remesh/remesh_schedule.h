@@ -35,7 +35,6 @@ class RemeshSchedule {
   Task<> splitLong(Work& work, double limit);
   Task<> flipAll(Work& work);
   Task<> smoothAll(Work& work);
-  Task<> smoothAndFlip(Work& work, int passes);
   Task<> improvePoor(Work& work, double squaredSine);
 
   void collectEdges(double shortest, double longest);

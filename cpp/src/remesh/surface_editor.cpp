@@ -51,21 +51,29 @@ NodeTriple replaced(NodeTriple nodes, NodeId old, NodeId now) {
 
 }  // namespace
 
-SurfaceEditor::SurfaceEditor(GuardedSurface& surface, const SizeField& sizes)
+SurfaceEditor::SurfaceEditor(GuardedSurface& surface, const RemeshSizes& sizes)
     : surface_(surface),
       complex_(surface.complex()),
       reference_(surface.reference()),
       sizes_(sizes),
       isStretched_(sizes.isStretched()),
       size_(complex_.nodeCount()),
+      sizeHint_(complex_.nodeCount()),
       view_(isStretched_ ? complex_.nodeCount() : 0),
       changed_(complex_.nodeCount(), 0) {
-  for (const NodeId node : IdRange<NodeId>(complex_.nodeCount())) measureSize(node);
+  RemeshSizes::Hint hint;
+  for (const NodeId node : IdRange<NodeId>(complex_.nodeCount())) {
+    sizeHint_[node.index()] = hint;
+    measureSize(node);
+    hint = sizeHint_[node.index()];
+  }
 }
 
-NodeId SurfaceEditor::addNode(const Vec3& point, NodeKind kind) {
+/// `near`: a node not far from the new one.
+NodeId SurfaceEditor::addNode(const Vec3& point, NodeKind kind, NodeId near) {
   const NodeId node = surface_.addNode(point, kind);
   size_.emplace_back();
+  sizeHint_.push_back(sizeHint_[near.index()]);
   if (isStretched_) view_.emplace_back();
   changed_.push_back(time_);
   measureSize(node);
@@ -75,17 +83,19 @@ NodeId SurfaceEditor::addNode(const Vec3& point, NodeKind kind) {
 void SurfaceEditor::removeLastNode() {
   surface_.removeLastNode();
   size_.pop_back();
+  sizeHint_.pop_back();
   if (isStretched_) view_.pop_back();
   changed_.pop_back();
 }
 
 void SurfaceEditor::measureSize(NodeId node) {
   const Vec3& point = complex_.pointOf(node);
+  RemeshSizes::Hint& hint = sizeHint_[node.index()];
   if (!isStretched_) {
-    size_[node.index()] = sizes_.targetSizeAt(point, fieldHint_);
+    size_[node.index()] = sizes_.sizeAt(point, hint);
     return;
   }
-  const SymmetricTensor tensor = sizes_.targetTensorAt(point, fieldHint_);
+  const SymmetricTensor tensor = sizes_.tensorAt(point, hint);
   size_[node.index()] = meanSizeOf(tensor);
   view_[node.index()] = tensor.inverse();
 }
@@ -207,7 +217,7 @@ bool SurfaceEditor::trySplit(NodeId a, NodeId b, const Vec3& position, StretchId
         !follows(after.line, arc, after.end, position, complex_.pointOf(to)))
       return false;
   }
-  const NodeId middle = addNode(position, id.isNone() ? NodeKind::kSmooth : NodeKind::kLine);
+  const NodeId middle = addNode(position, id.isNone() ? NodeKind::kSmooth : NodeKind::kLine, a);
   change_.clear();
   for (const HalfEdgeId halfEdge : edge_) {
     const TriangleId t = triangleOf(halfEdge);

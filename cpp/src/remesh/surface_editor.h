@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "base/ids.h"
-#include "field/size_field.h"
 #include "field/size_tensor.h"
 #include "remesh/guarded_surface.h"
+#include "remesh/remesh_sizes.h"
 #include "remesh/surface_complex.h"
 #include "tetrafront/vec3.h"
 
@@ -29,7 +29,7 @@ struct CollapseRule {
 class SurfaceEditor {
  public:
   /// Both must outlive this.
-  SurfaceEditor(GuardedSurface& surface, const SizeField& sizes);
+  SurfaceEditor(GuardedSurface& surface, const RemeshSizes& sizes);
 
   // ---- operations: each returns true if it was made ----
 
@@ -62,7 +62,7 @@ class SurfaceEditor {
  private:
   using Corners = std::array<Vec3, 3>;
 
-  NodeId addNode(const Vec3& point, NodeKind kind);
+  NodeId addNode(const Vec3& point, NodeKind kind, NodeId near);
   void removeLastNode();
   void measureSize(NodeId node);
   bool apply(bool coversSame = false);
@@ -101,10 +101,10 @@ class SurfaceEditor {
   GuardedSurface& surface_;
   const SurfaceComplex& complex_;
   const ReferenceSurface& reference_;
-  const SizeField& sizes_;
+  const RemeshSizes& sizes_;
   bool isStretched_;
-  FieldHint fieldHint_;
-  std::vector<double> size_;           ///< per node: target length
+  std::vector<double> size_;                 ///< per node: target length
+  std::vector<RemeshSizes::Hint> sizeHint_;  ///< per node
   std::vector<SymmetricTensor> view_;  ///< per node, if stretched: maps target edges to unit length
   std::vector<std::uint32_t> changed_;  ///< per node
   std::uint32_t time_ = 1;

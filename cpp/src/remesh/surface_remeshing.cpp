@@ -13,7 +13,7 @@
 #include "base/tool_job.h"
 #include "boundary/boundary.h"
 #include "boundary/surface_access.h"
-#include "field/size_octree_builder.h"
+#include "field/size_sites.h"
 #include "geom/angles.h"
 #include "geom/coordinates.h"
 #include "quality/metrics.h"
@@ -23,6 +23,7 @@
 #include "remesh/guarded_surface.h"
 #include "remesh/reference_surface.h"
 #include "remesh/remesh_schedule.h"
+#include "remesh/remesh_sizes.h"
 #include "remesh/surface_editor.h"
 #include "sizing/check_options.h"
 #include "sizing/expected_count.h"
@@ -46,6 +47,10 @@ constexpr double kCornerDegrees = 50.0;
 /// given one, they hold for every point. In the other direction they test given nodes only, and
 /// between nodes the distance may be slightly larger.
 constexpr double kTestedTolerance = 0.9;
+/// Relative error of the sizes that the shape asks for.
+constexpr float kSlack = 0.01F;
+/// Sizes sorted per unit of budget.
+constexpr std::size_t kSitesPerUnit = 32;
 /// Area of an equilateral triangle, in squared edge lengths.
 constexpr double kTriangleArea = 0.4330127018922193;
 
@@ -129,11 +134,11 @@ Task<std::vector<Diagnostic>> checkInput(Work& work, SurfaceMesh& mesh, const Ba
 
 /// Returns kTooManyElements if the sizes ask for more triangles than the limit, and than there are. O(pieces).
 std::vector<Diagnostic> checkTriangleCount(const ReferenceSurface& reference,
-                                           const SizeField& field, std::uint32_t maxTriangles) {
+                                           const RemeshSizes& sizes, std::uint32_t maxTriangles) {
   std::vector<double> expected(countTriangles(reference.mesh()), 0.0);
-  FieldHint hint;
+  RemeshSizes::Hint hint;
   for (const ReferenceSurface::Piece& piece : reference.pieces()) {
-    const double size = field.targetSizeAt(piece.centroid, hint);
+    const double size = sizes.sizeAt(piece.centroid, hint);
     expected[piece.triangle.index()] += piece.area / (kTriangleArea * size * size);
   }
   const double total = std::accumulate(expected.begin(), expected.end(), 0.0);
@@ -149,7 +154,7 @@ std::vector<Diagnostic> checkTriangleCount(const ReferenceSurface& reference,
 }
 
 struct TargetField {
-  std::optional<SizeField> field;
+  std::optional<RemeshSizes> sizes;
   std::vector<Diagnostic> diagnostics;  ///< not empty if the grid or the sizes cannot be used
 };
 
@@ -166,8 +171,8 @@ Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
   TargetField found;
   found.diagnostics = given.diagnostics();
   if (anyError(found.diagnostics)) co_return found;
-  found.field.emplace(given.take());
-  found.diagnostics = checkTriangleCount(reference, *found.field, options.maxTriangles);
+  found.sizes.emplace(given.take());
+  found.diagnostics = checkTriangleCount(reference, *found.sizes, options.maxTriangles);
   if (!found.diagnostics.empty()) co_return found;
   co_await work.yield();
 
@@ -177,10 +182,10 @@ Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
   const ShapeSizes sizes = co_await findShapeSizes(work, reference, rules);
   if (sizes.positions.empty()) co_return found;
   work.beginPart(1.0);
-  SizeOctreeBuilder builder(sizes.positions, sizes.sizes, options.growth, lengths.maxSize);
-  co_await work.finish(builder);
-  found.field->capTo(builder.take());
-  found.diagnostics = checkTriangleCount(reference, *found.field, options.maxTriangles);
+  SizeSites sites(sizes.positions, sizes.sizes, options.growth, kSlack);
+  co_await work.finish(sites, kSitesPerUnit);
+  found.sizes->capTo(std::move(sites));
+  found.diagnostics = checkTriangleCount(reference, *found.sizes, options.maxTriangles);
   co_await work.yield();
   co_return found;
 }
@@ -282,7 +287,7 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
   SurfaceLimits limits;
   limits.tolerance = kTestedTolerance * lengths.tolerance;
   GuardedSurface surface(reference, limits, lengths.maxSize);
-  SurfaceEditor editor(surface, *targets.field);
+  SurfaceEditor editor(surface, *targets.sizes);
   co_await work.yield();
   RemeshSchedule schedule(editor);
   Job<> changes([&schedule](Work& inner) { return schedule.run(inner); });
