@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/mesh_access.h"
 #include "geom/measure.h"
@@ -23,6 +24,17 @@ double thicknessOf(const std::array<Vec3, 3>& corners) {
   const double longest = longestEdgeLengthOf(corners);
   const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
   return longest > 0.0 ? glm::length(normal) / (longest * longest) : 0.0;
+}
+
+/// Returns 1 or -1 for a triangle that is exactly in the plane across an axis and faces up or down along it; 0 if it is
+/// not in the plane, or too thin for its direction to be certain.
+double facingAlong(const std::array<Vec3, 3>& corners, int axis, double level) {
+  const auto& [a, b, c] = corners;
+  if (a[axis] != level || b[axis] != level || c[axis] != level) return 0.0;
+  const Vec3 normal = glm::cross(b - a, c - a);
+  const double longest = longestEdgeLengthOf(corners);
+  if (!(std::fabs(normal[axis]) > kThin * longest * longest)) return 0.0;
+  return normal[axis] > 0.0 ? 1.0 : -1.0;
 }
 
 }  // namespace
@@ -73,8 +85,28 @@ bool GuardedSurface::apply(const SurfaceChange& change, bool coversSame) {
 /// Makes the cheapest checks first.
 bool GuardedSurface::isAdmitted(bool coversSame) {
   measureAdded();
-  return isThickEnough() && facesAsReference() && keepsCreases() && !intersects(coversSame) &&
-         isInEnvelope() && findHosts();
+  return isThickEnough() && facesAsReference() && keepsCreases() &&
+         (coversSame || isInOnePlane() || !intersects()) && isInEnvelope() && findHosts();
+}
+
+/// Returns true if all removed and added triangles are exactly in one plane across an axis and face the same way. Both
+/// have the same boundary, so they cover the same part of the plane once.
+bool GuardedSurface::isInOnePlane() const {
+  const std::array<Vec3, 3>& first = numbered_[0].corners;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double level = first[0][axis];
+    const double facing = facingAlong(first, axis, level);
+    if (facing == 0.0) continue;
+    const auto isSame = [&](const std::array<Vec3, 3>& corners) {
+      return facingAlong(corners, axis, level) * facing > 0.0;
+    };
+    return std::ranges::all_of(
+               numbered_,
+               [&](const NumberedTriangle& triangle) { return isSame(triangle.corners); }) &&
+           std::ranges::all_of(change_->removed,
+                               [&](TriangleId t) { return isSame(complex_.cornersOf(t)); });
+  }
+  return false;
 }
 
 void GuardedSurface::measureAdded() {
@@ -191,9 +223,8 @@ TriangleId GuardedSurface::hintFor(std::size_t added) const {
   return {};
 }
 
-bool GuardedSurface::intersects(bool coversSame) {
-  return TriangleGrid::intersectEachOther(numbered_) ||
-         (!coversSame && grid_.intersectsAny(numbered_));
+bool GuardedSurface::intersects() {
+  return TriangleGrid::intersectEachOther(numbered_) || grid_.intersectsAny(numbered_);
 }
 
 bool GuardedSurface::isInEnvelope() const {

@@ -64,8 +64,7 @@ class GuardedSurface {
   [[nodiscard]] double tolerance() const { return limits_.tolerance; }
 
   /// Makes the change and returns true, or changes nothing and returns false. `coversSame`: the
-  /// added triangles cover exactly the same points as the removed ones, so they can only intersect
-  /// each other.
+  /// added triangles cover exactly the same points as the removed ones, each once, so they cannot intersect anything.
   bool apply(const SurfaceChange& change, bool coversSame = false);
 
   /// Adds a node without triangles, for the next change; removeLastNode() removes it again.
@@ -92,7 +91,8 @@ class GuardedSurface {
   [[nodiscard]] bool keepsCreases();
   [[nodiscard]] FeatureLineId lineOf(NodeId a, NodeId b) const;
   [[nodiscard]] bool keepsCrease(NodeId a, NodeId b, FeatureLineId line);
-  [[nodiscard]] bool intersects(bool coversSame);
+  [[nodiscard]] [[nodiscard]] bool isInOnePlane() const;
+  [[nodiscard]] bool intersects();
   [[nodiscard]] bool isInEnvelope() const;
   [[nodiscard]] bool findHosts();
   [[nodiscard]] TriangleId hintFor(std::size_t added) const;

@@ -15,6 +15,8 @@ namespace {
 /// Smallest gain of a measure that justifies a change; with any gain, rounding could move a node
 /// for ever.
 constexpr double kLeastGain = 1e-3;
+/// Length of a move / target size below which the target size of the node is kept.
+constexpr double kNearMove = 0.05;
 /// Squared sine of an angle below which the gain of a flip is rounding.
 constexpr double kLeastSquaredSine = 1e-12;
 /// If all triangles have radius ratios above this after a move, a rise of their mean justifies the
@@ -100,9 +102,18 @@ void SurfaceEditor::measureSize(NodeId node) {
   view_[node.index()] = tensor.inverse();
 }
 
+/// Returns true if a node moves so far that its target size must be queried again.
+bool SurfaceEditor::isFarMove() const {
+  if (change_.moved.isNone()) return false;
+  const double reach = kNearMove * sizeOf(change_.moved);
+  const Vec3 step = change_.position - complex_.pointOf(change_.moved);
+  return glm::dot(step, step) > reach * reach;
+}
+
 bool SurfaceEditor::apply(bool coversSame) {
+  const bool isFar = isFarMove();
   if (!surface_.apply(change_, coversSame)) return false;
-  if (!change_.moved.isNone()) measureSize(change_.moved);
+  if (isFar) measureSize(change_.moved);
   for (const SurfaceChange::Added& added : change_.added) {
     for (const NodeId node : added.nodes) changed_[node.index()] = time_;
   }

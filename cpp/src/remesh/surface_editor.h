@@ -65,6 +65,7 @@ class SurfaceEditor {
   NodeId addNode(const Vec3& point, NodeKind kind, NodeId near);
   void removeLastNode();
   void measureSize(NodeId node);
+  [[nodiscard]] bool isFarMove() const;
   bool apply(bool coversSame = false);
 
   [[nodiscard]] Vec3 positionOf(NodeId node) const {
