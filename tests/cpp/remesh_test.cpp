@@ -320,7 +320,7 @@ TEST(Remesh, RemeshingAgainChangesLittle) {
   options.size = 0.2;
   const SurfaceMesh once = surfaceOf(remesh(torus(2.0, 0.7, 48, 24), options));
   const SurfaceMesh twice = surfaceOf(remesh(once, options));
-  EXPECT_NEAR(countTriangles(twice), countTriangles(once), 0.1 * countTriangles(once));
+  EXPECT_NEAR(countTriangles(twice), countTriangles(once), 0.15 * countTriangles(once));
 }
 
 TEST(Remesh, DoesNotDependOnUnitsAndHardlyOnThePosition) {
@@ -367,8 +367,13 @@ TEST(Remesh, ReturnsAValidSurfaceWheneverItIsStopped) {
   const SurfaceRemesh whole = remesh(given, options);
   ASSERT_TRUE(whole.diagnostics.empty());
   EXPECT_FALSE(whole.isPartial);
+  int allSlices = 0;
+  for (SurfaceRemesher remesher(given.points, given.triangles, {}, {}, options);
+       !remesher.advance(100);)
+    ++allSlices;
   std::size_t between = 0;
-  for (const int slices : {0, 150, 280, 380, 500}) {
+  for (const double part : {0.0, 0.3, 0.5, 0.7, 0.9}) {
+    const int slices = static_cast<int>(part * allSlices);
     SurfaceRemesher remesher(given.points, given.triangles, {}, {}, options);
     for (int i = 0; i < slices; ++i) remesher.advance(100);
     remesher.stop();
@@ -529,7 +534,7 @@ class EditedSurface {
  private:
   SurfaceMesh mesh_;
   ReferenceSurface reference_;
-  SizeField sizes_;
+  RemeshSizes sizes_;
   std::optional<GuardedSurface> surface_;
   std::optional<SurfaceEditor> editor_;
 };

@@ -168,12 +168,15 @@ float sampledDeviation(const GuardedSurface& surface, TriangleId triangle) {
   const SmoothPatchId patch = surface.complex().patchOf(triangle);
   if (surface.reference().patch(patch).isPlanar) return 0.0F;
   const double tolerance = surface.tolerance();
+  const TriangleId beneath = surface.beneath(triangle);
   double largest = 0.0;
   for (const Vec3& sample : {(a + b + c) / 3.0, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) {
-    const NearestPoint nearest =
-        surface.reference().nearest(sample, patch, tolerance, surface.beneath(triangle));
-    largest = std::max(largest,
-                       nearest.triangle.isNone() ? tolerance * tolerance : nearest.squaredDistance);
+    // The walk from the triangle beneath ends near the nearest point, and so makes the search short.
+    const double near =
+        surface.reference().nearest(sample, patch, tolerance, beneath).squaredDistance;
+    const double nearest =
+        surface.reference().nearest(sample, patch, std::sqrt(near), {}).squaredDistance;
+    largest = std::max(largest, nearest);
   }
   return static_cast<float>(std::sqrt(largest));
 }

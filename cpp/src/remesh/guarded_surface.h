@@ -70,6 +70,8 @@ class GuardedSurface {
   /// Adds a node without triangles, for the next change; removeLastNode() removes it again.
   NodeId addNode(const Vec3& point, NodeKind kind) { return complex_.addNode(point, kind); }
   void removeLastNode() { complex_.removeLastNode(); }
+  /// A node inside a patch becomes one of a feature line.
+  void putOnLine(NodeId node) { complex_.putOnLine(node); }
 
   // The caller sets the stretches of feature lines; apply() keeps those of edges that remain.
   void replaceStretch(NodeId a, NodeId b, const Stretch& stretch);

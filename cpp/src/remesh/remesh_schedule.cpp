@@ -21,9 +21,10 @@ constexpr double kVeryShort = 0.5;
 constexpr double kLong = 1.4;
 constexpr double kLongAtLast = 1.5;
 /// A pass splits only edges longer than this fraction of the longest one, so that the longest edges
-/// are split first everywhere.
+/// are split first everywhere; and also edges of this fraction of the length of the pass before, so that long edges that
+/// cannot be split hold back no others.
 constexpr double kPassFraction = 0.6;
-constexpr int kMaxPasses = 40;
+constexpr int kMaxPasses = 30;
 /// A pass is the last one if it collapses at most one in this many of the listed edges.
 constexpr std::size_t kFewCollapses = 50;
 constexpr int kMaxCollapsePasses = 20;
@@ -47,7 +48,7 @@ Task<> RemeshSchedule::run(Work& work) {
   co_await flipAll(work);
   for (int round = 0; round < kRounds; ++round) {
     const bool isLast = round + 1 == kRounds;
-    const double begin = 0.05 + 0.2 * round;
+    const double begin = 0.05 + 0.25 * round;
     const double shortest = round == 0 ? kVeryShort : kShort;
     const double longest = isLast ? kLongAtLast : kLong;
     work.beginPart(begin + 0.1);
@@ -56,10 +57,10 @@ Task<> RemeshSchedule::run(Work& work) {
     work.beginPart(begin + 0.2);
     co_await splitLong(work, longest);
     co_await flipAll(work);
+    work.beginPart(begin + 0.25);
+    co_await smoothAll(work);
+    co_await flipAll(work);
   }
-  work.beginPart(0.8);
-  co_await smoothAll(work);
-  co_await flipAll(work);
   for (const double squaredSine : {kPoorSquaredSine, kPoorSquaredSineAtLast}) {
     work.beginPart(squaredSine == kPoorSquaredSine ? 0.9 : 1.0);
     co_await improvePoor(work, squaredSine);
@@ -116,20 +117,20 @@ Task<> RemeshSchedule::collapseShort(Work& work, double limit) {
 /// Splits edges longer than `limit`, with flips in between. Without the flips, splitting needles
 /// would make several times as many triangles.
 Task<> RemeshSchedule::splitLong(Work& work, double limit) {
-  double refused = kUnlimited;  // longer edges cannot be split
+  double least = kUnlimited;
   for (int pass = 0; pass < kMaxPasses; ++pass) {
     collectEdges(0.0, limit);
-    std::erase_if(edges_, [&](const Edge& edge) { return edge.length >= refused; });
+    if (edges_.empty()) break;
     stableSort(edges_, [](const Edge& x, const Edge& y) { return x.length > y.length; });
-    const double least = edges_.empty() ? 0.0 : std::max(limit, kPassFraction * edges_[0].length);
+    const bool isLowest = least == limit;
+    least = std::max(limit, kPassFraction * std::min(least, edges_[0].length));
     std::erase_if(edges_, [&](const Edge& edge) { return edge.length < least; });
     co_await work.yield();
     bool made = false;
     co_await work.forEachBlock(edges_.size(), [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) made = splitAndFlip(edges_[i]) || made;
     });
-    if (!made && least <= limit) break;
-    if (!made) refused = least;
+    if (!made && isLowest) break;
   }
 }
 
@@ -144,7 +145,7 @@ bool RemeshSchedule::splitAndFlip(const Edge& edge) {
     if (foot > kLeastFoot && foot < 1.0 - kLeastFoot && heightOf(edge.a, edge.b, apex) < kCapHeight)
       part = foot;
   }
-  if (!editor_.split(edge.a, edge.b, part)) return false;
+  if (!editor_.split(edge.a, edge.b, part)) return editor_.absorb(edge.a, edge.b);
   const NodeId middle(complex_.nodeCount() - 1);
   if (!collapseInto(middle)) flipAround(middle);
   return true;
@@ -275,6 +276,7 @@ bool RemeshSchedule::improveTriangle(TriangleId triangle, double squaredSine) {
   for (const std::size_t k : order) {
     if (editor_.flip(nodes[k], nodes[(k + 1) % 3])) return true;
   }
+  if (editor_.absorb(nodes[order[0]], nodes[(order[0] + 1) % 3])) return true;
   const CollapseRule rule{1.7, 1.0, true};
   for (std::size_t i = 3; i-- > 0;) {
     const NodeId a = nodes[order[i]];

@@ -47,6 +47,7 @@ class SurfaceComplex {
   NodeId addNode(const Vec3& point, NodeKind kind);
   /// Removes the node that was added last; no triangle may use it.
   void removeLastNode();
+  void putOnLine(NodeId node) { kinds_[node.index()] = NodeKind::kLine; }
   void moveNode(NodeId node, const Vec3& point) { points_[node.index()] = point; }
 
   // ---- triangles ----

@@ -17,6 +17,8 @@ namespace {
 constexpr double kLeastGain = 1e-3;
 /// Length of a move / target size below which the target size of the node is kept.
 constexpr double kNearMove = 0.05;
+/// Height / tolerance up to which the apex of a cap may be absorbed by the feature line beneath it.
+constexpr double kAbsorbedHeight = 0.05;
 /// Squared sine of an angle below which the gain of a flip is rounding.
 constexpr double kLeastSquaredSine = 1e-12;
 /// If all triangles have radius ratios above this after a move, a rise of their mean justifies the
@@ -216,17 +218,33 @@ Vec3 SurfaceEditor::splitPosition(const Vec3& straight, TriangleId triangle) con
   return nearest.triangle.isNone() ? straight : inExactRange(nearest.position);
 }
 
+/// Divides a stretch at an arc, where the line has this position; returns nothing if a part would leave the tolerance.
+std::optional<SurfaceEditor::StretchParts> SurfaceEditor::partsOf(StretchId id, NodeId a, NodeId b,
+                                                                  const Vec3& position,
+                                                                  double arc) const {
+  StretchParts parts{complex_.stretch(id), complex_.stretch(id), NodeId{}};
+  parts.to = parts.before.from == a ? b : a;
+  parts.before.end = parts.after.begin = arc;
+  const bool isNear =
+      follows(parts.before.line, parts.before.begin, arc, complex_.pointOf(parts.before.from),
+              position) &&
+      follows(parts.after.line, arc, parts.after.end, position, complex_.pointOf(parts.to));
+  return isNear ? std::optional(parts) : std::nullopt;
+}
+
+/// Replaces a stretch by its parts, which meet at a node.
+void SurfaceEditor::divideStretch(StretchId id, StretchParts parts, NodeId middle) {
+  parts.after.from = middle;
+  surface_.releaseStretch(id);
+  surface_.replaceStretch(parts.before.from, middle, parts.before);
+  surface_.replaceStretch(middle, parts.to, parts.after);
+}
+
 bool SurfaceEditor::trySplit(NodeId a, NodeId b, const Vec3& position, StretchId id, double arc) {
-  Stretch before;
-  Stretch after;
-  NodeId to{};
+  std::optional<StretchParts> parts;
   if (!id.isNone()) {
-    before = after = complex_.stretch(id);
-    to = before.from == a ? b : a;
-    before.end = after.begin = arc;
-    if (!follows(before.line, before.begin, arc, complex_.pointOf(before.from), position) ||
-        !follows(after.line, arc, after.end, position, complex_.pointOf(to)))
-      return false;
+    parts = partsOf(id, a, b, position, arc);
+    if (!parts) return false;
   }
   const NodeId middle = addNode(position, id.isNone() ? NodeKind::kSmooth : NodeKind::kLine, a);
   change_.clear();
@@ -238,20 +256,51 @@ bool SurfaceEditor::trySplit(NodeId a, NodeId b, const Vec3& position, StretchId
     change_.added.push_back({{nodes.from, middle, nodes.apex}, patch});
     change_.added.push_back({{middle, nodes.to, nodes.apex}, patch});
   }
-  if (!id.isNone()) {
-    change_.newLineEdges.push_back({before.from, middle, before.line});
-    change_.newLineEdges.push_back({middle, to, before.line});
-  }
+  if (parts) addLineEdges(*parts, middle);
   if (!apply()) {
     removeLastNode();
     return false;
   }
-  if (!id.isNone()) {
-    after.from = middle;
-    surface_.releaseStretch(id);
-    surface_.replaceStretch(before.from, middle, before);
-    surface_.replaceStretch(middle, to, after);
-  }
+  if (parts) divideStretch(id, *parts, middle);
+  return true;
+}
+
+void SurfaceEditor::addLineEdges(const StretchParts& parts, NodeId middle) {
+  change_.newLineEdges.push_back({parts.before.from, middle, parts.before.line});
+  change_.newLineEdges.push_back({middle, parts.to, parts.before.line});
+}
+
+bool SurfaceEditor::absorb(NodeId a, NodeId b) {
+  complex_.collectEdge(a, b, edge_);
+  if (edge_.size() != 2 || complex_.stretchOf(edge_[0]).isNone()) return false;
+  return tryAbsorb(edge_[0], edge_[1]) || tryAbsorb(edge_[1], edge_[0]);
+}
+
+/// Gives the line to the apex of `cap`. `other`: the half-edge on the other side of the line.
+bool SurfaceEditor::tryAbsorb(HalfEdgeId cap, HalfEdgeId other) {
+  const auto [from, to, apex] = complex_.nodesOf(cap);
+  const NodeId opposite = complex_.nodesOf(other).apex;
+  if (complex_.kindOf(apex) != NodeKind::kSmooth || complex_.areJoined(apex, opposite))
+    return false;
+  const Vec3& position = complex_.pointOf(apex);
+  const Vec3 edge = complex_.pointOf(to) - complex_.pointOf(from);
+  const double part = glm::dot(position - complex_.pointOf(from), edge) / glm::dot(edge, edge);
+  const double height = glm::length(position - complex_.pointOf(from) - edge * part);
+  if (!(part > 0.0 && part < 1.0) || height > kAbsorbedHeight * surface_.tolerance()) return false;
+  const StretchId id = complex_.stretchOf(cap);
+  const Stretch& stretch = complex_.stretch(id);
+  const double along = stretch.from == from ? part : 1.0 - part;
+  const double arc = stretch.begin + (stretch.end - stretch.begin) * along;
+  const std::optional<StretchParts> parts = partsOf(id, from, to, position, arc);
+  if (!parts) return false;
+  const SmoothPatchId patch = complex_.patchOf(triangleOf(other));
+  change_.clear();
+  change_.removed = {triangleOf(cap), triangleOf(other)};
+  change_.added = {{{to, apex, opposite}, patch}, {{apex, from, opposite}, patch}};
+  addLineEdges(*parts, apex);
+  if (!apply()) return false;
+  surface_.putOnLine(apex);
+  divideStretch(id, *parts, apex);
   return true;
 }
 

@@ -1,12 +1,13 @@
 #pragma once
 
-/// @file The four operations of the remesher: split, collapse, flip and move. They keep the number
+/// @file The operations of the remesher: split, absorb, collapse, flip and move. They keep the number
 /// of triangles at every edge. Corners do not move, nodes of a feature line stay on it, and other
 /// nodes stay in their patch. Every feature edge and its stretch of the line stay within the
 /// tolerance of each other. GuardedSurface rejects changes that violate its other conditions.
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/ids.h"
@@ -35,6 +36,9 @@ class SurfaceEditor {
 
   /// Splits an edge at `part` of its length; the new node is the last one.
   bool split(NodeId a, NodeId b, double part = 0.5);
+  /// Removes a cap whose longest edge is the feature edge between the nodes: the line then goes through the apex, which
+  /// must be almost on it. Such a cap can be neither flipped nor split.
+  bool absorb(NodeId a, NodeId b);
   /// Moves `a` onto its neighbour `b`.
   bool collapse(NodeId a, NodeId b, const CollapseRule& rule);
   /// Replaces the edge between two triangles by the other diagonal if this raises the smallest
@@ -85,6 +89,16 @@ class SurfaceEditor {
   /// other.
   [[nodiscard]] bool follows(FeatureLineId line, double begin, double end, const Vec3& a,
                              const Vec3& b) const;
+  struct StretchParts {
+    Stretch before;
+    Stretch after;
+    NodeId to{};  ///< the end of `after`
+  };
+  [[nodiscard]] std::optional<StretchParts> partsOf(StretchId id, NodeId a, NodeId b,
+                                                    const Vec3& position, double arc) const;
+  void divideStretch(StretchId id, StretchParts parts, NodeId middle);
+  void addLineEdges(const StretchParts& parts, NodeId middle);
+  bool tryAbsorb(HalfEdgeId cap, HalfEdgeId other);
   bool trySplit(NodeId a, NodeId b, const Vec3& position, StretchId id, double arc);
   [[nodiscard]] Vec3 splitPosition(const Vec3& straight, TriangleId triangle) const;
   [[nodiscard]] bool keepsTopology(NodeId a, NodeId b);
