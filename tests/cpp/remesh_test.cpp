@@ -315,6 +315,29 @@ TEST(Remesh, SliversInSmoothFacesHaveNoCreases) {
   EXPECT_GT(result.smallestAngle, 20.0);
 }
 
+/// A unit cube whose top and front have nodes this far from their common edge.
+SurfaceMesh cubeWithCaps(double height) {
+  SurfaceMesh cube;
+  for (const Vec3& p :
+       {Vec3(0.0, 0.0, 0.0), Vec3(1.0, 0.0, 0.0), Vec3(1.0, 1.0, 0.0), Vec3(0.0, 1.0, 0.0),
+        Vec3(0.0, 0.0, 1.0), Vec3(1.0, 0.0, 1.0), Vec3(1.0, 1.0, 1.0), Vec3(0.0, 1.0, 1.0),
+        Vec3(0.4, height, 1.0), Vec3(0.7, 0.0, 1.0 - height)}) {
+    cube.points.insert(cube.points.end(), {p.x, p.y, p.z});
+  }
+  cube.triangles = {0, 2, 1, 0, 3, 2, 1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7,
+                    0, 1, 9, 1, 5, 9, 5, 4, 9, 4, 0, 9, 4, 5, 8, 5, 6, 8, 6, 7, 8, 7, 4, 8};
+  return cube;
+}
+
+TEST(Remesh, AbsorbsCapsOnFeatureLines) {
+  for (const double height : {4e-6, 1e-5, 3e-5, 1e-4}) {
+    const SurfaceRemesh result = remesh(cubeWithCaps(height));
+    ASSERT_TRUE(result.diagnostics.empty()) << height;
+    EXPECT_EQ(result.featureLines, 12U) << height;
+    EXPECT_GT(result.smallestAngle, 20.0) << height;
+  }
+}
+
 TEST(Remesh, RemeshingAgainChangesLittle) {
   RemeshOptions options;
   options.size = 0.2;
@@ -566,6 +589,25 @@ bool isSharp(const SurfaceComplex& complex, HalfEdgeId halfEdge, double creaseCo
   return angle >= 0.5 * std::acos(creaseCosine) - 1e-9;
 }
 
+TEST(RemeshAbsorb, PutsTheApexOnTheLine) {
+  const SurfaceMesh given = cubeWithCaps(1e-5);
+  EditedSurface edited(given, 1e-3, 0.2);
+  const SurfaceComplex& complex = edited.complex();
+  const NodeId apex(8U);
+  EXPECT_EQ(complex.kindOf(apex), NodeKind::kSmooth);
+  EXPECT_FALSE(edited.editor().absorb(NodeId(5U), NodeId(6U)));
+  ASSERT_TRUE(edited.editor().absorb(NodeId(4U), NodeId(5U)));
+  EXPECT_EQ(complex.kindOf(apex), NodeKind::kLine);
+  EXPECT_FALSE(complex.areJoined(NodeId(4U), NodeId(5U)));
+  const SurfaceComplex::LineNeighbours line = complex.lineNeighbours(apex);
+  ASSERT_TRUE(line.areComplete());
+  EXPECT_EQ(std::min(line.before, line.after), NodeId(4U));
+  EXPECT_EQ(std::max(line.before, line.after), NodeId(5U));
+  const SurfaceMesh now = surfaceOf(complex);
+  EXPECT_TRUE(errorsOf(now, InnerShells::kCavities).empty());
+  EXPECT_NEAR(enclosedVolume(now), 1.0, 1e-5);
+}
+
 class RemeshOperations : public ::testing::TestWithParam<Body> {};
 
 TEST_P(RemeshOperations, EachKeepsTheSurfaceValid) {
@@ -586,7 +628,7 @@ TEST_P(RemeshOperations, EachKeepsTheSurfaceValid) {
     const NodeId a = complex.nodesOf(t)[k];
     const NodeId b = complex.nodesOf(t)[(k + 1) % 3];
     bool isMade = false;
-    switch (below(5)) {
+    switch (below(6)) {
       case 0:
         isMade = edited.editor().split(a, b, 0.3 + 0.1 * below(5));
         break;
@@ -598,6 +640,9 @@ TEST_P(RemeshOperations, EachKeepsTheSurfaceValid) {
         break;
       case 3:
         isMade = edited.editor().smooth(a);
+        break;
+      case 4:
+        isMade = edited.editor().absorb(a, b);
         break;
       default:
         isMade = edited.editor().improve(a);
