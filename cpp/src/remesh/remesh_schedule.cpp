@@ -11,8 +11,11 @@ namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-/// Number of rounds of collapsing and splitting. More of them change little.
+/// Numbers of rounds of collapsing, splitting and smoothing, and of passes of smoothing. More of
+/// them change little.
 constexpr int kRounds = 3;
+constexpr int kSmoothingPassesAtLast = 3;
+constexpr int kFinalSmoothingPasses = 2;
 /// Edges shorter than this are collapsed, in target lengths. In the first round only much shorter
 /// edges are collapsed: needles have short edges that splits will remove.
 constexpr double kShort = 0.75;
@@ -58,12 +61,17 @@ Task<> RemeshSchedule::run(Work& work) {
     co_await splitLong(work, longest);
     co_await flipAll(work);
     work.beginPart(begin + 0.25);
-    co_await smoothAll(work);
-    co_await flipAll(work);
+    co_await smoothAndFlip(work, isLast ? kSmoothingPassesAtLast : 1);
   }
   for (const double squaredSine : {kPoorSquaredSine, kPoorSquaredSineAtLast}) {
     work.beginPart(squaredSine == kPoorSquaredSine ? 0.9 : 1.0);
     co_await improvePoor(work, squaredSine);
+    co_await smoothAndFlip(work, kFinalSmoothingPasses);
+  }
+}
+
+Task<> RemeshSchedule::smoothAndFlip(Work& work, int passes) {
+  for (int pass = 0; pass < passes; ++pass) {
     co_await smoothAll(work);
     co_await flipAll(work);
   }

@@ -34,6 +34,7 @@ class RemeshSchedule {
   Task<> collapseShort(Work& work, double limit);
   Task<> splitLong(Work& work, double limit);
   Task<> flipAll(Work& work);
+  Task<> smoothAndFlip(Work& work, int passes);
   Task<> smoothAll(Work& work);
   Task<> improvePoor(Work& work, double squaredSine);
 
