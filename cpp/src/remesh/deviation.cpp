@@ -12,7 +12,7 @@ namespace tetrafront {
 namespace {
 
 /// Division of a triangle ends after this many steps, or at this ratio of the bound to the distance.
-constexpr int kMaxDepth = 24;
+constexpr int kMaxDepth = 48;
 constexpr double kSharpness = 1.02;
 /// A part is cut only if it extends to both sides of the edge by more than this, relative to the bound; less is rounding.
 constexpr double kLeastCutPerBound = 1e-9;

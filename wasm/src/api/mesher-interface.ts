@@ -136,7 +136,7 @@ export interface Mesher {
    * of self-intersections, as the given surface must be. By default, the sizes follow from the shape.
    * `repairedSurface(file, remesh)` keeps the patches and their names. Rejects with `invalid-input` if the surface cannot
    * be filled, numbers are invalid, or there would be too many triangles. About linear in the number of given and new
-   * triangles; 0.2 to 1 ms each. Works in slices beside a run. The surface is valid at any moment: with `partial: true`,
+   * triangles; 0.1 to 2 ms each. Works in slices beside a run. The surface is valid at any moment: with `partial: true`,
    * aborting the signal returns it as it is.
    *
    *     const remesh = await mesher.remeshSurface(file);
