@@ -2,7 +2,9 @@ import { addStroke, strokeLabel, type Brush } from "../document/brush";
 import type { Position } from "../document/position";
 import type { ViewStore } from "../document/selection";
 import type { DocumentStore, Gesture } from "../session/document-store";
+import { BrushLayer } from "../viewer/layers/brush-layer";
 import type { Layer } from "../viewer/layers/layer";
+import type { Viewer } from "../viewer/viewer";
 import type { Tool, ToolPointer } from "./tool";
 
 /** Distance between the positions of a stroke, as a share of the radius. */
@@ -10,18 +12,21 @@ const spacing = 0.5;
 
 /**
  * Paints an element size on surfaces: a stroke of the left button becomes sources along it, one step of undo. Escape
- * cancels the stroke; without one, it puts the brush away.
+ * cancels the stroke; without one, it puts the brush away. Circles at the pointer show how far the size applies.
  */
 export class BrushTool implements Tool {
   readonly id = "brush";
   readonly #documents: DocumentStore;
   readonly #view: ViewStore;
+  readonly #viewer: Pick<Viewer, "requestFrame">;
+  #layer: BrushLayer | null = null;
   #stroke: readonly Position[] = [];
   #gesture: Gesture | null = null;
 
-  constructor(documents: DocumentStore, view: ViewStore) {
+  constructor(documents: DocumentStore, view: ViewStore, viewer: Pick<Viewer, "requestFrame">) {
     this.#documents = documents;
     this.#view = view;
+    this.#viewer = viewer;
   }
 
   down(pointer: ToolPointer): boolean {
@@ -34,8 +39,11 @@ export class BrushTool implements Tool {
 
   move(pointer: ToolPointer | null): void {
     const brush = this.#brush;
-    const position = this.#gesture && brush ? pointer?.hit()?.position : undefined;
-    if (!position || !brush) return;
+    if (!brush) return;
+    const position = pointer?.hit()?.position;
+    this.#layer?.show(position ?? null, brush.radius);
+    this.#viewer.requestFrame();
+    if (!position || !this.#gesture) return;
     const last = this.#stroke.at(-1);
     const distance = last ? Math.hypot(...position.map((x, k) => x - (last[k] ?? 0))) : Infinity;
     if (distance >= spacing * brush.radius) this.#paint(position, brush);
@@ -57,8 +65,10 @@ export class BrushTool implements Tool {
     return true;
   }
 
-  overlay(): Layer | null {
-    return null;
+  /** The reach of the brush at the pointer. */
+  overlay(): Layer {
+    this.#layer = new BrushLayer();
+    return this.#layer;
   }
 
   get #brush(): Brush | null {

@@ -15,6 +15,7 @@ import type { ToolPointer } from "../../../web/tools/tool";
 import { TreeRows } from "../../../web/panels/model/tree-rows";
 import { cubeProject } from "../../support/projects";
 import { boxSurface, sphereSurface } from "../../support/surfaces";
+import { sceneState, show } from "./scene";
 
 const surface = sphereSurface(16);
 const body = createBody(surface, { id: 3, firstPatchId: 20, name: "ball" });
@@ -218,7 +219,9 @@ describe("the brush", () => {
     const documents = new DocumentStore(withBody(), () => 0);
     const view = new ViewStore();
     view.setBrush({ size: 0.1, radius: 1 });
-    return { documents, view, tool: new BrushTool(documents, view) };
+    let frames = 0;
+    const viewer = { requestFrame: () => void ++frames };
+    return { documents, view, tool: new BrushTool(documents, view, viewer), frames: () => frames };
   };
   const sources = (documents: DocumentStore) => documents.project.background.sources ?? [];
 
@@ -243,6 +246,23 @@ describe("the brush", () => {
     documents.undo();
     documents.undo();
     expect(documents.project).toEqual(withBody());
+  });
+
+  it("shows its reach at the pointer, also without a stroke", () => {
+    const { view, tool, frames } = taken();
+    const layer = tool.overlay();
+    const { root } = layer;
+    show(layer, sceneState({ origin: [1, 0, 0] }));
+    expect(root.visible).toBe(false);
+    view.setBrush({ size: 0.1, radius: 0.5 });
+    tool.move(pointer(3));
+    expect(root.visible).toBe(true);
+    expect(root.position.toArray()).toEqual([2, 0, 0]);
+    expect(root.scale.toArray()).toEqual([0.5, 0.5, 0.5]);
+    expect(frames()).toBe(1);
+    tool.move(pointer(null));
+    expect(root.visible).toBe(false);
+    expect(frames()).toBe(2);
   });
 
   it("cancels a stroke, and Escape puts it away", () => {

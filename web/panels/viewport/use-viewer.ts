@@ -106,7 +106,7 @@ function connect(
   const stop = followSession(app, viewer);
   const select = new SelectTool(viewer, app.view, onHover);
   const tools = new ToolController(canvas, viewer, select, (target) => pageApps.owns(app, target));
-  const brush = new BrushTool(app.documents, app.view);
+  const brush = new BrushTool(app.documents, app.view, viewer);
   const stopTools = app.view.state.subscribe((state, before) => {
     if ((state.brush === null) === (before.brush === null) && state.moving === before.moving) return;
     if (!state.moving) tools.use(state.brush ? brush : select);

@@ -16,7 +16,7 @@ export function appendEdges({ positions }: ProjectSource, origin: Position, ends
 
 /** Appends the outline of all positions within the source's distance to `ends`: circles, and lines that join them. */
 export function appendReach(
-  { positions, distance = 0 }: ProjectSource,
+  { positions, distance = 0 }: Pick<ProjectSource, "positions" | "distance">,
   origin: Position,
   ends: number[],
 ): void {
