@@ -393,6 +393,10 @@ test("a stroke of the brush paints sources that refine the preview, as one step 
   await app.type("brush-size", "0.1");
   await page.getByTestId("brush-toggle").click();
   await expect(page.getByTestId("brush-toggle")).toHaveAttribute("aria-pressed", "true");
+  const withoutReach = await app.viewport.screenshot();
+  const { x, y } = await screenPosition(page, [3, -4, 1]);
+  await app.viewport.hover({ position: { x, y } });
+  await expect.poll(async () => (await app.viewport.screenshot()).equals(withoutReach)).toBe(false);
   await drag(app, await screenPosition(page, [3, -4, 1]), await screenPosition(page, [4, 3, 1]));
   await expect(page.getByTestId("tree-source-2")).toBeVisible();
   await page.keyboard.press("Escape");

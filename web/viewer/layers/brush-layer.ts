@@ -4,12 +4,10 @@ import type { SceneChanges } from "../scene-state";
 import type { Layer } from "./layer";
 import { appendReach } from "./source-shapes";
 
-const opacity = 0.8;
-
 /** The reach of the brush around the pointer, drawn as that of a source. */
 export class BrushLayer implements Layer {
   readonly root: LineSegments;
-  readonly #material = new LineBasicMaterial({ transparent: true, opacity, depthTest: false });
+  readonly #material = new LineBasicMaterial({ transparent: true, depthTest: false });
   #origin: Position = [0, 0, 0];
   #centre: Position | null = null;
 
@@ -33,7 +31,7 @@ export class BrushLayer implements Layer {
   }
 
   update(changes: SceneChanges): void {
-    if (changes.has("colors")) this.#material.color.set(changes.state.colors.source);
+    if (changes.has("colors")) this.#material.color.set(changes.state.colors.selection);
     this.#origin = changes.state.origin;
     this.#place();
   }
