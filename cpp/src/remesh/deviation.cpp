@@ -11,10 +11,12 @@
 namespace tetrafront {
 namespace {
 
-/// Division of a triangle ends after this many steps, or at this ratio of the bound to the distance.
+/// Division of a triangle ends after this many steps, or at this ratio of the bound to the distance: the bound is then at
+/// most 2 % above the distance.
 constexpr int kMaxDepth = 48;
 constexpr double kSharpness = 1.02;
-/// A part is cut only if it extends to both sides of the edge by more than this, relative to the bound; less is rounding.
+/// A part is cut only if it extends to both sides of the edge by more than this, relative to the bound.
+/// The bound is about 1e-3 of the diagonal, so this is 1e-12 of it, a few thousand roundings.
 constexpr double kLeastCutPerBound = 1e-9;
 /// Steps of a walk between neighbouring triangles, after which the tree is faster.
 constexpr int kMaxWalk = 24;

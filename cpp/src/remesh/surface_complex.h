@@ -136,7 +136,7 @@ class SurfaceComplex {
 };
 
 /// Returns true if a collapse of the edge keeps the topology: its ends have no common neighbours except the apexes of its
-/// triangles. `edge`: all half-edges between the ends, of which the rings are given.
+/// triangles. `edge`: all half-edges between the two ends. `ringA`, `ringB`: the neighbours of each end.
 [[nodiscard]] bool collapseKeepsTopology(std::span<const HalfEdgeId> edge,
                                          std::span<const NodeId> ringA,
                                          std::span<const NodeId> ringB);

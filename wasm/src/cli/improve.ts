@@ -4,23 +4,14 @@ import { improvedMesh } from "../api/improvement.js";
 import { writeMesh } from "../api/mesh-files.js";
 import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
-import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { omittedDataMessage } from "../formats/format-limits.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
 import type { MeshImprovement, MeshShapes } from "../mesh/improvement.js";
 import { withBoundary, writableName, writeAll } from "./convert.js";
-import { refuseFolder, STANDARD_STREAM, WriteError, writeToStandardOutput } from "./files.js";
+import { refuseFolder, STANDARD_STREAM, writeToStandardOutput } from "./files.js";
 import { readMeshFile, refuseOptions } from "./input.js";
-import {
-  asEngineFailure,
-  asInvalidInput,
-  ExitCode,
-  InvalidInput,
-  jsonPieces,
-  print,
-  printDiagnostics,
-} from "./messages.js";
+import { ExitCode, failedOutcome, InvalidInput, jsonPieces, print, printDiagnostics } from "./messages.js";
 import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
 import { withRun } from "./run.js";
 import { mixedOrientationLines, readingLines } from "./tables.js";
@@ -47,7 +38,9 @@ interface Outcome extends Partial<
 
 /** Runs the command; resolves with the exit code. */
 export async function improveFile(input: string, options: ImproveCommandOptions): Promise<number> {
-  const outcome = await improveAndWrite(input, options).catch((failure: unknown) => failed(failure, input));
+  const outcome = await improveAndWrite(input, options).catch((failure: unknown) =>
+    failedOutcome(failure, input),
+  );
   const { exitCode, ...report } = outcome;
   if (options.json === true) {
     for (const piece of jsonPieces({ input, ...report })) await writeToStandardOutput(piece);
@@ -129,22 +122,4 @@ function improvementText({ isImproved, before, after }: MeshImprovement): string
     const [was, is] = [text(before), text(after)];
     return was === is ? `${what} ${was}` : `${what} ${was} before, ${is} after`;
   }
-}
-
-/** Prints the failure; returns its outcome. Rethrows a failure that is a bug. */
-function failed(failure: unknown, input: string): Outcome {
-  if (failure instanceof MesherError && failure.code === "cancelled") {
-    print(`${input}: cancelled, not written`);
-    return { output: null, diagnostics: [], exitCode: ExitCode.notCompleted };
-  }
-  const engine = asEngineFailure(failure);
-  if (engine !== undefined) {
-    printDiagnostics(input, [engine], { isQuiet: true });
-    return { output: null, diagnostics: [engine], exitCode: ExitCode.notCompleted };
-  }
-  const invalid = asInvalidInput(failure, input);
-  if (invalid === undefined) throw failure;
-  printDiagnostics(invalid.subject, invalid.diagnostics, { isQuiet: true });
-  const exitCode = failure instanceof WriteError ? ExitCode.notCompleted : ExitCode.invalidInput;
-  return { output: null, diagnostics: invalid.diagnostics, exitCode };
 }

@@ -41,18 +41,42 @@ export function asEngineFailure(failure: unknown): Diagnostic | undefined {
   return isEngine ? packageDiagnostic(code, message.replace(/\.$/, ""), "") : undefined;
 }
 
+/** Outcome of a command that wrote nothing. */
+export interface FailedOutcome {
+  readonly output: null;
+  readonly diagnostics: readonly Diagnostic[];
+  readonly exitCode: number;
+}
+
 /**
- * Prints invalid input or a failure of the engine; returns the exit code. Rethrows all other failures, which are
- * bugs.
+ * Prints invalid input, a failure of the engine, or that the command was cancelled; returns the outcome. Rethrows all
+ * other failures, which are bugs. `printInvalid` prints the diagnostics of invalid input.
  */
-export function reportFailure(failure: unknown, input: string): number {
+export function failedOutcome(
+  failure: unknown,
+  input: string,
+  printInvalid = (subject: string, diagnostics: readonly Diagnostic[]): void =>
+    printDiagnostics(subject, diagnostics, { isQuiet: true }),
+): FailedOutcome {
+  if (failure instanceof MesherError && failure.code === "cancelled") {
+    print(`${input}: cancelled, not written`);
+    return { output: null, diagnostics: [], exitCode: ExitCode.notCompleted };
+  }
   const engine = asEngineFailure(failure);
-  const invalid = engine === undefined ? asInvalidInput(failure, input) : new InvalidInput(input, [engine]);
+  if (engine !== undefined) {
+    printDiagnostics(input, [engine], { isQuiet: true });
+    return { output: null, diagnostics: [engine], exitCode: ExitCode.notCompleted };
+  }
+  const invalid = asInvalidInput(failure, input);
   if (invalid === undefined) throw failure;
-  printDiagnostics(invalid.subject, invalid.diagnostics, { isQuiet: true });
-  return engine === undefined && !(failure instanceof WriteError)
-    ? ExitCode.invalidInput
-    : ExitCode.notCompleted;
+  printInvalid(invalid.subject, invalid.diagnostics);
+  const exitCode = failure instanceof WriteError ? ExitCode.notCompleted : ExitCode.invalidInput;
+  return { output: null, diagnostics: invalid.diagnostics, exitCode };
+}
+
+/** The same for commands without a report; returns the exit code. */
+export function reportFailure(failure: unknown, input: string): number {
+  return failedOutcome(failure, input).exitCode;
 }
 
 /** `readAs`: name of the given file. An error in another file next to it names that file. */

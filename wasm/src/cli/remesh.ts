@@ -2,7 +2,6 @@
 import { readSurface, writeMesh } from "../api/mesh-files.js";
 import type { Mesher } from "../api/mesher-interface.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
-import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { WrittenFile } from "../formats/file-format.js";
 import { formatOf } from "../formats/file-formats.js";
@@ -12,13 +11,12 @@ import type { FileMesh } from "../mesh/file-mesh.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
 import { writableName, writeAll } from "./convert.js";
-import { refuseFolder, STANDARD_STREAM, WriteError, writeToStandardOutput } from "./files.js";
+import { refuseFolder, STANDARD_STREAM, writeToStandardOutput } from "./files.js";
 import { readModel, refuseOptions } from "./input.js";
 import {
-  asEngineFailure,
-  asInvalidInput,
   countOf,
   ExitCode,
+  failedOutcome,
   InvalidInput,
   jsonPieces,
   print,
@@ -69,7 +67,9 @@ interface Outcome {
 /** Runs the command; resolves with the exit code. */
 export async function remeshFile(input: string, options: RemeshFileOptions): Promise<number> {
   const outcome = await remeshAndWrite(input, options).catch((failure: unknown) =>
-    failed(failure, input, options.background),
+    failedOutcome(failure, input, (subject, diagnostics) =>
+      printWithGrid({ input: subject, background: options.background }, diagnostics, true),
+    ),
   );
   const { exitCode, ...report } = outcome;
   if (options.json === true) {
@@ -192,22 +192,4 @@ function hasSameCorners(one: SurfaceInput, other: SurfaceInput): boolean {
     const [a, b] = [3 * node, 3 * (other.triangles[i] ?? 0)];
     return [0, 1, 2].every((axis) => one.points[a + axis] === other.points[b + axis]);
   });
-}
-
-/** Prints the failure; returns its outcome. Rethrows a failure that is a bug. */
-function failed(failure: unknown, input: string, background: string | undefined): Outcome {
-  if (failure instanceof MesherError && failure.code === "cancelled") {
-    print(`${input}: cancelled, not written`);
-    return { output: null, diagnostics: [], exitCode: ExitCode.notCompleted };
-  }
-  const engine = asEngineFailure(failure);
-  if (engine !== undefined) {
-    printDiagnostics(input, [engine], { isQuiet: true });
-    return { output: null, diagnostics: [engine], exitCode: ExitCode.notCompleted };
-  }
-  const invalid = asInvalidInput(failure, input);
-  if (invalid === undefined) throw failure;
-  printWithGrid({ input: invalid.subject, background }, invalid.diagnostics, true);
-  const exitCode = failure instanceof WriteError ? ExitCode.notCompleted : ExitCode.invalidInput;
-  return { output: null, diagnostics: invalid.diagnostics, exitCode };
 }

@@ -31,7 +31,7 @@ export interface TreatmentOptions {
   /** As given by `--surface`, if at all. */
   readonly treatment: SurfaceTreatment | undefined;
   readonly remeshing: RemeshCommandOptions;
-  /** With the background grid. */
+  /** Options of the mesh, including the background grid. */
   readonly options: MeshOptions;
   readonly controlOf: ControlOf;
 }

@@ -24,7 +24,7 @@ export interface MeshShapes {
   readonly volume: number;
   /** Number of elements with a dihedral angle outside 30 to 135 degrees. */
   readonly outOfRange: number;
-  /** Number of those that the boundary or an interface limits; see `LimitedByBoundary`. */
+  /** Number of these elements that cannot improve because of a boundary or an interface; see `LimitedByBoundary`. */
   readonly limitedByBoundary: number;
 }
 
