@@ -258,7 +258,7 @@ describe("the command", () => {
     save("big.vtu", file?.bytes ?? new Uint8Array());
     const args = ["improve", "big.vtu", "-o", "part.vtu", "--optimize", "thorough"];
     const { code, stderr } = await tetrafront(folder.path, args, {
-      env: signalAtProgress("SIGINT", "program", 0.2),
+      env: signalAtProgress("SIGINT", "program", 0.05),
     });
     expect(stderr).toContain("stopped; the mesh made so far is valid, and was written");
     expect(code).toBe(1);
@@ -272,7 +272,7 @@ describe("the command", () => {
     save("sphere.stl", stlBinary(sphereSurface(24)));
     const args = ["remesh", "sphere.stl", "-o", "part.ply", "--size", "0.05"];
     const { code, stderr } = await tetrafront(folder.path, args, {
-      env: signalAtProgress("SIGINT", "program", 0.3),
+      env: signalAtProgress("SIGINT", "program", 0.05),
     });
     expect(stderr).toContain("stopped; the surface made so far is valid, and was written");
     expect(code).toBe(1);
