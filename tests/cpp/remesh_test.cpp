@@ -27,6 +27,7 @@
 #include "remesh/reference_surface.h"
 #include "remesh/surface_editor.h"
 #include "support/hard_shapes.h"
+#include "support/part_shapes.h"
 #include "support/shapes.h"
 #include "support/slices.h"
 #include "support/surface_measures.h"
@@ -159,6 +160,10 @@ const std::vector<Body> kBodies{
     {"shared_node", [] { return cubesSharingNode(); }},
     {"interfaces", [] { return dividedBox({2, 2, 1}, 1); }, InnerShells::kRegions},
     {"knot", [] { return torusKnot(2, 3, 120, 10); }},
+    // Within the tolerance of both faces at a fillet, or at the rim of a sheet, the surface could cut off the corner.
+    {"tiny_fillets", [] { return prism({filleted(rectangle({0, 0}, {2, 1}), 1e-4, 8), {}}, 0.5); }},
+    {"round_rim",
+     [] { return prism({filleted(rectangle({0, 0}, {2, 1e-3}), 4.9e-4, 8), {}}, 1.0); }},
 };
 
 INSTANTIATE_TEST_SUITE_P(Remesh, RemeshBody, ::testing::ValuesIn(kBodies),

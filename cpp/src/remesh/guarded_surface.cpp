@@ -44,19 +44,15 @@ GuardedSurface::GuardedSurface(const ReferenceSurface& reference, const SurfaceL
     : reference_(reference),
       limits_(limits),
       complex_(reference),
-      nextGuest_(complex_.nodeCount()),
       grid_(complex_, baseSize, tetrafront::pointOf(reference.mesh(), NodeId(0U))) {
-  std::vector<std::uint8_t> isHoused(complex_.nodeCount(), 0);
   for (const TriangleId t : IdRange<TriangleId>(complex_.triangleSlots())) {
     insert(t);
     beneath_[t.index()] = t;
-    if (reference.patch(complex_.patchOf(t)).isPlanar) continue;
-    for (const NodeId node : complex_.nodesOf(t)) {
-      if (complex_.kindOf(node) != NodeKind::kSmooth || isHoused[node.index()] != 0) continue;
-      isHoused[node.index()] = 1;
-      nextGuest_[node.index()] = firstGuest_[t.index()];
-      firstGuest_[t.index()] = node;
-    }
+  }
+  for (const auto& [position, triangle] : findGuests(reference, complex_, limits.tolerance)) {
+    nextGuest_.push_back(firstGuest_[triangle.index()]);
+    firstGuest_[triangle.index()] = GuestId(guests_.size());
+    guests_.push_back(position);
   }
 }
 
@@ -237,15 +233,14 @@ bool GuardedSurface::isInEnvelope() const {
   return true;
 }
 
-/// Finds an added triangle within the tolerance of every given node that is a guest of a removed
-/// triangle.
+/// Finds an added triangle within the tolerance of every guest of a removed triangle.
 bool GuardedSurface::findHosts() {
   hosts_.clear();
   const double limit = limits_.tolerance * limits_.tolerance;
   for (const TriangleId t : change_->removed) {
-    for (NodeId guest = firstGuest_[t.index()]; !guest.isNone();
+    for (GuestId guest = firstGuest_[t.index()]; !guest.isNone();
          guest = nextGuest_[guest.index()]) {
-      const Vec3 point = tetrafront::pointOf(reference_.mesh(), guest);
+      const Vec3& point = guests_[guest.index()];
       std::size_t host = numbered_.size();
       double nearest = limit;
       for (std::size_t i = 0; i < numbered_.size(); ++i) {
@@ -273,7 +268,7 @@ void GuardedSurface::replaceTriangles() {
   for (const TriangleId t : change_->removed) {
     grid_.remove(t);
     complex_.removeTriangle(t);
-    firstGuest_[t.index()] = NodeId{};
+    firstGuest_[t.index()] = GuestId{};
   }
   if (!change_->moved.isNone()) complex_.moveNode(change_->moved, change_->position);
   std::vector<TriangleId>& slots =

@@ -4,7 +4,7 @@
 ///   1. no triangle is degenerate, and no two intersect (exact signs);
 ///   2. triangles face in about the same direction as the reference surface beneath them;
 ///   3. every point of a triangle is within the tolerance of its patch (envelope.h);
-///   4. every given node inside a curved patch is within the tolerance of a triangle of the patch.
+///   4. every guest (guests.h) is within the tolerance of a triangle of its patch.
 /// The operations of SurfaceEditor keep the number of triangles at each edge, and the feature lines.
 /// For a planar patch, 3 and 4 follow from 2 and from its feature lines.
 
@@ -15,6 +15,7 @@
 
 #include "base/ids.h"
 #include "geom/intersect.h"
+#include "remesh/guests.h"
 #include "remesh/reference_surface.h"
 #include "remesh/surface_complex.h"
 #include "remesh/triangle_grid.h"
@@ -93,7 +94,7 @@ class GuardedSurface {
   [[nodiscard]] bool keepsCreases();
   [[nodiscard]] FeatureLineId lineOf(NodeId a, NodeId b) const;
   [[nodiscard]] bool keepsCrease(NodeId a, NodeId b, FeatureLineId line);
-  [[nodiscard]] [[nodiscard]] bool isInOnePlane() const;
+  [[nodiscard]] bool isInOnePlane() const;
   [[nodiscard]] bool intersects();
   [[nodiscard]] bool isInEnvelope() const;
   [[nodiscard]] bool findHosts();
@@ -104,17 +105,18 @@ class GuardedSurface {
   SurfaceLimits limits_;
   SurfaceComplex complex_;
   std::vector<TriangleId> beneath_;  ///< per triangle
-  std::vector<NodeId>
-      firstGuest_;  ///< per triangle: first of its guests, the given nodes that it must stay close to
-  std::vector<NodeId> nextGuest_;  ///< per given node: the next guest of the same triangle
+  std::vector<Vec3> guests_;         ///< positions
+  std::vector<GuestId>
+      firstGuest_;  ///< per triangle: first of the guests that it must stay close to
+  std::vector<GuestId> nextGuest_;  ///< per guest: the next one of the same triangle
   TriangleGrid grid_;
 
   // Scratch of apply(): data of the added triangles, in their order.
   const SurfaceChange* change_ = nullptr;
   std::vector<NumberedTriangle> numbered_;
   std::vector<TriangleId> addedBeneath_;
-  std::vector<std::pair<NodeId, std::size_t>> hosts_;  ///< guest, index of the added triangle
-  std::vector<StretchId> carried_;                     ///< per half-edge
+  std::vector<std::pair<GuestId, std::size_t>> hosts_;  ///< guest, index of the added triangle
+  std::vector<StretchId> carried_;                      ///< per half-edge
   std::vector<HalfEdgeId> edge_;
   std::vector<Vec3> creaseNow_;
   std::vector<Vec3> creaseThen_;

@@ -45,8 +45,8 @@ constexpr double kCoarseDegreesPerEdge = 60.0;
 /// Turn of a feature line, in degrees, at which it has a corner.
 constexpr double kCornerDegrees = 50.0;
 /// The checks of a change use this fraction of the tolerance. From the remeshed surface to the
-/// given one, they hold for every point. In the other direction they test given nodes only, and
-/// between nodes the distance may be slightly larger.
+/// given one, they hold for every point. In the other direction they test the guests only, and
+/// between them the distance may be slightly larger.
 constexpr double kTestedTolerance = 0.9;
 /// Relative error of the sizes that the shape asks for.
 constexpr float kSlack = 0.01F;
