@@ -7,22 +7,11 @@ import { plateSurface, plateVolume } from "../support/plate";
 import { stlBinary, stlText } from "../support/surface-files";
 import { steppedBlock } from "../support/surfaces";
 import { AppPage } from "./app-page";
+import { dropBytes } from "./drop-bytes";
 
 const plate = { half: 5, thickness: 1, radius: 2, corners: 24 } as const;
 const surface = plateSurface(plate);
 const triangleCount = surface.triangles.length / 3;
-
-async function dropBytes(page: Page, bytes: Uint8Array, fileName: string): Promise<void> {
-  await page.evaluate(
-    ([base64, name]) => {
-      const content = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
-      const transfer = new DataTransfer();
-      transfer.items.add(new File([content], name));
-      window.dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, cancelable: true }));
-    },
-    [Buffer.from(bytes).toString("base64"), fileName] as const,
-  );
-}
 
 async function downloaded(page: Page, act: () => Promise<void>): Promise<Uint8Array> {
   const [download] = await Promise.all([page.waitForEvent("download"), act()]);

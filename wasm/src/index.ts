@@ -112,6 +112,12 @@ export type {
 } from "./project/schema.js";
 export type { ReadCode, ReadError, ReadResult } from "./diagnostics/read-error.js";
 export { improvedMesh } from "./api/improvement.js";
+export {
+  improvedResult,
+  inspectedResult,
+  meshWithBoundary,
+  type MeshWithBoundary,
+} from "./api/given-mesh.js";
 export type { ImproveInput, MeshImprovement, MeshShapes } from "./mesh/improvement.js";
 export { repairedSurface } from "./api/repaired-surface.js";
 export type { AbortControl, PartialControl, RunControl, UnoptimizedMesh } from "./engine/control.js";

@@ -6,11 +6,12 @@ import { showMessage } from "./messages";
 
 /** `extension`: of a format that the package writes, without its first dot. */
 export async function downloadMesh(app: App, extension: string): Promise<void> {
-  const { mesh } = app.run.state.getState();
+  const { mesh, origin } = app.run.state.getState();
   const { project } = app.documents;
   if (!mesh) return;
   try {
-    const files = await writeMeshFiles(mesh, project, `${fileStem(project.name)}.${extension}`);
+    const regions = origin?.regions ?? null;
+    const files = await writeMeshFiles(mesh, project, regions, `${fileStem(project.name)}.${extension}`);
     for (const { fileName, content } of files) download([content], fileName, "application/octet-stream");
   } catch (error) {
     showMessage(app, strings.messages.downloadFailed, [String(error)]);

@@ -1,8 +1,10 @@
 import type { App } from "../app/app";
 import { scaleSizes } from "../document/size-edits";
+import { canImprove } from "../session/run";
 import { commandLabels } from "../strings";
 import { takeBackgroundFromMesh, toggleUniformSize } from "./background-actions";
 import { define, type Command } from "./command";
+import { improveMesh } from "./mesh-actions";
 
 const isBusy = (app: App): boolean => app.run.state.getState().busy;
 
@@ -16,11 +18,15 @@ export const meshMenu: readonly Command[] = [
     inFields: true,
     enabled: (app) => !isBusy(app),
   }),
-  define("mesh", 0)("cancel", commandLabels.cancel, (app) => app.run.cancel(), {
-    keys: ["shift+Escape"],
-    inFields: true,
-    enabled: isBusy,
+  define("mesh", 0)("improve", commandLabels.improve, (app) => void improveMesh(app), {
+    enabled: (app) => canImprove(app.run.state.getState(), app.documents.state.getState()),
   }),
+  define("mesh", 0)(
+    "cancel",
+    (app) => commandLabels.cancel[app.run.state.getState().task],
+    (app) => app.run.cancel(),
+    { keys: ["shift+Escape"], inFields: true, enabled: isBusy },
+  ),
   define("mesh", 1)("refine", commandLabels.refine(finer), (app) =>
     app.documents.edit(scaleSizes(app.documents.project, finer)),
   ),

@@ -17,6 +17,7 @@ import {
 } from "../session/files";
 import { loadModel, type GalleryModel } from "../session/gallery";
 import { hideNotice, showNotice } from "../session/shell";
+import { reasonsOf, openedMesh } from "../session/shown-mesh";
 import { strings } from "../strings";
 import type { ReadSurface } from "../workers/surface-files";
 import { showFailure, showMessage } from "./messages";
@@ -41,6 +42,32 @@ export function openSurface(app: App, name: string, read: ReadSurface): void {
   showNewBody(app, read);
 }
 
+/**
+ * Opens a mesh as a new document, and shows its quality. Its boundary becomes a body of the project, so that it can be
+ * meshed again.
+ */
+async function openMesh(app: App, { name, fileName, read, mesh }: OpenedMeshFile): Promise<void> {
+  try {
+    const shown = await openedMesh(await app.mesher, fileName, mesh);
+    const project = { ...emptyProject(name), bodies: [read.body], ...meshingOf(mesh.regions.length) };
+    app.bodies.keep(read);
+    app.run.cancel();
+    finishOpening(app, app.showMesh(project, shown));
+    app.view.setLayer("mesh", true);
+    app.shell.setState({ rightTab: "quality", drawer: "right" });
+    showNotes(app, [...read.notes, strings.files.meshNotSaved]);
+  } catch (error) {
+    const reasons = reasonsOf(error);
+    showMessage(app, strings.messages.openFailed(fileName), reasons);
+  }
+}
+
+type OpenedMeshFile = Extract<OpenResult, { readonly kind: "mesh" }>;
+
+/** Shells inside a mesh with several regions are regions too. */
+const meshingOf = (regions: number): Pick<Project, "meshing"> =>
+  regions > 1 ? { meshing: { innerShells: "regions" } } : {};
+
 /** Selects a new body and previews its triangles as soon as its surface is known to be valid. */
 export function showNewBody(app: App, { body: { id }, notes }: ReadSurface): void {
   app.view.setLayer("bodies", true);
@@ -48,6 +75,11 @@ export function showNewBody(app: App, { body: { id }, notes }: ReadSurface): voi
   app.view.selectAll([{ kind: "body", id }]);
   app.shell.setState({ rightTab: "inspector", leftTab: "model", drawer: "right" });
   app.bodies.prepareWhenValid(id);
+  showNotes(app, notes);
+}
+
+/** Shows notes about an opened file. */
+function showNotes(app: App, notes: readonly string[]): void {
   if (notes.length === 0) return;
   showNotice(app.shell, {
     key: "file-notes",
@@ -122,9 +154,10 @@ function meshOpened(app: App): void {
   else void app.run.restart();
 }
 
-function takeOpened(app: App, result: OpenResult): void {
+async function takeOpened(app: App, result: OpenResult): Promise<void> {
   if (result.kind === "opened") openProject(app, result.project, result.file);
   else if (result.kind === "surface") openSurface(app, result.name, result.read);
+  else if (result.kind === "mesh") await openMesh(app, result);
   else if (result.kind === "failed") {
     showMessage(app, strings.messages.openFailed(result.fileName), result.reasons);
   }
@@ -132,14 +165,14 @@ function takeOpened(app: App, result: OpenResult): void {
 
 export async function openFromDialog(app: App): Promise<void> {
   try {
-    takeOpened(app, await openDocumentFile("documents", noteReading(app)));
+    await takeOpened(app, await openDocumentFile("documents", noteReading(app)));
   } catch (error) {
     showFailure(app, strings.messages.noOpenDialog, error);
   }
 }
 
 export async function openDropped(app: App, file: File): Promise<void> {
-  takeOpened(app, await readDocumentFile(file, noteReading(app)));
+  await takeOpened(app, await readDocumentFile(file, noteReading(app)));
 }
 
 /** Shows in the status bar which file is being read. */

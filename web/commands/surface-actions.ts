@@ -16,7 +16,7 @@ export async function importSurface(app: App): Promise<void> {
     if (result.kind === "failed") {
       showMessage(app, strings.messages.openFailed(result.fileName), result.reasons);
     }
-    if (result.kind !== "surface") return;
+    if (result.kind !== "surface" && result.kind !== "mesh") return;
     const body = renumbered(result.read.body, app.documents.project);
     const read = { ...result.read, body };
     app.bodies.keep(read);

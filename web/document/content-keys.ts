@@ -10,6 +10,7 @@ import type {
   ProjectPoint,
   ProjectSource,
 } from "tetrafront";
+import type { DocumentContent } from "./edit";
 import { bodiesOf } from "./entities";
 import { addReal, Hash, hashText } from "./hash";
 import { textKey } from "./long-texts";
@@ -220,6 +221,15 @@ export const meshKey = remembering((project: Project): string => {
     ...bodiesOf(project).map(namelessBodyKey),
   ].join(" ");
 });
+
+/** Returns the key of the mesh that belongs to a state of a document. */
+export function shownMeshKey({ project, meshVersion }: DocumentContent): string {
+  const key = meshKey(project);
+  return meshVersion?.startsWith(versionedKey(key, "")) === true ? meshVersion : key;
+}
+
+/** Returns the key of another mesh of the project with this key. */
+export const versionedKey = (key: string, version: string): string => `${key}#${version}`;
 
 /** Returns the key of everything that the treated triangles of a body depend on. */
 export function preparedKey(project: Project, body: ProjectBody): string {

@@ -24,6 +24,11 @@ export type Edit<State> = Change<State> & {
 /** The part of an open document that undo and redo change. */
 export interface DocumentContent {
   readonly project: Project;
+  /**
+   * Key of a mesh that no run makes of the project: opened from a file, or improved. It applies as long as it begins with
+   * the key of the project.
+   */
+  readonly meshVersion?: string | null;
 }
 
 export type ProjectEdit = Edit<DocumentContent>;

@@ -1,6 +1,6 @@
 import type { Project } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { documentKey } from "../document/content-keys";
+import { documentKey, shownMeshKey } from "../document/content-keys";
 import type { Change, DocumentContent, ProjectEdit } from "../document/edit";
 import { addStep, commit, redo, startHistory, stepFrom, undo, type History, type Step } from "./history";
 
@@ -38,16 +38,20 @@ export interface Gesture {
 }
 
 /** Makes a document from a project that is not stored yet, or only in a file. */
-export function newDocument(project: Project, file: ProjectFile | null = null): OpenDocument {
+export function newDocument(
+  project: Project,
+  file: ProjectFile | null = null,
+  meshVersion?: string,
+): OpenDocument {
   return {
     id: newDocumentId(),
-    history: startHistory<DocumentContent>({ project }),
+    history: startHistory<DocumentContent>({ project, ...(meshVersion !== undefined && { meshVersion }) }),
     savedKey: documentKey(project),
     file,
   };
 }
 
-/** Random, so that two tabs never choose the same id. */
+/** Random, so that two tabs, or two visits of the page, never choose the same id. */
 export function newDocumentId(): string {
   const bytes = crypto.getRandomValues(new Uint8Array(12));
   return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
@@ -138,11 +142,12 @@ export class DocumentStore {
     });
   }
 
-  /** Calls back whenever the project changes, but not during a gesture. Returns a function that stops this. */
-  onSettled(listener: (project: Project) => void): () => void {
+  /** Calls back whenever the content changes, but not during a gesture. Returns a function that stops this. */
+  onSettled(listener: (content: DocumentContent) => void): () => void {
     return this.state.subscribe((state, before) => {
-      const project = settledProject(state);
-      if (project !== settledProject(before)) listener(project);
+      const content = settledContent(state);
+      const last = settledContent(before);
+      if (content.project !== last.project || content.meshVersion !== last.meshVersion) listener(content);
     });
   }
 
@@ -151,12 +156,13 @@ export class DocumentStore {
   }
 }
 
-/**
- * The project without the current gesture. Keys are computed only for this project, so never during a drag.
- */
-export function settledProject({ gestureStart, history }: DocumentState): Project {
-  return (gestureStart ?? history.present).project;
+/** The content without the current gesture. Keys are computed only for this content, so never during a drag. */
+export function settledContent({ gestureStart, history }: DocumentState): DocumentContent {
+  return gestureStart ?? history.present;
 }
+
+/** The project without the current gesture. */
+export const settledProject = (state: DocumentState): Project => settledContent(state).project;
 
 /** Returns whether the project differs from the content of the file opened or saved last. */
 export function hasUnsavedChanges(state: DocumentState): boolean {
@@ -170,8 +176,13 @@ export function isUntouched(state: DocumentState): boolean {
   return past.length === 0 && future.length === 0 && !hasUnsavedChanges(state);
 }
 
-/** Returns whether a file contains the project; an unchanged example or new project needs no file. */
-export function savedState(state: DocumentState): "saved" | "unsaved" | "unchanged" {
+/**
+ * Returns whether a file contains the project; an unchanged example or new project needs no file. Projects never contain a
+ * mesh that was opened or improved.
+ */
+export function savedState(state: DocumentState): "saved" | "unsaved" | "unchanged" | "without-mesh" {
   if (hasUnsavedChanges(state)) return "unsaved";
+  const content = settledContent(state);
+  if (content.meshVersion && shownMeshKey(content) === content.meshVersion) return "without-mesh";
   return state.file === null && isUntouched(state) ? "unchanged" : "saved";
 }

@@ -1,6 +1,6 @@
 import type { Project } from "tetrafront";
 import { readProjectBlob, writeProjectBlob } from "../workers/project-files";
-import { readSurfaceFile, type ReadSurface } from "../workers/surface-files";
+import { readSurfaceFile, type FileContent, type OpenedMesh } from "../workers/surface-files";
 import { strings } from "../strings";
 import type { ProjectFile } from "./document-store";
 
@@ -12,7 +12,14 @@ export type OpenResult =
       /** Null if the browser does not let the app write to the file. */
       readonly file: ProjectFile | null;
     }
-  | { readonly kind: "surface"; readonly name: string; readonly read: ReadSurface }
+  | { readonly kind: "surface"; readonly name: string; readonly read: FileContent }
+  | {
+      readonly kind: "mesh";
+      readonly name: string;
+      readonly fileName: string;
+      readonly read: FileContent;
+      readonly mesh: OpenedMesh;
+    }
   | { readonly kind: "cancelled" }
   | { readonly kind: "failed"; readonly fileName: string; readonly reasons: readonly string[] };
 
@@ -40,15 +47,15 @@ export type OnReading = (
   reading: { readonly fileName: string; readonly abort: AbortController } | null,
 ) => void;
 
-/** Reads a project file or a surface file, from the dialog or dropped on the page. */
+/** Reads a project, a surface or a mesh, from the dialog or dropped on the page. */
 export async function readDocumentFile(file: OpenedFile, onReading: OnReading): Promise<OpenResult> {
   const abort = new AbortController();
   try {
     const { formatOf } = await import("./mesh-formats");
-    const isSurface = formatOf(file.name)?.readable.includes("surface") === true && !isProject(file.name);
-    if (!isSurface) return await projectIn(file);
+    const isMeshFile = (formatOf(file.name)?.readable.length ?? 0) > 0 && !isProject(file.name);
+    if (!isMeshFile) return await projectIn(file);
     onReading({ fileName: file.name, abort });
-    return await surfaceIn(file, abort.signal);
+    return await contentOf(file, abort.signal);
   } catch (error) {
     if (abort.signal.aborted) return { kind: "cancelled" };
     // Causes are, for example, a folder, or a part of the app that could not be loaded.
@@ -60,16 +67,15 @@ export async function readDocumentFile(file: OpenedFile, onReading: OnReading): 
 
 const isProject = (fileName: string): boolean => /\.json$/i.test(fileName);
 
-async function surfaceIn(file: File, signal: AbortSignal): Promise<OpenResult> {
+async function contentOf(file: File, signal: AbortSignal): Promise<OpenResult> {
   const name = file.name.replace(/\.[^.]*$/, "");
   const read = await readSurfaceFile(file, file.name, { id: 1, firstPatchId: 1, name }, signal);
-  if (read.success) return { kind: "surface", name, read };
-  return { kind: "failed", fileName: file.name, reasons: read.reasons };
+  if (!read.success) return { kind: "failed", fileName: file.name, reasons: read.reasons };
+  const { mesh } = read;
+  return mesh ? { kind: "mesh", name, fileName: file.name, read, mesh } : { kind: "surface", name, read };
 }
 
 async function projectIn(file: OpenedFile): Promise<OpenResult> {
-  const mesh = await meshFileReasons(file.name);
-  if (mesh !== undefined) return { kind: "failed", fileName: file.name, reasons: mesh };
   const read = await readProjectBlob(file);
   if (read.success) {
     const { handle, lastModified } = file;
@@ -81,16 +87,6 @@ async function projectIn(file: OpenedFile): Promise<OpenResult> {
   return { kind: "failed", fileName: file.name, reasons };
 }
 
-/** Returns what to do with a mesh file without a surface, by its name; undefined for other files. */
-async function meshFileReasons(fileName: string): Promise<readonly string[] | undefined> {
-  if (isProject(fileName)) return undefined;
-  const { formatOf } = await import("./mesh-formats");
-  const format = formatOf(fileName);
-  if (format === undefined || format.readable.length === 0) return undefined;
-  const quoted = fileName.replaceAll('"', "");
-  return [strings.files.isMesh(format.name), strings.files.inspectMesh(quoted)];
-}
-
 /** Asks the user for a file. A second request while the dialog is open counts as cancelled: browsers refuse it. */
 export async function openDocumentFile(
   what: "documents" | "surfaces",
@@ -99,16 +95,17 @@ export async function openDocumentFile(
   openDialogs += 1;
   try {
     const [{ fileOpen }, { extensionsFor }] = await loadFileDialogs();
-    const surfaces = {
-      description: strings.bodies.files,
-      extensions: extensionsFor("read", "surface").map((extension) => `.${extension.replace(/^\./, "")}`),
+    const extensions = (["surface", "volume"] as const).flatMap((held) => extensionsFor("read", held));
+    const meshes = {
+      description: strings.files.meshDescription,
+      extensions: [...new Set(extensions)].map((extension) => `.${extension.replace(/^\./, "")}`),
     };
-    const both = {
+    const all = {
       ...projectFile,
       description: strings.files.anyDescription,
-      extensions: [...projectFile.extensions, ...surfaces.extensions],
+      extensions: [...projectFile.extensions, ...meshes.extensions],
     };
-    const file = await fileOpen(what === "surfaces" ? surfaces : both);
+    const file = await fileOpen(what === "surfaces" ? meshes : all);
     return await readDocumentFile(file, onReading);
   } catch (error) {
     if (isAbort(error) || (openDialogs > 1 && isNamed(error, "NotAllowedError")))

@@ -3,8 +3,8 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import type { BodyFeed } from "./bodies";
 import type { PreviewFeed } from "./preview";
 import type { MeshRun } from "./run";
-import { meshKey } from "../document/content-keys";
-import { settledProject, type DocumentStore } from "./document-store";
+import { meshKey, shownMeshKey } from "../document/content-keys";
+import { settledContent, type DocumentStore } from "./document-store";
 import { bodiesOf, isEmptyProject, recordsOf } from "../document/entities";
 import { bodyProblems, problemsByEntity, sorted, toProblems, type Problem } from "../document/validate";
 
@@ -27,7 +27,8 @@ export class ProblemList {
     run: MeshRun,
   ) {
     const update = (): void => {
-      const project = settledProject(documents.state.getState());
+      const content = settledContent(documents.state.getState());
+      const { project } = content;
       const { preview, project: previewed } = previews.state.getState();
       const { outcome } = run.state.getState();
       // Keep the old problems while the check of an edit runs, so that the list does not flicker.
@@ -39,7 +40,9 @@ export class ProblemList {
           ? (preview?.diagnostics ?? [])
           : []),
         // A run finds more than the check does.
-        ...(outcome?.key === meshKey(project) ? outcome.result.report.diagnostics : []),
+        ...(outcome && [meshKey(project), shownMeshKey(content)].includes(outcome.key)
+          ? outcome.result.report.diagnostics
+          : []),
       ]);
       const { byId } = bodies.state.getState();
       const ofBodies = bodiesOf(project).flatMap((body) => {

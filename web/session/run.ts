@@ -1,10 +1,18 @@
 import type { Mesher, MeshResult, PreparedBody, Progress, Project, UnoptimizedMesh } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { meshKey } from "../document/content-keys";
+import { meshKey, shownMeshKey, versionedKey } from "../document/content-keys";
+import type { DocumentContent } from "../document/edit";
 import { engineInput } from "../document/engine-input";
-import { logStrings, phaseNames, remedyInApp } from "../strings";
-import { settledProject, type DocumentState, type DocumentStore } from "./document-store";
+import { logStrings, phaseNames, remedyInApp, stepNames } from "../strings";
+import {
+  newDocumentId,
+  settledContent,
+  settledProject,
+  type DocumentState,
+  type DocumentStore,
+} from "./document-store";
 import { failureText } from "./failure-text";
+import { improvedMesh, reasonsOf, type ShownMesh } from "./shown-mesh";
 
 export type LogLevel = "information" | "success" | "warning" | "error";
 
@@ -18,6 +26,8 @@ export interface LogLine {
 
 export interface RunState {
   readonly busy: boolean;
+  /** What the active run does, or the last one has done. */
+  readonly task: "mesh" | "improve";
   /** True from the cancel command until the run has ended. */
   readonly cancelling: boolean;
   readonly progress: Progress | null;
@@ -30,7 +40,11 @@ export interface RunState {
   readonly unoptimized: UnoptimizedMesh | null;
   /** The shown mesh, which may belong to another state of the project. */
   readonly mesh: MeshResult | null;
-  /** Key of the project that `mesh` was made from. */
+  /** As in `ShownMesh`; both null without a mesh. */
+  readonly origin: ShownMesh["origin"];
+  readonly improvement: ShownMesh["improvement"];
+  readonly edgeReference: ShownMesh["edgeReference"];
+  /** Key of the content that `mesh` belongs to. */
   readonly meshKey: string | null;
   /** Result of the last run. Unlike `mesh`, it may hold diagnostics only. */
   readonly outcome: { readonly key: string; readonly result: MeshResult } | null;
@@ -41,11 +55,15 @@ export interface RunState {
 
 const emptyRun: RunState = {
   busy: false,
+  task: "mesh",
   cancelling: false,
   progress: null,
   front: null,
   unoptimized: null,
   mesh: null,
+  origin: null,
+  improvement: null,
+  edgeReference: "target",
   meshKey: null,
   outcome: null,
   failure: null,
@@ -53,8 +71,8 @@ const emptyRun: RunState = {
 };
 
 /** Number of meshes kept, so that undo restores the old mesh at once. */
-const cachedMeshes = 4;
-/** Meshes with more tetrahedra are not kept, to limit memory. */
+const cachedMeshes = 6;
+/** Meshes with more tetrahedra are not kept, to limit memory, unless no run can make them again. */
 const maxCachedTetrahedra = 400_000;
 const maxLogLines = 400;
 /**
@@ -70,7 +88,7 @@ export class MeshRun {
   readonly state: StoreApi<RunState> = createStore<RunState>(() => emptyRun);
   readonly #documents: DocumentStore;
   readonly #mesher: Promise<Mesher>;
-  readonly #cache = new Map<string, MeshResult>();
+  readonly #cache = new Map<string, ShownMesh>();
   #abort: AbortController | null = null;
   #running: Promise<void> = Promise.resolve();
   #lastLogId = 0;
@@ -86,7 +104,7 @@ export class MeshRun {
     this.#documents = documents;
     this.#mesher = mesher;
     this.#preparedOf = preparedOf;
-    documents.onSettled((project) => this.#showCached(meshKey(project)));
+    documents.onSettled((content) => this.#showCached(shownMeshKey(content)));
   }
 
   /** Meshes the current project, unless a run is active. Resolves when the run has ended. */
@@ -96,10 +114,8 @@ export class MeshRun {
   }
 
   async #mesh(): Promise<void> {
-    const abort = new AbortController();
-    this.#abort = abort;
+    const abort = this.#begin("mesh");
     const project = settledProject(this.#documents.state.getState());
-    this.state.setState({ busy: true, cancelling: false, progress: null, failure: null, log: [] });
     // Use the time that the run reports: a busy page receives progress messages late.
     let elapsedSeconds = 0;
     const log = (level: LogLevel, text: string): void => this.#log(elapsedSeconds, level, text);
@@ -128,17 +144,93 @@ export class MeshRun {
       this.state.setState({ failure });
       log("error", failure);
     } finally {
-      this.#abort = null;
-      const ended = { busy: false, cancelling: false, progress: null, front: null, unoptimized: null };
-      this.state.setState(ended);
+      this.#end();
     }
+  }
+
+  #begin(task: RunState["task"]): AbortController {
+    this.#abort = new AbortController();
+    this.state.setState({ busy: true, task, cancelling: false, progress: null, failure: null, log: [] });
+    return this.#abort;
+  }
+
+  #end(): void {
+    this.#abort = null;
+    const ended = { busy: false, cancelling: false, progress: null, front: null, unoptimized: null };
+    this.state.setState(ended);
+  }
+
+  /**
+   * Improves the elements of the shown mesh as one step of undo. A cancelled improvement keeps what it has reached.
+   * Returns why this is impossible, or null.
+   */
+  async improve(): Promise<readonly string[] | null> {
+    const state = this.state.getState();
+    const { mesh, origin, improvement, edgeReference } = state;
+    if (this.#abort || !mesh || !canImprove(state, this.#documents.state.getState())) return null;
+    const abort = this.#begin("improve");
+    let elapsedSeconds = 0;
+    const log = (level: LogLevel, text: string): void => this.#log(elapsedSeconds, level, text);
+    const content = settledContent(this.#documents.state.getState());
+    log("information", logStrings.improving(count(mesh.report.tetrahedra)));
+    try {
+      const { optimization = "default" } = content.project.meshing ?? {};
+      const before = { mesh, origin, improvement, edgeReference };
+      const after = await improvedMesh(await this.#mesher, before, optimization, {
+        signal: abort.signal,
+        onProgress: (progress) => {
+          elapsedSeconds = progress.elapsedSeconds;
+          if (isDue(this.state.getState().progress, progress)) this.state.setState({ progress });
+        },
+      });
+      this.#finishImprovement(content, before, after);
+      if (after.improvement) log("success", logStrings.improved(after.improvement));
+      return null;
+    } catch (error) {
+      const reasons = reasonsOf(error);
+      for (const reason of reasons) log("error", reason);
+      return reasons;
+    } finally {
+      this.#end();
+    }
+  }
+
+  /** Shows a better mesh, unless the document has changed meanwhile. */
+  #finishImprovement(content: DocumentContent, before: ShownMesh, after: ShownMesh): void {
+    const present = settledContent(this.#documents.state.getState());
+    if (present.project !== content.project || present.meshVersion !== content.meshVersion) return;
+    const key = shownMeshKey(content);
+    if (after.mesh === before.mesh) {
+      this.state.setState({ improvement: after.improvement });
+      return;
+    }
+    this.#remember(key, before);
+    const version = this.keep(content.project, after);
+    const replace = [[["meshVersion"], version]] as const;
+    this.#documents.edit({ label: stepNames.improve, replace });
+  }
+
+  /** Begins the log of a document with the file of its mesh. */
+  logOpening(): void {
+    const { mesh, origin } = this.state.getState();
+    this.state.setState({ log: [] });
+    if (mesh && origin) this.#log(0, "information", logStrings.opened(origin.fileName, sizeOf(mesh)));
+  }
+
+  /** Keeps a mesh that no run makes. Returns its key: it is shown while it is that of the document. */
+  keep(project: Project, shown: ShownMesh): string {
+    const key = versionedKey(meshKey(project), newDocumentId());
+    this.#remember(key, shown);
+    return key;
   }
 
   /** Hides the mesh and the log if they belong to another state of the document. */
   forgetOthers(): void {
-    const key = meshKey(settledProject(this.#documents.state.getState()));
+    const key = shownMeshKey(settledContent(this.#documents.state.getState()));
     const { mesh, outcome } = this.state.getState();
-    if (mesh && this.state.getState().meshKey !== key) this.state.setState({ mesh: null, meshKey: null });
+    if (mesh && this.state.getState().meshKey !== key) {
+      this.state.setState({ mesh: null, origin: null, improvement: null, meshKey: null });
+    }
     if (outcome && outcome.key !== key) this.state.setState({ outcome: null, failure: null, log: [] });
   }
 
@@ -180,20 +272,30 @@ export class MeshRun {
     this.state.setState({ outcome: { key, result } });
     const showable = result.volume.tetrahedra.length > 0 || result.surface.triangles.length > 0;
     if (!showable) return;
-    this.state.setState({ mesh: result, meshKey: key, front: null, unoptimized: null });
-    if (report.status === "done" && report.tetrahedra <= maxCachedTetrahedra) this.#remember(key, result);
+    const shown: ShownMesh = { mesh: result, origin: null, improvement: null, edgeReference: "target" };
+    this.state.setState({ ...shown, meshKey: key, front: null, unoptimized: null });
+    if (report.status === "done" && report.tetrahedra <= maxCachedTetrahedra) this.#remember(key, shown);
+    this.#replaceVersion(key);
   }
 
-  #remember(key: string, result: MeshResult): void {
+  /** A new mesh replaces one that was opened or improved, as a step of undo. */
+  #replaceVersion(key: string): void {
+    const content = settledContent(this.#documents.state.getState());
+    if (meshKey(content.project) !== key || shownMeshKey(content) === key) return;
+    this.#documents.edit({ label: stepNames.generate, replace: [[["meshVersion"], null]] });
+  }
+
+  #remember(key: string, shown: ShownMesh): void {
     this.#cache.delete(key);
-    this.#cache.set(key, result);
+    this.#cache.set(key, shown);
     const [oldest] = this.#cache.keys();
     if (this.#cache.size > cachedMeshes && oldest !== undefined) this.#cache.delete(oldest);
   }
 
   #showCached(key: string): void {
-    const mesh = this.#cache.get(key);
-    if (mesh) this.state.setState({ mesh, meshKey: key, outcome: { key, result: mesh }, failure: null });
+    const shown = this.#cache.get(key);
+    if (!shown) return;
+    this.state.setState({ ...shown, meshKey: key, outcome: { key, result: shown.mesh }, failure: null });
   }
 
   #log(seconds: number, level: LogLevel, text: string): void {
@@ -209,8 +311,12 @@ function isDue(before: Progress | null, { phase, elapsedSeconds }: Progress): bo
   return elapsedSeconds - before.elapsedSeconds >= Math.min(max, Math.max(min, share * elapsedSeconds));
 }
 
-function summary({ report }: MeshResult): string {
-  const size = logStrings.size(count(report.tetrahedra), count(report.nodes));
+const sizeOf = ({ report }: MeshResult): string =>
+  logStrings.size(count(report.tetrahedra), count(report.nodes));
+
+function summary(result: MeshResult): string {
+  const { report } = result;
+  const size = sizeOf(result);
   const seconds = `${report.seconds.total.toFixed(2)} s`;
   switch (report.status) {
     case "done":
@@ -238,6 +344,12 @@ export function regionCount({ mesh }: RunState): number {
  */
 export function isStale(run: RunState, document: DocumentState): boolean {
   if (run.mesh === null) return false;
-  const project = settledProject(document);
-  return project !== document.history.present.project || run.meshKey !== meshKey(project);
+  const content = settledContent(document);
+  return content.project !== document.history.present.project || run.meshKey !== shownMeshKey(content);
+}
+
+/** Returns whether the shown mesh is finished and up to date, so that its elements can be improved. */
+export function canImprove(run: RunState, document: DocumentState): boolean {
+  const { report } = run.mesh ?? {};
+  return !run.busy && report?.status === "done" && report.tetrahedra > 0 && !isStale(run, document);
 }

@@ -14,6 +14,7 @@ import {
 import { PreviewFeed } from "./preview";
 import { ProblemList } from "./problems";
 import { MeshRun, regionCount } from "./run";
+import type { ShownMesh } from "./shown-mesh";
 
 export interface SessionOptions {
   /** The document that is open at first, and how to release its lock if it has one. */
@@ -58,6 +59,13 @@ export class Session {
    */
   showProject(project: Project, file: ProjectFile | null = null): DocumentState {
     return this.#show(newDocument(project, file));
+  }
+
+  /** Shows a project with a mesh that no run makes of it, as a new document. Returns the previous document. */
+  showMesh(project: Project, mesh: ShownMesh): DocumentState {
+    const before = this.#show(newDocument(project, null, this.run.keep(project, mesh)));
+    this.run.logOpening();
+    return before;
   }
 
   /**

@@ -65,7 +65,8 @@ export const commandLabels = {
   elementEdges: "Element edges",
 
   generate: "Generate mesh",
-  cancel: "Cancel meshing",
+  cancel: { mesh: "Cancel meshing", improve: "Stop improving" },
+  improve: "Improve mesh",
   refine: (factor: number) => `Make all sizes finer (× ${factor})`,
   coarsen: (factor: number) => `Make all sizes coarser (× ${factor})`,
   cover: "Create covering grid…",

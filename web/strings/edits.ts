@@ -30,6 +30,8 @@ export const stepNames = {
   addHole: (patch: string) => `Add hole to ${patch}`,
   addTetrahedron: "Add background tetrahedron",
   paintSize: "Paint size",
+  improve: "Improve mesh",
+  generate: "Generate mesh",
 } as const;
 
 /** Why nothing can be created from the selection: what to select instead. */

@@ -71,4 +71,45 @@ export const logStrings = {
   stalled: (size: string, seconds: string) =>
     `Stalled after ${seconds}; ${size}, the remaining front is shown`,
   invalid: "Not meshed: the model has errors",
+  opened: (file: string, size: string) => `Opened ${file}: ${size}`,
+  improving: (tetrahedra: string) => `Improving ${tetrahedra} tetrahedra`,
+  improved: (improvement: Gain) => improvementText(improvement),
 } as const;
+
+/** Shapes of the elements before and after an improvement. */
+interface Gain {
+  readonly isImproved: boolean;
+  readonly isPartial: boolean;
+  readonly before: Shapes;
+  readonly after: Shapes;
+}
+
+interface Shapes {
+  readonly dihedral: { readonly min: number; readonly max: number };
+  readonly radiusRatio: { readonly mean: number };
+  readonly outOfRange: number;
+}
+
+/** Returns how an improvement has ended. */
+export function improvementOutcome({ isImproved, isPartial }: Gain): string {
+  if (isImproved) return isPartial ? "Stopped; improved so far" : "Improved";
+  return isPartial
+    ? "Stopped before a better mesh was found. The mesh is unchanged."
+    : "No better mesh was found. The mesh is unchanged.";
+}
+
+/** Returns in one sentence what an improvement has gained. */
+export function improvementText(improvement: Gain): string {
+  const outcome = improvementOutcome(improvement);
+  const { isImproved, before, after } = improvement;
+  if (!isImproved) return outcome;
+  const changed = (what: string, text: (shapes: Shapes) => string): string[] =>
+    text(before) === text(after) ? [] : [`${what} ${text(before)} → ${text(after)}`];
+  const gains = [
+    ...changed("smallest dihedral angle", ({ dihedral }) => `${dihedral.min.toFixed(1)}°`),
+    ...changed("largest", ({ dihedral }) => `${dihedral.max.toFixed(1)}°`),
+    ...changed("mean radius ratio", ({ radiusRatio }) => radiusRatio.mean.toFixed(3)),
+    ...changed("outside 30°–135°", ({ outOfRange }) => outOfRange.toLocaleString("en-US")),
+  ];
+  return `${outcome}: ${gains.length > 0 ? gains.join(", ") : "slightly better elements"}.`;
+}

@@ -12,7 +12,7 @@ export const pageStrings = {
     light: "Light theme",
     dark: "Dark theme",
     panels: "Panels",
-    meshing: "Meshing…",
+    busy: { mesh: "Meshing…", improve: "Improving…" },
     menu: "Menu",
   },
   gallery: {
@@ -43,7 +43,7 @@ export const pageStrings = {
       ["Wheel", "zoom"],
       ["F", "fit"],
     ],
-    drop: "Drop a project or a surface file to open it",
+    drop: "Drop a project, a surface file or a mesh file to open it",
     summaryNoMesh: (name: string) => `${name}, not meshed yet.`,
     summary: (name: string, tetrahedra: string, minAngle: string) =>
       `${name}, meshed with ${tetrahedra} tetrahedra, smallest dihedral angle ${minAngle}.`,
@@ -56,15 +56,18 @@ export const pageStrings = {
     saved: "saved",
     unsaved: "unsaved changes",
     unchanged: "no changes",
+    "without-mesh": "mesh not in the project",
     nodes: (count: string) => `${count} nodes`,
     tetrahedra: (count: string) => `${count} tetrahedra`,
     minDihedral: (angle: string) => `min dihedral ${angle}`,
     front: (count: string) => `${count} front faces`,
     filling: "Filling remaining pockets",
     exactFill: (fraction: string) => `exact fill ${fraction}`,
-    cancel: "Cancel meshing",
-    cancelling: "Cancelling…",
-    progress: "Meshing progress",
+    cancel: { mesh: "Cancel meshing", improve: "Stop improving" },
+    cancelling: { mesh: "Cancelling…", improve: "Stopping…" },
+    progress: { mesh: "Meshing progress", improve: "Progress of the improvement" },
+    improving: "Improving the elements",
+    opened: (file: string) => `Mesh of ${file}`,
     done: "Mesh is up to date",
     stale: "Mesh is out of date",
     invalid: "The model has errors",
@@ -84,6 +87,7 @@ export const pageStrings = {
       "A part of the application could not be loaded. Your model is safe. Reload the page when you are online.",
     reload: "Reload",
     downloadFailed: "The mesh could not be written",
+    notImproved: "The mesh could not be improved",
     close: "Close",
   },
   notices: {
@@ -95,15 +99,16 @@ export const pageStrings = {
     retry: "Try again",
     dismiss: "Dismiss",
     understood: "OK",
+    showQuality: "Show quality",
   },
   files: {
     description: "Tetrafront project",
-    anyDescription: "Project or surface",
+    anyDescription: "Project, surface or mesh",
+    meshDescription: "Surface or mesh file",
+    meshNotSaved:
+      "Projects contain the surface of an opened mesh, not its elements. Download the mesh to keep it.",
     error: (message: string, line: number | undefined) =>
       line === undefined ? message : `Line ${line}: ${message}`,
-    isMesh: (format: string) =>
-      `This is a mesh file (${format}) without a surface. The app opens projects and surfaces.`,
-    inspectMesh: (input: string) => `Inspect it on the command line: npx tetrafront info "${input}"`,
   },
   recent: {
     title: "Open recent",

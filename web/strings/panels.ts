@@ -77,12 +77,24 @@ export const panelStrings = {
     volume: "Volume",
     dihedral: "Dihedral angles",
     time: "Time",
+    file: "File",
     fingerprint: "Fingerprint",
     copied: "copied",
     none: "No mesh yet.",
     unmeasured: "–",
     bar: (count: string, from: string, to: string) => `${count} tetrahedra from ${from} to ${to}`,
     histogram: (measure: string) => `Histogram of the ${measure.toLowerCase()}`,
+  },
+  improvement: {
+    title: "Improvement",
+    improve: "Improve mesh",
+    hint: "Swaps, moves, splits and collapses until no element gets better. The boundary and its patches stay; nothing gets worse.",
+    columns: ["", "Before", "After"],
+    smallestAngle: "Smallest angle",
+    largestAngle: "Largest angle",
+    meanRatio: "Mean radius ratio",
+    outOfRange: "Outside 30°–135°",
+    tetrahedra: "Tetrahedra",
   },
   report: {
     tab: "Quality",
@@ -96,11 +108,21 @@ export const panelStrings = {
       space: "Measures all elements in space, as they are drawn. Edge lengths are divided by their mean.",
     },
     measuring: "Measuring the elements…",
-    verdicts: { passed: "Verified", failed: "Verification failed", none: "Not verified" },
+    verdicts: {
+      passed: "Verified",
+      inspected: "Valid elements",
+      failed: "Verification failed",
+      invalid: "Invalid elements",
+      none: "Not verified",
+    },
     verdictHints: {
       passed:
         "Verified in exact arithmetic: every element has positive volume, neighbouring elements share a whole face, and the boundary is unchanged.",
+      inspected:
+        "Inspected: every element of the file has positive volume, and neighbouring elements share a whole face.",
       failed: "",
+      invalid:
+        "The file has elements that are inverted, degenerate, duplicate or overlap, or nodes at the same position. Improve mesh inverts inverted elements and names the others.",
       none: "The mesh is verified when it is finished.",
     },
     region: "Region",

@@ -4,8 +4,9 @@ import type { MeshFileProtocol } from "./mesh-files";
 import { serveCalls } from "./serve-calls";
 
 serveCalls<MeshFileProtocol>({
-  write: async ({ surface, volume, project, fileName }) => {
-    const files = await writeMesh(fileMeshOf({ surface, volume }, { project }), fileName);
+  write: async ({ surface, volume, project, regions, fileName }) => {
+    const mesh = fileMeshOf({ surface, volume }, { project });
+    const files = await writeMesh({ ...mesh, regions: regions ?? mesh.regions }, fileName);
     // Blobs pass to the page without a copy, whatever their length.
     return {
       answer: files.map(({ fileName: name, bytes }) => ({ fileName: name, content: new Blob([bytes]) })),

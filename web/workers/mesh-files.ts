@@ -1,4 +1,4 @@
-import type { MeshResult, Project } from "tetrafront";
+import type { FileGroup, MeshResult, Project } from "tetrafront";
 import { copyForTransfer } from "./transfer";
 import { callOnce } from "./worker-client";
 
@@ -12,6 +12,8 @@ export interface MeshFileProtocol {
     readonly argument: Pick<MeshResult, "surface" | "volume"> & {
       /** Names the patches. */
       readonly project: Project;
+      /** The regions of the file that the mesh was opened from; null if a run made it. */
+      readonly regions: readonly FileGroup[] | null;
       readonly fileName: string;
     };
     readonly answer: readonly MeshFile[];
@@ -28,6 +30,7 @@ const startWorker = (): Worker =>
 export function writeMeshFiles(
   mesh: MeshResult,
   project: Project,
+  regions: readonly FileGroup[] | null,
   fileName: string,
 ): Promise<readonly MeshFile[]> {
   const surface = copyForTransfer(mesh.surface);
@@ -36,6 +39,7 @@ export function writeMeshFiles(
     surface: surface.copy,
     volume: volume.copy,
     project: { ...project, background: { nodes: [], tetrahedra: [] } },
+    regions,
     fileName,
   };
   return callOnce<MeshFileProtocol, "write">(startWorker, "write", argument, [

@@ -1,4 +1,4 @@
-import type { PatchedSurface, ProjectBody, SplitSurface } from "tetrafront";
+import type { FileGroup, MeshWithBoundary, PatchedSurface, ProjectBody, SplitSurface } from "tetrafront";
 import type { DrawnSurface } from "../document/drawn-surface";
 import { unpackedBody, type PackedBody } from "./packed-bodies";
 import { copyForTransfer } from "./transfer";
@@ -44,7 +44,19 @@ export interface ReadSurface extends NewBody {
   readonly notes: readonly string[];
 }
 
-export type SurfaceReading<Read = ReadSurface> =
+/** The tetrahedra of a file, with their boundary in the patches of the body. */
+export interface OpenedMesh extends Pick<MeshWithBoundary, "surface" | "volume"> {
+  readonly regions: readonly FileGroup[];
+  readonly invertedTetrahedra: Uint32Array | undefined;
+}
+
+/** What a file contains: the body is its surface, or the boundary of its mesh. */
+export interface FileContent extends ReadSurface {
+  /** Null if the file has no tetrahedra. */
+  readonly mesh: OpenedMesh | null;
+}
+
+export type SurfaceReading<Read = FileContent> =
   ({ readonly success: true } & Read) | { readonly success: false; readonly reasons: readonly string[] };
 
 /** A surface and the patches of a body, which replace those of a given body. */
@@ -57,7 +69,7 @@ export interface ReplacedSurface {
 export interface SurfaceProtocol {
   readonly read: {
     readonly argument: { readonly file: Blob; readonly fileName: string; readonly head: BodyHead };
-    readonly answer: SurfaceReading<PackedNewBody & Pick<ReadSurface, "notes">>;
+    readonly answer: SurfaceReading<PackedNewBody & Pick<FileContent, "notes" | "mesh">>;
   };
   /** Returns the arrays of a body. */
   readonly load: { readonly argument: ProjectBody; readonly answer: PackedNewBody };
@@ -100,7 +112,7 @@ const withTrianglesOf = ({ points, triangles }: ProjectBody, { body, loaded }: N
 });
 
 /**
- * Reads a surface file in a worker of its own. Rejects if `signal` aborts or the worker fails, for example out of memory.
+ * Reads a surface or the mesh of a file in a worker of its own. Rejects if `signal` aborts or the worker fails, for example out of memory.
  */
 export async function readSurfaceFile(
   file: Blob,
@@ -112,7 +124,9 @@ export async function readSurfaceFile(
   signal.addEventListener("abort", () => client.dispose());
   try {
     const read = await client.call("read", { file, fileName, head });
-    return read.success ? { success: true, ...(await unpacked(read)), notes: read.notes } : read;
+    if (!read.success) return read;
+    const { notes, mesh } = read;
+    return { success: true, ...(await unpacked(read)), notes, mesh };
   } finally {
     client.dispose();
   }

@@ -3,10 +3,15 @@ import {
   bodySurface,
   bodyWithPatches,
   createBody,
+  formatOf,
   mergePatches,
+  meshWithBoundary,
+  readMesh,
   readSurface,
+  type FileMesh,
   type PatchedSurface,
   type ProjectBody,
+  type ReadError,
 } from "tetrafront";
 import { buffersOfDrawn, drawnSurface } from "../document/drawn-surface";
 import { buffersOfPacked, packedBody } from "./packed-bodies";
@@ -15,18 +20,16 @@ import type { LoadedSurface, PackedNewBody, PatchArrays, SurfaceProtocol } from 
 
 serveCalls<SurfaceProtocol>({
   read: async ({ file, fileName, head }) => {
-    const read = await readSurface(file.stream(), { fileName });
-    if (!read.success) {
-      const reasons = read.errors.map(({ message, remedy, line }) =>
-        [line === undefined || /^line \d/i.test(message) ? message : `Line ${line}: ${message}`, remedy]
-          .filter((text) => text !== "")
-          .join(". "),
-      );
-      return { answer: { success: false, reasons } };
+    if (formatOf(fileName)?.readable.includes("volume") === true) {
+      const mesh = await readMesh(file.stream(), { fileName });
+      if (!mesh.success) return refusal(mesh.errors);
+      if (mesh.value.tetrahedra.length > 0) return readVolume(mesh.value, head);
     }
+    const read = await readSurface(file.stream(), { fileName });
+    if (!read.success) return refusal(read.errors);
     const made = newBody(createBody(read.value, head));
     return {
-      answer: { success: true, ...made, notes: read.value.notes ?? [] },
+      answer: { success: true, ...made, notes: read.value.notes ?? [], mesh: null },
       transfer: buffersOf(made),
     };
   },
@@ -54,6 +57,33 @@ serveCalls<SurfaceProtocol>({
     return { answer, transfer: buffersOfDrawn(answer) };
   },
 });
+
+/** Returns why a file cannot be read, one sentence each. */
+function refusal(errors: readonly ReadError[]): Answer<SurfaceProtocol["read"]["answer"]> {
+  const reasons = errors.map(({ message, remedy, line }) =>
+    [line === undefined || /^line \d/i.test(message) ? message : `Line ${line}: ${message}`, remedy]
+      .filter((text) => text !== "")
+      .join(". "),
+  );
+  return { answer: { success: false, reasons } };
+}
+
+/** Reads the mesh of a file; its boundary is the surface of a body. */
+async function readVolume(
+  file: FileMesh,
+  head: SurfaceProtocol["read"]["argument"]["head"],
+): Promise<Answer<SurfaceProtocol["read"]["answer"]>> {
+  const { surface, volume, outer } = await meshWithBoundary(file);
+  const { regions, invertedTetrahedra, notes = [] } = file;
+  const made = newBody(createBody(outer, head));
+  const { tetrahedra, regions: regionOf } = volume;
+  const arrays = [surface.points, surface.triangles, surface.trianglePatch, surface.triangleRegions];
+  const buffers = new Set([...arrays, tetrahedra, regionOf].map(({ buffer }) => buffer as ArrayBuffer));
+  return {
+    answer: { success: true, ...made, notes, mesh: { surface, volume, regions, invertedTetrahedra } },
+    transfer: [...buffersOf(made), ...buffers],
+  };
+}
 
 function newBody(body: ProjectBody): PackedNewBody {
   return { packed: packedBody(body), loaded: loadedFrom(body) };

@@ -75,6 +75,21 @@ const nodes = new TextEncoder().encode("4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 
 const elements = new TextEncoder().encode("1 4 0\n1 1 2 3 4\n");
 const readOptions = { fileName: "a.off", openOther: () => Promise.resolve(undefined), ...control };
 
+const element = { tetrahedron: 0, centroid: [0, 0, 0], dihedral: { min: 5, max: 170 } };
+const inspection = {
+  nodes: 8,
+  tetrahedra: 6,
+  dihedral: { min: 5, max: 170 },
+  radiusRatio: { min: 0.1, mean: 0.5 },
+  volume: 1,
+  quality: {
+    binWidths: { dihedral: 5 },
+    regions: [{ tetrahedra: 6, smallestDihedral: [6] }],
+    worst: [element],
+    limitedByBoundary: { edges: 0, needles: 0, narrowGaps: 0, worst: [element] },
+  },
+};
+
 const functions: Readonly<Record<string, Arguments>> = {
   extensionsFor: { action: "read", contents: "surface" },
   formatOf: { fileName: "a.off" },
@@ -130,6 +145,18 @@ const functions: Readonly<Record<string, Arguments>> = {
       regions: block.tetrahedronRegion,
       nodeOrigin: Uint32Array.from({ length: block.points.length / 3 }, (_, node) => node),
     },
+  },
+  meshWithBoundary: { mesh: block },
+  inspectedResult: { mesh: meshed, inspection },
+  improvedResult: {
+    result: { ...meshed, report: { diagnostics: [] } },
+    improvement: {
+      points: block.points,
+      tetrahedra: block.tetrahedra,
+      regions: block.tetrahedronRegion,
+      nodeOrigin: Uint32Array.from({ length: block.points.length / 3 }, (_, node) => node),
+    },
+    inspection,
   },
   isInterface: { surface: meshed.surface, triangle: 0 },
 };

@@ -117,7 +117,7 @@ describe("a gesture", () => {
     expect(stringify).not.toHaveBeenCalled();
     expect(settled).toEqual([]);
     gesture.commit();
-    expect(settled).toEqual([documents.project]);
+    expect(settled).toEqual([{ project: documents.project }]);
   });
 });
 

@@ -172,6 +172,7 @@ function SchemeToggle() {
 function GenerateButton({ compact }: { readonly compact: boolean }) {
   const app = useApp();
   const busy = useRun((state) => state.busy);
+  const task = useRun((state) => state.task);
   return (
     <Button
       size="compact-md"
@@ -185,7 +186,7 @@ function GenerateButton({ compact }: { readonly compact: boolean }) {
       disabled={busy}
       onClick={() => void app.run.generate()}
     >
-      {busy ? strings.header.meshing : compact ? strings.header.generateShort : strings.header.generate}
+      {busy ? strings.header.busy[task] : compact ? strings.header.generateShort : strings.header.generate}
     </Button>
   );
 }

@@ -24,7 +24,7 @@ function outcomeText(run: RunState, stale: boolean): string {
   if (stale) return strings.status.stale;
   switch (run.mesh.report.status) {
     case "done":
-      return strings.status.done;
+      return run.origin ? strings.status.opened(run.origin.fileName) : strings.status.done;
     case "stalled":
       return strings.status.stalled;
     case "cancelled":
@@ -34,7 +34,11 @@ function outcomeText(run: RunState, stale: boolean): string {
   }
 }
 
-function phaseText({ phase, exactFillFraction: exactFill }: RunProgressReport): string {
+function phaseText(
+  task: RunState["task"],
+  { phase, exactFillFraction: exactFill }: RunProgressReport,
+): string {
+  if (task === "improve") return strings.status.improving;
   return exactFill > 0 ? strings.status.filling : phaseNames[phase];
 }
 
@@ -75,8 +79,9 @@ function RunProgress() {
   const progress = useRun((state) => state.progress);
   const cancelling = useRun((state) => state.cancelling);
   const percent = Math.round((progress?.fraction ?? 0) * 100);
-  const phase = progress ? phaseText(progress) : strings.header.meshing;
-  const text = cancelling ? strings.status.cancelling : `${phase} ${percent} %`;
+  const task = useRun((state) => state.task);
+  const phase = progress ? phaseText(task, progress) : strings.header.busy[task];
+  const text = cancelling ? strings.status.cancelling[task] : `${phase} ${percent} %`;
   const announced = useThrottled(text, announceEveryMs);
   return (
     <>
@@ -84,7 +89,7 @@ function RunProgress() {
         className={styles["progress"]}
         value={percent}
         size="sm"
-        aria-label={strings.status.progress}
+        aria-label={strings.status.progress[task]}
         // Without graphics hardware, animating the bar costs as much as the meshing.
         transitionDuration={0}
       />
@@ -98,7 +103,7 @@ function RunProgress() {
       )}
       <VisuallyHidden role="status">{announced}</VisuallyHidden>
       <IconButton
-        label={strings.status.cancel}
+        label={strings.status.cancel[task]}
         size={22}
         data-testid="cancel"
         disabled={cancelling}
@@ -112,7 +117,8 @@ function RunProgress() {
 
 function MeshNumbers() {
   const mesh = useRun((state) => state.mesh);
-  const progress = useRun((state) => (state.busy ? state.progress : null));
+  const origin = useRun((state) => state.origin);
+  const progress = useRun((state) => (state.busy && state.task === "mesh" ? state.progress : null));
   const stale = useStale();
   const savedText = useDocument((state) => strings.status[savedState(state)]);
   const tetrahedra = progress?.tetrahedra ?? mesh?.report.tetrahedra;
@@ -137,7 +143,7 @@ function MeshNumbers() {
             <MinDihedral report={report} />
           </span>
           <span className={styles["wide"]} data-testid="seconds" data-hidden={hasProgress}>
-            {formatSeconds(report.seconds.total)}
+            {origin ? "" : formatSeconds(report.seconds.total)}
           </span>
         </>
       )}

@@ -1,4 +1,4 @@
-import { Button, CopyButton, Text, UnstyledButton } from "@mantine/core";
+import { Button, CopyButton, Group, Text, UnstyledButton } from "@mantine/core";
 import type { MeshReport, MeshResult } from "tetrafront";
 import { bestValue, scalePosition, type QualityMeasure } from "../../document/mesh-quality";
 import { SectionTitle } from "../../ui/frames/section-title";
@@ -8,6 +8,7 @@ import { measuredIn, measureNames, strings } from "../../strings";
 import { viridisAt } from "../../ui/theme/viridis";
 import { useApp, useQualitySpace, useRun, useStale, useView } from "../shared/app-context";
 import { useHistogram } from "./use-histogram";
+import { ImproveButton } from "./improvement";
 import { Facts } from "../../ui/facts";
 import styles from "./quality-panel.module.css";
 
@@ -45,15 +46,17 @@ export function QualityPanel() {
       {measured && <MeasureHistogram mesh={mesh} />}
       <ReportFacts report={mesh.report} measured={measured} />
       {measured && (
-        <Button
-          size="compact-sm"
-          mt={10}
-          variant="default"
-          data-testid="all-statistics"
-          onClick={() => app.shell.setState({ rightTab: "quality" })}
-        >
-          {strings.report.all}
-        </Button>
+        <Group gap={8} mt={10}>
+          <Button
+            size="compact-sm"
+            variant="default"
+            data-testid="all-statistics"
+            onClick={() => app.shell.setState({ rightTab: "quality" })}
+          >
+            {strings.report.all}
+          </Button>
+          <ImproveButton />
+        </Group>
       )}
     </section>
   );
@@ -103,6 +106,7 @@ function ReportFacts({ report, measured }: ReportFactsProps) {
   const texts = strings.quality;
   const ifMeasured = (text: string): string => (measured ? text : texts.unmeasured);
   const space = useQualitySpace();
+  const origin = useRun((state) => state.origin);
   const { min, max } = space === "metric" ? report.quality.shapes.dihedral : report.dihedral;
   return (
     <Facts>
@@ -116,8 +120,17 @@ function ReportFacts({ report, measured }: ReportFactsProps) {
       <dd>{ifMeasured(`${formatAngle(min)} – ${formatAngle(max)}`)}</dd>
       <dt>{texts.volume}</dt>
       <dd>{ifMeasured(formatShort(report.volume))}</dd>
-      <dt>{texts.time}</dt>
-      <dd>{formatSeconds(report.seconds.total)}</dd>
+      {origin ? (
+        <>
+          <dt>{texts.file}</dt>
+          <dd>{origin.fileName}</dd>
+        </>
+      ) : (
+        <>
+          <dt>{texts.time}</dt>
+          <dd>{formatSeconds(report.seconds.total)}</dd>
+        </>
+      )}
       {measured && report.fingerprint !== "" && <Fingerprint value={report.fingerprint} />}
     </Facts>
   );

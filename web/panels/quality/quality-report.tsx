@@ -11,6 +11,7 @@ import { strings } from "../../strings";
 import { useApp, useQualitySpace, useRun, useStale } from "../shared/app-context";
 import { ElementButton, ElementTable } from "./element-table";
 import { AngleChart, EdgeChart, RatioChart } from "./quality-charts";
+import { ImprovementSection } from "./improvement";
 import { RecoverySection } from "./recovery-section";
 import { RegionSelect } from "./region-select";
 import { useQualityStatistics, type QualityStatistics } from "./use-quality-statistics";
@@ -27,7 +28,10 @@ export function QualityReport() {
     <ScrollPanel label={texts.title} data-testid="quality-report" data-stale={stale || undefined}>
       {mesh && <Verdict report={mesh.report} stale={stale} />}
       {isMeasured ? (
-        <Measurements mesh={mesh} />
+        <>
+          <ImprovementSection />
+          <Measurements mesh={mesh} />
+        </>
       ) : (
         <Text size="sm" c="dimmed">
           {mesh ? texts.notFinished : strings.quality.none}
@@ -39,6 +43,7 @@ export function QualityReport() {
 
 function Measurements({ mesh }: { readonly mesh: MeshResult }) {
   const space = useQualitySpace();
+  const origin = useRun((state) => state.origin);
   const statistics = useQualityStatistics(mesh, space);
   return (
     <>
@@ -50,7 +55,7 @@ function Measurements({ mesh }: { readonly mesh: MeshResult }) {
           {texts.measuring}
         </Text>
       )}
-      <RecoverySection recovery={mesh.report.recovery} />
+      {!origin && <RecoverySection recovery={mesh.report.recovery} />}
     </>
   );
 }

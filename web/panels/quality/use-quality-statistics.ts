@@ -3,7 +3,7 @@ import type { MeshInspection, MeshResult, QualityReport } from "tetrafront";
 import { showFailure } from "../../commands/messages";
 import type { QualitySpace } from "../../document/mesh-quality";
 import { strings } from "../../strings";
-import { useApp } from "../shared/app-context";
+import { useApp, useRun } from "../shared/app-context";
 
 /** All statistics of the quality panel, measured in one space. */
 export interface QualityStatistics {
@@ -15,7 +15,8 @@ export interface QualityStatistics {
 /** Returns the statistics of a mesh in a space; null while the engine computes them. */
 export function useQualityStatistics(mesh: MeshResult, space: QualitySpace | null): QualityStatistics | null {
   const inspection = useInspection(space === "space" ? mesh : null);
-  if (space !== "space") return { quality: mesh.report.quality, edgeReference: "target" };
+  const edgeReference = useRun((state) => state.edgeReference);
+  if (space !== "space") return { quality: mesh.report.quality, edgeReference };
   return inspection && { quality: inspection.quality, edgeReference: "mean" };
 }
 

@@ -1,0 +1,98 @@
+import { readFile } from "node:fs/promises";
+import { expect, test, type Page } from "@playwright/test";
+import { createMesher, fileMeshOf, writeMesh, type FileMesh } from "tetrafront";
+import { parseMsh } from "../support/mesh-files";
+import { sphereSurface } from "../support/surfaces";
+import { AppPage } from "./app-page";
+import { dropBytes } from "./drop-bytes";
+
+/** A sphere as the front left it, with two named patches. */
+async function roughMesh(size: number): Promise<FileMesh> {
+  const mesher = await createMesher();
+  const made = await mesher.fillSurface(sphereSurface(8), { size, optimization: "none" });
+  mesher.dispose();
+  const mesh = fileMeshOf(made);
+  const trianglePatch = mesh.trianglePatch.map((_, t) => {
+    const [a = 0] = mesh.triangles.subarray(3 * t, 3 * t + 1);
+    return (mesh.points[3 * a + 2] ?? 0) > 0 ? 1 : 0;
+  });
+  const patches = ["south", "north"].map((name, k) => ({ name, tag: 7 + k }));
+  return { ...mesh, trianglePatch, patches, regions: [{ name: "core", tag: 3 }] };
+}
+
+async function openMesh(page: Page, size: number): Promise<{ app: AppPage; mesh: FileMesh }> {
+  const mesh = await roughMesh(size);
+  const [file] = await writeMesh(mesh, "ball.msh");
+  const app = new AppPage(page);
+  await app.openCube();
+  await dropBytes(page, file?.bytes ?? new Uint8Array(), "ball.msh");
+  await expect(app.viewport).toHaveAttribute("data-tets", String(mesh.tetrahedra.length / 4));
+  await app.drawn();
+  return { app, mesh };
+}
+
+const smallestAngle = async (page: Page): Promise<number> =>
+  Number(/[\d.]+/.exec((await page.getByTestId("min-dihedral").textContent()) ?? "")?.[0]);
+
+test("a mesh file is opened, improved, downloaded with its names, and restored by undo", async ({ page }) => {
+  const { app, mesh } = await openMesh(page, 0.3);
+  await expect(page.getByTestId("verdict")).toHaveAttribute("data-verdict", "inspected");
+  await expect(page.getByTestId("notice-file-notes")).toContainText("not its elements");
+  const before = await smallestAngle(page);
+  await page.getByTestId("improve").click();
+  await expect(page.getByTestId("improvement-result")).toHaveText("Improved");
+  await expect(page.getByTestId("notice-improvement")).toContainText("smallest dihedral angle");
+  const after = await smallestAngle(page);
+  expect(after).toBeGreaterThan(before + 5);
+
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page
+      .getByTestId("download")
+      .click()
+      .then(() => page.getByRole("menuitem", { name: /MSH/ }).click()),
+  ]);
+  const written = parseMsh(new Uint8Array(await readFile(await download.path())));
+  const [core] = written.tetrahedra;
+  expect(core?.name).toBe("core");
+  expect(core?.elements).toHaveLength(Number(await app.viewport.getAttribute("data-tets")));
+  expect(written.triangles.map(({ name }) => name).toSorted()).toEqual(["north", "south"]);
+  expect(written.triangles.flatMap(({ elements }) => elements)).toHaveLength(mesh.triangles.length / 3);
+
+  await page.getByTestId("undo").click();
+  expect(await smallestAngle(page)).toBe(before);
+  await expect(page.getByTestId("improvement-result")).toBeHidden();
+  await page.getByTestId("redo").click();
+  expect(await smallestAngle(page)).toBe(after);
+  // A second improvement either gains something or says that it did not.
+  await page.getByTestId("improve").click();
+  await expect(page.getByTestId("notice-improvement")).toContainText(/^(Improved|No better mesh)/);
+});
+
+test("a stopped improvement keeps a valid mesh, and Generate meshes the boundary again", async ({ page }) => {
+  const { app, mesh } = await openMesh(page, 0.07);
+  await page.getByTestId("improve").click();
+  await expect(page.getByTestId("status")).toContainText("Improving the elements");
+  await expect(page.getByTestId("generate")).toBeDisabled();
+  await page.getByTestId("cancel").click();
+  await expect(page.getByTestId("improvement-result")).toContainText(/^Stopped/);
+  await expect(app.viewport).toHaveAttribute("data-status", "done");
+  await expect(page.getByTestId("verdict")).toHaveAttribute("data-verdict", "inspected");
+
+  await page.getByTestId("generate").click();
+  const { tets } = await app.meshed();
+  expect(tets).not.toBe(mesh.tetrahedra.length / 4);
+  await expect(page.getByTestId("verdict")).toHaveAttribute("data-verdict", "passed");
+  await page.getByTestId("undo").click();
+  await expect(page.getByTestId("verdict")).toHaveAttribute("data-verdict", "inspected");
+});
+
+test("the mesh just generated is improved from the Mesh menu", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByRole("menuitem", { name: "Mesh", exact: true }).click();
+  await page.getByRole("menuitem", { name: "Improve mesh" }).click();
+  await expect(page.getByTestId("notice-improvement")).toContainText(/^(Improved|No better mesh)/);
+  await page.getByTestId("notice-improvement").getByRole("button", { name: "Show quality" }).click();
+  await expect(page.getByTestId("improvement")).toContainText(/Improved|No better mesh/);
+});

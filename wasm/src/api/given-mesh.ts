@@ -1,0 +1,216 @@
+/** Meshes from files and improved meshes, in the form in which a run returns its mesh. */
+import * as v from "valibot";
+import { type Steps, stepwise } from "../base/steps.js";
+import { checkArgument } from "../calls/argument-checks.js";
+import { doubles, integers } from "../calls/schemas.js";
+import { inSteps } from "../calls/yielder.js";
+import { refuse } from "../diagnostics/mesher-error.js";
+import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import { boundaryOf } from "../formats/boundary.js";
+import { usedGroups } from "../formats/groups.js";
+import { cornersOf, NONE, tetFaces } from "../formats/tet-faces.js";
+import { NO_ORIGIN, NO_REGION } from "../generated/constants.js";
+import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
+import type { MeshImprovement } from "../mesh/improvement.js";
+import type { MeshInspection } from "../mesh/inspection.js";
+import type { PatchedSurface, SurfaceMesh, VolumeMesh } from "../mesh/mesh.js";
+import { checkFileMesh } from "../mesh/mesh-checks.js";
+import { poorElementWarnings } from "../mesh/quality-warnings.js";
+import type { MeshReport, MeshResult } from "../mesh/report.js";
+import { emptyReport } from "./report.js";
+
+/** A volume mesh with the triangles between its regions, and around them. */
+export interface MeshWithBoundary {
+  /**
+   * Boundary faces, interfaces, and other faces that the file lists as triangles; with the nodes of `volume`. Patches are
+   * indices in `patches`.
+   */
+  readonly surface: SurfaceMesh;
+  readonly volume: VolumeMesh;
+  /** Those of the file that have triangles; faces without a triangle are in "boundary" or "interface". */
+  readonly patches: readonly FileGroup[];
+  /** The boundary faces and interfaces with the nodes that they use: a surface for `createBody`. */
+  readonly outer: PatchedSurface & { readonly patches: readonly FileGroup[] };
+}
+
+/**
+ * Returns the mesh of a file together with its boundary, as a run returns its mesh. The triangles of the file name the
+ * patches; those that are no face of a tetrahedron are left out. O(n). Rejects with a `MesherError` if the file has no
+ * tetrahedra or its arrays are inconsistent.
+ */
+export async function meshWithBoundary(mesh: FileMesh): Promise<MeshWithBoundary> {
+  refuse(await inSteps(checkFileMesh(mesh)));
+  if (mesh.tetrahedra.length === 0) {
+    refuse([packageDiagnostic("no-tetrahedra", "the mesh has no tetrahedra", "Use a volume mesh.")]);
+  }
+  return inSteps(withBoundary(mesh));
+}
+
+function* withBoundary(mesh: FileMesh): Steps<MeshWithBoundary> {
+  const { points, tetrahedra, tetrahedronRegion: regions, trianglePatch } = mesh;
+  const { twin, triangle } = yield* tetFaces(mesh);
+  const faces: number[] = [];
+  const owners: number[] = [];
+  const isOuter: boolean[] = [];
+  const [boundary, between] = [mesh.patches.length, mesh.patches.length + 1];
+  yield* stepwise(twin.length, (face) => {
+    const other = twin[face] ?? NONE;
+    const isDivider = other === NONE || regions[face >>> 2] !== regions[other >>> 2];
+    const given = triangle[face] ?? NONE;
+    if ((other !== NONE && other < face) || (!isDivider && given === NONE)) return;
+    faces.push(face);
+    owners.push(given === NONE ? (other === NONE ? boundary : between) : (trianglePatch[given] ?? 0));
+    isOuter.push(isDivider);
+  });
+  const added = ["boundary", "interface"].map((name, k) => ({ name, tag: mesh.patches.length + k + 1 }));
+  const { patches, patchOf } = usedPatches([...mesh.patches, ...added], Uint32Array.from(owners));
+  const triangles = new Uint32Array(3 * faces.length);
+  const triangleRegions = new Uint32Array(2 * faces.length);
+  yield* stepwise(faces.length, (t) => {
+    const face = faces[t] ?? 0;
+    const other = twin[face] ?? NONE;
+    triangles.set(cornersOf(tetrahedra, face), 3 * t);
+    triangleRegions[2 * t] = regions[face >>> 2] ?? 0;
+    triangleRegions[2 * t + 1] = other === NONE ? NO_REGION : (regions[other >>> 2] ?? 0);
+  });
+  const outer = yield* boundaryOf({
+    ...mesh,
+    triangles: triangles.filter((_, i) => isOuter[Math.floor(i / 3)]),
+  });
+  return {
+    surface: {
+      points,
+      triangles,
+      trianglePatch: patchOf,
+      triangleRegions,
+      sides: new Uint32Array(),
+      sideLine: new Uint32Array(),
+    },
+    volume: { points, tetrahedra, regions, front: new Uint32Array() },
+    patches,
+    outer: {
+      points: outer.points,
+      triangles: outer.triangles,
+      trianglePatch: patchOf.filter((_, t) => isOuter[t]),
+      patches,
+    },
+  };
+}
+
+/** Returns the patches that own a triangle, and the new index of each triangle's patch. */
+function usedPatches(patches: readonly FileGroup[], owners: Uint32Array) {
+  const used = [...usedGroups(owners, patches)];
+  const indexOf = new Uint32Array(patches.length);
+  used.forEach((patch, p) => (indexOf[patch] = p));
+  return {
+    patches: used.flatMap((patch) => patches[patch] ?? []),
+    patchOf: owners.map((patch) => indexOf[patch] ?? 0),
+  };
+}
+
+const extremes = v.object({ min: v.number(), max: v.number() });
+const element = v.object({
+  tetrahedron: v.number(),
+  centroid: v.array(v.number()),
+  dihedral: v.object({ min: v.number() }),
+});
+/** The statistics of which a report is made. */
+const inspected = v.object({
+  nodes: v.number(),
+  tetrahedra: v.number(),
+  dihedral: extremes,
+  radiusRatio: v.object({ min: v.number(), mean: v.number() }),
+  volume: v.number(),
+  quality: v.object({
+    binWidths: v.object({ dihedral: v.number() }),
+    regions: v.array(v.object({ tetrahedra: v.number(), smallestDihedral: v.array(v.number()) })),
+    worst: v.array(element),
+    limitedByBoundary: v.object({
+      edges: v.number(),
+      needles: v.number(),
+      narrowGaps: v.number(),
+      worst: v.array(element),
+    }),
+  }),
+});
+const withTriangles = v.object({
+  surface: v.object({ triangles: integers(3), sides: integers(2) }),
+  volume: v.object({ points: doubles(3) }),
+});
+const withReport = v.object({
+  ...withTriangles.entries,
+  report: v.object({ diagnostics: v.array(v.object({ code: v.string() })) }),
+});
+
+/**
+ * Returns a mesh from a file as the result of a run that took no time: with the statistics of `inspection`, which must be
+ * of the same mesh. Throws a `MesherError` if an argument is invalid.
+ */
+export function inspectedResult(
+  mesh: Pick<MeshWithBoundary, "surface" | "volume">,
+  inspection: MeshInspection,
+): MeshResult {
+  checkArgument("mesh", mesh, withTriangles);
+  checkArgument("inspection", inspection, inspected);
+  const { surface, volume } = mesh;
+  const report: MeshReport = {
+    ...emptyReport("done", poorElementWarnings(inspection.quality)),
+    triangles: surface.triangles.length / 3,
+    ...figuresOf(inspection),
+  };
+  return { surface, volume, report };
+}
+
+const improved = v.object({
+  points: doubles(3),
+  tetrahedra: integers(4),
+  regions: integers(),
+  nodeOrigin: integers(),
+});
+
+/**
+ * Returns the result of a run with its improved elements: `improvement` is that of its volume with all its triangles, and
+ * `inspection` that of the improved elements. Lengths are measured by the mean edge, and shapes in space.
+ *
+ *     const { volume, surface } = result;
+ *     const improvement = await mesher.improveMesh({ ...volume, triangles: surface.triangles });
+ *     const better = improvedResult(result, improvement, await mesher.inspectMesh(improvement));
+ *
+ * Throws a `MesherError` if an argument is invalid, or the triangles were not passed to `improveMesh`.
+ */
+export function improvedResult(
+  result: MeshResult,
+  improvement: MeshImprovement,
+  inspection: MeshInspection,
+): MeshResult {
+  checkArgument("result", result, withReport);
+  checkArgument("improvement", improvement, improved);
+  checkArgument("inspection", inspection, inspected);
+  const { points, tetrahedra, regions, nodeOrigin } = improvement;
+  const indexOf = new Uint32Array(result.volume.points.length / 3).fill(NO_ORIGIN);
+  nodeOrigin.forEach((origin, node) => {
+    if (origin !== NO_ORIGIN) indexOf[origin] = node;
+  });
+  const renumbered = (nodes: Uint32Array) => nodes.map((node) => indexOf[node] ?? NO_ORIGIN);
+  const triangles = renumbered(result.surface.triangles);
+  const isKept = v.check(
+    (nodes: Uint32Array) => !nodes.includes(NO_ORIGIN),
+    "a node of a triangle was not kept; pass the triangles to improveMesh",
+  );
+  checkArgument("improvement.nodeOrigin", triangles, v.pipe(integers(3), isKept));
+  const diagnostics = result.report.diagnostics.filter(({ code }) => code !== "poor-elements");
+  return {
+    surface: { ...result.surface, points, triangles, sides: renumbered(result.surface.sides) },
+    volume: { points, tetrahedra, regions, front: new Uint32Array() },
+    report: {
+      ...result.report,
+      ...figuresOf(inspection),
+      fingerprint: "",
+      diagnostics: [...diagnostics, ...poorElementWarnings(inspection.quality)],
+    },
+  };
+}
+
+function figuresOf({ nodes, tetrahedra, dihedral, radiusRatio, volume, quality }: MeshInspection) {
+  return { nodes, tetrahedra, dihedral, radiusRatio, volume, quality } satisfies Partial<MeshReport>;
+}

@@ -1,0 +1,74 @@
+import { Button, Text } from "@mantine/core";
+import { IconSparkles } from "@tabler/icons-react";
+import type { MeshShapes } from "tetrafront";
+import { commandNamed, runCommand } from "../../commands/registry";
+import { canImprove } from "../../session/run";
+import { formatAngle, formatCount } from "../../ui/format";
+import { SectionTitle } from "../../ui/frames/section-title";
+import { TableHead } from "../../ui/table-head";
+import { improvementOutcome, strings } from "../../strings";
+import table from "../../ui/table.module.css";
+import { useApp, useDocument, useRun } from "../shared/app-context";
+
+const texts = strings.improvement;
+
+/** Improves the elements of the shown mesh, which stays valid and never gets worse. */
+export function ImproveButton() {
+  const app = useApp();
+  const document = useDocument((state) => state);
+  const isPossible = useRun((state) => canImprove(state, document));
+  return (
+    <Button
+      size="compact-sm"
+      variant="default"
+      leftSection={<IconSparkles size={14} aria-hidden />}
+      title={texts.hint}
+      disabled={!isPossible}
+      data-testid="improve"
+      onClick={() => runCommand(app, commandNamed("improve"))}
+    >
+      {texts.improve}
+    </Button>
+  );
+}
+
+const rows: readonly (readonly [name: string, text: (shapes: MeshShapes) => string])[] = [
+  [texts.smallestAngle, ({ dihedral }) => formatAngle(dihedral.min)],
+  [texts.largestAngle, ({ dihedral }) => formatAngle(dihedral.max)],
+  [texts.meanRatio, ({ radiusRatio }) => radiusRatio.mean.toFixed(3)],
+  [texts.outOfRange, ({ outOfRange }) => formatCount(outOfRange)],
+  [texts.tetrahedra, ({ tetrahedra }) => formatCount(tetrahedra)],
+];
+
+/** What the last improvement has gained. */
+export function ImprovementSection() {
+  const improvement = useRun((state) => state.improvement);
+  return (
+    <section data-testid="improvement">
+      <SectionTitle>{texts.title}</SectionTitle>
+      {improvement && (
+        <Text size="sm" mb={6} data-testid="improvement-result">
+          {improvementOutcome(improvement)}
+        </Text>
+      )}
+      {improvement?.isImproved === true && (
+        <table className={`${table["table"]} ${table["compact"]}`}>
+          <TableHead titles={texts.columns} />
+          <tbody>
+            {rows.map(([name, text]) => (
+              <tr key={name}>
+                <th scope="row">{name}</th>
+                <td>{text(improvement.before)}</td>
+                <td>{text(improvement.after)}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      )}
+      <Text size="xs" c="dimmed" my={6}>
+        {texts.hint}
+      </Text>
+      <ImproveButton />
+    </section>
+  );
+}

@@ -1,0 +1,85 @@
+import {
+  improvedResult,
+  inspectedResult,
+  MesherError,
+  type FileGroup,
+  type Mesher,
+  type MeshImprovement,
+  type MeshInspection,
+  type MeshResult,
+  type Optimization,
+  type PartialControl,
+} from "tetrafront";
+import type { OpenedMesh } from "../workers/surface-files";
+
+/** What is known of the file that a mesh was opened from. */
+export interface MeshOrigin {
+  readonly fileName: string;
+  /** The regions of the file, with their names. */
+  readonly regions: readonly FileGroup[];
+  /** Elements that were inverted in the file, until the mesh is improved. */
+  readonly invertedTetrahedra: Uint32Array | undefined;
+  readonly isValid: boolean;
+}
+
+/** What an improvement has gained. */
+export type Improvement = Pick<MeshImprovement, "isImproved" | "isPartial" | "before" | "after">;
+
+/** A mesh, where it comes from, and what its last improvement has gained. */
+export interface ShownMesh {
+  readonly mesh: MeshResult;
+  /** Length to which its report compares edges. Only runs know target lengths. */
+  readonly edgeReference: "target" | "mean";
+  /** Null if a run made the mesh. */
+  readonly origin: MeshOrigin | null;
+  readonly improvement: Improvement | null;
+}
+
+/** Returns a mesh that was read from a file. Rejects if its arrays are invalid. */
+export async function openedMesh(mesher: Mesher, fileName: string, opened: OpenedMesh): Promise<ShownMesh> {
+  const { surface, volume, regions, invertedTetrahedra } = opened;
+  const inspection = await mesher.inspectMesh({ ...volume, invertedTetrahedra });
+  const { isValid } = inspection;
+  return {
+    mesh: inspectedResult({ surface, volume }, inspection),
+    edgeReference: "mean",
+    origin: { fileName, regions, invertedTetrahedra, isValid },
+    improvement: null,
+  };
+}
+
+/** Returns a mesh with better elements, or the same mesh if none was found; with what was gained. */
+export async function improvedMesh(
+  mesher: Mesher,
+  shown: ShownMesh,
+  optimization: Optimization,
+  control: PartialControl,
+): Promise<ShownMesh> {
+  const { mesh, origin } = shown;
+  const { volume, surface } = mesh;
+  const given = {
+    ...volume,
+    triangles: surface.triangles,
+    invertedTetrahedra: origin?.invertedTetrahedra,
+  };
+  const options = { optimization: optimization === "none" ? "default" : optimization };
+  const found = await mesher.improveMesh(given, options, { ...control, partial: true });
+  const { isImproved, isPartial, before, after } = found;
+  const improvement = { isImproved, isPartial, before, after };
+  if (!isImproved) return { ...shown, improvement };
+  const inspection: MeshInspection = await mesher.inspectMesh(found);
+  return {
+    mesh: improvedResult(mesh, found, inspection),
+    edgeReference: "mean",
+    origin: origin && { ...origin, invertedTetrahedra: undefined, isValid: inspection.isValid },
+    improvement,
+  };
+}
+
+/** Returns why a mesh could not be opened or improved, one sentence each. */
+export function reasonsOf(error: unknown): readonly string[] {
+  if (!(error instanceof MesherError) || error.code !== "invalid-input") return [String(error)];
+  return error.data.diagnostics.map(({ message, remedy }) =>
+    [message, remedy].filter((text) => text !== "").join(". "),
+  );
+}
