@@ -38,12 +38,10 @@ struct PartFigures {
 
 /// Most elements lie in one layer between two walls, and have all nodes on them.
 const PartFigures kOneLayer{20.0, 0.65};
-/// Slender and curved: the tolerance is several percent of the radius.
-const PartFigures kSlender{20.0, 0.8, 0.02};
 /// Slender, with a sharp tip.
-const PartFigures kSlenderTip{8.0, 0.8, 0.02};
+const PartFigures kSlenderTip{8.0, 0.8};
 /// Thin and curved.
-const PartFigures kThinCurved{20.0, 0.7, 0.02};
+const PartFigures kThinCurved{20.0, 0.7};
 /// Teeth or fillets with feature lines that are near to each other, or angles below 60 degrees.
 const PartFigures kSharp{8.0, 0.75};
 /// The thread runs out in edges of a few degrees.
@@ -291,7 +289,7 @@ const std::vector<Part> kParts{
      kSharp},
     // Threads, springs and gears.
     {"thread", [] { return screwThread(1, 16); }, kRunOut},
-    {"spring", [] { return spring(circle(Vec2(0.0), 0.15, 12), 0.5, 2); }, kSlender},
+    {"spring", [] { return spring(circle(Vec2(0.0), 0.15, 12), 0.5, 2); }, {}},
     {"flat_spring", [] { return spring(rectangle({-0.2, -0.04}, {0.2, 0.04}), 0.1, 2); },
      kOneLayer},
     {"spur_gear",
@@ -327,7 +325,7 @@ const std::vector<Part> kParts{
      },
      atKnifeEdge(13.0)},
     {"blade", [] { return twistedBlade(8, 8, 0.04); }, atKnifeEdge(11.0)},
-    {"bent_ring", [] { return torusKnot(1, 2, 48, 12); }, kSlender},
+    {"bent_ring", [] { return torusKnot(1, 2, 48, 12); }, {}},
 };
 
 // ---- the test --------------------------------------------------------------------------------------

@@ -61,7 +61,7 @@ struct SurfaceRemesh {
   std::vector<std::uint32_t> triangles;
   /// Per triangle: a given triangle of the same smooth patch; where the patch is curved, one near it.
   std::vector<std::uint32_t> origin;
-  /// Per triangle: its distance from the given surface, the largest of four samples. For display; `deviation` is the bound.
+  /// Per triangle: its distance from the given surface, the largest of seven samples. For display; `deviation` is the bound.
   std::vector<float> triangleDeviation;
   double size = 0.0;       ///< largest target size used
   double minSize = 0.0;    ///< smallest target size used

@@ -165,22 +165,31 @@ void DeviationBound::measure(const Corners& corners, SmoothPatchId patch, Triang
   for (const Corners& half : halvesOf(corners)) measure(half, patch, t, depth + 1);
 }
 
-float sampledDeviation(const GuardedSurface& surface, TriangleId triangle) {
-  const auto [a, b, c] = surface.complex().cornersOf(triangle);
-  const SmoothPatchId patch = surface.complex().patchOf(triangle);
-  if (surface.reference().patch(patch).isPlanar) return 0.0F;
-  const double tolerance = surface.tolerance();
-  const TriangleId beneath = surface.beneath(triangle);
-  double largest = 0.0;
-  for (const Vec3& sample : {(a + b + c) / 3.0, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) {
-    // The walk from the triangle beneath ends near the nearest point, and so makes the search short.
-    const double near =
-        surface.reference().nearest(sample, patch, tolerance, beneath).squaredDistance;
-    const double nearest =
-        surface.reference().nearest(sample, patch, std::sqrt(near), {}).squaredDistance;
-    largest = std::max(largest, nearest);
+float SampledDeviation::distanceAt(const Vec3& position, TriangleId triangle) const {
+  const ReferenceSurface& reference = surface_.reference();
+  const SmoothPatchId patch = surface_.complex().patchOf(triangle);
+  // The walk from the triangle beneath ends near the nearest point, and so makes the search short.
+  const double near =
+      reference.nearest(position, patch, surface_.tolerance(), surface_.beneath(triangle))
+          .squaredDistance;
+  return static_cast<float>(
+      std::sqrt(reference.nearest(position, patch, std::sqrt(near), {}).squaredDistance));
+}
+
+float SampledDeviation::of(TriangleId triangle) {
+  const SurfaceComplex& complex = surface_.complex();
+  if (surface_.reference().patch(complex.patchOf(triangle)).isPlanar) return 0.0F;
+  float largest = 0.0F;
+  for (const NodeId node : complex.nodesOf(triangle)) {
+    float& distance = ofNode_[node.index()];
+    if (distance < 0.0F) distance = distanceAt(complex.pointOf(node), triangle);
+    largest = std::max(largest, distance);
   }
-  return static_cast<float>(std::sqrt(largest));
+  const auto [a, b, c] = complex.cornersOf(triangle);
+  for (const Vec3& sample : {(a + b + c) / 3.0, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) {
+    largest = std::max(largest, distanceAt(sample, triangle));
+  }
+  return largest;
 }
 
 }  // namespace tetrafront

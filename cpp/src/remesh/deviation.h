@@ -53,8 +53,22 @@ class DeviationBound : public Resumable {
   BoxTree tree_;
 };
 
-/// Returns the largest distance of the centroid and of the middles of the edges of a remeshed triangle from its patch of the
-/// given surface. O(log n).
-[[nodiscard]] float sampledDeviation(const GuardedSurface& surface, TriangleId triangle);
+/// Samples the distance of remeshed triangles from the given surface.
+class SampledDeviation {
+ public:
+  /// `surface` must outlive this.
+  explicit SampledDeviation(const GuardedSurface& surface)
+      : surface_(surface), ofNode_(surface.complex().nodeCount(), -1.0F) {}
+
+  /// Returns the largest distance of the corners, of the middles of the edges and of the centroid of a triangle from its
+  /// patch. O(log n).
+  [[nodiscard]] float of(TriangleId triangle);
+
+ private:
+  [[nodiscard]] float distanceAt(const Vec3& position, TriangleId triangle) const;
+
+  const GuardedSurface& surface_;
+  std::vector<float> ofNode_;  ///< negative: not measured yet
+};
 
 }  // namespace tetrafront

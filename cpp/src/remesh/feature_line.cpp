@@ -26,6 +26,27 @@ Vec3 FeatureLine::at(double arc) const {
   return part >= 1.0 ? points_[i] : points_[i - 1] + (points_[i] - points_[i - 1]) * part;
 }
 
+Vec3 FeatureLine::centroidFrom(const Vec3& origin, double from, double to) const {
+  Vec3 sum(0.0);
+  Vec3 last = at(from) - origin;
+  double arc = from;
+  const auto add = [&](double next, const Vec3& point) {
+    sum += (last + point) * (0.5 * (next - arc));
+    last = point;
+    arc = next;
+  };
+  // On a closed line, an arc may pass the first point once.
+  const double end = isClosed_ ? length() : 0.0;
+  for (double shift = 0.0; shift <= end; shift += length()) {
+    auto i = std::upper_bound(arcs_.begin(), arcs_.end(), from - shift) - arcs_.begin();
+    for (; i < std::ssize(arcs_) && arcs_[i] < to - shift; ++i) {
+      add(arcs_[i] + shift, points_[i] - origin);
+    }
+  }
+  add(to, at(to) - origin);
+  return sum / (to - from);
+}
+
 double FeatureLine::squaredDeviation(double from, double to, const Vec3& a, const Vec3& b) const {
   double largest =
       std::max(squaredDistanceToSegment(at(from), a, b), squaredDistanceToSegment(at(to), a, b));

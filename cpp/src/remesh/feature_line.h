@@ -38,6 +38,10 @@ class FeatureLine {
   /// Returns the position at an arc. O(log n).
   [[nodiscard]] Vec3 at(double arc) const;
 
+  /// Returns the centroid of the line between two arcs, relative to `origin`. A coordinate that is the same everywhere gives
+  /// exactly zero.
+  [[nodiscard]] Vec3 centroidFrom(const Vec3& origin, double from, double to) const;
+
   /// Returns the square of the largest distance from the line between two arcs to the segment a b. Exact up to
   /// rounding: the distance to a segment is convex, so it is largest at a point of the line or at an end.
   [[nodiscard]] double squaredDeviation(double from, double to, const Vec3& a, const Vec3& b) const;

@@ -26,6 +26,7 @@
 #include "remesh/remesh_schedule.h"
 #include "remesh/remesh_sizes.h"
 #include "remesh/surface_editor.h"
+#include "remesh/volume_correction.h"
 #include "sizing/check_options.h"
 #include "sizing/expected_count.h"
 #include "sizing/target_sizes.h"
@@ -222,11 +223,12 @@ void copyTriangles(const GuardedSurface& surface, SurfaceMesh& mesh, SurfaceReme
     const Vec3& point = complex.pointOf(node);
     mesh.points.insert(mesh.points.end(), {point.x, point.y, point.z});
   }
+  SampledDeviation deviation(surface);
   for (const TriangleId t : IdRange<TriangleId>(complex.triangleSlots())) {
     if (!complex.isAlive(t)) continue;
     for (const NodeId node : complex.nodesOf(t)) mesh.triangles.push_back(number[node.index()]);
     result.origin.push_back(surface.beneath(t).value);
-    result.triangleDeviation.push_back(sampledDeviation(surface, t));
+    result.triangleDeviation.push_back(deviation.of(t));
   }
 }
 
@@ -281,6 +283,13 @@ Task<DroppedDetails> dropDetails(Work& work, SurfaceMesh& mesh, std::vector<std:
   co_return dropped;
 }
 
+Task<> makeChanges(Work& work, RemeshSchedule& schedule, VolumeCorrection& correction) {
+  work.beginPart(0.95);
+  co_await schedule.run(work);
+  work.beginPart(1.0);
+  co_await correction.run(work);
+}
+
 }  // namespace
 
 Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std::uint32_t>& groups,
@@ -312,7 +321,8 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
   SurfaceEditor editor(surface, *targets.sizes);
   co_await work.yield();
   RemeshSchedule schedule(editor);
-  Job<> changes([&schedule](Work& inner) { return schedule.run(inner); });
+  VolumeCorrection correction(surface);
+  Job<> changes([&](Work& inner) { return makeChanges(inner, schedule, correction); });
   bool isFinished = false;
   while (!isFinished && !isStopped) {
     isFinished = changes.advance(work.remaining());
