@@ -167,8 +167,25 @@ test("a broken STL shows its problems and is repaired", async ({ page }) => {
   expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
   expect(Math.abs(volume / plateVolume(plate) - 1)).toBeLessThan(5e-3);
   expect(tets).toBeGreaterThan(0);
+  // What was repaired stays listed, also in the saved project.
+  const repairs = page.getByTestId("body-repairs");
+  await expect(repairs.getByTestId("repaired-filled-hole")).toContainText("filled");
+  await repairs.getByTestId("repaired-flipped-triangle").click();
+  await expect(page.getByTestId("position-marker")).toBeHidden();
+  await repairs.getByRole("button", { name: "Flipped triangle 1" }).click();
+  await expect(page.getByTestId("position-marker")).toBeInViewport();
+  const saved = await downloaded(page, () => page.keyboard.press("Control+s"));
+  const read = readProject(Buffer.from(saved).toString());
+  if (!read.success) throw new Error(read.errors[0].message);
+  const [flipped] = read.value.bodies?.[0]?.repairs?.filter(({ kind }) => kind === "flipped-triangle") ?? [];
+  expect(flipped).toMatchObject({ count: 1, positions: [expect.any(Array)] });
   await page.getByRole("button", { name: /^Undo: Repair/ }).click();
   await expect(problems).toBeVisible();
+  await expect(repairs).toBeHidden();
+  await page.getByTestId("redo").click();
+  await page.reload();
+  await page.getByTestId("tree-body-1").click();
+  await expect(repairs.getByTestId("repaired-flipped-triangle")).toHaveText("1 triangle flipped");
 });
 
 test("dropped details are listed and shown, and problems name the controls of the app", async ({ page }) => {

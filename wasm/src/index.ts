@@ -94,6 +94,7 @@ export type {
   BodyId,
   BodyPlacement,
   BodyRemeshing,
+  BodyRepair,
   BodySurface,
   LineId,
   PatchId,

@@ -1,6 +1,7 @@
 import type { Project, ProjectBody } from "tetrafront";
 import type { App } from "../app/app";
 import { addBody, nextBodyIds, replaceBody, usedPatches } from "../document/body-edits";
+import { withRepairs } from "../document/body-repair";
 import { bodiesOf, bodyOfPatch, findRecord, type Entity } from "../document/entities";
 import { openDocumentFile } from "../session/files";
 import { bodyStepNames, strings } from "../strings";
@@ -38,7 +39,7 @@ export async function repairBody(app: App, id: number): Promise<void> {
   const state = app.bodies.state.getState().byId.get(id);
   const body = bodiesOf(app.documents.project).find((other) => other.id === id);
   if (!state?.repair || !body) return;
-  const { surface, hasFilled } = state.repair;
+  const { surface, hasFilled, changes } = state.repair;
   const filled = {
     id: nextBodyIds(app.documents.project).firstPatchId,
     name: strings.bodies.repair.filledPatch,
@@ -46,9 +47,11 @@ export async function repairBody(app: App, id: number): Promise<void> {
   const patches = hasFilled ? [...body.patches, filled] : body.patches;
   const used = usedPatches(patches, surface.trianglePatch);
   const { trianglePatch } = used;
+  const repaired = { ...body, repairs: withRepairs(body, changes) };
   await changeBody(app, body, bodyStepNames.repair(nameOf(body)), () =>
-    app.bodies.replaced(body, { ...surface, trianglePatch }, used.patches),
+    app.bodies.replaced(repaired, { ...surface, trianglePatch }, used.patches),
   );
+  app.view.unmark();
   app.bodies.prepareWhenValid(id);
 }
 

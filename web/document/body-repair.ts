@@ -1,4 +1,11 @@
-import type { RepairChange, RepairOptions, SurfaceInput, SurfaceInspection } from "tetrafront";
+import type {
+  BodyRepair,
+  ProjectBody,
+  RepairChange,
+  RepairOptions,
+  SurfaceInput,
+  SurfaceInspection,
+} from "tetrafront";
 
 /** What the user asks of a repair. */
 export type RepairWishes = Pick<RepairOptions, "weld" | "fillHoles">;
@@ -9,7 +16,7 @@ const maxHoleEdges = 200;
 export const defaultRepair: RepairWishes = { weld: 0, fillHoles: maxHoleEdges };
 
 /** What a repair changes, and its result. */
-export interface BodyRepair {
+export interface RepairProposal {
   readonly wishes: RepairWishes;
   readonly changes: readonly RepairChange[];
   /** Inspection of the result. */
@@ -33,4 +40,22 @@ export function repairGroups(changes: readonly RepairChange[]): readonly RepairG
     else groups.set(change.kind, [change]);
   }
   return [...groups].sort(([, a], [, b]) => b.length - a.length);
+}
+
+/** Largest number of positions that the project stores of the changes of one kind. */
+const maxPositions = 100;
+
+/** Returns the repairs of a body after further changes. */
+export function withRepairs({ repairs = [] }: ProjectBody, changes: readonly RepairChange[]): BodyRepair[] {
+  const known = new Map(repairs.map((repair) => [repair.kind, repair]));
+  for (const [kind, group] of repairGroups(changes)) {
+    const before = known.get(kind) ?? { kind, count: 0, positions: [] };
+    const positions = [...before.positions, ...group.map(({ position }) => position)];
+    known.set(kind, {
+      kind,
+      count: before.count + group.length,
+      positions: positions.slice(0, maxPositions),
+    });
+  }
+  return [...known.values()];
 }

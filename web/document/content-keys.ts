@@ -1,6 +1,7 @@
 import type {
   BodyPlacement,
   BodyRemeshing,
+  BodyRepair,
   Project,
   ProjectBody,
   ProjectBodyPatch,
@@ -98,6 +99,7 @@ const remeshingFields = fieldsOf<BodyRemeshing>({
   dropDetails: true,
   growth: true,
 });
+const repairFields = fieldsOf<BodyRepair>({ kind: true, count: true, positions: true });
 const placementFields = fieldsOf<BodyPlacement>({ position: true, rotation: true, scale: true });
 
 const withoutName = (fields: readonly string[]): string[] => fields.filter((field) => field !== "name");
@@ -159,7 +161,12 @@ export const namelessBodyKey = remembering((body: ProjectBody): string => {
 });
 
 const bodyKey = remembering((body: ProjectBody): string =>
-  [namelessBodyKey(body), hashText(body.name ?? ""), hashRecords(body.patches, bodyPatchFields)].join(" "),
+  [
+    namelessBodyKey(body),
+    hashText(body.name ?? ""),
+    hashRecords(body.patches, bodyPatchFields),
+    hashRecords(body.repairs ?? [], repairFields),
+  ].join(" "),
 );
 
 const usedPoints = remembering(

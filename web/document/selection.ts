@@ -2,6 +2,7 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import type { Brush } from "./brush";
 import type { QualitySpace } from "./mesh-quality";
 import { entityKey, sameEntity, type Entity } from "./entities";
+import type { Position } from "./position";
 
 /** The state of the view, which undo does not change: selection, visibility, cut, shading. */
 
@@ -28,6 +29,8 @@ export interface ViewState {
   readonly triangles: readonly number[];
   /** Id of the body that `triangles` belong to; null for the surface of the last run. */
   readonly markedBody: number | null;
+  /** A position picked in a list, for example of repairs. */
+  readonly markedPosition: Position | null;
   /** Which triangles of bodies are drawn where no mesh is: the given ones, or those of the preview. */
   readonly bodySurface: "given" | "new";
   /** Keys of the entities that are not drawn. */
@@ -48,7 +51,7 @@ export interface ViewState {
   readonly several: boolean;
 }
 
-const nothingMarked = { element: null, triangles: [], markedBody: null } as const;
+const nothingMarked = { element: null, triangles: [], markedBody: null, markedPosition: null } as const;
 
 const initialView: ViewState = {
   selection: [],
@@ -141,10 +144,10 @@ export class ViewStore {
     this.state.setState({ ...nothingMarked, element, selection: [] });
   }
 
-  /** Removes the highlight of an element or of triangles: their mesh is no longer shown. */
+  /** Removes the highlight of an element, of triangles or of a position: their mesh is no longer shown. */
   unmark(): void {
-    const { element, triangles } = this.state.getState();
-    if (element !== null || triangles.length > 0) this.state.setState(nothingMarked);
+    const { element, triangles, markedPosition } = this.state.getState();
+    if (element !== null || triangles.length > 0 || markedPosition) this.state.setState(nothingMarked);
   }
 
   /** Highlights triangles of a body; without one, of the surface of the last run. */
@@ -152,11 +155,16 @@ export class ViewStore {
     const { selection } = this.state.getState();
     // The card of a body lists its problems, so it stays.
     this.state.setState({
+      ...nothingMarked,
       triangles,
       markedBody,
-      element: null,
       selection: markedBody === null ? [] : selection,
     });
+  }
+
+  /** Marks a position in the view; the selection stays. */
+  markPosition(position: Position): void {
+    this.state.setState({ ...nothingMarked, markedPosition: position });
   }
 
   setHover(hover: Entity | null): void {

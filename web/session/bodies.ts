@@ -9,7 +9,7 @@ import {
 } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { nextBodyIds } from "../document/body-edits";
-import { defaultRepair, type BodyRepair, type RepairWishes } from "../document/body-repair";
+import { defaultRepair, type RepairProposal, type RepairWishes } from "../document/body-repair";
 import { bodiesOf } from "../document/entities";
 import { SurfaceClient, type LoadedSurface, type NewBody, type PatchArrays } from "../workers/surface-files";
 import { BodyPreparations, type Preparation } from "./body-preparations";
@@ -25,7 +25,7 @@ export interface BodyState {
   /** Null until the surface has been inspected. */
   readonly inspection: SurfaceInspection | null;
   /** What a repair would change; null if none is needed, and until it is known. */
-  readonly repair: BodyRepair | null;
+  readonly repair: RepairProposal | null;
   /** The patches that a split would make; null without a proposal. */
   readonly split: BodySplit | null;
   /** Why the surface could not be read or inspected. */

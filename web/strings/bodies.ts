@@ -61,6 +61,28 @@ export const bodyStrings = {
       "filled-hole": (count: number) => `fills ${counted(count, "hole", "holes")}`,
       "flipped-triangle": (count: number) => `flips ${counted(count, "triangle", "triangles")}`,
     },
+    done: "Repaired",
+    made: {
+      "welded-node": (count: number) => `${counted(count, "node", "nodes")} welded`,
+      "removed-node": (count: number) => `${counted(count, "unused node", "unused nodes")} removed`,
+      "removed-triangle": (count: number) =>
+        `${counted(count, "degenerate triangle", "degenerate triangles")} removed`,
+      "removed-duplicate": (count: number) =>
+        `${counted(count, "duplicate triangle", "duplicate triangles")} removed`,
+      "split-triangle": (count: number) => `${counted(count, "triangle", "triangles")} split`,
+      "filled-hole": (count: number) => `${counted(count, "hole", "holes")} filled`,
+      "flipped-triangle": (count: number) => `${counted(count, "triangle", "triangles")} flipped`,
+    },
+    /** One of the changes. */
+    nouns: {
+      "welded-node": (index: number) => `Node ${index}`,
+      "removed-node": (index: number) => `Unused node ${index}`,
+      "removed-triangle": (index: number) => `Degenerate triangle ${index}`,
+      "removed-duplicate": (index: number) => `Duplicate triangle ${index}`,
+      "split-triangle": (index: number) => `Split triangle ${index}`,
+      "filled-hole": (index: number) => `Hole ${index}`,
+      "flipped-triangle": (index: number) => `Flipped triangle ${index}`,
+    },
     solves: "Afterwards, the surface can be meshed.",
     remains: (count: number) => `Afterwards, ${counted(count, "problem remains", "problems remain")}.`,
     weld: "Weld within",

@@ -470,3 +470,42 @@ describe("the preview of a project with bodies", () => {
     expect(size).toBeCloseTo(Math.sqrt(3) / 20, 9);
   });
 });
+
+describe("triangles that face inward", () => {
+  const { points, triangles } = boxSurface(2);
+  const treatments = ["keep", "refine", "remesh"] as const;
+  const bodyOf = (nodes: Uint32Array, surface: (typeof treatments)[number]): Project => ({
+    ...withBodies({
+      ...createBody({ points, triangles: nodes }, { id: 1, firstPatchId: 1, name: "box" }),
+      surface,
+    }),
+    meshing: { size: 0.4 },
+  });
+  const codesIn = ({ diagnostics }: MeshResult["report"]): string[] =>
+    diagnostics.map(({ code }) => code).filter((code) => /orient|flipped/.test(code));
+
+  test.each(treatments)("are refused with the remedy of fillSurface if single, with %s", async (surface) => {
+    const one = triangles.slice();
+    [one[0], one[1]] = [one[1] ?? 0, one[0] ?? 0];
+    const [wanted] = (await mesher.fillSurface({ points, triangles: one })).report.diagnostics;
+    const { report } = await mesher.meshProject(bodyOf(one, surface));
+    expect(report.status).toBe("invalid-input");
+    expect(report.diagnostics).toMatchObject([
+      { code: "flipped-triangle", severity: "error", body: 1, remedy: wanted?.remedy },
+    ]);
+    await expect(mesher.remeshSurface({ points, triangles: one })).rejects.toMatchObject({
+      data: { diagnostics: [{ code: "flipped-triangle" }] },
+    });
+    const { surface: repaired } = await mesher.repairSurface({ points, triangles: one });
+    const mesh = await mesher.meshProject(bodyOf(repaired.triangles, surface));
+    expect(codesIn(mesh.report)).toEqual([]);
+  });
+
+  test.each(treatments)("are turned and noted once if they are a whole shell, with %s", async (surface) => {
+    const { report } = await mesher.meshProject(bodyOf(triangles.slice().reverse(), surface));
+    expect(report.status).toBe("done");
+    expect(report.volume).toBeCloseTo(1, 9);
+    expect(codesIn(report)).toEqual(["reoriented-patch"]);
+    expect(report.diagnostics[0]?.message).toContain('Body "box"');
+  });
+});

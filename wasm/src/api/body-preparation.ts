@@ -14,7 +14,7 @@ import { backgroundArrays, backgroundOf } from "../project/grid-arrays.js";
 import { withPatchOfTriangle } from "../project/names.js";
 import type { BodyId, Project, ProjectBody } from "../project/schema.js";
 import type { Mesher } from "./mesher-interface.js";
-import type { MeshOptions, RemeshOptions } from "./option-types.js";
+import type { InspectionOptions, MeshOptions, RemeshOptions } from "./option-types.js";
 import { checkRemeshOptions } from "./options.js";
 
 type Named<Call extends (...given: never[]) => unknown> = (
@@ -25,6 +25,12 @@ type Named<Call extends (...given: never[]) => unknown> = (
 export interface SurfaceCalls {
   readonly remesh: Named<Mesher["remeshSurface"]>;
   readonly refine: Named<Mesher["refineSurface"]>;
+  readonly checkOrientation: (
+    surface: PlacedSurface,
+    options: InspectionOptions,
+    control: RunControl,
+    name: EntityNamer,
+  ) => Promise<Diagnostic[]>;
 }
 
 /** Returns the body with this id; throws a `MesherError` if there is none. */
@@ -85,13 +91,15 @@ async function treated(
     const { surface, origin, diagnostics, ...figures } = await calls.remesh(given, wanted, control, name);
     return { ...withPatches(given, surface, origin), ...figures, diagnostics: named(diagnostics) };
   }
+  const { innerShells } = options;
+  const diagnostics = named(await calls.checkOrientation(given, { innerShells }, control, name));
   const hasSizes = sizes.size !== undefined || sizes.background !== undefined;
   if (treatment === "refine" && hasSizes) {
     const { surface, origin } = await calls.refine(given, { ...options, ...sizes }, control, name);
-    return { ...withPatches(given, surface, origin), diagnostics: [] };
+    return { ...withPatches(given, surface, origin), diagnostics };
   }
   const origin = given.trianglePatch.map((_, triangle) => triangle);
-  return { ...withPatches(given, given, origin), diagnostics: [] };
+  return { ...withPatches(given, given, origin), diagnostics };
 }
 
 function withPatches(

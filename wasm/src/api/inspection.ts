@@ -78,14 +78,15 @@ export function describedRefinement(refinement: EngineRefinement): SurfaceRefine
   return { surface: { points, triangles, origin, nodeOrigin }, origin, splitEdges, lengthRatio };
 }
 
-export function describedRemesh(remesh: EngineRemesh): SurfaceRemesh {
+/** `notes`: about the given surface. */
+export function describedRemesh(remesh: EngineRemesh, notes: readonly Diagnostic[]): SurfaceRemesh {
   const { points, triangles, origin, diagnostics: _, ...figures } = remesh;
   const nodeOrigin = new Uint32Array(points.length / 3).fill(NO_ORIGIN);
   return {
     surface: { points, triangles, origin, nodeOrigin },
     origin,
     ...(figures satisfies Only<SurfaceRemesh, typeof figures>),
-    diagnostics: deviationWarnings(figures),
+    diagnostics: [...notes, ...deviationWarnings(figures)],
   };
 }
 

@@ -2,6 +2,7 @@
 import { throwIfCancelled, untilCancelled } from "../calls/cancelling.js";
 import type { AbortControl, PartialControl, RunControl } from "../engine/control.js";
 import { inSteps } from "../calls/yielder.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { type EntityNamer, gridByIndex } from "../diagnostics/entity-names.js";
 import { MesherError, refuse } from "../diagnostics/mesher-error.js";
 import { EngineClient, type RunRequest } from "../engine/engine-client.js";
@@ -101,7 +102,13 @@ import {
   levelOfImprovement,
   withSettings,
 } from "./options.js";
-import { describedPreview, describedResult, emptyResult, withPreparation } from "./report.js";
+import {
+  describedPreview,
+  describedResult,
+  emptyResult,
+  withoutBodyNotes,
+  withPreparation,
+} from "./report.js";
 import { surfaceNamer } from "./surface-numbers.js";
 
 /**
@@ -164,7 +171,7 @@ class WorkerMesher implements Mesher {
       const later = known.length < bodies.length ? afterBodies(control, seconds()) : control;
       const preparation = seconds();
       const result = await this.#meshModel(project, options, later, joinedBodies(project, bodies));
-      return withPreparation(result, preparation, diagnostics);
+      return withPreparation(withoutBodyNotes(result, project), preparation, diagnostics);
     } catch (failure) {
       if (failure instanceof MesherError && failure.code === "cancelled") {
         return emptyResult("cancelled", [], seconds());
@@ -325,6 +332,15 @@ class WorkerMesher implements Mesher {
     options: InspectionOptions = {},
     control: RunControl = {},
   ): Promise<SurfaceInspection> {
+    return this.#inspect(surface, options, control);
+  }
+
+  async #inspect(
+    surface: SurfaceInput,
+    options: InspectionOptions,
+    control: RunControl,
+    name = surfaceNamer(surface),
+  ): Promise<SurfaceInspection> {
     this.#begin(control);
     refuse([...checkSurface(surface), ...checkInspectionOptions(options)]);
     const question = {
@@ -335,7 +351,7 @@ class WorkerMesher implements Mesher {
       options: engineInspectionOptions(options),
     } as const;
     const found = await this.#client.ask(question, control);
-    return inSteps(describedInspection(found, surface, surfaceNamer(surface)), control.signal);
+    return inSteps(describedInspection(found, surface, name), control.signal);
   }
 
   async repairSurface(
@@ -404,7 +420,8 @@ class WorkerMesher implements Mesher {
   ) {
     this.#begin(control);
     refuse([...checkPatchedSurface(surface), ...checkRemeshOptions(options)]);
-    const { background } = options;
+    const { background, innerShells } = options;
+    const oriented = await this.#checkOrientation(surface, { innerShells }, control, name);
     const question = {
       kind: "remesh-surface",
       id: this.#client.nextId(),
@@ -416,7 +433,22 @@ class WorkerMesher implements Mesher {
     } as const;
     const remesh = await this.#client.ask(question, control);
     refuse(changeDiagnostics(remesh, name ?? surfaceNamer(surface)));
-    return describedRemesh(remesh);
+    return describedRemesh(remesh, oriented);
+  }
+
+  /**
+   * Refuses a surface with single triangles that face inward, as `fillSurface` does. Returns notes about components that
+   * were given inside out.
+   */
+  async #checkOrientation(
+    surface: SurfaceInput,
+    options: InspectionOptions,
+    { signal }: RunControl,
+    name?: EntityNamer,
+  ): Promise<Diagnostic[]> {
+    const { diagnostics } = await this.#inspect(surface, options, { signal }, name);
+    refuse(diagnostics.filter(({ code }) => code === "flipped-triangle"));
+    return diagnostics.filter(({ code }) => code === "reoriented-patch");
   }
 
   async splitPatches<Surface extends SplitInput>(
@@ -502,6 +534,8 @@ class WorkerMesher implements Mesher {
   readonly #surfaceCalls: SurfaceCalls = {
     remesh: (surface, options = {}, control = {}, name) => this.#remesh(surface, options, control, name),
     refine: (surface, options, control = {}, name) => this.#refine(surface, options, control, name),
+    checkOrientation: (surface, options, control, name) =>
+      this.#checkOrientation(surface, options, control, name),
   };
 
   async #run(

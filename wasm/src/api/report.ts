@@ -11,6 +11,7 @@ import type { EngineResult } from "../engine/protocol.js";
 import { NO_QUALITY } from "../engine/quality-report.js";
 import { poorElementWarnings } from "../mesh/quality-warnings.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
+import type { Project } from "../project/schema.js";
 import type { ProjectPreview } from "../project/preview.js";
 
 /** Returns the engine's result; its diagnostics use the names given by the user. */
@@ -40,6 +41,15 @@ function nothingBetter(): Diagnostic {
 
 export function describedPreview(preview: EnginePreview, name: EntityNamer): ProjectPreview {
   return { ...preview, diagnostics: describeAll(preview.diagnostics, name) };
+}
+
+/** Leaves out notes about the orientation of bodies, which their preparation has made. */
+export function withoutBodyNotes(result: MeshResult, { patches }: Project): MeshResult {
+  const drawn = new Set(patches.map(({ id }) => id));
+  const diagnostics = result.report.diagnostics.filter(
+    ({ code, entities }) => code !== "reoriented-patch" || entities.some(({ id }) => drawn.has(id ?? 0)),
+  );
+  return { ...result, report: { ...result.report, diagnostics } };
 }
 
 /** Adds the preparation of bodies to the result of a run: its time and its diagnostics. */

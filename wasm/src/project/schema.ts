@@ -15,6 +15,7 @@ import {
   MAX_REMESH_ANGLE,
   OPTIMIZATIONS,
   PATCH_TYPES,
+  REPAIR_KINDS,
   SOURCE_TYPES,
 } from "../generated/constants.js";
 import { checkBodyArrays } from "./body-arrays.js";
@@ -108,6 +109,15 @@ const placementSchema = v.pipe(
   v.readonly(),
 );
 
+const repairSchema = v.pipe(
+  objectWith({
+    kind: described(WORDS.repairKind, v.picklist(REPAIR_KINDS)),
+    count: described(WORDS.repairCount, v.pipe(integer, v.gtValue(0))),
+    positions: described(WORDS.repairPositions, listOf(threeNumbers)),
+  }),
+  v.readonly(),
+);
+
 /** The schema of a body, with checks of its arrays. */
 export const bodySchema = v.pipe(
   objectWith({
@@ -120,6 +130,7 @@ export const bodySchema = v.pipe(
     surface: v.optional(described(WORDS.bodySurface, v.picklist(BODY_SURFACES))),
     remeshing: v.optional(described(WORDS.remeshing, remeshingSchema)),
     placement: v.optional(described(WORDS.placement, placementSchema)),
+    repairs: v.optional(described(WORDS.repairs, listOf(repairSchema))),
   }),
   v.rawCheck(({ dataset, addIssue }) => {
     if (!dataset.typed) return;
@@ -320,6 +331,8 @@ export type ProjectBody = NonNullable<Project["bodies"]>[number];
 export type ProjectBodyPatch = ProjectBody["patches"][number];
 /** How the triangles of a body are remeshed, as in `RemeshOptions`. */
 export type BodyRemeshing = NonNullable<ProjectBody["remeshing"]>;
+/** Changes of one kind that were made to the given surface of a body. */
+export type BodyRepair = NonNullable<ProjectBody["repairs"]>[number];
 /** Where a body is: its points are scaled, then rotated, then moved. */
 export type BodyPlacement = NonNullable<ProjectBody["placement"]>;
 /** What is done to the triangles of a body before it is filled. */

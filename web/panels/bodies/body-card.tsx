@@ -12,6 +12,7 @@ import { SplitSection } from "./body-patches";
 import { BodyPlacementFields } from "./body-placement";
 import { BodyPreview } from "./body-preview";
 import { BodyProblems } from "./body-problems";
+import { BodyRepairs } from "./body-repairs";
 import { BodyTreatment } from "./body-treatment";
 import { useBody } from "./use-body";
 
@@ -37,6 +38,7 @@ export function BodyCard({ body }: { readonly body: ProjectBody }) {
         )
       )}
       {state?.inspection && <BodyProblems body={body} inspection={state.inspection} />}
+      <BodyRepairs body={body} />
       <BodyTreatment body={body} />
       <BodyPreview body={body} />
       <GenerateButton isPossible={state?.inspection?.isFillable === true} />

@@ -120,8 +120,14 @@ function DroppedDetails({
           testId="dropped-details"
         />
       )}
-      {diagnostics.map(({ message }) => (
-        <Text key={message} size="xs" c="var(--tf-warning)" mt={4} data-testid="prepared-warning">
+      {diagnostics.map(({ message, severity }) => (
+        <Text
+          key={message}
+          size="xs"
+          c={severity === "information" ? "dimmed" : "var(--tf-warning)"}
+          mt={4}
+          data-testid="prepared-warning"
+        >
           {message}
         </Text>
       ))}

@@ -2,8 +2,9 @@ import { Button, Text } from "@mantine/core";
 import { IconTool } from "@tabler/icons-react";
 import type { ProjectBody, RepairChange, SurfaceInspection } from "tetrafront";
 import { repairBody } from "../../commands/surface-actions";
-import { repairGroups, type BodyRepair } from "../../document/body-repair";
+import { repairGroups, type RepairProposal } from "../../document/body-repair";
 import { entityKey } from "../../document/entities";
+import { groupProblems } from "../../document/validate";
 import { placed } from "../../document/placement";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { NumberRow } from "../../ui/fields/number-row";
@@ -17,8 +18,6 @@ import { useBody } from "./use-body";
 
 const texts = strings.bodies;
 
-/** Largest number of problems in the card; the Problems panel lists all. */
-const maxListed = 3;
 const maxHoleEdges = 200;
 
 interface BodyProblemsProps {
@@ -32,13 +31,15 @@ export function BodyProblems({ body, inspection }: BodyProblemsProps) {
   const problems = useProblems((state) => state.byEntity.get(entityKey({ kind: "body", id: body.id })));
   const repair = useBody(body.id)?.repair;
   if (!problems && inspection.isFillable) return null;
+  // One problem of each code is enough to understand the repair, which would otherwise be far below.
+  const listed = groupProblems(problems ?? []).flatMap((group) => group.problems.slice(0, 1));
   return (
     <section data-testid="body-problems">
       <SectionTitle>{texts.problems}</SectionTitle>
-      {problems?.slice(0, maxListed).map((problem) => (
+      {listed.map((problem) => (
         <ProblemCard key={problem.key} problem={problem} />
       ))}
-      {problems && problems.length > maxListed && (
+      {problems && problems.length > listed.length && (
         <Button
           size="compact-xs"
           variant="subtle"
@@ -54,7 +55,7 @@ export function BodyProblems({ body, inspection }: BodyProblemsProps) {
 
 interface RepairSectionProps {
   readonly body: ProjectBody;
-  readonly repair: BodyRepair;
+  readonly repair: RepairProposal;
 }
 
 /** Returns what a change is about. */

@@ -16,11 +16,13 @@ export interface NamedPosition {
 export interface PositionListProps {
   readonly summary: string;
   readonly positions: readonly NamedPosition[];
+  /** Number of positions, if not all are given. */
+  readonly count?: number;
   readonly testId?: string;
 }
 
-/** A list that opens on demand, with buttons that move the view to each position. */
-export function PositionList({ summary, positions, testId }: PositionListProps) {
+/** A list that opens on demand, with buttons that mark each position and move the view to it. */
+export function PositionList({ summary, positions, count = positions.length, testId }: PositionListProps) {
   const app = useApp();
   return (
     <details className={styles["positions"]}>
@@ -31,6 +33,7 @@ export function PositionList({ summary, positions, testId }: PositionListProps) 
             <TextButton
               onClick={() => {
                 app.shell.setState({ drawer: null });
+                app.view.markPosition(position);
                 app.viewer.getState().viewer?.fitPosition(position);
               }}
             >
@@ -40,7 +43,7 @@ export function PositionList({ summary, positions, testId }: PositionListProps) 
           </li>
         ))}
       </ul>
-      {positions.length > maxListed && strings.positions.more(positions.length - maxListed)}
+      {count > maxListed && strings.positions.more(count - maxListed)}
     </details>
   );
 }

@@ -1,8 +1,8 @@
 import { IconAlertTriangleFilled } from "@tabler/icons-react";
-import { useLayoutEffect, useRef } from "react";
 import { showProblem } from "../../commands/selection-actions";
 import type { Viewer } from "../../viewer/viewer";
-import { useApp, useProblems } from "../shared/app-context";
+import { useApp, useProblems, useView } from "../shared/app-context";
+import { useMarkers } from "./use-markers";
 import styles from "./problem-markers.module.css";
 
 /** Largest number of markers; more would hide the model. */
@@ -13,20 +13,10 @@ export function ProblemMarkers({ viewer }: { readonly viewer: Viewer }) {
   const app = useApp();
   const problems = useProblems((state) => state.problems);
   const placed = problems.filter(({ position }) => position !== null).slice(0, maxMarkers);
-  const box = useRef<HTMLDivElement>(null);
-  useLayoutEffect(() => {
-    const follow = (): void => {
-      placed.forEach(({ position }, index) => {
-        const marker = box.current?.children[index];
-        if (!(marker instanceof HTMLElement) || !position) return;
-        const at = viewer.toScreen(position);
-        marker.style.display = at ? "" : "none";
-        if (at) marker.style.transform = `translate(${at.x}px, ${at.y}px) translate(-50%, -50%)`;
-      });
-    };
-    follow();
-    return viewer.onDrawn(follow);
-  });
+  const box = useMarkers(
+    viewer,
+    placed.map(({ position }) => position),
+  );
   return (
     <div ref={box}>
       {placed.map((problem, index) => (
@@ -43,6 +33,17 @@ export function ProblemMarkers({ viewer }: { readonly viewer: Viewer }) {
           <IconAlertTriangleFilled size={16} aria-hidden />
         </button>
       ))}
+    </div>
+  );
+}
+
+/** A ring around the position that was picked in a list. */
+export function PositionMarker({ viewer }: { readonly viewer: Viewer }) {
+  const position = useView((state) => state.markedPosition);
+  const box = useMarkers(viewer, [position]);
+  return (
+    <div ref={box} aria-hidden>
+      {position && <span className={styles["ring"]} data-testid="position-marker" />}
     </div>
   );
 }

@@ -15,7 +15,7 @@ import {
 import { HoverLabel } from "./hover-label";
 import { Legend } from "./legend";
 import { PatchRoleLabels } from "./patch-role-labels";
-import { ProblemMarkers } from "./problem-markers";
+import { PositionMarker, ProblemMarkers } from "./problem-markers";
 import { CutBar, MeshBadge, MouseHint, ViewNotice } from "./viewport-overlays";
 import type { Layout } from "../shared/use-layout";
 import { useViewer } from "./use-viewer";
@@ -33,6 +33,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
       <div ref={container} className={styles["canvasBox"]} data-testid="viewport">
         <ViewCanvas canvas={canvas} viewer={viewer} />
         {viewer && <ProblemMarkers viewer={viewer} />}
+        {viewer && <PositionMarker viewer={viewer} />}
         {viewer && <PatchRoleLabels viewer={viewer} />}
         {hover && <HoverLabel hover={hover} />}
       </div>
