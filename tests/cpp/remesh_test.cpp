@@ -492,6 +492,26 @@ TEST(RemeshDetails, RegionsDoNotDisappear) {
   EXPECT_TRUE(errorsOf(surfaceOf(result), InnerShells::kRegions).empty());
 }
 
+/// The length is above the thickness: lines on opposite sides of a wall must not become one.
+TEST(RemeshDetails, ThinPartsStay) {
+  for (const Body& body : std::vector<Body>{
+           {"plate", [] { return gridBox(Vec3(0.0), Vec3(1.0, 1.0, 0.02), {1, 1, 1}); }},
+           {"fine plate", [] { return thinPlate(12, 0.02); }},
+           {"rod", [] { return gridBox(Vec3(0.0), Vec3(0.03, 0.03, 1.0), {1, 1, 20}); }},
+           {"tube", [] { return coarseTube(60, 0.95, 0.5); }},
+           {"bent sheet", [] { return bentSheet(24, 0.02); }},
+           {"blade", [] { return twistedBlade(12, 6, 0.02); }},
+       }) {
+    RemeshOptions options;
+    const SurfaceMesh given = body.make();
+    options.dropDetails = 0.06;
+    options.minSize = diagonalOf(given) / 60.0;
+    const SurfaceRemesh result = remesh(given, options);
+    ASSERT_TRUE(result.diagnostics.empty()) << body;
+    EXPECT_NEAR(enclosedVolume(surfaceOf(result)) / enclosedVolume(given), 1.0, 0.02) << body;
+  }
+}
+
 /// Short edges along a feature line and around corners are no details.
 TEST(RemeshDetails, FineTrianglesAreNoDetails) {
   RemeshOptions options;

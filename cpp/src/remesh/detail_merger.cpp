@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/mesh_access.h"
 #include "base/sort.h"
@@ -24,6 +25,26 @@ constexpr int kMaxMergePasses = 8;
 constexpr double kLeastTurnCosine = 0.5;
 /// An edge is not split within this fraction of its length from its ends: rounding could make the parts degenerate.
 constexpr double kLeastPart = 1e-3;
+/// A merge may remove at most this fraction of the thickness of a wall.
+constexpr double kRemovedWall = 0.501;
+/// Least cosine between the normal of a wall's other side and the direction through the wall.
+constexpr double kOtherSideCosine = 0.2;
+/// Distance / diagonal within which a wall's other side is this side itself.
+constexpr double kSameSide = 1e-12;
+
+/// Returns the distance at which a ray meets a triangle, or nothing. Negative distances are behind the start.
+std::optional<double> distanceAlongRay(const Vec3& from, const Vec3& direction,
+                                       const std::array<Vec3, 3>& corners) {
+  const auto& [a, b, c] = corners;
+  const Vec3 side = glm::cross(direction, c - a);
+  const double determinant = glm::dot(b - a, side);
+  if (!(std::fabs(determinant) > 0.0)) return {};
+  const Vec3 other = glm::cross(from - a, b - a);
+  const double u = glm::dot(from - a, side) / determinant;
+  const double v = glm::dot(direction, other) / determinant;
+  if (u < 0.0 || v < 0.0 || u + v > 1.0) return {};
+  return glm::dot(c - a, other) / determinant;
+}
 
 }  // namespace
 
@@ -38,6 +59,7 @@ DetailMerger::DetailMerger(const ReferenceSurface& reference, double distance)
   for (const TriangleId t : IdRange<TriangleId>(complex_.triangleSlots())) insert(t, t);
   for (std::size_t l = 0; l < reference.lines().size(); ++l) {
     const FeatureLine& line = reference.lines()[l];
+    if (line.patches.size() > 2) hasInterfaces_ = true;
     for (std::size_t i = 0; i < line.nodes().size(); ++i) {
       const NodeId node = line.nodes()[i];
       if (complex_.kindOf(node) != NodeKind::kLine) continue;
@@ -173,7 +195,7 @@ bool DetailMerger::moveOnto(NodeId a, NodeId b) {
     std::ranges::replace(nodes, a, b);
     added_.push_back({nodes, complex_.patchOf(t), origin_[t.index()]});
   }
-  if (added_.empty() || !isAdmitted()) return false;
+  if (added_.empty() || !isAdmitted() || !keepsWalls(a, b)) return false;
   from_ = a;
   onto_ = b;
   replace();
@@ -206,6 +228,46 @@ bool DetailMerger::isAdmitted() {
   const bool intersects = grid_.intersectsAny(numbered_);
   grid_.setHidden(removed_, false);
   return !intersects;
+}
+
+/// Returns false if a triangle whose node moves onto another one would go through half of a wall. The thickness is that at
+/// some distance from the line: at a neck, or at the end of a cusp, the part becomes thicker there.
+bool DetailMerger::keepsWalls(NodeId from, NodeId onto) const {
+  const Vec3& start = complex_.pointOf(from);
+  const Vec3& end = complex_.pointOf(onto);
+  return std::ranges::all_of(added_, [&](const Added& added) {
+    const std::array<Vec3, 3> corners = cornersOf(reference_.mesh(), added.origin);
+    const double depth = glm::dot(corners[0] - end, reference_.normalOf(added.origin));
+    if (depth <= 0.0 && !hasInterfaces_) return true;
+    const Vec3 towards = centroidOf(corners) - start;
+    const double length = glm::length(towards);
+    const Vec3 beside =
+        length > distance_ ? start + towards : start + towards * (distance_ / length);
+    const NearestPoint nearest =
+        reference_.nearest(beside, added.patch, 2.0 * distance_ + length, added.origin);
+    if (nearest.triangle.isNone()) return true;
+    const Vec3& normal = reference_.normalOf(nearest.triangle);
+    return !hasWall(nearest.position, depth > 0.0 ? -normal : normal, std::fabs(depth));
+  });
+}
+
+/// Returns true if `depth` is more than half of the thickness at the position.
+bool DetailMerger::hasWall(const Vec3& position, const Vec3& inward, double depth) const {
+  const double reach = depth / kRemovedWall;
+  const double start = kSameSide * reference_.diagonal();
+  if (reach <= start) return false;
+  bool isFound = false;
+  const Box box = Box::of(position, position + inward * reach, position);
+  reference_.tree().visitOverlaps(box, [&](std::uint32_t item) {
+    if (isFound) return;
+    const TriangleId t = reference_.pieces()[item].triangle;
+    const double cosine = glm::dot(reference_.normalOf(t), inward);
+    if ((hasInterfaces_ ? std::fabs(cosine) : cosine) < kOtherSideCosine) return;
+    const auto [a, b, c] = cornersOf(reference_.mesh(), t);
+    const std::optional<double> distance = distanceAlongRay(position, inward, {a, b, c});
+    isFound = distance && *distance > start && *distance <= reach;
+  });
+  return isFound;
 }
 
 /// Splits a feature edge of the triangle below its apex, if the apex is on another line and near.

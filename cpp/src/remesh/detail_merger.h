@@ -19,7 +19,7 @@ namespace tetrafront {
 
 /// Moves nodes of feature lines onto each other. Every change keeps the surface closed, its topology, and by exact signs
 /// free of self-intersections; changes that would not are left out. No point of the surface moves farther than the
-/// distance.
+/// distance, and none through half of a wall: thin parts stay.
 class DetailMerger {
  public:
   /// `reference` must outlive this. `distance` > 0: details below it are dropped.
@@ -61,6 +61,8 @@ class DetailMerger {
   bool moveOnto(NodeId a, NodeId b);
   [[nodiscard]] bool keepsTopology(NodeId a, NodeId b);
   [[nodiscard]] bool isAdmitted();
+  [[nodiscard]] bool keepsWalls(NodeId from, NodeId onto) const;
+  [[nodiscard]] bool hasWall(const Vec3& position, const Vec3& inward, double depth) const;
   bool splitUnderApex(TriangleId triangle);
   bool splitFeatureEdge(HalfEdgeId halfEdge, double part);
   [[nodiscard]] StretchId stretchAfter(NodeId a, NodeId b) const;
@@ -68,6 +70,7 @@ class DetailMerger {
 
   const ReferenceSurface& reference_;
   double distance_;
+  bool hasInterfaces_ = false;  ///< then both sides of a triangle may be filled
   SurfaceComplex complex_;
   TriangleGrid grid_;
   std::vector<LinePlace> places_;  ///< per node
