@@ -375,6 +375,44 @@ TEST(Remesh, AbsorbsCapsOnFeatureLines) {
   }
 }
 
+/// A unit cube with two caps on both sides of an edge: the apexes have this height and these feet on the edge. The edge is a
+/// sharp one, or the diagonal of the top; there, the apexes may also be above and below the plane.
+SurfaceMesh cubeWithTwinCaps(const std::string& where, double height, double foot, double other) {
+  const double h = height;
+  SurfaceMesh cube = cubeWithCaps(0.0);
+  Vec3 apex(foot, h, 1.0);
+  Vec3 twin(other, 0.0, 1.0 - h);
+  if (where != "sharp edge") {
+    const double up = where == "across the face" ? h : 0.0;
+    apex = Vec3(foot + 0.5 * h, foot - 0.5 * h, 1.0 + up);
+    twin = Vec3(other - 0.5 * h, other + 0.5 * h, 1.0 - up);
+    cube.triangles = {0, 2, 1, 0, 3, 2, 1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7,
+                      0, 1, 5, 0, 5, 4, 4, 5, 8, 5, 6, 8, 4, 8, 6, 4, 6, 9, 6, 7, 9, 7, 4, 9};
+  }
+  for (int k = 0; k < 3; ++k) {
+    cube.points[24 + static_cast<std::size_t>(k)] = apex[k];
+    cube.points[27 + static_cast<std::size_t>(k)] = twin[k];
+  }
+  return cube;
+}
+
+TEST(Remesh, AbsorbsCapsOnBothSidesOfAnEdge) {
+  for (const char* where : {"sharp edge", "in the face", "across the face"}) {
+    for (const double height : {1e-8, 1e-9, 1e-12, 1e-14}) {
+      for (const double other : {0.7, 0.401, 0.400001, 0.4}) {
+        for (const std::uint64_t seed : {0U, 1U}) {
+          SurfaceMesh given = cubeWithTwinCaps(where, height, 0.4, other);
+          if (seed > 0) rotateRandomly(given, seed);
+          const SurfaceRemesh result = remesh(given);
+          ASSERT_TRUE(result.diagnostics.empty());
+          EXPECT_EQ(result.featureLines, 12U) << where << ' ' << height << ' ' << other;
+          EXPECT_GT(result.smallestAngle, 20.0) << where << ' ' << height << ' ' << other;
+        }
+      }
+    }
+  }
+}
+
 TEST(Remesh, RemeshingAgainChangesLittle) {
   RemeshOptions options;
   options.size = 0.2;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace tetrafront {
 namespace {
@@ -38,6 +39,32 @@ bool isBetweenSmooth(const SmoothTriangles& smooth, TriangleId t, double creaseC
          glm::dot(normals[2], normals[0]) >= creaseCosine;
 }
 
+/// Of two slivers that share their longest edge, neither knows the normal. Each then follows the longer of its other
+/// neighbours, or one that is no sliver.
+void separateTwins(const SmoothTriangles& smooth, const SurfaceMesh& mesh,
+                   std::vector<TriangleId>& follows) {
+  const std::vector<TriangleId> given = follows;
+  for (const TriangleId t : IdRange<TriangleId>(given.size())) {
+    const TriangleId twin = given[t.index()];
+    if (twin.isNone() || given[twin.index()] != t) continue;
+    const std::array<Vec3, 3> corners = cornersOf(mesh, t);
+    const std::uint32_t k = longestEdgeOf(corners);
+    std::array<std::uint32_t, 2> others{(k + 1) % 3, (k + 2) % 3};
+    const auto lengthOf = [&](std::uint32_t i) {
+      return glm::length(corners[(i + 1) % 3] - corners[i]);
+    };
+    if (lengthOf(others[1]) > lengthOf(others[0])) std::swap(others[0], others[1]);
+    const auto neighbour = [&](std::size_t i) {
+      return smooth.neighbours[halfEdgeOf(t, others[i]).index()];
+    };
+    const auto isKnown = [&](TriangleId other) {
+      return !other.isNone() && given[other.index()].isNone();
+    };
+    follows[t.index()] =
+        !isKnown(neighbour(0)) && isKnown(neighbour(1)) ? neighbour(1) : neighbour(0);
+  }
+}
+
 /// Gives a sliver the normal of the neighbour across its longest edge, which may be a sliver too.
 void replaceNormalsOfSlivers(SmoothTriangles& smooth, const SurfaceMesh& mesh, double creaseCosine,
                              double largestCoordinate) {
@@ -55,6 +82,7 @@ void replaceNormalsOfSlivers(SmoothTriangles& smooth, const SurfaceMesh& mesh, d
       follows[t.index()] = smooth.neighbours[halfEdgeOf(t, k).index()];
     }
   }
+  separateTwins(smooth, mesh, follows);
   for (const TriangleId t : IdRange<TriangleId>(normals.size())) {
     std::vector<TriangleId> chain;
     TriangleId end = t;

@@ -345,8 +345,11 @@ bool SurfaceEditor::collapse(NodeId a, NodeId b, const CollapseRule& rule) {
   };
   // The collapse would merge two feature edges, and one of two lines would be lost.
   if (isLine && isApex(other)) return false;
+  // Between nodes that nearly coincide, no edge becomes longer.
+  const bool isTiny = glm::length(complex_.pointOf(b) - complex_.pointOf(a)) <=
+                      kAbsorbedHeight * surface_.tolerance();
   for (const NodeId node : ringA_) {
-    if (node != b && !isApex(node) && lengthOf(node, b) > rule.longest) return false;
+    if (!isTiny && node != b && !isApex(node) && lengthOf(node, b) > rule.longest) return false;
   }
   change_.clear();
   complex_.collectStar(a, change_.removed);
