@@ -11,6 +11,7 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import { nextBodyIds } from "../document/body-edits";
 import { defaultRepair, type RepairProposal, type RepairWishes } from "../document/body-repair";
 import { bodiesOf } from "../document/entities";
+import { nextTurn } from "../document/slices";
 import { SurfaceClient, type LoadedSurface, type NewBody, type PatchArrays } from "../workers/surface-files";
 import { BodyPreparations, type Preparation } from "./body-preparations";
 import { BodySurfaces } from "./body-surfaces";
@@ -252,6 +253,8 @@ export class BodyFeed {
       const loaded = await this.#surfaces.load(body);
       this.#setFor(body, { loaded });
       const mesher = await this.#mesher;
+      // The page shows a large surface first: copying it to the worker is a task of its own.
+      await nextTurn();
       const inspection = await mesher.inspectSurface(loaded.surface);
       this.#setFor(body, { inspection });
       this.#prepareAwaited();

@@ -68,6 +68,11 @@ export class SceneLayers {
     return hitTest(order, camera, viewport, at);
   }
 
+  /** Draws more of large surfaces in the next frame. Returns whether there is more. */
+  drawMore(): boolean {
+    return this.#bodies.drawMore();
+  }
+
   dispose(): void {
     for (const layer of this.#all) layer.dispose();
   }

@@ -1,4 +1,5 @@
 import { BufferAttribute, BufferGeometry, type Ray, type Side } from "three";
+import { nextTurn } from "../document/slices";
 import { MeshBVH, type SerializedBVH } from "three-mesh-bvh";
 
 export interface TriangleHit {
@@ -30,6 +31,8 @@ export class TriangleTree {
   /** Lets a worker build the tree. A search that comes first, or after a failure, builds it at once. */
   async prepare(build: (corners: Float32Array<ArrayBuffer>) => Promise<SerializedTree>): Promise<void> {
     if (this.#corners.length === 0) return;
+    // The copy of a large surface takes long enough to be a task of its own.
+    await nextTurn();
     try {
       const tree = await build(this.#corners.slice());
       this.#tree ??= MeshBVH.deserialize(tree, geometryOf(this.#corners), { setIndex: false });

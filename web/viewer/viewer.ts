@@ -303,6 +303,7 @@ export class Viewer {
     const isMoving = this.#view.update(seconds);
     this.#renderer.render(this.#view.camera);
     this.#cube?.render();
-    return isMoving || this.#cube?.animating === true;
+    const isGrowing = this.#layers.drawMore();
+    return isMoving || isGrowing || this.#cube?.animating === true;
   }
 }

@@ -1,7 +1,7 @@
 /** Implements the mesher: checks arguments, sends them to the engine, and describes its answers. */
 import { throwIfCancelled, untilCancelled } from "../calls/cancelling.js";
 import type { AbortControl, PartialControl, RunControl } from "../engine/control.js";
-import { inSteps } from "../calls/yielder.js";
+import { inSteps, pauseAfterCopy } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { type EntityNamer, gridByIndex } from "../diagnostics/entity-names.js";
 import { MesherError, refuse } from "../diagnostics/mesher-error.js";
@@ -339,19 +339,22 @@ class WorkerMesher implements Mesher {
     surface: SurfaceInput,
     options: InspectionOptions,
     control: RunControl,
-    name = surfaceNamer(surface),
+    name?: EntityNamer,
   ): Promise<SurfaceInspection> {
     this.#begin(control);
     refuse([...checkSurface(surface), ...checkInspectionOptions(options)]);
+    const [points, triangles] = [surface.points.slice(), surface.triangles.slice()];
+    const pause = pauseAfterCopy(points, triangles);
+    if (pause) await this.#afterPause(pause, control);
     const question = {
       kind: "inspect-surface",
       id: this.#client.nextId(),
-      points: surface.points.slice(),
-      triangles: surface.triangles.slice(),
+      points,
+      triangles,
       options: engineInspectionOptions(options),
     } as const;
     const found = await this.#client.ask(question, control);
-    return inSteps(describedInspection(found, surface, name), control.signal);
+    return inSteps(describedInspection(found, surface, name ?? surfaceNamer(surface)), control.signal);
   }
 
   async repairSurface(
@@ -421,13 +424,20 @@ class WorkerMesher implements Mesher {
     this.#begin(control);
     refuse([...checkPatchedSurface(surface), ...checkRemeshOptions(options)]);
     const { background, innerShells } = options;
-    const oriented = await this.#checkOrientation(surface, { innerShells }, control, name);
+    // A partial call that is stopped early still returns a surface.
+    const checking = control.partial === true ? {} : control;
+    const oriented = await this.#checkOrientation(surface, { innerShells }, checking, name);
+    this.#client.assertOpen();
+    const [points, triangles] = [surface.points.slice(), surface.triangles.slice()];
+    const groups = surface.trianglePatch?.slice() ?? new Uint32Array();
+    const pause = pauseAfterCopy(points, triangles, groups);
+    if (pause) await this.#afterPause(pause, {});
     const question = {
       kind: "remesh-surface",
       id: this.#client.nextId(),
-      points: surface.points.slice(),
-      triangles: surface.triangles.slice(),
-      groups: surface.trianglePatch?.slice() ?? new Uint32Array(),
+      points,
+      triangles,
+      groups,
       grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
       options: engineRemeshOptions(options),
     } as const;
@@ -521,6 +531,13 @@ class WorkerMesher implements Mesher {
     refuse(checkControl(control));
     this.#client.assertOpen();
     throwIfCancelled(control.signal);
+  }
+
+  /** Throws after a pause if the call can no longer succeed. */
+  async #afterPause(pause: Promise<void>, { signal }: RunControl): Promise<void> {
+    await pause;
+    this.#client.assertOpen();
+    throwIfCancelled(signal);
   }
 
   /** As `#begin` for runs: returns the result if the run cannot succeed. */

@@ -35,3 +35,15 @@ export async function inSteps<T>(work: Steps<T>, signal?: AbortSignal): Promise<
     if (yielder.isDue) await yielder.yield();
   }
 }
+
+/** Bytes whose copy takes some milliseconds. */
+const MANY_BYTES = 4_000_000;
+
+/**
+ * Returns a promise that lets pending timers and messages run if the arrays are large, because the message that follows
+ * copies them once more; undefined if they are small.
+ */
+export function pauseAfterCopy(...arrays: readonly ArrayBufferView[]): Promise<void> | undefined {
+  const bytes = arrays.reduce((sum, { byteLength }) => sum + byteLength, 0);
+  return bytes > MANY_BYTES ? new Promise((resolve) => setTimeout(resolve)) : undefined;
+}

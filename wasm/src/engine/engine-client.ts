@@ -114,6 +114,7 @@ export class EngineClient {
         });
         this.#worker.post(question, []);
         this.#updateKeepAlive();
+        if (signal?.aborted === true) onAbort();
       });
     } finally {
       signal?.removeEventListener("abort", onAbort);

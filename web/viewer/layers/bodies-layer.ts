@@ -62,6 +62,11 @@ export class BodiesLayer implements HittableLayer {
     return nearest;
   }
 
+  /** Draws more of large surfaces in the next frame. Returns whether there is more. */
+  drawMore(): boolean {
+    return [...this.#objects.values()].map((object) => object.drawMore()).includes(true);
+  }
+
   dispose(): void {
     for (const object of this.#objects.values()) object.dispose();
     for (const material of Object.values(this.#materials) as { dispose: () => void }[]) material.dispose();

@@ -1,5 +1,5 @@
 import type { BodyPlacement } from "tetrafront";
-import { BufferAttribute, BufferGeometry, DoubleSide, Group, Matrix4, Mesh, type Ray } from "three";
+import { DoubleSide, Group, Matrix4, type Ray } from "three";
 import type { DrawnSurface } from "../../document/drawn-surface";
 import { noRotation, placed } from "../../document/placement";
 import type { Position } from "../../document/position";
@@ -9,6 +9,7 @@ import type { SceneState } from "../scene-state";
 import type { DrawnTriangles } from "../shown-bodies";
 import type { Screen } from "../screen";
 import { TriangleTree, type SerializedTree } from "../triangle-tree";
+import { BodyPieces } from "./body-pieces";
 import type { Hit } from "./layer";
 
 export type BuildTree = (corners: Float32Array<ArrayBuffer>) => Promise<SerializedTree>;
@@ -28,24 +29,14 @@ export class BodyObject {
   readonly root = new Group();
   readonly #materials: BodyMaterials;
   readonly #states = new EntityStates("body-patch");
-  #geometry = new BufferGeometry();
-  readonly #base: Mesh;
-  readonly #emphasized: Mesh;
-  readonly #behind: Mesh;
+  readonly #pieces = new BodyPieces(this.root);
+  #isSolid = false;
   #drawn: DrawnSurface | null = null;
   #tree = new TriangleTree(new Float32Array());
   #placement: BodyPlacement | undefined;
 
   constructor(materials: BodyMaterials) {
     this.#materials = materials;
-    this.#base = new Mesh(this.#geometry, materials.plain);
-    this.#emphasized = new Mesh(this.#geometry, materials.emphasized);
-    this.#behind = new Mesh(this.#geometry, materials.behind);
-    [this.#base, this.#emphasized, this.#behind].forEach((mesh, pass) => {
-      mesh.frustumCulled = false;
-      mesh.renderOrder = pass === 0 ? 0 : 1 + pass;
-      this.root.add(mesh);
-    });
   }
 
   /** Sets the triangles. */
@@ -61,9 +52,13 @@ export class BodyObject {
       patches,
       Uint32Array.from(drawn.patchOffsets, (triangle) => 3 * triangle),
     );
-    if (!isSame) this.#setGeometry(drawn, buildTree);
-    this.#base.material = drawn.values ? this.#materials[values] : this.#materials.plain;
-    this.#geometry.setAttribute("state", this.#states.attribute);
+    const { plain, emphasized, behind } = this.#materials;
+    if (!isSame) {
+      this.#pieces.setTriangles(drawn, [plain, emphasized, behind]);
+      this.#tree = new TriangleTree(drawn.corners);
+      void this.#tree.prepare(buildTree);
+    }
+    this.#pieces.setMaterial(drawn.values ? this.#materials[values] : plain);
   }
 
   /** Moves the triangles to their place relative to the scene's origin. */
@@ -81,15 +76,21 @@ export class BodyObject {
     this.root.visible = isVisible && this.#drawn !== null;
     if (!this.root.visible) return;
     this.#states.update(state);
-    this.#base.visible = isSolid;
-    this.#emphasized.visible = this.#states.hasAny("hover", "selected", "defective");
-    this.#behind.visible = this.#states.hasAny("selected", "defective");
+    this.#isSolid = isSolid;
+    const isEmphasized = this.#states.hasAny("hover", "selected", "defective");
+    const isBehind = this.#states.hasAny("selected", "defective");
+    this.#pieces.show(this.#states.attribute, [isSolid, isEmphasized, isBehind]);
+  }
+
+  /** Draws more of a large surface in the next frame. Returns whether there is more. */
+  drawMore(): boolean {
+    return this.root.visible && this.#pieces.drawMore();
   }
 
   /** Returns the patch that a ray hits first, if the triangles are shown. The ray is in local coordinates of the scene. */
   hit(ray: Ray, screen: Screen): Hit | null {
     const drawn = this.#drawn;
-    if (!this.root.visible || !this.#base.visible || !drawn) return null;
+    if (!this.root.visible || !this.#isSolid || !drawn) return null;
     const { scale = 1 } = this.#placement ?? {};
     const local = ray.clone().applyMatrix4(new Matrix4().copy(this.root.matrixWorld).invert());
     const hit = this.#tree.firstHit(local, DoubleSide, (triangle) => this.#states.isDrawn(3 * triangle));
@@ -103,19 +104,10 @@ export class BodyObject {
 
   /** Number of triangles drawn. */
   get triangleCount(): number {
-    return this.root.visible && this.#base.visible ? (this.#drawn?.order.length ?? 0) : 0;
+    return this.root.visible && this.#isSolid ? (this.#drawn?.order.length ?? 0) : 0;
   }
 
   dispose(): void {
-    this.#geometry.dispose();
-  }
-
-  #setGeometry({ corners, values }: DrawnSurface, buildTree: BuildTree): void {
-    this.#geometry.dispose();
-    this.#geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(corners, 3));
-    if (values) this.#geometry.setAttribute("value", new BufferAttribute(values, 1));
-    for (const mesh of [this.#base, this.#emphasized, this.#behind]) mesh.geometry = this.#geometry;
-    this.#tree = new TriangleTree(corners);
-    void this.#tree.prepare(buildTree);
+    this.#pieces.dispose();
   }
 }

@@ -1,5 +1,5 @@
 import type { MeshResult } from "tetrafront";
-import { BufferAttribute, BufferGeometry, FrontSide, Mesh, type DataTexture, type Ray } from "three";
+import { BufferAttribute, BufferGeometry, FrontSide, Mesh, Sphere, type DataTexture, type Ray } from "three";
 import { patchAt } from "../../document/entities";
 import type { QualitySpace } from "../../document/mesh-quality";
 import type { Cut, Shading } from "../../document/selection";
@@ -204,6 +204,8 @@ export class MeshLayer implements HittableLayer {
     this.#setScale();
     this.root.geometry.dispose();
     this.root.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(corners, 3));
+    // It only decides the order of drawing. The renderer would compute it from all corners.
+    this.root.geometry.boundingSphere = new Sphere();
     if (values.length > 0) this.root.geometry.setAttribute("value", new BufferAttribute(values, 1));
     this.#setVisibility();
     this.#move();
