@@ -1,6 +1,7 @@
 /** Prepares the surfaces of a project's bodies: their options, their progress and their diagnostics. */
 import type { Progress } from "../base/progress.js";
 import { shown } from "../base/values.js";
+import { pauseAfterCopy } from "../calls/yielder.js";
 import type { Diagnostic, EntityRef } from "../diagnostics/diagnostic.js";
 import { entityLabel, type EntityNamer, nameByIndex } from "../diagnostics/entity-names.js";
 import { MesherError, refuse } from "../diagnostics/mesher-error.js";
@@ -9,6 +10,7 @@ import type { RunControl } from "../engine/control.js";
 import type { BodySurfaceArrays } from "../generated/constants.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
+import { bodyArrays } from "../project/body-arrays.js";
 import { bodySurface, type PlacedSurface } from "../project/bodies.js";
 import { backgroundArrays, backgroundOf } from "../project/grid-arrays.js";
 import { withPatchOfTriangle } from "../project/names.js";
@@ -58,7 +60,12 @@ export async function preparedBody(
   options: MeshOptions,
   { signal, onProgress }: RunControl,
 ): Promise<PreparedBody> {
+  // Decoding, placing and sending a large surface are tasks of their own.
+  const decoded = bodyArrays(body);
+  const pause = () => pauseAfterCopy(decoded.points, decoded.triangles);
+  await pause();
   const given = bodySurface(body);
+  await pause();
   const control: RunControl = {
     signal,
     onProgress: onProgress && ((progress) => onProgress({ ...progress, phase: "bodies", body: body.id })),
