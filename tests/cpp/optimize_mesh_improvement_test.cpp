@@ -323,6 +323,48 @@ TEST(MeshImprovement, RefusesElementsThatOverlap) {
   expectRefused(apart, DiagnosticCode::kOverlappingTetrahedra, {0, 1});
 }
 
+/// Adds another mesh, scaled around a point, with nodes of its own and region 1.
+void appendScaled(VolumeMesh& mesh, const VolumeMesh& other, double factor, const Vec3& centre) {
+  const auto nodes = static_cast<std::uint32_t>(mesh.points.size() / 3);
+  for (std::size_t i = 0; i < other.points.size(); ++i) {
+    const double middle = centre[static_cast<int>(i % 3)];
+    mesh.points.push_back(middle + factor * (other.points[i] - middle));
+  }
+  for (const std::uint32_t node : other.tetrahedra) mesh.tetrahedra.push_back(nodes + node);
+  mesh.regions.resize(mesh.tetrahedra.size() / 4, 1);
+}
+
+TEST(MeshImprovement, RefusesAPartInsideAnother) {
+  const VolumeMesh cube = cubeOfTetrahedra(3);
+  const auto elements = static_cast<std::uint32_t>(cube.tetrahedra.size() / 4);
+  VolumeMesh nested = cube;
+  nested.regions.assign(elements, 0);
+  appendScaled(nested, cube, 0.2, Vec3(0.53, 0.41, 0.47));
+  const MeshImprovement made = improved(nested);
+  ASSERT_EQ(made.diagnostics.size(), 1U);
+  EXPECT_EQ(made.diagnostics[0].code, DiagnosticCode::kOverlappingTetrahedra);
+  EXPECT_EQ(made.diagnostics[0].values, std::vector<double>{1.0});
+  ASSERT_EQ(made.diagnostics[0].entities.size(), 2U);
+  EXPECT_GE(made.diagnostics[0].entities[0].index, elements);
+  EXPECT_LT(made.diagnostics[0].entities[1].index, elements);
+  EXPECT_TRUE(made.tetrahedra.empty());
+}
+
+/// The cavity of a hollow ball contains a smaller ball; a third one is far away.
+TEST(MeshImprovement, AcceptsAPartInTheCavityOfAnother) {
+  SurfaceMesh shell = nestedSpheres(2, 4);
+  VolumeMesh mesh = poorMesh(shell);
+  mesh.regions.assign(mesh.tetrahedra.size() / 4, 0);
+  const VolumeMesh ball = poorMesh(geodesicSphere(3));
+  appendScaled(mesh, ball, 0.2, Vec3(0.0));
+  EXPECT_TRUE(improved(mesh).diagnostics.empty());
+  // In the wall.
+  appendScaled(mesh, ball, 0.01, Vec3(0.0, 0.0, 0.8));
+  const MeshImprovement made = improved(mesh);
+  ASSERT_EQ(made.diagnostics.size(), 1U);
+  EXPECT_EQ(made.diagnostics[0].code, DiagnosticCode::kOverlappingTetrahedra);
+}
+
 TEST(MeshImprovement, RefusesAHangingNode) {
   // The second block has a node in the middle of a face of the first.
   VolumeMesh mesh;

@@ -112,14 +112,30 @@ ShellNesting::ShellNesting(const SurfaceMesh& mesh, std::span<const ComponentId>
   }
 }
 
-std::vector<ShellId> ShellNesting::shellsAround(ComponentId component) const {
+/// Calls visit(triangle) for the triangles of other components that the ray of the component crosses.
+template <class Visit>
+void ShellNesting::visitCrossed(ComponentId component, Visit visit) const {
   const Vec3& start = starts_[component.index()];
   Box ray = Box::of(start, start, start);
   ray.high[0] = std::numeric_limits<float>::max();
-  std::vector<ShellId> crossed;
   tree_.visitOverlaps(ray, [&](std::uint32_t item) {
     const TriangleId triangle(item);
-    if (componentOf_[triangle.index()] == component || !isAheadOf(start, triangle)) return;
+    if (componentOf_[item] != component && isAheadOf(start, triangle)) visit(triangle);
+  });
+}
+
+int ShellNesting::windingAround(ComponentId component) const {
+  int winding = 0;
+  visitCrossed(component, [&](TriangleId triangle) {
+    const std::array<Vec3, 3> p = cornersOf(mesh_, triangle);
+    winding += orient2d(alongX(p[0]), alongX(p[1]), alongX(p[2]));
+  });
+  return winding;
+}
+
+std::vector<ShellId> ShellNesting::shellsAround(ComponentId component) const {
+  std::vector<ShellId> crossed;
+  visitCrossed(component, [&](TriangleId triangle) {
     crossed.push_back(shellOf_[backOf(triangle).index()]);
     crossed.push_back(shellOf_[frontOf(triangle).index()]);
   });

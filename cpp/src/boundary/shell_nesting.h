@@ -38,7 +38,17 @@ class ShellNesting {
   /// other components too; then the ray starts at the rounded centroid of a triangle. O(triangles near the ray).
   [[nodiscard]] std::vector<ShellId> shellsAround(ComponentId component) const;
 
+  /// Returns how often the other components wind around this one, if all are closed and oriented; 0 outside all that are
+  /// oriented outward. Does not need shells. As exact and as fast as shellsAround().
+  [[nodiscard]] int windingAround(ComponentId component) const;
+  /// Origin of the ray of a component.
+  [[nodiscard]] const Vec3& startOf(ComponentId component) const {
+    return starts_[component.index()];
+  }
+
  private:
+  template <class Visit>
+  void visitCrossed(ComponentId component, Visit visit) const;
   [[nodiscard]] bool isAheadOf(const Vec3& start, TriangleId triangle) const;
 
   const SurfaceMesh& mesh_;

@@ -13,7 +13,10 @@
 #include "base/mesh_access.h"
 #include "base/sort.h"
 #include "boundary/boundary_report.h"
+#include "boundary/edge_table.h"
+#include "boundary/half_faces.h"
 #include "boundary/self_intersection.h"
+#include "boundary/shell_nesting.h"
 #include "geom/predicates.h"
 #include "geom/tetrahedron.h"
 #include "search/box_tree.h"
@@ -129,6 +132,7 @@ class DefectCount {
     first_.position = position;
   }
   void set(std::uint64_t count) { count_ = count; }
+  [[nodiscard]] bool isEmpty() const { return count_ == 0; }
   void report(std::vector<Diagnostic>& out) {
     if (count_ == 0) return;
     first_.values = {static_cast<double>(count_)};
@@ -215,8 +219,8 @@ class GivenMeshMaker {
     }
   }
 
-  /// Positive elements that match at their faces overlap only if their boundary intersects itself: otherwise each
-  /// point would be in as many elements as the boundary winds around it. Parts that touch at equal triangles, whose
+  /// Positive elements that match at their faces overlap only if their boundary intersects itself or winds around a point
+  /// more than once: each point is in as many elements as the boundary winds around it. Parts that touch at equal triangles, whose
   /// nodes are not shared, do not overlap.
   Task<> checkBoundary(Work& work) {
     std::ranges::sort(boundary_);
@@ -236,7 +240,47 @@ class GivenMeshMaker {
       overlapping_.add({elementAt(0), elementAt(1)}, found.position);
       overlapping_.set(static_cast<std::uint64_t>(found.values.at(0)));
     }
+    if (overlapping_.isEmpty()) checkNesting(surface, tree);
     overlapping_.report(made_.diagnostics);
+  }
+
+  /// Without self-intersections, components of the boundary can still be inside each other: one that bounds elements from
+  /// outside must be outside all elements of the others, and one around a cavity inside them once.
+  void checkNesting(const SurfaceMesh& surface, const BoxTree& tree) {
+    const EdgeTable edges(surface.triangles, countNodes(surface), {});
+    const std::vector<ComponentId> componentOf = connectedComponents(surface, edges);
+    std::vector<double> volumes;
+    std::vector<TriangleId> firstTriangle;
+    for (const TriangleId t : IdRange<TriangleId>(componentOf.size())) {
+      if (componentOf[t.index()].index() == volumes.size()) {
+        volumes.push_back(0.0);
+        firstTriangle.push_back(t);
+      }
+      const std::size_t component = componentOf[t.index()].index();
+      const Vec3 origin = pointOf(surface, nodesOf(surface, firstTriangle[component])[0]);
+      const auto [a, b, c] = cornersOf(surface, t);
+      volumes[component] += glm::dot(a - origin, glm::cross(b - origin, c - origin));
+    }
+    const ShellNesting nesting(surface, componentOf, volumes.size(), {}, tree);
+    for (const ComponentId component : IdRange<ComponentId>(volumes.size())) {
+      const int allowed = volumes[component.index()] < 0.0 ? 1 : 0;
+      if (nesting.windingAround(component) <= allowed) continue;
+      const Vec3& start = nesting.startOf(component);
+      const TetId inner = boundary_[firstTriangle[component.index()].index()].tet();
+      std::vector<Entity> elements{entityOf(inner)};
+      for (const TetId tet : IdRange<TetId>(countTetrahedra(mesh_))) {
+        if (tet == inner || !contains(tet, start)) continue;
+        elements.push_back(entityOf(tet));
+        break;
+      }
+      overlapping_.add(std::move(elements), start);
+    }
+  }
+
+  [[nodiscard]] bool contains(TetId tet, const Vec3& position) const {
+    const auto [a, b, c, d] = cornersOf(mesh_, tet);
+    return orient3d(position, b, c, d) >= 0 && orient3d(a, position, c, d) >= 0 &&
+           orient3d(a, b, position, d) >= 0 && orient3d(a, b, c, position) >= 0;
   }
 
   /// Returns the boundary with nodes at one position as one.
