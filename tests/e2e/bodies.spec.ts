@@ -5,7 +5,7 @@ import { readProject } from "tetrafront";
 import { parseMsh, parseVtu, type FileMesh } from "../support/mesh-files";
 import { plateSurface, plateVolume } from "../support/plate";
 import { stlBinary, stlText } from "../support/surface-files";
-import { steppedBlock } from "../support/surfaces";
+import { boxSurface, steppedBlock } from "../support/surfaces";
 import { AppPage } from "./app-page";
 import { dropBytes } from "./drop-bytes";
 
@@ -434,4 +434,48 @@ test("handles move a body, a drag as one step of undo", async ({ page }) => {
   await expect(z).toHaveValue("0");
   await page.keyboard.press("Escape");
   await expect(handles.getByRole("radio", { name: "None" })).toBeChecked();
+});
+
+/** Adds a box beside the unit cube of the opening project, at its first corner. */
+async function importBox(page: Page, low: number): Promise<AppPage> {
+  const app = new AppPage(page);
+  await app.openCube();
+  const choosing = page.waitForEvent("filechooser");
+  await page.getByTestId("add-body").click();
+  const box = boxSurface(2, [low, low, low], [low + 0.5, low + 0.5, low + 0.5]);
+  const file = { name: "box.stl", mimeType: "model/stl", buffer: Buffer.from(stlBinary(box)) };
+  await (await choosing).setFiles(file);
+  await expect(page.getByTestId("body-triangles")).toHaveText("48");
+  return app;
+}
+
+test("a body that crosses a drawn patch is a problem before a mesh is generated, until it is moved", async ({
+  page,
+}) => {
+  const app = await importBox(page, 0.7);
+  await page.getByText("Keep", { exact: true }).click();
+  await page.getByTestId("body-preview-make").click();
+  await page.getByRole("tab", { name: /Problems/ }).click();
+  const crossing = page.getByTestId("problems-self-intersection");
+  await expect(crossing.first()).toBeVisible();
+  await expect(crossing.first()).toContainText("box");
+  await expect(app.viewport).toHaveAttribute("data-busy", "false");
+  await crossing.getByRole("button", { name: "Show", exact: true }).first().click();
+  await page.getByTestId("tree-body-1").click();
+  await page.getByTestId("body-placement").locator("summary").click();
+  for (const axis of ["x", "y", "z"]) await app.type(`placement-position-${axis}`, "-0.45");
+  await expect(crossing).toHaveCount(0);
+  await page.getByTestId("body-preview-make").click();
+  await previewed(page);
+  await expect(crossing).toHaveCount(0);
+});
+
+test("a body outside the background grid is a problem before a mesh is generated", async ({ page }) => {
+  await importBox(page, 5);
+  await page.getByRole("tab", { name: /Problems/ }).click();
+  const outside = page.getByTestId("problems-outside-background-grid");
+  await expect(outside.first()).toContainText("box");
+  await expect(page.getByTestId("body-preview").getByRole("alert")).toContainText(
+    "outside the background grid",
+  );
 });

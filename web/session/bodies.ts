@@ -1,6 +1,8 @@
 import {
   bodyPatchGroups,
+  MesherError,
   repairedSurface,
+  type Diagnostic,
   type Mesher,
   type Project,
   type ProjectBody,
@@ -9,6 +11,7 @@ import {
 } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { nextBodyIds } from "../document/body-edits";
+import { preparedKey } from "../document/content-keys";
 import { defaultRepair, type RepairProposal, type RepairWishes } from "../document/body-repair";
 import { bodiesOf } from "../document/entities";
 import { nextTurn } from "../document/slices";
@@ -35,8 +38,11 @@ export interface BodyState {
   readonly preparation: Preparation | null;
   /** Progress of the preview that is being made, 0 to 1; null without one. */
   readonly preparing: number | null;
-  /** Why the last preview failed. */
+  /** Why the preview of the present content failed, in a sentence and by errors. */
   readonly preparationFailure: string | null;
+  readonly preparationErrors: readonly Diagnostic[];
+  /** Key of the content whose preview failed; null without a failure. */
+  readonly failedKey: string | null;
 }
 
 /** A proposed split of patches by angle. */
@@ -55,6 +61,9 @@ export interface BodiesState {
 /** Largest number of given triangles of which a preview is made unasked: it takes some seconds. */
 const maxUnaskedTriangles = 30_000;
 
+const noErrors: readonly Diagnostic[] = [];
+const noFailure = { preparationFailure: null, preparationErrors: noErrors, failedKey: null } as const;
+
 const unknownBody = (body: ProjectBody): BodyState => ({
   body,
   loaded: null,
@@ -64,7 +73,7 @@ const unknownBody = (body: ProjectBody): BodyState => ({
   failure: null,
   preparation: null,
   preparing: null,
-  preparationFailure: null,
+  ...noFailure,
 });
 
 /** Loads and inspects the bodies of the document, and makes previews of their treated triangles. */
@@ -102,7 +111,7 @@ export class BodyFeed {
     this.cancel(id);
     const abort = new AbortController();
     this.#aborts.set(id, abort);
-    this.#set(id, { preparing: 0, preparationFailure: null });
+    this.#set(id, { preparing: 0, ...noFailure });
     try {
       const known = this.preparations.find(project, body);
       const preparation =
@@ -113,7 +122,12 @@ export class BodyFeed {
       if (this.#aborts.get(id) === abort) this.#set(id, { preparation });
     } catch (error) {
       if (!abort.signal.aborted) {
-        this.#set(id, { preparationFailure: failureText(error) });
+        const isRefused = error instanceof MesherError && error.code === "invalid-input";
+        this.#set(id, {
+          preparationFailure: failureText(error),
+          preparationErrors: isRefused ? error.data.diagnostics : noErrors,
+          failedKey: preparedKey(project, body),
+        });
       }
     } finally {
       if (this.#aborts.get(id) === abort) {
@@ -241,7 +255,9 @@ export class BodyFeed {
 
   #followed(project: Project, body: ProjectBody, before: BodyState | undefined): BodyState {
     const isSame = before !== undefined && hasSameSurface(before.body, body);
-    const state = isSame ? { ...before, body } : unknownBody(body);
+    const known = isSame ? { ...before, body } : unknownBody(body);
+    const isFailed = known.failedKey !== null && known.failedKey === preparedKey(project, body);
+    const state = known.failedKey === null || isFailed ? known : { ...known, ...noFailure };
     const preparation = this.preparations.find(project, body) ?? state.preparation;
     // A split names its patches by those of the body.
     const split = before?.body.patches === body.patches ? state.split : null;

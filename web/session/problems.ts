@@ -1,6 +1,7 @@
 import type { Project } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { BodyFeed } from "./bodies";
+import type { BodyCheck } from "./body-check";
 import type { PreviewFeed } from "./preview";
 import type { MeshRun } from "./run";
 import { meshKey, shownMeshKey } from "../document/content-keys";
@@ -24,6 +25,7 @@ export class ProblemList {
     documents: DocumentStore,
     previews: PreviewFeed,
     bodies: Pick<BodyFeed, "state">,
+    check: Pick<BodyCheck, "state">,
     run: MeshRun,
   ) {
     const update = (): void => {
@@ -39,7 +41,11 @@ export class ProblemList {
         ...(current && !isEmptyProject(project) && !hasBodiesOnly(project)
           ? (preview?.diagnostics ?? [])
           : []),
-        // A run finds more than the check does.
+        ...(check.state.getState().key === meshKey(project) ? check.state.getState().errors : []),
+        ...bodiesOf(project).flatMap(
+          ({ id }) => bodies.state.getState().byId.get(id)?.preparationErrors ?? [],
+        ),
+        // A run finds more than the checks do.
         ...(outcome && [meshKey(project), shownMeshKey(content)].includes(outcome.key)
           ? outcome.result.report.diagnostics
           : []),
@@ -55,10 +61,12 @@ export class ProblemList {
     documents.onSettled(update);
     previews.state.subscribe(update);
     bodies.state.subscribe(({ byId }, before) => {
-      for (const [id, { inspection }] of byId) {
-        if (before.byId.get(id)?.inspection !== inspection) return update();
+      for (const [id, { inspection, preparationErrors }] of byId) {
+        const last = before.byId.get(id);
+        if (last?.inspection !== inspection || last.preparationErrors !== preparationErrors) return update();
       }
     });
+    check.state.subscribe(update);
     run.state.subscribe((state, before) => {
       if (state.outcome !== before.outcome) update();
     });

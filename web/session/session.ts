@@ -2,6 +2,7 @@ import type { Mesher, Project } from "tetrafront";
 import { ViewStore } from "../document/selection";
 import { Autosave } from "./autosave";
 import { BodyFeed } from "./bodies";
+import { BodyCheck } from "./body-check";
 import type { DocumentLibrary, LockedDocument, OpenFailure } from "./document-library";
 import {
   DocumentStore,
@@ -45,7 +46,8 @@ export class Session {
     this.bodies = new BodyFeed(this.documents, previewMesher);
     this.run = new MeshRun(this.documents, mesher, (project) => this.bodies.preparations.allOf(project));
     this.previews = new PreviewFeed(this.documents, previewMesher);
-    this.problems = new ProblemList(this.documents, this.previews, this.bodies, this.run);
+    const check = new BodyCheck(this.documents, previewMesher, this.bodies);
+    this.problems = new ProblemList(this.documents, this.previews, this.bodies, check, this.run);
     this.library = library;
     this.autosave = library && new Autosave(this.documents, library.storage);
     this.run.state.subscribe((state, before) => {

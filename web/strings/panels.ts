@@ -163,6 +163,7 @@ export const panelStrings = {
     meanRatio: "Mean 2r/R",
     meanEdge: "Mean edge / target",
     deviation: "Chord deviation",
+    unknown: "—",
     none: "No statistics: mesh the current model.",
   },
   display: {

@@ -509,3 +509,25 @@ describe("triangles that face inward", () => {
     expect(report.diagnostics[0]?.message).toContain('Body "box"');
   });
 });
+
+test("the chord deviation of a remeshed body is that from its given surface, by patch", async () => {
+  const sphere = sphereSurface(24, 1);
+  const lower = sphere.triangles.length / 6;
+  const trianglePatch = new Uint32Array(2 * lower).map((_, t) => (t < lower ? 0 : 1));
+  const patches = [{ name: "first" }, { name: "second" }];
+  const body = createBody({ ...sphere, trianglePatch, patches }, { id: 1, firstPatchId: 1 });
+  const project = { ...withBodies({ ...body, remeshing: { size: 0.4, tolerance: 0.05 } }), meshing: {} };
+  const prepared = await mesher.prepareBody(project, 1);
+  const { report } = await mesher.meshProject(project, { preparedBodies: [prepared] });
+  const largest = [0, 1].map((patch) =>
+    Math.max(...(prepared.triangleDeviation ?? []).filter((_, t) => prepared.trianglePatch[t] === patch)),
+  );
+  expect(Math.min(...largest)).toBeGreaterThan(1e-3);
+  expect(report.patches.map(({ chordDeviation }) => chordDeviation)).toEqual(largest);
+  // The deviation of triangles from elsewhere is not known.
+  const { triangleDeviation: _, ...without } = prepared;
+  const other = await mesher.meshProject(project, { preparedBodies: [without] });
+  expect(other.report.patches.map(({ chordDeviation }) => chordDeviation)).toEqual([undefined, undefined]);
+  const kept = await mesher.meshProject({ ...project, bodies: [{ ...body, surface: "keep" }] });
+  expect(kept.report.patches.map(({ chordDeviation }) => chordDeviation)).toEqual([0, 0]);
+});

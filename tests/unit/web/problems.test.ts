@@ -2,6 +2,7 @@ import { createMesher, type Mesher } from "tetrafront";
 import { afterAll, beforeAll, expect, it, vi } from "vitest";
 import { addPoint, emptyProject } from "../../../web/document/create";
 import { BodyFeed } from "../../../web/session/bodies";
+import { BodyCheck } from "../../../web/session/body-check";
 import { DocumentStore } from "../../../web/session/document-store";
 import { PreviewFeed } from "../../../web/session/preview";
 import { ProblemList } from "../../../web/session/problems";
@@ -17,12 +18,9 @@ it("an empty project has no problems until it is meshed or something is drawn", 
   const documents = new DocumentStore(emptyProject("new"), () => 0);
   const previews = new PreviewFeed(documents, Promise.resolve(mesher));
   const run = new MeshRun(documents, Promise.resolve(mesher));
-  const problems = new ProblemList(
-    documents,
-    previews,
-    new BodyFeed(documents, Promise.resolve(mesher)),
-    run,
-  );
+  const bodies = new BodyFeed(documents, Promise.resolve(mesher));
+  const check = new BodyCheck(documents, Promise.resolve(mesher), bodies);
+  const problems = new ProblemList(documents, previews, bodies, check, run);
   const count = (): number => problems.state.getState().problems.length;
   await vi.waitFor(() => expect(previews.state.getState().preview?.diagnostics.length).toBeGreaterThan(0));
   expect(count()).toBe(0);

@@ -106,6 +106,7 @@ import {
   describedPreview,
   describedResult,
   emptyResult,
+  withBodyDeviations,
   withoutBodyNotes,
   withPreparation,
 } from "./report.js";
@@ -171,7 +172,8 @@ class WorkerMesher implements Mesher {
       const later = known.length < bodies.length ? afterBodies(control, seconds()) : control;
       const preparation = seconds();
       const result = await this.#meshModel(project, options, later, joinedBodies(project, bodies));
-      return withPreparation(withoutBodyNotes(result, project), preparation, diagnostics);
+      const described = withBodyDeviations(withoutBodyNotes(result, project), project, bodies);
+      return withPreparation(described, preparation, diagnostics);
     } catch (failure) {
       if (failure instanceof MesherError && failure.code === "cancelled") {
         return emptyResult("cancelled", [], seconds());

@@ -11,6 +11,8 @@ import type { EngineResult } from "../engine/protocol.js";
 import { NO_QUALITY } from "../engine/quality-report.js";
 import { poorElementWarnings } from "../mesh/quality-warnings.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
+import type { PreparedBody } from "../mesh/prepared-body.js";
+import type { PatchQuality } from "../mesh/quality.js";
 import type { Project } from "../project/schema.js";
 import type { ProjectPreview } from "../project/preview.js";
 
@@ -41,6 +43,40 @@ function nothingBetter(): Diagnostic {
 
 export function describedPreview(preview: EnginePreview, name: EntityNamer): ProjectPreview {
   return { ...preview, diagnostics: describeAll(preview.diagnostics, name) };
+}
+
+/** Adds the deviation of the patches of bodies from their given surfaces. A body that was kept or refined has none. */
+export function withBodyDeviations(
+  result: MeshResult,
+  { patches: drawn, bodies = [] }: Project,
+  prepared: readonly PreparedBody[],
+): MeshResult {
+  const deviations = new Map<number, number | undefined>();
+  let first = drawn.length;
+  for (const body of bodies) {
+    const made = prepared.find((one) => one.body === body.id);
+    const isExact = body.surface === "keep" || body.surface === "refine";
+    const largest = deviationByPatch(made, body.patches.length);
+    body.patches.forEach((_, p) => deviations.set(first + p, isExact ? 0 : largest?.[p]));
+    first += body.patches.length;
+  }
+  const patches = result.report.patches.map((quality): PatchQuality => {
+    if (!deviations.has(quality.patch)) return quality;
+    const { chordDeviation: _, ...rest } = quality;
+    const deviation = deviations.get(quality.patch);
+    return deviation === undefined ? rest : { ...rest, chordDeviation: deviation };
+  });
+  return { ...result, report: { ...result.report, patches } };
+}
+
+function deviationByPatch(made: PreparedBody | undefined, patches: number): Float64Array | undefined {
+  if (made?.triangleDeviation === undefined) return undefined;
+  const largest = new Float64Array(patches);
+  made.triangleDeviation.forEach((deviation, t) => {
+    const patch = made.trianglePatch[t] ?? 0;
+    if (deviation > (largest[patch] ?? 0)) largest[patch] = deviation;
+  });
+  return largest;
 }
 
 /** Leaves out notes about the orientation of bodies, which their preparation has made. */

@@ -11,8 +11,11 @@ export interface PatchQuality {
   readonly meanRadiusRatio: number;
   /** Mean of edge length / target length, in the metric of the size field. */
   readonly meanEdge: number;
-  /** Largest distance between a triangle and the exact patch, in model units; 0 for a body. */
-  readonly chordDeviation: number;
+  /**
+   * Largest distance between a triangle and the exact patch, in model units. For a body: the largest distance from its given
+   * surface, of four samples per triangle (`triangleDeviation`); absent if the body was not prepared with it.
+   */
+  readonly chordDeviation?: number | undefined;
 }
 
 /** Quality of one tetrahedron, measured in the metric of the size field (see `QualityReport`). */

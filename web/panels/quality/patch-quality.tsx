@@ -14,6 +14,9 @@ import table from "../../ui/table.module.css";
 
 const texts = strings.patches;
 
+const deviationText = ({ chordDeviation }: PatchQuality): string =>
+  chordDeviation === undefined ? texts.unknown : formatShort(chordDeviation);
+
 const noPatches: readonly PatchQuality[] = [];
 
 /** Returns the quality of each patch in the shown mesh, by id; nothing while the mesh is out of date. */
@@ -46,7 +49,7 @@ export function PatchFacts({ patch }: { readonly patch: number }) {
         <dt>{texts.meanEdge}</dt>
         <dd>{quality.meanEdge.toFixed(3)}</dd>
         <dt>{texts.deviation}</dt>
-        <dd>{formatShort(quality.chordDeviation)}</dd>
+        <dd>{deviationText(quality)}</dd>
       </Facts>
     </section>
   );
@@ -104,7 +107,7 @@ function PatchRow({ entity, quality, project }: PatchRowProps) {
       <td>{formatAngle(quality.minAngle)}</td>
       <td>{quality.meanRadiusRatio.toFixed(3)}</td>
       <td>{quality.meanEdge.toFixed(3)}</td>
-      <td>{formatShort(quality.chordDeviation)}</td>
+      <td>{deviationText(quality)}</td>
     </tr>
   );
 }
