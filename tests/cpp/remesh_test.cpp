@@ -15,6 +15,7 @@
 #include <random>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "base/mesh_access.h"
@@ -23,6 +24,7 @@
 #include "boundary/surface_access.h"
 #include "geom/intersect.h"
 #include "geom/measure.h"
+#include "quality/metrics.h"
 #include "remesh/envelope.h"
 #include "remesh/guarded_surface.h"
 #include "remesh/reference_surface.h"
@@ -293,6 +295,78 @@ TEST(Remesh, SourcesCapAutomaticSizesAndReplaceNone) {
   const std::size_t automatic = countWithSource(0.0);
   EXPECT_EQ(countWithSource(1.0), automatic);
   EXPECT_GT(countWithSource(0.01), automatic);
+}
+
+/// A tetrahedron around the bodies with one target size everywhere.
+BackgroundGrid constantGrid(BackgroundNode node) {
+  BackgroundGrid grid;
+  for (const Vec3& position : {Vec3(-30.0, -30.0, -30.0), Vec3(90.0, -30.0, -30.0),
+                               Vec3(-30.0, 90.0, -30.0), Vec3(-30.0, -30.0, 90.0)}) {
+    node.position = position;
+    grid.nodes.push_back(node);
+  }
+  grid.tetrahedra = {{0, 1, 2, 3}};
+  return grid;
+}
+
+struct MetricFigures {
+  double share = 0.0;      ///< of the edges with a length of 0.6 to 1.5
+  double meanRatio = 0.0;  ///< mean radius ratio
+};
+
+/// Measures triangles in the space in which the target element is regular with edge 1.
+MetricFigures measureInMetric(const SurfaceMesh& mesh, const BackgroundNode& target) {
+  const Vec3 along = glm::normalize(target.direction);
+  const auto toUnit = [&](const Vec3& p) {
+    return (p - along * (glm::dot(p, along) * (1.0 - 1.0 / target.stretching))) / target.size;
+  };
+  MetricFigures figures;
+  for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh))) {
+    const auto [a, b, c] = cornersOf(mesh, t);
+    const Corners corners{toUnit(a), toUnit(b), toUnit(c)};
+    figures.meanRatio += triangleRadiusRatio(corners[0], corners[1], corners[2]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double length = glm::length(corners[(k + 1) % 3] - corners[k]);
+      if (length >= 0.6 && length <= 1.5) figures.share += 1.0 / 3.0;
+    }
+  }
+  figures.share /= countTriangles(mesh);
+  figures.meanRatio /= countTriangles(mesh);
+  return figures;
+}
+
+/// The tolerance caps long edges across a bend, but neither edges along the bend nor short edges across it.
+TEST(RemeshStretched, TrianglesFollowTheMetric) {
+  const std::vector<std::pair<Body, double>> bodies{
+      {{"box", [] { return gridBox(Vec3(0.0), Vec3(2.0, 1.0, 1.0), {1, 1, 1}); }}, 0.05},
+      {{"cylinder", [] { return coarseBar(64, 2.0); }}, 0.05},
+      {{"tube", [] { return coarseTube(64, 0.5, 2.0); }}, 0.05},
+      {{"sphere", [] { return geodesicSphere(12); }}, 0.05},
+      {{"cylinder with a narrow tolerance", [] { return coarseBar(64, 2.0); }}, 2e-3},
+      {{"tube with a narrow tolerance", [] { return coarseTube(64, 0.5, 2.0); }}, 2e-3},
+  };
+  for (const auto& [body, tolerance] : bodies) {
+    const SurfaceMesh given = body.make();
+    for (const double stretching : {4.0, 10.0}) {
+      for (const Vec3& direction :
+           {Vec3(0.0, 0.0, 1.0), Vec3(1.0, 0.0, 0.0), Vec3(1.0, 0.6, 0.4)}) {
+        if (tolerance < 0.01 && direction.x > 0.0) continue;
+        if (stretching < 10.0 && direction.y == 0.0) continue;
+        const BackgroundNode target{Vec3(0.0), 0.08, stretching, direction};
+        RemeshOptions options;
+        options.tolerance = tolerance;
+        SurfaceRemesher remesher(given.points, given.triangles, {}, constantGrid(target), options);
+        while (!remesher.advance(1U << 20U)) {
+        }
+        const SurfaceRemesh& result = remesher.result();
+        ASSERT_TRUE(result.diagnostics.empty());
+        const MetricFigures figures = measureInMetric(surfaceOf(result), target);
+        EXPECT_GE(figures.share, 0.95) << body << ' ' << stretching << ' ' << direction.x;
+        EXPECT_GE(figures.meanRatio, 0.85) << body << ' ' << stretching << ' ' << direction.x;
+        EXPECT_LE(result.deviation, result.tolerance);
+      }
+    }
+  }
 }
 
 TEST(Remesh, LayersAndAnglePerEdgeAlsoCountWithASize) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace tetrafront {
 namespace {
@@ -67,6 +68,7 @@ bool SizeSites::advance(std::size_t budget) {
     case Stage::kJoin:
       for (std::size_t i = 0; i < budget && next > 0; ++i) join(--next);
       if (next > 0) break;
+      order_ = std::move(building_.order);
       building_ = {};
       stage_ = Stage::kReady;
       break;

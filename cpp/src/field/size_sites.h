@@ -41,6 +41,9 @@ class SizeSites {
   [[nodiscard]] double growth() const { return growth_; }
   [[nodiscard]] double sizeOf(SiteId site) const { return sites_[site.index()].size * extent_; }
 
+  /// Index of the site among the given ones that are not ignored.
+  [[nodiscard]] std::uint32_t givenIndexOf(SiteId site) const { return order_[site.index()]; }
+
   struct Value {
     double size = 0.0;
     SiteId site{0U};  ///< site of the lowest cone: a good guess for nearby positions
@@ -116,6 +119,7 @@ class SizeSites {
   Vec3 centre_{0.0};
   double extent_ = 1.0;
   std::vector<Site> sites_;
+  std::vector<std::uint32_t> order_;  ///< per site: its index among the given ones
   /// Children of the inner nodes of a complete binary tree; the children of node n are 2n+1 and
   /// 2n+2.
   std::vector<Children> children_;

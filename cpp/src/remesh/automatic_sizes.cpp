@@ -42,6 +42,8 @@ constexpr double kThicknessPerCell = 1.5;
 constexpr double kLeastArea = 1e-12;
 /// Curvature x diagonal below which a patch is as good as flat: its sizes would exceed any body.
 constexpr double kLeastCurvature = 1e-6;
+/// Cosine of the largest angle between parallel bends, 2.5 degrees.
+constexpr double kParallelCosine = 0.999;
 /// In place of a smaller component of the direction of a ray, so that its inverse is finite.
 constexpr double kLeastComponent = 1e-30;
 /// Distance / diagonal from the start of a ray within which the surface is that at the start itself.
@@ -83,15 +85,17 @@ class ShapeMeasure {
     std::size_t first;  ///< index of its first point
   };
 
-  void add(const Vec3& position, double size) {
+  void add(const Vec3& position, double size, const Vec3& axis = Vec3(0.0)) {
     if (!(size < rules_.maxSize)) return;
     sizes_.positions.push_back(position);
+    sizes_.axes.push_back(axis);
     sizes_.sizes.push_back(std::max(size, rules_.minSize));
   }
   [[nodiscard]] double sizeForCurvature(double curvature) const {
     return std::min(rules_.anglePerEdge / curvature, std::sqrt(8.0 * rules_.tolerance / curvature));
   }
   [[nodiscard]] double curvatureOf(TriangleId triangle) const;
+  [[nodiscard]] Vec3 axisOf(TriangleId triangle) const;
   [[nodiscard]] double thicknessAt(const Vec3& position, const Vec3& inward) const;
   void castRay(const Vec3& from, const Vec3& direction, TriangleId triangle, double& nearest) const;
   [[nodiscard]] double gapAt(FeatureLineId id, double arc) const;
@@ -126,6 +130,23 @@ double ShapeMeasure::curvatureOf(TriangleId triangle) const {
   const double area = areaOf(corners);
   const double diagonal = reference_.diagonal();
   return area > kLeastArea * diagonal * diagonal ? std::fabs(sum) / area : 0.0;
+}
+
+/// Returns the direction of the smooth edges at which the surface bends, if they are parallel; otherwise zero.
+Vec3 ShapeMeasure::axisOf(TriangleId triangle) const {
+  const std::array<Vec3, 3> corners = cornersOf(reference_.mesh(), triangle);
+  Vec3 axis(0.0);
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const TriangleId other = reference_.smoothNeighbour(halfEdgeOf(triangle, k));
+    if (other.isNone()) continue;
+    const double cosine = glm::dot(reference_.normalOf(triangle), reference_.normalOf(other));
+    if (chordOf(cosine) <= kFlatAngle) continue;
+    const Vec3 edge = corners[(k + 1) % 3] - corners[k];
+    const Vec3 direction = edge / glm::length(edge);
+    if (axis == Vec3(0.0)) axis = direction;
+    if (std::fabs(glm::dot(axis, direction)) < kParallelCosine) return Vec3(0.0);
+  }
+  return axis;
 }
 
 std::vector<ShapeMeasure::Sample> ShapeMeasure::findSamples() const {
@@ -172,9 +193,13 @@ std::vector<ShapeMeasure::Sample> ShapeMeasure::findSamples() const {
 void ShapeMeasure::measure(const Sample& sample) {
   const ReferenceSurface::Piece& piece = reference_.pieces()[sample.piece];
   double size = rules_.maxSize;
+  Vec3 axis(0.0);
   if (!reference_.patch(reference_.patchOf(piece.triangle)).isPlanar) {
     const double curvature = curvatureOf(piece.triangle);
-    if (curvature > kLeastCurvature / reference_.diagonal()) size = sizeForCurvature(curvature);
+    if (curvature > kLeastCurvature / reference_.diagonal()) {
+      size = sizeForCurvature(curvature);
+      axis = axisOf(piece.triangle);
+    }
   }
   if (rules_.layers > 0.0 && (sample.level == 0 || isThin_[sample.level - 1])) {
     const Vec3 inward = -reference_.normalOf(piece.triangle);
@@ -184,9 +209,10 @@ void ShapeMeasure::measure(const Sample& sample) {
           static_cast<double>(kThicknessCells[level]) * kSampleWidth * rules_.minSize;
       isThin_[level] = ofThickness < kThicknessPerCell * width;
     }
+    if (ofThickness < size) axis = Vec3(0.0);
     size = std::min(size, ofThickness);
   }
-  add(piece.centroid, size);
+  add(piece.centroid, size, axis);
 }
 
 /// Returns true if the ray meets the box between two distances. `inverse`: 1 / direction.
@@ -259,7 +285,9 @@ void ShapeMeasure::measureLine(const FeatureLine& line) {
     const Vec3 after = i < last ? points[i + 1] - points[i] : points[1] - points[0];
     const double angle = chordOf(cosineBetween(before, after));
     if (angle <= kStraightAngle) continue;
-    add(points[i], sizeForCurvature(2.0 * angle / (glm::length(before) + glm::length(after))));
+    const Vec3 normal = glm::cross(before, after);
+    add(points[i], sizeForCurvature(2.0 * angle / (glm::length(before) + glm::length(after))),
+        normal / glm::length(normal));
   }
   const double length = line.length();
   const double size = line.isClosed() ? length / kEdgesPerLoop : length;

@@ -24,6 +24,9 @@ struct ShapeSizeRules {
 struct ShapeSizes {
   std::vector<Vec3> positions;
   std::vector<double> sizes;
+  /// Per position: a unit vector along which the size is not limited, because the surface or the line does not bend around
+  /// any other axis; zero if it is limited in all directions.
+  std::vector<Vec3> axes;
 };
 
 /// Measures the shape. O(n log n) for n triangles, unless very many feature lines are close to each

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "field/tensor_limits.h"
+
 namespace tetrafront {
 
 double RemeshSizes::sizeAt(const Vec3& position, Hint& hint) const {
@@ -10,9 +12,17 @@ double RemeshSizes::sizeAt(const Vec3& position, Hint& hint) const {
 
 SymmetricTensor RemeshSizes::tensorAt(const Vec3& position, Hint& hint) const {
   const SymmetricTensor tensor = given_.targetTensorAt(position, hint.field);
-  const double size = meanSizeOf(tensor);
-  const double capped = cappedAt(position, size, hint);
-  return capped < size ? tensor.scaledBy(capped / size) : tensor;
+  if (!shape_) return tensor;
+  const SizeSites::Value value = shape_->at(position, hint.site);
+  hint.site = value.site;
+  const Vec3& axis = axes_[shape_->givenIndexOf(value.site)];
+  const double along = largestPossible(tensor);
+  if (axis == Vec3(0.0) || along <= value.size) return cappedTo(tensor, value.size);
+  const Vec3& a = axis;
+  SymmetricTensor limit = SymmetricTensor::isotropic(value.size);
+  limit.accumulate({a.x * a.x, a.y * a.y, a.z * a.z, a.x * a.y, a.x * a.z, a.y * a.z},
+                   along - value.size);
+  return limitedBy(tensor, limit);
 }
 
 double RemeshSizes::cappedAt(const Vec3& position, double size, Hint& hint) const {

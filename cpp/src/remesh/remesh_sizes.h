@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "field/size_field.h"
 #include "field/size_sites.h"
@@ -17,8 +18,12 @@ class RemeshSizes {
  public:
   explicit RemeshSizes(SizeField given) : given_(std::move(given)) {}
 
-  /// Caps sizes by those that grow from the sites. In a stretched field, all axes are scaled by one factor.
-  void capTo(SizeSites sites) { shape_ = std::move(sites); }
+  /// Caps sizes by those that grow from the sites. In a stretched field, the sizes in all directions are capped, but those
+  /// along the axis of the site. `axes`: as in ShapeSizes.
+  void capTo(SizeSites sites, std::vector<Vec3> axes) {
+    shape_ = std::move(sites);
+    axes_ = std::move(axes);
+  }
 
   /// Where the last query was. Keep one per node: near queries are faster.
   struct Hint {
@@ -34,6 +39,7 @@ class RemeshSizes {
 
   SizeField given_;
   std::optional<SizeSites> shape_;
+  std::vector<Vec3> axes_;  ///< per given site of `shape_`
 };
 
 }  // namespace tetrafront

@@ -196,12 +196,12 @@ Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
   work.beginPart(0.7);
   const ShapeSizeRules rules{lengths.maxSize, lengths.minSize, lengths.tolerance,
                              lengths.radiansPerEdge, lengths.layers};
-  const ShapeSizes sizes = co_await findShapeSizes(work, reference, rules);
+  ShapeSizes sizes = co_await findShapeSizes(work, reference, rules);
   if (sizes.positions.empty()) co_return found;
   work.beginPart(1.0);
   SizeSites sites(sizes.positions, sizes.sizes, options.growth, kSlack);
   co_await work.finish(sites, kSitesPerUnit);
-  found.sizes->capTo(std::move(sites));
+  found.sizes->capTo(std::move(sites), std::move(sizes.axes));
   // Counting takes longer than this bound.
   const double most = std::accumulate(ofGiven.begin(), ofGiven.end(), 0.0) +
                       trianglesOn(areaOf(reference), lengths.minSize);
