@@ -3,6 +3,7 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import { meshKey } from "../document/content-keys";
 import { engineInput } from "../document/engine-input";
 import { bodiesOf, recordsOf } from "../document/entities";
+import { strings } from "../strings";
 import type { BodyFeed } from "./bodies";
 import { settledProject, type DocumentStore } from "./document-store";
 
@@ -90,6 +91,7 @@ export class BodyCheck {
 /** Leaves out triangles and nodes of a surface that the page does not have. */
 const withoutTriangles = (found: Diagnostic): Diagnostic => ({
   ...found,
+  remedy: found.code === "self-intersection" ? strings.bodies.conflict : found.remedy,
   entities: found.entities.filter(({ kind }) => kind === "patch"),
 });
 

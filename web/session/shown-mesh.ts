@@ -37,11 +37,11 @@ export interface ShownMesh {
 
 /** Returns a mesh that was read from a file. Rejects if its arrays are invalid. */
 export async function openedMesh(mesher: Mesher, fileName: string, opened: OpenedMesh): Promise<ShownMesh> {
-  const { surface, volume, regions, invertedTetrahedra } = opened;
+  const { volume, regions, invertedTetrahedra } = opened;
   const inspection = await mesher.inspectMesh({ ...volume, invertedTetrahedra });
   const { isValid } = inspection;
   return {
-    mesh: inspectedResult({ surface, volume }, inspection),
+    mesh: inspectedResult(opened, inspection),
     edgeReference: "mean",
     origin: { fileName, regions, invertedTetrahedra, isValid },
     improvement: null,

@@ -112,6 +112,7 @@ export const bodyStrings = {
     },
     options: "Remeshing options",
     automatic: "automatic",
+    off: "off",
     fields: {
       size: "Size",
       minSize: "Smallest size",
@@ -166,6 +167,7 @@ export const bodyStrings = {
     cancel: "Cancel",
     merge: "Merge patches",
   },
+  conflict: "Move the body under Placement, or change the patches, so that they neither touch nor intersect.",
   generate: "Generate mesh",
   brush: {
     title: "Paint size",

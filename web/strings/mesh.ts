@@ -91,8 +91,10 @@ interface Shapes {
 }
 
 /** Returns how an improvement has ended. */
-export function improvementOutcome({ isImproved, isPartial }: Gain): string {
-  if (isImproved) return isPartial ? "Stopped; improved so far" : "Improved";
+export function improvementOutcome(improvement: Gain): string {
+  const { isImproved, isPartial } = improvement;
+  const much = gainsOf(improvement).length > 0 ? "" : " slightly";
+  if (isImproved) return isPartial ? `Stopped; improved${much} so far` : `Improved${much}`;
   return isPartial
     ? "Stopped before a better mesh was found. The mesh is unchanged."
     : "No better mesh was found. The mesh is unchanged.";
@@ -101,15 +103,19 @@ export function improvementOutcome({ isImproved, isPartial }: Gain): string {
 /** Returns in one sentence what an improvement has gained. */
 export function improvementText(improvement: Gain): string {
   const outcome = improvementOutcome(improvement);
-  const { isImproved, before, after } = improvement;
-  if (!isImproved) return outcome;
+  if (!improvement.isImproved) return outcome;
+  const gains = gainsOf(improvement);
+  return gains.length > 0 ? `${outcome}: ${gains.join(", ")}.` : `${outcome}.`;
+}
+
+/** Returns the figures that have changed, as far as they are shown. */
+function gainsOf({ before, after }: Gain): readonly string[] {
   const changed = (what: string, text: (shapes: Shapes) => string): string[] =>
     text(before) === text(after) ? [] : [`${what} ${text(before)} → ${text(after)}`];
-  const gains = [
+  return [
     ...changed("smallest dihedral angle", ({ dihedral }) => `${dihedral.min.toFixed(1)}°`),
     ...changed("largest", ({ dihedral }) => `${dihedral.max.toFixed(1)}°`),
     ...changed("mean radius ratio", ({ radiusRatio }) => radiusRatio.mean.toFixed(3)),
     ...changed("outside 30°–135°", ({ outOfRange }) => outOfRange.toLocaleString("en-US")),
   ];
-  return `${outcome}: ${gains.length > 0 ? gains.join(", ") : "slightly better elements"}.`;
 }

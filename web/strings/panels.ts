@@ -162,6 +162,7 @@ export const panelStrings = {
     minAngle: "Min angle",
     meanRatio: "Mean 2r/R",
     meanEdge: "Mean edge / target",
+    meanEdgeOfMean: "Mean edge / mean of all",
     deviation: "Chord deviation",
     unknown: "—",
     none: "No statistics: mesh the current model.",

@@ -45,7 +45,7 @@ export interface ReadSurface extends NewBody {
 }
 
 /** The tetrahedra of a file, with their boundary in the patches of the body. */
-export interface OpenedMesh extends Pick<MeshWithBoundary, "surface" | "volume"> {
+export interface OpenedMesh extends Pick<MeshWithBoundary, "surface" | "volume" | "patchShapes"> {
   readonly regions: readonly FileGroup[];
   readonly invertedTetrahedra: Uint32Array | undefined;
 }

@@ -73,14 +73,19 @@ async function readVolume(
   file: FileMesh,
   head: SurfaceProtocol["read"]["argument"]["head"],
 ): Promise<Answer<SurfaceProtocol["read"]["answer"]>> {
-  const { surface, volume, outer } = await meshWithBoundary(file);
+  const { surface, volume, patchShapes, outer } = await meshWithBoundary(file);
   const { regions, invertedTetrahedra, notes = [] } = file;
   const made = newBody(createBody(outer, head));
   const { tetrahedra, regions: regionOf } = volume;
   const arrays = [surface.points, surface.triangles, surface.trianglePatch, surface.triangleRegions];
   const buffers = new Set([...arrays, tetrahedra, regionOf].map(({ buffer }) => buffer as ArrayBuffer));
   return {
-    answer: { success: true, ...made, notes, mesh: { surface, volume, regions, invertedTetrahedra } },
+    answer: {
+      success: true,
+      ...made,
+      notes,
+      mesh: { surface, volume, patchShapes, regions, invertedTetrahedra },
+    },
     transfer: [...buffersOf(made), ...buffers],
   };
 }

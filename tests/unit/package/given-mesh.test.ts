@@ -35,7 +35,7 @@ const pair: FileMesh = {
 };
 
 test("the boundary has every outer face and interface once, outward, in the patches of the file", async () => {
-  const { surface, volume, patches, outer } = await meshWithBoundary(pair);
+  const { surface, volume, patches, patchShapes, outer } = await meshWithBoundary(pair);
   expect(patches.map(({ name }) => name)).toEqual(["side", "boundary", "interface"]);
   expect(surface.triangles).toHaveLength(3 * 7);
   const names = [...surface.trianglePatch].map((patch) => patches[patch]?.name);
@@ -47,6 +47,10 @@ test("the boundary has every outer face and interface once, outward, in the patc
     else expect(sides[1]).toBe(NO_REGION);
   });
   expect(volume.tetrahedra).toBe(pair.tetrahedra);
+  const [side] = patchShapes;
+  expect(side).toMatchObject({ patch: 0, triangles: 1, minAngle: expect.closeTo(45, 9) as number });
+  expect(side?.meanRadiusRatio).toBeCloseTo(2 * (Math.SQRT2 - 1), 9);
+  expect(side?.meanEdge).toBeCloseTo((2 + Math.SQRT2) / 3, 9);
   // The node that no element uses is left out.
   expect(outer.points).toHaveLength(3 * 5);
   const inspection = await mesher.inspectSurface(outer, { innerShells: "regions" });

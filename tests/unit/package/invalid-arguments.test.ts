@@ -82,6 +82,7 @@ const inspection = {
   dihedral: { min: 5, max: 170 },
   radiusRatio: { min: 0.1, mean: 0.5 },
   volume: 1,
+  edgeLengths: { mean: 1 },
   quality: {
     binWidths: { dihedral: 5 },
     regions: [{ tetrahedra: 6, smallestDihedral: [6] }],
@@ -147,7 +148,7 @@ const functions: Readonly<Record<string, Arguments>> = {
     },
   },
   meshWithBoundary: { mesh: block },
-  inspectedResult: { mesh: meshed, inspection },
+  inspectedResult: { mesh: { ...meshed, patchShapes: [{ meanEdge: 1 }] }, inspection },
   improvedResult: {
     result: { ...meshed, report: { diagnostics: [] } },
     improvement: {

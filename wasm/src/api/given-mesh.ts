@@ -16,6 +16,7 @@ import type { MeshInspection } from "../mesh/inspection.js";
 import type { PatchedSurface, SurfaceMesh, VolumeMesh } from "../mesh/mesh.js";
 import { checkFileMesh } from "../mesh/mesh-checks.js";
 import { poorElementWarnings } from "../mesh/quality-warnings.js";
+import type { PatchQuality } from "../mesh/quality.js";
 import type { MeshReport, MeshResult } from "../mesh/report.js";
 import { emptyReport } from "./report.js";
 
@@ -29,6 +30,8 @@ export interface MeshWithBoundary {
   readonly volume: VolumeMesh;
   /** Those of the file that have triangles; faces without a triangle are in "boundary" or "interface". */
   readonly patches: readonly FileGroup[];
+  /** Per patch: shapes of its triangles, and their mean edge in model units as `meanEdge`. */
+  readonly patchShapes: readonly PatchQuality[];
   /** The boundary faces and interfaces with the nodes that they use: a surface for `createBody`. */
   readonly outer: PatchedSurface & { readonly patches: readonly FileGroup[] };
 }
@@ -88,6 +91,7 @@ function* withBoundary(mesh: FileMesh): Steps<MeshWithBoundary> {
     },
     volume: { points, tetrahedra, regions, front: new Uint32Array() },
     patches,
+    patchShapes: yield* shapesByPatch({ points, triangles, trianglePatch: patchOf }, patches.length),
     outer: {
       points: outer.points,
       triangles: outer.triangles,
@@ -95,6 +99,40 @@ function* withBoundary(mesh: FileMesh): Steps<MeshWithBoundary> {
       patches,
     },
   };
+}
+
+/** Returns the shapes of the triangles of each patch. */
+function* shapesByPatch(
+  { points, triangles, trianglePatch }: PatchedSurface & { readonly trianglePatch: Uint32Array },
+  count: number,
+): Steps<PatchQuality[]> {
+  const sums = Array.from({ length: count }, () => ({ triangles: 0, minAngle: 180, ratio: 0, edge: 0 }));
+  yield* stepwise(trianglePatch.length, (t) => {
+    const sum = sums[trianglePatch[t] ?? 0];
+    if (!sum) return;
+    const [a = 0, b = 0, c = 0] = triangles.subarray(3 * t, 3 * t + 3);
+    const edges = [distance(points, a, b), distance(points, b, c), distance(points, c, a)] as const;
+    const [p, q, r] = edges.toSorted((x, y) => x - y) as [number, number, number];
+    const product = (p + q - r) * (q + r - p) * (r + p - q);
+    // The smallest angle lies opposite the shortest edge.
+    const cosine = Math.min(1, (q * q + r * r - p * p) / (2 * q * r));
+    sum.triangles++;
+    sum.minAngle = Math.min(sum.minAngle, (180 / Math.PI) * Math.acos(cosine));
+    sum.ratio += product > 0 ? product / (p * q * r) : 0;
+    sum.edge += (p + q + r) / 3;
+  });
+  return sums.map(({ triangles: all, minAngle, ratio, edge }, patch) => ({
+    patch,
+    triangles: all,
+    minAngle,
+    meanRadiusRatio: ratio / all,
+    meanEdge: edge / all,
+  }));
+}
+
+function distance(points: Float64Array, a: number, b: number): number {
+  const along = (axis: number) => (points[3 * b + axis] ?? 0) - (points[3 * a + axis] ?? 0);
+  return Math.hypot(along(0), along(1), along(2));
 }
 
 /** Returns the patches that own a triangle, and the new index of each triangle's patch. */
@@ -121,6 +159,7 @@ const inspected = v.object({
   dihedral: extremes,
   radiusRatio: v.object({ min: v.number(), mean: v.number() }),
   volume: v.number(),
+  edgeLengths: v.object({ mean: v.number() }),
   quality: v.object({
     binWidths: v.object({ dihedral: v.number() }),
     regions: v.array(v.object({ tetrahedra: v.number(), smallestDihedral: v.array(v.number()) })),
@@ -137,6 +176,10 @@ const withTriangles = v.object({
   surface: v.object({ triangles: integers(3), sides: integers(2) }),
   volume: v.object({ points: doubles(3) }),
 });
+const withShapes = v.object({
+  ...withTriangles.entries,
+  patchShapes: v.array(v.object({ meanEdge: v.number() })),
+});
 const withReport = v.object({
   ...withTriangles.entries,
   report: v.object({ diagnostics: v.array(v.object({ code: v.string() })) }),
@@ -144,18 +187,20 @@ const withReport = v.object({
 
 /**
  * Returns a mesh from a file as the result of a run that took no time: with the statistics of `inspection`, which must be
- * of the same mesh. Throws a `MesherError` if an argument is invalid.
+ * of the same mesh. Lengths are measured by the mean edge. Throws a `MesherError` if an argument is invalid.
  */
 export function inspectedResult(
-  mesh: Pick<MeshWithBoundary, "surface" | "volume">,
+  mesh: Pick<MeshWithBoundary, "surface" | "volume" | "patchShapes">,
   inspection: MeshInspection,
 ): MeshResult {
-  checkArgument("mesh", mesh, withTriangles);
+  checkArgument("mesh", mesh, withShapes);
   checkArgument("inspection", inspection, inspected);
-  const { surface, volume } = mesh;
+  const { surface, volume, patchShapes } = mesh;
+  const meanEdge = inspection.edgeLengths.mean;
   const report: MeshReport = {
     ...emptyReport("done", poorElementWarnings(inspection.quality)),
     triangles: surface.triangles.length / 3,
+    patches: patchShapes.map((shape) => ({ ...shape, meanEdge: shape.meanEdge / meanEdge })),
     ...figuresOf(inspection),
   };
   return { surface, volume, report };

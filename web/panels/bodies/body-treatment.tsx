@@ -104,7 +104,7 @@ function RemeshingField({ body, field }: RemeshingFieldProps) {
         />
         {set === undefined ? (
           <Text size="xs" c="dimmed" component="span">
-            {texts.automatic}
+            {field === "dropDetails" ? texts.off : texts.automatic}
           </Text>
         ) : (
           <IconButton

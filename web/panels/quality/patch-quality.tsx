@@ -31,8 +31,13 @@ function usePatchQuality(): readonly { readonly entity: Entity; readonly quality
   });
 }
 
+/** Only runs know target lengths. */
+const useMeanEdgeName = (): string =>
+  useRun(({ origin }) => (origin === null ? texts.meanEdge : texts.meanEdgeOfMean));
+
 /** The quality of the triangulation of one patch. */
 export function PatchFacts({ patch }: { readonly patch: number }) {
+  const meanEdge = useMeanEdgeName();
   const found = usePatchQuality().find(({ entity }) => entity.id === patch);
   if (!found) return null;
   const { quality } = found;
@@ -46,7 +51,7 @@ export function PatchFacts({ patch }: { readonly patch: number }) {
         <dd>{formatAngle(quality.minAngle)}</dd>
         <dt>{texts.meanRatio}</dt>
         <dd>{quality.meanRadiusRatio.toFixed(3)}</dd>
-        <dt>{texts.meanEdge}</dt>
+        <dt>{meanEdge}</dt>
         <dd>{quality.meanEdge.toFixed(3)}</dd>
         <dt>{texts.deviation}</dt>
         <dd>{deviationText(quality)}</dd>
@@ -58,6 +63,7 @@ export function PatchFacts({ patch }: { readonly patch: number }) {
 /** The quality of all patches of the mesh, the smallest angle first. */
 export function PatchTable() {
   const project = useProject();
+  const meanEdge = useMeanEdgeName();
   const rows = usePatchQuality().toSorted((a, b) => a.quality.minAngle - b.quality.minAngle);
   return (
     <ScrollPanel label={texts.title}>
@@ -73,7 +79,7 @@ export function PatchTable() {
               texts.triangles,
               texts.minAngle,
               texts.meanRatio,
-              texts.meanEdge,
+              meanEdge,
               texts.deviation,
             ]}
           />
