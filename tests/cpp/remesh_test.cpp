@@ -195,6 +195,16 @@ TEST(RemeshVolume, IsThatOfTheGivenSurface) {
            {"bore",
             [] { return prism({rectangle({-1, -1}, {1, 1}), {circle({0, 0}, 0.9, 48)}}, 0.2); }},
            {"ball in a ball", [] { return nestedSpheres(2, 16); }},
+           {"coarse ring", [] { return torus(1.0, 0.02, 120, 10); }},
+           {"thin shell",
+            [] {
+              SurfaceMesh shell = geodesicSphere(12);
+              SurfaceMesh cavity = geodesicSphere(12);
+              scale(cavity, 0.94);
+              turnInsideOut(cavity);
+              append(shell, cavity);
+              return shell;
+            }},
        }) {
     const SurfaceMesh given = body.make();
     const SurfaceRemesh result = remesh(given);

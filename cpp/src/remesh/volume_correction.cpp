@@ -16,12 +16,14 @@ namespace {
 
 /// Change of a volume, relative to it, that is left.
 constexpr double kLeastChange = 2e-3;
+/// The same for parts if the whole volume has changed by more.
+constexpr double kLeastChangeOfPart = 2e-4;
 constexpr int kMaxCorrections = 3;
 /// Mean distance of a triangle from a smooth patch / distance of its centroid. Over an equilateral triangle, a quadratic
 /// function differs from the linear one by 3 / 4 of the largest difference on average.
 constexpr double kMeanPerCentroid = 0.75;
 /// Length / tolerance of moves that are not worth their time.
-constexpr double kLeastMove = 0.02;
+constexpr double kLeastMove = 0.01;
 /// Distances measured per unit of budget.
 constexpr std::size_t kGapsPerUnit = 16;
 /// A move may reduce the radius ratio of a triangle by this factor.
@@ -58,16 +60,28 @@ void VolumeCorrection::findParts() {
 /// Finds the parts whose volumes have changed; returns false if there are none.
 bool VolumeCorrection::findChanged() {
   std::vector<double> made(given_.size(), 0.0);
+  std::vector<double> curvedArea(given_.size(), 0.0);
   const Vec3 origin = pointOf(reference_.mesh(), NodeId(0U));
   for (const TriangleId t : IdRange<TriangleId>(complex_.triangleSlots())) {
     if (!complex_.isAlive(t)) continue;
-    const auto [a, b, c] = complex_.cornersOf(t);
-    made[partOf_[complex_.patchOf(t).index()]] +=
-        glm::dot(a - origin, glm::cross(b - origin, c - origin));
+    const std::array<Vec3, 3> corners = complex_.cornersOf(t);
+    const auto& [a, b, c] = corners;
+    const SmoothPatchId patch = complex_.patchOf(t);
+    const std::uint32_t part = partOf_[patch.index()];
+    made[part] += glm::dot(a - origin, glm::cross(b - origin, c - origin));
+    if (!reference_.patch(patch).isPlanar) curvedArea[part] += areaOf(corners);
   }
   isChanged_.assign(given_.size(), 0);
+  evenGap_.assign(given_.size(), 0.0);
+  // A thin wall has the difference of two volumes.
+  const double whole = std::accumulate(given_.begin(), given_.end(), 0.0);
+  const double wholeMade = std::accumulate(made.begin(), made.end(), 0.0);
+  const bool hasChanged = std::fabs(wholeMade - whole) > kLeastChange * std::fabs(whole);
+  const double least = hasChanged ? kLeastChangeOfPart : kLeastChange;
   for (std::size_t i = 0; i < given_.size(); ++i) {
-    if (std::fabs(made[i] - given_[i]) > kLeastChange * std::fabs(given_[i])) isChanged_[i] = 1;
+    const double missing = given_[i] - made[i];
+    if (std::fabs(missing) > least * std::fabs(given_[i])) isChanged_[i] = 1;
+    if (curvedArea[i] > 0.0) evenGap_[i] = missing / (6.0 * curvedArea[i]);
   }
   return std::ranges::find(isChanged_, 1) != isChanged_.end();
 }
@@ -78,23 +92,19 @@ bool VolumeCorrection::isSelected(TriangleId triangle) const {
 
 Task<> VolumeCorrection::run(Work& work) {
   for (int pass = 0; pass < kMaxCorrections && findChanged(); ++pass) {
-    co_await correct(work, NodeKind::kLine);
-    co_await correct(work, NodeKind::kSmooth);
+    co_await correct(work, &VolumeCorrection::addLineGaps);
+    co_await correct(work,
+                     pass == 0 ? &VolumeCorrection::addPatchGap : &VolumeCorrection::addEvenGap);
   }
 }
 
-/// Moves the nodes of feature lines, or those inside patches. All gaps are measured before the first move.
-Task<> VolumeCorrection::correct(Work& work, NodeKind kind) {
+/// Moves nodes. All gaps are measured before the first move.
+Task<> VolumeCorrection::correct(Work& work, AddGap add) {
   gaps_.assign(complex_.nodeCount(), Gap{});
   co_await work.forEachId<TriangleId>(
       complex_.triangleSlots(),
-      [this, kind](TriangleId triangle) {
-        if (!isSelected(triangle)) return;
-        if (kind == NodeKind::kLine) {
-          addLineGaps(triangle);
-        } else {
-          addPatchGap(triangle);
-        }
+      [this, add](TriangleId triangle) {
+        if (isSelected(triangle)) (this->*add)(triangle);
       },
       kGapsPerUnit);
   co_await work.forEachId<NodeId>(complex_.nodeCount(), [this](NodeId node) { move(node); });
@@ -133,12 +143,25 @@ void VolumeCorrection::addPatchGap(TriangleId triangle) {
       reference_.nearest(centroid, patch, surface_.tolerance(), surface_.beneath(triangle));
   if (nearest.triangle.isNone()) return;
   const Vec3 cross = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-  const double weight = glm::length(cross);
-  const double height = glm::dot(nearest.position - centroid, cross) / weight;
+  addGap(triangle,
+         kMeanPerCentroid * glm::dot(nearest.position - centroid, cross) / glm::length(cross));
+}
+
+/// Spreads what is missing over the curved patches: the distances that are measured at the centroids have an error, which
+/// is the larger the coarser the given facets are.
+void VolumeCorrection::addEvenGap(TriangleId triangle) {
+  const SmoothPatchId patch = complex_.patchOf(triangle);
+  if (!reference_.patch(patch).isPlanar) addGap(triangle, evenGap_[partOf_[patch.index()]]);
+}
+
+/// Adds a distance from the triangle to the nodes inside its patch.
+void VolumeCorrection::addGap(TriangleId triangle, double height) {
+  const std::array<Vec3, 3> corners = complex_.cornersOf(triangle);
+  const Vec3 cross = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
   for (const NodeId node : complex_.nodesOf(triangle)) {
     if (complex_.kindOf(node) != NodeKind::kSmooth) continue;
-    gaps_[node.index()].sum += cross * (kMeanPerCentroid * height);
-    gaps_[node.index()].weight += weight;
+    gaps_[node.index()].sum += cross * height;
+    gaps_[node.index()].weight += glm::length(cross);
   }
 }
 

@@ -27,9 +27,12 @@ class VolumeCorrection {
   void findParts();
   [[nodiscard]] bool findChanged();
   [[nodiscard]] bool isSelected(TriangleId triangle) const;
-  Task<> correct(Work& work, NodeKind kind);
+  using AddGap = void (VolumeCorrection::*)(TriangleId triangle);
+  Task<> correct(Work& work, AddGap add);
   void addLineGaps(TriangleId triangle);
   void addPatchGap(TriangleId triangle);
+  void addEvenGap(TriangleId triangle);
+  void addGap(TriangleId triangle, double height);
   void move(NodeId node);
   bool tryMove(NodeId node, const Vec3& to);
   [[nodiscard]] bool followsLine(NodeId node, const Vec3& to) const;
@@ -40,7 +43,8 @@ class VolumeCorrection {
   std::vector<std::uint32_t> partOf_;  ///< per smooth patch
   std::vector<double> given_;          ///< per part: volume, times 6
   std::vector<std::uint8_t>
-      isChanged_;  ///< per part: true if its volume differs from the given one
+      isChanged_;                ///< per part: true if its volume differs from the given one
+  std::vector<double> evenGap_;  ///< per part: missing volume / area of its curved patches
 
   /// What a node has around it.
   struct Gap {
