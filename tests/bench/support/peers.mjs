@@ -1,5 +1,6 @@
 // Runs other meshers for comparison, if their Python packages are installed (tests/bench/peers/peers.py).
 import { spawnSync } from "node:child_process";
+import { tmpdir } from "node:os";
 import { fileURLToPath } from "node:url";
 import { pythonProgram } from "../../../scripts/lib/python.mjs";
 import { valuesOf } from "./engines.mjs";
@@ -37,6 +38,8 @@ function resultOf(words) {
   const { status, stdout, stderr, error } = spawnSync(python, [script, ...words], {
     encoding: "utf8",
     timeout: TIMEOUT_MS,
+    // fTetWild leaves a file in the folder where it runs.
+    cwd: tmpdir(),
   });
   if (error) return { failure: error.code === "ETIMEDOUT" ? "ran out of time" : error.message };
   if (status !== 0) return { failure: stderr.trim().split("\n").pop() || `exit status ${status}` };
