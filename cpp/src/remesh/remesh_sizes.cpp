@@ -13,8 +13,7 @@ double RemeshSizes::sizeAt(const Vec3& position, Hint& hint) const {
 SymmetricTensor RemeshSizes::tensorAt(const Vec3& position, Hint& hint) const {
   const SymmetricTensor tensor = given_.targetTensorAt(position, hint.field);
   if (!shape_) return tensor;
-  const SizeSites::Value value = shape_->at(position, hint.site);
-  hint.site = value.site;
+  const SizeSites::Value value = ofShape(position, hint);
   const Vec3& axis = axes_[shape_->givenIndexOf(value.site)];
   const double along = largestPossible(tensor);
   if (axis == Vec3(0.0) || along <= value.size) return cappedTo(tensor, value.size);
@@ -26,10 +25,14 @@ SymmetricTensor RemeshSizes::tensorAt(const Vec3& position, Hint& hint) const {
 }
 
 double RemeshSizes::cappedAt(const Vec3& position, double size, Hint& hint) const {
-  if (!shape_) return size;
-  const SizeSites::Value value = shape_->at(position, hint.site);
+  return shape_ ? std::min(size, ofShape(position, hint).size) : size;
+}
+
+SizeSites::Value RemeshSizes::ofShape(const Vec3& position, Hint& hint) const {
+  SizeSites::Value value = shape_->at(position, hint.site);
   hint.site = value.site;
-  return std::min(size, value.size);
+  value.size = std::max(value.size, cusps_.leastAt(position));
+  return value;
 }
 
 }  // namespace tetrafront

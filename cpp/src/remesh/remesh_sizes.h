@@ -10,6 +10,7 @@
 #include "field/size_field.h"
 #include "field/size_sites.h"
 #include "field/size_tensor.h"
+#include "remesh/cusps.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {
@@ -24,6 +25,8 @@ class RemeshSizes {
     shape_ = std::move(sites);
     axes_ = std::move(axes);
   }
+  /// Sizes of the shape are no smaller than these.
+  void raiseTo(CuspSizes cusps) { cusps_ = std::move(cusps); }
 
   /// Where the last query was. Keep one per node: near queries are faster.
   struct Hint {
@@ -35,11 +38,13 @@ class RemeshSizes {
   [[nodiscard]] SymmetricTensor tensorAt(const Vec3& position, Hint& hint) const;
 
  private:
+  [[nodiscard]] SizeSites::Value ofShape(const Vec3& position, Hint& hint) const;
   [[nodiscard]] double cappedAt(const Vec3& position, double size, Hint& hint) const;
 
   SizeField given_;
   std::optional<SizeSites> shape_;
   std::vector<Vec3> axes_;  ///< per given site of `shape_`
+  CuspSizes cusps_;
 };
 
 }  // namespace tetrafront

@@ -167,6 +167,23 @@ double SurfaceEditor::poorestRemoved() const {
   return poorest;
 }
 
+/// Returns the squared sine of the smallest angle of the removed triangles.
+double SurfaceEditor::smallestRemoved() const {
+  double smallest = 1.0;
+  for (const TriangleId t : change_.removed) {
+    smallest = std::min(smallest, squaredSineOf(complex_.nodesOf(t)));
+  }
+  return smallest;
+}
+
+double SurfaceEditor::smallestAdded() const {
+  double smallest = 1.0;
+  for (const SurfaceChange::Added& added : change_.added) {
+    smallest = std::min(smallest, squaredSineOf(added.nodes));
+  }
+  return smallest;
+}
+
 double SurfaceEditor::poorestAdded() const {
   double poorest = 1.0;
   for (const SurfaceChange::Added& added : change_.added) {
@@ -314,6 +331,15 @@ bool SurfaceEditor::keepsTopology(NodeId a, NodeId b) {
   return collapseKeepsTopology(edge_, ringA_, ringB_);
 }
 
+/// Compares the triangles of the change. In a cusp, a needle may become a cap with no smaller angles: the next collapse
+/// removes it.
+bool SurfaceEditor::allowsShapes(const CollapseRule& rule) const {
+  const double before = poorestRemoved();
+  const double after = poorestAdded();
+  if (rule.mustImprove) return after > before;
+  return after >= std::min(rule.poorest, before) || smallestAdded() >= smallestRemoved();
+}
+
 bool SurfaceEditor::collapse(NodeId a, NodeId b, const CollapseRule& rule) {
   if (complex_.kindOf(a) == NodeKind::kCorner) return false;
   complex_.collectEdge(a, b, edge_);
@@ -359,9 +385,7 @@ bool SurfaceEditor::collapse(NodeId a, NodeId b, const CollapseRule& rule) {
     change_.added.push_back({replaced(nodes, a, b), complex_.patchOf(t)});
   }
   if (change_.added.empty()) return false;
-  const double before = poorestRemoved();
-  const double after = poorestAdded();
-  if (rule.mustImprove ? after <= before : after < std::min(rule.poorest, before)) return false;
+  if (!allowsShapes(rule)) return false;
   if (isLine) change_.newLineEdges.push_back({other, b, joint.line});
   if (!apply()) return false;
   if (isLine) {

@@ -22,8 +22,9 @@ namespace tetrafront {
 /// Conditions under which a collapse is made.
 struct CollapseRule {
   double longest = 1.4;  ///< largest length of a new edge, in target lengths
-  double poorest =
-      0.3;  ///< smallest radius ratio of a new triangle, unless a removed one was below it
+  /// Smallest radius ratio of a new triangle, unless a removed one was below it or no new angle is smaller than the
+  /// smallest removed one.
+  double poorest = 0.3;
   bool mustImprove = false;  ///< the smallest radius ratio must rise
 };
 
@@ -81,6 +82,9 @@ class SurfaceEditor {
   /// Returns the corners in the space in which the target triangle is equilateral.
   [[nodiscard]] Corners inMetric(const NodeTriple& nodes, Corners corners) const;
   [[nodiscard]] double radiusRatioOf(const NodeTriple& nodes) const;
+  [[nodiscard]] bool allowsShapes(const CollapseRule& rule) const;
+  [[nodiscard]] double smallestRemoved() const;
+  [[nodiscard]] double smallestAdded() const;
   [[nodiscard]] double poorestRemoved() const;
   [[nodiscard]] double poorestAdded() const;
   [[nodiscard]] double meanAdded() const;

@@ -49,6 +49,8 @@ constexpr double kCornerDegrees = 50.0;
 /// given one, they hold for every point. In the other direction they test the guests only, and
 /// between them the distance may be slightly larger.
 constexpr double kTestedTolerance = 0.9;
+/// Deviation of the edges at a cusp from their feature lines / tested tolerance.
+constexpr double kCuspTolerance = 0.9;
 /// Relative error of the sizes that the shape asks for.
 constexpr float kSlack = 0.01F;
 /// Sizes sorted per unit of budget.
@@ -202,6 +204,9 @@ Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
   SizeSites sites(sizes.positions, sizes.sizes, options.growth, kSlack);
   co_await work.finish(sites, kSitesPerUnit);
   found.sizes->capTo(std::move(sites), std::move(sizes.axes));
+  const CuspRules narrow{lengths.minSize, lengths.maxSize,
+                         kCuspTolerance * kTestedTolerance * lengths.tolerance};
+  found.sizes->raiseTo(CuspSizes(findCusps(reference, narrow)));
   // Counting takes longer than this bound.
   const double most = std::accumulate(ofGiven.begin(), ofGiven.end(), 0.0) +
                       trianglesOn(areaOf(reference), lengths.minSize);
