@@ -73,13 +73,11 @@ constexpr Step kLastResortStep{.sweeps = kLastResort,
                                .again = Again::kWhileLastResortHelps,
                                .maxRepeats = kImprovementPasses};
 
-/// A few needles of the boundary leave elements around them that miss 12 degrees.
-constexpr Step lastResortLow() {
+constexpr Step lastResort(const DihedralTargets& targets) {
   Step step = kLastResortStep;
-  step.targets = kTargets12And160;
+  step.targets = targets;
   return step;
 }
-constexpr Step kLastResortLow = lastResortLow();
 
 constexpr Step ease(Entry entry) {
   return {.sweeps = kEase,
@@ -106,7 +104,10 @@ constexpr std::array kImproveSteps{
     repairLow(kTargets18And150, Entry::kAlways),
     repairLow(kTargets8And165),
     repairFlat(),
-    kLastResortLow,
+    // A few needles of the boundary leave elements around them that miss 12 or 22 degrees.
+    lastResort(kTargets12And160),
+    repairLow(kTargets22And145, Entry::kAlways),
+    lastResort(kTargets22And145),
     Step{.sweeps = kImprove,
          .costBasis = CostBasis::kTargets,
          .many = kManyHigh,

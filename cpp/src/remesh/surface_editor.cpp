@@ -21,6 +21,8 @@ constexpr double kNearMove = 0.05;
 constexpr double kAbsorbedHeight = 0.05;
 /// Squared sine of an angle below which the gain of a flip is rounding.
 constexpr double kLeastSquaredSine = 1e-12;
+/// Squared sine of half a degree. A cap with a smaller angle could stay for ever.
+constexpr double kLeastCapSquaredSine = 7.6e-5;
 /// If all triangles have radius ratios above this after a move, a rise of their mean justifies the
 /// move, even if the poorest triangle does not improve.
 constexpr double kGoodRatio = 0.6;
@@ -337,7 +339,9 @@ bool SurfaceEditor::allowsShapes(const CollapseRule& rule) const {
   const double before = poorestRemoved();
   const double after = poorestAdded();
   if (rule.mustImprove) return after > before;
-  return after >= std::min(rule.poorest, before) || smallestAdded() >= smallestRemoved();
+  if (after >= std::min(rule.poorest, before)) return true;
+  const double smallest = smallestAdded();
+  return smallest >= smallestRemoved() && smallest > kLeastCapSquaredSine;
 }
 
 bool SurfaceEditor::collapse(NodeId a, NodeId b, const CollapseRule& rule) {

@@ -38,7 +38,7 @@ namespace {
 constexpr double kMaxSizePerDiagonal = 1.0 / 20.0;
 constexpr double kMinSizePerDiagonal = 1.0 / 300.0;
 constexpr double kMinSizePerSize = 0.1;
-constexpr double kTolerancePerDiagonal = 1.0 / 1000.0;
+constexpr double kTolerancePerDiagonal = 1.0 / 700.0;
 constexpr double kTolerancePerSize = 0.05;
 constexpr double kDegreesPerEdge = 20.0;
 /// Angle per edge if sizes are given: a coarse limit that keeps round shapes round.
@@ -49,8 +49,10 @@ constexpr double kCornerDegrees = 50.0;
 /// given one, they hold for every point. In the other direction they test the guests only, and
 /// between them the distance may be slightly larger.
 constexpr double kTestedTolerance = 0.9;
+/// Deviation that sizes aim at / tolerance: changes need some room.
+constexpr double kPlannedTolerance = 0.7;
 /// Deviation of the edges at a cusp from their feature lines / tested tolerance.
-constexpr double kCuspTolerance = 0.9;
+constexpr double kCuspTolerance = 1.2;
 /// Relative error of the sizes that the shape asks for.
 constexpr float kSlack = 0.01F;
 /// Sizes sorted per unit of budget.
@@ -196,8 +198,9 @@ Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
   co_await work.yield();
 
   work.beginPart(0.7);
-  const ShapeSizeRules rules{lengths.maxSize, lengths.minSize, lengths.tolerance,
-                             lengths.radiansPerEdge, lengths.layers};
+  const ShapeSizeRules rules{lengths.maxSize, lengths.minSize,
+                             kPlannedTolerance * lengths.tolerance, lengths.radiansPerEdge,
+                             lengths.layers};
   ShapeSizes sizes = co_await findShapeSizes(work, reference, rules);
   if (sizes.positions.empty()) co_return found;
   work.beginPart(1.0);
