@@ -41,6 +41,11 @@ namespace {
 
 using Corners = std::array<Vec3, 3>;
 
+/// Cosine of the angle at `a` in the triangle a b c.
+double cosineAt(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return glm::dot(glm::normalize(b - a), glm::normalize(c - a));
+}
+
 SurfaceRemesh remesh(const SurfaceMesh& mesh, const RemeshOptions& options = {},
                      const std::vector<std::uint32_t>& groups = {},
                      std::uint32_t budget = 1U << 20U) {
@@ -497,12 +502,44 @@ TEST(Remesh, AbsorbsCapsOnBothSidesOfAnEdge) {
   }
 }
 
+/// A raised plate with a notch between a straight edge and an arc that is tangent to it, on a base.
+SurfaceMesh notchedPlate(double radius) {
+  Outline outline{{0.0, 0.0}, {3.0, 0.0}, {3.0, 1.0}};
+  for (int i = 0; i <= 24; ++i) {
+    const double angle = std::numbers::pi * (i / 48.0 - 0.5);
+    outline.push_back(Vec2(1.5, 1.0 + radius) + radius * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  outline.insert(outline.end(), {{1.5 + radius, 3.0}, {0.0, 3.0}});
+  return embossed({{-1.0, -1.0}, {4.0, -1.0}, {4.0, 4.0}, {-1.0, 4.0}}, {{outline, {}}}, 1.0, 0.5);
+}
+
+TEST(Remesh, MakesFewSharpTrianglesInACusp) {
+  // The angle of the longest edge that the tolerance allows falls with the root of the radius.
+  for (const auto& [radius, least] :
+       {std::pair(0.2, 8.0), std::pair(0.5, 7.0), std::pair(1.0, 4.5)}) {
+    for (int seed = 0; seed < 3; ++seed) {
+      SurfaceMesh given = notchedPlate(radius);
+      if (seed > 0) rotateRandomly(given, seed);
+      const SurfaceRemesh result = remesh(given);
+      const SurfaceMesh made = surfaceOf(result);
+      std::size_t sharp = 0;
+      for (const TriangleId t : IdRange<TriangleId>(countTriangles(made))) {
+        const auto [a, b, c] = cornersOf(made, t);
+        const double cosine = std::max({cosineAt(a, b, c), cosineAt(b, c, a), cosineAt(c, a, b)});
+        if (cosine > std::cos(20.0 * std::numbers::pi / 180.0)) ++sharp;
+      }
+      EXPECT_LE(sharp, 3U) << radius << ' ' << seed;
+      EXPECT_GT(result.smallestAngle, least) << radius << ' ' << seed;
+    }
+  }
+}
+
 TEST(Remesh, RemeshingAgainChangesLittle) {
   RemeshOptions options;
   options.size = 0.2;
   const SurfaceMesh once = surfaceOf(remesh(torus(2.0, 0.7, 48, 24), options));
   const SurfaceMesh twice = surfaceOf(remesh(once, options));
-  EXPECT_NEAR(countTriangles(twice), countTriangles(once), 0.15 * countTriangles(once));
+  EXPECT_NEAR(countTriangles(twice), countTriangles(once), 0.2 * countTriangles(once));
 }
 
 TEST(Remesh, DoesNotDependOnUnitsAndHardlyOnThePosition) {
@@ -554,7 +591,7 @@ TEST(Remesh, ReturnsAValidSurfaceWheneverItIsStopped) {
        !remesher.advance(100);)
     ++allSlices;
   std::size_t between = 0;
-  for (const double part : {0.0, 0.3, 0.5, 0.7, 0.9}) {
+  for (const double part : {0.0, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.9}) {
     const int slices = static_cast<int>(part * allSlices);
     SurfaceRemesher remesher(given.points, given.triangles, {}, {}, options);
     for (int i = 0; i < slices; ++i) remesher.advance(100);

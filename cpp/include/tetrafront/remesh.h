@@ -31,7 +31,7 @@ struct RemeshOptions {
   double minSize = 0.0;  ///< smallest automatic size; 0: chosen automatically
   double maxSize = 0.0;  ///< largest automatic size; 0: a twentieth of the surface's diagonal
   /// Largest distance between the two surfaces, measured from each to the other, in model units; 0:
-  /// a thousandth of the diagonal, and at most a twentieth of `size`.
+  /// 1/700 of the diagonal, and at most a twentieth of `size`.
   double tolerance = 0.0;
   double featureAngle =
       40.0;  ///< edges with a larger angle between their triangles stay sharp; degrees

@@ -17,6 +17,8 @@ constexpr double kCuspSlope = 0.47;
 /// First distance from the corner / width of the cusp at which the lines are compared, and factor from one to the next.
 constexpr double kFirstDistance = 0.5;
 constexpr double kDistanceFactor = 1.1;
+/// Two straight lines have the same angle at any distance. This is the least gain of the angle that justifies long edges.
+constexpr double kLeastOpening = 1.3;
 /// Fall of the least size per distance, beyond the reach.
 constexpr double kFall = 1.5;
 
@@ -49,14 +51,18 @@ double reachOf(const LineEnd& a, const LineEnd& b, const CuspRules& rules) {
   const double limit = rules.tolerance * rules.tolerance;
   const double last = std::min({a.line->length(), b.line->length(), rules.longest});
   double reach = 0.0;
+  double firstSlope = 0.0;
+  double slope = 0.0;
   for (double distance = kFirstDistance * rules.width; distance <= last;
        distance *= kDistanceFactor) {
     const double gap = glm::length(a.at(distance) - b.at(distance));
     if (gap > rules.width || gap > kCuspSlope * distance) break;
     if (a.squaredDeviation(distance) > limit || b.squaredDeviation(distance) > limit) break;
+    slope = gap / distance;
+    if (reach == 0.0) firstSlope = slope;
     reach = distance;
   }
-  return reach;
+  return slope > kLeastOpening * firstSlope ? reach : 0.0;
 }
 
 }  // namespace

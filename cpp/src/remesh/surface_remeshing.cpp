@@ -48,11 +48,11 @@ constexpr double kCornerDegrees = 50.0;
 /// The checks of a change use this fraction of the tolerance. From the remeshed surface to the
 /// given one, they hold for every point. In the other direction they test the guests only, and
 /// between them the distance may be slightly larger.
-constexpr double kTestedTolerance = 0.9;
+constexpr double kTestedTolerance = 0.85;
 /// Deviation that sizes aim at / tolerance: changes need some room.
 constexpr double kPlannedTolerance = 0.7;
 /// Deviation of the edges at a cusp from their feature lines / tested tolerance.
-constexpr double kCuspTolerance = 1.2;
+constexpr double kCuspTolerance = 1.25;
 /// Relative error of the sizes that the shape asks for.
 constexpr float kSlack = 0.01F;
 /// Sizes sorted per unit of budget.

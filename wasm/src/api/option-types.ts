@@ -41,7 +41,7 @@ export interface RemeshOptions {
   /** Largest automatic size, in model units. Default: 1/20 of the diagonal. Not together with other sizes. */
   readonly maxSize?: number | undefined;
   /**
-   * Largest distance between the given and the new surface, in both directions, in model units. Default: 1/1000 of the
+   * Largest distance between the given and the new surface, in both directions, in model units. Default: 1/700 of the
    * diagonal, but at most 1/20 of `size`.
    */
   readonly tolerance?: number | undefined;

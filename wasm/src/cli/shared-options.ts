@@ -52,7 +52,7 @@ export const withRemeshing = (command: Command, prefix = ""): Command =>
     .option("--max-size <length>", `${prefix}largest automatic size (default: 1/20 of the diagonal)`)
     .option(
       "--tolerance <distance>",
-      `${prefix}largest distance from the given surface (default: 1/1000 of the diagonal, at most 1/20 of --size)`,
+      `${prefix}largest distance from the given surface (default: 1/700 of the diagonal, at most 1/20 of --size)`,
     )
     .option(
       "--feature-angle <degrees>",

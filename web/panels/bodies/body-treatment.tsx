@@ -125,7 +125,7 @@ function RemeshingField({ body, field }: RemeshingFieldProps) {
 const defaults = {
   size: 1 / 20,
   minSize: { diagonal: 1 / 300, size: 1 / 10 },
-  tolerance: { diagonal: 1 / 1000, size: 1 / 20 },
+  tolerance: { diagonal: 1 / 700, size: 1 / 20 },
   anglePerEdge: { automatic: 20, size: 60 },
   growth: 0.3,
 } as const;
