@@ -19,6 +19,8 @@ constexpr double kLeastGain = 1e-3;
 constexpr double kNearMove = 0.05;
 /// Height / tolerance up to which the apex of a cap may be absorbed by the feature line beneath it.
 constexpr double kAbsorbedHeight = 0.05;
+/// Length / tolerance of an edge whose nodes nearly coincide.
+constexpr double kTinyEdge = 1e-3;
 /// Squared sine of an angle below which the gain of a flip is rounding.
 constexpr double kLeastSquaredSine = 1e-12;
 /// Squared sine of half a degree. A cap with a smaller angle could stay for ever.
@@ -376,8 +378,8 @@ bool SurfaceEditor::collapse(NodeId a, NodeId b, const CollapseRule& rule) {
   // The collapse would merge two feature edges, and one of two lines would be lost.
   if (isLine && isApex(other)) return false;
   // Between nodes that nearly coincide, no edge becomes longer.
-  const bool isTiny = glm::length(complex_.pointOf(b) - complex_.pointOf(a)) <=
-                      kAbsorbedHeight * surface_.tolerance();
+  const bool isTiny =
+      glm::length(complex_.pointOf(b) - complex_.pointOf(a)) <= kTinyEdge * surface_.tolerance();
   for (const NodeId node : ringA_) {
     if (!isTiny && node != b && !isApex(node) && lengthOf(node, b) > rule.longest) return false;
   }
