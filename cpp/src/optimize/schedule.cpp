@@ -119,6 +119,8 @@ constexpr std::array kImproveSteps{
     ease(Entry::kAlways),
     // Shape sweeps have changed the surroundings of the last few elements, so another try may
     // succeed.
+    lastResort(kTargets12And160),
+    lastResort(kTargets22And145),
     kLastResortStep,
     Step{.sweeps = kScore, .entry = Entry::kIfBefore},
     ease(Entry::kIfBefore),
