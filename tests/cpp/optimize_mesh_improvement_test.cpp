@@ -334,20 +334,86 @@ void appendScaled(VolumeMesh& mesh, const VolumeMesh& other, double factor, cons
   mesh.regions.resize(mesh.tetrahedra.size() / 4, 1);
 }
 
-TEST(MeshImprovement, RefusesAPartInsideAnother) {
-  const VolumeMesh cube = cubeOfTetrahedra(3);
-  const auto elements = static_cast<std::uint32_t>(cube.tetrahedra.size() / 4);
-  VolumeMesh nested = cube;
-  nested.regions.assign(elements, 0);
-  appendScaled(nested, cube, 0.2, Vec3(0.53, 0.41, 0.47));
-  const MeshImprovement made = improved(nested);
+/// Expects that an element of the part of region `outer` and one of region `inner` are named as overlapping.
+void expectNested(const VolumeMesh& mesh, std::uint32_t inner, std::uint32_t outer) {
+  const MeshImprovement made = improved(mesh);
   ASSERT_EQ(made.diagnostics.size(), 1U);
   EXPECT_EQ(made.diagnostics[0].code, DiagnosticCode::kOverlappingTetrahedra);
   EXPECT_EQ(made.diagnostics[0].values, std::vector<double>{1.0});
   ASSERT_EQ(made.diagnostics[0].entities.size(), 2U);
-  EXPECT_GE(made.diagnostics[0].entities[0].index, elements);
-  EXPECT_LT(made.diagnostics[0].entities[1].index, elements);
+  EXPECT_EQ(mesh.regions[made.diagnostics[0].entities[0].index], inner);
+  EXPECT_EQ(mesh.regions[made.diagnostics[0].entities[1].index], outer);
   EXPECT_TRUE(made.tetrahedra.empty());
+}
+
+/// Returns the mesh with its elements in the opposite order.
+VolumeMesh reversed(const VolumeMesh& mesh) {
+  VolumeMesh result = mesh;
+  std::ranges::reverse(result.regions);
+  std::ranges::reverse(result.tetrahedra);
+  return result;
+}
+
+TEST(MeshImprovement, RefusesAPartInsideAnother) {
+  const VolumeMesh cube = cubeOfTetrahedra(3);
+  VolumeMesh nested = cube;
+  nested.regions.assign(cube.tetrahedra.size() / 4, 0);
+  appendScaled(nested, cube, 0.2, Vec3(0.53, 0.41, 0.47));
+  expectNested(nested, 1, 0);
+  expectNested(reversed(nested), 1, 0);
+  MeshImprover improver(nested.points, nested.tetrahedra, nested.regions, {},
+                        Optimization::kDefault);
+  slicesOf(improver, 1);
+  const Diagnostic& found = improver.result().diagnostics.at(0);
+  EXPECT_EQ(found.values, std::vector<double>{1.0});
+  EXPECT_EQ(nested.regions[found.entities.at(1).index], 0U);
+}
+
+/// The elements of a cube of n^3 cells; those in the cells inside have nodes of their own and region 1.
+VolumeMesh cubeInLayers(int n) {
+  VolumeMesh mesh = cubeOfTetrahedra(n);
+  const auto nodes = static_cast<std::uint32_t>(mesh.points.size() / 3);
+  const std::vector<double> points = mesh.points;
+  mesh.points.insert(mesh.points.end(), points.begin(), points.end());
+  const auto isInside = [](double at) { return at > 0.0 && at < 1.0; };
+  mesh.regions.assign(mesh.tetrahedra.size() / 4, 0);
+  for (std::size_t t = 0; t < mesh.regions.size(); ++t) {
+    std::uint32_t* const corners = &mesh.tetrahedra[4 * t];
+    if (!std::all_of(corners, corners + 4, [&](std::uint32_t node) {
+          return std::ranges::all_of(positionOf(points, node), isInside);
+        })) {
+      continue;
+    }
+    for (std::size_t k = 0; k < 4; ++k) corners[k] += nodes;
+    mesh.regions[t] = 1;
+  }
+  return mesh;
+}
+
+TEST(MeshImprovement, AcceptsAPartThatFillsTheCavityOfAnother) {
+  const VolumeMesh mesh = cubeInLayers(4);
+  ASSERT_EQ(std::ranges::count(mesh.regions, 1U) * 8, std::ssize(mesh.regions));
+  for (const VolumeMesh& given : {mesh, reversed(mesh)}) {
+    const MeshImprovement made = improved(given);
+    EXPECT_TRUE(made.diagnostics.empty());
+    EXPECT_FALSE(made.tetrahedra.empty());
+  }
+}
+
+/// The nodes of the inner part are where interior nodes of the outer part are.
+TEST(MeshImprovement, RefusesElementsThatAreGivenAgainWithNodesOfTheirOwn) {
+  const VolumeMesh layers = cubeInLayers(4);
+  VolumeMesh mesh = cubeOfTetrahedra(4);
+  mesh.points = layers.points;
+  mesh.regions.assign(mesh.tetrahedra.size() / 4, 0);
+  for (std::size_t t = 0; t < layers.regions.size(); ++t) {
+    if (layers.regions[t] == 0) continue;
+    const auto first = layers.tetrahedra.begin() + 4 * static_cast<std::ptrdiff_t>(t);
+    mesh.tetrahedra.insert(mesh.tetrahedra.end(), first, first + 4);
+    mesh.regions.push_back(1);
+  }
+  expectNested(mesh, 1, 0);
+  expectNested(reversed(mesh), 1, 0);
 }
 
 /// The cavity of a hollow ball contains a smaller ball; a third one is far away.

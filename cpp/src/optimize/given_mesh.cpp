@@ -225,12 +225,15 @@ class GivenMeshMaker {
   Task<> checkBoundary(Work& work) {
     std::ranges::sort(boundary_);
     SurfaceMesh surface = weldedBoundary();
-    const std::vector<std::uint8_t> ignored = touching(surface);
-    work.beginPart(0.3);
+    co_await work.spend(boundary_.size());
+    const std::vector<TrianglePair> touching = findTouching(surface);
+    std::vector<std::uint8_t> ignored(boundary_.size(), 0);
+    for (const TrianglePair& pair : touching) ignored[pair[1].index()] = 1;
+    work.beginPart(0.2);
     BoxTreeBuilder builder(triangleBoxes(surface));
     co_await work.finish(builder);
     const BoxTree tree = builder.take();
-    work.beginPart(1.0);
+    work.beginPart(0.7);
     BoundaryReport report(surface, BoundarySource::kGivenSurface, 1);
     co_await checkSelfIntersections(work, surface, ignored, tree, report);
     for (const Diagnostic& found : report.take()) {
@@ -240,41 +243,100 @@ class GivenMeshMaker {
       overlapping_.add({elementAt(0), elementAt(1)}, found.position);
       overlapping_.set(static_cast<std::uint64_t>(found.values.at(0)));
     }
-    if (overlapping_.isEmpty()) checkNesting(surface, tree);
+    if (overlapping_.isEmpty()) {
+      for (const TrianglePair& pair : touching) ignored[pair[0].index()] = 1;
+      const std::vector<std::uint8_t> isOnBoundary = findBoundaryNodes();
+      removeTriangles(surface, ignored);
+      co_await checkNesting(work, surface, isOnBoundary);
+    }
     overlapping_.report(made_.diagnostics);
   }
 
+  /// Removes triangles and their faces of elements.
+  void removeTriangles(SurfaceMesh& surface, std::span<const std::uint8_t> isRemoved) {
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < boundary_.size(); ++t) {
+      if (isRemoved[t] != 0) continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        surface.triangles[3 * kept + k] = surface.triangles[3 * t + k];
+      }
+      boundary_[kept++] = boundary_[t];
+    }
+    surface.triangles.resize(3 * kept);
+    boundary_.resize(kept);
+  }
+
   /// Without self-intersections, components of the boundary can still be inside each other: one that bounds elements from
-  /// outside must be outside all elements of the others, and one around a cavity inside them once.
-  void checkNesting(const SurfaceMesh& surface, const BoxTree& tree) {
+  /// outside must be outside all elements of the others, and one around a cavity inside them once. Parts that are joined by
+  /// an edge have one component. `surface`: the boundary without the triangles at which parts touch.
+  Task<> checkNesting(Work& work, const SurfaceMesh& surface,
+                      std::span<const std::uint8_t> isOnBoundary) {
+    work.beginPart(0.8);
+    BoxTreeBuilder builder(triangleBoxes(surface));
+    co_await work.finish(builder);
+    const BoxTree tree = builder.take();
     const EdgeTable edges(surface.triangles, countNodes(surface), {});
+    co_await work.spend(countTriangles(surface));
     const std::vector<ComponentId> componentOf = connectedComponents(surface, edges);
-    std::vector<double> volumes;
-    std::vector<TriangleId> firstTriangle;
+    co_await work.spend(countTriangles(surface));
+    const std::vector<BoundaryComponent> components = measureComponents(surface, componentOf);
+    co_await work.spend(countTriangles(surface));
+    const ShellNesting nesting(surface, componentOf, components.size(), {}, tree);
+    work.beginPart(0.9);
+    std::vector<ComponentId> inside;
+    co_await work.forEachId<ComponentId>(components.size(), [&](ComponentId component) {
+      const int allowed = components[component.index()].volume < 0.0 ? 1 : 0;
+      if (nesting.windingAround(component) > allowed) inside.push_back(component);
+    });
+    if (inside.empty()) co_return;
+    const Vec3 start = nesting.startOf(inside[0]);
+    const TetId inner = boundary_[components[inside[0].index()].first.index()].tet();
+    work.beginPart(1.0);
+    std::vector<TetId> around;
+    co_await work.forEachId<TetId>(countTetrahedra(mesh_), [&](TetId tet) {
+      if (around.empty() && tet != inner && isAround(tet, start, isOnBoundary))
+        around.push_back(tet);
+    });
+    std::vector<Entity> elements{entityOf(inner)};
+    if (!around.empty()) elements.push_back(entityOf(around[0]));
+    overlapping_.add(std::move(elements), start);
+    overlapping_.set(inside.size());
+  }
+
+  /// A connected part of the boundary.
+  struct BoundaryComponent {
+    TriangleId first;
+    double volume = 0.0;  ///< times 6; negative around a cavity
+  };
+
+  static std::vector<BoundaryComponent> measureComponents(
+      const SurfaceMesh& surface, std::span<const ComponentId> componentOf) {
+    std::vector<BoundaryComponent> components;
     for (const TriangleId t : IdRange<TriangleId>(componentOf.size())) {
-      if (componentOf[t.index()].index() == volumes.size()) {
-        volumes.push_back(0.0);
-        firstTriangle.push_back(t);
-      }
       const std::size_t component = componentOf[t.index()].index();
-      const Vec3 origin = pointOf(surface, nodesOf(surface, firstTriangle[component])[0]);
+      if (component == components.size()) components.push_back({t});
+      const Vec3 origin = pointOf(surface, nodesOf(surface, components[component].first)[0]);
       const auto [a, b, c] = cornersOf(surface, t);
-      volumes[component] += glm::dot(a - origin, glm::cross(b - origin, c - origin));
+      components[component].volume += glm::dot(a - origin, glm::cross(b - origin, c - origin));
     }
-    const ShellNesting nesting(surface, componentOf, volumes.size(), {}, tree);
-    for (const ComponentId component : IdRange<ComponentId>(volumes.size())) {
-      const int allowed = volumes[component.index()] < 0.0 ? 1 : 0;
-      if (nesting.windingAround(component) <= allowed) continue;
-      const Vec3& start = nesting.startOf(component);
-      const TetId inner = boundary_[firstTriangle[component.index()].index()].tet();
-      std::vector<Entity> elements{entityOf(inner)};
-      for (const TetId tet : IdRange<TetId>(countTetrahedra(mesh_))) {
-        if (tet == inner || !contains(tet, start)) continue;
-        elements.push_back(entityOf(tet));
-        break;
-      }
-      overlapping_.add(std::move(elements), start);
+    return components;
+  }
+
+  [[nodiscard]] std::vector<std::uint8_t> findBoundaryNodes() const {
+    std::vector<std::uint8_t> isOnBoundary(countNodes(mesh_), 0);
+    for (const ElementFace face : boundary_) {
+      for (const NodeId node : cornersOfFace(mesh_, face)) isOnBoundary[node.index()] = 1;
     }
+    return isOnBoundary;
+  }
+
+  /// Returns whether the element contains a position on the boundary of another part. Elements of that part that contain
+  /// the position have a boundary node there.
+  [[nodiscard]] bool isAround(TetId tet, const Vec3& position,
+                              std::span<const std::uint8_t> isOnBoundary) const {
+    return contains(tet, position) && std::ranges::none_of(nodesOf(mesh_, tet), [&](NodeId node) {
+             return isOnBoundary[node.index()] != 0 && pointOf(mesh_, node) == position;
+           });
   }
 
   [[nodiscard]] bool contains(TetId tet, const Vec3& position) const {
@@ -307,12 +369,14 @@ class GivenMeshMaker {
     return surface;
   }
 
-  /// Returns a flag per triangle: 1 for the second of two that touch from opposite sides.
-  static std::vector<std::uint8_t> touching(const SurfaceMesh& surface) {
+  using TrianglePair = std::array<TriangleId, 2>;
+
+  /// Returns the pairs of triangles that touch from opposite sides. A triangle is in at most one pair.
+  static std::vector<TrianglePair> findTouching(const SurfaceMesh& surface) {
     struct Oriented {
       NodeTriple nodes;
       std::uint32_t isEven;
-      std::uint32_t triangle;
+      TriangleId triangle;
     };
     std::vector<Oriented> all;
     all.reserve(countTriangles(surface));
@@ -321,15 +385,16 @@ class GivenMeshMaker {
       const NodeTriple ascending = sorted(nodes);
       const auto lowest =
           static_cast<std::size_t>(std::ranges::find(nodes, ascending[0]) - nodes.begin());
-      all.push_back({ascending, nodes[(lowest + 1) % 3] == ascending[1] ? 1U : 0U, t.value});
+      all.push_back({ascending, nodes[(lowest + 1) % 3] == ascending[1] ? 1U : 0U, t});
     }
     stableSort(all, [](const Oriented& a, const Oriented& b) { return a.nodes < b.nodes; });
-    std::vector<std::uint8_t> isTouching(all.size(), 0);
+    std::vector<TrianglePair> touching;
     for (std::size_t i = 1; i < all.size(); ++i) {
       if (all[i].nodes != all[i - 1].nodes || all[i].isEven == all[i - 1].isEven) continue;
-      if (isTouching[all[i - 1].triangle] == 0) isTouching[all[i].triangle] = 1;
+      if (!touching.empty() && touching.back()[1] == all[i - 1].triangle) continue;
+      touching.push_back({all[i - 1].triangle, all[i].triangle});
     }
-    return isTouching;
+    return touching;
   }
 
   /// Numbers the parts. Elements on both sides of a kept triangle that separates nothing are parts of their own: the
