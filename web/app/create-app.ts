@@ -68,7 +68,7 @@ export async function createApp({ autosave, generate, intent, still = false }: A
     app.shell.setState({ message: { title: strings.messages.unknownExample(intent.id), lines } });
   }
   keepDocuments(app);
-  if (generate) void app.run.generate();
+  if (generate) void app.run.generate("app");
   return app;
 }
 

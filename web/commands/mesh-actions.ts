@@ -1,17 +1,24 @@
 import type { App } from "../app/app";
 import { hideNotice, showNotice } from "../session/shell";
+import type { Improvement } from "../session/shown-mesh";
 import { improvementText, strings } from "../strings";
 import { showMessage } from "./messages";
 
 /** Improves the elements of the shown mesh, and reports what was gained. */
 export async function improveMesh(app: App): Promise<void> {
-  const reasons = await app.run.improve();
-  if (reasons) {
-    showMessage(app, strings.messages.notImproved, reasons);
-    return;
-  }
-  const { improvement } = app.run.state.getState();
-  if (!improvement) return;
+  const end = await app.run.improve();
+  if (end?.kind === "failed") showMessage(app, strings.messages.notImproved, end.reasons);
+  else if (end?.kind === "discarded") {
+    showNotice(app.shell, {
+      key: "improvement",
+      tone: "information",
+      text: strings.notices.improvementDiscarded,
+      action: { label: strings.notices.understood, run: () => undefined },
+    });
+  } else if (end?.improvement) showGain(app, end.improvement);
+}
+
+function showGain(app: App, improvement: Improvement): void {
   hideNotice(app.shell, "file-notes");
   showNotice(app.shell, {
     key: "improvement",

@@ -52,12 +52,12 @@ export class BodyCheck {
     this.#active = { key, abort };
     this.#errorsOf(project, preparedBodies, abort)
       .then((errors) => {
-        if (this.#active?.key === key) this.state.setState({ key, errors });
+        if (this.#active?.abort === abort) this.state.setState({ key, errors });
       })
       // A run will report what has failed.
       .catch(() => undefined)
       .finally(() => {
-        if (this.#active?.key === key) this.#active = null;
+        if (this.#active?.abort === abort) this.#active = null;
       });
   }
 

@@ -14,14 +14,17 @@ export interface Preparation {
   readonly drawn: DrawnSurface;
 }
 
-/** Number of results kept, so that undo restores the old preview at once. */
-const maxKept = 4;
+/** Number of results kept beside those of the present bodies, so that undo restores the old preview at once. */
+const maxOthers = 3;
 
-/** Makes the triangles that a run would mesh. Keeps the last results by the content that they were made from. */
+/**
+ * Makes the triangles that a run would mesh. Keeps the results of all bodies, and the last others, by the content that they
+ * were made from.
+ */
 export class BodyPreparations {
   readonly #mesher: Promise<Mesher>;
   readonly #surfaces: SurfaceClient;
-  /** The result used last is the last one. */
+  /** The result made last is the last one. */
   readonly #kept = new Map<string, Preparation>();
 
   constructor(mesher: Promise<Mesher>, surfaces: SurfaceClient) {
@@ -56,15 +59,16 @@ export class BodyPreparations {
     const drawn = await this.#surfaces.draw(surfaceOf(prepared), body.patches.length, sharesOf(prepared));
     signal.throwIfAborted();
     const made = { key, prepared, drawn };
-    this.#keep(made);
+    this.#keep(project, made);
     return made;
   }
 
-  #keep(made: Preparation): void {
+  #keep(project: Project, made: Preparation): void {
     this.#kept.delete(made.key);
     this.#kept.set(made.key, made);
-    const [oldest] = this.#kept.keys();
-    if (this.#kept.size > maxKept && oldest !== undefined) this.#kept.delete(oldest);
+    const present = new Set(bodiesOf(project).map((body) => preparedKey(project, body)));
+    const others = [...this.#kept.keys()].filter((key) => !present.has(key));
+    for (const key of others.slice(0, Math.max(0, others.length - maxOthers))) this.#kept.delete(key);
   }
 }
 

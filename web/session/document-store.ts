@@ -82,6 +82,13 @@ export class DocumentStore {
     this.#set(commit(this.state.getState().history, edit, this.#now(), this.held));
   }
 
+  /** Shows the mesh that a run makes of the project, without a step of undo. Does nothing during a gesture. */
+  forgetMeshVersion(): void {
+    if (this.#gesture) return;
+    const { history } = this.state.getState();
+    this.#set({ ...history, present: { ...history.present, meshVersion: null } });
+  }
+
   /** Begins a gesture, after committing the current one. */
   begin(label: string): Gesture {
     this.#gesture?.commit();

@@ -1,7 +1,6 @@
 import type { Mesher, MeshResult, PreparedBody, Progress, Project, UnoptimizedMesh } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { meshKey, shownMeshKey, versionedKey } from "../document/content-keys";
-import type { DocumentContent } from "../document/edit";
 import { engineInput } from "../document/engine-input";
 import { logStrings, phaseNames, remedyInApp, stepNames } from "../strings";
 import {
@@ -12,7 +11,7 @@ import {
   type DocumentStore,
 } from "./document-store";
 import { failureText } from "./failure-text";
-import { improvedMesh, reasonsOf, type ShownMesh } from "./shown-mesh";
+import { improvedMesh, reasonsOf, type Improvement, type ShownMesh } from "./shown-mesh";
 
 export type LogLevel = "information" | "success" | "warning" | "error";
 
@@ -44,6 +43,7 @@ export interface RunState {
   readonly origin: ShownMesh["origin"];
   readonly improvement: ShownMesh["improvement"];
   readonly edgeReference: ShownMesh["edgeReference"];
+  readonly isValid: ShownMesh["isValid"];
   /** Key of the content that `mesh` belongs to. */
   readonly meshKey: string | null;
   /** Result of the last run. Unlike `mesh`, it may hold diagnostics only. */
@@ -52,6 +52,16 @@ export interface RunState {
   readonly failure: string | null;
   readonly log: readonly LogLine[];
 }
+
+/** How an improvement has ended. */
+export type ImprovementEnd =
+  | { readonly kind: "shown"; readonly improvement: Improvement | null }
+  /** The model has changed meanwhile. */
+  | { readonly kind: "discarded" }
+  | { readonly kind: "failed"; readonly reasons: readonly string[] };
+
+/** Who has asked for a run. Only the runs of the user are steps of undo. */
+export type RunOrigin = "user" | "app";
 
 const emptyRun: RunState = {
   busy: false,
@@ -64,6 +74,7 @@ const emptyRun: RunState = {
   origin: null,
   improvement: null,
   edgeReference: "target",
+  isValid: null,
   meshKey: null,
   outcome: null,
   failure: null,
@@ -80,6 +91,11 @@ const maxLogLines = 400;
  * Without graphics hardware, each update takes time from the mesher.
  */
 const progressWait = { share: 0.04, min: 0.1, max: 1 };
+
+const madeByRun = { origin: null, improvement: null, edgeReference: "target", isValid: null } as const;
+
+const isShowable = ({ volume, surface }: MeshResult): boolean =>
+  volume.tetrahedra.length > 0 || surface.triangles.length > 0;
 
 const count = (value: number): string => value.toLocaleString("en-US");
 
@@ -108,12 +124,12 @@ export class MeshRun {
   }
 
   /** Meshes the current project, unless a run is active. Resolves when the run has ended. */
-  generate(): Promise<void> {
-    if (!this.#abort) this.#running = this.#mesh();
+  generate(by: RunOrigin = "user"): Promise<void> {
+    if (!this.#abort) this.#running = this.#mesh(by);
     return this.#running;
   }
 
-  async #mesh(): Promise<void> {
+  async #mesh(by: RunOrigin): Promise<void> {
     const abort = this.#begin("mesh");
     const project = settledProject(this.#documents.state.getState());
     // Use the time that the run reports: a busy page receives progress messages late.
@@ -138,7 +154,9 @@ export class MeshRun {
         },
       );
       elapsedSeconds = result.report.seconds.total;
-      this.#finish(meshKey(project), result, log);
+      const key = meshKey(project);
+      this.#finish(key, result, log);
+      if (isShowable(result)) this.#replaceVersion(key, by);
     } catch (error) {
       const failure = failureText(error);
       this.state.setState({ failure });
@@ -162,20 +180,27 @@ export class MeshRun {
 
   /**
    * Improves the elements of the shown mesh as one step of undo. A cancelled improvement keeps what it has reached.
-   * Returns why this is impossible, or null.
+   * Returns null if no mesh can be improved now.
    */
-  async improve(): Promise<readonly string[] | null> {
+  async improve(): Promise<ImprovementEnd | null> {
     const state = this.state.getState();
-    const { mesh, origin, improvement, edgeReference } = state;
+    const { mesh } = state;
     if (this.#abort || !mesh || !canImprove(state, this.#documents.state.getState())) return null;
+    const improving = this.#improve({ ...state, mesh });
+    this.#running = improving.then(() => undefined);
+    return improving;
+  }
+
+  async #improve({ mesh, origin, improvement, edgeReference, isValid }: ShownMesh): Promise<ImprovementEnd> {
     const abort = this.#begin("improve");
     let elapsedSeconds = 0;
     const log = (level: LogLevel, text: string): void => this.#log(elapsedSeconds, level, text);
-    const content = settledContent(this.#documents.state.getState());
+    const document = this.#documents.state.getState();
+    const { project } = settledContent(document);
     log("information", logStrings.improving(count(mesh.report.tetrahedra)));
     try {
-      const { optimization = "default" } = content.project.meshing ?? {};
-      const before = { mesh, origin, improvement, edgeReference };
+      const { optimization = "default" } = project.meshing ?? {};
+      const before = { mesh, origin, improvement, edgeReference, isValid };
       const after = await improvedMesh(await this.#mesher, before, optimization, {
         signal: abort.signal,
         onProgress: (progress) => {
@@ -183,31 +208,35 @@ export class MeshRun {
           if (isDue(this.state.getState().progress, progress)) this.state.setState({ progress });
         },
       });
-      this.#finishImprovement(content, before, after);
+      if (!this.#finishImprovement(document, before, after)) {
+        log("warning", logStrings.improvementDiscarded);
+        return { kind: "discarded" };
+      }
       if (after.improvement) log("success", logStrings.improved(after.improvement));
-      return null;
+      return { kind: "shown", improvement: after.improvement };
     } catch (error) {
       const reasons = reasonsOf(error);
       for (const reason of reasons) log("error", reason);
-      return reasons;
+      return { kind: "failed", reasons };
     } finally {
       this.#end();
     }
   }
 
-  /** Shows a better mesh, unless the document has changed meanwhile. */
-  #finishImprovement(content: DocumentContent, before: ShownMesh, after: ShownMesh): void {
-    const present = settledContent(this.#documents.state.getState());
-    if (present.project !== content.project || present.meshVersion !== content.meshVersion) return;
-    const key = shownMeshKey(content);
+  /** Shows a better mesh, unless the model has changed since `document`. Returns whether it is shown. */
+  #finishImprovement(document: DocumentState, before: ShownMesh, after: ShownMesh): boolean {
+    const { id, history } = this.#documents.state.getState();
+    const key = shownMeshKey(settledContent(document));
+    if (id !== document.id || shownMeshKey(history.present) !== key) return false;
     if (after.mesh === before.mesh) {
       this.state.setState({ improvement: after.improvement });
-      return;
+      return true;
     }
     this.#remember(key, before);
-    const version = this.keep(content.project, after);
+    const version = this.keep(history.present.project, after);
     const replace = [[["meshVersion"], version]] as const;
     this.#documents.edit({ label: stepNames.improve, replace });
+    return true;
   }
 
   /** Begins the log of a document with the file of its mesh. */
@@ -229,16 +258,16 @@ export class MeshRun {
     const key = shownMeshKey(settledContent(this.#documents.state.getState()));
     const { mesh, outcome } = this.state.getState();
     if (mesh && this.state.getState().meshKey !== key) {
-      this.state.setState({ mesh: null, origin: null, improvement: null, meshKey: null });
+      this.state.setState({ mesh: null, origin: null, improvement: null, isValid: null, meshKey: null });
     }
     if (outcome && outcome.key !== key) this.state.setState({ outcome: null, failure: null, log: [] });
   }
 
-  /** Cancels the active run and meshes the current project. */
+  /** Cancels the active run and meshes the current project, without a step of undo. */
   async restart(): Promise<void> {
     this.cancel();
     await this.#running;
-    await this.generate();
+    await this.generate("app");
   }
 
   cancel(): void {
@@ -270,26 +299,28 @@ export class MeshRun {
     }
     log(report.status === "done" ? "success" : "warning", summary(result));
     this.state.setState({ outcome: { key, result } });
-    const showable = result.volume.tetrahedra.length > 0 || result.surface.triangles.length > 0;
-    if (!showable) return;
-    const shown: ShownMesh = { mesh: result, origin: null, improvement: null, edgeReference: "target" };
+    if (!isShowable(result)) return;
+    const shown: ShownMesh = { ...madeByRun, mesh: result };
     this.state.setState({ ...shown, meshKey: key, front: null, unoptimized: null });
     if (report.status === "done" && report.tetrahedra <= maxCachedTetrahedra) this.#remember(key, shown);
-    this.#replaceVersion(key);
   }
 
-  /** A new mesh replaces one that was opened or improved, as a step of undo. */
-  #replaceVersion(key: string): void {
+  /** A new mesh replaces one that was opened or improved, as a step of undo if the user has asked for it. */
+  #replaceVersion(key: string, by: RunOrigin): void {
     const content = settledContent(this.#documents.state.getState());
     if (meshKey(content.project) !== key || shownMeshKey(content) === key) return;
-    this.#documents.edit({ label: stepNames.generate, replace: [[["meshVersion"], null]] });
+    if (by === "app") this.#documents.forgetMeshVersion();
+    else this.#documents.edit({ label: stepNames.generate, replace: [[["meshVersion"], null]] });
   }
 
+  /** Keeps a mesh. The oldest one that a run can make again is dropped first, then the oldest one. */
   #remember(key: string, shown: ShownMesh): void {
     this.#cache.delete(key);
     this.#cache.set(key, shown);
-    const [oldest] = this.#cache.keys();
-    if (this.#cache.size > cachedMeshes && oldest !== undefined) this.#cache.delete(oldest);
+    if (this.#cache.size <= cachedMeshes) return;
+    const kept = [...this.#cache];
+    const [dropped] = kept.find(([, { isValid }]) => isValid === null) ?? kept[0] ?? [];
+    if (dropped !== undefined) this.#cache.delete(dropped);
   }
 
   #showCached(key: string): void {
@@ -348,8 +379,12 @@ export function isStale(run: RunState, document: DocumentState): boolean {
   return content.project !== document.history.present.project || run.meshKey !== shownMeshKey(content);
 }
 
-/** Returns whether the shown mesh is finished and up to date, so that its elements can be improved. */
+/**
+ * Returns whether the elements of the shown mesh can be improved: it is finished and up to date, and not stretched, because
+ * an improvement measures in space.
+ */
 export function canImprove(run: RunState, document: DocumentState): boolean {
-  const { report } = run.mesh ?? {};
+  const { report, metricShapes } = run.mesh ?? {};
+  if (metricShapes) return false;
   return !run.busy && report?.status === "done" && report.tetrahedra > 0 && !isStale(run, document);
 }

@@ -19,7 +19,6 @@ export interface MeshOrigin {
   readonly regions: readonly FileGroup[];
   /** Elements that were inverted in the file, until the mesh is improved. */
   readonly invertedTetrahedra: Uint32Array | undefined;
-  readonly isValid: boolean;
 }
 
 /** What an improvement has gained. */
@@ -33,18 +32,20 @@ export interface ShownMesh {
   /** Null if a run made the mesh. */
   readonly origin: MeshOrigin | null;
   readonly improvement: Improvement | null;
+  /** Whether its inspection has found no defect. Null if a run made the mesh, which verifies what it makes. */
+  readonly isValid: boolean | null;
 }
 
 /** Returns a mesh that was read from a file. Rejects if its arrays are invalid. */
 export async function openedMesh(mesher: Mesher, fileName: string, opened: OpenedMesh): Promise<ShownMesh> {
   const { volume, regions, invertedTetrahedra } = opened;
   const inspection = await mesher.inspectMesh({ ...volume, invertedTetrahedra });
-  const { isValid } = inspection;
   return {
     mesh: inspectedResult(opened, inspection),
     edgeReference: "mean",
-    origin: { fileName, regions, invertedTetrahedra, isValid },
+    origin: { fileName, regions, invertedTetrahedra },
     improvement: null,
+    isValid: inspection.isValid,
   };
 }
 
@@ -71,8 +72,9 @@ export async function improvedMesh(
   return {
     mesh: improvedResult(mesh, found, inspection),
     edgeReference: "mean",
-    origin: origin && { ...origin, invertedTetrahedra: undefined, isValid: inspection.isValid },
+    origin: origin && { ...origin, invertedTetrahedra: undefined },
     improvement,
+    isValid: inspection.isValid,
   };
 }
 

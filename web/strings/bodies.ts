@@ -26,7 +26,6 @@ const counted = (count: number, one: string, many: string): string =>
   count === 1 ? `1 ${one}` : `${count.toLocaleString("en-US")} ${many}`;
 
 export const bodyStrings = {
-  files: "Surface file",
   opening: (file: string) => `Opening ${file}…`,
   cancelOpening: "Cancel opening",
   import: "Import surface",

@@ -74,6 +74,7 @@ export const logStrings = {
   opened: (file: string, size: string) => `Opened ${file}: ${size}`,
   improving: (tetrahedra: string) => `Improving ${tetrahedra} tetrahedra`,
   improved: (improvement: Gain) => improvementText(improvement),
+  improvementDiscarded: "The model has changed meanwhile, so the improvement was discarded",
 } as const;
 
 /** Shapes of the elements before and after an improvement. */

@@ -99,6 +99,7 @@ export const pageStrings = {
     retry: "Try again",
     dismiss: "Dismiss",
     understood: "OK",
+    improvementDiscarded: "The improvement was discarded, because the model has changed meanwhile.",
     showQuality: "Show quality",
   },
   files: {

@@ -89,6 +89,7 @@ export const panelStrings = {
     title: "Improvement",
     improve: "Improve mesh",
     hint: "Swaps, moves, splits and collapses until no element gets better. The boundary and its patches stay; nothing gets worse.",
+    stretched: "A stretched mesh cannot be improved, because an improvement measures the elements in space.",
     columns: ["", "Before", "After"],
     smallestAngle: "Smallest angle",
     largestAngle: "Largest angle",
@@ -119,10 +120,10 @@ export const panelStrings = {
       passed:
         "Verified in exact arithmetic: every element has positive volume, neighbouring elements share a whole face, and the boundary is unchanged.",
       inspected:
-        "Inspected: every element of the file has positive volume, and neighbouring elements share a whole face.",
+        "Inspected: every element has positive volume, and neighbouring elements share a whole face.",
       failed: "",
       invalid:
-        "The file has elements that are inverted, degenerate, duplicate or overlap, or nodes at the same position. Improve mesh inverts inverted elements and names the others.",
+        "The mesh has inverted, degenerate, duplicate or overlapping elements, or nodes at the same position. Improve mesh orients inverted elements and names the others.",
       none: "The mesh is verified when it is finished.",
     },
     region: "Region",

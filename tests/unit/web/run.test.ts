@@ -1,8 +1,10 @@
 import { describe, expect, it } from "vitest";
 import { createMesher, type Mesher, type Phase, type Progress, type RunControl } from "tetrafront";
 import { emptyProject } from "../../../web/document/create";
-import { MeshRun, type LogLine } from "../../../web/session/run";
-import { DocumentStore } from "../../../web/session/document-store";
+import { meshKey, versionedKey } from "../../../web/document/content-keys";
+import { DocumentStore, newDocument } from "../../../web/session/document-store";
+import { canImprove, isStale, MeshRun, type LogLine } from "../../../web/session/run";
+import { cubeProject } from "../../support/projects";
 
 const report = (phase: Phase, elapsedSeconds: number): Progress => ({
   phase,
@@ -96,5 +98,125 @@ describe("the picture of a run", () => {
       [null, unoptimized],
     ]);
     expect(run.state.getState()).toMatchObject({ front: null, unoptimized: null });
+  });
+});
+
+/** Runs of a cube with a mesher whose improvement ends when `finish` is called, with a better mesh. */
+async function improvable(meshVersion?: string) {
+  const real = await createMesher();
+  const project = cubeProject();
+  let finish = (): void => undefined;
+  const finished = new Promise<void>((resolve) => (finish = resolve));
+  const mesher: Mesher = Object.assign(Object.create(real) as Mesher, {
+    meshProject: (...given: Parameters<Mesher["meshProject"]>) => real.meshProject(...given),
+    inspectMesh: (...given: Parameters<Mesher["inspectMesh"]>) => real.inspectMesh(...given),
+    improveMesh: async (...given: Parameters<Mesher["improveMesh"]>) => {
+      const [mesh, options, control] = given;
+      await Promise.race([
+        finished,
+        new Promise<void>((resolve) => {
+          if (control?.signal?.aborted === true) resolve();
+          else control?.signal?.addEventListener("abort", () => resolve());
+        }),
+      ]);
+      const found = await real.improveMesh(mesh, options);
+      return { ...found, isImproved: true };
+    },
+  });
+  const documents = new DocumentStore(project);
+  if (meshVersion !== undefined) {
+    documents.show(newDocument(project, null, versionedKey(meshKey(project), meshVersion)));
+  }
+  const run = new MeshRun(documents, Promise.resolve(mesher));
+  const steps = (): string[] => documents.state.getState().history.past.map(({ label }) => label);
+  const stale = (): boolean => isStale(run.state.getState(), documents.state.getState());
+  return { documents, run, steps, stale, finish, project, dispose: () => real.dispose() };
+}
+
+const renamed = (name: string) => ({ label: "Rename", replace: [[["project", "name"], name]] }) as const;
+
+describe("an improvement", () => {
+  it("is ended by a restart, which then meshes the new project", async () => {
+    const { documents, run, project, stale, dispose } = await improvable();
+    await run.generate();
+    const improving = run.improve();
+    expect(run.state.getState().task).toBe("improve");
+    documents.show(newDocument({ ...project, meshing: { size: 0.4 } }));
+    run.forgetOthers();
+    await run.restart();
+    expect(await improving).toEqual({ kind: "discarded" });
+    expect(run.state.getState()).toMatchObject({ busy: false, task: "mesh" });
+    expect(run.state.getState().mesh?.report.status).toBe("done");
+    expect(stale()).toBe(false);
+    dispose();
+  });
+
+  it("is discarded if the model changes meanwhile, but not if it is only renamed", async () => {
+    const { documents, run, steps, stale, finish, dispose } = await improvable();
+    await run.generate();
+    const first = run.improve();
+    documents.edit({ label: "Refine", replace: [[["project", "meshing"], { size: 0.4 }]] });
+    finish();
+    expect(await first).toEqual({ kind: "discarded" });
+    expect(steps()).toEqual(["Refine"]);
+    documents.undo();
+    const second = run.improve();
+    documents.edit(renamed("another name"));
+    expect(await second).toMatchObject({ kind: "shown", improvement: { isImproved: true } });
+    expect(steps()).toEqual(["Rename", "Improve mesh"]);
+    expect(documents.project.name).toBe("another name");
+    expect(stale()).toBe(false);
+    expect(run.state.getState()).toMatchObject({ isValid: true, improvement: { isImproved: true } });
+    documents.undo();
+    expect(run.state.getState()).toMatchObject({ isValid: null, improvement: null });
+    dispose();
+  });
+
+  it("is kept longer than meshes that a run can make again", async () => {
+    const { documents, run, stale, finish, dispose } = await improvable();
+    await run.generate();
+    finish();
+    await run.improve();
+    for (let k = 0; k < 8; ++k) {
+      documents.edit({ label: "Size", replace: [[["project", "meshing"], { size: 0.4 + k / 100 }]] });
+      await run.generate();
+    }
+    for (let k = 0; k < 8; ++k) documents.undo();
+    expect(run.state.getState().improvement?.isImproved).toBe(true);
+    expect(stale()).toBe(false);
+    dispose();
+  });
+
+  it("is impossible for a stretched mesh, which it would measure in space", async () => {
+    const { documents, run, dispose } = await improvable();
+    await run.generate();
+    const { mesh } = run.state.getState();
+    expect(canImprove(run.state.getState(), documents.state.getState())).toBe(true);
+    const shapes = { radiusRatio: new Float32Array(), smallestDihedral: new Float32Array() };
+    run.state.setState({ mesh: mesh && { ...mesh, metricShapes: shapes } });
+    expect(canImprove(run.state.getState(), documents.state.getState())).toBe(false);
+    expect(await run.improve()).toBeNull();
+    dispose();
+  });
+});
+
+describe("a run of a project whose own mesh is no longer kept", () => {
+  it("is a step of undo if the user has asked for it", async () => {
+    const { run, steps, stale, dispose } = await improvable("lost");
+    await run.generate();
+    expect([steps(), stale()]).toEqual([["Generate mesh"], false]);
+    dispose();
+  });
+
+  it("leaves the steps of undo and redo if the app has asked for it", async () => {
+    const { documents, run, steps, stale, dispose } = await improvable("lost");
+    documents.edit(renamed("first"));
+    documents.edit(renamed("second"));
+    documents.undo();
+    await run.generate("app");
+    expect([steps(), stale()]).toEqual([["Rename"], false]);
+    documents.redo();
+    expect([documents.project.name, stale()]).toEqual(["second", false]);
+    dispose();
   });
 });

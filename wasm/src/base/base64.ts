@@ -36,8 +36,8 @@ interface NativeDecoder {
 }
 
 /**
- * Decodes ten times as fast, because large texts are decoded in pages. Ignores white space, so that the result may be too
- * short; undefined without this function, and for texts that it rejects.
+ * Decodes large texts much faster. Ignores white space, so that the result may be too short; undefined without this function,
+ * and for texts that it rejects.
  */
 function decodedNatively(text: string): Uint8Array<ArrayBuffer> | undefined {
   try {

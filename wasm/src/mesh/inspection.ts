@@ -136,7 +136,7 @@ export interface SurfaceRemesh {
   /** Per triangle: index of a given triangle near it, in the same patch. */
   readonly origin: Uint32Array;
   /**
-   * Per triangle: its distance from the given surface, the largest of four samples, in model units. For display; `deviation`
+   * Per triangle: its distance from the given surface, the largest of seven samples, in model units. For display; `deviation`
    * is the bound.
    */
   readonly triangleDeviation: Float32Array;

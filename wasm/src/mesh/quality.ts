@@ -13,7 +13,7 @@ export interface PatchQuality {
   readonly meanEdge: number;
   /**
    * Largest distance between a triangle and the exact patch, in model units. For a body: the largest distance from its given
-   * surface, of four samples per triangle (`triangleDeviation`); absent if the body was not prepared with it.
+   * surface, of seven samples per triangle (`triangleDeviation`); absent if the body was not prepared with it.
    */
   readonly chordDeviation?: number | undefined;
 }

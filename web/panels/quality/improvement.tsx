@@ -12,17 +12,21 @@ import { useApp, useDocument, useRun } from "../shared/app-context";
 
 const texts = strings.improvement;
 
+/** What an improvement does, or why the shown mesh cannot be improved. */
+const useHint = (): string => useRun((state) => (state.mesh?.metricShapes ? texts.stretched : texts.hint));
+
 /** Improves the elements of the shown mesh, which stays valid and never gets worse. */
 export function ImproveButton() {
   const app = useApp();
   const document = useDocument((state) => state);
   const isPossible = useRun((state) => canImprove(state, document));
+  const hint = useHint();
   return (
     <Button
       size="compact-sm"
       variant="default"
       leftSection={<IconSparkles size={14} aria-hidden />}
-      title={texts.hint}
+      title={hint}
       disabled={!isPossible}
       data-testid="improve"
       onClick={() => runCommand(app, commandNamed("improve"))}
@@ -43,6 +47,7 @@ const rows: readonly (readonly [name: string, text: (shapes: MeshShapes) => stri
 /** What the last improvement has gained. */
 export function ImprovementSection() {
   const improvement = useRun((state) => state.improvement);
+  const hint = useHint();
   return (
     <section data-testid="improvement">
       <SectionTitle>{texts.title}</SectionTitle>
@@ -66,7 +71,7 @@ export function ImprovementSection() {
         </table>
       )}
       <Text size="xs" c="dimmed" my={6}>
-        {texts.hint}
+        {hint}
       </Text>
       <ImproveButton />
     </section>

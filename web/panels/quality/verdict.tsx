@@ -13,19 +13,12 @@ const icons = {
   none: IconClockExclamation,
 } as const;
 
-/** The result of the exact verification, which ends every run, or of the inspection of an opened mesh. */
+/** The result of the exact verification, which ends every run, or of the inspection of an opened or improved mesh. */
 export function Verdict({ report, stale }: { readonly report: MeshReport; readonly stale: boolean }) {
-  const origin = useRun((state) => state.origin);
+  const isValid = useRun((state) => state.isValid);
   const failure = report.diagnostics.find(({ code }) => code === "verification-failed");
-  const verdict = origin
-    ? origin.isValid
-      ? "inspected"
-      : "invalid"
-    : failure
-      ? "failed"
-      : report.status === "done"
-        ? "passed"
-        : "none";
+  const ofRun = failure ? "failed" : report.status === "done" ? "passed" : "none";
+  const verdict = isValid === null ? ofRun : isValid ? "inspected" : "invalid";
   const Icon = icons[verdict];
   return (
     <div className={styles["verdict"]} data-verdict={verdict} data-testid="verdict">

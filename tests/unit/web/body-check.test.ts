@@ -1,0 +1,79 @@
+import { createBody, type Mesher, type PreparedBody, type Project, type RunControl } from "tetrafront";
+import { expect, it, vi } from "vitest";
+import type { BodyFeed } from "../../../web/session/bodies";
+import { BodyCheck } from "../../../web/session/body-check";
+import { BodyPreparations } from "../../../web/session/body-preparations";
+import { DocumentStore } from "../../../web/session/document-store";
+import type { SurfaceClient } from "../../../web/workers/surface-files";
+import { cubeProject } from "../../support/projects";
+import { boxSurface } from "../../support/surfaces";
+
+const withBodies = (count: number): Project => ({
+  ...cubeProject(),
+  bodies: Array.from({ length: count }, (_, k) =>
+    createBody(boxSurface(1), { id: k + 1, firstPatchId: 20 + k, name: `box ${k + 1}` }),
+  ),
+});
+
+const prepared: PreparedBody = {
+  ...boxSurface(1),
+  trianglePatch: new Uint32Array(12),
+} as unknown as PreparedBody;
+
+it("a check that an edit has ended says nothing of the project, even if undo restores it", async () => {
+  const ends: (() => void)[] = [];
+  const mesher = {
+    meshProject: (_project: unknown, _options: unknown, { signal }: RunControl) =>
+      new Promise((resolve) => {
+        const number = ends.length;
+        ends.push(() => {
+          const found = { severity: "error", code: "self-intersection", entities: [], number };
+          const report = signal?.aborted
+            ? { status: "cancelled", diagnostics: [] }
+            : { status: "invalid-input", diagnostics: [found] };
+          resolve({ report });
+        });
+      }),
+  } as unknown as Mesher;
+  const documents = new DocumentStore(withBodies(1));
+  const bodies = {
+    state: { subscribe: () => () => undefined },
+    preparations: { allOf: () => [prepared] },
+  } as unknown as BodyFeed;
+  const check = new BodyCheck(documents, Promise.resolve(mesher), bodies);
+  const resize = (size: number): void =>
+    documents.edit({ label: "Size", replace: [[["project", "meshing"], { size }]] });
+  const checks = (count: number) => vi.waitFor(() => expect(ends).toHaveLength(count));
+  resize(0.3);
+  await checks(1);
+  resize(0.4);
+  await checks(2);
+  documents.undo();
+  await checks(3);
+  ends[0]?.();
+  ends[1]?.();
+  await new Promise((resolve) => setTimeout(resolve));
+  expect(check.state.getState()).toEqual({ key: null, errors: [] });
+  ends[2]?.();
+  await vi.waitFor(() => expect(check.state.getState().errors).toMatchObject([{ number: 2 }]));
+});
+
+it("the triangles of all bodies are kept, however many there are, and however often one of them changes", async () => {
+  const mesher = { prepareBody: () => Promise.resolve(prepared) } as unknown as Mesher;
+  const surfaces = { draw: () => Promise.resolve({}) } as unknown as SurfaceClient;
+  const preparations = new BodyPreparations(Promise.resolve(mesher), surfaces);
+  const make = async (project: Project, index: number): Promise<void> => {
+    const body = project.bodies?.[index];
+    if (body) await preparations.make(project, body, new AbortController().signal, () => undefined);
+  };
+  let project = withBodies(6);
+  for (let k = 0; k < 6; ++k) await make(project, k);
+  const [first, ...others] = project.bodies ?? [];
+  const given = project;
+  for (let k = 1; first && k < 8; ++k) {
+    project = { ...project, bodies: [{ ...first, remeshing: { size: k / 10 } }, ...others] };
+    await make(project, 0);
+  }
+  expect(preparations.allOf(project)).toHaveLength(6);
+  expect(preparations.allOf(given)).toHaveLength(5);
+});
