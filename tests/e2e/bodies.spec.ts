@@ -467,6 +467,7 @@ test("a body that crosses a drawn patch is a problem before a mesh is generated,
   await expect(crossing).toHaveCount(0);
   await page.getByTestId("body-preview-make").click();
   await previewed(page);
+  await expect(page.getByTestId("problem-list")).toHaveAttribute("data-bodies-checked", "true");
   await expect(crossing).toHaveCount(0);
 });
 

@@ -12,6 +12,8 @@ import { bodyProblems, problemsByEntity, sorted, toProblems, type Problem } from
 export interface ProblemState {
   readonly problems: readonly Problem[];
   readonly byEntity: ReadonlyMap<string, readonly Problem[]>;
+  /** Whether the check of bodies has ended for the present project. */
+  readonly areBodiesChecked: boolean;
 }
 
 /** The problems of the current project, found by the check and by the last run. */
@@ -19,6 +21,7 @@ export class ProblemList {
   readonly state: StoreApi<ProblemState> = createStore<ProblemState>(() => ({
     problems: [],
     byEntity: new Map(),
+    areBodiesChecked: false,
   }));
 
   constructor(
@@ -36,12 +39,13 @@ export class ProblemList {
       // Keep the old problems while the check of an edit runs, so that the list does not flicker.
       const current = previewed === project;
       if (!current && previewed !== null && previews.busy) return;
+      const areBodiesChecked = check.state.getState().key === meshKey(project);
       const ofDrawn = toProblems(project, [
         // An empty project lacks everything; only a run reports that. Bodies need no patches beside them.
         ...(current && !isEmptyProject(project) && !hasBodiesOnly(project)
           ? (preview?.diagnostics ?? [])
           : []),
-        ...(check.state.getState().key === meshKey(project) ? check.state.getState().errors : []),
+        ...(areBodiesChecked ? check.state.getState().errors : []),
         ...bodiesOf(project).flatMap(
           ({ id }) => bodies.state.getState().byId.get(id)?.preparationErrors ?? [],
         ),
@@ -56,7 +60,7 @@ export class ProblemList {
         return inspection ? bodyProblems(body, inspection) : [];
       });
       const problems = ofBodies.length > 0 ? sorted([...ofDrawn, ...ofBodies]) : ofDrawn;
-      this.state.setState({ problems, byEntity: problemsByEntity(problems) });
+      this.state.setState({ problems, byEntity: problemsByEntity(problems), areBodiesChecked });
     };
     documents.onSettled(update);
     previews.state.subscribe(update);

@@ -88,10 +88,15 @@ const maxPerGroup = 50;
 /** All problems, grouped by kind. */
 function ProblemPanel() {
   const problems = useProblems((state) => state.problems);
+  const areBodiesChecked = useProblems((state) => state.areBodiesChecked);
   const groups = useMemo(() => groupProblems(problems), [problems]);
   const indices = new Map(problems.map((problem, index) => [problem, index]));
   return (
-    <ScrollPanel label={strings.bottom.problems}>
+    <ScrollPanel
+      label={strings.bottom.problems}
+      data-testid="problem-list"
+      data-bodies-checked={areBodiesChecked}
+    >
       {problems.length === 0 && (
         <Text size="sm" c="dimmed">
           {strings.bottom.noProblems}
