@@ -93,8 +93,13 @@ bool VolumeCorrection::isSelected(TriangleId triangle) const {
 Task<> VolumeCorrection::run(Work& work) {
   for (int pass = 0; pass < kMaxCorrections && findChanged(); ++pass) {
     co_await correct(work, &VolumeCorrection::addLineGaps);
-    co_await correct(work,
-                     pass == 0 ? &VolumeCorrection::addPatchGap : &VolumeCorrection::addEvenGap);
+    if (pass == 0) {
+      co_await correct(work, &VolumeCorrection::addPatchGap);
+    } else {
+      // The moves along the lines have changed what is missing.
+      if (!findChanged()) co_return;
+      co_await correct(work, &VolumeCorrection::addEvenGap);
+    }
   }
 }
 
