@@ -39,8 +39,8 @@ bool isBetweenSmooth(const SmoothTriangles& smooth, TriangleId t, double creaseC
          glm::dot(normals[2], normals[0]) >= creaseCosine;
 }
 
-/// Of two slivers that share their longest edge, neither knows the normal. Each then follows the longer of its other
-/// neighbours, or one that is no sliver.
+/// Two slivers that share their longest edge would follow each other, and neither has a reliable normal. Each then follows
+/// the neighbour across the longer of its other edges, or across the shortest if only that one is no sliver.
 void separateTwins(const SmoothTriangles& smooth, const SurfaceMesh& mesh,
                    std::vector<TriangleId>& follows) {
   const std::vector<TriangleId> given = follows;

@@ -241,8 +241,7 @@ bool DetailMerger::keepsWalls(NodeId from, NodeId onto) const {
     if (depth <= 0.0 && !hasInterfaces_) return true;
     const Vec3 towards = centroidOf(corners) - start;
     const double length = glm::length(towards);
-    const Vec3 beside =
-        length > distance_ ? start + towards : start + towards * (distance_ / length);
+    const Vec3 beside = length > 0.0 ? start + towards * std::max(distance_ / length, 1.0) : start;
     const NearestPoint nearest =
         reference_.nearest(beside, added.patch, 2.0 * distance_ + length, added.origin);
     if (nearest.triangle.isNone()) return true;

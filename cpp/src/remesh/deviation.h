@@ -61,7 +61,7 @@ class SampledDeviation {
       : surface_(surface), ofNode_(surface.complex().nodeCount(), -1.0F) {}
 
   /// Returns the largest distance of the corners, of the middles of the edges and of the centroid of a triangle from its
-  /// patch. O(log n).
+  /// patch; 0 in planar patches. O(log n).
   [[nodiscard]] float of(TriangleId triangle);
 
  private:

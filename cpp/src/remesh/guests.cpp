@@ -23,6 +23,8 @@ constexpr double kFlatCosine = 0.999998;
 /// Distance between points along a tight bend / tolerance, if there are no more of them on an edge than this.
 constexpr double kGuestSpacing = 0.5;
 constexpr double kMaxGuestsPerEdge = 1000.0;
+/// The distance is larger if there would be more of these points than this on all edges.
+constexpr double kMaxBendGuests = 2e6;
 
 /// A bend: an edge between two triangles of a curved patch.
 struct Bend {
@@ -65,7 +67,7 @@ class BendGuests {
     const HalfEdgeNodes nodes = nodesOf(reference_.mesh().triangles, halfEdge);
     return {pointOf(reference_.mesh(), nodes.from), pointOf(reference_.mesh(), nodes.to)};
   }
-  void findTurns(const std::vector<Bend>& bends);
+  void findCurvatures(const std::vector<Bend>& bends);
   [[nodiscard]] bool isTight(const Bend& bend) const;
   void placeAlong(HalfEdgeId halfEdge);
 
@@ -77,7 +79,7 @@ class BendGuests {
   std::vector<Placed> placed_;
 };
 
-void BendGuests::findTurns(const std::vector<Bend>& bends) {
+void BendGuests::findCurvatures(const std::vector<Bend>& bends) {
   curvature_.assign(countTriangles(reference_.mesh()), 0.0);
   for (const auto& [halfEdge, cosine] : bends) {
     const auto [from, to] = endsOf(halfEdge);
@@ -111,10 +113,17 @@ void BendGuests::placeAlong(HalfEdgeId halfEdge) {
 }
 
 void BendGuests::place(const std::vector<Bend>& bends) {
-  findTurns(bends);
+  findCurvatures(bends);
+  std::vector<HalfEdgeId> tight;
+  double length = 0.0;
   for (const Bend& bend : bends) {
-    if (isTight(bend)) placeAlong(bend.halfEdge);
+    if (!isTight(bend)) continue;
+    const auto [from, to] = endsOf(bend.halfEdge);
+    length += glm::length(to - from);
+    tight.push_back(bend.halfEdge);
   }
+  spacing_ = std::max(spacing_, length / kMaxBendGuests);
+  for (const HalfEdgeId halfEdge : tight) placeAlong(halfEdge);
 }
 
 void BendGuests::moveTo(std::vector<Guest>& guests) {
