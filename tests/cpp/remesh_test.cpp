@@ -947,7 +947,8 @@ TEST(RemeshEnvelope, AcceptsOnlyTrianglesThatAreNearEverywhere) {
       const Vec3 offset(0.3 * any(random), 0.3 * any(random), 0.3 * any(random));
       corner = reference.nearest(centre + offset, patch, 10.0, t).position;
     }
-    if (!isWithin(reference, corners, patch, tolerance, t)) {
+    const NearestPoint below = reference.nearest(centroidOf(corners), patch, tolerance, t);
+    if (!isWithin(reference, corners, patch, tolerance, below)) {
       ++refused;
       continue;
     }

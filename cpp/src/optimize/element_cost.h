@@ -51,7 +51,7 @@ inline constexpr DihedralTargets kTargets2And175{0.0003046792916482916, 0.001906
 inline constexpr DihedralTargets kTargets8And165{0.00488975902858307, 0.017332380120999264};
 inline constexpr DihedralTargets kTargets12And160{0.011046900270782669, 0.03109120412576338};
 inline constexpr DihedralTargets kTargets18And150{0.02508563093691659, kSquaredTangentOfHalf30};
-inline constexpr DihedralTargets kTargets22And145{0.03778398547, 0.09941332627};
+inline constexpr DihedralTargets kTargets22And145{0.037783704580475, 0.099413326268553801};
 inline constexpr DihedralTargets kTargets30And135{kSquaredTangentOfHalf30, kSquaredTangentOfHalf45};
 inline constexpr DihedralTargets kTargets35And130{0.099413326268553801, 0.21744283205399903};
 

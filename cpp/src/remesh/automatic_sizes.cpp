@@ -296,6 +296,7 @@ void ShapeMeasure::measureLine(const FeatureLine& line) {
 }
 
 void ShapeMeasure::beginGaps() {
+  sizes_.countWithoutGaps = sizes_.positions.size();
   std::vector<Box> boxes;
   for (std::size_t l = 0; l < reference_.lines().size(); ++l) {
     const std::vector<Vec3>& points = reference_.lines()[l].points();
@@ -377,12 +378,14 @@ Task<ShapeSizes> findShapeSizes(Work& work, const ReferenceSurface& reference,
       },
       kPiecesPerUnit);
   work.beginPart(1.0);
-  measure.beginGaps();
   co_await work.forEachBlock(reference.lines().size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       measure.measureLine(reference.lines()[i]);
-      measure.measureGaps(FeatureLineId(i));
     }
+  });
+  measure.beginGaps();
+  co_await work.forEachBlock(reference.lines().size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) measure.measureGaps(FeatureLineId(i));
   });
   co_return measure.take();
 }

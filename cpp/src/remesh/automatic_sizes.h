@@ -3,6 +3,7 @@
 /// @file Target sizes that follow from the shape of a surface: curvature, thickness, gaps between
 /// feature lines, and short lines.
 
+#include <cstddef>
 #include <vector>
 
 #include "base/task.h"
@@ -27,6 +28,8 @@ struct ShapeSizes {
   /// Per position: a unit vector along which the size is not limited, because the surface or the line does not bend around
   /// any other axis; zero if it is limited in all directions.
   std::vector<Vec3> axes;
+  /// The first positions do not depend on gaps between feature lines; the others follow from gaps.
+  std::size_t countWithoutGaps = 0;
 };
 
 /// Measures the shape. O(n log n) for n triangles, unless very many feature lines are close to each

@@ -12,7 +12,7 @@
 namespace tetrafront {
 namespace {
 
-/// Distance between the lines / distance from the corner below which two lines form a cusp: 25 degrees.
+/// Distance between the lines / distance from the corner below which two lines form a cusp: an angle of about 27 degrees.
 constexpr double kCuspSlope = 0.47;
 /// First distance from the corner / width of the cusp at which the lines are compared, and factor from one to the next.
 constexpr double kFirstDistance = 0.5;

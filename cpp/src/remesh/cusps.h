@@ -1,8 +1,8 @@
 #pragma once
 
 /// @file Cusps: corners where two feature lines of one patch leave in almost the same direction, as an arc and its
-/// tangent do. Short edges would give many triangles with ever smaller angles there; one long triangle at the corner, as
-/// long as the tolerance allows, has the largest angle.
+/// tangent do. Short edges would give many triangles with ever smaller angles there; one long triangle at the corner, about
+/// as long as the tolerance allows, has the largest angle.
 
 #include <vector>
 

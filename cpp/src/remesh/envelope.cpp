@@ -118,11 +118,17 @@ bool isNear(const ReferenceSurface& reference, const Corners& corners, TriangleI
 /// The parts that are not proven yet.
 class WaitingParts {
  public:
-  explicit WaitingParts(const Part& whole) { push(whole.corners, whole.hint); }
   [[nodiscard]] bool isEmpty() const { return count_ == 0; }
   [[nodiscard]] bool isFull() const { return count_ + 3 > kMaxWaiting; }
   Part pop() { return parts_[--count_]; }
-  void push(const Corners& corners, TriangleId hint) { parts_[count_++] = {corners, hint}; }
+  /// Divides a part at the cut, or else into halves.
+  void pushPartsOf(const Part& part, const std::optional<Cut>& cut) {
+    if (cut) {
+      for (const Corners& piece : divide(part.corners, *cut)) parts_[count_++] = {piece, part.hint};
+    } else {
+      for (const Corners& half : halvesOf(part.corners)) parts_[count_++] = {half, part.hint};
+    }
+  }
 
  private:
   std::array<Part, kMaxWaiting> parts_;
@@ -132,26 +138,25 @@ class WaitingParts {
 }  // namespace
 
 bool isWithin(const ReferenceSurface& reference, const Corners& corners, SmoothPatchId patch,
-              double tolerance, TriangleId hint) {
-  WaitingParts waiting({corners, hint});
-  for (int parts = 0; !waiting.isEmpty(); ++parts) {
-    Part part = waiting.pop();
+              double tolerance, const NearestPoint& below) {
+  WaitingParts waiting;
+  Part part{corners, below.triangle};
+  NearestPoint nearest = below;
+  for (int parts = 0;; ++parts) {
     const Vec3 centroid = (part.corners[0] + part.corners[1] + part.corners[2]) / 3.0;
-    const NearestPoint nearest = reference.nearest(centroid, patch, tolerance, part.hint);
+    if (parts > 0) nearest = reference.nearest(centroid, patch, tolerance, part.hint);
     if (nearest.triangle.isNone()) return false;
     part.hint = nearest.triangle;
-    if (isNear(reference, part.corners, nearest.triangle, tolerance * tolerance)) continue;
-    FacetProof proof(reference, part.corners, tolerance);
-    if (proof.prove(reference.facetOf(nearest.triangle), centroid, nearest.position)) continue;
-    if (parts >= kMaxParts || waiting.isFull()) return false;
-    if (proof.cut()) {
-      for (const Corners& piece : divide(part.corners, *proof.cut()))
-        waiting.push(piece, part.hint);
-    } else {
-      for (const Corners& half : halvesOf(part.corners)) waiting.push(half, part.hint);
+    if (!isNear(reference, part.corners, nearest.triangle, tolerance * tolerance)) {
+      FacetProof proof(reference, part.corners, tolerance);
+      if (!proof.prove(reference.facetOf(nearest.triangle), centroid, nearest.position)) {
+        if (parts >= kMaxParts || waiting.isFull()) return false;
+        waiting.pushPartsOf(part, proof.cut());
+      }
     }
+    if (waiting.isEmpty()) return true;
+    part = waiting.pop();
   }
-  return true;
 }
 
 }  // namespace tetrafront

@@ -17,8 +17,8 @@ namespace tetrafront {
 ///     a corner);
 ///   - it lies over one facet, except for points near an edge of the facet; if the part extends too
 ///     far beyond an edge, it is cut there.
-/// Also returns false if this needs too many parts. `hint`: as for nearest().
+/// Also returns false if this needs too many parts. `below`: the point of the patch nearest to the centroid.
 [[nodiscard]] bool isWithin(const ReferenceSurface& reference, const std::array<Vec3, 3>& corners,
-                            SmoothPatchId patch, double tolerance, TriangleId hint);
+                            SmoothPatchId patch, double tolerance, const NearestPoint& below);
 
 }  // namespace tetrafront

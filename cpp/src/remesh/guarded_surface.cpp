@@ -125,7 +125,7 @@ bool GuardedSurface::isThickEnough() const {
 }
 
 bool GuardedSurface::facesAsReference() {
-  addedBeneath_.assign(change_->added.size(), TriangleId{});
+  below_.assign(change_->added.size(), NearestPoint{});
   for (std::size_t i = 0; i < change_->added.size(); ++i) {
     const auto& [a, b, c] = numbered_[i].corners;
     const Vec3 normal = glm::cross(b - a, c - a);
@@ -136,13 +136,11 @@ bool GuardedSurface::facesAsReference() {
     const SmoothPatchId id = change_->added[i].patch;
     const SmoothPatch& patch = reference_.patch(id);
     Vec3 facing = patch.normal;
-    addedBeneath_[i] = hintFor(i);
+    below_[i].triangle = hintFor(i);
     if (!patch.isPlanar) {
-      const NearestPoint below =
-          reference_.nearest((a + b + c) / 3.0, id, limits_.tolerance, addedBeneath_[i]);
-      if (below.triangle.isNone()) return false;
-      addedBeneath_[i] = below.triangle;
-      facing = reference_.normalOf(below.triangle);
+      below_[i] = reference_.nearest((a + b + c) / 3.0, id, limits_.tolerance, below_[i].triangle);
+      if (below_[i].triangle.isNone()) return false;
+      facing = reference_.normalOf(below_[i].triangle);
     }
     const double leastCosine = isNarrow ? kNarrowCosine : limits_.facingCosine;
     if (glm::dot(normal, facing) < leastCosine * area) return false;
@@ -227,7 +225,7 @@ bool GuardedSurface::isInEnvelope() const {
   for (std::size_t i = 0; i < numbered_.size(); ++i) {
     const SmoothPatchId patch = change_->added[i].patch;
     if (!reference_.patch(patch).isPlanar &&
-        !isWithin(reference_, numbered_[i].corners, patch, limits_.tolerance, addedBeneath_[i]))
+        !isWithin(reference_, numbered_[i].corners, patch, limits_.tolerance, below_[i]))
       return false;
   }
   return true;
@@ -271,19 +269,18 @@ void GuardedSurface::replaceTriangles() {
     firstGuest_[t.index()] = GuestId{};
   }
   if (!change_->moved.isNone()) complex_.moveNode(change_->moved, change_->position);
-  std::vector<TriangleId>& slots =
-      addedBeneath_;  // reuses the array: each entry is read before it is replaced
+  slots_.clear();
   for (std::size_t i = 0; i < change_->added.size(); ++i) {
     const TriangleId t = complex_.addTriangle(change_->added[i].nodes, change_->added[i].patch);
     for (std::uint32_t k = 0; k < 3; ++k) {
       complex_.setStretch(halfEdgeOf(t, k), carried_[3 * i + k]);
     }
     insert(t);
-    beneath_[t.index()] = addedBeneath_[i];
-    slots[i] = t;
+    beneath_[t.index()] = below_[i].triangle;
+    slots_.push_back(t);
   }
   for (const auto& [guest, host] : hosts_) {
-    const TriangleId t = slots[host];
+    const TriangleId t = slots_[host];
     nextGuest_[guest.index()] = firstGuest_[t.index()];
     firstGuest_[t.index()] = guest;
   }

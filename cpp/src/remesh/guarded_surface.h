@@ -114,9 +114,10 @@ class GuardedSurface {
   // Scratch of apply(): data of the added triangles, in their order.
   const SurfaceChange* change_ = nullptr;
   std::vector<NumberedTriangle> numbered_;
-  std::vector<TriangleId> addedBeneath_;
+  std::vector<NearestPoint> below_;  ///< of the centroid; in planar patches only the triangle
   std::vector<std::pair<GuestId, std::size_t>> hosts_;  ///< guest, index of the added triangle
-  std::vector<StretchId> carried_;                      ///< per half-edge
+  std::vector<TriangleId> slots_;
+  std::vector<StretchId> carried_;  ///< per half-edge
   std::vector<HalfEdgeId> edge_;
   std::vector<Vec3> creaseNow_;
   std::vector<Vec3> creaseThen_;

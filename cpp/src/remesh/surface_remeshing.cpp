@@ -19,6 +19,7 @@
 #include "geom/coordinates.h"
 #include "quality/metrics.h"
 #include "remesh/automatic_sizes.h"
+#include "remesh/cusps.h"
 #include "remesh/detail_merger.h"
 #include "remesh/deviation.h"
 #include "remesh/guarded_surface.h"
@@ -51,8 +52,11 @@ constexpr double kCornerDegrees = 50.0;
 constexpr double kTestedTolerance = 0.85;
 /// Deviation that sizes aim at / tolerance: changes need some room.
 constexpr double kPlannedTolerance = 0.7;
-/// Deviation of the edges at a cusp from their feature lines / tested tolerance.
+/// Deviation of the longest edges at a cusp from their feature lines / tested tolerance. Edges are between .75 and 1.4 times
+/// their target length, and those that would leave the tolerance are not made.
 constexpr double kCuspTolerance = 1.25;
+/// Largest edge at a cusp / size that follows from the shape without gaps.
+constexpr double kCuspPerSize = 1.6;
 /// Relative error of the sizes that the shape asks for.
 constexpr float kSlack = 0.01F;
 /// Sizes sorted per unit of budget.
@@ -173,6 +177,26 @@ std::vector<Diagnostic> checkTriangleCount(const ReferenceSurface& reference,
   return {tooMany};
 }
 
+/// Returns the cusps. Their edges may exceed the sizes that curvature, thickness and short lines ask for by a factor only:
+/// a small hole near the tip keeps its triangles.
+Task<std::vector<Cusp>> findLimitedCusps(Work& work, const ReferenceSurface& reference,
+                                         const ShapeSizes& sizes, const RemeshOptions& options,
+                                         const Lengths& lengths) {
+  const CuspRules rules{lengths.minSize, lengths.maxSize,
+                        kCuspTolerance * kTestedTolerance * lengths.tolerance};
+  std::vector<Cusp> cusps = findCusps(reference, rules);
+  co_await work.yield();
+  const std::size_t count = sizes.countWithoutGaps;
+  if (cusps.empty() || count == 0) co_return cusps;
+  SizeSites sites(std::span(sizes.positions).first(count), std::span(sizes.sizes).first(count),
+                  options.growth, kSlack);
+  co_await work.finish(sites, kSitesPerUnit);
+  for (Cusp& cusp : cusps) {
+    cusp.reach = std::min(cusp.reach, kCuspPerSize * sites.at(cusp.tip, SiteId(0U)).size);
+  }
+  co_return cusps;
+}
+
 struct TargetField {
   std::optional<RemeshSizes> sizes;
   std::vector<Diagnostic> diagnostics;  ///< not empty if the grid or the sizes cannot be used
@@ -203,13 +227,13 @@ Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
                              lengths.layers};
   ShapeSizes sizes = co_await findShapeSizes(work, reference, rules);
   if (sizes.positions.empty()) co_return found;
+  work.beginPart(0.8);
+  std::vector<Cusp> cusps = co_await findLimitedCusps(work, reference, sizes, options, lengths);
   work.beginPart(1.0);
   SizeSites sites(sizes.positions, sizes.sizes, options.growth, kSlack);
   co_await work.finish(sites, kSitesPerUnit);
   found.sizes->capTo(std::move(sites), std::move(sizes.axes));
-  const CuspRules narrow{lengths.minSize, lengths.maxSize,
-                         kCuspTolerance * kTestedTolerance * lengths.tolerance};
-  found.sizes->raiseTo(CuspSizes(findCusps(reference, narrow)));
+  found.sizes->raiseTo(CuspSizes(std::move(cusps)));
   // Counting takes longer than this bound.
   const double most = std::accumulate(ofGiven.begin(), ofGiven.end(), 0.0) +
                       trianglesOn(areaOf(reference), lengths.minSize);
