@@ -104,16 +104,19 @@ constexpr std::array kImproveSteps{
     repairLow(kTargets18And150, Entry::kAlways),
     repairLow(kTargets8And165),
     repairFlat(),
-    // A few needles of the boundary leave elements around them that miss 12 or 22 degrees.
+    // A few needles of the boundary leave elements around them that miss 12 degrees ...
     lastResort(kTargets12And160),
-    repairLow(kTargets22And145, Entry::kAlways),
-    lastResort(kTargets22And145),
     Step{.sweeps = kImprove,
          .costBasis = CostBasis::kTargets,
          .many = kManyHigh,
          .manyOfFew = kManyOfFew,
          .again = Again::kWhileItImproves,
          .maxRepeats = kImprovementPasses},
+    // ... which the steps for 30 may have brought back, or 22.
+    repairLow(kTargets12And160, Entry::kAlways),
+    lastResort(kTargets12And160),
+    repairLow(kTargets22And145, Entry::kAlways),
+    lastResort(kTargets22And145),
     kLastResortStep,
     Step{.sweeps = kScore},
     ease(Entry::kAlways),

@@ -6,8 +6,8 @@
 /// shape      remove edges and move nodes until the sum of costs settles; then rounds of splits
 ///            and collapses while they gain; then shapes once more
 /// improve    improve the few elements that miss their angles, for targets that rise from 18 to 30
-///            degrees (below 18 only if those fail); then the last few with more patience; then
-///            shapes of all that changed, with no angle worse
+///            degrees (below 18 only if those fail); then those that still miss 12 or 22; then the
+///            last few with more patience; then shapes of all that changed, with no angle worse
 /// thorough   rounds with no angle worse than the worst; 35 degrees; shapes; and back to the mesh
 ///            of the improvement if the result is worse in any respect or equal, or if the first round
 ///            shows that it cannot be better
