@@ -99,7 +99,6 @@ class ShapeMeasure {
   [[nodiscard]] double thicknessAt(const Vec3& position, const Vec3& inward) const;
   void castRay(const Vec3& from, const Vec3& direction, TriangleId triangle, double& nearest) const;
   [[nodiscard]] double gapAt(FeatureLineId id, double arc) const;
-  [[nodiscard]] bool sharePatch(const FeatureLine& a, const FeatureLine& b) const;
   [[nodiscard]] bool isSameCorner(const FeatureLine& a, const FeatureLine& b, const Vec3& position,
                                   double squaredGap) const;
 
@@ -342,12 +341,6 @@ double ShapeMeasure::gapAt(FeatureLineId id, double arc) const {
     nearest = square;
   });
   return std::sqrt(nearest);
-}
-
-bool ShapeMeasure::sharePatch(const FeatureLine& a, const FeatureLine& b) const {
-  return std::ranges::any_of(a.patches, [&](std::uint32_t patch) {
-    return std::ranges::find(b.patches, patch) != b.patches.end();
-  });
 }
 
 /// Returns true if the lines meet at a corner near the position. Such lines bound no gap; otherwise

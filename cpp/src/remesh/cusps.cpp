@@ -14,12 +14,13 @@ namespace {
 
 /// Distance between the lines / distance from the corner below which two lines form a cusp: an angle of about 27 degrees.
 constexpr double kCuspSlope = 0.47;
-/// First distance from the corner / width of the cusp at which the lines are compared, and factor from one to the next.
+/// First distance from the corner / width of the cusp at which the lines are compared: below it no edge is wanted. Factor
+/// from one to the next: the reach need not be more exact, because lengths of edges vary more.
 constexpr double kFirstDistance = 0.5;
 constexpr double kDistanceFactor = 1.1;
 /// Two straight lines have the same angle at any distance. This is the least gain of the angle that justifies long edges.
 constexpr double kLeastOpening = 1.3;
-/// Fall of the least size per distance, beyond the reach.
+/// Fall of the least size per distance, beyond the reach: steep, because sizes there follow the gap again.
 constexpr double kFall = 1.5;
 
 /// A feature line as seen from one of its ends.
@@ -38,12 +39,6 @@ struct LineEnd {
                    : line->squaredDeviation(length - distance, length, at(distance), at(0.0));
   }
 };
-
-bool sharePatch(const FeatureLine& a, const FeatureLine& b) {
-  return std::ranges::any_of(a.patches, [&](std::uint32_t patch) {
-    return std::ranges::find(b.patches, patch) != b.patches.end();
-  });
-}
 
 /// Returns the largest distance from the corner at which one edge may represent each line, while the lines are within the
 /// width of each other; 0 if they form no cusp.

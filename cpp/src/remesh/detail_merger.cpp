@@ -29,7 +29,7 @@ constexpr double kLeastPart = 1e-3;
 constexpr double kRemovedWall = 0.501;
 /// Least cosine between the normal of a wall's other side and the direction through the wall.
 constexpr double kOtherSideCosine = 0.2;
-/// Distance / diagonal within which a wall's other side is this side itself.
+/// Distance / diagonal within which a wall's other side is this side itself: a few thousand roundings of a coordinate.
 constexpr double kSameSide = 1e-12;
 
 /// Returns the distance at which a ray meets a triangle, or nothing. Negative distances are behind the start.

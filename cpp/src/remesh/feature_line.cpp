@@ -1,5 +1,6 @@
 #include "remesh/feature_line.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -59,6 +60,12 @@ double FeatureLine::squaredDeviation(double from, double to, const Vec3& a, cons
     }
   }
   return largest;
+}
+
+bool sharePatch(const FeatureLine& a, const FeatureLine& b) {
+  return std::ranges::any_of(a.patches, [&](std::uint32_t patch) {
+    return std::ranges::find(b.patches, patch) != b.patches.end();
+  });
 }
 
 }  // namespace tetrafront

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "base/ids.h"
@@ -52,5 +53,8 @@ class FeatureLine {
   std::vector<double> arcs_;
   bool isClosed_;
 };
+
+/// Returns true if the lines bound the same smooth patch.
+[[nodiscard]] bool sharePatch(const FeatureLine& a, const FeatureLine& b);
 
 }  // namespace tetrafront

@@ -152,7 +152,7 @@ const element = v.object({
   centroid: v.array(v.number()),
   dihedral: v.object({ min: v.number() }),
 });
-/** The statistics of which a report is made. */
+/** The parts of an inspection that a report needs. */
 const inspected = v.object({
   nodes: v.number(),
   tetrahedra: v.number(),
@@ -187,7 +187,7 @@ const withReport = v.object({
 
 /**
  * Returns a mesh from a file as the result of a run that took no time: with the statistics of `inspection`, which must be
- * of the same mesh. Lengths are measured by the mean edge. Throws a `MesherError` if an argument is invalid.
+ * of the same mesh. The mean edge is the unit of length. Throws a `MesherError` if an argument is invalid.
  */
 export function inspectedResult(
   mesh: Pick<MeshWithBoundary, "surface" | "volume" | "patchShapes">,
@@ -215,7 +215,7 @@ const improved = v.object({
 
 /**
  * Returns the result of a run with its improved elements: `improvement` is that of its volume with all its triangles, and
- * `inspection` that of the improved elements. Lengths are measured by the mean edge, and shapes in space.
+ * `inspection` that of the improved elements. The mean edge is the unit of length; shapes are measured in space.
  *
  *     const { volume, surface } = result;
  *     const improvement = await mesher.improveMesh({ ...volume, triangles: surface.triangles });

@@ -15,7 +15,7 @@ interface Piece {
   readonly end: number;
 }
 
-/** The triangles of a surface in pieces, one more of which is drawn with each frame, so that none takes long. */
+/** Draws the triangles of a surface in pieces. Each frame adds one piece, so that no frame takes long. */
 export class BodyPieces {
   readonly #root: Group;
   #pieces: readonly Piece[] = [];
