@@ -19,8 +19,7 @@ constexpr double kLeastGain = 1e-3;
 constexpr double kNearMove = 0.05;
 /// Height / tolerance up to which the apex of a cap may be absorbed by the feature line beneath it.
 constexpr double kAbsorbedHeight = 0.05;
-/// Length / tolerance of an edge whose nodes nearly coincide: a collapse moves the surface so little that it may make long
-/// edges.
+/// Length / tolerance of an edge whose nodes nearly coincide: a collapse does not change the lengths of other edges.
 constexpr double kTinyEdge = 1e-3;
 /// Squared sine of an angle below which the gain of a flip is rounding.
 constexpr double kLeastSquaredSine = 1e-12;
