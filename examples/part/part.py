@@ -31,6 +31,13 @@ def meshed(part, command):
     return MeshTet.load("part.msh")
 
 
+def check_names(mesh, patches):
+    """Ends the program if the mesh has no patch of a name."""
+    for name in patches:
+        if name not in mesh.boundaries:
+            sys.exit(f'There is no patch "{name}". The patches are: {", ".join(mesh.boundaries)}')
+
+
 def displacements(mesh, fixed, pulled):
     element = ElementVector(ElementTetP1())
     basis = Basis(mesh, element)
@@ -45,6 +52,7 @@ def main(part, patches, command):
     if len(patches) != 2:
         subprocess.run([*command, "info", "part.msh"], check=True)
         return
+    check_names(mesh, patches)
     u = displacements(mesh, *patches)
     mesh.save("result.vtu", {"displacement": u})
     largest = np.linalg.norm(u, axis=1).max()

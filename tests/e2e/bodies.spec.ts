@@ -264,6 +264,31 @@ test("patches of a body are in the tree, are renamed and picked in the view, and
   expect(names.toSorted()).toEqual(["first", "inlet"]);
 });
 
+test("a part with one colour: patches are split, and the mesh is shown and has their names", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const colored = stlBinary(surface);
+  for (let t = 0; t < triangleCount; ++t) colored.set([0x1f, 0x80], 84 + 50 * t + 48);
+  await dropBytes(page, colored, "plate.stl");
+  await previewed(page);
+  await page.getByTestId("split-patches").locator("summary").click();
+  await page.getByTestId("split-preview").click();
+  await page.getByTestId("split-apply").click();
+  await expect(page.getByTestId("body-patches")).toHaveText("7");
+  await page.getByTestId("tree-body-patch-7").click();
+  await app.type("entity-name", "top");
+  await page.getByTestId("tree-body-1").click();
+  // The split shows the given triangles; a generated mesh takes their place.
+  await app.generate();
+  await expect(
+    page.getByRole("radiogroup", { name: "Show" }).getByRole("radio", { name: "Mesh" }),
+  ).toBeChecked();
+  const names = parseMsh(await downloadMesh(page, /MSH/)).triangles.map(({ name }) => name);
+  expect(names.toSorted()).toEqual([...[1, 2, 3, 4, 5, 6].map((id) => `patch ${id}`), "top"]);
+});
+
 test("an imported surface joins the open document, is moved and deleted, each as one step of undo", async ({
   page,
 }) => {
@@ -328,7 +353,8 @@ test("patches are split by angle after a preview and merged again, and a click i
   await expect(page.getByTestId("body-patches")).toHaveText("1");
   await page.getByTestId("split-apply").click();
   await expect(page.getByTestId("body-patches")).toHaveText("7");
-  await expect(page.getByTestId("tree-body-patch-7")).toBeVisible();
+  // The tree shows the name that files of the mesh use.
+  await expect(page.getByTestId("tree-body-patch-7")).toHaveText("patch 7");
 
   const at = await page.evaluate(() => {
     const { tetrafrontPosition } = window as unknown as {

@@ -4,6 +4,12 @@ import type { Improvement } from "../session/shown-mesh";
 import { improvementText, strings } from "../strings";
 import { showMessage } from "./messages";
 
+/** Meshes the project, and shows the mesh even if other triangles of a body were shown before. */
+export function generateMesh(app: App): void {
+  app.view.setLayer("mesh", true);
+  void app.run.generate();
+}
+
 /** Improves the elements of the shown mesh, and reports what was gained. */
 export async function improveMesh(app: App): Promise<void> {
   const end = await app.run.improve();

@@ -4,7 +4,7 @@ import { canImprove } from "../session/run";
 import { commandLabels } from "../strings";
 import { takeBackgroundFromMesh, toggleUniformSize } from "./background-actions";
 import { define, type Command } from "./command";
-import { improveMesh } from "./mesh-actions";
+import { generateMesh, improveMesh } from "./mesh-actions";
 
 const isBusy = (app: App): boolean => app.run.state.getState().busy;
 
@@ -13,7 +13,7 @@ const finer = 0.8;
 const coarser = 1.25;
 
 export const meshMenu: readonly Command[] = [
-  define("mesh", 0)("generate", commandLabels.generate, (app) => void app.run.generate(), {
+  define("mesh", 0)("generate", commandLabels.generate, generateMesh, {
     keys: ["mod+Enter"],
     inFields: true,
     enabled: (app) => !isBusy(app),

@@ -10,6 +10,12 @@ export const entityWords = {
   source: { one: "Source", many: "Sources" },
 } as const;
 
+/** Returns what an entity without a name is called. Patches are called as in files of the mesh. */
+export function defaultName(kind: keyof typeof entityWords, id: number): string {
+  const isBoundary = kind === "patch" || kind === "body-patch";
+  return `${isBoundary ? entityNouns[kind] : entityWords[kind].one} ${id}`;
+}
+
 /** Names of the kinds within a sentence. */
 export const entityNouns = {
   point: "point",

@@ -103,6 +103,9 @@ describe("a body in a project file", () => {
     expect(boxBody().patches[5]).toEqual({ id: 16, name: "top" });
     const surface = { ...boxSurface(1), patches: [{ name: "surface" }] };
     expect(createBody(surface, { id: 1, firstPatchId: 1 }).patches).toEqual([{ id: 1 }]);
+    // A colour is no name, as long as there is only one.
+    const colored = { ...surface, patches: [{ name: "#b51010" }] };
+    expect(createBody(colored, { id: 1, firstPatchId: 1, name: "ball" }).patches[0]?.name).toBe("ball");
   });
 
   const invalid: [string, Partial<Record<keyof ProjectBody, unknown>>, RegExp][] = [

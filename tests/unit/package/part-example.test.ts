@@ -42,5 +42,14 @@ describe("the example of a part", () => {
       expect(stdout).toMatch(/patch 1 "patch 1": \d+, box \(0, 0, 0\) to \(1, 1, 0\)/);
       expect(stdout).toMatch(/patch 6 "patch 6": \d+, box \(0, 0, 4\) to \(1, 1, 4\)/);
     });
+
+    test("lists the patches if a name is wrong", async () => {
+      folder.save("bar.stl", stlBinary(boxSurface(1, [0, 0, 0], [1, 1, 4])));
+      await expect(runExample("patch 1", "top")).rejects.toMatchObject({
+        stderr: expect.stringMatching(
+          /There is no patch "top"\. The patches are: patch 1, .*patch 6/,
+        ) as string,
+      });
+    });
   }
 });

@@ -203,6 +203,23 @@ describe("names of split patches", () => {
     ]);
   });
 
+  test.each(["#b51010", "color 3", "attribute 7"])("do not follow %s, if all triangles have it", (name) => {
+    const pieces = splitGroups(Uint32Array.of(0, 0), [{ name, tag: 1 }]);
+    expect(pieces).toEqual([
+      { name: "patch 1", tag: 1 },
+      { name: "patch 2", tag: 2 },
+    ]);
+    const two = [
+      { name, tag: 1 },
+      { name: "#00ff00", tag: 2 },
+    ];
+    expect(splitGroups(Uint32Array.of(0, 1, 0), two).map((piece) => piece.name)).toEqual([
+      name,
+      "#00ff00",
+      `${name} 2`,
+    ]);
+  });
+
   test("are found in linear time", () => {
     const groups = splitGroups(new Uint32Array(100_000), [{ name: "wing", tag: 1 }]);
     expect(groups.at(-1)).toEqual({ name: "wing 100000", tag: 100_000 });

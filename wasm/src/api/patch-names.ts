@@ -1,6 +1,6 @@
 /** Patches into which a surface is split, and their names. */
 import { hasGenericName } from "../formats/groups.js";
-import type { FileGroup } from "../mesh/file-mesh.js";
+import { type FileGroup, isColorName } from "../mesh/file-mesh.js";
 import type { SplitSurface } from "./mesher-interface.js";
 
 /** Pieces of patches, ordered by position. */
@@ -44,8 +44,9 @@ function withWholePatches(
 
 /**
  * Returns the patches of a split surface, which are ordered by position. `patchGroup`: per patch, the index of the given
- * patch of which it is a piece. Pieces of a named patch are called "wing", "wing 2", …, all others "patch 1", "patch 2", ….
- * The first piece of a named patch keeps its number, the others get free ones. A patch that is not split stays as given.
+ * patch of which it is a piece. Pieces of a named patch are called "wing", "wing 2", …, all others "patch 1", "patch 2", …,
+ * also those of an only patch that is named after its colour. The first piece of a named patch keeps its number, the others
+ * get free ones. A patch that is not split stays as given.
  */
 export function splitGroups(
   patchGroup: Uint32Array,
@@ -54,9 +55,11 @@ export function splitGroups(
 ): FileGroup[] {
   const pieces = new Uint32Array(patchGroup.reduce((most, group) => Math.max(most, group + 1), 0));
   for (const group of patchGroup) pieces[group] = (pieces[group] ?? 0) + 1;
+  const isUnnamed = (group: FileGroup): boolean =>
+    hasGenericName(group) || (given.length === 1 && isColorName(group.name));
   const named = (index: number): FileGroup | undefined => {
     const group = given[index];
-    return group === undefined || (isSplit(index) && hasGenericName(group)) ? undefined : group;
+    return group === undefined || (isSplit(index) && isUnnamed(group)) ? undefined : group;
   };
   const kept = [...new Set(patchGroup)].flatMap((index) => named(index) ?? []);
   const freeName = freeNames(kept.map(({ name }) => name));

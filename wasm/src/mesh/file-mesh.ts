@@ -9,6 +9,14 @@ export interface FileGroup {
   readonly color?: readonly [number, number, number] | undefined;
 }
 
+/**
+ * Returns whether readers have named a patch after its colour or attribute. Such a name distinguishes patches; that of the
+ * only patch carries no information.
+ */
+export function isColorName(name: string): boolean {
+  return /^(#[0-9a-f]{6}|color \d+|attribute \d+)$/.test(name);
+}
+
 /** Values at the nodes, such as sizes. */
 export interface NodeData {
   /** Number of values per node. */

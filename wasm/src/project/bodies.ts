@@ -2,7 +2,7 @@
 import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
 import { doubles, index, integers } from "../calls/schemas.js";
-import type { FileGroup } from "../mesh/file-mesh.js";
+import { type FileGroup, isColorName } from "../mesh/file-mesh.js";
 import type { Position } from "../mesh/inspection.js";
 import type { PatchedSurface } from "../mesh/mesh.js";
 import { bodyArrays, textOfArray } from "./body-arrays.js";
@@ -33,7 +33,7 @@ const newBodySchema = v.object({ id: index, firstPatchId: index, name: v.optiona
 
 /**
  * Returns a body with the triangles of a surface, and with its patches, if it has any. A surface without named patches
- * gets one patch with the name of the body. Its regions are not part of a body. O(n). Throws a `MesherError` if an
+ * gets one patch with the name of the body; a colour is not a name. Its regions are not part of a body. O(n). Throws a `MesherError` if an
  * argument has another type.
  *
  *     const file = await readSurface("bracket.stl", bytes);
@@ -50,7 +50,8 @@ export function createBody(
   const given = surface.patches?.map((patch) => (isUnnamed(patch.name) ? undefined : patch.name)) ?? [];
   const used = trianglePatch?.reduce((most, patch) => Math.max(most, patch + 1), 0) ?? 0;
   const count = Math.max(used, given.length);
-  const names = count > 1 ? given : [given[0] ?? name];
+  const [only = name] = given;
+  const names = count > 1 ? given : [only !== undefined && isColorName(only) ? name : only];
   return {
     id,
     ...(name !== undefined && { name }),

@@ -5,7 +5,7 @@ import { renameEntity } from "../../document/edits";
 import { dependentsOf, entityKey, entityName, findRecord, type Entity } from "../../document/entities";
 import { FieldRow } from "../../ui/fields/field-row";
 import { NameField } from "../../ui/fields/name-field";
-import { entityWords, strings } from "../../strings";
+import { defaultName, strings } from "../../strings";
 import { useApp, useProblems, useProject } from "../shared/app-context";
 import { EntityChips } from "../shared/entity-chips";
 import { EntityIcon } from "../shared/entity-icon";
@@ -39,7 +39,7 @@ export function EntityCard({ entity }: { readonly entity: Entity }) {
             key={entityKey(entity)}
             label={strings.inspector.name}
             value={name}
-            placeholder={fallbackName(entity)}
+            placeholder={defaultName(entity.kind, entity.id)}
             testId="entity-name"
             onCommit={(next) => app.documents.edit(renameEntity(entity, next))}
           />
@@ -68,7 +68,7 @@ interface EntityTitleProps {
 /** The name of an entity, or its default label. */
 function EntityTitle({ entity, project, isValid }: EntityTitleProps) {
   const name = entityName(project, entity) ?? "";
-  const fallback = fallbackName(entity);
+  const fallback = defaultName(entity.kind, entity.id);
   return (
     <div className={styles["title"]}>
       <EntityIcon entity={entity} project={project} />
@@ -88,8 +88,6 @@ function EntityTitle({ entity, project, isValid }: EntityTitleProps) {
     </div>
   );
 }
-
-const fallbackName = ({ kind, id }: Entity): string => `${entityWords[kind].one} ${id}`;
 
 function EntityFields({ entity, project }: { readonly entity: Entity; readonly project: Project }) {
   switch (entity.kind) {

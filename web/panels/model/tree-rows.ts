@@ -11,7 +11,14 @@ import {
   type Entity,
 } from "../../document/entities";
 import { formatPosition, formatShort } from "../../ui/format";
-import { entityWords, lineTypeNames, patchTypeNames, sourceTypeNames, treatmentNames } from "../../strings";
+import {
+  defaultName,
+  entityWords,
+  lineTypeNames,
+  patchTypeNames,
+  sourceTypeNames,
+  treatmentNames,
+} from "../../strings";
 
 /** The kinds that have a heading; the patches of bodies are below their bodies. */
 export const headings = drawnKinds.filter((kind) => kind !== "body-patch");
@@ -48,10 +55,6 @@ export const rowKey = (row: TreeRow): string => (row.type === "group" ? row.kind
 /** Returns the id of the element that shows the row with a key. */
 export const rowElementId = (key: string): string => `row-${key}`;
 
-function titleOf(kind: DrawnKind, id: number, name: string | undefined): string {
-  return name ?? `${entityWords[kind].one} ${id}`;
-}
-
 /** The texts of an entity's row, and further words by which the filter finds it. */
 interface Description {
   readonly title: string;
@@ -62,7 +65,7 @@ interface Description {
 /** Returns the texts of an entity, given its index in the project's list of its kind. */
 function describe(project: Project, { kind, id }: Entity, index: number): Description {
   const named = (name: string | undefined, detail: () => string, words = ""): Description => ({
-    title: titleOf(kind, id, name),
+    title: name ?? defaultName(kind, id),
     detail,
     words,
   });

@@ -24,6 +24,7 @@ import {
 import { Fragment, useState } from "react";
 import type { MenuName } from "../../commands/command";
 import { commandNamed, runCommand } from "../../commands/registry";
+import { generateMesh } from "../../commands/mesh-actions";
 import { DOWNLOADS } from "../../commands/file-menu";
 import { IconButton } from "../../ui/icon-button";
 import { Logo } from "../../ui/logo";
@@ -184,7 +185,7 @@ function GenerateButton({ compact }: { readonly compact: boolean }) {
       miw={compact ? 104 : 144}
       data-testid="generate"
       disabled={busy}
-      onClick={() => void app.run.generate()}
+      onClick={() => generateMesh(app)}
     >
       {busy ? strings.header.busy[task] : compact ? strings.header.generateShort : strings.header.generate}
     </Button>

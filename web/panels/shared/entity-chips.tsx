@@ -1,7 +1,7 @@
 import type { Project } from "tetrafront";
 import { entityKey, entityName, type Entity } from "../../document/entities";
 import { Chip } from "../../ui/chip";
-import { entityWords, strings } from "../../strings";
+import { defaultName, strings } from "../../strings";
 import { useApp } from "./app-context";
 import styles from "./entity-chips.module.css";
 
@@ -9,7 +9,7 @@ import styles from "./entity-chips.module.css";
 const maxChips = 24;
 
 export function entityTitle(project: Project, entity: Entity): string {
-  return entityName(project, entity) ?? `${entityWords[entity.kind].one} ${entity.id}`;
+  return entityName(project, entity) ?? defaultName(entity.kind, entity.id);
 }
 
 export interface EntityChipsProps {

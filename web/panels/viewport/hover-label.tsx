@@ -1,6 +1,6 @@
-import { bodyOfPatch, entityName, findRecord } from "../../document/entities";
+import { bodyOfPatch, findRecord } from "../../document/entities";
 import { formatPosition, formatShort } from "../../ui/format";
-import { entityWords, lineTypeNames, patchTypeNames } from "../../strings";
+import { lineTypeNames, patchTypeNames } from "../../strings";
 import type { Hover } from "../../tools/select-tool";
 import { useProject } from "../shared/app-context";
 import { entityTitle } from "../shared/entity-chips";
@@ -36,7 +36,7 @@ export function HoverLabel({ hover: { entity, at } }: { readonly hover: Hover })
       aria-hidden
       data-testid="hover-label"
     >
-      <b>{entityName(project, entity) ?? `${entityWords[kind].one} ${id}`}</b> {describe()}
+      <b>{entityTitle(project, entity)}</b> {describe()}
     </div>
   );
 }

@@ -1,6 +1,7 @@
 import { Button, Kbd, Switch, Text } from "@mantine/core";
 import { IconArrowsExchange, IconPlugConnectedX } from "@tabler/icons-react";
 import type { MeshStatus } from "tetrafront";
+import { generateMesh } from "../../commands/mesh-actions";
 import { strings } from "../../strings";
 import { IconButton } from "../../ui/icon-button";
 import { useApp, useRun, useStale, useView } from "../shared/app-context";
@@ -70,7 +71,7 @@ export function MeshBadge() {
       <span>
         <b>{title}</b> <span className={styles["wide"]}>{hint}</span>
       </span>
-      <Button size="compact-xs" variant="default" onClick={() => void app.run.generate()}>
+      <Button size="compact-xs" variant="default" onClick={() => generateMesh(app)}>
         {strings.viewport.update}
       </Button>
     </div>
