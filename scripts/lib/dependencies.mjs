@@ -50,7 +50,7 @@ const PACKAGE = [
   ["base"],
   ["diagnostics"],
   ["calls"],
-  ["mesh"],
+  ["mesh", "cad"],
   ["formats", "project"],
   ["engine"],
   ["api"],

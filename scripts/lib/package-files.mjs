@@ -96,7 +96,11 @@ export async function bundlePages() {
   const outdir = inRoot("wasm", "dist", "page");
   const { outputFiles } = await build({
     write: false,
-    entryPoints: { tetrafront: `${dist}/index.js`, worker: `${dist}/engine/worker.js` },
+    entryPoints: {
+      tetrafront: `${dist}/index.js`,
+      worker: `${dist}/engine/worker.js`,
+      "cad-worker": `${dist}/cad/cad-worker.js`,
+    },
     outdir,
     bundle: true,
     splitting: true,

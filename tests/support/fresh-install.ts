@@ -54,7 +54,8 @@ function unpack(tarball: string, folder: string): void {
   rmSync(path.join(folder, "node_modules"), { recursive: true, force: true });
   mkdirSync(target, { recursive: true });
   execFileSync("tar", ["xzf", tarball, "--strip-components=1", "-C", target]);
-  for (const name of ["cli-progress", "commander", "fflate", "tinyglobby", "valibot"]) link(name, folder);
+  for (const name of ["cli-progress", "commander", "fflate", "occt-import-js", "tinyglobby", "valibot"])
+    link(name, folder);
 }
 
 function link(name: string, folder: string): void {

@@ -14,6 +14,7 @@ import {
   type ReadError,
 } from "tetrafront";
 import { buffersOfDrawn, drawnSurface } from "../document/drawn-surface";
+import "./cad-library";
 import { buffersOfPacked, packedBody } from "./packed-bodies";
 import { serveCalls, type Answer } from "./serve-calls";
 import type { LoadedSurface, PackedNewBody, PatchArrays, SurfaceProtocol } from "./surface-files";

@@ -94,6 +94,7 @@ const inspection = {
 const functions: Readonly<Record<string, Arguments>> = {
   extensionsFor: { action: "read", contents: "surface" },
   formatOf: { fileName: "a.off" },
+  setCadLibrary: { addresses: { script: "occt-import-js.js", wasm: "occt-import-js.wasm" } },
   fileMeshOf: { mesh: meshed, names: { project, surface: { ...surfaceFile, surfaceRegions } } },
   patchNames: { project },
   readMesh: { source: text, options: readOptions },

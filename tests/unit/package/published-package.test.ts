@@ -1,6 +1,15 @@
 /** The files that `npm publish` uploads, and their use after installation. */
 import { execFile, execFileSync } from "node:child_process";
-import { mkdirSync, readdirSync, readFileSync, statSync, symlinkSync, writeFileSync } from "node:fs";
+import {
+  existsSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  renameSync,
+  statSync,
+  symlinkSync,
+  writeFileSync,
+} from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
@@ -10,6 +19,7 @@ import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import { typescriptCompiler } from "../../../scripts/lib/tools.mjs";
 import { freshInstall, npm, type FreshInstall } from "../../support/fresh-install.js";
+import { boxSolid, stepFile } from "../../support/step-files.js";
 import { stlBinary } from "../../support/surface-files.js";
 import { boxSurface } from "../../support/surfaces.js";
 
@@ -62,7 +72,7 @@ describe("the packed files", () => {
   test("let a page mesh a surface with less than 400 kB compressed: engine, API and worker", () => {
     const files = filesIn(installed()).filter((name) => !name.startsWith("node_modules/"));
     // Formats and tools are in separate files, which a page fetches when it needs one of them (tests/e2e/package.spec.ts).
-    const page = files.filter((name) => /^dist\/page\/(?!.*-deferred).*\.js$/.test(name));
+    const page = files.filter((name) => /^dist\/page\/(?!.*-deferred|cad-worker).*\.js$/.test(name));
     const engine = ["engine.wasm", "engine.js", "loader.js"].map((name) => `dist/engine/${name}`);
     const bytes = [...engine, ...page].map((name) => gzipSync(readFileSync(installed(name))).length);
     expect(bytes.reduce((sum, size) => sum + size)).toBeLessThan(400_000);
@@ -118,6 +128,22 @@ describe("after installation into an empty folder", () => {
     const program = process.platform === "win32" ? installed("bin", "tetrafront.mjs") : command;
     const { stdout } = await run(process.execPath, [program, ...args], { cwd: fresh.folder });
     expect(JSON.parse(stdout)).toMatchObject({ status: "done" });
+  });
+
+  test("without the optional library, a CAD file gives an error that says how to install it", async () => {
+    const library = path.join(fresh.folder, "node_modules", "occt-import-js");
+    const elsewhere = path.join(fresh.folder, "elsewhere");
+    if (existsSync(library)) renameSync(library, elsewhere);
+    writeFileSync(path.join(fresh.folder, "part.step"), stepFile([boxSolid("box", [0, 0, 0], [1, 1, 1])]));
+    const args = [installed("bin", "tetrafront.mjs"), "mesh", "part.step", "-o", "part.vtu"];
+    const failure = (await run(process.execPath, args, { cwd: fresh.folder }).catch(
+      (error: unknown) => error,
+    )) as { readonly code: number; readonly stderr: string };
+    if (existsSync(elsewhere)) renameSync(elsewhere, library);
+    expect(failure.code).toBe(2);
+    expect(failure.stderr).toMatch(
+      /error: part\.step: STEP files need the library occt-import-js, which could not be loaded: .*\. Install .*: npm install occt-import-js/,
+    );
   });
 
   describe("in a folder made by npm init -y", () => {

@@ -2,6 +2,7 @@
 import { ofBody } from "../api/body-preparation.js";
 import type { Mesher } from "../api/mesher-interface.js";
 import type { PreviewOptions } from "../api/option-types.js";
+import { touchingSolids } from "../api/touching-solids.js";
 import { checkInspectionOptions, checkPreviewOptions } from "../api/options.js";
 import { LIMITS } from "../base/limits.js";
 import { plural } from "../base/plural.js";
@@ -179,7 +180,8 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
   const { innerShells } = options;
   const inspectionOptions = { innerShells, maxDiagnostics: maxDiagnosticsOf(options) };
   const { diagnostics, ...inspection } = await mesher.inspectSurface(surface, inspectionOptions);
-  return { kind: "surface", diagnostics: [...diagnostics, ...notes(mesh)], changes, inspection };
+  const touching = touchingSolids(surface, diagnostics);
+  return { kind: "surface", diagnostics: [...touching, ...diagnostics, ...notes(mesh)], changes, inspection };
 }
 
 /** Notes about the file that are not problems. */

@@ -41,8 +41,12 @@ Element sizes
   or from a mesh with node values "size" (also "stretching" and "direction"; without "size", its edges).
   --source limits the sizes around a position.
 
+CAD files
+  STEP, IGES and BREP files are triangulated, remeshed and, if needed, repaired. Each solid becomes a region, in
+  millimetres, each of its faces a patch, and a face that two solids share an interface.
+
 Surfaces
-  By default, the mesh keeps every triangle of a surface, unless the given sizes are far smaller: if an edge is
+  By default, the mesh keeps every triangle of other surfaces, unless the given sizes are far smaller: if an edge is
   longer than twice the target length, large triangles are split or, if many are needles, replaced. A note
   states what was done.
 
@@ -72,6 +76,7 @@ ${EXIT_CODES_HELP}
 
 Examples
   tetrafront mesh part.stl -o part.vtu
+  tetrafront mesh part.step -o part.vtu
   tetrafront mesh part.stl -o part.msh --size 0.05 --report report.json
   tetrafront mesh part.stl -o part.vtu --surface remesh
   tetrafront mesh part.stl -o part.msh --surface remesh --split-patches

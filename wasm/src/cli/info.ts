@@ -2,7 +2,8 @@
 import { plural } from "../base/plural.js";
 import { packageDiagnostic, printable } from "../diagnostics/package-diagnostic.js";
 import { formatOf } from "../formats/file-formats.js";
-import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
+import { NO_REGION } from "../generated/constants.js";
+import type { FileGroup, FileMesh, SurfaceRegions } from "../mesh/file-mesh.js";
 import { entityLabel } from "../diagnostics/entity-names.js";
 import { bodyBox } from "../project/bodies.js";
 import { bodyArrays } from "../project/body-arrays.js";
@@ -164,6 +165,7 @@ interface HeldPatch extends HeldGroup {
 
 function meshContents(mesh: FileMesh) {
   return {
+    unit: mesh.unit ?? null,
     points: mesh.points.length / 3,
     box: boxOf(mesh.points),
     triangles: mesh.triangles.length / 3,
@@ -172,6 +174,7 @@ function meshContents(mesh: FileMesh) {
     reversedInFile: mesh.reversedTetrahedra ?? 0,
     inverted: mesh.invertedTetrahedra?.length ?? 0,
     regions: heldGroups(mesh.regions, mesh.tetrahedronRegion),
+    ...(mesh.surfaceRegions && { surfaceRegions: heldSurfaceRegions(mesh.surfaceRegions) }),
     nodeData: [...mesh.nodeData].map(([name, { components }]) => ({ name, components })),
   };
 }
@@ -180,6 +183,14 @@ function heldGroups(groups: readonly FileGroup[], positions: Uint32Array): HeldG
   const counts = new Uint32Array(groups.length);
   for (const position of positions) counts[position] = (counts[position] ?? 0) + 1;
   return groups.map(({ name, tag }, i) => ({ name, tag, elements: counts[i] ?? 0 }));
+}
+
+/** Counts the triangles with the region on a side. */
+function heldSurfaceRegions({ regions, triangleRegions }: SurfaceRegions): HeldGroup[] {
+  return heldGroups(
+    regions,
+    triangleRegions.filter((region) => region !== NO_REGION),
+  );
 }
 
 function heldPatches({ patches, trianglePatch, triangles, points }: FileMesh): HeldPatch[] {
@@ -224,13 +235,16 @@ function contentLines(held: { readonly format: string } & ReturnType<typeof mesh
   const groups = (word: string, all: readonly HeldGroup[]) =>
     all.map(({ name, tag, elements }) => `${word} ${tag} "${name}": ${elements}`);
   return [
-    held.format,
+    held.unit === null ? held.format : `${held.format}, in ${held.unit}`,
     plural(held.points, "point"),
     ...(held.box === null ? [] : [boxText(held.box)]),
     plural(held.triangles, "triangle"),
     ...patchLines(held.patches),
     plural(held.tetrahedra, "tetrahedron"),
     ...groups("region", held.regions),
+    ...(held.surfaceRegions ?? []).map(
+      ({ name, tag, elements }) => `region ${tag} "${name}": ${plural(elements, "triangle")} around it`,
+    ),
     ...held.nodeData.map(({ name, components }) => `values at the nodes "${name}": ${components} per node`),
   ];
 }

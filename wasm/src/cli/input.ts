@@ -5,7 +5,7 @@ import { volumeBackground } from "../api/volume-background.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { ReadResult } from "../diagnostics/read-error.js";
-import { extensionOf, extensionsFor, FILE_FORMATS } from "../formats/file-formats.js";
+import { extensionOf, extensionsFor, FILE_FORMATS, isCadFile } from "../formats/file-formats.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { VolumeFile } from "../formats/volume-file.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
@@ -90,6 +90,11 @@ export async function readMeshFile(input: string, from?: string): Promise<FileMe
 /** Returns whether the input is a project, by its name or the given format. */
 export function isProject(input: string, from?: string): boolean {
   return extensionOf(formatName(input, from)) === PROJECT_EXTENSION;
+}
+
+/** Returns whether the input describes shapes, by its name or the given format. */
+export function isCadInput(input: string, from?: string): boolean {
+  return isCadFile(formatName(input, from));
 }
 
 export async function readProjectFile(input: string, from?: string): Promise<Project> {

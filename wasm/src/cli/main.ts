@@ -142,7 +142,7 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
     .addOption(
       new Option(
         "--surface <treatment>",
-        "keep the triangles of a surface, split those larger than the target size, or replace all (default: keep, unless the sizes are far smaller)",
+        "keep the triangles of a surface, split those larger than the target size, or replace all (default: keep, unless the sizes are far smaller; remesh for CAD files)",
       ).choices(SURFACE_TREATMENTS),
     )
     .option(

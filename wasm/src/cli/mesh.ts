@@ -8,13 +8,13 @@ import { plural } from "../base/plural.js";
 import type { Diagnostic, DiagnosticOf } from "../diagnostics/diagnostic.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
-import type { FrontOrder, Optimization } from "../generated/constants.js";
+import type { FrontOrder, InnerShells, Optimization } from "../generated/constants.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
 import { writableName, writeAll } from "./convert.js";
 import { checkOutput, FileError, refuseFolder, writeOutput } from "./files.js";
 import { withMesher } from "./grids.js";
-import { type Input, numberIn, readModel, refuseOptions } from "./input.js";
+import { type Input, isCadInput, numberIn, readModel, refuseOptions } from "./input.js";
 import {
   asInvalidInput,
   asEngineFailure,
@@ -34,7 +34,14 @@ import {
   remeshText,
   type SurfaceTreatment,
 } from "./remeshing.js";
-import { printChanges, refuseRepair, type RepairCommandOptions, repaired, repairOptions } from "./repair.js";
+import {
+  madeFillable,
+  printChanges,
+  refuseRepair,
+  type RepairCommandOptions,
+  repaired,
+  repairOptions,
+} from "./repair.js";
 import { withRun } from "./run.js";
 import {
   checkSizes,
@@ -124,7 +131,7 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const requiredAngle = requiredAngleOf(options);
   const repair = repairOptions(options);
   const split = splitOptions(options);
-  const { surface: treatment } = options;
+  const treatment = options.surface ?? (isCadInput(input, options.from) ? "remesh" : undefined);
   if (treatment === "remesh") remeshOptions(options, meshOptions);
   else refuseRemeshing(options);
   await checkMeshPaths(input, options);
@@ -137,7 +144,10 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
     refuseSplit(split);
   }
   const grid = await readGivenGrid(options, isQuiet);
-  const { model, changes, split: splitWords } = await withRepair(given, repair, split);
+  const { innerShells } = options;
+  const isCad = isCadInput(input, options.from);
+  const repairing = { input, repair, split, innerShells, isRepairImplied: isCad && repair === undefined };
+  const { model, changes, split: splitWords } = await withRepair(given, repairing);
   if (changes !== undefined && !isQuiet) printChanges(input, changes);
   if (splitWords !== undefined && !isQuiet) print(`${input}: ${splitWords}`);
   if (given.kind === "surface" && !isQuiet) {
@@ -157,7 +167,12 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const written = shouldWrite && (await writeResult(input, options, result, meshed)) ? options.output : null;
   if (!isQuiet && report.status !== "invalid-input") print(summary(input, report, written, options));
   const isLost = shouldWrite && written === null;
-  const poor = requiredAngleError(report, requiredAngle, options, given.kind);
+  const poor = requiredAngleError(
+    report,
+    requiredAngle,
+    options,
+    given.kind === "project" || treatment === "remesh",
+  );
   printDiagnostics(input, poor, { isQuiet });
   const exitCode = isLost || poor.length > 0 ? ExitCode.notCompleted : EXIT_CODES[report.status];
   const diagnostics = [...report.diagnostics, ...poor];
@@ -168,12 +183,12 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
 function requiredAngleError(
   { status, dihedral: { min: angle } }: MeshReport,
   required: number,
-  { optimize, surface }: MeshCommandOptions,
-  kind: Input["kind"],
+  { optimize }: MeshCommandOptions,
+  isRemeshed: boolean,
 ): Diagnostic[] {
   if (status !== "done" || angle >= required) return [];
   const remedies = [
-    ...(kind === "project" || surface === "remesh" ? [] : ["--surface remesh"]),
+    ...(isRemeshed ? [] : ["--surface remesh"]),
     ...(optimize === "thorough" ? [] : ["--optimize thorough"]),
     "a surface without needles and narrow gaps",
   ];
@@ -196,14 +211,25 @@ interface Repaired {
   readonly split?: string | undefined;
 }
 
+interface Repairing {
+  readonly input: string;
+  readonly repair: RepairOptions | undefined;
+  readonly split: SplitOptions | undefined;
+  readonly innerShells: InnerShells | undefined;
+  /** Whether the surface is repaired if it cannot be filled without. */
+  readonly isRepairImplied: boolean;
+}
+
 async function withRepair(
   given: Input,
-  repair: RepairOptions | undefined,
-  split: SplitOptions | undefined,
+  { input, repair, split, innerShells, isRepairImplied }: Repairing,
 ): Promise<Repaired> {
-  if (given.kind === "project" || (repair === undefined && split === undefined)) return { model: given };
+  const isNothingAsked = repair === undefined && split === undefined && !isRepairImplied;
+  if (given.kind === "project" || isNothingAsked) return { model: given };
   return withMesher(async (mesher) => {
-    const { surface: whole, changes } = await repaired(mesher, given.surface, repair);
+    const { surface: whole, changes } = isRepairImplied
+      ? await madeFillable(mesher, given.surface, input, innerShells)
+      : await repaired(mesher, given.surface, repair);
     const surface = await withSplit(mesher, whole, split);
     const words = split && splitText(whole, surface);
     return { model: { kind: "surface", surface }, changes, split: words };

@@ -12,7 +12,7 @@ import type { RepairChange } from "../mesh/inspection.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
 import { writableName, writeAll } from "./convert.js";
 import { refuseFolder, STANDARD_STREAM, writeToStandardOutput } from "./files.js";
-import { readModel, refuseOptions } from "./input.js";
+import { isCadInput, readModel, refuseOptions } from "./input.js";
 import {
   countOf,
   ExitCode,
@@ -30,7 +30,7 @@ import {
   type RemeshReport,
   remeshText,
 } from "./remeshing.js";
-import { printChanges, type RepairCommandOptions, repaired, repairOptions } from "./repair.js";
+import { madeFillable, printChanges, type RepairCommandOptions, repaired, repairOptions } from "./repair.js";
 import { withRun } from "./run.js";
 import {
   checkSizes,
@@ -90,7 +90,10 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
   if (given.kind === "project") throw new InvalidInput(input, [projectGiven]);
   const grid = await readGivenGrid(options, isQuiet);
   return withRun(isQuiet, async (mesher, controlOf) => {
-    const { surface: whole, changes } = await repaired(mesher, given.surface, repair);
+    const isRepairImplied = repair === undefined && isCadInput(input, options.from);
+    const { surface: whole, changes } = isRepairImplied
+      ? await madeFillable(mesher, given.surface, input, innerShells)
+      : await repaired(mesher, given.surface, repair);
     const surface = await withSplit(mesher, whole, split);
     if (changes !== undefined && !isQuiet) printChanges(input, changes);
     if (!isQuiet) for (const line of readingLines(given.surface)) print(`note: ${input}: ${line}`);

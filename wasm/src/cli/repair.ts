@@ -3,13 +3,14 @@ import type { Mesher } from "../api/mesher-interface.js";
 import type { RepairOptions } from "../api/option-types.js";
 import { checkRepairOptions } from "../api/options.js";
 import { repairedSurface } from "../api/repaired-surface.js";
+import { touchingSolids } from "../api/touching-solids.js";
 import { plural } from "../base/plural.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { InnerShells } from "../generated/constants.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import { numberIn, refuseOptions } from "./input.js";
-import { print } from "./messages.js";
+import { InvalidInput, print } from "./messages.js";
 import { positionText } from "./tables.js";
 
 /** Options as commander passes them. */
@@ -55,6 +56,25 @@ export async function repaired(
   if (options === undefined) return { surface: given };
   const repair = await mesher.repairSurface(given, options);
   return { surface: repairedSurface(given, repair), changes: repair.changes };
+}
+
+/**
+ * Returns a surface that was triangulated when it was read, repaired if it cannot be filled without. Throws an
+ * InvalidInput if its solids overlap or touch without a common boundary.
+ */
+export async function madeFillable(
+  mesher: Mesher,
+  given: SurfaceFile,
+  input: string,
+  innerShells: InnerShells | undefined,
+): Promise<RepairedSurface> {
+  if ((await mesher.inspectSurface(given, { innerShells, maxDiagnostics: 1 })).isFillable)
+    return { surface: given };
+  const made = await repaired(mesher, given, { innerShells });
+  const found = await mesher.inspectSurface(made.surface, { innerShells });
+  const touching = found.isFillable ? [] : touchingSolids(made.surface, found.diagnostics);
+  if (touching.length > 0) throw new InvalidInput(input, touching);
+  return made.changes?.length === 0 ? { surface: given } : made;
 }
 
 /** Largest number of lines per kind of change; `--json` and `--report` list all. */

@@ -13,6 +13,8 @@ export type PackageCode =
   | "needle-surface"
   /** A remeshed surface may be farther from the given one than the tolerance. */
   | "deviation-above-tolerance"
+  /** Two solids of a file overlap, or touch in faces with different boundaries. */
+  | "touching-solids"
   /** Triangles of a surface were far larger than the sizes, and were split or replaced. */
   | "divided-surface"
   /** A surface was valid, but is not after the rounding of its file format. */

@@ -21,7 +21,8 @@ export function packageDiagnostic(
   remedy: string,
   severity: Severity = "error",
 ): Diagnostic {
-  return { code, severity, message: sentence(message), remedy, entities: [], data: {} };
+  // The compiler does not compare so many codes one by one.
+  return { code, severity, message: sentence(message), remedy, entities: [], data: {} } as Diagnostic;
 }
 
 /** `option`: its name as given, or `options` for all of them. */

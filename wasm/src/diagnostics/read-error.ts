@@ -8,6 +8,7 @@
  * - `malformed-file`: the content violates its format or uses unsupported features; `line` or `offset` locates it.
  * - `too-large-file`: the file has more points or elements than can be indexed or than fit into memory.
  * - `missing-file`: the format needs another file next to this one, which was not found.
+ * - `missing-library`: the library that reads CAD files could not be loaded.
  * - `no-triangles`, `no-tetrahedra`: the file contains none.
  * - `invalid-sizes`: the values at its nodes are not valid element sizes.
  * - `not-a-project`: neither format nor structure are those of a project.
@@ -22,6 +23,7 @@ export type ReadCode =
   | "malformed-file"
   | "too-large-file"
   | "missing-file"
+  | "missing-library"
   | "no-triangles"
   | "no-tetrahedra"
   | "invalid-sizes"

@@ -77,6 +77,11 @@ export interface FileFormat {
   readonly extensions: readonly [string, ...string[]];
   /** Extensions of all files of a mesh, for formats that use several files. */
   readonly companions?: readonly string[];
+  /**
+   * Whether the file describes shapes, which are triangulated when they are read. The triangles are near the shapes, but
+   * poor, so they are replaced before meshing unless others are asked for.
+   */
+  readonly isCad?: boolean;
   readonly readable: readonly Contents[];
   readonly writable: readonly Contents[];
   /** Loads the code of the format on first use. */

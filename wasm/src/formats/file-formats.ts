@@ -6,7 +6,7 @@ import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
 import type { Part } from "./bytes.js";
-import type { Contents, FileFormat, FormatCode, MeshWriter, Note } from "./file-format.js";
+import type { Contents, FileFormat, FormatCode, MeshReader, MeshWriter, Note } from "./file-format.js";
 import { fitToFormat, type FormatLimits } from "./format-limits.js";
 
 /** Every format that can be read or written. */
@@ -55,6 +55,9 @@ export const FILE_FORMATS: readonly FileFormat[] = [
       write: singleFile((await import("./ply-writer.js")).writePly, { minTag: 0 }),
     }),
   },
+  cadFormat("step", "STEP", [".step", ".stp"], async () => (await import("./cad.js")).readStep),
+  cadFormat("iges", "IGES", [".iges", ".igs"], async () => (await import("./cad.js")).readIges),
+  cadFormat("brep", "BREP", [".brep"], async () => (await import("./cad.js")).readBrep),
   {
     id: "glb",
     name: "glTF binary",
@@ -223,6 +226,11 @@ export const FILE_FORMATS: readonly FileFormat[] = [
   },
 ];
 
+/** Whether a file of this name describes shapes, which are triangulated when they are read. */
+export function isCadFile(fileName: string): boolean {
+  return formatOf(fileName)?.isCad === true;
+}
+
 /**
  * Returns the format of a file by its extension, ignoring case; the longest matching extension decides. Throws a
  * `MesherError` if `fileName` is not a string.
@@ -262,6 +270,26 @@ export function extensionsFor(action: "read" | "write", contents: Contents): rea
   );
   return formats.flatMap(({ extensions }) => extensions);
 }
+
+function cadFormat(
+  id: string,
+  name: string,
+  extensions: FileFormat["extensions"],
+  loadReader: () => Promise<MeshReader>,
+): FileFormat {
+  return {
+    id,
+    name,
+    extensions,
+    isCad: true,
+    readable: ["surface"],
+    writable: [],
+    load: async () => ({ read: await loadReader(), arrival: CAD_ARRIVAL }),
+  };
+}
+
+/** Approximate fraction of the work of reading a CAD file that is done when all bytes have arrived. */
+const CAD_ARRIVAL = 0.1;
 
 async function vtkXml(): Promise<FormatCode> {
   const { ARRIVAL, readVtkXml } = await import("./vtk-xml-reader.js");

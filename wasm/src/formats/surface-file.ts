@@ -20,6 +20,8 @@ export interface SurfaceFile extends SurfaceInput {
   readonly surfaceRegions?: SurfaceRegions | undefined;
   /** Names of regions whose location the file does not define; they are lost. */
   readonly unlocatedRegions?: readonly string[] | undefined;
+  /** Unit of the coordinates, if the file defines one; they are converted to it. */
+  readonly unit?: "mm" | undefined;
   /** Sentences about other content of the file that was ignored. */
   readonly notes?: readonly string[] | undefined;
   /** Number of repeated listings of a triangle. It is kept once, in its first group. */
@@ -29,13 +31,14 @@ export interface SurfaceFile extends SurfaceInput {
 /** Returns the triangles of a file with the points they use. Throws a ReadFailure if there are no triangles. */
 export function* surfaceOf(mesh: FileMesh): Steps<SurfaceFile> {
   if (mesh.triangles.length === 0) throw noTriangles(mesh.tetrahedra.length / 4);
-  const { trianglePatch, patches, notes, unlocatedRegions, duplicateTriangles = 0 } = mesh;
+  const { trianglePatch, patches, unit, notes, unlocatedRegions, duplicateTriangles = 0 } = mesh;
   const surfaceRegions = yield* surfaceRegionsOf(mesh);
   return {
     ...(yield* exactlyWelded(yield* boundaryOf(mesh))),
     trianglePatch,
     patches,
     ...(surfaceRegions && { surfaceRegions }),
+    ...(unit && { unit }),
     ...(unlocatedRegions && { unlocatedRegions }),
     ...(notes && { notes }),
     ...(duplicateTriangles > 0 && { duplicateTriangles }),

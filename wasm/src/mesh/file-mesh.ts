@@ -35,6 +35,8 @@ export interface SurfaceRegions {
 export interface FileMesh {
   /** Format and version as stated by the file, if the file's name does not decide: "Gmsh 2.2". */
   readonly format?: string | undefined;
+  /** Unit of the coordinates, if the file defines one; they are converted to it. */
+  readonly unit?: "mm" | undefined;
   /** x y z per node. */
   readonly points: Float64Array;
   /** Whether all points differ, so that exact welding changes nothing. Default false. */

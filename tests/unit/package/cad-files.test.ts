@@ -1,0 +1,259 @@
+/** STEP, IGES and BREP files: solids as regions, faces as patches, units, colours, interfaces, errors. */
+import { readFileSync } from "node:fs";
+
+import { createMesher, readMesh, readSurface, type Mesher, type SurfaceFile } from "tetrafront";
+import { afterAll, beforeAll, describe, expect, test } from "vitest";
+
+import { mutated, randomSource } from "../../support/random.js";
+import { boxSolid, drilledSolid, pinSolid, stepFile } from "../../support/step-files.js";
+import { temporaryFolder } from "../../support/temporary-folder.js";
+
+const { save, run, inFolder } = temporaryFolder();
+let mesher: Mesher;
+beforeAll(async () => {
+  mesher = await createMesher();
+});
+afterAll(() => mesher.dispose());
+
+async function surfaceIn(file: Uint8Array, fileName: string): Promise<SurfaceFile> {
+  const read = await readSurface(file, { fileName });
+  if (!read.success) throw new Error(read.errors[0].message);
+  return read.value;
+}
+
+const namesIn = ({ patches }: SurfaceFile) => patches.map(({ name }) => name);
+const regionsIn = ({ surfaceRegions }: SurfaceFile) => surfaceRegions?.regions.map(({ name }) => name);
+
+function trianglesOf(surface: SurfaceFile, patch: string): number {
+  const index = namesIn(surface).indexOf(patch);
+  return surface.trianglePatch.filter((owner) => owner === index).length;
+}
+
+/** Files that come with the library. */
+const sample = (name: string) =>
+  readFileSync(new URL(`../../../node_modules/occt-import-js/test/testfiles/${name}`, import.meta.url));
+
+const plate = stepFile([drilledSolid("plate", [0, 0, 0], [20, 10, 8], [8, 5], 3)]);
+const plateVolume = 20 * 10 * 8 - Math.PI * 9 * 8;
+
+describe("a solid", () => {
+  test("becomes a closed region, its faces patches in the order of the file", async () => {
+    const surface = await surfaceIn(plate, "plate.step");
+    expect(namesIn(surface)).toEqual([1, 2, 3, 4, 5, 6, 7].map((n) => `face ${n}`));
+    expect(surface.patches.map(({ tag }) => tag)).toEqual([1, 2, 3, 4, 5, 6, 7]);
+    expect(regionsIn(surface)).toEqual(["plate"]);
+    expect(surface.unit).toBe("mm");
+    expect(trianglesOf(surface, "face 1")).toBe(2);
+    const found = await mesher.inspectSurface(surface);
+    expect(found).toMatchObject({ isFillable: true, regions: 1, flippedTriangles: 0 });
+    expect(Math.abs(found.volume / plateVolume - 1)).toBeLessThan(2e-4 + 0.0017 * (226 / plateVolume));
+  });
+
+  test("keeps its colours: those of faces, else that of the solid", async () => {
+    const [red, grey] = [
+      [0.8, 0.1, 0.2],
+      [0.5, 0.5, 0.5],
+    ] as const;
+    const solid = boxSolid("box", [0, 0, 0], [1, 2, 3], { color: grey, colors: [undefined, red] });
+    const { patches } = await surfaceIn(stepFile([solid]), "box.stp");
+    patches.forEach(({ color }, p) => {
+      (p === 1 ? red : grey).forEach((part, i) => expect(color?.[i]).toBeCloseTo(part, 5));
+    });
+  });
+
+  test.each([
+    ["mm", 1],
+    ["m", 1000],
+    ["inch", 25.4],
+  ] as const)("in %s is converted to millimetres", async (unit, factor) => {
+    const { points } = await surfaceIn(stepFile([boxSolid("box", [0, 0, 0], [1, 2, 3])], unit), "box.step");
+    [0, 1, 2].forEach((axis) => {
+      const all = points.filter((_, i) => i % 3 === axis);
+      expect(Math.max(...all) - Math.min(...all)).toBeCloseTo((axis + 1) * factor, 8);
+    });
+  });
+
+  test("of a BREP file has no unit", async () => {
+    const surface = await surfaceIn(
+      readFileSync(new URL("../../fixtures/plate.brep", import.meta.url)),
+      "plate.brep",
+    );
+    expect([surface.unit, namesIn(surface).length]).toEqual([undefined, 7]);
+    const { volume, isFillable } = await mesher.inspectSurface(surface);
+    expect(isFillable).toBe(true);
+    expect(Math.abs(volume / plateVolume - 1)).toBeLessThan(1e-3);
+  });
+
+  test("of an IGES file is closed", async () => {
+    const surface = await surfaceIn(sample("cube-10x10mm/Cube 10x10.igs"), "cube.igs");
+    expect(namesIn(surface)).toHaveLength(6);
+    expect(await mesher.inspectSurface(surface)).toMatchObject({ isFillable: true, volume: 1000 });
+  });
+});
+
+describe("an assembly", () => {
+  test("of two boxes that touch has two regions with one interface", async () => {
+    const file = stepFile([boxSolid("left", [0, 0, 0], [2, 1, 1]), boxSolid("right", [2, 0, 0], [3, 1, 1])]);
+    const surface = await surfaceIn(file, "boxes.step");
+    expect(regionsIn(surface)).toEqual(["left", "right"]);
+    expect(namesIn(surface).filter((name) => name.includes("/"))).toEqual(["left / right"]);
+    expect(namesIn(surface)).not.toContain("left face 2");
+    expect(surface.triangles).toHaveLength(3 * 22);
+    const { report, surface: made } = await mesher.fillSurface(surface, { size: 0.5 });
+    expect([report.status, report.quality.regions.length]).toEqual(["done", 2]);
+    expect(report.volume).toBeCloseTo(3, 9);
+    const interfaces = made.triangleRegions.filter(
+      (_, side) => side % 2 === 1 && made.triangleRegions[side] === 1,
+    );
+    expect(interfaces.length).toBeGreaterThan(0);
+  });
+
+  test("joins curved faces that are triangulated differently: a pin in its hole", async () => {
+    const file = stepFile([
+      drilledSolid("plate", [0, 0, 0], [20, 10, 8], [8, 5], 3),
+      pinSolid("pin", [8, 5, 0], 3, 8),
+    ]);
+    const surface = await surfaceIn(file, "pin.step");
+    expect(namesIn(surface)).toContain("plate / pin");
+    const found = await mesher.inspectSurface(surface);
+    expect(found).toMatchObject({ isFillable: true, regions: 2 });
+    expect(found.volume).toBeCloseTo(1600, 6);
+  });
+
+  test("names every instance of a part differently", async () => {
+    const file = stepFile([boxSolid("nut", [0, 0, 0], [1, 1, 1]), boxSolid("nut", [5, 0, 0], [6, 1, 1])]);
+    const surface = await surfaceIn(file, "nuts.step");
+    expect(regionsIn(surface)).toEqual(["nut", "nut 2"]);
+    expect(namesIn(surface)).toContain("nut 2 face 6");
+  });
+
+  test("reads the parts of a published assembly, each closed", async () => {
+    const surface = await surfaceIn(sample("cax-if/as1_pe_203.stp"), "as1.stp");
+    expect(regionsIn(surface)?.length).toBe(18);
+    expect(surface.notes?.filter((note) => note.startsWith("not closed")) ?? []).toEqual([]);
+  });
+
+  test("is named where its solids touch in faces with different boundaries", async () => {
+    save(
+      "bodies.step",
+      stepFile([boxSolid("base", [0, 0, 0], [2, 2, 1]), boxSolid("post", [0.5, 0.5, 1], [1, 1, 3])]),
+    );
+    const meshed = await run("mesh", "bodies.step", "-o", "bodies.vtu");
+    expect(meshed.code).toBe(2);
+    expect(meshed.stderr).toMatch(
+      /error: bodies\.step: The solids "base" and "post" overlap, or touch in faces with different boundaries\. Divide/,
+    );
+    const checked = await run("check", "bodies.step");
+    expect(checked.stderr).toContain('The solids "base" and "post" overlap');
+  });
+});
+
+describe("the command line", () => {
+  test("meshes a STEP file well without options", async () => {
+    save("plate.step", plate);
+    const { code, stderr } = await run("mesh", "plate.step", "-o", "plate.msh", "--report", "plate.json");
+    expect([code, stderr]).toEqual([0, expect.stringContaining("plate.step: remeshed: ")]);
+    const report = JSON.parse(readFileSync(inFolder("plate.json"), "utf8")) as {
+      volume: number;
+      dihedral: { min: number };
+      radiusRatio: { mean: number };
+    };
+    expect(report.dihedral.min).toBeGreaterThan(20);
+    expect(report.radiusRatio.mean).toBeGreaterThan(0.8);
+    expect(Math.abs(report.volume / plateVolume - 1)).toBeLessThan(0.003);
+    const written = await readMesh(readFileSync(inFolder("plate.msh")), { fileName: "plate.msh" });
+    if (!written.success) throw new Error(written.errors[0].message);
+    expect(written.value.patches.map(({ name }) => name)).toEqual(
+      [1, 2, 3, 4, 5, 6, 7].map((n) => `face ${n}`),
+    );
+    expect(written.value.regions.map(({ name }) => name)).toEqual(["plate"]);
+  });
+
+  test("keeps the triangles of a STEP file if that is asked for", async () => {
+    save("box.step", stepFile([boxSolid("box", [0, 0, 0], [1, 1, 1])]));
+    const { code, stderr } = await run("mesh", "box.step", "-o", "box.vtu", "--surface", "keep");
+    expect([code, stderr]).toEqual([0, expect.not.stringContaining("remeshed")]);
+  });
+
+  test("prints unit, solids and faces", async () => {
+    save(
+      "nuts.step",
+      stepFile([boxSolid("nut", [0, 0, 0], [1, 1, 1]), boxSolid("bolt", [5, 0, 0], [6, 1, 1])]),
+    );
+    const { stdout } = await run("info", "nuts.step");
+    expect(stdout).toContain("STEP, in mm\n");
+    expect(stdout).toContain('region 2 "bolt": 12 triangles around it');
+    expect(stdout).toContain('patch 12 "bolt face 6": 2');
+  });
+
+  test("converts, remeshes and checks STEP files", async () => {
+    save("plate.step", plate);
+    for (const args of [
+      ["convert", "plate.step", "-o", "plate.stl"],
+      ["remesh", "plate.step", "-o", "plate.ply"],
+      ["check", "plate.step"],
+    ]) {
+      const { code, stderr } = await run(...args);
+      expect([args[0], code, stderr]).toEqual([args[0], 0, expect.stringContaining("plate.step: ")]);
+    }
+  });
+});
+
+describe("a file that cannot be read", () => {
+  const errorOf = async (file: Uint8Array, fileName: string) => {
+    const read = await readSurface(file, { fileName });
+    return read.success ? undefined : read.errors[0];
+  };
+
+  test.each(["part.step", "part.iges", "part.brep"])(
+    "as %s gives an error that names it",
+    async (fileName) => {
+      const nonsense = await errorOf(new TextEncoder().encode("nonsense"), fileName);
+      expect(nonsense).toMatchObject({ code: "malformed-file", fileName });
+      expect(nonsense?.message).toMatch(/^OpenCascade /);
+      expect(nonsense?.remedy).toMatch(/^Export the part again/);
+      expect(await errorOf(new Uint8Array(), fileName)).toMatchObject({ code: "empty-file", fileName });
+    },
+  );
+
+  test("however it is damaged, gives a surface or an error with a remedy; the next file is read", async () => {
+    const [box, iges, brep] = [
+      stepFile([drilledSolid("plate", [0, 0, 0], [20, 10, 8], [8, 5], 3)]),
+      sample("cube-10x10mm/Cube 10x10.igs"),
+      readFileSync(new URL("../../fixtures/plate.brep", import.meta.url)),
+    ];
+    let refused = 0;
+    for (let seed = 1; seed <= SEEDS; seed++) {
+      const [file, fileName] = (
+        [
+          [box, "a.step"],
+          [iges, "a.igs"],
+          [brep, "a.brep"],
+        ] as const
+      )[seed % 3] ?? [box, "a.step"];
+      const read = await readSurface(mutated(file, randomSource(seed)), { fileName });
+      if (read.success) {
+        const { points, triangles, trianglePatch, patches } = read.value;
+        expect(points.every(Number.isFinite), `seed ${seed}`).toBe(true);
+        expect(triangles.every((node) => 3 * node < points.length)).toBe(true);
+        expect(trianglePatch.every((patch) => patch < patches.length)).toBe(true);
+      } else {
+        refused++;
+        expect(read.errors[0].message, `seed ${seed}`).toMatch(/OpenCascade|no solids|empty/);
+        expect(read.errors[0].remedy).toMatch(/^[A-Z].*\.$/);
+      }
+    }
+    expect(refused).toBeGreaterThan(SEEDS / 10);
+    expect((await surfaceIn(box, "a.step")).triangles.length).toBeGreaterThan(100);
+  });
+});
+
+/** Number of damaged files. */
+const SEEDS = Number(process.env["TETRAFRONT_FUZZ"] ?? 60);
+
+test("cancelling ends the worker", async () => {
+  const abort = new AbortController();
+  const reading = readSurface(plate, { fileName: "plate.step", signal: abort.signal });
+  setTimeout(() => abort.abort(), 20);
+  await expect(reading).rejects.toMatchObject({ code: "cancelled" });
+});

@@ -1,0 +1,25 @@
+import type { CadHost } from "./cad-host.js";
+import type { CadReply } from "./protocol.js";
+
+export const cadHost: CadHost = {
+  remedy:
+    "Serve occt-import-js.js and occt-import-js.wasm of the package occt-import-js 0.0.23, pass their addresses to setCadLibrary(), and let the Content-Security-Policy allow 'unsafe-eval'.",
+  start: (events) => {
+    // Bundlers recognize the worker by exactly this expression.
+    const worker = new Worker(new URL("./cad-worker.js", import.meta.url), {
+      type: "module",
+      name: "tetrafront-cad",
+    });
+    worker.onmessage = (event: MessageEvent<CadReply>) => events.onReply(event.data);
+    worker.onmessageerror = () => events.onCrash("a reply could not be received");
+    worker.onerror = (event) => {
+      event.preventDefault();
+      const spoken = event instanceof ErrorEvent ? event.message : "";
+      events.onCrash(spoken || `the browser could not load its script for ${import.meta.url}`);
+    };
+    return {
+      post: (request) => worker.postMessage(request),
+      terminate: () => worker.terminate(),
+    };
+  },
+};

@@ -1,0 +1,26 @@
+import { Worker } from "node:worker_threads";
+import type { CadHost } from "./cad-host.js";
+import type { CadReply } from "./protocol.js";
+
+export const cadHost: CadHost = {
+  remedy: "Install the optional package that reads CAD files: npm install occt-import-js@0.0.23",
+  start: (events) => {
+    const worker = new Worker(new URL("./cad-worker.js", import.meta.url), {
+      name: "tetrafront-cad",
+      execArgv: [],
+    });
+    let isOver = false;
+    worker.on("message", (reply: CadReply) => events.onReply(reply));
+    worker.on("error", (failure: unknown) => events.onCrash(String(failure)));
+    worker.on("exit", (code) => {
+      if (!isOver) events.onCrash(`the worker ended with code ${code}`);
+    });
+    return {
+      post: (request) => worker.postMessage(request),
+      terminate: () => {
+        isOver = true;
+        void worker.terminate();
+      },
+    };
+  },
+};

@@ -1,0 +1,19 @@
+/** The worker of a CAD file as its creator sees it, the same in browsers and Node. */
+import type { CadReply, CadRequest } from "./protocol.js";
+
+export interface CadWorker {
+  post(request: CadRequest): void;
+  terminate(): void;
+}
+
+export interface CadWorkerEvents {
+  onReply(reply: CadReply): void;
+  /** The worker ended by itself; no reply will follow. */
+  onCrash(message: string): void;
+}
+
+export interface CadHost {
+  readonly start: (events: CadWorkerEvents) => CadWorker;
+  /** What to do if the worker or the library cannot be loaded. */
+  readonly remedy: string;
+}

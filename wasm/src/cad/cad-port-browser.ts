@@ -1,0 +1,36 @@
+import type { CadPort } from "./cad-port.js";
+import type { CreateOpenCascade } from "./opencascade.js";
+import type { CadRequest } from "./protocol.js";
+
+/** The part of a worker's global scope that is used here; the DOM types describe a window's. */
+interface WorkerScope {
+  postMessage(message: unknown, transfer: Transferable[]): void;
+  onmessage: ((event: MessageEvent<CadRequest>) => void) | null;
+  define?: unknown;
+}
+
+const scope = globalThis as unknown as WorkerScope;
+
+export const cadPort: CadPort = {
+  onRequest: (handle) => {
+    scope.onmessage = (event) => handle(event.data);
+  },
+  post: (reply, transfer) => scope.postMessage(reply, [...transfer]),
+  library: async (addresses) => {
+    const { script = "", wasm = "" } = addresses ?? {};
+    const create = await definedBy(script);
+    return { create, options: { locateFile: () => wasm } };
+  },
+};
+
+/** Runs the library's script, which is not a module: it defines itself as an AMD module. */
+async function definedBy(script: string): Promise<CreateOpenCascade> {
+  let create: CreateOpenCascade | undefined;
+  const define = (_dependencies: unknown, make: () => CreateOpenCascade) => {
+    create = make();
+  };
+  scope.define = Object.assign(define, { amd: true });
+  await import(/* @vite-ignore */ /* webpackIgnore: true */ script);
+  if (create === undefined) throw new Error(`${script} is not occt-import-js`);
+  return create;
+}

@@ -1,0 +1,57 @@
+/** Messages between a reader of CAD files and its worker. */
+
+/** Kinds of CAD files that OpenCascade reads. */
+export type CadFormat = "step" | "iges" | "brep";
+
+/** Addresses of the two files of the library `occt-import-js`, for browsers. */
+export interface CadLibrary {
+  /** Address of `occt-import-js/dist/occt-import-js.js`. */
+  readonly script: string;
+  /** Address of `occt-import-js/dist/occt-import-js.wasm`. */
+  readonly wasm: string;
+}
+
+export interface CadRequest {
+  readonly format: CadFormat;
+  readonly bytes: Uint8Array;
+  readonly deflection: Deflection;
+  /** Undefined in Node, which finds the library by its name. */
+  readonly library: CadLibrary | undefined;
+}
+
+/** Largest distance of the triangles from the CAD faces. */
+export interface Deflection {
+  /** In millimetres, or relative to the mean side of the box around each part of the file. */
+  readonly distance: number;
+  readonly isRelative: boolean;
+  /** Largest angle between the normals at the ends of an edge, in radians. */
+  readonly angle: number;
+}
+
+/** Red, green and blue from 0 to 1, in sRGB. */
+export type CadColor = readonly [number, number, number];
+
+export interface CadFace {
+  /** Number of its triangles, which follow those of the face before it. */
+  readonly triangles: number;
+  readonly color: CadColor | undefined;
+}
+
+/** Triangles of a solid, or of faces that are not part of a solid. Each face has nodes of its own. */
+export interface CadShape {
+  /** Empty if the file has none. */
+  readonly name: string;
+  /** x y z per node, in millimetres; BREP files have no unit. */
+  readonly points: Float64Array;
+  readonly triangles: Uint32Array;
+  readonly faces: readonly CadFace[];
+}
+
+export type CadReply =
+  | { readonly kind: "read"; readonly shapes: readonly CadShape[] }
+  /** OpenCascade rejects the file. */
+  | { readonly kind: "rejected" }
+  /** OpenCascade failed in the file. */
+  | { readonly kind: "failed"; readonly message: string }
+  /** The library could not be loaded. */
+  | { readonly kind: "not-loaded"; readonly message: string };

@@ -1,0 +1,116 @@
+/**
+ * Joins shapes that were triangulated by themselves, such as the solids of a CAD file, to one surface: each shape a
+ * region, each of its faces a patch. Faces that two shapes share become interfaces.
+ */
+import { type Steps, stepwise } from "../base/steps.js";
+import { NO_REGION } from "../generated/constants.js";
+import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
+import { listed } from "./groups.js";
+import {
+  joinedShapes,
+  type JoinedShapes,
+  namesOf,
+  openShapes,
+  orientShapes,
+  type Shape,
+  type ShapeFace,
+  weldShapes,
+} from "./joined-shapes.js";
+import { shareFaces, shareTriangles } from "./shared-faces.js";
+
+/** Returns the surface of all shapes. Its notes list what was changed, open shapes and faces without triangles. */
+export function* surfaceOfShapes(shapes: readonly Shape[]): Steps<FileMesh> {
+  const joined = joinedShapes(shapes);
+  yield* weldShapes(joined);
+  yield* orientShapes(joined);
+  const open = yield* openShapes(joined);
+  if (open.size > 0) joined.notes.push(`not closed: ${namesOf(joined, open)}`);
+  if (shapes.length > 1) {
+    yield* shareFaces(joined);
+    yield* shareTriangles(joined);
+  }
+  return yield* meshOf(joined, shapes);
+}
+
+function* meshOf(joined: JoinedShapes, shapes: readonly Shape[]): Steps<FileMesh> {
+  const { names, points, shapeOf, faceOf, twin, isDropped, notes } = joined;
+  const patches = new SharedPatches(shapes, names);
+  const kept = shapeOf.map((_, t) => t).filter((t) => isDropped[t] === 0);
+  const triangles = new Uint32Array(3 * kept.length);
+  const trianglePatch = new Uint32Array(kept.length);
+  const triangleRegions = new Uint32Array(2 * kept.length).fill(NO_REGION);
+  yield* stepwise(kept.length, (i) => {
+    const t = kept[i] ?? 0;
+    const other = twin[t] ?? t;
+    triangles.set(joined.triangles.subarray(3 * t, 3 * t + 3), 3 * i);
+    const face = faceOf[t] ?? 0;
+    trianglePatch[i] = other === t ? patches.of(face) : patches.between(face, faceOf[other] ?? 0);
+    triangleRegions[2 * i] = shapeOf[t] ?? 0;
+    if (other !== t) triangleRegions[2 * i + 1] = shapeOf[other] ?? 0;
+  });
+  const allNotes = [...notes, ...patches.emptyFaces()];
+  return {
+    points,
+    isWelded: true,
+    triangles,
+    trianglePatch,
+    patches: patches.groups,
+    tetrahedra: new Uint32Array(),
+    tetrahedronRegion: new Uint32Array(),
+    regions: [],
+    surfaceRegions: { regions: names.map((name, s) => ({ name, tag: s + 1 })), triangleRegions },
+    ...(allNotes.length > 0 && { notes: allNotes }),
+    nodeData: new Map(),
+  };
+}
+
+/** Patches of faces, and of pairs of faces that two shapes share, in the order in which they are asked for. */
+class SharedPatches {
+  readonly groups: FileGroup[] = [];
+  readonly #faces: readonly (ShapeFace & { readonly shape: string; readonly label: string })[];
+  readonly #indices = new Map<string, number>();
+  /** Number of interfaces per pair of shapes. */
+  readonly #interfaces = new Map<string, number>();
+  #lastTag: number;
+
+  constructor(shapes: readonly Shape[], names: readonly string[]) {
+    this.#faces = shapes.flatMap(({ faces }, s) => {
+      const shape = names[s] ?? "";
+      return faces.map((face, f) => {
+        const own = face.name ?? `face ${f + 1}`;
+        return { ...face, shape, label: shapes.length === 1 ? own : `${shape} ${own}` };
+      });
+    });
+    this.#lastTag = this.#faces.length;
+  }
+
+  /** Returns the patch of a face. */
+  of(face: number): number {
+    const { label = "", color } = this.#faces[face] ?? {};
+    return this.#index(`${face}`, () => ({ name: label, tag: face + 1, color }));
+  }
+
+  /** Returns the patch of an interface between two faces: "bolt / nut", "bolt / nut 2". */
+  between(one: number, other: number): number {
+    return this.#index(`${one} ${other}`, () => {
+      const [a, b] = [this.#faces[one], this.#faces[other]];
+      const name = `${a?.shape ?? ""} / ${b?.shape ?? ""}`;
+      const number = (this.#interfaces.get(name) ?? 0) + 1;
+      this.#interfaces.set(name, number);
+      return { name: number === 1 ? name : `${name} ${number}`, tag: ++this.#lastTag, color: a?.color };
+    });
+  }
+
+  /** Returns a sentence about the faces without triangles. */
+  emptyFaces(): string[] {
+    const empty = this.#faces.filter(({ triangles }) => triangles <= 0).map(({ label }) => label);
+    return empty.length === 0 ? [] : [`without triangles: ${listed(empty)}`];
+  }
+
+  #index(key: string, make: () => FileGroup): number {
+    const known = this.#indices.get(key);
+    if (known !== undefined) return known;
+    this.#indices.set(key, this.groups.length);
+    return this.groups.push(make()) - 1;
+  }
+}
