@@ -1,29 +1,18 @@
-import { readFile } from "node:fs/promises";
 import AxeBuilder from "@axe-core/playwright";
 import { expect, test, type Page } from "@playwright/test";
 import { readProject } from "tetrafront";
-import { parseMsh, parseVtu, type FileMesh } from "../support/mesh-files";
+import { parseMsh, parseVtu } from "../support/mesh-files";
+import { measured } from "../support/mesh-measures";
 import { plateSurface, plateVolume } from "../support/plate";
 import { stlBinary, stlText } from "../support/surface-files";
 import { boxSurface, steppedBlock } from "../support/surfaces";
 import { AppPage } from "./app-page";
+import { downloaded, downloadMesh } from "./downloads";
 import { dropBytes } from "./drop-bytes";
 
 const plate = { half: 5, thickness: 1, radius: 2, corners: 24 } as const;
 const surface = plateSurface(plate);
 const triangleCount = surface.triangles.length / 3;
-
-async function downloaded(page: Page, act: () => Promise<void>): Promise<Uint8Array> {
-  const [download] = await Promise.all([page.waitForEvent("download"), act()]);
-  return new Uint8Array(await readFile(await download.path()));
-}
-
-async function downloadMesh(page: Page, format: RegExp): Promise<Uint8Array> {
-  return downloaded(page, async () => {
-    await page.getByTestId("download").click();
-    await page.getByRole("menuitem", { name: format }).click();
-  });
-}
 
 async function openPlate(page: Page, fileName = "plate.stl"): Promise<AppPage> {
   const app = new AppPage(page);
@@ -35,46 +24,6 @@ async function openPlate(page: Page, fileName = "plate.stl"): Promise<AppPage> {
 
 const previewed = (page: Page): Promise<void> =>
   expect(page.getByTestId("body-preview")).toHaveAttribute("data-current", "true");
-
-/** Six times the volume of each tetrahedron, the number of elements at each face, and the open edges of the boundary. */
-function measured({ points, tetrahedra }: FileMesh) {
-  const at = (node: number): number[] => [...points.subarray(3 * node, 3 * node + 3)];
-  const sixfold = tetrahedra.map((nodes) => {
-    const [a = [], b = [], c = [], d = []] = nodes.map(at);
-    const [u, v, w] = [b, c, d].map((p) => p.map((x, k) => x - (a[k] ?? 0)));
-    const [[ux = 0, uy = 0, uz = 0] = [], [vx = 0, vy = 0, vz = 0] = [], [wx = 0, wy = 0, wz = 0] = []] = [
-      u,
-      v,
-      w,
-    ];
-    return ux * (vy * wz - vz * wy) - uy * (vx * wz - vz * wx) + uz * (vx * wy - vy * wx);
-  });
-  const faces = new Map<string, number>();
-  for (const nodes of tetrahedra) {
-    for (const left of nodes) {
-      const key = nodes
-        .filter((node) => node !== left)
-        .toSorted((p, q) => p - q)
-        .join();
-      faces.set(key, (faces.get(key) ?? 0) + 1);
-    }
-  }
-  const edges = new Map<string, number>();
-  for (const [key, count] of faces) {
-    if (count > 1) continue;
-    const corners = key.split(",");
-    for (const left of corners) {
-      const edge = corners.filter((corner) => corner !== left).join();
-      edges.set(edge, (edges.get(edge) ?? 0) + 1);
-    }
-  }
-  return {
-    volume: sixfold.reduce((sum, six) => sum + six / 6, 0),
-    inverted: sixfold.filter((six) => six <= 0).length,
-    crowdedFaces: [...faces.values()].filter((count) => count > 2).length,
-    openEdges: [...edges.values()].filter((count) => count % 2 === 1).length,
-  };
-}
 
 test("a binary STL becomes a mesh: card, preview, mesh, download", async ({ page }) => {
   const app = await openPlate(page);

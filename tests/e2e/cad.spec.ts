@@ -1,0 +1,44 @@
+import { expect, test } from "@playwright/test";
+import { measured } from "../support/mesh-measures";
+import { parseMsh, parseVtu } from "../support/mesh-files";
+import { boxSolid, drilledSolid, stepFile } from "../support/step-files";
+import { AppPage } from "./app-page";
+import { downloadMesh } from "./downloads";
+import { dropBytes } from "./drop-bytes";
+
+const plate = stepFile([drilledSolid("Plate", [0, 0, 0], [20, 10, 8], [8, 5], 3)]);
+const plateVolume = 1600 - 72 * Math.PI;
+
+test("a STEP file becomes a mesh: card, faces as patches, mesh, download", async ({ page }) => {
+  const requested: string[] = [];
+  page.on("request", (request) => requested.push(request.url()));
+  const app = new AppPage(page);
+  await app.openCube();
+  expect(requested.filter((url) => url.includes("occt"))).toEqual([]);
+  await dropBytes(page, plate, "plate.step");
+  await expect(page.getByTestId("entity-name")).toHaveValue("plate");
+  await expect(page.getByTestId("body-size")).toContainText("20 × 10 × 8");
+  const volume = Number(await page.getByTestId("body-volume").textContent());
+  expect(Math.abs(volume / plateVolume - 1)).toBeLessThan(1e-3);
+  await expect(page.getByTestId("body-preview")).toHaveAttribute("data-current", "true");
+
+  await page.getByTestId("body-generate").click();
+  const { tets } = await app.meshed();
+  const mesh = parseVtu(await downloadMesh(page, /VTU/));
+  expect(mesh.tetrahedra).toHaveLength(tets);
+  const { volume: filled, ...defects } = measured(mesh);
+  expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
+  expect(Math.abs(filled / plateVolume - 1)).toBeLessThan(5e-3);
+  const names = parseMsh(await downloadMesh(page, /MSH/)).triangles.map(({ name }) => name);
+  expect(new Set(names)).toEqual(new Set([1, 2, 3, 4, 5, 6, 7].map((n) => `face ${n}`)));
+});
+
+test("a damaged STEP file gives an error, and the next file is opened", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await dropBytes(page, plate.subarray(0, 1000), "damaged.step");
+  await expect(page.getByRole("dialog")).toContainText("OpenCascade cannot read the file as STEP");
+  await page.keyboard.press("Escape");
+  await dropBytes(page, stepFile([boxSolid("box", [0, 0, 0], [1, 2, 3])]), "box.stp");
+  await expect(page.getByTestId("entity-name")).toHaveValue("box");
+});
