@@ -81,7 +81,7 @@ export const commandLabels = {
 /** Names of the file formats of a mesh, by extension. */
 export const downloadFormats = {
   vtu: "VTU (ParaView)",
-  msh: "MSH 4.1 (Gmsh)",
+  msh: "MSH 4.1 (Gmsh, scikit-fem)",
   "foam.zip": "polyMesh (OpenFOAM)",
   su2: "SU2",
   inp: "INP (Abaqus)",

@@ -41,10 +41,23 @@ it("a large surface is drawn in pieces, one more with each frame, with the state
   expect(codes()).toEqual([1, 1, 1]);
   const before = versions();
   states.array.fill(2);
+  states.addUpdateRange(0, 3 * triangles);
   states.needsUpdate = true;
   pieces.show(states, [true, true, false]);
   expect(codes()).toEqual([2, 2, 2]);
   expect(versions()).toEqual(before.map((version) => version + 1));
+
+  // Only changed vertices are copied to the GPU.
+  const ranges = () =>
+    solid.map(({ geometry }) => (geometry.getAttribute("state") as BufferAttribute).updateRanges);
+  for (const { geometry } of solid) (geometry.getAttribute("state") as BufferAttribute).clearUpdateRanges();
+  const second = 3 * Math.floor(triangles / 3);
+  states.array.fill(3, second - 6, second + 9);
+  states.addUpdateRange(second - 6, 15);
+  states.needsUpdate = true;
+  pieces.show(states, [true, true, false]);
+  expect(ranges()).toEqual([[{ start: second - 6, count: 6 }], [{ start: 0, count: 9 }], []]);
+  expect(versions()).toEqual(before.map((version, p) => version + (p < 2 ? 2 : 1)));
   expect(visible()).toBe(6);
   pieces.dispose();
   expect(root.children).toHaveLength(0);

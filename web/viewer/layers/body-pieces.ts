@@ -15,6 +15,18 @@ interface Piece {
   readonly end: number;
 }
 
+/** Copies to the GPU what has changed in the states of a piece. `ranges`: ranges of vertices of the surface. */
+function updateStates({ geometry, first, end }: Piece, ranges: BufferAttribute["updateRanges"]): void {
+  const states = geometry.getAttribute("state") as BufferAttribute;
+  for (const { start, count } of ranges) {
+    const from = Math.max(start, first);
+    const to = Math.min(start + count, end);
+    if (from >= to) continue;
+    states.addUpdateRange(from - first, to - from);
+    states.needsUpdate = true;
+  }
+}
+
 /** Draws the triangles of a surface in pieces. Each frame adds one piece, so that no frame takes long. */
 export class BodyPieces {
   readonly #root: Group;
@@ -70,7 +82,7 @@ export class BodyPieces {
         geometry.setAttribute("state", new BufferAttribute(states.array.subarray(first, end), 1));
       }
     } else if (states.version !== this.#version) {
-      for (const { geometry } of this.#pieces) geometry.getAttribute("state").needsUpdate = true;
+      for (const piece of this.#pieces) updateStates(piece, states.updateRanges);
     }
     // The attributes of the pieces are copied to the GPU, never this one.
     states.clearUpdateRanges();
