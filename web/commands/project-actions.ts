@@ -10,7 +10,7 @@ import {
 } from "../session/document-store";
 import {
   openDocumentFile,
-  readDocumentFile,
+  readDroppedFiles,
   saveProjectFile,
   type OnReading,
   type OpenResult,
@@ -171,8 +171,8 @@ export async function openFromDialog(app: App): Promise<void> {
   }
 }
 
-export async function openDropped(app: App, file: File): Promise<void> {
-  await takeOpened(app, await readDocumentFile(file, noteReading(app)));
+export async function openDropped(app: App, files: readonly File[]): Promise<void> {
+  await takeOpened(app, await readDroppedFiles(files, noteReading(app)));
 }
 
 /** Shows in the status bar which file is being read. */

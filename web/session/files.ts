@@ -47,15 +47,31 @@ export type OnReading = (
   reading: { readonly fileName: string; readonly abort: AbortController } | null,
 ) => void;
 
-/** Reads a project, a surface or a mesh, from the dialog or dropped on the page. */
-export async function readDocumentFile(file: OpenedFile, onReading: OnReading): Promise<OpenResult> {
+/** Rank of the files of one mesh: TetGen's elements need the nodes beside them, and have the faces as patches. */
+const rankOf = ({ name }: File): number => (/\.node$/i.test(name) ? 2 : /\.face$/i.test(name) ? 1 : 0);
+
+/** Reads the files of one document that are dropped on the page together, such as TetGen's elements and nodes. */
+export async function readDroppedFiles(
+  files: readonly OpenedFile[],
+  onReading: OnReading,
+): Promise<OpenResult> {
+  const [first, ...others] = [...files].sort((a, b) => rankOf(a) - rankOf(b));
+  return first ? readDocumentFile(first, onReading, others) : { kind: "cancelled" };
+}
+
+/** Reads a project, a surface or a mesh. `others`: files that it may need. */
+export async function readDocumentFile(
+  file: OpenedFile,
+  onReading: OnReading,
+  others: readonly File[] = [],
+): Promise<OpenResult> {
   const abort = new AbortController();
   try {
     const { formatOf } = await import("./mesh-formats");
     const isMeshFile = (formatOf(file.name)?.readable.length ?? 0) > 0 && !isProject(file.name);
     if (!isMeshFile) return await projectIn(file);
     onReading({ fileName: file.name, abort });
-    return await contentOf(file, abort.signal);
+    return await contentOf(file, others, abort.signal);
   } catch (error) {
     if (abort.signal.aborted) return { kind: "cancelled" };
     // Causes are, for example, a folder, or a part of the app that could not be loaded.
@@ -67,9 +83,10 @@ export async function readDocumentFile(file: OpenedFile, onReading: OnReading): 
 
 const isProject = (fileName: string): boolean => /\.json$/i.test(fileName);
 
-async function contentOf(file: File, signal: AbortSignal): Promise<OpenResult> {
+async function contentOf(file: File, others: readonly File[], signal: AbortSignal): Promise<OpenResult> {
   const name = file.name.replace(/\.[^.]*$/, "");
-  const read = await readSurfaceFile(file, file.name, { id: 1, firstPatchId: 1, name }, signal);
+  const head = { id: 1, firstPatchId: 1, name };
+  const read = await readSurfaceFile(file, others, head, signal);
   if (!read.success) return { kind: "failed", fileName: file.name, reasons: read.reasons };
   const { mesh } = read;
   return mesh ? { kind: "mesh", name, fileName: file.name, read, mesh } : { kind: "surface", name, read };

@@ -88,7 +88,7 @@ export const panelStrings = {
   improvement: {
     title: "Improvement",
     improve: "Improve mesh",
-    hint: "Swaps, moves, splits and collapses until no element gets better. The boundary and its patches stay; nothing gets worse.",
+    hint: "Swaps, moves, splits and collapses until no element gets better. The boundary and its patches stay. The largest angle may grow up to 135°; nothing else gets worse.",
     stretched: "A stretched mesh cannot be improved, because an improvement measures the elements in space.",
     columns: ["", "Before", "After"],
     smallestAngle: "Smallest angle",

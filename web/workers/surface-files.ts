@@ -68,7 +68,8 @@ export interface ReplacedSurface {
 
 export interface SurfaceProtocol {
   readonly read: {
-    readonly argument: { readonly file: Blob; readonly fileName: string; readonly head: BodyHead };
+    /** `others`: files that it may need, by their names. */
+    readonly argument: { readonly file: File; readonly others: readonly File[]; readonly head: BodyHead };
     readonly answer: SurfaceReading<PackedNewBody & Pick<FileContent, "notes" | "mesh">>;
   };
   /** Returns the arrays of a body. */
@@ -115,15 +116,15 @@ const withTrianglesOf = ({ points, triangles }: ProjectBody, { body, loaded }: N
  * Reads a surface or the mesh of a file in a worker of its own. Rejects if `signal` aborts or the worker fails, for example out of memory.
  */
 export async function readSurfaceFile(
-  file: Blob,
-  fileName: string,
+  file: File,
+  others: readonly File[],
   head: BodyHead,
   signal: AbortSignal,
 ): Promise<SurfaceReading> {
   const client = new WorkerClient<SurfaceProtocol>(startWorker);
   signal.addEventListener("abort", () => client.dispose());
   try {
-    const read = await client.call("read", { file, fileName, head });
+    const read = await client.call("read", { file, others, head });
     if (!read.success) return read;
     const { notes, mesh } = read;
     return { success: true, ...(await unpacked(read)), notes, mesh };

@@ -20,13 +20,16 @@ import { serveCalls, type Answer } from "./serve-calls";
 import type { LoadedSurface, PackedNewBody, PatchArrays, SurfaceProtocol } from "./surface-files";
 
 serveCalls<SurfaceProtocol>({
-  read: async ({ file, fileName, head }) => {
+  read: async ({ file, others, head }) => {
+    const { name: fileName } = file;
+    const openOther = (name: string) =>
+      Promise.resolve(others.find((other) => other.name === name)?.stream());
     if (formatOf(fileName)?.readable.includes("volume") === true) {
-      const mesh = await readMesh(file.stream(), { fileName });
+      const mesh = await readMesh(file.stream(), { fileName, openOther });
       if (!mesh.success) return refusal(mesh.errors);
       if (mesh.value.tetrahedra.length > 0) return readVolume(mesh.value, head);
     }
-    const read = await readSurface(file.stream(), { fileName });
+    const read = await readSurface(file.stream(), { fileName, openOther });
     if (!read.success) return refusal(read.errors);
     const made = newBody(createBody(read.value, head));
     return {

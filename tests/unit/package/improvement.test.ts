@@ -1,5 +1,5 @@
 /** `improveMesh` and `tetrafront improve`: what is kept, what is better, errors, notes, stopping early. */
-import { readFileSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 
 import {
   createMesher,
@@ -279,5 +279,20 @@ describe("the command", () => {
     const read = await readSurface(readFileSync(inFolder("part.ply")), { fileName: "part.ply" });
     if (!read.success) throw new Error(read.errors[0].message);
     expect((await mesher.inspectSurface(read.value)).isFillable).toBe(true);
+  });
+
+  test("meshing explains what it has when its remeshing is interrupted", async () => {
+    save("sphere.stl", stlBinary(sphereSurface(24)));
+    const args = ["mesh", "sphere.stl", "-o", "no.vtu", "--surface", "remesh", "--size", "0.05"];
+    const { code, stderr } = await tetrafront(folder.path, [...args, "--report", "no.json"], {
+      env: signalAtProgress("SIGINT", "program", 0.05),
+    });
+    expect(stderr).toMatch(/remeshed: \d+ triangles before, \d+ after/);
+    expect(stderr).toContain("stopped while the surface was remeshed");
+    expect(stderr).toContain("tetrafront remesh writes the surface");
+    expect(code).toBe(1);
+    const report = JSON.parse(readFileSync(inFolder("no.json"), "utf8")) as object;
+    expect(report).toMatchObject({ status: "cancelled", output: null, remesh: { isPartial: true } });
+    expect(existsSync(inFolder("no.vtu"))).toBe(false);
   });
 });

@@ -13,7 +13,8 @@ const EXIT_CODES_HELP = `
 Exit code
   0  done    1  not completed: stalled, cancelled, out of memory, not written    2  invalid input
   With several inputs, the highest of their codes. Ctrl-C during meshing cancels it (1); \`mesh\` still writes
-  the report, and \`remesh\` and \`improve\` write what they have made so far. Otherwise it ends the command without a partial file (130; SIGTERM: 143).`;
+  the report, with the figures of a remeshing that was stopped; \`remesh\` and \`improve\` write what they have
+  made so far. Otherwise it ends the command without a partial file (130; SIGTERM: 143).`;
 
 const READING_HELP = `
 Formats: the input formats of \`tetrafront convert --help\`; - is standard input.`;

@@ -106,20 +106,26 @@ async function readVolumeMesh(input: string, from: string | undefined): Promise<
 
 /** Describes the elements before and after. */
 function improvementText({ isImproved, before, after }: MeshImprovement): string {
+  const shapes = [
+    changed("smallest dihedral angle", ({ dihedral }) => `${dihedral.min.toFixed(1)}°`),
+    changed("largest", ({ dihedral }) => `${dihedral.max.toFixed(1)}°`),
+    changed("mean radius ratio", ({ radiusRatio }) => radiusRatio.mean.toFixed(3)),
+    changed("outside 30° to 135°", ({ outOfRange }) => String(outOfRange)),
+  ];
   const changes = [
     `${plural(before.tetrahedra, "tetrahedron")} before, ${after.tetrahedra} after`,
     `${plural(before.nodes, "node")} before, ${after.nodes} after`,
-    changed("smallest dihedral angle", (shapes) => `${shapes.dihedral.min.toFixed(1)}°`),
-    changed("largest", (shapes) => `${shapes.dihedral.max.toFixed(1)}°`),
-    changed("mean radius ratio", (shapes) => shapes.radiusRatio.mean.toFixed(3)),
-    changed("outside 30° to 135°", ({ outOfRange }) => String(outOfRange)),
+    ...shapes.map(({ text }) => text),
   ];
   const limited =
     after.limitedByBoundary > 0 ? [`${after.limitedByBoundary} of them limited by the boundary`] : [];
-  return `${isImproved ? "improved" : "unchanged"}: ${[...changes, ...limited].join("; ")}`;
+  // Gains below the digits shown are no reason to replace a mesh.
+  const much = shapes.some(({ isChanged }) => isChanged) ? "improved" : "improved slightly";
+  return `${isImproved ? much : "unchanged"}: ${[...changes, ...limited].join("; ")}`;
 
-  function changed(what: string, text: (shapes: MeshShapes) => string): string {
+  function changed(what: string, text: (shapes: MeshShapes) => string) {
     const [was, is] = [text(before), text(after)];
-    return was === is ? `${what} ${was}` : `${what} ${was} before, ${is} after`;
+    const isChanged = was !== is;
+    return { isChanged, text: isChanged ? `${what} ${was} before, ${is} after` : `${what} ${was}` };
   }
 }

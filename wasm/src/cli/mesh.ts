@@ -161,6 +161,7 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   } = await mesh(model, meshOptions, { isQuiet, treatment, remeshing: options, grid });
   if (refinement !== undefined && !isQuiet) print(`${input}: ${refinementText(refinement)}`);
   if (remesh !== undefined && !isQuiet) print(`${input}: ${remeshText(remesh)}`);
+  if (remesh?.isPartial === true) print(`${input}: ${REMESHING_STOPPED}`);
   const { report } = result;
   printWithGrid({ input, background: options.background }, report.diagnostics, isQuiet);
   const shouldWrite = mayWrite(result, options);
@@ -178,6 +179,9 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const diagnostics = [...report.diagnostics, ...poor];
   return { report: { ...report, diagnostics }, written, exitCode, changes, refinement, remesh };
 }
+
+const REMESHING_STOPPED =
+  "stopped while the surface was remeshed, before the first tetrahedron; tetrafront remesh writes the surface that it has made so far";
 
 /** Returns an error if the finished mesh has a smaller dihedral angle than required. */
 function requiredAngleError(

@@ -47,7 +47,10 @@ export async function treatedSurface(
     case "keep":
       return { surface: given };
     case "remesh":
-      return remeshed(mesher, given, remeshOptions(remeshing, options), controlOf("remesh"));
+      return remeshed(mesher, given, remeshOptions(remeshing, options), {
+        ...controlOf("remesh"),
+        partial: true,
+      });
     case "refine": {
       const { found, refine } = await inspected(mesher, given, treating);
       return found.isFillable ? refine() : { surface: given, invalid: found.diagnostics };
@@ -95,7 +98,8 @@ async function withSmallerTriangles(
   const hasNeedles = found.diagnostics.some(({ code }) => code === "needle-surface");
   if (!hasNeedles) return { ...split, diagnostics: [divided(lengthRatio, "split", "refine")] };
   const { options, controlOf } = treating;
-  const made = await remeshed(mesher, given, remeshOptions({}, options), controlOf("remesh"));
+  const control = { ...controlOf("remesh"), partial: true };
+  const made = await remeshed(mesher, given, remeshOptions({}, options), control);
   return { ...made, diagnostics: [divided(lengthRatio, "replaced", "remesh"), ...made.diagnostics] };
 }
 

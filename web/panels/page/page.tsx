@@ -48,7 +48,7 @@ function useHeldKeys(app: App): void {
   }, [app]);
 }
 
-/** Opens a project file that is dropped on the app. Returns true while a file is dragged over it. */
+/** Opens files that are dropped on the app. Returns true while a file is dragged over it. */
 function useFileDrop(app: App): boolean {
   const [dropping, setDropping] = useState(false);
   useEffect(() => {
@@ -64,8 +64,8 @@ function useFileDrop(app: App): boolean {
       if (!pageApps.owns(app, event.target)) return;
       event.preventDefault();
       setDropping(false);
-      const file = event.dataTransfer?.files[0];
-      if (file) void openDropped(app, file);
+      const files = [...(event.dataTransfer?.files ?? [])];
+      if (files.length > 0) void openDropped(app, files);
     };
     window.addEventListener("dragover", onDragOver);
     window.addEventListener("dragleave", onDragLeave);

@@ -15,7 +15,7 @@ const texts = strings.improvement;
 /** What an improvement does, or why the shown mesh cannot be improved. */
 const useHint = (): string => useRun((state) => (state.mesh?.metricShapes ? texts.stretched : texts.hint));
 
-/** Improves the elements of the shown mesh, which stays valid and never gets worse. */
+/** Improves the elements of the shown mesh. */
 export function ImproveButton() {
   const app = useApp();
   const document = useDocument((state) => state);
