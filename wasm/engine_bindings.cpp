@@ -65,9 +65,12 @@ Run* meshWithBodies(const Js<Model>& model, const Js<BodySurfaces>& bodies,
 }
 
 Run* fillSurface(const Js<Doubles>& points, const Js<Indices>& triangles,
-                 const Js<BackgroundGrid>& grid, const Js<MeshOptions>& options) {
-  return new (std::nothrow) Run(
-      [&] { return MeshRun(points.value(), triangles.value(), grid.value(), options.value()); });
+                 const Js<GivenRegions>& regions, const Js<BackgroundGrid>& grid,
+                 const Js<MeshOptions>& options) {
+  return new (std::nothrow) Run([&] {
+    return MeshRun(points.value(), triangles.value(), regions.value(), grid.value(),
+                   options.value());
+  });
 }
 
 }  // namespace
@@ -78,7 +81,8 @@ EMSCRIPTEN_BINDINGS(engine) {
   using namespace tetrafront;
   using namespace tetrafront::border;
 
-  registerTypes<Doubles, Indices, Optimization, Model, BodySurfaces, BackgroundGrid, MeshOptions>();
+  registerTypes<Doubles, Indices, Optimization, Model, BodySurfaces, GivenRegions, BackgroundGrid,
+                MeshOptions>();
   registerTypes<Progress, std::vector<Diagnostic>, SurfaceMesh, VolumeMesh, QualitySummary,
                 QualityStatistics, MetricShapes, std::vector<PatchSummary>, RecoverySummary,
                 FrontCounters, MeshImprovement>();

@@ -5,6 +5,7 @@
 #include "tetrafront/grid_from_mesh.h"
 #include "tetrafront/mesh_inspection.h"
 #include "tetrafront/preview.h"
+#include "tetrafront/region_location.h"
 #include "tetrafront/remesh.h"
 #include "tetrafront/size_proposals.h"
 #include "tetrafront/surface_tools.h"
@@ -17,16 +18,19 @@ EMSCRIPTEN_BINDINGS(tools) {
   registerTypes<Doubles, Indices, double, Model, VolumeMesh, BackgroundGrid, CoverShape,
                 MeshOptions, InspectionOptions, RepairOptions, RemeshOptions, ProposalOptions>();
   registerTypes<SurfaceInspection, MeshInspection, SurfaceRepair, SurfaceRefinement, SurfaceRemesh,
-                PatchSplit, ModelPreview, SizeProposal>();
+                PatchSplit, ModelPreview, SizeProposal, RegionLocation, SurfaceSizeProposal>();
 
-  registerTool<SurfaceInspector, Doubles, Indices, InspectionOptions>("Inspection",
-                                                                      "inspectSurface");
+  registerTool<SurfaceInspector, Doubles, Indices, InspectionOptions, Indices>("Inspection",
+                                                                               "inspectSurface");
+  registerTool<RegionLocator, Doubles, Indices, Doubles>("Location", "locateRegions");
+  registerTool<SurfaceSizeProposer, Doubles, Indices, Indices, RemeshOptions, Indices>(
+      "SurfaceProposal", "proposeSurfaceSizes");
   registerTool<MeshInspector, Doubles, Indices, Indices>("VolumeInspection", "inspectMesh");
   registerTool<SurfaceRepairer, Doubles, Indices, RepairOptions>("Repair", "repairSurface");
   registerTool<SurfaceRefiner, Doubles, Indices, BackgroundGrid, MeshOptions, double>(
       "Refinement", "refineSurface");
   registerTool<PatchSplitter, Doubles, Indices, Indices, double>("PatchSplitting", "splitPatches");
-  registerTool<SurfaceRemesher, Doubles, Indices, Indices, BackgroundGrid, RemeshOptions>(
+  registerTool<SurfaceRemesher, Doubles, Indices, Indices, BackgroundGrid, RemeshOptions, Indices>(
       "Remesh", "remeshSurface");
   registerTool<ModelPreviewer, Model, BackgroundGrid, MeshOptions>("Preview", "previewModel");
   registerTool<CoveringGridBuilder, Model, double, CoverShape>("Cover", "cover");

@@ -14,6 +14,7 @@
 #include "field/size_field.h"
 #include "optimize/locality.h"
 #include "optimize/optimizer.h"
+#include "optimize/volume_limiter.h"
 #include "preview/check_input.h"
 #include "quality/metrics.h"
 #include "quality/quality_analysis.h"
@@ -23,6 +24,7 @@
 #include "sizing/expected_count.h"
 #include "sizing/most_demanding.h"
 #include "sizing/target_sizes.h"
+#include "sizing/volume_sizes.h"
 #include "surface/patch_summary.h"
 #include "surface/surface_mesher.h"
 #include "volume/region_mesher.h"
@@ -53,6 +55,10 @@ constexpr double kMeasureEnd = 0.98;
 /// Elements per unit of budget: copying one in the order of a list costs far less than a step of the front.
 constexpr std::size_t kReorderedPerUnit = 32;
 
+bool hasVolumeLimits(const std::vector<double>& volumes) {
+  return std::ranges::any_of(volumes, [](double volume) { return volume > 0.0; });
+}
+
 }  // namespace
 
 /// Runs the stages one after the other. Each stage keeps its result in a member and frees its own memory.
@@ -71,10 +77,11 @@ class MeshRun::Impl {
   }
 
   Impl(std::span<const double> points, std::span<const std::uint32_t> triangles,
-       BackgroundGrid grid, const MeshOptions& options)
-      : options_(options), grid_(std::move(grid)) {
+       GivenRegions regions, BackgroundGrid grid, const MeshOptions& options)
+      : options_(options), maxVolumes_(std::move(regions.maxVolumes)), grid_(std::move(grid)) {
     surface_.points.assign(points.begin(), points.end());
     surface_.triangles.assign(triangles.begin(), triangles.end());
+    surface_.triangleRegions = std::move(regions.triangleRegions);
   }
 
   MeshStatus advance(std::uint32_t budget) {
@@ -164,6 +171,7 @@ class MeshRun::Impl {
   bool limitElements();
   Task<MeshStatus> fill(Work& work);
   Task<> optimize(Work& work);
+  Task<> limitVolumes(Work& work);
   Task<> measure(Work& work);
   Task<MeshStatus> verify(Work& work);
 
@@ -180,6 +188,8 @@ class MeshRun::Impl {
   [[nodiscard]] std::size_t boundaryNodes() const { return surface_.points.size() / 3; }
 
   MeshOptions options_;
+  /// Largest volumes per given region; per region of the mesh once the boundary is checked.
+  std::vector<double> maxVolumes_;
   std::optional<Model> model_;          ///< none if a surface is given
   std::optional<BodySurfaces> bodies_;  ///< without triangles once they are in the surface
   BackgroundGrid grid_;
@@ -234,6 +244,7 @@ Task<MeshStatus> MeshRun::Impl::run(Work& work) {
     begin(work, Phase::kOptimize, kOptimizeEnd);
     co_await optimize(work);
   }
+  co_await limitVolumes(work);
   begin(work, Phase::kVerify, kMeasureEnd);
   co_await measure(work);
   begin(work, Phase::kVerify, 1.0);
@@ -288,6 +299,11 @@ Task<bool> MeshRun::Impl::checkBoundary(Work& work) {
     // The input check has already reported how the regions of a model are nested.
     if (found.code != DiagnosticCode::kNestedRegions || !hasReported(found.code)) report({found});
   }
+  std::vector<double> ofRegions;
+  for (const std::uint32_t given : check.result().givenRegionOf) {
+    ofRegions.push_back(given < maxVolumes_.size() ? maxVolumes_[given] : 0.0);
+  }
+  maxVolumes_ = std::move(ofRegions);
   co_return check.result().isValid && !anyError(diagnostics_);
 }
 
@@ -301,6 +317,9 @@ Task<bool> MeshRun::Impl::findSizes(Work& work) {
     report(target.diagnostics());
     if (anyError(diagnostics_)) co_return false;
     field_ = target.take();
+  }
+  if (hasVolumeLimits(maxVolumes_)) {
+    field_->capSizes(sizeForVolume(options_.maxVolume), sizesForVolumes(maxVolumes_));
   }
   work.beginPart(1.0);
   AchievableSizes achievable(surface_, grid_, options_, *field_);
@@ -408,6 +427,18 @@ Task<> MeshRun::Impl::optimize(Work& work) {
   keepUnfinished();
 }
 
+/// Splits the elements that are larger than permitted.
+Task<> MeshRun::Impl::limitVolumes(Work& work) {
+  VolumeLimits limits{.everywhere = options_.maxVolume, .ofRegions = maxVolumes_};
+  if (!limits.areGiven()) co_return;
+  VolumeLimiter limiter(std::exchange(mesh_, {}), boundaryNodes(), std::move(limits),
+                        options_.maxTetrahedra);
+  co_await work.finish(limiter);
+  report(limiter.diagnostics());
+  mesh_ = limiter.take();
+  co_await work.yield();
+}
+
 Task<> MeshRun::Impl::measure(Work& work) {
   QualityAnalysis analysis(mesh_, surface_, *field_);
   co_await work.finish(analysis);
@@ -444,7 +475,12 @@ MeshRun::MeshRun(std::span<const double> points, std::span<const std::uint32_t> 
 
 MeshRun::MeshRun(std::span<const double> points, std::span<const std::uint32_t> triangles,
                  BackgroundGrid grid, const MeshOptions& options)
-    : impl_(std::make_unique<Impl>(points, triangles, std::move(grid), options)) {}
+    : MeshRun(points, triangles, GivenRegions{}, std::move(grid), options) {}
+
+MeshRun::MeshRun(std::span<const double> points, std::span<const std::uint32_t> triangles,
+                 GivenRegions regions, BackgroundGrid grid, const MeshOptions& options)
+    : impl_(std::make_unique<Impl>(points, triangles, std::move(regions), std::move(grid),
+                                   options)) {}
 
 MeshRun::MeshRun(MeshRun&&) noexcept = default;
 MeshRun& MeshRun::operator=(MeshRun&&) noexcept = default;

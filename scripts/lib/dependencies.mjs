@@ -40,6 +40,7 @@ const PUBLIC_HEADERS = {
   "size_proposals.h": "preview",
   "preview.h": "preview",
   "surface_tools.h": "repair",
+  "region_location.h": "repair",
   "remesh.h": "remesh",
   "mesher.h": undefined,
 };

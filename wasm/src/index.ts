@@ -136,6 +136,7 @@ export type {
   RefineOptions,
   RemeshOptions,
   SplitOptions,
+  SurfaceProposalOptions,
 } from "./api/option-types.js";
 export type { Diagnostic, DiagnosticOf, EntityRef } from "./diagnostics/diagnostic.js";
 export type {
@@ -148,8 +149,24 @@ export type {
   RegionQuality,
   ShapeStatistics,
 } from "./mesh/quality.js";
-export type { Mesher, SizeProposal, SplitInput, SplitSurface } from "./api/mesher-interface.js";
-export type { MeshInput, PatchedSurface, SurfaceInput, SurfaceMesh, VolumeMesh } from "./mesh/mesh.js";
+export type {
+  Mesher,
+  SizeProposal,
+  SplitInput,
+  SplitSurface,
+  SurfaceSizeProposal,
+} from "./api/mesher-interface.js";
+export type { LocatedSurface } from "./api/region-location.js";
+export type {
+  GivenRegions,
+  MeshInput,
+  PatchedSurface,
+  RegionPoint,
+  RegionPoints,
+  SurfaceInput,
+  SurfaceMesh,
+  VolumeMesh,
+} from "./mesh/mesh.js";
 export type { MeshReport, MeshResult, MeshStatus, Seconds } from "./mesh/report.js";
 export type { PreparedBody } from "./mesh/prepared-body.js";
 export type { Progress, ProgressPhase } from "./base/progress.js";

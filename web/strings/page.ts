@@ -108,6 +108,8 @@ export const pageStrings = {
     meshDescription: "Surface or mesh file",
     meshNotSaved:
       "Projects contain the surface of an opened mesh, not its elements. Download the mesh to keep it.",
+    regionPointsUnused: (count: number) =>
+      `${count === 1 ? "A point that marks a region or hole is" : `${count} points that mark regions and holes are`} not used in projects. The command line uses them: tetrafront mesh.`,
     error: (message: string, line: number | undefined) =>
       line === undefined ? message : `Line ${line}: ${message}`,
   },

@@ -12,8 +12,10 @@ import {
   type PatchedSurface,
   type ProjectBody,
   type ReadError,
+  type SurfaceFile,
 } from "tetrafront";
 import { buffersOfDrawn, drawnSurface } from "../document/drawn-surface";
+import { strings } from "../strings";
 import "./cad-library";
 import { buffersOfPacked, packedBody } from "./packed-bodies";
 import { serveCalls, type Answer } from "./serve-calls";
@@ -33,7 +35,7 @@ serveCalls<SurfaceProtocol>({
     if (!read.success) return refusal(read.errors);
     const made = newBody(createBody(read.value, head));
     return {
-      answer: { success: true, ...made, notes: read.value.notes ?? [], mesh: null },
+      answer: { success: true, ...made, notes: notesOf(read.value), mesh: null },
       transfer: buffersOf(made),
     };
   },
@@ -61,6 +63,12 @@ serveCalls<SurfaceProtocol>({
     return { answer, transfer: buffersOfDrawn(answer) };
   },
 });
+
+/** Bodies have no points that mark regions and holes. */
+function notesOf({ notes = [], regionPoints }: SurfaceFile): string[] {
+  const count = (regionPoints?.holes.length ?? 0) + (regionPoints?.regions.length ?? 0);
+  return count === 0 ? [...notes] : [...notes, strings.files.regionPointsUnused(count)];
+}
 
 /** Returns why a file cannot be read, one sentence each. */
 function refusal(errors: readonly ReadError[]): Answer<SurfaceProtocol["read"]["answer"]> {

@@ -141,6 +141,11 @@ constexpr DiagnosticValues valuesOf(DiagnosticCode code) {
     case DiagnosticCode::kCoarseSurface:
       return {{"triangles", "Number of triangles with edges above twice the target length."},
               {"lengthRatio", "Longest edge / target length there."}};
+    case DiagnosticCode::kInconsistentRegions:
+      return {count("Number of such triangles.")};
+    case DiagnosticCode::kLargeTetrahedra:
+      return {count("Number of tetrahedra above their largest permitted volume."),
+              {"volumeRatio", "Largest volume / permitted volume."}};
     case DiagnosticCode::kStalled:
       return {{"faces", "Number of faces left in the front."}};
     case DiagnosticCode::kVerificationFailed:

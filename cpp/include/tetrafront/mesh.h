@@ -33,6 +33,15 @@ struct SurfaceMesh {
   }
 };
 
+/// Regions of a given surface that are known before it is meshed, for example from points that mark them in its file.
+struct GivenRegions {
+  /// Two per triangle, as SurfaceMesh::triangleRegions: what is meshed on either side. Empty if nothing is known.
+  std::vector<std::uint32_t> triangleRegions;
+  /// Per index in triangleRegions: largest volume of a tetrahedron, in cubed model units; 0 for no limit. Further ones
+  /// have no limit.
+  std::vector<double> maxVolumes;
+};
+
 /// Closed surfaces beside a drawn model, all in one: the triangles of the bodies of a project. They are kept.
 struct BodySurfaces {
   std::vector<double> points;            ///< x y z per node

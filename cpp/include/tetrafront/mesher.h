@@ -41,6 +41,11 @@ class MeshRun {
   MeshRun(std::span<const double> points, std::span<const std::uint32_t> triangles,
           BackgroundGrid grid, const MeshOptions& options);
 
+  /// The same with known regions, which replace MeshOptions::innerShells. kInconsistentRegions if the regions of two
+  /// triangles contradict each other.
+  MeshRun(std::span<const double> points, std::span<const std::uint32_t> triangles,
+          GivenRegions regions, BackgroundGrid grid, const MeshOptions& options);
+
   MeshRun(MeshRun&&) noexcept;
   MeshRun& operator=(MeshRun&&) noexcept;
   ~MeshRun();

@@ -62,6 +62,9 @@ struct MeshOptions {
   /// Largest number of tetrahedra; above it, a run ends with kTooManyElements. The peak memory of a run is about
   /// 150 bytes per tetrahedron, and WebAssembly has at most 4 GB.
   std::uint32_t maxTetrahedra = 20'000'000;
+  /// Largest volume of a tetrahedron, in cubed model units; 0 for no limit. It caps all sizes, and tetrahedra that are
+  /// larger nonetheless are split. Only tetrahedra that rounding does not allow to be split remain.
+  double maxVolume = 0.0;
   /// For tests: skips the front and fills the whole volume by the exact fill, which otherwise comes last.
   bool exactFillOnly = false;
 };

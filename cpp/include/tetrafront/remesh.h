@@ -43,6 +43,8 @@ struct RemeshOptions {
   /// 0: all details are kept.
   double dropDetails = 0.0;
   double growth = 0.3;  ///< growth of sizes per unit of distance, 0 to kMaxGrowth
+  /// Largest volume of a tetrahedron of the future mesh, as in MeshOptions: it caps all sizes; 0 for no limit.
+  double maxVolume = 0.0;
   /// Largest number of triangles that the sizes may ask for; above it, the result has kTooManyElements. The given
   /// triangles are never too many.
   std::uint32_t maxTriangles = 5'000'000;
@@ -86,10 +88,32 @@ struct SurfaceRemesh {
 class SurfaceRemesher : public SlicedTool<SurfaceRemesh> {
  public:
   /// Arrays as for MeshRun; they are copied. `groups`: a number per triangle, for example its patch
-  /// in a file, or empty; the lines between groups are kept.
+  /// in a file, or empty; the lines between groups are kept. `triangleRegions`: as in GivenRegions; known regions replace
+  /// RemeshOptions::innerShells.
   SurfaceRemesher(std::span<const double> points, std::span<const std::uint32_t> triangles,
                   std::span<const std::uint32_t> groups, BackgroundGrid grid,
-                  const RemeshOptions& options);
+                  const RemeshOptions& options,
+                  std::span<const std::uint32_t> triangleRegions = {});
+};
+
+/// Sizes that a remeshing would use, and what results from them.
+struct SurfaceSizeProposal {
+  double size = 0.0;     ///< largest target size on the surface
+  double minSize = 0.0;  ///< smallest target size on the surface
+  double tolerance = 0.0;
+  double triangles = 0.0;   ///< expected number of triangles
+  double tetrahedra = 0.0;  ///< expected number of tetrahedra inside
+  /// Not empty if the surface cannot be remeshed; all numbers are 0 then.
+  std::vector<Diagnostic> diagnostics;
+};
+
+/// Finds the sizes of a remeshing without making it, in slices.
+class SurfaceSizeProposer : public SlicedTool<SurfaceSizeProposal> {
+ public:
+  /// As SurfaceRemesher, without a background grid.
+  SurfaceSizeProposer(std::span<const double> points, std::span<const std::uint32_t> triangles,
+                      std::span<const std::uint32_t> groups, const RemeshOptions& options,
+                      std::span<const std::uint32_t> triangleRegions = {});
 };
 
 }  // namespace tetrafront

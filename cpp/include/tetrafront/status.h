@@ -101,10 +101,14 @@ enum class DiagnosticCode : std::uint16_t {
       50,  ///< triangle of a given surface that faces inward in a component that faces outward
   /// Warning: triangle of a given surface whose edges are longest relative to the target length, position.
   kCoarseSurface = 51,
+  /// Triangle of a given surface whose given regions contradict those of other triangles, or that has none.
+  kInconsistentRegions = 52,
   // Volume
   kStalled = 60,
   /// One node, tetrahedron or triangle per kind of defect. A mistake of the engine, not of the input.
   kVerificationFailed = 61,
+  /// Warning: tetrahedra that are larger than the permitted volume; the largest one, position.
+  kLargeTetrahedra = 62,
   // Given mesh of tetrahedra
   kDegenerateTetrahedron = 70,  ///< tetrahedron whose volume is zero, exactly; position
   kNonManifoldFace = 71,        ///< the tetrahedra that share one face, more than two; position
@@ -124,6 +128,7 @@ enum class CheckedOption : std::uint8_t {
   kAnglePerEdge = 7,
   kLayers = 8,
   kDropDetails = 9,
+  kMaxVolume = 10,
 };
 
 enum class Severity : std::uint8_t { kInformation = 0, kWarning = 1, kError = 2 };

@@ -77,8 +77,10 @@ struct InspectionOptions {
 class SurfaceInspector : public SlicedTool<SurfaceInspection> {
  public:
   /// Arrays as for MeshRun; they are copied.
+  /// `triangleRegions`: as in GivenRegions; known regions replace InspectionOptions::innerShells.
   SurfaceInspector(std::span<const double> points, std::span<const std::uint32_t> triangles,
-                   const InspectionOptions& options = {});
+                   const InspectionOptions& options = {},
+                   std::span<const std::uint32_t> triangleRegions = {});
 };
 
 /// Changes that a repair may make. The defaults neither move nor add anything.

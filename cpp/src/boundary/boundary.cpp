@@ -34,6 +34,7 @@ BoundaryCheck::BoundaryCheck(SurfaceMesh& mesh, BoundarySource source, InnerShel
       innerShells_(innerShells),
       mixed_(mixed),
       report_(mesh, source, maxDiagnostics),
+      givenRegions_(std::exchange(mesh.triangleRegions, {})),
       job_([this](Work& work) { return run(work); }) {}
 
 Task<> BoundaryCheck::run(Work& work) {
@@ -46,6 +47,9 @@ Task<> BoundaryCheck::closeBoundary(Work& work) {
   work.beginPart(0.02);
   checkNumbers(mesh_, report_);
   if (report_.hasErrors()) co_return;
+  if (!givenRegions_.empty()) {
+    givenRegions_.resize(2 * std::size_t{countTriangles(mesh_)}, SurfaceMesh::kNoRegion);
+  }
   co_await work.yield();
 
   work.beginPart(0.08);
@@ -69,7 +73,7 @@ Task<> BoundaryCheck::closeBoundary(Work& work) {
   if (report_.hasErrors()) co_return;
 
   work.beginPart(0.95);
-  RegionMap regions = findRegions(mesh_, edges, tree, innerShells_, report_);
+  RegionMap regions = findRegions(mesh_, edges, tree, innerShells_, givenRegions_, report_);
   if (report_.hasErrors()) co_return;
   co_await work.yield();
 
@@ -160,6 +164,9 @@ void BoundaryCheck::numberRegions(const RegionMap& regions) {
           {.firstTriangle = triangleOf(halfFace), .volume = regions.shells[shell.index()].volume});
       if (regions.outerShellOf[shell.index()] == shell) {
         regionOf[shell.index()] = RegionId(result_.regionCount++);
+        if (!regions.givenRegionOf.empty()) {
+          result_.givenRegionOf.push_back(regions.givenRegionOf[shell.index()]);
+        }
       } else if (!regions.isMeshedAt(oppositeOf(halfFace))) {
         ++cavities;
       }

@@ -34,6 +34,8 @@ struct BoundaryResult {
   /// In the order of their first triangles; an interface belongs to two. Empty unless valid.
   std::vector<BoundaryShell> shells;
   std::uint32_t regionCount = 0;
+  /// Per region: its index in the given triangleRegions; empty if none were given.
+  std::vector<std::uint32_t> givenRegionOf;
 };
 
 /// What the check does with a component of a given surface in which some triangles face inward and others outward.
@@ -46,13 +48,14 @@ enum class MixedOrientation : std::uint8_t {
 /// The boundary check in slices. A valid surface is left
 ///   - with every triangle counter-clockwise as seen from outside its region; an interface, which has a region on
 ///     either side, keeps its orientation;
-///   - with triangleRegions set, by the rule of region_map.h;
+///   - with triangleRegions set, by the rule of region_map.h, or by the triangleRegions that were given;
 ///   - with its nodes and triangles in their order: the check only swaps two nodes of a triangle;
 ///   - for a given surface, with trianglePatch set to the index of the shell in BoundaryResult::shells.
 /// Two or more triangles may meet at an edge: regions touch there, or interfaces end.
 class BoundaryCheck {
  public:
-  /// `mesh` must outlive this object and not change meanwhile. `maxDiagnostics`: limit per code.
+  /// `mesh` must outlive this object and not change meanwhile. If its triangleRegions are not empty, they state what
+  /// is meshed, and `innerShells` has no effect. `maxDiagnostics`: limit per code.
   BoundaryCheck(SurfaceMesh& mesh, BoundarySource source,
                 InnerShells innerShells = InnerShells::kCavities,
                 MixedOrientation mixed = MixedOrientation::kFlip,
@@ -96,6 +99,7 @@ class BoundaryCheck {
   MixedOrientation mixed_;
   BoundaryReport report_;
   InvalidTriangles invalid_;
+  std::vector<std::uint32_t> givenRegions_;  ///< two per triangle, or empty
   BoundaryResult result_;
   std::vector<Diagnostic> diagnostics_;
   Job<> job_;  ///< last, because it uses the other members

@@ -13,8 +13,14 @@ namespace {
 class RegionFinder {
  public:
   RegionFinder(const SurfaceMesh& mesh, const EdgeTable& edges, const BoxTree& tree,
-               InnerShells innerShells, BoundaryReport& report)
-      : mesh_(mesh), edges_(edges), tree_(tree), innerShells_(innerShells), report_(report) {}
+               InnerShells innerShells, std::span<const std::uint32_t> givenRegions,
+               BoundaryReport& report)
+      : mesh_(mesh),
+        edges_(edges),
+        tree_(tree),
+        innerShells_(innerShells),
+        givenRegions_(givenRegions),
+        report_(report) {}
 
   RegionMap run() {
     map_.componentOf = connectedComponents(mesh_, edges_);
@@ -24,7 +30,12 @@ class RegionFinder {
     reportDegenerateComponents();
     if (!report_.hasErrors()) findOuterShells();
     reportDanglingSheets();
-    if (!report_.hasErrors()) decideWhatIsMeshed();
+    if (report_.hasErrors()) return std::move(map_);
+    if (givenRegions_.empty()) {
+      decideWhatIsMeshed();
+    } else {
+      takeGivenRegions();
+    }
     return std::move(map_);
   }
 
@@ -138,10 +149,45 @@ class RegionFinder {
     }
   }
 
+  /// The first half-face of a volume decides its region. The volume outside everything must have none.
+  void takeGivenRegions() {
+    const std::size_t outside = map_.shells.size();
+    std::vector<std::uint32_t> regionOf(outside + 1, SurfaceMesh::kNoRegion);
+    std::vector<std::uint8_t> isKnown(outside + 1, 0);
+    isKnown[outside] = 1;
+    const auto volumeOf = [&](HalfFaceId halfFace) {
+      const ShellId outer = map_.outerShellAt(halfFace);
+      return outer.isNone() ? outside : outer.index();
+    };
+    for (std::uint32_t t = 0; t < map_.componentOf.size(); ++t) {
+      bool isConsistent = false;
+      for (const HalfFaceId halfFace : {backOf(TriangleId(t)), frontOf(TriangleId(t))}) {
+        const std::size_t volume = volumeOf(halfFace);
+        const std::uint32_t given = givenRegions_[halfFace.index()];
+        if (isKnown[volume] == 0) regionOf[volume] = given;
+        isKnown[volume] = 1;
+        if (given != regionOf[volume]) {
+          isConsistent = false;
+          break;
+        }
+        isConsistent = isConsistent || given != SurfaceMesh::kNoRegion;
+      }
+      if (!isConsistent) report_.addTriangle(DiagnosticCode::kInconsistentRegions, TriangleId(t));
+    }
+    map_.givenRegionOf.resize(outside);
+    map_.isMeshed.resize(outside);
+    for (std::size_t s = 0; s < outside; ++s) {
+      const ShellId outer = map_.outerShellOf[s];
+      map_.givenRegionOf[s] = regionOf[outer.isNone() ? outside : outer.index()];
+      map_.isMeshed[s] = map_.givenRegionOf[s] == SurfaceMesh::kNoRegion ? 0 : 1;
+    }
+  }
+
   const SurfaceMesh& mesh_;
   const EdgeTable& edges_;
   const BoxTree& tree_;
   InnerShells innerShells_;
+  std::span<const std::uint32_t> givenRegions_;
   BoundaryReport& report_;
   RegionMap map_;
   std::size_t componentCount_ = 0;
@@ -151,8 +197,9 @@ class RegionFinder {
 }  // namespace
 
 RegionMap findRegions(const SurfaceMesh& mesh, const EdgeTable& edges, const BoxTree& tree,
-                      InnerShells innerShells, BoundaryReport& report) {
-  return RegionFinder(mesh, edges, tree, innerShells, report).run();
+                      InnerShells innerShells, std::span<const std::uint32_t> givenRegions,
+                      BoundaryReport& report) {
+  return RegionFinder(mesh, edges, tree, innerShells, givenRegions, report).run();
 }
 
 }  // namespace tetrafront

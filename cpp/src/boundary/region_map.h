@@ -5,9 +5,11 @@
 /// If every edge of a component has an even number of triangles, the component separates meshed from empty volume:
 /// inside a region it bounds a cavity, and inside that cavity another region. If some edge of a component has an odd
 /// number of triangles, the component contains interfaces, and every volume that it encloses is meshed.
-/// InnerShells::kRegions applies the second rule to every component.
+/// InnerShells::kRegions applies the second rule to every component. If the regions on the sides of the triangles are
+/// given, they replace both rules.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "boundary/boundary_report.h"
@@ -28,6 +30,8 @@ struct RegionMap {
   /// positive, and none if the volume is unbounded.
   std::vector<ShellId> outerShellOf;
   std::vector<std::uint8_t> isMeshed;  ///< per shell: whether the volume it bounds is meshed
+  /// Per shell: the given region, SurfaceMesh::kNoRegion if its volume is not meshed; empty if none are given.
+  std::vector<std::uint32_t> givenRegionOf;
 
   /// Returns whether the volume that the half-face looks into is meshed.
   [[nodiscard]] bool isMeshedAt(HalfFaceId halfFace) const {
@@ -48,9 +52,11 @@ struct RegionMap {
 
 /// The surface must have no open edges and no self-intersections. Reports kZeroVolume, and kDanglingSheet for
 /// triangles with the same volume on both sides; the map is then incomplete. Exact except for the signs of volumes.
-/// O(n log n).
+/// `givenRegions`: two per triangle, as SurfaceMesh::triangleRegions, or empty. Reports kInconsistentRegions for triangles
+/// whose given regions contradict those of others, or that have none on either side. O(n log n).
 [[nodiscard]] RegionMap findRegions(const SurfaceMesh& mesh, const EdgeTable& edges,
                                     const BoxTree& tree, InnerShells innerShells,
+                                    std::span<const std::uint32_t> givenRegions,
                                     BoundaryReport& report);
 
 }  // namespace tetrafront

@@ -2,9 +2,9 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "base/sort.h"
+#include "boundary/ray_crossing.h"
 #include "boundary/surface_access.h"
 #include "geom/predicates.h"
 
@@ -116,11 +116,9 @@ ShellNesting::ShellNesting(const SurfaceMesh& mesh, std::span<const ComponentId>
 template <class Visit>
 void ShellNesting::visitCrossed(ComponentId component, Visit visit) const {
   const Vec3& start = starts_[component.index()];
-  Box ray = Box::of(start, start, start);
-  ray.high[0] = std::numeric_limits<float>::max();
-  tree_.visitOverlaps(ray, [&](std::uint32_t item) {
+  tree_.visitOverlaps(boxOfRay(start), [&](std::uint32_t item) {
     const TriangleId triangle(item);
-    if (componentOf_[item] != component && isAheadOf(start, triangle)) visit(triangle);
+    if (componentOf_[item] != component && isAheadOf(mesh_, start, triangle)) visit(triangle);
   });
 }
 
@@ -146,24 +144,6 @@ std::vector<ShellId> ShellNesting::shellsAround(ComponentId component) const {
     if ((j - i) % 2 == 1) result.push_back(crossed[i]);
   }
   return result;
-}
-
-/// Returns whether the ray from `start` along x passes through the triangle. A symbolic perturbation, the same for
-/// all triangles, keeps the ray off edges and nodes: the z of `start` counts as higher than any equal one, and its
-/// y as lower.
-bool ShellNesting::isAheadOf(const Vec3& start, TriangleId triangle) const {
-  const std::array<Vec3, 3> p = cornersOf(mesh_, triangle);
-  bool isInside = false;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3* low = &p[k];
-    const Vec3* high = &p[(k + 1) % 3];
-    if (low->z > high->z) std::swap(low, high);
-    if (low->z > start.z || high->z <= start.z) continue;
-    if (orient2d(alongX(*low), alongX(*high), alongX(start)) > 0) isInside = !isInside;
-  }
-  if (!isInside) return false;
-  const int facing = orient2d(alongX(p[0]), alongX(p[1]), alongX(p[2]));
-  return orient3d(p[0], p[1], p[2], start) * facing < 0;
 }
 
 }  // namespace tetrafront

@@ -49,7 +49,6 @@ class ShellNesting {
  private:
   template <class Visit>
   void visitCrossed(ComponentId component, Visit visit) const;
-  [[nodiscard]] bool isAheadOf(const Vec3& start, TriangleId triangle) const;
 
   const SurfaceMesh& mesh_;
   std::span<const ComponentId> componentOf_;

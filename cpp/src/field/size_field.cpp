@@ -1,6 +1,7 @@
 #include "field/size_field.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "field/tensor_limits.h"
@@ -25,6 +26,16 @@ void SizeField::capTo(SizeOctree ceiling) { ceiling_ = std::move(ceiling); }
 
 void SizeField::raiseTo(SizeOctree floor) { floor_ = std::move(floor); }
 
+void SizeField::capSizes(double everywhere, std::vector<double> ofRegions) {
+  cap_ = everywhere > 0.0 ? everywhere : std::numeric_limits<double>::infinity();
+  regionCaps_ = std::move(ofRegions);
+}
+
+double SizeField::capOf(std::uint32_t region) const {
+  if (region >= regionCaps_.size() || !(regionCaps_[region] > 0.0)) return cap_;
+  return std::min(cap_, regionCaps_[region]);
+}
+
 double SizeField::raiseFactorAt(const Vec3& position, double meanSize) const {
   return floor_ ? std::max(1.0, floor_->sizeAt(position) / meanSize) : 1.0;
 }
@@ -42,6 +53,7 @@ SymmetricTensor SizeField::tensorAt(const Vec3& position, FieldHint& hint) const
 double SizeField::targetSizeAt(const Vec3& position, FieldHint& hint) const {
   double size = baseSizeAt(position, hint);
   if (ceiling_) size = std::min(size, ceiling_->sizeAt(position));
+  size = std::min(size, capOf(hint.region));
   return sources_.empty() ? size : sources_.cappedSize(position, size);
 }
 
@@ -63,6 +75,10 @@ SymmetricTensor SizeField::targetTensorAt(const Vec3& position, FieldHint& hint)
   SymmetricTensor tensor = grid->tensorAt(locate(*grid, position, hint));
   if (ceiling_) {
     tensor = tensor.scaledBy(std::min(1.0, ceiling_->sizeAt(position) / meanSizeOf(tensor)));
+  }
+  const double cap = capOf(hint.region);
+  if (std::isfinite(cap)) {
+    tensor = tensor.scaledBy(std::min(1.0, cap / std::cbrt(tensor.determinant())));
   }
   if (sources_.empty()) return tensor;
   return cappedTo(tensor, sources_.cappedSize(position, largestPossible(tensor)));

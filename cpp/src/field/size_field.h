@@ -6,10 +6,12 @@
 /// because it is queried several times per element.
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "base/ids.h"
 #include "field/grid_locator.h"
@@ -23,7 +25,9 @@ namespace tetrafront {
 /// Tetrahedron in which the last query ended and the next walk begins. Keep one per caller or per
 /// front face.
 struct FieldHint {
+  static constexpr std::uint32_t kAnyRegion = 0xffffffffU;
   GridTetId tetrahedron{0U};
+  std::uint32_t region = kAnyRegion;  ///< region whose sizes are queried
 };
 
 /// Cost of the queries of a background grid.
@@ -49,6 +53,13 @@ class SizeField {
   /// axes are scaled by one factor, so that the root mean square of the principal sizes reaches
   /// this minimum.
   void raiseTo(SizeOctree floor);
+
+  /// Caps sizes everywhere, and by region where the hint of a query names one. Stretched elements keep their shape and get
+  /// the volume of an element of this size. `ofRegions` may have fewer entries than there are regions; 0: no cap.
+  void capSizes(double everywhere, std::vector<double> ofRegions);
+  [[nodiscard]] bool hasRegionCaps() const { return !regionCaps_.empty(); }
+  /// Returns the smallest cap of the region and everywhere; infinite without one.
+  [[nodiscard]] double capOf(std::uint32_t region) const;
 
   /// Returns the edge length to be made at `position`, > 0. Outside a background grid, it is the value
   /// at the nearest point of the nearest tetrahedron; use covers() to detect this case.
@@ -88,6 +99,8 @@ class SizeField {
   SizeSources sources_;
   std::optional<SizeOctree> ceiling_;
   std::optional<SizeOctree> floor_;
+  double cap_ = std::numeric_limits<double>::infinity();
+  std::vector<double> regionCaps_;
   mutable WalkCount walked_;  ///< a measurement; no result depends on it
 };
 

@@ -29,6 +29,18 @@ constexpr double kFewMissing = 500.0;
 /// visit that part again and again.
 constexpr double kMuchChanged = 0.02;
 
+/// Returns per node the region with the smallest cap among those of its elements; empty if no region has a cap.
+std::vector<std::uint32_t> regionsOfNodes(const VolumeMesh& mesh, const SizeField& field) {
+  if (!field.hasRegionCaps()) return {};
+  std::vector<std::uint32_t> regions(mesh.points.size() / 3, FieldHint::kAnyRegion);
+  for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
+    std::uint32_t& known = regions[mesh.tetrahedra[i]];
+    const std::uint32_t region = mesh.regions[i / 4];
+    if (field.capOf(region) < field.capOf(known)) known = region;
+  }
+  return regions;
+}
+
 }  // namespace
 
 /// Interface called once per slice, for either kind of space.
@@ -57,6 +69,7 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
       : schedule_(std::move(schedule)),
         field_(field),
         targetsNeeded_(mesh.points.size() / 3),
+        givenRegionOf_(regionsOfNodes(mesh, field)),
         complex_(std::move(mesh), boundaryNodes, Space::kIsStretched),
         sweeps_(complex_) {}
 
@@ -111,9 +124,16 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
     for (std::size_t i = 0; i < count; ++i, ++targetsKnown_) {
       const NodeId node(targetsKnown_);
       if (!complex_.isUsed(node) && isBuilt_) continue;
+      if (field_.hasRegionCaps()) hint_.region = regionOf(node);
       complex_.setTarget<Space>(node, Space::targetAt(field_, complex_.position(node), hint_));
     }
     return count;
+  }
+
+  /// Returns the region whose sizes apply at a node: on an interface, that of the smaller cap.
+  [[nodiscard]] std::uint32_t regionOf(NodeId node) const {
+    return node.index() < givenRegionOf_.size() ? givenRegionOf_[node.index()]
+                                                : complex_.regionAt(node);
   }
 
   std::size_t build(std::uint32_t budget) {
@@ -313,8 +333,9 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
   std::vector<Step> schedule_;
   const SizeField& field_;
   FieldHint hint_;
-  std::size_t targetsKnown_ = 0;  ///< nodes whose targets are known
-  std::size_t targetsNeeded_;     ///< nodes whose targets are needed
+  std::size_t targetsKnown_ = 0;              ///< nodes whose targets are known
+  std::size_t targetsNeeded_;                 ///< nodes whose targets are needed
+  std::vector<std::uint32_t> givenRegionOf_;  ///< per given node; empty without caps
   std::size_t costed_ = 0;
   std::size_t toCost_ = 0;
   TetComplex complex_;

@@ -14,6 +14,7 @@
 #include "preview/model_sampler.h"
 #include "preview/sampled_volume.h"
 #include "preview/surface_sampler.h"
+#include "sizing/volume_sizes.h"
 #include "sizing/check_options.h"
 #include "sizing/expected_count.h"
 #include "sizing/most_demanding.h"
@@ -113,6 +114,7 @@ class InputCheck {
     } else {
       field_ = SizeField::uniform(options_->size);
     }
+    field_->capSizes(sizeForVolume(options_->maxVolume), {});
     field_->addSources(grid_->sources);
   }
 

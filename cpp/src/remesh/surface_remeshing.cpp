@@ -14,6 +14,7 @@
 #include "base/tool_job.h"
 #include "boundary/boundary.h"
 #include "boundary/surface_access.h"
+#include "field/size_octree_builder.h"
 #include "field/size_sites.h"
 #include "geom/angles.h"
 #include "geom/coordinates.h"
@@ -31,6 +32,7 @@
 #include "sizing/check_options.h"
 #include "sizing/expected_count.h"
 #include "sizing/target_sizes.h"
+#include "sizing/volume_sizes.h"
 
 namespace tetrafront {
 namespace {
@@ -78,6 +80,9 @@ Lengths lengthsOf(const RemeshOptions& options, bool hasTargets, double diagonal
   Lengths lengths{};
   lengths.maxSize = options.maxSize > 0.0 ? options.maxSize : kMaxSizePerDiagonal * diagonal;
   if (hasTargets) lengths.maxSize = hasSize ? options.size : diagonal;
+  if (options.maxVolume > 0.0) {
+    lengths.maxSize = std::min(lengths.maxSize, sizeForVolume(options.maxVolume));
+  }
   lengths.minSize = hasSize ? kMinSizePerSize * options.size : kMinSizePerDiagonal * diagonal;
   if (options.minSize > 0.0) lengths.minSize = options.minSize;
   lengths.minSize = std::min(lengths.minSize, lengths.maxSize);
@@ -95,7 +100,12 @@ MeshOptions targetOptions(const RemeshOptions& options) {
   MeshOptions targets;
   targets.size = options.size;
   targets.growth = options.growth;
+  targets.maxVolume = options.maxVolume;
   return targets;
+}
+
+FeatureRules rulesOf(const RemeshOptions& options) {
+  return {cosineOfDegrees(options.featureAngle), cosineOfDegrees(kCornerDegrees)};
 }
 
 SurfaceRemesh refused(std::vector<Diagnostic> diagnostics) {
@@ -300,6 +310,12 @@ Task<DroppedDetails> dropDetails(Work& work, SurfaceMesh& mesh, std::vector<std:
   std::vector<TriangleId> origin;
   merger.copyTo(made, origin);
   SurfaceMesh checked = made;
+  for (const TriangleId given : origin) {
+    if (mesh.triangleRegions.empty()) break;
+    const auto first =
+        mesh.triangleRegions.begin() + static_cast<std::ptrdiff_t>(2 * given.index());
+    checked.triangleRegions.insert(checked.triangleRegions.end(), first, first + 2);
+  }
   BoundaryCheck boundary(checked, BoundarySource::kGivenSurface, options.innerShells);
   co_await work.finish(boundary);
   if (anyError(boundary.takeDiagnostics())) co_return dropped;
@@ -328,11 +344,13 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
                                   const BackgroundGrid& grid, const RemeshOptions& options,
                                   const bool& isStopped) {
   work.beginPart(0.05);
+  const bool areRegionsGiven = !mesh.triangleRegions.empty();
   std::vector<Diagnostic> problems = co_await checkInput(work, mesh, grid, options);
   if (!problems.empty()) co_return refused(std::move(problems));
 
   work.beginPart(0.1);
-  const FeatureRules rules{cosineOfDegrees(options.featureAngle), cosineOfDegrees(kCornerDegrees)};
+  const FeatureRules rules = rulesOf(options);
+  if (!areRegionsGiven) mesh.triangleRegions = {};
   DroppedDetails dropped;
   if (options.dropDetails > 0.0) {
     dropped = co_await dropDetails(work, mesh, groups, rules, options);
@@ -386,6 +404,41 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
   co_return result;
 }
 
+Task<SurfaceSizeProposal> proposeSurfaceSizes(Work& work, SurfaceMesh& mesh,
+                                              std::span<const std::uint32_t> groups,
+                                              const RemeshOptions& options) {
+  const BackgroundGrid noGrid;
+  SurfaceSizeProposal result;
+  work.beginPart(0.1);
+  result.diagnostics = co_await checkInput(work, mesh, noGrid, options);
+  if (!result.diagnostics.empty()) co_return result;
+  work.beginPart(0.2);
+  ReferenceSurface reference(mesh, groups, rulesOf(options));
+  co_await reference.prepare(work);
+  const Lengths lengths = lengthsOf(options, options.size > 0.0, reference.diagonal());
+  work.beginPart(0.6);
+  TargetField targets = co_await findTargetField(work, reference, noGrid, options, lengths);
+  result.diagnostics = std::move(targets.diagnostics);
+  if (!result.diagnostics.empty()) co_return result;
+
+  work.beginPart(0.9);
+  std::vector<Vec3> positions;
+  std::vector<double> sizes;
+  RemeshSizes::Hint hint;
+  for (const ReferenceSurface::Piece& piece : reference.pieces()) {
+    positions.push_back(piece.centroid);
+    sizes.push_back(targets.sizes->sizeAt(piece.centroid, hint));
+    result.triangles += trianglesOn(piece.area, sizes.back());
+  }
+  result.size = *std::ranges::max_element(sizes);
+  result.minSize = *std::ranges::min_element(sizes);
+  result.tolerance = lengths.tolerance;
+  SizeOctreeBuilder builder(positions, sizes, options.growth, lengths.maxSize);
+  co_await work.finish(builder);
+  result.tetrahedra = expectedTetrahedra(mesh, SizeField::fromOctree(builder.take()));
+  co_return result;
+}
+
 namespace {
 
 struct RemeshInput {
@@ -398,8 +451,9 @@ struct RemeshInput {
 
 RemeshInput inputOf(std::span<const double> points, std::span<const std::uint32_t> triangles,
                     std::span<const std::uint32_t> groups, BackgroundGrid grid,
-                    const RemeshOptions& options) {
+                    const RemeshOptions& options, std::span<const std::uint32_t> triangleRegions) {
   RemeshInput input;
+  input.mesh.triangleRegions.assign(triangleRegions.begin(), triangleRegions.end());
   input.mesh.points.assign(points.begin(), points.end());
   input.mesh.triangles.assign(triangles.begin(), triangles.end());
   input.groups.assign(groups.begin(), groups.end());
@@ -413,12 +467,24 @@ RemeshInput inputOf(std::span<const double> points, std::span<const std::uint32_
 SurfaceRemesher::SurfaceRemesher(std::span<const double> points,
                                  std::span<const std::uint32_t> triangles,
                                  std::span<const std::uint32_t> groups, BackgroundGrid grid,
-                                 const RemeshOptions& options)
+                                 const RemeshOptions& options,
+                                 std::span<const std::uint32_t> triangleRegions)
     : SlicedTool(makeToolJob<SurfaceRemesh>(
-          inputOf(points, triangles, groups, std::move(grid), options),
+          inputOf(points, triangles, groups, std::move(grid), options, triangleRegions),
           [](Work& work, RemeshInput& input) {
             return remeshSurface(work, input.mesh, input.groups, input.grid, input.options,
                                  input.isStopped);
+          })) {}
+
+SurfaceSizeProposer::SurfaceSizeProposer(std::span<const double> points,
+                                         std::span<const std::uint32_t> triangles,
+                                         std::span<const std::uint32_t> groups,
+                                         const RemeshOptions& options,
+                                         std::span<const std::uint32_t> triangleRegions)
+    : SlicedTool(makeToolJob<SurfaceSizeProposal>(
+          inputOf(points, triangles, groups, {}, options, triangleRegions),
+          [](Work& work, RemeshInput& input) {
+            return proposeSurfaceSizes(work, input.mesh, input.groups, input.options);
           })) {}
 
 }  // namespace tetrafront

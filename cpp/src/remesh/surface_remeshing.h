@@ -4,6 +4,7 @@
 /// bounds the distance between the two surfaces.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/task.h"
@@ -18,5 +19,10 @@ namespace tetrafront {
 Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std::uint32_t>& groups,
                                   const BackgroundGrid& grid, const RemeshOptions& options,
                                   const bool& isStopped);
+
+/// Proposes sizes for the surface. May reorient triangles of `mesh`. Everything must outlive the task.
+Task<SurfaceSizeProposal> proposeSurfaceSizes(Work& work, SurfaceMesh& mesh,
+                                              std::span<const std::uint32_t> groups,
+                                              const RemeshOptions& options);
 
 }  // namespace tetrafront

@@ -15,8 +15,10 @@
 namespace tetrafront {
 namespace {
 
-SurfaceMesh copyOf(std::span<const double> points, std::span<const std::uint32_t> triangles) {
+SurfaceMesh copyOf(std::span<const double> points, std::span<const std::uint32_t> triangles,
+                   std::span<const std::uint32_t> triangleRegions = {}) {
   SurfaceMesh mesh;
+  mesh.triangleRegions.assign(triangleRegions.begin(), triangleRegions.end());
   mesh.points.assign(points.begin(), points.end());
   mesh.triangles.assign(triangles.begin(), triangles.end());
   return mesh;
@@ -38,8 +40,9 @@ struct SplitInput {
 
 SurfaceInspector::SurfaceInspector(std::span<const double> points,
                                    std::span<const std::uint32_t> triangles,
-                                   const InspectionOptions& options)
-    : SlicedTool(makeToolJob<SurfaceInspection>(copyOf(points, triangles),
+                                   const InspectionOptions& options,
+                                   std::span<const std::uint32_t> triangleRegions)
+    : SlicedTool(makeToolJob<SurfaceInspection>(copyOf(points, triangles, triangleRegions),
                                                 [&options](Work& work, SurfaceMesh& mesh) {
                                                   return inspectSurface(work, mesh, options);
                                                 })) {}

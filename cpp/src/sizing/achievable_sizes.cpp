@@ -19,8 +19,15 @@ constexpr double kDefaultDescent = 0.3;
 /// Triangles with a longer edge are reported; length / target length.
 constexpr double kTooCoarse = 2.0;
 
-double minTargetSize(const BackgroundGrid& grid, const MeshOptions& options) {
+double minTargetSize(const SurfaceMesh& surface, const BackgroundGrid& grid,
+                     const MeshOptions& options, const SizeField& field) {
   double smallest = options.size > 0.0 ? options.size : std::numeric_limits<double>::max();
+  smallest = std::min(smallest, field.capOf(FieldHint::kAnyRegion));
+  if (field.hasRegionCaps()) {
+    for (const std::uint32_t region : surface.triangleRegions) {
+      smallest = std::min(smallest, field.capOf(region));
+    }
+  }
   if (usesGrid(grid, options)) {
     for (const BackgroundNode& node : grid.nodes) smallest = std::min(smallest, node.size);
   }
@@ -51,10 +58,10 @@ AchievableSizes::AchievableSizes(const SurfaceMesh& surface, const BackgroundGri
       field_(field),
       explicit_(explicitTargetSizes(grid, options)),
       usesGrid_(usesGrid(grid, options)),
-      minTarget_(minTargetSize(grid, options)) {}
+      minTarget_(minTargetSize(surface, grid, options, field)) {}
 
 Task<> AchievableSizes::fitField(Work& work) {
-  if (!hasTargetSizes(grid_, options_)) co_return;
+  if (!hasTargetSizes(grid_, options_) && !field_.hasRegionCaps()) co_return;
   work.beginPart(0.2);
   co_await work.forEachBlock(surface_.triangles.size() / 3,
                              [this](std::size_t first, std::size_t last) {
@@ -164,6 +171,10 @@ double AchievableSizes::coarsenessOf(TriangleId triangle) {
   const SizeField& target = usesGrid_ ? field_ : explicit_;
   const Vec3 centroid = centroidOf(surface_, triangle);
   double coarseness = 0.0;
+  if (field_.hasRegionCaps()) {
+    const std::uint32_t* regions = &surface_.triangleRegions[2 * triangle.index()];
+    coarseness = longest / std::min(field_.capOf(regions[0]), field_.capOf(regions[1]));
+  }
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3& a = corners[k];
     const Vec3& b = corners[(k + 1) % 3];

@@ -20,7 +20,7 @@ namespace tetrafront {
 /// surface is coarser than the target sizes. Counts the triangles that are much too large for the target sizes.
 class AchievableSizes {
  public:
-  /// `field` has the target sizes of the same grid and options. All arguments must outlive this.
+  /// `field` has the target sizes of the same grid and options, and the caps of the surface's regions. All arguments must outlive this.
   AchievableSizes(const SurfaceMesh& surface, const BackgroundGrid& grid,
                   const MeshOptions& options, SizeField& field);
 

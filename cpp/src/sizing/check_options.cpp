@@ -1,6 +1,7 @@
 #include "sizing/check_options.h"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "geom/coordinates.h"
@@ -21,8 +22,10 @@ std::vector<Diagnostic> optionsOutOfRange(std::span<const OptionValue> values) {
 std::vector<Diagnostic> checkOptions(const MeshOptions& options) {
   const auto [size, growth, gradation] =
       std::array{options.size, options.growth, options.gradation};
-  const std::array<OptionValue, 3> checked{
-      {{CheckedOption::kSize, size, size >= 0.0 && size <= kLargestCoordinate},
+  const double volume = options.maxVolume;
+  const std::array<OptionValue, 4> checked{
+      {{CheckedOption::kMaxVolume, volume, volume >= 0.0 && std::isfinite(volume)},
+       {CheckedOption::kSize, size, size >= 0.0 && size <= kLargestCoordinate},
        {CheckedOption::kGrowth, growth, growth >= 0.0 && growth <= kMaxGrowth},
        {CheckedOption::kGradation, gradation,
         gradation == 0.0 || (gradation > 1.0 && gradation <= kMaxGradation)}}};

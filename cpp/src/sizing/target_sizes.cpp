@@ -8,6 +8,7 @@
 #include "field/grid_locator_builder.h"
 #include "field/size_octree_builder.h"
 #include "sizing/surface_coverage.h"
+#include "sizing/volume_sizes.h"
 
 namespace tetrafront {
 
@@ -16,7 +17,8 @@ bool usesGrid(const BackgroundGrid& grid, const MeshOptions& options) {
 }
 
 bool hasTargetSizes(const BackgroundGrid& grid, const MeshOptions& options) {
-  return options.size > 0.0 || usesGrid(grid, options) || !grid.sources.empty();
+  return options.size > 0.0 || options.maxVolume > 0.0 || usesGrid(grid, options) ||
+         !grid.sources.empty();
 }
 
 Task<std::vector<Diagnostic>> checkTargetGrid(Work& work, const BackgroundGrid& grid,
@@ -46,6 +48,7 @@ SizeField explicitTargetSizes(const BackgroundGrid& grid, const MeshOptions& opt
   SizeField sizes = SizeField::uniform(
       options.size > 0.0 ? std::clamp(options.size, kMinSize, kMaxSize) : kMaxSize);
   sizes.addSources(grid.sources);
+  sizes.capSizes(sizeForVolume(options.maxVolume), {});
   return sizes;
 }
 
@@ -58,6 +61,7 @@ Task<> TargetSizes::makeField(Work& work) {
   } else {
     field_ = explicitTargetSizes(grid_, options_);
   }
+  field_->capSizes(sizeForVolume(options_.maxVolume), {});
 }
 
 Task<> TargetSizes::locateGrid(Work& work) {

@@ -20,7 +20,7 @@ namespace tetrafront {
 /// True if the sizes come from the tetrahedra of the grid. A size in the options replaces them.
 [[nodiscard]] bool usesGrid(const BackgroundGrid& grid, const MeshOptions& options);
 
-/// True if a size, a grid or a source is given, beyond the surface's own edges.
+/// True if a size, a largest volume, a grid or a source is given, beyond the surface's own edges.
 [[nodiscard]] bool hasTargetSizes(const BackgroundGrid& grid, const MeshOptions& options);
 
 /// Checks the part of the grid that is used. `grid` must outlive the task.
@@ -31,7 +31,7 @@ namespace tetrafront {
 [[nodiscard]] std::vector<Diagnostic> checkLargestSize(const SurfaceMesh& surface, double size);
 
 /// Returns the target sizes without the surface's own edges and without the grid: the size of the options, if any,
-/// capped by the sources.
+/// capped by the sources and by the size for the largest volume.
 [[nodiscard]] SizeField explicitTargetSizes(const BackgroundGrid& grid, const MeshOptions& options);
 
 /// Whether the lengths of the surface's own edges are target sizes, if no grid is used.

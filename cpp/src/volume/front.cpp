@@ -83,6 +83,7 @@ Box Front::boxOf(FaceId face) const {
 }
 
 FaceId Front::addFace(const NodeTriple& nodes, std::uint32_t region, FieldHint hint, bool queued) {
+  hint.region = region;
   FaceId id;
   if (freeSlots_.empty()) {
     id = FaceId(faces_.size());

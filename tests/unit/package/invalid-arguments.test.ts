@@ -55,6 +55,14 @@ const prepared = {
 const control = { signal: new AbortController().signal, onProgress: () => undefined };
 const surfaceFile = { ...box, trianglePatch: new Uint32Array(12), patches: [{ name: "skin", tag: 1 }] };
 const surfaceRegions = { regions: [{ name: "body", tag: 1 }], triangleRegions: new Uint32Array(24) };
+const givenRegions = {
+  triangleRegions: new Uint32Array(24).map((_, side) => (side % 2 === 0 ? 0 : api.NO_REGION)),
+  maxVolumes: Float64Array.of(1),
+};
+const regionPoints = {
+  holes: [],
+  regions: [{ number: 1, position: [0.5, 0.5, 0.5], tag: 1, name: "body", maxVolume: 1 }],
+};
 const meshed = {
   surface: {
     ...box,
@@ -169,7 +177,9 @@ const methods: Readonly<Record<Exclude<keyof api.Mesher, "dispose">, Arguments>>
     options: { gradation: 1.3, background, preparedBodies: [prepared] },
     control,
   },
-  fillSurface: { surface: box, options: { growth: 0.3, background }, control },
+  fillSurface: { surface: { ...box, givenRegions }, options: { growth: 0.3, background }, control },
+  locateRegions: { surface: { ...surfaceFile, regionPoints }, control },
+  proposeSurfaceSizes: { surface: box, options: { size: 1 }, control },
   prepareBody: {
     project: { ...project, bodies: [body] },
     body: body.id,

@@ -132,16 +132,18 @@ describe("facets of a .poly file", () => {
   });
 });
 
-test("notes name the ignored hole and region points of a .poly file and what replaces them", async () => {
+test("hole and region points of a .poly file are read with their numbers, attributes and volumes", async () => {
   const positions = boxes(square(0, 0));
   const facets = [BOTTOM, TOP, ...SIDES].map((ring) => ({ rings: [ring] }));
-  const { notes } = await surfaceOf(
-    polyFile(positions, facets, "1\n1 .5 .5 .5\n2\n1 .1 .1 .1 7 0\n2 .2 .2 .2 8 0\n"),
-  );
-  expect(notes).toMatchObject([
-    expect.stringMatching(/^1 hole point ignored: .*leave out the facets/),
-    expect.stringMatching(/^2 region points ignored: regions are numbered$/),
-  ]);
-  expect((await surfaceOf(polyFile(positions, facets))).notes).toBeUndefined();
-  expect((await surfaceOf(polyFile(positions, facets, ""))).notes).toBeUndefined();
+  const marks = "1\n4 .5 .5 .5\n2\n1 .1 .1 .1 7 .25\n2 .2 .2 .2 -8.5 -1\n";
+  expect((await surfaceOf(polyFile(positions, facets, marks))).regionPoints).toEqual({
+    holes: [{ number: 4, position: [0.5, 0.5, 0.5] }],
+    regions: [
+      { number: 1, position: [0.1, 0.1, 0.1], tag: 7, name: undefined, maxVolume: 0.25 },
+      { number: 2, position: [0.2, 0.2, 0.2], tag: -8.5, name: undefined, maxVolume: undefined },
+    ],
+  });
+  const none = { holes: [], regions: [] };
+  expect((await surfaceOf(polyFile(positions, facets))).regionPoints).toEqual(none);
+  expect((await surfaceOf(polyFile(positions, facets, ""))).regionPoints).toEqual(none);
 });

@@ -95,7 +95,27 @@ const queries: Readonly<Record<Question["kind"], (id: number) => Question>> = {
     mesh: { points, tetrahedra, regions: new Uint32Array(), front: new Uint32Array() },
     sizes: new Float64Array(),
   }),
-  "inspect-surface": (id) => ({ kind: "inspect-surface", id, ...surface, options: inspectionOptions }),
+  "inspect-surface": (id) => ({
+    kind: "inspect-surface",
+    id,
+    ...surface,
+    options: inspectionOptions,
+    triangleRegions: new Uint32Array(),
+  }),
+  "locate-regions": (id) => ({
+    kind: "locate-regions",
+    id,
+    ...surface,
+    positions: Float64Array.of(0.1, 0.1, 0.1),
+  }),
+  "propose-surface": (id) => ({
+    kind: "propose-surface",
+    id,
+    ...surface,
+    groups: new Uint32Array(),
+    options: engineRemeshOptions({ size: 0.2 }),
+    triangleRegions: new Uint32Array(),
+  }),
   "repair-surface": (id) => ({ kind: "repair-surface", id, ...surface, options: repairOptions }),
   "refine-surface": (id) => ({
     kind: "refine-surface",
@@ -113,6 +133,7 @@ const queries: Readonly<Record<Question["kind"], (id: number) => Question>> = {
     groups: new Uint32Array(),
     grid: emptyGrid(),
     options: engineRemeshOptions({ size: 0.2 }),
+    triangleRegions: new Uint32Array(),
   }),
   "inspect-mesh": (id) => ({ kind: "inspect-mesh", id, points, tetrahedra, regions: new Uint32Array() }),
   "improve-mesh": (id) => ({

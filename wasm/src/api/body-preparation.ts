@@ -251,3 +251,8 @@ export function joinedBodies({ bodies = [] }: Project, prepared: readonly Prepar
   }
   return { points, triangles, trianglePatch, patches };
 }
+
+/** Returns whether there is a body; callers without type checks may preview anything. */
+export function hasBodies({ bodies }: Project): boolean {
+  return bodies !== undefined && bodies.length > 0;
+}

@@ -48,6 +48,7 @@ const surfaceSchema = v.pipe(
     triangles: integers(3),
     origin: v.optional(integers()),
     nodeOrigin: v.optional(integers()),
+    givenRegions: v.optional(v.object({ triangleRegions: integers(2), maxVolumes: doubles() })),
   }),
   v.check(
     ({ origin, triangles }) => origin === undefined || 3 * origin.length === triangles.length,
@@ -57,6 +58,11 @@ const surfaceSchema = v.pipe(
     ({ nodeOrigin, points }) => nodeOrigin === undefined || 3 * nodeOrigin.length === points.length,
     "nodeOrigin must have one index per node",
   ),
+  v.check(
+    ({ givenRegions, triangles }) =>
+      givenRegions === undefined || 3 * givenRegions.triangleRegions.length === 2 * triangles.length,
+    "givenRegions.triangleRegions must have two regions per triangle",
+  ),
 );
 
 const SURFACE_REMEDY =
@@ -64,6 +70,35 @@ const SURFACE_REMEDY =
 
 export function checkSurface(surface: SurfaceInput): Diagnostic[] {
   return checkArrays("surface", surface, surfaceSchema, SURFACE_REMEDY);
+}
+
+/** As `checkSurface`, for calls that need to know what is meshed. */
+export function checkLocatedSurface(surface: SurfaceInput): Diagnostic[] {
+  const wrong = checkSurface(surface);
+  if (wrong.length > 0 || surface.regionPoints === undefined) return wrong;
+  const message = "the points of the file that mark regions and holes have not been located in the surface";
+  return [packageDiagnostic("unlocated-regions", message, "Pass the surface that locateRegions() returns.")];
+}
+
+const finite = v.pipe(v.number(), v.finite());
+const markedPoint = v.object({ number: v.number(), position: v.tuple([finite, finite, finite]) });
+const regionPointsSchema = v.optional(
+  v.object({
+    holes: v.array(markedPoint),
+    regions: v.array(
+      v.object({
+        ...markedPoint.entries,
+        tag: finite,
+        name: v.optional(v.string()),
+        maxVolume: v.optional(v.pipe(finite, v.gtValue(0))),
+      }),
+    ),
+  }),
+);
+
+export function checkRegionPoints({ regionPoints }: SurfaceInput): Diagnostic[] {
+  const remedy = "Pass the points of a file, or none.";
+  return checkArrays("surface.regionPoints", regionPoints, regionPointsSchema, remedy);
 }
 
 const patchesSchema = v.pipe(

@@ -1,5 +1,6 @@
 /** The mesher: the engine in a worker, as callers see it. */
 import type { PartialControl, RunControl } from "../engine/control.js";
+import type { SurfaceFile } from "../formats/surface-file.js";
 import type { FileGroup } from "../mesh/file-mesh.js";
 import type {
   MeshInspection,
@@ -27,7 +28,9 @@ import type {
   RemeshOptions,
   RepairOptions,
   SplitOptions,
+  SurfaceProposalOptions,
 } from "./option-types.js";
+import type { LocatedSurface } from "./region-location.js";
 
 /** Result of `proposeSizes`. */
 export interface SizeProposal {
@@ -35,6 +38,18 @@ export interface SizeProposal {
   readonly size: number;
   /** Sources, those with the smallest size first, with ids from 1. */
   readonly sources: readonly ProjectSource[];
+}
+
+/** Result of `proposeSurfaceSizes`. Lengths are in model units. */
+export interface SurfaceSizeProposal {
+  /** Largest and smallest target size on the surface. */
+  readonly size: number;
+  readonly minSize: number;
+  /** Tolerance of the remeshing. */
+  readonly tolerance: number;
+  /** Expected numbers, rounded. */
+  readonly triangles: number;
+  readonly tetrahedra: number;
 }
 
 /** Surface with patches that may have names, for example a `SurfaceFile`. */
@@ -111,6 +126,27 @@ export interface Mesher {
     options?: InspectionOptions,
     control?: RunControl,
   ): Promise<SurfaceInspection>;
+  /**
+   * Finds the volumes that the surface encloses, and which of them its `regionPoints` mark as regions and holes; exact.
+   * Every volume without a hole point is a region, also inside another one. Returns the surface without triangles that no
+   * region touches; its `givenRegions` and `surfaceRegions` state what is meshed, with the names, tags and largest volumes
+   * of the region points. Warns with `region-point` about points without effect. Rejects with `region-point` if a point lies
+   * on the surface or every volume is a hole, and as `fillSurface` if the surface cannot be meshed. Repair a surface
+   * before this call. O(n log n). Works in slices beside a run.
+   *
+   *     const { surface } = await mesher.locateRegions(file);
+   *     const result = await mesher.fillSurface(surface);
+   */
+  locateRegions(surface: SurfaceFile, control?: RunControl): Promise<LocatedSurface>;
+  /**
+   * Returns the sizes that `remeshSurface` would use, and about how many triangles and tetrahedra they lead to. `background`
+   * is not permitted. Rejects as `remeshSurface`. Works in slices beside a run.
+   */
+  proposeSurfaceSizes(
+    surface: PatchedSurface,
+    options?: SurfaceProposalOptions,
+    control?: RunControl,
+  ): Promise<SurfaceSizeProposal>;
   /**
    * Makes the requested repairs in a copy and lists every change; use `inspectSurface` to check the result. Rejects with
    * `invalid-input` if coordinates or indices are invalid. Works in slices beside a run.

@@ -18,6 +18,7 @@ import type {
 import type { ImproveInput, MeshImprovement } from "../mesh/improvement.js";
 import type { MeshInput, PatchedSurface, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
+import type { SurfaceFile } from "../formats/surface-file.js";
 import type { MeshResult } from "../mesh/report.js";
 import { modelWithBodyBoxes, projectArrays } from "../project/arrays.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
@@ -37,6 +38,7 @@ import {
   bodyWithId,
   joinedBodies,
   afterBodies,
+  hasBodies,
   preparedBodies,
   preparedBody,
   type SurfaceCalls,
@@ -45,6 +47,7 @@ import {
   checkControl,
   checkGroups,
   checkImproveInput,
+  checkLocatedSurface,
   checkMesh,
   checkPatchedSurface,
   checkProject,
@@ -64,7 +67,15 @@ import {
   describedRepair,
 } from "./inspection.js";
 import { describedImprovement, improvementErrors } from "./improvement.js";
-import type { Mesher, SizeProposal, SplitInput, SplitSurface } from "./mesher-interface.js";
+import type {
+  Mesher,
+  SizeProposal,
+  SplitInput,
+  SplitSurface,
+  SurfaceSizeProposal,
+} from "./mesher-interface.js";
+import { type LocatedSurface, locateRegions } from "./region-location.js";
+import { proposeSurfaceSizes } from "./surface-sizes.js";
 import type {
   CoverOptions,
   ImproveOptions,
@@ -77,6 +88,7 @@ import type {
   RemeshOptions,
   RepairOptions,
   SplitOptions,
+  SurfaceProposalOptions,
 } from "./option-types.js";
 import { splitSurface } from "./patch-names.js";
 import {
@@ -110,7 +122,7 @@ import {
   withoutBodyNotes,
   withPreparation,
 } from "./report.js";
-import { surfaceNamer } from "./surface-numbers.js";
+import { givenRegionsOf, surfaceNamer, triangleRegionsOf } from "./surface-numbers.js";
 
 /**
  * Starts a worker with an engine in it; resolves when it is loaded. Call `dispose` when done; in Node, an idle
@@ -212,7 +224,7 @@ class WorkerMesher implements Mesher {
   async fillSurface(surface: SurfaceInput, options: MeshOptions = {}, control: RunControl = {}) {
     const early = this.#endedEarly(control);
     if (early !== undefined) return early;
-    const wrong = [...checkSurface(surface), ...checkOptions(options)];
+    const wrong = [...checkLocatedSurface(surface), ...checkOptions(options)];
     if (wrong.length > 0) return emptyResult("invalid-input", wrong);
     const { background } = options;
     // Copies: transferring the caller's own arrays would empty them.
@@ -223,6 +235,7 @@ class WorkerMesher implements Mesher {
       showUnoptimized: control.onUnoptimized !== undefined,
       points: surface.points.slice(),
       triangles: surface.triangles.slice(),
+      regions: givenRegionsOf(surface),
       grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
       options: engineOptions(options),
     } as const;
@@ -354,9 +367,24 @@ class WorkerMesher implements Mesher {
       points,
       triangles,
       options: engineInspectionOptions(options),
+      triangleRegions: triangleRegionsOf(surface),
     } as const;
     const found = await this.#client.ask(question, control);
     return inSteps(describedInspection(found, surface, name ?? surfaceNamer(surface)), control.signal);
+  }
+
+  async locateRegions(surface: SurfaceFile, control: RunControl = {}): Promise<LocatedSurface> {
+    this.#begin(control);
+    return locateRegions(this.#client, surface, control);
+  }
+
+  async proposeSurfaceSizes(
+    surface: PatchedSurface,
+    options: SurfaceProposalOptions = {},
+    control: RunControl = {},
+  ): Promise<SurfaceSizeProposal> {
+    this.#begin(control);
+    return proposeSurfaceSizes(this.#client, surface, options, control);
   }
 
   async repairSurface(
@@ -425,6 +453,7 @@ class WorkerMesher implements Mesher {
   ) {
     this.#begin(control);
     refuse([...checkPatchedSurface(surface), ...checkRemeshOptions(options)]);
+    refuse(checkLocatedSurface(surface));
     const { background, innerShells } = options;
     // A partial call that is stopped early still returns a surface.
     const checking = control.partial === true ? {} : control;
@@ -442,6 +471,7 @@ class WorkerMesher implements Mesher {
       groups,
       grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
       options: engineRemeshOptions(options),
+      triangleRegions: triangleRegionsOf(surface),
     } as const;
     const remesh = await this.#client.ask(question, control);
     refuse(changeDiagnostics(remesh, name ?? surfaceNamer(surface)));
@@ -567,9 +597,4 @@ class WorkerMesher implements Mesher {
       ? emptyResult("cancelled", [], result.cancelledAfterSeconds)
       : describedResult(result, nameFor(result));
   }
-}
-
-/** Returns whether there is a body; callers without type checks may preview anything. */
-function hasBodies({ bodies }: Project): boolean {
-  return bodies !== undefined && bodies.length > 0;
 }

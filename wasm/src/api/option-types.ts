@@ -68,6 +68,8 @@ export interface RemeshOptions {
   readonly dropDetails?: number | undefined;
   /** Growth of the size per unit of distance, 0 to 10. Default 0.3. */
   readonly growth?: number | undefined;
+  /** Largest volume of a tetrahedron of the future mesh, as in `MeshOptions`: it caps all sizes. */
+  readonly maxVolume?: number | undefined;
   /** Meaning of inner shells, as in `MeshOptions`. Default `cavities`. */
   readonly innerShells?: InnerShells | undefined;
   /**
@@ -76,6 +78,9 @@ export interface RemeshOptions {
    */
   readonly background?: BackgroundArrays | undefined;
 }
+
+/** Options of `proposeSurfaceSizes`: those with which the surface will be remeshed. */
+export type SurfaceProposalOptions = Omit<RemeshOptions, "background" | "dropDetails">;
 
 /** Options of `improveMesh`. */
 export interface ImproveOptions {
@@ -167,6 +172,11 @@ export interface MeshOptions {
    * capped. Default 1.3; 0 means no limit.
    */
   readonly gradation?: number | undefined;
+  /**
+   * Largest volume of a tetrahedron, in cubed model units, above 0. Default: no limit. It caps all sizes, and larger
+   * tetrahedra are split without changes of the boundary. If rounding prevents that, `large-tetrahedra` warns.
+   */
+  readonly maxVolume?: number | undefined;
   /**
    * What closed shells inside a region bound. Default `cavities`, which stay empty; with `regions`, each is meshed as a
    * region that conforms to the surrounding one.

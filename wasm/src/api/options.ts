@@ -46,6 +46,7 @@ import type {
   RemeshOptions,
   RepairOptions,
   SplitOptions,
+  SurfaceProposalOptions,
 } from "./option-types.js";
 
 const INNER_SHELL_NUMBERS = numbersOf(INNER_SHELLS);
@@ -118,6 +119,12 @@ const meshEntries = {
     ),
     MESH_DEFAULTS.gradation,
   ),
+  maxVolume: option(
+    "largest volume of a tetrahedron",
+    "a volume above 0, in cubed model units",
+    v.pipe(v.number(), v.gtValue(0), v.finite()),
+    undefined,
+  ),
   innerShells,
   order: choiceOption("order of the front", FRONT_ORDERS, MESH_DEFAULTS.order),
   optimization: choiceOption("optimization", OPTIMIZATIONS, MESH_DEFAULTS.optimization),
@@ -172,7 +179,7 @@ const angleOption = (label: string, otherwise: number | undefined) =>
     within(MIN_REMESH_ANGLE, MAX_REMESH_ANGLE),
     otherwise,
   );
-const remeshSchema = objectWith({
+const remeshEntries = {
   size: meshEntries.size,
   minSize: sizeOption("smallest size"),
   maxSize: sizeOption("largest size"),
@@ -182,9 +189,14 @@ const remeshSchema = objectWith({
   layers: option("number of layers", `a number from 0 to ${MAX_LAYERS}`, within(0, MAX_LAYERS), undefined),
   dropDetails: distanceOption("length of dropped details"),
   growth: growthOption(REMESH_DEFAULTS.growth),
+  maxVolume: meshEntries.maxVolume,
   innerShells,
   background,
-} satisfies EntriesOf<RemeshOptions>);
+} satisfies EntriesOf<RemeshOptions>;
+const remeshSchema = objectWith(remeshEntries);
+
+const { background: _noBackground, dropDetails: _noDropping, ...proposalEntries } = remeshEntries;
+const surfaceProposalSchema = objectWith(proposalEntries satisfies EntriesOf<SurfaceProposalOptions>);
 
 const splitSchema = objectWith({
   angle: angleOption("angle between patches", REMESH_DEFAULTS.featureAngle),
@@ -264,9 +276,22 @@ export function checkProjectOptions(options: ProjectMeshOptions): Diagnostic[] {
 /** Checks the options of `refineSurface`, which needs sizes. */
 export function checkRefineOptions(options: RefineOptions): Diagnostic[] {
   const wrong = checkWithBackground(options, refineSchema);
-  if (wrong.length > 0 || options.size !== undefined || options.background !== undefined) return wrong;
+  if (wrong.length > 0) return wrong;
+  const { size, maxVolume, background } = options;
+  if ([size, maxVolume, background].some((given) => given !== undefined)) return wrong;
   const message = "no sizes are given for the refinement of the surface";
-  return [invalidOption("size", message, "Pass an element size, sources of size or a background grid.")];
+  return [
+    invalidOption(
+      "size",
+      message,
+      "Pass an element size, a largest volume, sources of size or a background grid.",
+    ),
+  ];
+}
+
+export function checkSurfaceProposalOptions(options: SurfaceProposalOptions): Diagnostic[] {
+  const wrong = checkAgainst(options, surfaceProposalSchema);
+  return wrong.length > 0 ? wrong : checkRemeshOptions(options);
 }
 
 export function checkRemeshOptions(options: RemeshOptions): Diagnostic[] {
@@ -371,10 +396,12 @@ export function withSettings(options: MeshOptions, { meshing }: Project): MeshOp
 
 /** Converts valid options; a size of 0 means none. */
 export function engineOptions(options: MeshOptions): EngineOptions {
-  const { background: _, size = MESH_DEFAULTS.size, ...chosen } = v.parse(meshSchema, options);
+  const parsed = v.parse(meshSchema, options);
+  const { background: _, size = MESH_DEFAULTS.size, maxVolume = MESH_DEFAULTS.maxVolume, ...chosen } = parsed;
   return {
     ...chosen,
     size,
+    maxVolume,
     innerShells: INNER_SHELL_NUMBERS[chosen.innerShells],
     order: FRONT_ORDER_NUMBERS[chosen.order],
     optimization: OPTIMIZATION_NUMBERS[chosen.optimization],

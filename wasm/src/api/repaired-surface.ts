@@ -40,17 +40,23 @@ export function repairedSurface(
     nodeOrigin: surface.nodeOrigin && chainedOrigins(given.nodeOrigin, surface.nodeOrigin),
   };
   const patches = hasFilled ? [...given.patches, filled] : given.patches;
-  if (given.surfaceRegions === undefined) return { ...surface, ...numbers, trianglePatch, patches };
-  const { regions, triangleRegions: beside } = given.surfaceRegions;
-  const triangleRegions = new Uint32Array(2 * origin.length).map((_, side) => {
-    const from = origin[side >>> 1] ?? NO_ORIGIN;
-    return from === NO_ORIGIN ? NO_REGION : (beside[2 * from + (side & 1)] ?? NO_REGION);
-  });
+  const { surfaceRegions, givenRegions, regionPoints } = given;
+  const regionsBeside = ({ triangleRegions: beside }: { readonly triangleRegions: Uint32Array }) =>
+    new Uint32Array(2 * origin.length).map((_, side) => {
+      const from = origin[side >>> 1] ?? NO_ORIGIN;
+      return from === NO_ORIGIN ? NO_REGION : (beside[2 * from + (side & 1)] ?? NO_REGION);
+    });
   return {
     ...surface,
     ...numbers,
     trianglePatch,
     patches,
-    surfaceRegions: { regions, triangleRegions },
+    ...(surfaceRegions && {
+      surfaceRegions: { ...surfaceRegions, triangleRegions: regionsBeside(surfaceRegions) },
+    }),
+    ...(givenRegions && {
+      givenRegions: { ...givenRegions, triangleRegions: regionsBeside(givenRegions) },
+    }),
+    ...(regionPoints && { regionPoints }),
   };
 }

@@ -1,7 +1,7 @@
 /** Maps the triangles and nodes of a repaired, refined or remeshed surface to their indices in the given one. */
 import { type EntityNamer, nameByIndex } from "../diagnostics/entity-names.js";
 import { NO_ORIGIN } from "../generated/constants.js";
-import type { SurfaceInput } from "../mesh/mesh.js";
+import type { GivenRegions, SurfaceInput } from "../mesh/mesh.js";
 
 /**
  * Names triangles and nodes by their indices in the given surface, if the surface states them. Triangles of filled
@@ -15,6 +15,18 @@ export function surfaceNamer({ origin, nodeOrigin }: SurfaceInput): EntityNamer 
     if (given !== NO_ORIGIN) return nameByIndex(kind, given);
     return { kind, index, label: kind === "triangle" ? `filled triangle ${index}` : `new node ${index}` };
   };
+}
+
+/** Returns a copy of the given regions, for the engine; empty if they are not known. */
+export function givenRegionsOf({ givenRegions }: SurfaceInput): GivenRegions {
+  return {
+    triangleRegions: givenRegions?.triangleRegions.slice() ?? new Uint32Array(),
+    maxVolumes: givenRegions?.maxVolumes.slice() ?? new Float64Array(),
+  };
+}
+
+export function triangleRegionsOf(surface: SurfaceInput): Uint32Array {
+  return givenRegionsOf(surface).triangleRegions;
 }
 
 /**

@@ -8,9 +8,10 @@ import { LIMITS } from "../base/limits.js";
 import { plural } from "../base/plural.js";
 import { inSteps } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { listed } from "../formats/groups.js";
-import { surfaceOf } from "../formats/surface-file.js";
+import { type SurfaceFile, surfaceOf } from "../formats/surface-file.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
 import type { MeshInspection, RepairChange, SurfaceInspection } from "../mesh/inspection.js";
 import { poorElementWarnings } from "../mesh/quality-warnings.js";
@@ -30,6 +31,7 @@ import {
   printDiagnostics,
 } from "./messages.js";
 import { printChanges, refuseRepair, type RepairCommandOptions, repaired, repairOptions } from "./repair.js";
+import { located, type Located } from "./regions.js";
 import { meshLines, oppositeOrderLines, readingLines, surfaceLines } from "./tables.js";
 
 export interface CheckCommandOptions extends RepairCommandOptions {
@@ -176,12 +178,28 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
     );
     throw new InvalidInput(input, [nothing]);
   }
-  const { surface, changes } = await repaired(mesher, await inSteps(surfaceOf(mesh)), repair);
-  const { innerShells } = options;
+  const { surface: whole, changes } = await repaired(mesher, await inSteps(surfaceOf(mesh)), repair);
+  const { surface, diagnostics: found } = await locatedOrNot(mesher, whole);
+  const { innerShells = whole.regionPoints && "regions" } = options;
   const inspectionOptions = { innerShells, maxDiagnostics: maxDiagnosticsOf(options) };
   const { diagnostics, ...inspection } = await mesher.inspectSurface(surface, inspectionOptions);
   const touching = touchingSolids(surface, diagnostics);
-  return { kind: "surface", diagnostics: [...touching, ...diagnostics, ...notes(mesh)], changes, inspection };
+  return {
+    kind: "surface",
+    diagnostics: [...touching, ...found, ...diagnostics, ...notes(mesh)],
+    changes,
+    inspection,
+  };
+}
+
+/** Returns the surface as it is, with errors, if its region points cannot be located; the inspection finds other errors. */
+async function locatedOrNot(mesher: Mesher, surface: SurfaceFile): Promise<Located> {
+  try {
+    return await located(mesher, surface);
+  } catch (failure) {
+    if (!(failure instanceof MesherError) || failure.code !== "invalid-input") throw failure;
+    return { surface, diagnostics: failure.data.diagnostics.filter(({ code }) => code === "region-point") };
+  }
 }
 
 /** Notes about the file that are not problems. */

@@ -26,6 +26,7 @@ import { formatName, isProject, readMeshFile } from "./input.js";
 import { ExitCode, print, printDiagnostics, reportFailure } from "./messages.js";
 import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
 import { printChanges, refuseRepair, type RepairCommandOptions, repaired, repairOptions } from "./repair.js";
+import { unusedPointLines } from "./regions.js";
 import { type SplitCommandOptions, splitOptions, splitText, withSplit } from "./splitting.js";
 import { mixedOrientationLines, readingLines } from "./tables.js";
 
@@ -58,7 +59,7 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
       printDiagnostics(input, (await inSteps(findDefects(mesh, faces))).map(asWarning), { isQuiet });
       const left = [...given.nodeData.keys()].filter((key) => !mesh.nodeData.has(key));
       if (left.length > 0) print(`note: ${input}: ${omittedDataMessage(left)}`);
-      const notes = [...mixedOrientationLines(given), ...readingLines(given)];
+      const notes = [...mixedOrientationLines(given), ...readingLines(given), ...unusedPointLines(given)];
       for (const line of notes) print(`note: ${input}: ${line}`);
       print(`${input}: ${contentsOf(mesh)} -> ${output}`);
     }
@@ -96,7 +97,7 @@ async function convertToProject(
   if (!isQuiet) {
     const left = [...given.nodeData.keys()];
     if (left.length > 0) print(`note: ${input}: ${omittedDataMessage(left)}`);
-    for (const line of readingLines(given)) print(`note: ${input}: ${line}`);
+    for (const line of [...readingLines(given), ...unusedPointLines(given)]) print(`note: ${input}: ${line}`);
     print(`${input}: ${contentsOf(mesh)} -> ${output}`);
   }
   return ExitCode.meshed;

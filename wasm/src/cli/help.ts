@@ -40,7 +40,12 @@ Element sizes
   A size is an edge length in the unit of the file. A project defines its own sizes. For a surface, sizes
   start at its edges and grow inwards by --growth up to --size. --background takes the sizes from a project,
   or from a mesh with node values "size" (also "stretching" and "direction"; without "size", its edges).
-  --source limits the sizes around a position.
+  --source limits the sizes around a position. --max-volume caps all sizes, and tetrahedra that are larger
+  nonetheless are split; the boundary does not change.
+
+Regions
+  Hole points of TetGen's .smesh and .poly files keep volumes empty; region points number regions and limit the
+  volume of their tetrahedra.
 
 CAD files
   STEP, IGES and BREP files are triangulated, remeshed and, if needed, repaired. Each solid becomes a region, in

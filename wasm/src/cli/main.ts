@@ -149,6 +149,7 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
       "--gradation <ratio>",
       `largest size ratio of neighbouring elements of a grid; 0 for no limit (default ${MESH_DEFAULTS.gradation})`,
     )
+    .option("--max-volume <volume>", "largest volume of a tetrahedron (default: no limit)")
     .addOption(innerShellsOption())
     .addOption(
       new Option(

@@ -42,6 +42,7 @@ import {
   repaired,
   repairOptions,
 } from "./repair.js";
+import { located } from "./regions.js";
 import { withRun } from "./run.js";
 import {
   checkSizes,
@@ -64,6 +65,7 @@ export interface MeshCommandOptions
   readonly from?: string;
   readonly to?: string;
   readonly gradation?: string;
+  readonly maxVolume?: string;
   readonly surface?: SurfaceTreatment;
   readonly order?: FrontOrder;
   /** False after --no-filters. */
@@ -147,7 +149,7 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const { innerShells } = options;
   const isCad = isCadInput(input, options.from);
   const repairing = { input, repair, split, innerShells, isRepairImplied: isCad && repair === undefined };
-  const { model, changes, split: splitWords } = await withRepair(given, repairing);
+  const { model, changes, split: splitWords, located: found = [] } = await withRepair(given, repairing);
   if (changes !== undefined && !isQuiet) printChanges(input, changes);
   if (splitWords !== undefined && !isQuiet) print(`${input}: ${splitWords}`);
   if (given.kind === "surface" && !isQuiet) {
@@ -163,7 +165,7 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   if (remesh !== undefined && !isQuiet) print(`${input}: ${remeshText(remesh)}`);
   if (remesh?.isPartial === true) print(`${input}: ${REMESHING_STOPPED}`);
   const { report } = result;
-  printWithGrid({ input, background: options.background }, report.diagnostics, isQuiet);
+  printWithGrid({ input, background: options.background }, [...found, ...report.diagnostics], isQuiet);
   const shouldWrite = mayWrite(result, options);
   const written = shouldWrite && (await writeResult(input, options, result, meshed)) ? options.output : null;
   if (!isQuiet && report.status !== "invalid-input") print(summary(input, report, written, options));
@@ -176,7 +178,7 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   );
   printDiagnostics(input, poor, { isQuiet });
   const exitCode = isLost || poor.length > 0 ? ExitCode.notCompleted : EXIT_CODES[report.status];
-  const diagnostics = [...report.diagnostics, ...poor];
+  const diagnostics = [...found, ...report.diagnostics, ...poor];
   return { report: { ...report, diagnostics }, written, exitCode, changes, refinement, remesh };
 }
 
@@ -213,6 +215,8 @@ interface Repaired {
   readonly changes?: readonly RepairChange[] | undefined;
   /** Description of the splitting. */
   readonly split?: string | undefined;
+  /** Warnings about region points. */
+  readonly located?: readonly Diagnostic[];
 }
 
 interface Repairing {
@@ -228,15 +232,17 @@ async function withRepair(
   given: Input,
   { input, repair, split, innerShells, isRepairImplied }: Repairing,
 ): Promise<Repaired> {
-  const isNothingAsked = repair === undefined && split === undefined && !isRepairImplied;
-  if (given.kind === "project" || isNothingAsked) return { model: given };
+  if (given.kind === "project") return { model: given };
+  const hasPoints = given.surface.regionPoints !== undefined;
+  if (repair === undefined && split === undefined && !isRepairImplied && !hasPoints) return { model: given };
   return withMesher(async (mesher) => {
     const { surface: whole, changes } = isRepairImplied
       ? await madeFillable(mesher, given.surface, input, innerShells)
       : await repaired(mesher, given.surface, repair);
-    const surface = await withSplit(mesher, whole, split);
-    const words = split && splitText(whole, surface);
-    return { model: { kind: "surface", surface }, changes, split: words };
+    const divided = await withSplit(mesher, whole, split);
+    const words = split && splitText(whole, divided);
+    const { surface, diagnostics } = await located(mesher, divided);
+    return { model: { kind: "surface", surface }, changes, split: words, located: diagnostics };
   });
 }
 
@@ -268,6 +274,7 @@ function readOptions(options: MeshCommandOptions): MeshOptions {
   const meshOptions: MeshOptions = {
     ...sizesIn(options),
     gradation: numberIn(options.gradation),
+    maxVolume: numberIn(options.maxVolume),
     innerShells: options.innerShells,
     order: options.order,
     filters: options.filters,

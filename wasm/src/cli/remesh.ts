@@ -31,6 +31,7 @@ import {
   remeshText,
 } from "./remeshing.js";
 import { madeFillable, printChanges, type RepairCommandOptions, repaired, repairOptions } from "./repair.js";
+import { located } from "./regions.js";
 import { withRun } from "./run.js";
 import {
   checkSizes,
@@ -94,10 +95,12 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
     const { surface: whole, changes } = isRepairImplied
       ? await madeFillable(mesher, given.surface, input, innerShells)
       : await repaired(mesher, given.surface, repair);
-    const surface = await withSplit(mesher, whole, split);
+    const divided = await withSplit(mesher, whole, split);
+    const { surface, diagnostics: found } = await located(mesher, divided);
+    printDiagnostics(input, found, { isQuiet });
     if (changes !== undefined && !isQuiet) printChanges(input, changes);
     if (!isQuiet) for (const line of readingLines(given.surface)) print(`note: ${input}: ${line}`);
-    if (split !== undefined && !isQuiet) print(`${input}: ${splitText(whole, surface)}`);
+    if (split !== undefined && !isQuiet) print(`${input}: ${splitText(whole, divided)}`);
     const all = await withGrid(mesher, sizes, grid);
     const made = await remeshed(mesher, surface, all, { ...controlOf("remesh"), partial: true });
     const files = await writeMesh(fileMesh(made.surface), name);
@@ -115,7 +118,7 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
       output,
       remesh: made.remesh,
       repair: changes,
-      diagnostics: [...notes, ...made.diagnostics, ...diagnostics],
+      diagnostics: [...found, ...notes, ...made.diagnostics, ...diagnostics],
       exitCode,
     };
   });

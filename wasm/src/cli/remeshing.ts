@@ -40,11 +40,12 @@ const WRITTEN = {
 /** Returns the options of a remeshing with these sizes. Throws an InvalidInput if one is invalid. */
 export function remeshOptions(
   given: RemeshCommandOptions,
-  { size, growth, innerShells, background }: MeshOptions,
+  { size, growth, maxVolume, innerShells, background }: MeshOptions,
 ): RemeshOptions {
   const options: RemeshOptions = {
     size,
     growth,
+    maxVolume,
     innerShells,
     background,
     minSize: numberIn(given.minSize),

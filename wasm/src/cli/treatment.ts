@@ -60,9 +60,11 @@ export async function treatedSurface(
   }
 }
 
-function hasSizes({ size, background }: MeshOptions): boolean {
+function hasSizes({ size, background, maxVolume }: MeshOptions): boolean {
   const sources = background?.sources ?? [];
-  return size !== undefined || (background?.sizes.length ?? 0) > 0 || sources.length > 0;
+  return (
+    size !== undefined || maxVolume !== undefined || (background?.sizes.length ?? 0) > 0 || sources.length > 0
+  );
 }
 
 /** Inspects before refining, so that diagnostics use the triangle indices of the given surface. */

@@ -29,6 +29,10 @@ export type PackageCode =
   | "no-improvement"
   /** A format cannot store some content, which is not in the file. */
   | "left-out"
+  /** A point that marks a region or a hole has no effect, or does not decide what it marks. */
+  | "region-point"
+  /** The points that mark the regions and holes of a surface have not been located. */
+  | "unlocated-regions"
   /** A file could not be opened or written, or has no content that a command can use. */
   | "unreadable-input"
   /** The engine ran out of memory. */

@@ -57,6 +57,7 @@ const OPTION_WORDS: Readonly<Record<CheckedOption, readonly [name: string, range
   "angle-per-edge": ["angle per edge", ANGLE_RANGE],
   "drop-details": ["length of dropped details", `a distance above 0 and up to ${LENGTH}`],
   layers: ["number of layers", `a number from 0 to ${MAX_LAYERS}`],
+  "max-volume": ["largest volume of a tetrahedron", "a volume above 0"],
 };
 
 /** One entry per engine code: the compiler rejects a table with a gap. */
@@ -303,6 +304,17 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
       `${the("triangle")}${at} has an edge ${short(lengthRatio)} times the target length${triangles === 1 ? "" : `; ${triangles} triangles have edges above twice the target length`}, and elements next to ${triangles === 1 ? "it" : "them"} will be as large`,
     remedy:
       "Refine the surface (--surface refine or refineSurface()), remesh it (--surface remesh or remeshSurface()), or use larger elements.",
+  },
+  "inconsistent-regions": {
+    message: ({ the, at, data }) =>
+      `${the("triangle")}${at} has given regions that contradict those of other triangles${total(data.count, "triangle")}`,
+    remedy: "Repair the surface first, then call locateRegions().",
+  },
+  "large-tetrahedra": {
+    message: ({ at, data: { count, volumeRatio } }) =>
+      `The largest tetrahedron has ${short(volumeRatio)} times the permitted volume${at}${total(count, "tetrahedron")}`,
+    remedy:
+      "Split the triangles of the surface (--surface refine or refineSurface()), replace them (--surface remesh or remeshSurface()), or permit a larger volume.",
   },
   stalled: {
     message: ({ data, all, at }) => {

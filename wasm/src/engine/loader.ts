@@ -7,6 +7,7 @@ import type {
   BackgroundFromMesh,
   Cover,
   Inspection,
+  Location,
   MainModule as Tools,
   PatchSplitting,
   Preview,
@@ -14,6 +15,7 @@ import type {
   Refinement,
   Remesh,
   Repair,
+  SurfaceProposal,
   VolumeInspection,
 } from "./tools.js";
 
@@ -33,6 +35,8 @@ export type EngineRemesh = ResultOf<"remeshSurface">;
 export type EngineVolumeInspection = ResultOf<"inspectMesh">;
 export type EngineImprovement = ReturnType<Improvement["result"]>;
 export type EnginePreview = ResultOf<"previewModel">;
+export type EngineLocation = ResultOf<"locateRegions">;
+export type EngineSurfaceProposal = ResultOf<"proposeSurfaceSizes">;
 export type EngineProposal = ResultOf<"propose">;
 export type EngineGrid = ResultOf<"cover">;
 
@@ -51,12 +55,14 @@ export type EngineTool =
   | Improvement
   | Inspection
   | BackgroundFromMesh
+  | Location
   | PatchSplitting
   | Preview
   | Proposal
   | Refinement
   | Remesh
   | Repair
+  | SurfaceProposal
   | VolumeInspection;
 
 /** Fetches and compiles the file; the reason of a failure names the file. */

@@ -1,7 +1,7 @@
 /** Messages between the page (or a Node program) and the worker. Types only. */
 import type { Progress } from "../base/progress.js";
 import type { EngineFailure } from "../diagnostics/mesher-error.js";
-import type { SurfaceMesh, VolumeMesh } from "../mesh/mesh.js";
+import type { GivenRegions, SurfaceMesh, VolumeMesh } from "../mesh/mesh.js";
 import type { UnoptimizedMesh } from "./control.js";
 import type { MetricShapes } from "../mesh/quality.js";
 import type { MeshReport, MeshStatus } from "../mesh/report.js";
@@ -13,6 +13,7 @@ import type {
   EngineImprovement,
   EngineInspection,
   EngineInspectionOptions,
+  EngineLocation,
   EngineOptions,
   EnginePatchSplit,
   EnginePreview,
@@ -23,6 +24,7 @@ import type {
   EngineRemeshOptions,
   EngineRepair,
   EngineRepairOptions,
+  EngineSurfaceProposal,
   EngineVolumeInspection,
 } from "./loader.js";
 
@@ -69,6 +71,26 @@ export type Question =
       readonly points: Float64Array;
       readonly triangles: Uint32Array;
       readonly options: EngineInspectionOptions;
+      /** As in `GivenRegions`, or empty. */
+      readonly triangleRegions: Uint32Array;
+    }
+  /** `positions`: x y z of each position to locate. */
+  | {
+      readonly kind: "locate-regions";
+      readonly id: number;
+      readonly points: Float64Array;
+      readonly triangles: Uint32Array;
+      readonly positions: Float64Array;
+    }
+  /** `groups`, `triangleRegions`: as for `remesh-surface`. */
+  | {
+      readonly kind: "propose-surface";
+      readonly id: number;
+      readonly points: Float64Array;
+      readonly triangles: Uint32Array;
+      readonly groups: Uint32Array;
+      readonly options: EngineRemeshOptions;
+      readonly triangleRegions: Uint32Array;
     }
   | {
       readonly kind: "repair-surface";
@@ -105,6 +127,8 @@ export type Question =
       readonly groups: Uint32Array;
       readonly grid: GridArrays;
       readonly options: EngineRemeshOptions;
+      /** As in `GivenRegions`, or empty. */
+      readonly triangleRegions: Uint32Array;
     }
   /** Without regions, all elements are in one. */
   | {
@@ -157,6 +181,8 @@ export type Request =
       readonly showUnoptimized: boolean;
       readonly points: Float64Array;
       readonly triangles: Uint32Array;
+      /** Empty arrays if nothing is known. */
+      readonly regions: GivenRegions;
       /** Without nodes and tetrahedra, sizes come from the surface's own edges. */
       readonly grid: GridArrays;
       readonly options: EngineOptions;
@@ -190,6 +216,8 @@ export interface Answers {
   readonly propose: EngineProposal;
   readonly "background-from-mesh": EngineGrid;
   readonly "inspect-surface": EngineInspection;
+  readonly "locate-regions": EngineLocation;
+  readonly "propose-surface": EngineSurfaceProposal;
   readonly "repair-surface": EngineRepair;
   readonly "refine-surface": EngineRefinement;
   readonly "split-patches": EnginePatchSplit;

@@ -65,9 +65,7 @@ async function serve(request: Request): Promise<void> {
     case "mesh-model":
       return workIn(lazyEngine, request.id, (engine) => mesh(request, modelRun(engine, request)));
     case "fill-surface":
-      return workIn(lazyEngine, request.id, (engine) =>
-        mesh(request, engine.fillSurface(request.points, request.triangles, request.grid, request.options)),
-      );
+      return workIn(lazyEngine, request.id, (engine) => mesh(request, surfaceRun(engine, request)));
     case "improve-mesh":
       return workIn(lazyEngine, request.id, (engine) =>
         answer(request, () => {
@@ -108,6 +106,11 @@ function modelRun(engine: Engine, request: Extract<Request, { kind: "mesh-model"
     : engine.meshWithBodies(model, bodies, grid, options);
 }
 
+function surfaceRun(engine: Engine, request: Extract<Request, { kind: "fill-surface" }>): EngineRun | null {
+  const { points, triangles, regions, grid, options } = request;
+  return engine.fillSurface(points, triangles, regions, grid, options);
+}
+
 /** A question that the module "tools" answers. */
 type ToolQuestion = Exclude<Question, { readonly kind: "improve-mesh" }>;
 
@@ -128,7 +131,22 @@ function toolFor(tools: Tools, question: ToolQuestion): EngineTool | null {
     case "background-from-mesh":
       return tools.backgroundFromMesh(question.mesh, question.sizes);
     case "inspect-surface":
-      return tools.inspectSurface(question.points, question.triangles, question.options);
+      return tools.inspectSurface(
+        question.points,
+        question.triangles,
+        question.options,
+        question.triangleRegions,
+      );
+    case "locate-regions":
+      return tools.locateRegions(question.points, question.triangles, question.positions);
+    case "propose-surface":
+      return tools.proposeSurfaceSizes(
+        question.points,
+        question.triangles,
+        question.groups,
+        question.options,
+        question.triangleRegions,
+      );
     case "repair-surface":
       return tools.repairSurface(question.points, question.triangles, question.options);
     case "refine-surface":
@@ -148,6 +166,7 @@ function toolFor(tools: Tools, question: ToolQuestion): EngineTool | null {
         question.groups,
         question.grid,
         question.options,
+        question.triangleRegions,
       );
     case "inspect-mesh":
       return tools.inspectMesh(question.points, question.tetrahedra, question.regions);

@@ -3,7 +3,7 @@
  * region next to most of its triangles.
  */
 import { type Steps, stepwise } from "../base/steps.js";
-import type { FileMesh, SurfaceRegions } from "../mesh/file-mesh.js";
+import type { FileGroup, FileMesh, SurfaceRegions } from "../mesh/file-mesh.js";
 import { NO_REGION } from "../generated/constants.js";
 import type { MeshResult } from "../mesh/report.js";
 import { hasGenericName } from "./groups.js";
@@ -37,11 +37,15 @@ export function carriedRegions(
 ): Pick<FileMesh, "regions" | "tetrahedronRegion"> {
   const found = matches(surface.triangleRegions, given, count);
   const used = [...new Set(found)].filter((region) => region !== NO_REGION).sort((a, b) => a - b);
-  const regions = used.flatMap((region) => given.regions[region] ?? []);
+  // Several volumes of a file may be one region: they have the same tag and name.
+  const isSame = (one: FileGroup | undefined, other: FileGroup | undefined) =>
+    one?.tag === other?.tag && one?.name === other?.name;
+  const groups = used.flatMap((region) => given.regions[region] ?? []);
+  const regions = groups.filter((group, g) => groups.findIndex((other) => isSame(group, other)) === g);
   const lastTag = regions.reduce((most, { tag }) => Math.max(most, tag), 0);
   let added = 0;
   const indices = found.map((region, own) => {
-    if (region !== NO_REGION) return used.indexOf(region);
+    if (region !== NO_REGION) return regions.findIndex((group) => isSame(group, given.regions[region]));
     regions.push({ name: `region ${own + 1}`, tag: lastTag + ++added });
     return regions.length - 1;
   });

@@ -32,6 +32,7 @@ export interface SurfaceFile extends SurfaceInput {
 export function* surfaceOf(mesh: FileMesh): Steps<SurfaceFile> {
   if (mesh.triangles.length === 0) throw noTriangles(mesh.tetrahedra.length / 4);
   const { trianglePatch, patches, unit, notes, unlocatedRegions, duplicateTriangles = 0 } = mesh;
+  const { regionPoints } = mesh;
   const surfaceRegions = yield* surfaceRegionsOf(mesh);
   return {
     ...(yield* exactlyWelded(yield* boundaryOf(mesh))),
@@ -41,6 +42,7 @@ export function* surfaceOf(mesh: FileMesh): Steps<SurfaceFile> {
     ...(unit && { unit }),
     ...(unlocatedRegions && { unlocatedRegions }),
     ...(notes && { notes }),
+    ...(regionPoints && { regionPoints }),
     ...(duplicateTriangles > 0 && { duplicateTriangles }),
   };
 }

@@ -2,10 +2,11 @@
  * Reads TetGen's files, which hold numbers and `#` comments. `.smesh` and `.poly` contain their points or leave
  * them to the `.node` file next to them; `.face` and `.ele` always need it. Facets are polygons with a boundary
  * marker as patch; a facet of a `.poly` may have several polygons and holes. Tetrahedra have a region attribute.
- * Points that mark holes and regions of the model are skipped.
+ * Points mark holes and regions of the model; those of regions have an attribute and a largest volume.
  */
 import { plural } from "../base/plural.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
+import type { RegionPoint, RegionPoints } from "../mesh/mesh.js";
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import type { OpenOther, ReadContext } from "./file-format.js";
@@ -32,7 +33,7 @@ export async function readTetgen(
 ): Promise<FileMesh> {
   const [, stem = "", extension = ""] = /^(.*)\.([^.]*)$/.exec(fileName) ?? [];
   const points: Points = { builder: new MeshBuilder(), first: 0, names: new NameLines(), signal };
-  let notes: string[] = [];
+  let regionPoints: RegionPoints | undefined;
   switch (extension.toLowerCase()) {
     case "face":
       await readNodeFile(stem, openOther, points);
@@ -53,11 +54,11 @@ export async function readTetgen(
         const count = await readNodes(reader, points);
         if (count === 0) await readNodeFile(stem, openOther, points);
         await readFacets(reader, points, extension.toLowerCase() === "poly");
-        notes = await noteMarks(reader);
+        regionPoints = await readRegionPoints(reader, points.names);
       });
   }
   const mesh = points.names.applyTo(points.builder.mesh());
-  return notes.length > 0 ? { ...mesh, notes } : mesh;
+  return regionPoints === undefined ? mesh : { ...mesh, regionPoints };
 }
 
 function overFile<T>(
@@ -184,7 +185,8 @@ async function readFacet(reader: ByteReader, points: Points, f: number, hasMarke
   const marks: Position3[] = [];
   for (let h = 0; h < holes; h++) {
     if (reader.isLow) await reader.fill();
-    marks.push(markIn(reader));
+    marks.push(pointIn(reader).position);
+    reader.skipLine();
   }
   if (rings.length === 0) return;
   if (points.builder.addFacet(rings, marks, points.builder.patches.tagged(marker))) return;
@@ -212,44 +214,43 @@ function cornersIn(reader: ByteReader, points: Points): number[] {
   return corners;
 }
 
-/** Reads the position of a marking point, after its number. */
-function markIn(reader: ByteReader): Position3 {
-  reader.number("the number of a hole");
-  const mark: Position3 = [
+/** Reads the number and the position of a point that marks a hole or a region. */
+function pointIn(reader: ByteReader): Pick<RegionPoint, "number" | "position"> {
+  const number = reader.number("the number of a point");
+  const position: Position3 = [
     reader.number("a coordinate"),
     reader.number("a coordinate"),
     reader.number("a coordinate"),
   ];
-  reader.skipLine();
-  return mark;
+  return { number, position };
 }
 
-/** Reports the skipped points that mark holes and regions. */
-async function noteMarks(reader: ByteReader): Promise<string[]> {
-  const holes = await passMarks(reader);
-  const regions = await passMarks(reader);
-  return [
-    ...(holes === 0
-      ? []
-      : [
-          `${plural(holes, "hole point")} ignored: closed shells inside a region stay empty, all other volumes are meshed; to keep a volume empty, leave out the facets around it`,
-        ]),
-    ...(regions === 0 ? [] : [`${plural(regions, "region point")} ignored: regions are numbered`]),
-  ];
+/** Reads the sections of hole points and of region points; either may be missing at the end of the file. */
+async function readRegionPoints(reader: ByteReader, { regions: names }: NameLines): Promise<RegionPoints> {
+  const holes = await pointsIn(reader, "hole", (point) => point);
+  const regions = await pointsIn(reader, "region", (point): RegionPoint => {
+    const tag = markerIn(reader);
+    const volume = markerIn(reader);
+    return { ...point, tag, name: names.get(tag), maxVolume: volume > 0 ? volume : undefined };
+  });
+  return { holes, regions };
 }
 
-/** Skips a section of marking points. Returns their number, 0 if the file ends before the section. */
-async function passMarks(reader: ByteReader): Promise<number> {
+/** `rest` reads what follows the position. */
+async function pointsIn<Point>(
+  reader: ByteReader,
+  word: string,
+  rest: (point: Pick<RegionPoint, "number" | "position">) => Point,
+): Promise<Point[]> {
   await reader.fill();
-  if (!reader.startsNumber()) return 0;
-  const count = reader.index("a number of points", MAX_COUNT);
+  if (!reader.startsNumber()) return [];
+  const count = reader.count(reader.number(`the number of ${word} points`), `${word} points`);
   reader.skipLine();
-  let passed = 0;
-  for (; passed < count; passed++) {
+  const found: Point[] = [];
+  for (let i = 0; i < count; i++) {
     if (reader.isLow) await reader.fill();
-    if (!reader.startsNumber()) break;
-    reader.number("the number of a point");
+    found.push(rest(pointIn(reader)));
     reader.skipLine();
   }
-  return passed;
+  return found;
 }

@@ -1,4 +1,5 @@
 /** Mesh of a file: the result of every reader and the input of every writer. */
+import type { RegionPoints } from "./mesh.js";
 
 /** Triangles or tetrahedra of one kind: a patch with its boundary condition, or a region with its material. */
 export interface FileGroup {
@@ -69,6 +70,8 @@ export interface FileMesh {
   readonly surfaceRegions?: SurfaceRegions | undefined;
   /** Names of regions whose location the file does not define; they are lost. */
   readonly unlocatedRegions?: readonly string[] | undefined;
+  /** Points that mark the regions and holes of a surface, if the format has them. */
+  readonly regionPoints?: RegionPoints | undefined;
   /** Sentences about other content of the file that was ignored and may matter. */
   readonly notes?: readonly string[] | undefined;
   /** By name, as in the file. */

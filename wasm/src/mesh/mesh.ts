@@ -3,6 +3,35 @@
  * transferred and not copied.
  */
 
+/** Regions of a surface that are known before it is meshed. */
+export interface GivenRegions {
+  /**
+   * Two per triangle: the region from which its nodes are seen clockwise, and the region from which they are seen
+   * counter-clockwise; `NO_REGION` where nothing is meshed. Numbers may have gaps.
+   */
+  readonly triangleRegions: Uint32Array;
+  /** Per number: largest volume of a tetrahedron, in cubed model units; 0 for no limit. May be shorter. */
+  readonly maxVolumes: Float64Array;
+}
+
+/** Point that marks a region of a model. */
+export interface RegionPoint {
+  /** Its number in the file. */
+  readonly number: number;
+  readonly position: readonly [x: number, y: number, z: number];
+  /** Tag of the region: TetGen's attribute. */
+  readonly tag: number;
+  readonly name?: string | undefined;
+  /** Largest volume of a tetrahedron in the region, in cubed model units. */
+  readonly maxVolume?: number | undefined;
+}
+
+/** Points of a file that mark the regions and holes of a model: every volume that its triangles enclose is a region or a hole. */
+export interface RegionPoints {
+  readonly holes: readonly Pick<RegionPoint, "number" | "position">[];
+  readonly regions: readonly RegionPoint[];
+}
+
 /** Closed triangle surface: x y z per node, three node indices per triangle, in any orientation. */
 export interface SurfaceInput {
   readonly points: Float64Array;
@@ -14,6 +43,10 @@ export interface SurfaceInput {
   readonly origin?: Uint32Array | undefined;
   /** The same per node. */
   readonly nodeOrigin?: Uint32Array | undefined;
+  /** What is meshed, as `locateRegions` finds it; replaces `innerShells`. */
+  readonly givenRegions?: GivenRegions | undefined;
+  /** Points of its file that mark regions and holes. Such a surface is not meshed until `locateRegions` has used them. */
+  readonly regionPoints?: RegionPoints | undefined;
 }
 
 /** Surface whose triangles belong to patches, for example a `SurfaceFile`. */

@@ -1,0 +1,174 @@
+#include "optimize/volume_limiter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "geom/predicates.h"
+
+namespace tetrafront {
+
+bool VolumeLimits::areGiven() const {
+  return everywhere > 0.0 || std::ranges::any_of(ofRegions, [](double v) { return v > 0.0; });
+}
+
+double VolumeLimits::at(std::uint32_t region) const {
+  double limit = everywhere > 0.0 ? everywhere : std::numeric_limits<double>::infinity();
+  if (region < ofRegions.size() && ofRegions[region] > 0.0) {
+    limit = std::min(limit, ofRegions[region]);
+  }
+  return limit;
+}
+
+VolumeLimiter::VolumeLimiter(VolumeMesh mesh, std::size_t boundaryNodes, VolumeLimits limits,
+                             std::size_t maxTetrahedra)
+    : limits_(std::move(limits)),
+      maxTetrahedra_(maxTetrahedra),
+      complex_(std::move(mesh), boundaryNodes) {}
+
+bool VolumeLimiter::advance(std::uint32_t budget) {
+  if (!isBuilt_) {
+    isBuilt_ = complex_.build(budget);
+    return false;
+  }
+  for (std::uint32_t i = 0; i < budget && !isDone_; ++i) {
+    if (next_ < complex_.slotCount()) {
+      const TetId tet(next_);
+      const bool isLarge = complex_.isLive(tet) && volumeRatio(tet) > 1.0;
+      if (isLarge && split(tet)) {
+        ++splits_;
+      } else {
+        ++next_;
+      }
+      continue;
+    }
+    isDone_ = splits_ == 0 || complex_.elementCount() >= maxTetrahedra_;
+    splits_ = 0;
+    next_ = 0;
+  }
+  return isDone_;
+}
+
+VolumeMesh VolumeLimiter::take() { return complex_.toMesh(); }
+
+std::vector<Diagnostic> VolumeLimiter::diagnostics() const {
+  double count = 0.0;
+  double worst = 1.0;
+  TetId largest;
+  std::uint32_t index = 0;
+  std::uint32_t largestIndex = 0;
+  for (std::size_t t = 0; t < complex_.slotCount(); ++t) {
+    const TetId tet(t);
+    if (!complex_.isLive(tet)) continue;
+    const double ratio = volumeRatio(tet);
+    if (ratio > 1.0) ++count;
+    if (ratio > worst) {
+      worst = ratio;
+      largest = tet;
+      largestIndex = index;
+    }
+    ++index;
+  }
+  if (largest.isNone()) return {};
+  Diagnostic diagnostic;
+  diagnostic.code = DiagnosticCode::kLargeTetrahedra;
+  diagnostic.severity = Severity::kWarning;
+  diagnostic.entities = {{EntityKind::kTetrahedron, largestIndex}};
+  diagnostic.hasPosition = true;
+  for (const NodeId node : complex_.element(largest).nodes) {
+    diagnostic.position += 0.25 * complex_.position(node);
+  }
+  diagnostic.values = {count, worst};
+  return {diagnostic};
+}
+
+/// Returns the volume / the permitted volume.
+double VolumeLimiter::volumeRatio(TetId tet) const {
+  const Corners& n = complex_.element(tet).nodes;
+  const Vec3& a = complex_.position(n[0]);
+  const Vec3 cross = glm::cross(complex_.position(n[1]) - a, complex_.position(n[2]) - a);
+  return glm::dot(cross, complex_.position(n[3]) - a) / (6.0 * limits_.at(complex_.regionOf(tet)));
+}
+
+/// Tries the edges from the longest on.
+bool VolumeLimiter::split(TetId tet) {
+  if (complex_.elementCount() >= maxTetrahedra_) return false;
+  const Corners nodes = complex_.element(tet).nodes;
+  std::array<std::pair<double, std::size_t>, 6> edges;
+  for (std::size_t e = 0; e < 6; ++e) {
+    const Vec3 along =
+        complex_.position(nodes[kTetEdges[e].to]) - complex_.position(nodes[kTetEdges[e].from]);
+    edges[e] = {-glm::dot(along, along), e};
+  }
+  std::ranges::sort(edges);
+  for (const auto& [length, edge] : edges) {
+    if (splitEdge(tet, edge)) return true;
+  }
+  return splitAtCentroid(tet);
+}
+
+bool VolumeLimiter::findRing(TetId tet, NodeId from, NodeId to) {
+  const std::uint32_t stamp = complex_.freshStamp();
+  ring_.assign(1, tet);
+  complex_.stamp(tet, stamp);
+  for (std::size_t i = 0; i < ring_.size(); ++i) {
+    const Element& element = complex_.element(ring_[i]);
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (element.nodes[k] == from || element.nodes[k] == to) continue;
+      if (element.across[k].isNone()) return false;
+      const TetId next = element.across[k].tet();
+      if (complex_.hasStamp(next, stamp)) continue;
+      if (ring_.size() == kMaxCavity) return false;
+      complex_.stamp(next, stamp);
+      ring_.push_back(next);
+    }
+  }
+  return true;
+}
+
+bool VolumeLimiter::splitEdge(TetId tet, std::size_t edge) {
+  const Corners& nodes = complex_.element(tet).nodes;
+  const NodeId from = nodes[kTetEdges[edge].from];
+  const NodeId to = nodes[kTetEdges[edge].to];
+  if (!findRing(tet, from, to)) return false;
+  const NodeId middle = complex_.addNode<PlainSpace>(
+      0.5 * complex_.position(from) + 0.5 * complex_.position(to), 0.0);
+  std::vector<Corners> made;
+  for (const TetId old : ring_) {
+    for (const NodeId replaced : {from, to}) {
+      Corners corners = complex_.element(old).nodes;
+      std::ranges::replace(corners, replaced, middle);
+      made.push_back(corners);
+    }
+  }
+  return replaceIfValid(made);
+}
+
+bool VolumeLimiter::splitAtCentroid(TetId tet) {
+  const Corners nodes = complex_.element(tet).nodes;
+  Vec3 centroid(0.0);
+  for (const NodeId node : nodes) centroid += 0.25 * complex_.position(node);
+  const NodeId middle = complex_.addNode<PlainSpace>(centroid, 0.0);
+  ring_.assign(1, tet);
+  std::vector<Corners> made(4, nodes);
+  for (std::size_t k = 0; k < 4; ++k) made[k][k] = middle;
+  return replaceIfValid(made);
+}
+
+/// Replaces the elements of the ring if all new ones have positive volume, by exact signs. The new node is unused
+/// otherwise.
+bool VolumeLimiter::replaceIfValid(const std::vector<Corners>& made) {
+  fresh_.clear();
+  for (const Corners& n : made) {
+    const int sign = orient3d(complex_.position(n[0]), complex_.position(n[1]),
+                              complex_.position(n[2]), complex_.position(n[3]));
+    if (sign <= 0) return false;
+    fresh_.push_back({n, 0.0});
+  }
+  complex_.replace(ring_, fresh_);
+  return true;
+}
+
+}  // namespace tetrafront

@@ -1,0 +1,62 @@
+#pragma once
+
+/// @file Splits tetrahedra that are larger than a permitted volume, until none is left. Each step halves the longest edge
+/// of such a tetrahedron that is not on the boundary, in all tetrahedra at the edge, and so halves their volumes. A
+/// tetrahedron with all edges on the boundary is split into four by a node at its centroid. The boundary and the
+/// interfaces never change.
+
+#include <cstdint>
+#include <vector>
+
+#include "optimize/tet_complex.h"
+#include "tetrafront/mesh.h"
+#include "tetrafront/status.h"
+
+namespace tetrafront {
+
+/// Largest volumes of tetrahedra; 0 for no limit.
+struct VolumeLimits {
+  double everywhere = 0.0;
+  std::vector<double> ofRegions;  ///< per region, or fewer
+
+  [[nodiscard]] bool areGiven() const;
+  /// Returns the smaller of both limits, infinite without any.
+  [[nodiscard]] double at(std::uint32_t region) const;
+};
+
+class VolumeLimiter {
+ public:
+  /// The first `boundaryNodes` nodes of the mesh are those of its boundary. Splitting ends at `maxTetrahedra`.
+  VolumeLimiter(VolumeMesh mesh, std::size_t boundaryNodes, VolumeLimits limits,
+                std::size_t maxTetrahedra);
+
+  /// Visits about `budget` tetrahedra; returns true when finished. O(n + splits) in total.
+  bool advance(std::uint32_t budget);
+
+  /// Returns the mesh, once finished.
+  [[nodiscard]] VolumeMesh take();
+  /// Returns kLargeTetrahedra if tetrahedra remain that are too large, because rounding allows no split or the limit of
+  /// their number is reached; else nothing. To be called before take().
+  [[nodiscard]] std::vector<Diagnostic> diagnostics() const;
+
+ private:
+  [[nodiscard]] double volumeRatio(TetId tet) const;
+  bool split(TetId tet);
+  bool splitEdge(TetId tet, std::size_t edge);
+  bool splitAtCentroid(TetId tet);
+  /// Returns false if the edge is on the boundary or on an interface.
+  bool findRing(TetId tet, NodeId from, NodeId to);
+  bool replaceIfValid(const std::vector<Corners>& made);
+
+  VolumeLimits limits_;
+  std::size_t maxTetrahedra_;
+  TetComplex complex_;
+  bool isBuilt_ = false;
+  std::size_t next_ = 0;
+  std::size_t splits_ = 0;  ///< in the current round
+  bool isDone_ = false;
+  std::vector<TetId> ring_;
+  std::vector<NewElement> fresh_;
+};
+
+}  // namespace tetrafront
