@@ -46,10 +46,11 @@ export type {
   WrittenFile,
 } from "./formats/file-format.js";
 export type { Part } from "./formats/bytes.js";
+export type { MidNodes, WrittenMesh } from "./formats/second-order.js";
 export { setCadLibrary } from "./cad/cad-library.js";
 export type { CadLibrary } from "./cad/protocol.js";
 export { extensionsFor, FILE_FORMATS, formatOf } from "./formats/file-formats.js";
-export type { FileGroup, FileMesh, NodeData, SurfaceRegions } from "./mesh/file-mesh.js";
+export type { ElementOrder, FileGroup, FileMesh, NodeData, SurfaceRegions } from "./mesh/file-mesh.js";
 export { fileMeshOf, patchNames, type NameSource } from "./api/generated-mesh.js";
 export {
   readMesh,

@@ -1,3 +1,4 @@
+import type { ElementOrder } from "tetrafront";
 import type { App } from "../app/app";
 import { download, fileStem } from "../session/files";
 import { strings } from "../strings";
@@ -5,14 +6,19 @@ import { writeMeshFiles } from "../workers/mesh-files";
 import { showMessage } from "./messages";
 
 /** `extension`: of a format that the package writes, without its first dot. */
-export async function downloadMesh(app: App, extension: string): Promise<void> {
+export async function downloadMesh(
+  app: App,
+  extension: string,
+  elementOrder: ElementOrder = 1,
+): Promise<void> {
   const { mesh, origin } = app.run.state.getState();
   const { project } = app.documents;
   if (!mesh) return;
   try {
     const regions = origin?.regions ?? null;
-    const files = await writeMeshFiles(mesh, project, regions, `${fileStem(project.name)}.${extension}`);
-    for (const { fileName, content } of files) download([content], fileName, "application/octet-stream");
+    const fileName = `${fileStem(project.name)}.${extension}`;
+    const files = await writeMeshFiles(mesh, project, regions, { fileName, elementOrder });
+    for (const { fileName: name, content } of files) download([content], name, "application/octet-stream");
   } catch (error) {
     showMessage(app, strings.messages.downloadFailed, [String(error)]);
   }

@@ -1,5 +1,5 @@
 import type { App } from "../app/app";
-import { commandLabels, downloadFormats } from "../strings";
+import { commandLabels, downloadFormats, secondOrderFormats } from "../strings";
 import { define, type Command } from "./command";
 import { downloadMesh, downloadReport } from "./download-actions";
 import { newProject, openFromDialog, save } from "./project-actions";
@@ -9,10 +9,12 @@ const hasMesh = (app: App): boolean => app.run.state.getState().mesh !== null;
 
 /** Extension and name of each format. docs/FORMAT.md describes their content. */
 const formats = Object.entries(downloadFormats);
+const secondOrder = Object.entries(secondOrderFormats);
 
 /** Ids of the commands in the download menu of the header. */
 export const DOWNLOADS: readonly string[] = [
   ...formats.map(([extension]) => `download-${extension}`),
+  ...secondOrder.map(([extension]) => `download-second-order-${extension}`),
   "download-report",
 ];
 
@@ -44,6 +46,14 @@ export const fileMenu: readonly Command[] = [
       `download-${extension}`,
       commandLabels.download(format),
       (app) => void downloadMesh(app, extension),
+      { enabled: hasMesh },
+    ),
+  ),
+  ...secondOrder.map(([extension, format]) =>
+    define("file", 2)(
+      `download-second-order-${extension}`,
+      commandLabels.download(format),
+      (app) => void downloadMesh(app, extension, 2),
       { enabled: hasMesh },
     ),
   ),

@@ -93,6 +93,14 @@ export const downloadFormats = {
   glb: "GLB (boundary)",
 } as const;
 
+/** Formats for second-order elements, by extension. */
+export const secondOrderFormats = {
+  vtu: "second-order .vtu",
+  msh: "second-order .msh",
+  inp: "second-order .inp",
+  bdf: "second-order .bdf",
+} as const;
+
 /** Keys whose names on a keyboard differ from those in the code. */
 export const keyWords: Readonly<Record<string, string>> = {
   mod: "Ctrl",

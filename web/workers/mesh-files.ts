@@ -1,10 +1,16 @@
-import type { FileGroup, MeshResult, Project } from "tetrafront";
+import type { ElementOrder, FileGroup, MeshResult, Project } from "tetrafront";
 import { copyForTransfer } from "./transfer";
 import { callOnce } from "./worker-client";
 
 export interface MeshFile {
   readonly fileName: string;
   readonly content: Blob;
+}
+
+/** Name of the file, whose extension selects the format, and the order of its elements. */
+export interface FileChoice {
+  readonly fileName: string;
+  readonly elementOrder: ElementOrder;
 }
 
 export interface MeshFileProtocol {
@@ -14,8 +20,7 @@ export interface MeshFileProtocol {
       readonly project: Project;
       /** The regions of the file that the mesh was opened from; null if a run made it. */
       readonly regions: readonly FileGroup[] | null;
-      readonly fileName: string;
-    };
+    } & FileChoice;
     readonly answer: readonly MeshFile[];
   };
 }
@@ -31,7 +36,7 @@ export function writeMeshFiles(
   mesh: MeshResult,
   project: Project,
   regions: readonly FileGroup[] | null,
-  fileName: string,
+  choice: FileChoice,
 ): Promise<readonly MeshFile[]> {
   const surface = copyForTransfer(mesh.surface);
   const volume = copyForTransfer(mesh.volume);
@@ -40,7 +45,7 @@ export function writeMeshFiles(
     volume: volume.copy,
     project: { ...project, background: { nodes: [], tetrahedra: [] } },
     regions,
-    fileName,
+    ...choice,
   };
   return callOnce<MeshFileProtocol, "write">(startWorker, "write", argument, [
     ...surface.buffers,

@@ -53,8 +53,8 @@ interface ReadMesh {
 const mesh = blockMesh();
 const folder = temporaryFolder("all tests");
 
-async function save(fileName: string, given: FileMesh = mesh): Promise<string> {
-  for (const file of await writeMesh(given, path.join(folder.path, fileName)))
+async function save(fileName: string, given: FileMesh = mesh, elementOrder: 1 | 2 = 1): Promise<string> {
+  for (const file of await writeMesh(given, path.join(folder.path, fileName), { elementOrder }))
     writeFileSync(file.fileName, file.bytes);
   return path.join(folder.path, fileName);
 }
@@ -101,7 +101,56 @@ if (programs.length === 0) {
   });
 }
 
+interface Measured {
+  readonly volume: number;
+  readonly smallest: number;
+}
+/** Volume of each tetrahedron. */
+const volumes = Array.from({ length: mesh.tetrahedra.length / 4 }, (_, t) => {
+  const [a = [], ...others] = [...mesh.tetrahedra.subarray(4 * t, 4 * t + 4)].map((node) => [
+    ...mesh.points.subarray(3 * node, 3 * node + 3),
+  ]);
+  const [u = [], v = [], w = []] = others.map((p) => p.map((x, axis) => x - (a[axis] ?? 0)));
+  const cross = [0, 1, 2].map(
+    (i) => (u[(i + 1) % 3] ?? 0) * (v[(i + 2) % 3] ?? 0) - (u[(i + 2) % 3] ?? 0) * (v[(i + 1) % 3] ?? 0),
+  );
+  return cross.reduce((sum, x, axis) => sum + x * (w[axis] ?? 0), 0) / 6;
+});
+const totalVolume = volumes.reduce((sum, volume) => sum + volume, 0);
+/** Number of different edges of the elements. */
+const edgeCount = new Set(
+  Array.from({ length: mesh.tetrahedra.length / 4 }, (_, t) => [
+    ...mesh.tetrahedra.subarray(4 * t, 4 * t + 4),
+  ])
+    .flatMap((nodes) => nodes.flatMap((a, i) => nodes.slice(i + 1).map((b) => [a, b])))
+    .map((ends) => ends.sort((a, b) => a - b).join()),
+).size;
+
+const SECOND_ORDER_FILES = [
+  ["second.vtu", "vtu", 1e-12],
+  ["second.vtk", "vtk", 1e-12],
+  ["second.msh", "gmsh", 1e-12],
+  ["second.msh2", "gmsh", 1e-12],
+  ["second.inp", "abaqus", 1e-12],
+  ["second.bdf", "nastran", 1e-9],
+] as const;
+
 if (programs.includes("meshio")) {
+  describe("second-order elements measure the same in meshio, with each node at the middle of its edge:", () => {
+    test.each(SECOND_ORDER_FILES)("%s", async (fileName, format, tolerance) => {
+      const found = (await ask("second", "meshio", format, await save(fileName, mesh, 2))) as Measured & {
+        readonly distance: number;
+        readonly nodes: number;
+        readonly elements: Readonly<Record<string, number>>;
+      };
+      expect(Math.abs(found.volume - totalVolume)).toBeLessThan(tolerance * totalVolume);
+      expect(Math.abs(found.smallest - Math.min(...volumes))).toBeLessThan(tolerance * totalVolume);
+      expect(found.distance).toBeLessThan(tolerance);
+      expect(found.nodes).toBe(mesh.points.length / 3 + edgeCount);
+      const triangles = format === "abaqus" ? {} : { triangle6: mesh.triangles.length / 3 };
+      expect(found.elements).toEqual({ tetra10: mesh.tetrahedra.length / 4, ...triangles });
+    });
+  });
   describe("meshio reads the same points, elements and tags from", () => {
     test.each<[string, string, string | undefined, string, typeof expected]>([
       ["part.vtu", "vtu", "region", "patch", expected],
@@ -209,6 +258,17 @@ if (programs.includes("meshio")) {
 }
 
 if (programs.includes("gmsh")) {
+  test.each(["second.msh", "second.msh2", "second.bdf", "second.vtk"])(
+    "second-order elements measure the same in Gmsh: %s",
+    async (fileName) => {
+      const found = (await ask("second", "gmsh", "-", await save(fileName, mesh, 2))) as Measured & {
+        readonly types: readonly number[];
+      };
+      expect([...found.types].sort()).toEqual([11, 9]);
+      expect(found.volume).toBeCloseTo(totalVolume, 9);
+      expect(found.smallest).toBeCloseTo(Math.min(...volumes), 9);
+    },
+  );
   test.each(["stl", "obj", "off", "ply"])("Gmsh reads the boundary from .%s", async (format) => {
     const answer = await ask("read", "gmsh", await save(`part.${format}`));
     const { points, triangles } = answer as { points: number[][]; triangles: number };

@@ -8,16 +8,17 @@ import { problemIn, watch } from "../calls/schemas.js";
 import { inSteps, Yielder } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { refuse } from "../diagnostics/mesher-error.js";
-import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { ReadResult } from "../diagnostics/read-error.js";
 import { type ByteSource, checkSource, watcher } from "../formats/byte-source.js";
 import { joined, piecesIn } from "../formats/bytes.js";
 import type { Contents, FileFormat, FileParts, OpenOther, WrittenFile } from "../formats/file-format.js";
-import { extensionsFor, formatOf } from "../formats/file-formats.js";
+import { extensionsFor, FILE_FORMATS, formatOf } from "../formats/file-formats.js";
 import { asTooLarge, failureIn, ReadFailure, readSafely } from "../formats/read-result.js";
+import { withMidNodes } from "../formats/second-order.js";
 import { type SurfaceFile, surfaceOf } from "../formats/surface-file.js";
 import { type VolumeFile, volumeOf } from "../formats/volume-file.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { ElementOrder, FileMesh } from "../mesh/file-mesh.js";
 import { checkFileMesh } from "../mesh/mesh-checks.js";
 
 /** Options for reading a file. */
@@ -48,6 +49,11 @@ export interface WriteProgress {
 
 /** Options for writing a file. */
 export interface WriteFileOptions {
+  /**
+   * 2 for second-order elements with straight edges: a node at the middle of every edge, shared by all elements there.
+   * Only formats with `hasSecondOrder` (see `FILE_FORMATS`) store them. Default 1.
+   */
+  readonly elementOrder?: ElementOrder | undefined;
   /** Called every few milliseconds, and at the end. */
   readonly onProgress?: ((progress: WriteProgress) => void) | undefined;
   /** Aborting it rejects with a `MesherError` of code `cancelled`, within a few milliseconds. */
@@ -84,7 +90,8 @@ export function readMesh(source: ByteSource, options: ReadFileOptions): Promise<
  *
  * Rejects with a `MesherError` of code `invalid-input` and one of these diagnostics: `unknown-format` if no
  * writable format has this extension (see `formatOf`); `invalid-arrays` if lengths or indices are inconsistent;
- * `invalid-mesh` if the format is for solvers and the elements do not fit together.
+ * `invalid-mesh` if the format is for solvers and the elements do not fit together; `invalid-option` if the format does not
+ * store elements of the wanted order.
  */
 export async function writeMesh(
   mesh: FileMesh,
@@ -107,14 +114,28 @@ export async function writeMesh(
     refuse([packageDiagnostic("unknown-format", message, remedy)]);
     return [];
   }
+  const { elementOrder = 1 } = options;
+  if (elementOrder === 2 && format !== undefined) refuseLinear(format);
   refuse(await inSteps(checkFileMesh(mesh), signal));
+  const written = elementOrder === 2 ? await inSteps(withMidNodes(mesh), signal) : mesh;
   const notes: Diagnostic[] = [];
-  const files = write(mesh, fileName, (message) =>
+  const files = write(written, fileName, (message) =>
     notes.push(packageDiagnostic("left-out", message, "", "information")),
   );
-  const rows = (mesh.points.length + mesh.triangles.length) / 3 + mesh.tetrahedra.length / 4;
+  const rows = (written.points.length + mesh.triangles.length) / 3 + mesh.tetrahedra.length / 4;
   const contents = await generated(files, options, (passes * rows) / STEP);
   return contents.map((content, f) => ({ ...content, notes: f === 0 ? notes : [] }));
+}
+
+/** Rejects a format that stores linear elements only. */
+function refuseLinear({ name, hasSecondOrder }: FileFormat): void {
+  if (hasSecondOrder === true) return;
+  const known = FILE_FORMATS.filter((format) => format.hasSecondOrder).flatMap(
+    ({ extensions }) => extensions,
+  );
+  const message = `${name} files cannot be written with second-order elements`;
+  const remedy = `Use a name that ends in one of ${known.join(", ")}, or the order 1.`;
+  refuse([invalidOption("elementOrder", message, remedy)]);
 }
 
 /** Number of passes over nodes and elements for writers that do not state it. */
@@ -180,8 +201,9 @@ async function readAny(
   }
 }
 
-const WRITE_OPTIONS = ["onProgress", "signal"] satisfies (keyof WriteFileOptions)[];
-const READ_OPTIONS = ["fileName", "openOther", ...WRITE_OPTIONS] satisfies (keyof ReadFileOptions)[];
+const WATCH_OPTIONS = ["onProgress", "signal"] as const;
+const WRITE_OPTIONS = [...WATCH_OPTIONS, "elementOrder"] satisfies (keyof WriteFileOptions)[];
+const READ_OPTIONS = ["fileName", "openOther", ...WATCH_OPTIONS] satisfies (keyof ReadFileOptions)[];
 
 /** Reports an unknown option, which would otherwise be ignored silently. */
 function unknownOption(
@@ -198,7 +220,7 @@ function remedyOf(known: readonly string[]): string {
 }
 
 const readOptions = v.object({ openOther: v.optional(v.function()), ...watch });
-const writeOptions = v.object(watch);
+const writeOptions = v.object({ ...watch, elementOrder: v.optional(v.picklist([1, 2])) });
 
 function checkedOptions(options: ReadFileOptions): ReadFileOptions {
   const { fileName } = (options as ReadFileOptions | null | undefined) ?? {};

@@ -20,6 +20,7 @@ import { createBody } from "../project/bodies.js";
 import { writeProject } from "../project/project.js";
 import { PROJECT_FORMAT, type Project, type ProjectBody } from "../project/schema.js";
 import { PROJECT_VERSION } from "../project/versions.js";
+import { elementOrderFor, type ElementOrderOption } from "./element-order.js";
 import { FileError, refuseFolder, STANDARD_STREAM, writeOutput } from "./files.js";
 import { withMesher } from "./grids.js";
 import { formatName, isProject, readMeshFile } from "./input.js";
@@ -31,7 +32,7 @@ import { type SplitCommandOptions, splitOptions, splitText, withSplit } from "./
 import { mixedOrientationLines, readingLines } from "./tables.js";
 
 /** Options as commander passes them. */
-export interface ConvertCommandOptions extends RepairCommandOptions, SplitCommandOptions {
+export interface ConvertCommandOptions extends RepairCommandOptions, SplitCommandOptions, ElementOrderOption {
   readonly output: string;
   readonly from?: string;
   readonly to?: string;
@@ -47,13 +48,14 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
     await refuseFolder(output);
     if (isProject(output, options.to)) return await convertToProject(input, options, repair);
     const name = writableName(output, options.to, ["surface", "volume"]);
+    const elementOrder = elementOrderFor(options, name);
     const written = outputFiles(output, options.to);
     await checkNoOverwrite(inputFiles(input, options.from), written);
     await checkWritable(written);
     const given = await readMeshFile(input, options.from);
     const whole = await prepared(given, { input, output, name, repair, isQuiet });
     const mesh = await withSplitPatches(input, whole, options);
-    await writeAll(await writeMesh(mesh, name), { input, output, name, isQuiet });
+    await writeAll(await writeMesh(mesh, name, { elementOrder }), { input, output, name, isQuiet });
     if (!isQuiet) {
       const faces = await inSteps(tetFaces(mesh));
       printDiagnostics(input, (await inSteps(findDefects(mesh, faces))).map(asWarning), { isQuiet });

@@ -63,6 +63,10 @@ Surfaces
   --surface remesh first replaces all triangles by well-shaped ones near the given surface. Without sizes, it
   chooses them by the shape. \`tetrafront remesh --help\` explains its options.
 
+Element order
+  --element-order 2 writes straight-edged second-order elements, with a node at the middle of every edge, as
+  VTU, VTK, MSH, INP or BDF.
+
 Element shapes
   --optimize none keeps the mesh as the front made it. fast, default and thorough improve it, each taking
   longer. --require-angle makes a mesh with a smaller dihedral angle fail with exit code 1. The output file

@@ -12,6 +12,7 @@ import {
 import { IMPROVEMENT_LEVELS } from "../api/options.js";
 import { type CheckCommandOptions, checkFile } from "./check.js";
 import { type ConvertCommandOptions, convertFile } from "./convert.js";
+import { elementOrderOption } from "./element-order.js";
 import { forEachInput } from "./each-input.js";
 import { ClosedPipe, STANDARD_STREAM, writeToStandardOutput } from "./files.js";
 import { type CoverCommandOptions, coverFile, type ProposeCommandOptions, proposeForFile } from "./grids.js";
@@ -170,6 +171,7 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
       "exit with 1 if the smallest dihedral angle is below this; still write the mesh",
     )
     .option("-r, --report <file>", "write statistics and diagnostics as JSON; - for standard output")
+    .addOption(elementOrderOption())
     .option("-k, --keep-partial", "write the mesh even if it is partial")
     .option("-q, --quiet", "print errors only")
     .addHelpText("after", meshHelp)
@@ -236,6 +238,7 @@ function addConvert(program: Command, setExitCode: SetExitCode): void {
     .addOption(fromOption())
     .addOption(toOption());
   withJobs(withRepair(command).addOption(splitOption()))
+    .addOption(elementOrderOption())
     .option("-q, --quiet", "print errors only")
     .addHelpText("after", convertHelp)
     .action(async (inputs: string[]) =>

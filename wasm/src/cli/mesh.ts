@@ -12,6 +12,7 @@ import type { FrontOrder, InnerShells, Optimization } from "../generated/constan
 import type { RepairChange } from "../mesh/inspection.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
 import { writableName, writeAll } from "./convert.js";
+import { elementOrderFor, type ElementOrderOption } from "./element-order.js";
 import { checkOutput, FileError, refuseFolder, writeOutput } from "./files.js";
 import { withMesher } from "./grids.js";
 import { type Input, isCadInput, numberIn, readModel, refuseOptions } from "./input.js";
@@ -60,7 +61,12 @@ import { treatedSurface } from "./treatment.js";
 
 /** Options as commander passes them: numbers are still text. */
 export interface MeshCommandOptions
-  extends RepairCommandOptions, RemeshCommandOptions, SizeCommandOptions, SplitCommandOptions {
+  extends
+    RepairCommandOptions,
+    RemeshCommandOptions,
+    SizeCommandOptions,
+    SplitCommandOptions,
+    ElementOrderOption {
   readonly output: string;
   readonly from?: string;
   readonly to?: string;
@@ -299,7 +305,7 @@ function requiredAngleOf({ requireAngle }: MeshCommandOptions): number {
 async function checkMeshPaths(input: string, options: MeshCommandOptions): Promise<void> {
   const { output, from, to } = options;
   await refuseFolder(output);
-  writableName(output, to, ["volume"]);
+  elementOrderFor(options, writableName(output, to, ["volume"]));
   const written = outputFiles(output, to, "the mesh");
   await checkNoOverwrite([...inputFiles(input, from), ...gridFiles(options)], written);
   await checkWritable(written);
@@ -362,16 +368,17 @@ function mayWrite({ report, volume }: MeshResult, { keepPartial }: MeshCommandOp
 
 async function writeResult(
   input: string,
-  { output, to, quiet: isQuiet = false }: MeshCommandOptions,
+  options: MeshCommandOptions,
   result: MeshResult,
   model: Input,
 ): Promise<boolean> {
+  const { output, to, quiet: isQuiet = false } = options;
   const name = writableName(output, to, ["volume"]);
   const mesh = fileMeshOf(result, model);
   if (!isQuiet && model.kind === "surface") {
     for (const line of unmeshedLines(model.surface, mesh)) print(`note: ${input}: ${line}`);
   }
-  const files = await writeMesh(mesh, name);
+  const files = await writeMesh(mesh, name, { elementOrder: elementOrderFor(options, name) });
   return succeeds(() => writeAll(files, { input, output, name, isQuiet }));
 }
 

@@ -1,5 +1,5 @@
 /**
- * Writes Abaqus and CalculiX `.inp` files: C3D4 tetrahedra in one element set and solid section per region, whose
+ * Writes Abaqus and CalculiX `.inp` files: C3D4 or C3D10 tetrahedra in one element set and solid section per region, whose
  * name is the material's name; per patch, a node set and a surface of element faces. Boundary conditions and loads
  * refer to these names. An interface between regions gets one surface per side. Material properties are left to the
  * user.
@@ -9,6 +9,7 @@ import type { FileMesh } from "../mesh/file-mesh.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import { type Group, type Naming, patchGroups, regionGroups, usedGroups } from "./groups.js";
+import type { WrittenMesh } from "./second-order.js";
 import { coordinates, fromOne, numberRows } from "./number-rows.js";
 import { NONE, tetFaces } from "./tet-faces.js";
 
@@ -20,7 +21,7 @@ const PER_LINE = 16;
 const NAMING: Naming = { toPlain: plainName, maxBytes: 72, isCaseInsensitive: true };
 
 /** Returns the bytes of an Abaqus input file. Triangles without a tetrahedron appear in the node sets only. */
-export function* writeAbaqus(mesh: FileMesh, note: Note): Generator<Part, void> {
+export function* writeAbaqus(mesh: WrittenMesh, note: Note): Generator<Part, void> {
   const regions = yield* regionGroups(mesh, { ...NAMING, note });
   const patches = yield* patchGroups(mesh, { ...NAMING, note });
   yield [
@@ -43,9 +44,9 @@ function plainName(name: string): string {
 /** Numbers the elements from 1, region by region, as `elementNumbers` does. */
 function elementSets(regions: readonly Group[]): Part[] {
   let number = 1;
-  return regions.flatMap(({ name, nodes }) => [
-    `*ELEMENT, TYPE=C3D4, ELSET=${name}\n`,
-    numberRows(nodes, 4, (row) => `${number++}, ${fromOne(row, ", ")}`),
+  return regions.flatMap(({ kind, name, nodes }) => [
+    `*ELEMENT, TYPE=C3D${kind.nodes}, ELSET=${name}\n`,
+    numberRows(nodes, kind.nodes, (row) => `${number++}, ${fromOne(row, ", ")}`),
   ]);
 }
 

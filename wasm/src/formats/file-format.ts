@@ -6,6 +6,7 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
 import type { ByteSource } from "./byte-source.js";
 import type { Part } from "./bytes.js";
+import type { WrittenMesh } from "./second-order.js";
 
 /** Triangles, or tetrahedra with their boundary. */
 export type Contents = "surface" | "volume";
@@ -52,7 +53,7 @@ export type MeshReader = (source: ByteSource, context: ReadContext) => Promise<F
  * Returns the files of a mesh; the first has the given name. Throws a MesherError if the format cannot hold the
  * mesh.
  */
-export type MeshWriter = (mesh: FileMesh, fileName: string, note: Note) => readonly FileParts[];
+export type MeshWriter = (mesh: WrittenMesh, fileName: string, note: Note) => readonly FileParts[];
 
 /** Code of a format, loaded on demand. */
 export interface FormatCode {
@@ -84,6 +85,8 @@ export interface FileFormat {
   readonly isCad?: boolean;
   readonly readable: readonly Contents[];
   readonly writable: readonly Contents[];
+  /** Whether second-order elements can be written. */
+  readonly hasSecondOrder?: boolean;
   /** Loads the code of the format on first use. */
   readonly load: () => Promise<FormatCode>;
 }

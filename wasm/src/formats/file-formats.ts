@@ -4,10 +4,10 @@
  */
 import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
 import type { Part } from "./bytes.js";
 import type { Contents, FileFormat, FormatCode, MeshReader, MeshWriter, Note } from "./file-format.js";
 import { fitToFormat, type FormatLimits } from "./format-limits.js";
+import type { WrittenMesh } from "./second-order.js";
 
 /** Every format that can be read or written. */
 export const FILE_FORMATS: readonly FileFormat[] = [
@@ -72,6 +72,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     extensions: [".vtu"],
     readable: ["surface", "volume"],
     writable: ["volume"],
+    hasSecondOrder: true,
     load: async () => ({
       ...(await vtkXml()),
       write: singleFile((await import("./vtu.js")).writeVtu, { minTag: 0, canHoldData: () => true }),
@@ -91,6 +92,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     extensions: [".msh"],
     readable: ["surface", "volume"],
     writable: ["volume"],
+    hasSecondOrder: true,
     load: async () => ({
       read: (await import("./msh-reader.js")).readMsh,
       write: singleFile((await import("./msh.js")).writeMsh, GMSH_LIMITS),
@@ -103,6 +105,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     extensions: [".msh2"],
     readable: ["surface", "volume"],
     writable: ["volume"],
+    hasSecondOrder: true,
     load: async () => ({
       read: (await import("./msh-reader.js")).readMsh,
       write: singleFile((await import("./msh2.js")).writeMsh2, GMSH_LIMITS),
@@ -114,6 +117,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     extensions: [".vtk"],
     readable: ["surface", "volume"],
     writable: ["volume"],
+    hasSecondOrder: true,
     load: async () => ({
       read: (await import("./vtk-reader.js")).readVtk,
       write: singleFile((await import("./vtk.js")).writeVtk, {
@@ -148,6 +152,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     extensions: [".inp"],
     readable: [],
     writable: ["volume"],
+    hasSecondOrder: true,
     load: async () => ({ write: singleFile((await import("./abaqus.js")).writeAbaqus), passes: 9 }),
   },
   {
@@ -156,6 +161,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     extensions: [".bdf", ".nas"],
     readable: [],
     writable: ["volume"],
+    hasSecondOrder: true,
     load: async () => {
       const { NASTRAN_NUMBERS, writeNastran } = await import("./nastran.js");
       return { write: singleFile(writeNastran, NASTRAN_NUMBERS) };
@@ -308,7 +314,7 @@ const GMSH_LIMITS: FormatLimits = {
 
 /** Makes a writer of a single file. */
 function singleFile(
-  write: (mesh: FileMesh, note: Note, fileName: string) => Iterable<Part>,
+  write: (mesh: WrittenMesh, note: Note, fileName: string) => Iterable<Part>,
   limits: FormatLimits = {},
 ): MeshWriter {
   return withLimits(limits, (mesh, fileName, note) => [{ fileName, parts: write(mesh, note, fileName) }]);

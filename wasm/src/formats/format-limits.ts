@@ -2,6 +2,7 @@
 import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
 import type { Note } from "./file-format.js";
 import { hasGenericName, listed, numbered, usedGroups } from "./groups.js";
+import type { WrittenMesh } from "./second-order.js";
 
 export interface FormatLimits {
   /** Smallest tag of a group; undefined if the format identifies groups by name or order. */
@@ -21,7 +22,7 @@ const MAX_TAG = 0x7fffffff;
  * Returns the mesh as the format can store it: every group has a unique, permitted tag, and unsupported node values
  * are dropped. O(n).
  */
-export function fitToFormat(mesh: FileMesh, limits: FormatLimits, note: Note): FileMesh {
+export function fitToFormat(mesh: WrittenMesh, limits: FormatLimits, note: Note): WrittenMesh {
   const { minTag, maxTag = MAX_TAG, hasSharedTags = false, canHoldData } = limits;
   const takenByPatches = new Set<number>();
   const settled = (word: "patches" | "regions", groups: readonly FileGroup[], owners: Uint32Array) => {

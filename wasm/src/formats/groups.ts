@@ -1,12 +1,16 @@
 /** Triangles by patch and tetrahedra by region, with names: the groups that other programs assign conditions to. */
 import { type Steps, stepwise } from "../base/steps.js";
-import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
+import type { FileGroup } from "../mesh/file-mesh.js";
 import type { Note } from "./file-format.js";
+import type { WrittenMesh } from "./second-order.js";
 
 /** Gmsh's element types; its node order equals ours. */
 export const TRIANGLE = { type: 2, dimension: 2, nodes: 3 } as const;
 export const TETRAHEDRON = { type: 4, dimension: 3, nodes: 4 } as const;
-export type ElementKind = typeof TRIANGLE | typeof TETRAHEDRON;
+/** Second-order elements; Gmsh's order of the last two nodes of the tetrahedron is the opposite of ours. */
+export const TRIANGLE6 = { type: 9, dimension: 2, nodes: 6 } as const;
+export const TETRAHEDRON10 = { type: 11, dimension: 3, nodes: 10 } as const;
+export type ElementKind = typeof TRIANGLE | typeof TETRAHEDRON | typeof TRIANGLE6 | typeof TETRAHEDRON10;
 
 /** Elements of one entity, in the order of the mesh. */
 export interface Group {
@@ -52,19 +56,31 @@ export function usedGroups(owners: Uint32Array, groups: readonly FileGroup[]): R
 }
 
 /** Returns the triangles by patch; patches without triangles have no group. O(n). */
-export function patchGroups(mesh: FileMesh, naming?: Naming): Steps<Group[]> {
-  return groupsOf(TRIANGLE, mesh.triangles, mesh.trianglePatch, mesh.patches, "patch", naming);
+export function patchGroups(mesh: WrittenMesh, naming?: Naming): Steps<Group[]> {
+  const { triangles, trianglePatch, patches, midNodes } = mesh;
+  const kind = midNodes === undefined ? TRIANGLE : TRIANGLE6;
+  const elements = { kind, corners: triangles, middles: midNodes?.triangles };
+  return groupsOf(elements, trianglePatch, patches, "patch", naming);
 }
 
 /** Returns the tetrahedra by region; regions without tetrahedra have no group. O(n). */
-export function regionGroups(mesh: FileMesh, naming?: Naming): Steps<Group[]> {
-  return groupsOf(TETRAHEDRON, mesh.tetrahedra, mesh.tetrahedronRegion, mesh.regions, "region", naming);
+export function regionGroups(mesh: WrittenMesh, naming?: Naming): Steps<Group[]> {
+  const { tetrahedra, tetrahedronRegion, regions, midNodes } = mesh;
+  const kind = midNodes === undefined ? TETRAHEDRON : TETRAHEDRON10;
+  const elements = { kind, corners: tetrahedra, middles: midNodes?.tetrahedra };
+  return groupsOf(elements, tetrahedronRegion, regions, "region", naming);
+}
+
+/** All elements of one dimension: their corners, and the nodes at the middles of their edges, if there are any. */
+interface Elements {
+  readonly kind: ElementKind;
+  readonly corners: Uint32Array;
+  readonly middles: Uint32Array | undefined;
 }
 
 /** Splits elements by owner; the order is kept. */
 function* groupsOf(
-  kind: ElementKind,
-  nodes: Uint32Array,
+  { kind, corners, middles = new Uint32Array() }: Elements,
   owners: Uint32Array,
   groups: readonly FileGroup[],
   word: string,
@@ -72,13 +88,18 @@ function* groupsOf(
 ): Steps<Group[]> {
   const counts = new Uint32Array(groups.length);
   const ownerOf = (e: number) => owners[e] ?? 0;
+  const cornerCount = kind.dimension + 1;
+  const middleCount = kind.nodes - cornerCount;
   yield* stepwise(owners.length, (e) => (counts[ownerOf(e)] = (counts[ownerOf(e)] ?? 0) + 1));
   const split = Array.from(counts, (count) => new Uint32Array(kind.nodes * count));
   const filled = new Uint32Array(groups.length);
   yield* stepwise(owners.length, (e) => {
     const own = split[ownerOf(e)];
     let at = filled[ownerOf(e)] ?? 0;
-    if (own) for (let i = 0; i < kind.nodes; i++) own[at++] = nodes[kind.nodes * e + i] ?? 0;
+    if (own) {
+      for (let i = 0; i < cornerCount; i++) own[at++] = corners[cornerCount * e + i] ?? 0;
+      for (let i = 0; i < middleCount; i++) own[at++] = middles[middleCount * e + i] ?? 0;
+    }
     filled[ownerOf(e)] = at;
   });
   const taken = new Set<string>();

@@ -3,6 +3,7 @@ import type { FileGroup, FileMesh, NodeData } from "../mesh/file-mesh.js";
 import { Column } from "./column.js";
 import { facetPolygons } from "./facets.js";
 import { addPolygon, ClippingBudget, type Position3 } from "./polygons.js";
+import { SecondOrderNodes } from "./second-order-nodes.js";
 import { sixfoldVolume } from "./sixfold-volume.js";
 import { PointWelder } from "./weld.js";
 
@@ -100,6 +101,7 @@ export class MeshBuilder {
   onLongWork: () => void = () => undefined;
   readonly #clipping = new ClippingBudget(() => this.onLongWork());
   readonly #orientations = new Orientations();
+  readonly #secondOrder = new SecondOrderNodes();
 
   /** `isSoup`: the file repeats its points; `addCorner` welds them as they arrive. */
   constructor(isSoup = false) {
@@ -123,6 +125,14 @@ export class MeshBuilder {
   /** Adds a corner of a triangle soup; returns its node. */
   addCorner(x: number, y: number, z: number): number {
     return this.#welder?.add(x, y, z) ?? 0;
+  }
+
+  /**
+   * Records a triangle or tetrahedron of second order, which the reader adds by its corners; the other nodes are left out
+   * of the mesh. `nodes` in the order of second-order.ts.
+   */
+  addSecondOrder(nodes: readonly number[]): void {
+    this.#secondOrder.add(nodes, this.#points);
   }
 
   addTriangle(a: number, b: number, c: number, patch: number): void {
@@ -178,7 +188,7 @@ export class MeshBuilder {
       readonly regions?: ReadonlyMap<number, string>;
     } = {},
   ): FileMesh {
-    return {
+    return this.#secondOrder.leftOutOf({
       points: this.#welder?.taken() ?? this.#points.taken(),
       isWelded: this.#welder !== undefined,
       triangles: this.#triangles.taken(),
@@ -190,6 +200,6 @@ export class MeshBuilder {
       invertedTetrahedra: this.#orientations.inverted(),
       regions: this.regions.groups(names.regions),
       nodeData: this.nodeData,
-    };
+    });
   }
 }

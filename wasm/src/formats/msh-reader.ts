@@ -16,16 +16,30 @@ import { MshVolumes } from "./msh-volumes.js";
 import { NodeTags } from "./node-tags.js";
 import { UNCUT } from "./polygons.js";
 
+/** The last two nodes of a tetrahedron with ten nodes are in the opposite order. */
+function fromGmshOrder(nodes: readonly number[]): readonly number[] {
+  return nodes.length === 10 ? [...nodes.slice(0, 8), ...nodes.slice(8).reverse()] : nodes;
+}
+
 const REMEDY = "Save the mesh again as MSH 4.1 or 2.2 with linear triangles and tetrahedra, or as .vtu.";
 const TRIANGLE = 2;
 const QUADRILATERAL = 3;
 const TETRAHEDRON = 4;
+const TRIANGLE6 = 9;
+const TETRAHEDRON10 = 11;
+/** Linear elements with the corners of second-order ones. */
+const LINEAR_TYPES: ReadonlyMap<number, number> = new Map([
+  [TRIANGLE6, TRIANGLE],
+  [TETRAHEDRON10, TETRAHEDRON],
+]);
 /** Nodes per element of the supported types; points and lines are skipped. */
 const WIDTHS: ReadonlyMap<number, number> = new Map([
   [1, 2],
   [TRIANGLE, 3],
   [QUADRILATERAL, 4],
   [TETRAHEDRON, 4],
+  [TRIANGLE6, 6],
+  [TETRAHEDRON10, 10],
   [8, 3],
   [15, 1],
 ]);
@@ -101,7 +115,10 @@ class MshReader {
     const surfaceRegions = this.#volumes.regions(mesh, this.#names.regions);
     const isLost = surfaceRegions === undefined && mesh.regions.length === 0 && this.#names.regions.size > 0;
     const unlocatedRegions = isLost ? [...this.#names.regions.values()] : undefined;
-    const notes = this.#extraGroups.notes({ 2: this.#names.patches, 3: this.#names.regions });
+    const notes = [
+      ...(mesh.notes ?? []),
+      ...this.#extraGroups.notes({ 2: this.#names.patches, 3: this.#names.regions }),
+    ];
     return {
       format: `Gmsh ${this.#numbers.hasBlocks ? "4.1" : "2.2"}`,
       ...mesh,
@@ -213,15 +230,17 @@ class MshReader {
   }
 
   /** Reads the node tags of an element and adds it. */
-  #readElement(type: number, group: (groups: GroupList) => number, tags?: Tags): void {
-    const corners = Array.from({ length: this.#width(type) }, () => this.#numbers.size());
+  #readElement(given: number, group: (groups: GroupList) => number, tags?: Tags): void {
+    const all = Array.from({ length: this.#width(given) }, () => this.#numbers.size());
+    const type = LINEAR_TYPES.get(given) ?? given;
+    const corners = all.slice(0, this.#width(type));
+    const middles = all.slice(corners.length);
     if (type !== TRIANGLE && type !== QUADRILATERAL && type !== TETRAHEDRON) return;
-    const nodes = corners.map(
-      (tag) =>
-        this.#nodes.indexOf(tag) ??
-        this.#reader.fail(`an element refers to node ${tag}, which does not exist`),
-    );
+    const nodeOf = (tag: number) =>
+      this.#nodes.indexOf(tag) ?? this.#reader.fail(`an element refers to node ${tag}, which does not exist`);
+    const nodes = corners.map(nodeOf);
     if (tags !== undefined && this.#isDuplicate(type, tags, nodes)) return;
+    if (type !== given) this.#builder.addSecondOrder(fromGmshOrder([...nodes, ...middles.map(nodeOf)]));
     if (type === TETRAHEDRON) {
       const [a = 0, b = 0, c = 0, d = 0] = nodes;
       this.#builder.addTetrahedron(a, b, c, d, group(this.#builder.regions));

@@ -4,16 +4,16 @@
  * tetrahedra. The groups carry the user's names, for boundary conditions.
  */
 import { inPieces, type Steps, stepwise } from "../base/steps.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
 import { IS_LITTLE_ENDIAN, type Part, widened } from "./bytes.js";
 import type { Note } from "./file-format.js";
-import { type Group, type Naming, patchGroups, regionGroups } from "./groups.js";
+import { type ElementKind, type Group, type Naming, patchGroups, regionGroups } from "./groups.js";
+import type { WrittenMesh } from "./second-order.js";
 
 /** Gmsh rejects files with longer names, in bytes. */
 export const GMSH_NAMING: Naming = { maxBytes: 127 };
 
 /** Returns the bytes of an MSH file. */
-export function* writeMsh(mesh: FileMesh, note: Note): Generator<Part, void> {
+export function* writeMsh(mesh: WrittenMesh, note: Note): Generator<Part, void> {
   const { points } = mesh;
   const patches = yield* patchGroups(mesh, { ...GMSH_NAMING, note });
   const regions = yield* regionGroups(mesh, { ...GMSH_NAMING, note });
@@ -36,7 +36,7 @@ export function* writeMsh(mesh: FileMesh, note: Note): Generator<Part, void> {
 }
 
 /** Returns one section per name with the nodes that have values; the same in both versions of the format. */
-export function* nodeDataSections({ nodeData }: FileMesh): Generator<Part, void> {
+export function* nodeDataSections({ nodeData }: WrittenMesh): Generator<Part, void> {
   for (const [name, { components, values }] of nodeData) {
     const rows: number[] = [];
     yield* stepwise(values.length / components, (node) => {
@@ -105,18 +105,25 @@ function nodes(points: Float64Array, groups: readonly Group[]): ArrayBufferView[
   ];
 }
 
+/** Returns the indices of an element's nodes in Gmsh's order. */
+export function gmshOrder({ nodes, dimension }: ElementKind): readonly number[] {
+  const order = Array.from({ length: nodes }, (_, i) => i);
+  return dimension === 3 && nodes === 10 ? [...order.slice(0, 8), 9, 8] : order;
+}
+
 function* elements(groups: readonly Group[]): Generator<Part, void> {
   const total = groups.reduce((sum, { kind, nodes }) => sum + nodes.length / kind.nodes, 0);
   yield widened([groups.length, total, Math.min(1, total), total]);
   let tag = 1;
   for (const { kind, tag: entity, nodes } of groups) {
     const count = nodes.length / kind.nodes;
+    const order = gmshOrder(kind);
     yield [Int32Array.of(kind.dimension, entity, kind.type), widened([count])];
     yield* inPieces(count, (begin, end) => {
       const rows = new Uint32Array((kind.nodes + 1) * (end - begin));
       for (let e = begin, out = 0; e < end; e++) {
         rows[out++] = tag++;
-        for (let i = 0; i < kind.nodes; i++) rows[out++] = (nodes[kind.nodes * e + i] ?? 0) + 1;
+        for (const i of order) rows[out++] = (nodes[kind.nodes * e + i] ?? 0) + 1;
       }
       return widened(rows);
     });

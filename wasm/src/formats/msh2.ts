@@ -3,17 +3,17 @@
  * entity; the groups carry the names.
  */
 import { inPieces } from "../base/steps.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
 import { IS_LITTLE_ENDIAN, type Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import { type Group, patchGroups, regionGroups } from "./groups.js";
-import { GMSH_NAMING, nodeDataSections, physicalNames } from "./msh.js";
+import type { WrittenMesh } from "./second-order.js";
+import { GMSH_NAMING, gmshOrder, nodeDataSections, physicalNames } from "./msh.js";
 
 /** A number, then x y z. */
 const NODE_BYTES = 4 + 3 * 8;
 
 /** Returns the bytes of an MSH file. */
-export function* writeMsh2(mesh: FileMesh, note: Note): Generator<Part, void> {
+export function* writeMsh2(mesh: WrittenMesh, note: Note): Generator<Part, void> {
   const groups = [
     ...(yield* patchGroups(mesh, { ...GMSH_NAMING, note })),
     ...(yield* regionGroups(mesh, { ...GMSH_NAMING, note })),
@@ -52,6 +52,7 @@ function* elements(groups: readonly Group[]): Generator<Part, void> {
   let number = 1;
   for (const { kind, tag, nodes: corners } of groups) {
     const count = corners.length / kind.nodes;
+    const order = gmshOrder(kind);
     yield Int32Array.of(kind.type, count, 2);
     yield* inPieces(count, (begin, end) => {
       const run = new Int32Array((3 + kind.nodes) * (end - begin));
@@ -59,7 +60,7 @@ function* elements(groups: readonly Group[]): Generator<Part, void> {
         run[out++] = number++;
         run[out++] = tag;
         run[out++] = tag;
-        for (let i = 0; i < kind.nodes; i++) run[out++] = (corners[kind.nodes * e + i] ?? 0) + 1;
+        for (const i of order) run[out++] = (corners[kind.nodes * e + i] ?? 0) + 1;
       }
       return run;
     });

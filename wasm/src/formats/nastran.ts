@@ -1,15 +1,15 @@
 /**
  * Writes Nastran bulk data: GRID points in wide fields of 16 characters, which hold at least ten digits; per
- * region, CTETRA elements with a PSOLID property and a material of the same number; per patch, CTRIA3 shells with a
+ * region, CTETRA elements with a PSOLID property and a material of the same number; per patch, CTRIA3 or CTRIA6 shells with a
  * PSHELL property without stiffness. Names are comments, because the format has none. Material properties are left
  * to the user.
  */
 import { stepwise } from "../base/steps.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FormatLimits } from "./format-limits.js";
 import { type Group, patchGroups, regionGroups } from "./groups.js";
+import type { WrittenMesh } from "./second-order.js";
 import { noteMerged } from "./merged-points.js";
 import { numberRows } from "./number-rows.js";
 
@@ -17,7 +17,7 @@ import { numberRows } from "./number-rows.js";
 export const NASTRAN_NUMBERS: FormatLimits = { minTag: 1, maxTag: 99_999_999, hasSharedTags: true };
 
 /** Returns the bytes of a bulk data file. Properties have the tags of their patches and regions. */
-export function* writeNastran(mesh: FileMesh, note: Note): Generator<Part, void> {
+export function* writeNastran(mesh: WrittenMesh, note: Note): Generator<Part, void> {
   const written = new Float64Array(mesh.points.length);
   yield* stepwise(written.length, (i) => (written[i] = Number(wide(mesh.points[i] ?? 0))));
   yield* noteMerged(mesh.points, note, written, `the format has ${WIDE} characters per coordinate`);
@@ -35,13 +35,15 @@ function cards(groups: readonly Group[]): Part[] {
   let element = 1;
   return groups.flatMap(({ kind, name, nodes, tag: property }) => {
     const isSolid = kind.dimension === 3;
-    const card = isSolid ? "CTETRA" : "CTRIA3";
+    const card = isSolid ? "CTETRA" : kind.nodes === 6 ? "CTRIA6" : "CTRIA3";
     const material = isSolid ? `PSOLID  ${field(property)}${field(property)}` : `PSHELL  ${field(property)}`;
     return [
       `$ ${isSolid ? "region" : "patch"} ${property}: ${name}\n${material}\n`,
       numberRows(nodes, kind.nodes, (row) => {
-        const corners = Array.from(row, (node) => field(node + 1)).join("");
-        return `${card.padEnd(8)}${field(element++)}${field(property)}${corners}`;
+        const fields = Array.from(row, (node) => field(node + 1));
+        const first = `${card.padEnd(8)}${field(element++)}${field(property)}${fields.slice(0, 6).join("")}`;
+        // A card has eight fields per line; "+" links it with its continuation.
+        return fields.length > 6 ? `${first}+\n+       ${fields.slice(6).join("")}` : first;
       }),
     ];
   });

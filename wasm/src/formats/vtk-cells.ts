@@ -10,6 +10,11 @@ const VTK_POLYGON = 7;
 const VTK_PIXEL = 8;
 const VTK_QUAD = 9;
 const VTK_TETRA = 10;
+/** Linear cells with the corners of second-order ones, and the number of nodes of these. */
+const SECOND_ORDER: ReadonlyMap<number, readonly [linear: number, corners: number, nodes: number]> = new Map([
+  [22, [VTK_TRIANGLE, 3, 6]],
+  [24, [VTK_TETRA, 4, 10]],
+]);
 /** Vertices, lines and empty cells. */
 const THIN_CELLS = new Set([0, 1, 2, 3, 4, 21, 35]);
 
@@ -69,6 +74,14 @@ export function addCell(cells: Cells, type: number, nodes: readonly number[], ce
   if (THIN_CELLS.has(type)) return;
   const wild = nodes.find((node) => !(Number.isInteger(node) && node >= 0 && node < builder.pointCount));
   if (wild !== undefined) fail(`cell ${cell} (counted from 0) refers to node ${wild}, which does not exist`);
+  const secondOrder = SECOND_ORDER.get(type);
+  if (secondOrder !== undefined) {
+    const [linear, corners, count] = secondOrder;
+    if (nodes.length !== count)
+      fail(`cell ${cell} (counted from 0) of type ${type} has ${plural(nodes.length, "node")}, not ${count}`);
+    builder.addSecondOrder(nodes);
+    return addCell(cells, linear, nodes.slice(0, corners), cell);
+  }
   const [a = 0, b = 0, c = 0, d = 0] = nodes;
   switch (type) {
     case VTK_TETRA:

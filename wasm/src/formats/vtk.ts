@@ -8,16 +8,21 @@ import type { FileMesh } from "../mesh/file-mesh.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import { noteNames } from "./groups.js";
+import type { WrittenMesh } from "./second-order.js";
 import { allNameLines, NAME_BREAK } from "./name-lines.js";
 import { coordinates, numberRows } from "./number-rows.js";
 
 /** VTK's types of linear cells; their node orders equal ours. */
 const VTK_TRIANGLE = 5;
 const VTK_TETRA = 10;
+/** Second-order cells; their node orders equal ours too. */
+const VTK_QUADRATIC_TRIANGLE = 22;
+const VTK_QUADRATIC_TETRA = 24;
 
 /** Returns the bytes of a legacy VTK file. */
-export function* writeVtk(mesh: FileMesh, note: Note): Generator<Part, void> {
-  const { points, tetrahedra, triangles } = mesh;
+export function* writeVtk(mesh: WrittenMesh, note: Note): Generator<Part, void> {
+  const { points } = mesh;
+  const { tetrahedra, triangles, perTetrahedron, perTriangle } = yield* vtkCellNodes(mesh);
   const { types, regions, patches } = yield* vtkCellData(mesh);
   const perCell = (values: Int32Array | Uint8Array) => numberRows(values, 1, ([value]) => String(value));
   yield [
@@ -25,8 +30,8 @@ export function* writeVtk(mesh: FileMesh, note: Note): Generator<Part, void> {
     `POINTS ${points.length / 3} double\n`,
     numberRows(points, 3, (row) => coordinates(row)),
     `CELLS ${types.length} ${types.length + tetrahedra.length + triangles.length}\n`,
-    numberRows(tetrahedra, 4, (row) => `4 ${row.join(" ")}`),
-    numberRows(triangles, 3, (row) => `3 ${row.join(" ")}`),
+    numberRows(tetrahedra, perTetrahedron, (row) => `${perTetrahedron} ${row.join(" ")}`),
+    numberRows(triangles, perTriangle, (row) => `${perTriangle} ${row.join(" ")}`),
     `CELL_TYPES ${types.length}\n`,
     perCell(types),
     `CELL_DATA ${types.length}\nSCALARS region int 1\nLOOKUP_TABLE default\n`,
@@ -74,15 +79,50 @@ export interface VtkCellData {
   readonly patches: Int32Array;
 }
 
-export function* vtkCellData(mesh: FileMesh): Steps<VtkCellData> {
+/** Nodes of the cells, with those at the middles of edges after the corners of each cell. */
+export interface VtkCellNodes {
+  readonly tetrahedra: Uint32Array;
+  readonly triangles: Uint32Array;
+  readonly perTetrahedron: number;
+  readonly perTriangle: number;
+}
+
+export function* vtkCellNodes({ tetrahedra, triangles, midNodes }: WrittenMesh): Steps<VtkCellNodes> {
+  if (midNodes === undefined) return { tetrahedra, triangles, perTetrahedron: 4, perTriangle: 3 };
+  return {
+    tetrahedra: yield* interleaved(tetrahedra, 4, midNodes.tetrahedra, 6),
+    triangles: yield* interleaved(triangles, 3, midNodes.triangles, 3),
+    perTetrahedron: 10,
+    perTriangle: 6,
+  };
+}
+
+function* interleaved(
+  corners: Uint32Array,
+  cornerCount: number,
+  middles: Uint32Array,
+  middleCount: number,
+): Steps<Uint32Array> {
+  const width = cornerCount + middleCount;
+  const all = new Uint32Array(corners.length + middles.length);
+  yield* stepwise(all.length / width, (cell) => {
+    all.set(corners.subarray(cornerCount * cell, cornerCount * (cell + 1)), width * cell);
+    all.set(middles.subarray(middleCount * cell, middleCount * (cell + 1)), width * cell + cornerCount);
+  });
+  return all;
+}
+
+export function* vtkCellData(mesh: WrittenMesh): Steps<VtkCellData> {
   const { tetrahedronRegion, trianglePatch } = mesh;
   const [tets, faces] = [tetrahedronRegion.length, trianglePatch.length];
   const regions = new Int32Array(tets + faces);
   yield* stepwise(tets, (t) => (regions[t] = mesh.regions[tetrahedronRegion[t] ?? 0]?.tag ?? 0));
   const patches = new Int32Array(tets + faces);
   yield* stepwise(faces, (t) => (patches[tets + t] = mesh.patches[trianglePatch[t] ?? 0]?.tag ?? 0));
+  const [tetra, triangle] =
+    mesh.midNodes === undefined ? [VTK_TETRA, VTK_TRIANGLE] : [VTK_QUADRATIC_TETRA, VTK_QUADRATIC_TRIANGLE];
   return {
-    types: new Uint8Array(tets + faces).fill(VTK_TETRA, 0, tets).fill(VTK_TRIANGLE, tets),
+    types: new Uint8Array(tets + faces).fill(tetra, 0, tets).fill(triangle, tets),
     regions,
     patches,
   };

@@ -10,8 +10,9 @@ import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
 import { IS_LITTLE_ENDIAN, joinBytes, type Part, widened } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import { hasDefaultName, usedGroups } from "./groups.js";
+import type { WrittenMesh } from "./second-order.js";
 import { allNameLines } from "./name-lines.js";
-import { vtkCellData } from "./vtk.js";
+import { vtkCellData, vtkCellNodes } from "./vtk.js";
 
 /** Blocks are compressed one by one; readers keep one of them in memory at a time. */
 const BLOCK_BYTES = 1 << 16;
@@ -24,7 +25,7 @@ interface DataArray {
 }
 
 /** Returns the bytes of a VTU file. */
-export function* writeVtu(mesh: FileMesh, note: Note): Generator<Part, void> {
+export function* writeVtu(mesh: WrittenMesh, note: Note): Generator<Part, void> {
   const { points } = mesh;
   const { connectivity, offsets } = yield* cellNodes(mesh);
   const { types, regions, patches } = yield* vtkCellData(mesh);
@@ -95,17 +96,17 @@ function fieldData(mesh: FileMesh): string[] {
 }
 
 /** Returns the nodes of all cells, and the end of each cell among them. */
-function* cellNodes({
-  tetrahedra,
-  triangles,
-}: FileMesh): Steps<{ readonly connectivity: Int32Array; readonly offsets: Int32Array }> {
+function* cellNodes(
+  mesh: WrittenMesh,
+): Steps<{ readonly connectivity: Int32Array; readonly offsets: Int32Array }> {
+  const { tetrahedra, triangles, perTetrahedron, perTriangle } = yield* vtkCellNodes(mesh);
   const connectivity = new Int32Array(tetrahedra.length + triangles.length);
   connectivity.set(tetrahedra);
   connectivity.set(triangles, tetrahedra.length);
-  const [tets, faces] = [tetrahedra.length / 4, triangles.length / 3];
+  const [tets, faces] = [tetrahedra.length / perTetrahedron, triangles.length / perTriangle];
   const offsets = new Int32Array(tets + faces);
   yield* stepwise(offsets.length, (c) => {
-    offsets[c] = c < tets ? 4 * (c + 1) : tetrahedra.length + 3 * (c + 1 - tets);
+    offsets[c] = c < tets ? perTetrahedron * (c + 1) : tetrahedra.length + perTriangle * (c + 1 - tets);
   });
   return { connectivity, offsets };
 }

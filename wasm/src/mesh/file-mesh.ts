@@ -32,6 +32,9 @@ export interface SurfaceRegions {
   readonly triangleRegions: Uint32Array;
 }
 
+/** Order of the elements of a written file: 2 adds a node at the middle of every edge. */
+export type ElementOrder = 1 | 2;
+
 /** Triangles and tetrahedra of a file, with their groups and the values at their nodes. */
 export interface FileMesh {
   /** Format and version as stated by the file, if the file's name does not decide: "Gmsh 2.2". */
