@@ -125,7 +125,8 @@ export const bodyStrings = {
     },
     hintOf: {
       size: "Target edge length. Automatic sizes follow the shape.",
-      minSize: "Smallest size that the shape may ask for.",
+      minSize:
+        "Smallest size that the shape may ask for. If it is empty, sizes near tiny details may be smaller than shown.",
       maxSize: "Largest automatic size.",
       tolerance: "Largest distance between the given and the new surface.",
       featureAngle: "Edges with a larger angle stay sharp, in degrees.",

@@ -28,7 +28,8 @@ struct RemeshOptions {
   /// Target edge length, in model units, > 0; 0: automatic, unless a background grid is given. Sources cap
   /// the sizes.
   double size = 0.0;
-  double minSize = 0.0;  ///< smallest automatic size; 0: chosen automatically
+  /// Smallest automatic size; 0: chosen automatically, with smaller sizes at shorter feature lines and narrower gaps.
+  double minSize = 0.0;
   double maxSize = 0.0;  ///< largest automatic size; 0: a twentieth of the surface's diagonal
   /// Largest distance between the two surfaces, measured from each to the other, in model units; 0:
   /// 1/700 of the diagonal, and at most a twentieth of `size`.
@@ -66,7 +67,7 @@ struct SurfaceRemesh {
   /// Per triangle: its distance from the given surface, the largest of seven samples. For display; `deviation` is the bound.
   std::vector<float> triangleDeviation;
   double size = 0.0;       ///< largest target size used
-  double minSize = 0.0;    ///< smallest target size used
+  double minSize = 0.0;    ///< smallest target size used, except at details
   double tolerance = 0.0;  ///< tolerance used
   /// Upper bound of the distance between the surfaces, both ways; not below the tolerance.
   double deviation = 0.0;

@@ -27,9 +27,15 @@ constexpr double kStraightAngle = 0.01;
 /// Edge length / width of a gap between two feature lines at which triangles across the gap are
 /// equilateral.
 constexpr double kSizePerGap = 1.15;
+/// Target size / length of a feature line or size that fits a gap, where these are below the smallest size: triangles
+/// may be this much longer than the detail, and there are fewer of them.
+constexpr double kSizePerShortLine = 1.5;
+constexpr double kSizePerNarrowGap = 2.0;
 /// Another part of the same line bounds a gap only if its distance along the line is at least this
 /// many times the width of the gap.
 constexpr double kArcPerGap = 3.0;
+/// Edges between two places along a narrow gap where it is measured.
+constexpr double kEdgesPerGapStep = 2.0;
 /// Smallest number of edges of a closed feature line.
 constexpr double kEdgesPerLoop = 3.0;
 /// Distance between the positions where curvature is measured / smallest size.
@@ -58,6 +64,15 @@ double cosineBetween(const Vec3& a, const Vec3& b) {
 
 /// Returns twice the sine of half the angle, which is about the angle itself if it is small.
 double chordOf(double cosine) { return std::sqrt(std::max(0.0, 2.0 - 2.0 * cosine)); }
+
+bool isEndOf(const FeatureLine& line, NodeId node) {
+  return !line.isClosed() && (node == line.nodes().front() || node == line.nodes().back());
+}
+
+/// Returns true if the lines have a common end.
+bool doMeet(const FeatureLine& a, const FeatureLine& b) {
+  return !b.isClosed() && (isEndOf(a, b.nodes().front()) || isEndOf(a, b.nodes().back()));
+}
 
 class ShapeMeasure {
  public:
@@ -91,6 +106,14 @@ class ShapeMeasure {
     sizes_.axes.push_back(axis);
     sizes_.sizes.push_back(std::max(size, rules_.minSize));
   }
+  void addUnlimited(const Vec3& position, double size) {
+    if (!(size < rules_.maxSize)) return;
+    sizes_.positions.push_back(position);
+    sizes_.axes.push_back(Vec3(0.0));
+    sizes_.sizes.push_back(size);
+    if (size < rules_.minSize) ++sizes_.countBelowMin;
+  }
+  [[nodiscard]] double sizeForDetail(double detail, double factor, double least) const;
   [[nodiscard]] double sizeForCurvature(double curvature) const {
     return std::min(rules_.anglePerEdge / curvature, std::sqrt(8.0 * rules_.tolerance / curvature));
   }
@@ -98,7 +121,11 @@ class ShapeMeasure {
   [[nodiscard]] Vec3 axisOf(TriangleId triangle) const;
   [[nodiscard]] double thicknessAt(const Vec3& position, const Vec3& inward) const;
   void castRay(const Vec3& from, const Vec3& direction, TriangleId triangle, double& nearest) const;
-  [[nodiscard]] double gapAt(FeatureLineId id, double arc) const;
+  struct Gap {
+    double width;
+    bool isAtCorner;  ///< between lines that meet
+  };
+  [[nodiscard]] Gap gapAt(FeatureLineId id, double arc) const;
   [[nodiscard]] bool isSameCorner(const FeatureLine& a, const FeatureLine& b, const Vec3& position,
                                   double squaredGap) const;
 
@@ -275,6 +302,14 @@ void ShapeMeasure::castRay(const Vec3& from, const Vec3& direction, TriangleId t
   }
 }
 
+/// Returns the size at a line or gap that would fit triangles of size `detail`. Small details have sizes below the
+/// smallest one; but those that would need less than `least` are not resolved: more needles would be the only effect.
+double ShapeMeasure::sizeForDetail(double detail, double factor, double least) const {
+  if (detail >= rules_.minSize) return detail;
+  const double size = factor * detail;
+  return size < least ? rules_.minSize : std::min(size, rules_.minSize);
+}
+
 /// Adds the sizes that follow from the curvature and the length of a line.
 void ShapeMeasure::measureLine(const FeatureLine& line) {
   const std::vector<Vec3>& points = line.points();
@@ -289,9 +324,11 @@ void ShapeMeasure::measureLine(const FeatureLine& line) {
         normal / glm::length(normal));
   }
   const double length = line.length();
-  const double size = line.isClosed() ? length / kEdgesPerLoop : length;
-  const double step = std::max(0.25 * length, 0.5 * rules_.minSize);
-  for (double arc = 0.0; arc <= length; arc += step) add(line.at(arc), size);
+  const double size = line.isClosed()
+                          ? std::max(length / kEdgesPerLoop, rules_.minSize)
+                          : sizeForDetail(length, kSizePerShortLine, rules_.minSizeAtLines);
+  const double step = std::max(0.25 * length, 0.5 * std::min(size, rules_.minSize));
+  for (double arc = 0.0; arc <= length; arc += step) addUnlimited(line.at(arc), size);
 }
 
 void ShapeMeasure::beginGaps() {
@@ -313,15 +350,20 @@ void ShapeMeasure::measureGaps(FeatureLineId id) {
   const FeatureLine& line = reference_.line(id);
   const double step =
       std::min(0.25 * line.length(), std::max(rules_.minSize, rules_.maxSize / 3.0));
-  for (double arc = 0.5 * step; arc < line.length(); arc += step) {
-    add(line.at(arc), kSizePerGap * gapAt(id, arc));
+  for (double arc = 0.5 * step; arc < line.length();) {
+    const Gap gap = gapAt(id, arc);
+    const double least = gap.isAtCorner ? rules_.minSize : rules_.minSizeAtGaps;
+    const double size = sizeForDetail(kSizePerGap * gap.width, kSizePerNarrowGap, least);
+    addUnlimited(line.at(arc), size);
+    arc += std::min(step, kEdgesPerGapStep * size);
   }
 }
 
-double ShapeMeasure::gapAt(FeatureLineId id, double arc) const {
+ShapeMeasure::Gap ShapeMeasure::gapAt(FeatureLineId id, double arc) const {
   const FeatureLine& line = reference_.line(id);
   const Vec3 position = line.at(arc);
   double nearest = rules_.maxSize * rules_.maxSize;
+  FeatureLineId across{};
   segmentTree_.visitNear(position, nearest, [&](std::uint32_t item) {
     const Segment& segment = segments_[item];
     const FeatureLine& other = reference_.line(segment.line);
@@ -339,17 +381,19 @@ double ShapeMeasure::gapAt(FeatureLineId id, double arc) const {
       return;
     }
     nearest = square;
+    across = segment.line;
   });
-  return std::sqrt(nearest);
+  const bool isAtCorner = !across.isNone() && across != id && doMeet(line, reference_.line(across));
+  return {std::sqrt(nearest), isAtCorner};
 }
 
 /// Returns true if the lines meet at a corner near the position. Such lines bound no gap; otherwise
 /// sizes would fall to zero towards every corner.
 bool ShapeMeasure::isSameCorner(const FeatureLine& a, const FeatureLine& b, const Vec3& position,
                                 double squaredGap) const {
-  if (a.isClosed() || b.isClosed()) return false;
+  if (b.isClosed()) return false;
   for (const NodeId end : {b.nodes().front(), b.nodes().back()}) {
-    if (end != a.nodes().front() && end != a.nodes().back()) continue;
+    if (!isEndOf(a, end)) continue;
     const Vec3 offset = position - pointOf(reference_.mesh(), end);
     if (glm::dot(offset, offset) < kArcPerGap * kArcPerGap * squaredGap) return true;
   }

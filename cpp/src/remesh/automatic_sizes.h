@@ -15,8 +15,10 @@ namespace tetrafront {
 struct ShapeSizeRules {
   double maxSize = 0.0;
   double minSize = 0.0;
-  double tolerance = 0.0;     ///< largest deviation of an edge from a curved patch
-  double anglePerEdge = 0.0;  ///< largest angle that an edge spans, in radians
+  double minSizeAtLines = 0.0;  ///< at feature lines shorter than minSize
+  double minSizeAtGaps = 0.0;   ///< at gaps between feature lines that are narrower than minSize
+  double tolerance = 0.0;       ///< largest deviation of an edge from a curved patch
+  double anglePerEdge = 0.0;    ///< largest angle that an edge spans, in radians
   double layers =
       0.0;  ///< elements across the thickness of thin parts; 0: thickness has no influence
 };
@@ -30,6 +32,7 @@ struct ShapeSizes {
   std::vector<Vec3> axes;
   /// The first positions do not depend on gaps between feature lines; the others follow from gaps.
   std::size_t countWithoutGaps = 0;
+  std::size_t countBelowMin = 0;  ///< sizes below minSize
 };
 
 /// Measures the shape. O(n log n) for n triangles, unless very many feature lines are close to each

@@ -41,6 +41,13 @@ namespace {
 constexpr double kMaxSizePerDiagonal = 1.0 / 20.0;
 constexpr double kMinSizePerDiagonal = 1.0 / 300.0;
 constexpr double kMinSizePerSize = 0.1;
+/// Smallest sizes at short feature lines and at narrow gaps / smallest automatic size. Triangles around a short line grow
+/// quickly and are few; along a gap there are many.
+constexpr double kLineSizePerMinSize = 1.0 / 1000.0;
+constexpr double kGapSizePerMinSize = 1.0 / 25.0;
+/// Upper bound of the triangles that one size below the smallest one adds. Around a point at which the size is 1/1000 of
+/// the smallest, and from which it grows by 0.3 per unit of distance, there are about 900.
+constexpr double kTrianglesPerDetail = 1000.0;
 constexpr double kTolerancePerDiagonal = 1.0 / 700.0;
 constexpr double kTolerancePerSize = 0.05;
 constexpr double kDegreesPerEdge = 20.0;
@@ -70,6 +77,8 @@ constexpr double kTriangleArea = 0.4330127018922193;
 struct Lengths {
   double maxSize;
   double minSize;
+  double minSizeAtLines;
+  double minSizeAtGaps;
   double tolerance;
   double radiansPerEdge;
   double layers;
@@ -86,6 +95,9 @@ Lengths lengthsOf(const RemeshOptions& options, bool hasTargets, double diagonal
   lengths.minSize = hasSize ? kMinSizePerSize * options.size : kMinSizePerDiagonal * diagonal;
   if (options.minSize > 0.0) lengths.minSize = options.minSize;
   lengths.minSize = std::min(lengths.minSize, lengths.maxSize);
+  const bool isExact = options.minSize > 0.0;
+  lengths.minSizeAtLines = (isExact ? 1.0 : kLineSizePerMinSize) * lengths.minSize;
+  lengths.minSizeAtGaps = (isExact ? 1.0 : kGapSizePerMinSize) * lengths.minSize;
   lengths.tolerance = kTolerancePerDiagonal * diagonal;
   if (hasSize) lengths.tolerance = std::min(lengths.tolerance, kTolerancePerSize * options.size);
   if (options.tolerance > 0.0) lengths.tolerance = options.tolerance;
@@ -232,21 +244,27 @@ Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
   co_await work.yield();
 
   work.beginPart(0.7);
-  const ShapeSizeRules rules{lengths.maxSize, lengths.minSize,
-                             kPlannedTolerance * lengths.tolerance, lengths.radiansPerEdge,
+  const ShapeSizeRules rules{lengths.maxSize,
+                             lengths.minSize,
+                             lengths.minSizeAtLines,
+                             lengths.minSizeAtGaps,
+                             kPlannedTolerance * lengths.tolerance,
+                             lengths.radiansPerEdge,
                              lengths.layers};
   ShapeSizes sizes = co_await findShapeSizes(work, reference, rules);
   if (sizes.positions.empty()) co_return found;
   work.beginPart(0.8);
   std::vector<Cusp> cusps = co_await findLimitedCusps(work, reference, sizes, options, lengths);
   work.beginPart(1.0);
+  const std::size_t belowMin = sizes.countBelowMin;
   SizeSites sites(sizes.positions, sizes.sizes, options.growth, kSlack);
   co_await work.finish(sites, kSitesPerUnit);
   found.sizes->capTo(std::move(sites), std::move(sizes.axes));
   found.sizes->raiseTo(CuspSizes(std::move(cusps)));
   // Counting takes longer than this bound.
   const double most = std::accumulate(ofGiven.begin(), ofGiven.end(), 0.0) +
-                      trianglesOn(areaOf(reference), lengths.minSize);
+                      trianglesOn(areaOf(reference), lengths.minSize) +
+                      kTrianglesPerDetail * static_cast<double>(belowMin);
   if (most > static_cast<double>(options.maxTriangles)) {
     found.diagnostics =
         checkTriangleCount(reference, countExpected(reference, *found.sizes), options.maxTriangles);

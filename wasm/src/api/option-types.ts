@@ -36,7 +36,10 @@ export interface RemeshOptions {
    * automatic: they follow from curvature, thin walls, and gaps between feature lines.
    */
   readonly size?: number | undefined;
-  /** Smallest size that the shape may ask for, in model units. Default: a tenth of `size`, or 1/300 of the diagonal. */
+  /**
+   * Smallest size that the shape may ask for, in model units. Default: a tenth of `size`, or 1/300 of the diagonal; and
+   * smaller near sharp edges and gaps that are smaller themselves.
+   */
   readonly minSize?: number | undefined;
   /** Largest automatic size, in model units. Default: 1/20 of the diagonal. Not together with other sizes. */
   readonly maxSize?: number | undefined;

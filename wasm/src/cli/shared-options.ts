@@ -47,7 +47,7 @@ export const withRemeshing = (command: Command, prefix = ""): Command =>
   command
     .option(
       "--min-size <length>",
-      `${prefix}smallest size that the shape may ask for (default: 1/10 of --size, or 1/300 of the diagonal)`,
+      `${prefix}smallest size that the shape may ask for (default: 1/10 of --size, or 1/300 of the diagonal; smaller at tiny details)`,
     )
     .option("--max-size <length>", `${prefix}largest automatic size (default: 1/20 of the diagonal)`)
     .option(
