@@ -13,7 +13,7 @@ const ENGINE = [
   ["quality"],
   ["boundary"],
   ["sizing"],
-  ["surface", "volume", "optimize"],
+  ["surface", "volume", "optimize", "arrangement"],
   ["preview"],
   ["repair", "remesh"],
 ];

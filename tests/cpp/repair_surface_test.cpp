@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "repair/weld.h"
+#include "boundary/weld.h"
 #include "support/random.h"
 #include "support/shapes.h"
 #include "tetrafront/surface_tools.h"
@@ -21,10 +21,17 @@ SurfaceInspection inspect(const SurfaceRepair& repair) {
   return inspector.result();
 }
 
-SurfaceRepair repair(const SurfaceMesh& mesh, const RepairOptions& options = {}) {
+/// Repairs, and resolves intersections if nothing else suffices.
+SurfaceRepair resolve(const SurfaceMesh& mesh, const RepairOptions& options = {}) {
   const SurfaceRepair result = repairSurface(mesh.points, mesh.triangles, options);
   EXPECT_EQ(result.origin.size(), result.triangles.size() / 3);
   return result;
+}
+
+/// Repairs without resolving intersections.
+SurfaceRepair repair(const SurfaceMesh& mesh, RepairOptions options = {}) {
+  options.resolveIntersections = false;
+  return resolve(mesh, options);
 }
 
 std::map<RepairKind, int> kindsOf(const SurfaceRepair& repair) {
@@ -408,6 +415,91 @@ TEST(SurfaceRepair, ListsChangesInTheOrderOfTheirKinds) {
   EXPECT_EQ(kinds, expected);
 }
 
+TEST(SurfaceRepair, ResolvesCrossingBodies) {
+  SurfaceMesh mesh = gridCube(2);
+  SurfaceMesh other = gridCube(1);
+  translate(other, {0.5, 0.25, 0.375});
+  append(mesh, other);
+  const SurfaceRepair result = resolve(mesh);
+  const SurfaceInspection found = inspect(result);
+  EXPECT_TRUE(found.isFillable);
+  EXPECT_NEAR(found.volume, 2.0 - 0.5 * 0.75 * 0.625, 1e-14);
+  // Each triangle lies in the plane of its origin.
+  for (std::size_t t = 0; t < result.origin.size(); ++t) {
+    ASSERT_LT(result.origin[t], triangleCount(mesh));
+    const auto given = [&](std::size_t k) {
+      return pointOf(mesh, mesh.triangles[3 * result.origin[t] + k]);
+    };
+    const Vec3 normal = glm::cross(given(1) - given(0), given(2) - given(0));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t node = 3 * std::size_t{result.triangles[3 * t + k]};
+      const Vec3 p(result.points[node], result.points[node + 1], result.points[node + 2]);
+      EXPECT_NEAR(glm::dot(normal, p - given(0)), 0.0, 1e-14);
+    }
+  }
+  // Changes name the triangles that others intersect, and how many parts of each remain.
+  std::map<std::uint32_t, std::uint32_t> parts;
+  for (const std::uint32_t origin : result.origin) ++parts[origin];
+  int resolved = 0;
+  for (const RepairChange& change : result.changes) {
+    if (change.kind != RepairKind::kResolvedIntersection) continue;
+    EXPECT_EQ(change.second, parts[change.first]);
+    ++resolved;
+  }
+  EXPECT_GT(resolved, 8);
+}
+
+TEST(SurfaceRepair, ResolvesDamagedSpheres) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    Random random(seed);
+    SurfaceMesh mesh = soupOf(geodesicSphere(4), seed % 2 == 0 ? 0.0 : 1e-5);
+    SurfaceMesh other = geodesicSphere(3);
+    rotateRandomly(other, seed);
+    translate(other, 0.5 * random.inBox());
+    append(mesh, other);
+    flipRandomly(mesh, seed);
+    removeTriangles(mesh, {3, 50, 100, 300});
+    append(mesh, tetrahedronSurface(
+                     {Vec3(0.0), Vec3(2.0, 0.1, 0.2), Vec3(0.3, 0.2, 0.1), Vec3(0.1, 0.3, 0.4)}));
+    mesh.triangles.resize(mesh.triangles.size() - 9);  // a fin remains
+    EXPECT_FALSE(inspect(repair(mesh)).isFillable);
+    const SurfaceInspection found = inspect(resolve(mesh));
+    EXPECT_TRUE(found.isFillable) << seed;
+    // The volume of the union, less than that of two unit spheres and more than that of one.
+    EXPECT_GT(found.volume, 0.93 * 4.18879);
+    EXPECT_LT(found.volume, 2.0 * 4.18879);
+  }
+}
+
+TEST(SurfaceRepair, KeepsTheOrderOfFilledHolesWhenItResolves) {
+  SurfaceMesh mesh = gridCube(3);
+  removeTriangles(mesh, {0, 1, 40});
+  SurfaceMesh other = gridCube(1);
+  translate(other, {0.5, 0.45, 0.375});
+  append(mesh, other);
+  const SurfaceRepair result = resolve(mesh, {.maxHoleEdges = 3});
+  EXPECT_TRUE(inspect(result).isFillable);
+  std::uint32_t filled = 0;
+  for (const RepairChange& change : result.changes) {
+    if (change.kind != RepairKind::kFilledHole) continue;
+    for (std::uint32_t t = 0; t < change.second; ++t) {
+      EXPECT_EQ(result.origin[change.first + t], kNoOrigin);
+      ++filled;
+    }
+  }
+  EXPECT_EQ(filled, std::count(result.origin.begin(), result.origin.end(), kNoOrigin));
+  EXPECT_GT(filled, 2U);
+}
+
+TEST(SurfaceRepair, LeavesASheetAsItIs) {
+  SurfaceMesh mesh;
+  mesh.points = {0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.1};
+  mesh.triangles = {0, 1, 2, 1, 3, 2};
+  const SurfaceRepair result = resolve(mesh);
+  EXPECT_EQ(result.triangles, mesh.triangles);
+  EXPECT_TRUE(result.changes.empty());
+}
+
 TEST(SurfaceRepair, RefusesInvalidNumbers) {
   SurfaceMesh mesh = gridCube(1);
   mesh.triangles[0] = 99;
@@ -425,7 +517,7 @@ TEST(SurfaceRepair, AcceptsBadlyDamagedSurfaces) {
     }
     const RepairOptions options{
         .weldDistance = 0.3 * random.unit(), .removeTriangles = seed % 2 == 0, .maxHoleEdges = 20};
-    const SurfaceRepair once = repair(mesh, options);
+    const SurfaceRepair once = resolve(mesh, options);
     SurfaceRepairer inSteps(mesh.points, mesh.triangles, options);
     while (!inSteps.advance(1)) {
     }

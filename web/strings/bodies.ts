@@ -59,6 +59,10 @@ export const bodyStrings = {
       "split-triangle": (count: number) => `splits ${counted(count, "triangle", "triangles")}`,
       "filled-hole": (count: number) => `fills ${counted(count, "hole", "holes")}`,
       "flipped-triangle": (count: number) => `flips ${counted(count, "triangle", "triangles")}`,
+      "resolved-intersection": (count: number) =>
+        `cuts ${counted(count, "intersecting triangle", "intersecting triangles")}`,
+      "removed-sheet": (count: number) =>
+        `removes ${counted(count, "triangle that encloses nothing", "triangles that enclose nothing")}`,
     },
     done: "Repaired",
     made: {
@@ -71,6 +75,10 @@ export const bodyStrings = {
       "split-triangle": (count: number) => `${counted(count, "triangle", "triangles")} split`,
       "filled-hole": (count: number) => `${counted(count, "hole", "holes")} filled`,
       "flipped-triangle": (count: number) => `${counted(count, "triangle", "triangles")} flipped`,
+      "resolved-intersection": (count: number) =>
+        `${counted(count, "intersecting triangle", "intersecting triangles")} cut`,
+      "removed-sheet": (count: number) =>
+        `${counted(count, "triangle that enclosed nothing", "triangles that enclosed nothing")} removed`,
     },
     /** One of the changes. */
     nouns: {
@@ -81,6 +89,8 @@ export const bodyStrings = {
       "split-triangle": (index: number) => `Split triangle ${index}`,
       "filled-hole": (index: number) => `Hole ${index}`,
       "flipped-triangle": (index: number) => `Flipped triangle ${index}`,
+      "resolved-intersection": (index: number) => `Cut triangle ${index}`,
+      "removed-sheet": (index: number) => `Removed triangle ${index}`,
     },
     solves: "Afterwards, the surface can be meshed.",
     remains: (count: number) => `Afterwards, ${counted(count, "problem remains", "problems remain")}.`,
@@ -98,6 +108,9 @@ export const bodyStrings = {
       "split-triangle": ({ beyond }) => `Triangle ${beyond}`,
       "filled-hole": ({ triangles }) => `Hole with ${counted(triangles, "triangle", "triangles")}`,
       "flipped-triangle": ({ triangle }) => `Triangle ${triangle}`,
+      "resolved-intersection": ({ triangle, parts }) =>
+        `Triangle ${triangle}, ${counted(parts, "part", "parts")} left`,
+      "removed-sheet": ({ triangle }) => `Triangle ${triangle}`,
     } satisfies { readonly [Kind in RepairChange["kind"]]: (change: ChangeOf<Kind>) => string },
   },
   treatment: {

@@ -91,6 +91,10 @@ struct RepairOptions {
   /// Fill holes with at most this many edges, up to kMaxHoleEdges; 0: none.
   std::uint32_t maxHoleEdges = 0;
   bool orient = true;  ///< orient triangles consistently, outward if possible
+  /// If the surface could not be meshed otherwise: replace it by the boundary of what it encloses. Triangles are cut where they
+  /// intersect, holes of any size are closed, and triangles that enclose nothing are left out. The change is made only if the result
+  /// can be meshed.
+  bool resolveIntersections = true;
   /// Meaning of inner shells: the triangles around a cavity are oriented the other way.
   InnerShells innerShells = InnerShells::kCavities;
 };
@@ -106,6 +110,9 @@ enum class RepairKind : std::uint8_t {
   kSplitTriangle = 4,
   kFilledHole = 5,       ///< `second` triangles, from triangle `first` of the result on
   kFlippedTriangle = 6,  ///< triangle `first`
+  /// Triangle `first` intersected others; `second` triangles of the result are parts of it.
+  kResolvedIntersection = 7,
+  kRemovedSheet = 8,  ///< triangle `first`, which bounds nothing, or lies inside
 };
 
 /// One change of a repair. Indices refer to the given surface, except for the triangles of filled holes.
@@ -122,6 +129,8 @@ struct SurfaceRepair {
   /// Per triangle: its index in the given surface; kNoOrigin if it fills a hole.
   std::vector<std::uint32_t> origin;
   std::vector<RepairChange> changes;  ///< all changes, in the order of the kinds
+  /// Largest distance by which a node was moved, in model units; without the rounding of new nodes to doubles.
+  double deviation = 0.0;
   /// Empty unless a coordinate or an index is invalid, which cannot be repaired.
   std::vector<Diagnostic> diagnostics;
 };

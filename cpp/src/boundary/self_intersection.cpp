@@ -60,11 +60,11 @@ Box boxOfDirections(const NumberedTriangle& triangle, NodeId node) {
 class SelfIntersectionFinder {
  public:
   SelfIntersectionFinder(const SurfaceMesh& mesh, std::span<const std::uint8_t> ignored,
-                         const BoxTree& tree, BoundaryReport& report)
+                         const BoxTree& tree, std::size_t maxPairs)
       : mesh_(mesh),
         ignored_(ignored),
         tree_(tree),
-        report_(report),
+        maxPairs_(maxPairs),
         trianglesAt_(countNodes(mesh)) {}
 
   Task<> run(Work& work) {
@@ -72,22 +72,14 @@ class SelfIntersectionFinder {
     co_await listTrianglesAtNodes(work);
     work.beginPart(0.5);
     co_await testPairsAtNodes(work);
-    work.beginPart(0.95);
+    work.beginPart(1.0);
     co_await testPairsWithoutCommonNode(work);
     stableSort(found_);
-    if (hasFoundEnough()) report_.setLowerBound(DiagnosticCode::kSelfIntersection);
-    work.beginPart(1.0);
-    co_await work.forEachBlock(found_.size(), [this](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) report(found_[i]);
-    });
   }
 
+  [[nodiscard]] std::vector<IntersectingPair> take() { return std::move(found_); }
+
  private:
-  struct Pair {
-    TriangleId low;
-    TriangleId high;
-    friend auto operator<=>(const Pair&, const Pair&) = default;
-  };
   /// The triangles at a node with many, by the directions in which they lie as seen from it.
   struct Directions {
     explicit Directions(std::vector<Box> seen) : boxes(std::move(seen)), tree(boxes) {}
@@ -97,9 +89,7 @@ class SelfIntersectionFinder {
     std::uint32_t next = 0;
   };
 
-  [[nodiscard]] bool hasFoundEnough() const {
-    return found_.size() >= std::max(kMaxFound, report_.maxDiagnostics());
-  }
+  [[nodiscard]] bool hasFoundEnough() const { return found_.size() >= maxPairs_; }
 
   Task<> listTrianglesAtNodes(Work& work) {
     work.beginPart(0.4);
@@ -194,22 +184,14 @@ class SelfIntersectionFinder {
     }
   }
 
-  void report(const Pair& pair) {
-    const Vec3 position =
-        report_.canKeep(DiagnosticCode::kSelfIntersection)
-            ? intersectionPosition(cornersOf(mesh_, pair.low), cornersOf(mesh_, pair.high))
-            : Vec3(0.0);
-    report_.addTrianglePair(DiagnosticCode::kSelfIntersection, pair.low, pair.high, position);
-  }
-
   const SurfaceMesh& mesh_;
   std::span<const std::uint8_t> ignored_;
   const BoxTree& tree_;
-  BoundaryReport& report_;
+  std::size_t maxPairs_;
   NodeLists<TriangleId> trianglesAt_;
   NodeId node_{0U};  ///< the next node whose triangles are tested
   std::optional<Directions> directions_;
-  std::vector<Pair> found_;
+  std::vector<IntersectingPair> found_;
 };
 
 }  // namespace
@@ -224,11 +206,33 @@ std::vector<Box> triangleBoxes(const SurfaceMesh& mesh) {
   return boxes;
 }
 
+Task<std::vector<IntersectingPair>> findSelfIntersections(Work& work, const SurfaceMesh& mesh,
+                                                          std::span<const std::uint8_t> ignored,
+                                                          const BoxTree& tree,
+                                                          std::size_t maxPairs) {
+  SelfIntersectionFinder finder(mesh, ignored, tree, maxPairs);
+  co_await finder.run(work);
+  co_return finder.take();
+}
+
 Task<> checkSelfIntersections(Work& work, const SurfaceMesh& mesh,
                               std::span<const std::uint8_t> ignored, const BoxTree& tree,
                               BoundaryReport& report) {
-  SelfIntersectionFinder finder(mesh, ignored, tree, report);
-  co_await finder.run(work);
+  const std::size_t limit = std::max(kMaxFound, report.maxDiagnostics());
+  work.beginPart(0.95);
+  const std::vector<IntersectingPair> found =
+      co_await findSelfIntersections(work, mesh, ignored, tree, limit);
+  if (found.size() >= limit) report.setLowerBound(DiagnosticCode::kSelfIntersection);
+  work.beginPart(1.0);
+  co_await work.forEachBlock(found.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const auto [low, high] = found[i];
+      const Vec3 position = report.canKeep(DiagnosticCode::kSelfIntersection)
+                                ? intersectionPosition(cornersOf(mesh, low), cornersOf(mesh, high))
+                                : Vec3(0.0);
+      report.addTrianglePair(DiagnosticCode::kSelfIntersection, low, high, position);
+    }
+  });
 }
 
 }  // namespace tetrafront

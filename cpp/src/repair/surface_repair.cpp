@@ -4,15 +4,18 @@
 #include <array>
 #include <utility>
 
+#include "arrangement/enclosed_surface.h"
 #include "base/sort.h"
 #include "boundary/boundary.h"
 #include "boundary/edge_table.h"
 #include "boundary/half_faces.h"
 #include "boundary/surface_access.h"
 #include "boundary/surface_checks.h"
+#include "repair/crack_welding.h"
 #include "repair/hole_filling.h"
 #include "repair/sliver_splitting.h"
-#include "repair/weld.h"
+#include "repair/surface_closing.h"
+#include "boundary/weld.h"
 
 namespace tetrafront {
 namespace {
@@ -47,10 +50,20 @@ class RepairedSurface {
       work.beginPart(0.6);
       co_await fill(work);
     }
-    if (options_.orient) {
-      work.beginPart(1.0);
-      co_await orient(work);
+    if (!options_.orient && !options_.resolveIntersections) co_return;
+    work.beginPart(0.7);
+    bool isValid = co_await check(work);
+    if (!isValid && options_.resolveIntersections) {
+      work.beginPart(0.75);
+      const bool isWelded = co_await closeCracks(work);
+      if (isWelded) isValid = co_await check(work);
     }
+    if (!isValid && options_.resolveIntersections) {
+      work.beginPart(1.0);
+      const bool isResolved = co_await resolve(work);
+      if (isResolved) co_return;
+    }
+    if (options_.orient) orient(isValid);
   }
 
   /// Returns the result, in which only the used nodes are left, in their order.
@@ -60,14 +73,21 @@ class RepairedSurface {
   Task<> weld(Work& work);
   Task<> removeInvalidTriangles(Work& work);
   Task<> fill(Work& work);
-  Task<> orient(Work& work);
+  Task<bool> check(Work& work);
+  Task<bool> closeCracks(Work& work);
+  Task<bool> resolve(Work& work);
 
+  void applyWeld(const std::vector<NodeId>& target);
   void removeTrianglesWithRepeatedNodes();
   void removeDuplicates();
   void splitSlivers();
   void removeSlivers();
   void remove(const std::vector<std::uint8_t>& isRemoved);
+  void orient(bool isValid);
   void orientIfManifold(SurfaceMesh& oriented) const;
+  void keepHoles(const SurfaceMesh& mesh, const std::vector<FilledHole>& holes);
+  void takeResolved(const SurfaceMesh& closed, EnclosedSurface& enclosed);
+  void listResolved(const SurfaceMesh& closed, const EnclosedSurface& enclosed);
 
   void add(RepairKind kind, std::uint32_t first, std::uint32_t second, const Vec3& position) {
     changes_.push_back({kind, first, second, position});
@@ -77,22 +97,45 @@ class RepairedSurface {
         centroidOf(cornersOf(mesh_, triangle)));
   }
 
+  struct Hole {
+    FilledHole triangles;
+    Vec3 position{0.0};
+  };
+
   SurfaceMesh& mesh_;
   const RepairOptions& options_;
+  SurfaceMesh oriented_;                ///< the surface as the boundary check leaves it
   std::vector<TriangleId> origin_;      ///< per triangle: its index in the given surface, or none
-  std::vector<std::uint8_t> isWelded_;  ///< per node: whether it is replaced by another
+  std::vector<std::uint8_t> isWelded_;  ///< per node: whether it is replaced by another, or new
+  std::vector<Hole> holes_;             ///< in the order of their triangles
   std::vector<RepairChange> changes_;
+  double deviation_ = 0.0;
 };
 
 Task<> RepairedSurface::weld(Work& work) {
   const std::vector<NodeId> target =
       co_await findWeldTargets(work, mesh_.points, options_.weldDistance);
+  applyWeld(target);
+}
+
+void RepairedSurface::applyWeld(const std::vector<NodeId>& target) {
   for (std::uint32_t i = 0; i < target.size(); ++i) {
     if (target[i] == NodeId(i)) continue;
     isWelded_[i] = 1;
     add(RepairKind::kWeldedNode, i, target[i].value, pointOf(mesh_, NodeId(i)));
+    const double distance = glm::length(pointOf(mesh_, target[i]) - pointOf(mesh_, NodeId(i)));
+    deviation_ = std::max(deviation_, distance);
   }
   for (std::uint32_t& node : mesh_.triangles) node = target[node].value;
+}
+
+/// Welds nodes of cracks. Returns whether there were any.
+Task<bool> RepairedSurface::closeCracks(Work& work) {
+  const std::vector<NodeId> target = co_await weldCracks(work, mesh_);
+  if (target.empty()) co_return false;
+  applyWeld(target);
+  if (options_.removeTriangles) co_await removeInvalidTriangles(work);
+  co_return true;
 }
 
 Task<> RepairedSurface::removeInvalidTriangles(Work& work) {
@@ -182,34 +225,115 @@ void RepairedSurface::removeDuplicates() {
 Task<> RepairedSurface::fill(Work& work) {
   const std::uint32_t maxEdges = std::min(options_.maxHoleEdges, kMaxHoleEdges);
   const std::vector<FilledHole> filled = co_await fillHoles(work, mesh_, maxEdges);
-  for (const FilledHole& hole : filled) {
+  keepHoles(mesh_, filled);
+  origin_.resize(countTriangles(mesh_));
+}
+
+void RepairedSurface::keepHoles(const SurfaceMesh& mesh, const std::vector<FilledHole>& holes) {
+  for (const FilledHole& hole : holes) {
     Vec3 position(0.0);
     for (std::uint32_t t = 0; t < hole.triangleCount; ++t) {
       const TriangleId triangle(hole.firstTriangle.value + t);
-      const std::array<Vec3, 3> p = cornersOf(mesh_, triangle);
+      const std::array<Vec3, 3> p = cornersOf(mesh, triangle);
       position += (p[0] + p[1] + p[2]) / (3.0 * hole.triangleCount);
     }
-    add(RepairKind::kFilledHole, hole.firstTriangle.value, hole.triangleCount, position);
+    holes_.push_back({hole, position});
   }
-  origin_.resize(countTriangles(mesh_));
+}
+
+/// Returns whether the boundary check accepts the surface.
+Task<bool> RepairedSurface::check(Work& work) {
+  oriented_.points = mesh_.points;
+  oriented_.triangles = mesh_.triangles;
+  BoundaryCheck boundary(oriented_, BoundarySource::kGivenSurface, options_.innerShells);
+  co_await work.finish(boundary);
+  co_return boundary.result().isValid;
+}
+
+/// Replaces the surface by the boundary of what it encloses. Returns false, without a change, if the boundary check
+/// does not accept this boundary.
+Task<bool> RepairedSurface::resolve(Work& work) {
+  SurfaceMesh closed;
+  closed.points = mesh_.points;
+  closed.triangles = mesh_.triangles;
+  const std::vector<FilledHole> closedHoles = closeSurface(closed);
+  co_await work.yield();
+  work.beginPart(0.7);
+  EnclosedSurface enclosed = co_await encloseSurface(work, closed);
+  if (!enclosed.isResolved) co_return false;
+  work.beginPart(1.0);
+  BoundaryCheck boundary(enclosed.mesh, BoundarySource::kGivenSurface, options_.innerShells);
+  co_await work.finish(boundary);
+  if (!boundary.result().isValid) co_return false;
+  keepHoles(closed, closedHoles);
+  listResolved(closed, enclosed);
+  takeResolved(closed, enclosed);
+  co_return true;
+}
+
+/// Lists what became of the triangles of the surface, to which `closed` added some.
+void RepairedSurface::listResolved(const SurfaceMesh& closed, const EnclosedSurface& enclosed) {
+  std::vector<std::uint32_t> count(countTriangles(closed), 0);
+  std::vector<TriangleId> last(count.size());
+  for (std::uint32_t t = 0; t < enclosed.origin.size(); ++t) {
+    ++count[enclosed.origin[t].index()];
+    last[enclosed.origin[t].index()] = TriangleId(t);
+  }
+  for (std::uint32_t t = 0; t < countTriangles(mesh_); ++t) {
+    if (origin_[t].isNone()) continue;
+    const NodeTriple given = nodesOf(mesh_, TriangleId(t));
+    if (count[t] == 1) {
+      const NodeTriple left = nodesOf(enclosed.mesh, last[t]);
+      if (sorted(left) == sorted(given)) {
+        const auto first = std::ranges::find(left, given[0]) - left.begin();
+        const bool isFlipped = left[static_cast<std::size_t>(first + 1) % 3] != given[1];
+        if (isFlipped) addAt(RepairKind::kFlippedTriangle, TriangleId(t));
+        continue;
+      }
+    }
+    if (enclosed.isCut[t] != 0) {
+      addAt(RepairKind::kResolvedIntersection, TriangleId(t), TriangleId(count[t]));
+    } else if (count[t] == 0) {
+      addAt(RepairKind::kRemovedSheet, TriangleId(t));
+    }
+  }
+}
+
+void RepairedSurface::takeResolved(const SurfaceMesh& closed, EnclosedSurface& enclosed) {
+  for (Hole& hole : holes_) {
+    FilledHole& range = hole.triangles;
+    const TriangleId end(range.firstTriangle.value + range.triangleCount);
+    const auto first = std::ranges::lower_bound(enclosed.origin, range.firstTriangle);
+    const auto last = std::ranges::lower_bound(enclosed.origin, end);
+    range = {TriangleId(static_cast<std::size_t>(first - enclosed.origin.begin())),
+             static_cast<std::uint32_t>(last - first)};
+  }
+  std::erase_if(holes_, [](const Hole& hole) { return hole.triangles.triangleCount == 0; });
+  origin_.resize(countTriangles(closed));
+  std::vector<TriangleId> origin;
+  origin.reserve(enclosed.origin.size());
+  for (const TriangleId from : enclosed.origin) origin.push_back(origin_[from.index()]);
+  origin_ = std::move(origin);
+  deviation_ += enclosed.deviation;
+  mesh_ = {};
+  mesh_.points = std::move(enclosed.mesh.points);
+  mesh_.triangles = std::move(enclosed.mesh.triangles);
+  isWelded_.resize(countNodes(mesh_), 1);
 }
 
 /// Orients the triangles as the boundary check does. If the check refuses the surface, makes the triangles of each
 /// component agree with each other.
-Task<> RepairedSurface::orient(Work& work) {
-  SurfaceMesh oriented = mesh_;
-  BoundaryCheck check(oriented, BoundarySource::kGivenSurface, options_.innerShells);
-  co_await work.finish(check);
-  if (!check.result().isValid) {
-    oriented.triangles = mesh_.triangles;
-    orientIfManifold(oriented);
+void RepairedSurface::orient(bool isValid) {
+  if (!isValid) {
+    oriented_.triangles = mesh_.triangles;
+    orientIfManifold(oriented_);
   }
   for (std::uint32_t t = 0; t < countTriangles(mesh_); ++t) {
     const std::size_t second = 3 * std::size_t{t} + 1;
-    const bool isFlipped = mesh_.triangles[second] != oriented.triangles[second];
+    const bool isFlipped = mesh_.triangles[second] != oriented_.triangles[second];
     if (isFlipped && !origin_[t].isNone()) addAt(RepairKind::kFlippedTriangle, TriangleId(t));
   }
-  mesh_.triangles = std::move(oriented.triangles);
+  mesh_.triangles = std::move(oriented_.triangles);
 }
 
 /// At a non-manifold edge it is unknown which triangles should agree, so one such edge prevents any change.
@@ -239,6 +363,10 @@ SurfaceRepair RepairedSurface::take() {
   mesh_.points = {};
   result.triangles = std::move(mesh_.triangles);
   result.origin = valuesOf(origin_);
+  result.deviation = deviation_;
+  for (const auto& [hole, position] : holes_) {
+    add(RepairKind::kFilledHole, hole.firstTriangle.value, hole.triangleCount, position);
+  }
   stableSort(changes_,
              [](const RepairChange& a, const RepairChange& b) { return a.kind < b.kind; });
   result.changes = std::move(changes_);

@@ -316,7 +316,12 @@ describe("tetrafront remesh", () => {
 
     const open = { points: box.points, triangles: box.triangles.slice(0, -3) };
     save("open.off", offFile(open));
-    const refused = await run("remesh", "open.off", "-o", "closed.off", "--json");
+    const implied = await run("remesh", "open.off", "-o", "closed.off");
+    expect(implied.code).toBe(0);
+    expect(implied.stderr).toContain("filled a hole with 1 triangle");
+
+    save("sheet.off", offFile({ points: box.points, triangles: box.triangles.slice(0, 6) }));
+    const refused = await run("remesh", "sheet.off", "-o", "closed.off", "--json");
     expect(refused.code).toBe(2);
     const { output, diagnostics } = JSON.parse(refused.stdout) as RemeshOutput;
     expect(output).toBeNull();
@@ -385,9 +390,40 @@ describe("tetrafront mesh --surface remesh", () => {
 
   test("reports problems of the given surface", async () => {
     const { points, triangles } = boxSurface(2);
-    save("open.off", offFile({ points, triangles: triangles.slice(0, -3) }));
-    const { code, stderr } = await run("mesh", "open.off", "-o", "x.vtu", "--surface", "remesh");
+    save("sheet.off", offFile({ points, triangles: triangles.slice(0, 6) }));
+    const { code, stderr } = await run("mesh", "sheet.off", "-o", "x.vtu", "--surface", "remesh");
     expect(code).toBe(2);
-    expect(stderr).toMatch(/error: open\.off: The surface is not closed at triangle \d+/);
+    expect(stderr).toMatch(/error: sheet\.off: The surface is not closed at triangle \d+/);
+  });
+
+  test("repairs a surface that intersects itself, without an option", async () => {
+    const { points, triangles } = boxSurface(2);
+    const moved = points.map((x, i) => x + ([0.5, 0.25, 0.375][i % 3] ?? 0));
+    const both = {
+      points: Float64Array.of(...points, ...moved),
+      triangles: Uint32Array.of(...triangles, ...triangles.map((node) => node + points.length / 3)),
+    };
+    save("crossing.off", offFile(both));
+    const refused = await run("mesh", "crossing.off", "-o", "x.vtu");
+    expect(refused.code).toBe(2);
+    expect(refused.stderr).toContain("--surface remesh");
+    const { code, stderr } = await run(
+      "mesh",
+      "crossing.off",
+      "-o",
+      "x.vtu",
+      "--surface",
+      "remesh",
+      "--report",
+      "r.json",
+    );
+    expect(code).toBe(0);
+    expect(stderr).toContain("which intersected others");
+    const report = JSON.parse(readFileSync(inFolder("r.json"), "utf8")) as {
+      volume: number;
+      repair: { kind: string }[];
+    };
+    expect(report.volume).toBeCloseTo(2 - 0.5 * 0.75 * 0.625, 6);
+    expect(report.repair.some(({ kind }) => kind === "resolved-intersection")).toBe(true);
   });
 });

@@ -53,7 +53,7 @@ export function changeDiagnostics(
 
 /** `given`: number of nodes of the surface before the repair. */
 export function describedRepair(
-  { points, triangles, origin, ...rest }: EngineRepair,
+  { points, triangles, origin, deviation, ...rest }: EngineRepair,
   given: number,
 ): SurfaceRepair {
   const { kind: kinds, first, second, position } = rest.changes;
@@ -68,8 +68,9 @@ export function describedRepair(
       change.kind === "welded-node" || change.kind === "removed-node" ? [change.node] : [],
     ),
   );
-  const nodeOrigin = originsOf(given, (node) => gone.has(node), 0);
-  return { surface: { points, triangles, origin, nodeOrigin }, origin, changes };
+  const added = points.length / 3 - (given - gone.size);
+  const nodeOrigin = originsOf(given, (node) => gone.has(node), added);
+  return { surface: { points, triangles, origin, nodeOrigin }, origin, changes, deviation };
 }
 
 export function describedRefinement(refinement: EngineRefinement): SurfaceRefinement {
@@ -129,6 +130,8 @@ const CHANGES: {
   "split-triangle": (triangle, beyond) => ({ kind: "split-triangle", triangle, beyond }),
   "filled-hole": (firstTriangle, triangles) => ({ kind: "filled-hole", firstTriangle, triangles }),
   "flipped-triangle": (triangle) => ({ kind: "flipped-triangle", triangle }),
+  "resolved-intersection": (triangle, parts) => ({ kind: "resolved-intersection", triangle, parts }),
+  "removed-sheet": (triangle) => ({ kind: "removed-sheet", triangle }),
 };
 
 /** `inverted`: number of tetrahedra inverted in their file, in addition to those found. */

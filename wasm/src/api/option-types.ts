@@ -16,6 +16,12 @@ export interface RepairOptions {
   readonly fillHoles?: number | undefined;
   /** Flip triangles so that they are oriented consistently, and outward if that is known. Default true. */
   readonly orient?: boolean | undefined;
+  /**
+   * If nothing else makes the surface valid, replace it by the boundary of what it encloses: triangles are cut where they
+   * intersect, cracks and holes of any size are closed, and triangles that enclose nothing are removed. The surface is
+   * changed only if the result can be meshed. Default true.
+   */
+  readonly resolveIntersections?: boolean | undefined;
   /** Meaning of inner shells, as in `MeshOptions`: shells of cavities have the opposite orientation. Default `cavities`. */
   readonly innerShells?: InnerShells | undefined;
 }

@@ -261,6 +261,10 @@ const repairSchema = objectWith({
     REPAIR_DEFAULTS.maxHoleEdges,
   ),
   orient: switchOption("choice of orienting triangles", REPAIR_DEFAULTS.orient),
+  resolveIntersections: switchOption(
+    "choice of resolving intersections",
+    REPAIR_DEFAULTS.resolveIntersections,
+  ),
 } satisfies EntriesOf<RepairOptions>);
 
 const gridSchema = objectWith({ sizes: v.optional(v.unknown()) });
@@ -450,12 +454,16 @@ export function engineRemeshOptions(options: RemeshOptions): EngineRemeshOptions
 
 /** Converts valid options. */
 export function engineRepairOptions(options: RepairOptions): EngineRepairOptions {
-  const { weld, removeTriangles, fillHoles, orient, innerShells } = v.parse(repairSchema, options);
+  const { weld, removeTriangles, fillHoles, orient, resolveIntersections, innerShells } = v.parse(
+    repairSchema,
+    options,
+  );
   return {
     weldDistance: weld === false ? -1 : weld,
     removeTriangles,
     maxHoleEdges: fillHoles,
     orient,
+    resolveIntersections,
     innerShells: INNER_SHELL_NUMBERS[innerShells],
   };
 }

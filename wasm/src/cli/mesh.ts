@@ -153,8 +153,8 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   }
   const grid = await readGivenGrid(options, isQuiet);
   const { innerShells } = options;
-  const isCad = isCadInput(input, options.from);
-  const repairing = { input, repair, split, innerShells, isRepairImplied: isCad && repair === undefined };
+  const isRepairImplied = repair === undefined && (treatment === "remesh" || isCadInput(input, options.from));
+  const repairing = { input, repair, split, innerShells, isRepairImplied };
   const { model, changes, split: splitWords, located: found = [] } = await withRepair(given, repairing);
   if (changes !== undefined && !isQuiet) printChanges(input, changes);
   if (splitWords !== undefined && !isQuiet) print(`${input}: ${splitWords}`);

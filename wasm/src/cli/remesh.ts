@@ -12,7 +12,7 @@ import type { RepairChange } from "../mesh/inspection.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
 import { writableName, writeAll } from "./convert.js";
 import { refuseFolder, STANDARD_STREAM, writeToStandardOutput } from "./files.js";
-import { isCadInput, readModel, refuseOptions } from "./input.js";
+import { readModel, refuseOptions } from "./input.js";
 import {
   countOf,
   ExitCode,
@@ -91,10 +91,10 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
   if (given.kind === "project") throw new InvalidInput(input, [projectGiven]);
   const grid = await readGivenGrid(options, isQuiet);
   return withRun(isQuiet, async (mesher, controlOf) => {
-    const isRepairImplied = repair === undefined && isCadInput(input, options.from);
-    const { surface: whole, changes } = isRepairImplied
-      ? await madeFillable(mesher, given.surface, input, innerShells)
-      : await repaired(mesher, given.surface, repair);
+    const { surface: whole, changes } =
+      repair === undefined
+        ? await madeFillable(mesher, given.surface, input, innerShells)
+        : await repaired(mesher, given.surface, repair);
     const divided = await withSplit(mesher, whole, split);
     const { surface, diagnostics: found } = await located(mesher, divided);
     printDiagnostics(input, found, { isQuiet });

@@ -116,6 +116,12 @@ export function sentenceOf(change: RepairChange): string {
         return `filled a hole with ${plural(change.triangles, "triangle")}, from triangle ${change.firstTriangle} on`;
       case "flipped-triangle":
         return `flipped triangle ${change.triangle}`;
+      case "resolved-intersection":
+        return change.parts === 0
+          ? `removed triangle ${change.triangle}, which intersected others and lies inside`
+          : `cut triangle ${change.triangle}, which intersected others; ${plural(change.parts, "part")} of it remain${change.parts === 1 ? "s" : ""}`;
+      case "removed-sheet":
+        return `removed triangle ${change.triangle}, which enclosed nothing`;
     }
   }
 }

@@ -227,7 +227,7 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
     remedy: ({ drawn }) =>
       drawn
         ? "Add the missing patch, or use the same line in the neighbouring patch. Every line of an interface must belong to other patches too."
-        : "Close the surface: every edge needs at least two triangles. To weld nodes within a distance, use --weld or repairSurface(); to fill holes, use --fill-holes.",
+        : "Close the surface: every edge needs at least two triangles. --surface remesh, --repair and repairSurface() close cracks and holes if the surface then encloses a volume; --weld and --fill-holes set limits.",
   },
   "dangling-sheet": {
     message: ({ all, at }) =>
@@ -235,7 +235,7 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
     remedy: ({ drawn }) =>
       drawn
         ? "Remove the patch, or add others until it encloses a region."
-        : "Remove the sheet, or extend it until it encloses a region.",
+        : "Extend the sheet until it encloses a region, or remove it: --surface remesh, --repair and repairSurface() remove sheets.",
   },
   "inconsistent-orientation": {
     message: ({ all, at }) =>
@@ -253,7 +253,7 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
     remedy: ({ drawn }) =>
       drawn
         ? "Move the patches apart, or use smaller elements where curved patches are close to each other."
-        : "Change the surface so that triangles have only shared nodes and edges in common.",
+        : "Triangles may have only shared nodes and edges in common. --surface remesh, --repair and repairSurface() cut them where they intersect, and keep the boundary of what they enclose.",
   },
   "duplicate-triangle": {
     message: ({ all, at }) => `${all(SHELL_KINDS, "Two triangles")} are duplicates${at}`,

@@ -101,6 +101,10 @@ export type RepairChange = { readonly position: Position } & (
   /** Indices in the result. */
   | { readonly kind: "filled-hole"; readonly firstTriangle: number; readonly triangles: number }
   | { readonly kind: "flipped-triangle"; readonly triangle: number }
+  /** It intersected others; this many triangles of the result are parts of it. */
+  | { readonly kind: "resolved-intersection"; readonly triangle: number; readonly parts: number }
+  /** It enclosed nothing, or was inside. */
+  | { readonly kind: "removed-sheet"; readonly triangle: number }
 );
 
 /** Repaired surface. Inspect it: it may still have problems. */
@@ -110,6 +114,8 @@ export interface SurfaceRepair {
   readonly origin: Uint32Array;
   /** All changes. */
   readonly changes: readonly RepairChange[];
+  /** Largest distance by which a node was moved, in model units; without the rounding of new nodes. */
+  readonly deviation: number;
 }
 
 /** Surface whose large triangles are split; its shape is the same. */

@@ -1,4 +1,4 @@
-#include "repair/node_grid.h"
+#include "boundary/node_grid.h"
 
 #include <algorithm>
 #include <cmath>

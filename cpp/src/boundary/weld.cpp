@@ -1,9 +1,9 @@
-#include "repair/weld.h"
+#include "boundary/weld.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "repair/node_grid.h"
+#include "boundary/node_grid.h"
 
 namespace tetrafront {
 namespace {

@@ -1,0 +1,199 @@
+#include "arrangement/enclosed_surface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "arrangement/arrangement.h"
+#include "arrangement/part_shells.h"
+#include "base/mesh_access.h"
+#include "geom/coordinates.h"
+#include "geom/predicates.h"
+#include "boundary/weld.h"
+
+namespace tetrafront {
+namespace {
+
+/// A surface with more pairs of intersecting triangles is not resolved.
+constexpr std::size_t kMaxPairs = 4'000'000;
+/// Distances within which points of intersecting triangles are welded / extent of the surface, one per attempt.
+constexpr std::array<double, 6> kWeldDistances{0.0, 0x1p-44, 0x1p-38, 0x1p-32, 0x1p-26, 0x1p-20};
+constexpr std::uint32_t kMaxRounds = 5;
+/// Largest number of triangles between two rounds / number at the beginning.
+constexpr std::size_t kMaxGrowth = 20;
+
+/// Returns the largest magnitude of the coordinates, rounded up to a power of two.
+double extentOf(const SurfaceMesh& mesh) {
+  double largest = 0.0;
+  for (const std::uint32_t node : mesh.triangles) {
+    largest = std::max(largest, magnitudeOf(pointOf(mesh, NodeId(node))));
+  }
+  int exponent = 0;
+  static_cast<void>(std::frexp(largest, &exponent));
+  return std::ldexp(1.0, exponent);
+}
+
+class Enclosing {
+ public:
+  explicit Enclosing(const SurfaceMesh& given) : given_(given), extent_(extentOf(given)) {
+    result_.isCut.assign(countTriangles(given), 0);
+  }
+
+  Task<EnclosedSurface> run(Work& work) {
+    for (std::size_t attempt = 0; attempt < kWeldDistances.size(); ++attempt) {
+      work.beginPart(1.0 - std::ldexp(0.5, -static_cast<int>(attempt)));
+      weldDistance_ = kWeldDistances[attempt] * extent_;
+      co_await resolve(work);
+      if (result_.isResolved || isHopeless_) break;
+    }
+    co_return std::move(result_);
+  }
+
+ private:
+  Task<> resolve(Work& work) {
+    begin();
+    std::size_t pairsBefore = kMaxPairs;
+    for (std::uint32_t round = 0; round <= kMaxRounds; ++round) {
+      work.beginPart(1.0 - std::ldexp(0.5, -static_cast<int>(round)));
+      co_await weld(work);
+      removeDegenerateTriangles();
+      if (result_.mesh.triangles.empty()) co_return;
+      Arrangement arrangement(result_.mesh);
+      const bool isDone = co_await arrangement.run(work, pairsBefore);
+      isHopeless_ = !isDone && round == 0;
+      if (!isDone) co_return;
+      result_.isResolved = round > 0 && arrangement.pairCount() == 0;
+      if (result_.isResolved) co_return;
+      ++result_.rounds;
+      take(arrangement);
+      if (round == 0) {
+        markGiven(arrangement);
+      } else {
+        pairsBefore = arrangement.pairCount();
+      }
+      if (countTriangles(result_.mesh) > kMaxGrowth * (countTriangles(given_) + 100)) co_return;
+      co_await work.yield();
+    }
+  }
+
+  /// Begins with the given surface. In later attempts, the points of triangles that intersect are welded first.
+  void begin() {
+    result_.mesh.points = given_.points;
+    result_.mesh.triangles = given_.triangles;
+    result_.deviation = 0.0;
+    result_.origin.clear();
+    for (std::uint32_t t = 0; t < countTriangles(given_); ++t) result_.origin.emplace_back(t);
+    isInterface_.assign(countTriangles(given_), 0);
+    isWeldable_.assign(countNodes(given_), 0);
+    for (std::uint32_t t = 0; t < countTriangles(given_); ++t) {
+      if (result_.isCut[t] == 0) continue;
+      for (const NodeId node : nodesOf(given_, TriangleId(t))) isWeldable_[node.index()] = 1;
+    }
+  }
+
+  /// Welds used nodes with equal positions, and weldable ones within the distance of this attempt.
+  Task<> weld(Work& work) {
+    SurfaceMesh& mesh = result_.mesh;
+    std::vector<std::uint8_t> isUsed(countNodes(mesh), 0);
+    for (const std::uint32_t node : mesh.triangles) isUsed[node] = 1;
+    std::vector<NodeId> target(isUsed.size());
+    for (std::uint32_t i = 0; i < target.size(); ++i) target[i] = NodeId(i);
+    for (const double distance : {0.0, weldDistance_}) {
+      std::vector<NodeId> nodes;
+      std::vector<double> points;
+      for (std::uint32_t i = 0; i < isUsed.size(); ++i) {
+        if (isUsed[i] == 0 || target[i] != NodeId(i) || (distance > 0.0 && isWeldable_[i] == 0))
+          continue;
+        nodes.emplace_back(i);
+        const Vec3 p = pointOf(mesh, NodeId(i));
+        points.insert(points.end(), {p.x, p.y, p.z});
+      }
+      const std::vector<NodeId> found = co_await findWeldTargets(work, points, distance);
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const NodeId onto = nodes[found[i].index()];
+        target[nodes[i].index()] = onto;
+        result_.deviation =
+            std::max(result_.deviation, glm::length(pointOf(mesh, onto) - pointOf(mesh, nodes[i])));
+      }
+    }
+    for (std::uint32_t& node : mesh.triangles) node = target[target[node].index()].value;
+  }
+
+  /// A closed surface stays closed, as a set of points: corners on one line enclose nothing.
+  void removeDegenerateTriangles() {
+    SurfaceMesh& mesh = result_.mesh;
+    std::size_t kept = 0;
+    for (std::uint32_t t = 0; t < countTriangles(mesh); ++t) {
+      const auto [a, b, c] = nodesOf(mesh, TriangleId(t));
+      if (a == b || b == c || c == a) continue;
+      if (collinear(pointOf(mesh, a), pointOf(mesh, b), pointOf(mesh, c))) continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        mesh.triangles[3 * kept + k] = mesh.triangles[3 * std::size_t{t} + k];
+      }
+      isInterface_[kept] = isInterface_[t];
+      result_.origin[kept++] = result_.origin[t];
+    }
+    mesh.triangles.resize(3 * kept);
+    isInterface_.resize(kept);
+    result_.origin.resize(kept);
+  }
+
+  void markGiven(const Arrangement& arrangement) {
+    for (std::uint32_t t = 0; t < givenTriangleOf_.size(); ++t) {
+      if (arrangement.isCut(TriangleId(t))) result_.isCut[givenTriangleOf_[t].index()] = 1;
+    }
+  }
+
+  /// Replaces the surface by the boundary of its inside, with rounded points.
+  void take(const Arrangement& arrangement) {
+    SurfaceMesh& mesh = result_.mesh;
+    const CutPoints& points = arrangement.points();
+    const std::vector<BoundaryPart> parts = boundaryOfInside(mesh, arrangement, isInterface_);
+    givenTriangleOf_ = result_.origin;
+    std::vector<std::uint32_t> nodeOf(points.size(), kNoIndex);
+    std::vector<std::uint32_t> triangles;
+    std::vector<TriangleId> origin;
+    isInterface_.clear();
+    for (const BoundaryPart& part : parts) {
+      const bool isCut = arrangement.isCut(part.origin);
+      for (const CutPointId point : part.points) {
+        std::uint32_t& node = nodeOf[point.index()];
+        if (node == kNoIndex) node = points.isNode(point) ? point.value : addNode(points, point);
+        triangles.push_back(node);
+        if (isCut) isWeldable_[node] = 1;
+      }
+      origin.push_back(result_.origin[part.origin.index()]);
+      isInterface_.push_back(part.isInterface ? 1 : 0);
+    }
+    mesh.triangles = std::move(triangles);
+    result_.origin = std::move(origin);
+  }
+
+  std::uint32_t addNode(const CutPoints& points, CutPointId point) {
+    const Vec3 p = points.rounded(point);
+    const std::uint32_t node = countNodes(result_.mesh);
+    result_.mesh.points.insert(result_.mesh.points.end(), {p.x, p.y, p.z});
+    isWeldable_.push_back(0);
+    return node;
+  }
+
+  const SurfaceMesh& given_;
+  double extent_;
+  double weldDistance_ = 0.0;
+  bool isHopeless_ = false;
+  EnclosedSurface result_;
+  std::vector<std::uint8_t> isInterface_;    ///< per triangle
+  std::vector<std::uint8_t> isWeldable_;     ///< per node
+  std::vector<TriangleId> givenTriangleOf_;  ///< per triangle before the last change
+};
+
+}  // namespace
+
+Task<EnclosedSurface> encloseSurface(Work& work, const SurfaceMesh& mesh) {
+  Enclosing enclosing(mesh);
+  EnclosedSurface result = co_await enclosing.run(work);
+  co_return result;
+}
+
+}  // namespace tetrafront

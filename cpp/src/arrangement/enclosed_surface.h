@@ -1,0 +1,33 @@
+#pragma once
+
+/// @file The boundary of what a surface encloses, for surfaces that intersect themselves: their arrangement
+/// (arrangement.h), of which the boundary of the inside remains (part_shells.h), with its points rounded to doubles. Rounding can
+/// make triangles intersect again. They are resolved in further rounds. If a few rounds do not suffice, the next attempt
+/// begins with the given surface and welds the points of intersecting triangles within a larger distance (compare the
+/// rounding to ever coarser grids by Valque & Lazard 2025).
+
+#include <cstdint>
+#include <vector>
+
+#include "base/ids.h"
+#include "base/task.h"
+#include "tetrafront/mesh.h"
+
+namespace tetrafront {
+
+struct EnclosedSurface {
+  SurfaceMesh mesh;  ///< points: the given ones, then the new ones; some may be unused
+  std::vector<TriangleId> origin;   ///< per triangle: the given triangle
+  std::vector<std::uint8_t> isCut;  ///< per given triangle: whether others intersect it
+  /// Largest distance by which a point was moved, in model units.
+  double deviation = 0.0;
+  std::uint32_t rounds = 0;
+  bool isResolved = false;  ///< no two triangles intersect
+};
+
+/// Returns the boundary of the inside. `mesh`: triangles with valid indices and finite coordinates; it must outlive the task. They may
+/// intersect, coincide and be degenerate. They should be closed and agree in orientation; triangles that enclose nothing are left out. O(n log n) for n triangles that have few
+/// others near them.
+Task<EnclosedSurface> encloseSurface(Work& work, const SurfaceMesh& mesh);
+
+}  // namespace tetrafront

@@ -1,0 +1,37 @@
+#pragma once
+
+/// @file The shells of an arrangement and how often its triangles wind around the volume that each shell bounds. From them
+/// follows the boundary of the inside.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "arrangement/arrangement.h"
+#include "base/ids.h"
+#include "tetrafront/mesh.h"
+
+namespace tetrafront {
+
+/// A part of a triangle that bounds the inside.
+struct BoundaryPart {
+  std::array<CutPointId, 3> points;  ///< counter-clockwise as seen from outside
+  TriangleId origin;                 ///< triangle of the surface
+  bool isInterface = false;          ///< there is inside on either side
+};
+
+/// Returns the boundary of the inside, in the order of the triangles that it comes from. `isInterface`: per triangle, whether it stands for
+/// two triangles of opposite orientation; empty if none does.
+///
+/// Each component of the arrangement, which is connected over edges, is considered alone. Parts with the same volume on both sides, as those of fins, are left
+/// out first. Crossing a triangle from its front to its back adds one to the winding number. If this gives each volume one
+/// number, the volumes with positive numbers are inside, or those with negative numbers if there are no positive ones. Between two of
+/// them, parts of triangles with opposite orientations remain as interfaces. If the numbers contradict each
+/// other, because interfaces end at an edge, every bounded volume is inside, and all parts between different
+/// volumes remain. Exact except for the signs of volumes. O(n log n).
+[[nodiscard]] std::vector<BoundaryPart> boundaryOfInside(const SurfaceMesh& mesh,
+                                                         const Arrangement& arrangement,
+                                                         std::span<const std::uint8_t> isInterface);
+
+}  // namespace tetrafront

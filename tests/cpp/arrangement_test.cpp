@@ -1,0 +1,283 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "arrangement/enclosed_surface.h"
+#include "base/task.h"
+#include "boundary/boundary.h"
+#include "support/exact_oracle.h"
+#include "support/random.h"
+#include "support/shapes.h"
+#include "tetrafront/surface_tools.h"
+
+namespace tetrafront::testing {
+namespace {
+
+EnclosedSurface enclose(const SurfaceMesh& mesh) {
+  Job job([&](Work& work) { return encloseSurface(work, mesh); });
+  return job.finish();
+}
+
+SurfaceInspection inspectionOf(const SurfaceMesh& mesh) {
+  SurfaceInspector inspector(mesh.points, mesh.triangles);
+  while (!inspector.advance(1U << 20U)) {
+  }
+  return inspector.result();
+}
+
+SurfaceMesh unite(std::vector<SurfaceMesh> meshes) {
+  SurfaceMesh all;
+  for (const SurfaceMesh& mesh : meshes) append(all, mesh);
+  return all;
+}
+
+SurfaceMesh moved(SurfaceMesh mesh, const Vec3& by) {
+  translate(mesh, by);
+  return mesh;
+}
+
+/// Expects a surface that can be meshed and whose volume is that of its region.
+void expectResolved(const EnclosedSurface& result, double volume, double tolerance) {
+  EXPECT_TRUE(result.isResolved);
+  EXPECT_EQ(result.origin.size(), triangleCount(result.mesh));
+  const SurfaceInspection found = inspectionOf(result.mesh);
+  EXPECT_TRUE(found.isFillable);
+  EXPECT_NEAR(found.volume, volume, tolerance);
+}
+
+/// Returns how often the triangles wind around a position, by a ray along (1, 0, 0) and exact integers. The position must
+/// not be level with a node.
+int windingAround(const SurfaceMesh& mesh, const Vec3& position) {
+  int winding = 0;
+  for (std::size_t t = 0; t < triangleCount(mesh); ++t) {
+    const Vec3 a = pointOf(mesh, mesh.triangles[3 * t]);
+    const Vec3 b = pointOf(mesh, mesh.triangles[3 * t + 1]);
+    const Vec3 c = pointOf(mesh, mesh.triangles[3 * t + 2]);
+    const auto seen = [](const Vec3& p) { return Vec2(p.y, p.z); };
+    const Vec2 p = seen(position);
+    const int ab = oracleOrient2d(seen(a), seen(b), p);
+    const int bc = oracleOrient2d(seen(b), seen(c), p);
+    const int ca = oracleOrient2d(seen(c), seen(a), p);
+    if (ab == 0 || ab != bc || ab != ca) continue;
+    // The triangle is ahead if the position is behind its plane, as seen along the ray.
+    if (oracleOrient3d(a, b, c, position) == -ab) winding += ab;
+  }
+  return winding;
+}
+
+SurfaceMesh withoutInterfaces(const SurfaceMesh& mesh) {
+  SurfaceMesh checked = mesh;
+  std::vector<Diagnostic> diagnostics;
+  static_cast<void>(closeBoundary(checked, BoundarySource::kGivenSurface, diagnostics));
+  SurfaceMesh result;
+  result.points = mesh.points;
+  for (std::size_t t = 0; t < triangleCount(mesh); ++t) {
+    if (checked.isInterface(t)) continue;
+    for (std::size_t k = 0; k < 3; ++k) result.triangles.push_back(mesh.triangles[3 * t + k]);
+  }
+  return result;
+}
+
+/// Counts the pairs of triangles of which an edge of one passes through the inside of the other, with exact integers.
+int countCrossings(const SurfaceMesh& mesh) {
+  int found = 0;
+  const auto corner = [&](std::size_t t, std::size_t k) {
+    return pointOf(mesh, mesh.triangles[3 * t + k % 3]);
+  };
+  for (std::size_t s = 0; s < triangleCount(mesh); ++s) {
+    for (std::size_t t = 0; t < triangleCount(mesh); ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 p = corner(t, k);
+        const Vec3 q = corner(t, k + 1);
+        const int below = oracleOrient3d(corner(s, 0), corner(s, 1), corner(s, 2), p);
+        const int above = oracleOrient3d(corner(s, 0), corner(s, 1), corner(s, 2), q);
+        if (below * above >= 0) continue;
+        const int first = oracleOrient3d(p, q, corner(s, 0), corner(s, 1));
+        const bool isThrough = first != 0 &&
+                               first == oracleOrient3d(p, q, corner(s, 1), corner(s, 2)) &&
+                               first == oracleOrient3d(p, q, corner(s, 2), corner(s, 0));
+        found += isThrough ? 1 : 0;
+      }
+    }
+  }
+  return found;
+}
+
+/// Returns tetrahedra with small whole coordinates, so that many of their corners, edges and planes coincide.
+SurfaceMesh tetrahedronSoup(Random& random) {
+  SurfaceMesh soup;
+  const int count = random.integer(2, 9);
+  const int size = random.integer(1, 5);
+  const auto any = [&] { return static_cast<double>(random.integer(-size, size)); };
+  for (int i = 0; i < count;) {
+    std::array<Vec3, 4> p;
+    for (Vec3& corner : p) corner = {any(), any(), any()};
+    if (oracleOrient3d(p[0], p[1], p[2], p[3]) == 0) continue;
+    append(soup, tetrahedronSurface(p));
+    ++i;
+  }
+  return soup;
+}
+
+TEST(Arrangement, LeavesASurfaceWithoutIntersectionsUnchanged) {
+  const SurfaceMesh mesh = geodesicSphere(4);
+  const EnclosedSurface result = enclose(mesh);
+  EXPECT_TRUE(result.isResolved);
+  EXPECT_EQ(result.mesh.points, mesh.points);
+  EXPECT_EQ(result.mesh.triangles, mesh.triangles);
+}
+
+TEST(Arrangement, UnitesTwoCubes) {
+  const EnclosedSurface result =
+      enclose(unite({gridCube(1), moved(gridCube(1), {0.5, 0.25, 0.375})}));
+  expectResolved(result, 2.0 - 0.5 * 0.75 * 0.625, 1e-14);
+}
+
+TEST(Arrangement, UnitesCubesWithCommonPlanes) {
+  const EnclosedSurface result =
+      enclose(unite({gridCube(2), moved(gridCube(3), {0.5, 0.25, 0.0})}));
+  expectResolved(result, 2.0 - 0.5 * 0.75, 1e-13);
+}
+
+TEST(Arrangement, MergesACubeWithItself) {
+  expectResolved(enclose(unite({gridCube(2), gridCube(2)})), 1.0, 1e-14);
+  // Other triangles on the same cube.
+  expectResolved(enclose(unite({gridCube(2), gridCube(3, Diagonals::kUnionJack)})), 1.0, 1e-14);
+}
+
+TEST(Arrangement, SubtractsAShellThatFacesInward) {
+  SurfaceMesh tool = moved(gridCube(1), {0.5, 0.25, -0.5});
+  turnInsideOut(tool);
+  // The part of the tool outside the cube has winding number -1.
+  const EnclosedSurface result = enclose(unite({gridCube(2), tool}));
+  expectResolved(result, 1.0 - 0.5 * 0.75 * 0.5, 1e-14);
+}
+
+TEST(Arrangement, UnderstandsBodiesThatFaceInward) {
+  SurfaceMesh mesh = unite({gridCube(1), moved(gridCube(1), {0.5, 0.25, 0.375})});
+  turnInsideOut(mesh);
+  expectResolved(enclose(mesh), 2.0 - 0.5 * 0.75 * 0.625, 1e-14);
+}
+
+TEST(Arrangement, ResolvesTJunctions) {
+  // A cube whose sides have different divisions: no edge matches.
+  const auto isOnTop = [](const SurfaceMesh& m, std::size_t t) {
+    double lowest = 1.0;
+    for (std::size_t k = 0; k < 3; ++k)
+      lowest = std::min(lowest, pointOf(m, m.triangles[3 * t + k]).z);
+    return lowest == 1.0;
+  };
+  const auto partOf = [&](const SurfaceMesh& source, bool isTop) {
+    SurfaceMesh part;
+    part.points = source.points;
+    for (std::size_t t = 0; t < triangleCount(source); ++t) {
+      if (isOnTop(source, t) != isTop) continue;
+      for (std::size_t k = 0; k < 3; ++k) part.triangles.push_back(source.triangles[3 * t + k]);
+    }
+    return part;
+  };
+  const SurfaceMesh mixed = unite({partOf(gridCube(1), false), partOf(gridCube(3), true)});
+  EXPECT_FALSE(inspectionOf(mixed).isClosed);
+  expectResolved(enclose(mixed), 1.0, 1e-14);
+}
+
+TEST(Arrangement, LeavesOutSheets) {
+  SurfaceMesh mesh = gridCube(2);
+  // One sheet through the cube, one beside it, one on it.
+  const auto addTriangle = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    const auto first = static_cast<std::uint32_t>(nodeCount(mesh));
+    for (const Vec3& p : {a, b, c}) mesh.points.insert(mesh.points.end(), {p.x, p.y, p.z});
+    mesh.triangles.insert(mesh.triangles.end(), {first, first + 1, first + 2});
+  };
+  addTriangle({-1.0, 0.3, 0.4}, {2.0, 0.35, 0.4}, {0.5, 0.4, 3.0});
+  addTriangle({5.0, 0.0, 0.0}, {6.0, 0.0, 0.0}, {5.0, 1.0, 0.0});
+  addTriangle({0.5, 0.5, 1.0}, {1.5, 0.5, 1.0}, {0.5, 0.5, 2.0});
+  expectResolved(enclose(mesh), 1.0, 1e-14);
+}
+
+TEST(Arrangement, KeepsAnInterfaceBetweenTouchingBodies) {
+  // A small cube stands on a large one.
+  SurfaceMesh small = gridCube(1);
+  scale(small, 0.5);
+  const EnclosedSurface result = enclose(unite({gridCube(1), moved(small, {0.25, 0.25, 1.0})}));
+  expectResolved(result, 1.125, 1e-14);
+  EXPECT_EQ(inspectionOf(result.mesh).regions, 2U);
+}
+
+TEST(Arrangement, UnitesRotatedSpheres) {
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    SurfaceMesh other = geodesicSphere(5);
+    rotateRandomly(other, seed);
+    const SurfaceMesh mesh = unite({geodesicSphere(6), moved(other, {1.0, 0.0, 0.0})});
+    const EnclosedSurface result = enclose(mesh);
+    EXPECT_TRUE(result.isResolved);
+    const SurfaceInspection found = inspectionOf(result.mesh);
+    EXPECT_TRUE(found.isFillable);
+    // Two unit spheres at distance 1 have 27/12 pi in common or alone; the facets cut off up to 4 %.
+    EXPECT_NEAR(found.volume, 2.25 * 3.141592653589793, 0.3);
+    EXPECT_LT(found.volume, 2.25 * 3.141592653589793);
+  }
+}
+
+/// Small rotations make thousands of nearly coplanar triangles. Their intersections lie closer together than doubles can
+/// tell, so rounding makes them intersect again.
+TEST(Arrangement, RoundsNearlyCoplanarCubes) {
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    Random random(seed);
+    SurfaceMesh mesh;
+    for (int i = 0; i < 3; ++i) {
+      SurfaceMesh cube = gridCube(random.integer(1, 3), Diagonals::kRandom, seed);
+      rotateRandomly(cube, seed);
+      translate(cube, std::pow(10.0, -random.integer(4, 15)) * random.inBox());
+      append(mesh, cube);
+    }
+    const EnclosedSurface result = enclose(mesh);
+    expectResolved(result, 1.0, 1e-3);
+    EXPECT_LT(result.deviation, 1e-5);
+  }
+}
+
+/// Exact integers decide what is inside the given tetrahedra and the result.
+TEST(Arrangement, EnclosesWhatRandomTetrahedraEnclose) {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    Random random(seed);
+    const SurfaceMesh soup = tetrahedronSoup(random);
+    const EnclosedSurface result = enclose(soup);
+    ASSERT_TRUE(result.isResolved) << seed;
+    ASSERT_TRUE(inspectionOf(result.mesh).isFillable) << seed;
+    const SurfaceMesh boundary = withoutInterfaces(result.mesh);
+    for (int sample = 0; sample < 8; ++sample) {
+      const Vec3 position = random.inBox(4.0);
+      EXPECT_EQ(windingAround(soup, position) > 0, windingAround(boundary, position) > 0) << seed;
+    }
+  }
+}
+
+TEST(Arrangement, LeavesNoCrossingByExactIntegers) {
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    Random random(1000 + seed);
+    const EnclosedSurface result = enclose(tetrahedronSoup(random));
+    if (triangleCount(result.mesh) > 150) continue;
+    EXPECT_EQ(countCrossings(result.mesh), 0) << seed;
+  }
+}
+
+TEST(Arrangement, DoesNotDependOnSlices) {
+  const SurfaceMesh mesh = unite({geodesicSphere(3), moved(gridCube(2), {0.1, 0.2, 0.3})});
+  const EnclosedSurface whole = enclose(mesh);
+  Job sliced([&](Work& work) { return encloseSurface(work, mesh); });
+  std::size_t slices = 1;
+  while (!sliced.advance(1)) ++slices;
+  const EnclosedSurface result = sliced.take();
+  EXPECT_GT(slices, 100U);
+  EXPECT_EQ(result.mesh.points, whole.mesh.points);
+  EXPECT_EQ(result.mesh.triangles, whole.mesh.triangles);
+}
+
+}  // namespace
+}  // namespace tetrafront::testing
