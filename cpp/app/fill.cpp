@@ -169,7 +169,7 @@ void remesh(Surface& surface, double size) {
   }
   const tetrafront::SurfaceRemesh& result = remesher.result();
   std::printf("remeshSeconds %.6f\n", processorSeconds() - begin);
-  if (!result.diagnostics.empty()) return;
+  if (result.triangles.empty()) return;
   surface.points = result.points;
   surface.triangles = result.triangles;
   std::printf("smallestAngle %.4f\ndeviation %g\n", result.smallestAngle, result.deviation);

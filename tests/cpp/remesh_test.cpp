@@ -564,6 +564,25 @@ TEST(Remesh, RejectsSurfacesThatAreNotABoundary) {
   EXPECT_TRUE(result.triangles.empty());
 }
 
+TEST(Remesh, RejectsSingleTrianglesThatFaceInwardAndNotesComponentsInsideOut) {
+  SurfaceMesh mixed = gridCube(2);
+  std::swap(mixed.triangles[4], mixed.triangles[5]);
+  const SurfaceRemesh refused = remesh(mixed);
+  ASSERT_EQ(refused.diagnostics.size(), 1U);
+  EXPECT_EQ(refused.diagnostics[0].code, DiagnosticCode::kFlippedTriangle);
+  EXPECT_EQ(refused.diagnostics[0].entities[0].index, 1U);
+  EXPECT_TRUE(refused.triangles.empty());
+
+  SurfaceMesh inside = gridCube(2);
+  for (std::size_t i = 0; i < inside.triangles.size(); i += 3) {
+    std::swap(inside.triangles[i + 1], inside.triangles[i + 2]);
+  }
+  const SurfaceRemesh oriented = remesh(inside);
+  ASSERT_EQ(oriented.diagnostics.size(), 1U);
+  EXPECT_EQ(oriented.diagnostics[0].code, DiagnosticCode::kReorientedPatch);
+  EXPECT_EQ(oriented.triangles, remesh(gridCube(2)).triangles);
+}
+
 /// A block of 4 x 2 x 1 whose top has a step of this height in the middle, straight across.
 SurfaceMesh blockWithStep(double height) {
   return extruded(

@@ -77,8 +77,8 @@ struct SurfaceRemesh {
   double smallestAngle = 0.0;               ///< of all triangles, in degrees
   double meanRadiusRatio = 0.0;             ///< of all triangles
   bool isPartial = false;  ///< stop() ended the work before all triangles were improved
-  /// Not empty if the surface was not remeshed, because it is not a valid boundary or an option is
-  /// out of range.
+  /// Errors if the surface was not remeshed, because it is not a valid boundary or an option is
+  /// out of range. Otherwise notes about components that were given inside out.
   std::vector<Diagnostic> diagnostics;
 };
 

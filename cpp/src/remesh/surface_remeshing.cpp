@@ -149,18 +149,23 @@ std::vector<Diagnostic> checkRemeshOptions(const RemeshOptions& options) {
   return found;
 }
 
-/// Returns the diagnostics of the surface, the options and the grid; orients the surface outward.
+/// Returns the errors of the surface, the options and the grid; without errors, notes about components that were given
+/// inside out. Orients the surface outward.
 Task<std::vector<Diagnostic>> checkInput(Work& work, SurfaceMesh& mesh, const BackgroundGrid& grid,
                                          const RemeshOptions& options) {
   const MeshOptions targets = targetOptions(options);
   std::vector<Diagnostic> found = checkRemeshOptions(options);
   const std::vector<Diagnostic> ofGrid = co_await checkTargetGrid(work, grid, targets);
   found.insert(found.end(), ofGrid.begin(), ofGrid.end());
-  BoundaryCheck boundary(mesh, BoundarySource::kGivenSurface, options.innerShells);
+  BoundaryCheck boundary(mesh, BoundarySource::kGivenSurface, options.innerShells,
+                         MixedOrientation::kRefuse);
   co_await work.finish(boundary);
   const std::vector<Diagnostic> ofSurface = boundary.takeDiagnostics();
   found.insert(found.end(), ofSurface.begin(), ofSurface.end());
-  std::erase_if(found, [](const Diagnostic& d) { return d.severity != Severity::kError; });
+  const bool hasErrors = anyError(found);
+  std::erase_if(found, [hasErrors](const Diagnostic& d) {
+    return hasErrors ? d.severity != Severity::kError : d.code != DiagnosticCode::kReorientedPatch;
+  });
   co_return found;
 }
 
@@ -364,7 +369,7 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
   work.beginPart(0.05);
   const bool areRegionsGiven = !mesh.triangleRegions.empty();
   std::vector<Diagnostic> problems = co_await checkInput(work, mesh, grid, options);
-  if (!problems.empty()) co_return refused(std::move(problems));
+  if (anyError(problems)) co_return refused(std::move(problems));
 
   work.beginPart(0.1);
   const FeatureRules rules = rulesOf(options);
@@ -419,6 +424,7 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
   }
   result.points = std::move(made.points);
   result.triangles = std::move(made.triangles);
+  result.diagnostics = std::move(problems);
   co_return result;
 }
 

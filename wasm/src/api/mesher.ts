@@ -1,8 +1,6 @@
 /** Implements the mesher: checks arguments, sends them to the engine, and describes its answers. */
 import { throwIfCancelled, untilCancelled } from "../calls/cancelling.js";
 import type { AbortControl, PartialControl, RunControl } from "../engine/control.js";
-import { inSteps, pauseAfterCopy } from "../calls/yielder.js";
-import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { type EntityNamer, gridByIndex } from "../diagnostics/entity-names.js";
 import { MesherError, refuse } from "../diagnostics/mesher-error.js";
 import { EngineClient, type RunRequest } from "../engine/engine-client.js";
@@ -41,31 +39,20 @@ import {
   hasBodies,
   preparedBodies,
   preparedBody,
-  type SurfaceCalls,
 } from "./body-preparation.js";
+import { beginCall } from "./call-checks.js";
 import {
   checkControl,
-  checkGroups,
   checkImproveInput,
   checkLocatedSurface,
   checkMesh,
-  checkPatchedSurface,
   checkProject,
-  checkSurface,
   checkVolume,
-  checkWeld,
   drawnArrays,
   nothingToCover,
   unreadableMesh,
 } from "./input-checks.js";
-import {
-  changeDiagnostics,
-  describedInspection,
-  describedMesh,
-  describedRefinement,
-  describedRemesh,
-  describedRepair,
-} from "./inspection.js";
+import { describedMesh } from "./inspection.js";
 import { describedImprovement, improvementErrors } from "./improvement.js";
 import type {
   Mesher,
@@ -90,27 +77,17 @@ import type {
   SplitOptions,
   SurfaceProposalOptions,
 } from "./option-types.js";
-import { splitSurface } from "./patch-names.js";
 import {
-  angleOfSplit,
   checkCoverOptions,
   checkGridOptions,
   checkImproveOptions,
-  checkInspectionOptions,
   checkOptions,
   checkPreviewOptions,
   checkProjectOptions,
   checkProposalOptions,
-  checkRefineOptions,
-  checkRemeshOptions,
-  checkRepairOptions,
-  checkSplitOptions,
   engineCoverOptions,
-  engineInspectionOptions,
   engineOptions,
   engineProposalOptions,
-  engineRemeshOptions,
-  engineRepairOptions,
   levelOfImprovement,
   withSettings,
 } from "./options.js";
@@ -122,7 +99,8 @@ import {
   withoutBodyNotes,
   withPreparation,
 } from "./report.js";
-import { givenRegionsOf, surfaceNamer, triangleRegionsOf } from "./surface-numbers.js";
+import { givenRegionsOf, surfaceNamer } from "./surface-numbers.js";
+import { SurfaceTools } from "./surface-tools.js";
 
 /**
  * Starts a worker with an engine in it; resolves when it is loaded. Call `dispose` when done; in Node, an idle
@@ -148,6 +126,7 @@ export async function createMesher(control: AbortControl = {}): Promise<Mesher> 
 
 class WorkerMesher implements Mesher {
   readonly #client = new EngineClient();
+  readonly #surfaces = new SurfaceTools(this.#client);
   readonly ready = this.#client.ready;
 
   async meshProject(project: Project, options: ProjectMeshOptions = {}, control: RunControl = {}) {
@@ -175,7 +154,7 @@ class WorkerMesher implements Mesher {
     try {
       const errors = await this.#errorsBefore(project, options, control.signal);
       if (errors.length > 0) return emptyResult("invalid-input", errors, seconds());
-      const ready = await preparedBodies(this.#surfaceCalls, project, options, known, control);
+      const ready = await preparedBodies(this.#surfaces, project, options, known, control);
       const { bodies, diagnostics } = ready;
       if (bodies.length < (project.bodies?.length ?? 0)) {
         return emptyResult("invalid-input", diagnostics, seconds());
@@ -249,11 +228,11 @@ class WorkerMesher implements Mesher {
     options: MeshOptions = {},
     control: RunControl = {},
   ): Promise<PreparedBody> {
-    this.#begin(control);
+    beginCall(this.#client, control);
     refuse([...checkProject(project), ...checkOptions(options)]);
     const settled = withSettings(options, project);
     refuse(checkOptions(settled));
-    return preparedBody(this.#surfaceCalls, project, bodyWithId(project, body), settled, control);
+    return preparedBody(this.#surfaces, project, bodyWithId(project, body), settled, control);
   }
 
   async previewProject(
@@ -261,7 +240,7 @@ class WorkerMesher implements Mesher {
     options: PreviewOptions = {},
     control: RunControl = {},
   ): Promise<ProjectPreview> {
-    this.#begin(control);
+    beginCall(this.#client, control);
     const unusable = checkPreviewOptions(options);
     const drawn = drawnArrays(project);
     const { size, innerShells, background } = withSettings(unusable.length > 0 ? {} : options, project);
@@ -292,7 +271,7 @@ class WorkerMesher implements Mesher {
     options: CoverOptions = {},
     control: RunControl = {},
   ): Promise<ProjectBackground> {
-    this.#begin(control);
+    beginCall(this.#client, control);
     refuse([...checkProject(project), ...checkCoverOptions(options)]);
     const model = modelWithBodyBoxes(project);
     const id = this.#client.nextId();
@@ -308,7 +287,7 @@ class WorkerMesher implements Mesher {
     options: ProposalOptions = {},
     control: RunControl = {},
   ): Promise<SizeProposal> {
-    this.#begin(control);
+    beginCall(this.#client, control);
     refuse([...checkProject(project), ...checkProposalOptions(options)]);
     const model = modelWithBodyBoxes(project);
     const id = this.#client.nextId();
@@ -322,7 +301,7 @@ class WorkerMesher implements Mesher {
     options: { readonly sizes?: Float64Array | undefined } = {},
     control: RunControl = {},
   ): Promise<BackgroundArrays> {
-    this.#begin(control);
+    beginCall(this.#client, control);
     refuse(checkGridOptions(options));
     const { sizes } = options;
     refuse(checkVolume(mesh, sizes));
@@ -347,34 +326,11 @@ class WorkerMesher implements Mesher {
     options: InspectionOptions = {},
     control: RunControl = {},
   ): Promise<SurfaceInspection> {
-    return this.#inspect(surface, options, control);
-  }
-
-  async #inspect(
-    surface: SurfaceInput,
-    options: InspectionOptions,
-    control: RunControl,
-    name?: EntityNamer,
-  ): Promise<SurfaceInspection> {
-    this.#begin(control);
-    refuse([...checkSurface(surface), ...checkInspectionOptions(options)]);
-    const [points, triangles] = [surface.points.slice(), surface.triangles.slice()];
-    const pause = pauseAfterCopy(points, triangles);
-    if (pause) await this.#afterPause(pause, control);
-    const question = {
-      kind: "inspect-surface",
-      id: this.#client.nextId(),
-      points,
-      triangles,
-      options: engineInspectionOptions(options),
-      triangleRegions: triangleRegionsOf(surface),
-    } as const;
-    const found = await this.#client.ask(question, control);
-    return inSteps(describedInspection(found, surface, name ?? surfaceNamer(surface)), control.signal);
+    return this.#surfaces.inspect(surface, options, control);
   }
 
   async locateRegions(surface: SurfaceFile, control: RunControl = {}): Promise<LocatedSurface> {
-    this.#begin(control);
+    beginCall(this.#client, control);
     return locateRegions(this.#client, surface, control);
   }
 
@@ -383,7 +339,7 @@ class WorkerMesher implements Mesher {
     options: SurfaceProposalOptions = {},
     control: RunControl = {},
   ): Promise<SurfaceSizeProposal> {
-    this.#begin(control);
+    beginCall(this.#client, control);
     return proposeSurfaceSizes(this.#client, surface, options, control);
   }
 
@@ -392,21 +348,7 @@ class WorkerMesher implements Mesher {
     options: RepairOptions = {},
     control: RunControl = {},
   ): Promise<SurfaceRepair> {
-    this.#begin(control);
-    refuse([...checkSurface(surface), ...checkRepairOptions(options)]);
-    refuse(checkWeld(surface, options.weld));
-    const [points, triangles] = [surface.points.slice(), surface.triangles.slice()];
-    const id = this.#client.nextId();
-    const question = {
-      kind: "repair-surface",
-      id,
-      points,
-      triangles,
-      options: engineRepairOptions(options),
-    } as const;
-    const repair = await this.#client.ask(question, control);
-    refuse(changeDiagnostics(repair));
-    return describedRepair(repair, points.length / 3);
+    return this.#surfaces.repair(surface, options, control);
   }
 
   async refineSurface(
@@ -414,26 +356,7 @@ class WorkerMesher implements Mesher {
     options: RefineOptions,
     control: RunControl = {},
   ): Promise<SurfaceRefinement> {
-    return this.#refine(surface, options, control);
-  }
-
-  async #refine(surface: SurfaceInput, options: RefineOptions, control: RunControl, name?: EntityNamer) {
-    this.#begin(control);
-    refuse([...checkSurface(surface), ...checkRefineOptions(options)]);
-    const { volume = 0, ...withoutVolume } = options;
-    const { background } = withoutVolume;
-    const question = {
-      kind: "refine-surface",
-      id: this.#client.nextId(),
-      points: surface.points.slice(),
-      triangles: surface.triangles.slice(),
-      grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
-      options: engineOptions(withoutVolume),
-      volume,
-    } as const;
-    const refinement = await this.#client.ask(question, control);
-    refuse(changeDiagnostics(refinement, name));
-    return describedRefinement(refinement);
+    return this.#surfaces.refine(surface, options, control);
   }
 
   async remeshSurface(
@@ -441,56 +364,7 @@ class WorkerMesher implements Mesher {
     options: RemeshOptions = {},
     control: PartialControl = {},
   ): Promise<SurfaceRemesh> {
-    return this.#remesh(surface, options, control);
-  }
-
-  /** Diagnostics name triangles by their indices in the surface's origin, unless another namer is given. */
-  async #remesh(
-    surface: PatchedSurface,
-    options: RemeshOptions,
-    control: PartialControl,
-    name?: EntityNamer,
-  ) {
-    this.#begin(control);
-    refuse([...checkPatchedSurface(surface), ...checkRemeshOptions(options)]);
-    refuse(checkLocatedSurface(surface));
-    const { background, innerShells } = options;
-    // A partial call that is stopped early still returns a surface.
-    const checking = control.partial === true ? {} : control;
-    const oriented = await this.#checkOrientation(surface, { innerShells }, checking, name);
-    this.#client.assertOpen();
-    const [points, triangles] = [surface.points.slice(), surface.triangles.slice()];
-    const groups = surface.trianglePatch?.slice() ?? new Uint32Array();
-    const pause = pauseAfterCopy(points, triangles, groups);
-    if (pause) await this.#afterPause(pause, {});
-    const question = {
-      kind: "remesh-surface",
-      id: this.#client.nextId(),
-      points,
-      triangles,
-      groups,
-      grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
-      options: engineRemeshOptions(options),
-      triangleRegions: triangleRegionsOf(surface),
-    } as const;
-    const remesh = await this.#client.ask(question, control);
-    refuse(changeDiagnostics(remesh, name ?? surfaceNamer(surface)));
-    return describedRemesh(remesh, oriented);
-  }
-
-  /**
-   * Refuses a surface with single triangles that face inward, as `fillSurface` does. Returns notes about components that
-   * were given inside out.
-   */
-  async #checkOrientation(
-    surface: SurfaceInput,
-    options: InspectionOptions,
-    { signal }: RunControl,
-    name?: EntityNamer,
-  ): Promise<Diagnostic[]> {
-    const { diagnostics } = await this.#inspect(surface, options, { signal }, name);
-    refuse(diagnostics.filter(({ code }) => code === "flipped-triangle"));
-    return diagnostics.filter(({ code }) => code === "reoriented-patch");
+    return this.#surfaces.remesh(surface, options, control);
   }
 
   async splitPatches<Surface extends SplitInput>(
@@ -498,25 +372,11 @@ class WorkerMesher implements Mesher {
     options: SplitOptions = {},
     control: RunControl = {},
   ): Promise<Surface & SplitSurface> {
-    this.#begin(control);
-    refuse([...checkPatchedSurface(surface), ...checkSplitOptions(options)]);
-    refuse(checkGroups(surface.patches));
-    const question = {
-      kind: "split-patches",
-      id: this.#client.nextId(),
-      points: surface.points.slice(),
-      triangles: surface.triangles.slice(),
-      groups: surface.trianglePatch?.slice() ?? new Uint32Array(),
-      angle: angleOfSplit(options),
-    } as const;
-    const { patches } = options;
-    const pieces = await this.#client.ask(question, control);
-    refuse(changeDiagnostics(pieces, surfaceNamer(surface)));
-    return { ...surface, ...splitSurface(pieces, surface.patches ?? [], patches) };
+    return this.#surfaces.split(surface, options, control);
   }
 
   async inspectMesh(mesh: MeshInput, control: RunControl = {}): Promise<MeshInspection> {
-    this.#begin(control);
+    beginCall(this.#client, control);
     refuse(checkMesh(mesh));
     const { points, tetrahedra, regions = new Uint32Array() } = mesh;
     const question = {
@@ -536,7 +396,7 @@ class WorkerMesher implements Mesher {
     options: ImproveOptions = {},
     control: PartialControl = {},
   ): Promise<MeshImprovement> {
-    this.#begin(control);
+    beginCall(this.#client, control);
     refuse([...checkImproveInput(mesh), ...checkImproveOptions(options)]);
     const { points, tetrahedra, regions = new Uint32Array(), triangles = new Uint32Array() } = mesh;
     const question = {
@@ -558,34 +418,13 @@ class WorkerMesher implements Mesher {
     this.#client.dispose();
   }
 
-  /** Throws before a large input is checked and copied if the call cannot succeed. */
-  #begin(control: RunControl): void {
-    refuse(checkControl(control));
-    this.#client.assertOpen();
-    throwIfCancelled(control.signal);
-  }
-
-  /** Throws after a pause if the call can no longer succeed. */
-  async #afterPause(pause: Promise<void>, { signal }: RunControl): Promise<void> {
-    await pause;
-    this.#client.assertOpen();
-    throwIfCancelled(signal);
-  }
-
-  /** As `#begin` for runs: returns the result if the run cannot succeed. */
+  /** As `beginCall` for runs: returns the result if the run cannot succeed. */
   #endedEarly(control: RunControl): MeshResult | undefined {
     const wrong = checkControl(control);
     if (wrong.length > 0) return emptyResult("invalid-input", wrong);
     this.#client.assertOpen();
     return control.signal?.aborted === true ? emptyResult("cancelled") : undefined;
   }
-
-  readonly #surfaceCalls: SurfaceCalls = {
-    remesh: (surface, options = {}, control = {}, name) => this.#remesh(surface, options, control, name),
-    refine: (surface, options, control = {}, name) => this.#refine(surface, options, control, name),
-    checkOrientation: (surface, options, control, name) =>
-      this.#checkOrientation(surface, options, control, name),
-  };
 
   async #run(
     request: RunRequest,

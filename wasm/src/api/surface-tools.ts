@@ -1,0 +1,197 @@
+/** Calls about a given surface: inspection, repair, refinement, remeshing and patches by angle. */
+import { inSteps, pauseAfterCopy } from "../calls/yielder.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import type { EntityNamer } from "../diagnostics/entity-names.js";
+import { refuse } from "../diagnostics/mesher-error.js";
+import type { PartialControl, RunControl } from "../engine/control.js";
+import type { EngineClient } from "../engine/engine-client.js";
+import type {
+  SurfaceInspection,
+  SurfaceRefinement,
+  SurfaceRemesh,
+  SurfaceRepair,
+} from "../mesh/inspection.js";
+import type { PatchedSurface, SurfaceInput } from "../mesh/mesh.js";
+import { emptyGrid, withNodes } from "../project/grid-arrays.js";
+import { afterPause, beginCall } from "./call-checks.js";
+import {
+  checkGroups,
+  checkLocatedSurface,
+  checkPatchedSurface,
+  checkSurface,
+  checkWeld,
+} from "./input-checks.js";
+import {
+  changeDiagnostics,
+  describedInspection,
+  describedRefinement,
+  describedRemesh,
+  describedRepair,
+} from "./inspection.js";
+import type { SplitInput, SplitSurface } from "./mesher-interface.js";
+import type {
+  InspectionOptions,
+  RefineOptions,
+  RemeshOptions,
+  RepairOptions,
+  SplitOptions,
+} from "./option-types.js";
+import {
+  angleOfSplit,
+  checkInspectionOptions,
+  checkRefineOptions,
+  checkRemeshOptions,
+  checkRepairOptions,
+  checkSplitOptions,
+  engineInspectionOptions,
+  engineOptions,
+  engineRemeshOptions,
+  engineRepairOptions,
+} from "./options.js";
+import { splitSurface } from "./patch-names.js";
+import { surfaceNamer, triangleRegionsOf } from "./surface-numbers.js";
+
+/**
+ * Calls of a mesher about surfaces. Diagnostics name triangles by their indices in the surface's origin, unless another
+ * namer is given.
+ */
+export class SurfaceTools {
+  readonly #client: EngineClient;
+
+  constructor(client: EngineClient) {
+    this.#client = client;
+  }
+
+  async inspect(
+    surface: SurfaceInput,
+    options: InspectionOptions,
+    control: RunControl,
+    name?: EntityNamer,
+  ): Promise<SurfaceInspection> {
+    beginCall(this.#client, control);
+    refuse([...checkSurface(surface), ...checkInspectionOptions(options)]);
+    const [points, triangles] = [surface.points.slice(), surface.triangles.slice()];
+    const pause = pauseAfterCopy(points, triangles);
+    if (pause) await afterPause(this.#client, pause, control);
+    const question = {
+      kind: "inspect-surface",
+      id: this.#client.nextId(),
+      points,
+      triangles,
+      options: engineInspectionOptions(options),
+      triangleRegions: triangleRegionsOf(surface),
+    } as const;
+    const found = await this.#client.ask(question, control);
+    return inSteps(describedInspection(found, surface, name ?? surfaceNamer(surface)), control.signal);
+  }
+
+  async repair(surface: SurfaceInput, options: RepairOptions, control: RunControl): Promise<SurfaceRepair> {
+    beginCall(this.#client, control);
+    refuse([...checkSurface(surface), ...checkRepairOptions(options)]);
+    refuse(checkWeld(surface, options.weld));
+    const [points, triangles] = [surface.points.slice(), surface.triangles.slice()];
+    const id = this.#client.nextId();
+    const question = {
+      kind: "repair-surface",
+      id,
+      points,
+      triangles,
+      options: engineRepairOptions(options),
+    } as const;
+    const repair = await this.#client.ask(question, control);
+    refuse(changeDiagnostics(repair));
+    return describedRepair(repair, points.length / 3);
+  }
+
+  async refine(
+    surface: SurfaceInput,
+    options: RefineOptions,
+    control: RunControl,
+    name?: EntityNamer,
+  ): Promise<SurfaceRefinement> {
+    beginCall(this.#client, control);
+    refuse([...checkSurface(surface), ...checkRefineOptions(options)]);
+    const { volume = 0, ...withoutVolume } = options;
+    const { background } = withoutVolume;
+    const question = {
+      kind: "refine-surface",
+      id: this.#client.nextId(),
+      points: surface.points.slice(),
+      triangles: surface.triangles.slice(),
+      grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
+      options: engineOptions(withoutVolume),
+      volume,
+    } as const;
+    const refinement = await this.#client.ask(question, control);
+    refuse(changeDiagnostics(refinement, name));
+    return describedRefinement(refinement);
+  }
+
+  async remesh(
+    surface: PatchedSurface,
+    options: RemeshOptions,
+    control: PartialControl,
+    name?: EntityNamer,
+  ): Promise<SurfaceRemesh> {
+    beginCall(this.#client, control);
+    refuse([...checkPatchedSurface(surface), ...checkRemeshOptions(options)]);
+    refuse(checkLocatedSurface(surface));
+    const { background } = options;
+    const [points, triangles] = [surface.points.slice(), surface.triangles.slice()];
+    const groups = surface.trianglePatch?.slice() ?? new Uint32Array();
+    const pause = pauseAfterCopy(points, triangles, groups);
+    // A partial call that is stopped early still returns a surface.
+    if (pause) await afterPause(this.#client, pause, control.partial === true ? {} : control);
+    const question = {
+      kind: "remesh-surface",
+      id: this.#client.nextId(),
+      points,
+      triangles,
+      groups,
+      grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
+      options: engineRemeshOptions(options),
+      triangleRegions: triangleRegionsOf(surface),
+    } as const;
+    const remesh = await this.#client.ask(question, control);
+    const found = changeDiagnostics(remesh, name ?? surfaceNamer(surface));
+    refuse(found.filter(({ severity }) => severity === "error"));
+    return describedRemesh(remesh, found);
+  }
+
+  /**
+   * Refuses a surface with single triangles that face inward, as `fillSurface` does. Returns notes about components that
+   * were given inside out.
+   */
+  async checkOrientation(
+    surface: SurfaceInput,
+    options: InspectionOptions,
+    { signal }: RunControl,
+    name?: EntityNamer,
+  ): Promise<Diagnostic[]> {
+    const { diagnostics } = await this.inspect(surface, options, { signal }, name);
+    refuse(diagnostics.filter(({ code }) => code === "flipped-triangle"));
+    return diagnostics.filter(({ code }) => code === "reoriented-patch");
+  }
+
+  async split<Surface extends SplitInput>(
+    surface: Surface,
+    options: SplitOptions,
+    control: RunControl,
+  ): Promise<Surface & SplitSurface> {
+    beginCall(this.#client, control);
+    refuse([...checkPatchedSurface(surface), ...checkSplitOptions(options)]);
+    refuse(checkGroups(surface.patches));
+    const question = {
+      kind: "split-patches",
+      id: this.#client.nextId(),
+      points: surface.points.slice(),
+      triangles: surface.triangles.slice(),
+      groups: surface.trianglePatch?.slice() ?? new Uint32Array(),
+      angle: angleOfSplit(options),
+    } as const;
+    const { patches } = options;
+    const pieces = await this.#client.ask(question, control);
+    refuse(changeDiagnostics(pieces, surfaceNamer(surface)));
+    return { ...surface, ...splitSurface(pieces, surface.patches ?? [], patches) };
+  }
+}
