@@ -2,7 +2,7 @@ import { expect, test } from "@playwright/test";
 import { measured } from "../support/mesh-measures";
 import { parseMsh, parseVtu } from "../support/mesh-files";
 import { boxSolid, drilledSolid, stepFile } from "../support/step-files";
-import { AppPage } from "./app-page";
+import { AppPage, countOrange } from "./app-page";
 import { downloadMesh } from "./downloads";
 import { dropBytes } from "./drop-bytes";
 
@@ -16,7 +16,7 @@ test("a STEP file becomes a mesh: card, faces as patches, mesh, download", async
   await app.openCube();
   expect(requested.filter((url) => url.includes("occt"))).toEqual([]);
   await dropBytes(page, plate, "plate.step");
-  await expect(page.getByTestId("entity-name")).toHaveValue("plate");
+  await expect(page.getByTestId("entity-name")).toHaveValue("Plate");
   await expect(page.getByTestId("body-size")).toContainText("20 × 10 × 8");
   const volume = Number(await page.getByTestId("body-volume").textContent());
   expect(Math.abs(volume / plateVolume - 1)).toBeLessThan(1e-3);
@@ -31,6 +31,28 @@ test("a STEP file becomes a mesh: card, faces as patches, mesh, download", async
   expect(Math.abs(filled / plateVolume - 1)).toBeLessThan(5e-3);
   const names = parseMsh(await downloadMesh(page, /MSH/)).triangles.map(({ name }) => name);
   expect(new Set(names)).toEqual(new Set([1, 2, 3, 4, 5, 6, 7].map((n) => `face ${n}`)));
+});
+
+test("the solids of an assembly are bodies with names, colours and previews", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const orange = [1, 0.45, 0.1] as const;
+  const assembly = stepFile([
+    boxSolid("base", [0, 0, 0], [4, 4, 1], { color: orange }),
+    boxSolid("cover", [0, 0, 2], [4, 4, 3], { color: orange }),
+  ]);
+  await dropBytes(page, assembly, "assembly.step");
+  await expect(page.getByTestId("entity-name")).toHaveValue("base");
+  await expect(page.getByTestId("body-size")).toContainText("4 × 4 × 1 mm");
+  await expect(page.getByTestId("tree-body-2")).toContainText("cover");
+  await expect(page.getByTestId("body-preview")).toHaveAttribute("data-current", "true");
+  await page.getByText("Given", { exact: true }).click();
+  await expect.poll(async () => countOrange(await app.viewport.screenshot())).toBeGreaterThan(5000);
+  const { tets } = await app.generate();
+  expect(tets).toBeGreaterThan(100);
+  const { volume, ...defects } = measured(parseVtu(await downloadMesh(page, /VTU/)));
+  expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
+  expect(volume).toBeCloseTo(32, 6);
 });
 
 test("a damaged STEP file gives an error, and the next file is opened", async ({ page }) => {

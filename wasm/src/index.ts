@@ -91,6 +91,7 @@ export { parseProject, readProject, writeProject } from "./project/project.js";
 export { LIMITS } from "./base/limits.js";
 export { bodyPatchGroups, bodyWithPatches, mergePatches } from "./api/body-patches.js";
 export { bodySurface, createBody, type NewBody, type PlacedSurface } from "./project/bodies.js";
+export { createBodies, type SolidSurface } from "./project/solid-bodies.js";
 export { BODY_SURFACES, PROJECT_FORMAT, projectSchema } from "./project/schema.js";
 export { PROJECT_VERSION } from "./project/versions.js";
 export type {

@@ -33,13 +33,18 @@ export function openProject(app: App, project: Project, file: ProjectFile | null
   meshOpened(app);
 }
 
-/** Opens a surface as a new document: a project with one body, whose card shows what it is. */
+/** Opens a surface as a new document: a project with a body per solid; the card shows the first one. */
 export function openSurface(app: App, name: string, read: ReadSurface): void {
-  const project = { ...emptyProject(name), bodies: [read.body] };
-  app.bodies.keep(read);
+  const { bodies, unit } = read;
+  const project = {
+    ...emptyProject(name),
+    ...(unit !== undefined && { units: unit }),
+    bodies: bodies.map(({ body }) => body),
+  };
+  for (const made of bodies) app.bodies.keep(made);
   finishOpening(app, app.showProject(project));
   app.run.cancel();
-  showNewBody(app, read);
+  showNewBodies(app, read);
 }
 
 /**
@@ -49,8 +54,12 @@ export function openSurface(app: App, name: string, read: ReadSurface): void {
 async function openMesh(app: App, { name, fileName, read, mesh }: OpenedMeshFile): Promise<void> {
   try {
     const shown = await openedMesh(await app.mesher, fileName, mesh);
-    const project = { ...emptyProject(name), bodies: [read.body], ...meshingOf(mesh.regions.length) };
-    app.bodies.keep(read);
+    const project = {
+      ...emptyProject(name),
+      bodies: read.bodies.map(({ body }) => body),
+      ...meshingOf(mesh.regions.length),
+    };
+    for (const made of read.bodies) app.bodies.keep(made);
     app.run.cancel();
     finishOpening(app, app.showMesh(project, shown));
     app.view.setLayer("mesh", true);
@@ -68,13 +77,14 @@ type OpenedMeshFile = Extract<OpenResult, { readonly kind: "mesh" }>;
 const meshingOf = (regions: number): Pick<Project, "meshing"> =>
   regions > 1 ? { meshing: { innerShells: "regions" } } : {};
 
-/** Selects a new body and previews its triangles as soon as its surface is known to be valid. */
-export function showNewBody(app: App, { body: { id }, notes }: ReadSurface): void {
+/** Selects the first new body and previews the triangles of each as soon as its surface is known to be valid. */
+export function showNewBodies(app: App, { bodies, notes }: Pick<ReadSurface, "bodies" | "notes">): void {
+  const ids = bodies.map(({ body }) => body.id);
   app.view.setLayer("bodies", true);
   app.view.state.setState({ bodySurface: "new" });
-  app.view.selectAll([{ kind: "body", id }]);
+  app.view.selectAll(ids.slice(0, 1).map((id) => ({ kind: "body", id })));
   app.shell.setState({ rightTab: "inspector", leftTab: "model", drawer: "right" });
-  app.bodies.prepareWhenValid(id);
+  for (const id of ids) app.bodies.prepareWhenValid(id);
   showNotes(app, notes);
 }
 

@@ -1,12 +1,13 @@
 import type { Project, ProjectBody } from "tetrafront";
 import type { App } from "../app/app";
-import { addBody, nextBodyIds, replaceBody, usedPatches } from "../document/body-edits";
+import { addBodies, nextBodyIds, replaceBody, usedPatches } from "../document/body-edits";
 import { withRepairs } from "../document/body-repair";
 import { bodiesOf, bodyOfPatch, findRecord, type Entity } from "../document/entities";
 import { openDocumentFile } from "../session/files";
 import { bodyStepNames, strings } from "../strings";
 import { showFailure, showMessage } from "./messages";
-import { noteReading, showNewBody } from "./project-actions";
+import type { NewBody } from "../workers/surface-files";
+import { noteReading, showNewBodies } from "./project-actions";
 
 /** Actions on the bodies of a project. */
 
@@ -18,20 +19,27 @@ export async function importSurface(app: App): Promise<void> {
       showMessage(app, strings.messages.openFailed(result.fileName), result.reasons);
     }
     if (result.kind !== "surface" && result.kind !== "mesh") return;
-    const body = renumbered(result.read.body, app.documents.project);
-    const read = { ...result.read, body };
-    app.bodies.keep(read);
-    app.documents.edit(addBody(app.documents.project, body).edit);
-    showNewBody(app, read);
+    const bodies = renumbered(result.read.bodies, app.documents.project);
+    for (const made of bodies) app.bodies.keep(made);
+    app.documents.edit(
+      addBodies(
+        app.documents.project,
+        bodies.map(({ body }) => body),
+      ),
+    );
+    showNewBodies(app, { ...result.read, bodies });
   } catch (error) {
     showFailure(app, strings.bodies.import, error);
   }
 }
 
-/** Returns a body with ids that the project does not have yet. */
-function renumbered(body: ProjectBody, project: Project): ProjectBody {
-  const { id, firstPatchId } = nextBodyIds(project);
-  return { ...body, id, patches: body.patches.map((patch, p) => ({ ...patch, id: firstPatchId + p })) };
+/** Returns bodies with ids that the project does not have yet. */
+function renumbered(made: readonly NewBody[], project: Project): NewBody[] {
+  let { id, firstPatchId } = nextBodyIds(project);
+  return made.map(({ body, loaded }) => {
+    const patches = body.patches.map((patch) => ({ ...patch, id: firstPatchId++ }));
+    return { body: { ...body, id: id++, patches }, loaded };
+  });
 }
 
 /** Applies the proposed repair of a body. */

@@ -7,7 +7,6 @@ import type {
   ProjectBodyPatch,
 } from "tetrafront";
 import { bodyStepNames, stepNames } from "../strings";
-import type { Creation } from "./create";
 import { nounOf, recordOf, type ProjectDraft } from "./draft-records";
 import type { ProjectEdit } from "./edit";
 import { bodiesOf, recordsOf } from "./entities";
@@ -27,11 +26,14 @@ const replaceBodies = (label: string, bodies: readonly ProjectBody[]): ProjectEd
   replace: [[["project", "bodies"], bodies]],
 });
 
-export function addBody(project: Project, body: ProjectBody): Creation {
-  return {
-    entities: [{ kind: "body", id: body.id }],
-    edit: replaceBodies(stepNames.add(nounOf("body", body.id)), [...bodiesOf(project), body]),
-  };
+/** Adds bodies as one step. */
+export function addBodies(project: Project, bodies: readonly ProjectBody[]): ProjectEdit {
+  const [first] = bodies;
+  const label =
+    bodies.length === 1 && first
+      ? stepNames.add(nounOf("body", first.id))
+      : bodyStepNames.addMany(bodies.length);
+  return replaceBodies(label, [...bodiesOf(project), ...bodies]);
 }
 
 /** Replaces a body by one with other triangles or patches. */

@@ -87,7 +87,7 @@ const meshingFields = fieldsOf<ProjectMeshing>({
   optimization: true,
 });
 
-const bodyPatchFields = fieldsOf<ProjectBodyPatch>({ id: true, name: true });
+const bodyPatchFields = fieldsOf<ProjectBodyPatch>({ id: true, name: true, color: true });
 const remeshingFields = fieldsOf<BodyRemeshing>({
   size: true,
   minSize: true,

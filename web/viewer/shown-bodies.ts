@@ -1,6 +1,7 @@
 import type { BodyPlacement, Project, ProjectBodyPatch } from "tetrafront";
 import type { DrawnSurface } from "../document/drawn-surface";
 import { bodiesOf } from "../document/entities";
+import { hasColors } from "../document/patch-colors";
 import { placed, placedBox } from "../document/placement";
 import type { Position } from "../document/position";
 import type { ViewState } from "../document/selection";
@@ -26,8 +27,8 @@ export interface DrawnTriangles {
   readonly patches: readonly ProjectBodyPatch[];
   /** Where to move them; undefined if they are at their place. */
   readonly placement: BodyPlacement | undefined;
-  /** Meaning of the values: deviations, or indices of patches. */
-  readonly values: "deviation" | "patch";
+  /** Meaning of the values: deviations, indices of patches, or packed colours. */
+  readonly values: "deviation" | "patch" | "color";
 }
 
 interface Known {
@@ -69,10 +70,11 @@ export function drawnOf(
   { given, preview, split, patches, placement }: ShownBody,
   surface: ViewState["bodySurface"],
 ): DrawnTriangles {
-  if (split) return { ...split, placement, values: "patch" };
+  const meaning = hasColors(split?.patches ?? patches) ? "color" : "patch";
+  if (split) return { ...split, placement, values: meaning };
   if (surface === "new" && preview)
     return { drawn: preview, patches, placement: undefined, values: "deviation" };
-  return { drawn: given?.drawn ?? null, patches, placement, values: "patch" };
+  return { drawn: given?.drawn ?? null, patches, placement, values: meaning };
 }
 
 /** Returns the box of a body at its place; null until its triangles are loaded. */

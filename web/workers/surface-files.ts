@@ -39,7 +39,11 @@ export interface BodyHead {
   readonly name: string;
 }
 
-export interface ReadSurface extends NewBody {
+export interface ReadSurface {
+  /** One body per solid that touches no other; at least one. */
+  readonly bodies: readonly NewBody[];
+  /** Unit of the coordinates, if the file defines one. */
+  readonly unit: string | undefined;
   /** Sentences about content of the file that was ignored. */
   readonly notes: readonly string[];
 }
@@ -50,7 +54,7 @@ export interface OpenedMesh extends Pick<MeshWithBoundary, "surface" | "volume" 
   readonly invertedTetrahedra: Uint32Array | undefined;
 }
 
-/** What a file contains: the body is its surface, or the boundary of its mesh. */
+/** What a file contains: its surface, or its mesh with a body that is the boundary. */
 export interface FileContent extends ReadSurface {
   /** Null if the file has no tetrahedra. */
   readonly mesh: OpenedMesh | null;
@@ -70,7 +74,9 @@ export interface SurfaceProtocol {
   readonly read: {
     /** `others`: files that it may need, by their names. */
     readonly argument: { readonly file: File; readonly others: readonly File[]; readonly head: BodyHead };
-    readonly answer: SurfaceReading<PackedNewBody & Pick<FileContent, "notes" | "mesh">>;
+    readonly answer: SurfaceReading<
+      Pick<FileContent, "unit" | "notes" | "mesh"> & { readonly made: readonly PackedNewBody[] }
+    >;
   };
   /** Returns the arrays of a body. */
   readonly load: { readonly argument: ProjectBody; readonly answer: PackedNewBody };
@@ -126,8 +132,10 @@ export async function readSurfaceFile(
   try {
     const read = await client.call("read", { file, others, head });
     if (!read.success) return read;
-    const { notes, mesh } = read;
-    return { success: true, ...(await unpacked(read)), notes, mesh };
+    const { made, unit, notes, mesh } = read;
+    const bodies: NewBody[] = [];
+    for (const one of made) bodies.push(await unpacked(one));
+    return { success: true, bodies, unit, notes, mesh };
   } finally {
     client.dispose();
   }

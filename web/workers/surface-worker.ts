@@ -2,6 +2,7 @@
 import {
   bodySurface,
   bodyWithPatches,
+  createBodies,
   createBody,
   formatOf,
   mergePatches,
@@ -15,6 +16,7 @@ import {
   type SurfaceFile,
 } from "tetrafront";
 import { buffersOfDrawn, drawnSurface } from "../document/drawn-surface";
+import { hasColors, packedColor } from "../document/patch-colors";
 import { strings } from "../strings";
 import "./cad-library";
 import { buffersOfPacked, packedBody } from "./packed-bodies";
@@ -33,11 +35,10 @@ serveCalls<SurfaceProtocol>({
     }
     const read = await readSurface(file.stream(), { fileName, openOther });
     if (!read.success) return refusal(read.errors);
-    const made = newBody(createBody(read.value, head));
-    return {
-      answer: { success: true, ...made, notes: notesOf(read.value), mesh: null },
-      transfer: buffersOf(made),
-    };
+    const made = createBodies(read.value, head).map(newBody);
+    const { unit } = read.value;
+    const notes = notesOf(read.value);
+    return { answer: { success: true, made, unit, notes, mesh: null }, transfer: made.flatMap(buffersOf) };
   },
   load: (body) => {
     const answer = newBody(body);
@@ -94,7 +95,8 @@ async function readVolume(
   return {
     answer: {
       success: true,
-      ...made,
+      made: [made],
+      unit: file.unit,
       notes,
       mesh: { surface, volume, patchShapes, regions, invertedTetrahedra },
     },
@@ -115,9 +117,17 @@ function withSameTriangles(body: ProjectBody): Answer<PackedNewBody> {
 /** Returns the arrays of a body where they were given: the view moves them. */
 function loadedFrom({ placement: _, ...body }: ProjectBody): LoadedSurface {
   const surface = withPatches(bodySurface(body));
-  // One patch needs no colour of its own.
-  const values = body.patches.length > 1 ? surface.trianglePatch : null;
-  return { surface, drawn: drawnSurface(surface, body.patches.length, values) };
+  return { surface, drawn: drawnSurface(surface, body.patches.length, patchValues(surface, body.patches)) };
+}
+
+/** Returns the colours of the patches as numbers, if they have any; else the patches, unless there is only one. */
+function patchValues(
+  { trianglePatch }: PatchArrays,
+  patches: ProjectBody["patches"],
+): Float32Array | Uint32Array | null {
+  if (!hasColors(patches)) return patches.length > 1 ? trianglePatch : null;
+  const colors = patches.map(({ color }) => packedColor(color));
+  return Float32Array.from(trianglePatch, (patch) => colors[patch] ?? 0);
 }
 
 function withPatches({ points, triangles, trianglePatch }: PatchedSurface): PatchArrays {

@@ -1,7 +1,16 @@
 /** STEP, IGES and BREP files: solids as regions, faces as patches, units, colours, interfaces, errors. */
 import { readFileSync } from "node:fs";
 
-import { createMesher, readMesh, readSurface, type Mesher, type SurfaceFile } from "tetrafront";
+import {
+  bodySurface,
+  createBodies,
+  createMesher,
+  readMesh,
+  readProject,
+  readSurface,
+  type Mesher,
+  type SurfaceFile,
+} from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import { mutated, randomSource } from "../../support/random.js";
@@ -145,6 +154,45 @@ describe("an assembly", () => {
     );
     const checked = await run("check", "bodies.step");
     expect(checked.stderr).toContain('The solids "base" and "post" overlap');
+  });
+});
+
+describe("bodies", () => {
+  const blue = [0.1, 0.2, 0.8] as const;
+  const solids = stepFile([
+    boxSolid("left", [0, 0, 0], [2, 1, 1]),
+    boxSolid("right", [2, 0, 0], [3, 1, 1]),
+    boxSolid("far", [5, 0, 0], [6, 1, 1], { color: blue }),
+  ]);
+
+  test("are the solids that touch no other, with their names, patches and colours", async () => {
+    const bodies = createBodies(await surfaceIn(solids, "a.step"), { id: 4, firstPatchId: 10, name: "a" });
+    expect(bodies.map(({ id, name }) => [id, name])).toEqual([
+      [4, "left + right"],
+      [5, "far"],
+    ]);
+    const ids = bodies.flatMap(({ patches }) => patches.map(({ id }) => id));
+    expect(ids).toEqual(Array.from({ length: 11 + 6 }, (_, p) => 10 + p));
+    expect(bodies[0]?.patches.map(({ name }) => name)).toContain("left / right");
+    bodies[1]?.patches.forEach(({ color }) => {
+      blue.forEach((part, i) => expect(color?.[i]).toBeCloseTo(part, 5));
+    });
+    const found = await Promise.all(bodies.map((body) => mesher.inspectSurface(bodySurface(body))));
+    expect(found.map(({ regions, volume }) => [regions, volume])).toEqual([
+      [2, expect.closeTo(3, 9)],
+      [1, expect.closeTo(1, 9)],
+    ]);
+  });
+
+  test("are those of a project, in millimetres, that `convert` writes and `mesh` meshes", async () => {
+    save("a.step", solids);
+    expect(await run("convert", "a.step", "-o", "a.json")).toMatchObject({ code: 0 });
+    const read = readProject(readFileSync(inFolder("a.json"), "utf8"));
+    if (!read.success) throw new Error(read.errors[0].message);
+    expect([read.value.units, read.value.bodies?.length]).toEqual(["mm", 2]);
+    const { code } = await run("mesh", "a.json", "-o", "a.vtu", "--size", "0.5", "--report", "a.report.json");
+    const report = JSON.parse(readFileSync(inFolder("a.report.json"), "utf8")) as { volume: number };
+    expect([code, report.volume]).toEqual([0, expect.closeTo(4, 6)]);
   });
 });
 

@@ -134,6 +134,15 @@ const functions: Readonly<Record<string, Arguments>> = {
     surface: { ...box, trianglePatch: new Uint32Array(12), patches: [{ name: "a" }] },
     body: { id: 1, firstPatchId: 2, name: "a" },
   },
+  createBodies: {
+    surface: {
+      ...box,
+      trianglePatch: new Uint32Array(12),
+      patches: [{ name: "a" }],
+      surfaceRegions: { regions: [{ name: "r", tag: 1 }], triangleRegions: new Uint32Array(24) },
+    },
+    body: { id: 1, firstPatchId: 2, name: "a" },
+  },
   bodySurface: { body },
   bodyPatchGroups: { body },
   bodyWithPatches: {

@@ -1,6 +1,6 @@
 import { bodySurface, createBody, type Project, type ProjectBody } from "tetrafront";
 import { describe, expect, it } from "vitest";
-import { addBody, nextBodyIds, setPlacement, usedPatches } from "../../../web/document/body-edits";
+import { addBodies, nextBodyIds, setPlacement, usedPatches } from "../../../web/document/body-edits";
 import { documentKey, meshKey, preparedKey } from "../../../web/document/content-keys";
 import { drawnSurface } from "../../../web/document/drawn-surface";
 import { deleteEntities, renameEntity } from "../../../web/document/edits";
@@ -135,7 +135,7 @@ describe("a document with bodies", () => {
 
   it("counts the texts of a body once, however many steps share them", () => {
     const documents = new DocumentStore(cubeProject(), () => 0);
-    documents.edit(addBody(documents.project, large).edit);
+    documents.edit(addBodies(documents.project, [large]));
     for (let i = 0; i < 30; ++i) {
       documents.edit(deleteEntities(documents.project, [{ kind: "body", id: 1 }]));
       documents.undo();
@@ -153,7 +153,7 @@ describe("a document with bodies", () => {
   it("is restored with its steps, although one text alone is larger than their limit", async () => {
     expect(large.points.length + large.triangles.length).toBeGreaterThan(maxKeptHistoryBytes / 2);
     const documents = new DocumentStore(cubeProject(), () => 0);
-    documents.edit(addBody(documents.project, large).edit);
+    documents.edit(addBodies(documents.project, [large]));
     documents.edit(renameEntity({ kind: "body-patch", id: 7 }, "skin"));
     const kept = keptDocument(documents.state.getState(), 0, true);
     expect(kept.text.length).toBeLessThan(100_000);

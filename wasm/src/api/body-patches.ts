@@ -38,7 +38,8 @@ export function bodyWithPatches(
     // Names such as "patch 3" would not be unique among bodies; without a name, the id is shown.
     const isWhole = source !== undefined && pieces.get(source) === 1;
     const own = hasGenericName({ name, tag: 0 }) ? (isWhole ? given?.name : undefined) : name;
-    return { id: id ?? nextId++, ...(own !== undefined && { name: own }) };
+    const color = given?.color;
+    return { id: id ?? nextId++, ...(own !== undefined && { name: own }), ...(color && { color }) };
   });
   return withOwners(body, surface.trianglePatch, patches);
 }

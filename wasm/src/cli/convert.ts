@@ -1,6 +1,6 @@
 /**
  * `tetrafront convert`: converts a mesh file to another format; of a volume mesh the boundary, if the format stores
- * surfaces only; to a project with one body.
+ * surfaces only; to a project with its bodies.
  */
 import path from "node:path";
 import { writeMesh } from "../api/mesh-files.js";
@@ -16,7 +16,7 @@ import { numbered } from "../formats/groups.js";
 import { type SurfaceFile, surfaceOf } from "../formats/surface-file.js";
 import { findDefects, tetFaces } from "../formats/tet-faces.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
-import { createBody } from "../project/bodies.js";
+import { createBodies } from "../project/solid-bodies.js";
 import { writeProject } from "../project/project.js";
 import { PROJECT_FORMAT, type Project, type ProjectBody } from "../project/schema.js";
 import { PROJECT_VERSION } from "../project/versions.js";
@@ -71,7 +71,7 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
   }
 }
 
-/** Writes a project with the surface as its only body. */
+/** Writes a project with a body per solid of the surface. */
 async function convertToProject(
   input: string,
   options: ConvertCommandOptions,
@@ -94,7 +94,7 @@ async function convertToProject(
   const name = input === STANDARD_STREAM ? "surface" : path.basename(input, path.extname(input));
   await writeOutput(
     output,
-    writeProject(projectOf(name, createBody(mesh, { id: 1, firstPatchId: 1, name }))),
+    writeProject(projectOf(name, mesh.unit, createBodies(mesh, { id: 1, firstPatchId: 1, name }))),
   );
   if (!isQuiet) {
     const left = [...given.nodeData.keys()];
@@ -117,15 +117,16 @@ async function withSplitPatches(
   return made;
 }
 
-function projectOf(name: string, body: ProjectBody): Project {
+function projectOf(name: string, units: string | undefined, bodies: readonly ProjectBody[]): Project {
   return {
     format: PROJECT_FORMAT,
     version: PROJECT_VERSION,
     name,
+    ...(units !== undefined && { units }),
     points: [],
     lines: [],
     patches: [],
-    bodies: [body],
+    bodies,
     background: { nodes: [], tetrahedra: [] },
   };
 }

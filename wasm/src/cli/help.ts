@@ -198,7 +198,7 @@ Output
 ${formatLines("writable", "surface", "volume")}
   -                     standard output; set its format with --format
 
-  part.json             project with the surface as its only body
+  part.json             project with the surface as a body, or one body per solid
 
 A surface format receives the boundary of a volume mesh. Corners at equal positions become one node.
 ${EXIT_CODES_HELP}

@@ -21,7 +21,7 @@ const surfaceSchema = v.pipe(
     points: doubles(3),
     triangles: integers(3),
     trianglePatch: v.optional(integers()),
-    patches: v.optional(v.array(v.object({ name: v.string() }))),
+    patches: v.optional(v.array(v.object({ name: v.string(), color: v.optional(v.array(v.number())) }))),
   }),
   v.check(
     ({ trianglePatch, triangles }) =>
@@ -40,7 +40,7 @@ const newBodySchema = v.object({ id: index, firstPatchId: index, name: v.optiona
  *     const body = createBody(file, { id: 1, firstPatchId: 1, name: "bracket" });
  */
 export function createBody(
-  surface: PatchedSurface & { readonly patches?: readonly Pick<FileGroup, "name">[] | undefined },
+  surface: PatchedSurface & { readonly patches?: readonly Pick<FileGroup, "name" | "color">[] | undefined },
   body: NewBody,
 ): ProjectBody {
   checkArgument("surface", surface, surfaceSchema);
@@ -60,7 +60,12 @@ export function createBody(
     ...(count > 1 && trianglePatch && { trianglePatch: textOfArray(trianglePatch) }),
     patches: Array.from({ length: Math.max(count, 1) }, (_, p) => {
       const patchName = names[p];
-      return { id: firstPatchId + p, ...(patchName !== undefined && { name: patchName }) };
+      const color = surface.patches?.[p]?.color;
+      return {
+        id: firstPatchId + p,
+        ...(patchName !== undefined && { name: patchName }),
+        ...(color && { color }),
+      };
     }),
   };
 }

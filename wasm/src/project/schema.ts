@@ -65,7 +65,12 @@ const patchSchema = v.pipe(
   v.readonly(),
 );
 
-const bodyPatchSchema = v.pipe(objectWith({ id, name }), v.readonly());
+const part = v.pipe(number, v.minValue(0), v.maxValue(1));
+const color = v.pipe(v.strictTuple([part, part, part]), v.readonly());
+const bodyPatchSchema = v.pipe(
+  objectWith({ id, name, color: v.optional(described(WORDS.patchColor, color)) }),
+  v.readonly(),
+);
 
 /** What is done to the triangles of a body before it is filled. */
 export const BODY_SURFACES = ["remesh", "refine", "keep"] as const;

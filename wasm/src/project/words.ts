@@ -41,6 +41,7 @@ export const WORDS = {
   bodyTriangles: "Given triangles: base64 of three node indices each, as little-endian 32-bit integers",
   trianglePatch:
     "Base64 of the index in `patches` of each triangle, as little-endian 32-bit integers; may be omitted if there is one patch",
+  patchColor: "Red, green and blue from 0 to 1, in sRGB, as in the file of the body",
   bodyPatches: "Patches of the body; their ids differ from those of all other patches of the project",
   bodySurface:
     "What is done to the given triangles before the body is filled: remesh (default), refine (split large triangles), or keep",

@@ -22,6 +22,7 @@ export class BodiesLayer implements HittableLayer {
     plain: createBodyMaterial(),
     deviation: createBodyMaterial(),
     patch: createBodyMaterial(),
+    color: createBodyMaterial(),
     emphasized: createPatchMaterial({
       opacities: { hover: 0.35, selected: 0.5, defective: 0.8 },
       polygonOffset: -1,
@@ -40,6 +41,8 @@ export class BodiesLayer implements HittableLayer {
     this.#buildTree = buildTree;
     setNumber(this.#materials.deviation, "shaded", 1);
     setNumber(this.#materials.patch, "shaded", 1);
+    setNumber(this.#materials.color, "shaded", 1);
+    setNumber(this.#materials.color, "isPacked", 1);
   }
 
   update(changes: SceneChanges): void {

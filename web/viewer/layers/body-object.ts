@@ -20,6 +20,7 @@ export interface BodyMaterials {
   readonly plain: StateMaterial;
   readonly deviation: StateMaterial;
   readonly patch: StateMaterial;
+  readonly color: StateMaterial;
   readonly emphasized: StateMaterial;
   readonly behind: StateMaterial;
 }

@@ -24,6 +24,7 @@ const fragmentShader = /* glsl */ `
   uniform vec3 plainColor;
   uniform vec3 edgeColor;
   uniform float shaded;
+  uniform float isPacked;
   uniform float edges;
   varying float vValue;
   varying vec3 vViewPosition;
@@ -32,7 +33,10 @@ const fragmentShader = /* glsl */ `
   ${edgeStrength}
   void main() {
     float texel = hues > 0.0 ? mod(vValue + 0.5, hues) / hues : clamp(vValue, 0.002, 0.998);
-    vec3 color = mix(plainColor, texture2D(ramp, vec2(texel, 0.5)).rgb, shaded);
+    float bits = floor(vValue + 0.5);
+    vec3 unpacked = mod(floor(bits / vec3(65536.0, 256.0, 1.0)), 256.0) / 255.0;
+    vec3 given = isPacked > 0.0 ? unpacked : texture2D(ramp, vec2(texel, 0.5)).rgb;
+    vec3 color = mix(plainColor, given, shaded);
     color *= facetLight(vViewPosition);
     gl_FragColor = vec4(mix(color, edgeColor, edges * edgeStrength(vBarycentric, 0.6)), 1.0);
   }
@@ -40,7 +44,7 @@ const fragmentShader = /* glsl */ `
 
 /**
  * Triangles of a body without an index, seen from both sides: in one colour, or shaded by a value per corner, a position
- * on a colour ramp, or with a palette of `hues` colours the index of a colour.
+ * on a colour ramp, with a palette of `hues` colours the index of a colour, or if `isPacked` a colour itself.
  */
 export function createBodyMaterial(): StateMaterial {
   const uniforms = {
@@ -50,6 +54,7 @@ export function createBodyMaterial(): StateMaterial {
     plainColor: { value: new Color() },
     edgeColor: { value: new Color() },
     shaded: { value: 0 },
+    isPacked: { value: 0 },
     edges: { value: 1 },
   };
   const material = new ShaderMaterial({

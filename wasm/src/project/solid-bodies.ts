@@ -1,0 +1,129 @@
+/** Divides a surface with several solids into bodies. */
+import * as v from "valibot";
+import { checkArgument } from "../calls/argument-checks.js";
+import { integers } from "../calls/schemas.js";
+import { NO_REGION } from "../generated/constants.js";
+import type { FileGroup, SurfaceRegions } from "../mesh/file-mesh.js";
+import type { PatchedSurface } from "../mesh/mesh.js";
+import { createBody, type NewBody } from "./bodies.js";
+import type { ProjectBody } from "./schema.js";
+
+/** A surface with patches, and with regions if its file defines them. */
+export interface SolidSurface extends PatchedSurface {
+  readonly trianglePatch: Uint32Array;
+  readonly patches: readonly Pick<FileGroup, "name" | "color">[];
+  readonly surfaceRegions?: SurfaceRegions | undefined;
+}
+
+const regionsSchema = v.object({
+  surfaceRegions: v.optional(
+    v.object({ regions: v.array(v.object({ name: v.string() })), triangleRegions: integers(2) }),
+  ),
+});
+
+/**
+ * Returns one body per solid of a surface, with the solid's name; solids that share a face are one body, because only then
+ * the mesh is the same on both sides. A surface without regions is one body. Ids continue from those of `body`. O(n).
+ * Throws a `MesherError` if an argument is invalid.
+ */
+export function createBodies(surface: SolidSurface, body: NewBody): ProjectBody[] {
+  checkArgument("surface", surface, regionsSchema);
+  const { surfaceRegions } = surface;
+  const whole = createBody(surface, body);
+  if (surfaceRegions === undefined) return [whole];
+  const { regions, triangleRegions } = surfaceRegions;
+  const groups = joinedRegions(regions.length, triangleRegions);
+  if (groups.length <= 1) return [withName(whole, groups[0] ?? [], regions)];
+  const groupOf = new Map(groups.flatMap((group, g) => group.map((region) => [region, g] as const)));
+  const ofTriangle = Uint32Array.from({ length: surface.trianglePatch.length }, (_, t) => {
+    const sides = triangleRegions.subarray(2 * t, 2 * t + 2);
+    return groupOf.get(sides.find((region) => region !== NO_REGION) ?? NO_REGION) ?? 0;
+  });
+  let [id, firstPatchId] = [body.id, body.firstPatchId];
+  return groups.flatMap((group, g) => {
+    const part = partOf(surface, ofTriangle, g);
+    if (part.triangles.length === 0) return [];
+    const made = withName(createBody(part, { ...body, id, firstPatchId }), group, regions);
+    id++;
+    firstPatchId += made.patches.length;
+    return [made];
+  });
+}
+
+/** Returns the regions in groups that are connected through common triangles, in order. */
+function joinedRegions(count: number, triangleRegions: Uint32Array): number[][] {
+  const parent = Array.from({ length: count }, (_, region) => region);
+  const rootOf = (region: number): number => {
+    let root = region;
+    while (parent[root] !== undefined && parent[root] !== root) root = parent[root] ?? root;
+    return root;
+  };
+  for (let side = 0; side < triangleRegions.length; side += 2) {
+    const [a = NO_REGION, b = NO_REGION] = triangleRegions.subarray(side, side + 2);
+    if (a >= count || b >= count || a === b) continue;
+    const [low, high] = [rootOf(a), rootOf(b)].sort((x, y) => x - y) as [number, number];
+    parent[high] = low;
+  }
+  const groups = new Map<number, number[]>();
+  parent.forEach((_, region) => {
+    const root = rootOf(region);
+    groups.set(root, [...(groups.get(root) ?? []), region]);
+  });
+  return [...groups.values()];
+}
+
+/** Largest number of solids in the name of a body. */
+const MAX_NAMED = 3;
+/** Readers call solids without a name "solid 3". */
+const GENERIC = /^(solid|region) \d+$/;
+
+function withName(
+  body: ProjectBody,
+  group: readonly number[],
+  regions: SurfaceRegions["regions"],
+): ProjectBody {
+  const names = group.map((region) => regions[region]?.name ?? "").filter((name) => name !== "");
+  const isNamed = names.length > 0 && !(regions.length === 1 && names.every((name) => GENERIC.test(name)));
+  if (!isNamed) return body;
+  const more = names.length - MAX_NAMED;
+  return { ...body, name: names.slice(0, MAX_NAMED).join(" + ") + (more > 0 ? ` + ${more} more` : "") };
+}
+
+/** Returns the triangles of one group with the nodes and patches that they use. */
+function partOf(
+  { points, triangles, trianglePatch, patches }: SolidSurface,
+  ofTriangle: Uint32Array,
+  group: number,
+): Pick<SolidSurface, "points" | "triangles" | "trianglePatch" | "patches"> {
+  const nodes = new Numbering();
+  const usedPatches = new Numbering();
+  const corners: number[] = [];
+  const owners: number[] = [];
+  ofTriangle.forEach((owner, t) => {
+    if (owner !== group) return;
+    for (const node of triangles.subarray(3 * t, 3 * t + 3)) corners.push(nodes.of(node));
+    owners.push(usedPatches.of(trianglePatch[t] ?? 0));
+  });
+  const kept = nodes.given;
+  return {
+    points: Float64Array.from({ length: 3 * kept.length }, (_, i) => {
+      return points[3 * (kept[Math.floor(i / 3)] ?? 0) + (i % 3)] ?? 0;
+    }),
+    triangles: Uint32Array.from(corners),
+    trianglePatch: Uint32Array.from(owners),
+    patches: usedPatches.given.flatMap((patch) => patches[patch] ?? []),
+  };
+}
+
+/** Numbers indices in the order in which they first appear. */
+class Numbering {
+  readonly given: number[] = [];
+  readonly #indices = new Map<number, number>();
+
+  of(index: number): number {
+    const known = this.#indices.get(index);
+    if (known !== undefined) return known;
+    this.#indices.set(index, this.given.length);
+    return this.given.push(index) - 1;
+  }
+}
