@@ -18,6 +18,7 @@ import { cubeProject } from "../../support/projects.js";
 import { mutated, randomSource } from "../../support/random.js";
 import { offBinary, offFile, plyBinary, plyStrips, stlText } from "../../support/surface-files.js";
 import { boxSurface } from "../../support/surfaces.js";
+import { meshTags, threeMfFile } from "../../support/three-mf-files.js";
 
 /** Damaged files per format, divided equally among its samples. */
 const SEEDS = Number(process.env["TETRAFRONT_FUZZ"] ?? 4000);
@@ -118,6 +119,7 @@ const samples: readonly Sample[] = [
   own("TetGen nodes", "a.node"),
   own("TetGen elements", "a.ele"),
   own("TetGen faces", "a.face", "a.node"),
+  sample("3MF", "a.3mf", threeMfFile(`<object id="1">${meshTags(cube)}</object>`, `<item objectid="1"/>`)),
   sample("TetGen .smesh", "a.smesh", smesh),
   sample("TetGen .poly", "a.poly", poly),
 ];

@@ -25,6 +25,11 @@ import { checkFileMesh } from "../mesh/mesh-checks.js";
 export interface ReadFileOptions {
   /** Name of the file; its extension selects the format. */
   readonly fileName: string;
+  /**
+   * Target edge length in millimetres: faces of CAD files are triangulated finely enough for it. By default, finely enough
+   * for automatic sizes.
+   */
+  readonly size?: number | undefined;
   /** Opens the other files of a format with several, such as TetGen's `.node` next to a `.face`. */
   readonly openOther?: OpenOther | undefined;
   /**
@@ -174,7 +179,7 @@ async function readAny(
   contents: readonly Contents[],
 ): Promise<FileMesh> {
   checkSource(source);
-  const { fileName, signal, openOther = () => Promise.resolve(undefined) } = checkedOptions(options);
+  const { fileName, signal, size, openOther = () => Promise.resolve(undefined) } = checkedOptions(options);
   throwIfCancelled(signal);
   const format = formatOf(fileName);
   if (!format?.readable.some((held) => contents.includes(held)))
@@ -195,7 +200,7 @@ async function readAny(
       const other = await untilCancelled(() => checkedOpening(openOther)(name), signal);
       return other && watched(other);
     };
-    return await read(watched(source), { fileName, openOther: opened, signal, onWork });
+    return await read(watched(source), { fileName, size, openOther: opened, signal, onWork });
   } catch (failure) {
     throw failureIn(fileName, asTooLarge(failure));
   }
@@ -203,7 +208,7 @@ async function readAny(
 
 const WATCH_OPTIONS = ["onProgress", "signal"] as const;
 const WRITE_OPTIONS = [...WATCH_OPTIONS, "elementOrder"] satisfies (keyof WriteFileOptions)[];
-const READ_OPTIONS = ["fileName", "openOther", ...WATCH_OPTIONS] satisfies (keyof ReadFileOptions)[];
+const READ_OPTIONS = ["fileName", "size", "openOther", ...WATCH_OPTIONS] satisfies (keyof ReadFileOptions)[];
 
 /** Reports an unknown option, which would otherwise be ignored silently. */
 function unknownOption(
@@ -219,7 +224,11 @@ function remedyOf(known: readonly string[]): string {
   return `Use only these options: ${known.join(", ")}.`;
 }
 
-const readOptions = v.object({ openOther: v.optional(v.function()), ...watch });
+const readOptions = v.object({
+  size: v.optional(v.pipe(v.number(), v.finite(), v.gtValue(0))),
+  openOther: v.optional(v.function()),
+  ...watch,
+});
 const writeOptions = v.object({ ...watch, elementOrder: v.optional(v.picklist([1, 2])) });
 
 function checkedOptions(options: ReadFileOptions): ReadFileOptions {

@@ -68,14 +68,15 @@ export function formatName(file: string, format: string | undefined): string {
   );
 }
 
-export async function readModel(input: string, from?: string): Promise<Input> {
+/** `size`: target edge length, if it is given. */
+export async function readModel(input: string, from?: string, size?: number): Promise<Input> {
   const name = formatName(input, from);
   const known = [PROJECT_EXTENSION, ...extensionsFor("read", "surface")];
   const extension = await checkedExtension(input, name, known, OR_FROM);
   if (extension === PROJECT_EXTENSION) {
     return { kind: "project", project: await readProjectFile(input, from) };
   }
-  const read = await readSurface(piecesOfInput(input), openedAs(input, name));
+  const read = await readSurface(piecesOfInput(input), { ...openedAs(input, name), size });
   return { kind: "surface", surface: valueOf(input, read, name) };
 }
 

@@ -143,7 +143,7 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   if (treatment === "remesh") remeshOptions(options, meshOptions);
   else refuseRemeshing(options);
   await checkMeshPaths(input, options);
-  const given = await readModel(input, options.from);
+  const given = await readModel(input, options.from, meshOptions.size);
   if (given.kind === "project") {
     if (options.surface !== undefined) refuseOptions([projectSurface]);
     const hasBodies = (given.project.bodies ?? []).length > 0;
@@ -166,7 +166,7 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
     model: meshed,
     refinement,
     remesh,
-  } = await mesh(model, meshOptions, { isQuiet, treatment, remeshing: options, grid });
+  } = await mesh(model, meshOptions, { isQuiet, treatment, isCad, remeshing: options, grid });
   if (refinement !== undefined && !isQuiet) print(`${input}: ${refinementText(refinement)}`);
   if (remesh !== undefined && !isQuiet) print(`${input}: ${remeshText(remesh)}`);
   if (remesh?.isPartial === true) print(`${input}: ${REMESHING_STOPPED}`);
@@ -322,6 +322,7 @@ async function checkReportPath(input: string, options: MeshCommandOptions): Prom
 interface MeshingOptions {
   readonly isQuiet: boolean;
   readonly treatment: SurfaceTreatment | undefined;
+  readonly isCad: boolean;
   readonly remeshing: RemeshCommandOptions;
   readonly grid: GivenGrid | undefined;
 }

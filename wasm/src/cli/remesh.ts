@@ -87,7 +87,7 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
   const repair = repairOptions(options);
   const split = splitOptions(options);
   const name = await checkPaths(input, options);
-  const given = await readModel(input, options.from);
+  const given = await readModel(input, options.from, sizes.size);
   if (given.kind === "project") throw new InvalidInput(input, [projectGiven]);
   const grid = await readGivenGrid(options, isQuiet);
   return withRun(isQuiet, async (mesher, controlOf) => {

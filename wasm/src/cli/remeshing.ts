@@ -7,6 +7,7 @@ import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import type { PartialControl, RunControl } from "../engine/control.js";
+import { diagonalOf } from "../formats/near-points.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { SurfaceRemesh } from "../mesh/inspection.js";
 import { numberIn, refuseOptions } from "./input.js";
@@ -127,6 +128,50 @@ export async function remeshed(
   const surface = repairedSurface(given, made);
   const remesh = { given: countTriangles(given), triangles: countTriangles(surface), ...figures };
   return { surface, remesh, diagnostics };
+}
+
+/** Smallest angle, in degrees, and mean radius ratio below which other ways to remesh are tried. */
+const POOR_ANGLE = 15;
+const POOR_RATIO = 0.85;
+/** Length up to which details are merged then, and smallest size then, relative to the diagonal. */
+const DROPPED = 1 / 2500;
+const SMALLER = 1 / 3000;
+
+/**
+ * Remeshes a surface with automatic sizes. If its triangles are poor because of narrow details, merges those or makes
+ * smaller triangles there, whichever gives the larger smallest angle.
+ */
+export async function remeshedBest(
+  mesher: Mesher,
+  given: SurfaceFile,
+  options: RemeshOptions,
+  control: PartialControl,
+): Promise<RemeshedSurface> {
+  let best = await remeshed(mesher, given, options, control);
+  const diagonal = diagonalOf(given.points);
+  for (const change of [{ dropDetails: DROPPED * diagonal }, { minSize: SMALLER * diagonal }]) {
+    const { smallestAngle, meanRadiusRatio, isPartial } = best.remesh;
+    if (isPartial || (smallestAngle >= POOR_ANGLE && meanRadiusRatio >= POOR_RATIO)) return best;
+    const other = await remeshed(mesher, given, { ...options, ...change }, control);
+    const { remesh } = other;
+    const isBetter =
+      remesh.smallestAngle > smallestAngle && remesh.meanRadiusRatio > meanRadiusRatio - RATIO_NOISE;
+    if (!remesh.isPartial && isBetter) best = other;
+  }
+  return best;
+}
+
+/** Differences of the mean radius ratio that do not matter. */
+const RATIO_NOISE = 0.005;
+
+/** Returns whether no option of a remeshing is given that it would choose by itself. */
+export function isAutomatic(
+  given: RemeshCommandOptions,
+  { size, maxVolume, background }: MeshOptions,
+): boolean {
+  const names = Object.keys(WRITTEN) as (keyof RemeshCommandOptions)[];
+  const hasSizes = size !== undefined || maxVolume !== undefined || background !== undefined;
+  return !hasSizes && names.every((name) => given[name] === undefined);
 }
 
 export function refinementText({ given, triangles, splitEdges }: RefinementCounts): string {

@@ -6,10 +6,12 @@ import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { SurfaceInspection } from "../mesh/inspection.js";
 import {
+  isAutomatic,
   refined,
   type RefinementCounts,
   type RemeshCommandOptions,
   remeshed,
+  remeshedBest,
   remeshOptions,
   type RemeshReport,
   type SurfaceTreatment,
@@ -30,6 +32,8 @@ export interface TreatedSurface {
 export interface TreatmentOptions {
   /** As given by `--surface`, if at all. */
   readonly treatment: SurfaceTreatment | undefined;
+  /** Whether the triangles approximate the shapes of a CAD file. */
+  readonly isCad: boolean;
   readonly remeshing: RemeshCommandOptions;
   /** Options of the mesh, including the background grid. */
   readonly options: MeshOptions;
@@ -42,15 +46,17 @@ export async function treatedSurface(
   given: SurfaceFile,
   treating: TreatmentOptions,
 ): Promise<TreatedSurface> {
-  const { treatment, remeshing, options, controlOf } = treating;
+  const { treatment, isCad, remeshing, options, controlOf } = treating;
   switch (treatment) {
     case "keep":
       return { surface: given };
-    case "remesh":
-      return remeshed(mesher, given, remeshOptions(remeshing, options), {
+    case "remesh": {
+      const remesh = isCad && isAutomatic(remeshing, options) ? remeshedBest : remeshed;
+      return remesh(mesher, given, remeshOptions(remeshing, options), {
         ...controlOf("remesh"),
         partial: true,
       });
+    }
     case "refine": {
       const { found, refine } = await inspected(mesher, given, treating);
       return found.isFillable ? refine() : { surface: given, invalid: found.diagnostics };

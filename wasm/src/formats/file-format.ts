@@ -34,6 +34,8 @@ export type OpenOther = (fileName: string) => Promise<ByteSource | undefined>;
 /** Input of a reader besides the bytes. */
 export interface ReadContext {
   readonly fileName: string;
+  /** Target edge length, for readers that triangulate. */
+  readonly size?: number | undefined;
   readonly openOther: OpenOther;
   /** Checked between two slices of work after the bytes were read; readers of pieces are cancelled by their source. */
   readonly signal?: AbortSignal | undefined;

@@ -55,6 +55,14 @@ export const FILE_FORMATS: readonly FileFormat[] = [
       write: singleFile((await import("./ply-writer.js")).writePly, { minTag: 0 }),
     }),
   },
+  {
+    id: "3mf",
+    name: "3MF",
+    extensions: [".3mf"],
+    readable: ["surface"],
+    writable: [],
+    load: async () => ({ read: (await import("./three-mf.js")).readThreeMf, arrival: THREE_MF_ARRIVAL }),
+  },
   cadFormat("step", "STEP", [".step", ".stp"], async () => (await import("./cad.js")).readStep),
   cadFormat("iges", "IGES", [".iges", ".igs"], async () => (await import("./cad.js")).readIges),
   cadFormat("brep", "BREP", [".brep"], async () => (await import("./cad.js")).readBrep),
@@ -294,6 +302,8 @@ function cadFormat(
   };
 }
 
+/** Approximate fraction of the work of reading a 3MF file that is done when all bytes have arrived. */
+const THREE_MF_ARRIVAL = 0.1;
 /** Approximate fraction of the work of reading a CAD file that is done when all bytes have arrived. */
 const CAD_ARRIVAL = 0.1;
 

@@ -8,7 +8,7 @@ import { weldPoints } from "./weld.js";
 
 /** A face of a shape, which becomes a patch. */
 export interface ShapeFace {
-  /** Undefined for faces that are numbered. */
+  /** Undefined for faces that are numbered; empty for triangles of a shape that are nothing in particular. */
   readonly name?: string | undefined;
   /** Number of its triangles, which follow those of the face before it. */
   readonly triangles: number;

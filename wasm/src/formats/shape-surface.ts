@@ -77,8 +77,7 @@ class SharedPatches {
     this.#faces = shapes.flatMap(({ faces }, s) => {
       const shape = names[s] ?? "";
       return faces.map((face, f) => {
-        const own = face.name ?? `face ${f + 1}`;
-        return { ...face, shape, label: shapes.length === 1 ? own : `${shape} ${own}` };
+        return { ...face, shape, label: labelOf(face.name ?? `face ${f + 1}`, shape, shapes.length === 1) };
       });
     });
     this.#lastTag = this.#faces.length;
@@ -113,4 +112,10 @@ class SharedPatches {
     this.#indices.set(key, this.groups.length);
     return this.groups.push(make()) - 1;
   }
+}
+
+/** Returns the name of a patch; `own`: that of the face, empty if the whole shape is one face. */
+function labelOf(own: string, shape: string, isOnlyShape: boolean): string {
+  if (own === "") return isOnlyShape ? "surface" : shape;
+  return isOnlyShape ? own : `${shape} ${own}`;
 }

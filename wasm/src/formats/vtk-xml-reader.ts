@@ -21,7 +21,8 @@ import {
   PATCH_ARRAYS,
   REGION_ARRAYS,
 } from "./vtk-cells.js";
-import { failIn, type FoundArray, type Head, type Piece, readHead, unescaped } from "./vtk-xml-head.js";
+import { failIn, type FoundArray, type Head, type Piece, readHead } from "./vtk-xml-head.js";
+import { unescaped } from "./xml-tags.js";
 
 const VTK_POLYGON = 7;
 const VTK_STRIP = 6;

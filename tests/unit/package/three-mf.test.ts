@@ -1,0 +1,161 @@
+/** 3MF files: units, objects at their places, components, colours, materials, errors. */
+import { zipSync } from "fflate";
+import { bodySurface, createBodies, createMesher, readSurface, type SurfaceFile } from "tetrafront";
+import { describe, expect, test } from "vitest";
+
+import { boxSurface } from "../../support/surfaces.js";
+import { meshTags, threeMfFile } from "../../support/three-mf-files.js";
+
+const box = boxSurface(1);
+const boxTags = meshTags(box);
+
+async function surfaceIn(file: Uint8Array): Promise<SurfaceFile> {
+  const read = await readSurface(file, { fileName: "a.3mf" });
+  if (!read.success) throw new Error(read.errors[0].message);
+  return read.value;
+}
+
+const messageOf = async (file: Uint8Array) => {
+  const read = await readSurface(file, { fileName: "a.3mf" });
+  return read.success ? "" : read.errors[0].message;
+};
+
+function boxOf({ points }: { readonly points: Float64Array }) {
+  const along = (axis: number) => [...points.filter((_, i) => i % 3 === axis)];
+  return [0, 1, 2].map((axis) => [Math.min(...along(axis)), Math.max(...along(axis))]);
+}
+
+const namesIn = ({ patches }: SurfaceFile) => patches.map(({ name }) => name);
+
+test.each([
+  ["micron", 0.001],
+  ["millimeter", 1],
+  ["centimeter", 10],
+  ["inch", 25.4],
+  ["foot", 304.8],
+  ["meter", 1000],
+])("lengths in %s are converted to millimetres", async (unit, factor) => {
+  const file = threeMfFile(`<object id="1">${boxTags}</object>`, `<item objectid="1"/>`, unit);
+  const surface = await surfaceIn(file);
+  expect(surface.unit).toBe("mm");
+  expect(boxOf(surface)).toEqual(Array.from({ length: 3 }, () => [0, expect.closeTo(factor, 9)]));
+});
+
+describe("objects", () => {
+  test("are built where their items and components say, each a region and a body", async () => {
+    const turn = "0 1 0 -1 0 0 0 0 1";
+    const resources = `<object id="1" name="part">${boxTags}</object><object id="2" name="unused">${boxTags}</object>
+      <object id="3" name="group"><components><component objectid="1"/><component objectid="1" transform="${turn} 5 0 0"/></components></object>
+      <object id="4" type="support">${boxTags}</object>`;
+    const items = `<item objectid="3" transform="1 0 0 0 1 0 0 0 1 0 0 10"/><item objectid="4"/>`;
+    const surface = await surfaceIn(threeMfFile(resources, items));
+    expect(surface.surfaceRegions?.regions.map(({ name }) => name)).toEqual(["part", "part 2"]);
+    expect(surface.notes).toEqual(["supports are left out"]);
+    const bodies = createBodies(surface, { id: 1, firstPatchId: 1 });
+    expect(bodies.map((body) => boxOf(bodySurface(body)))).toEqual([
+      [
+        [0, 1],
+        [0, 1],
+        [10, 11],
+      ],
+      [
+        [4, 5],
+        [0, 1],
+        [10, 11],
+      ],
+    ]);
+  });
+
+  test("that are mirrored face outward", async () => {
+    const item = `<item objectid="1" transform="-1 0 0 0 1 0 0 0 1 0 0 0"/>`;
+    const surface = await surfaceIn(threeMfFile(`<object id="1">${boxTags}</object>`, item));
+    const mesher = await createMesher();
+    expect(await mesher.inspectSurface(surface)).toMatchObject({
+      isFillable: true,
+      flippedTriangles: 0,
+      volume: 1,
+    });
+    mesher.dispose();
+  });
+
+  test("that touch have an interface", async () => {
+    const items = `<item objectid="1"/><item objectid="1" transform="1 0 0 0 1 0 0 0 1 1 0 0"/>`;
+    const surface = await surfaceIn(threeMfFile(`<object id="1" name="cell">${boxTags}</object>`, items));
+    expect(namesIn(surface)).toEqual(["cell", "cell / cell 2", "cell 2"]);
+    const mesher = await createMesher();
+    expect(await mesher.inspectSurface(surface)).toMatchObject({ isFillable: true, regions: 2, volume: 2 });
+    mesher.dispose();
+  });
+});
+
+test("colours and materials become patches", async () => {
+  const properties = `<basematerials id="5"><base name="steel" displaycolor="#808080FF"/></basematerials>
+    <m:colorgroup id="6"><m:color color="#FF0000"/><m:color color="#0000FF80"/></m:colorgroup>`;
+  const kinds = [`pid="6" p1="0"`, `pid="6" p1="1" p2="1" p3="1"`, ""];
+  const tags = meshTags(box, (t) => kinds[t % 3] ?? "");
+  const object = `<object id="1" pid="5" pindex="0">${tags}</object>`;
+  const surface = await surfaceIn(threeMfFile(properties + object, `<item objectid="1"/>`));
+  expect(surface.patches.map(({ name, color }) => [name, color])).toEqual([
+    ["steel", [128 / 255, 128 / 255, 128 / 255]],
+    ["#ff0000", [1, 0, 0]],
+    ["#0000ff", [0, 0, 1]],
+  ]);
+  expect([0, 1, 2].map((p) => surface.trianglePatch.filter((owner) => owner === p).length)).toEqual([
+    4, 4, 4,
+  ]);
+});
+
+test("an object without a colour is one patch without a name", async () => {
+  const surface = await surfaceIn(threeMfFile(`<object id="1">${boxTags}</object>`, ""));
+  expect(namesIn(surface)).toEqual(["surface"]);
+});
+
+describe("errors", () => {
+  const item = `<item objectid="1"/>`;
+  test.each([
+    ["no zip", new TextEncoder().encode("nonsense"), /^byte 0: the file is not a zip file/],
+    [
+      "no model",
+      zipSync({ "a.txt": new Uint8Array(3) }),
+      /^byte 0: the file is a zip file without a 3D model/,
+    ],
+    [
+      "a bomb",
+      zipSync({ "3D/a.model": new Uint8Array(9_000_000) }),
+      /^byte 0: the model unpacks to far more than the size of the file/,
+    ],
+    [
+      "parts in other files",
+      threeMfFile(
+        `<object id="1"><components><component p:path="/3D/b.model" objectid="2"/></components></object>`,
+        item,
+      ),
+      /^line 4: the model is divided into several files \(production extension\), which is not supported/,
+    ],
+    [
+      "an object that contains itself",
+      threeMfFile(`<object id="1"><components><component objectid="1"/></components></object>`, item),
+      /nested too deeply, or contain themselves/,
+    ],
+    ["a missing object", threeMfFile("", item), /^line 5: there is no object 1/],
+    [
+      "a missing vertex",
+      threeMfFile(`<object id="1"><mesh><triangle v1="0" v2="1" v3="2"/></mesh></object>`, item),
+      /^line 4: v1 is 0, but the object has no such vertex/,
+    ],
+    ["no triangles", threeMfFile(`<object id="1"></object>`, item), /the model builds no triangles/],
+    ["an unknown unit", threeMfFile("", "", "mile"), /^line 2: unknown unit "mile"/],
+  ])("name %s", async (_, file, message) => {
+    expect(await messageOf(file)).toMatch(message);
+  });
+
+  test("come at once if objects contain each other many times", async () => {
+    const objects = Array.from({ length: 30 }, (_, i) => {
+      const use = `<component objectid="${i + 2}"/>`;
+      return `<object id="${i + 1}"><components>${use}${use}</components></object>`;
+    });
+    expect(
+      await messageOf(threeMfFile(`${objects.join("")}<object id="31">${boxTags}</object>`, item)),
+    ).toMatch(/too many triangles/);
+  });
+});
