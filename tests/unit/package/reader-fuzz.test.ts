@@ -18,7 +18,7 @@ import { cubeProject } from "../../support/projects.js";
 import { mutated, randomSource } from "../../support/random.js";
 import { offBinary, offFile, plyBinary, plyStrips, stlText } from "../../support/surface-files.js";
 import { boxSurface } from "../../support/surfaces.js";
-import { meshTags, threeMfFile } from "../../support/three-mf-files.js";
+import { meshTags, threeMfFile } from "../../support/threemf-files.js";
 
 /** Damaged files per format, divided equally among its samples. */
 const SEEDS = Number(process.env["TETRAFRONT_FUZZ"] ?? 4000);

@@ -61,7 +61,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     extensions: [".3mf"],
     readable: ["surface"],
     writable: [],
-    load: async () => ({ read: (await import("./three-mf.js")).readThreeMf, arrival: THREE_MF_ARRIVAL }),
+    load: async () => ({ read: (await import("./threemf.js")).readThreeMf, arrival: THREE_MF_ARRIVAL }),
   },
   cadFormat("step", "STEP", [".step", ".stp"], async () => (await import("./cad.js")).readStep),
   cadFormat("iges", "IGES", [".iges", ".igs"], async () => (await import("./cad.js")).readIges),

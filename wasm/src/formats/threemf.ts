@@ -19,7 +19,7 @@ import {
   THREE_MF_REMEDY,
   type Transform,
   type Use,
-} from "./three-mf-model.js";
+} from "./threemf-model.js";
 
 /** Limit of the model's size, per byte of the file and in addition: text of a mesh is packed to about a tenth. */
 const MAX_RATIO = 200;
@@ -54,14 +54,15 @@ function* meshIn(file: Uint8Array): Steps<FileMesh> {
 
 /** Returns the bytes of the model. Throws a ReadFailure if the file is not a zip with a model. */
 function modelIn(file: Uint8Array): Uint8Array {
-  let isTooLarge = false;
+  const tooLarge: string[] = [];
   const wanted = /^\/?3D\/[^/]*\.model$/i;
   try {
     const found = unzipSync(file, {
       filter: ({ name, originalSize }) => {
         if (!wanted.test(name)) return false;
-        isTooLarge ||= originalSize > MAX_EXTRA + MAX_RATIO * file.length;
-        return !isTooLarge;
+        if (originalSize <= MAX_EXTRA + MAX_RATIO * file.length) return true;
+        tooLarge.push(name);
+        return false;
       },
     });
     const [model] = Object.keys(found).sort();
@@ -70,9 +71,10 @@ function modelIn(file: Uint8Array): Uint8Array {
   } catch {
     throw failureAt({ offset: 0 }, "the file is not a zip file, or it is damaged", THREE_MF_REMEDY);
   }
-  const message = isTooLarge
-    ? "the model unpacks to far more than the size of the file"
-    : "the file is a zip file without a 3D model";
+  const message =
+    tooLarge.length > 0
+      ? "the model unpacks to far more than the size of the file"
+      : "the file is a zip file without a 3D model";
   throw failureAt({ offset: 0 }, message, THREE_MF_REMEDY);
 }
 

@@ -4,7 +4,7 @@ import { bodySurface, createBodies, createMesher, readSurface, type SurfaceFile 
 import { describe, expect, test } from "vitest";
 
 import { boxSurface } from "../../support/surfaces.js";
-import { meshTags, threeMfFile } from "../../support/three-mf-files.js";
+import { meshTags, threeMfFile } from "../../support/threemf-files.js";
 
 const box = boxSurface(1);
 const boxTags = meshTags(box);
@@ -20,8 +20,8 @@ const messageOf = async (file: Uint8Array) => {
   return read.success ? "" : read.errors[0].message;
 };
 
-function boxOf({ points }: { readonly points: Float64Array }) {
-  const along = (axis: number) => [...points.filter((_, i) => i % 3 === axis)];
+function boxOf({ points }: { readonly points: Float64Array }): number[][] {
+  const along = (axis: number): readonly number[] => Array.from(points.filter((_, i) => i % 3 === axis));
   return [0, 1, 2].map((axis) => [Math.min(...along(axis)), Math.max(...along(axis))]);
 }
 
