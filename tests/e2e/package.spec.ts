@@ -13,6 +13,7 @@ import { expect, test, type Page } from "@playwright/test";
 import webpack, { type Configuration, type StatsCompilation } from "webpack";
 
 import { freshInstall, type FreshInstall } from "../support/fresh-install.js";
+import { boxSolid, stepFile } from "../support/step-files.js";
 
 const bin = (name: string) => fileURLToPath(new URL(`../../node_modules/.bin/${name}`, import.meta.url));
 const STRICT =
@@ -86,6 +87,30 @@ test("the package works on a plain page without a bundler, under a strict Conten
 }) => {
   await expectBoxMeshed(page, await served(fresh.example("page"), STRICT));
 });
+
+test("a plain page reads a CAD file by the library beside the package; without it, the error says what to do", async ({
+  page,
+}) => {
+  const folder = path.join(fresh.folder, "page");
+  if (!existsSync(folder)) fresh.example("page");
+  writeFileSync(path.join(folder, "box.step"), stepFile([boxSolid("box", [0, 0, 0], [1, 1, 1])]));
+  writeFileSync(path.join(folder, "cad.html"), '<script type="module" src="cad.js"></script>');
+  writeFileSync(path.join(folder, "cad.js"), READ_CAD_FILE);
+  const policy = STRICT.replace("'wasm-unsafe-eval'", "'wasm-unsafe-eval' 'unsafe-eval'");
+  const missing = new Set<string>(["occt-import-js.wasm"]);
+  await page.goto(`${await served(folder, policy, missing)}cad.html`);
+  await expect(page).toHaveTitle(/^missing-library .* setCadLibrary\(\)/);
+  missing.clear();
+  await page.reload();
+  await expect(page).toHaveTitle("6 patches");
+});
+
+/** Reads a CAD file that is served beside the page. */
+const READ_CAD_FILE = `import { readSurface } from "./node_modules/tetrafront/dist/page/tetrafront.js";
+const read = await readSurface((await fetch("box.step")).body, { fileName: "box.step" });
+document.title = read.success
+  ? read.value.patches.length + " patches"
+  : read.errors[0].code + " " + read.errors[0].remedy;`;
 
 test("each module is fetched once for any number of meshers and replaced workers", async ({ page }) => {
   const folder = path.join(fresh.folder, "page");

@@ -82,6 +82,17 @@ describe("a solid", () => {
     });
   });
 
+  test("is triangulated finely enough for a small target size", async () => {
+    const lens = stepFile([pinSolid("disc", [0, 0, 0], 100, 1)]);
+    const [coarse, fine] = await Promise.all(
+      [undefined, 0.05].map(async (size) => {
+        const read = await readSurface(lens, { fileName: "disc.step", size });
+        return read.success ? read.value.triangles.length : 0;
+      }),
+    );
+    expect(fine).toBeGreaterThan(3 * (coarse ?? 0));
+  });
+
   test("of a BREP file has no unit", async () => {
     const surface = await surfaceIn(
       readFileSync(new URL("../../fixtures/plate.brep", import.meta.url)),

@@ -21,8 +21,10 @@ const messageOf = async (file: Uint8Array) => {
 };
 
 function boxOf({ points }: { readonly points: Float64Array }): number[][] {
-  const along = (axis: number): readonly number[] => Array.from(points.filter((_, i) => i % 3 === axis));
-  return [0, 1, 2].map((axis) => [Math.min(...along(axis)), Math.max(...along(axis))]);
+  return [0, 1, 2].map((axis) => {
+    const along = points.filter((_, i) => i % 3 === axis);
+    return [Math.min(...along), Math.max(...along)];
+  });
 }
 
 const namesIn = ({ patches }: SurfaceFile) => patches.map(({ name }) => name);
@@ -38,7 +40,7 @@ test.each([
   const file = threeMfFile(`<object id="1">${boxTags}</object>`, `<item objectid="1"/>`, unit);
   const surface = await surfaceIn(file);
   expect(surface.unit).toBe("mm");
-  expect(boxOf(surface)).toEqual(Array.from({ length: 3 }, () => [0, expect.closeTo(factor, 9)]));
+  expect(boxOf(surface)).toEqual(Array.from({ length: 3 }, () => [0, expect.closeTo(factor, 9) as number]));
 });
 
 describe("objects", () => {

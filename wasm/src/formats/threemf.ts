@@ -28,7 +28,7 @@ const MAX_EXTRA = 1 << 20;
 const MAX_DEPTH = 32;
 const MAX_TRIANGLES = 20_000_000;
 /** Work per use of an object, in triangles. */
-const PER_USE = 200;
+const PER_USE = 1000;
 
 export async function readThreeMf(source: ByteSource, { signal }: ReadContext): Promise<FileMesh> {
   const bytes = await allBytes(source);

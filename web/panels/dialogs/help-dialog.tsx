@@ -1,4 +1,6 @@
-import { Kbd, Text } from "@mantine/core";
+import { Anchor, Kbd, Text } from "@mantine/core";
+import libraryLicense from "occt-import-js/dist/license.occt-import-js.txt?url";
+import openCascadeLicense from "occt-import-js/dist/license.occt.txt?url";
 import { commands, keyNames } from "../../commands/registry";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { FramedDialog } from "../../ui/frames/framed-dialog";
@@ -45,6 +47,17 @@ export function HelpDialog() {
       <SectionTitle>{strings.appName}</SectionTitle>
       <Text size="sm" c="dimmed">
         {strings.help.about}
+      </Text>
+      <Text size="sm" c="dimmed">
+        {strings.help.cadLibrary}{" "}
+        <Anchor href={openCascadeLicense} target="_blank">
+          OpenCascade
+        </Anchor>
+        {", "}
+        <Anchor href={libraryLicense} target="_blank">
+          occt-import-js
+        </Anchor>
+        {"."}
       </Text>
     </FramedDialog>
   );
