@@ -28,6 +28,7 @@ export async function takeBackgroundFromMesh(app: App): Promise<void> {
   try {
     const arrays = await (await app.mesher).backgroundFromMesh(mesh.volume);
     const grid = await documentGrid(packArrays(arrays));
+    await app.documents.afterGesture();
     const { sources } = app.documents.project.background;
     const { coverageMargin = 0 } = arrays;
     const background: ProjectBackground = {

@@ -19,6 +19,7 @@ export async function importSurface(app: App): Promise<void> {
       showMessage(app, strings.messages.openFailed(result.fileName), result.reasons);
     }
     if (result.kind !== "surface" && result.kind !== "mesh") return;
+    await app.documents.afterGesture();
     const bodies = renumbered(result.read.bodies, app.documents.project);
     for (const made of bodies) app.bodies.keep(made);
     app.documents.edit(
@@ -74,6 +75,7 @@ async function changeBody(
 ): Promise<boolean> {
   try {
     const changed = await change();
+    await app.documents.afterGesture();
     if (findRecord(app.documents.project, "body", body.id) !== body) return false;
     app.documents.edit(replaceBody(app.documents.project, label, changed));
     return true;

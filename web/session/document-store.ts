@@ -82,6 +82,19 @@ export class DocumentStore {
     this.#set(commit(this.state.getState().history, edit, this.#now(), this.held));
   }
 
+  /** Resolves when no gesture is under way: work that ends during a drag must not cut it short with its edit. */
+  async afterGesture(): Promise<void> {
+    while (this.#gesture) {
+      await new Promise<void>((resolve) => {
+        const stop = this.state.subscribe(({ gestureStart }, before) => {
+          if (gestureStart === before.gestureStart) return;
+          stop();
+          resolve();
+        });
+      });
+    }
+  }
+
   /** Shows the mesh that a run makes of the project, without a step of undo. Does nothing during a gesture. */
   forgetMeshVersion(): void {
     if (this.#gesture) return;

@@ -156,6 +156,7 @@ export class MeshRun {
       elapsedSeconds = result.report.seconds.total;
       const key = meshKey(project);
       this.#finish(key, result, log);
+      await this.#documents.afterGesture();
       if (isShowable(result)) this.#replaceVersion(key, by);
     } catch (error) {
       const failure = failureText(error);
@@ -208,6 +209,7 @@ export class MeshRun {
           if (isDue(this.state.getState().progress, progress)) this.state.setState({ progress });
         },
       });
+      await this.#documents.afterGesture();
       if (!this.#finishImprovement(document, before, after)) {
         log("warning", logStrings.improvementDiscarded);
         return { kind: "discarded" };

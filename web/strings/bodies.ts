@@ -150,7 +150,6 @@ export const bodyStrings = {
       growth: "Growth of the size per unit of distance.",
     },
     reset: (field: string) => `Make ${field.toLowerCase()} automatic`,
-    invalidAngle: "Must be from 1 to 180",
     invalidLayers: "Must be from 0 to 100",
   },
   preview: {
@@ -174,7 +173,8 @@ export const bodyStrings = {
   split: {
     title: "Patches",
     hint: "Splits patches along edges with a larger angle.",
-    angle: "Angle",
+    named: "Click a patch in the view to name it. Files of the mesh contain the names.",
+    angle: "Angle (°)",
     preview: "Preview split",
     result: (patches: number) => `Gives ${counted(patches, "patch", "patches")}.`,
     apply: "Split",
@@ -187,7 +187,7 @@ export const bodyStrings = {
     title: "Paint size",
     size: "Size",
     radius: "Radius",
-    hint: "Drag over the surface: the stroke becomes sources that limit the size within the radius. Esc ends painting.",
+    hint: "Drag over the surface: the stroke becomes sources that limit the size within the radius. Paint or Esc ends it.",
     paint: "Paint",
   },
   placement: {

@@ -172,6 +172,23 @@ describe("an improvement", () => {
     dispose();
   });
 
+  it("that ends during a drag waits for its end, and the drag stays one step", async () => {
+    const { documents, run, steps, finish, dispose } = await improvable();
+    await run.generate();
+    const improving = run.improve();
+    const drag = documents.begin("Drag");
+    drag.update(renamed("half-way"));
+    finish();
+    await Promise.race([improving, new Promise((resolve) => setTimeout(resolve, 1500))]);
+    expect(steps()).toEqual([]);
+    drag.update(renamed("at the end"));
+    drag.commit();
+    expect(await improving).toMatchObject({ kind: "shown" });
+    expect(steps()).toEqual(["Drag", "Improve mesh"]);
+    expect(documents.project.name).toBe("at the end");
+    dispose();
+  });
+
   it("is kept longer than meshes that a run can make again", async () => {
     const { documents, run, stale, finish, dispose } = await improvable();
     await run.generate();

@@ -5,13 +5,11 @@ import { previewSplit, splitPatches } from "../../commands/surface-actions";
 import { NumberRow } from "../../ui/fields/number-row";
 import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";
+import { featureAngle } from "../shared/size-fields";
 import styles from "./bodies.module.css";
 import { useBody } from "./use-body";
 
 const texts = strings.bodies.split;
-
-const refuseAngle = (value: number): string | null =>
-  value >= 1 && value <= 180 ? null : strings.bodies.treatment.invalidAngle;
 
 interface SplitSectionProps {
   readonly body: ProjectBody;
@@ -33,7 +31,7 @@ export function SplitSection({ body, patch }: SplitSectionProps) {
         label={texts.angle}
         value={angle}
         step={5}
-        refuse={refuseAngle}
+        refuse={featureAngle}
         testId="split-angle"
         onCommit={(next) => {
           setAngle(next);
@@ -42,6 +40,7 @@ export function SplitSection({ body, patch }: SplitSectionProps) {
       />
       <Text size="xs" c="dimmed" mb={6}>
         {texts.hint}
+        {patch === null && body.patches.length > 1 && ` ${texts.named}`}
       </Text>
       {proposed ? (
         <>

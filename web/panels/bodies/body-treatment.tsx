@@ -8,7 +8,7 @@ import { SectionTitle } from "../../ui/frames/section-title";
 import { IconButton } from "../../ui/icon-button";
 import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";
-import { aboveZero, notNegative, sizeStep } from "../shared/size-fields";
+import { aboveZero, featureAngle, notNegative, sizeStep } from "../shared/size-fields";
 import styles from "./bodies.module.css";
 import { useBody, usePreparation } from "./use-body";
 
@@ -28,8 +28,6 @@ const fields: readonly Field[] = [
   "growth",
 ];
 
-const refuseAngle = (value: number): string | null =>
-  value >= 1 && value <= 180 ? null : texts.invalidAngle;
 const refuseLayers = (value: number): string | null =>
   value >= 0 && value <= 100 ? null : texts.invalidLayers;
 
@@ -38,8 +36,8 @@ const refusals: { readonly [F in Field]: (value: number) => string | null } = {
   minSize: aboveZero,
   maxSize: aboveZero,
   tolerance: aboveZero,
-  featureAngle: refuseAngle,
-  anglePerEdge: refuseAngle,
+  featureAngle,
+  anglePerEdge: featureAngle,
   layers: refuseLayers,
   dropDetails: aboveZero,
   growth: notNegative,

@@ -19,6 +19,8 @@ export const upTo =
   (value: number): string | null =>
     refuse(value) ?? (value > limit ? strings.fields.atMost(limit) : null);
 export const atLeastOne = (value: number): string | null => (value >= 1 ? null : strings.fields.atLeastOne);
+/** Limits of a feature angle, in degrees. */
+export const featureAngle = upTo(180, atLeastOne);
 
 /** Returns a round step for a size: between a fiftieth and a fifth of it. */
 export const sizeStep = (size: number): number => (size > 0 ? 10 ** Math.floor(Math.log10(size / 5)) : 0.1);
