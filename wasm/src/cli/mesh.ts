@@ -139,7 +139,8 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const requiredAngle = requiredAngleOf(options);
   const repair = repairOptions(options);
   const split = splitOptions(options);
-  const treatment = options.surface ?? (isCadInput(input, options.from) ? "remesh" : undefined);
+  const isCad = isCadInput(input, options.from);
+  const treatment = options.surface ?? (isCad ? "remesh" : undefined);
   if (treatment === "remesh") remeshOptions(options, meshOptions);
   else refuseRemeshing(options);
   await checkMeshPaths(input, options);
@@ -153,7 +154,7 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   }
   const grid = await readGivenGrid(options, isQuiet);
   const { innerShells } = options;
-  const isRepairImplied = repair === undefined && (treatment === "remesh" || isCadInput(input, options.from));
+  const isRepairImplied = repair === undefined && (treatment === "remesh" || isCad);
   const repairing = { input, repair, split, innerShells, isRepairImplied };
   const { model, changes, split: splitWords, located: found = [] } = await withRepair(given, repairing);
   if (changes !== undefined && !isQuiet) printChanges(input, changes);
