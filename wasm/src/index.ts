@@ -61,6 +61,7 @@ export {
   type WriteFileOptions,
   type WriteProgress,
 } from "./api/mesh-files.js";
+export type { LengthOptions } from "./formats/units.js";
 export type { SurfaceFile } from "./formats/surface-file.js";
 export { unusedData, volumeBackground } from "./api/volume-background.js";
 export type { VolumeFile } from "./formats/volume-file.js";
@@ -173,4 +174,5 @@ export type { MeshReport, MeshResult, MeshStatus, Seconds } from "./mesh/report.
 export type { PreparedBody } from "./mesh/prepared-body.js";
 export type { Progress, ProgressPhase } from "./base/progress.js";
 export type { ProjectPreview } from "./project/preview.js";
+export { type Unit, UNITS } from "./mesh/units.js";
 export { isInterface } from "./mesh/interfaces.js";

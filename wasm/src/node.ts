@@ -27,7 +27,7 @@ import { readProject, writeProject } from "./project/project.js";
 import type { Project } from "./project/schema.js";
 
 /** Options for reading a file by path. */
-export type ReadPathOptions = Pick<ReadFileOptions, "onProgress" | "signal">;
+export type ReadPathOptions = Omit<ReadFileOptions, "fileName" | "openOther">;
 
 /**
  * As `readSurface`, for the file at a path. Other files of its format are read from the same folder. If the file cannot

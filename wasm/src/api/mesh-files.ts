@@ -17,16 +17,19 @@ import { extensionsFor, FILE_FORMATS, formatOf } from "../formats/file-formats.j
 import { asTooLarge, failureIn, ReadFailure, readSafely } from "../formats/read-result.js";
 import { withMidNodes } from "../formats/second-order.js";
 import { type SurfaceFile, surfaceOf } from "../formats/surface-file.js";
+import { inUnits, lengthInFile, type LengthOptions } from "../formats/units.js";
 import { type VolumeFile, volumeOf } from "../formats/volume-file.js";
+import { MAX_LENGTH, MIN_LENGTH } from "../generated/constants.js";
 import type { ElementOrder, FileMesh } from "../mesh/file-mesh.js";
 import { checkFileMesh } from "../mesh/mesh-checks.js";
+import { UNITS } from "../mesh/units.js";
 
 /** Options for reading a file. */
-export interface ReadFileOptions {
+export interface ReadFileOptions extends LengthOptions {
   /** Name of the file; its extension selects the format. */
   readonly fileName: string;
   /**
-   * Target edge length in millimetres: faces of CAD files are triangulated finely enough for it. By default, finely enough
+   * Target edge length, in the unit after the conversion (by default, millimetres): faces of CAD files are triangulated finely enough for it. By default, finely enough
    * for automatic sizes.
    */
   readonly size?: number | undefined;
@@ -200,7 +203,9 @@ async function readAny(
       const other = await untilCancelled(() => checkedOpening(openOther)(name), signal);
       return other && watched(other);
     };
-    return await read(watched(source), { fileName, size, openOther: opened, signal, onWork });
+    const sizeInFile = size === undefined ? undefined : lengthInFile(size, options);
+    const context = { fileName, size: sizeInFile, openOther: opened, signal, onWork };
+    return await inSteps(inUnits(await read(watched(source), context), options), signal);
   } catch (failure) {
     throw failureIn(fileName, asTooLarge(failure));
   }
@@ -208,7 +213,15 @@ async function readAny(
 
 const WATCH_OPTIONS = ["onProgress", "signal"] as const;
 const WRITE_OPTIONS = [...WATCH_OPTIONS, "elementOrder"] satisfies (keyof WriteFileOptions)[];
-const READ_OPTIONS = ["fileName", "size", "openOther", ...WATCH_OPTIONS] satisfies (keyof ReadFileOptions)[];
+const READ_OPTIONS = [
+  "fileName",
+  "size",
+  "openOther",
+  "scale",
+  "units",
+  "fileUnits",
+  ...WATCH_OPTIONS,
+] satisfies (keyof ReadFileOptions)[];
 
 /** Reports an unknown option, which would otherwise be ignored silently. */
 function unknownOption(
@@ -224,9 +237,13 @@ function remedyOf(known: readonly string[]): string {
   return `Use only these options: ${known.join(", ")}.`;
 }
 
+const unit = v.optional(v.picklist(UNITS));
 const readOptions = v.object({
   size: v.optional(v.pipe(v.number(), v.finite(), v.gtValue(0))),
   openOther: v.optional(v.function()),
+  scale: v.optional(v.pipe(v.number(), v.minValue(MIN_LENGTH), v.maxValue(MAX_LENGTH))),
+  units: unit,
+  fileUnits: unit,
   ...watch,
 });
 const writeOptions = v.object({ ...watch, elementOrder: v.optional(v.picklist([1, 2])) });

@@ -47,7 +47,7 @@ export interface SurfaceSizeProposal {
   readonly minSize: number;
   /** Tolerance of the remeshing. */
   readonly tolerance: number;
-  /** Expected numbers, rounded. */
+  /** Expected numbers: triangles within about a third, tetrahedra within a factor of two. */
   readonly triangles: number;
   readonly tetrahedra: number;
 }

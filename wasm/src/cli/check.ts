@@ -31,10 +31,11 @@ import {
   printDiagnostics,
 } from "./messages.js";
 import { printChanges, refuseRepair, type RepairCommandOptions, repaired, repairOptions } from "./repair.js";
+import type { UnitOptions } from "./units.js";
 import { located, type Located } from "./regions.js";
 import { meshLines, oppositeOrderLines, readingLines, surfaceLines } from "./tables.js";
 
-export interface CheckCommandOptions extends RepairCommandOptions {
+export interface CheckCommandOptions extends RepairCommandOptions, UnitOptions {
   readonly size?: string;
   /** Number or `all`. */
   readonly maxDiagnostics?: string;
@@ -149,7 +150,7 @@ async function checked(input: string, options: CheckCommandOptions): Promise<Che
 
 async function inspected(mesher: Mesher, input: string, options: CheckCommandOptions): Promise<CheckResult> {
   const repair = repairOptions(options);
-  const mesh = await readMeshFile(input, options.from);
+  const mesh = await readMeshFile(input, options);
   refuseOption("--size", options.size, "projects", mesh.tetrahedra.length > 0 ? "a mesh" : "a surface");
   if (mesh.tetrahedra.length > 0) {
     refuseRepair(repair, "a mesh of tetrahedra");

@@ -29,10 +29,12 @@ import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./path
 import { printChanges, refuseRepair, type RepairCommandOptions, repaired, repairOptions } from "./repair.js";
 import { unusedPointLines } from "./regions.js";
 import { type SplitCommandOptions, splitOptions, splitText, withSplit } from "./splitting.js";
+import type { UnitOptions } from "./units.js";
 import { mixedOrientationLines, readingLines } from "./tables.js";
 
 /** Options as commander passes them. */
-export interface ConvertCommandOptions extends RepairCommandOptions, SplitCommandOptions, ElementOrderOption {
+export interface ConvertCommandOptions
+  extends RepairCommandOptions, SplitCommandOptions, ElementOrderOption, UnitOptions {
   readonly output: string;
   readonly from?: string;
   readonly to?: string;
@@ -52,7 +54,7 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
     const written = outputFiles(output, options.to);
     await checkNoOverwrite(inputFiles(input, options.from), written);
     await checkWritable(written);
-    const given = await readMeshFile(input, options.from);
+    const given = await readMeshFile(input, options);
     const whole = await prepared(given, { input, output, name, repair, isQuiet });
     const mesh = await withSplitPatches(input, whole, options);
     await writeAll(await writeMesh(mesh, name, { elementOrder }), { input, output, name, isQuiet });
@@ -81,7 +83,7 @@ async function convertToProject(
   const written = outputFiles(output, to);
   await checkNoOverwrite(inputFiles(input, from), written);
   await checkWritable(written);
-  const given = await readMeshFile(input, from);
+  const given = await readMeshFile(input, options);
   const whole = given.triangles.length > 0 ? given : await withBoundary(given);
   const surface = await surfaceFrom(await inSteps(boundaryOf(whole)), {
     input,

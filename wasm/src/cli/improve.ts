@@ -10,14 +10,15 @@ import type { FileMesh } from "../mesh/file-mesh.js";
 import type { MeshImprovement, MeshShapes } from "../mesh/improvement.js";
 import { withBoundary, writableName, writeAll } from "./convert.js";
 import { refuseFolder, STANDARD_STREAM, writeToStandardOutput } from "./files.js";
-import { readMeshFile, refuseOptions } from "./input.js";
+import { readMeshFile, refuseOptions, type InputOptions } from "./input.js";
+import type { UnitOptions } from "./units.js";
 import { ExitCode, failedOutcome, InvalidInput, jsonPieces, print, printDiagnostics } from "./messages.js";
 import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
 import { withRun } from "./run.js";
 import { mixedOrientationLines, readingLines } from "./tables.js";
 
 /** Options as commander passes them. */
-export interface ImproveCommandOptions {
+export interface ImproveCommandOptions extends UnitOptions {
   readonly output: string;
   readonly from?: string;
   readonly to?: string;
@@ -52,7 +53,7 @@ async function improveAndWrite(input: string, options: ImproveCommandOptions): P
   const { output } = options;
   const isQuiet = options.quiet === true || options.json === true;
   const name = await checkPaths(input, options);
-  const given = await readVolumeMesh(input, options.from);
+  const given = await readVolumeMesh(input, options);
   if (!isQuiet) {
     for (const line of [...mixedOrientationLines(given), ...readingLines(given)]) {
       print(`note: ${input}: ${line}`);
@@ -96,8 +97,8 @@ async function checkPaths(input: string, options: ImproveCommandOptions): Promis
   return name;
 }
 
-async function readVolumeMesh(input: string, from: string | undefined): Promise<FileMesh> {
-  const mesh = await readMeshFile(input, from);
+async function readVolumeMesh(input: string, options: InputOptions): Promise<FileMesh> {
+  const mesh = await readMeshFile(input, options);
   if (mesh.tetrahedra.length > 0) return mesh;
   const remedy = "Use a volume mesh; `tetrafront mesh` makes one of a surface.";
   const none = packageDiagnostic("no-tetrahedra", "the file contains no tetrahedra", remedy);

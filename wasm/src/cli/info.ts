@@ -11,6 +11,7 @@ import type { BodySurface, Project, ProjectBody } from "../project/schema.js";
 import { writeToStandardOutput } from "./files.js";
 import { withMesher } from "./grids.js";
 import { formatName, isProject, readMeshFile, readProjectFile } from "./input.js";
+import type { UnitOptions } from "./units.js";
 import { InvalidInput, ExitCode, reportFailure } from "./messages.js";
 import {
   type Box,
@@ -23,7 +24,7 @@ import {
 } from "./tables.js";
 
 /** Options as commander passes them. */
-export interface InfoCommandOptions {
+export interface InfoCommandOptions extends UnitOptions {
   readonly from?: string;
   readonly json?: boolean;
 }
@@ -35,7 +36,7 @@ export function infoOnFile(input: string, options: InfoCommandOptions): Promise<
       const held = projectContents(await readProjectFile(input, options.from));
       return { json: held, lines: projectLines(held) };
     }
-    const mesh = await readMeshFile(input, options.from);
+    const mesh = await readMeshFile(input, options);
     const format = mesh.format ?? formatOf(formatName(input, options.from))?.name ?? "";
     const held = { format, ...meshContents(mesh) };
     return {
@@ -53,7 +54,7 @@ export function infoOnFile(input: string, options: InfoCommandOptions): Promise<
 /** Runs `stats`; resolves with the exit code. */
 export function statsOfFile(input: string, options: InfoCommandOptions): Promise<number> {
   return answered(input, options, async () => {
-    const mesh = await readMeshFile(input, options.from);
+    const mesh = await readMeshFile(input, options);
     if (mesh.tetrahedra.length === 0) {
       const remedy = "Use a volume mesh; `tetrafront check` prints the statistics of a surface.";
       const none = packageDiagnostic("no-tetrahedra", "the file contains no tetrahedra", remedy);

@@ -2,7 +2,6 @@
 import { type ReadFileOptions, readMesh, readSurface, readVolume } from "../api/mesh-files.js";
 import type { Mesher } from "../api/mesher-interface.js";
 import { volumeBackground } from "../api/volume-background.js";
-import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { ReadResult } from "../diagnostics/read-error.js";
 import { extensionOf, extensionsFor, FILE_FORMATS, isCadFile } from "../formats/file-formats.js";
@@ -15,6 +14,9 @@ import { readProject } from "../project/project.js";
 import type { Project } from "../project/schema.js";
 import { checkInput, FileError, openBeside, piecesOfInput, readInput, STANDARD_STREAM } from "./files.js";
 import { InvalidInput, unreadable } from "./messages.js";
+import { lengthOptions, refuseUnits, type UnitOptions } from "./units.js";
+
+export { numberIn, refuseOptions } from "./numbers.js";
 
 export const PROJECT_EXTENSION = ".json";
 
@@ -26,21 +28,6 @@ export type Input =
 export type GridInput =
   | { readonly kind: "project"; readonly background: BackgroundArrays }
   | { readonly kind: "volume"; readonly volume: VolumeFile };
-
-/** Decimal notation; 0x10, 1_000 and the empty word are not numbers. */
-const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
-
-/** Returns the number in an option's text. If there is none, returns the text, which the check of options rejects. */
-export function numberIn(text: string | undefined): number | undefined {
-  if (text === undefined) return undefined;
-  const word = text.trim();
-  return DECIMAL.test(word) ? Number(word) : (word as unknown as number);
-}
-
-/** Throws the problems found by a check of options. */
-export function refuseOptions(wrong: readonly Diagnostic[]): void {
-  if (wrong.length > 0) throw new InvalidInput("command line", wrong);
-}
 
 /** Returns the extension of a format, given as an extension with or without its dot, or by the format's id. */
 export function extensionOfFormat(format: string): string {
@@ -68,24 +55,43 @@ export function formatName(file: string, format: string | undefined): string {
   );
 }
 
+/** Options that decide how an input is read. */
+export interface InputOptions extends UnitOptions {
+  /** Format. */
+  readonly from?: string | undefined;
+}
+
 /** `size`: target edge length, if it is given. */
-export async function readModel(input: string, from?: string, size?: number): Promise<Input> {
+export async function readModel(
+  input: string,
+  { from, ...lengths }: InputOptions,
+  size?: number,
+): Promise<Input> {
   const name = formatName(input, from);
   const known = [PROJECT_EXTENSION, ...extensionsFor("read", "surface")];
   const extension = await checkedExtension(input, name, known, OR_FROM);
   if (extension === PROJECT_EXTENSION) {
+    refuseUnits(lengths);
     return { kind: "project", project: await readProjectFile(input, from) };
   }
-  const read = await readSurface(piecesOfInput(input), { ...openedAs(input, name), size });
+  const read = await readSurface(piecesOfInput(input), {
+    ...openedAs(input, name),
+    size,
+    ...lengthOptions(lengths),
+  });
   return { kind: "surface", surface: valueOf(input, read, name) };
 }
 
 /** Reads all contents of a mesh file without welding. */
-export async function readMeshFile(input: string, from?: string): Promise<FileMesh> {
+export async function readMeshFile(
+  input: string,
+  { from, ...lengths }: InputOptions = {},
+): Promise<FileMesh> {
   const name = formatName(input, from);
   const known = new Set([...extensionsFor("read", "surface"), ...extensionsFor("read", "volume")]);
   await checkedExtension(input, name, [...known], OR_FROM);
-  return valueOf(input, await readMesh(piecesOfInput(input), openedAs(input, name)), name);
+  const options = { ...openedAs(input, name), ...lengthOptions(lengths) };
+  return valueOf(input, await readMesh(piecesOfInput(input), options), name);
 }
 
 /** Returns whether the input is a project, by its name or the given format. */

@@ -15,7 +15,7 @@ import { type ConvertCommandOptions, convertFile } from "./convert.js";
 import { elementOrderOption } from "./element-order.js";
 import { forEachInput } from "./each-input.js";
 import { ClosedPipe, STANDARD_STREAM, writeToStandardOutput } from "./files.js";
-import { type CoverCommandOptions, coverFile, type ProposeCommandOptions, proposeForFile } from "./grids.js";
+import { type CoverCommandOptions, coverFile } from "./grids.js";
 import {
   checkHelp,
   convertHelp,
@@ -32,8 +32,10 @@ import { type ImproveCommandOptions, improveFile } from "./improve.js";
 import { type InfoCommandOptions, infoOnFile, statsOfFile } from "./info.js";
 import { type MeshCommandOptions, meshFile } from "./mesh.js";
 import { ExitCode, reportFailure } from "./messages.js";
+import { propose, type ProposeOptions } from "./propose.js";
 import { type RemeshFileOptions, remeshFile } from "./remesh.js";
 import { SURFACE_TREATMENTS } from "./remeshing.js";
+import { withUnits } from "./units.js";
 import {
   backgroundOption,
   formatOption,
@@ -165,7 +167,7 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
         `effort spent on improving the elements after the front (default ${MESH_DEFAULTS.optimization})`,
       ).choices(OPTIMIZATIONS),
     );
-  withJobs(withRepair(withRemeshing(command, "remeshing: ")).addOption(splitOption()))
+  withUnits(withJobs(withRepair(withRemeshing(command, "remeshing: ")).addOption(splitOption())))
     .option(
       "--require-angle <degrees>",
       "exit with 1 if the smallest dihedral angle is below this; still write the mesh",
@@ -196,7 +198,9 @@ function addRemesh(program: Command, setExitCode: SetExitCode): void {
     )
     .addOption(sourceOption())
     .addOption(backgroundOption());
-  withJobs(withRepair(withRemeshing(command).addOption(innerShellsOption())).addOption(splitOption()))
+  withUnits(
+    withJobs(withRepair(withRemeshing(command).addOption(innerShellsOption())).addOption(splitOption())),
+  )
     .option("--json", "print sizes, triangles, shapes and problems as JSON")
     .option("-q, --quiet", "print errors only")
     .addHelpText("after", remeshHelp)
@@ -219,7 +223,7 @@ function addImprove(program: Command, setExitCode: SetExitCode): void {
         IMPROVEMENT_LEVELS,
       ),
     );
-  withJobs(command)
+  withUnits(withJobs(command))
     .option("--json", "print shapes before and after, and problems, as JSON")
     .option("-q, --quiet", "print errors only")
     .addHelpText("after", improveHelp)
@@ -237,7 +241,7 @@ function addConvert(program: Command, setExitCode: SetExitCode): void {
     .addOption(formatOption())
     .addOption(fromOption())
     .addOption(toOption());
-  withJobs(withRepair(command).addOption(splitOption()))
+  withUnits(withJobs(withRepair(command).addOption(splitOption())))
     .addOption(elementOrderOption())
     .option("-q, --quiet", "print errors only")
     .addHelpText("after", convertHelp)
@@ -253,7 +257,7 @@ function addInfo(program: Command, setExitCode: SetExitCode): void {
       "Print the contents of files: points, triangles, tetrahedra, patches, regions, values at nodes.",
     )
     .argument("<input...>", "projects, surfaces or meshes");
-  withJobs(command)
+  withUnits(withJobs(command))
     .addOption(inputFormatOption())
     .addOption(fromOption())
     .option("--json", "print JSON")
@@ -268,7 +272,7 @@ function addStats(program: Command, setExitCode: SetExitCode): void {
     .command("stats")
     .description("Print the quality of the elements of volume meshes from any program.")
     .argument("<input...>", "volume meshes");
-  withJobs(command)
+  withUnits(withJobs(command))
     .addOption(inputFormatOption())
     .addOption(fromOption())
     .option("--json", "print JSON")
@@ -298,13 +302,13 @@ function addCover(program: Command, setExitCode: SetExitCode): void {
 
 function addPropose(program: Command, setExitCode: SetExitCode): void {
   const { elementsPerCircle, elementsPerGap, growth } = PROPOSAL_DEFAULTS;
-  program
+  const command = program
     .command("propose")
     .description(
-      "Propose sizes for the shape of a project: adds sources at curved lines and patches and in narrow gaps, and a covering grid.",
+      "Propose sizes for the shape of a project or a surface. A project gets sources at curved lines and patches and in narrow gaps, and a covering grid; for a surface, the sizes and the expected numbers of elements are printed.",
     )
-    .argument("<project>", "project (.json)")
-    .requiredOption("-o, --output <file>", "output project (.json)")
+    .argument("<input>", "project (.json) or surface")
+    .option("-o, --output <file>", "output project (.json), for a project")
     .option(
       "--uniform <length>",
       "largest size (default: uniform size of the project, else 1/20 of the model's diagonal)",
@@ -320,11 +324,15 @@ function addPropose(program: Command, setExitCode: SetExitCode): void {
     )
     .option("-g, --growth <rate>", `growth of the size per unit of distance from sources (default ${growth})`)
     .addOption(shapeOption())
+    .addOption(inputFormatOption())
+    .addOption(fromOption())
+    .option("--json", "print JSON, for a surface")
     .option("-q, --quiet", "print errors only")
     .addHelpText("after", PROPOSE_HELP)
-    .action(async (input: string, options: ProposeCommandOptions) =>
-      setExitCode(await proposeForFile(input, options)),
+    .action(async (input: string, { format, ...options }: ProposeOptions & { readonly format?: string }) =>
+      setExitCode(await propose(input, { ...options, from: options.from ?? format })),
     );
+  withUnits(command);
 }
 
 function addCheck(program: Command, setExitCode: SetExitCode): void {
@@ -340,7 +348,7 @@ function addCheck(program: Command, setExitCode: SetExitCode): void {
     )
     .addOption(inputFormatOption())
     .addOption(fromOption());
-  withJobs(withRepair(command))
+  withUnits(withJobs(withRepair(command)))
     .option("--json", "print problems and statistics as JSON")
     .option("-q, --quiet", "print errors only")
     .addHelpText("after", checkHelp)

@@ -44,6 +44,7 @@ import {
   repairOptions,
 } from "./repair.js";
 import { located } from "./regions.js";
+import type { UnitOptions } from "./units.js";
 import { withRun } from "./run.js";
 import {
   checkSizes,
@@ -66,7 +67,8 @@ export interface MeshCommandOptions
     RemeshCommandOptions,
     SizeCommandOptions,
     SplitCommandOptions,
-    ElementOrderOption {
+    ElementOrderOption,
+    UnitOptions {
   readonly output: string;
   readonly from?: string;
   readonly to?: string;
@@ -144,7 +146,7 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   if (treatment === "remesh") remeshOptions(options, meshOptions);
   else refuseRemeshing(options);
   await checkMeshPaths(input, options);
-  const given = await readModel(input, options.from, meshOptions.size);
+  const given = await readModel(input, options, meshOptions.size);
   if (given.kind === "project") {
     if (options.surface !== undefined) refuseOptions([projectSurface]);
     const hasBodies = (given.project.bodies ?? []).length > 0;

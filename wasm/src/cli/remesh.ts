@@ -32,6 +32,7 @@ import {
 } from "./remeshing.js";
 import { madeFillable, printChanges, type RepairCommandOptions, repaired, repairOptions } from "./repair.js";
 import { located } from "./regions.js";
+import type { UnitOptions } from "./units.js";
 import { withRun } from "./run.js";
 import {
   checkSizes,
@@ -47,7 +48,7 @@ import { readingLines } from "./tables.js";
 
 /** Options as commander passes them: numbers are still text. */
 export interface RemeshFileOptions
-  extends RepairCommandOptions, RemeshCommandOptions, SizeCommandOptions, SplitCommandOptions {
+  extends RepairCommandOptions, RemeshCommandOptions, SizeCommandOptions, SplitCommandOptions, UnitOptions {
   readonly output: string;
   readonly from?: string;
   readonly to?: string;
@@ -87,7 +88,7 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
   const repair = repairOptions(options);
   const split = splitOptions(options);
   const name = await checkPaths(input, options);
-  const given = await readModel(input, options.from, sizes.size);
+  const given = await readModel(input, options, sizes.size);
   if (given.kind === "project") throw new InvalidInput(input, [projectGiven]);
   const grid = await readGivenGrid(options, isQuiet);
   return withRun(isQuiet, async (mesher, controlOf) => {

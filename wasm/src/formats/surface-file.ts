@@ -3,6 +3,7 @@ import { plural } from "../base/plural.js";
 import { type Steps, stepwise } from "../base/steps.js";
 import type { FileGroup, FileMesh, SurfaceRegions } from "../mesh/file-mesh.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
+import type { Unit } from "../mesh/units.js";
 import { boundaryOf } from "./boundary.js";
 import { ReadFailure } from "./read-result.js";
 import { surfaceRegionsOf } from "./region-names.js";
@@ -20,8 +21,8 @@ export interface SurfaceFile extends SurfaceInput {
   readonly surfaceRegions?: SurfaceRegions | undefined;
   /** Names of regions whose location the file does not define; they are lost. */
   readonly unlocatedRegions?: readonly string[] | undefined;
-  /** Unit of the coordinates, if the file defines one; they are converted to it. */
-  readonly unit?: "mm" | undefined;
+  /** Unit of the coordinates, if the file or the options of reading define one; they are converted to it. */
+  readonly unit?: Unit | undefined;
   /** Sentences about other content of the file that was ignored. */
   readonly notes?: readonly string[] | undefined;
   /** Number of repeated listings of a triangle. It is kept once, in its first group. */

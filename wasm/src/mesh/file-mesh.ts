@@ -1,5 +1,6 @@
 /** Mesh of a file: the result of every reader and the input of every writer. */
 import type { RegionPoints } from "./mesh.js";
+import type { Unit } from "./units.js";
 
 /** Triangles or tetrahedra of one kind: a patch with its boundary condition, or a region with its material. */
 export interface FileGroup {
@@ -39,8 +40,8 @@ export type ElementOrder = 1 | 2;
 export interface FileMesh {
   /** Format and version as stated by the file, if the file's name does not decide: "Gmsh 2.2". */
   readonly format?: string | undefined;
-  /** Unit of the coordinates, if the file defines one; they are converted to it. */
-  readonly unit?: "mm" | undefined;
+  /** Unit of the coordinates, if the file or the options of reading define one; they are converted to it. */
+  readonly unit?: Unit | undefined;
   /** x y z per node. */
   readonly points: Float64Array;
   /** Whether all points differ, so that exact welding changes nothing. Default false. */

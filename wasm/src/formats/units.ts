@@ -1,0 +1,88 @@
+/** Units of length: converts the coordinates of files, and what is measured in them. */
+import { type Steps, stepwise } from "../base/steps.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
+import { UNITS, type Unit } from "../mesh/units.js";
+import { ReadFailure } from "./read-result.js";
+
+/** Length of a unit in micrometres, exact. */
+const MICROMETRES: Readonly<Record<Unit, number>> = {
+  um: 1,
+  mm: 1e3,
+  cm: 1e4,
+  m: 1e6,
+  in: 25_400,
+  ft: 304_800,
+};
+
+/** How the lengths of a file are converted when it is read. */
+export interface LengthOptions {
+  /** Factor of all coordinates, from 1e-30 to 1e30. Default 1. */
+  readonly scale?: number | undefined;
+  /** Unit into which the lengths of the file are converted. Default: none. Requires that the file's unit is known. */
+  readonly units?: Unit | undefined;
+  /** Unit of the file, if its format does not define one. */
+  readonly fileUnits?: Unit | undefined;
+}
+
+/** Converts a length after the conversion to the unit of the file, which is the millimetre for files of CAD programs. */
+export function lengthInFile(length: number, { scale = 1, units, fileUnits = "mm" }: LengthOptions): number {
+  return (length * MICROMETRES[units ?? fileUnits]) / MICROMETRES[fileUnits] / scale;
+}
+
+/**
+ * Returns the mesh in the wanted unit. Coordinates are multiplied by a factor and then divided by another one, each of them a
+ * whole number of at most seven digits without `scale`, so that millimetres become metres without an error beyond rounding.
+ * Converts the points that mark regions, their volumes, and values at nodes named `size`. Throws a ReadFailure if the file's
+ * unit is unknown or contradicts the options.
+ */
+export function* inUnits(mesh: FileMesh, { scale = 1, units, fileUnits }: LengthOptions): Steps<FileMesh> {
+  if (mesh.unit !== undefined && fileUnits !== undefined && fileUnits !== mesh.unit) {
+    const message = `the format defines the unit of the file, ${mesh.unit}, but ${fileUnits} is given`;
+    throw new ReadFailure({ code: "invalid-argument", message, remedy: "Omit fileUnits (--file-units)." });
+  }
+  const from = mesh.unit ?? fileUnits;
+  if (units !== undefined && from === undefined) {
+    const message = `the lengths cannot be converted to ${units}, because the file does not state its unit`;
+    const remedy = `State it by fileUnits (--file-units), one of ${UNITS.join(", ")}, or use scale (--scale).`;
+    throw new ReadFailure({ code: "invalid-argument", message, remedy });
+  }
+  const to = units ?? from;
+  const ratio = from === undefined || to === undefined ? 1 : MICROMETRES[from] / MICROMETRES[to];
+  const inverse = from === undefined || to === undefined ? 1 : MICROMETRES[to] / MICROMETRES[from];
+  // The larger of the two ratios is the exact one.
+  const convert = ratio >= 1 ? (x: number) => x * ratio * scale : (x: number) => (x / inverse) * scale;
+  const unit = to === undefined ? {} : { unit: to };
+  if (ratio === 1 && scale === 1) return { ...mesh, ...unit };
+  const converted = function* (values: Float64Array): Steps<Float64Array> {
+    const result = new Float64Array(values.length);
+    yield* stepwise(values.length, (i) => (result[i] = convert(values[i] ?? 0)));
+    return result;
+  };
+  const nodeData = new Map(mesh.nodeData);
+  const sizes = nodeData.get("size");
+  if (sizes !== undefined) nodeData.set("size", { ...sizes, values: yield* converted(sizes.values) });
+  const { regionPoints } = mesh;
+  const moved = <Point extends { readonly position: readonly [number, number, number] }>(
+    point: Point,
+  ): Point => {
+    const [x, y, z] = point.position;
+    return { ...point, position: [convert(x), convert(y), convert(z)] };
+  };
+  return {
+    ...mesh,
+    ...unit,
+    points: yield* converted(mesh.points),
+    // Rounding may make points equal.
+    isWelded: false,
+    nodeData,
+    ...(regionPoints && {
+      regionPoints: {
+        holes: regionPoints.holes.map(moved),
+        regions: regionPoints.regions.map((point) => ({
+          ...moved(point),
+          maxVolume: point.maxVolume && point.maxVolume * convert(1) ** 3,
+        })),
+      },
+    }),
+  };
+}
