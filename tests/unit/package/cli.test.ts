@@ -180,7 +180,7 @@ describe("invalid input gives exit code 2 and one line:", () => {
     ["an empty STL file", "empty.stl", /empty/],
     ["an empty OFF file", "empty.off", /empty/],
     ["an empty project", "empty.json", /empty/],
-    ["an unknown extension", "cube.step", /"\.step" files cannot be read here.*\.json, \.stl, \.off/],
+    ["an unknown extension", "cube.dwg", /"\.dwg" files cannot be read here.*\.json, \.stl, \.off/],
     ["no extension", "cube", /no extension/],
     ["a truncated file", "short.stl", /ends at byte 300/],
     ["text that is not JSON", "broken.json", /line 2/i],
@@ -193,7 +193,7 @@ describe("invalid input gives exit code 2 and one line:", () => {
   ])("%s", async (_, name, message) => {
     mkdirSync(inFolder("folder.stl"));
     for (const empty of ["empty.stl", "empty.off", "empty.json"]) save(empty, "");
-    save("cube.step", "x");
+    save("cube.dwg", "x");
     save("cube", "x");
     save("short.stl", stlBinary(boxSurface(1)).subarray(0, 300));
     save("broken.json", "{\n  'format': 1\n}");
