@@ -43,13 +43,134 @@ std::array<Vec3, 3> triangleAround(const CutPoints& points, std::span<const CutP
   return corners;
 }
 
-}  // namespace
+/// One triangle, or several that overlap in their plane, divided along their cuts.
+class DividedGroup {
+ public:
+  using Part = std::array<CutPointId, 3>;
 
-/// Triangles in one plane, with their cuts.
-struct Arrangement::Group {
-  std::span<const TriangleId> triangles;
-  std::vector<CutSegment> cuts;
+  DividedGroup(const SurfaceMesh& mesh, CutPoints& points, std::span<const TriangleId> triangles)
+      : points_(points),
+        plane_(nodesOf(mesh, triangles[0])),
+        view_(viewOf(mesh, plane_)),
+        graph_(points, {plane_}, view_) {
+    for (const TriangleId triangle : triangles) members_.push_back(memberOf(mesh, triangle));
+    if (members_.size() == 1) return;
+    std::vector<Box> boxes;
+    for (const Member& member : members_) boxes.push_back(boxOf(member.corners));
+    tree_ = BoxTree(boxes);
+  }
+
+  void addCut(const CutSegment& cut) { graph_.add(cut); }
+
+  /// Divides the group, and calls visit(part, owners) for each part. The part has the orientation of the first owner.
+  template <class Visit>
+  void divide(Visit visit) {
+    addEdges();
+    graph_.divide();
+    if (points_.isFull()) return;
+    const PlanarTriangulation triangulation = triangulate();
+    std::vector<PartOwner> owners;
+    for (std::size_t t = 0; t < triangulation.triangleCount(); ++t) {
+      const auto [a, b, c] = triangulation.cornersOf(t);
+      Part part{triangulation.pointOf(a), triangulation.pointOf(b), triangulation.pointOf(c)};
+      findOwners(part, owners);
+      if (owners.empty()) continue;
+      if (owners[0].isReversed) {
+        std::swap(part[1], part[2]);
+        for (PartOwner& owner : owners) owner.isReversed = !owner.isReversed;
+      }
+      visit(part, owners);
+    }
+  }
+
+ private:
+  /// A triangle of the group.
+  struct Member {
+    TriangleId triangle;
+    Part corners;  ///< counter-clockwise in the view
+    bool isReversed = false;
+  };
+
+  [[nodiscard]] Member memberOf(const SurfaceMesh& mesh, TriangleId triangle) const {
+    const auto [a, b, c] = nodesOf(mesh, triangle);
+    Member member{triangle, {pointAt(a), pointAt(b), pointAt(c)}, false};
+    member.isReversed =
+        points_.orient(view_, member.corners[0], member.corners[1], member.corners[2]) < 0;
+    if (member.isReversed) std::swap(member.corners[1], member.corners[2]);
+    return member;
+  }
+
+  [[nodiscard]] Box boxOf(const Part& part) const {
+    return Box::of(points_.rounded(part[0]), points_.rounded(part[1]), points_.rounded(part[2]));
+  }
+
+  void addEdges() {
+    const std::uint32_t hiddenAxis = 3 - view_.u - view_.v;
+    for (const Member& member : members_) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [low, high] = std::minmax(member.corners[k], member.corners[(k + 1) % 3]);
+        const std::array<NodeId, 3> nodes{NodeId(low.value), NodeId(high.value), NodeId()};
+        graph_.add({low, high, {nodes, hiddenAxis}});
+      }
+    }
+  }
+
+  [[nodiscard]] PlanarTriangulation triangulate() {
+    const std::span<const CutPointId> vertices = graph_.vertices();
+    Part outer = members_[0].corners;
+    if (members_.size() > 1) {
+      const std::array<Vec3, 3> around = triangleAround(points_, vertices, view_);
+      for (std::size_t k = 0; k < 3; ++k) outer[k] = points_.addHelper(around[k]);
+    }
+    PlanarTriangulation triangulation(points_, view_, outer);
+    std::vector<PlanarTriangulation::Vertex> vertexOf(vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const auto known = std::ranges::find(outer, vertices[i]);
+      vertexOf[i] = known != outer.end() ? static_cast<std::uint32_t>(known - outer.begin())
+                                         : triangulation.insert(vertices[i]);
+    }
+    const auto vertexAt = [&](CutPointId point) {
+      const auto found = std::ranges::lower_bound(vertices, point);
+      return vertexOf[static_cast<std::size_t>(found - vertices.begin())];
+    };
+    for (const auto& [from, to] : graph_.edges()) {
+      triangulation.constrain(vertexAt(from), vertexAt(to));
+    }
+    triangulation.improve();
+    return triangulation;
+  }
+
+  void findOwners(const Part& part, std::vector<PartOwner>& owners) const {
+    owners.clear();
+    if (members_.size() == 1) {
+      owners.push_back({members_[0].triangle, members_[0].isReversed});
+      return;
+    }
+    tree_.visitOverlaps(boxOf(part), [&](std::uint32_t m) {
+      if (isInside(members_[m], part)) owners.push_back({members_[m].triangle, members_[m].isReversed});
+    });
+    sortFew(owners, [](const PartOwner& a, const PartOwner& b) { return a.triangle < b.triangle; });
+  }
+
+  [[nodiscard]] bool isInside(const Member& member, const Part& part) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (const CutPointId point : part) {
+        const int side = points_.orient(view_, member.corners[k], member.corners[(k + 1) % 3], point);
+        if (side < 0) return false;
+      }
+    }
+    return true;
+  }
+
+  CutPoints& points_;
+  NodeTriple plane_;
+  CutView view_;
+  CutGraph graph_;
+  std::vector<Member> members_;
+  BoxTree tree_;  ///< of the members, if there are several
 };
+
+}  // namespace
 
 Task<bool> Arrangement::run(Work& work, std::size_t maxPairs) {
   work.beginPart(0.1);
@@ -77,13 +198,16 @@ Task<bool> Arrangement::run(Work& work, std::size_t maxPairs) {
   work.beginPart(1.0);
   co_await work.forEachBlock(groups.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last && !points_.isFull(); ++i) {
-      Group group{groups[i], {}};
+      DividedGroup group(mesh_, points_, groups[i]);
       for (const TriangleId triangle : groups[i]) {
         const auto range =
             std::ranges::equal_range(cuts, triangle, {}, &TriangleCuts::Cut::triangle);
-        for (const TriangleCuts::Cut& cut : range) group.cuts.push_back(cut.segment);
+        for (const TriangleCuts::Cut& cut : range) group.addCut(cut.segment);
       }
-      divideGroup(group);
+      group.divide([this](const DividedGroup::Part& part, std::span<const PartOwner> owners) {
+        owners_.insert(owners_.end(), owners.begin(), owners.end());
+        addPart(part);
+      });
     }
   });
   co_return !points_.isFull();
@@ -100,88 +224,6 @@ void Arrangement::addUncut() {
     const auto [a, b, c] = nodesOf(mesh_, TriangleId(t));
     owners_.push_back({TriangleId(t), false});
     addPart({pointAt(a), pointAt(b), pointAt(c)});
-  }
-}
-
-void Arrangement::divideGroup(const Group& group) {
-  const NodeTriple first = nodesOf(mesh_, group.triangles[0]);
-  const CutView view = viewOf(mesh_, first);
-  const std::uint32_t hiddenAxis = 3 - view.u - view.v;
-  CutGraph graph(points_, {first}, view);
-  for (const CutSegment& cut : group.cuts) graph.add(cut);
-  for (const TriangleId triangle : group.triangles) {
-    const NodeTriple nodes = nodesOf(mesh_, triangle);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(nodes[k], nodes[(k + 1) % 3]);
-      graph.add({pointAt(low), pointAt(high), {{low, high, NodeId()}, hiddenAxis}});
-    }
-  }
-  graph.divide();
-  if (points_.isFull()) return;
-
-  const bool isSingle = group.triangles.size() == 1;
-  std::array<CutPointId, 3> outer{pointAt(first[0]), pointAt(first[1]), pointAt(first[2])};
-  if (!isSingle) {
-    const std::array<Vec3, 3> around = triangleAround(points_, graph.vertices(), view);
-    for (std::size_t k = 0; k < 3; ++k) outer[k] = points_.addHelper(around[k]);
-  }
-  PlanarTriangulation triangulation(points_, view, outer);
-  const std::span<const CutPointId> vertices = graph.vertices();
-  std::vector<PlanarTriangulation::Vertex> vertexOf(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const auto known = std::ranges::find(outer, vertices[i]);
-    vertexOf[i] = known != outer.end() ? static_cast<std::uint32_t>(known - outer.begin())
-                                       : triangulation.insert(vertices[i]);
-  }
-  const auto vertexAt = [&](CutPointId point) {
-    return vertexOf[static_cast<std::size_t>(std::ranges::lower_bound(vertices, point) -
-                                             vertices.begin())];
-  };
-  for (const auto& [from, to] : graph.edges()) {
-    triangulation.constrain(vertexAt(from), vertexAt(to));
-  }
-  triangulation.improve();
-
-  struct Member {
-    TriangleId triangle;
-    std::array<CutPointId, 3> corners;  ///< counter-clockwise in the view
-    bool isReversed;
-  };
-  std::vector<Member> members;
-  for (const TriangleId triangle : group.triangles) {
-    const auto [a, b, c] = nodesOf(mesh_, triangle);
-    Member member{triangle, {pointAt(a), pointAt(b), pointAt(c)}, false};
-    member.isReversed =
-        points_.orient(view, member.corners[0], member.corners[1], member.corners[2]) < 0;
-    if (member.isReversed) std::swap(member.corners[1], member.corners[2]);
-    members.push_back(member);
-  }
-  const auto isInside = [&](const Member& member, const std::array<CutPointId, 3>& part) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      for (const CutPointId point : part) {
-        if (points_.orient(view, member.corners[k], member.corners[(k + 1) % 3], point) < 0)
-          return false;
-      }
-    }
-    return true;
-  };
-  for (std::size_t t = 0; t < triangulation.triangleCount(); ++t) {
-    const auto [a, b, c] = triangulation.cornersOf(t);
-    std::array<CutPointId, 3> part{triangulation.pointOf(a), triangulation.pointOf(b),
-                                   triangulation.pointOf(c)};
-    const std::size_t before = owners_.size();
-    for (const Member& member : members) {
-      if (isSingle || isInside(member, part))
-        owners_.push_back({member.triangle, member.isReversed});
-    }
-    if (owners_.size() == before) continue;
-    // The part has the orientation of its first owner.
-    if (owners_[before].isReversed) {
-      std::swap(part[1], part[2]);
-      for (std::size_t i = before; i < owners_.size(); ++i)
-        owners_[i].isReversed = !owners_[i].isReversed;
-    }
-    addPart(part);
   }
 }
 

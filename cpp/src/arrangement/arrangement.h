@@ -50,11 +50,8 @@ class Arrangement {
   [[nodiscard]] std::size_t pairCount() const { return pairCount_; }
 
  private:
-  struct Group;
-
   void addPart(const std::array<CutPointId, 3>& points);
   void addUncut();
-  void divideGroup(const Group& group);
 
   const SurfaceMesh& mesh_;
   CutPoints points_;

@@ -82,6 +82,7 @@ class Enclosing {
     result_.mesh.points = given_.points;
     result_.mesh.triangles = given_.triangles;
     result_.deviation = 0.0;
+    result_.sheetShare = 0.0;
     result_.origin.clear();
     for (std::uint32_t t = 0; t < countTriangles(given_); ++t) result_.origin.emplace_back(t);
     isInterface_.assign(countTriangles(given_), 0);
@@ -149,13 +150,14 @@ class Enclosing {
   void take(const Arrangement& arrangement) {
     SurfaceMesh& mesh = result_.mesh;
     const CutPoints& points = arrangement.points();
-    const std::vector<BoundaryPart> parts = boundaryOfInside(mesh, arrangement, isInterface_);
+    const InsideBoundary inside = boundaryOfInside(mesh, arrangement, isInterface_);
+    result_.sheetShare = std::max(result_.sheetShare, inside.sheetArea / inside.area);
     givenTriangleOf_ = result_.origin;
     std::vector<std::uint32_t> nodeOf(points.size(), kNoIndex);
     std::vector<std::uint32_t> triangles;
     std::vector<TriangleId> origin;
     isInterface_.clear();
-    for (const BoundaryPart& part : parts) {
+    for (const BoundaryPart& part : inside.parts) {
       const bool isCut = arrangement.isCut(part.origin);
       for (const CutPointId point : part.points) {
         std::uint32_t& node = nodeOf[point.index()];

@@ -21,6 +21,8 @@ struct EnclosedSurface {
   std::vector<std::uint8_t> isCut;  ///< per given triangle: whether others intersect it
   /// Largest distance by which a point was moved, in model units.
   double deviation = 0.0;
+  /// Largest share of the area that was left out in one round because it has the same volume on both sides.
+  double sheetShare = 0.0;
   std::uint32_t rounds = 0;
   bool isResolved = false;  ///< no two triangles intersect
 };

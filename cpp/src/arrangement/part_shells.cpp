@@ -8,6 +8,7 @@
 #include "base/sort.h"
 #include "boundary/edge_table.h"
 #include "boundary/half_faces.h"
+#include "boundary/surface_access.h"
 #include "search/disjoint_sets.h"
 
 namespace tetrafront {
@@ -72,12 +73,19 @@ class InsideFinder {
         isInterface_(isInterface),
         isLeftOut_(arrangement.partCount(), 0) {}
 
-  std::vector<BoundaryPart> run() {
+  InsideBoundary run() {
+    InsideBoundary found;
     linkParts();
     if (leaveOutSheets()) linkParts();
+    for (std::uint32_t p = 0; p < isLeftOut_.size(); ++p) {
+      const double area = areaOf(roundedCorners(p));
+      found.area += area;
+      if (isLeftOut_[p] != 0) found.sheetArea += area;
+    }
     measureShells();
     findWindings();
-    return collect();
+    found.parts = collect();
+    return found;
   }
 
  private:
@@ -305,8 +313,8 @@ class InsideFinder {
 
 }  // namespace
 
-std::vector<BoundaryPart> boundaryOfInside(const SurfaceMesh& mesh, const Arrangement& arrangement,
-                                           std::span<const std::uint8_t> isInterface) {
+InsideBoundary boundaryOfInside(const SurfaceMesh& mesh, const Arrangement& arrangement,
+                                std::span<const std::uint8_t> isInterface) {
   return InsideFinder(mesh, arrangement, isInterface).run();
 }
 

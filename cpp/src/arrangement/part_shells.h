@@ -21,6 +21,12 @@ struct BoundaryPart {
   bool isInterface = false;          ///< there is inside on either side
 };
 
+struct InsideBoundary {
+  std::vector<BoundaryPart> parts;
+  double area = 0.0;        ///< of all parts of the arrangement
+  double sheetArea = 0.0;   ///< of the parts with the same volume on both sides
+};
+
 /// Returns the boundary of the inside, in the order of the triangles that it comes from. `isInterface`: per triangle, whether it stands for
 /// two triangles of opposite orientation; empty if none does.
 ///
@@ -30,8 +36,7 @@ struct BoundaryPart {
 /// them, parts of triangles with opposite orientations remain as interfaces. If the numbers contradict each
 /// other, because interfaces end at an edge, every bounded volume is inside, and all parts between different
 /// volumes remain. Exact except for the signs of volumes. O(n log n).
-[[nodiscard]] std::vector<BoundaryPart> boundaryOfInside(const SurfaceMesh& mesh,
-                                                         const Arrangement& arrangement,
-                                                         std::span<const std::uint8_t> isInterface);
+[[nodiscard]] InsideBoundary boundaryOfInside(const SurfaceMesh& mesh, const Arrangement& arrangement,
+                                              std::span<const std::uint8_t> isInterface);
 
 }  // namespace tetrafront

@@ -20,6 +20,10 @@
 namespace tetrafront {
 namespace {
 
+/// Largest area of sheets / area of the surface, for a surface that is replaced by the boundary of what it encloses. If most
+/// of it encloses nothing, the enclosed volumes are no body.
+constexpr double kMaxSheetShare = 0.5;
+
 /// Returns the values of the ids; none becomes kNoOrigin.
 std::vector<std::uint32_t> valuesOf(const std::vector<TriangleId>& ids) {
   static_assert(kNoIndex == kNoOrigin);
@@ -260,7 +264,7 @@ Task<bool> RepairedSurface::resolve(Work& work) {
   co_await work.yield();
   work.beginPart(0.7);
   EnclosedSurface enclosed = co_await encloseSurface(work, closed);
-  if (!enclosed.isResolved) co_return false;
+  if (!enclosed.isResolved || enclosed.sheetShare > kMaxSheetShare) co_return false;
   work.beginPart(1.0);
   BoundaryCheck boundary(enclosed.mesh, BoundarySource::kGivenSurface, options_.innerShells);
   co_await work.finish(boundary);
