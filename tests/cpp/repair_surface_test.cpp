@@ -500,6 +500,27 @@ TEST(SurfaceRepair, LeavesASheetAsItIs) {
   EXPECT_TRUE(result.changes.empty());
 }
 
+/// Three crossing pairs of squares enclose a small cube, but are no body.
+TEST(SurfaceRepair, LeavesCrossingSheetsAsTheyAre) {
+  SurfaceMesh mesh;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double level : {-0.1, 0.1}) {
+      const auto first = static_cast<std::uint32_t>(nodeCount(mesh));
+      for (const auto& [u, v] : {std::array{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
+        Vec3 p(0.0);
+        p[axis] = level;
+        p[(axis + 1) % 3] = u;
+        p[(axis + 2) % 3] = v;
+        mesh.points.insert(mesh.points.end(), {p.x, p.y, p.z});
+      }
+      for (const std::uint32_t k : {0U, 1U, 2U, 0U, 2U, 3U}) mesh.triangles.push_back(first + k);
+    }
+  }
+  const SurfaceRepair result = resolve(mesh);
+  EXPECT_EQ(result.triangles, mesh.triangles);
+  EXPECT_FALSE(inspect(result).isFillable);
+}
+
 TEST(SurfaceRepair, RefusesInvalidNumbers) {
   SurfaceMesh mesh = gridCube(1);
   mesh.triangles[0] = 99;

@@ -147,7 +147,8 @@ class DividedGroup {
       return;
     }
     tree_.visitOverlaps(boxOf(part), [&](std::uint32_t m) {
-      if (isInside(members_[m], part)) owners.push_back({members_[m].triangle, members_[m].isReversed});
+      if (isInside(members_[m], part))
+        owners.push_back({members_[m].triangle, members_[m].isReversed});
     });
     sortFew(owners, [](const PartOwner& a, const PartOwner& b) { return a.triangle < b.triangle; });
   }
@@ -155,7 +156,8 @@ class DividedGroup {
   [[nodiscard]] bool isInside(const Member& member, const Part& part) const {
     for (std::size_t k = 0; k < 3; ++k) {
       for (const CutPointId point : part) {
-        const int side = points_.orient(view_, member.corners[k], member.corners[(k + 1) % 3], point);
+        const int side =
+            points_.orient(view_, member.corners[k], member.corners[(k + 1) % 3], point);
         if (side < 0) return false;
       }
     }

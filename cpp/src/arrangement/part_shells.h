@@ -23,8 +23,8 @@ struct BoundaryPart {
 
 struct InsideBoundary {
   std::vector<BoundaryPart> parts;
-  double area = 0.0;        ///< of all parts of the arrangement
-  double sheetArea = 0.0;   ///< of the parts with the same volume on both sides
+  double area = 0.0;       ///< of all parts of the arrangement
+  double sheetArea = 0.0;  ///< of the parts with the same volume on both sides
 };
 
 /// Returns the boundary of the inside, in the order of the triangles that it comes from. `isInterface`: per triangle, whether it stands for
@@ -36,7 +36,8 @@ struct InsideBoundary {
 /// them, parts of triangles with opposite orientations remain as interfaces. If the numbers contradict each
 /// other, because interfaces end at an edge, every bounded volume is inside, and all parts between different
 /// volumes remain. Exact except for the signs of volumes. O(n log n).
-[[nodiscard]] InsideBoundary boundaryOfInside(const SurfaceMesh& mesh, const Arrangement& arrangement,
+[[nodiscard]] InsideBoundary boundaryOfInside(const SurfaceMesh& mesh,
+                                              const Arrangement& arrangement,
                                               std::span<const std::uint8_t> isInterface);
 
 }  // namespace tetrafront
