@@ -7,6 +7,7 @@
 #include "base/tool_job.h"
 #include "boundary/boundary.h"
 #include "boundary/ray_crossing.h"
+#include "boundary/self_intersection.h"
 #include "boundary/surface_access.h"
 #include "search/box_tree.h"
 
