@@ -153,18 +153,24 @@ describe("an assembly", () => {
     expect(surface.notes?.filter((note) => note.startsWith("not closed")) ?? []).toEqual([]);
   });
 
-  test("is named where its solids touch in faces with different boundaries", async () => {
+  test("of solids that touch in faces with different boundaries gets an interface", async () => {
     save(
-      "bodies.step",
+      "tower.step",
       stepFile([boxSolid("base", [0, 0, 0], [2, 2, 1]), boxSolid("post", [0.5, 0.5, 1], [1, 1, 3])]),
     );
-    const meshed = await run("mesh", "bodies.step", "-o", "bodies.vtu");
-    expect(meshed.code).toBe(2);
-    expect(meshed.stderr).toMatch(
-      /error: bodies\.step: The solids "base" and "post" overlap, or touch in faces with different boundaries\. Divide/,
+    expect((await run("check", "tower.step")).stderr).toMatch(
+      /error: tower\.step: The solids "base" and "post" overlap, or touch in faces with different boundaries\. Divide/,
     );
-    const checked = await run("check", "bodies.step");
-    expect(checked.stderr).toContain('The solids "base" and "post" overlap');
+    const meshed = await run("mesh", "tower.step", "-o", "tower.msh", "--report", "tower.json");
+    expect([meshed.code, meshed.stderr]).toEqual([
+      0,
+      expect.stringContaining("repair: tower.step: cut triangle"),
+    ]);
+    const report = JSON.parse(readFileSync(inFolder("tower.json"), "utf8")) as { volume: number };
+    expect(report.volume).toBeCloseTo(4.5, 6);
+    const written = await readMesh(readFileSync(inFolder("tower.msh")), { fileName: "tower.msh" });
+    if (!written.success) throw new Error(written.errors[0].message);
+    expect(written.value.regions.map(({ name }) => name)).toEqual(["base", "post"]);
   });
 });
 

@@ -3,7 +3,7 @@ import { zipSync } from "fflate";
 import { bodySurface, createBodies, createMesher, readSurface, type SurfaceFile } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
-import { boxSurface } from "../../support/surfaces.js";
+import { boxSurface, joined, turned } from "../../support/surfaces.js";
 import { meshTags, threeMfFile } from "../../support/threemf-files.js";
 
 const box = boxSurface(1);
@@ -88,6 +88,19 @@ describe("objects", () => {
     expect(await mesher.inspectSurface(surface)).toMatchObject({ isFillable: true, regions: 2, volume: 2 });
     mesher.dispose();
   });
+});
+
+test("an object that fills a cavity of another is meshed; an empty cavity is not", async () => {
+  const core = boxSurface(1, [0.25, 0.25, 0.25], [0.5, 0.5, 0.5]);
+  const empty = boxSurface(1, [0.625, 0.625, 0.625], [0.75, 0.75, 0.75]);
+  const matrix = meshTags(joined(box, joined(turned(core), turned(empty))));
+  const resources = `<object id="1" name="matrix">${matrix}</object><object id="2" name="core">${meshTags(core)}</object>`;
+  const surface = await surfaceIn(threeMfFile(resources, `<item objectid="1"/><item objectid="2"/>`));
+  const mesher = await createMesher();
+  const { report, volume } = await mesher.fillSurface(surface);
+  expect([report.status, report.volume]).toEqual(["done", expect.closeTo(1 - 1 / 512, 9) as number]);
+  expect(new Set(volume.regions).size).toBe(2);
+  mesher.dispose();
 });
 
 test("colours and materials become patches", async () => {

@@ -130,16 +130,13 @@ export async function remeshed(
   return { surface, remesh, diagnostics };
 }
 
-/** Smallest angle, in degrees, and mean radius ratio below which other ways to remesh are tried. */
-const POOR_ANGLE = 15;
-const POOR_RATIO = 0.85;
-/** Length up to which details are merged then, and smallest size then, relative to the diagonal. */
+/** Smallest angle, in degrees, below which details are merged, and up to which length, relative to the diagonal. */
+const POOR_ANGLE = 10;
 const DROPPED = 1 / 2500;
-const SMALLER = 1 / 3000;
 
 /**
- * Remeshes a surface with automatic sizes. If its triangles are poor because of narrow details, merges those or makes
- * smaller triangles there, whichever gives the larger smallest angle.
+ * Remeshes a surface with automatic sizes. If its triangles are poor because of narrow details, merges these, unless that
+ * gives a smaller smallest angle.
  */
 export async function remeshedBest(
   mesher: Mesher,
@@ -147,18 +144,14 @@ export async function remeshedBest(
   options: RemeshOptions,
   control: PartialControl,
 ): Promise<RemeshedSurface> {
-  let best = await remeshed(mesher, given, options, control);
-  const diagonal = diagonalOf(given.points);
-  for (const change of [{ dropDetails: DROPPED * diagonal }, { minSize: SMALLER * diagonal }]) {
-    const { smallestAngle, meanRadiusRatio, isPartial } = best.remesh;
-    if (isPartial || (smallestAngle >= POOR_ANGLE && meanRadiusRatio >= POOR_RATIO)) return best;
-    const other = await remeshed(mesher, given, { ...options, ...change }, control);
-    const { remesh } = other;
-    const isBetter =
-      remesh.smallestAngle > smallestAngle && remesh.meanRadiusRatio > meanRadiusRatio - RATIO_NOISE;
-    if (!remesh.isPartial && isBetter) best = other;
-  }
-  return best;
+  const all = await remeshed(mesher, given, options, control);
+  if (all.remesh.isPartial || all.remesh.smallestAngle >= POOR_ANGLE) return all;
+  const dropDetails = DROPPED * diagonalOf(given.points);
+  const merged = await remeshed(mesher, given, { ...options, dropDetails }, control);
+  const { smallestAngle, meanRadiusRatio, isPartial } = merged.remesh;
+  const isBetter =
+    smallestAngle > all.remesh.smallestAngle && meanRadiusRatio > all.remesh.meanRadiusRatio - RATIO_NOISE;
+  return isBetter && !isPartial ? merged : all;
 }
 
 /** Differences of the mean radius ratio that do not matter. */

@@ -71,10 +71,12 @@ export async function madeFillable(
   if ((await mesher.inspectSurface(given, { innerShells, maxDiagnostics: 1 })).isFillable)
     return { surface: given };
   const made = await repaired(mesher, given, { innerShells });
-  const found = await mesher.inspectSurface(made.surface, { innerShells });
-  const touching = found.isFillable ? [] : touchingSolids(made.surface, found.diagnostics);
+  // New triangles between solids do not know the regions on both sides.
+  const { givenRegions: _, ...surface } = made.surface;
+  const found = await mesher.inspectSurface(surface, { innerShells });
+  const touching = found.isFillable ? [] : touchingSolids(surface, found.diagnostics);
   if (touching.length > 0) throw new InvalidInput(input, touching);
-  return made.changes?.length === 0 ? { surface: given } : made;
+  return made.changes?.length === 0 ? { surface: given } : { ...made, surface };
 }
 
 /** Largest number of lines per kind of change; `--json` and `--report` list all. */

@@ -29,7 +29,14 @@ export function* surfaceOfShapes(shapes: readonly Shape[]): Steps<FileMesh> {
     yield* shareFaces(joined);
     yield* shareTriangles(joined);
   }
-  return yield* meshOf(joined, shapes);
+  const mesh = yield* meshOf(joined, shapes);
+  return shapes.length > 1 && open.size === 0 ? withGivenRegions(mesh) : mesh;
+}
+
+/** Several solids state what is meshed on either side: a solid may fill a cavity of another. */
+function withGivenRegions(mesh: FileMesh): FileMesh {
+  const { triangleRegions = new Uint32Array() } = mesh.surfaceRegions ?? {};
+  return { ...mesh, givenRegions: { triangleRegions, maxVolumes: new Float64Array() } };
 }
 
 function* meshOf(joined: JoinedShapes, shapes: readonly Shape[]): Steps<FileMesh> {

@@ -33,7 +33,7 @@ export interface SurfaceFile extends SurfaceInput {
 export function* surfaceOf(mesh: FileMesh): Steps<SurfaceFile> {
   if (mesh.triangles.length === 0) throw noTriangles(mesh.tetrahedra.length / 4);
   const { trianglePatch, patches, unit, notes, unlocatedRegions, duplicateTriangles = 0 } = mesh;
-  const { regionPoints } = mesh;
+  const { regionPoints, givenRegions } = mesh;
   const surfaceRegions = yield* surfaceRegionsOf(mesh);
   return {
     ...(yield* exactlyWelded(yield* boundaryOf(mesh))),
@@ -44,6 +44,7 @@ export function* surfaceOf(mesh: FileMesh): Steps<SurfaceFile> {
     ...(unlocatedRegions && { unlocatedRegions }),
     ...(notes && { notes }),
     ...(regionPoints && { regionPoints }),
+    ...(givenRegions && { givenRegions }),
     ...(duplicateTriangles > 0 && { duplicateTriangles }),
   };
 }

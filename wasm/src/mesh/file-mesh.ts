@@ -1,5 +1,5 @@
 /** Mesh of a file: the result of every reader and the input of every writer. */
-import type { RegionPoints } from "./mesh.js";
+import type { GivenRegions, RegionPoints } from "./mesh.js";
 import type { Unit } from "./units.js";
 
 /** Triangles or tetrahedra of one kind: a patch with its boundary condition, or a region with its material. */
@@ -72,6 +72,8 @@ export interface FileMesh {
   readonly regions: readonly FileGroup[];
   /** Regions between the triangles, if the file defines them without tetrahedra. */
   readonly surfaceRegions?: SurfaceRegions | undefined;
+  /** Regions on the sides of the triangles, if what is meshed follows from them alone. */
+  readonly givenRegions?: GivenRegions | undefined;
   /** Names of regions whose location the file does not define; they are lost. */
   readonly unlocatedRegions?: readonly string[] | undefined;
   /** Points that mark the regions and holes of a surface, if the format has them. */
