@@ -1,6 +1,6 @@
 import AxeBuilder from "@axe-core/playwright";
 import { expect, test, type Page } from "@playwright/test";
-import { readProject } from "tetrafront";
+import { readMesh, readProject } from "tetrafront";
 import { parseMsh, parseVtu } from "../support/mesh-files";
 import { measured } from "../support/mesh-measures";
 import { plateSurface, plateVolume } from "../support/plate";
@@ -45,6 +45,12 @@ test("a binary STL becomes a mesh: card, preview, mesh, download", async ({ page
   const { volume: filled, ...defects } = measured(mesh);
   expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
   expect(Math.abs(filled / plateVolume(plate) - 1)).toBeLessThan(5e-3);
+
+  const second = await downloadMesh(page, /second-order \.vtu/);
+  const read = await readMesh(second, { fileName: "second.vtu" });
+  if (!read.success) throw new Error(read.errors[0].message);
+  expect(read.value.tetrahedra).toHaveLength(4 * tets);
+  expect(read.value.notes?.[0]).toMatch(/second-order elements read by the corners, as linear elements$/);
 });
 
 test("the treatment of a body is undone and redone with its mesh, and a reload restores everything", async ({
