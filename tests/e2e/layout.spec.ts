@@ -52,7 +52,8 @@ test("on a phone every menu opens in place, and all its items can be reached", a
     expect(await items.count()).toBeGreaterThan(3);
     for (const item of await items.all()) {
       await item.scrollIntoViewIfNeeded();
-      await expect(item).toBeInViewport({ ratio: 1 });
+      // Scrolling ends at a fraction of a pixel.
+      await expect(item).toBeInViewport({ ratio: 0.99 });
     }
     await menu.getByRole("menuitem", { name, exact: true }).scrollIntoViewIfNeeded();
   }
