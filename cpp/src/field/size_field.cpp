@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "field/tensor_limits.h"
+#include "geom/cube_root.h"
 
 namespace tetrafront {
 
@@ -78,7 +79,7 @@ SymmetricTensor SizeField::targetTensorAt(const Vec3& position, FieldHint& hint)
   }
   const double cap = capOf(hint.region);
   if (std::isfinite(cap)) {
-    tensor = tensor.scaledBy(std::min(1.0, cap / std::cbrt(tensor.determinant())));
+    tensor = tensor.scaledBy(std::min(1.0, cap / cubeRoot(tensor.determinant())));
   }
   if (sources_.empty()) return tensor;
   return cappedTo(tensor, sources_.cappedSize(position, largestPossible(tensor)));

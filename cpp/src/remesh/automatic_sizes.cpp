@@ -34,7 +34,7 @@ constexpr double kSizePerNarrowGap = 2.0;
 /// Another part of the same line bounds a gap only if its distance along the line is at least this
 /// many times the width of the gap.
 constexpr double kArcPerGap = 3.0;
-/// Edges between two places along a narrow gap where it is measured.
+/// Edges between two positions along a narrow gap where it is measured.
 constexpr double kEdgesPerGapStep = 2.0;
 /// Smallest number of edges of a closed feature line.
 constexpr double kEdgesPerLoop = 3.0;
@@ -70,7 +70,7 @@ bool isEndOf(const FeatureLine& line, NodeId node) {
 }
 
 /// Returns true if the lines have a common end.
-bool doMeet(const FeatureLine& a, const FeatureLine& b) {
+bool haveCommonEnd(const FeatureLine& a, const FeatureLine& b) {
   return !b.isClosed() && (isEndOf(a, b.nodes().front()) || isEndOf(a, b.nodes().back()));
 }
 
@@ -355,7 +355,7 @@ void ShapeMeasure::measureGaps(FeatureLineId id) {
     const double least = gap.isAtCorner ? rules_.minSize : rules_.minSizeAtGaps;
     const double size = sizeForDetail(kSizePerGap * gap.width, kSizePerNarrowGap, least);
     addUnlimited(line.at(arc), size);
-    arc += std::min(step, kEdgesPerGapStep * size);
+    arc += size < rules_.minSize ? std::min(step, kEdgesPerGapStep * size) : step;
   }
 }
 
@@ -383,7 +383,8 @@ ShapeMeasure::Gap ShapeMeasure::gapAt(FeatureLineId id, double arc) const {
     nearest = square;
     across = segment.line;
   });
-  const bool isAtCorner = !across.isNone() && across != id && doMeet(line, reference_.line(across));
+  const bool isAtCorner =
+      !across.isNone() && across != id && haveCommonEnd(line, reference_.line(across));
   return {std::sqrt(nearest), isAtCorner};
 }
 

@@ -266,7 +266,7 @@ Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
   co_await work.finish(sites, kSitesPerUnit);
   found.sizes->capTo(std::move(sites), std::move(sizes.axes));
   found.sizes->raiseTo(CuspSizes(std::move(cusps)));
-  // Counting takes longer than this bound.
+  // Counting takes longer than this bound, which only very many small details exceed without need.
   const double most = std::accumulate(ofGiven.begin(), ofGiven.end(), 0.0) +
                       trianglesOn(areaOf(reference), lengths.minSize) +
                       kTrianglesPerDetail * static_cast<double>(belowMin);

@@ -1,7 +1,8 @@
 #include "sizing/volume_sizes.h"
 
-#include <cmath>
 #include <numbers>
+
+#include "geom/cube_root.h"
 
 namespace tetrafront {
 namespace {
@@ -13,7 +14,7 @@ constexpr double kMargin = 0.8;
 }  // namespace
 
 double sizeForVolume(double volume) {
-  return volume > 0.0 ? kMargin * std::cbrt(6.0 * std::numbers::sqrt2 * volume) : 0.0;
+  return volume > 0.0 ? kMargin * cubeRoot(6.0 * std::numbers::sqrt2 * volume) : 0.0;
 }
 
 std::vector<double> sizesForVolumes(std::span<const double> volumes) {
