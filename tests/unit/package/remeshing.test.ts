@@ -319,6 +319,10 @@ describe("tetrafront remesh", () => {
     const implied = await run("remesh", "open.off", "-o", "closed.off");
     expect(implied.code).toBe(0);
     expect(implied.stderr).toContain("filled a hole with 1 triangle");
+    const closed = await surfaceIn("closed.off");
+    // The filled triangle has the patch of the triangles around it, so no feature line surrounds it.
+    expect(implied.stderr).toContain("6 smooth patches, 12 feature lines");
+    expect(enclosedVolume(closed)).toBeCloseTo(1, 6);
 
     save("sheet.off", offFile({ points: box.points, triangles: box.triangles.slice(0, 6) }));
     const refused = await run("remesh", "sheet.off", "-o", "closed.off", "--json");

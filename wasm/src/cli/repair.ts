@@ -1,6 +1,7 @@
 /** Repairs requested on the command line, and the list of their changes. */
 import type { Mesher } from "../api/mesher-interface.js";
 import type { RepairOptions } from "../api/option-types.js";
+import { withoutFilledPatch } from "../api/filled-holes.js";
 import { checkRepairOptions } from "../api/options.js";
 import { repairedSurface } from "../api/repaired-surface.js";
 import { touchingSolids } from "../api/touching-solids.js";
@@ -72,7 +73,7 @@ export async function madeFillable(
     return { surface: given };
   const made = await repaired(mesher, given, { innerShells });
   // New triangles between solids do not know the regions on both sides.
-  const { givenRegions: _, ...surface } = made.surface;
+  const { givenRegions: _, ...surface } = withoutFilledPatch(made.surface);
   const found = await mesher.inspectSurface(surface, { innerShells });
   const touching = found.isFillable ? [] : touchingSolids(surface, found.diagnostics);
   if (touching.length > 0) throw new InvalidInput(input, touching);
