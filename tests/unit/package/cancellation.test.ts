@@ -10,6 +10,7 @@ import {
   writeMesh,
   type Mesher,
   type MesherErrorCode,
+  type SurfaceFile,
 } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, expectTypeOf, test, vi } from "vitest";
 
@@ -24,6 +25,13 @@ const { points, tetrahedra } = block;
 const volume = { ...block, nodeData: new Map() };
 const project = cubeProject();
 const withBody = { ...project, bodies: [createBody(surface, { id: 1, firstPatchId: 100 })] };
+
+const marked: SurfaceFile = {
+  ...surface,
+  trianglePatch: new Uint32Array(surface.triangles.length / 3),
+  patches: [{ name: "sphere", tag: 1 }],
+  regionPoints: { holes: [], regions: [{ number: 1, position: [0, 0, 0], tag: 7 }] },
+};
 
 let mesher: Mesher;
 let vtu: Uint8Array;
@@ -44,6 +52,8 @@ const methods: Readonly<Record<string, Call>> = {
   inspectSurface: (signal) => mesher.inspectSurface(surface, {}, { signal }),
   repairSurface: (signal) => mesher.repairSurface(surface, {}, { signal }),
   refineSurface: (signal) => mesher.refineSurface(surface, { size: 0.01 }, { signal }),
+  locateRegions: (signal) => mesher.locateRegions(marked, { signal }),
+  proposeSurfaceSizes: (signal) => mesher.proposeSurfaceSizes(surface, { size: 0.02 }, { signal }),
   remeshSurface: (signal) => mesher.remeshSurface(surface, { size: 0.02 }, { signal }),
   splitPatches: (signal) => mesher.splitPatches(surface, {}, { signal }),
   prepareBody: (signal) => mesher.prepareBody(withBody, 1, {}, { signal }),
@@ -100,6 +110,8 @@ test("no argument is accessed if the signal was aborted before the call", async 
     inspectSurface: mesher.inspectSurface(untouched, untouched, aborted),
     repairSurface: mesher.repairSurface(untouched, untouched, aborted),
     refineSurface: mesher.refineSurface(untouched, untouched, aborted),
+    locateRegions: mesher.locateRegions(untouched, aborted),
+    proposeSurfaceSizes: mesher.proposeSurfaceSizes(untouched, untouched, aborted),
     remeshSurface: mesher.remeshSurface(untouched, untouched, aborted),
     splitPatches: mesher.splitPatches(untouched, untouched, aborted),
     prepareBody: mesher.prepareBody(untouched, 1, untouched, aborted),

@@ -1,4 +1,4 @@
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
 import { createMesher, type Mesher, type Phase, type Progress, type RunControl } from "tetrafront";
 import { emptyProject } from "../../../web/document/create";
 import { meshKey, versionedKey } from "../../../web/document/content-keys";
@@ -133,6 +133,9 @@ async function improvable(meshVersion?: string) {
   return { documents, run, steps, stale, finish, project, dispose: () => real.dispose() };
 }
 
+/** Resolves when all promises that were resolved before have called what waits for them. */
+const nextTask = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+
 const renamed = (name: string) => ({ label: "Rename", replace: [[["project", "name"], name]] }) as const;
 
 describe("an improvement", () => {
@@ -175,11 +178,20 @@ describe("an improvement", () => {
   it("that ends during a drag waits for its end, and the drag stays one step", async () => {
     const { documents, run, steps, finish, dispose } = await improvable();
     await run.generate();
+    const afterGesture = documents.afterGesture.bind(documents);
+    const waits = new Promise<void>((resolve) => {
+      vi.spyOn(documents, "afterGesture").mockImplementation(() => {
+        resolve();
+        return afterGesture();
+      });
+    });
     const improving = run.improve();
     const drag = documents.begin("Drag");
     drag.update(renamed("half-way"));
     finish();
-    await Promise.race([improving, new Promise((resolve) => setTimeout(resolve, 1500))]);
+    // Either the improvement waits for the drag, or it ends too early.
+    await Promise.race([improving, waits]);
+    await nextTask();
     expect(steps()).toEqual([]);
     drag.update(renamed("at the end"));
     drag.commit();
