@@ -1,5 +1,7 @@
 /** STEP, IGES and BREP files: solids as regions, faces as patches, units, colours, interfaces, errors. */
+import { once } from "node:events";
 import { readFileSync } from "node:fs";
+import type { Worker } from "node:worker_threads";
 
 import {
   bodySurface,
@@ -11,7 +13,7 @@ import {
   type Mesher,
   type SurfaceFile,
 } from "tetrafront";
-import { afterAll, beforeAll, describe, expect, test } from "vitest";
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test, vi } from "vitest";
 
 import { mutated, randomSource } from "../../support/random.js";
 import { boxSolid, drilledSolid, pinSolid, stepFile } from "../../support/step-files.js";
@@ -316,9 +318,38 @@ describe("a file that cannot be read", () => {
 /** Number of damaged files. */
 const SEEDS = Number(process.env["TETRAFRONT_FUZZ"] ?? 60);
 
-test("cancelling ends the worker", async () => {
-  const abort = new AbortController();
-  const reading = readSurface(plate, { fileName: "plate.step", signal: abort.signal });
-  setTimeout(() => abort.abort(), 20);
-  await expect(reading).rejects.toMatchObject({ code: "cancelled" });
+describe("cancelling", () => {
+  const started: Worker[] = [];
+  const note = (worker: Worker) => started.push(worker);
+  beforeEach(() => {
+    started.length = 0;
+    process.on("worker", note);
+  });
+  afterEach(() => void process.off("worker", note));
+
+  test("ends the worker", async () => {
+    const abort = new AbortController();
+    const begun = once(process, "worker");
+    const reading = readSurface(plate, { fileName: "plate.step", signal: abort.signal });
+    await begun;
+    expect(started).toHaveLength(1);
+    const [worker] = started;
+    if (worker === undefined) throw new Error("No worker was started");
+    const ended = once(worker, "exit");
+    const terminate = vi.spyOn(worker, "terminate");
+    abort.abort();
+    await expect(reading).rejects.toMatchObject({ code: "cancelled" });
+    expect(terminate).toHaveBeenCalledOnce();
+    await ended;
+    expect(worker.threadId).toBe(-1);
+  });
+
+  test("before the call starts no worker", async () => {
+    const signal = AbortSignal.abort();
+    await expect(readSurface(plate, { fileName: "plate.step", signal })).rejects.toMatchObject({
+      code: "cancelled",
+    });
+    await new Promise((resolve) => setImmediate(resolve));
+    expect(started).toEqual([]);
+  });
 });
