@@ -173,7 +173,7 @@ export class BodyFeed {
 
   /** Returns a body with the patches of a split. Its arrays are then known. */
   async withSplit(body: ProjectBody, split: SplitSurface): Promise<ProjectBody> {
-    const made = await this.#split(body, split);
+    const made = await this.#split(body, split, false);
     this.keep(made);
     return made.body;
   }
@@ -218,7 +218,7 @@ export class BodyFeed {
       const patches = patch === null ? undefined : [body.patches.findIndex(({ id }) => id === patch)];
       const given = { ...surface, patches: bodyPatchGroups(body) };
       const split = await mesher.splitPatches(given, { angle, patches }, { signal });
-      const after = await this.#split(body, split);
+      const after = await this.#split(body, split, true);
       const present = this.state.getState().byId.get(body.id)?.body;
       if (signal.aborted || present?.patches !== body.patches) return;
       this.#setFor(body, { split: { patch, split, after } });
@@ -232,8 +232,9 @@ export class BodyFeed {
     this.#set(id, { split: null });
   }
 
-  #split(body: ProjectBody, split: SplitSurface): Promise<NewBody> {
-    return this.#client.split(body, split, nextBodyIds(this.#documents.project).firstPatchId);
+  #split(body: ProjectBody, split: SplitSurface, isPreview: boolean): Promise<NewBody> {
+    const { firstPatchId } = nextBodyIds(this.#documents.project);
+    return this.#client.split(body, split, firstPatchId, isPreview);
   }
 
   #newSplitting(): AbortController {

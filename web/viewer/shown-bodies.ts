@@ -1,7 +1,7 @@
 import type { BodyPlacement, Project, ProjectBodyPatch } from "tetrafront";
 import type { DrawnSurface } from "../document/drawn-surface";
 import { bodiesOf } from "../document/entities";
-import { hasColors } from "../document/patch-colors";
+import { meaningOf, type PatchMeaning } from "../document/patch-colors";
 import { placed, placedBox } from "../document/placement";
 import type { Position } from "../document/position";
 import type { ViewState } from "../document/selection";
@@ -15,7 +15,7 @@ export interface ShownBody {
   readonly placement: BodyPlacement | undefined;
   /** The given triangles; null until they are loaded. */
   readonly given: LoadedSurface | null;
-  /** The triangles of an up-to-date preview, at their place; null without one. */
+  /** The triangles of an up-to-date preview, at their position; null without one. */
   readonly preview: DrawnSurface | null;
   /** The given triangles with the patches that a proposed split would make; null without a proposal. */
   readonly split: { readonly drawn: DrawnSurface; readonly patches: readonly ProjectBodyPatch[] } | null;
@@ -25,10 +25,10 @@ export interface ShownBody {
 export interface DrawnTriangles {
   readonly drawn: DrawnSurface | null;
   readonly patches: readonly ProjectBodyPatch[];
-  /** Where to move them; undefined if they are at their place. */
+  /** Where to move them; undefined if they are at their position. */
   readonly placement: BodyPlacement | undefined;
   /** Meaning of the values: deviations, indices of patches, or packed colours. */
-  readonly values: "deviation" | "patch" | "color";
+  readonly values: "deviation" | PatchMeaning;
 }
 
 interface Known {
@@ -70,19 +70,18 @@ export function drawnOf(
   { given, preview, split, patches, placement }: ShownBody,
   surface: ViewState["bodySurface"],
 ): DrawnTriangles {
-  const meaning = hasColors(split?.patches ?? patches) ? "color" : "patch";
-  if (split) return { ...split, placement, values: meaning };
+  if (split) return { ...split, placement, values: "patch" };
   if (surface === "new" && preview)
     return { drawn: preview, patches, placement: undefined, values: "deviation" };
-  return { drawn: given?.drawn ?? null, patches, placement, values: meaning };
+  return { drawn: given?.drawn ?? null, patches, placement, values: meaningOf(patches) };
 }
 
-/** Returns the box of a body at its place; null until its triangles are loaded. */
+/** Returns the box of a body at its placement; null until its triangles are loaded. */
 export function shownBox({ given, placement }: ShownBody) {
   return given && placedBox(given.drawn.low, given.drawn.high, placement);
 }
 
-/** Returns the corners of given triangles of a body at their place, x y z each. Leaves out indices out of range. */
+/** Returns the corners of given triangles of a body at its placement, x y z each. Leaves out indices out of range. */
 export function bodyCorners({ given, placement }: ShownBody, indices: readonly number[]): number[] {
   if (!given) return [];
   const { points, triangles } = given.surface;

@@ -86,6 +86,8 @@ export interface SurfaceProtocol {
       readonly body: ProjectBody;
       readonly split: SplitSurface;
       readonly nextPatchId: number;
+      /** Whether the triangles are drawn by patch even if patches have colours. */
+      readonly isPreview: boolean;
     };
     readonly answer: PackedNewBody;
   };
@@ -119,7 +121,8 @@ const withTrianglesOf = ({ points, triangles }: ProjectBody, { body, loaded }: N
 });
 
 /**
- * Reads a surface or the mesh of a file in a worker of its own. Rejects if `signal` aborts or the worker fails, for example out of memory.
+ * Reads a surface or the mesh of a file in a worker of its own. Rejects if `signal` aborts or the worker fails, for
+ * example out of memory.
  */
 export async function readSurfaceFile(
   file: File,
@@ -160,10 +163,15 @@ export class SurfaceClient {
     return unpacked(await this.#worker.call("replace", { body: head, surface: copy, patches }, buffers));
   }
 
-  /** Returns a body with the patches of a split. New patches get ids from `nextPatchId` on. */
-  async split(body: ProjectBody, split: SplitSurface, nextPatchId: number): Promise<NewBody> {
-    const { trianglePatch, patches } = split;
-    const answer = await this.#worker.call("split", { body, split: { trianglePatch, patches }, nextPatchId });
+  /** Returns a body with the patches of a split. New patches get ids from `nextPatchId` on. A preview is drawn by patch. */
+  async split(
+    body: ProjectBody,
+    { trianglePatch, patches }: SplitSurface,
+    nextPatchId: number,
+    isPreview: boolean,
+  ): Promise<NewBody> {
+    const argument = { body, split: { trianglePatch, patches }, nextPatchId, isPreview };
+    const answer = await this.#worker.call("split", argument);
     return withTrianglesOf(body, await unpacked(answer));
   }
 

@@ -16,7 +16,7 @@ import {
   type SurfaceFile,
 } from "tetrafront";
 import { buffersOfDrawn, drawnSurface } from "../document/drawn-surface";
-import { hasColors, packedColor } from "../document/patch-colors";
+import { meaningOf, patchValues, type PatchMeaning } from "../document/patch-colors";
 import { strings } from "../strings";
 import "./cad-library";
 import { buffersOfPacked, packedBody } from "./packed-bodies";
@@ -57,7 +57,8 @@ serveCalls<SurfaceProtocol>({
     });
     return { answer: replaced, transfer: buffersOf(replaced) };
   },
-  split: ({ body, split, nextPatchId }) => withSameTriangles(bodyWithPatches(body, split, nextPatchId)),
+  split: ({ body, split, nextPatchId, isPreview }) =>
+    withSameTriangles(bodyWithPatches(body, split, nextPatchId), isPreview ? "patch" : undefined),
   merge: ({ body, ids }) => withSameTriangles(mergePatches(body, ids)),
   draw: ({ surface, patchCount, values }) => {
     const answer = drawnSurface(surface, patchCount, values);
@@ -109,25 +110,21 @@ function newBody(body: ProjectBody): PackedNewBody {
 }
 
 /** Omits the texts of points and triangles, which the page has. */
-function withSameTriangles(body: ProjectBody): Answer<PackedNewBody> {
-  const answer = { packed: packedBody({ ...body, points: "", triangles: "" }), loaded: loadedFrom(body) };
+function withSameTriangles(body: ProjectBody, meaning?: PatchMeaning): Answer<PackedNewBody> {
+  const packed = packedBody({ ...body, points: "", triangles: "" });
+  const answer = { packed, loaded: loadedFrom(body, meaning) };
   return { answer, transfer: buffersOf(answer) };
 }
 
 /** Returns the arrays of a body where they were given: the view moves them. */
-function loadedFrom({ placement: _, ...body }: ProjectBody): LoadedSurface {
+function loadedFrom(
+  { placement: _, ...body }: ProjectBody,
+  meaning: PatchMeaning = meaningOf(body.patches),
+): LoadedSurface {
+  const { patches } = body;
   const surface = withPatches(bodySurface(body));
-  return { surface, drawn: drawnSurface(surface, body.patches.length, patchValues(surface, body.patches)) };
-}
-
-/** Returns the colours of the patches as numbers, if they have any; else the patches, unless there is only one. */
-function patchValues(
-  { trianglePatch }: PatchArrays,
-  patches: ProjectBody["patches"],
-): Float32Array | Uint32Array | null {
-  if (!hasColors(patches)) return patches.length > 1 ? trianglePatch : null;
-  const colors = patches.map(({ color }) => packedColor(color));
-  return Float32Array.from(trianglePatch, (patch) => colors[patch] ?? 0);
+  const values = patchValues(surface.trianglePatch, patches, meaning);
+  return { surface, drawn: drawnSurface(surface, patches.length, values) };
 }
 
 function withPatches({ points, triangles, trianglePatch }: PatchedSurface): PatchArrays {

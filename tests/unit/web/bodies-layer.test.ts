@@ -83,4 +83,18 @@ describe("the layer of bodies", () => {
     change(layer, plain, { ...plain, bodySurface: "given" });
     expect(shading()).toEqual([1, true]);
   });
+
+  it("has colours of files and of the palette in one material, with edges as all others", () => {
+    const layer = new BodiesLayer(noTree);
+    const colored = [{ id: 4, color: [1, 0, 0] as const }, { id: 9 }];
+    const state = { ...start, bodies: [{ ...body, patches: colored }] };
+    show(layer, state);
+    const uniforms = () => passes(layer)[0]?.material.uniforms ?? {};
+    expect(uniforms()["isPacked"]?.value).toBe(1);
+    expect(uniforms()["hues"]?.value).toBe(state.colors.regions.length);
+    expect(uniforms()["ramp"]?.value).not.toBeNull();
+    expect(uniforms()["edges"]?.value).toBe(state.edges ? 1 : 0);
+    change(layer, state, { ...state, edges: !state.edges });
+    expect(uniforms()["edges"]?.value).toBe(state.edges ? 0 : 1);
+  });
 });

@@ -10,7 +10,7 @@ import { bodySchema, type PatchId, type ProjectBody } from "../project/schema.js
 /**
  * Returns a body with other patches of the same triangles, as `splitPatches` makes them. A patch that has triangles of a
  * given patch keeps its id, the first one if there are several; the others get ids from `nextPatchId` on. A given patch of
- * which there is only one piece keeps its name too, unless the piece has one. O(n). Throws a `MesherError` if an argument
+ * which there is only one piece keeps its colour, and its name unless the piece has one. O(n). Throws a `MesherError` if an argument
  * is invalid.
  *
  *     const split = await mesher.splitPatches({ ...bodySurface(body), patches: bodyPatchGroups(body) });
@@ -38,7 +38,8 @@ export function bodyWithPatches(
     // Names such as "patch 3" would not be unique among bodies; without a name, the id is shown.
     const isWhole = source !== undefined && pieces.get(source) === 1;
     const own = hasGenericName({ name, tag: 0 }) ? (isWhole ? given?.name : undefined) : name;
-    const color = given?.color;
+    // Pieces in the colour of the whole could not be told apart.
+    const color = isWhole ? given?.color : undefined;
     return { id: id ?? nextId++, ...(own !== undefined && { name: own }), ...(color && { color }) };
   });
   return withOwners(body, surface.trianglePatch, patches);

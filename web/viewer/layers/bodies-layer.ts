@@ -78,8 +78,8 @@ export class BodiesLayer implements HittableLayer {
   }
 
   get #bases() {
-    const { plain, deviation, patch } = this.#materials;
-    return [plain, deviation, patch];
+    const { plain, deviation, patch, color } = this.#materials;
+    return [plain, deviation, patch, color];
   }
 
   #setColors(colors: ViewerColors): void {
@@ -89,8 +89,10 @@ export class BodiesLayer implements HittableLayer {
     this.#ramp = rampTexture(colors.ramp);
     this.#palette = paletteTexture(colors.regions);
     setTexture(this.#materials.deviation, "ramp", this.#ramp);
-    setTexture(this.#materials.patch, "ramp", this.#palette);
-    setNumber(this.#materials.patch, "hues", colors.regions.length);
+    for (const material of [this.#materials.patch, this.#materials.color]) {
+      setTexture(material, "ramp", this.#palette);
+      setNumber(material, "hues", colors.regions.length);
+    }
     for (const material of this.#bases) {
       setColor(material, "plainColor", colors.meshPlain);
       setColor(material, "edgeColor", colors.meshEdge);

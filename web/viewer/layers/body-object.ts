@@ -62,7 +62,7 @@ export class BodyObject {
     this.#pieces.setMaterial(drawn.values ? this.#materials[values] : plain);
   }
 
-  /** Moves the triangles to their place relative to the scene's origin. */
+  /** Moves the triangles to their position relative to the scene's origin. */
   place(origin: Position): void {
     const { rotation = noRotation, scale = 1 } = this.#placement ?? {};
     const centre = placed(this.#drawn?.centre ?? [0, 0, 0], this.#placement);

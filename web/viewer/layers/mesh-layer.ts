@@ -225,7 +225,7 @@ export class MeshLayer implements HittableLayer {
     this.root.visible = this.#isShown && this.faceCount > 0;
   }
 
-  /** Keeps the faces drawn in their place when the origin moves. */
+  /** Keeps the faces drawn at their positions when the origin moves. */
   #move(): void {
     const { origin } = this.#drawn.request;
     const [x, y, z] = this.#request.origin;

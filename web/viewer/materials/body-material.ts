@@ -32,10 +32,12 @@ const fragmentShader = /* glsl */ `
   ${facetLight}
   ${edgeStrength}
   void main() {
-    float texel = hues > 0.0 ? mod(vValue + 0.5, hues) / hues : clamp(vValue, 0.002, 0.998);
+    bool isIndex = isPacked > 0.0 && vValue < -0.5;
+    float hue = isIndex ? -1.0 - vValue : vValue;
+    float texel = hues > 0.0 ? mod(hue + 0.5, hues) / hues : clamp(vValue, 0.002, 0.998);
     float bits = floor(vValue + 0.5);
     vec3 unpacked = mod(floor(bits / vec3(65536.0, 256.0, 1.0)), 256.0) / 255.0;
-    vec3 given = isPacked > 0.0 ? unpacked : texture2D(ramp, vec2(texel, 0.5)).rgb;
+    vec3 given = isPacked > 0.0 && !isIndex ? unpacked : texture2D(ramp, vec2(texel, 0.5)).rgb;
     vec3 color = mix(plainColor, given, shaded);
     color *= facetLight(vViewPosition);
     gl_FragColor = vec4(mix(color, edgeColor, edges * edgeStrength(vBarycentric, 0.6)), 1.0);
@@ -44,7 +46,7 @@ const fragmentShader = /* glsl */ `
 
 /**
  * Triangles of a body without an index, seen from both sides: in one colour, or shaded by a value per corner, a position
- * on a colour ramp, with a palette of `hues` colours the index of a colour, or if `isPacked` a colour itself.
+ * on a colour ramp, with a palette of `hues` colours the index of a colour, or if `isPacked` a colour itself, or -1 - index.
  */
 export function createBodyMaterial(): StateMaterial {
   const uniforms = {
