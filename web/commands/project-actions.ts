@@ -8,18 +8,12 @@ import {
   type DocumentState,
   type ProjectFile,
 } from "../session/document-store";
-import {
-  openDocumentFile,
-  readDroppedFiles,
-  saveProjectFile,
-  type OnReading,
-  type OpenResult,
-} from "../session/files";
+import { openDocumentFile, saveProjectFile, type OnReading, type OpenResult } from "../session/files";
 import { loadModel, type GalleryModel } from "../session/gallery";
 import { hideNotice, showNotice } from "../session/shell";
 import { reasonsOf, openedMesh } from "../session/shown-mesh";
 import { strings } from "../strings";
-import type { ReadSurface } from "../workers/surface-files";
+import type { NewBody, ReadSurface } from "../workers/surface-files";
 import { showFailure, showMessage } from "./messages";
 
 /**
@@ -35,13 +29,11 @@ export function openProject(app: App, project: Project, file: ProjectFile | null
 
 /** Opens a surface as a new document: a project with a body per solid; the card shows the first one. */
 export function openSurface(app: App, name: string, read: ReadSurface): void {
-  const { bodies, unit } = read;
   const project = {
-    ...emptyProject(name),
-    ...(unit !== undefined && { units: unit }),
-    bodies: bodies.map(({ body }) => body),
+    ...projectOf(name, read),
+    ...(hasNestedBodies(read.bodies) && innerRegions),
   };
-  for (const made of bodies) app.bodies.keep(made);
+  for (const made of read.bodies) app.bodies.keep(made);
   finishOpening(app, app.showProject(project));
   app.run.cancel();
   showNewBodies(app, read);
@@ -55,9 +47,9 @@ async function openMesh(app: App, { name, fileName, read, mesh }: OpenedMeshFile
   try {
     const shown = await openedMesh(await app.mesher, fileName, mesh);
     const project = {
-      ...emptyProject(name),
-      bodies: read.bodies.map(({ body }) => body),
-      ...meshingOf(mesh.regions.length),
+      ...projectOf(name, read),
+      // Shells inside a mesh with several regions are regions too.
+      ...(mesh.regions.length > 1 && innerRegions),
     };
     for (const made of read.bodies) app.bodies.keep(made);
     app.run.cancel();
@@ -73,9 +65,29 @@ async function openMesh(app: App, { name, fileName, read, mesh }: OpenedMeshFile
 
 type OpenedMeshFile = Extract<OpenResult, { readonly kind: "mesh" }>;
 
-/** Shells inside a mesh with several regions are regions too. */
-const meshingOf = (regions: number): Pick<Project, "meshing"> =>
-  regions > 1 ? { meshing: { innerShells: "regions" } } : {};
+/** Returns a project with the bodies and the unit of a file. */
+function projectOf(name: string, { bodies, unit }: ReadSurface): Project {
+  return {
+    ...emptyProject(name),
+    ...(unit !== undefined && { units: unit }),
+    bodies: bodies.map(({ body }) => body),
+  };
+}
+
+const innerRegions: Pick<Project, "meshing"> = { meshing: { innerShells: "regions" } };
+
+/**
+ * Returns whether a solid of a file may lie inside another, so that it is meshed and not a cavity: whether the box of
+ * one body contains that of another.
+ */
+function hasNestedBodies(bodies: readonly NewBody[]): boolean {
+  const boxes = bodies.map(({ loaded }) => loaded.drawn);
+  return boxes.some(({ low, high }) =>
+    boxes.some((inner) =>
+      low.every((x, k) => x < (inner.low[k] ?? x) && (inner.high[k] ?? x) < (high[k] ?? x)),
+    ),
+  );
+}
 
 /** Selects the first new body and previews the triangles of each as soon as its surface is known to be valid. */
 export function showNewBodies(app: App, { bodies, notes }: Pick<ReadSurface, "bodies" | "notes">): void {
@@ -89,7 +101,7 @@ export function showNewBodies(app: App, { bodies, notes }: Pick<ReadSurface, "bo
 }
 
 /** Shows notes about an opened file. */
-function showNotes(app: App, notes: readonly string[]): void {
+export function showNotes(app: App, notes: readonly string[]): void {
   if (notes.length === 0) return;
   showNotice(app.shell, {
     key: "file-notes",
@@ -164,7 +176,7 @@ function meshOpened(app: App): void {
   else void app.run.restart();
 }
 
-async function takeOpened(app: App, result: OpenResult): Promise<void> {
+export async function takeOpened(app: App, result: OpenResult): Promise<void> {
   if (result.kind === "opened") openProject(app, result.project, result.file);
   else if (result.kind === "surface") openSurface(app, result.name, result.read);
   else if (result.kind === "mesh") await openMesh(app, result);
@@ -179,10 +191,6 @@ export async function openFromDialog(app: App): Promise<void> {
   } catch (error) {
     showFailure(app, strings.messages.noOpenDialog, error);
   }
-}
-
-export async function openDropped(app: App, files: readonly File[]): Promise<void> {
-  await takeOpened(app, await readDroppedFiles(files, noteReading(app)));
 }
 
 /** Shows in the status bar which file is being read. */

@@ -6,7 +6,7 @@ import { bodiesOf, bodyOfPatch, findRecord, type Entity } from "../document/enti
 import { openDocumentFile } from "../session/files";
 import { bodyStepNames, strings } from "../strings";
 import { showFailure, showMessage } from "./messages";
-import type { NewBody } from "../workers/surface-files";
+import type { NewBody, ReadSurface } from "../workers/surface-files";
 import { noteReading, showNewBodies } from "./project-actions";
 
 /** Actions on the bodies of a project. */
@@ -19,19 +19,33 @@ export async function importSurface(app: App): Promise<void> {
       showMessage(app, strings.messages.openFailed(result.fileName), result.reasons);
     }
     if (result.kind !== "surface" && result.kind !== "mesh") return;
-    await app.documents.afterGesture();
-    const bodies = renumbered(result.read.bodies, app.documents.project);
-    for (const made of bodies) app.bodies.keep(made);
-    app.documents.edit(
-      addBodies(
-        app.documents.project,
-        bodies.map(({ body }) => body),
-      ),
-    );
-    showNewBodies(app, { ...result.read, bodies });
+    showNewBodies(app, await addSurfaces(app, [result]));
   } catch (error) {
     showFailure(app, strings.bodies.import, error);
   }
+}
+
+/** Adds the bodies of files to the open document, as one step of undo. Returns them, and notes about the files. */
+export async function addSurfaces(
+  app: App,
+  files: readonly { readonly name: string; readonly read: ReadSurface }[],
+): Promise<Pick<ReadSurface, "bodies" | "notes">> {
+  await app.documents.afterGesture();
+  const { project } = app.documents;
+  const bodies = renumbered(
+    files.flatMap(({ read }) => read.bodies),
+    project,
+  );
+  for (const made of bodies) app.bodies.keep(made);
+  const added = bodies.map(({ body }) => body);
+  app.documents.edit(addBodies(project, added));
+  const { units } = project;
+  const notes = files.flatMap(({ name, read }) =>
+    units === undefined || read.unit === undefined || read.unit === units
+      ? read.notes
+      : [...read.notes, strings.files.otherUnit(name, read.unit, units)],
+  );
+  return { bodies, notes };
 }
 
 /** Returns bodies with ids that the project does not have yet. */

@@ -8,6 +8,7 @@ import type { ProjectFile } from "./document-store";
 export type OpenResult =
   | {
       readonly kind: "opened";
+      readonly fileName: string;
       readonly project: Project;
       /** Null if the browser does not let the app write to the file. */
       readonly file: ProjectFile | null;
@@ -50,13 +51,34 @@ export type OnReading = (
 /** Rank of the files of one mesh: TetGen's elements need the nodes beside them, and have the faces as patches. */
 const rankOf = ({ name }: File): number => (/\.node$/i.test(name) ? 2 : /\.face$/i.test(name) ? 1 : 0);
 
-/** Reads the files of one document that are dropped on the page together, such as TetGen's elements and nodes. */
+const stemOf = ({ name }: File): string => name.replace(/\.[^.]*$/, "");
+
+/** Returns whether a file is read with one of TetGen's other files of the same name. */
+const isCompanion = (file: File, files: readonly File[]): boolean =>
+  files.some(
+    (other) =>
+      /\.(ele|face|poly|smesh)$/i.test(other.name) &&
+      stemOf(other) === stemOf(file) &&
+      rankOf(other) < rankOf(file),
+  );
+
+/**
+ * Reads the files that are dropped on the page together, projects first. Returns a result for each, except for those that
+ * others need, such as TetGen's nodes for its elements. Reads no more if the user cancels.
+ */
 export async function readDroppedFiles(
   files: readonly OpenedFile[],
   onReading: OnReading,
-): Promise<OpenResult> {
-  const [first, ...others] = [...files].sort((a, b) => rankOf(a) - rankOf(b));
-  return first ? readDocumentFile(first, onReading, others) : { kind: "cancelled" };
+): Promise<OpenResult[]> {
+  const own = files.filter((file) => !isCompanion(file, files));
+  const results: OpenResult[] = [];
+  for (const file of own.sort((a, b) => Number(isProject(b.name)) - Number(isProject(a.name)))) {
+    const others = files.filter((other) => other !== file);
+    const result = await readDocumentFile(file, onReading, others);
+    if (result.kind === "cancelled") break;
+    results.push(result);
+  }
+  return results;
 }
 
 /** Reads a project, a surface or a mesh. `others`: files that it may need. */
@@ -84,7 +106,7 @@ export async function readDocumentFile(
 const isProject = (fileName: string): boolean => /\.json$/i.test(fileName);
 
 async function contentOf(file: File, others: readonly File[], signal: AbortSignal): Promise<OpenResult> {
-  const name = file.name.replace(/\.[^.]*$/, "");
+  const name = stemOf(file);
   const head = { id: 1, firstPatchId: 1, name };
   const read = await readSurfaceFile(file, others, head, signal);
   if (!read.success) return { kind: "failed", fileName: file.name, reasons: read.reasons };
@@ -96,7 +118,8 @@ async function projectIn(file: OpenedFile): Promise<OpenResult> {
   const read = await readProjectBlob(file);
   if (read.success) {
     const { handle, lastModified } = file;
-    return { kind: "opened", project: read.value, file: handle ? { handle, lastModified } : null };
+    const { name: fileName } = file;
+    return { kind: "opened", fileName, project: read.value, file: handle ? { handle, lastModified } : null };
   }
   const reasons = read.errors.map(({ message, remedy, line }) =>
     strings.files.error(`${message}. ${remedy}`, line),

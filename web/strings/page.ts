@@ -76,6 +76,7 @@ export const pageStrings = {
   },
   messages: {
     openFailed: (file: string) => `${file} could not be opened`,
+    someFailed: (count: number) => `${count} files could not be opened`,
     noOpenDialog: "The browser did not open its dialog. Try again, or drop the file here.",
     saveFailed: "The project could not be saved",
     galleryFailed: "The examples could not be loaded",
@@ -110,6 +111,10 @@ export const pageStrings = {
       "Projects contain the surface of an opened mesh, not its elements. Download the mesh to keep it.",
     regionPointsUnused: (count: number) =>
       `${count === 1 ? "A point that marks a region or hole is" : `${count} points that mark regions and holes are`} not used in projects. The command line uses them: tetrafront mesh.`,
+    otherUnit: (name: string, unit: string, units: string) =>
+      `“${name}” is in ${unit}, the project in ${units}. Set the scale of its bodies.`,
+    furtherProject: "A project cannot be added to another document. Drop it alone.",
+    reason: (file: string, reasons: readonly string[]) => `${file}: ${reasons.join(" ")}`,
     error: (message: string, line: number | undefined) =>
       line === undefined ? message : `Line ${line}: ${message}`,
   },

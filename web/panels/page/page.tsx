@@ -1,5 +1,5 @@
 import { lazy, useEffect, useRef, useState } from "react";
-import { openDropped } from "../../commands/project-actions";
+import { openDropped } from "../../commands/drop-actions";
 import type { App } from "../../app/app";
 import { strings } from "../../strings";
 import { AppContext } from "../shared/app-context";

@@ -1,0 +1,48 @@
+import { expect, test } from "@playwright/test";
+import { measured } from "../support/mesh-measures";
+import { parseVtu } from "../support/mesh-files";
+import { boxSolid, stepFile } from "../support/step-files";
+import { stlBinary } from "../support/surface-files";
+import { boxSurface } from "../support/surfaces";
+import { AppPage } from "./app-page";
+import { downloadMesh } from "./downloads";
+import { dropBytes, dropFiles } from "./drop-bytes";
+
+test("files that are dropped together become bodies of one mesh; those that cannot be used are named", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await dropFiles(page, {
+    "base.step": stepFile([boxSolid("base", [0, 0, 0], [4, 4, 1])]),
+    "damaged.stl": new TextEncoder().encode("solid nothing"),
+    "post.step": stepFile([boxSolid("post", [0, 0, 2], [1, 1, 3])]),
+    "notes.txt": new TextEncoder().encode("no mesh"),
+    "lid.stl": stlBinary(boxSurface(2, [0, 0, 4], [4, 4, 5])),
+  });
+  const dialog = page.getByRole("dialog", { name: "2 files could not be opened" });
+  await expect(dialog).toContainText("damaged.stl:");
+  await expect(dialog).toContainText("notes.txt:");
+  await page.keyboard.press("Escape");
+  await expect(page.getByTestId("entity-name")).toHaveValue("base");
+  await expect(page.getByTestId("tree-body-2")).toContainText("post");
+  await expect(page.getByTestId("tree-body-3")).toContainText("lid");
+  await app.generate();
+  const { volume, ...defects } = measured(parseVtu(await downloadMesh(page, /VTU/)));
+  expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
+  expect(volume).toBeCloseTo(16 + 1 + 16, 6);
+  await page.keyboard.press("Control+z");
+  await expect(page.getByTestId("tree-body-2")).toHaveCount(0);
+  await expect(page.getByTestId("tree-body-1")).toContainText("base");
+});
+
+test("a solid inside another one of its file is meshed", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const solids = [boxSolid("housing", [0, 0, 0], [4, 4, 4]), boxSolid("core", [1, 1, 1], [2, 2, 2])];
+  await dropBytes(page, stepFile(solids), "nested.step");
+  await expect(page.getByTestId("tree-body-2")).toContainText("core");
+  await app.generate();
+  const { volume } = measured(parseVtu(await downloadMesh(page, /VTU/)));
+  expect(volume).toBeCloseTo(64, 6);
+});
