@@ -50,6 +50,7 @@ constexpr double kVolumeEnd = 0.75;
 constexpr double kFrontShare = 0.45;
 
 constexpr double kOptimizeEnd = 0.97;
+constexpr double kLimitedOptimizeEnd = 0.9;  ///< if volumes are limited
 constexpr double kMeasureEnd = 0.98;
 
 /// Elements per unit of budget: copying one in the order of a list costs far less than a step of the front.
@@ -109,6 +110,7 @@ class MeshRun::Impl {
   [[nodiscard]] VolumeMesh volume() const {
     if (front_) return front_->mesh();
     if (optimizer_) return optimizer_->mesh();
+    if (limiter_) return limiter_->mesh();
     return mesh_;
   }
 
@@ -149,6 +151,9 @@ class MeshRun::Impl {
     } else if (optimizer_) {
       progress.nodes = optimizer_->pointCount();
       progress.tetrahedra = optimizer_->tetrahedronCount();
+    } else if (limiter_) {
+      progress.nodes = limiter_->nodeCount();
+      progress.tetrahedra = limiter_->tetrahedronCount();
     } else if (!mesh_.points.empty()) {
       progress.nodes = static_cast<std::uint32_t>(mesh_.points.size() / 3);
       progress.tetrahedra = static_cast<std::uint32_t>(mesh_.tetrahedra.size() / 4);
@@ -171,7 +176,7 @@ class MeshRun::Impl {
   bool limitElements();
   Task<MeshStatus> fill(Work& work);
   Task<> optimize(Work& work);
-  Task<> limitVolumes(Work& work);
+  Task<bool> limitVolumes(Work& work, VolumeLimits limits);
   Task<> measure(Work& work);
   Task<MeshStatus> verify(Work& work);
 
@@ -203,6 +208,7 @@ class MeshRun::Impl {
   std::uint32_t expectedTetrahedra_ = 0;
   std::optional<RegionMesher> front_;       ///< while it fills
   std::optional<MeshOptimizer> optimizer_;  ///< while it optimizes
+  std::optional<VolumeLimiter> limiter_;    ///< while it splits large elements
   bool hasFoundNothingBetter_ = false;
   VolumeMesh mesh_;  ///< at all other times
   RecoverySummary recovery_;
@@ -240,11 +246,16 @@ Task<MeshStatus> MeshRun::Impl::run(Work& work) {
   const MeshStatus filled = co_await fill(work);
   if (filled != MeshStatus::kDone) co_return filled;
 
+  VolumeLimits limits{.everywhere = options_.maxVolume, .ofRegions = maxVolumes_};
   if (options_.optimization != Optimization::kNone) {
-    begin(work, Phase::kOptimize, kOptimizeEnd);
+    begin(work, Phase::kOptimize, limits.areGiven() ? kLimitedOptimizeEnd : kOptimizeEnd);
     co_await optimize(work);
   }
-  co_await limitVolumes(work);
+  if (limits.areGiven()) {
+    begin(work, Phase::kOptimize, kOptimizeEnd);
+    const bool isWithinLimits = co_await limitVolumes(work, std::move(limits));
+    if (!isWithinLimits) co_return MeshStatus::kStalled;
+  }
   begin(work, Phase::kVerify, kMeasureEnd);
   co_await measure(work);
   begin(work, Phase::kVerify, 1.0);
@@ -353,9 +364,11 @@ void MeshRun::Impl::summarizeBodies() {
   patches_.insert(patches_.end(), found.begin(), found.end());
 }
 
-/// Estimates how many elements the sizes ask for; false, with a diagnostic, if they are too many.
+/// Estimates how many elements the sizes and the largest volumes require; false, with a diagnostic, if they are too many.
 bool MeshRun::Impl::limitElements() {
-  const double expected = expectedTetrahedra(surface_, *field_);
+  const double forSizes = expectedTetrahedra(surface_, *field_);
+  const double forVolumes = minTetrahedra(surface_, options_.maxVolume, maxVolumes_);
+  const double expected = std::max(forSizes, forVolumes);
   if (expected <= static_cast<double>(options_.maxTetrahedra)) {
     expectedTetrahedra_ = static_cast<std::uint32_t>(expected);
     return true;
@@ -363,7 +376,9 @@ bool MeshRun::Impl::limitElements() {
   Diagnostic tooMany;
   tooMany.code = DiagnosticCode::kTooManyElements;
   tooMany.values = {cappedCount(expected), static_cast<double>(options_.maxTetrahedra)};
-  nameMostDemanding(tooMany, grid_, options_, boundsOf(surface_));
+  if (forSizes >= forVolumes) {
+    nameMostDemanding(tooMany, grid_, options_, boundsOf(surface_));
+  }
   report({tooMany});
   return false;
 }
@@ -400,7 +415,7 @@ void MeshRun::Impl::followFront(Work& work, std::optional<std::uint32_t>& sectio
   exactFill_ = std::max(exactFill_, front_->exactFillFraction());
 }
 
-/// Keeps what the front or the optimizer has made so far, and frees their memory.
+/// Keeps what the running stage has made so far, and frees its memory.
 void MeshRun::Impl::keepUnfinished() {
   if (front_) {
     mesh_ = front_->take();
@@ -410,6 +425,9 @@ void MeshRun::Impl::keepUnfinished() {
   } else if (optimizer_) {
     mesh_ = optimizer_->mesh();
     optimizer_.reset();
+  } else if (limiter_) {
+    mesh_ = limiter_->mesh();
+    limiter_.reset();
   }
 }
 
@@ -427,16 +445,15 @@ Task<> MeshRun::Impl::optimize(Work& work) {
   keepUnfinished();
 }
 
-/// Splits the elements that are larger than permitted.
-Task<> MeshRun::Impl::limitVolumes(Work& work) {
-  VolumeLimits limits{.everywhere = options_.maxVolume, .ofRegions = maxVolumes_};
-  if (!limits.areGiven()) co_return;
-  VolumeLimiter limiter(std::exchange(mesh_, {}), boundaryNodes(), std::move(limits),
-                        options_.maxTetrahedra);
-  co_await work.finish(limiter);
-  report(limiter.diagnostics());
-  mesh_ = limiter.take();
+/// Splits the elements that are larger than permitted; false, with a diagnostic, if that makes too many.
+Task<bool> MeshRun::Impl::limitVolumes(Work& work, VolumeLimits limits) {
+  limiter_.emplace(std::exchange(mesh_, {}), boundaryNodes(), std::move(limits),
+                   options_.maxTetrahedra);
+  co_await work.finish(*limiter_);
+  report(limiter_->diagnostics());
+  keepUnfinished();
   co_await work.yield();
+  co_return !anyError(diagnostics_);
 }
 
 Task<> MeshRun::Impl::measure(Work& work) {

@@ -60,12 +60,10 @@ TEST_P(MaxVolume, NoTetrahedronIsLarger) {
     const std::vector<double> volumes = cornerVolumes(mesh);
     EXPECT_LE(*std::ranges::max_element(volumes), GetParam());
     EXPECT_FALSE(hasReported(run, DiagnosticCode::kLargeTetrahedra));
-    double sum = 0.0;
-    for (const double volume : volumes) sum += volume;
-    RecordProperty("mean", std::to_string(sum / static_cast<double>(volumes.size()) / GetParam()));
-    std::printf("limit %g: %zu tetrahedra, mean / limit %.3f, smallest dihedral %.2f\n", GetParam(),
-                volumes.size(), sum / static_cast<double>(volumes.size()) / GetParam(),
-                run.quality().minDihedral);
+    // Elements at triangles far larger than the limit are needles.
+    if (surface.triangles.size() == gridCube(1).triangles.size()) continue;
+    EXPECT_GT(run.quality().minDihedral, 2.5);
+    EXPECT_LT(run.quality().maxDihedral, 174.0);
   }
 }
 INSTANTIATE_TEST_SUITE_P(Volumes, MaxVolume, ::testing::Values(0.01, 0.001, 0.0001));
@@ -79,6 +77,70 @@ TEST(VolumeLimits, WithoutALimitTheMeshIsTheSame) {
   }
   EXPECT_EQ(filledWithin(sphere, GivenRegions{}).fingerprint(), plain.fingerprint());
   EXPECT_EQ(filledWithin(sphere, GivenRegions{}, limited).status(), MeshStatus::kDone);
+}
+
+/// Returns whether the run ended with the error that there would be too many elements.
+bool isRefused(const MeshRun& run) {
+  return run.status() == MeshStatus::kInvalidInput &&
+         hasReported(run, DiagnosticCode::kTooManyElements);
+}
+
+TEST(VolumeLimits, TooSmallOnesAreRefusedBeforeTheFront) {
+  MeshOptions options;
+  for (const double volume : {1e-30, 1e-9}) {
+    options.maxVolume = volume;
+    const MeshRun run = filledWithin(gridCube(1), GivenRegions{}, options);
+    EXPECT_TRUE(isRefused(run)) << volume;
+    EXPECT_EQ(run.volume().tetrahedra.size(), 0U) << volume;
+  }
+}
+
+TEST(VolumeLimits, TooSmallOnesOfARegionAreRefused) {
+  const SurfaceMesh sphere = testing::nestedSpheres(2, 3);
+  GivenRegions regions;
+  const std::size_t half = sphere.triangles.size() / 6;
+  for (std::size_t t = 0; t < 2 * half; ++t) {
+    regions.triangleRegions.push_back(0);
+    regions.triangleRegions.push_back(t < half ? kNone : 1);
+  }
+  regions.maxVolumes = {0.0, 1e-9};
+  EXPECT_TRUE(isRefused(filledWithin(sphere, regions)));
+  regions.maxVolumes = {1e-9, 0.0};
+  EXPECT_TRUE(isRefused(filledWithin(sphere, regions)));
+}
+
+/// The volume requires 1000 tetrahedra, which are permitted, but halving makes more.
+TEST(VolumeLimits, TheNumberIsLimitedWhileElementsAreSplit) {
+  MeshOptions options;
+  options.maxVolume = 1e-3;
+  options.maxTetrahedra = 1200;
+  const MeshRun run = filledWithin(gridCube(1), GivenRegions{}, options);
+  EXPECT_EQ(run.status(), MeshStatus::kStalled);
+  EXPECT_TRUE(hasReported(run, DiagnosticCode::kTooManyElements));
+  EXPECT_GE(run.volume().tetrahedra.size() / 4, 1200U);
+  EXPECT_LE(run.volume().tetrahedra.size() / 4, 1300U);
+}
+
+TEST(VolumeLimits, SplittingShowsProgressAndCanBeCancelled) {
+  const SurfaceMesh cube = gridCube(1);
+  MeshOptions options;
+  options.maxVolume = 1e-5;
+  MeshRun run(cube.points, cube.triangles, options);
+  std::vector<double> fractions;
+  std::uint32_t splitTo = 0;
+  while (run.status() == MeshStatus::kRunning && splitTo < 50000) {
+    run.advance(256);
+    if (run.progress().phase != Phase::kOptimize) continue;
+    fractions.push_back(run.progress().fraction);
+    splitTo = run.progress().tetrahedra;
+  }
+  ASSERT_EQ(run.status(), MeshStatus::kRunning);
+  const auto repeated = std::ranges::unique(fractions);
+  fractions.erase(repeated.begin(), repeated.end());
+  EXPECT_GT(fractions.size(), 20U);
+  run.cancel();
+  EXPECT_EQ(run.status(), MeshStatus::kCancelled);
+  EXPECT_GE(run.volume().tetrahedra.size() / 4, 50000U);
 }
 
 /// Two cubes beside each other, with a region each; one has a limit.
@@ -115,7 +177,7 @@ TEST(VolumeLimits, ALimitAppliesToItsRegionOnly) {
   EXPECT_GT(left, 4 * right);
 }
 
-/// The middle of three cubes is a hole: its faces to the outside are left out, and the others bound one region each.
+/// A sphere in another one, with a region each; a triangle whose regions contradict the others is an error.
 TEST(GivenRegionsOfSurfaces, DecideWhatIsMeshed) {
   const SurfaceMesh sphere = testing::nestedSpheres(2, 3);
   GivenRegions both;

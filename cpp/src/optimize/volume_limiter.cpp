@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geom/predicates.h"
+#include "sizing/expected_count.h"
 
 namespace tetrafront {
 
@@ -33,28 +34,64 @@ bool VolumeLimiter::advance(std::uint32_t budget) {
     isBuilt_ = complex_.build(budget);
     return false;
   }
+  if (!isCounted_) {
+    count(budget);
+    return isDone_;
+  }
   for (std::uint32_t i = 0; i < budget && !isDone_; ++i) {
     if (next_ < complex_.slotCount()) {
       const TetId tet(next_);
       const bool isLarge = complex_.isLive(tet) && volumeRatio(tet) > 1.0;
-      if (isLarge && split(tet)) {
+      hasTooMany_ = isLarge && complex_.elementCount() >= maxTetrahedra_;
+      isDone_ = hasTooMany_;
+      if (isLarge && !isDone_ && split(tet)) {
         ++splits_;
       } else {
         ++next_;
       }
       continue;
     }
-    isDone_ = splits_ == 0 || complex_.elementCount() >= maxTetrahedra_;
+    isDone_ = splits_ == 0;
     splits_ = 0;
     next_ = 0;
   }
   return isDone_;
 }
 
-VolumeMesh VolumeLimiter::take() { return complex_.toMesh(); }
+/// Counts the parts that each tetrahedron needs at least: parts never extend beyond the tetrahedron that they replace.
+void VolumeLimiter::count(std::uint32_t budget) {
+  for (std::uint32_t i = 0; i < budget && next_ < complex_.slotCount(); ++i, ++next_) {
+    if (complex_.isLive(TetId(next_))) {
+      required_ += std::max(1.0, std::ceil(volumeRatio(TetId(next_))));
+    }
+  }
+  if (next_ < complex_.slotCount()) return;
+  isCounted_ = true;
+  next_ = 0;
+  given_ = complex_.elementCount();
+  hasTooMany_ = required_ > static_cast<double>(maxTetrahedra_);
+  isDone_ = hasTooMany_;
+}
+
+std::uint32_t VolumeLimiter::nodeCount() const {
+  return static_cast<std::uint32_t>(complex_.boundaryNodeCount() + complex_.freeNodeCount());
+}
+
+std::uint32_t VolumeLimiter::tetrahedronCount() const {
+  return static_cast<std::uint32_t>(complex_.elementCount());
+}
+
+double VolumeLimiter::fraction() const {
+  // Halving edges makes about twice as many parts as the volumes require.
+  constexpr double kPartsPerRequired = 2.0;
+  const double parts = kPartsPerRequired * required_ - static_cast<double>(given_);
+  const auto made = static_cast<double>(complex_.elementCount()) - static_cast<double>(given_);
+  return isCounted_ && parts > 0.0 ? std::min(1.0, made / parts) : 0.0;
+}
 
 std::vector<Diagnostic> VolumeLimiter::diagnostics() const {
   double count = 0.0;
+  double required = 0.0;
   double worst = 1.0;
   TetId largest;
   std::uint32_t index = 0;
@@ -64,6 +101,7 @@ std::vector<Diagnostic> VolumeLimiter::diagnostics() const {
     if (!complex_.isLive(tet)) continue;
     const double ratio = volumeRatio(tet);
     if (ratio > 1.0) ++count;
+    required += std::max(1.0, std::ceil(ratio));
     if (ratio > worst) {
       worst = ratio;
       largest = tet;
@@ -81,6 +119,11 @@ std::vector<Diagnostic> VolumeLimiter::diagnostics() const {
     diagnostic.position += 0.25 * complex_.position(node);
   }
   diagnostic.values = {count, worst};
+  if (hasTooMany_) {
+    diagnostic.code = DiagnosticCode::kTooManyElements;
+    diagnostic.severity = Severity::kError;
+    diagnostic.values = {cappedCount(required), static_cast<double>(maxTetrahedra_)};
+  }
   return {diagnostic};
 }
 
@@ -94,7 +137,6 @@ double VolumeLimiter::volumeRatio(TetId tet) const {
 
 /// Tries the edges from the longest on.
 bool VolumeLimiter::split(TetId tet) {
-  if (complex_.elementCount() >= maxTetrahedra_) return false;
   const Corners nodes = complex_.element(tet).nodes;
   std::array<std::pair<double, std::size_t>, 6> edges;
   for (std::size_t e = 0; e < 6; ++e) {

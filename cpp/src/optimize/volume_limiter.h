@@ -26,21 +26,27 @@ struct VolumeLimits {
 
 class VolumeLimiter {
  public:
-  /// The first `boundaryNodes` nodes of the mesh are those of its boundary. Splitting ends at `maxTetrahedra`.
+  /// The first `boundaryNodes` nodes of the mesh are those of its boundary. Ends with an error if more than
+  /// `maxTetrahedra` are required.
   VolumeLimiter(VolumeMesh mesh, std::size_t boundaryNodes, VolumeLimits limits,
                 std::size_t maxTetrahedra);
 
   /// Visits about `budget` tetrahedra; returns true when finished. O(n + splits) in total.
   bool advance(std::uint32_t budget);
 
-  /// Returns the mesh, once finished.
-  [[nodiscard]] VolumeMesh take();
-  /// Returns kLargeTetrahedra if tetrahedra remain that are too large, because rounding allows no split or the limit of
-  /// their number is reached; else nothing. To be called before take().
+  /// Returns the mesh at any time.
+  [[nodiscard]] VolumeMesh mesh() const { return complex_.toMesh(); }
+  [[nodiscard]] std::uint32_t nodeCount() const;
+  [[nodiscard]] std::uint32_t tetrahedronCount() const;
+  /// Estimated progress, 0 to 1.
+  [[nodiscard]] double fraction() const;
+  /// Returns, once finished, kTooManyElements if the limit of their number is reached, kLargeTetrahedra if tetrahedra
+  /// remain that rounding does not allow to split; else nothing.
   [[nodiscard]] std::vector<Diagnostic> diagnostics() const;
 
  private:
   [[nodiscard]] double volumeRatio(TetId tet) const;
+  void count(std::uint32_t budget);
   bool split(TetId tet);
   bool splitEdge(TetId tet, std::size_t edge);
   bool splitAtCentroid(TetId tet);
@@ -52,6 +58,10 @@ class VolumeLimiter {
   std::size_t maxTetrahedra_;
   TetComplex complex_;
   bool isBuilt_ = false;
+  bool isCounted_ = false;
+  std::size_t given_ = 0;  ///< number of tetrahedra before the splits
+  double required_ = 0.0;  ///< lower bound of their number after the splits
+  bool hasTooMany_ = false;
   std::size_t next_ = 0;
   std::size_t splits_ = 0;  ///< in the current round
   bool isDone_ = false;

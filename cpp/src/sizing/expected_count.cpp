@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include "sizing/column_samples.h"
 #include "boundary/surface_access.h"
@@ -15,19 +16,51 @@ constexpr int kSamplesPerAxis = 12;
 /// Lower bound for a mesh without interior nodes: elements / triangles.
 constexpr double kTetrahedraPerTriangle = 0.5;
 
+/// Calls visit(triangle, six times the volume of its cone from a point of the surface) for each triangle.
+template <class Visit>
+void forEachCone(const SurfaceMesh& surface, Visit visit) {
+  // The first node may be unused and far away: take a node of a triangle.
+  const Vec3 origin = pointOf(surface, NodeId(surface.triangles.front()));
+  for (std::uint32_t t = 0; 3 * std::size_t{t} + 2 < surface.triangles.size(); ++t) {
+    const std::array<Vec3, 3> corners = cornersOf(surface, TriangleId(t));
+    visit(t, glm::dot(corners[0] - origin, glm::cross(corners[1] - origin, corners[2] - origin)));
+  }
+}
+
 }  // namespace
 
 double enclosedVolume(const SurfaceMesh& surface) {
-  // The first node may be unused and far away: take a node of a triangle.
-  const Vec3 origin = pointOf(surface, NodeId(surface.triangles.front()));
   double sixVolumes = 0.0;
-  for (std::uint32_t t = 0; 3 * std::size_t{t} + 2 < surface.triangles.size(); ++t) {
-    if (surface.isInterface(t)) continue;
-    const std::array<Vec3, 3> corners = cornersOf(surface, TriangleId(t));
-    sixVolumes +=
-        glm::dot(corners[0] - origin, glm::cross(corners[1] - origin, corners[2] - origin));
-  }
+  forEachCone(surface, [&](std::uint32_t t, double sixVolume) {
+    if (!surface.isInterface(t)) sixVolumes += sixVolume;
+  });
   return sixVolumes / 6.0;
+}
+
+double minTetrahedra(const SurfaceMesh& surface, double maxVolume,
+                     std::span<const double> ofRegions) {
+  // The regions without a limit of their own share the last entry.
+  std::vector<double> sixVolumes(ofRegions.size() + 1, 0.0);
+  const auto entryOf = [&](std::uint32_t region) -> double& {
+    return sixVolumes[std::min<std::size_t>(region, ofRegions.size())];
+  };
+  forEachCone(surface, [&](std::uint32_t t, double sixVolume) {
+    if (surface.triangleRegions.empty()) {
+      sixVolumes.back() += sixVolume;
+      return;
+    }
+    const std::uint32_t back = surface.triangleRegions[2 * std::size_t{t}];
+    const std::uint32_t front = surface.triangleRegions[2 * std::size_t{t} + 1];
+    if (back != SurfaceMesh::kNoRegion) entryOf(back) += sixVolume;
+    if (front != SurfaceMesh::kNoRegion) entryOf(front) -= sixVolume;
+  });
+  double count = 0.0;
+  for (std::size_t r = 0; r < sixVolumes.size(); ++r) {
+    double limit = r < ofRegions.size() ? ofRegions[r] : 0.0;
+    if (!(limit > 0.0) || (maxVolume > 0.0 && maxVolume < limit)) limit = maxVolume;
+    if (limit > 0.0) count += std::max(0.0, sixVolumes[r]) / 6.0 / limit;
+  }
+  return count;
 }
 
 double expectedTetrahedra(const SurfaceMesh& surface, const SizeField& field) {

@@ -2,6 +2,8 @@
 
 /// @file Estimates of the number of elements, before the front starts.
 
+#include <span>
+
 #include "field/size_field.h"
 #include "tetrafront/mesh.h"
 
@@ -24,6 +26,11 @@ inline constexpr double kTetrahedraPerUnitVolume = 8.485281374238571;
   constexpr double kMaxCount = 1e15;
   return expected < kMaxCount ? expected : kMaxCount;
 }
+
+/// Returns the number of tetrahedra without which some would exceed `maxVolume` or the largest volume of their region, 0
+/// for no limit. The surface must be closed and oriented. O(triangles).
+[[nodiscard]] double minTetrahedra(const SurfaceMesh& surface, double maxVolume,
+                                   std::span<const double> ofRegions);
 
 /// Returns the signed volume that a surface encloses, without interfaces; positive if it is oriented outward.
 [[nodiscard]] double enclosedVolume(const SurfaceMesh& surface);
