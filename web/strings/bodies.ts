@@ -101,7 +101,7 @@ export const bodyStrings = {
     holesHint: "Largest number of edges of a hole that is filled.",
     apply: "Repair",
     filledPatch: "filled holes",
-    places: {
+    subjects: {
       "welded-node": ({ node, into }) => `Node ${node} to node ${into}`,
       "removed-node": ({ node }) => `Node ${node}`,
       "removed-triangle": ({ triangle }) => `Triangle ${triangle}`,

@@ -1,4 +1,4 @@
-/** 3MF files: units, objects at their places, components, colours, materials, errors. */
+/** 3MF files: units, objects at their positions, components, colours, materials, errors. */
 import { zipSync } from "fflate";
 import { bodySurface, createBodies, createMesher, readSurface, type SurfaceFile } from "tetrafront";
 import { describe, expect, test } from "vitest";

@@ -10,8 +10,8 @@ import { bodySchema, type PatchId, type ProjectBody } from "../project/schema.js
 /**
  * Returns a body with other patches of the same triangles, as `splitPatches` makes them. A patch that has triangles of a
  * given patch keeps its id, the first one if there are several; the others get ids from `nextPatchId` on. A given patch of
- * which there is only one piece keeps its colour, and its name unless the piece has one. O(n). Throws a `MesherError` if an argument
- * is invalid.
+ * which there is only one piece keeps its colour, and its name unless the piece has one. O(n). Throws a `MesherError`
+ * if an argument is invalid.
  *
  *     const split = await mesher.splitPatches({ ...bodySurface(body), patches: bodyPatchGroups(body) });
  */

@@ -29,8 +29,8 @@ export interface ReadFileOptions extends LengthOptions {
   /** Name of the file; its extension selects the format. */
   readonly fileName: string;
   /**
-   * Target edge length, in the unit after the conversion (by default, millimetres): faces of CAD files are triangulated finely enough for it. By default, finely enough
-   * for automatic sizes.
+   * Target edge length, in the unit after the conversion (by default, millimetres): faces of CAD files are triangulated
+   * finely enough for it. By default, finely enough for automatic sizes.
    */
   readonly size?: number | undefined;
   /** Opens the other files of a format with several, such as TetGen's `.node` next to a `.face`. */

@@ -187,7 +187,8 @@ export interface Mesher {
    * Splits a surface into patches at its edges that are sharper than `angle`; given patches stay separate. Returns the
    * surface with its new patches in the order of their positions, the lowest first: this order belongs to the shape and
    * not to the triangles. Pieces of a named patch are called "wing", "wing 2", …, all others "patch 1", "patch 2", ….
-   * `patches` limits the split to some of the patches. The surface may be open. Rejects with `invalid-input` if numbers are invalid. O(n log n) for n triangles; about 1 µs each.
+   * `patches` limits the split to some of the patches. The surface may be open. Rejects with `invalid-input` if numbers
+   * are invalid. O(n log n) for n triangles; about 1 µs each.
    *
    *     const surface = await mesher.splitPatches(file, { angle: 30 });
    */
@@ -205,10 +206,10 @@ export interface Mesher {
    * Improves the elements of a mesh from any program by swaps, moves, splits and collapses, as after a run. Its boundary,
    * its interfaces and the given `triangles` stay, triangle for triangle; the sizes are those of its own edges. The result
    * is never worse: neither in its smallest dihedral angle, nor in its mean radius ratio, nor in the share of elements
-   * outside 30 to 135 degrees; its largest dihedral angle is at most 135 degrees, or that of the given mesh. `improvedMesh(file, improvement)` returns it with the patches and names of a file.
-   * Rejects with `invalid-input` if elements have no volume or overlap, or if more than two share a face; the diagnostic
-   * names them. About 50 µs per element. Works in slices beside a run. With `partial: true`, aborting the signal returns the
-   * mesh as it is.
+   * outside 30 to 135 degrees; its largest dihedral angle is at most 135 degrees, or that of the given mesh.
+   * `improvedMesh(file, improvement)` returns it with the patches and names of a file. Rejects with `invalid-input` if
+   * elements have no volume or overlap, or if more than two share a face; the diagnostic names them. About 50 µs per
+   * element. Works in slices beside a run. With `partial: true`, aborting the signal returns the mesh as it is.
    *
    *     const improvement = await mesher.improveMesh({ ...file, regions: file.tetrahedronRegion });
    */

@@ -5,7 +5,8 @@ import type { GivenRegions, SurfaceInput } from "../mesh/mesh.js";
 
 /**
  * Names triangles and nodes by their indices in the given surface, if the surface states them. Triangles of filled
- * holes, midpoints of split edges and nodes of a remeshed surface have no index there; they are called "filled triangle 7" and "new node 7".
+ * holes, midpoints of split edges and nodes of a remeshed surface have no index there; they are called "filled triangle
+ * 7" and "new node 7".
  */
 export function surfaceNamer({ origin, nodeOrigin }: SurfaceInput): EntityNamer {
   return (kind, index) => {

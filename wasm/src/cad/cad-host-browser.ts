@@ -14,8 +14,8 @@ export const cadHost: CadHost = {
     worker.onmessageerror = () => events.onCrash("a reply could not be received");
     worker.onerror = (event) => {
       event.preventDefault();
-      const spoken = event instanceof ErrorEvent ? event.message : "";
-      events.onCrash(spoken || `the browser could not load its script for ${import.meta.url}`);
+      const message = event instanceof ErrorEvent ? event.message : "";
+      events.onCrash(message || `the browser could not load its script for ${import.meta.url}`);
     };
     return {
       post: (request) => worker.postMessage(request),

@@ -178,11 +178,11 @@ const POSITION_DIGITS = 5;
 const LISTED_DETAILS = 5;
 
 function mergedText(merged: RemeshReport["mergedDetails"]): string {
-  const places = merged
+  const positions = merged
     .slice(0, LISTED_DETAILS)
     .map(({ onto }) => `(${onto.map((coordinate) => short(coordinate, POSITION_DIGITS)).join(", ")})`);
   const more = merged.length > LISTED_DETAILS ? ` and ${merged.length - LISTED_DETAILS} more` : "";
-  return `${plural(merged.length, "detail")} dropped, at ${places.join(", ")}${more}`;
+  return `${plural(merged.length, "detail")} dropped, at ${positions.join(", ")}${more}`;
 }
 
 /** Smallest angle, in degrees, below which the program suggests dropping details. */

@@ -19,9 +19,9 @@ export const startWorker: StartWorker = (events) => {
   worker.onerror = (event) => {
     event.preventDefault();
     // If the script could not be loaded, the event has no message. Only the bundler knows the script's address.
-    const spoken = event instanceof ErrorEvent ? event.message : "";
+    const message = event instanceof ErrorEvent ? event.message : "";
     events.onCrash(
-      spoken || `the browser could not load its script, or a script that it imports, for ${import.meta.url}`,
+      message || `the browser could not load its script, or a script that it imports, for ${import.meta.url}`,
     );
   };
   return {

@@ -17,15 +17,15 @@ export function* weldWithin(given: Float64Array, distance: number): Steps<Welded
   });
   const order = Uint32Array.from(along.keys()).sort((a, b) => (along[a] ?? 0) - (along[b] ?? 0) || a - b);
   const rank = new Uint32Array(count);
-  order.forEach((p, place) => (rank[p] = place));
+  order.forEach((p, r) => (rank[p] = r));
   const indices = new Uint32Array(count).fill(UNKNOWN);
   let kept = 0;
   yield* stepwise(count, (p) => {
     if (indices[p] !== UNKNOWN) return;
     indices[p] = kept;
     for (const side of [-1, 1]) {
-      for (let place = (rank[p] ?? 0) + side; place >= 0 && place < count; place += side) {
-        const other = order[place] ?? 0;
+      for (let r = (rank[p] ?? 0) + side; r >= 0 && r < count; r += side) {
+        const other = order[r] ?? 0;
         if (Math.abs((along[other] ?? 0) - (along[p] ?? 0)) > distance) break;
         if (indices[other] === UNKNOWN && gap(given, p, other) <= distance) indices[other] = kept;
       }

@@ -97,7 +97,7 @@ interface Building {
   supports: number;
 }
 
-/** Adds the shapes of an object at its place. `name`: that of the object that uses it. */
+/** Adds the shapes of an object at its position. `name`: that of the object that uses it. */
 function* build(building: Building, use: Use, outer: Transform, name: string, depth: number): Steps<void> {
   const { bytes, model } = building;
   const object = model.objects.get(use.object);

@@ -33,8 +33,8 @@ const newBodySchema = v.object({ id: index, firstPatchId: index, name: v.optiona
 
 /**
  * Returns a body with the triangles of a surface, and with its patches, if it has any. A surface without named patches
- * gets one patch with the name of the body; a colour is not a name. Its regions are not part of a body. O(n). Throws a `MesherError` if an
- * argument has another type.
+ * gets one patch with the name of the body; a colour is not a name. Its regions are not part of a body. O(n). Throws a
+ * `MesherError` if an argument has another type.
  *
  *     const file = await readSurface("bracket.stl", bytes);
  *     const body = createBody(file, { id: 1, firstPatchId: 1, name: "bracket" });

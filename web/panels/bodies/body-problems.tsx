@@ -60,7 +60,7 @@ interface RepairSectionProps {
 
 /** Returns what a change is about. */
 const changeLabel = (change: RepairChange): string =>
-  (texts.repair.places[change.kind] as (change: RepairChange) => string)(change);
+  (texts.repair.subjects[change.kind] as (change: RepairChange) => string)(change);
 
 /** What a repair would change, with its options. */
 function RepairSection({ body, repair }: RepairSectionProps) {

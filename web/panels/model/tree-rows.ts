@@ -198,8 +198,8 @@ export class TreeRows {
         const index = indexAt(offset);
         const entity = entityAt(offset);
         const { title, detail } = describe(this.#project, entity, index);
-        const place = { level: 2, open: null, ordinal: offset + 1, siblings: count } as const;
-        return { type: "entity", entity, title, detail, ...place };
+        const position = { level: 2, open: null, ordinal: offset + 1, siblings: count } as const;
+        return { type: "entity", entity, title, detail, ...position };
       },
       indexOf: ({ id }) =>
         matching
@@ -219,9 +219,9 @@ export class TreeRows {
       if (!isShown) return [];
       const open = text !== "" || !closed.has(entityKey(entity));
       const { title, detail } = describe(this.#project, entity, index);
-      const place = { level: 2, open, ordinal: index + 1, siblings: bodies.length } as const;
+      const position = { level: 2, open, ordinal: index + 1, siblings: bodies.length } as const;
       return [
-        { type: "entity", entity, title, detail, ...place } as const,
+        { type: "entity", entity, title, detail, ...position } as const,
         ...(open ? patches : []).map((patch, p) => {
           const described = describe(this.#project, patch, p);
           const below = { level: 3, open: null, ordinal: p + 1, siblings: patches.length } as const;
