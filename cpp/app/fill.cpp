@@ -4,6 +4,7 @@
 ///
 ///     fill SURFACE.off [SIZE] [--optimization=none|fast|default|thorough]
 ///          [--order=layered|smallest-first] [--filters=on|off] [--remesh=on|off]
+///          [--max-volume=VOLUME]
 ///
 /// Prints `name value` lines. Seconds are processor time, which other work on the machine hardly
 /// affects. Bytes are the peak resident size above the size after the surface was read. Exit
@@ -134,6 +135,9 @@ bool readArgument(std::string_view argument, Options& all) {
     if (choose(options.filters, *filters, kSwitch)) return true;
   } else if (const auto remesh = valueOf(argument, "--remesh")) {
     if (choose(all.remesh, *remesh, kSwitch)) return true;
+  } else if (const auto volume = valueOf(argument, "--max-volume")) {
+    options.maxVolume = numberIn(*volume).value_or(0.0);
+    if (options.maxVolume > 0.0 && std::isfinite(options.maxVolume)) return true;
   } else {
     options.size = numberIn(argument).value_or(0.0);
     if (options.size > 0.0 && std::isfinite(options.size)) return true;
@@ -181,7 +185,8 @@ int main(int argc, char** argv) {
   if (argc < 2) {
     std::fprintf(stderr,
                  "usage: fill SURFACE.off [SIZE] [--optimization=none|fast|default|thorough]\n"
-                 "       [--order=layered|smallest-first] [--filters=on|off] [--remesh=on|off]\n");
+                 "       [--order=layered|smallest-first] [--filters=on|off] [--remesh=on|off]\n"
+                 "       [--max-volume=VOLUME]\n");
     return 2;
   }
   std::optional<Surface> surface = readOff(argv[1]);

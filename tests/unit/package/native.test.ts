@@ -101,3 +101,15 @@ test.each<[string, SurfaceInput, number | undefined]>([
   const options = ["--remesh=on", ...(size === undefined ? [] : [String(size)])];
   expect(nativeFingerprint(surface, ...options)?.toLowerCase()).toBe(report.fingerprint);
 });
+
+test.each<[string, SurfaceInput, number]>([
+  ["a sphere", sphereSurface(8), 1e-3],
+  ["a cube of two triangles per side", boxSurface(1), 1e-4],
+])("%s gets the same mesh within a largest volume from both", async (_, surface, maxVolume) => {
+  const mesher = await createMesher();
+  const { report } = await mesher.fillSurface(surface, { maxVolume });
+  mesher.dispose();
+  expect(report.status).toBe("done");
+  const fingerprint = nativeFingerprint(surface, `--max-volume=${maxVolume}`);
+  expect(fingerprint?.toLowerCase()).toBe(report.fingerprint);
+});
