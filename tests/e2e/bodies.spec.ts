@@ -229,7 +229,12 @@ test("a part with one colour: patches are split, and the mesh is shown and has t
   await dropBytes(page, colored, "plate.stl");
   await previewed(page);
   await page.getByTestId("split-patches").locator("summary").click();
+  await page.getByText("Given", { exact: true }).click();
+  const before = await app.colours();
   await page.getByTestId("split-preview").click();
+  await expect(page.getByTestId("split-result")).toHaveText("Gives 7 patches.");
+  // Pieces are shown in colours of their own, not in that of the file.
+  await expect.poll(() => app.colours()).not.toBe(before);
   await page.getByTestId("split-apply").click();
   await expect(page.getByTestId("body-patches")).toHaveText("7");
   await page.getByTestId("tree-body-patch-7").click();
