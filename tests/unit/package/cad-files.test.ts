@@ -95,6 +95,14 @@ describe("a solid", () => {
     expect(fine).toBeGreaterThan(3 * (coarse ?? 0));
   });
 
+  test("is read at once and completely for a size of nearly nothing", async () => {
+    const pin = stepFile([pinSolid("pin", [0, 0, 0], 3, 8)]);
+    const read = await readSurface(pin, { fileName: "pin.step", size: 1e-6 });
+    if (!read.success) throw new Error(read.errors[0].message);
+    expect(read.value.triangles.length / 3).toBeGreaterThan(100);
+    expect(read.value.triangles.length / 3).toBeLessThan(1e5);
+  });
+
   test("of a BREP file has no unit", async () => {
     const surface = await surfaceIn(
       readFileSync(new URL("../../fixtures/plate.brep", import.meta.url)),
@@ -168,11 +176,35 @@ describe("an assembly", () => {
       0,
       expect.stringContaining("repair: tower.step: cut triangle"),
     ]);
+    expect(meshed.stderr).not.toContain("warning: tower.step: The solids");
     const report = JSON.parse(readFileSync(inFolder("tower.json"), "utf8")) as { volume: number };
     expect(report.volume).toBeCloseTo(4.5, 6);
     const written = await readMesh(readFileSync(inFolder("tower.msh")), { fileName: "tower.msh" });
     if (!written.success) throw new Error(written.errors[0].message);
     expect(written.value.regions.map(({ name }) => name)).toEqual(["base", "post"]);
+  });
+});
+
+describe("solids that overlap", () => {
+  test.each([
+    ["in depth", [0.5, 0.5, 0.5], [1, 1, 3]],
+    ["along common planes", [1, 0, 0], [3, 2, 1]],
+  ] as const)("%s are meshed, with a warning that names them", async (_, low, high) => {
+    save("a.step", stepFile([boxSolid("base", [0, 0, 0], [2, 2, 1]), boxSolid("post", low, high)]));
+    for (const args of [
+      ["mesh", "a.step", "-o", "a.msh", "--report", "a.json"],
+      ["remesh", "a.step", "-o", "a.ply"],
+    ]) {
+      const { code, stderr } = await run(...args);
+      expect([code, stderr]).toEqual([
+        0,
+        expect.stringContaining('warning: a.step: The solids "base" and "post" overlap'),
+      ]);
+    }
+    const { diagnostics } = JSON.parse(readFileSync(inFolder("a.json"), "utf8")) as {
+      diagnostics: { code: string }[];
+    };
+    expect(diagnostics.map(({ code }) => code)).toContain("touching-solids");
   });
 });
 

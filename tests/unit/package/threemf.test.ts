@@ -120,6 +120,16 @@ test("colours and materials become patches", async () => {
   ]);
 });
 
+test("a triangle that names a colour but no group has one of the object's group", async () => {
+  const colors = `<m:colorgroup id="6"><m:color color="#FF0000"/><m:color color="#0000FF"/></m:colorgroup>`;
+  const tags = meshTags(box, (t) => (t % 3 === 0 ? `p1="1"` : ""));
+  const object = `<object id="1" pid="6" pindex="0">${tags}</object>`;
+  const surface = await surfaceIn(threeMfFile(colors + object, `<item objectid="1"/>`));
+  const blue = namesIn(surface).indexOf("#0000ff");
+  expect([...namesIn(surface)].sort()).toEqual(["#0000ff", "#ff0000"]);
+  expect(surface.trianglePatch.filter((patch) => patch === blue)).toHaveLength(4);
+});
+
 test("an object without a colour is one patch without a name", async () => {
   const surface = await surfaceIn(threeMfFile(`<object id="1">${boxTags}</object>`, ""));
   expect(namesIn(surface)).toEqual(["surface"]);

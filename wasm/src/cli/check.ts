@@ -179,12 +179,13 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
     );
     throw new InvalidInput(input, [nothing]);
   }
-  const { surface: whole, changes } = await repaired(mesher, await inSteps(surfaceOf(mesh)), repair);
+  const given = await inSteps(surfaceOf(mesh));
+  const { surface: whole, changes } = await repaired(mesher, given, repair);
   const { surface, diagnostics: found } = await locatedOrNot(mesher, whole);
   const { innerShells = whole.regionPoints && "regions" } = options;
   const inspectionOptions = { innerShells, maxDiagnostics: maxDiagnosticsOf(options) };
   const { diagnostics, ...inspection } = await mesher.inspectSurface(surface, inspectionOptions);
-  const touching = touchingSolids(surface, diagnostics);
+  const touching = touchingSolids(given.surfaceRegions, diagnostics);
   return {
     kind: "surface",
     diagnostics: [...touching, ...found, ...diagnostics, ...notes(mesh)],

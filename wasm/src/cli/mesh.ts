@@ -224,7 +224,7 @@ interface Repaired {
   readonly changes?: readonly RepairChange[] | undefined;
   /** Description of the splitting. */
   readonly split?: string | undefined;
-  /** Warnings about region points. */
+  /** Warnings about solids that overlap and about region points. */
   readonly located?: readonly Diagnostic[];
 }
 
@@ -245,13 +245,22 @@ async function withRepair(
   const hasPoints = given.surface.regionPoints !== undefined;
   if (repair === undefined && split === undefined && !isRepairImplied && !hasPoints) return { model: given };
   return withMesher(async (mesher) => {
-    const { surface: whole, changes } = isRepairImplied
+    const {
+      surface: whole,
+      changes,
+      warnings = [],
+    } = isRepairImplied
       ? await madeFillable(mesher, given.surface, input, innerShells)
       : await repaired(mesher, given.surface, repair);
     const divided = await withSplit(mesher, whole, split);
     const words = split && splitText(whole, divided);
     const { surface, diagnostics } = await located(mesher, divided);
-    return { model: { kind: "surface", surface }, changes, split: words, located: diagnostics };
+    return {
+      model: { kind: "surface", surface },
+      changes,
+      split: words,
+      located: [...warnings, ...diagnostics],
+    };
   });
 }
 

@@ -9,7 +9,7 @@ import { type ProposeCommandOptions, proposeForFile, withMesher } from "./grids.
 import { isCadInput, isProject, numberIn, readModel, refuseOptions } from "./input.js";
 import { ExitCode, printDiagnostics, reportFailure } from "./messages.js";
 import { located } from "./regions.js";
-import { madeFillable } from "./repair.js";
+import { madeFillable, type RepairedSurface } from "./repair.js";
 import { short } from "./tables.js";
 import { refuseUnits, type UnitOptions } from "./units.js";
 
@@ -50,9 +50,11 @@ async function proposeForSurface(input: string, options: ProposeOptions): Promis
   if (given.kind === "project") return ExitCode.invalidInput;
   const { surface, proposal } = await withMesher(async (mesher) => {
     const isCad = isCadInput(input, options.from);
-    const { surface: whole } = isCad ? await madeFillable(mesher, given.surface, input, undefined) : given;
+    const { surface: whole, warnings = [] }: RepairedSurface = isCad
+      ? await madeFillable(mesher, given.surface, input, undefined)
+      : given;
     const found = await located(mesher, whole);
-    printDiagnostics(input, found.diagnostics, { isQuiet: options.quiet === true });
+    printDiagnostics(input, [...warnings, ...found.diagnostics], { isQuiet: options.quiet === true });
     return { surface: found.surface, proposal: await mesher.proposeSurfaceSizes(found.surface, sizes) };
   });
   const { unit } = surface;

@@ -92,12 +92,16 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
   if (given.kind === "project") throw new InvalidInput(input, [projectGiven]);
   const grid = await readGivenGrid(options, isQuiet);
   return withRun(isQuiet, async (mesher, controlOf) => {
-    const { surface: whole, changes } =
-      repair === undefined
-        ? await madeFillable(mesher, given.surface, input, innerShells)
-        : await repaired(mesher, given.surface, repair);
+    const {
+      surface: whole,
+      changes,
+      warnings = [],
+    } = repair === undefined
+      ? await madeFillable(mesher, given.surface, input, innerShells)
+      : await repaired(mesher, given.surface, repair);
     const divided = await withSplit(mesher, whole, split);
-    const { surface, diagnostics: found } = await located(mesher, divided);
+    const { surface, diagnostics: unlocated } = await located(mesher, divided);
+    const found = [...warnings, ...unlocated];
     printDiagnostics(input, found, { isQuiet });
     if (changes !== undefined && !isQuiet) printChanges(input, changes);
     if (!isQuiet) for (const line of readingLines(given.surface)) print(`note: ${input}: ${line}`);

@@ -5,11 +5,13 @@ import { withoutFilledPatch } from "../api/filled-holes.js";
 import { checkRepairOptions } from "../api/options.js";
 import { repairedSurface } from "../api/repaired-surface.js";
 import { touchingSolids } from "../api/touching-solids.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { plural } from "../base/plural.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { InnerShells } from "../generated/constants.js";
 import type { RepairChange } from "../mesh/inspection.js";
+import { overlappingSolids } from "./overlaps.js";
 import { numberIn, refuseOptions } from "./input.js";
 import { InvalidInput, print } from "./messages.js";
 import { positionText } from "./tables.js";
@@ -26,6 +28,8 @@ export interface RepairedSurface {
   readonly surface: SurfaceFile;
   /** Undefined if no repair was requested. */
   readonly changes?: readonly RepairChange[];
+  /** About solids that overlap. */
+  readonly warnings?: readonly Diagnostic[];
 }
 
 /** Returns the options of a repair, undefined if none is requested. Throws an InvalidInput. */
@@ -60,8 +64,8 @@ export async function repaired(
 }
 
 /**
- * Returns a surface that was triangulated when it was read, repaired if it cannot be filled without. Throws an
- * InvalidInput if its solids overlap or touch without a common boundary.
+ * Returns a surface that was triangulated when it was read, repaired if it cannot be filled without, with a warning about
+ * solids that overlap. Throws an InvalidInput if the triangles of different solids still intersect.
  */
 export async function madeFillable(
   mesher: Mesher,
@@ -69,15 +73,16 @@ export async function madeFillable(
   input: string,
   innerShells: InnerShells | undefined,
 ): Promise<RepairedSurface> {
-  if ((await mesher.inspectSurface(given, { innerShells, maxDiagnostics: 1 })).isFillable)
-    return { surface: given };
+  const before = await mesher.inspectSurface(given, { innerShells });
+  if (before.isFillable) return { surface: given };
+  const warnings = await overlappingSolids(mesher, given, before.diagnostics);
   const made = await repaired(mesher, given, { innerShells });
   // New triangles between solids do not know the regions on both sides.
   const { givenRegions: _, ...surface } = withoutFilledPatch(made.surface);
   const found = await mesher.inspectSurface(surface, { innerShells });
-  const touching = found.isFillable ? [] : touchingSolids(surface, found.diagnostics);
+  const touching = found.isFillable ? [] : touchingSolids(given.surfaceRegions, found.diagnostics);
   if (touching.length > 0) throw new InvalidInput(input, touching);
-  return made.changes?.length === 0 ? { surface: given } : { ...made, surface };
+  return made.changes?.length === 0 ? { surface: given } : { ...made, surface, warnings };
 }
 
 /** Largest number of lines per kind of change; `--json` and `--report` list all. */

@@ -28,19 +28,46 @@ export const readBrep = readerOf("brep");
 /** Distance of the triangles from the faces, relative to a target size: a fifth of the remesher's tolerance. */
 const PER_SIZE = 1 / 100;
 
+/** Smallest distance, relative to the diagonal of the largest part: finer triangles take minutes, or exhaust the memory. */
+const FINEST = 1e-5;
+
 function readerOf(format: CadFormat): MeshReader {
   return async (source: ByteSource, { signal, size, onWork }): Promise<FileMesh> => {
     const bytes = await allBytes(source);
     if (bytes.length === 0) throw new ReadFailure(EMPTY);
     const shapes = await shapesIn({ format, bytes, deflection: DEFLECTION }, signal);
     const isFine = size === undefined || shapes.every(({ points }) => isFineFor(size, points));
-    const fine = { distance: PER_SIZE * (size ?? 0), isRelative: false, angle: DEFLECTION.angle };
-    const used = isFine ? shapes : await shapesIn({ format, bytes, deflection: fine }, signal);
-    const mesh = await inSteps(surfaceOfShapes(used), signal);
+    const used = isFine ? shapes : await finer(shapes, { format, bytes, size }, signal);
+    const made = await inSteps(surfaceOfShapes(used), signal);
+    const mesh = isFine || used !== shapes ? made : { ...made, notes: [...(made.notes ?? []), TOO_SMALL] };
     onWork?.(1);
     return format === "brep" ? mesh : { ...mesh, unit: "mm" };
   };
 }
+
+const TOO_SMALL = "OpenCascade could not triangulate the faces as finely as the size asks; they are coarser";
+
+interface FineRequest {
+  readonly format: CadFormat;
+  readonly bytes: Uint8Array;
+  readonly size: number;
+}
+
+/** Returns the shapes of a file, finely enough for a target size; the coarse shapes if OpenCascade fails. */
+async function finer(
+  coarse: readonly CadShape[],
+  { format, bytes, size }: FineRequest,
+  signal: AbortSignal | undefined,
+): Promise<readonly CadShape[]> {
+  const largest = coarse.reduce((most, { points }) => Math.max(most, diagonalOf(points)), 0);
+  const distance = Math.max(PER_SIZE * size, FINEST * largest);
+  const deflection = { distance, isRelative: false, angle: DEFLECTION.angle };
+  const reply = await askForCad({ format, bytes, deflection }, signal);
+  const shapes = reply.kind === "read" ? reply.shapes.filter(hasTriangles) : [];
+  return shapes.length > 0 ? shapes : coarse;
+}
+
+const hasTriangles = ({ triangles }: CadShape) => triangles.length > 0;
 
 /** Returns whether the default distance suffices for a target size. */
 function isFineFor(size: number, points: Float64Array): boolean {
@@ -65,7 +92,7 @@ async function shapesIn(
     case "failed":
       throw new ReadFailure({ message: `OpenCascade failed in the file: ${reply.message}`, remedy });
     case "read": {
-      const shapes = reply.shapes.filter(({ triangles }) => triangles.length > 0);
+      const shapes = reply.shapes.filter(hasTriangles);
       if (shapes.length > 0) return shapes;
       const message = `the ${name} file contains no solids and no faces`;
       throw new ReadFailure({ code: "no-triangles", message, remedy: "Export the part as solids." });

@@ -89,12 +89,16 @@ function differentNames(shapes: readonly Shape[]): string[] {
 /** Distance within which nodes are welded, relative to the diagonal: far below any detail, above the rounding. */
 const WELD = 1e-7;
 
-/** Welds equal nodes, then, if edges are open or there are several shapes, near ones. Drops what has no area left. */
-export function* weldShapes(joined: JoinedShapes): Steps<void> {
+/**
+ * Welds equal nodes, then, if edges are open or there are several shapes, near ones. Drops what has no area left. Returns
+ * the shapes that are not closed.
+ */
+export function* weldShapes(joined: JoinedShapes): Steps<ReadonlySet<number>> {
   const exact = yield* weldPoints(joined.points);
   yield* renumber(joined, exact.indices);
   joined.points = exact.points;
-  if (joined.names.length > 1 || (yield* openShapes(joined)).size > 0) {
+  const isClosed = joined.names.length === 1 && (yield* openShapes(joined)).size === 0;
+  if (!isClosed) {
     const distance = WELD * diagonalOf(joined.points);
     const near = yield* weldWithin(joined.points, distance);
     const moved = (joined.points.length - near.points.length) / 3;
@@ -114,6 +118,7 @@ export function* weldShapes(joined: JoinedShapes): Steps<void> {
     flat++;
   });
   if (flat > 0) joined.notes.push(`left out ${plural(flat, "triangle")} without area`);
+  return isClosed ? new Set() : yield* openShapes(joined);
 }
 
 function* renumber({ triangles }: JoinedShapes, indices: Uint32Array): Steps<void> {
@@ -123,7 +128,7 @@ function* renumber({ triangles }: JoinedShapes, indices: Uint32Array): Steps<voi
 }
 
 /** Returns the shapes that have an edge with an odd number of triangles. */
-export function* openShapes({ points, triangles, shapeOf, isDropped }: JoinedShapes): Steps<Set<number>> {
+function* openShapes({ points, triangles, shapeOf, isDropped }: JoinedShapes): Steps<Set<number>> {
   const open = new Set<number>();
   const nodes = points.length / 3;
   for (let begin = 0; begin < shapeOf.length;) {
@@ -158,15 +163,14 @@ function hasOddRun(sorted: Float64Array): boolean {
   return false;
 }
 
-/** Flips closed shapes that are inside out: mirrored parts of an assembly. */
-export function* orientShapes(joined: JoinedShapes): Steps<void> {
+/** Flips closed shapes whose triangles face inward: mirrored parts of an assembly. `open`: the shapes that are not closed. */
+export function* orientShapes(joined: JoinedShapes, open: ReadonlySet<number>): Steps<void> {
   const { names, triangles, shapeOf, isDropped } = joined;
   const volumes = new Float64Array(names.length);
   yield* stepwise(shapeOf.length, (t) => {
     const s = shapeOf[t] ?? 0;
     if (isDropped[t] === 0) volumes[s] = (volumes[s] ?? 0) + sixfoldVolumeBelow(joined, t);
   });
-  const open = yield* openShapes(joined);
   const flipped = [...volumes.keys()].filter((s) => (volumes[s] ?? 0) < 0 && !open.has(s));
   if (flipped.length === 0) return;
   const isFlipped = new Set(flipped);
@@ -178,7 +182,7 @@ export function* orientShapes(joined: JoinedShapes): Steps<void> {
       triangles[3 * t + 2] = second;
     }
   });
-  joined.notes.push(`turned outward: ${namesOf(joined, flipped)}`);
+  joined.notes.push(`flipped: ${namesOf(joined, flipped)}`);
 }
 
 /** Returns the names of shapes, in quotes. */

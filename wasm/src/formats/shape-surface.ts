@@ -10,7 +10,6 @@ import {
   joinedShapes,
   type JoinedShapes,
   namesOf,
-  openShapes,
   orientShapes,
   type Shape,
   type ShapeFace,
@@ -21,9 +20,8 @@ import { shareFaces, shareTriangles } from "./shared-faces.js";
 /** Returns the surface of all shapes. Its notes list what was changed, open shapes and faces without triangles. */
 export function* surfaceOfShapes(shapes: readonly Shape[]): Steps<FileMesh> {
   const joined = joinedShapes(shapes);
-  yield* weldShapes(joined);
-  yield* orientShapes(joined);
-  const open = yield* openShapes(joined);
+  const open = yield* weldShapes(joined);
+  yield* orientShapes(joined, open);
   if (open.size > 0) joined.notes.push(`not closed: ${namesOf(joined, open)}`);
   if (shapes.length > 1) {
     yield* shareFaces(joined);

@@ -54,6 +54,8 @@ interface OpenObject {
   readonly id: string;
   readonly name: string;
   readonly isSupport: boolean;
+  /** Group of properties of triangles that name none. */
+  readonly group: string | undefined;
   /** Property of triangles without their own. */
   readonly property: number;
   readonly points: Column<Float64Array>;
@@ -138,6 +140,7 @@ class ModelParser {
       id,
       name: given.get("name") ?? "",
       isSupport: /support/.test(given.get("type") ?? ""),
+      group: given.get("pid"),
       property: this.#property(given.get("pid"), given.get("pindex")),
       points: new Column(Float64Array),
       triangles: new Column(Uint32Array),
@@ -161,7 +164,9 @@ class ModelParser {
     }
     const own = given.has("p1") || given.has("pid");
     object.owners.push(
-      own ? this.#property(given.get("pid"), given.get("p1")) || object.property : object.property,
+      own
+        ? this.#property(given.get("pid") ?? object.group, given.get("p1")) || object.property
+        : object.property,
     );
   }
 
