@@ -1,6 +1,7 @@
 /** STEP, IGES and BREP files: solids as regions, faces as patches, units, colours, interfaces, errors. */
 import { once } from "node:events";
 import { readFileSync } from "node:fs";
+import { createRequire, syncBuiltinESMExports } from "node:module";
 import type { Worker } from "node:worker_threads";
 
 import {
@@ -235,6 +236,33 @@ describe("bodies", () => {
     ]);
   });
 
+  test("are made of many solids in a time proportional to their triangles", () => {
+    const [solids, each] = [2000, 200];
+    const triangles = Uint32Array.from({ length: 3 * solids * each }, (_, i) => i % 3);
+    const read = vi.spyOn(triangles, "subarray");
+    const ofTriangle = Uint32Array.from({ length: solids * each }, (_, t) => Math.floor(t / each));
+    const surface = {
+      points: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0),
+      triangles,
+      trianglePatch: ofTriangle,
+      patches: Array.from({ length: solids }, (_, s) => ({ name: `face ${s}` })),
+      surfaceRegions: {
+        regions: Array.from({ length: solids }, (_, s) => ({ name: `part ${s}`, tag: s + 1 })),
+        triangleRegions: Uint32Array.from({ length: 2 * solids * each }, (_, i) =>
+          i % 2 === 0 ? (ofTriangle[i / 2] ?? 0) : 0xffffffff,
+        ),
+      },
+    };
+    const scans = vi.spyOn(Uint32Array.prototype, "forEach");
+    const bodies = createBodies(surface, { id: 1, firstPatchId: 1 });
+    expect(bodies.map(({ name, patches }) => [name, patches.length])).toEqual(
+      surface.patches.map((_, s) => [`part ${s}`, 1]),
+    );
+    expect(read).toHaveBeenCalledTimes(solids * each);
+    expect(scans.mock.contexts.filter(({ length }) => length === solids * each)).toEqual([]);
+    scans.mockRestore();
+  });
+
   test("are those of a project, in millimetres, that `convert` writes and `mesh` meshes", async () => {
     save("a.step", solids);
     expect(await run("convert", "a.step", "-o", "a.json")).toMatchObject({ code: 0 });
@@ -344,6 +372,40 @@ describe("a file that cannot be read", () => {
     }
     expect(refused).toBeGreaterThan(SEEDS / 10);
     expect((await surfaceIn(box, "a.step")).triangles.length).toBeGreaterThan(100);
+  });
+});
+
+describe("a worker that fails", () => {
+  test.each([
+    ["ERR_WORKER_OUT_OF_MEMORY", "too-large-file", /^Export the parts one by one/],
+    ["MODULE_NOT_FOUND", "missing-library", /^Install/],
+    ["", "malformed-file", /^Export the part again/],
+  ])("with the code %s is reported as %s", async (code, expected, remedy) => {
+    const begun = once(process, "worker") as Promise<[Worker]>;
+    const reading = readSurface(plate, { fileName: "plate.step" });
+    const [worker] = await begun;
+    worker.emit("error", Object.assign(new Error("Failed"), { code }));
+    const read = await reading;
+    const error = read.success ? undefined : read.errors[0];
+    expect([error?.code, error?.remedy]).toEqual([expected, expect.stringMatching(remedy)]);
+  });
+
+  test("to start is reported as a library that is missing", async () => {
+    const threads = createRequire(import.meta.url)("node:worker_threads") as { Worker: unknown };
+    const { Worker: kept } = threads;
+    threads.Worker = class {
+      constructor() {
+        throw new Error("Access is denied");
+      }
+    };
+    syncBuiltinESMExports();
+    try {
+      const read = await readSurface(plate, { fileName: "plate.step" });
+      expect(read.success ? "" : read.errors[0].code).toBe("missing-library");
+    } finally {
+      threads.Worker = kept;
+      syncBuiltinESMExports();
+    }
   });
 });
 

@@ -3,12 +3,13 @@ import { cadHost } from "#cad-host";
 import { untilCancelled } from "../calls/cancelling.js";
 import { cadLibrary } from "./cad-library.js";
 import type { CadWorker } from "./cad-host.js";
+import { startFailure } from "./crash.js";
 import type { CadReply, CadRequest } from "./protocol.js";
 
 export const notLoadedRemedy = cadHost.remedy;
 
 /**
- * Resolves with the reply of the worker; its crash counts as a failure of OpenCascade. Rejects with a `MesherError` of
+ * Resolves with the reply of the worker; a crash of the worker is a reply, too. Rejects with a `MesherError` of
  * code `cancelled` if the signal is aborted.
  */
 export async function askForCad(
@@ -20,9 +21,12 @@ export async function askForCad(
     return await untilCancelled(
       () =>
         new Promise<CadReply>((resolve) => {
-          const onCrash = (message: string) => resolve({ kind: "failed", message });
-          worker = cadHost.start({ onReply: resolve, onCrash });
-          worker.post({ ...request, library: cadLibrary() });
+          try {
+            worker = cadHost.start({ onReply: resolve, onCrash: resolve });
+            worker.post({ ...request, library: cadLibrary() });
+          } catch (failure) {
+            resolve(startFailure(failure));
+          }
         }),
       signal,
     );

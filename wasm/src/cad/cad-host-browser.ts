@@ -1,4 +1,5 @@
 import type { CadHost } from "./cad-host.js";
+import { crashOf } from "./crash.js";
 import type { CadReply } from "./protocol.js";
 
 export const cadHost: CadHost = {
@@ -11,11 +12,15 @@ export const cadHost: CadHost = {
       name: "tetrafront-cad",
     });
     worker.onmessage = (event: MessageEvent<CadReply>) => events.onReply(event.data);
-    worker.onmessageerror = () => events.onCrash("a reply could not be received");
+    worker.onmessageerror = () =>
+      events.onCrash({ kind: "failed", message: "a reply could not be received" });
     worker.onerror = (event) => {
       event.preventDefault();
       const message = event instanceof ErrorEvent ? event.message : "";
-      events.onCrash(message || `the browser could not load its script for ${import.meta.url}`);
+      if (message !== "") return events.onCrash(crashOf(new Error(message)));
+      // An event without a message is about the script of the worker.
+      const unloaded = `the browser could not load its script for ${import.meta.url}`;
+      events.onCrash({ kind: "not-loaded", message: unloaded });
     };
     return {
       post: (request) => worker.postMessage(request),

@@ -1,5 +1,6 @@
 import { Worker } from "node:worker_threads";
 import type { CadHost } from "./cad-host.js";
+import { crashOf } from "./crash.js";
 import type { CadReply } from "./protocol.js";
 
 export const cadHost: CadHost = {
@@ -11,9 +12,9 @@ export const cadHost: CadHost = {
     });
     let isOver = false;
     worker.on("message", (reply: CadReply) => events.onReply(reply));
-    worker.on("error", (failure: unknown) => events.onCrash(String(failure)));
+    worker.on("error", (failure: unknown) => events.onCrash(crashOf(failure)));
     worker.on("exit", (code) => {
-      if (!isOver) events.onCrash(`the worker ended with code ${code}`);
+      if (!isOver) events.onCrash({ kind: "failed", message: `the worker ended with code ${code}` });
     });
     return {
       post: (request) => worker.postMessage(request),

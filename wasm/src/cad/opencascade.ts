@@ -1,4 +1,5 @@
 /** Reads a CAD file by the library occt-import-js: OpenCascade, compiled to WebAssembly. */
+import { crashOf, startFailure } from "./crash.js";
 import type { CadColor, CadFace, CadFormat, CadReply, CadRequest, CadShape, Deflection } from "./protocol.js";
 
 /** Makes an instance of the library. */
@@ -55,13 +56,13 @@ export async function readByOpenCascade(
   try {
     library = await load();
   } catch (failure) {
-    return { kind: "not-loaded", message: textOf(failure) };
+    return startFailure(failure);
   }
   try {
     const result = library[READERS[format]](bytes, parametersOf(deflection));
     return result.success ? { kind: "read", shapes: shapesOf(result) } : { kind: "rejected" };
   } catch (failure) {
-    return { kind: "failed", message: textOf(failure) };
+    return crashOf(failure);
   }
 }
 
@@ -72,11 +73,6 @@ function parametersOf({ distance, isRelative, angle }: Deflection): object {
     linearDeflection: distance,
     angularDeflection: angle,
   };
-}
-
-/** A C++ exception is thrown as a number, without a message. */
-function textOf(failure: unknown): string {
-  return failure instanceof Error ? failure.message : "an exception";
 }
 
 function shapesOf({ root, meshes }: CadResult & { readonly success: true }): CadShape[] {

@@ -47,11 +47,15 @@ export interface CadShape {
   readonly faces: readonly CadFace[];
 }
 
+/** How a worker ends by itself; `failed` if its cause is the file. */
+export interface CadCrash {
+  readonly kind: "failed" | "not-loaded" | "out-of-memory";
+  readonly message: string;
+}
+
 export type CadReply =
   | { readonly kind: "read"; readonly shapes: readonly CadShape[] }
   /** OpenCascade rejects the file. */
   | { readonly kind: "rejected" }
-  /** OpenCascade failed in the file. */
-  | { readonly kind: "failed"; readonly message: string }
-  /** The library could not be loaded. */
-  | { readonly kind: "not-loaded"; readonly message: string };
+  /** OpenCascade failed in the file, its memory is exhausted, or the worker or the library could not be loaded. */
+  | CadCrash;

@@ -87,6 +87,11 @@ async function shapesIn(
       const message = `${name} files need the library occt-import-js, which could not be loaded: ${reply.message}`;
       throw new ReadFailure({ code: "missing-library", message, remedy: notLoadedRemedy });
     }
+    case "out-of-memory": {
+      const message = `the memory does not suffice to read the ${name} file: ${reply.message}`;
+      const smaller = "Export the parts one by one, or triangulate them in the CAD program and export STL.";
+      throw new ReadFailure({ code: "too-large-file", message, remedy: smaller });
+    }
     case "rejected":
       throw new ReadFailure({ message: `OpenCascade cannot read the file as ${name}`, remedy });
     case "failed":

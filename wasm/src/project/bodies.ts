@@ -16,7 +16,7 @@ export interface NewBody {
   readonly name?: string | undefined;
 }
 
-const surfaceSchema = v.pipe(
+export const surfaceSchema = v.pipe(
   v.object({
     points: doubles(3),
     triangles: integers(3),
@@ -29,7 +29,7 @@ const surfaceSchema = v.pipe(
     "trianglePatch must have one index per triangle",
   ),
 );
-const newBodySchema = v.object({ id: index, firstPatchId: index, name: v.optional(v.string()) });
+export const newBodySchema = v.object({ id: index, firstPatchId: index, name: v.optional(v.string()) });
 
 /**
  * Returns a body with the triangles of a surface, and with its patches, if it has any. A surface without named patches

@@ -5,7 +5,7 @@ import { integers } from "../calls/schemas.js";
 import { NO_REGION } from "../generated/constants.js";
 import type { FileGroup, SurfaceRegions } from "../mesh/file-mesh.js";
 import type { PatchedSurface } from "../mesh/mesh.js";
-import { createBody, type NewBody } from "./bodies.js";
+import { createBody, newBodySchema, type NewBody, surfaceSchema } from "./bodies.js";
 import type { ProjectBody } from "./schema.js";
 
 /** A surface with patches, and with regions if its file defines them. */
@@ -28,26 +28,36 @@ const regionsSchema = v.object({
  */
 export function createBodies(surface: SolidSurface, body: NewBody): ProjectBody[] {
   checkArgument("surface", surface, regionsSchema);
+  checkArgument("surface", surface, surfaceSchema);
+  checkArgument("body", body, newBodySchema);
   const { surfaceRegions } = surface;
-  const whole = createBody(surface, body);
-  if (surfaceRegions === undefined) return [whole];
+  if (surfaceRegions === undefined) return [createBody(surface, body)];
   const { regions, triangleRegions } = surfaceRegions;
   const groups = joinedRegions(regions.length, triangleRegions);
-  if (groups.length <= 1) return [withName(whole, groups[0] ?? [], regions)];
-  const groupOf = new Map(groups.flatMap((group, g) => group.map((region) => [region, g] as const)));
-  const ofTriangle = Uint32Array.from({ length: surface.trianglePatch.length }, (_, t) => {
-    const sides = triangleRegions.subarray(2 * t, 2 * t + 2);
-    return groupOf.get(sides.find((region) => region !== NO_REGION) ?? NO_REGION) ?? 0;
-  });
+  if (groups.length <= 1) return [withName(createBody(surface, body), groups[0] ?? [], regions)];
   let [id, firstPatchId] = [body.id, body.firstPatchId];
-  return groups.flatMap((group, g) => {
-    const part = partOf(surface, ofTriangle, g);
-    if (part.triangles.length === 0) return [];
-    const made = withName(createBody(part, { ...body, id, firstPatchId }), group, regions);
+  return trianglesOfGroups(groups, surface.triangles.length / 3, triangleRegions).flatMap((owned, g) => {
+    if (owned.length === 0) return [];
+    const part = createBody(partOf(surface, owned), { ...body, id, firstPatchId });
     id++;
-    firstPatchId += made.patches.length;
-    return [made];
+    firstPatchId += part.patches.length;
+    return [withName(part, groups[g] ?? [], regions)];
   });
+}
+
+/** Returns the triangles of each group of regions; triangles without a region belong to the first. */
+function trianglesOfGroups(
+  groups: readonly (readonly number[])[],
+  count: number,
+  triangleRegions: Uint32Array,
+): number[][] {
+  const groupOf = new Map(groups.flatMap((group, g) => group.map((region) => [region, g] as const)));
+  const owned = groups.map((): number[] => []);
+  for (let t = 0; t < count; t++) {
+    const [one = NO_REGION, other = NO_REGION] = triangleRegions.subarray(2 * t, 2 * t + 2);
+    owned[groupOf.get(one === NO_REGION ? other : one) ?? 0]?.push(t);
+  }
+  return owned;
 }
 
 /** Returns the regions in groups that are connected through common triangles, in order. */
@@ -55,7 +65,11 @@ function joinedRegions(count: number, triangleRegions: Uint32Array): number[][] 
   const parent = Array.from({ length: count }, (_, region) => region);
   const rootOf = (region: number): number => {
     let root = region;
-    while (parent[root] !== undefined && parent[root] !== root) root = parent[root] ?? root;
+    while (parent[root] !== undefined && parent[root] !== root) {
+      // Halves the path for later calls.
+      parent[root] = parent[parent[root] ?? root] ?? root;
+      root = parent[root] ?? root;
+    }
     return root;
   };
   for (let side = 0; side < triangleRegions.length; side += 2) {
@@ -67,7 +81,9 @@ function joinedRegions(count: number, triangleRegions: Uint32Array): number[][] 
   const groups = new Map<number, number[]>();
   parent.forEach((_, region) => {
     const root = rootOf(region);
-    groups.set(root, [...(groups.get(root) ?? []), region]);
+    const group = groups.get(root);
+    if (group === undefined) groups.set(root, [region]);
+    else group.push(region);
   });
   return [...groups.values()];
 }
@@ -89,18 +105,16 @@ function withName(
   return { ...body, name: names.slice(0, MAX_NAMED).join(" + ") + (more > 0 ? ` + ${more} more` : "") };
 }
 
-/** Returns the triangles of one group with the nodes and patches that they use. */
+/** Returns these triangles with the nodes and patches that they use. */
 function partOf(
   { points, triangles, trianglePatch, patches }: SolidSurface,
-  ofTriangle: Uint32Array,
-  group: number,
+  owned: readonly number[],
 ): Pick<SolidSurface, "points" | "triangles" | "trianglePatch" | "patches"> {
   const nodes = new Numbering();
   const usedPatches = new Numbering();
   const corners: number[] = [];
   const owners: number[] = [];
-  ofTriangle.forEach((owner, t) => {
-    if (owner !== group) return;
+  owned.forEach((t) => {
     for (const node of triangles.subarray(3 * t, 3 * t + 3)) corners.push(nodes.of(node));
     owners.push(usedPatches.of(trianglePatch[t] ?? 0));
   });
