@@ -12,7 +12,11 @@ const { save, run, inFolder } = temporaryFolder();
 
 /** Runs `mesh` and returns its report. */
 async function meshed(...more: readonly string[]) {
-  const args = ["mesh", "part.off", "-o", "part.vtu", "--report", "part.json", ...more];
+  return meshedFile("part.off", ...more);
+}
+
+async function meshedFile(input: string, ...more: readonly string[]) {
+  const args = ["mesh", input, "-o", "part.vtu", "--report", "part.json", ...more];
   const { code, stderr } = await run(...args);
   expect(code).toBe(0);
   return {
@@ -58,4 +62,58 @@ test.each([[["--size", "0.8"]], [[]]])("other triangles are kept: %j", async (mo
   const { report } = await meshed(...more);
   expect(report.triangles).toBe(12);
   expect(codes(report)).toEqual([]);
+});
+
+/** A unit cube whose region point limits the volumes, if there is one. */
+const cubeFile = (points: string) => `8 3 0 0
+0 0 0 0
+1 1 0 0
+2 0 1 0
+3 1 1 0
+4 0 0 1
+5 1 0 1
+6 0 1 1
+7 1 1 1
+6 0
+4 0 2 3 1
+4 4 5 7 6
+4 0 1 5 4
+4 1 3 7 5
+4 3 2 6 7
+4 2 0 4 6
+${points}`;
+
+test("the volume limit of a region counts as a size", async () => {
+  save("part.smesh", cubeFile("0\n1\n1 .5 .5 .5 7 .001\n"));
+  const { report } = await meshedFile("part.smesh");
+  expect(codes(report)).toEqual(["divided-surface"]);
+  expect(report.tetrahedra).toBeGreaterThan(1000);
+  expect(report.dihedral.min).toBeGreaterThan(5);
+  const refined = await meshedFile("part.smesh", "--surface", "refine");
+  expect(refined.report.tetrahedra).toBe(report.tetrahedra);
+  const remeshed = await meshedFile("part.smesh", "--surface", "remesh");
+  expect(remeshed.report.tetrahedra).toBeGreaterThan(1000);
+  expect(remeshed.report.dihedral.min).toBeGreaterThan(10);
+});
+
+test("a file that could have region points, but has none, is meshed", async () => {
+  save("part.smesh", cubeFile("0\n0\n"));
+  const { report } = await meshedFile("part.smesh", "--inner-shells", "cavities");
+  expect(report.volume).toBeCloseTo(1, 12);
+});
+
+test("sizes are proposed for a surface that is repaired first, as remesh does", async () => {
+  const { points, triangles } = boxSurface(1);
+  const shifted = points.map((x) => x + 0.5);
+  save(
+    "cross.off",
+    offFile({
+      points: Float64Array.from([...points, ...shifted]),
+      triangles: Uint32Array.from([...triangles, ...triangles.map((n) => n + points.length / 3)]),
+    }),
+  );
+  const { code, stdout, stderr } = await run("propose", "cross.off");
+  expect(stderr).toContain("repair: cross.off: ");
+  expect(code).toBe(0);
+  expect(stdout).toMatch(/about \d+ triangles and \d+ tetrahedra/);
 });

@@ -241,6 +241,19 @@ describe("points", () => {
     await expect(located("2\n1 2 2 2\n2 .5 .5 .5\n0\n")).rejects.toThrow(/every volume/i);
   });
 
+  test("that a file does not have need not be located, and inner shells are regions", async () => {
+    const surface = await surfaceIn(boxesFile([OUTER, INNER], "0\n0\n"));
+    const volumeWith = async (innerShells?: "cavities") => {
+      const { report } = await mesher.fillSurface(surface, { innerShells });
+      expect(report.status, JSON.stringify(report.diagnostics)).toBe("done");
+      return report.volume;
+    };
+    const both = await volumeWith();
+    expect(both).toBeCloseTo(64, 9);
+    expect(await volumeWith("cavities")).toBeCloseTo(64 - 8, 9);
+    expect((await mesher.remeshSurface(surface)).surface.triangles.length).toBeGreaterThan(0);
+  });
+
   test("must be located before meshing", async () => {
     const surface = await surfaceIn(boxesFile([OUTER, INNER], "1\n1 2 2 2\n0\n"));
     const { report } = await mesher.fillSurface(surface);

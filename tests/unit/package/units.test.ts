@@ -38,6 +38,13 @@ test("millimetres become metres like the decimal number", async () => {
   }
 });
 
+test("inches become millimetres like the decimal number", async () => {
+  for (const x of ["3", "0.5", "7", "11"]) {
+    const { points } = await read({ fileUnits: "in", units: "mm" }, x);
+    expect(points[3]).toBe(Number((Number(x) * 25.4).toPrecision(12)));
+  }
+});
+
 test("a scale multiplies all coordinates", async () => {
   expect((await read({ scale: 2 })).points[3]).toBe(6);
   const both = await read({ scale: 2, fileUnits: "in", units: "mm" });

@@ -12,6 +12,7 @@ import {
   packageDiagnostic,
   readDiagnostic,
 } from "../diagnostics/package-diagnostic.js";
+import type { InnerShells } from "../generated/constants.js";
 import type { FileGroup } from "../mesh/file-mesh.js";
 import type { ImproveInput } from "../mesh/improvement.js";
 import type { MeshInput, PatchedSurface, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
@@ -72,10 +73,24 @@ export function checkSurface(surface: SurfaceInput): Diagnostic[] {
   return checkArrays("surface", surface, surfaceSchema, SURFACE_REMEDY);
 }
 
+/** Returns whether points mark regions or holes; a file may list none. */
+export function hasRegionPoints({ regionPoints }: Pick<SurfaceInput, "regionPoints">): boolean {
+  return regionPoints !== undefined && regionPoints.holes.length + regionPoints.regions.length > 0;
+}
+
+/** Returns the options with the meaning of inner shells in the file's format, unless they have one. */
+export function withInnerShells<Options extends { readonly innerShells?: InnerShells | undefined }>(
+  { regionPoints }: Pick<SurfaceInput, "regionPoints">,
+  options: Options,
+): Options {
+  const isMeaningGiven = options.innerShells !== undefined || regionPoints === undefined;
+  return isMeaningGiven ? options : { ...options, innerShells: "regions" };
+}
+
 /** As `checkSurface`, for calls that need to know what is meshed. */
 export function checkLocatedSurface(surface: SurfaceInput): Diagnostic[] {
-  const wrong = checkSurface(surface);
-  if (wrong.length > 0 || surface.regionPoints === undefined) return wrong;
+  const wrong = [...checkSurface(surface), ...checkRegionPoints(surface)];
+  if (wrong.length > 0 || !hasRegionPoints(surface)) return wrong;
   const message = "the points of the file that mark regions and holes have not been located in the surface";
   return [packageDiagnostic("unlocated-regions", message, "Pass the surface that locateRegions() returns.")];
 }

@@ -45,6 +45,7 @@ import {
   checkControl,
   checkImproveInput,
   checkLocatedSurface,
+  withInnerShells,
   checkMesh,
   checkProject,
   checkVolume,
@@ -216,7 +217,7 @@ class WorkerMesher implements Mesher {
       triangles: surface.triangles.slice(),
       regions: givenRegionsOf(surface),
       grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
-      options: engineOptions(options),
+      options: engineOptions(withInnerShells(surface, options)),
     } as const;
     const name = surfaceNamer(surface);
     return this.#run(request, control, () => name);

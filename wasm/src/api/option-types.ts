@@ -183,7 +183,8 @@ export interface MeshOptions {
   readonly gradation?: number | undefined;
   /**
    * Largest volume of a tetrahedron, in cubed model units, above 0. Default: no limit. It caps all sizes, and larger
-   * tetrahedra are split without changes of the boundary. If rounding prevents that, `large-tetrahedra` warns.
+   * tetrahedra are split without changes of the boundary. If rounding prevents that, `large-tetrahedra` warns;
+   * if too many tetrahedra would be required, `too-many-elements` is an error.
    */
   readonly maxVolume?: number | undefined;
   /**

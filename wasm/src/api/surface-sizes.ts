@@ -3,7 +3,7 @@ import type { EngineClient } from "../engine/engine-client.js";
 import type { RunControl } from "../engine/control.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import type { PatchedSurface } from "../mesh/mesh.js";
-import { checkLocatedSurface, checkPatchedSurface } from "./input-checks.js";
+import { checkLocatedSurface, checkPatchedSurface, withInnerShells } from "./input-checks.js";
 import { changeDiagnostics } from "./inspection.js";
 import type { SurfaceSizeProposal } from "./mesher-interface.js";
 import type { SurfaceProposalOptions } from "./option-types.js";
@@ -25,7 +25,7 @@ export async function proposeSurfaceSizes(
     points: surface.points.slice(),
     triangles: surface.triangles.slice(),
     groups: surface.trianglePatch?.slice() ?? new Uint32Array(),
-    options: engineRemeshOptions(options),
+    options: engineRemeshOptions(withInnerShells(surface, options)),
     triangleRegions: triangleRegionsOf(surface),
   } as const;
   const found = await client.ask(question, control);

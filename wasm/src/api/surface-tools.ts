@@ -17,6 +17,7 @@ import { afterPause, beginCall } from "./call-checks.js";
 import {
   checkGroups,
   checkLocatedSurface,
+  withInnerShells,
   checkPatchedSurface,
   checkSurface,
   checkWeld,
@@ -149,7 +150,7 @@ export class SurfaceTools {
       triangles,
       groups,
       grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
-      options: engineRemeshOptions(options),
+      options: engineRemeshOptions(withInnerShells(surface, options)),
       triangleRegions: triangleRegionsOf(surface),
     } as const;
     const remesh = await this.#client.ask(question, control);

@@ -12,6 +12,7 @@ import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { listed } from "../formats/groups.js";
 import { type SurfaceFile, surfaceOf } from "../formats/surface-file.js";
+import type { InnerShells } from "../generated/constants.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
 import type { MeshInspection, RepairChange, SurfaceInspection } from "../mesh/inspection.js";
 import { poorElementWarnings } from "../mesh/quality-warnings.js";
@@ -181,7 +182,7 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
   }
   const given = await inSteps(surfaceOf(mesh));
   const { surface: whole, changes } = await repaired(mesher, given, repair);
-  const { surface, diagnostics: found } = await locatedOrNot(mesher, whole);
+  const { surface, diagnostics: found } = await locatedOrNot(mesher, whole, options.innerShells);
   const { innerShells = whole.regionPoints && "regions" } = options;
   const inspectionOptions = { innerShells, maxDiagnostics: maxDiagnosticsOf(options) };
   const { diagnostics, ...inspection } = await mesher.inspectSurface(surface, inspectionOptions);
@@ -195,9 +196,13 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
 }
 
 /** Returns the surface as it is, with errors, if its region points cannot be located; the inspection finds other errors. */
-async function locatedOrNot(mesher: Mesher, surface: SurfaceFile): Promise<Located> {
+async function locatedOrNot(
+  mesher: Mesher,
+  surface: SurfaceFile,
+  innerShells?: InnerShells,
+): Promise<Located> {
   try {
-    return await located(mesher, surface);
+    return await located(mesher, surface, innerShells);
   } catch (failure) {
     if (!(failure instanceof MesherError) || failure.code !== "invalid-input") throw failure;
     return { surface, diagnostics: failure.data.diagnostics.filter(({ code }) => code === "region-point") };

@@ -13,7 +13,7 @@ const EXIT_CODES_HELP = `
 Exit code
   0  done    1  not completed: stalled, cancelled, out of memory, not written    2  invalid input
   With several inputs, the highest of their codes. Ctrl-C during meshing cancels it (1); \`mesh\` still writes
-  the report, with the figures of a remeshing that was stopped; \`remesh\` and \`improve\` write what they have
+  the report, with the statistics of a remeshing that was stopped; \`remesh\` and \`improve\` write what they have
   made so far. Otherwise it ends the command without a partial file (130; SIGTERM: 143).`;
 
 const READING_HELP = `
@@ -45,7 +45,9 @@ Element sizes
 
 Regions
   Hole points of TetGen's .smesh and .poly files keep volumes empty; region points number regions and limit the
-  volume of their tetrahedra.
+  volume of their tetrahedra. The smallest of these limits also applies to triangles that are split or replaced.
+  Without such points, closed shells inside a region of these files are regions, unless --inner-shells is
+  cavities.
 
 CAD files
   STEP, IGES and BREP files are triangulated, remeshed and, if needed, repaired. Each solid becomes a region, in

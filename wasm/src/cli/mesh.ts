@@ -254,7 +254,7 @@ async function withRepair(
       : await repaired(mesher, given.surface, repair);
     const divided = await withSplit(mesher, whole, split);
     const words = split && splitText(whole, divided);
-    const { surface, diagnostics } = await located(mesher, divided);
+    const { surface, diagnostics } = await located(mesher, divided, innerShells);
     return {
       model: { kind: "surface", surface },
       changes,

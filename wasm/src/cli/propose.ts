@@ -1,15 +1,17 @@
 /** `tetrafront propose`: writes sizes into a project, or prints the sizes of a surface. */
 import type { SurfaceSizeProposal } from "../api/mesher-interface.js";
 import type { SurfaceProposalOptions } from "../api/option-types.js";
-import { checkSurfaceProposalOptions } from "../api/options.js";
+import { checkProposalOptions, checkSurfaceProposalOptions } from "../api/options.js";
 import { plural } from "../base/plural.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
+import { MAX_LAYERS, MIN_REMESH_ANGLE } from "../generated/constants.js";
 import { writeToStandardOutput } from "./files.js";
 import { type ProposeCommandOptions, proposeForFile, withMesher } from "./grids.js";
-import { isCadInput, isProject, numberIn, readModel, refuseOptions } from "./input.js";
+import { isProject, numberIn, readModel, refuseOptions } from "./input.js";
 import { ExitCode, printDiagnostics, reportFailure } from "./messages.js";
 import { located } from "./regions.js";
-import { madeFillable, type RepairedSurface } from "./repair.js";
+import { madeFillable, printChanges } from "./repair.js";
 import { short } from "./tables.js";
 import { refuseUnits, type UnitOptions } from "./units.js";
 
@@ -49,10 +51,10 @@ async function proposeForSurface(input: string, options: ProposeOptions): Promis
   const given = await readModel(input, options);
   if (given.kind === "project") return ExitCode.invalidInput;
   const { surface, proposal } = await withMesher(async (mesher) => {
-    const isCad = isCadInput(input, options.from);
-    const { surface: whole, warnings = [] }: RepairedSurface = isCad
-      ? await madeFillable(mesher, given.surface, input, undefined)
-      : given;
+    const isQuiet = options.quiet === true || options.json === true;
+    const made = await madeFillable(mesher, given.surface, input, undefined);
+    const { surface: whole, changes, warnings = [] } = made;
+    if (changes !== undefined && !isQuiet) printChanges(input, changes);
     const found = await located(mesher, whole);
     printDiagnostics(input, [...warnings, ...found.diagnostics], { isQuiet: options.quiet === true });
     return { surface: found.surface, proposal: await mesher.proposeSurfaceSizes(found.surface, sizes) };
@@ -66,19 +68,34 @@ async function proposeForSurface(input: string, options: ProposeOptions): Promis
   return ExitCode.meshed;
 }
 
-/** Converts the options for projects to those of a remeshing with the same meaning. */
+/** Largest number of elements around a circle: one per degree, as `anglePerEdge` permits. */
+const MAX_PER_CIRCLE = 360 / MIN_REMESH_ANGLE;
+
+/** Converts the options for projects to those of a remeshing with the same meaning; messages name them as they are given. */
 function surfaceOptions(options: ProposeOptions): SurfaceProposalOptions {
-  const perCircle = numberIn(options.perCircle);
+  const [uniform, smallest, growth] = [options.uniform, options.smallest, options.growth].map(numberIn);
+  const [perCircle, perGap] = [numberIn(options.perCircle), numberIn(options.perGap)];
+  refuseOptions([
+    ...checkProposalOptions({ uniform, smallest, growth }),
+    ...countProblems("--per-circle", perCircle, 2, MAX_PER_CIRCLE),
+    ...countProblems("--per-gap", perGap, 0, MAX_LAYERS),
+  ]);
   const sizes: SurfaceProposalOptions = {
-    maxSize: numberIn(options.uniform),
-    minSize: numberIn(options.smallest),
-    growth: numberIn(options.growth),
-    layers: numberIn(options.perGap),
+    maxSize: uniform,
+    minSize: smallest,
+    growth,
+    layers: perGap,
     // 180 degrees per edge leaves curvature out.
     anglePerEdge: perCircle === undefined ? undefined : perCircle === 0 ? 180 : 360 / perCircle,
   };
   refuseOptions(checkSurfaceProposalOptions(sizes));
   return sizes;
+}
+
+function countProblems(option: string, count: number | undefined, min: number, max: number): Diagnostic[] {
+  if (count === undefined || count === 0 || (count >= min && count <= max)) return [];
+  const range = `${min === 0 ? "" : "0 or "}a number from ${min} to ${max}`;
+  return [invalidOption(option, `${option} is ${count}`, `Use ${range} for a surface; 0 means no limit.`)];
 }
 
 function proposalText(input: string, proposal: SurfaceSizeProposal, unit: string): string {

@@ -1,9 +1,10 @@
 /** Uses the points of a file that mark regions and holes of its surface. */
+import { hasRegionPoints } from "../api/input-checks.js";
 import type { Mesher } from "../api/mesher-interface.js";
 import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
-import type { RunControl } from "../engine/control.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
+import type { InnerShells } from "../generated/constants.js";
 
 export interface Located {
   readonly surface: SurfaceFile;
@@ -11,11 +12,36 @@ export interface Located {
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** Returns the surface with its regions located, unchanged if its file has no such points. */
-export async function located(mesher: Mesher, surface: SurfaceFile, control?: RunControl): Promise<Located> {
-  return surface.regionPoints === undefined
-    ? { surface, diagnostics: [] }
-    : mesher.locateRegions(surface, control);
+/**
+ * Returns the surface with its regions located; unchanged if its format has no points that mark them, or if the file has
+ * none and `--inner-shells` leaves inner shells empty.
+ */
+export async function located(
+  mesher: Mesher,
+  surface: SurfaceFile,
+  innerShells?: InnerShells,
+): Promise<Located> {
+  const isUnchanged =
+    surface.regionPoints === undefined || (innerShells === "cavities" && !hasRegionPoints(surface));
+  return isUnchanged ? { surface, diagnostics: [] } : mesher.locateRegions(surface);
+}
+
+type WithRegions = Pick<SurfaceFile, "givenRegions">;
+
+const regionVolumes = ({ givenRegions }: WithRegions): number[] =>
+  [...(givenRegions?.maxVolumes ?? [])].filter((volume) => volume > 0);
+
+export const hasRegionVolumes = (surface: WithRegions): boolean => regionVolumes(surface).length > 0;
+
+/** Returns options whose largest volume is at most that of any region. */
+export function withRegionVolumes<Options extends { readonly maxVolume?: number | undefined }>(
+  options: Options,
+  surface: WithRegions,
+): Options {
+  const limits = regionVolumes(surface);
+  return limits.length === 0
+    ? options
+    : { ...options, maxVolume: Math.min(options.maxVolume ?? Infinity, ...limits) };
 }
 
 /** Returns a sentence about points that a command does not use. */

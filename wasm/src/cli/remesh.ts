@@ -31,7 +31,7 @@ import {
   remeshText,
 } from "./remeshing.js";
 import { madeFillable, printChanges, type RepairCommandOptions, repaired, repairOptions } from "./repair.js";
-import { located } from "./regions.js";
+import { located, withRegionVolumes } from "./regions.js";
 import type { UnitOptions } from "./units.js";
 import { withRun } from "./run.js";
 import {
@@ -100,13 +100,13 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
       ? await madeFillable(mesher, given.surface, input, innerShells)
       : await repaired(mesher, given.surface, repair);
     const divided = await withSplit(mesher, whole, split);
-    const { surface, diagnostics: unlocated } = await located(mesher, divided);
+    const { surface, diagnostics: unlocated } = await located(mesher, divided, innerShells);
     const found = [...warnings, ...unlocated];
     printDiagnostics(input, found, { isQuiet });
     if (changes !== undefined && !isQuiet) printChanges(input, changes);
     if (!isQuiet) for (const line of readingLines(given.surface)) print(`note: ${input}: ${line}`);
     if (split !== undefined && !isQuiet) print(`${input}: ${splitText(whole, divided)}`);
-    const all = await withGrid(mesher, sizes, grid);
+    const all = withRegionVolumes(await withGrid(mesher, sizes, grid), surface);
     const made = await remeshed(mesher, surface, all, { ...controlOf("remesh"), partial: true });
     const files = await writeMesh(fileMesh(made.surface), name);
     const diagnostics = await problemsInFile(mesher, files, made.surface, { name, innerShells });

@@ -64,8 +64,8 @@ export async function repaired(
 }
 
 /**
- * Returns a surface that was triangulated when it was read, repaired if it cannot be filled without, with a warning about
- * solids that overlap. Throws an InvalidInput if the triangles of different solids still intersect.
+ * Returns the surface, repaired if it cannot be filled without, with a warning about solids that overlap. Throws an
+ * InvalidInput if the triangles of different solids still intersect.
  */
 export async function madeFillable(
   mesher: Mesher,

@@ -16,6 +16,7 @@ import {
   type RemeshReport,
   type SurfaceTreatment,
 } from "./remeshing.js";
+import { hasRegionVolumes, withRegionVolumes } from "./regions.js";
 import type { ControlOf } from "./run.js";
 import { short } from "./tables.js";
 
@@ -40,12 +41,13 @@ export interface TreatmentOptions {
   readonly controlOf: ControlOf;
 }
 
-/** Returns the surface as `--surface` wants it; by default, with smaller triangles where the sizes are far smaller. */
+/** Returns the surface as `--surface` states; by default, with smaller triangles where the sizes are far smaller. */
 export async function treatedSurface(
   mesher: Mesher,
   given: SurfaceFile,
-  treating: TreatmentOptions,
+  wanted: TreatmentOptions,
 ): Promise<TreatedSurface> {
+  const treating = { ...wanted, options: withRegionVolumes(wanted.options, given) };
   const { treatment, isCad, remeshing, options, controlOf } = treating;
   switch (treatment) {
     case "keep":
@@ -81,8 +83,10 @@ async function inspected(
 ): Promise<{ readonly found: SurfaceInspection; readonly refine: () => ReturnType<typeof refined> }> {
   const { innerShells } = options;
   const found = await mesher.inspectSurface(given, { innerShells }, controlOf());
-  // The volume helps to estimate the number of elements only if the orientation of all triangles is known.
-  const volume = found.flippedTriangles > 0 ? undefined : found.volume;
+  // The volume helps to estimate the number of elements only if the orientation of all triangles is known, and the
+  // sizes are not those of one region.
+  const isKnown = found.flippedTriangles === 0 && !hasRegionVolumes(given);
+  const volume = isKnown ? found.volume : undefined;
   return { found, refine: () => refined(mesher, given, { ...options, volume }, controlOf()) };
 }
 

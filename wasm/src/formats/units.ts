@@ -24,15 +24,21 @@ export interface LengthOptions {
   readonly fileUnits?: Unit | undefined;
 }
 
+/** Divides both numbers by their common factors: multiplication and division by 1 are without rounding. */
+function lowestTerms(numerator: number, denominator: number): [number, number] {
+  let [divisor, rest] = [numerator, denominator];
+  while (rest > 0) [divisor, rest] = [rest, divisor % rest];
+  return [numerator / divisor, denominator / divisor];
+}
+
 /** Converts a length after the conversion to the unit of the file, which is the millimetre for files of CAD programs. */
 export function lengthInFile(length: number, { scale = 1, units, fileUnits = "mm" }: LengthOptions): number {
   return (length * MICROMETRES[units ?? fileUnits]) / MICROMETRES[fileUnits] / scale;
 }
 
 /**
- * Returns the mesh in the wanted unit. Coordinates are multiplied by a factor and then divided by another one, each of them a
- * whole number of at most seven digits without `scale`, so that millimetres become metres without an error beyond rounding.
- * Converts the points that mark regions, their volumes, and values at nodes named `size`. Throws a ReadFailure if the file's
+ * Returns the mesh in the wanted unit. Coordinates are multiplied by a whole number, divided by another one, and multiplied by
+ * the scale: millimetres become metres like the decimal number. Converts the points that mark regions, their volumes, and values at nodes named `size`. Throws a ReadFailure if the file's
  * unit is unknown or contradicts the options.
  */
 export function* inUnits(mesh: FileMesh, { scale = 1, units, fileUnits }: LengthOptions): Steps<FileMesh> {
@@ -47,12 +53,11 @@ export function* inUnits(mesh: FileMesh, { scale = 1, units, fileUnits }: Length
     throw new ReadFailure({ code: "invalid-argument", message, remedy });
   }
   const to = units ?? from;
-  const ratio = from === undefined || to === undefined ? 1 : MICROMETRES[from] / MICROMETRES[to];
-  const inverse = from === undefined || to === undefined ? 1 : MICROMETRES[to] / MICROMETRES[from];
-  // The larger of the two ratios is the exact one.
-  const convert = ratio >= 1 ? (x: number) => x * ratio * scale : (x: number) => (x / inverse) * scale;
+  const [numerator, denominator] =
+    from === undefined || to === undefined ? [1, 1] : lowestTerms(MICROMETRES[from], MICROMETRES[to]);
+  const convert = (x: number) => ((x * numerator) / denominator) * scale;
   const unit = to === undefined ? {} : { unit: to };
-  if (ratio === 1 && scale === 1) return { ...mesh, ...unit };
+  if (from === to && scale === 1) return { ...mesh, ...unit };
   const converted = function* (values: Float64Array): Steps<Float64Array> {
     const result = new Float64Array(values.length);
     yield* stepwise(values.length, (i) => (result[i] = convert(values[i] ?? 0)));

@@ -45,7 +45,11 @@ export interface SurfaceInput {
   readonly nodeOrigin?: Uint32Array | undefined;
   /** What is meshed, as `locateRegions` finds it; replaces `innerShells`. */
   readonly givenRegions?: GivenRegions | undefined;
-  /** Points of its file that mark regions and holes. Such a surface is not meshed until `locateRegions` has used them. */
+  /**
+   * Points of its file that mark regions and holes. Such a surface is not meshed until `locateRegions` has used them. If
+   * the file's format has such points, but the file has none, both lists are empty, and closed shells inside a region are
+   * regions unless `innerShells` says otherwise.
+   */
   readonly regionPoints?: RegionPoints | undefined;
 }
 
