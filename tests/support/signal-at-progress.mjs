@@ -1,5 +1,5 @@
 // Loaded before a program (by NODE_OPTIONS): when its worker reports the first tetrahedra, or the fraction
-// TETRAFRONT_TEST_FRACTION, sends the signal TETRAFRONT_TEST_SIGNAL to the program itself, or to its parent if
+// TETRAFRONT_TEST_FRACTION of a call that is no inspection, sends the signal TETRAFRONT_TEST_SIGNAL to the program itself, or to its parent if
 // TETRAFRONT_TEST_TARGET is "parent".
 import { closeSync, openSync } from "node:fs";
 import { Worker } from "node:worker_threads";
@@ -9,7 +9,9 @@ const {
   TETRAFRONT_TEST_TARGET: target,
   TETRAFRONT_TEST_FRACTION: fraction,
 } = process.env;
-const { emit } = Worker.prototype;
+const { emit, postMessage } = Worker.prototype;
+/** Kind of each question to a worker, by id. */
+const kinds = new Map();
 let isSent = false;
 
 /** Returns whether no other child of the parent has sent the signal: a second one would end the parent at once. */
@@ -23,13 +25,19 @@ function isFirstChild() {
 }
 
 /** Returns whether the moment has come. */
-function isDue({ tetrahedra, fraction: reached }) {
-  return fraction === undefined ? tetrahedra > 0 : reached > Number(fraction);
+function isDue(id, { tetrahedra, fraction: reached }) {
+  if (fraction === undefined) return tetrahedra > 0;
+  return kinds.get(id) !== "inspect-surface" && reached > Number(fraction);
 }
+
+Worker.prototype.postMessage = function (message, ...args) {
+  kinds.set(message?.id, message?.kind);
+  return postMessage.call(this, message, ...args);
+};
 
 Worker.prototype.emit = function (event, ...args) {
   const [reply] = args;
-  if (!isSent && event === "message" && reply?.kind === "progress" && isDue(reply.progress)) {
+  if (!isSent && event === "message" && reply?.kind === "progress" && isDue(reply.id, reply.progress)) {
     isSent = true;
     if (target !== "parent") process.kill(process.pid, signal);
     else if (isFirstChild()) process.kill(process.ppid, signal);

@@ -9,6 +9,8 @@ const remedies: Readonly<Partial<Record<Diagnostic["code"], string>>> = {
     "Set a uniform size in the mesh settings, or create a background grid that covers the model.",
   "coarse-surface": "Select Remesh or Refine for the body, or use larger elements.",
   "needle-surface": remesh,
+  "large-tetrahedra": "Select Remesh or Refine for the body, or permit a larger volume.",
+  "inconsistent-regions": "Repair the surface, then open it again.",
   "poor-elements":
     "Select Remesh for bodies with needles, use smaller elements in narrow gaps and at sharp edges, or set Optimization to Thorough.",
 };
@@ -20,6 +22,9 @@ const ofBodies: Readonly<Partial<Record<Diagnostic["code"], string>>> = {
   "flipped-triangle": "Repair the surface: the repair flips triangles.",
   "duplicate-triangle": "Repair the surface: the repair removes duplicate triangles.",
   "degenerate-triangle": "Repair the surface: the repair removes degenerate triangles.",
+  "dangling-sheet": "Repair the surface: the repair removes sheets that enclose nothing.",
+  "self-intersection":
+    "Repair the surface: the repair cuts triangles where they intersect, and keeps the boundary of what they enclose.",
   "coincident-nodes": "Repair the surface: the repair welds nodes.",
 };
 

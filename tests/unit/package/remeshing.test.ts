@@ -95,7 +95,7 @@ describe("remeshSurface", () => {
   });
 
   test("drops details on request, and lists them", async () => {
-    const given = steppedBlock(0.004);
+    const given = steppedBlock(1e-4);
     const kept = await mesher.remeshSurface(given);
     expect(kept.mergedDetails).toEqual([]);
     expect(kept.smallestAngle).toBeLessThan(15);
@@ -250,7 +250,7 @@ describe("tetrafront remesh", () => {
   });
 
   test("names --drop-details where angles are small, and lists what it dropped", async () => {
-    save("step.off", offFile(steppedBlock(0.004)));
+    save("step.off", offFile(steppedBlock(1e-4)));
     const kept = await run("remesh", "step.off", "-o", "made.off");
     expect(kept.stderr).toMatch(/smallest angle [\d.]+° \(--drop-details [\d.e-]+ may raise it\)/);
     const dropped = await run("remesh", "step.off", "-o", "made.off", "--drop-details", "0.01");

@@ -89,8 +89,10 @@ export function withInnerShells<Options extends { readonly innerShells?: InnerSh
 
 /** As `checkSurface`, for calls that need to know what is meshed. */
 export function checkLocatedSurface(surface: SurfaceInput): Diagnostic[] {
-  const wrong = [...checkSurface(surface), ...checkRegionPoints(surface)];
-  if (wrong.length > 0 || !hasRegionPoints(surface)) return wrong;
+  const wrong = checkSurface(surface);
+  if (wrong.length > 0) return wrong;
+  const wrongPoints = checkRegionPoints(surface);
+  if (wrongPoints.length > 0 || !hasRegionPoints(surface)) return wrongPoints;
   const message = "the points of the file that mark regions and holes have not been located in the surface";
   return [packageDiagnostic("unlocated-regions", message, "Pass the surface that locateRegions() returns.")];
 }

@@ -136,7 +136,7 @@ const DROPPED = 1 / 2500;
 
 /**
  * Remeshes a surface with automatic sizes. If its triangles are poor because of narrow details, merges these, unless that
- * gives a smaller smallest angle.
+ * gives a smaller smallest angle. If it is stopped, the surface is complete or not, but `isPartial`.
  */
 export async function remeshedBest(
   mesher: Mesher,
@@ -149,9 +149,10 @@ export async function remeshedBest(
   const dropDetails = DROPPED * diagonalOf(given.points);
   const merged = await remeshed(mesher, given, { ...options, dropDetails }, control);
   const { smallestAngle, meanRadiusRatio, isPartial } = merged.remesh;
+  if (isPartial) return { ...all, remesh: { ...all.remesh, isPartial } };
   const isBetter =
     smallestAngle > all.remesh.smallestAngle && meanRadiusRatio > all.remesh.meanRadiusRatio - RATIO_NOISE;
-  return isBetter && !isPartial ? merged : all;
+  return isBetter ? merged : all;
 }
 
 /** Differences of the mean radius ratio that do not matter. */
