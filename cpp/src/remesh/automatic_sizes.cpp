@@ -101,17 +101,17 @@ class ShapeMeasure {
   };
 
   void add(const Vec3& position, double size, const Vec3& axis = Vec3(0.0)) {
-    if (!(size < rules_.maxSize)) return;
+    if (size < rules_.maxSize) append(position, std::max(size, rules_.minSize), axis);
+  }
+  /// As add(), but the size may be below the smallest one.
+  void addUnlimited(const Vec3& position, double size) {
+    if (size < rules_.maxSize) append(position, size, Vec3(0.0));
+    if (size < rules_.minSize) ++sizes_.countBelowMin;
+  }
+  void append(const Vec3& position, double size, const Vec3& axis) {
     sizes_.positions.push_back(position);
     sizes_.axes.push_back(axis);
-    sizes_.sizes.push_back(std::max(size, rules_.minSize));
-  }
-  void addUnlimited(const Vec3& position, double size) {
-    if (!(size < rules_.maxSize)) return;
-    sizes_.positions.push_back(position);
-    sizes_.axes.push_back(Vec3(0.0));
     sizes_.sizes.push_back(size);
-    if (size < rules_.minSize) ++sizes_.countBelowMin;
   }
   [[nodiscard]] double sizeForDetail(double detail, double factor, double least) const;
   [[nodiscard]] double sizeForCurvature(double curvature) const {

@@ -10,7 +10,8 @@
 namespace tetrafront {
 namespace {
 
-/// Distances / diagonal of the surface.
+/// Distances / diagonal of the surface: from the rounding of single precision and of CAD programs up to cracks that are
+/// visible, but smaller than most details.
 constexpr std::array<double, 6> kCrackWidths{1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4};
 
 /// Returns the nodes of the edges with one triangle, ascending, with their number.

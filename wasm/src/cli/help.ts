@@ -84,8 +84,10 @@ Patches
 
 Surfaces with problems
   \`tetrafront check\` lists the problems of a surface. Nothing is repaired unless you ask for it. --repair welds
-  coincident nodes, removes degenerate and duplicate triangles, and flips triangles outward. --weld also welds
-  nodes within a distance, --fill-holes also closes small holes. Messages and the report list every change.
+  coincident nodes, removes degenerate and duplicate triangles, and flips triangles outward. If that is not
+  enough, it closes cracks and holes, and cuts triangles where they intersect: the boundary of what they enclose
+  remains. --surface remesh repairs in the same way if necessary. --weld also welds nodes within a distance,
+  --fill-holes also closes small holes. Messages and the report list every change.
 ${EXIT_CODES_HELP}
 
 Examples

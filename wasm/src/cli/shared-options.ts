@@ -24,7 +24,7 @@ export const withRepair = (command: Command): Command =>
   command
     .option(
       "--repair",
-      "weld coincident nodes, remove degenerate and duplicate triangles, flip triangles outward",
+      "weld coincident nodes, remove degenerate and duplicate triangles, flip triangles outward; resolve the rest",
     )
     .option("--weld <distance>", "repair, and weld nodes within this distance")
     .option("--fill-holes <edges>", "repair, and fill holes of at most this many edges");
