@@ -213,6 +213,8 @@ test("saving never writes a project into another project's file, even after a re
   await chooseNext("b-copy.json");
   await page.keyboard.press("Control+Shift+S");
   await expect.poll(files).toEqual({ "a.json": "A", "b.json": "B", "b-copy.json": "B changed" });
+  // The file exists before the document refers to it.
+  await expect(page.getByTestId("saved-state")).toHaveText("saved");
 
   await renameProject(page, "B again");
   await kept(app);
