@@ -94,6 +94,8 @@ export { bodyPatchGroups, bodyWithPatches, mergePatches } from "./api/body-patch
 export { bodySurface, createBody, type NewBody, type PlacedSurface } from "./project/bodies.js";
 export { createBodies, type SolidSurface } from "./project/solid-bodies.js";
 export { BODY_SURFACES, PROJECT_FORMAT, projectSchema } from "./project/schema.js";
+export { liveNotes } from "./project/live-notes.js";
+export { EXPRESSION_KINDS, GROUP_KINDS } from "./project/notes.js";
 export { PROJECT_VERSION } from "./project/versions.js";
 export type {
   BodyId,
@@ -109,8 +111,11 @@ export type {
   ProjectBackgroundNode,
   ProjectBody,
   ProjectBodyPatch,
+  ProjectExpression,
+  ProjectGroup,
   ProjectLine,
   ProjectMeshing,
+  ProjectParameter,
   ProjectPatch,
   ProjectPoint,
   ProjectSource,

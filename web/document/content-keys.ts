@@ -5,8 +5,11 @@ import type {
   Project,
   ProjectBody,
   ProjectBodyPatch,
+  ProjectExpression,
+  ProjectGroup,
   ProjectLine,
   ProjectMeshing,
+  ProjectParameter,
   ProjectPatch,
   ProjectPoint,
   ProjectSource,
@@ -102,6 +105,16 @@ const remeshingFields = fieldsOf<BodyRemeshing>({
 const repairFields = fieldsOf<BodyRepair>({ kind: true, count: true, positions: true });
 const placementFields = fieldsOf<BodyPlacement>({ position: true, rotation: true, scale: true });
 
+const groupFields = fieldsOf<ProjectGroup & ProjectGroup["members"][number]>({
+  id: true,
+  name: true,
+  color: true,
+  members: true,
+  kind: true,
+});
+const parameterFields = fieldsOf<ProjectParameter>({ name: true, expression: true });
+const expressionFields = fieldsOf<ProjectExpression>({ kind: true, id: true, field: true, expression: true });
+
 const withoutName = (fields: readonly string[]): string[] => fields.filter((field) => field !== "name");
 
 /** Hashes records field by field in the given order, whatever the order of the fields in a record. */
@@ -135,6 +148,9 @@ const hashesOf = {
   lines: remembering((list: readonly ProjectLine[]) => hashRecords(list, lineFields)),
   patches: remembering((list: readonly ProjectPatch[]) => hashRecords(list, patchFields)),
   sources: remembering((list: readonly ProjectSource[]) => hashRecords(list, sourceFields)),
+  groups: remembering((list: readonly ProjectGroup[]) => hashRecords(list, groupFields)),
+  parameters: remembering((list: readonly ProjectParameter[]) => hashRecords(list, parameterFields)),
+  expressions: remembering((list: readonly ProjectExpression[]) => hashRecords(list, expressionFields)),
 };
 
 const namelessHashesOf = {
@@ -189,6 +205,7 @@ function usedPointHash({ points, lines }: Project): string {
 }
 
 const noSources: readonly ProjectSource[] = [];
+const noNotes: readonly never[] = [];
 
 /** Returns the part that both keys share; it does not depend on names and points. */
 function sizeParts({ background, meshing = {} }: Project): readonly (string | number)[] {
@@ -203,7 +220,8 @@ function sizeParts({ background, meshing = {} }: Project): readonly (string | nu
 
 /** Returns the key of everything that a project file holds. */
 export const documentKey = remembering((project: Project): string => {
-  const { points, lines, patches, bodies: _bodies, background, meshing: _meshing, ...head } = project;
+  const { points, lines, patches, bodies: _bodies, background, meshing: _meshing, ...rest } = project;
+  const { groups = noNotes, parameters = noNotes, expressions = noNotes, ...head } = rest;
   const { points: ofPoints, lines: ofLines, patches: ofPatches, sources: ofSources } = hashesOf;
   return [
     JSON.stringify(head, Object.keys(head).sort()),
@@ -212,6 +230,9 @@ export const documentKey = remembering((project: Project): string => {
     ofLines(lines),
     ofPatches(patches),
     ofSources(background.sources ?? noSources),
+    hashesOf.groups(groups),
+    hashesOf.parameters(parameters),
+    hashesOf.expressions(expressions),
     ...bodiesOf(project).map(bodyKey),
   ].join(" ");
 });

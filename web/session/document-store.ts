@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import { liveNotes, type Project } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { documentKey, shownMeshKey } from "../document/content-keys";
 import type { Change, DocumentContent, ProjectEdit } from "../document/edit";
@@ -57,6 +57,22 @@ export function newDocumentId(): string {
   return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
 }
 
+/** Makes the step of a change. It also removes what groups and expressions note about entities that are gone. */
+function stepOfProject(content: DocumentContent, change: Change<DocumentContent>): Step<DocumentContent> {
+  const step = stepFrom(content, change);
+  const { project } = step.present;
+  const notes = Object.entries(liveNotes(project));
+  const tidy = stepFrom(step.present, {
+    replace: notes.map(([key, list]) => [["project", key], list] as const),
+  });
+  if (tidy.forward.length === 0) return step;
+  return {
+    present: tidy.present,
+    forward: [...step.forward, ...tidy.forward],
+    backward: [...tidy.backward, ...step.backward],
+  };
+}
+
 /** The open document: its project, its undo steps, and whether a file contains it. */
 export class DocumentStore {
   readonly state: StoreApi<DocumentState>;
@@ -79,7 +95,7 @@ export class DocumentStore {
   /** Applies an edit, after committing the current gesture. */
   edit(edit: ProjectEdit): void {
     this.#gesture?.commit();
-    this.#set(commit(this.state.getState().history, edit, this.#now(), this.held));
+    this.#set(commit(this.state.getState().history, edit, this.#now(), this.held, stepOfProject));
   }
 
   /** Resolves when no gesture is under way: work that ends during a drag must not cut it short with its edit. */
@@ -116,7 +132,7 @@ export class DocumentStore {
     const gesture: Gesture = {
       update: (change) => {
         if (this.#gesture !== gesture) return;
-        step = stepFrom(start, change);
+        step = stepOfProject(start, change);
         this.state.setState({ history: { ...history, present: step.present } });
       },
       commit: () => end(step ? addStep(history, label, step, this.#now()) : history),

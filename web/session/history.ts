@@ -64,15 +64,17 @@ export function addStep<State>(
 
 /**
  * Returns the history after an edit at `now`, or the same object if the edit changes nothing. The edit is
- * `held` if it comes from a key that is held down: all repetitions are one step, however slow.
+ * `held` if it comes from a key that is held down: all repetitions are one step, however slow. `stepOf` makes the step
+ * of a change.
  */
 export function commit<State extends object>(
   history: History<State>,
   edit: Edit<State>,
   now: number,
   held = false,
+  stepOf: (state: State, change: Change<State>) => Step<State> = stepFrom,
 ): History<State> {
-  const step = stepFrom(history.present, edit);
+  const step = stepOf(history.present, edit);
   const { label, mergeKey } = edit;
   const last = history.past.at(-1);
   const merges =

@@ -354,3 +354,9 @@ test("the JSON schema names every part of a project", () => {
   );
   expect(schema.required).not.toContain("background");
 });
+
+test("the published JSON schema is that of the package: npm run schema writes it", () => {
+  const text = (path: string) =>
+    readFileSync(new URL(`../../../${path}/project.schema.json`, import.meta.url), "utf8");
+  expect(text("docs")).toBe(text("wasm/dist"));
+});

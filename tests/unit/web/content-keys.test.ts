@@ -26,12 +26,20 @@ describe("the key of a mesh", () => {
       ["the name of a line", edited(cube, renameEntity({ kind: "line", id: 1 }, "edge"))],
       ["the name of a patch", edited(cube, renameEntity({ kind: "patch", id: 1 }, "wall"))],
       ["a loose point", withLoosePoint],
+      ["a group", { ...cube, groups: [{ id: 1, name: "g", members: [] }] }],
+      ["a member", { ...cube, groups: [{ id: 1, name: "g", members: [{ kind: "line", id: 1 }] }] }],
+      ["a parameter", { ...cube, parameters: [{ name: "r", expression: "1" }] }],
+      [
+        "an expression",
+        { ...cube, expressions: [{ kind: "point", id: 1, field: "position.0", expression: "r" }] },
+      ],
       ["a moved loose point", edited(withLoosePoint, moveEntity("point", loose, 0, -5))],
     ];
     for (const [what, project] of harmless) {
       expect(meshKey(project), what).toBe(meshKey(cube));
       expect(documentKey(project), what).not.toBe(documentKey(cube));
     }
+    expect(new Set(harmless.map(([, project]) => documentKey(project))).size).toBe(harmless.length);
   });
 
   it("differs if anything differs that affects the mesh", () => {

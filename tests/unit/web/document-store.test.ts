@@ -1,5 +1,5 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
-import { moveEntity, renameProject } from "../../../web/document/edits";
+import { deleteEntities, moveEntity, renameProject } from "../../../web/document/edits";
 import {
   DocumentStore,
   hasUnsavedChanges,
@@ -181,5 +181,23 @@ describe("the state of saving", () => {
     expect(state()).toBe("unsaved");
     documents.markSaved(documents.state.getState().id, documents.project, null);
     expect(state()).toBe("saved");
+  });
+});
+
+describe("groups and expressions", () => {
+  it("lose entities that an edit removes, and undo restores them", () => {
+    const noted = {
+      ...project,
+      groups: [{ id: 1, name: "corner", members: [{ kind: "point", id } as const] }],
+      expressions: [{ kind: "point", id, field: "position.0", expression: "1/2" } as const],
+    };
+    const documents = new DocumentStore(noted, () => 0);
+    documents.edit(deleteEntities(noted, [{ kind: "point", id }]));
+    expect(documents.project.groups).toEqual([{ id: 1, name: "corner", members: [] }]);
+    expect(documents.project.expressions).toEqual([]);
+    documents.undo();
+    expect(documents.project).toEqual(noted);
+    documents.redo();
+    expect(documents.project.expressions).toEqual([]);
   });
 });

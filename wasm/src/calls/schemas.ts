@@ -51,6 +51,7 @@ function wordsFor({ kind, type, input, expected, requirement, message }: v.BaseI
     case "check":
       return message;
     case "custom":
+    case "regex":
       return `expected ${message}, received ${shown(input)}`;
     case "safe_integer":
       return `expected a whole number, received ${shown(input)}`;

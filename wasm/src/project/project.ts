@@ -72,17 +72,17 @@ export function writeProject(project: Project): string {
 }
 
 function projectText(project: Project): string {
-  const { points, lines, patches, bodies, background, ...rest } = project;
+  const { points, lines, patches, bodies, background, groups, parameters, expressions, ...rest } = project;
   const { $schema, format, version, name, description, units, meshing } = rest;
   const head = Object.entries({ $schema, format, version, name, description, units, meshing })
     .filter(([, value]) => value !== undefined)
     .map(([key, value]) => `  ${JSON.stringify(key)}: ${JSON.stringify(value)}`);
+  const listText = (key: string, list: readonly unknown[] | undefined) =>
+    list === undefined ? [] : [`  "${key}": ${rows(list, "  ")}`];
   const body = [
-    `  "points": ${rows(points, "  ")}`,
-    `  "lines": ${rows(lines, "  ")}`,
-    `  "patches": ${rows(patches, "  ")}`,
-    ...(bodies === undefined ? [] : [`  "bodies": ${rows(bodies, "  ")}`]),
+    ...Object.entries({ points, lines, patches, bodies }).flatMap(([key, list]) => listText(key, list)),
     `  "background": ${backgroundText(background)}`,
+    ...Object.entries({ groups, parameters, expressions }).flatMap(([key, list]) => listText(key, list)),
   ];
   return `{\n${[...head, ...body].join(",\n")}\n}\n`;
 }
@@ -93,6 +93,9 @@ const writableProject = v.object({
   lines: entities,
   patches: entities,
   bodies: v.optional(entities),
+  groups: v.optional(entities),
+  parameters: v.optional(entities),
+  expressions: v.optional(entities),
   background: v.object({ nodes: entities, tetrahedra: entities, sources: v.optional(entities) }),
 });
 

@@ -19,26 +19,27 @@ import {
   SOURCE_TYPES,
 } from "../generated/constants.js";
 import { checkBodyArrays } from "./body-arrays.js";
+import { checkNotes, expressionSchema, groupSchema, parameterSchema } from "./notes.js";
+import {
+  color,
+  described,
+  id,
+  integer,
+  listOf,
+  name,
+  number,
+  type Path,
+  reference,
+  type Report,
+  threeNumbers,
+  uniqueIds,
+  upTo,
+} from "./schema-parts.js";
 import { PROJECT_VERSION } from "./versions.js";
 import { WORDS } from "./words.js";
 
 /** In the field `format` of every project file. */
 export const PROJECT_FORMAT = "tetrafront-project";
-/** Adds the meaning of a field to the JSON Schema. */
-const described = <Schema extends v.GenericSchema>(description: string, schema: Schema) =>
-  v.pipe(schema, v.description(description));
-
-const listOf = <Item extends v.GenericSchema>(item: Item) => v.pipe(v.array(item), v.readonly());
-
-const number = v.pipe(v.number(), v.finite());
-/** The engine would reject a larger number without naming the field. */
-const upTo = (max: number) => v.pipe(number, v.maxValue(max));
-const integer = v.pipe(v.number(), v.safeInteger());
-
-const reference = v.pipe(integer, v.gtValue(0));
-const id = described(WORDS.id, reference);
-const name = v.optional(described(WORDS.name, v.string()));
-const threeNumbers = v.pipe(v.strictTuple([number, number, number]), v.readonly());
 const triple = described(WORDS.position, threeNumbers);
 
 const pointSchema = v.pipe(objectWith({ id, name, position: triple }), v.readonly());
@@ -65,8 +66,6 @@ const patchSchema = v.pipe(
   v.readonly(),
 );
 
-const part = v.pipe(number, v.minValue(0), v.maxValue(1));
-const color = v.pipe(v.strictTuple([part, part, part]), v.readonly());
 const bodyPatchSchema = v.pipe(
   objectWith({ id, name, color: v.optional(described(WORDS.patchColor, color)) }),
   v.readonly(),
@@ -212,13 +211,14 @@ const documentSchema = v.pipe(
     patches: listOf(patchSchema),
     bodies: v.optional(described(WORDS.bodies, listOf(bodySchema))),
     background: v.optional(described(WORDS.background, backgroundSchema), { nodes: [], tetrahedra: [] }),
+    groups: v.optional(described(WORDS.groups, listOf(groupSchema))),
+    parameters: v.optional(described(WORDS.parameters, listOf(parameterSchema))),
+    expressions: v.optional(described(WORDS.expressions, listOf(expressionSchema))),
   }),
   v.readonly(),
 );
 
 type Document = v.InferOutput<typeof documentSchema>;
-type Path = (string | number)[];
-type Report = (path: Path, message: string) => void;
 
 /** Number of positions of a source of each type. */
 const POSITIONS: Readonly<Record<v.InferOutput<typeof sourceSchema>["type"], number>> = {
@@ -250,6 +250,7 @@ export function checkReferences(project: Document, report: Report): void {
     ),
   );
   checkSources(project.background.sources ?? [], report);
+  checkNotes(project, report);
 }
 
 /** Reports duplicate ids of bodies, and of patches among all patches. */
@@ -280,20 +281,6 @@ function checkSources(sources: readonly v.InferOutput<typeof sourceSchema>[], re
       `a source of type "${type}" needs ${expected} ${noun}, found ${positions.length}`,
     );
   });
-}
-
-function uniqueIds(
-  entities: readonly { readonly id: number }[],
-  path: Path,
-  kind: string,
-  report: Report,
-  seen = new Set<number>(),
-): ReadonlySet<number> {
-  entities.forEach((entity, index) => {
-    if (seen.has(entity.id)) report([...path, index, "id"], `another ${kind} also has the id ${entity.id}`);
-    seen.add(entity.id);
-  });
-  return seen;
 }
 
 /** The schema of project files (of the library Valibot), for programs that check them themselves. */
@@ -350,6 +337,13 @@ export type ProjectBackground = Project["background"];
 export type ProjectBackgroundNode = ProjectBackground["nodes"][number];
 /** A source: at distance r from it, the target size is at most size + growth · max(0, r - distance). */
 export type ProjectSource = NonNullable<ProjectBackground["sources"]>[number];
+
+/** A named set of entities; see `GROUP_KINDS`. */
+export type ProjectGroup = NonNullable<Project["groups"]>[number];
+/** A named number that expressions use. */
+export type ProjectParameter = NonNullable<Project["parameters"]>[number];
+/** What a number of an entity is computed from. The entity has the value, so that only editors evaluate expressions. */
+export type ProjectExpression = NonNullable<Project["expressions"]>[number];
 
 /** The id of a point; positive, unique among points. */
 export type PointId = number;
