@@ -53,6 +53,7 @@ const PACKAGE = [
   ["calls"],
   ["mesh", "cad"],
   ["formats", "project"],
+  ["trace"],
   ["engine"],
   ["api"],
   ["cli"],

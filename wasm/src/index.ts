@@ -65,6 +65,28 @@ export type { LengthOptions } from "./formats/units.js";
 export type { SurfaceFile } from "./formats/surface-file.js";
 export { unusedData, volumeBackground } from "./api/volume-background.js";
 export type { VolumeFile } from "./formats/volume-file.js";
+export { readTrace } from "./trace/read-trace.js";
+export type { Trace, TraceSummary } from "./trace/trace.js";
+export type { TraceHeader } from "./trace/header.js";
+export type { TracedFront } from "./trace/replay.js";
+export type { TracedMesh } from "./trace/final-mesh.js";
+export type { Lifetimes, TraceElements, TraceFaces, TraceNodes, TraceSteps } from "./trace/trace-columns.js";
+export type {
+  AdvanceStep,
+  RecoveryStep,
+  StepChanges,
+  TracedCandidate,
+  TracePosition,
+  TraceStep,
+} from "./trace/trace-step.js";
+export {
+  FRONT_CHANGES,
+  type FrontChange,
+  type Refusal,
+  REFUSALS,
+  TRACE_STATUSES,
+  type TraceStatus,
+} from "./trace/layout.js";
 export { backgroundArrays, projectBackground } from "./project/grid-arrays.js";
 export {
   type EdgeLengths,

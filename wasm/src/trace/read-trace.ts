@@ -1,0 +1,83 @@
+/** Reading of trace files (docs/TRACE.md). */
+import { isA } from "../base/values.js";
+import type { ReadResult } from "../diagnostics/read-error.js";
+import { ReadFailure, readSafely } from "../formats/read-result.js";
+import { parseHeader, type TraceHeader } from "./header.js";
+import { MAGIC, TRACE_VERSION } from "./layout.js";
+import { Replay } from "./replay.js";
+import { Trace } from "./trace.js";
+import { TraceCursor } from "./trace-cursor.js";
+
+/** More bytes cannot be addressed by 32 bits. */
+const MAX_BYTES = 0xffffffff;
+
+/**
+ * Reads a trace, checks every event and returns it with all its states. Of a damaged file, the error names the byte. The
+ * trace keeps `bytes`; do not change them. O(bytes); about 100 bytes of memory per step.
+ *
+ *     const trace = readTrace(await readFile("cube.tft"));
+ *     if (trace.success) console.log(trace.value.stepAt(1));
+ */
+export function readTrace(bytes: Uint8Array): ReadResult<Trace> {
+  return readSafely(() => traceIn(bytes));
+}
+
+function traceIn(bytes: Uint8Array): Trace {
+  if (!isA("Uint8Array", bytes)) {
+    throw new ReadFailure({
+      code: "invalid-argument",
+      message: "the bytes of the trace are no Uint8Array",
+      remedy: "Pass the content of a trace file.",
+    });
+  }
+  if (bytes.length > MAX_BYTES) {
+    throw new ReadFailure({
+      code: "too-large-file",
+      message: "the trace has more than 4 GB",
+      remedy: "Record a coarser mesh.",
+    });
+  }
+  const cursor = new TraceCursor(bytes);
+  const header = readHeader(cursor);
+  const replay = new Replay(cursor, header.nodes);
+  while (replay.next());
+  if (replay.steps.count !== header.steps)
+    cursor.fail(`the header has ${header.steps} steps, but the trace has ${replay.steps.count}`);
+  const passes = replay.passes.map(({ nodeOf, elementOf }) => ({
+    nodes: nodeOf.copy(header.nodes),
+    elements: elementOf.copy(),
+  }));
+  const lists = { boundaryNodes: header.nodes, passes };
+  const columns = [
+    replay.nodes.taken(),
+    replay.faces.taken(),
+    replay.elements.taken(),
+    replay.steps.taken(),
+  ] as const;
+  return new Trace(bytes, header, ...columns, replay.fronts, lists);
+}
+
+function readHeader(cursor: TraceCursor): TraceHeader {
+  if (cursor.ahead === 0) {
+    const remedy = "Choose a trace file.";
+    throw new ReadFailure({ code: "empty-file", message: "the file is empty", remedy, offset: 0 });
+  }
+  const isTrace = cursor.ahead > MAGIC.length && textOf(cursor.bytes(MAGIC.length)) === MAGIC;
+  if (!isTrace) {
+    const remedy = "Choose a file that was written by `tetrafront trace` or recorded in the app.";
+    throw new ReadFailure({ message: "byte 0: this is no trace of a front", remedy, offset: 0 });
+  }
+  const version = cursor.byte();
+  if (version !== TRACE_VERSION) {
+    const remedy = "Use the version of Tetrafront that recorded the trace, or record it again.";
+    const offset = MAGIC.length;
+    const message = `byte ${offset}: version ${version} of the format is not known`;
+    throw new ReadFailure({ code: "malformed-file", message, remedy, offset });
+  }
+  const length = cursor.count("bytes of the header", 1);
+  const begin = cursor.at;
+  const parsed = parseHeader(textOf(cursor.bytes(length)));
+  return "header" in parsed ? parsed.header : cursor.fail(parsed.problem, begin);
+}
+
+const textOf = (bytes: Uint8Array): string => new TextDecoder().decode(bytes);
