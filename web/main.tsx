@@ -5,7 +5,7 @@ import "@mantine/core/styles.layer.css";
 import "@mantine/spotlight/styles.layer.css";
 import { MantineProvider } from "@mantine/core";
 import { createRoot } from "react-dom/client";
-import { createApp, type Intent } from "./app/create-app";
+import { createApp, type Intent, type Start } from "./app/create-app";
 import { offerLeftDocument } from "./commands/project-actions";
 import type { DrawnKind } from "./document/entities";
 import { Page } from "./panels/page/page";
@@ -19,20 +19,26 @@ const still = query.get("test") === "1";
 const app = await createApp({
   autosave: "main",
   generate: true,
-  intent: intentOf(query.get("model")),
+  intent: intentOf(query),
   still,
 });
 
 offerLeftDocument(app);
 
 /**
- * The address selects the document to open, but a reload continues with the document as it was before the
- * reload.
+ * The address selects the document to open, `model=ID` or `new=1`, but a reload continues with the document as it was
+ * before the reload.
  */
-function intentOf(model: string | null): Intent {
+function intentOf(query: URLSearchParams): Intent {
   const [navigation] = performance.getEntriesByType("navigation") as PerformanceNavigationTiming[];
-  const isNew = navigation?.type === "navigate";
-  return model !== null && isNew ? { kind: "model", id: model } : { kind: "continue", otherwise: model };
+  const start = startOf(query);
+  return start && navigation?.type === "navigate" ? start : { kind: "continue", otherwise: start };
+}
+
+function startOf(query: URLSearchParams): Start | null {
+  if (query.get("new") === "1") return { kind: "new" };
+  const model = query.get("model");
+  return model === null ? null : { kind: "model", id: model };
 }
 
 if (still) {

@@ -25,7 +25,7 @@ async function openEmpty(app: AppPage): Promise<void> {
 
 /** Adds points through the dialog, with the keyboard. */
 async function addPoints(page: Page, positions: readonly (readonly number[])[]): Promise<void> {
-  await page.keyboard.press("p");
+  await page.keyboard.press("Shift+P");
   const dialog = page.getByRole("dialog", { name: "New point" });
   await expect(dialog.getByTestId("new-x")).toBeFocused();
   for (const position of positions) {
@@ -131,7 +131,7 @@ for (const button of ["add", "add-next"]) {
   test(`a new point is not added with the button ${button} while a number is invalid`, async ({ page }) => {
     const app = new AppPage(page);
     await app.openCube();
-    await page.keyboard.press("p");
+    await page.keyboard.press("Shift+P");
     const dialog = page.getByRole("dialog", { name: "New point" });
     for (const field of ["new-x", "new-y", "new-z"]) {
       const input = dialog.getByTestId(field);

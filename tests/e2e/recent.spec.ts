@@ -161,6 +161,26 @@ test("the address selects the project, and a reload keeps the changes to it", as
   await expect(dialog.getByRole("listitem")).toHaveText([/^my plate/, /^my cube/]);
 });
 
+test("the address ?new=1 opens an empty project, and a reload keeps what was drawn in it", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await renameProject(page, "my cube");
+  await kept(app);
+  await page.goto("./?test=1&new=1");
+  await expect(projectName(page)).toHaveValue("Untitled");
+  await expect(page.getByTestId("notice-document-left")).toContainText("“my cube” is available");
+  for (const kind of ["points", "lines", "patches"]) {
+    await expect(app.viewport).toHaveAttribute(`data-${kind}`, "0");
+  }
+  await expect(app.viewport).toHaveAttribute("data-status", "none");
+  await renameProject(page, "my drawing");
+  await kept(app);
+  await page.reload();
+  await expect(projectName(page)).toHaveValue("my drawing");
+});
+
 test("a failed autosave is reported and repeated, and the notice disappears when it succeeds", async ({
   page,
 }) => {

@@ -1,5 +1,6 @@
 import { createMesher, type Project } from "tetrafront";
 import { emptyProject } from "../document/create";
+import { isEmptyProject } from "../document/entities";
 import { DocumentLibrary, type LockedDocument } from "../session/document-library";
 import { BrowserLocks } from "../session/document-locks";
 import { BrowserStorage } from "../session/document-storage";
@@ -13,13 +14,15 @@ import { App } from "./app";
 /** What a new app shows first. */
 export type Intent =
   /**
-   * The document that this tab had before a reload, or the document used last; if there is none, a model of
-   * the gallery.
+   * The document that this tab had before a reload, or the document used last; if there is none, another one: null
+   * for the opening model of the gallery.
    */
-  | { readonly kind: "continue"; readonly otherwise: string | null }
-  /** A model of the gallery, whatever was open before. */
-  | { readonly kind: "model"; readonly id: string }
+  | { readonly kind: "continue"; readonly otherwise: Start | null }
+  | Start
   | { readonly kind: "project"; readonly project: Project };
+
+/** A document that does not depend on what was open before: a model of the gallery, or an empty project. */
+export type Start = { readonly kind: "model"; readonly id: string } | { readonly kind: "new" };
 
 export interface AppOptions {
   /**
@@ -58,7 +61,8 @@ export async function createApp({ autosave, generate, intent, still = false }: A
     noteFailure(error);
     return { document: newDocument(emptyProject()) };
   });
-  const left = known.kind === "model" ? ((await library?.unsaved().catch(() => null)) ?? null) : null;
+  const replaces = known.kind === "model" || known.kind === "new";
+  const left = replaces ? ((await library?.unsaved().catch(() => null)) ?? null) : null;
 
   const app = new App({ first, mesher, previewMesher, library }, { gallery, generate, still, left });
   if (failures.length > 0) {
@@ -68,7 +72,7 @@ export async function createApp({ autosave, generate, intent, still = false }: A
     app.shell.setState({ message: { title: strings.messages.unknownExample(intent.id), lines } });
   }
   keepDocuments(app);
-  if (generate) void app.run.generate("app");
+  if (generate && !isEmptyProject(first.document.history.present.project)) void app.run.generate("app");
   return app;
 }
 
@@ -89,10 +93,11 @@ async function firstDocument(
     const resumed = await library?.resume().catch(() => null);
     if (resumed) return resumed;
   }
-  const id = (intent.kind === "model" ? intent.id : intent.otherwise) ?? gallery.opening;
+  const start = intent.kind === "continue" ? intent.otherwise : intent;
+  if (start?.kind === "new") return { document: newDocument(emptyProject()) };
   const model =
-    gallery.models.find((model) => model.id === id) ??
-    gallery.models.find((model) => model.id === gallery.opening);
+    gallery.models.find(({ id }) => id === start?.id) ??
+    gallery.models.find(({ id }) => id === gallery.opening);
   return { document: newDocument(model ? await loadModel(model) : emptyProject()) };
 }
 

@@ -45,8 +45,12 @@ const patchMaker = (type: PatchType | null, key: string | null): Maker => ({
   offer: (project, selection) => offerPatch(project, selection, type),
 });
 
+export const straightMaker = lineMaker("straight", "shift+L");
+/** Makes a patch of the most likely type. */
+export const anyPatchMaker = patchMaker(null, "shift+A");
+
 export const lineMakers: readonly Maker[] = [
-  lineMaker("straight", "L"),
+  straightMaker,
   lineMaker("parabolic", "Q"),
   lineMaker("spline", "S"),
   {
@@ -60,7 +64,7 @@ export const lineMakers: readonly Maker[] = [
 ];
 
 export const patchMakers: readonly Maker[] = [
-  patchMaker(null, "A"),
+  anyPatchMaker,
   patchMaker("planar", null),
   patchMaker("coons", null),
   patchMaker("isoparametric-triangle", null),
@@ -132,21 +136,21 @@ export const sourceMakers: readonly Maker[] = [
 ];
 
 export const createMenu: readonly Command[] = [
-  define("create", 0)(
+  define("create", 1)(
     "new-point",
     commandLabels.newPoint,
     (app) => app.shell.setState({ dialog: "new-point" }),
     {
-      keys: ["P"],
+      keys: ["shift+P"],
     },
   ),
-  ...lineMakers.map((maker) => commandOf(maker, 1)),
-  ...patchMakers.map((maker) => commandOf(maker, 2)),
-  commandOf(holeMaker, 2),
-  define("create", 3)("new-node", commandLabels.newNode, (app) => app.shell.setState({ dialog: "new-node" })),
-  commandOf(tetrahedronMaker, 3),
+  ...lineMakers.map((maker) => commandOf(maker, 2)),
+  ...patchMakers.map((maker) => commandOf(maker, 3)),
+  commandOf(holeMaker, 3),
+  define("create", 4)("new-node", commandLabels.newNode, (app) => app.shell.setState({ dialog: "new-node" })),
+  commandOf(tetrahedronMaker, 4),
   ...(["point", "segment", "triangle"] as const).map((type) =>
-    define("create", 4)(`source-${type}`, commandLabels.sources[type], (app) =>
+    define("create", 5)(`source-${type}`, commandLabels.sources[type], (app) =>
       create(app, addSource(app.documents.project, app.view.state.getState().selection, type)),
     ),
   ),

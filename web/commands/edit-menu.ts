@@ -8,6 +8,14 @@ import { mergeableBody, mergeSelectedPatches } from "./surface-actions";
 const past = (app: App) => app.documents.state.getState().history.past;
 const future = (app: App) => app.documents.state.getState().history.future;
 
+const hasTool = (app: App): boolean => app.view.state.getState().tool !== "select";
+
+/** Puts the tool away; without one, clears the selection. */
+function putAway(app: App): void {
+  if (hasTool(app)) app.view.setTool("select");
+  else app.view.clear();
+}
+
 export const editMenu: readonly Command[] = [
   define("edit", 0)(
     "undo",
@@ -34,8 +42,8 @@ export const editMenu: readonly Command[] = [
   define("edit", 1)("merge-patches", commandLabels.mergePatches, (app) => void mergeSelectedPatches(app), {
     enabled: (app) => mergeableBody(app.documents.project, app.view.state.getState().selection) !== undefined,
   }),
-  define("edit", 1)("deselect", commandLabels.deselect, (app) => app.view.clear(), {
+  define("edit", 1)("deselect", commandLabels.deselect, putAway, {
     keys: ["Escape"],
-    enabled: (app) => hasSelection(app) || hasHighlight(app),
+    enabled: (app) => hasSelection(app) || hasHighlight(app) || hasTool(app),
   }),
 ];

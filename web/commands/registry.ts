@@ -6,12 +6,14 @@ import { editMenu } from "./edit-menu";
 import { fileMenu } from "./file-menu";
 import { helpMenu } from "./help-menu";
 import { meshMenu } from "./mesh-menu";
+import { toolCommands } from "./tool-commands";
 import { viewMenu } from "./view-menu";
 
 /** Every command, in the order of the menus. */
 export const commands: readonly Command[] = [
   ...fileMenu,
   ...editMenu,
+  ...toolCommands,
   ...createMenu,
   ...viewMenu,
   ...meshMenu,
@@ -19,6 +21,9 @@ export const commands: readonly Command[] = [
 ];
 
 const byId = new Map(commands.map((command) => [command.id, command]));
+
+/** Returns whether there is a command with an id. */
+export const hasCommand = (id: string): boolean => byId.has(id);
 
 /** Returns the command with an id; throws if there is none. */
 export function commandNamed(id: string): Command {

@@ -3,6 +3,7 @@ import type { Brush } from "./brush";
 import type { QualitySpace } from "./mesh-quality";
 import { entityKey, sameEntity, type Entity } from "./entities";
 import type { Position } from "./position";
+import type { ToolName } from "./tools";
 
 /** The state of the view, which undo does not change: selection, visibility, cut, shading. */
 
@@ -43,6 +44,7 @@ export interface ViewState {
   /** Where the quality of a stretched mesh is measured, wherever the page shows it. */
   readonly qualitySpace: QualitySpace;
   readonly edges: boolean;
+  readonly tool: ToolName;
   /** The brush with which the left button paints sizes; null if it selects. */
   readonly brush: Brush | null;
   /** What the handles in the view do; null without handles. */
@@ -73,6 +75,7 @@ const initialView: ViewState = {
   shading: "radius-ratio",
   qualitySpace: "metric",
   edges: true,
+  tool: "select",
   brush: null,
   moving: null,
   several: false,
@@ -171,15 +174,20 @@ export class ViewStore {
     if (!sameEntity(hover, this.state.getState().hover)) this.state.setState({ hover });
   }
 
+  /** Takes a tool, and puts the brush and the handles of a body away. */
+  setTool(tool: ToolName): void {
+    this.state.setState({ tool, brush: null, moving: null });
+  }
+
   /** Takes a brush, or puts it away. */
   setBrush(brush: Brush | null): void {
-    this.state.setState({ brush, moving: null });
+    this.state.setState({ brush, moving: null, tool: "select" });
     if (brush) this.setLayer("sources", true);
   }
 
   /** Shows handles that move or rotate a body, or hides them. */
   setMoving(moving: Moving | null): void {
-    this.state.setState({ moving, brush: null });
+    this.state.setState({ moving, brush: null, tool: "select" });
   }
 
   setLayer(layer: Layer, visible: boolean): void {
@@ -240,6 +248,7 @@ export class ViewStore {
       ...nothingMarked,
       hidden: new Set(),
       hiddenRegions: new Set(),
+      tool: "select",
       brush: null,
       moving: null,
       several: false,

@@ -19,7 +19,15 @@ export const commandLabels = {
   deselect: "Clear selection",
   mergePatches: "Merge selected patches of a body",
 
-  newPoint: "Point…",
+  tools: {
+    select: "Select",
+    point: "Draw points",
+    line: "Draw lines",
+    patch: "Draw patches",
+    move: "Move",
+    measure: "Measure",
+  },
+  newPoint: "Point by coordinates…",
   newNode: "Background node…",
   lines: {
     straight: "Straight line through points",

@@ -22,6 +22,8 @@ export const pageStrings = {
   },
   viewport: {
     label: "Three-dimensional view",
+    tools: "Tools",
+    pieces: "Create",
     roles: "Roles of the selected patch's lines in equation (14) of the paper",
     stale: "Out of date",
     staleHint: "The model has changed since this mesh was made.",

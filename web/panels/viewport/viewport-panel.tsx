@@ -1,24 +1,19 @@
-import { useEffect, useRef, useState, type KeyboardEvent } from "react";
+import { useRef, useState, type KeyboardEvent } from "react";
 import { describeMesh } from "./mesh-summary";
 import { strings } from "../../strings";
 import { navigate } from "../../tools/navigation-keys";
 import type { Hover } from "../../tools/select-tool";
 import type { Viewer } from "../../viewer/viewer";
-import {
-  useAutosavePending,
-  useProject,
-  useQualitySpace,
-  useRun,
-  useStale,
-  useView,
-} from "../shared/app-context";
+import { useProject, useQualitySpace, useRun, useStale, useView } from "../shared/app-context";
 import { HoverLabel } from "./hover-label";
 import { Legend } from "./legend";
 import { PatchRoleLabels } from "./patch-role-labels";
 import { PositionMarker, ProblemMarkers } from "./problem-markers";
 import { CutBar, MeshBadge, MouseHint, ViewNotice } from "./viewport-overlays";
 import type { Layout } from "../shared/use-layout";
+import { ToolColumn } from "./tool-column";
 import { useViewer } from "./use-viewer";
+import { ViewState } from "./view-state";
 import styles from "./viewport-panel.module.css";
 
 /** The canvas with the labels, markers and controls above it. */
@@ -38,6 +33,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
         {hover && <HoverLabel hover={hover} />}
       </div>
       {trouble && <ViewNotice trouble={trouble} />}
+      <ToolColumn />
       <CutBar />
       <MeshBadge />
       {!trouble && <Legend />}
@@ -80,28 +76,4 @@ function ViewCanvas({ canvas, viewer }: ViewCanvasProps) {
       onKeyDown={onKeyDown}
     />
   );
-}
-
-/** Copies the state of the mesh to attributes of the viewport element, for tests. */
-function ViewState({ container }: { readonly container: React.RefObject<HTMLDivElement | null> }) {
-  const mesh = useRun((state) => state.mesh);
-  const busy = useRun((state) => state.busy);
-  const front = useRun((state) => state.progress?.frontFaces ?? (state.mesh?.volume.front.length ?? 0) / 3);
-  const drawnFront = useRun((state) => state.front && state.front.length / 9);
-  const stale = useStale();
-  const pending = useAutosavePending();
-  useEffect(() => {
-    const data = container.current?.dataset;
-    if (!data) return;
-    data["tets"] = String(mesh?.report.tetrahedra ?? 0);
-    data["status"] = mesh?.report.status ?? "none";
-    data["fingerprint"] = mesh?.report.fingerprint ?? "";
-    data["front"] = String(front);
-    if (drawnFront === null) delete data["frontDrawn"];
-    else data["frontDrawn"] = String(drawnFront);
-    data["stale"] = String(stale);
-    data["busy"] = String(busy);
-    data["autosaved"] = String(!pending);
-  }, [container, mesh, front, drawnFront, stale, busy, pending]);
-  return null;
 }

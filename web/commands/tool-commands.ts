@@ -1,0 +1,40 @@
+import type { App } from "../app/app";
+import type { ToolName } from "../document/tools";
+import { commandLabels } from "../strings";
+import { define, type Command, type MenuName } from "./command";
+import { anyPatchMaker, createFrom, straightMaker, type Maker } from "./create-menu";
+
+const tool = (menu: MenuName, section: number, name: ToolName, key: string, run: (app: App) => void) =>
+  define(menu, section)(`tool-${name}`, commandLabels.tools[name], run, {
+    keys: [key],
+    checked: (app) => app.view.state.getState().tool === name,
+  });
+
+const take =
+  (name: ToolName) =>
+  (app: App): void =>
+    app.view.setTool(name);
+
+/**
+ * Creates from the selection, or shows what else to select, if at least two of the entities that the maker needs are
+ * selected, or a single one that suffices; otherwise takes the tool that draws the same.
+ */
+const createOrTake =
+  (name: ToolName, maker: Maker) =>
+  (app: App): void => {
+    const { tool, selection } = app.view.state.getState();
+    const fits = selection.length > 0 && selection.every(({ kind }) => kind === maker.from);
+    const isMeant = fits && (selection.length > 1 || maker.offer(app.documents.project, selection).possible);
+    if (tool === "select" && isMeant) createFrom(app, maker);
+    else app.view.setTool(name);
+  };
+
+/** The tools of the view. Their buttons take them whatever is selected. */
+export const toolCommands: readonly Command[] = [
+  tool("edit", 2, "select", "V", take("select")),
+  tool("edit", 2, "move", "G", take("move")),
+  tool("edit", 2, "measure", "M", take("measure")),
+  tool("create", 0, "point", "P", take("point")),
+  tool("create", 0, "line", "L", createOrTake("line", straightMaker)),
+  tool("create", 0, "patch", "A", createOrTake("patch", anyPatchMaker)),
+];

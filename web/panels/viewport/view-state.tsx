@@ -1,0 +1,45 @@
+import { useEffect, type RefObject } from "react";
+import {
+  useAutosavePending,
+  useProblems,
+  useProject,
+  useRun,
+  useStale,
+  useView,
+} from "../shared/app-context";
+
+/** Copies the state of the model, the mesh and the tools to attributes of the viewport element, for tests. */
+export function ViewState({ container }: { readonly container: RefObject<HTMLDivElement | null> }) {
+  const mesh = useRun((state) => state.mesh);
+  const busy = useRun((state) => state.busy);
+  const front = useRun((state) => state.progress?.frontFaces ?? (state.mesh?.volume.front.length ?? 0) / 3);
+  const drawnFront = useRun((state) => state.front && state.front.length / 9);
+  const stale = useStale();
+  const pending = useAutosavePending();
+  const { points, lines, patches } = useProject();
+  const problems = useProblems((state) => state.problems.length);
+  const tool = useView((state) => state.tool);
+  useEffect(() => {
+    const data = container.current?.dataset;
+    if (!data) return;
+    data["tets"] = String(mesh?.report.tetrahedra ?? 0);
+    data["status"] = mesh?.report.status ?? "none";
+    data["fingerprint"] = mesh?.report.fingerprint ?? "";
+    data["front"] = String(front);
+    if (drawnFront === null) delete data["frontDrawn"];
+    else data["frontDrawn"] = String(drawnFront);
+    data["stale"] = String(stale);
+    data["busy"] = String(busy);
+    data["autosaved"] = String(!pending);
+  }, [container, mesh, front, drawnFront, stale, busy, pending]);
+  useEffect(() => {
+    const data = container.current?.dataset;
+    if (!data) return;
+    data["points"] = String(points.length);
+    data["lines"] = String(lines.length);
+    data["patches"] = String(patches.length);
+    data["problems"] = String(problems);
+    data["tool"] = tool;
+  }, [container, points, lines, patches, problems, tool]);
+  return null;
+}
