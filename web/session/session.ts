@@ -12,6 +12,7 @@ import {
   type OpenDocument,
   type ProjectFile,
 } from "./document-store";
+import { Operations } from "./operations";
 import { PreviewFeed } from "./preview";
 import { ProblemList } from "./problems";
 import { MeshRun, regionCount } from "./run";
@@ -32,6 +33,7 @@ export interface SessionOptions {
 export class Session {
   readonly documents: DocumentStore;
   readonly view = new ViewStore();
+  readonly operations: Operations;
   readonly run: MeshRun;
   readonly previews: PreviewFeed;
   readonly bodies: BodyFeed;
@@ -43,6 +45,7 @@ export class Session {
     this.documents = new DocumentStore(document.history.present.project);
     this.documents.show(document);
     library?.keepOpen(document.id, release);
+    this.operations = new Operations(this.documents, this.view);
     this.bodies = new BodyFeed(this.documents, previewMesher);
     this.run = new MeshRun(this.documents, mesher, (project) => this.bodies.preparations.allOf(project));
     this.previews = new PreviewFeed(this.documents, previewMesher);

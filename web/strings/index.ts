@@ -1,14 +1,16 @@
 import { bodyStrings } from "./bodies";
 import { problemTitle } from "./mesh";
 import { pageStrings } from "./page";
+import { pieceStrings } from "./pieces";
 import { panelStrings } from "./panels";
 
 /** All texts that a user reads. The package words diagnostics and errors of files. */
-export const strings = { ...pageStrings, ...panelStrings, bodies: bodyStrings, problemTitle } as const;
+export const strings = { ...pageStrings, ...panelStrings, bodies: bodyStrings, pieces: pieceStrings, problemTitle } as const;
 
 export { bodyStepNames } from "./bodies";
 export * from "./commands";
 export * from "./edits";
 export * from "./entities";
 export * from "./mesh";
+export { operationStrings } from "./operations";
 export { remedyInApp } from "./remedies";

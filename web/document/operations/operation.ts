@@ -1,0 +1,73 @@
+import type { Project } from "tetrafront";
+import type { Offer } from "../create";
+import type { Entity } from "../entities";
+import type { Position } from "../position";
+
+/**
+ * Operations that add or change many entities by a few values, for example a box by its width, depth and height. A panel
+ * shows a field per value, and the view shows what the values give until the user accepts it.
+ */
+
+export type FieldValue = number | string | boolean | Position;
+
+/** The values of the fields, by key. */
+export type FieldValues = Readonly<Record<string, FieldValue>>;
+
+interface FieldBase {
+  readonly key: string;
+  readonly label: string;
+}
+
+export interface NumberSpec extends FieldBase {
+  readonly kind: "number";
+  readonly unit: "length" | "degrees" | null;
+  /** Whole numbers only. */
+  readonly whole?: boolean;
+  /** Returns why a number is invalid; null if it is valid. */
+  readonly refuse?: (value: number) => string | null;
+}
+
+export interface PositionSpec extends FieldBase {
+  readonly kind: "position";
+}
+
+/** A direction: an axis of coordinates, or any other. */
+export interface DirectionSpec extends FieldBase {
+  readonly kind: "direction";
+}
+
+export interface ChoiceSpec extends FieldBase {
+  readonly kind: "choice";
+  readonly choices: readonly { readonly value: string; readonly label: string }[];
+}
+
+export interface SwitchSpec extends FieldBase {
+  readonly kind: "switch";
+}
+
+export type FieldSpec = NumberSpec | PositionSpec | DirectionSpec | ChoiceSpec | SwitchSpec;
+
+/** What the values of an operation apply to. */
+export interface Subject {
+  readonly project: Project;
+  /** In the order of selection. */
+  readonly selection: readonly Entity[];
+}
+
+/** An operation with its fields. `Values` is a type of the same keys as the fields. */
+export interface Operation<Values extends FieldValues = FieldValues> {
+  readonly id: string;
+  readonly title: string;
+  /** Name of the step of undo. */
+  readonly step: string;
+  /** Label of the button that accepts the result. */
+  readonly action: string;
+  /** Whether the operation applies to selected entities. It then follows the selection while its panel is open. */
+  readonly usesSelection: boolean;
+  /** The values at first. */
+  initial(subject: Subject): Values;
+  /** The fields to show, which may depend on the values. */
+  fields(values: Values, subject: Subject): readonly FieldSpec[];
+  /** What the values give. */
+  make(subject: Subject, values: Values): Offer;
+}

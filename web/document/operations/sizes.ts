@@ -1,0 +1,55 @@
+import type { Project } from "tetrafront";
+import type { DocumentContent } from "../edit";
+import type { DraftChange } from "../edit";
+import { rangeAlong } from "../extent";
+
+/** Extents of new pieces and their elements: round numbers that fit the model. */
+
+/** Extent of a new piece / extent of the model. */
+const pieceShare = 0.5;
+/** Size of the elements of a new model / its extent. */
+const elementShare = 0.1;
+
+/** Returns a number rounded down to 1, 2 or 5 times a power of ten. */
+function roundNumber(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(value));
+  const factor = [5, 2, 1].find((digit) => digit * power <= value * (1 + 1e-12)) ?? 1;
+  return Number((factor * power).toPrecision(6));
+}
+
+/** Returns the largest extent of the drawn points along an axis; 0 without any. */
+export function extentOf(points: readonly { readonly position: readonly number[] }[]): number {
+  if (points.length === 0) return 0;
+  return Math.max(
+    ...[0, 1, 2].map((axis) => {
+      const [low, high] = rangeAlong(points, axis);
+      return high - low;
+    }),
+  );
+}
+
+/** Returns an extent for a new piece: 1 in an empty project. */
+export function pieceExtent({ points, background }: Project): number {
+  const extent = extentOf(points.length > 0 ? points : background.nodes);
+  return extent > 0 ? roundNumber(pieceShare * extent) : 1;
+}
+
+/** Returns whether a project says how large its elements are. */
+export function hasSizes({ meshing, background }: Project): boolean {
+  return meshing?.size !== undefined || background.tetrahedra.length > 0;
+}
+
+/** Returns a change that also gives the project a uniform size if it has no sizes, so that it can be meshed at once. */
+export function withSizes(
+  project: Project,
+  { change }: DraftChange<DocumentContent>,
+): DraftChange<DocumentContent> {
+  if (hasSizes(project)) return { change };
+  return {
+    change: (draft) => {
+      change(draft);
+      const extent = extentOf(draft.project.points);
+      if (extent > 0) draft.project.meshing = { ...draft.project.meshing, size: roundNumber(elementShare * extent) };
+    },
+  };
+}

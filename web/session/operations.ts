@@ -1,0 +1,97 @@
+import { createStore, type StoreApi } from "zustand/vanilla";
+import { findRecord, type Entity } from "../document/entities";
+import type { FieldValue, FieldValues, Operation, Subject } from "../document/operations/operation";
+import type { ViewStore } from "../document/selection";
+import { settledProject, type DocumentStore, type Gesture } from "./document-store";
+
+/** An operation whose panel is open. */
+export interface OpenOperation {
+  readonly operation: Operation;
+  readonly values: FieldValues;
+  /** The project without the operation, and the selection in it. */
+  readonly subject: Subject;
+  /** Why the values give nothing; null if the view shows what they give. */
+  readonly reason: string | null;
+  /** What the values give. */
+  readonly entities: readonly Entity[];
+}
+
+export interface OperationState {
+  readonly open: OpenOperation | null;
+}
+
+/**
+ * Shows what an operation gives while the user changes its values: a gesture of the document, which is one step of undo
+ * when it is accepted. Whatever else ends the gesture, for example undo or another edit, closes the operation.
+ */
+export class Operations {
+  readonly state: StoreApi<OperationState> = createStore<OperationState>(() => ({ open: null }));
+  readonly #documents: DocumentStore;
+  readonly #view: ViewStore;
+  #gesture: Gesture | null = null;
+
+  constructor(documents: DocumentStore, view: ViewStore) {
+    this.#documents = documents;
+    this.#view = view;
+    documents.state.subscribe(({ gestureStart }, before) => {
+      if (gestureStart !== before.gestureStart && before.gestureStart !== null) this.#close();
+    });
+    view.state.subscribe(({ selection }, before) => {
+      const { open } = this.state.getState();
+      if (open?.operation.usesSelection === true && selection !== before.selection) this.#follow(open, selection);
+    });
+  }
+
+  /** Opens an operation with its first values, instead of the one that is open. */
+  start(operation: Operation): void {
+    this.cancel();
+    const { selection } = this.#view.state.getState();
+    const subject = { project: this.#documents.project, selection };
+    this.#gesture = this.#documents.begin(operation.step);
+    const project = settledProject(this.#documents.state.getState());
+    this.#show(operation, operation.initial({ ...subject, project }), { ...subject, project });
+  }
+
+  /** Changes a value of the open operation. */
+  set(key: string, value: FieldValue): void {
+    const { open } = this.state.getState();
+    if (open) this.#show(open.operation, { ...open.values, [key]: value }, open.subject);
+  }
+
+  /** Accepts what the open operation gives, and selects it. Returns false if it gives nothing. */
+  accept(): boolean {
+    const { open } = this.state.getState();
+    if (!open || open.reason !== null) return false;
+    const gesture = this.#gesture;
+    this.#close();
+    gesture?.commit();
+    this.#view.selectAll(open.entities);
+    return true;
+  }
+
+  /** Closes the open operation and restores the project. */
+  cancel(): void {
+    const gesture = this.#gesture;
+    this.#close();
+    gesture?.cancel();
+  }
+
+  #close(): void {
+    this.#gesture = null;
+    if (this.state.getState().open) this.state.setState({ open: null });
+  }
+
+  #follow({ operation, values, subject }: OpenOperation, selection: readonly Entity[]): void {
+    // The view also shows what the operation adds.
+    const existing = selection.filter(({ kind, id }) => findRecord(subject.project, kind, id) !== undefined);
+    this.#show(operation, values, { ...subject, selection: existing });
+  }
+
+  #show(operation: Operation, values: FieldValues, subject: Subject): void {
+    const offer = operation.make(subject, values);
+    const entities = offer.possible ? offer.creation.entities : [];
+    const reason = offer.possible ? null : offer.reason;
+    this.state.setState({ open: { operation, values, subject, reason, entities } });
+    this.#gesture?.update(offer.possible ? offer.creation.edit : { change: () => undefined });
+  }
+}

@@ -1,0 +1,14 @@
+/** Names of the patches of new solid pieces. */
+const patches = {
+  bottom: "bottom",
+  top: "top",
+  front: "front",
+  back: "back",
+  left: "left",
+  right: "right",
+  side: "side",
+  numbered: (name: string, number: number) => `${name} ${number}`,
+} as const;
+
+/** Texts about solid pieces. */
+export const pieceStrings = { patches } as const;
