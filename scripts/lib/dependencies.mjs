@@ -75,7 +75,7 @@ const APP = [
 /** The folders of web/panels, in the same way. */
 const PANELS = [
   ["shared"],
-  ["quality", "problems"],
+  ["quality", "problems", "operations"],
   ["bodies"],
   ["entities", "model", "files", "background", "viewport", "dialogs"],
   ["later"],

@@ -9,10 +9,12 @@ const past = (app: App) => app.documents.state.getState().history.past;
 const future = (app: App) => app.documents.state.getState().history.future;
 
 const hasTool = (app: App): boolean => app.view.state.getState().tool !== "select";
+const hasOperation = (app: App): boolean => app.operations.state.getState().open !== null;
 
-/** Puts the tool away; without one, clears the selection. */
-function putAway(app: App): void {
-  if (hasTool(app)) app.view.setTool("select");
+/** Cancels the open operation; without one, puts the tool away; without a tool, clears the selection. */
+function leaveLevel(app: App): void {
+  if (hasOperation(app)) app.operations.cancel();
+  else if (hasTool(app)) app.view.setTool("select");
   else app.view.clear();
 }
 
@@ -42,8 +44,8 @@ export const editMenu: readonly Command[] = [
   define("edit", 1)("merge-patches", commandLabels.mergePatches, (app) => void mergeSelectedPatches(app), {
     enabled: (app) => mergeableBody(app.documents.project, app.view.state.getState().selection) !== undefined,
   }),
-  define("edit", 1)("deselect", commandLabels.deselect, putAway, {
+  define("edit", 1)("deselect", commandLabels.deselect, leaveLevel, {
     keys: ["Escape"],
-    enabled: (app) => hasSelection(app) || hasHighlight(app) || hasTool(app),
+    enabled: (app) => hasSelection(app) || hasHighlight(app) || hasTool(app) || hasOperation(app),
   }),
 ];

@@ -7,6 +7,7 @@ import { fileMenu } from "./file-menu";
 import { helpMenu } from "./help-menu";
 import { meshMenu } from "./mesh-menu";
 import { toolCommands } from "./tool-commands";
+import { operationCommands } from "./operation-commands";
 import { viewMenu } from "./view-menu";
 
 /** Every command, in the order of the menus. */
@@ -15,6 +16,7 @@ export const commands: readonly Command[] = [
   ...editMenu,
   ...toolCommands,
   ...createMenu,
+  ...operationCommands,
   ...viewMenu,
   ...meshMenu,
   ...helpMenu,

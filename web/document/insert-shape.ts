@@ -53,13 +53,17 @@ export function insertion(project: Project, shape: Shape, { join }: InsertOption
   const lineIds = shape.lines.map((line) => lines.insert(line));
   const used = new Set(shape.lines.flatMap((line) => line.points));
   // A point without lines is wanted for itself.
-  const pointIds = shape.points.map((_, index) => (used.has(index) ? lines.knownId(index) : lines.idOf(index)));
+  const pointIds = shape.points.map((_, index) =>
+    used.has(index) ? lines.knownId(index) : lines.idOf(index),
+  );
   const patches: ProjectPatch[] = [];
   const known = new Map(join ? project.patches.map((patch) => [loopsKey(patch.loops), patch.id]) : []);
   const names = new Set(project.patches.flatMap(({ name }) => (name === undefined ? [] : [name])));
   const firstId = nextId(project, "patch");
   const patchIds = shape.patches.map(({ type, loops, name }) => {
-    const signed = loops.map((loop) => loop.map((step) => Math.sign(step) * (lineIds[Math.abs(step) - 1] ?? 0)));
+    const signed = loops.map((loop) =>
+      loop.map((step) => Math.sign(step) * (lineIds[Math.abs(step) - 1] ?? 0)),
+    );
     const shared = known.get(loopsKey(signed));
     if (shared !== undefined) return shared;
     const id = firstId + patches.length;
@@ -183,6 +187,6 @@ export function createShape(project: Project, shape: Shape, label: string, optio
   const made = insertion(project, shape, options);
   return {
     entities: mainEntities(made),
-    edit: { label, change: ({ project: draft }) => insertInto(draft as never, made) },
+    edit: { label, change: ({ project: draft }) => insertInto(draft, made) },
   };
 }

@@ -2,7 +2,13 @@ import type { LineType } from "tetrafront";
 import type { Position } from "./position";
 
 /** Identifies what two lines with the same course have in common: type and ends, in either direction. */
-export function lineKey({ type, points }: { readonly type: LineType; readonly points: readonly number[] }): string {
+export function lineKey({
+  type,
+  points,
+}: {
+  readonly type: LineType;
+  readonly points: readonly number[];
+}): string {
   const [from = 0, to = 0] = [points.at(0), points.at(-1)];
   return `${type} ${Math.min(from, to)} ${Math.max(from, to)}`;
 }

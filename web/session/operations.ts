@@ -38,7 +38,8 @@ export class Operations {
     });
     view.state.subscribe(({ selection }, before) => {
       const { open } = this.state.getState();
-      if (open?.operation.usesSelection === true && selection !== before.selection) this.#follow(open, selection);
+      if (open?.operation.usesSelection === true && selection !== before.selection)
+        this.#follow(open, selection);
     });
   }
 

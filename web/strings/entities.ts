@@ -27,6 +27,17 @@ export const entityNouns = {
   source: "source",
 } as const;
 
+/** Names of several entities of a kind within a sentence. */
+export const pluralNouns = {
+  point: "points",
+  line: "lines",
+  patch: "patches",
+  body: "bodies",
+  "body-patch": "patches",
+  "background-node": "background nodes",
+  source: "sources",
+} as const;
+
 export const lineTypeNames = {
   straight: "straight",
   parabolic: "parabola",

@@ -5,7 +5,13 @@ import { pieceStrings } from "./pieces";
 import { panelStrings } from "./panels";
 
 /** All texts that a user reads. The package words diagnostics and errors of files. */
-export const strings = { ...pageStrings, ...panelStrings, bodies: bodyStrings, pieces: pieceStrings, problemTitle } as const;
+export const strings = {
+  ...pageStrings,
+  ...panelStrings,
+  bodies: bodyStrings,
+  pieces: pieceStrings,
+  problemTitle,
+} as const;
 
 export { bodyStepNames } from "./bodies";
 export * from "./commands";

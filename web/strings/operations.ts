@@ -1,3 +1,8 @@
+import { entityNouns, pluralNouns } from "./entities";
+
+const countOf = (count: number, kind: keyof typeof entityNouns): string =>
+  `${count} ${count === 1 ? entityNouns[kind] : pluralNouns[kind]}`;
+
 /** Texts of the operations that add or change many entities by a few values. */
 export const operationStrings = {
   create: "Create",
@@ -6,7 +11,12 @@ export const operationStrings = {
   aboveZero: "Must be above 0.",
   wholeBetween: (min: number, max: number) => `A whole number from ${min} to ${max}.`,
   noDirection: "A direction must not be zero.",
-  preview: (count: number) => `Preview: ${count === 1 ? "1 patch" : `${count} patches`}`,
+  opens: (title: string) => `${title}…`,
+  /** What an operation gives: "6 patches". */
+  result: (entities: readonly { readonly kind: keyof typeof entityNouns }[]) =>
+    [...new Set(entities.map(({ kind }) => kind))]
+      .map((kind) => countOf(entities.filter((entity) => entity.kind === kind).length, kind))
+      .join(", "),
   fields: {
     width: "Width (x)",
     depth: "Depth (y)",

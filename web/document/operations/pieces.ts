@@ -39,7 +39,11 @@ const createPrism = pieceOperation({
   id: "create-prism",
   ...pieces.prism,
   sizes: (extent) => ({ sides: 6, radius: extent / 2, height: extent }),
-  fields: [count("sides", texts.sides, 3, 100), size("radius", texts.cornerRadius), size("height", texts.height)],
+  fields: [
+    count("sides", texts.sides, 3, 100),
+    size("radius", texts.cornerRadius),
+    size("height", texts.height),
+  ],
   middle: ({ height }) => height / 2,
   shape: ({ sides, radius, height }) => prism(sides, radius, height),
 });

@@ -49,7 +49,8 @@ export function withSizes(
     change: (draft) => {
       change(draft);
       const extent = extentOf(draft.project.points);
-      if (extent > 0) draft.project.meshing = { ...draft.project.meshing, size: roundNumber(elementShare * extent) };
+      if (extent > 0)
+        draft.project.meshing = { ...draft.project.meshing, size: roundNumber(elementShare * extent) };
     },
   };
 }

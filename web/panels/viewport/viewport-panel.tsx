@@ -12,6 +12,7 @@ import { PositionMarker, ProblemMarkers } from "./problem-markers";
 import { CutBar, MeshBadge, MouseHint, ViewNotice } from "./viewport-overlays";
 import type { Layout } from "../shared/use-layout";
 import { ToolColumn } from "./tool-column";
+import { OperationPanel } from "../operations/operation-panel";
 import { useViewer } from "./use-viewer";
 import { ViewState } from "./view-state";
 import styles from "./viewport-panel.module.css";
@@ -38,6 +39,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
       <MeshBadge />
       {!trouble && <Legend />}
       {layout !== "phone" && <MouseHint />}
+      <OperationPanel />
     </main>
   );
 }

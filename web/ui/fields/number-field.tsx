@@ -19,6 +19,8 @@ export interface NumberFieldProps {
   readonly rightSection?: ReactNode;
   readonly leftSectionWidth?: number;
   readonly testId?: string;
+  /** Also commit valid numbers while they are typed. */
+  readonly live?: boolean;
   /** This field of a dialog gets the focus first. */
   readonly first?: boolean;
 }
@@ -31,7 +33,7 @@ function stepOf(event: KeyboardEvent, step: number): number {
 }
 
 /** The text that is being typed into a number field; null if the field shows its value. */
-function useNumberDraft({ value, refuse, onCommit }: NumberFieldProps) {
+function useNumberDraft({ value, refuse, live = false, onCommit }: NumberFieldProps) {
   const [draft, setDraft] = useState<string | null>(null);
   const [error, setError] = useState<string | null>(null);
   const discard = (): void => {
@@ -53,7 +55,12 @@ function useNumberDraft({ value, refuse, onCommit }: NumberFieldProps) {
     discard();
     return true;
   };
-  return { draft, setDraft, error, discard, take, commit };
+  const type = (text: string): void => {
+    setDraft(text);
+    const typed = live ? readNumber(text) : null;
+    if (typed !== null && typed !== value && (refuse?.(typed) ?? null) === null) onCommit(typed);
+  };
+  return { draft, type, error, discard, take, commit };
 }
 
 /**
@@ -62,7 +69,7 @@ function useNumberDraft({ value, refuse, onCommit }: NumberFieldProps) {
  */
 export function NumberField(props: NumberFieldProps) {
   const { label, value, step, leftSection, leftSectionWidth = 20, rightSection, testId } = props;
-  const { draft, setDraft, error, discard, take, commit } = useNumberDraft(props);
+  const { draft, type, error, discard, take, commit } = useNumberDraft(props);
   const input = useRef<HTMLInputElement>(null);
   useFormField({ commit, focus: () => input.current?.focus() });
   const onKeyDown = (event: KeyboardEvent<HTMLInputElement>): void => {
@@ -93,7 +100,7 @@ export function NumberField(props: NumberFieldProps) {
       data-autofocus={props.first || undefined}
       value={draft ?? formatNumber(value)}
       error={error}
-      onChange={(event) => setDraft(event.currentTarget.value)}
+      onChange={(event) => type(event.currentTarget.value)}
       onFocus={(event) => event.currentTarget.select()}
       onBlur={commit}
       onKeyDown={onKeyDown}

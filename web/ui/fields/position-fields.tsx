@@ -13,6 +13,8 @@ export interface PositionFieldsProps {
   readonly onCommit: (axis: 0 | 1 | 2, value: number) => void;
   /** Prefix of the test ids, which end with the axis: "new" gives "new-x". */
   readonly testId: string;
+  /** Also commit valid coordinates while they are typed. */
+  readonly live?: boolean;
   /** The x field gets the focus when the dialog opens. */
   readonly first?: boolean;
 }
@@ -25,6 +27,7 @@ export function PositionFields({
   refuse,
   onCommit,
   testId,
+  live = false,
   first,
 }: PositionFieldsProps) {
   return (
@@ -35,6 +38,7 @@ export function PositionFields({
           label={`${label} ${axes[axis]}`}
           value={position[axis]}
           step={step}
+          live={live}
           first={first === true && axis === 0}
           leftSection={
             <span className={styles["axis"]} data-axis={axes[axis]}>

@@ -1,0 +1,161 @@
+import { SegmentedControl, Switch } from "@mantine/core";
+import { useState } from "react";
+import type { FieldSpec, NumberSpec } from "../../document/operations/operation";
+import type { Position } from "../../document/position";
+import type { OpenOperation } from "../../session/operations";
+import { operationStrings } from "../../strings";
+import { FieldRow } from "../../ui/fields/field-row";
+import { NumberRow } from "../../ui/fields/number-row";
+import { PositionFields } from "../../ui/fields/position-fields";
+import { PositionRow } from "../../ui/fields/position-row";
+import { Unit } from "../../ui/fields/unit";
+import { useApp } from "../shared/app-context";
+import { sizeStep, unitsOf } from "../shared/size-fields";
+import { pieceExtent } from "../../document/operations/sizes";
+
+interface OperationFieldProps {
+  readonly spec: FieldSpec;
+  readonly open: OpenOperation;
+}
+
+/** The field of one value of an operation. */
+export function OperationField({ spec, open }: OperationFieldProps) {
+  const app = useApp();
+  const { key, label } = spec;
+  const value = open.values[key];
+  const set = (next: number | string | boolean | Position): void => app.operations.set(key, next);
+  const testId = `operation-${key}`;
+  switch (spec.kind) {
+    case "number":
+      return typeof value === "number" && <NumberValue spec={spec} value={value} open={open} onSet={set} />;
+    case "position":
+      return (
+        isPosition(value) && (
+          <PositionRow
+            label={label}
+            value={value}
+            step={coordinateStep(open)}
+            live
+            testId={testId}
+            onCommit={(axis, coordinate) => set(withCoordinate(value, axis, coordinate))}
+          />
+        )
+      );
+    case "direction":
+      return isPosition(value) && <DirectionField label={label} value={value} testId={testId} onSet={set} />;
+    case "choice":
+      return (
+        typeof value === "string" && (
+          <FieldRow label={label}>
+            <SegmentedControl
+              size="xs"
+              fullWidth
+              aria-label={label}
+              data={[...spec.choices]}
+              value={value}
+              data-testid={testId}
+              onChange={set}
+            />
+          </FieldRow>
+        )
+      );
+    case "switch":
+      return (
+        <Switch
+          size="xs"
+          my={8}
+          label={label}
+          checked={value === true}
+          data-testid={testId}
+          onChange={(event) => set(event.currentTarget.checked)}
+        />
+      );
+  }
+}
+
+interface NumberValueProps {
+  readonly spec: NumberSpec;
+  readonly value: number;
+  readonly open: OpenOperation;
+  readonly onSet: (value: number) => void;
+}
+
+function NumberValue({ spec: { key, label, unit, whole, refuse }, value, open, onSet }: NumberValueProps) {
+  const { project } = open.subject;
+  const step = whole === true ? 1 : unit === "degrees" ? 5 : lengthStep(value, open);
+  return (
+    <NumberRow
+      label={label}
+      value={value}
+      step={step}
+      live
+      testId={`operation-${key}`}
+      {...(refuse && { refuse })}
+      {...(unit === "length" && unitsOf(project))}
+      {...(unit === "degrees" && { rightSection: <Unit>°</Unit> })}
+      onCommit={onSet}
+    />
+  );
+}
+
+const axes: readonly (readonly [name: "x" | "y" | "z", direction: Position])[] = [
+  ["x", [1, 0, 0]],
+  ["y", [0, 1, 0]],
+  ["z", [0, 0, 1]],
+];
+
+interface DirectionFieldProps {
+  readonly label: string;
+  readonly value: Position;
+  readonly testId: string;
+  readonly onSet: (direction: Position) => void;
+}
+
+/** A choice between the axes of coordinates and a direction of three numbers. */
+function DirectionField({ label, value, testId, onSet }: DirectionFieldProps) {
+  const axis = axes.find(([, direction]) => direction.every((x, k) => x === value[k]));
+  const [isOther, setOther] = useState(axis === undefined);
+  const names = operationStrings.directions;
+  return (
+    <FieldRow label={label}>
+      <SegmentedControl
+        size="xs"
+        fullWidth
+        aria-label={label}
+        data={[
+          ...axes.map(([name]) => ({ value: name, label: names[name] })),
+          { value: "other", label: names.other },
+        ]}
+        value={isOther ? "other" : (axis?.[0] ?? "other")}
+        data-testid={testId}
+        onChange={(chosen) => {
+          const direction = axes.find(([name]) => name === chosen)?.[1];
+          setOther(!direction);
+          if (direction) onSet(direction);
+        }}
+      />
+      {isOther && (
+        <PositionFields
+          label={label}
+          value={value}
+          step={0.1}
+          live
+          testId={testId}
+          onCommit={(index, x) => onSet(withCoordinate(value, index, x))}
+        />
+      )}
+    </FieldRow>
+  );
+}
+
+const isPosition = (value: unknown): value is Position => Array.isArray(value);
+
+const coordinateStep = ({ subject }: OpenOperation): number => sizeStep(pieceExtent(subject.project));
+
+/** A step for a length: relative to itself, or to the model if it is 0 or may be negative. */
+const lengthStep = (value: number, open: OpenOperation): number =>
+  value > 0 ? sizeStep(value) : coordinateStep(open);
+
+function withCoordinate([x, y, z]: Position, axis: 0 | 1 | 2, value: number): Position {
+  return [axis === 0 ? value : x, axis === 1 ? value : y, axis === 2 ? value : z];
+}

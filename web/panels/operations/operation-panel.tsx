@@ -1,0 +1,60 @@
+import { Button, Group, Text } from "@mantine/core";
+import { useRef, type KeyboardEvent } from "react";
+import { useStore } from "zustand";
+import { acceptOperation } from "../../commands/operation-commands";
+import type { OpenOperation } from "../../session/operations";
+import { operationStrings } from "../../strings";
+import { ApplyButton, DialogForm } from "../../ui/frames/dialog-form";
+import { useApp } from "../shared/app-context";
+import { OperationField } from "./operation-field";
+import { useFirstFocus } from "./use-first-focus";
+import styles from "./operation-panel.module.css";
+
+/** The values of the open operation, beside what they give in the view. Enter accepts them, Escape cancels. */
+export function OperationPanel() {
+  const app = useApp();
+  const open = useStore(app.operations.state, (state) => state.open);
+  return open && <OperationForm key={open.operation.id} open={open} />;
+}
+
+function OperationForm({ open }: { readonly open: OpenOperation }) {
+  const app = useApp();
+  const { operation, values, subject, reason, entities } = open;
+  const box = useRef<HTMLElement>(null);
+  useFirstFocus(box);
+  const onKeyDown = (event: KeyboardEvent): void => {
+    if (event.key !== "Escape") return;
+    event.stopPropagation();
+    app.operations.cancel();
+  };
+  return (
+    <section
+      ref={box}
+      className={styles["panel"]}
+      aria-label={operation.title}
+      data-testid="operation"
+      data-operation={operation.id}
+      onKeyDown={onKeyDown}
+    >
+      <h2 className={styles["title"]}>{operation.title}</h2>
+      <DialogForm onApply={() => acceptOperation(app)}>
+        <div className={styles["fields"]}>
+          {operation.fields(values, subject).map((spec) => (
+            <OperationField key={spec.key} spec={spec} open={open} />
+          ))}
+        </div>
+        <Text className={styles["result"]} role="status" data-refused={reason !== null || undefined}>
+          {reason ?? operationStrings.result(entities)}
+        </Text>
+        <Group justify="flex-end" gap="xs">
+          <Button size="xs" variant="default" onClick={() => app.operations.cancel()}>
+            {operationStrings.cancel}
+          </Button>
+          <ApplyButton disabled={reason !== null} data-testid="accept">
+            {operation.action}
+          </ApplyButton>
+        </Group>
+      </DialogForm>
+    </section>
+  );
+}
