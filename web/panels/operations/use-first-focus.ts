@@ -1,15 +1,16 @@
 import { useEffect, type RefObject } from "react";
 
 /**
- * Gives the focus to the first field of a panel, and keeps it there until the user acts: the palette or menu that has
- * opened the panel returns the focus to where it was, when it has closed.
+ * Gives the focus to the first field of a panel. The palette or menu that has opened the panel returns the focus when it
+ * closes, but not if the focus has moved since then: so this waits until it is closing, and keeps the focus until the
+ * user acts.
  */
 export function useFirstFocus(panel: RefObject<HTMLElement | null>): void {
   useEffect(() => {
     const focus = (): void => panel.current?.querySelector<HTMLElement>("input, button")?.focus();
     const until = new AbortController();
     const options = { capture: true, signal: until.signal };
-    focus();
+    const timer = setTimeout(focus);
     const keep = ({ target }: FocusEvent): void => {
       if (target instanceof Node && panel.current?.contains(target) !== true) focus();
     };
@@ -17,6 +18,9 @@ export function useFirstFocus(panel: RefObject<HTMLElement | null>): void {
     for (const act of ["keydown", "pointerdown"]) {
       window.addEventListener(act, () => until.abort(), options);
     }
-    return () => until.abort();
+    return () => {
+      clearTimeout(timer);
+      until.abort();
+    };
   }, [panel]);
 }
