@@ -28,7 +28,9 @@ export const steps = {
   },
   async package() {
     const inputs = filesUnder([inRoot("wasm"), inRoot("tsconfig.base.json"), inRoot("package-lock.json")]);
-    const types = ["engine", "tools"].map((module) => inRoot("wasm", "dist", "engine", `${module}.d.ts`));
+    const types = ["engine", "tools", "trace"].map((module) =>
+      inRoot("wasm", "dist", "engine", `${module}.d.ts`),
+    );
     const hash = hashOf([...inputs, ...types]);
     const stamp = inRoot("wasm", "dist", ".built-from");
     if (isFresh(stamp, hash)) return;

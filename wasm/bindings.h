@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file What the bindings of the package's two modules share. Only the bindings use embind. They declare, convert and
+/// @file What the bindings of the package's modules share. Only the bindings use embind. They declare, convert and
 /// forward, and contain no logic of their own. No exception leaves them: a call that fails reports the reason in
 /// failure() and returns an empty value; without memory for its object, it returns null.
 

@@ -27,6 +27,8 @@
 #include "sizing/volume_sizes.h"
 #include "surface/patch_summary.h"
 #include "surface/surface_mesher.h"
+#include "tetrafront/trace.h"
+#include "volume/recorded_stage.h"
 #include "volume/region_mesher.h"
 
 namespace tetrafront {
@@ -55,6 +57,12 @@ constexpr double kMeasureEnd = 0.98;
 
 /// Elements per unit of budget: copying one in the order of a list costs far less than a step of the front.
 constexpr std::size_t kReorderedPerUnit = 32;
+
+std::unique_ptr<VolumeStage> makePlainStage(const SurfaceMesh& boundary, const SizeField& field,
+                                            const MeshOptions& options,
+                                            StepRecorder& /*recorder*/) {
+  return std::make_unique<RegionMesher>(boundary, field, options);
+}
 
 bool hasVolumeLimits(const std::vector<double>& volumes) {
   return std::ranges::any_of(volumes, [](double volume) { return volume > 0.0; });
@@ -136,6 +144,14 @@ class MeshRun::Impl {
     return fingerprint.value();
   }
 
+  void record(MakeVolumeStage make) {
+    makeFront_ = make;
+    records_ = true;
+  }
+  [[nodiscard]] std::vector<std::uint8_t> takeTrace() { return recorder_.takeEvents(); }
+  [[nodiscard]] std::uint64_t recordedSteps() const { return recorder_.counts().steps; }
+  [[nodiscard]] std::uint64_t frontFingerprint() const { return frontFingerprint_; }
+
   [[nodiscard]] Progress progress() const {
     Progress progress;
     progress.phase = phase_;
@@ -206,7 +222,11 @@ class MeshRun::Impl {
   std::vector<PatchSummary> patches_;
   std::optional<SizeField> field_;
   std::uint32_t expectedTetrahedra_ = 0;
-  std::optional<RegionMesher> front_;       ///< while it fills
+  MakeVolumeStage makeFront_ = makePlainStage;
+  bool records_ = false;
+  StepRecorder recorder_;
+  std::uint64_t frontFingerprint_ = 0;
+  std::unique_ptr<VolumeStage> front_;      ///< while it fills
   std::optional<MeshOptimizer> optimizer_;  ///< while it optimizes
   std::optional<VolumeLimiter> limiter_;    ///< while it splits large elements
   bool hasFoundNothingBetter_ = false;
@@ -385,7 +405,7 @@ bool MeshRun::Impl::limitElements() {
 
 Task<MeshStatus> MeshRun::Impl::fill(Work& work) {
   std::optional<std::uint32_t> section;
-  front_.emplace(surface_, *field_, options_);
+  front_ = makeFront_(surface_, *field_, options_, recorder_);
   MeshStatus status = front_->advance(work.remaining());
   for (; status == MeshStatus::kRunning; status = front_->advance(work.remaining())) {
     followFront(work, section);
@@ -398,6 +418,7 @@ Task<MeshStatus> MeshRun::Impl::fill(Work& work) {
   }
   report(found);
   keepUnfinished();
+  if (records_) frontFingerprint_ = fingerprint();
   co_await work.yield();
   co_return status;
 }
@@ -519,5 +540,10 @@ RecoverySummary MeshRun::recovery() const { return impl_->recovery(); }
 FrontCounters MeshRun::counters() const { return impl_->counters(); }
 bool MeshRun::hasFoundNothingBetter() const { return impl_->hasFoundNothingBetter(); }
 std::uint64_t MeshRun::fingerprint() const { return impl_->fingerprint(); }
+std::vector<std::uint8_t> MeshRun::takeTrace() { return impl_->takeTrace(); }
+std::uint64_t MeshRun::recordedSteps() const { return impl_->recordedSteps(); }
+std::uint64_t MeshRun::frontFingerprint() const { return impl_->frontFingerprint(); }
+
+void recordFront(MeshRun& run) { run.impl_->record(makeRecordedStage); }
 
 }  // namespace tetrafront

@@ -43,6 +43,7 @@ const PUBLIC_HEADERS = {
   "region_location.h": "repair",
   "remesh.h": "remesh",
   "mesher.h": undefined,
+  "trace.h": undefined,
 };
 
 /** The modules of wasm/src, in the same way. */

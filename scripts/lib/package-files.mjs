@@ -5,7 +5,7 @@ import { filesUnder, hashOf, isFresh, markFresh } from "./fresh.mjs";
 import { inRoot } from "./paths.mjs";
 
 /** The modules of the compiled engine in dist/engine. */
-const MODULES = ["engine", "tools"];
+const MODULES = ["engine", "tools", "trace"];
 
 /** Files in dist that are not compiled from TypeScript. */
 const EMSCRIPTENS = new Set(

@@ -14,12 +14,13 @@
 #include <vector>
 
 #include "geom/predicates.h"
+#include "support/trace_reader.h"
 #include "volume/ideal_point.h"
 
 namespace tetrafront {
 namespace {
 
-using Event = StepTrace::Event;
+using testing::TraceStep;
 
 const double kTriangleHeight = std::sqrt(0.75);
 const Vec3 kCentroid(0.5, kTriangleHeight / 3.0, 0.0);
@@ -191,19 +192,31 @@ TEST(Candidates, BeginWithTheNodeThatFillsAPocketHoweverFlat) {
 struct AdvanceFixture : BaseFixture {
   Elements elements;
   SizeField field = SizeField::uniform(1.0);
-  FrontAdvance<StepTrace> advance{front, elements, field, true};
+  FrontAdvance<RecordingTrace> advance{front, elements, field, true};
+  StepRecorder recorder;
+  std::vector<TraceStep> events;
 
-  [[nodiscard]] std::vector<StepTrace::Step> stepsOf(Event event) {
-    std::vector<StepTrace::Step> steps;
-    std::ranges::copy_if(advance.trace().steps, std::back_inserter(steps),
-                         [&](const StepTrace::Step& step) { return step.event == event; });
+  std::uint32_t step(bool mayRelax = true) {
+    if (advance.trace().recorder == nullptr) {
+      advance.trace().recorder = &recorder;
+      recorder.beginPass(front);
+    }
+    const std::uint32_t cost = advance.step(mayRelax);
+    std::ranges::copy(testing::readTrace(recorder.takeEvents()), std::back_inserter(events));
+    return cost;
+  }
+
+  [[nodiscard]] std::vector<TraceStep> stepsOf(TraceStep::Kind kind) const {
+    std::vector<TraceStep> steps;
+    std::ranges::copy_if(events, std::back_inserter(steps),
+                         [&](const TraceStep& step) { return step.kind == kind; });
     return steps;
   }
 };
 
 TEST(FrontAdvance, MakesANodeAtTheIdealPointOneLayerDeeper) {
   AdvanceFixture fixture;
-  EXPECT_EQ(fixture.advance.step(), 1U);
+  EXPECT_EQ(fixture.step(), 1U);
   ASSERT_EQ(fixture.elements.size(), 1U);
   ASSERT_EQ(fixture.front.nodes().size(), 4U);
   const NodeId apex(3U);
@@ -232,7 +245,7 @@ TEST(FrontAdvance, ClosesAPocketOfFourFaces) {
   front.addFace({fixture.c, fixture.b, apex}, BaseFixture::kRegion, {}, true);
   front.addFace({fixture.a, fixture.c, apex}, BaseFixture::kRegion, {}, true);
   front.addFace({fixture.b, fixture.a, apex}, BaseFixture::kRegion, {}, true);
-  fixture.advance.step();
+  fixture.step();
   EXPECT_EQ(fixture.elements.size(), 1U);
   EXPECT_EQ(front.nodes().size(), 4U);
   EXPECT_EQ(front.activeCount(), 0U);
@@ -254,22 +267,22 @@ void addLid(BaseFixture& fixture) {
 TEST(FrontAdvance, RequeuesAFaceUnderMoreLenientRules) {
   AdvanceFixture fixture;
   addLid(fixture);
-  FrontAdvance<StepTrace>& advance = fixture.advance;
+  const FrontAdvance<RecordingTrace>& advance = fixture.advance;
   for (std::uint8_t next = 1; next <= 2; ++next) {
-    advance.step();
+    fixture.step();
     ASSERT_EQ(fixture.elements.size(), 0U);
     EXPECT_EQ(fixture.front.face(fixture.base).ruleClass, next);
     EXPECT_FALSE(fixture.front.isQueueEmpty());
     EXPECT_EQ(advance.counters().relaxedCost, next - 1U) << "the strict step is not relaxed";
   }
-  advance.step();
+  fixture.step();
   EXPECT_EQ(fixture.elements.size(), 1U);
   EXPECT_EQ(advance.counters().relaxed, 1U);
   EXPECT_EQ(advance.counters().pops, 3U);
-  EXPECT_EQ(fixture.stepsOf(Event::kPostponed).size(), 2U);
+  EXPECT_EQ(fixture.stepsOf(TraceStep::kPostponed).size(), 2U);
   // Every new node would be beyond the face above.
-  for (const StepTrace::Step& step : fixture.stepsOf(Event::kRefused)) {
-    EXPECT_NE(step.detail, static_cast<std::uint32_t>(Refusal::kBehind));
+  for (const TraceStep& step : fixture.stepsOf(TraceStep::kRefused)) {
+    EXPECT_NE(step.detail & 3U, static_cast<std::uint32_t>(Refusal::kBehind));
   }
 }
 
@@ -283,7 +296,7 @@ TEST(FrontAdvance, SetsAFaceAsideAfterTheLastRuleClass) {
   front.addFace({p, q, r}, BaseFixture::kRegion, {}, false);
   for (std::size_t next = 1; next <= kRuleClasses.size(); ++next) {
     ASSERT_FALSE(front.isQueueEmpty());
-    fixture.advance.step();
+    fixture.step();
     EXPECT_EQ(front.face(fixture.base).ruleClass, next);
   }
   EXPECT_TRUE(front.isQueueEmpty());
@@ -294,9 +307,9 @@ TEST(FrontAdvance, SetsAFaceAsideAfterTheLastRuleClass) {
 TEST(FrontAdvance, SetsARelaxedFaceAsideIfItMayNotRelax) {
   AdvanceFixture fixture;
   addLid(fixture);
-  fixture.advance.step();
+  fixture.step();
   ASSERT_FALSE(fixture.front.isQueueEmpty());
-  fixture.advance.step(false);
+  fixture.step(false);
   EXPECT_TRUE(fixture.front.isQueueEmpty());
   EXPECT_EQ(fixture.front.face(fixture.base).ruleClass, 2);
   EXPECT_TRUE(fixture.front.face(fixture.base).active);
@@ -312,13 +325,13 @@ TEST(FrontAdvance, KeepsNewNodesAwayFromFaces) {
   const NodeId q = front.addNode({0.0, 12.0, height}, 0);
   const NodeId r = front.addNode({10.0, -8.0, height}, 0);
   const FaceId ceiling = front.addFace({p, q, r}, BaseFixture::kRegion, {}, false);
-  fixture.advance.step();
+  fixture.step();
   ASSERT_EQ(fixture.elements.size(), 1U);
   EXPECT_NEAR(front.nodes().back().z, fixture.heightAt(0.55), 1e-12);
-  const std::vector<StepTrace::Step> refused = fixture.stepsOf(Event::kRefused);
+  const std::vector<TraceStep> refused = fixture.stepsOf(TraceStep::kRefused);
   ASSERT_EQ(refused.size(), 3U) << "the three heights above";
-  for (const StepTrace::Step& step : refused) {
-    EXPECT_EQ(step.detail, static_cast<std::uint32_t>(Refusal::kTooCloseToFace));
+  for (const TraceStep& step : refused) {
+    EXPECT_EQ(step.detail & 3U, static_cast<std::uint32_t>(Refusal::kTooCloseToFace));
     EXPECT_EQ(step.culprit, ceiling.value);
   }
 }

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -16,6 +18,7 @@
 #include "support/hard_shapes.h"
 #include "support/mesh_validator.h"
 #include "support/shapes.h"
+#include "support/trace_reader.h"
 
 namespace tetrafront {
 namespace {
@@ -49,7 +52,7 @@ struct Outcome {
 
 template <class Trace = NullTrace>
 Outcome fill(SurfaceMesh surface, const SizeField& field, const MeshOptions& options = {},
-             std::uint32_t budget = 5000, Trace* trace = nullptr) {
+             std::uint32_t budget = 5000, Trace trace = {}) {
   Outcome outcome;
   outcome.boundary = std::move(surface);
   std::vector<Diagnostic> diagnostics;
@@ -57,13 +60,13 @@ Outcome fill(SurfaceMesh surface, const SizeField& field, const MeshOptions& opt
       closeBoundary(outcome.boundary, BoundarySource::kGivenSurface, diagnostics);
   EXPECT_TRUE(closed.isValid);
   BasicVolumeMesher<Trace> mesher(outcome.boundary, field, options);
+  mesher.trace() = trace;
   while (mesher.advance(budget) == MeshStatus::kRunning) {
   }
   outcome.status = mesher.status();
   outcome.mesh = mesher.mesh();
   outcome.recovery = mesher.recovery();
   outcome.counters = mesher.counters();
-  if (trace != nullptr) *trace = mesher.trace();
   return outcome;
 }
 
@@ -365,21 +368,23 @@ TEST(VolumeMesher, StopsWithThePartialMeshWhenThereAreTooManyElements) {
 TEST(VolumeMesher, TracingRecordsEveryStepAndChangesNothing) {
   const SurfaceMesh surface = testing::gridCube(4, testing::Diagonals::kAlternating);
   const SizeField field = ownSizes(surface);
-  StepTrace trace;
+  StepRecorder recorder;
   const Outcome plain = fill(surface, field);
-  const Outcome traced = fill(surface, field, {}, 5000, &trace);
+  const Outcome traced = fill(surface, field, {}, 5000, RecordingTrace{&recorder});
   EXPECT_EQ(traced.fingerprint(), plain.fingerprint());
-  std::size_t bases = 0;
-  std::size_t accepted = 0;
-  std::size_t postponed = 0;
-  for (const StepTrace::Step& step : trace.steps) {
-    bases += step.event == StepTrace::Event::kBase ? 1 : 0;
-    accepted += step.event == StepTrace::Event::kAccepted ? 1 : 0;
-    postponed += step.event == StepTrace::Event::kPostponed ? 1 : 0;
-  }
-  EXPECT_EQ(bases, traced.counters.pops);
-  EXPECT_EQ(accepted + postponed, bases);
-  EXPECT_EQ(accepted, traced.tetrahedra());
+  const StepCounts& counts = recorder.counts();
+  EXPECT_EQ(counts.steps, traced.counters.pops);
+  EXPECT_EQ(counts.accepted + counts.postponed, counts.steps);
+  EXPECT_EQ(counts.accepted, traced.tetrahedra());
+  std::map<testing::TraceStep::Kind, std::uint64_t> events;
+  const std::vector<std::uint8_t> bytes = recorder.takeEvents();
+  for (const testing::TraceStep& step : testing::readTrace(bytes)) ++events[step.kind];
+  EXPECT_EQ(events[testing::TraceStep::kPass], 1U);
+  EXPECT_EQ(events[testing::TraceStep::kBase], counts.steps);
+  EXPECT_EQ(events[testing::TraceStep::kAccepted], counts.accepted);
+  EXPECT_EQ(events[testing::TraceStep::kPostponed], counts.postponed);
+  EXPECT_EQ(events[testing::TraceStep::kEnd], 1U);
+  EXPECT_LT(bytes.size(), 60 * counts.steps);
 }
 
 }  // namespace

@@ -52,6 +52,11 @@ export class TraceBytes {
     for (let i = 0; i < 4; i++) this.byte(this.#view.getUint8(i));
     return this;
   }
+  /** The upper half of a float. */
+  score(value: number): this {
+    this.#view.setFloat32(0, value, true);
+    return this.byte(this.#view.getUint8(2)).byte(this.#view.getUint8(3));
+  }
   double(value: number): this {
     this.#view.setFloat64(0, value, true);
     for (let i = 0; i < 8; i++) this.byte(this.#view.getUint8(i));
@@ -181,19 +186,19 @@ class StarFront {
     if (this.#random() % 2 === 0)
       this.#events
         .event(2, 0)
-        .float(0.75)
+        .score(0.75)
         .zigzag(face[1] - face[0]);
     if (culprit === undefined) return;
     if (this.#random() % 2 === 0)
       this.#events
         .event(2, 1)
-        .float(0.5)
+        .score(0.5)
         .zigzag(face[2] - face[0])
         .zigzag(culprit - number);
     if (this.#random() % 2 === 0)
       this.#events
         .event(2, 2 + 4)
-        .float(0.25)
+        .score(0.25)
         .float(0.1)
         .float(0)
         .float(0)
@@ -224,7 +229,7 @@ class StarFront {
     // The front's faces look into the element: the same corners in the other order.
     const known = sides.map(([p, q, r]) => this.#numbers.get(keyOf([q, p, r])));
     const bits = known.reduce<number>((sum, other, i) => sum + (other === undefined ? 0 : 1 << i), 0);
-    this.#events.event(3, bits + (isNew ? 8 : 0)).float(1);
+    this.#events.event(3, bits + (isNew ? 8 : 0)).score(1);
     if (isNew) {
       this.#points.push(0, 0, 0);
       this.#events.double(0).double(0).double(0);

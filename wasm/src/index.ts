@@ -103,6 +103,8 @@ export {
 } from "./mesh/inspection.js";
 export { type RepairOptions } from "./api/option-types.js";
 export { createMesher } from "./api/mesher.js";
+export { recordTrace } from "./api/trace-recording.js";
+export type { RecordedMesh, RecordingOptions } from "./api/trace-recording.js";
 export {
   MesherError,
   type MesherErrorCode,
@@ -197,7 +199,7 @@ export type {
   SurfaceMesh,
   VolumeMesh,
 } from "./mesh/mesh.js";
-export type { MeshReport, MeshResult, MeshStatus, Seconds } from "./mesh/report.js";
+export type { FrontRecording, MeshReport, MeshResult, MeshStatus, Seconds } from "./mesh/report.js";
 export type { PreparedBody } from "./mesh/prepared-body.js";
 export type { Progress, ProgressPhase } from "./base/progress.js";
 export type { ProjectPreview } from "./project/preview.js";

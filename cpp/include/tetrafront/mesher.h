@@ -90,8 +90,17 @@ class MeshRun {
   /// 64-bit hash of the coordinates and indices of volume(): equal on all platforms for equal input and options.
   [[nodiscard]] std::uint64_t fingerprint() const;
 
+  /// Returns the events recorded since the last call, for a run that records them (trace.h); else nothing.
+  [[nodiscard]] std::vector<std::uint8_t> takeTrace();
+  /// Number of steps recorded so far: base faces, and changes by recovery.
+  [[nodiscard]] std::uint64_t recordedSteps() const;
+  /// The fingerprint of the mesh that the front and its recovery have made, before its optimization; 0 unless the run
+  /// records its steps and Phase::kVolume is over.
+  [[nodiscard]] std::uint64_t frontFingerprint() const;
+
  private:
   class Impl;
+  friend void recordFront(MeshRun& run);
   std::unique_ptr<Impl> impl_;
 };
 

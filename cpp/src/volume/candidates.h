@@ -49,6 +49,9 @@ class CandidateList {
             const IdealPoint& ideal, const EdgeNeighbours& neighbours, const RuleClass& rules,
             const RuleVariant& variant);
 
+  /// Number of candidates ranked.
+  [[nodiscard]] std::size_t size() const { return candidates_.size(); }
+
   /// Returns the best candidate not returned yet, or nullptr. O(number of candidates).
   const Candidate* next();
 

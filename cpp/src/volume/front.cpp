@@ -34,6 +34,7 @@ constexpr double kSizesPerTile = 8.0;
 // libraries.
 constexpr int kMantissaBits = 23;
 constexpr std::uint32_t kBitsOfOne = 127U << kMantissaBits;
+constexpr int kBucketBits = kMantissaBits + 1;
 
 /// Returns about 2^23 log2(ratio), linear within octaves, plus 2^23 `offsetOctaves`; at least 0.
 std::uint32_t logBits(float ratio, std::uint32_t offsetOctaves) {
@@ -134,17 +135,22 @@ std::uint64_t Front::keyOf(const FrontFace& face) {
     const std::uint64_t size = std::bit_cast<std::uint32_t>(face.size);
     return ruleClass | size << kFineShift | sequence;
   }
-  const auto ratio = static_cast<float>(static_cast<double>(face.size) / typicalSize_);
-  const std::uint32_t inBuckets = logBits(ratio, kBucketOctaves);
-  constexpr int kBucketBits = kMantissaBits + 1;
-  const std::uint64_t bucket = inBuckets >> kBucketBits;
-  const std::uint64_t fine =
-      (inBuckets & ((1U << kBucketBits) - 1)) >> (kBucketBits - (kTileShift - kFineShift));
-  std::uint32_t layers = 0;
-  for (const NodeId node : face.nodes) layers += layer(node);
-  const std::uint64_t cappedLayers = std::min(layers, kMaxLayer);
-  return ruleClass | bucket << kBucketShift | cappedLayers << kLayerShift |
-         tileOf(face, static_cast<int>(bucket)) << kTileShift | fine << kFineShift | sequence;
+  const std::uint64_t fine = (sizeInBuckets(face.size) & ((1U << kBucketBits) - 1)) >>
+                             (kBucketBits - (kTileShift - kFineShift));
+  const FrontRank rank = rankOf(face);
+  const std::uint64_t cappedLayers = std::min(rank.layers, kMaxLayer);
+  return ruleClass | std::uint64_t{rank.bucket} << kBucketShift | cappedLayers << kLayerShift |
+         tileOf(face, static_cast<int>(rank.bucket)) << kTileShift | fine << kFineShift | sequence;
+}
+
+std::uint32_t Front::sizeInBuckets(float size) const {
+  return logBits(static_cast<float>(static_cast<double>(size) / typicalSize_), kBucketOctaves);
+}
+
+FrontRank Front::rankOf(const FrontFace& face) const {
+  FrontRank rank{sizeInBuckets(face.size) >> kBucketBits, 0};
+  for (const NodeId node : face.nodes) rank.layers += layer(node);
+  return rank;
 }
 
 /// Tiles follow a Morton curve that repeats every 16 tiles.

@@ -36,6 +36,12 @@ struct FrontFace {
   bool active;
 };
 
+/// What decides when a face becomes the base face, in the layered order: lower buckets first, then lower layers.
+struct FrontRank {
+  std::uint32_t bucket;  ///< of the size: a factor of 4 each
+  std::uint32_t layers;  ///< sum of the layers of the nodes
+};
+
 class Front {
  public:
   /// `typicalSize` > 0 is the median size of the initial faces; it scales the size buckets, the
@@ -72,6 +78,9 @@ class Front {
 
   // The order in which faces become base faces (step F4).
 
+  [[nodiscard]] double typicalSize() const { return typicalSize_; }
+  [[nodiscard]] FrontRank rankOf(const FrontFace& face) const;
+
   [[nodiscard]] bool isQueueEmpty() const { return heap_.empty(); }
   /// Takes the next base face from the heap; it stays active.
   FaceId popBase() { return FaceId(heap_.pop()); }
@@ -91,6 +100,8 @@ class Front {
 
  private:
   [[nodiscard]] std::uint64_t keyOf(const FrontFace& face);
+  /// The logarithm of a size: its bucket above kBucketBits, its place in the bucket below.
+  [[nodiscard]] std::uint32_t sizeInBuckets(float size) const;
   /// Index of the tile that contains the face, among faces of one bucket and layer.
   [[nodiscard]] std::uint64_t tileOf(const FrontFace& face, int bucket) const;
 

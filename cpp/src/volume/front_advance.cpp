@@ -34,8 +34,11 @@ std::uint32_t FrontAdvance<Trace>::step(bool mayRelax) {
 template <class Trace>
 void FrontAdvance<Trace>::postpone(FaceId face, bool mayRelax) {
   const auto next = static_cast<std::uint8_t>(front_.face(face).ruleClass + 1);
-  if constexpr (Trace::kOn) trace_.postponed(face, next);
-  if (mayRelax && next < kRuleClasses.size()) {
+  const bool comesAgain = mayRelax && next < kRuleClasses.size();
+  if constexpr (Trace::kOn) {
+    trace_.recorder->postponed(comesAgain ? next : StepRecorder::kNoNextClass);
+  }
+  if (comesAgain) {
     front_.requeue(face, next);
   } else {
     front_.setAside(face, next);
@@ -52,12 +55,12 @@ bool FrontAdvance<Trace>::complete(FaceId face) {
   front_.setHint(face, hint);
   const BaseFace base = describeBase(front_, nodes, space);
   const IdealPoint ideal = placeIdealPoint(base, space.targetEdge());
-  if constexpr (Trace::kOn) {
-    trace_.base(face, faceData.ruleClass);
-    trace_.ideal(space.toSpace(ideal.position));
-  }
   gatherAround(nodes, space, base, ideal, rules);
   candidates_.rank(around_, crossing_, base, ideal, neighbours_, rules, variant_);
+  if constexpr (Trace::kOn) {
+    trace_.recorder->base(front_, face, space, space.toSpace(ideal.position), around_.faceCount(),
+                          candidates_.size());
+  }
   for (std::uint32_t tries = 0; tries < rules.maxTries; ++tries) {
     const Candidate* candidate = candidates_.next();
     if (candidate == nullptr) return false;
@@ -97,7 +100,10 @@ bool FrontAdvance<Trace>::tryCandidate(FaceId face, const Candidate& candidate,
   const NodeId name = isNew ? NodeId() : around_.nodeId(candidate.node);
   FaceId culprit;
   const auto refuse = [&](Refusal why) {
-    if constexpr (Trace::kOn) trace_.refused(name, why, culprit);
+    if constexpr (Trace::kOn) {
+      trace_.recorder->refused(front_, name, space.toSpace(candidate.unitPosition), candidate.score,
+                               why, culprit);
+    }
     static_cast<void>(why);
     static_cast<void>(name);
     return false;
@@ -122,8 +128,13 @@ bool FrontAdvance<Trace>::tryCandidate(FaceId face, const Candidate& candidate,
         std::min(front_.layer(n[0]), std::min(front_.layer(n[1]), front_.layer(n[2])));
     node = front_.addNode(position, nextLayer(layer), base.hint);
   }
-  if constexpr (Trace::kOn) trace_.accepted(node, position);
-  accept(face, node, existing);
+  const NodeTriple nodes = front_.face(face).nodes;
+  const std::uint32_t region = front_.face(face).region;
+  const std::array<FaceId, 3> added = accept(face, node, existing);
+  if constexpr (Trace::kOn) {
+    trace_.recorder->accepted(front_, nodes, node, isNew, candidate.score, existing, added, region);
+  }
+  static_cast<void>(added);
   return true;
 }
 
@@ -168,7 +179,8 @@ typename FrontAdvance<Trace>::ExistingFaces FrontAdvance<Trace>::findExistingFac
 }
 
 template <class Trace>
-void FrontAdvance<Trace>::accept(FaceId face, NodeId apex, const ExistingFaces& existing) {
+std::array<FaceId, 3> FrontAdvance<Trace>::accept(FaceId face, NodeId apex,
+                                                  const ExistingFaces& existing) {
   const FrontFace base = front_.face(face);
   const NodeTriple& n = base.nodes;
   elements_.add({n[0], n[1], n[2], apex}, base.region);
@@ -176,14 +188,16 @@ void FrontAdvance<Trace>::accept(FaceId face, NodeId apex, const ExistingFaces& 
   for (const FaceId known : existing) {
     if (!known.isNone()) front_.removeFace(known);
   }
+  std::array<FaceId, 3> added{};
   for (std::size_t i = 0; i < 3; ++i) {
     if (!existing[i].isNone()) continue;
-    front_.addFace({n[(i + 1) % 3], n[(i + 2) % 3], apex}, base.region, base.hint, true);
+    added[i] = front_.addFace({n[(i + 1) % 3], n[(i + 2) % 3], apex}, base.region, base.hint, true);
   }
+  return added;
 }
 
 template class FrontAdvance<NullTrace>;
 template class FrontAdvance<ClockTrace>;
-template class FrontAdvance<StepTrace>;
+template class FrontAdvance<RecordingTrace>;
 
 }  // namespace tetrafront

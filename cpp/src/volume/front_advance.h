@@ -47,6 +47,11 @@ class FrontAdvance {
     return crossing_.counters();
   }
   [[nodiscard]] Trace& trace() { return trace_; }
+  /// Passes what recovery has changed to the trace. O(front + elements) if it records, else nothing.
+  void recordChange(FrontChange what) {
+    if constexpr (Trace::kOn) trace_.recorder->changed(front_, elements_, what);
+    static_cast<void>(what);
+  }
 
  private:
   using CrossingScope = typename Trace::CrossingScope;
@@ -66,7 +71,8 @@ class FrontAdvance {
   [[nodiscard]] FaceId firstCrossedFace(LocalNode apex);
   [[nodiscard]] bool isTooCloseToFace(const Vec3& position, double distance, FaceId& culprit);
   [[nodiscard]] ExistingFaces findExistingFaces(LocalNode apex) const;
-  void accept(FaceId face, NodeId apex, const ExistingFaces& existing);
+  /// Returns the faces that join the front, each where there was no existing one.
+  std::array<FaceId, 3> accept(FaceId face, NodeId apex, const ExistingFaces& existing);
 
   Front& front_;
   Elements& elements_;
@@ -83,6 +89,6 @@ class FrontAdvance {
 
 extern template class FrontAdvance<NullTrace>;
 extern template class FrontAdvance<ClockTrace>;
-extern template class FrontAdvance<StepTrace>;
+extern template class FrontAdvance<RecordingTrace>;
 
 }  // namespace tetrafront

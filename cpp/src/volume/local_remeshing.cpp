@@ -104,6 +104,7 @@ std::size_t LocalRemeshing<Trace>::enlargeNext(PocketSet& pockets) {
     advance_.setVariant(variant);
     front_.setOrder(variant.smallestFirst ? FrontOrder::kSmallestFirst : order_);
     for (const FaceId face : enlarged_->faces()) front_.requeue(face, 0);
+    advance_.recordChange(FrontChange::kReopened);
     stage_ = Stage::kAdvance;
   }
   const std::size_t cost = 1 + touched / kTouchedPerStep;
@@ -142,6 +143,7 @@ std::size_t LocalRemeshing<Trace>::finish(PocketSet& pockets) {
     enlarged_->restore(front_, elements_, pockets);
     front_.dropNodesFrom(nodesBefore_);
   }
+  advance_.recordChange(closed ? FrontChange::kClosed : FrontChange::kUndone);
   const std::size_t touched =
       enlarged_->faces().size() + enlarged_->removedElements() + left.size();
   enlarged_.reset();
@@ -150,6 +152,6 @@ std::size_t LocalRemeshing<Trace>::finish(PocketSet& pockets) {
 
 template class LocalRemeshing<NullTrace>;
 template class LocalRemeshing<ClockTrace>;
-template class LocalRemeshing<StepTrace>;
+template class LocalRemeshing<RecordingTrace>;
 
 }  // namespace tetrafront

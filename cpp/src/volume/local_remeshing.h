@@ -66,6 +66,6 @@ class LocalRemeshing {
 
 extern template class LocalRemeshing<NullTrace>;
 extern template class LocalRemeshing<ClockTrace>;
-extern template class LocalRemeshing<StepTrace>;
+extern template class LocalRemeshing<RecordingTrace>;
 
 }  // namespace tetrafront

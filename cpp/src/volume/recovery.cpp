@@ -19,6 +19,7 @@ Recovery<Trace>::Recovery(Front& front, Elements& elements, FrontAdvance<Trace>&
                           FrontOrder order, bool fillOnly)
     : front_(front),
       elements_(elements),
+      advance_(advance),
       fillOnly_(fillOnly),
       index_(elements),
       remeshing_(front, elements, advance, order, index_) {}
@@ -55,7 +56,9 @@ std::size_t Recovery<Trace>::work(std::uint32_t budget) {
       return cost;
     }
     case Stage::kFill: {
+      const std::size_t made = filler_->made().size();
       const std::size_t cost = filler_->work(budget);
+      if (filler_->made().size() > made) advance_.recordChange(FrontChange::kExactFill);
       if (filler_->isDone()) stage_ = Stage::kFinished;
       return cost;
     }
@@ -99,7 +102,10 @@ std::size_t Recovery<Trace>::starNext() {
   }
   const Pocket& pocket = pockets_[nextPocket_++];
   const std::size_t first = elements_.size();
-  if (fillFromStarPoint(front_, elements_, pocket)) starred_.push_back({first, elements_.size()});
+  if (fillFromStarPoint(front_, elements_, pocket)) {
+    starred_.push_back({first, elements_.size()});
+    advance_.recordChange(FrontChange::kStar);
+  }
   return 1 + pocket.faces.size();
 }
 
@@ -138,6 +144,6 @@ RecoverySummary Recovery<Trace>::summary() const {
 
 template class Recovery<NullTrace>;
 template class Recovery<ClockTrace>;
-template class Recovery<StepTrace>;
+template class Recovery<RecordingTrace>;
 
 }  // namespace tetrafront

@@ -62,6 +62,7 @@ class Recovery {
 
   Front& front_;
   Elements& elements_;
+  FrontAdvance<Trace>& advance_;
   bool fillOnly_;
   Stage stage_ = Stage::kFindPockets;
   std::vector<Pocket> pockets_;  ///< before the stars
@@ -75,6 +76,6 @@ class Recovery {
 
 extern template class Recovery<NullTrace>;
 extern template class Recovery<ClockTrace>;
-extern template class Recovery<StepTrace>;
+extern template class Recovery<RecordingTrace>;
 
 }  // namespace tetrafront

@@ -85,14 +85,20 @@ FrontCounters sum(const FrontCounters& a, const FrontCounters& b) {
 
 }  // namespace
 
-RegionMesher::RegionMesher(const SurfaceMesh& boundary, const SizeField& field,
-                           const MeshOptions& options)
-    : boundary_(boundary), field_(field), options_(options), passOf_(assignPasses(boundary)) {
+template <class Trace>
+BasicRegionMesher<Trace>::BasicRegionMesher(const SurfaceMesh& boundary, const SizeField& field,
+                                            const MeshOptions& options, Trace trace)
+    : boundary_(boundary),
+      field_(field),
+      options_(options),
+      passOf_(assignPasses(boundary)),
+      trace_(trace) {
   passCount_ = *std::ranges::max_element(passOf_) + 1;
   begin(0);
 }
 
-void RegionMesher::begin(std::uint32_t pass) {
+template <class Trace>
+void BasicRegionMesher<Trace>::begin(std::uint32_t pass) {
   pass_ = pass;
   MeshOptions options = options_;
   options.maxTetrahedra -=
@@ -104,9 +110,12 @@ void RegionMesher::begin(std::uint32_t pass) {
     waitingFaces_ += region != SurfaceMesh::kNoRegion && passOf_[region] > pass ? 1 : 0;
   }
   current_.emplace(passCount_ > 1 ? passBoundary_.surface : boundary_, field_, options);
+  current_->trace() = trace_;
 }
 
-RegionMesher::PassBoundary RegionMesher::boundaryOf(std::uint32_t pass) const {
+template <class Trace>
+typename BasicRegionMesher<Trace>::PassBoundary BasicRegionMesher<Trace>::boundaryOf(
+    std::uint32_t pass) const {
   PassBoundary result;
   result.surface.points = boundary_.points;
   for (std::uint32_t t = 0; t < boundary_.triangles.size() / 3; ++t) {
@@ -124,7 +133,8 @@ RegionMesher::PassBoundary RegionMesher::boundaryOf(std::uint32_t pass) const {
   return result;
 }
 
-MeshStatus RegionMesher::advance(std::uint32_t budget) {
+template <class Trace>
+MeshStatus BasicRegionMesher<Trace>::advance(std::uint32_t budget) {
   const MeshStatus status = current_->advance(budget);
   if (status != MeshStatus::kDone || pass_ + 1 == passCount_) return status;
   append(filled_, current_->mesh(), boundary_.points.size() / 3);
@@ -136,7 +146,8 @@ MeshStatus RegionMesher::advance(std::uint32_t budget) {
 }
 
 /// Triangles of a pass become triangles of the whole boundary, or in a drawn model their patches.
-void RegionMesher::nameForUser(std::vector<Entity>& entities) const {
+template <class Trace>
+void BasicRegionMesher<Trace>::nameForUser(std::vector<Entity>& entities) const {
   const bool isDrawn = !boundary_.sides.empty();
   for (Entity& entity : entities) {
     if (entity.kind != EntityKind::kTriangle) continue;
@@ -149,7 +160,8 @@ void RegionMesher::nameForUser(std::vector<Entity>& entities) const {
   entities.erase(std::ranges::unique(entities, isRepeated).begin(), entities.end());
 }
 
-std::vector<Diagnostic> RegionMesher::diagnostics() const {
+template <class Trace>
+std::vector<Diagnostic> BasicRegionMesher<Trace>::diagnostics() const {
   std::vector<Diagnostic> diagnostics = current_->diagnostics();
   const std::size_t filledBefore = filled_.tetrahedra.size() / 4;
   for (Diagnostic& diagnostic : diagnostics) {
@@ -160,26 +172,31 @@ std::vector<Diagnostic> RegionMesher::diagnostics() const {
   return diagnostics;
 }
 
-std::uint32_t RegionMesher::nodeCount() const {
+template <class Trace>
+std::uint32_t BasicRegionMesher<Trace>::nodeCount() const {
   if (filled_.points.empty()) return current_->nodeCount();
   return current_->nodeCount() +
          static_cast<std::uint32_t>((filled_.points.size() - boundary_.points.size()) / 3);
 }
 
-std::uint32_t RegionMesher::tetrahedronCount() const {
+template <class Trace>
+std::uint32_t BasicRegionMesher<Trace>::tetrahedronCount() const {
   return current_->tetrahedronCount() + static_cast<std::uint32_t>(filled_.tetrahedra.size() / 4);
 }
 
-double RegionMesher::sectionFraction() const {
+template <class Trace>
+double BasicRegionMesher<Trace>::sectionFraction() const {
   return current_->isRecovering() ? current_->recoveryFraction() : current_->frontFraction();
 }
 
-double RegionMesher::openShare() const {
+template <class Trace>
+double BasicRegionMesher<Trace>::openShare() const {
   return (openShareBefore_ + std::min(current_->openShare(), 1.0)) / passCount_;
 }
 
 /// Returns the triangles of regions of later passes, as a front sees them.
-std::vector<std::uint32_t> RegionMesher::facesOfLaterPasses() const {
+template <class Trace>
+std::vector<std::uint32_t> BasicRegionMesher<Trace>::facesOfLaterPasses() const {
   std::vector<std::uint32_t> faces;
   for (std::uint32_t pass = pass_ + 1; pass < passCount_; ++pass) {
     const SurfaceMesh surface = boundaryOf(pass).surface;
@@ -190,19 +207,27 @@ std::vector<std::uint32_t> RegionMesher::facesOfLaterPasses() const {
   return faces;
 }
 
-VolumeMesh RegionMesher::mesh() const { return completed(filled_); }
+template <class Trace>
+VolumeMesh BasicRegionMesher<Trace>::mesh() const {
+  return completed(filled_);
+}
 
-VolumeMesh RegionMesher::take() { return completed(std::exchange(filled_, {})); }
+template <class Trace>
+VolumeMesh BasicRegionMesher<Trace>::take() {
+  return completed(std::exchange(filled_, {}));
+}
 
 /// Appends the elements of this pass, and the faces of later ones to the front.
-VolumeMesh RegionMesher::completed(VolumeMesh mesh) const {
+template <class Trace>
+VolumeMesh BasicRegionMesher<Trace>::completed(VolumeMesh mesh) const {
   append(mesh, current_->mesh(), boundary_.points.size() / 3);
   const std::vector<std::uint32_t> waiting = facesOfLaterPasses();
   mesh.front.insert(mesh.front.end(), waiting.begin(), waiting.end());
   return mesh;
 }
 
-std::vector<double> RegionMesher::frontCorners() const {
+template <class Trace>
+std::vector<double> BasicRegionMesher<Trace>::frontCorners() const {
   std::vector<double> corners;
   corners.reserve(9 * std::size_t{frontFaceCount()});
   current_->appendFront(corners);
@@ -213,8 +238,17 @@ std::vector<double> RegionMesher::frontCorners() const {
   return corners;
 }
 
-RecoverySummary RegionMesher::recovery() const { return sum(recovery_, current_->recovery()); }
+template <class Trace>
+RecoverySummary BasicRegionMesher<Trace>::recovery() const {
+  return sum(recovery_, current_->recovery());
+}
 
-FrontCounters RegionMesher::counters() const { return sum(counters_, current_->counters()); }
+template <class Trace>
+FrontCounters BasicRegionMesher<Trace>::counters() const {
+  return sum(counters_, current_->counters());
+}
+
+template class BasicRegionMesher<NullTrace>;
+template class BasicRegionMesher<RecordingTrace>;
 
 }  // namespace tetrafront

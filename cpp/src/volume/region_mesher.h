@@ -15,51 +15,38 @@
 #include "tetrafront/options.h"
 #include "tetrafront/status.h"
 #include "volume/volume_mesher.h"
+#include "volume/volume_stage.h"
 
 namespace tetrafront {
 
-class RegionMesher {
+template <class Trace>
+class BasicRegionMesher final : public VolumeStage {
  public:
-  /// `boundary` must be as closeBoundary() leaves it. It and `field` must outlive the mesher.
-  RegionMesher(const SurfaceMesh& boundary, const SizeField& field, const MeshOptions& options);
-  RegionMesher(const RegionMesher&) = delete;
-  RegionMesher& operator=(const RegionMesher&) = delete;
+  /// `boundary` must be as closeBoundary() leaves it. It, `field` and what `trace` refers to must outlive the mesher.
+  BasicRegionMesher(const SurfaceMesh& boundary, const SizeField& field, const MeshOptions& options,
+                    Trace trace = {});
 
-  /// Does work that costs about `budget` steps of the front. Ends with the first pass that fails.
-  MeshStatus advance(std::uint32_t budget);
-
-  /// Triangles are those of the whole boundary. The values of kTooManyElements count all passes
-  /// begun so far.
-  [[nodiscard]] std::vector<Diagnostic> diagnostics() const;
-  [[nodiscard]] std::uint32_t nodeCount() const;
-  [[nodiscard]] std::uint32_t tetrahedronCount() const;
-  [[nodiscard]] std::uint32_t frontFaceCount() const {
+  MeshStatus advance(std::uint32_t budget) override;
+  [[nodiscard]] std::vector<Diagnostic> diagnostics() const override;
+  [[nodiscard]] std::uint32_t nodeCount() const override;
+  [[nodiscard]] std::uint32_t tetrahedronCount() const override;
+  [[nodiscard]] std::uint32_t frontFaceCount() const override {
     return current_->frontFaceCount() + waitingFaces_;
   }
-  /// Index of the current section. Each pass has two: its front and its recovery.
-  [[nodiscard]] std::uint32_t section() const {
+  [[nodiscard]] std::uint32_t section() const override {
     return 2 * pass_ + (current_->isRecovering() ? 1 : 0);
   }
-  /// Estimated progress of the current section, 0 to 1.
-  [[nodiscard]] double sectionFraction() const;
-  /// Share of the passes that are done when the current section ends, 0 to 1.
-  [[nodiscard]] double passFractionAtSectionEnd() const { return (pass_ + 1.0) / passCount_; }
-  /// Faces that the fronts have left to recovery so far, per triangle of the boundary; at most 1.
-  [[nodiscard]] double openShare() const;
-  /// Estimated progress of the exact fill of this pass, 0 to 1; 0 before it starts.
-  [[nodiscard]] double exactFillFraction() const { return current_->exactFillFraction(); }
-
-  /// Returns the mesh made so far. Its front includes the faces of regions whose pass has not
-  /// begun.
-  [[nodiscard]] VolumeMesh mesh() const;
-  /// The same without copying the mesh of earlier passes. Afterwards only recovery() and counters()
-  /// may be called.
-  [[nodiscard]] VolumeMesh take();
-  /// The faces of the front, x y z of three corners each, including the boundary of regions that have
-  /// not begun. O(front).
-  [[nodiscard]] std::vector<double> frontCorners() const;
-  [[nodiscard]] RecoverySummary recovery() const;
-  [[nodiscard]] FrontCounters counters() const;
+  [[nodiscard]] double sectionFraction() const override;
+  [[nodiscard]] double passFractionAtSectionEnd() const override {
+    return (pass_ + 1.0) / passCount_;
+  }
+  [[nodiscard]] double openShare() const override;
+  [[nodiscard]] double exactFillFraction() const override { return current_->exactFillFraction(); }
+  [[nodiscard]] VolumeMesh mesh() const override;
+  [[nodiscard]] VolumeMesh take() override;
+  [[nodiscard]] std::vector<double> frontCorners() const override;
+  [[nodiscard]] RecoverySummary recovery() const override;
+  [[nodiscard]] FrontCounters counters() const override;
 
  private:
   /// Boundary of the regions of one pass: all nodes, and the triangles around these regions.
@@ -83,10 +70,16 @@ class RegionMesher {
   double openShareBefore_ = 0.0;    ///< sum of the open shares of earlier passes, each at most 1
   std::uint32_t waitingFaces_ = 0;  ///< faces of regions of later passes
   PassBoundary passBoundary_;       ///< used if there are several passes
-  std::optional<VolumeMesher> current_;
+  [[no_unique_address]] Trace trace_;
+  std::optional<BasicVolumeMesher<Trace>> current_;
   VolumeMesh filled_;  ///< mesh of earlier passes
   RecoverySummary recovery_;
   FrontCounters counters_;
 };
+
+extern template class BasicRegionMesher<NullTrace>;
+extern template class BasicRegionMesher<RecordingTrace>;
+
+using RegionMesher = BasicRegionMesher<NullTrace>;
 
 }  // namespace tetrafront

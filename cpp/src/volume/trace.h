@@ -4,20 +4,10 @@
 /// call vanishes; the normal build has no branch for it.
 
 #include <chrono>
-#include <cstdint>
-#include <vector>
 
-#include "base/ids.h"
-#include "tetrafront/vec3.h"
+#include "volume/step_recorder.h"
 
 namespace tetrafront {
-
-/// Reason for refusing a candidate.
-enum class Refusal : std::uint8_t {
-  kBehind = 0,          ///< the candidate is not on the empty side of the base face
-  kCrosses = 1,         ///< the element would cross a face
-  kTooCloseToFace = 2,  ///< a new node would be too close to a face
-};
 
 /// A CrossingScope lives as long as one part of the crossing test. Only ClockTrace uses it.
 struct NullTrace {
@@ -51,44 +41,13 @@ struct ClockTrace {
   Clock::duration inCrossingTest{0};
 };
 
-/// Records every step. A candidate without a node id is a new node: the ideal point or a point
-/// below it.
-struct StepTrace {
+/// Passes every step to a recorder, which must outlive the front.
+struct RecordingTrace {
   static constexpr bool kOn = true;
   struct CrossingScope {
-    explicit CrossingScope(StepTrace& /*trace*/) {}
+    explicit CrossingScope(RecordingTrace& /*trace*/) {}
   };
-
-  enum class Event : std::uint8_t {
-    kBase = 0,       ///< subject: face, detail: rule class
-    kIdeal = 1,      ///< position: the ideal point
-    kRefused = 2,    ///< subject: candidate, detail: Refusal, culprit: face
-    kAccepted = 3,   ///< subject: node; position: of the node
-    kPostponed = 4,  ///< subject: face, detail: its next rule class
-  };
-  struct Step {
-    Event event;
-    std::uint32_t subject;
-    std::uint32_t detail;
-    std::uint32_t culprit;
-    Vec3 position;
-  };
-  std::vector<Step> steps;
-
-  void base(FaceId face, std::uint32_t ruleClass) {
-    steps.push_back({Event::kBase, face.value, ruleClass, 0, Vec3(0.0)});
-  }
-  void ideal(const Vec3& position) { steps.push_back({Event::kIdeal, 0, 0, 0, position}); }
-  void refused(NodeId candidate, Refusal why, FaceId culprit) {
-    steps.push_back({Event::kRefused, candidate.value, static_cast<std::uint32_t>(why),
-                     culprit.value, Vec3(0.0)});
-  }
-  void accepted(NodeId node, const Vec3& position) {
-    steps.push_back({Event::kAccepted, node.value, 0, 0, position});
-  }
-  void postponed(FaceId face, std::uint32_t ruleClass) {
-    steps.push_back({Event::kPostponed, face.value, ruleClass, 0, Vec3(0.0)});
-  }
+  StepRecorder* recorder = nullptr;
 };
 
 }  // namespace tetrafront

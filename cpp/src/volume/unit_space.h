@@ -50,6 +50,9 @@ class UnitSpace {
     return stretched_ ? origin_ + toSpace_ * unit : unit;
   }
 
+  /// The tensor that maps unit space to plain space, in a stretched space.
+  [[nodiscard]] const SymmetricTensor& sizeTensor() const { return toSpace_; }
+
   /// In a stretched space: upper bound of the rounding error of a coordinate of toUnit(), for
   /// positions whose coordinates differ by at most `extent` from the origin's.
   [[nodiscard]] double roundingWithin(double extent) const {

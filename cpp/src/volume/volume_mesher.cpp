@@ -124,7 +124,9 @@ void BasicVolumeMesher<Trace>::setUp(std::uint32_t budget) {
     front_.addFace(frontFaceOf(boundary_, nextTriangle_),
                    boundary_.triangleRegions[2 * nextTriangle_], coverHint_, !exactFillOnly_);
   }
-  if (nextTriangle_ == count) stage_ = Stage::kAdvance;
+  if (nextTriangle_ < count) return;
+  if constexpr (Trace::kOn) advance_.trace().recorder->beginPass(front_);
+  stage_ = Stage::kAdvance;
 }
 
 template <class Trace>
@@ -221,6 +223,7 @@ template <class Trace>
 void BasicVolumeMesher<Trace>::finish(MeshStatus status) {
   status_ = status;
   stage_ = Stage::kFinished;
+  if constexpr (Trace::kOn) advance_.trace().recorder->endPass();
 }
 
 /// Among needles, little volume is filled when the front reaches its cost limit, so the cost counts
@@ -306,6 +309,6 @@ FrontCounters BasicVolumeMesher<Trace>::counters() const {
 
 template class BasicVolumeMesher<NullTrace>;
 template class BasicVolumeMesher<ClockTrace>;
-template class BasicVolumeMesher<StepTrace>;
+template class BasicVolumeMesher<RecordingTrace>;
 
 }  // namespace tetrafront

@@ -60,6 +60,7 @@ class BasicVolumeMesher {
   void appendFront(std::vector<double>& corners) const;
   [[nodiscard]] RecoverySummary recovery() const;
   [[nodiscard]] FrontCounters counters() const;
+  /// Set it up before the first call of advance().
   [[nodiscard]] Trace& trace() { return advance_.trace(); }
 
  private:
@@ -104,7 +105,7 @@ class BasicVolumeMesher {
 
 extern template class BasicVolumeMesher<NullTrace>;
 extern template class BasicVolumeMesher<ClockTrace>;
-extern template class BasicVolumeMesher<StepTrace>;
+extern template class BasicVolumeMesher<RecordingTrace>;
 
 using VolumeMesher = BasicVolumeMesher<NullTrace>;
 

@@ -99,7 +99,7 @@ describe("states", () => {
       writeFirstFaces(events, tetrahedron.triangles);
       events.event(1).zigzag(0).byte(16).varint(0).float(1);
       events.float(0).float(0).float(1).varint(4).varint(1);
-      events.event(3, 7).float(1).zigzag(3).zigzag(2).zigzag(3).zigzag(1);
+      events.event(3, 7).score(1).zigzag(3).zigzag(2).zigzag(3).zigzag(1);
     }
     const trace = read(traceBytes({ points: tetrahedron.points, steps: 2, events: events.event(6) }));
     expect([0, 1, 2].map((state) => trace.frontAt(state).length)).toEqual([4, 4, 0]);

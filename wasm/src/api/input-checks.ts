@@ -31,6 +31,7 @@ const controlSchema = v.object({
   ...watch,
   onFront: listener,
   onUnoptimized: listener,
+  onTrace: listener,
   partial: v.optional(v.boolean()),
 });
 
@@ -39,7 +40,7 @@ export function checkControl(control: RunControl): Diagnostic[] {
   if (problem === undefined) return [];
   const where = problem.path === "" ? "" : `.${problem.path}`;
   const remedy =
-    "Pass an object with any of: functions onProgress, onFront and onUnoptimized, an AbortSignal signal.";
+    "Pass an object with any of: functions onProgress, onFront, onUnoptimized and onTrace, an AbortSignal signal.";
   return [invalidOption("control", `the control${where} of the call is invalid: ${problem.message}`, remedy)];
 }
 

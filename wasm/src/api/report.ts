@@ -18,11 +18,12 @@ import type { ProjectPreview } from "../project/preview.js";
 
 /** Returns the engine's result; its diagnostics use the names given by the user. */
 export function describedResult(result: EngineResult, name: EntityNamer): MeshResult {
-  const { status, surface, volume, metricShapes, statistics, hasFoundNothingBetter } = result;
+  const { status, surface, volume, metricShapes, statistics, hasFoundNothingBetter, recording } = result;
   return {
     surface,
     volume,
     ...(metricShapes && { metricShapes }),
+    ...(recording && { recording }),
     report: {
       status,
       ...statistics,

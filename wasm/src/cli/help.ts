@@ -237,6 +237,16 @@ Examples
   tetrafront stats part.vtu --json | jq .dihedral.min
 `;
 
+export const TRACE_HELP = `
+A trace (.tft) holds every decision of the front: the base face, the ideal point, each candidate with the reason
+why it was refused, and what the step changed; docs/TRACE.md describes the file. Its fingerprint is that of
+\`tetrafront mesh --optimize none\` with the same options. A step takes about 40 bytes.
+
+Examples
+  tetrafront trace cube.json -o cube.tft
+  tetrafront trace cube.tft --summary
+`;
+
 export const COVER_HELP = `
 A background grid defines the element size at its nodes. Edit the sizes in the app or in the file, or let
 \`tetrafront propose\` add sources.

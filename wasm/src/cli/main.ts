@@ -27,6 +27,7 @@ import {
   PROPOSE_HELP,
   remeshHelp,
   STATS_HELP,
+  TRACE_HELP,
 } from "./help.js";
 import { type ImproveCommandOptions, improveFile } from "./improve.js";
 import { type InfoCommandOptions, infoOnFile, statsOfFile } from "./info.js";
@@ -35,6 +36,7 @@ import { ExitCode, reportFailure } from "./messages.js";
 import { propose, type ProposeOptions } from "./propose.js";
 import { type RemeshFileOptions, remeshFile } from "./remesh.js";
 import { SURFACE_TREATMENTS } from "./remeshing.js";
+import { type TraceCommandOptions, traceFile } from "./trace.js";
 import { withUnits } from "./units.js";
 import {
   backgroundOption,
@@ -117,6 +119,7 @@ function commandLine(args: readonly string[], { setExitCode, printHelp }: Comman
   addStats(program, setExitCode);
   addCover(program, setExitCode);
   addPropose(program, setExitCode);
+  addTrace(program, setExitCode);
   program.addHelpText("after", PROGRAM_HELP);
   return program;
 }
@@ -131,7 +134,31 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
     .requiredOption("-o, --output <file>", "output file; for several inputs, its name must contain {name}")
     .addOption(formatOption())
     .addOption(fromOption())
-    .addOption(toOption())
+    .addOption(toOption());
+  withFront(command).addOption(
+    new Option(
+      "--optimize <level>",
+      `effort spent on improving the elements after the front (default ${MESH_DEFAULTS.optimization})`,
+    ).choices(OPTIMIZATIONS),
+  );
+  withUnits(withJobs(withRepair(withRemeshing(command, "remeshing: ")).addOption(splitOption())))
+    .option(
+      "--require-angle <degrees>",
+      "exit with 1 if the smallest dihedral angle is below this; still write the mesh",
+    )
+    .option("-r, --report <file>", "write statistics and diagnostics as JSON; - for standard output")
+    .addOption(elementOrderOption())
+    .option("-k, --keep-partial", "write the mesh even if it is partial")
+    .option("-q, --quiet", "print errors only")
+    .addHelpText("after", meshHelp)
+    .action(async (inputs: string[]) =>
+      setExitCode(await forEachInput<MeshCommandOptions>(inputs, command, meshFile)),
+    );
+}
+
+/** Adds the options that decide how the front advances. */
+function withFront(command: Command): Command {
+  return command
     .option(
       "-s, --size <length>",
       "uniform element size for a project (replaces its background grid); largest size for a surface",
@@ -160,25 +187,29 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
         `order in which faces leave the front (default ${MESH_DEFAULTS.order})`,
       ).choices(FRONT_ORDERS),
     )
-    .option("--no-filters", "test all faces around each new element; slower, gives the same mesh")
-    .addOption(
-      new Option(
-        "--optimize <level>",
-        `effort spent on improving the elements after the front (default ${MESH_DEFAULTS.optimization})`,
-      ).choices(OPTIMIZATIONS),
-    );
-  withUnits(withJobs(withRepair(withRemeshing(command, "remeshing: ")).addOption(splitOption())))
-    .option(
-      "--require-angle <degrees>",
-      "exit with 1 if the smallest dihedral angle is below this; still write the mesh",
+    .option("--no-filters", "test all faces around each new element; slower, gives the same mesh");
+}
+
+function addTrace(program: Command, setExitCode: SetExitCode): void {
+  const command = program
+    .command("trace")
+    .description(
+      "Record every step of the front while a project or surface is meshed, or describe a recording.",
     )
-    .option("-r, --report <file>", "write statistics and diagnostics as JSON; - for standard output")
-    .addOption(elementOrderOption())
-    .option("-k, --keep-partial", "write the mesh even if it is partial")
+    .argument("<input>", "project or surface; or a trace (.tft), with --summary")
+    .option("-o, --output <file>", "output file (.tft)")
+    .addOption(inputFormatOption())
+    .addOption(fromOption());
+  withUnits(withRepair(withRemeshing(withFront(command), "remeshing: ")).addOption(splitOption()))
+    .option(
+      "--summary",
+      "print the counts of the trace as JSON: steps, accepted, refused by reason, postponed",
+    )
     .option("-q, --quiet", "print errors only")
-    .addHelpText("after", meshHelp)
-    .action(async (inputs: string[]) =>
-      setExitCode(await forEachInput<MeshCommandOptions>(inputs, command, meshFile)),
+    .addHelpText("after", TRACE_HELP)
+    .action(
+      async (input: string, { format, ...options }: TraceCommandOptions & { readonly format?: string }) =>
+        setExitCode(await traceFile(input, { ...options, ...(format !== undefined && { from: format }) })),
     );
 }
 

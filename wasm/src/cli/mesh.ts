@@ -6,6 +6,7 @@ import { checkOptions } from "../api/options.js";
 import { emptyReport, emptyResult } from "../api/report.js";
 import { plural } from "../base/plural.js";
 import type { Diagnostic, DiagnosticOf } from "../diagnostics/diagnostic.js";
+import type { RunControl } from "../engine/control.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { FrontOrder, InnerShells, Optimization } from "../generated/constants.js";
@@ -86,7 +87,8 @@ export interface MeshCommandOptions
   readonly quiet?: boolean;
 }
 
-const EXIT_CODES: Readonly<Record<MeshStatus, number>> = {
+/** Exit code of each end of a run. */
+export const EXIT_CODES: Readonly<Record<MeshStatus, number>> = {
   done: ExitCode.meshed,
   stalled: ExitCode.notCompleted,
   cancelled: ExitCode.notCompleted,
@@ -137,15 +139,54 @@ const projectGrowth = invalidOption(
 
 async function meshAndWrite(input: string, options: MeshCommandOptions): Promise<Outcome> {
   const isQuiet = options.quiet === true;
-  const meshOptions = readOptions(options);
   const requiredAngle = requiredAngleOf(options);
+  const made = await meshInput(input, options, () => checkMeshPaths(input, options));
+  const { given, treatment, result, model: meshed, found, changes, refinement, remesh } = made;
+  const { report } = result;
+  const shouldWrite = mayWrite(result, options);
+  const written = shouldWrite && (await writeResult(input, options, result, meshed)) ? options.output : null;
+  if (!isQuiet && report.status !== "invalid-input") print(summary(input, report, written, options));
+  const isLost = shouldWrite && written === null;
+  const poor = requiredAngleError(
+    report,
+    requiredAngle,
+    options,
+    given.kind === "project" || treatment === "remesh",
+  );
+  printDiagnostics(input, poor, { isQuiet });
+  const exitCode = isLost || poor.length > 0 ? ExitCode.notCompleted : EXIT_CODES[report.status];
+  const diagnostics = [...found, ...report.diagnostics, ...poor];
+  return { report: { ...report, diagnostics }, written, exitCode, changes, refinement, remesh };
+}
+
+/** What was read, and what became of it. */
+export interface MeshedInput extends Meshed {
+  readonly given: Input;
+  readonly treatment: SurfaceTreatment | undefined;
+  /** Diagnostics from before the run. */
+  readonly found: readonly Diagnostic[];
+  readonly changes?: readonly RepairChange[] | undefined;
+}
+
+/**
+ * Reads, repairs and meshes an input, and prints what was done. `checkPaths` is called before anything is read. `onTrace`
+ * receives the steps of the front.
+ */
+export async function meshInput(
+  input: string,
+  options: Omit<MeshCommandOptions, "output">,
+  checkPaths: () => Promise<void>,
+  onTrace?: RunControl["onTrace"],
+): Promise<MeshedInput> {
+  const isQuiet = options.quiet === true;
+  const meshOptions = readOptions(options);
   const repair = repairOptions(options);
   const split = splitOptions(options);
   const isCad = isCadInput(input, options.from);
   const treatment = options.surface ?? (isCad ? "remesh" : undefined);
   if (treatment === "remesh") remeshOptions(options, meshOptions);
   else refuseRemeshing(options);
-  await checkMeshPaths(input, options);
+  await checkPaths();
   const given = await readModel(input, options, meshOptions.size);
   if (given.kind === "project") {
     if (options.surface !== undefined) refuseOptions([projectSurface]);
@@ -164,31 +205,15 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   if (given.kind === "surface" && !isQuiet) {
     for (const line of readingLines(given.surface)) print(`note: ${input}: ${line}`);
   }
-  const {
-    result,
-    model: meshed,
-    refinement,
-    remesh,
-  } = await mesh(model, meshOptions, { isQuiet, treatment, isCad, remeshing: options, grid });
+  const meshing = { isQuiet, treatment, isCad, remeshing: options, grid, onTrace };
+  const made = await mesh(model, meshOptions, meshing);
+  const { refinement, remesh } = made;
   if (refinement !== undefined && !isQuiet) print(`${input}: ${refinementText(refinement)}`);
   if (remesh !== undefined && !isQuiet) print(`${input}: ${remeshText(remesh)}`);
   if (remesh?.isPartial === true) print(`${input}: ${REMESHING_STOPPED}`);
-  const { report } = result;
-  printWithGrid({ input, background: options.background }, [...found, ...report.diagnostics], isQuiet);
-  const shouldWrite = mayWrite(result, options);
-  const written = shouldWrite && (await writeResult(input, options, result, meshed)) ? options.output : null;
-  if (!isQuiet && report.status !== "invalid-input") print(summary(input, report, written, options));
-  const isLost = shouldWrite && written === null;
-  const poor = requiredAngleError(
-    report,
-    requiredAngle,
-    options,
-    given.kind === "project" || treatment === "remesh",
-  );
-  printDiagnostics(input, poor, { isQuiet });
-  const exitCode = isLost || poor.length > 0 ? ExitCode.notCompleted : EXIT_CODES[report.status];
-  const diagnostics = [...found, ...report.diagnostics, ...poor];
-  return { report: { ...report, diagnostics }, written, exitCode, changes, refinement, remesh };
+  const { diagnostics } = made.result.report;
+  printWithGrid({ input, background: options.background }, [...found, ...diagnostics], isQuiet);
+  return { ...made, given, treatment, found, changes };
 }
 
 const REMESHING_STOPPED =
@@ -288,7 +313,7 @@ function invalidInput(diagnostics: readonly Diagnostic[]): Outcome {
   };
 }
 
-function readOptions(options: MeshCommandOptions): MeshOptions {
+function readOptions(options: Omit<MeshCommandOptions, "output">): MeshOptions {
   const meshOptions: MeshOptions = {
     ...sizesIn(options),
     gradation: numberIn(options.gradation),
@@ -337,6 +362,7 @@ interface MeshingOptions {
   readonly isCad: boolean;
   readonly remeshing: RemeshCommandOptions;
   readonly grid: GivenGrid | undefined;
+  readonly onTrace: RunControl["onTrace"];
 }
 
 /** Result, and the model that was meshed after repair, refinement or remeshing. */
@@ -351,7 +377,7 @@ async function mesh(model: Input, options: MeshOptions, meshing: MeshingOptions)
   try {
     return await withRun(meshing.isQuiet, async (mesher, controlOf) => {
       const all = await withGrid(mesher, options, meshing.grid);
-      const control = controlOf();
+      const control = { ...controlOf(), onTrace: meshing.onTrace };
       if (control.signal.aborted) return { result: emptyResult("cancelled"), model };
       if (model.kind === "project") {
         return { result: await mesher.meshProject(model.project, all, control), model };

@@ -16,6 +16,12 @@ export interface RunControl {
    */
   readonly onFront?: ((corners: Float64Array) => void) | undefined;
   /**
+   * Called by `meshProject` and `fillSurface` with the events of the front (docs/TRACE.md) as they are recorded; joined,
+   * they are the events of a trace. A module of the engine that records is loaded first. The mesh is the same, bit for
+   * bit. A failure of this function has the same effect as one of `onProgress`. `recordTrace` makes a file of them.
+   */
+  readonly onTrace?: ((events: Uint8Array) => void) | undefined;
+  /**
    * Called by `meshProject` and `fillSurface` at most once, with the mesh before or during optimization:
    * about 0.25 s after the front has closed, unless the run has ended by then. The caller owns the arrays.
    * Costs a copy of the mesh. A failure of this function has the same effect as one of `onProgress`.

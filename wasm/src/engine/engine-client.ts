@@ -15,7 +15,10 @@ import { EngineWorker, type WorkReply } from "./engine-worker.js";
 import type { Answer, Answers, AnswerTo, EngineResult, Question, Request } from "./protocol.js";
 import { buffersOf } from "./transfer.js";
 
-type RunReply = Extract<WorkReply, { kind: "progress" | "front" | "unoptimized" | "stopping" | "result" }>;
+type RunReply = Extract<
+  WorkReply,
+  { kind: "progress" | "front" | "trace" | "unoptimized" | "stopping" | "result" }
+>;
 
 /** Time for the worker to confirm a cancellation. Then it is terminated, within the promised half second. */
 const CANCEL_GRACE_MS = 450;
@@ -147,14 +150,14 @@ export class EngineClient {
   /** Resolves when the run ends; the arrays of the request are transferred. */
   async run(
     request: RunRequest,
-    { signal, onProgress, onFront, onUnoptimized }: RunControl,
+    { signal, onProgress, onFront, onUnoptimized, onTrace }: RunControl,
   ): Promise<EngineResult | Cancelled> {
     let onAbort: (() => void) | undefined;
     try {
       return await new Promise<EngineResult | Cancelled>((resolve, reject) => {
         const triangles = trianglesIn(request);
         const state = { began: undefined, progress: undefined };
-        const listener = { onProgress, onFront, onUnoptimized };
+        const listener = { onProgress, onFront, onUnoptimized, onTrace };
         const job: Job = { request, triangles, ...listener, ...state, resolve, reject };
         onAbort = () => this.#cancel(job);
         signal?.addEventListener("abort", onAbort, { once: true });
@@ -235,6 +238,7 @@ export class EngineClient {
         return this.#receiveAnswer(reply);
       case "progress":
       case "front":
+      case "trace":
       case "unoptimized":
       case "stopping":
       case "result":
@@ -276,6 +280,8 @@ export class EngineClient {
         return notify(job, job.onProgress, reply.progress, onFailure);
       case "front":
         return notify(job, job.onFront, reply.corners, onFailure);
+      case "trace":
+        return notify(job, job.onTrace, reply.events, onFailure);
       case "unoptimized":
         return notify(job, job.onUnoptimized, reply.mesh, onFailure);
       case "stopping":

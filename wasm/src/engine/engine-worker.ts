@@ -2,7 +2,7 @@
 import { loadRemedies, startWorker } from "#worker-host";
 import { sharedCode, type CodeLoader } from "./shared-code.js";
 import { crashError, type MesherError, notLoadedError } from "../diagnostics/mesher-error.js";
-import type { ModuleName, Reply, Request } from "./protocol.js";
+import { MODULE_NAMES, type ModuleName, type Reply, type Request } from "./protocol.js";
 import type { WorkerHandle } from "./worker-host.js";
 
 /** Replies of a worker that is ready. */
@@ -25,6 +25,7 @@ export class EngineWorker {
   readonly #loaders: { readonly [Name in ModuleName]: CodeLoader } = {
     engine: { load: (module) => this.#handle?.post({ kind: "load", name: "engine", module }, []) },
     tools: { load: (module) => this.#handle?.post({ kind: "load", name: "tools", module }, []) },
+    trace: { load: (module) => this.#handle?.post({ kind: "load", name: "trace", module }, []) },
   };
   #isReady = false;
   #isOver = false;
@@ -59,7 +60,7 @@ export class EngineWorker {
   terminate(): void {
     this.#isOver = true;
     this.#handle?.terminate();
-    for (const name of ["engine", "tools"] as const) sharedCode[name].settle(this.#loaders[name], undefined);
+    for (const name of MODULE_NAMES) sharedCode[name].settle(this.#loaders[name], undefined);
   }
 
   #receive(reply: Reply): void {

@@ -1,6 +1,7 @@
 /**
- * Loads the compiled engine: the module "engine", which fills models and surfaces and improves meshes, and the module
- * "tools", for everything else. The only file that names the compiled modules.
+ * Loads the compiled engine: the module "engine", which fills models and surfaces and improves meshes, the module
+ * "trace", whose runs record the steps of the front, and the module "tools", for everything else. The only file that names
+ * the compiled modules.
  */
 import createEngine, { type Improvement, type MainModule as Engine, type Run } from "./engine.js";
 import type {
@@ -18,6 +19,7 @@ import type {
   SurfaceProposal,
   VolumeInspection,
 } from "./tools.js";
+import type { MainModule as TraceEngine, Run as TracedRun } from "./trace.js";
 
 type ResultOf<Tool extends keyof Tools> = Tools[Tool] extends (...given: never[]) => infer Made
   ? NonNullable<Made> extends { result(): infer Result }
@@ -47,8 +49,9 @@ export type EngineProposalOptions = Readonly<Parameters<Tools["propose"]>[1]>;
 export type EngineRepairOptions = Readonly<Parameters<Tools["repairSurface"]>[2]>;
 export type EngineRemeshOptions = Readonly<Parameters<Tools["remeshSurface"]>[4]>;
 
-export type { Engine, Tools };
-export type EngineRun = Run;
+export type { Engine, Tools, TraceEngine };
+/** A run; those of the module "trace" record the steps of the front. */
+export type EngineRun = Run & Partial<Pick<TracedRun, "takeTrace" | "frontFingerprint" | "recordedSteps">>;
 /** A tool of the engine that works in slices and has one result. */
 export type EngineTool =
   | Cover
@@ -94,6 +97,14 @@ export const loadTools: LoadModule<Tools> = async (given, compile) => {
     given === undefined ? compile(new URL("./tools.wasm", import.meta.url)) : Promise.resolve(given),
   ]);
   return instantiated(createTools, module);
+};
+
+export const loadTraceEngine: LoadModule<TraceEngine> = async (given, compile) => {
+  const [{ default: createTrace }, module] = await Promise.all([
+    import("./trace.js"),
+    given === undefined ? compile(new URL("./trace.wasm", import.meta.url)) : Promise.resolve(given),
+  ]);
+  return instantiated(createTrace, module);
 };
 
 type ReceiveInstance = (instance: WebAssembly.Instance, module: WebAssembly.Module) => void;

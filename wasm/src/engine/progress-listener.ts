@@ -10,6 +10,7 @@ export interface ProgressListener {
   /** Like `onProgress`, but for runs only. */
   onFront?: RunControl["onFront"];
   onUnoptimized?: RunControl["onUnoptimized"];
+  onTrace?: RunControl["onTrace"];
 }
 
 /**
@@ -23,11 +24,12 @@ export function notify<Value>(
   onFailure: (failure: unknown) => void,
 ): void {
   const fail = (failure: unknown): void => {
-    const { onProgress, onFront, onUnoptimized } = listener;
-    if ((onProgress ?? onFront ?? onUnoptimized) === undefined) return;
+    const { onProgress, onFront, onUnoptimized, onTrace } = listener;
+    if ((onProgress ?? onFront ?? onUnoptimized ?? onTrace) === undefined) return;
     listener.onProgress = undefined;
     listener.onFront = undefined;
     listener.onUnoptimized = undefined;
+    listener.onTrace = undefined;
     onFailure(failure);
   };
   try {

@@ -1,10 +1,10 @@
-/** Messages between the page (or a Node program) and the worker. Types only. */
+/** Messages between the page (or a Node program) and the worker. */
 import type { Progress } from "../base/progress.js";
 import type { EngineFailure } from "../diagnostics/mesher-error.js";
 import type { GivenRegions, SurfaceMesh, VolumeMesh } from "../mesh/mesh.js";
 import type { UnoptimizedMesh } from "./control.js";
 import type { MetricShapes } from "../mesh/quality.js";
-import type { MeshReport, MeshStatus } from "../mesh/report.js";
+import type { FrontRecording, MeshReport, MeshStatus } from "../mesh/report.js";
 import type { BodySurfaceArrays, GridArrays, ModelArrays } from "../generated/constants.js";
 import type {
   CompiledModule,
@@ -28,8 +28,12 @@ import type {
   EngineVolumeInspection,
 } from "./loader.js";
 
-/** A module of the compiled engine: "engine" fills models and surfaces and improves meshes, "tools" answers the other questions. */
-export type ModuleName = "engine" | "tools";
+/**
+ * A module of the compiled engine: "engine" fills models and surfaces and improves meshes, "trace" fills them and records
+ * the steps of the front, "tools" answers the other questions.
+ */
+export const MODULE_NAMES = ["engine", "tools", "trace"] as const;
+export type ModuleName = (typeof MODULE_NAMES)[number];
 
 /**
  * A question. The worker answers it in slices, also during a run: any number of `progress` replies, then one
@@ -159,7 +163,7 @@ export type Request =
    * `wanted` is answered by one.
    */
   | { readonly kind: "load"; readonly name: ModuleName; readonly module: CompiledModule | undefined }
-  /** Answered by any number of `progress` and `front`, at most one `unoptimized`, then one `result` or `failure`. */
+  /** Answered by any number of `progress`, `front` and `trace`, at most one `unoptimized`, then one `result` or `failure`. */
   | {
       readonly kind: "mesh-model";
       readonly id: number;
@@ -167,6 +171,8 @@ export type Request =
       readonly showFront: boolean;
       /** True for an `unoptimized` reply. */
       readonly showUnoptimized: boolean;
+      /** True for `trace` replies. */
+      readonly recordTrace: boolean;
       readonly model: ModelArrays;
       /** Surfaces to mesh together with the model; undefined without any. */
       readonly bodies: BodySurfaceArrays | undefined;
@@ -179,6 +185,7 @@ export type Request =
       readonly id: number;
       readonly showFront: boolean;
       readonly showUnoptimized: boolean;
+      readonly recordTrace: boolean;
       readonly points: Float64Array;
       readonly triangles: Uint32Array;
       /** Empty arrays if nothing is known. */
@@ -204,6 +211,8 @@ export interface EngineResult {
   /** Absent without stretching. */
   readonly metricShapes?: MetricShapes;
   readonly statistics: Omit<MeshReport, "diagnostics" | "status">;
+  /** Of a run that records its steps. */
+  readonly recording?: FrontRecording;
   /** Whether thorough optimization found no better mesh. */
   readonly hasFoundNothingBetter: boolean;
   readonly diagnostics: EngineDiagnostics;
@@ -244,6 +253,8 @@ export type Reply =
   /** The current front: x y z of three corners per face. */
   | { readonly kind: "front"; readonly id: number; readonly corners: Float64Array }
   | { readonly kind: "unoptimized"; readonly id: number; readonly mesh: UnoptimizedMesh }
+  /** The events of the front since the last reply (docs/TRACE.md). */
+  | { readonly kind: "trace"; readonly id: number; readonly events: Uint8Array }
   /** The run takes no further step; its result is being copied. */
   | { readonly kind: "stopping"; readonly id: number }
   | { readonly kind: "result"; readonly id: number; readonly result: EngineResult }

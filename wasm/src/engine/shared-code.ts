@@ -41,4 +41,8 @@ export class SharedCode {
 }
 
 /** The code of each module. */
-export const sharedCode = { engine: new SharedCode(), tools: new SharedCode() } as const;
+export const sharedCode = {
+  engine: new SharedCode(),
+  tools: new SharedCode(),
+  trace: new SharedCode(),
+} as const;

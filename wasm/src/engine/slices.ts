@@ -51,6 +51,8 @@ export interface RunSliceControl extends SliceControl {
    * snapshots.
    */
   readonly onFront: ((corners: Float64Array) => void) | undefined;
+  /** Receives the events that the run has recorded since the last call, after each slice; undefined if it records none. */
+  readonly onTrace: ((events: Uint8Array) => void) | undefined;
   /** Receives the mesh once while it is optimized or verified; undefined for never. */
   readonly onUnoptimized: ((mesh: UnoptimizedMesh) => void) | undefined;
 }
@@ -71,6 +73,8 @@ export async function runInSlices(
   let reached = 0;
   for (;;) {
     const status = advanceFor(SLICE_MS, run, clock);
+    const events = control.onTrace && run.takeTrace?.();
+    if (events !== undefined && events.length > 0) control.onTrace?.(events);
     // A failed run has no progress to report.
     if (status !== undefined && failureOf(run) !== "none") return status;
     const now = performance.now();

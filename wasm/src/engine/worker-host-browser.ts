@@ -5,7 +5,7 @@ export const loadRemedies: LoadRemedies = {
   worker:
     "Serve worker.js of the package, and the scripts that it imports, from the page's own origin, and let its Content-Security-Policy allow workers without trusted types.",
   engine:
-    "Serve engine.wasm, tools.wasm and tools.js of the package, and let the Content-Security-Policy allow 'wasm-unsafe-eval' and to connect to them.",
+    "Serve engine.wasm, tools.wasm and tools.js of the package (to record traces, trace.wasm and trace.js too), and let the Content-Security-Policy allow 'wasm-unsafe-eval' and to connect to them.",
 };
 
 export const startWorker: StartWorker = (events) => {

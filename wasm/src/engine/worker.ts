@@ -1,11 +1,21 @@
 /** The worker: receives requests, runs the engine in slices, sends replies (protocol.ts). */
 import { workerPort } from "#worker-port";
 import type { FailureReason } from "../diagnostics/mesher-error.js";
-import type { MeshStatus } from "../mesh/report.js";
+import type { FrontRecording, MeshStatus } from "../mesh/report.js";
 import type { UnoptimizedMesh } from "./control.js";
 import { LazyModule, textOf } from "./lazy-module.js";
-import { type Engine, type EngineRun, type EngineTool, loadEngine, loadTools, type Tools } from "./loader.js";
-import type { Answer, EngineResult, Question, Request } from "./protocol.js";
+import {
+  type Engine,
+  type EngineRun,
+  type EngineTool,
+  loadEngine,
+  loadTools,
+  loadTraceEngine,
+  type LoadModule,
+  type Tools,
+  type TraceEngine,
+} from "./loader.js";
+import type { Answer, EngineResult, ModuleName, Question, Request } from "./protocol.js";
 import { qualityReport } from "./quality-report.js";
 import { RunClock } from "./run-clock.js";
 import { failureOf, runInSlices, type SliceControl, workInSlices } from "./slices.js";
@@ -41,12 +51,23 @@ const lazyEngine = new LazyModule<Engine>({
   onUnusable: (message) => workerPort.post({ kind: "unusable", name: "engine", message }),
 });
 
-const lazyTools = new LazyModule<Tools>({
-  askForCode: () => workerPort.post({ kind: "wanted", name: "tools" }),
-  load: (given) => loadTools(given, workerPort.compile),
-  onReady: (module) => workerPort.post({ kind: "ready", name: "tools", module }),
-  onUnusable: (message) => workerPort.post({ kind: "unusable", name: "tools", message }),
-});
+/** Returns a module that is loaded when a request needs it. */
+function onDemand<Instance>(name: ModuleName, load: LoadModule<Instance>): LazyModule<Instance> {
+  return new LazyModule<Instance>({
+    askForCode: () => workerPort.post({ kind: "wanted", name }),
+    load: (given) => load(given, workerPort.compile),
+    onReady: (module) => workerPort.post({ kind: "ready", name, module }),
+    onUnusable: (message) => workerPort.post({ kind: "unusable", name, message }),
+  });
+}
+
+const lazyTools = onDemand("tools", loadTools);
+const lazyTrace = onDemand("trace", loadTraceEngine);
+
+const modules = { engine: lazyEngine, tools: lazyTools, trace: lazyTrace } as const;
+
+/** The modules that fill models and surfaces. */
+type RunEngine = Engine | TraceEngine;
 
 // Listens at once, because a browser drops messages sent before a worker listens.
 workerPort.onRequest((request) => void serve(request));
@@ -55,7 +76,7 @@ lazyEngine.instance().catch(() => undefined);
 async function serve(request: Request): Promise<void> {
   switch (request.kind) {
     case "load":
-      return (request.name === "engine" ? lazyEngine : lazyTools).receive(request.module);
+      return modules[request.name].receive(request.module);
     case "cancel":
       if (running.has(request.id)) cancelled.add(request.id);
       return;
@@ -63,9 +84,9 @@ async function serve(request: Request): Promise<void> {
       if (running.has(request.id)) stopped.add(request.id);
       return;
     case "mesh-model":
-      return workIn(lazyEngine, request.id, (engine) => mesh(request, modelRun(engine, request)));
+      return workIn(runModule(request), request.id, (engine) => mesh(request, modelRun(engine, request)));
     case "fill-surface":
-      return workIn(lazyEngine, request.id, (engine) => mesh(request, surfaceRun(engine, request)));
+      return workIn(runModule(request), request.id, (engine) => mesh(request, surfaceRun(engine, request)));
     case "improve-mesh":
       return workIn(lazyEngine, request.id, (engine) =>
         answer(request, () => {
@@ -78,8 +99,12 @@ async function serve(request: Request): Promise<void> {
   }
 }
 
+function runModule({ recordTrace }: RunRequest): LazyModule<RunEngine> {
+  return recordTrace ? lazyTrace : lazyEngine;
+}
+
 /** Works on the request with this id in an instance of the module that it needs; replies if that fails. */
-async function workIn<Instance extends Engine | Tools>(
+async function workIn<Instance extends RunEngine | Tools>(
   module: LazyModule<Instance>,
   id: number,
   work: (instance: Instance) => Promise<void>,
@@ -99,14 +124,17 @@ async function workIn<Instance extends Engine | Tools>(
   }
 }
 
-function modelRun(engine: Engine, request: Extract<Request, { kind: "mesh-model" }>): EngineRun | null {
+function modelRun(engine: RunEngine, request: Extract<Request, { kind: "mesh-model" }>): EngineRun | null {
   const { model, bodies, grid, options } = request;
   return bodies === undefined
     ? engine.meshModel(model, grid, options)
     : engine.meshWithBodies(model, bodies, grid, options);
 }
 
-function surfaceRun(engine: Engine, request: Extract<Request, { kind: "fill-surface" }>): EngineRun | null {
+function surfaceRun(
+  engine: RunEngine,
+  request: Extract<Request, { kind: "fill-surface" }>,
+): EngineRun | null {
   const { points, triangles, regions, grid, options } = request;
   return engine.fillSurface(points, triangles, regions, grid, options);
 }
@@ -197,7 +225,10 @@ function controlOf(id: number): SliceControl {
 
 type RunRequest = Extract<Request, { kind: "mesh-model" | "fill-surface" }>;
 
-async function mesh({ id, showFront, showUnoptimized }: RunRequest, run: EngineRun | null): Promise<void> {
+async function mesh(
+  { id, showFront, showUnoptimized, recordTrace }: RunRequest,
+  run: EngineRun | null,
+): Promise<void> {
   if (run === null) throw noMemory();
   const clock = new RunClock();
   try {
@@ -206,8 +237,11 @@ async function mesh({ id, showFront, showUnoptimized }: RunRequest, run: EngineR
       workerPort.post({ kind: "front", id, corners }, buffersOf(corners));
     const onUnoptimized = (mesh: UnoptimizedMesh): void =>
       workerPort.post({ kind: "unoptimized", id, mesh }, buffersOf(mesh));
+    const onTrace = (events: Uint8Array): void =>
+      workerPort.post({ kind: "trace", id, events }, buffersOf(events));
     const control = {
       ...controlOf(id),
+      onTrace: recordTrace ? onTrace : undefined,
       onFront: showFront ? onFront : undefined,
       onUnoptimized: showUnoptimized ? onUnoptimized : undefined,
     };
@@ -241,6 +275,7 @@ function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineRe
   const metricShapes = run.metricShapes();
   const diagnostics = run.diagnostics();
   const hasFoundNothingBetter = run.hasFoundNothingBetter();
+  const recording = recordingOf(run);
   assertHealthy(run);
   return {
     status,
@@ -249,8 +284,16 @@ function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineRe
     ...(metricShapes.radiusRatio.length > 0 && { metricShapes }),
     diagnostics,
     hasFoundNothingBetter,
+    ...(recording && { recording }),
     statistics: { ...statistics, seconds: clock.seconds() },
   };
+}
+
+/** Returns what a run knows of its recorded steps; undefined if it records none. */
+function recordingOf(run: EngineRun): FrontRecording | undefined {
+  const fingerprint = run.frontFingerprint?.();
+  const steps = run.recordedSteps?.();
+  return fingerprint === undefined || steps === undefined ? undefined : { fingerprint, steps };
 }
 
 /** After a failure the engine returns empty values, which must not pass for a result. */
@@ -262,7 +305,7 @@ function assertHealthy(run: { failure(): number; failureMessage(): string }): vo
 }
 
 /** The client replaces the worker after this (protocol.ts). */
-function replyFailure(instance: Engine | Tools, id: number, failure: unknown): void {
+function replyFailure(instance: RunEngine | Tools, id: number, failure: unknown): void {
   const reason = failure instanceof ReportedFailure ? failure.reason : "engine-failed";
   const message = textOf(failure);
   const isEngineLost = !(failure instanceof ReportedFailure);

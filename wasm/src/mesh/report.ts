@@ -67,11 +67,24 @@ export interface MeshReport {
   readonly diagnostics: readonly Diagnostic[];
 }
 
+/** What is known of the steps of a recorded run. */
+export interface FrontRecording {
+  /** Number of steps: base faces, and changes by recovery. */
+  readonly steps: number;
+  /**
+   * Hash of the mesh when the front and its recovery have ended, before the optimization; 16 hexadecimal digits, all 0
+   * if they have not.
+   */
+  readonly fingerprint: string;
+}
+
 /** Mesh with its boundary and its report; after a run that ended early, the mesh made so far. */
 export interface MeshResult {
   readonly surface: SurfaceMesh;
   readonly volume: VolumeMesh;
   /** Shapes of the elements of a finished mesh in the metric of its size field; absent if the field is not stretched. */
   readonly metricShapes?: MetricShapes | undefined;
+  /** Present after a run with `onTrace`, unless its worker had to be terminated. */
+  readonly recording?: FrontRecording | undefined;
   readonly report: MeshReport;
 }

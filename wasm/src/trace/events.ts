@@ -36,7 +36,11 @@ export interface BaseEvent {
   readonly rankedCandidates: number;
 }
 
+/** Target edge length in a stretched field, where the size tensor has the size. */
+const UNIT_EDGE = 1;
+
 export function readBase(cursor: TraceCursor, detail: number): BaseEvent {
+  const isStretched = (detail & STRETCHED_BIT) !== 0;
   const ruleClass = detail % STRETCHED_BIT;
   if (ruleClass >= RULE_CLASSES) cursor.fail(`there is no rule class ${ruleClass}`, cursor.at - 1);
   return {
@@ -45,8 +49,8 @@ export function readBase(cursor: TraceCursor, detail: number): BaseEvent {
     face: cursor.zigzag(),
     bucket: cursor.byte(),
     layers: cursor.varint(),
-    targetEdge: cursor.float(),
-    tensor: (detail & STRETCHED_BIT) === 0 ? null : readTensor(cursor),
+    targetEdge: isStretched ? UNIT_EDGE : cursor.float(),
+    tensor: isStretched ? readTensor(cursor) : null,
     ideal: floats(cursor),
     nearbyFaces: cursor.varint(),
     rankedCandidates: cursor.varint(),
@@ -70,7 +74,7 @@ export function readRefused(cursor: TraceCursor, detail: number): RefusedEvent {
   const isNew = (detail & NEW_REFUSED_BIT) !== 0;
   const reason = REFUSALS[detail - (isNew ? NEW_REFUSED_BIT : 0)];
   if (reason === undefined) return cursor.fail(`there is no reason ${detail} for a refusal`, cursor.at - 1);
-  const score = cursor.float();
+  const score = cursor.score();
   const candidate: CandidateEvent = isNew
     ? { isNew, position: floats(cursor) }
     : { isNew, node: cursor.zigzag() };
@@ -91,7 +95,7 @@ export function readAccepted(cursor: TraceCursor, detail: number): AcceptedEvent
   if (detail >= 2 * NEW_ACCEPTED_BIT)
     cursor.fail("the detail of an accepted candidate is wrong", cursor.at - 1);
   const isNew = (detail & NEW_ACCEPTED_BIT) !== 0;
-  const score = cursor.float();
+  const score = cursor.score();
   const candidate: CandidateEvent = isNew
     ? { isNew, position: doubles(cursor) }
     : { isNew, node: cursor.zigzag() };

@@ -61,6 +61,14 @@ export class TraceCursor {
     return this.#finite(this.#view.getFloat32(at, true), at);
   }
 
+  /** Reads the upper half of a float; the lower half is 0. */
+  score(): number {
+    const at = this.#advance(2);
+    const float = new DataView(new ArrayBuffer(4));
+    float.setUint16(0, this.#view.getUint16(at, true));
+    return this.#finite(float.getFloat32(0), at);
+  }
+
   double(): number {
     const at = this.#advance(8);
     return this.#finite(this.#view.getFloat64(at, true), at);

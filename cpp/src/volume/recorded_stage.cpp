@@ -1,0 +1,13 @@
+#include "volume/recorded_stage.h"
+
+#include "volume/region_mesher.h"
+
+namespace tetrafront {
+
+std::unique_ptr<VolumeStage> makeRecordedStage(const SurfaceMesh& boundary, const SizeField& field,
+                                               const MeshOptions& options, StepRecorder& recorder) {
+  return std::make_unique<BasicRegionMesher<RecordingTrace>>(boundary, field, options,
+                                                             RecordingTrace{&recorder});
+}
+
+}  // namespace tetrafront

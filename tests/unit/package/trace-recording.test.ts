@@ -1,0 +1,133 @@
+/** Recorded runs: the mesh stays the same, and the trace replays to it. */
+import { readFileSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { createMesher, readProject, readTrace, recordTrace, type Project, type Trace } from "tetrafront";
+import { afterAll, beforeAll, describe, expect, test } from "vitest";
+import { tetrafront } from "../../support/command-line.js";
+import { boxSurface, needleGearSurface } from "../../support/surfaces.js";
+import { temporaryFolder } from "../../support/temporary-folder.js";
+
+const models = new URL("../../../public/models/", import.meta.url);
+const textOf = (id: string): string => readFileSync(new URL(`${id}.json`, models), "utf8");
+
+function gallery(id: string): Project {
+  const result = readProject(textOf(id));
+  if (!result.success) throw new Error(result.errors[0].message);
+  return result.value;
+}
+
+function read(bytes: Uint8Array | undefined): Trace {
+  if (bytes === undefined) throw new Error("nothing was recorded");
+  const result = readTrace(bytes);
+  if (!result.success) throw new Error(result.errors[0].message);
+  return result.value;
+}
+
+let mesher: Awaited<ReturnType<typeof createMesher>>;
+beforeAll(async () => {
+  mesher = await createMesher();
+});
+afterAll(() => mesher.dispose());
+
+const unoptimized = { optimization: "none" } as const;
+
+/** Bytes that a step may take on average. */
+const maxBytesPerStep = 60;
+
+describe("a trace replays to the mesh of an unrecorded run:", () => {
+  test.each([
+    ["one region", "unit-cube"],
+    ["a stretched field", "wing-in-a-tunnel"],
+    ["regions with an interface, one front after the other", "core-in-a-shell"],
+  ])("%s (%s)", async (_, id) => {
+    const project = gallery(id);
+    const plain = await mesher.meshProject(project, unoptimized);
+    const { result, trace: bytes } = await recordTrace(mesher, project, unoptimized);
+    const trace = read(bytes);
+    expect(result.report.fingerprint).toBe(plain.report.fingerprint);
+    expect(trace.header).toMatchObject({ name: project.name, status: "done" });
+    expect(trace.header.fingerprint).toBe(plain.report.fingerprint);
+    const replayed = trace.finalMesh();
+    expect(replayed.fingerprint).toBe(plain.report.fingerprint);
+    expect(replayed.points).toEqual(plain.volume.points);
+    expect(replayed.tetrahedra).toEqual(plain.volume.tetrahedra);
+    expect(replayed.regions).toEqual(plain.volume.regions);
+    const { accepted, postponed, changes, steps } = trace.summary();
+    expect(accepted + postponed + Object.values(changes).reduce((sum, count) => sum + count, 0)).toBe(steps);
+    expect(accepted + postponed).toBe(plain.report.front.pops);
+    expect((bytes?.length ?? 0) / steps).toBeLessThan(maxBytesPerStep);
+    expect(trace.frontAt(trace.stepCount)).toHaveLength(0);
+  });
+
+  test("recovery: needles, among which the front stalls", async () => {
+    const surface = needleGearSurface(8);
+    const plain = await mesher.fillSurface(surface, unoptimized);
+    const { trace: bytes } = await recordTrace(mesher, surface, unoptimized);
+    const trace = read(bytes);
+    const { changes } = trace.summary();
+    expect(changes["exact-fill"] + changes.star + changes.reopened).toBeGreaterThan(0);
+    expect(trace.finalMesh().fingerprint).toBe(plain.report.fingerprint);
+  });
+});
+
+test("optimization follows the recorded front and changes nothing in the trace", async () => {
+  const project = gallery("unit-cube");
+  const front = await recordTrace(mesher, project, unoptimized);
+  const { result, trace } = await recordTrace(mesher, project);
+  expect(trace).toEqual(front.trace);
+  expect(result.report.fingerprint).toBe((await mesher.meshProject(project)).report.fingerprint);
+  expect(result.recording?.fingerprint).toBe(front.result.report.fingerprint);
+});
+
+test("a run without a front has no trace", async () => {
+  const open = boxSurface(2);
+  const surface = { ...open, triangles: open.triangles.slice(3) };
+  const { result, trace } = await recordTrace(mesher, surface);
+  expect(result.report.status).toBe("invalid-input");
+  expect(trace).toBeUndefined();
+});
+
+test("a run rejects with the error that onTrace throws", async () => {
+  const failure = new Error("no more room");
+  const onTrace = (): void => {
+    throw failure;
+  };
+  await expect(mesher.fillSurface(boxSurface(2), {}, { onTrace })).rejects.toBe(failure);
+});
+
+describe("tetrafront trace", () => {
+  const folder = temporaryFolder();
+  const run = (...args: string[]) => tetrafront(folder.path, args);
+  const inFolder = (name: string): string => path.join(folder.path, name);
+
+  test("writes a trace whose fingerprint is that of the mesh without optimization, and describes it", async () => {
+    writeFileSync(inFolder("cube.json"), textOf("unit-cube"));
+    const recorded = await run("trace", "cube.json", "-o", "cube.tft");
+    expect(recorded).toMatchObject({ code: 0 });
+    expect(recorded.stderr).toMatch(/cube\.json: done, \d+ steps, .* -> cube\.tft/);
+    const described = await run("trace", "cube.tft", "--summary");
+    const summary: unknown = JSON.parse(described.stdout);
+    const trace = read(readFileSync(inFolder("cube.tft")));
+    expect(summary).toEqual(trace.summary());
+    const plain = await mesher.meshProject(gallery("unit-cube"), unoptimized);
+    expect(summary).toMatchObject({
+      fingerprint: plain.report.fingerprint,
+      accepted: plain.report.tetrahedra,
+    });
+  });
+
+  test.each([
+    [["trace", "cube.json"], /There is no output file for the trace/],
+    [["trace", "cube.tft"], /Add --summary/],
+    [["trace", "cube.tft", "--summary", "-o", "other.tft"], /Omit --output/],
+    [["trace", "cube.json", "-o", "cube.json"], /cube\.json/],
+    [["trace", "broken.tft", "--summary"], /broken\.tft/],
+    [["trace", "missing.tft", "--summary"], /missing\.tft/],
+  ])("refuses %s", async (args, message) => {
+    writeFileSync(inFolder("cube.json"), textOf("unit-cube"));
+    writeFileSync(inFolder("broken.tft"), "TFTRACE");
+    const { code, stderr } = await run(...args);
+    expect(stderr).toMatch(message);
+    expect(code).toBe(2);
+  });
+});

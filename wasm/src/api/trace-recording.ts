@@ -1,0 +1,74 @@
+/** Recording of a run as a trace file. */
+import type { RunControl } from "../engine/control.js";
+import { type FrontOrder, MESH_DEFAULTS } from "../generated/constants.js";
+import type { SurfaceInput } from "../mesh/mesh.js";
+import type { MeshResult } from "../mesh/report.js";
+import type { Project } from "../project/schema.js";
+import { traceFile } from "../trace/trace-file.js";
+import type { Mesher } from "./mesher-interface.js";
+import type { MeshOptions, ProjectMeshOptions } from "./option-types.js";
+
+/** A recorded run. */
+export interface RecordedMesh {
+  readonly result: MeshResult;
+  /** The trace as a file (docs/TRACE.md), for `readTrace`; absent if the front never began. */
+  readonly trace?: Uint8Array<ArrayBuffer> | undefined;
+}
+
+/** Options of a recorded run: those of `meshProject` or `fillSurface`. */
+export type RecordingOptions = (MeshOptions | ProjectMeshOptions) & {
+  /** Name in the trace; by default that of the project, else "surface". */
+  readonly name?: string | undefined;
+};
+
+/**
+ * Meshes a project or fills a surface, and records every step of the front. The mesh is that of `meshProject` or
+ * `fillSurface`, bit for bit; `optimization: "none"` saves the time of its optimization, which is not part of the trace. The
+ * front takes about a third longer, and a step takes about 40 bytes. Ends and rejects as these calls do.
+ *
+ *     const { trace } = await recordTrace(mesher, project, { optimization: "none" });
+ *     const read = trace && readTrace(trace);
+ */
+export async function recordTrace(
+  mesher: Mesher,
+  input: Project | SurfaceInput,
+  { name, ...options }: RecordingOptions = {},
+  control: RunControl = {},
+): Promise<RecordedMesh> {
+  const events: Uint8Array[] = [];
+  const recording: RunControl = {
+    ...control,
+    onTrace: (piece) => {
+      events.push(piece);
+      return control.onTrace?.(piece);
+    },
+  };
+  const result = isSurface(input)
+    ? await mesher.fillSurface(input, options, recording)
+    : await mesher.meshProject(input, options, recording);
+  const project = isSurface(input) ? undefined : input;
+  const order = options.order ?? project?.meshing?.order;
+  return { result, trace: recordedTrace(result, events, name ?? project?.name ?? "surface", order) };
+}
+
+const isSurface = (input: Project | SurfaceInput): input is SurfaceInput => ArrayBuffer.isView(input.points);
+
+/** Returns the trace of a run with `onTrace` as a file; undefined if the front never began. */
+export function recordedTrace(
+  { recording, report, surface }: MeshResult,
+  events: readonly Uint8Array[],
+  name: string,
+  order: FrontOrder = MESH_DEFAULTS.order,
+): Uint8Array<ArrayBuffer> | undefined {
+  if (recording === undefined || events.length === 0) return undefined;
+  const header = {
+    name,
+    nodes: surface.points.length / 3,
+    steps: recording.steps,
+    order,
+    // A front that exceeds the limit of elements ends as invalid input.
+    status: report.status === "invalid-input" ? "stalled" : report.status,
+    fingerprint: recording.fingerprint,
+  } as const;
+  return traceFile(header, surface.points, events);
+}

@@ -1,0 +1,29 @@
+/// @file Binds runs that record the steps of the front, for the module "trace".
+
+#include "run_bindings.h"
+#include "tetrafront/trace.h"
+
+namespace tetrafront::border {
+namespace {
+
+std::string frontFingerprintOf(Run& run) {
+  return run.call(std::string(), [](MeshRun& mesh) { return toHex(mesh.frontFingerprint()); });
+}
+
+double recordedStepsOf(Run& run) {
+  return run.call(0.0, [](MeshRun& mesh) { return static_cast<double>(mesh.recordedSteps()); });
+}
+
+}  // namespace
+}  // namespace tetrafront::border
+
+EMSCRIPTEN_BINDINGS(trace) {
+  using namespace tetrafront;
+  using namespace tetrafront::border;
+
+  registerTypes<std::vector<std::uint8_t>>();
+  registerRuns<recordFront>()
+      .function("takeTrace", &Run::read<&MeshRun::takeTrace>)
+      .function("frontFingerprint", &frontFingerprintOf)
+      .function("recordedSteps", &recordedStepsOf);
+}
