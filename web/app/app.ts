@@ -3,6 +3,7 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import type { Gallery } from "../session/gallery";
 import { Session, type SessionOptions } from "../session/session";
 import { createShell, type Shell } from "../session/shell";
+import { Drawing } from "../tools/drawing/drawing";
 import { MeshQueryClient } from "../viewer/queries/mesh-query-client";
 import type { Viewer } from "../viewer/viewer";
 
@@ -35,6 +36,8 @@ export class App extends Session {
   readonly viewer: StoreApi<{ readonly viewer: Viewer | null }> = createStore<{
     readonly viewer: Viewer | null;
   }>(() => ({ viewer: null }));
+  /** What the drawing tools show. */
+  readonly drawing = new Drawing();
   readonly generate: boolean;
   readonly still: boolean;
   readonly left: LeftDocument | null;

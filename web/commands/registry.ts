@@ -14,10 +14,11 @@ import { viewMenu } from "./view-menu";
 export const commands: readonly Command[] = [
   ...fileMenu,
   ...editMenu,
-  ...toolCommands,
+  ...toolCommands.filter(({ menu }) => menu !== "view"),
   ...createMenu,
   ...operationCommands,
   ...viewMenu,
+  ...toolCommands.filter(({ menu }) => menu === "view"),
   ...meshMenu,
   ...helpMenu,
 ];

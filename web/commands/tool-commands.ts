@@ -1,8 +1,10 @@
 import type { App } from "../app/app";
 import type { ToolName } from "../document/tools";
-import { commandLabels } from "../strings";
+import { planeOfSelection, principalPlane, principalPlanes } from "../document/work-plane";
+import { commandLabels, strings } from "../strings";
 import { define, type Command, type MenuName } from "./command";
 import { anyPatchMaker, createFrom, straightMaker, type Maker } from "./create-menu";
+import { showMessage } from "./messages";
 
 const tool = (menu: MenuName, section: number, name: ToolName, key: string, run: (app: App) => void) =>
   define(menu, section)(`tool-${name}`, commandLabels.tools[name], run, {
@@ -29,6 +31,14 @@ const createOrTake =
     else app.view.setTool(name);
   };
 
+/** Moves the work plane to the selection, or shows what to select. */
+function takePlane(app: App): void {
+  const { selection, workPlane } = app.view.state.getState();
+  const plane = planeOfSelection(app.documents.project, selection, workPlane);
+  if (plane) app.view.state.setState({ workPlane: plane });
+  else showMessage(app, commandLabels.planes.selection, [strings.drawing.noPlane]);
+}
+
 /** The tools of the view. Their buttons take them whatever is selected. */
 export const toolCommands: readonly Command[] = [
   tool("edit", 2, "select", "V", take("select")),
@@ -37,4 +47,13 @@ export const toolCommands: readonly Command[] = [
   tool("create", 0, "point", "P", take("point")),
   tool("create", 0, "line", "L", createOrTake("line", straightMaker)),
   tool("create", 0, "patch", "A", createOrTake("patch", anyPatchMaker)),
+  ...principalPlanes.map((plane) =>
+    define("view", 6)(
+      `plane-${plane}`,
+      commandLabels.planes[plane],
+      (app) => app.view.state.setState({ workPlane: principalPlane(plane) }),
+      { checked: (app) => app.view.state.getState().workPlane.kind === plane },
+    ),
+  ),
+  define("view", 6)("plane-selection", commandLabels.planes.selection, takePlane, { keys: ["W"] }),
 ];

@@ -25,3 +25,14 @@ export function smallestSize({ background }: Project): number | undefined {
   );
   return Number.isFinite(smallest) ? smallest : undefined;
 }
+
+/** Returns the diagonal of the box around points; 0 without any. */
+export function diagonalOf(points: readonly { readonly position: readonly number[] }[]): number {
+  if (points.length === 0) return 0;
+  return Math.hypot(
+    ...[0, 1, 2].map((axis) => {
+      const [low, high] = rangeAlong(points, axis);
+      return high - low;
+    }),
+  );
+}

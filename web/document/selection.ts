@@ -1,9 +1,11 @@
+import type { LineType } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { Brush } from "./brush";
 import type { QualitySpace } from "./mesh-quality";
 import { entityKey, sameEntity, type Entity } from "./entities";
 import type { Position } from "./position";
-import type { ToolName } from "./tools";
+import type { Snapping, ToolName } from "./tools";
+import { principalPlane, type WorkPlane } from "./work-plane";
 
 /** The state of the view, which undo does not change: selection, visibility, cut, shading. */
 
@@ -45,6 +47,10 @@ export interface ViewState {
   readonly qualitySpace: QualitySpace;
   readonly edges: boolean;
   readonly tool: ToolName;
+  /** Type of the lines that the line tool draws. */
+  readonly lineType: LineType;
+  readonly workPlane: WorkPlane;
+  readonly snapping: Snapping;
   /** The brush with which the left button paints sizes; null if it selects. */
   readonly brush: Brush | null;
   /** What the handles in the view do; null without handles. */
@@ -76,6 +82,9 @@ const initialView: ViewState = {
   qualitySpace: "metric",
   edges: true,
   tool: "select",
+  lineType: "straight",
+  workPlane: principalPlane("xy"),
+  snapping: { grid: true, model: true, patches: true },
   brush: null,
   moving: null,
   several: false,
@@ -249,6 +258,7 @@ export class ViewStore {
       hidden: new Set(),
       hiddenRegions: new Set(),
       tool: "select",
+      workPlane: principalPlane("xy"),
       brush: null,
       moving: null,
       several: false,

@@ -3,3 +3,14 @@ export const toolNames = ["select", "point", "line", "patch", "move", "measure"]
 
 /** What the left button and the keys do in the view. */
 export type ToolName = (typeof toolNames)[number];
+
+/** The tools that place something in the work plane. */
+export const isDrawingTool = (tool: ToolName): boolean =>
+  tool === "point" || tool === "line" || tool === "patch" || tool === "measure";
+
+/** What the pointer snaps to, beside points and lines. */
+export interface Snapping {
+  readonly grid: boolean;
+  readonly model: boolean;
+  readonly patches: boolean;
+}

@@ -27,6 +27,12 @@ export const commandLabels = {
     move: "Move",
     measure: "Measure",
   },
+  planes: {
+    xy: "Work plane XY",
+    xz: "Work plane XZ",
+    yz: "Work plane YZ",
+    selection: "Work plane from selection",
+  },
   newPoint: "Point by coordinates…",
   newNode: "Background node…",
   lines: {

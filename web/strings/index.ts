@@ -1,4 +1,5 @@
 import { bodyStrings } from "./bodies";
+import { drawingStrings } from "./drawing";
 import { problemTitle } from "./mesh";
 import { pageStrings } from "./page";
 import { pieceStrings } from "./pieces";
@@ -8,6 +9,7 @@ import { panelStrings } from "./panels";
 export const strings = {
   ...pageStrings,
   ...panelStrings,
+  drawing: drawingStrings,
   bodies: bodyStrings,
   pieces: pieceStrings,
   problemTitle,

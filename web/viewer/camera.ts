@@ -102,6 +102,11 @@ export class ViewCamera {
     this.controls.maxDistance = radius * maxDistance;
   }
 
+  /** Height of the part of the model that fills the view at the distance of the target. */
+  get heightAtTarget(): number {
+    return 2 * this.controls.distance * Math.tan((fieldOfView / 2) * degrees);
+  }
+
   resize(width: number, height: number): void {
     this.camera.aspect = width / Math.max(1, height);
     this.camera.updateProjectionMatrix();

@@ -9,6 +9,7 @@ import { elementCorners, selectedCorners } from "./highlight-corners";
 import type { Hit, Layer, Target } from "./layers/layer";
 import type { MeshQueryClient } from "./queries/mesh-query-client";
 import type { Position } from "../document/position";
+import { pointerView, type PointerView } from "./pointer-view";
 import { SceneLayers } from "./scene-layers";
 import { SceneChanges, type SceneState, type ShownState, type Viewport } from "./scene-state";
 import { SceneRenderer } from "./scene-renderer";
@@ -35,8 +36,10 @@ export interface ViewerOptions {
   readonly events: ViewerEvents;
 }
 
-/** If the model has grown by this factor since it was last fitted, it is fitted again. */
+/** If the model has grown by this factor since it was last fitted, and beyond the view, it is fitted again. */
 const outgrowth = 1.5;
+/** A model that appears smaller than this, in CSS pixels, is fitted too. */
+const minPixels = 40;
 
 /**
  * The three-dimensional view: an imperative object outside React. It draws on request, when something has changed.
@@ -169,6 +172,16 @@ export class Viewer {
     return this.#layers.hit(this.#view.camera, this.#state.viewport, at);
   }
 
+  /** Returns the view as seen from a position of the pointer. */
+  seenFrom(at: ScreenPoint): PointerView {
+    return pointerView(this.#view.camera, this.#state.viewport, this.#state.origin, at);
+  }
+
+  /** Length in the model that appears as one CSS pixel at the distance of the target. */
+  get pixelLength(): number {
+    return this.#view.heightAtTarget / this.#state.viewport.height;
+  }
+
   /** Returns where a position appears; null if it is out of view. */
   toScreen([x, y, z]: Position): ScreenPoint | null {
     const { origin, viewport } = this.#state;
@@ -236,12 +249,24 @@ export class Viewer {
     this.#layers.update(new SceneChanges(this.#state, before));
   }
 
+  /** Returns whether a box, given by two corners, is in view and large enough to see. */
+  #showsAll(low: Position, high: Position): boolean {
+    const corners = Array.from({ length: 8 }, (_, i) =>
+      this.toScreen([i & 1 ? high[0] : low[0], i & 2 ? high[1] : low[1], i & 4 ? high[2] : low[2]]),
+    );
+    const { width, height } = this.#state.viewport;
+    const isInView = corners.every((at) => at && at.x >= 0 && at.y >= 0 && at.x <= width && at.y <= height);
+    const extentOf = (values: readonly number[]): number => Math.max(...values) - Math.min(...values);
+    const [xs, ys] = [corners.map((at) => at?.x ?? 0), corners.map((at) => at?.y ?? 0)];
+    return isInView && Math.max(extentOf(xs), extentOf(ys)) >= minPixels;
+  }
+
   /** Keeps local coordinates small, and fits the model if it has outgrown the view. */
   #followModel(): void {
     const { project, bodies, origin } = this.#state;
-    const { empty, radius } = projectBounds(project, bodies);
+    const { empty, radius, low, high } = projectBounds(project, bodies);
     const roomy = roomyBounds(project, bodies);
-    const isOutgrown = !empty && radius > outgrowth * this.#fittedRadius;
+    const isOutgrown = !empty && radius > outgrowth * this.#fittedRadius && !this.#showsAll(low, high);
     if (isOutgrown || empty) this.#fittedRadius = empty ? 0 : radius;
     const drift = Math.hypot(...roomy.centre.map((x, k) => x - (origin[k] ?? 0)));
     if (isOutgrown || drift > 2 * roomy.radius) this.#update({ origin: roomy.centre });

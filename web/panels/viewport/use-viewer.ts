@@ -1,9 +1,15 @@
 import { useComputedColorScheme } from "@mantine/core";
 import { useEffect, useRef, useState, type RefObject } from "react";
 import type { App } from "../../app/app";
-import type { Moving } from "../../document/selection";
+import type { Moving, ViewState } from "../../document/selection";
+import { isDrawingTool, type ToolName } from "../../document/tools";
 import { BrushTool } from "../../tools/brush-tool";
+import { LineTool } from "../../tools/drawing/line-tool";
+import { MeasureTool } from "../../tools/drawing/measure-tool";
+import { PatchTool } from "../../tools/drawing/patch-tool";
+import { PointTool } from "../../tools/drawing/point-tool";
 import { SelectTool, type Hover } from "../../tools/select-tool";
+import type { Tool } from "../../tools/tool";
 import { ToolController } from "../../tools/tool-controller";
 import { viewerColors } from "../../ui/theme/theme";
 import { strings } from "../../strings";
@@ -107,11 +113,28 @@ function connect(
   const select = new SelectTool(viewer, app.view, onHover);
   const tools = new ToolController(canvas, viewer, select, (target) => pageApps.owns(app, target));
   const brush = new BrushTool(app.documents, app.view, viewer);
+  const { documents, previews, view, drawing } = app;
+  const stores = { documents, previews, view, drawing, viewer };
+  const byName: Readonly<Record<ToolName, Tool>> = {
+    select,
+    move: select,
+    point: new PointTool(stores),
+    line: new LineTool(stores),
+    patch: new PatchTool(stores),
+    measure: new MeasureTool(stores),
+  };
+  const show = ({ brush: hasBrush, moving, tool }: ViewState): void => {
+    if (moving) void showHandles(app, viewer, tools, select, moving);
+    else tools.use(hasBrush ? brush : byName[tool]);
+    canvas.style.cursor = hasBrush || isDrawingTool(tool) ? "crosshair" : "";
+  };
+  show(app.view.state.getState());
   const stopTools = app.view.state.subscribe((state, before) => {
-    if ((state.brush === null) === (before.brush === null) && state.moving === before.moving) return;
-    if (!state.moving) tools.use(state.brush ? brush : select);
-    else void showHandles(app, viewer, tools, select, state.moving);
-    canvas.style.cursor = state.brush ? "crosshair" : "";
+    const isSame =
+      state.tool === before.tool &&
+      (state.brush === null) === (before.brush === null) &&
+      state.moving === before.moving;
+    if (!isSame) show(state);
   });
   app.viewer.setState({ viewer });
   return () => {

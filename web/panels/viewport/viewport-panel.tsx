@@ -5,6 +5,9 @@ import { navigate } from "../../tools/navigation-keys";
 import type { Hover } from "../../tools/select-tool";
 import type { Viewer } from "../../viewer/viewer";
 import { useProject, useQualitySpace, useRun, useStale, useView } from "../shared/app-context";
+import { isDrawingTool } from "../../document/tools";
+import { DrawingBar } from "./drawing-bar";
+import { DrawingMarks } from "./drawing-marks";
 import { HoverLabel } from "./hover-label";
 import { Legend } from "./legend";
 import { PatchRoleLabels } from "./patch-role-labels";
@@ -22,6 +25,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const container = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
   const [hover, setHover] = useState<Hover | null>(null);
+  const isDrawing = useView((state) => isDrawingTool(state.tool));
   const { viewer, trouble } = useViewer(container, canvas, setHover);
   return (
     <main className={styles["view"]}>
@@ -32,10 +36,11 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
         {viewer && <PositionMarker viewer={viewer} />}
         {viewer && <PatchRoleLabels viewer={viewer} />}
         {hover && <HoverLabel hover={hover} />}
+        {viewer && <DrawingMarks viewer={viewer} />}
       </div>
       {trouble && <ViewNotice trouble={trouble} />}
       <ToolColumn />
-      <CutBar />
+      {isDrawing ? <DrawingBar /> : <CutBar />}
       <MeshBadge />
       {!trouble && <Legend />}
       {layout !== "phone" && <MouseHint />}

@@ -1,14 +1,36 @@
 /**
- * Reads a number the way people type it: `0.25`, `1/3`, `2*pi`, `(1+2)/4`, `1e-3`, `-sqrt(2)/2`.
+ * Reads a number the way people type it: `0.25`, `1/3`, `2*pi`, `(1+2)/4`, `1e-3`, `-sqrt(2)/2`, `3^2`, `sin(30)`. Angles are
+ * in degrees.
  * Returns null for anything else, and for results that are not finite.
  */
 export function readNumber(text: string): number | null {
-  const tokens = text.toLowerCase().match(/\d+\.?\d*(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?|[a-z]+|[-+*/()]|\S/g);
+  const tokens = text.toLowerCase().match(/\d+\.?\d*(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?|[a-z]+|[-+*/^()]|\S/g);
   if (!tokens) return null;
   const reader = new ExpressionReader(tokens);
   const value = reader.sum();
   return reader.done && value !== null && Number.isFinite(value) ? value : null;
 }
+
+const degrees = Math.PI / 180;
+
+/** Returns the sine of an angle in degrees; exact for multiples of 30° with a rational sine. */
+function sine(angle: number): number {
+  const exact = [0, 0.5, null, 1, null, 0.5, 0, -0.5, null, -1, null, -0.5][
+    (((angle % 360) + 360) % 360) / 30
+  ];
+  return exact ?? Math.sin(angle * degrees);
+}
+
+const functions: Readonly<Record<string, (x: number) => number>> = {
+  sqrt: Math.sqrt,
+  abs: Math.abs,
+  sin: sine,
+  cos: (angle) => sine(angle + 90),
+  tan: (angle) => Math.tan(angle * degrees),
+  asin: (x) => Math.asin(x) / degrees,
+  acos: (x) => Math.acos(x) / degrees,
+  atan: (x) => Math.atan(x) / degrees,
+};
 
 const constants: Readonly<Record<string, number>> = { pi: Math.PI };
 
@@ -49,13 +71,20 @@ class ExpressionReader {
       const value = this.#factor();
       return value === null ? null : sign === "-" ? -value : value;
     }
+    const base = this.#atom();
+    if (base === null || !this.#take("^")) return base;
+    const exponent = this.#factor();
+    return exponent === null ? null : base ** exponent;
+  }
+
+  #atom(): number | null {
     const token = this.#tokens[this.#next++];
     if (token === undefined) return null;
     if (token === "(") return this.#closed();
-    if (token === "sqrt") {
-      if (!this.#take("(")) return null;
-      const value = this.#closed();
-      return value === null ? null : Math.sqrt(value);
+    const apply = functions[token];
+    if (apply) {
+      const value = this.#take("(") ? this.#closed() : null;
+      return value === null ? null : apply(value);
     }
     return constants[token] ?? (/^[\d.]/.test(token) ? Number(token) : null);
   }

@@ -1,4 +1,5 @@
 import { BufferAttribute, BufferGeometry, LineSegments } from "three";
+import { isDrawingTool } from "../../document/tools";
 import { roomyBounds } from "../bounds";
 import { createGroundMaterial } from "../materials/ground-material";
 import { setColor, setNumber } from "../materials/uniforms";
@@ -22,6 +23,8 @@ export class GroundLayer implements Layer {
 
   update(changes: SceneChanges): void {
     const { state } = changes;
+    // The drawing tools show the grid of the work plane instead.
+    this.root.visible = !isDrawingTool(state.tool);
     if (changes.has("colors")) setColor(this.#material, "color", state.colors.ground);
     // The origin is at the centre of the model; it moves when the model has changed much.
     if (!changes.has("origin")) return;

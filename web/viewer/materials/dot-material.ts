@@ -3,9 +3,9 @@ import { drawStateGlsl, drawStateUniforms, type StateMaterial } from "../draw-st
 import { culled } from "./glsl";
 
 /** Diameters in CSS pixels. */
-const diameters = { normal: 7, hover: 11, selected: 11, defective: 11 };
+const diameters = { normal: 9, hover: 12, selected: 12, defective: 12 };
 /** Dots above this diameter are emphasized. */
-const maxPlainDiameter = 8;
+const maxPlainDiameter = 10;
 
 const vertexShader = /* glsl */ `
   uniform float pixelRatio;

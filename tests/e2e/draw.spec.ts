@@ -1,0 +1,119 @@
+import { expect, test } from "@playwright/test";
+import { readFile } from "node:fs/promises";
+import { defectsOf, meshVolume, NO_DEFECTS } from "../support/check-mesh";
+import { parseVtu } from "../support/mesh-files";
+import { AppPage } from "./app-page";
+
+type Position = readonly [x: number, y: number, z: number];
+
+/** The view of a new project, drawn in with the pointer and the keyboard alone. */
+class DrawPage extends AppPage {
+  async openNew(): Promise<void> {
+    await this.page.goto("./?test=1&new=1");
+    await expect(this.viewport).toHaveAttribute("data-points", "0");
+    await expect(this.viewport).toHaveAttribute("data-frames", /./);
+  }
+
+  /** Where a position appears on the page. */
+  async at(position: Position): Promise<{ readonly x: number; readonly y: number }> {
+    const box = await this.viewport.boundingBox();
+    const found = await this.page.evaluate((position) => {
+      const { tetrafrontPosition } = window as unknown as {
+        tetrafrontPosition: (position: Position) => { x: number; y: number } | null;
+      };
+      return tetrafrontPosition(position);
+    }, position);
+    if (!box || !found) throw new Error(`${position.join()} is not in view`);
+    return { x: box.x + found.x, y: box.y + found.y };
+  }
+
+  async click(position: Position): Promise<void> {
+    const { x, y } = await this.at(position);
+    await this.page.mouse.click(x, y);
+  }
+
+  async hover(position: Position): Promise<void> {
+    const { x, y } = await this.at(position);
+    await this.page.mouse.move(x, y);
+  }
+
+  async typeCoordinates(...texts: readonly string[]): Promise<void> {
+    for (const text of texts) {
+      await this.page.keyboard.type(text);
+      await expect(this.page.getByTestId("coordinates")).toHaveValue(text);
+      await this.page.keyboard.press("Enter");
+      await expect(this.page.getByTestId("coordinates")).toBeHidden();
+    }
+  }
+
+  async counts(points: number, lines: number, patches: number): Promise<void> {
+    await expect(this.viewport).toHaveAttribute("data-points", String(points));
+    await expect(this.viewport).toHaveAttribute("data-lines", String(lines));
+    await expect(this.viewport).toHaveAttribute("data-patches", String(patches));
+  }
+
+  /** Sets a uniform size, meshes, and returns the downloaded mesh with its defects by an independent check. */
+  async downloadedMesh(size: string) {
+    await this.page.keyboard.press("Escape");
+    await this.page.keyboard.press("Escape");
+    await this.page.getByText("Uniform", { exact: true }).click();
+    await this.type("uniform-size", size);
+    await this.generate();
+    await this.page.getByTestId("download").click();
+    const [download] = await Promise.all([
+      this.page.waitForEvent("download"),
+      this.page.getByRole("menuitem", { name: /VTU/ }).click(),
+    ]);
+    const { points, tetrahedra } = parseVtu(new Uint8Array(await readFile(await download.path())));
+    const mesh = {
+      points: Float64Array.from(points),
+      tetrahedra: Uint32Array.from(tetrahedra.flat()),
+      regions: new Uint32Array(),
+      front: new Uint32Array(),
+    };
+    const { extraFaces: _, ...defects } = defectsOf(mesh, {
+      points: new Float64Array(),
+      triangles: new Uint32Array(),
+    });
+    return { mesh, defects };
+  }
+}
+
+const { extraFaces: _, ...noDefects } = NO_DEFECTS;
+
+/** The corners of a unit square, the first one repeated. */
+const square = (z: number): Position[] => [[0, 0, z], [1, 0, z], [1, 1, z], [0, 1, z], [0, 0, z]]; // prettier-ignore
+
+async function drawCubeLines(draw: DrawPage): Promise<void> {
+  await draw.page.keyboard.press("l");
+  await expect(draw.viewport).toHaveAttribute("data-tool", "line");
+  for (const corner of square(0)) await draw.click(corner);
+  await draw.counts(4, 4, 0);
+  await draw.typeCoordinates("0,0,1", "@1,0,0", "1,1,sin(90)", "@-1,0", "0,0,1");
+  await draw.counts(8, 8, 0);
+  for (const [x, y] of square(0).slice(0, 4)) {
+    await draw.click([x, y, 0]);
+    await draw.click([x, y, 1]);
+    await draw.page.keyboard.press("Enter");
+  }
+  await draw.counts(8, 12, 0);
+}
+
+test("a unit cube drawn in the view, with pointer and keyboard alone, gives a valid mesh", async ({
+  page,
+}) => {
+  const draw = new DrawPage(page);
+  await draw.openNew();
+  await drawCubeLines(draw);
+  await page.getByTestId("tool-patch").click();
+  // The sides that face the eye first: a filled loop lets the pointer through to the loops behind it.
+  const sides: Position[] = [[0.5, 0.5, 1], [0.5, 0, 0.5], [1, 0.5, 0.5], [0.5, 0.5, 0], [0, 0.5, 0.5], [0.5, 1, 0.5]]; // prettier-ignore
+  for (const [count, side] of sides.entries()) {
+    await draw.hover(side);
+    await draw.click(side);
+    await draw.counts(8, 12, count + 1);
+  }
+  const { mesh, defects } = await draw.downloadedMesh("0.3");
+  expect(defects).toEqual(noDefects);
+  expect(meshVolume(mesh)).toBeCloseTo(1, 9);
+});

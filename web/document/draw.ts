@@ -1,0 +1,86 @@
+import type { LineType, Project, ProjectLine } from "tetrafront";
+import { entityNouns, stepNames } from "../strings";
+import { addPoint, nextId, type Creation } from "./create";
+import type { Entity } from "./entities";
+import { diagonalOf } from "./extent";
+import type { Position } from "./position";
+import { distance } from "./vectors";
+
+/** A place that the user has picked: a point of the project, or a position at which to create one. */
+export interface Place {
+  /** Null for a position without a point. */
+  readonly point: number | null;
+  readonly position: Position;
+}
+
+/** Positions closer than this are one point, relative to the extent of the model: as in the engine. */
+const coincidence = 1e-9;
+
+/** Returns the place at a position: an existing point if one lies there. */
+export function placeAt(project: Project, position: Position): Place {
+  const tolerance = coincidence * (diagonalOf(project.points) || 1);
+  const found = project.points.find((point) => distance(point.position, position) <= tolerance);
+  return found ? { point: found.id, position: found.position } : { point: null, position };
+}
+
+export const samePlace = (a: Place, b: Place): boolean =>
+  a.point === null
+    ? a === b || (b.point === null && distance(a.position, b.position) === 0)
+    : a.point === b.point;
+
+/** Returns the point at a place, which is created if it does not exist. */
+export function drawPoint(project: Project, place: Place): Creation | Entity {
+  if (place.point !== null) return { kind: "point", id: place.point };
+  return addPoint(project, place.position);
+}
+
+/** Ids of the points at places; those of new points count up. Equal places share one point. */
+function pointIds(project: Project, places: readonly Place[]) {
+  const created: { id: number; position: Position }[] = [];
+  let next = nextId(project, "point");
+  const ids = places.map(({ point, position }) => {
+    const known = point ?? created.find((other) => distance(other.position, position) === 0)?.id;
+    if (known !== undefined) return known;
+    created.push({ id: next, position });
+    return next++;
+  });
+  return { ids, created };
+}
+
+/** A line that was drawn: the edit that adds it, and the ids of its points. */
+export interface DrawnLine {
+  /** Null if the project has the line already. */
+  readonly creation: Creation | null;
+  readonly line: number;
+  readonly points: readonly number[];
+}
+
+/** Returns a line through places. Points are created with it, and an equal straight line is not repeated. */
+export function drawLine(project: Project, type: LineType, places: readonly Place[]): DrawnLine {
+  const { ids, created } = pointIds(project, places);
+  const same = created.length === 0 ? project.lines.find((line) => isSame(line, type, ids)) : undefined;
+  if (same) return { creation: null, line: same.id, points: ids };
+  const id = nextId(project, "line");
+  const creation: Creation = {
+    entities: [{ kind: "line", id }],
+    edit: {
+      label: stepNames.add(`${entityNouns.line} ${id}`),
+      change: ({ project: draft }) => {
+        draft.points.push(
+          ...created.map((point) => ({
+            id: point.id,
+            position: [...point.position] as [number, number, number],
+          })),
+        );
+        draft.lines.push({ id, type, points: [...ids] });
+      },
+    },
+  };
+  return { creation, line: id, points: ids };
+}
+
+function isSame(line: ProjectLine, type: LineType, points: readonly number[]): boolean {
+  if (line.type !== type || line.points.length !== points.length) return false;
+  const key = points.join();
+  return line.points.join() === key || line.points.toReversed().join() === key;
+}

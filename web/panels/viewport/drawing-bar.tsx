@@ -1,0 +1,126 @@
+import { SegmentedControl } from "@mantine/core";
+import { IconGridDots, IconMagnet, IconPlaneDeparture, IconTriangle, type Icon } from "@tabler/icons-react";
+import { useStore } from "zustand";
+import type { LineType } from "tetrafront";
+import { commandNamed, runCommand } from "../../commands/registry";
+import { isDrawingTool, type Snapping, type ToolName } from "../../document/tools";
+import { principalPlane, principalPlanes } from "../../document/work-plane";
+import { lineTypeNames, strings } from "../../strings";
+import { IconButton } from "../../ui/icon-button";
+import { useApp, useView } from "../shared/app-context";
+import styles from "./drawing.module.css";
+
+const lineTypes = Object.keys(lineTypeNames) as LineType[];
+const words = strings.drawing;
+
+/** Choices of the active drawing tool: type of line, work plane, snapping; and what to do next. */
+export function DrawingBar() {
+  const tool = useView((state) => state.tool);
+  const lineType = useView((state) => state.lineType);
+  if (!isDrawingTool(tool)) return null;
+  return (
+    <div className={styles["bar"]} role="group" aria-label={words.bar} data-testid="drawing-bar">
+      <div className={styles["choices"]}>
+        {tool === "line" && <LineTypeChoice value={lineType} />}
+        {tool !== "patch" && <PlaneChoice />}
+        {tool !== "patch" && <SnapSwitches />}
+      </div>
+      <Hint tool={tool} lineType={lineType} />
+    </div>
+  );
+}
+
+function LineTypeChoice({ value }: { readonly value: LineType }) {
+  const app = useApp();
+  return (
+    <SegmentedControl
+      size="xs"
+      aria-label={words.lineType}
+      data={lineTypes.map((type) => ({ value: type, label: lineTypeNames[type] }))}
+      value={value}
+      onChange={(lineType) => app.view.state.setState({ lineType })}
+    />
+  );
+}
+
+function PlaneChoice() {
+  const app = useApp();
+  const { kind } = useView((state) => state.workPlane);
+  return (
+    <span className={styles["group"]}>
+      <SegmentedControl
+        size="xs"
+        aria-label={words.plane}
+        data={principalPlanes.map((plane) => ({ value: plane, label: words.planes[plane] }))}
+        value={kind === "free" ? "" : kind}
+        onChange={(plane) => {
+          const chosen = principalPlanes.find((one) => one === plane);
+          if (chosen) app.view.state.setState({ workPlane: principalPlane(chosen) });
+        }}
+      />
+      <IconButton
+        label={words.planeOfSelection}
+        size={26}
+        data-testid="plane-selection"
+        onClick={() => runCommand(app, commandNamed("plane-selection"))}
+      >
+        <IconPlaneDeparture size={16} aria-hidden />
+      </IconButton>
+    </span>
+  );
+}
+
+const snapIcons: Readonly<Record<keyof Snapping, Icon>> = {
+  grid: IconGridDots,
+  model: IconMagnet,
+  patches: IconTriangle,
+};
+const snaps = Object.keys(snapIcons) as (keyof Snapping)[];
+
+function SnapSwitches() {
+  const app = useApp();
+  const snapping = useView((state) => state.snapping);
+  return (
+    <span className={styles["group"]} role="group" aria-label={words.snapping}>
+      {snaps.map((name) => {
+        const Icon = snapIcons[name];
+        return (
+          <IconButton
+            key={name}
+            label={`${words.snapping}: ${words.snapTo[name]}`}
+            size={26}
+            variant={snapping[name] ? "light" : "subtle"}
+            color={snapping[name] ? "blue" : "gray"}
+            aria-pressed={snapping[name]}
+            data-testid={`snap-${name}`}
+            onClick={() => app.view.state.setState({ snapping: { ...snapping, [name]: !snapping[name] } })}
+          >
+            <Icon size={16} aria-hidden />
+          </IconButton>
+        );
+      })}
+    </span>
+  );
+}
+
+interface HintProps {
+  readonly tool: ToolName;
+  readonly lineType: LineType;
+}
+
+/** What to do next, or why the last action created nothing. */
+function Hint({ tool, lineType }: HintProps) {
+  const app = useApp();
+  const refused = useStore(app.drawing.state, (state) => state.refused);
+  if (tool === "select" || tool === "move") return null;
+  return (
+    <div
+      className={styles["hint"]}
+      role="status"
+      data-testid="drawing-hint"
+      data-refused={refused !== null || undefined}
+    >
+      {refused ?? (tool === "line" ? words.hints[lineType] : words.hints[tool])}
+    </div>
+  );
+}

@@ -1,0 +1,137 @@
+import { TextInput } from "@mantine/core";
+import { IconCopy } from "@tabler/icons-react";
+import { useEffect, useRef } from "react";
+import { useStore } from "zustand";
+import { measure } from "../../document/measurement";
+import type { Position } from "../../document/position";
+import { formatShort, formatPosition } from "../../ui/format";
+import { IconButton } from "../../ui/icon-button";
+import { strings } from "../../strings";
+import type { Viewer } from "../../viewer/viewer";
+import { useApp } from "../shared/app-context";
+import { useMarkers } from "./use-markers";
+import styles from "./drawing.module.css";
+
+const words = strings.drawing;
+
+/** What the drawing tools show in the view: the place under the pointer, typed coordinates, a measurement. */
+export function DrawingMarks({ viewer }: { readonly viewer: Viewer }) {
+  const app = useApp();
+  const typed = useStore(app.drawing.state, (state) => state.typed);
+  const measured = useStore(app.drawing.state, (state) => state.measured);
+  return (
+    <>
+      <SnapMark viewer={viewer} />
+      {typed !== null && <CoordinateField typed={typed} />}
+      {measured.length > 1 && <MeasurementCard places={measured} viewer={viewer} />}
+    </>
+  );
+}
+
+/** A marker at the place that a click would use, with a word for what it snaps to. */
+function SnapMark({ viewer }: { readonly viewer: Viewer }) {
+  const app = useApp();
+  const snap = useStore(app.drawing.state, (state) => state.snap);
+  const box = useMarkers(viewer, [snap?.position ?? null]);
+  return (
+    <div ref={box} aria-hidden>
+      {snap && (
+        <span className={styles["mark"]} data-snap={snap.kind} data-testid="snap">
+          <span className={styles["shape"]} />
+          <span className={styles["word"]}>
+            {words.snaps[snap.kind]} {formatPosition(snap.position)}
+          </span>
+        </span>
+      )}
+    </div>
+  );
+}
+
+/** The field for coordinates beside the pointer. It opens when the user begins to type. */
+function CoordinateField({ typed }: { readonly typed: string }) {
+  const app = useApp();
+  const pointer = useStore(app.drawing.state, (state) => state.pointer);
+  const mistake = useStore(app.drawing.state, (state) => state.mistake);
+  const field = useRef<HTMLInputElement>(null);
+  useEffect(() => {
+    const input = field.current;
+    const before = document.activeElement;
+    input?.focus();
+    input?.setSelectionRange(input.value.length, input.value.length);
+    return () => {
+      if (before instanceof HTMLElement) before.focus();
+    };
+  }, []);
+  return (
+    <div
+      className={styles["field"]}
+      style={{ left: `min(${pointer.x + 16}px, 100% - 200px)`, top: `min(${pointer.y + 16}px, 100% - 60px)` }}
+    >
+      <TextInput
+        ref={field}
+        size="xs"
+        w={184}
+        aria-label={words.coordinates}
+        placeholder={words.coordinatesHint}
+        data-testid="coordinates"
+        autoComplete="off"
+        spellCheck={false}
+        value={typed}
+        error={mistake && words.mistakes[mistake]}
+        onChange={(event) => app.drawing.type(event.currentTarget.value)}
+        onBlur={() => app.drawing.type(null)}
+        onKeyDown={(event) => {
+          if (event.key === "Enter") app.drawing.submit();
+          else if (event.key === "Escape") app.drawing.type(null);
+        }}
+      />
+    </div>
+  );
+}
+
+interface MeasurementProps {
+  readonly places: readonly Position[];
+  readonly viewer: Viewer;
+}
+
+/** A measurement, beside the place picked last. */
+function MeasurementCard({ places, viewer }: MeasurementProps) {
+  const box = useMarkers(viewer, [places.at(-1) ?? null]);
+  const rows = measurementRows(places);
+  const text = rows.map((row) => row.join(" ")).join(", ");
+  return (
+    <div ref={box}>
+      <div className={styles["anchor"]}>
+        <dl className={styles["measurement"]} aria-label={words.measurement} data-testid="measurement">
+          {rows.map(([name, value]) => (
+            <div key={name}>
+              <dt>{name}</dt>
+              <dd>{value}</dd>
+            </div>
+          ))}
+          <IconButton
+            label={words.copy}
+            size={22}
+            onClick={() => void navigator.clipboard.writeText(text).catch(() => undefined)}
+          >
+            <IconCopy size={13} aria-hidden />
+          </IconButton>
+        </dl>
+      </div>
+    </div>
+  );
+}
+
+/** Returns the names and values of a measurement. */
+export function measurementRows(
+  places: readonly Position[],
+): readonly (readonly [name: string, value: string])[] {
+  const measured = measure(places);
+  if (!measured) return [];
+  const { distance, offset, angle } = measured;
+  return [
+    [words.distance, formatShort(distance)],
+    ...(["dx", "dy", "dz"] as const).map((name, k) => [name, formatShort(offset[k] ?? 0)] as const),
+    ...(angle === null ? [] : [[words.angle, `${formatShort(angle)}°`] as const]),
+  ];
+}

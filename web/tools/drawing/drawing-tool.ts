@@ -1,0 +1,260 @@
+import { Group } from "three";
+import type { Creation } from "../../document/create";
+import { placeAt, type Place } from "../../document/draw";
+import { entityKey } from "../../document/entities";
+import { linePaths, type LinePath } from "../../document/line-paths";
+import type { Position } from "../../document/position";
+import type { ViewStore } from "../../document/selection";
+import { fromFrame, toFrame, type Frame } from "../../document/vectors";
+import { onPlane, planeOfPatch, roundStep, roundTo, type Ray } from "../../document/work-plane";
+import type { DocumentStore } from "../../session/document-store";
+import type { PreviewFeed } from "../../session/preview";
+import { DrawingLayer, type Sketch } from "../../viewer/layers/drawing-layer";
+import type { Layer } from "../../viewer/layers/layer";
+import { PlaneGridLayer } from "../../viewer/layers/plane-grid-layer";
+import type { SceneChanges } from "../../viewer/scene-state";
+import type { Viewer } from "../../viewer/viewer";
+import type { Tool, ToolPointer } from "../tool";
+import { readCoordinates } from "./coordinates";
+import type { Drawing, DrawingState, TypedInput } from "./drawing";
+import { snapToModel, type Snap, type SnapTargets } from "./snapping";
+
+/** The parts of the app that drawing tools use. */
+export interface DrawingStores {
+  readonly documents: DocumentStore;
+  readonly previews: PreviewFeed;
+  readonly view: ViewStore;
+  readonly drawing: Drawing;
+  readonly viewer: Pick<Viewer, "seenFrom" | "pixelLength" | "requestFrame">;
+}
+
+/** Smallest distance between lines of the work plane's grid, in CSS pixels. */
+const gridPixels = 20;
+
+/** First characters of coordinates. A space is none, because it presses buttons. */
+const opensField = /^[\d@.(+-]$/;
+
+/** What the drawing tools have in common: places under the pointer, typed coordinates, the sketch and the grid. */
+export abstract class DrawingTool implements Tool, TypedInput {
+  abstract readonly id: string;
+  protected readonly stores: DrawingStores;
+  protected snap: Snap | null = null;
+  #layer: DrawingLayer | null = null;
+  #paths: { readonly key: readonly unknown[]; readonly paths: readonly LinePath[] } | null = null;
+
+  constructor(stores: DrawingStores) {
+    this.stores = stores;
+  }
+
+  /** Uses a place that was clicked or typed. */
+  protected abstract pick(place: Place, pointer: ToolPointer | null): void;
+  /** The place picked last, to which typed coordinates refer. */
+  protected abstract last(): Position | null;
+  /** Ends what is being drawn, by Enter or a double click. */
+  protected abstract finish(): void;
+  /** Removes the place picked last. Returns false if there is none. */
+  protected abstract removeLast(): boolean;
+  /** Leaves what is being drawn. Returns false if nothing is. */
+  protected abstract leave(): boolean;
+  /** Returns what a click at the snapped place would create. */
+  protected abstract sketch(): Sketch;
+  /** Whether typed coordinates have a meaning. */
+  protected readonly takesCoordinates: boolean = true;
+  /** Number of places picked for what is being drawn. */
+  protected abstract get picked(): number;
+
+  down(): boolean {
+    return false;
+  }
+
+  move(pointer: ToolPointer | null): void {
+    this.snap = pointer && this.snapAt(pointer);
+    this.refresh(pointer);
+  }
+
+  up(pointer: ToolPointer): void {
+    this.stores.drawing.state.setState({ refused: null });
+    if (pointer.button === "right") this.finish();
+    if (pointer.button === "left") {
+      this.snap = this.snapAt(pointer);
+      // After a loop was closed, a click at the same place begins the next line.
+      if (pointer.clicks > 1 && this.picked > 0) this.finish();
+      else if (this.snap) this.pick(this.placeOf(this.snap), pointer);
+    }
+    this.refresh(pointer);
+  }
+
+  cancel(): void {
+    this.snap = null;
+    this.refresh(null);
+  }
+
+  key(event: KeyboardEvent): boolean {
+    if (event.ctrlKey || event.metaKey || event.altKey) return false;
+    this.stores.drawing.state.setState({ refused: null });
+    const isUsed = this.#useKey(event.key);
+    if (isUsed) this.refresh(null);
+    return isUsed;
+  }
+
+  take(text: string): DrawingState["mistake"] {
+    const typed = readCoordinates(text, { last: this.last(), frame: this.frame });
+    if (!typed.success) return typed.reason;
+    this.snap = null;
+    this.pick(placeAt(this.stores.documents.project, typed.position), null);
+    this.refresh(null);
+    return null;
+  }
+
+  overlay(): Layer {
+    this.stores.drawing.begin(this);
+    this.#layer = new DrawingLayer();
+    const grid = new PlaneGridLayer(() => this.gridStep);
+    return new DrawingOverlay([grid, this.#layer], () => this.end());
+  }
+
+  /** The tool is put away. */
+  protected end(): void {
+    this.stores.drawing.end();
+  }
+
+  protected get project() {
+    return this.stores.documents.project;
+  }
+
+  protected get frame(): Frame {
+    return this.stores.view.state.getState().workPlane.frame;
+  }
+
+  protected get gridStep(): number {
+    return roundStep(gridPixels * this.stores.viewer.pixelLength);
+  }
+
+  /** The courses of all lines, computed once per state of the project. */
+  protected get paths(): readonly LinePath[] {
+    const { preview, project: sampled } = this.stores.previews.state.getState();
+    const key = [this.project, preview];
+    if (!this.#paths || this.#paths.key.some((part, i) => part !== key[i])) {
+      const known = preview && sampled && { samples: preview, project: sampled };
+      this.#paths = { key, paths: linePaths(this.project, known) };
+    }
+    return this.#paths.paths;
+  }
+
+  /** Adds what was drawn as one step of undo, and selects it. */
+  protected create({ edit, entities }: Creation): void {
+    this.stores.documents.edit(edit);
+    this.stores.view.selectAll(entities);
+  }
+
+  protected placeOf({ kind, id, position }: Snap): Place {
+    return kind === "point" ? { point: id, position } : placeAt(this.project, position);
+  }
+
+  /** Returns the place under the pointer; null if the pointer sees neither the model nor the work plane. */
+  protected snapAt(pointer: ToolPointer): Snap | null {
+    const { snapping } = this.stores.view.state.getState();
+    const seen = this.stores.viewer.seenFrom(pointer.at);
+    const onModel = snapping.model && !pointer.mod ? snapToModel(this.#targets(), seen) : null;
+    if (onModel) return onModel;
+    const inPlane = onPlane(seen.ray, this.frame);
+    const hit = snapping.patches ? pointer.hit() : null;
+    if (hit?.target.kind === "patch" && isNearer(seen.ray, hit.position, inPlane)) {
+      return this.#onPatch(hit.target.id, hit.position, seen.ray, pointer.mod);
+    }
+    if (!inPlane) return null;
+    const isOnGrid = snapping.grid && !pointer.mod;
+    const position = isOnGrid ? roundInFrame(this.frame, inPlane, this.gridStep) : inPlane;
+    return { kind: isOnGrid ? "grid" : "plane", id: null, position };
+  }
+
+  /** Shows what a click would create. */
+  protected refresh(pointer: ToolPointer | null): void {
+    const { drawing, viewer } = this.stores;
+    drawing.state.setState({
+      snap: this.snap,
+      picked: this.picked,
+      ...(pointer && { pointer: pointer.at }),
+    });
+    this.#layer?.show(this.sketch());
+    viewer.requestFrame();
+  }
+
+  #useKey(key: string): boolean {
+    if (this.takesCoordinates && opensField.test(key)) {
+      this.stores.drawing.type(key);
+      return true;
+    }
+    switch (key) {
+      case "Enter":
+        this.finish();
+        return true;
+      case "Backspace":
+        return this.removeLast();
+      case "Escape":
+        return this.leave();
+      default:
+        return false;
+    }
+  }
+
+  /** On planar patches, the grid of the patch's plane applies. */
+  #onPatch(id: number, position: Position, ray: Ray, isFree: boolean): Snap {
+    const plane = planeOfPatch(this.project, id);
+    const exact = plane && onPlane(ray, plane.frame);
+    if (!plane || !exact) return { kind: "patch", id, position };
+    const { grid } = this.stores.view.state.getState().snapping;
+    const isOnGrid = grid && !isFree;
+    return {
+      kind: "patch",
+      id,
+      position: isOnGrid ? roundInFrame(plane.frame, exact, this.gridStep) : exact,
+    };
+  }
+
+  #targets(): SnapTargets {
+    const { hidden, layers } = this.stores.view.state.getState();
+    const { points } = this.project;
+    const lines = layers.lines ? this.paths : [];
+    if (hidden.size === 0) return { points: layers.points ? points : [], lines };
+    return {
+      points: layers.points ? points.filter(({ id }) => !hidden.has(entityKey({ kind: "point", id }))) : [],
+      lines: lines.filter(({ line }) => !hidden.has(entityKey({ kind: "line", id: line.id }))),
+    };
+  }
+}
+
+/** Returns the node of a plane's grid that is nearest to a position in the plane. */
+function roundInFrame(frame: Frame, position: Position, step: number): Position {
+  const [x, y] = toFrame(frame, position);
+  return fromFrame(frame, [roundTo(x, step), roundTo(y, step), 0]);
+}
+
+/** Returns whether a position is nearer to the eye than another, or equally near. */
+function isNearer({ origin }: Ray, a: Position, b: Position | null): boolean {
+  if (!b) return true;
+  const square = (p: Position): number => p.reduce((sum, x, k) => sum + (x - (origin[k] ?? 0)) ** 2, 0);
+  return square(a) < square(b) * (1 - 1e-6);
+}
+
+/** Several layers as one. */
+class DrawingOverlay implements Layer {
+  readonly root = new Group();
+  readonly #layers: readonly Layer[];
+  readonly #onDispose: () => void;
+
+  constructor(layers: readonly Layer[], onDispose: () => void) {
+    this.#layers = layers;
+    this.#onDispose = onDispose;
+    for (const layer of layers) this.root.add(layer.root);
+  }
+
+  update(changes: SceneChanges): void {
+    for (const layer of this.#layers) layer.update(changes);
+  }
+
+  dispose(): void {
+    for (const layer of this.#layers) layer.dispose();
+    this.#onDispose();
+  }
+}

@@ -1,0 +1,67 @@
+import { createStore, type StoreApi } from "zustand/vanilla";
+import type { Position } from "../../document/position";
+import type { ScreenPoint } from "../../viewer/screen";
+import type { Snap } from "./snapping";
+
+export interface DrawingState {
+  /** The place under the pointer. */
+  readonly snap: Snap | null;
+  readonly pointer: ScreenPoint;
+  /** The text in the coordinate field; null while the field is closed. */
+  readonly typed: string | null;
+  /** Why the typed text is no position. */
+  readonly mistake: "syntax" | "no-last-place" | null;
+  /** Number of places picked for what is being drawn. */
+  readonly picked: number;
+  /** The places of a measurement. */
+  readonly measured: readonly Position[];
+  /** Why the last action created nothing. */
+  readonly refused: string | null;
+}
+
+const idle: DrawingState = {
+  snap: null,
+  pointer: { x: 0, y: 0 },
+  typed: null,
+  mistake: null,
+  picked: 0,
+  measured: [],
+  refused: null,
+};
+
+/** The tool that reads typed coordinates. */
+export interface TypedInput {
+  /** Uses typed coordinates. Returns why they cannot be used; null if they were. */
+  take(text: string): DrawingState["mistake"];
+}
+
+/** What the drawing tools show beside the pointer, and the field for coordinates. */
+export class Drawing {
+  readonly state: StoreApi<DrawingState> = createStore<DrawingState>(() => idle);
+  #input: TypedInput | null = null;
+
+  /** Connects the active tool. */
+  begin(input: TypedInput): void {
+    this.#input = input;
+    this.state.setState(idle);
+  }
+
+  /** Disconnects the active tool. */
+  end(): void {
+    this.#input = null;
+    this.state.setState(idle);
+  }
+
+  type(typed: string | null): void {
+    this.state.setState({ typed, mistake: null });
+  }
+
+  /** Hands the typed text to the tool, and closes the field if the tool has used it. */
+  submit(): void {
+    const { typed } = this.state.getState();
+    if (typed === null || typed.trim() === "") return this.type(null);
+    const mistake = this.#input?.take(typed) ?? null;
+    if (mistake) this.state.setState({ mistake });
+    else this.type(null);
+  }
+}

@@ -1,0 +1,145 @@
+import type { LineType } from "tetrafront";
+import { drawLine, placeAt, samePlace, type Place } from "../../document/draw";
+import { findRecord } from "../../document/entities";
+import type { Position } from "../../document/position";
+import { sampledCurve } from "../../viewer/curves";
+import { emptySketch, type Sketch } from "../../viewer/layers/drawing-layer";
+import type { Layer } from "../../viewer/layers/layer";
+import { DrawingTool } from "./drawing-tool";
+
+/** Numbers of places of each type of line: with `max`, the line is complete. */
+const counts: { readonly [T in LineType]: { readonly min: number; readonly max: number } } = {
+  straight: { min: 2, max: 2 },
+  parabolic: { min: 3, max: 3 },
+  spline: { min: 3, max: Infinity },
+};
+
+/** A straight line of the present chain, with what it added to the undo steps. */
+interface Link {
+  readonly from: Place;
+  readonly label: string | null;
+}
+
+/**
+ * Draws lines through places. Straight lines form a chain: each click adds one from the place before. Other lines are
+ * added when they have all their places; splines when Enter, a double click or the first place ends them.
+ */
+export class LineTool extends DrawingTool {
+  readonly id = "line";
+  /** Places of the line that is being drawn. */
+  #places: readonly Place[] = [];
+  /** Where the chain began, to close it. */
+  #start: Place | null = null;
+  #links: readonly Link[] = [];
+
+  #stopListening: (() => void) | null = null;
+
+  override overlay(): Layer {
+    this.#stopListening = this.stores.view.state.subscribe((state, before) => {
+      if (state.lineType !== before.lineType) this.#drop();
+    });
+    return super.overlay();
+  }
+
+  get picked(): number {
+    this.#forgetDeleted();
+    return this.#places.length;
+  }
+
+  protected pick(place: Place): void {
+    this.#forgetDeleted();
+    const before = this.#places.at(-1);
+    if (before && samePlace(before, place)) return;
+    const [first] = this.#places;
+    const closes = this.#type === "spline" && first && this.#places.length >= 3 && samePlace(first, place);
+    this.#places = [...this.#places, place];
+    if (closes || this.#places.length >= counts[this.#type].max) this.#add();
+  }
+
+  protected last(): Position | null {
+    return this.#places.at(-1)?.position ?? null;
+  }
+
+  protected finish(): void {
+    if (this.#type === "spline" && this.#places.length >= counts.spline.min) this.#add();
+    this.#drop();
+  }
+
+  protected removeLast(): boolean {
+    this.#forgetDeleted();
+    const link = this.#links.at(-1);
+    if (this.#type === "straight" && link) {
+      const { history } = this.stores.documents.state.getState();
+      if (link.label !== null && history.past.at(-1)?.label === link.label) this.stores.documents.undo();
+      this.#links = this.#links.slice(0, -1);
+      this.#places = [placeAt(this.project, link.from.position)];
+      return true;
+    }
+    const hadPlaces = this.#places.length > 0;
+    this.#places = this.#places.slice(0, -1);
+    return hadPlaces;
+  }
+
+  protected leave(): boolean {
+    const hadPlaces = this.#places.length > 0;
+    this.#drop();
+    return hadPlaces;
+  }
+
+  protected sketch(): Sketch {
+    const places = this.#places.map(({ position }) => position);
+    const next = this.snap?.position;
+    const path = sampledCurve(this.#type, next ? [...places, next] : places);
+    const dots = [...this.#places, ...(this.snap ? [this.placeOf(this.snap)] : [])];
+    return {
+      ...emptySketch,
+      paths: path.length > 1 ? [path] : [],
+      dots: dots.filter(({ point }) => point === null).map(({ position }) => position),
+    };
+  }
+
+  protected override end(): void {
+    this.#stopListening?.();
+    this.#drop();
+    super.end();
+  }
+
+  get #type(): LineType {
+    return this.stores.view.state.getState().lineType;
+  }
+
+  #add(): void {
+    const type = this.#type;
+    const [first] = this.#places;
+    const { creation, line, points } = drawLine(this.project, type, this.#places);
+    if (creation) this.create(creation);
+    else this.stores.view.select({ kind: "line", id: line });
+    const end = points.at(-1);
+    const place = end === undefined ? undefined : this.#placeOfPoint(end);
+    if (type !== "straight" || !first || !place) return this.#drop();
+    const start = this.#start ?? this.#placeOfPoint(points[0] ?? 0) ?? first;
+    if (samePlace(start, place)) return this.#drop();
+    this.#start = start;
+    this.#links = [...this.#links, { from: first, label: creation?.edit.label ?? null }];
+    this.#places = [place];
+  }
+
+  #placeOfPoint(id: number): Place | undefined {
+    const point = findRecord(this.project, "point", id);
+    return point && { point: id, position: point.position };
+  }
+
+  /** Undo or an edit in a panel may have removed points of the chain. */
+  #forgetDeleted(): void {
+    const exists = ({ point }: Place): boolean =>
+      point === null || findRecord(this.project, "point", point) !== undefined;
+    if (this.#places.every(exists)) return;
+    this.#drop();
+  }
+
+  #drop(): void {
+    this.#places = [];
+    this.#links = [];
+    this.#start = null;
+  }
+}
