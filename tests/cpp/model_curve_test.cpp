@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "support/random.h"
 
@@ -27,6 +28,10 @@ std::vector<Curve> randomCurves(std::uint64_t seed) {
   curves.emplace_back(LineType::kParabolic, randomPoints(random, 3));
   for (int count = 4; count < 9; ++count)
     curves.emplace_back(LineType::kSpline, randomPoints(random, count));
+  curves.emplace_back(LineType::kArc, randomPoints(random, 3));
+  std::vector<Vec3> circle = randomPoints(random, 3);
+  circle.push_back(circle.front());
+  curves.emplace_back(LineType::kCircle, std::move(circle));
   return curves;
 }
 

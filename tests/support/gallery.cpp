@@ -96,9 +96,12 @@ class JsonReader {
 using Numbers = std::map<double, std::uint32_t>;  ///< positions by the file's ids
 
 LineType lineTypeOf(const std::string& name) {
-  return name == "straight"    ? LineType::kStraight
-         : name == "parabolic" ? LineType::kParabolic
-                               : LineType::kSpline;
+  static const std::map<std::string, LineType> types{{"straight", LineType::kStraight},
+                                                     {"parabolic", LineType::kParabolic},
+                                                     {"spline", LineType::kSpline},
+                                                     {"arc", LineType::kArc},
+                                                     {"circle", LineType::kCircle}};
+  return types.at(name);
 }
 
 PatchType patchTypeOf(const std::string& name) {
@@ -107,7 +110,8 @@ PatchType patchTypeOf(const std::string& name) {
       {"isoparametric-triangle", PatchType::kIsoparametricTriangle},
       {"serendipity", PatchType::kSerendipity},
       {"barnhill-gregory-nielson", PatchType::kBarnhillGregoryNielson},
-      {"coons", PatchType::kCoons}};
+      {"coons", PatchType::kCoons},
+      {"tube", PatchType::kTube}};
   return types.at(name);
 }
 

@@ -167,6 +167,12 @@ Loop ModelBuilder::circle(const Vec3& centre, double radius, int arcs, const Vec
   return loop;
 }
 
+OrientedLine ModelBuilder::exactCircle(const Vec3& centre, double radius, const Vec3& u,
+                                       const Vec3& v) {
+  const Vec3 start = centre + radius * u;
+  return {line(LineType::kCircle, {start, centre + radius * v, centre - radius * u, start}), false};
+}
+
 void ModelBuilder::patch(PatchType type, std::vector<Loop> loops) {
   model.patches.push_back({type, std::move(loops)});
 }

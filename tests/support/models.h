@@ -25,6 +25,10 @@ class ModelBuilder {
   Loop circle(const Vec3& centre, double radius, int arcs, const Vec3& u = {1, 0, 0},
               const Vec3& v = {0, 1, 0});
 
+  /// The exact circle from `centre` + `radius` u, as one line.
+  OrientedLine exactCircle(const Vec3& centre, double radius, const Vec3& u = {1, 0, 0},
+                           const Vec3& v = {0, 1, 0});
+
   void patch(PatchType type, std::vector<Loop> loops);
 
   Model model;

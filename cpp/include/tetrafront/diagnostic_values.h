@@ -81,6 +81,8 @@ constexpr DiagnosticValues valuesOf(DiagnosticCode code) {
     case DiagnosticCode::kWrongLineCount:
       return {{"lines", "Number of lines of the outer loop."},
               {"required", "Number that the type of the patch requires."}};
+    case DiagnosticCode::kWrongLoopCount:
+      return {{"loops", "Number of loops of the patch."}};
     case DiagnosticCode::kNotPlanar:
       return {{"distance", "Largest distance from the plane."}};
     case DiagnosticCode::kHoleOffPatch:
@@ -157,6 +159,8 @@ constexpr DiagnosticValues valuesOf(DiagnosticCode code) {
     case DiagnosticCode::kOverlappingTetrahedra:
       return {count("Number of such pairs.")};
     case DiagnosticCode::kCoincidentPoints:
+    case DiagnosticCode::kCollinearPoints:
+    case DiagnosticCode::kOpenCircle:
     case DiagnosticCode::kZeroLengthLine:
     case DiagnosticCode::kWrongLineType:
     case DiagnosticCode::kLoopNotClosed:

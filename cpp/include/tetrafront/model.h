@@ -18,10 +18,14 @@ enum class LineType : std::uint8_t {
   /// Four or more points, interpolated with chord-length parameters and natural ends. If the first point is also
   /// the last, the curve is periodic: its curvature is continuous there too.
   kSpline = 2,
+  kArc = 3,  ///< three points: start, a point between, end of a part of a circle
+  /// Four points, of which the last is the first: the circle through the three, in their order. It begins and ends at
+  /// the first point.
+  kCircle = 4,
 };
 
 /// Surface type of a patch over the lines F1, F2, ... of its outer loop, in the order of the loop (Löhner &
-/// Parikh 1988, appendix). Patches of all types may have holes, of lines of any type that lie on the patch.
+/// Parikh 1988, appendix). Patches of all types but tubes may have holes, of lines of any type that lie on the patch.
 enum class PatchType : std::uint8_t {
   kPlanar = 0,                 ///< any number of lines, all in one plane (eq. 8-10)
   kIsoparametricTriangle = 1,  ///< three parabolic lines (eq. 11, 12)
@@ -31,6 +35,9 @@ enum class PatchType : std::uint8_t {
   /// F2 the line that differs from the others, for example the base of a fan.
   kBarnhillGregoryNielson = 3,
   kCoons = 4,  ///< four lines of any type (eq. 15)
+  /// Two loops of any number of lines of any type, joined by straight rulings: its rims. Positions are matched by equal
+  /// parts of the rims' lengths, such that the rulings are shortest; see matchRims().
+  kTube = 5,
 };
 
 struct Line {
@@ -49,7 +56,8 @@ using Loop = std::vector<OrientedLine>;
 
 struct Patch {
   PatchType type = PatchType::kPlanar;
-  std::vector<Loop> loops;  ///< the outer loop, then the holes, each in either direction
+  std::vector<Loop>
+      loops;  ///< the outer loop, then the holes, or the two rims; each in either direction
 };
 
 struct Model {

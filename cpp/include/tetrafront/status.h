@@ -65,6 +65,8 @@ enum class DiagnosticCode : std::uint16_t {
   kLoopNotClosed = 7,     ///< patch, line, point: the loop breaks after the line
   kLoopsIntersect = 8,    ///< patch, line(s): a loop intersects itself or another loop
   kNotPlanar = 9,         ///< planar patch, line(s), point(s) moved
+  kCollinearPoints = 10,  ///< arc or circle, whose points lie on one straight line
+  kWrongLoopCount = 11,   ///< patch: a tube that does not have two loops
   kEmptyModel = 12,       ///< no patch, or no triangle
   kDegeneratePatch = 13,  ///< patch whose surface has no area or folds over itself
   kHoleOutside = 14,      ///< patch, line: a hole outside the outer loop or inside another hole
@@ -85,6 +87,7 @@ enum class DiagnosticCode : std::uint16_t {
   kSourceOutOfRange = 26,  ///< source
   kDuplicatePoints = 27,   ///< two points at one position; a warning unless patches use both
   kSizeTooLarge = 28,      ///< warning: no size of a model is below its extent
+  kOpenCircle = 29,        ///< circle whose last point is not its first
   // Closed boundary
   kOpenEdge = 40,       ///< line (and its patch) or triangle with one triangle only at an edge
   kDanglingSheet = 41,  ///< triangle (and its patch) with the same region on both sides

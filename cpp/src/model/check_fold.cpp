@@ -9,9 +9,6 @@ namespace {
 
 /// Cells per direction of the grid on which normals are compared.
 constexpr int kFoldCells = 16;
-/// A normal shorter than this, relative to the longest, belongs to a degenerate corner and has no
-/// direction.
-constexpr double kMinNormal = 1e-6;
 /// Sine of 10 degrees: two lines at a smaller angle form no real corner.
 constexpr double kSmoothSine = 0.17364817766693033;
 /// If the normal still changes by more than 90 degrees after the parameters are halved this many
@@ -84,31 +81,10 @@ class NormalGrid {
     return Vec2(i, j) / static_cast<double>(kFoldCells);
   }
 
-  [[nodiscard]] Vec3 normalAt(const Vec2& unit) const {
-    const SurfacePoint point = surface_->evaluate(unit);
-    return glm::cross(point.alongXi, point.alongEta);
-  }
+  [[nodiscard]] Vec3 normalAt(const Vec2& unit) const { return normalOf(*surface_, unit); }
 
-  /// Finds where the normal changes by more than 90 degrees between two parameters; nothing if the
-  /// change is below 90 degrees when they are close enough.
-  [[nodiscard]] std::optional<Vec2> foldBetween(Vec2 from, Vec2 to) const {
-    Vec3 normalFrom = normalAt(from);
-    Vec3 normalTo = normalAt(to);
-    for (int halving = 0; halving < kFoldHalvings; ++halving) {
-      if (glm::dot(normalFrom, normalTo) >= 0.0) return std::nullopt;
-      const Vec2 middle = 0.5 * (from + to);
-      const Vec3 normal = normalAt(middle);
-      // A bend keeps its area; a fold has none where the normal changes.
-      if (glm::length(normal) < leastNormal()) return middle;
-      if (glm::dot(normalFrom, normal) < 0.0) {
-        to = middle;
-        normalTo = normal;
-      } else {
-        from = middle;
-        normalFrom = normal;
-      }
-    }
-    return from;
+  [[nodiscard]] std::optional<Vec2> foldBetween(const Vec2& from, const Vec2& to) const {
+    return findFoldBetween(*surface_, from, to, leastNormal());
   }
 
   const UnitSurface* surface_;
@@ -118,6 +94,32 @@ class NormalGrid {
 };
 
 }  // namespace
+
+Vec3 normalOf(const UnitSurface& surface, const Vec2& unit) {
+  const SurfacePoint point = surface.evaluate(unit);
+  return glm::cross(point.alongXi, point.alongEta);
+}
+
+std::optional<Vec2> findFoldBetween(const UnitSurface& surface, Vec2 from, Vec2 to,
+                                    double leastNormal) {
+  Vec3 normalFrom = normalOf(surface, from);
+  Vec3 normalTo = normalOf(surface, to);
+  for (int halving = 0; halving < kFoldHalvings; ++halving) {
+    if (glm::dot(normalFrom, normalTo) >= 0.0) return std::nullopt;
+    const Vec2 middle = 0.5 * (from + to);
+    const Vec3 normal = normalOf(surface, middle);
+    // A bend keeps its area; a fold has none where the normal changes.
+    if (glm::length(normal) < leastNormal) return middle;
+    if (glm::dot(normalFrom, normal) < 0.0) {
+      to = middle;
+      normalTo = normal;
+    } else {
+      from = middle;
+      normalFrom = normal;
+    }
+  }
+  return from;
+}
 
 std::optional<SurfaceDefect> findSurfaceDefect(const UnitSurface& surface, SmoothCorners corners,
                                                const Tolerance& tolerance) {

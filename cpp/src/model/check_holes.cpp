@@ -30,7 +30,7 @@ class HoleCheck {
     std::vector<PlaneLoop> loops{layOutBorder()};
     for (std::size_t hole = 1; hole < drawn_->loops.size(); ++hole) {
       loops.push_back(layOutHole(drawn_->loops[hole]));
-      if (worst_ > kHoleTolerance * loopExtent(*model_, drawn_->loops[hole], kHoleSamples))
+      if (worst_ > kHoleTolerance * loopExtent(*model_, {&drawn_->loops[hole], 1}, kHoleSamples))
         return defect(DiagnosticCode::kHoleOffPatch, {worstLine_}, worstPosition_, {worst_});
     }
     if (const std::optional<LoopContact> contact =

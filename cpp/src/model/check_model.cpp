@@ -39,6 +39,8 @@ PatchRule ruleOf(PatchType type) {
       return {4, true};
     case PatchType::kBarnhillGregoryNielson:
       return {3, false};
+    case PatchType::kTube:
+      return {0, false};
     case PatchType::kCoons:
       break;
   }
@@ -168,6 +170,9 @@ class ModelChecker {
       report(DiagnosticCode::kWrongPointCount, {entityOf(line)},
              {static_cast<double>(drawn.points.size())});
       isUsable = false;
+    } else if (drawn.type == LineType::kCircle && drawn.points.front() != drawn.points.back()) {
+      report(DiagnosticCode::kOpenCircle, {entityOf(line)});
+      isUsable = false;
     }
     for (const PointId point : pointsOf(line)) {
       if (exists(point)) {
@@ -186,7 +191,10 @@ class ModelChecker {
       case LineType::kStraight:
         return line.points.size() == 2;
       case LineType::kParabolic:
+      case LineType::kArc:
         return line.points.size() == 3;
+      case LineType::kCircle:
+        return line.points.size() == 4;
       case LineType::kSpline:
         break;
     }
@@ -219,12 +227,26 @@ class ModelChecker {
              positionOf(b));
     };
     for (std::size_t i = 0; i + 1 < points.size(); ++i) compare(points[i], points[i + 1]);
-    // A spline may end at its first point. A parabola cannot, and two points with the same position
-    // would leave an invisible gap.
+    // A spline may end at its first point, and a circle must. A line of three points cannot, and two
+    // points with the same position would leave an invisible gap.
     const bool closed = points.front() == points.back();
-    if (points.size() > 2 && (!closed || model_->lines[line.index()].type == LineType::kParabolic))
+    if (points.size() == 3 || (points.size() > 3 && !closed))
       compare(points.front(), points.back());
-    return distinct;
+    return distinct && checkArc(line);
+  }
+
+  /// Checks that the points of an arc or circle define one.
+  bool checkArc(LineId line) {
+    const Line& drawn = model_->lines[line.index()];
+    if (drawn.type != LineType::kArc && drawn.type != LineType::kCircle) return true;
+    const Vec3& start = model_->points[drawn.points[0]];
+    const Vec3 second = model_->points[drawn.points[1]] - start;
+    const Vec3 third = model_->points[drawn.points[2]] - start;
+    const double longest =
+        std::max({glm::length(second), glm::length(third), glm::length(third - second)});
+    if (glm::length(glm::cross(second, third)) > Tolerance(longest).area()) return true;
+    report(DiagnosticCode::kCollinearPoints, {entityOf(line)}, {}, start + second);
+    return false;
   }
 
   /// Points and lines drawn twice are harmless unless the surface uses both.
@@ -313,6 +335,11 @@ class ModelChecker {
   bool checkLoops(PatchId patch, const PatchRule& rule) {
     const Patch& drawn = model_->patches[patch.index()];
     const std::size_t given = drawn.loops.empty() ? 0 : drawn.loops.front().size();
+    if (drawn.type == PatchType::kTube && drawn.loops.size() != 2) {
+      report(DiagnosticCode::kWrongLoopCount, {entityOf(patch)},
+             {static_cast<double>(drawn.loops.size())});
+      return false;
+    }
     bool fits = rule.lines == 0 ? given > 0 : given == rule.lines;
     // A hole without lines is ignored.
     for (const Loop& loop : drawn.loops) fits = fits && !loop.empty();

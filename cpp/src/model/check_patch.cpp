@@ -10,6 +10,7 @@
 #include "model/check_fold.h"
 #include "model/check_holes.h"
 #include "model/check_loops.h"
+#include "model/check_tube.h"
 #include "model/patch_surface.h"
 
 namespace tetrafront {
@@ -35,7 +36,10 @@ class PatchCheck {
         movedPoints_(&movedPoints),
         diagnostics_(&diagnostics) {}
 
-  bool run() { return drawn_->type == PatchType::kPlanar ? checkPlanar() : checkCurved(); }
+  bool run() {
+    if (drawn_->type == PatchType::kTube) return checkTube();
+    return drawn_->type == PatchType::kPlanar ? checkPlanar() : checkCurved();
+  }
 
  private:
   void report(DiagnosticCode code, const std::vector<LineId>& lines, std::optional<Vec3> position,
@@ -51,7 +55,7 @@ class PatchCheck {
   }
 
   [[nodiscard]] double extent() const {
-    return loopExtent(*model_, drawn_->loops.front(), kPlaneSamples);
+    return loopExtent(*model_, spanningLoops(*drawn_), kPlaneSamples);
   }
 
   // ---- planar ----------------------------------------------------------------------------------
@@ -146,6 +150,20 @@ class PatchCheck {
     if (const std::optional<std::size_t> hole = findMisplacedHole(loops))
       report(DiagnosticCode::kHoleOutside, {LineId(drawn_->loops[*hole].front().line)},
              surface.evaluate(loops[*hole].points.front()).position);
+  }
+
+  // ---- tubes -----------------------------------------------------------------------------------
+
+  bool checkTube() {
+    if (!checkRepeatedLines()) return false;
+    const std::optional<TubeDefect> defect = findTubeDefect(*model_, *drawn_, Tolerance(extent()));
+    if (!defect) return true;
+    const bool isContact = defect->code == DiagnosticCode::kLoopsIntersect;
+    std::vector<LineId> lines;
+    if (isContact)
+      for (const Loop& loop : drawn_->loops) lines.push_back(LineId(loop.front().line));
+    report(defect->code, lines, defect->position);
+    return false;
   }
 
   // ---- curved ----------------------------------------------------------------------------------

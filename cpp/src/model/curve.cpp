@@ -62,12 +62,13 @@ Curve::Curve(LineType type, std::vector<Vec3> points)
     fitSpline();
   else
     knots_ = {0.0, 1.0};
+  if (type_ == LineType::kArc) arc_ = CircularArc::through(points_[0], points_[1], points_[2]);
+  if (type_ == LineType::kCircle)
+    arc_ = CircularArc::circleThrough(points_[0], points_[1], points_[2]);
   length_ = length(0.0, 1.0);
 }
 
-bool Curve::isClosed() const {
-  return type_ == LineType::kSpline && points_.front() == points_.back();
-}
+bool Curve::isClosed() const { return points_.front() == points_.back(); }
 
 void Curve::fitSpline() {
   const std::size_t count = points_.size();
@@ -122,6 +123,9 @@ Curve::Sample Curve::sampleByType(double t) const {
       return {points_[0] + t * (points_[1] - points_[0]), points_[1] - points_[0]};
     case LineType::kParabolic:
       return sampleParabola(t);
+    case LineType::kArc:
+    case LineType::kCircle:
+      return {arc_.position(t), arc_.derivative(t)};
     case LineType::kSpline:
       break;
   }
@@ -166,6 +170,7 @@ Vec3 Curve::derivative(double t) const { return sample(t).derivative; }
 
 double Curve::length(double from, double to) const {
   if (type_ == LineType::kStraight) return (to - from) * glm::length(points_[1] - points_[0]);
+  if (type_ == LineType::kArc || type_ == LineType::kCircle) return (to - from) * arc_.length();
   double sum = 0.0;
   for (std::size_t span = 0; span + 1 < knots_.size(); ++span) {
     const double begin = std::max(from, knots_[span]);

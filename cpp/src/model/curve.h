@@ -1,11 +1,12 @@
 #pragma once
 
 /// @file A line that can be evaluated: position and derivative at a parameter t in [0, 1], arc
-/// length (Löhner & Parikh 1988, section 4, line types 1 to 3).
+/// length (Löhner & Parikh 1988, section 4, line types 1 to 3; arcs and circles are added).
 
 #include <span>
 #include <vector>
 
+#include "model/circular_arc.h"
 #include "model/flat_axes.h"
 #include "tetrafront/model.h"
 
@@ -19,7 +20,7 @@ class Curve {
   };
 
   /// `points` must have the number of points that the type requires (see LineType), finite,
-  /// successive ones distinct.
+  /// successive ones distinct, those of arcs and circles not collinear.
   Curve(LineType type, std::vector<Vec3> points);
 
   /// Position at t; bit-exact copies of the first and last point at t = 0 and t = 1.
@@ -39,7 +40,7 @@ class Curve {
   /// True if all points lie on the chord, up to rounding: the line is straight, whatever its type.
   [[nodiscard]] bool isStraight() const;
 
-  /// True for a spline that ends where it begins; it is as smooth there as anywhere else.
+  /// True for a line that ends where it begins; it is as smooth there as anywhere else.
   [[nodiscard]] bool isClosed() const;
 
   /// Parameters at which the curve is not infinitely smooth, ascending, 0 and 1 included.
@@ -58,6 +59,7 @@ class Curve {
   std::vector<Vec3> points_;
   std::vector<double> knots_;
   std::vector<Vec3> secondDerivatives_;  ///< for a spline: one per point
+  CircularArc arc_;                      ///< for an arc or a circle
   FlatAxes flat_;
   double length_ = 0.0;
 };

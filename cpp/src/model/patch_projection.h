@@ -39,7 +39,8 @@ class PatchProjection {
 /// Returns whether the patch has holes that need the projection; PatchSurface::boundaryToPlane maps
 /// those of planar patches.
 [[nodiscard]] inline bool hasCurvedHoles(const Patch& patch) {
-  return patch.type != PatchType::kPlanar && patch.loops.size() > 1;
+  return patch.type != PatchType::kPlanar && patch.type != PatchType::kTube &&
+         patch.loops.size() > 1;
 }
 
 }  // namespace tetrafront

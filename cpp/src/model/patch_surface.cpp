@@ -1,6 +1,7 @@
 #include "model/patch_surface.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace tetrafront {
 
@@ -25,6 +26,13 @@ MappedSurface::MappedSurface(PatchType type, std::span<const OrientedCurve> loop
                           corner.alongEta);
 }
 
+MappedSurface::MappedSurface(TubeSurface tube) : surface_(std::move(tube)) {
+  const TubeSurface& rims = *surface_.tube();
+  const SurfacePoint corner = rims.evaluate({0.0, 0.0});
+  plane_ = StretchedPlane(rims.first().length(), rims.meanRuling(), rims.second().length(),
+                          corner.alongXi, corner.alongEta);
+}
+
 SurfacePoint MappedSurface::evaluate(const Vec2& plane) const {
   const Vec2 unit = plane_.toUnit(plane);
   SurfacePoint result = surface_.evaluate(unit);
@@ -37,6 +45,7 @@ SurfacePoint MappedSurface::evaluate(const Vec2& plane) const {
 Vec2 MappedSurface::clamped(const Vec2& plane) const {
   // Eta first: xi is undefined at a height outside the domain.
   const Vec2 inside(plane.x, std::clamp(plane.y, 0.0, plane_.toPlane({0.0, 1.0}).y));
+  if (surface_.tube() != nullptr) return inside;
   const Vec2 unit = plane_.toUnit(inside);
   const Vec2 nearest = clampedToUnit(surface_.shape(), unit);
   return nearest == unit ? inside : plane_.toPlane(nearest);
@@ -46,14 +55,15 @@ Vec2 MappedSurface::clamped(const Vec2& plane) const {
 
 PatchSurface::PatchSurface(const ResolvedModel& model, const Patch& patch)
     : model_(&model), patch_(&patch), surface_(makeSurface(model, patch)) {
-  const Loop& outer = patch.loops.front();
-  flat_ = FlatAxes(model.curve(outer.front()).points());
-  for (const OrientedLine& line : outer)
-    for (const Vec3& point : model.curve(line).points()) flat_.restrictTo(point);
+  flat_ = FlatAxes(model.curve(patch.loops.front().front()).points());
+  for (const Loop& loop : spanningLoops(patch))
+    for (const OrientedLine& line : loop)
+      for (const Vec3& point : model.curve(line).points()) flat_.restrictTo(point);
 }
 
 PatchSurface::Surface PatchSurface::makeSurface(const ResolvedModel& model, const Patch& patch) {
   const Loop& outer = patch.loops.front();
+  if (patch.type == PatchType::kTube) return MappedSurface(tubeSurface(model, patch));
   if (patch.type != PatchType::kPlanar) return MappedSurface(patch.type, curvesOf(model, outer));
   const LoopPlane plane = loopPlane(model, outer);
   return PlanarSurface(plane.origin, plane.areaVector, plane.firstDirection);
@@ -86,6 +96,10 @@ Vec2 PatchSurface::clamped(const Vec2& plane) const {
 
 // ---- loops -------------------------------------------------------------------------------------
 
+TubeSurface tubeSurface(const ResolvedModel& model, const Patch& patch) {
+  return {Rim(curvesOf(model, patch.loops[0])), Rim(curvesOf(model, patch.loops[1]))};
+}
+
 std::vector<OrientedCurve> curvesOf(const ResolvedModel& model, const Loop& loop) {
   std::vector<OrientedCurve> curves;
   curves.reserve(loop.size());
@@ -105,12 +119,15 @@ std::vector<Vec3> sampleLoop(const ResolvedModel& model, const Loop& loop,
   return samples;
 }
 
-double loopExtent(const ResolvedModel& model, const Loop& loop, std::uint32_t samplesPerLine) {
-  Vec3 low = model.curve(loop.front()).start();
+double loopExtent(const ResolvedModel& model, std::span<const Loop> loops,
+                  std::uint32_t samplesPerLine) {
+  Vec3 low = model.curve(loops.front().front()).start();
   Vec3 high = low;
-  for (const Vec3& sample : sampleLoop(model, loop, samplesPerLine)) {
-    low = glm::min(low, sample);
-    high = glm::max(high, sample);
+  for (const Loop& loop : loops) {
+    for (const Vec3& sample : sampleLoop(model, loop, samplesPerLine)) {
+      low = glm::min(low, sample);
+      high = glm::max(high, sample);
+    }
   }
   return glm::length(high - low);
 }

@@ -6,6 +6,7 @@
 /// patch (eq. 16, 17).
 
 #include <cstdint>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -21,6 +22,7 @@ class MappedSurface {
  public:
   /// Arguments as for UnitSurface.
   MappedSurface(PatchType type, std::span<const OrientedCurve> loop);
+  explicit MappedSurface(TubeSurface tube);
 
   [[nodiscard]] const UnitSurface& unitSurface() const { return surface_; }
   [[nodiscard]] const StretchedPlane& stretchedPlane() const { return plane_; }
@@ -43,7 +45,7 @@ class PatchSurface {
 
   /// Maps a node of a loop's line to the plane: line `index` of its loop, parameter t in
   /// the loop's direction, and its position in space. For a curved patch, only the first loop;
-  /// PatchProjection maps the nodes of holes.
+  /// PatchProjection maps the nodes of holes. Not for tubes.
   [[nodiscard]] Vec2 boundaryToPlane(std::size_t index, double t, const Vec3& position) const;
 
   /// True if line `index` of the loop is straight in the plane.
@@ -71,6 +73,9 @@ class PatchSurface {
   FlatAxes flat_;
 };
 
+/// Returns the surface of a tube, which must have two closed loops.
+[[nodiscard]] TubeSurface tubeSurface(const ResolvedModel& model, const Patch& patch);
+
 /// Returns the curves of a loop in its direction.
 [[nodiscard]] std::vector<OrientedCurve> curvesOf(const ResolvedModel& model, const Loop& loop);
 
@@ -88,8 +93,13 @@ struct LoopPlane {
 [[nodiscard]] std::vector<Vec3> sampleLoop(const ResolvedModel& model, const Loop& loop,
                                            std::uint32_t samplesPerLine);
 
-/// Diagonal of the bounding box of those points: tolerances are relative to it.
-[[nodiscard]] double loopExtent(const ResolvedModel& model, const Loop& loop,
+/// Diagonal of the bounding box of such samples of some loops: tolerances are relative to it.
+[[nodiscard]] double loopExtent(const ResolvedModel& model, std::span<const Loop> loops,
                                 std::uint32_t samplesPerLine);
+
+/// Returns the loops that define a patch's surface: the outer loop, or the two rims of a tube.
+[[nodiscard]] inline std::span<const Loop> spanningLoops(const Patch& patch) {
+  return std::span(patch.loops).first(patch.type == PatchType::kTube ? 2 : 1);
+}
 
 }  // namespace tetrafront

@@ -205,7 +205,15 @@ class CrossingSearch {
 }  // namespace
 
 std::optional<Vec3> findSelfCrossing(const Curve& curve) {
-  if (curve.type() == LineType::kStraight) return std::nullopt;
+  switch (curve.type()) {
+    case LineType::kStraight:
+    case LineType::kArc:
+    case LineType::kCircle:
+      return std::nullopt;
+    case LineType::kParabolic:
+    case LineType::kSpline:
+      break;
+  }
   return CrossingSearch(curve).run();
 }
 

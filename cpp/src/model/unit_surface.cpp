@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace tetrafront {
 
@@ -29,6 +30,9 @@ Vec2 unitBorder(UnitShape shape, std::size_t position, double t) {
 UnitSurface::UnitSurface(PatchType type, std::span<const OrientedCurve> loop)
     : shape_(unitShapeOf(type)), surface_(makeSurface(type, loop)) {}
 
+UnitSurface::UnitSurface(TubeSurface tube)
+    : shape_(UnitShape::kSquare), surface_(std::move(tube)) {}
+
 UnitSurface::Surface UnitSurface::makeSurface(PatchType type, std::span<const OrientedCurve> loop) {
   switch (type) {
     case PatchType::kIsoparametricTriangle:
@@ -38,6 +42,7 @@ UnitSurface::Surface UnitSurface::makeSurface(PatchType type, std::span<const Or
     case PatchType::kBarnhillGregoryNielson:
       return BarnhillGregoryNielsonSurface(loop);
     case PatchType::kPlanar:
+    case PatchType::kTube:
     case PatchType::kCoons:
       break;
   }

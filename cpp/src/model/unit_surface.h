@@ -9,6 +9,7 @@
 
 #include "model/isoparametric_surface.h"
 #include "model/transfinite_surface.h"
+#include "model/tube_surface.h"
 
 namespace tetrafront {
 
@@ -27,9 +28,14 @@ enum class UnitShape : std::uint8_t { kTriangle, kSquare };
 
 class UnitSurface {
  public:
-  /// The lines of the patch's outer loop, in its direction. `type` must not be planar and must
-  /// accept their types and number. Their curves must outlive this.
+  /// The lines of the patch's outer loop, in its direction. `type` must not be planar or a tube and
+  /// must accept their types and number. Their curves must outlive this.
   UnitSurface(PatchType type, std::span<const OrientedCurve> loop);
+  /// A tube over the unit square: lines xi = 0 and xi = 1 are the same.
+  explicit UnitSurface(TubeSurface tube);
+
+  /// The tube, or null for another type.
+  [[nodiscard]] const TubeSurface* tube() const { return std::get_if<TubeSurface>(&surface_); }
 
   [[nodiscard]] UnitShape shape() const { return shape_; }
 
@@ -38,7 +44,7 @@ class UnitSurface {
 
  private:
   using Surface = std::variant<IsoparametricTriangle, SerendipitySurface,
-                               BarnhillGregoryNielsonSurface, CoonsSurface>;
+                               BarnhillGregoryNielsonSurface, CoonsSurface, TubeSurface>;
   static Surface makeSurface(PatchType type, std::span<const OrientedCurve> loop);
 
   UnitShape shape_;

@@ -4,9 +4,12 @@
 #include <utility>
 
 #include "base/ids.h"
+#include "base/sort.h"
+#include "base/tolerance.h"
 #include "model/patch_projection.h"
 #include "surface/patch_boundary.h"
 #include "surface/planar_front.h"
+#include "surface/tube_boundary.h"
 
 namespace tetrafront {
 
@@ -67,7 +70,8 @@ class SurfaceSampler {
     isOnLattice_.assign(model_->lines.size(), 0);
     for (std::size_t patch = 0; patch < model_->patches.size(); ++patch) {
       if (found_->usablePatches[patch] == 0) continue;
-      if (model_->patches[patch].type == PatchType::kPlanar) continue;
+      const PatchType type = model_->patches[patch].type;
+      if (type == PatchType::kPlanar || type == PatchType::kTube) continue;
       for (const Loop& loop : model_->patches[patch].loops)
         for (const OrientedLine& walked : loop)
           isOnLattice_[found_->duplicates.lines[walked.line].index()] = 1;
@@ -136,6 +140,8 @@ class SurfaceSampler {
     if (hasCurvedHoles(drawn)) {
       // Triangles of about the size of a lattice cell.
       addTriangulation(patch, surface, extentOf(drawn) / cells_);
+    } else if (drawn.type == PatchType::kTube) {
+      addTube(patch, surface);
     } else if (const MappedSurface* curved = surface.mapped()) {
       const std::uint32_t first = nextPoint();
       addLattice(curved->unitSurface());
@@ -159,6 +165,71 @@ class SurfaceSampler {
       }
       if (j < cells_) addCells(row, row + cells + 1, cells, isTriangle);
       row += cells + 1;
+    }
+  }
+
+  /// A node in a row around a tube.
+  struct RowNode {
+    double xi;
+    std::uint32_t point;  ///< of the samples
+  };
+
+  /// Adds rows around a tube: the nodes of its rims, and between them one node per ruling from any node of a rim.
+  void addTube(std::uint32_t patch, const PatchSurface& surface) {
+    const Patch& drawn = model_->patches[patch];
+    const TubeSurface& tube = *surface.mapped()->unitSurface().tube();
+    const std::vector<RowNode> first =
+        addRim(nodesOfRim(resolved_, drawn.loops[0], tube.first(), lines_),
+               [](double part) { return part; });
+    const std::vector<RowNode> second =
+        addRim(nodesOfRim(resolved_, drawn.loops[1], tube.second(), lines_),
+               [&](double part) { return tube.xiOfSecond(part); });
+    std::vector<double> rulings;
+    for (const RowNode& node : first) rulings.push_back(node.xi);
+    for (const RowNode& node : second) rulings.push_back(node.xi);
+    stableSort(rulings);
+    const auto same = std::ranges::unique(
+        rulings, [](double a, double b) { return b - a <= Tolerance::kCoincidence; });
+    rulings.erase(same.begin(), same.end());
+    std::vector<RowNode> row = first;
+    for (std::uint32_t j = 1; j < cells_; ++j) {
+      std::vector<RowNode> next;
+      for (const double xi : rulings) {
+        next.push_back({xi, nextPoint()});
+        addPoint(tube.evaluate({xi, static_cast<double>(j) / cells_}).position, nextNode_++);
+      }
+      joinRows(row, next);
+      row = std::move(next);
+    }
+    joinRows(row, second);
+    sampled_.isConforming[patch] = 1;
+  }
+
+  template <class XiOf>
+  std::vector<RowNode> addRim(const std::vector<RimNode>& nodes, XiOf&& xiOf) {
+    std::vector<RowNode> row;
+    for (const RimNode& node : nodes) {
+      row.push_back({xiOf(node.part), nextPoint()});
+      addPoint(node.position, node.node.value);
+    }
+    stableSort(row, [](const RowNode& a, const RowNode& b) { return a.xi < b.xi; });
+    return row;
+  }
+
+  /// Adds the triangles between two rows, both in ascending order.
+  void joinRows(const std::vector<RowNode>& row, const std::vector<RowNode>& next) {
+    const auto at = [](const std::vector<RowNode>& nodes, std::size_t i) {
+      const RowNode& node = nodes[i % nodes.size()];
+      return RowNode{node.xi + (i < nodes.size() ? 0.0 : 1.0), node.point};
+    };
+    std::vector<std::uint32_t>& triangles = sampled_.preview.patchTriangles;
+    for (std::size_t i = 0, j = 0; i < row.size() || j < next.size();) {
+      const RowNode after = at(row, i + 1);
+      const RowNode afterNext = at(next, j + 1);
+      const bool isOnRow = j == next.size() || (i < row.size() && after.xi <= afterNext.xi);
+      triangles.insert(triangles.end(),
+                       {at(row, i).point, (isOnRow ? after : afterNext).point, at(next, j).point});
+      ++(isOnRow ? i : j);
     }
   }
 
@@ -227,7 +298,7 @@ class SurfaceSampler {
   }
 
   [[nodiscard]] double extentOf(const Patch& patch) const {
-    return loopExtent(resolved_, patch.loops.front(), kBoundarySides);
+    return loopExtent(resolved_, spanningLoops(patch), kBoundarySides);
   }
 
   [[nodiscard]] std::uint32_t nextPoint() const {

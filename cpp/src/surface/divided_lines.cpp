@@ -4,6 +4,7 @@
 #include <map>
 
 #include "base/sort.h"
+#include "model/patch_surface.h"
 
 namespace tetrafront {
 
@@ -13,7 +14,7 @@ namespace {
 /// sides each: one of them could have a single side, but the result must not depend on which one.
 constexpr std::uint32_t kMinSidesOfClosedLine = 3;
 constexpr std::uint32_t kMinSidesOfParallelLine = 2;
-/// A closed line of a patch with a seam: with fewer sides, an edge could connect a node to both copies of a node of
+/// A closed line, or a rim, of a patch with a seam: with fewer sides, an edge could connect a node to both copies of a node of
 /// the seam, which are the same node of the surface.
 constexpr std::uint32_t kMinSidesAtSeam = 6;
 
@@ -70,8 +71,15 @@ void LineDivider::findMinSides() {
   }
   for (const Patch& patch : model.patches) {
     if (patch.type == PatchType::kPlanar) continue;
-    for (const OrientedLine& line : patch.loops.front())
-      if (minSides_[line.line] == kMinSidesOfClosedLine) minSides_[line.line] = kMinSidesAtSeam;
+    const bool isTube = patch.type == PatchType::kTube;
+    for (const Loop& loop : spanningLoops(patch)) {
+      for (const OrientedLine& line : loop) {
+        std::uint32_t& sides = minSides_[line.line];
+        if (sides == kMinSidesOfClosedLine) sides = kMinSidesAtSeam;
+        const auto lines = static_cast<std::uint32_t>(loop.size());
+        if (isTube) sides = std::max(sides, (kMinSidesAtSeam + lines - 1) / lines);
+      }
+    }
   }
 }
 
@@ -106,6 +114,7 @@ void LineDivider::numberNodes() {
     if (model_->isFlipped(line)) std::swap(nodes.front(), nodes.back());
     for (std::size_t i = 1; i + 1 < nodes.size(); ++i) nodes[i] = NodeId(next++);
   }
+  lines_.nodeCount = static_cast<std::uint32_t>(next);
 }
 
 void LineDivider::writeTo(SurfaceMesh& mesh) const {

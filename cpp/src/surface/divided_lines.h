@@ -21,6 +21,8 @@ namespace tetrafront {
 struct DividedLines {
   std::vector<LineDivision> divisions;
   std::vector<std::vector<NodeId>> nodes;
+  /// Number of all nodes; patches number their own nodes from there on.
+  std::uint32_t nodeCount = 0;
 };
 
 /// A line, and one of its sides in the curve's canonical direction.

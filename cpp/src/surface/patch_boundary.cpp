@@ -7,6 +7,7 @@
 #include "model/patch_projection.h"
 #include "search/quadtree.h"
 #include "surface/carrier_table.h"
+#include "surface/tube_boundary.h"
 
 namespace tetrafront {
 
@@ -89,15 +90,9 @@ class BoundaryBuilder {
       const std::size_t to = isLast ? firstNode : lineStarts_[firstLine + i + 1];
       const CarrierId carrier = table.findOrAdd(boundary.mesh.plane[from], boundary.mesh.plane[to]);
       for (std::size_t node = from; node < (isLast ? endNode : to); ++node)
-        addCarrier(node, carrier);
-      addCarrier(to, carrier);
+        boundary.mesh.addCarrier(node, carrier);
+      boundary.mesh.addCarrier(to, carrier);
     }
-  }
-
-  void addCarrier(std::size_t node, CarrierId carrier) {
-    PlanarMesh::Carriers& carriers = boundary.mesh.carriers[node];
-    if (carriers[0] == carrier || carriers[1] == carrier) return;
-    carriers[carriers[0].isNone() ? 0 : 1] = carrier;
   }
 
   [[nodiscard]] double twiceArea(std::size_t firstNode, std::size_t endNode) const {
@@ -207,6 +202,7 @@ std::vector<std::uint32_t> findMisplacedSides(const PatchBoundary& boundary) {
 PatchBoundary layOutBoundary(const ResolvedModel& model, const Patch& patch,
                              const PatchSurface& surface, const SizeField& field,
                              const DividedLines& lines) {
+  if (patch.type == PatchType::kTube) return layOutTube(model, patch, surface, field, lines);
   BoundaryBuilder builder(model, patch, surface, field, lines);
   for (std::size_t loop = 0; loop < patch.loops.size(); ++loop) builder.addLoop(loop);
   builder.findCarriers();

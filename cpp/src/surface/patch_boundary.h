@@ -14,14 +14,17 @@ namespace tetrafront {
 
 /// The side of a line that a boundary side of a patch is.
 struct SideOrigin {
-  LineId line;
+  LineId line;         ///< none for a side of the seam of a tube
   std::uint32_t side;  ///< in the curve's canonical direction
 };
 
 struct PatchBoundary {
   PlanarMesh mesh;                   ///< boundary nodes and sides only
   std::vector<SideOrigin> origins;   ///< per side
-  std::vector<std::uint32_t> loops;  ///< per loop: its first side
+  std::vector<std::uint32_t> loops;  ///< per loop: its first side; the rims of a tube are one loop
+  /// Nodes on the seam of a tube, which belong to the patch alone: node i is DividedLines::nodeCount + i, and occurs
+  /// twice in the plane.
+  std::vector<Vec3> seam;
   /// True if the sides are so coarse that the outer loop of a planar patch has the opposite orientation of its
   /// lines.
   bool isFlipped = false;

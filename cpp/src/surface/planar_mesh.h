@@ -54,6 +54,13 @@ struct PlanarMesh {
     return PlanarNodeId(plane.size() - 1);
   }
 
+  /// Adds a carrier to a node that has at most one other.
+  void addCarrier(std::size_t node, CarrierId carrier) {
+    Carriers& known = carriers[node];
+    if (known[0] == carrier || known[1] == carrier) return;
+    known[known[0].isNone() ? 0 : 1] = carrier;
+  }
+
   void removeLastNode() {
     plane.pop_back();
     positions.pop_back();

@@ -9,6 +9,7 @@
 #include "sizing/expected_count.h"
 #include "surface/patch_summary.h"
 #include "surface/short_lines.h"
+#include "surface/tube_boundary.h"
 
 namespace tetrafront {
 
@@ -80,8 +81,10 @@ Task<> SurfaceMesher::meshSurface(Work& work) {
 // ---- sides -------------------------------------------------------------------------------------
 
 Task<> SurfaceMesher::divideLines(Work& work) {
+  addSources(sourcesInTubes(surfaces_, *field_));
   co_await divideEachLine(work);
-  if (diagnostics_.empty() && growFromShortLines()) co_await divideEachLine(work);
+  if (diagnostics_.empty() && addSources(sourcesAtShortLines(model_, lines_.lines().divisions)))
+    co_await divideEachLine(work);
 }
 
 /// Divides every line, also after a failure, so that the user gets all diagnostics at once.
@@ -107,11 +110,10 @@ void SurfaceMesher::reportLine(LineId line, const LineDivision& division) {
   diagnostics_.push_back(std::move(diagnostic));
 }
 
-/// Returns true if sizes near short lines were capped. All lines must then be divided again.
-bool SurfaceMesher::growFromShortLines() {
-  const std::vector<SizeSource> sources = sourcesAtShortLines(model_, lines_.lines().divisions);
+/// Caps the sizes near sources. Returns true if there are any: divided lines must then be divided again.
+bool SurfaceMesher::addSources(const std::vector<SizeSource>& sources) {
   if (sources.empty()) return false;
-  gradedField_.emplace(*field_);
+  if (!gradedField_) gradedField_.emplace(*field_);
   gradedField_->addSources(sources);
   field_ = &*gradedField_;
   return true;
@@ -173,7 +175,8 @@ void SurfaceMesher::reportLoops(PatchId patch, const PatchBoundary& boundary,
   diagnostic.code = DiagnosticCode::kLoopsIntersect;
   diagnostic.entities = {{EntityKind::kPatch, patch.value}};
   std::vector<LineId> lines;
-  for (const std::uint32_t side : invalid) lines.push_back(boundary.origins[side].line);
+  for (const std::uint32_t side : invalid)
+    if (!boundary.origins[side].line.isNone()) lines.push_back(boundary.origins[side].line);
   sortUnique(lines);
   for (const LineId line : lines) diagnostic.entities.push_back({EntityKind::kLine, line.value});
   diagnostic.hasPosition = true;
@@ -205,21 +208,26 @@ Task<> SurfaceMesher::meshPatches(Work& work) {
 
 Task<> SurfaceMesher::meshPatch(Work& work, PatchId patch) {
   PatchBoundary boundary = layOut(patch);
+  const std::vector<Vec3> seam = boundary.seam;
   markSeparated(separated_[patch.index()], boundary.mesh);
   co_await work.spend(boundary.origins.size() / kSidesPerUnit + 1);
   PatchMesher mesher(surfaces_[patch.index()], *field_, std::move(boundary));
   while (!mesher.advance(work.remaining())) co_await work.yield();
   if (mesher.isComplete()) {
-    takePatch(patch, mesher.mesh());
+    takePatch(patch, mesher.mesh(), seam);
   } else {
     reportPatch(patch, mesher);
   }
   co_await work.spend(mesher.mesh().triangles.size() / kSidesPerUnit + 1);
 }
 
-void SurfaceMesher::takePatch(PatchId patch, const PlanarMesh& planar) {
+void SurfaceMesher::takePatch(PatchId patch, const PlanarMesh& planar,
+                              const std::vector<Vec3>& seam) {
   Triangulation taken;
-  taken.nodes.assign(planar.positions.begin() + planar.boundaryCount, planar.positions.end());
+  taken.nodes = seam;
+  taken.nodes.insert(taken.nodes.end(), planar.positions.begin() + planar.boundaryCount,
+                     planar.positions.end());
+  const auto firstInterior = static_cast<std::uint32_t>(lineNodes_ + seam.size());
   FieldHint hint;
   const auto outside = std::ranges::find_if(
       taken.nodes, [&](const Vec3& position) { return !field_->covers(position, hint); });
@@ -233,7 +241,7 @@ void SurfaceMesher::takePatch(PatchId patch, const PlanarMesh& planar) {
   }
   const auto nodeOf = [&](PlanarNodeId node) {
     return planar.isBoundary(node) ? planar.surfaceNodes[node.index()]
-                                   : NodeId(lineNodes_ + (node.value - planar.boundaryCount));
+                                   : NodeId(firstInterior + (node.value - planar.boundaryCount));
   };
   taken.triangles.reserve(planar.triangles.size());
   for (const auto& [a, b, c] : planar.triangles)

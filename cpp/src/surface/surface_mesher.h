@@ -47,8 +47,8 @@ class SurfaceMesher {
   [[nodiscard]] const std::vector<PatchSummary>& patchSummaries() const { return summaries_; }
 
  private:
-  /// The interior nodes and the triangles of one patch. Its interior nodes have the ids that follow those of the
-  /// nodes of all lines.
+  /// The own nodes and the triangles of one patch. Its own nodes, those of its seam first, have the ids that follow
+  /// those of the nodes of all lines.
   struct Triangulation {
     std::vector<Vec3> nodes;
     std::vector<NodeTriple> triangles;
@@ -64,7 +64,7 @@ class SurfaceMesher {
   Task<> appendPatches(Work& work);
 
   void reportLine(LineId line, const LineDivision& division);
-  bool growFromShortLines();
+  bool addSources(const std::vector<SizeSource>& sources);
   [[nodiscard]] PatchBoundary layOut(PatchId patch) const;
   std::size_t checkLoops(PatchId patch, bool canHalve, std::set<LineSide>& halvings);
   bool gatherHalvings(PatchId patch, const PatchBoundary& boundary,
@@ -72,7 +72,7 @@ class SurfaceMesher {
                       std::set<LineSide>& halvings) const;
   void reportLoops(PatchId patch, const PatchBoundary& boundary,
                    const std::vector<std::uint32_t>& invalid);
-  void takePatch(PatchId patch, const PlanarMesh& planar);
+  void takePatch(PatchId patch, const PlanarMesh& planar, const std::vector<Vec3>& seam);
   void reportPatch(PatchId patch, const PatchMesher& mesher);
   [[nodiscard]] std::vector<PatchId> findPatchesToSeparate();
   void append(PatchId patch);
@@ -82,7 +82,7 @@ class SurfaceMesher {
   const SizeField* field_;
   std::uint32_t maxTetrahedra_;
   std::optional<SizeField>
-      gradedField_;  ///< the field with sizes that grow from short lines, if any
+      gradedField_;  ///< the field with sizes that grow from short lines and narrow tubes, if any
   LineDivider lines_;
   std::vector<PatchSurface> surfaces_;          ///< per patch
   std::vector<Triangulation> triangulations_;   ///< per patch
