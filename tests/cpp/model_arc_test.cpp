@@ -17,7 +17,7 @@
 namespace tetrafront::testing {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
 
 /// A circle in a random plane, with the library's functions.
 struct Circle {
@@ -44,7 +44,7 @@ TEST(ModelArc, PositionsAreOnTheCircleAtEqualAngles) {
   Random random(1);
   for (int round = 0; round < 200; ++round) {
     const Circle circle = randomCircle(random);
-    const double start = random.between(0.0, kTurn);
+    const double start = random.between(0.0, kFullTurn);
     const double angle = random.between(0.3, 6.0);
     const double middle = start + random.between(0.2, 0.8) * angle;
     const Curve arc(LineType::kArc,
@@ -64,7 +64,7 @@ TEST(ModelArc, PositionsOfACircleKeepTheirDistanceFromItsCentreTo1e15) {
     const Vec3 b = centre + Vec3(-5, 0, 0);
     const Vec3 c = centre + Vec3(0, -5, 0);
     const Curve circle(LineType::kCircle, {a, b, c, a});
-    EXPECT_NEAR(circle.length(), kTurn * 5.0, 1e-14);
+    EXPECT_NEAR(circle.length(), kFullTurn * 5.0, 1e-14);
     for (int i = 0; i <= 1000; ++i) {
       const Vec3 position = circle.position(i / 1000.0);
       ASSERT_NEAR(glm::length(position - centre) / 5.0, 1.0, 1e-15) << i;
@@ -84,7 +84,8 @@ TEST(ModelArc, ACircleBeginsAndEndsAtItsFirstPointWithoutAKink) {
     EXPECT_EQ(curve.position(1.0), start);
     EXPECT_LT(glm::length(curve.derivative(0.0) - curve.derivative(1.0)), 1e-14 * curve.length());
     // It passes its second point before its third.
-    EXPECT_LT(glm::length(curve.position(1.7 / kTurn) - circle.at(2.0)), 1e-12 * curve.length());
+    EXPECT_LT(glm::length(curve.position(1.7 / kFullTurn) - circle.at(2.0)),
+              1e-12 * curve.length());
   }
 }
 
@@ -94,7 +95,7 @@ TEST(ModelArc, TheDirectionIsThatOfTheThreePoints) {
   EXPECT_GT(anticlockwise.position(0.3).y, 0.5);
   EXPECT_LT(clockwise.position(0.3).y, -0.5);
   const Curve long_(LineType::kArc, {{1, 0, 0}, {-1, 0, 0}, {0, -1, 0}});
-  EXPECT_NEAR(long_.length(), 0.75 * kTurn, 1e-14);
+  EXPECT_NEAR(long_.length(), 0.75 * kFullTurn, 1e-14);
 }
 
 TEST(ModelArc, AnArcOfAHugeCircleIsAsExactAsItsChord) {
@@ -127,12 +128,12 @@ TEST(ModelArc, SidesHaveEqualLength) {
   const Curve circle(LineType::kCircle, {start, {0, 2, 0}, {-2, 0, 0}, start});
   const LineDivision division = divideLine(circle, SizeField::uniform(0.3), 6);
   ASSERT_EQ(division.sideCount(), 42U);
-  const double side = 4.0 * std::sin(kTurn / 2.0 / 42.0);
+  const double side = 4.0 * std::sin(kFullTurn / 2.0 / 42.0);
   for (std::size_t i = 0; i < 42; ++i)
     ASSERT_NEAR(glm::length(division.nodes[i + 1] - division.nodes[i]), side, 1e-12);
 }
 
-std::vector<DiagnosticCode> codesOf(const Model& model) {
+std::vector<DiagnosticCode> problemsOf(const Model& model) {
   std::vector<DiagnosticCode> codes;
   for (const Diagnostic& diagnostic : diagnoseModel(model)) codes.push_back(diagnostic.code);
   return codes;
@@ -155,8 +156,8 @@ Model discOf(Line line, std::vector<Vec3> points) {
 
 TEST(ModelArc, DiscsOfCirclesAndArcsAreValid) {
   const std::vector<Vec3> points{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}};
-  EXPECT_TRUE(codesOf(discOf({LineType::kCircle, {0, 1, 2, 0}}, points)).empty());
-  EXPECT_TRUE(codesOf(discOf({LineType::kArc, {0, 1, 2}}, points)).empty());
+  EXPECT_TRUE(problemsOf(discOf({LineType::kCircle, {0, 1, 2, 0}}, points)).empty());
+  EXPECT_TRUE(problemsOf(discOf({LineType::kArc, {0, 1, 2}}, points)).empty());
 }
 
 TEST(ModelArc, CollinearPointsAreReportedWithTheLine) {
@@ -175,18 +176,18 @@ TEST(ModelArc, CollinearPointsAreReportedWithTheLine) {
 TEST(ModelArc, CoincidentPointsAreReported) {
   const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}};
   for (const Line& line : {Line{LineType::kArc, {0, 1, 2}}, Line{LineType::kCircle, {0, 1, 2, 0}}})
-    EXPECT_EQ(codesOf(discOf(line, points)).front(), DiagnosticCode::kCoincidentPoints);
-  EXPECT_EQ(codesOf(discOf({LineType::kArc, {0, 1, 0}}, points)).front(),
+    EXPECT_EQ(problemsOf(discOf(line, points)).front(), DiagnosticCode::kCoincidentPoints);
+  EXPECT_EQ(problemsOf(discOf({LineType::kArc, {0, 1, 0}}, points)).front(),
             DiagnosticCode::kCoincidentPoints);
 }
 
 TEST(ModelArc, ACircleMustEndAtItsFirstPoint) {
   const std::vector<Vec3> points{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
-  EXPECT_EQ(codesOf(discOf({LineType::kCircle, {0, 1, 2, 3}}, points)),
+  EXPECT_EQ(problemsOf(discOf({LineType::kCircle, {0, 1, 2, 3}}, points)),
             std::vector{DiagnosticCode::kOpenCircle});
-  EXPECT_EQ(codesOf(discOf({LineType::kCircle, {0, 1, 2}}, points)).front(),
+  EXPECT_EQ(problemsOf(discOf({LineType::kCircle, {0, 1, 2}}, points)).front(),
             DiagnosticCode::kWrongPointCount);
-  EXPECT_EQ(codesOf(discOf({LineType::kArc, {0, 1, 2, 3}}, points)).front(),
+  EXPECT_EQ(problemsOf(discOf({LineType::kArc, {0, 1, 2, 3}}, points)).front(),
             DiagnosticCode::kWrongPointCount);
 }
 
@@ -194,7 +195,7 @@ TEST(ModelArc, AnArcThatLeavesThePlaneOfItsPatchIsReported) {
   Model model =
       discOf({LineType::kArc, {0, 1, 2}}, {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0.5}});
   model.lines[1] = {LineType::kArc, {2, 3, 0}};
-  EXPECT_EQ(codesOf(model), std::vector{DiagnosticCode::kNotPlanar});
+  EXPECT_EQ(problemsOf(model), std::vector{DiagnosticCode::kNotPlanar});
 }
 
 TEST(ModelArc, CrossingArcsOfALoopAreReported) {
@@ -202,7 +203,7 @@ TEST(ModelArc, CrossingArcsOfALoopAreReported) {
   Model model =
       discOf({LineType::kArc, {0, 1, 2}}, {{1, 0, 0}, {0, 0.5, 0}, {-1, 0, 0}, {0.2, 0.55, 0}});
   model.lines[1] = {LineType::kSpline, {2, 3, 1, 0}};
-  const std::vector<DiagnosticCode> codes = codesOf(model);
+  const std::vector<DiagnosticCode> codes = problemsOf(model);
   EXPECT_TRUE(std::ranges::find(codes, DiagnosticCode::kLoopsIntersect) != codes.end());
 }
 

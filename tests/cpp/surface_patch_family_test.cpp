@@ -52,6 +52,8 @@ std::string nameOf(const ::testing::TestParamInfo<PatchType>& type) {
       return "Serendipity";
     case PatchType::kBarnhillGregoryNielson:
       return "BarnhillGregoryNielson";
+    case PatchType::kTube:
+      return "Tube";
     case PatchType::kCoons:
       break;
   }

@@ -27,7 +27,7 @@ export interface Maker {
   readonly offer: (project: Project, selection: readonly Entity[]) => Offer;
 }
 
-const lineMaker = (type: LineType, key: string): Maker => ({
+const lineMaker = (type: LineType, key: string | null): Maker => ({
   id: `line-${type}`,
   label: commandLabels.lines[type],
   key,
@@ -61,6 +61,8 @@ export const lineMakers: readonly Maker[] = [
     quiet: false,
     offer: offerClosedSpline,
   },
+  lineMaker("arc", "shift+Q"),
+  lineMaker("circle", "C"),
 ];
 
 export const patchMakers: readonly Maker[] = [
@@ -70,6 +72,7 @@ export const patchMakers: readonly Maker[] = [
   patchMaker("isoparametric-triangle", null),
   patchMaker("serendipity", null),
   patchMaker("barnhill-gregory-nielson", null),
+  patchMaker("tube", null),
 ];
 
 const holeMaker: Maker = {

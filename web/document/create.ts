@@ -91,7 +91,7 @@ export function offerClosedSpline(project: Project, selection: readonly Entity[]
 
 /**
  * Offers lines through the selected points, in the order of selection: straight lines from each point to the next, a
- * parabola through three points, or a spline through four or more.
+ * parabola, an arc or a circle through three points, or a spline through four or more.
  */
 export function offerLine(project: Project, selection: readonly Entity[], type: LineType): Offer {
   const points = idsOf(selection, "point");
@@ -108,6 +108,12 @@ export function offerLine(project: Project, selection: readonly Entity[], type: 
     case "parabolic":
       if (points.length !== 3) return refuse(selectionHints.parabola);
       return offer(addLines(project, type, [points]));
+    case "arc":
+      if (points.length !== 3) return refuse(selectionHints.arc);
+      return offer(addLines(project, type, [points]));
+    case "circle":
+      if (points.length !== 3) return refuse(selectionHints.circle);
+      return offer(addLines(project, type, [[...points, ...points.slice(0, 1)]]));
     case "spline":
       if (points.length < 4) return refuse(selectionHints.spline);
       return offer(addLines(project, type, [points]));

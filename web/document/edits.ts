@@ -2,6 +2,7 @@ import type { Project, ProjectLine, ProjectPatch } from "tetrafront";
 import { stepNames } from "../strings";
 import { listOf, nounOf, recordOf, type Axis } from "./draft-records";
 import type { ProjectEdit } from "./edit";
+import { pointsForType } from "./line-types";
 import { dependentsOf, entityKey, type DrawnKind, type Entity } from "./entities";
 
 /**
@@ -53,7 +54,9 @@ export function setLineType(id: number, type: ProjectLine["type"]): ProjectEdit 
     label: stepNames.setLineType(id),
     change: ({ project }) => {
       const line = recordOf(project.lines, id);
-      if (line) line.type = type;
+      if (!line) return;
+      line.points = [...pointsForType(line.points, line.type, type)];
+      line.type = type;
     },
   };
 }

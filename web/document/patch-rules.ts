@@ -1,6 +1,7 @@
 import type { LineType, PatchType, Project } from "tetrafront";
 import { entityNouns, patchMisfits } from "../strings";
 import { entityName, findRecord } from "./entities";
+import { cross, dot, subtract } from "./vectors";
 
 /** Requirements on the outer loop of a patch type (Löhner & Parikh 1988, equations 11–15). */
 export interface PatchRule {
@@ -8,15 +9,17 @@ export interface PatchRule {
   readonly lines: number | null;
   /** The only type of line accepted; null: any. */
   readonly lineType: LineType | null;
-  readonly holes: boolean;
+  /** Number of loops; null: an outer loop and any number of holes. */
+  readonly loops: number | null;
 }
 
 export const patchRules: { readonly [P in PatchType]: PatchRule } = {
-  planar: { lines: null, lineType: null, holes: true },
-  "isoparametric-triangle": { lines: 3, lineType: "parabolic", holes: true },
-  serendipity: { lines: 4, lineType: "parabolic", holes: true },
-  "barnhill-gregory-nielson": { lines: 3, lineType: null, holes: true },
-  coons: { lines: 4, lineType: null, holes: true },
+  planar: { lines: null, lineType: null, loops: null },
+  "isoparametric-triangle": { lines: 3, lineType: "parabolic", loops: null },
+  serendipity: { lines: 4, lineType: "parabolic", loops: null },
+  "barnhill-gregory-nielson": { lines: 3, lineType: null, loops: null },
+  coons: { lines: 4, lineType: null, loops: null },
+  tube: { lines: null, lineType: null, loops: 2 },
 };
 
 /** In the order in which the app offers them. */
@@ -33,7 +36,9 @@ export function patchMisfit(
   if (rule.lines !== null && outer.length !== rule.lines) {
     return patchMisfits.lineCount(rule.lines, outer.length);
   }
-  if (loops.length > 1 && !rule.holes) return patchMisfits.holes;
+  if (rule.loops !== null && loops.length !== rule.loops) {
+    return patchMisfits.loopCount(rule.loops, loops.length);
+  }
   const wrong = outer
     .map((step) => findRecord(project, "line", Math.abs(step)))
     .find((line) => rule.lineType !== null && line !== undefined && line.type !== rule.lineType);
@@ -41,16 +46,6 @@ export function patchMisfit(
   const entity = { kind: "line", id: wrong.id } as const;
   return patchMisfits.lineType(entityName(project, entity) ?? `${entityNouns.line} ${wrong.id}`);
 }
-
-type Vector = readonly [number, number, number];
-
-const subtract = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-const cross = (a: Vector, b: Vector): Vector => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
-const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 /** Points are planar if their distance from a plane, relative to their extent, is at most this. */
 const planarity = 1e-9;
@@ -78,7 +73,8 @@ export function liesInPlane(project: Project, loops: readonly (readonly number[]
 /** Returns the most likely patch type for these loops. */
 export function likelyPatchType(project: Project, loops: readonly (readonly number[])[]): PatchType {
   if (liesInPlane(project, loops)) return "planar";
-  const fitting = (["isoparametric-triangle", "barnhill-gregory-nielson", "coons"] as const).find(
+  // Two loops that are not in one plane may be a curved patch with a hole only if the hole lies on it: rarely.
+  const fitting = (["tube", "isoparametric-triangle", "barnhill-gregory-nielson", "coons"] as const).find(
     (type) => patchMisfit(project, type, loops) === null,
   );
   return fitting ?? "planar";

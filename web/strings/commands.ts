@@ -40,6 +40,8 @@ export const commandLabels = {
     parabolic: "Parabola through points",
     spline: "Cubic spline through points",
     closed: "Closed spline through points",
+    arc: "Arc through three points",
+    circle: "Circle through three points",
   },
   patches: {
     any: "Patch within lines",
@@ -48,6 +50,7 @@ export const commandLabels = {
     "isoparametric-triangle": "Isoparametric triangle",
     serendipity: "Serendipity patch",
     "barnhill-gregory-nielson": "Barnhill–Gregory–Nielson patch",
+    tube: "Tube between two loops",
   },
   hole: "Hole in the patch",
   tetrahedron: "Background tetrahedron",

@@ -39,6 +39,8 @@ export const selectionHints = {
   closedSpline: "Select at least three points, in order.",
   straightLine: "Select two points, or more for a chain.",
   parabola: "Select three points: start, middle, end.",
+  arc: "Select three points: start, a point between, end.",
+  circle: "Select three points of the circle.",
   spline: "Select at least four points, in order.",
   loop: "Select the lines around the patch.",
   hole: "Select one patch and the lines around the hole.",
@@ -57,13 +59,14 @@ export const loopDefects = {
     `${lines} of the lines end at point ${point}; in a loop, exactly two lines end at each point.`,
 } as const;
 
-const countWords: Readonly<Record<number, string>> = { 3: "three", 4: "four" };
+const countWords: Readonly<Record<number, string>> = { 2: "two", 3: "three", 4: "four" };
 
 /** Why loops cannot bound a patch of a type. */
 export const patchMisfits = {
   lineCount: (needed: number, found: number) =>
     `Needs ${countWords[needed] ?? needed} lines; found ${found === 1 ? "1 line" : `${found} lines`}.`,
-  holes: "Cannot have holes.",
+  loopCount: (needed: number, found: number) =>
+    `Needs ${countWords[needed] ?? needed} loops; found ${found === 1 ? "1 loop" : `${found} loops`}.`,
   lineType: (line: string) => `Needs parabolic lines; ${line} has another type.`,
 } as const;
 

@@ -42,6 +42,8 @@ export const lineTypeNames = {
   straight: "straight",
   parabolic: "parabola",
   spline: "cubic spline",
+  arc: "arc",
+  circle: "circle",
 } as const;
 
 export const patchTypeNames = {
@@ -50,6 +52,7 @@ export const patchTypeNames = {
   "isoparametric-triangle": "isoparametric triangle",
   serendipity: "serendipity",
   "barnhill-gregory-nielson": "Barnhill–Gregory–Nielson",
+  tube: "tube",
 } as const;
 
 /** The lines that each type of patch needs. */
@@ -60,6 +63,7 @@ export const patchTypeHints = {
   serendipity: "Four parabolic lines: a curved quadrilateral with eight nodes. Holes allowed.",
   "barnhill-gregory-nielson":
     "Three lines of any type; the second, F2, is weighted differently. Holes allowed.",
+  tube: "Two loops of any lines, joined by straight rulings: a cylinder between two circles.",
 } as const;
 
 /** What meshing does with the given triangles of a body. */

@@ -182,7 +182,7 @@ function damageDrawing(project: Project, random: Random): Project {
       patch.type = pick(random, copy.patches).type;
       break;
     case 5:
-      line.type = pick(random, ["straight", "parabolic", "spline"]);
+      line.type = pick(random, ["straight", "parabolic", "spline", "arc", "circle"]);
       break;
     case 6:
       point.position = point.position.map((x) => x + (random() % 200) / 100 - 1);

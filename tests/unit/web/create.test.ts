@@ -10,6 +10,7 @@ import {
 } from "../../../web/document/create";
 import type { Entity } from "../../../web/document/entities";
 import { orderLoops, rotateToSecond } from "../../../web/document/loops";
+import { pointsForType } from "../../../web/document/line-types";
 import { likelyPatchType, patchMisfit } from "../../../web/document/patch-rules";
 import { DocumentStore } from "../../../web/session/document-store";
 import { cubeProject } from "../../support/projects";
@@ -165,6 +166,43 @@ describe("creations", () => {
     documents.edit(spline.creation.edit);
     expect(documents.project.lines.at(-1)).toMatchObject({ type: "spline", points: [5, 2, 7, 1] });
     expect(offerLine(project, points, "parabolic").possible).toBe(false);
+  });
+
+  it("make arcs and circles through three points", () => {
+    const points: Entity[] = [5, 2, 7].map((id) => ({ kind: "point", id }));
+    const documents = new DocumentStore(project, () => 0);
+    for (const type of ["arc", "circle"] as const) {
+      const found = offerLine(project, points, type);
+      if (!found.possible) throw new Error(found.reason);
+      documents.edit(found.creation.edit);
+      expect(offerLine(project, points.slice(1), type).possible).toBe(false);
+    }
+    expect(documents.project.lines.slice(-2).map(({ type, points: ids }) => [type, ids])).toEqual([
+      ["arc", [5, 2, 7]],
+      ["circle", [5, 2, 7, 5]],
+    ]);
+  });
+
+  it("join two loops that are not in one plane by a tube, without a line between them", () => {
+    const tube = tubeLines([1, -1], [1, 5]);
+    const found = offerPatch(tube, lines(2, 3), null);
+    if (!found.possible) throw new Error(found.reason);
+    const documents = new DocumentStore(tube, () => 0);
+    documents.edit(found.creation.edit);
+    expect(documents.project.patches).toEqual([{ id: 1, type: "tube", loops: [[2], [3]] }]);
+    const single = offerPatch(tube, lines(2), "tube");
+    expect(!single.possible && single.reason).toBe("Needs two loops; found 1 loop.");
+    const hole = offerHole(documents.project, [...lines(2), { kind: "patch", id: 1 }]);
+    expect(!hole.possible && hole.reason).toBe("Needs two loops; found 3 loops.");
+  });
+
+  it("keep a valid number of points when the type of a line changes", () => {
+    const ring = [4, 2, 6];
+    expect(pointsForType(ring, "arc", "circle")).toEqual([4, 2, 6, 4]);
+    expect(pointsForType([4, 2, 6, 4], "circle", "arc")).toEqual(ring);
+    expect(pointsForType([4, 2, 6, 4], "circle", "spline")).toEqual([4, 2, 6, 4]);
+    expect(pointsForType([4, 2, 6, 4], "spline", "circle")).toEqual([4, 2, 6, 4]);
+    expect(pointsForType([4, 2], "straight", "circle")).toEqual([4, 2]);
   });
 
   it("state why they are impossible", () => {

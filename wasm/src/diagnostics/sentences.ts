@@ -78,12 +78,22 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
   "wrong-point-count": {
     message: ({ the, data }) =>
       `${the("line")} has ${plural(data.points, "point")}, which its type does not permit`,
-    remedy: "Use two points for a straight line, three for a parabolic line, and at least four for a spline.",
+    remedy:
+      "Use two points for a straight line, three for a parabolic line or an arc, at least four for a spline, and for a circle three and the first of them again.",
   },
   "coincident-points": {
     message: ({ the, all, at }) =>
       `${the("line")} has ${all(["point"], "two points")} at the same position${at}`,
     remedy: "Move one of the points, or remove it from the line.",
+  },
+  "collinear-points": {
+    message: ({ the, at }) =>
+      `The points of ${the("line")} lie on one straight line${at}, so they define no circle`,
+    remedy: "Move one of its points, or make it a straight line.",
+  },
+  "open-circle": {
+    message: ({ the }) => `${the("line")} is a circle, but its last point is not its first`,
+    remedy: "Make the first of its four points the last one too, or choose the type arc or spline.",
   },
   "zero-length-line": {
     message: ({ the, at }) => `${the("line")} has no length${at}`,
@@ -98,6 +108,11 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
     message: ({ the }) => `${the("patch")} requires parabolic lines, but ${the("line")} is not parabolic`,
     remedy:
       "Make the line parabolic by adding its middle point (the mid-point of a straight line keeps it straight), or choose a patch type that permits any line.",
+  },
+  "wrong-loop-count": {
+    message: ({ the, data }) =>
+      `${the("patch")} is a tube, which has two loops, but it has ${plural(data.loops, "loop")}`,
+    remedy: "Give it the loops of its two rims, or choose another patch type.",
   },
   "loop-not-closed": {
     message: ({ the, at }) =>

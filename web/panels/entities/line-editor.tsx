@@ -1,6 +1,7 @@
 import { Switch } from "@mantine/core";
 import type { Project, ProjectLine } from "tetrafront";
 import { setLinePoints, setLineType } from "../../document/edits";
+import { lineTypes } from "../../document/line-types";
 import { FieldRow } from "../../ui/fields/field-row";
 import { ListField } from "../../ui/fields/list-field";
 import { lineTypeNames, strings } from "../../strings";
@@ -8,10 +9,7 @@ import { useApp } from "../shared/app-context";
 import { refuseIds } from "./refuse-ids";
 import { TypeSelect } from "./type-select";
 
-const types = (["straight", "parabolic", "spline"] as const).map((value) => ({
-  value,
-  label: lineTypeNames[value],
-}));
+const types = lineTypes.map((value) => ({ value, label: lineTypeNames[value] }));
 
 /** The type and the points of a line. */
 export function LineEditor({ line, project }: { readonly line: ProjectLine; readonly project: Project }) {

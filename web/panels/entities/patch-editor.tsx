@@ -31,7 +31,7 @@ export function PatchEditor({ patch, project }: PatchEditorProps) {
       {loops.map((loop, index) => (
         <LoopFields key={`${patch.id}-${index}`} patch={patch} project={project} loop={loop} index={index} />
       ))}
-      {patchRules[patch.type].holes && (
+      {patchRules[patch.type].loops === null && (
         <Text size="xs" c="dimmed" mb={6}>
           {strings.inspector.holeHint}
         </Text>
@@ -87,7 +87,9 @@ function LoopFields({ patch, project, loop, index }: LoopFieldsProps) {
   };
   const setLoops = (loops: readonly (readonly number[])[]): void =>
     app.documents.edit(setPatchLoops(patch.id, loops));
-  const label = index === 0 ? strings.inspector.outerLoop : strings.inspector.hole(index);
+  const isRim = patch.type === "tube";
+  const named = index === 0 ? strings.inspector.outerLoop : strings.inspector.hole(index);
+  const label = isRim ? strings.inspector.rim(index + 1) : named;
   const hasRoles = index === 0 && patch.type === "barnhill-gregory-nielson" && loop.length === 3;
   const list = (
     <ListField
@@ -106,7 +108,7 @@ function LoopFields({ patch, project, loop, index }: LoopFieldsProps) {
         <div className={styles["hole"]}>
           {list}
           <IconButton
-            label={strings.inspector.removeHole(index)}
+            label={isRim ? strings.inspector.removeRim : strings.inspector.removeHole(index)}
             size={28}
             onClick={() => setLoops(patch.loops.filter((_, other) => other !== index))}
           >

@@ -1,5 +1,7 @@
 import {
   IconBox,
+  IconCircle,
+  IconEaseOut,
   IconGridDots,
   IconLine,
   IconPoint,
@@ -8,10 +10,18 @@ import {
   IconVectorBezier,
   IconVectorSpline,
 } from "@tabler/icons-react";
-import type { Project } from "tetrafront";
+import type { LineType, Project } from "tetrafront";
 import { findRecord, type Entity } from "../../document/entities";
 
 const size = 15;
+
+const lineIcons: { readonly [T in LineType]: typeof IconLine } = {
+  straight: IconLine,
+  parabolic: IconVectorBezier,
+  spline: IconVectorSpline,
+  arc: IconEaseOut,
+  circle: IconCircle,
+};
 
 /** The icon of an entity's kind; for lines, of their type. */
 export function EntityIcon({ entity, project }: { readonly entity: Entity; readonly project: Project }) {
@@ -20,12 +30,8 @@ export function EntityIcon({ entity, project }: { readonly entity: Entity; reado
       return <IconPoint size={size} fill="currentColor" aria-hidden />;
     case "line": {
       const type = findRecord(project, "line", entity.id)?.type;
-      if (type === "spline") return <IconVectorSpline size={size} aria-hidden />;
-      return type === "parabolic" ? (
-        <IconVectorBezier size={size} aria-hidden />
-      ) : (
-        <IconLine size={size} aria-hidden />
-      );
+      const Icon = lineIcons[type ?? "straight"];
+      return <Icon size={size} aria-hidden />;
     }
     case "body":
       return <IconBox size={size} aria-hidden />;
