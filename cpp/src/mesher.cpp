@@ -106,6 +106,7 @@ class MeshRun::Impl {
   void cancel() {
     if (status_ != MeshStatus::kRunning) return;
     status_ = MeshStatus::kCancelled;
+    if (records_ && front_) recorder_.endPass();
     job_.reset();
     keepUnfinished();
   }

@@ -7,7 +7,7 @@
 namespace tetrafront {
 
 /// Lets a run record its steps: MeshRun::takeTrace() returns them. Call it before the first MeshRun::advance(). The mesh
-/// stays the same, bit for bit. The front takes about a third longer, and a step takes about 40 bytes. Programs that do
+/// stays the same, bit for bit. A step takes about 40 bytes, in a stretched size field 60. Programs that do
 /// not call this function do not contain the code that records.
 void recordFront(MeshRun& run);
 

@@ -38,7 +38,8 @@ describe("a trace replays to the mesh of an unrecorded run:", () => {
   test.each([
     ["one region", "unit-cube"],
     ["a stretched field", "wing-in-a-tunnel"],
-    ["regions with an interface, one front after the other", "core-in-a-shell"],
+    ["regions in one front", "core-in-a-shell"],
+    ["regions with an interface, one front after the other", "pipe-and-flow"],
   ])("%s (%s)", async (_, id) => {
     const project = gallery(id);
     const plain = await mesher.meshProject(project, unoptimized);
@@ -77,6 +78,19 @@ test("optimization follows the recorded front and changes nothing in the trace",
   expect(trace).toEqual(front.trace);
   expect(result.report.fingerprint).toBe((await mesher.meshProject(project)).report.fingerprint);
   expect(result.recording?.fingerprint).toBe(front.result.report.fingerprint);
+});
+
+test("a cancelled run has a trace up to there", async () => {
+  const stop = new AbortController();
+  const onTrace = (): void => stop.abort();
+  const { result, trace } = await recordTrace(mesher, boxSurface(30), unoptimized, {
+    signal: stop.signal,
+    onTrace,
+  });
+  expect(result.report.status).toBe("cancelled");
+  const { header, stepCount } = read(trace);
+  expect(header).toMatchObject({ status: "cancelled", fingerprint: "0".repeat(16) });
+  expect(stepCount).toBeGreaterThan(0);
 });
 
 test("a run without a front has no trace", async () => {

@@ -187,7 +187,7 @@ describe("damaged files", () => {
     ["another file", () => new TextEncoder().encode("solid cube"), /byte 0: this is no trace/],
     ["a truncated file", (bytes: Uint8Array) => bytes.slice(0, -1), /the file ends before the trace does/],
     ["a later version", (bytes: Uint8Array) => bytes.with(7, 9), /byte 7: version 9/],
-    ["more bytes", (bytes: Uint8Array) => Uint8Array.of(...bytes, 0), /bytes after the end/],
+    ["more bytes", (bytes: Uint8Array) => Uint8Array.of(...bytes, 1), /bytes after the end/],
   ])("%s", (_, damage, message) => {
     const result = readTrace(damage(starTrace(box).bytes));
     expect(result.success ? "" : result.errors[0].message).toMatch(message);

@@ -54,6 +54,8 @@ export class Replay {
   /** More numbers than bytes cannot be in use; this bounds the memory for damaged files. */
   readonly #numberLimit: number;
   #frontSize = 0;
+  /** True after the end of a front: only another front may follow. */
+  #hasEnded = false;
   #eventOffset = 0;
   #lastBase = 0;
   /** The base face that waits for its outcome: its number, face and nodes' numbers. */
@@ -81,6 +83,8 @@ export class Replay {
     const first = cursor.byte();
     const kind = first & ((1 << KIND_BITS) - 1);
     const detail = first >> KIND_BITS;
+    if (this.#hasEnded && kind !== EVENT.pass) this.#fail("there are bytes after the end of the last front");
+    this.#hasEnded = kind === EVENT.end;
     const continuesStep = kind === EVENT.refused || kind === EVENT.accepted || kind === EVENT.postponed;
     if (continuesStep !== (this.#open !== undefined))
       this.#fail(continuesStep ? "a verdict has no base face" : "a base face has no outcome");
@@ -108,8 +112,7 @@ export class Replay {
         this.#change(readChange(cursor, detail), 2 + detail);
         return true;
       case EVENT.end:
-        if (cursor.ahead > 0) cursor.fail("there are bytes after the end of the trace");
-        return false;
+        return cursor.ahead > 0;
       default:
         return this.#fail(`there is no event of kind ${kind}`);
     }
