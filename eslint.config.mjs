@@ -15,7 +15,7 @@ const onlyPublicEntry = {
 };
 const noThree = {
   group: ["three", "three/**", "three-*", "camera-controls"],
-  message: "three.js stays in viewer/ and tools/.",
+  message: "three.js stays in viewer/, tools/ and player/.",
 };
 const noReact = { group: ["react", "react-dom", "@mantine/**"], message: "React stays in panels/ and ui/." };
 const noEngine = {
@@ -100,7 +100,7 @@ export default tseslint.config(
   },
   { files: ["wasm/src/engine/loader.ts"], rules: restrict(noApp, noThree, noReact) },
   { files: ["web/**/*.{ts,tsx}"], rules: restrict(onlyPublicEntry, noThree, noReact) },
-  { files: ["web/{viewer,tools}/**/*.ts"], rules: restrict(onlyPublicEntry, noReact) },
+  { files: ["web/{viewer,tools,player}/**/*.ts"], rules: restrict(onlyPublicEntry, noReact) },
   { files: ["web/{panels,ui}/**/*.{ts,tsx}", "web/main.tsx"], rules: restrict(onlyPublicEntry, noThree) },
   {
     files: ["web/**/*.{ts,tsx}"],

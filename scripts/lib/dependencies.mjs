@@ -68,6 +68,7 @@ const APP = [
   ["session"],
   ["viewer"],
   ["tools"],
+  ["player"],
   ["app"],
   ["commands"],
   ["panels"],
@@ -77,7 +78,7 @@ const APP = [
 const PANELS = [
   ["shared"],
   ["quality", "problems", "operations"],
-  ["bodies"],
+  ["bodies", "player"],
   ["entities", "model", "files", "background", "viewport", "dialogs"],
   ["later"],
   ["inspector"],

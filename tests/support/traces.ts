@@ -2,6 +2,7 @@
  * Traces without an engine: a small front that joins a star-shaped surface to its centre, and writes its steps as the
  * engine does. It has an encoder of its own (docs/TRACE.md), so that errors of the reader show.
  */
+import type { SurfaceInput } from "tetrafront";
 import { randomSource } from "./random.js";
 
 export interface StarTrace {
@@ -25,6 +26,16 @@ export interface StarOptions {
   readonly reopenAfter?: number;
   /** Also return the fronts, which takes O(steps * faces). */
   readonly withFronts?: boolean;
+}
+
+/** Returns a surface as the first front sees it: from inside. */
+export function starSurface({ points, triangles }: SurfaceInput): StarOptions {
+  const inward: number[] = [];
+  for (let i = 0; i < triangles.length; i += 3) {
+    const [a = 0, b = 0, c = 0] = triangles.subarray(i, i + 3);
+    inward.push(a, c, b);
+  }
+  return { points: [...points], triangles: inward };
 }
 
 type Triple = [number, number, number];

@@ -1,10 +1,12 @@
 import type { Mesher } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
+import { Player } from "../player/player";
 import type { Gallery } from "../session/gallery";
 import { Session, type SessionOptions } from "../session/session";
 import { createShell, type Shell } from "../session/shell";
 import { Drawing } from "../tools/drawing/drawing";
 import { MeshQueryClient } from "../viewer/queries/mesh-query-client";
+import type { PreparedOf } from "../player/recording";
 import type { Viewer } from "../viewer/viewer";
 
 export interface PageOptions {
@@ -38,6 +40,8 @@ export class App extends Session {
   }>(() => ({ viewer: null }));
   /** What the drawing tools show. */
   readonly drawing = new Drawing();
+  /** Records and plays the front of the present model. */
+  readonly player: Player;
   readonly generate: boolean;
   readonly still: boolean;
   readonly left: LeftDocument | null;
@@ -45,6 +49,9 @@ export class App extends Session {
   constructor(session: SessionOptions, { gallery, generate, still, left = null }: PageOptions) {
     super(session);
     this.mesher = session.previewMesher;
+    const { mesher } = session;
+    const preparedOf: PreparedOf = (project) => this.bodies.preparations.allOf(project);
+    this.player = new Player({ documents: this.documents, run: this.run, mesher, preparedOf });
     this.gallery = gallery;
     this.generate = generate;
     this.still = still;

@@ -4,6 +4,7 @@ import type { Command } from "./command";
 import { createMenu } from "./create-menu";
 import { editMenu } from "./edit-menu";
 import { fileMenu } from "./file-menu";
+import { frontCommands } from "./front-commands";
 import { helpMenu } from "./help-menu";
 import { meshMenu } from "./mesh-menu";
 import { toolCommands } from "./tool-commands";
@@ -20,6 +21,7 @@ export const commands: readonly Command[] = [
   ...viewMenu,
   ...toolCommands.filter(({ menu }) => menu === "view"),
   ...meshMenu,
+  ...frontCommands,
   ...helpMenu,
 ];
 

@@ -92,6 +92,18 @@ export const commandLabels = {
   uniformSize: "Uniform size",
   problems: "Show problems",
 
+  front: {
+    record: "Record the front",
+    play: "Play or pause the front",
+    forward: "Step of the front forward",
+    back: "Step of the front back",
+    farForward: (steps: number) => `${steps} steps of the front forward`,
+    farBack: (steps: number) => `${steps} steps of the front back`,
+    start: "First state of the front",
+    end: "Last state of the front",
+    close: "Show the model instead of the front",
+  },
+
   help: "Keyboard and mouse",
 } as const;
 

@@ -4,6 +4,7 @@ import { problemTitle } from "./mesh";
 import { pageStrings } from "./page";
 import { pieceStrings } from "./pieces";
 import { panelStrings } from "./panels";
+import { playerStrings } from "./player";
 
 /** All texts that a user reads. The package words diagnostics and errors of files. */
 export const strings = {
@@ -12,6 +13,7 @@ export const strings = {
   drawing: drawingStrings,
   bodies: bodyStrings,
   pieces: pieceStrings,
+  player: playerStrings,
   problemTitle,
 } as const;
 

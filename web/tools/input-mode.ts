@@ -14,6 +14,19 @@ export function inputMode(target: EventTarget | null): InputMode {
   return target.closest(fields) ? "field" : "view";
 }
 
+/** Widgets in which keys do something of their own, which no script handles. */
+const widgets: Readonly<Record<string, string>> = {
+  " ": 'button, a, summary, [role="region"], [role="log"]',
+  Home: '[role="region"], [role="log"]',
+  End: '[role="region"], [role="log"]',
+};
+
+/** Returns whether the browser uses a key for the widget that has the focus: Space presses buttons, Home scrolls. */
+export function isOfWidget({ key, target }: Pick<KeyboardEvent, "key" | "target">): boolean {
+  const widget = widgets[key];
+  return widget !== undefined && target !== null && isElement(target) && target.closest(widget) !== null;
+}
+
 /** A key event may also have the document or the window as its target. */
 function isElement(target: EventTarget): target is Element {
   return "closest" in target;

@@ -27,6 +27,7 @@ export function shownState(stores: SessionStores): ShownState {
     ...previewState(stores),
     ...runState(stores),
     ...problemState(stores),
+    isReplaying: false,
   };
 }
 

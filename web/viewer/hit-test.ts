@@ -11,8 +11,8 @@ export interface HitOrder {
   readonly solid: readonly HittableLayer[];
   /** Dots and lines, which are drawn on surfaces: the first layer that is hit wins. */
   readonly onSurfaces: readonly HittableLayer[];
-  /** Translucent surfaces: hit only if nothing else is. */
-  readonly translucent: HittableLayer;
+  /** Translucent surfaces: hit only if nothing else is; null without any. */
+  readonly translucent: HittableLayer | null;
 }
 
 /** Returns what the pointer hits: dots before lines before surfaces; null if it hits nothing. */
@@ -35,5 +35,5 @@ export function hitTest(
     const hit = layer.hit(ray, screen);
     if (hit) return hit;
   }
-  return surface ?? translucent.hit(ray, screen);
+  return surface ?? translucent?.hit(ray, screen) ?? null;
 }

@@ -1,4 +1,4 @@
-import type { PerspectiveCamera, Scene } from "three";
+import { Group, type PerspectiveCamera, type Scene } from "three";
 import { defectiveCorners, selectedCorners } from "./highlight-corners";
 import { hitTest } from "./hit-test";
 import { BodiesLayer } from "./layers/bodies-layer";
@@ -33,6 +33,8 @@ export class SceneLayers {
   });
   readonly #grid = new GridLayer();
   readonly #sources = new SourcesLayer();
+  /** What a recorded front replaces. */
+  readonly #replaced = new Group();
   /** In the order in which they are added to the scene. */
   readonly #all: Layer[];
 
@@ -42,10 +44,11 @@ export class SceneLayers {
     this.#bodies = new BodiesLayer((corners) => meshQueries.treeOf(corners));
     this.mesh = new MeshLayer(meshQueries, meshEvents);
     this.#all = this.#inOrder();
-    for (const { root } of this.#all) scene.add(root);
+    for (const { root } of this.#all) if (!root.parent) scene.add(root);
   }
 
   update(changes: SceneChanges): void {
+    this.#replaced.visible = !changes.state.isReplaying;
     for (const layer of this.#all) layer.update(changes);
   }
 
@@ -64,7 +67,9 @@ export class SceneLayers {
   /** Returns what lies at a point of the view; null if nothing does. */
   hit(camera: PerspectiveCamera, viewport: Viewport, at: ScreenPoint): Hit | null {
     const onSurfaces = [this.#points, this.#grid, this.#sources, this.#lines];
-    const order = { solid: [this.mesh, this.#bodies], onSurfaces, translucent: this.#patches };
+    const isReplaying = !this.#replaced.visible;
+    const solid = isReplaying ? [] : [this.mesh, this.#bodies];
+    const order = { solid, onSurfaces, translucent: isReplaying ? null : this.#patches };
     return hitTest(order, camera, viewport, at);
   }
 
@@ -90,7 +95,10 @@ export class SceneLayers {
       faceColor: ({ selection }) => selection,
       edgeColor: ({ hover }) => hover,
     });
-    const surfaces = [new GroundLayer(), this.#patches, this.#bodies, this.mesh, new FrontLayer()];
-    return [...surfaces, defects, selectedFaces, this.#lines, this.#points, this.#grid, this.#sources];
+    const surfaces = [this.#patches, this.#bodies, this.mesh, new FrontLayer(), defects, selectedFaces];
+    for (const { root } of surfaces) this.#replaced.add(root);
+    this.#scene.add(this.#replaced);
+    const entities = [this.#lines, this.#points, this.#grid, this.#sources];
+    return [new GroundLayer(), ...surfaces, ...entities];
   }
 }

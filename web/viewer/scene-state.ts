@@ -35,6 +35,8 @@ export interface ShownState extends ViewState {
   /** The boundary that the last run checked; `triangles` and `defects` refer to it. */
   readonly checkedSurface: SurfaceMesh | null;
   readonly defects: Defects;
+  /** A recorded front is shown instead of the surfaces of the model and its mesh. */
+  readonly isReplaying: boolean;
 }
 
 /** All that the layers draw from. */

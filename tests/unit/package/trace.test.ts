@@ -6,23 +6,14 @@ import { boxSurface } from "../../support/surfaces.js";
 import {
   keyOf,
   type StarOptions,
+  starSurface,
   starTrace,
   TraceBytes,
   traceBytes,
   writeFirstFaces,
 } from "../../support/traces.js";
 
-/** A surface around the origin, its triangles seen from inside. */
-function star(surface: { readonly points: Float64Array; readonly triangles: Uint32Array }): StarOptions {
-  const triangles: number[] = [];
-  for (let i = 0; i < surface.triangles.length; i += 3) {
-    const [a = 0, b = 0, c = 0] = surface.triangles.subarray(i, i + 3);
-    triangles.push(a, c, b);
-  }
-  return { points: [...surface.points], triangles };
-}
-
-const box = star(boxSurface(2, [-1, -1, -1], [1, 1, 1]));
+const box = starSurface(boxSurface(2, [-1, -1, -1], [1, 1, 1]));
 const full: StarOptions = { ...box, postponeEvery: 5, reopenAfter: 12, withFronts: true };
 
 function read(bytes: Uint8Array): Trace {

@@ -1,5 +1,6 @@
 /** The panels behind tabs and selections, in one file that is loaded after the first picture. */
 export { DisplayPanel } from "../viewport/display-panel";
 export { EntityCard } from "../entities/entity-card";
+export { FrontPanel } from "../player/front-panel";
 export { GalleryPanel } from "../files/gallery";
 export { QualityReport } from "../quality/quality-report";

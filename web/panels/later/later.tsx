@@ -26,5 +26,6 @@ type PropsOf<Panel> = Panel extends (props: infer Props) => unknown ? Props : ne
 
 export const DisplayPanel = later("DisplayPanel");
 export const EntityCard = later("EntityCard");
+export const FrontPanel = later("FrontPanel");
 export const GalleryPanel = later("GalleryPanel");
 export const QualityReport = later("QualityReport");

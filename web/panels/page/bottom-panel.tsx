@@ -4,12 +4,16 @@ import { groupProblems } from "../../document/validate";
 import { strings } from "../../strings";
 import { useApp, useProblems, useRun, useShell } from "../shared/app-context";
 import { PatchTable } from "../quality/patch-quality";
+import { FrontPanel } from "../later/later";
 import { ProblemCard } from "../problems/problem-card";
+import { PanelBoundary } from "../shared/panel-boundary";
 import tabs from "../../ui/frames/panel-tabs.module.css";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
 import styles from "./bottom-panel.module.css";
 
-/** The log of the mesher, the problems, and the quality of the patches. */
+const bottomTabs = ["log", "problems", "patches", "front"] as const;
+
+/** The log of the mesher, the problems, the quality of the patches, and the player of the front. */
 export function BottomPanel() {
   const app = useApp();
   const tab = useShell((state) => state.bottomTab);
@@ -20,9 +24,8 @@ export function BottomPanel() {
       value={tab}
       keepMounted={false}
       onChange={(value) => {
-        if (value === "log" || value === "problems" || value === "patches") {
-          app.shell.setState({ bottomTab: value });
-        }
+        const chosen = bottomTabs.find((tab) => tab === value);
+        if (chosen) app.shell.setState({ bottomTab: chosen });
       }}
     >
       <Tabs.List>
@@ -42,6 +45,9 @@ export function BottomPanel() {
         <Tabs.Tab value="patches" data-testid="tab-patches">
           {strings.patches.tab}
         </Tabs.Tab>
+        <Tabs.Tab value="front" data-testid="tab-front">
+          {strings.player.tab}
+        </Tabs.Tab>
       </Tabs.List>
       <Tabs.Panel value="log">
         <LogList />
@@ -51,6 +57,11 @@ export function BottomPanel() {
       </Tabs.Panel>
       <Tabs.Panel value="patches">
         <PatchTable />
+      </Tabs.Panel>
+      <Tabs.Panel value="front">
+        <PanelBoundary>
+          <FrontPanel />
+        </PanelBoundary>
       </Tabs.Panel>
     </Tabs>
   );

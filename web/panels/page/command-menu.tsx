@@ -33,6 +33,7 @@ export function CommandItems({ menu }: { readonly menu: MenuName }) {
   useView((state) => state);
   useRun((state) => state.busy);
   useStore(app.viewer);
+  useStore(app.player.state, ({ trace, recording }) => trace !== null || recording !== null);
   const items = commands.filter((command) => command.menu === menu);
   return items.map((command, index) => (
     <Fragment key={command.id}>

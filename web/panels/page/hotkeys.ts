@@ -3,7 +3,7 @@ import { useEffect } from "react";
 import type { App } from "../../app/app";
 import { commands, runCommand } from "../../commands/registry";
 import type { Command } from "../../commands/command";
-import { inputMode } from "../../tools/input-mode";
+import { inputMode, isOfWidget } from "../../tools/input-mode";
 import type { PageApps } from "../../tools/page-apps";
 import { pageApps } from "../shared/page-apps";
 import { isPaletteOpen } from "../shared/palette";
@@ -28,6 +28,7 @@ export function hotkeyListener(app: App, apps: Apps): (event: KeyboardEvent) => 
       key,
       (event) => {
         if (!isMeant(app, apps, command, event.target) || !command.enabled(app)) return;
+        if (event.defaultPrevented || isOfWidget(event)) return;
         event.preventDefault();
         runCommand(app, command);
       },

@@ -1,4 +1,6 @@
+import { useMemo } from "react";
 import { useStore } from "zustand";
+import { frontValues } from "../../player/front-values";
 import { asksForStretching, bestValue, worstShown, type QualityMeasure } from "../../document/mesh-quality";
 import { measuredIn, measureNames, spaceNames, strings } from "../../strings";
 import type { RunState } from "../../session/run";
@@ -10,7 +12,10 @@ import { RegionList } from "../shared/region-list";
 
 /** The meaning of the mesh's colours. */
 export function Legend() {
+  const app = useApp();
+  const isReplaying = useStore(app.player.state, ({ trace }) => trace !== null);
   const showsDeviation = useDeviationShown();
+  if (isReplaying) return <FrontLegend />;
   if (showsDeviation) return <DeviationLegend />;
   return <MeshLegend />;
 }
@@ -27,6 +32,35 @@ function useDeviationShown(): boolean {
   if (!bodyLayer || surface !== "new" || (meshLayer && hasMesh)) return false;
   return shownBodies(project, app.bodies).some(
     ({ preview, split }) => preview !== null && preview.values !== null && split === null,
+  );
+}
+
+/** The colour scale of the faces of a recorded front. */
+function FrontLegend() {
+  const app = useApp();
+  const trace = useStore(app.player.state, (state) => state.trace);
+  const coloring = useStore(app.player.state, (state) => state.coloring);
+  const [low, high] = useMemo(() => {
+    const [from, to] = trace ? frontValues(trace, coloring).rangeAt(0) : [0, 0];
+    return strings.player.legendEnds(coloring, from, to);
+  }, [trace, coloring]);
+  const name = strings.player.legend[coloring];
+  return (
+    <figure
+      className={styles["legend"]}
+      aria-label={`${strings.viewport.legend}: ${name}`}
+      data-testid="front-legend"
+    >
+      <div
+        className={styles["bar"]}
+        style={{ background: `linear-gradient(to top, ${viridis.join(", ")})` }}
+      />
+      <div className={styles["ticks"]}>
+        <span>{high}</span>
+        <span>{low}</span>
+      </div>
+      <figcaption>{name}</figcaption>
+    </figure>
   );
 }
 

@@ -102,6 +102,26 @@ async function showHandles(
   tools.use(new MoveTool({ viewer, documents, bodies, view, otherwise }, moving));
 }
 
+/** Draws the recorded front when there is one. Its code is loaded then. Returns a function that ends this. */
+function followPlayer({ player }: App, viewer: Viewer): () => void {
+  let end: (() => void) | null = null;
+  let isOver = false;
+  const load = async (): Promise<void> => {
+    const { showPlayer } = await import("../../player/show-player");
+    if (!isOver) end = showPlayer(player.state, viewer);
+  };
+  let loading: Promise<void> | null = null;
+  const stop = player.state.subscribe(({ trace }) => {
+    if (trace) loading ??= load();
+  });
+  if (player.state.getState().trace) loading = load();
+  return () => {
+    isOver = true;
+    stop();
+    end?.();
+  };
+}
+
 /** Connects a viewer with its app: what it shows, and what the pointer does in it. Returns a function that ends this. */
 function connect(
   app: App,
@@ -136,8 +156,10 @@ function connect(
       state.moving === before.moving;
     if (!isSame) show(state);
   });
+  const stopReplay = followPlayer(app, viewer);
   app.viewer.setState({ viewer });
   return () => {
+    stopReplay();
     stop();
     stopTools();
     tools.dispose();

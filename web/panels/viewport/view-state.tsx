@@ -1,5 +1,7 @@
 import { useEffect, type RefObject } from "react";
+import { useStore } from "zustand";
 import {
+  useApp,
   useAutosavePending,
   useProblems,
   useProject,
@@ -41,5 +43,24 @@ export function ViewState({ container }: { readonly container: RefObject<HTMLDiv
     data["problems"] = String(problems);
     data["tool"] = tool;
   }, [container, points, lines, patches, problems, tool]);
+  useFrontState(container);
   return null;
+}
+
+/** Copies the state of the recorded front, if it is shown. */
+function useFrontState(container: RefObject<HTMLDivElement | null>): void {
+  const { player } = useApp();
+  const trace = useStore(player.state, (state) => state.trace);
+  const step = useStore(player.state, (state) => state.step);
+  useEffect(() => {
+    const data = container.current?.dataset;
+    if (!data) return;
+    if (!trace) {
+      for (const name of ["step", "steps", "frontFaces"]) delete data[name];
+      return;
+    }
+    data["step"] = String(step);
+    data["steps"] = String(trace.stepCount);
+    data["frontFaces"] = String(trace.steps.frontSizes[step] ?? 0);
+  }, [container, trace, step]);
 }

@@ -1,0 +1,141 @@
+/** The player of the front: recording, playing, scrubbing, and the lens. */
+import AxeBuilder from "@axe-core/playwright";
+import { expect, test, type Page } from "@playwright/test";
+import { readTrace } from "tetrafront";
+import { boxSurface } from "../support/surfaces";
+import { starSurface, starTrace } from "../support/traces";
+import { AppPage } from "./app-page";
+
+const star = Buffer.from(
+  starTrace({
+    ...starSurface(boxSurface(3, [0, 0, 0], [1, 1, 1])),
+    postponeEvery: 7,
+    reopenAfter: 20,
+  }).bytes,
+);
+
+async function violations(page: Page): Promise<string[]> {
+  const axe = new AxeBuilder({ page }).setLegacyMode(true).options({ resultTypes: ["violations"] });
+  const { violations: found } = await axe.analyze();
+  return found.flatMap(({ id, nodes }) => nodes.map(({ html }) => `${id}: ${html}`));
+}
+
+/** Opens the tab of the front with a trace from a file. */
+async function openTrace(page: Page, content: Buffer): Promise<AppPage> {
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByTestId("tab-front").click();
+  const chooser = page.waitForEvent("filechooser");
+  await page.getByTestId("player-open").click();
+  await (await chooser).setFiles({ name: "star.tft", mimeType: "application/octet-stream", buffer: content });
+  return app;
+}
+
+test("the front of the unit cube is recorded, played, and stepped through", async ({ page }) => {
+  const app = new AppPage(page);
+  const { fingerprint } = await app.openCube();
+  await page.getByTestId("tab-front").click();
+  await page.getByTestId("player-record").click();
+  const { viewport } = app;
+  await expect(viewport).toHaveAttribute("data-step", "0");
+  const steps = Number(await viewport.getAttribute("data-steps"));
+  const faces = Number(await viewport.getAttribute("data-front-faces"));
+  expect(steps).toBeGreaterThan(100);
+  expect(faces).toBeGreaterThan(100);
+
+  await page.getByTestId("player-forward").click();
+  await page.getByTestId("player-forward").click();
+  await expect(viewport).toHaveAttribute("data-step", "2");
+  await page.getByTestId("player-back").click();
+  await expect(viewport).toHaveAttribute("data-step", "1");
+  await expect(page.getByTestId("lens-sentence")).toContainText("element 0 over the base face");
+
+  const scrub = page.getByTestId("player-scrub");
+  await scrub.focus();
+  await page.keyboard.press("PageUp");
+  await expect(scrub).toHaveAttribute("aria-valuenow", "101");
+  await page.keyboard.press("ArrowLeft");
+  await expect(viewport).toHaveAttribute("data-step", "100");
+  await page.keyboard.press("End");
+  await expect(viewport).toHaveAttribute("data-step", String(steps));
+  await expect(viewport).toHaveAttribute("data-front-faces", "0");
+  await page.keyboard.press("Home");
+  await expect(viewport).toHaveAttribute("data-front-faces", String(faces));
+
+  await page.getByTestId("player-kind").selectOption("crosses");
+  await page.getByTestId("player-next").click();
+  await expect(page.getByTestId("lens-sentence")).toContainText(/would cut/);
+  await expect(page.getByTestId("lens-what-if")).toContainText("it would cross face");
+  await expect(page.getByTestId("lens-formula").locator("math").first()).toBeAttached();
+
+  await page.getByTestId("player-speed").selectOption("10000");
+  await page.getByTestId("player-play").click();
+  await expect(viewport).toHaveAttribute("data-step", String(steps));
+  expect(await violations(page)).toEqual([]);
+
+  const download = page.waitForEvent("download");
+  await page.getByTestId("player-save").click();
+  expect((await download).suggestedFilename()).toBe("unit-cube.tft");
+
+  await page.getByTestId("player-close").click();
+  await expect(viewport).not.toHaveAttribute("data-steps");
+  // Recording leaves the mesh as it is.
+  expect((await app.mesh()).fingerprint).toBe(fingerprint);
+});
+
+test("the keys play, step and jump, but not in fields and buttons", async ({ page }) => {
+  const { viewport } = await openTrace(page, star);
+  const read = readTrace(star);
+  const steps = read.success ? read.value.stepCount : 0;
+  await expect(viewport).toHaveAttribute("data-steps", String(steps));
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press(".");
+  await page.keyboard.press(".");
+  await page.keyboard.press(",");
+  await expect(viewport).toHaveAttribute("data-step", "1");
+  await page.keyboard.press("Shift+>");
+  await expect(viewport).toHaveAttribute("data-step", "101");
+  await page.keyboard.press("Shift+<");
+  await expect(viewport).toHaveAttribute("data-step", "1");
+  await page.keyboard.press("End");
+  await expect(viewport).toHaveAttribute("data-step", String(steps));
+  await page.keyboard.press("Home");
+  await expect(viewport).toHaveAttribute("data-step", "0");
+  await page.getByTestId("player-speed").selectOption("10000");
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Space");
+  await expect(viewport).toHaveAttribute("data-step", String(steps));
+  await page.getByTestId("player-back").focus();
+  await page.keyboard.press("Space");
+  await expect(viewport).toHaveAttribute("data-step", String(steps - 1));
+});
+
+test("the lens says why a candidate was refused, with the numbers of the crossing test", async ({ page }) => {
+  await openTrace(page, star);
+  const lens = page.getByTestId("lens");
+  await expect(lens).toContainText("before the first step");
+  await page.getByTestId("player-kind").selectOption("crosses");
+  await page.getByTestId("player-next").click();
+  await expect(page.getByTestId("lens-sentence")).toContainText(/was refused: .*face/);
+  await page.getByTestId("player-kind").selectOption("recovery");
+  await page.getByTestId("player-next").click();
+  await expect(lens).toContainText("elements around a pocket are removed");
+  await page.getByTestId("player-kind").selectOption("postponed");
+  await page.getByTestId("player-before").click();
+  await expect(lens).toContainText("comes again under rule class 1");
+  expect(await violations(page)).toEqual([]);
+});
+
+test("a damaged trace is refused with the byte and a remedy", async ({ page }) => {
+  const app = await openTrace(page, star.subarray(0, star.length / 2));
+  await expect(page.getByTestId("player-failure")).toContainText(/byte \d+: .*Record the trace again/);
+  await expect(app.viewport).not.toHaveAttribute("data-steps");
+});
+
+test("who prefers no motion sees the end at once", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  const { viewport } = await openTrace(page, star);
+  await page.getByTestId("player-play").click();
+  const steps = await viewport.getAttribute("data-steps");
+  await expect(viewport).toHaveAttribute("data-step", steps ?? "");
+});

@@ -1,0 +1,267 @@
+/** The player of the front: states, buffers, jumps, and the independent check of the decisions. */
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { readTrace, type Mesher, type Trace } from "tetrafront";
+import { App } from "../../../web/app/app";
+import { alphasOf, excessOf } from "../../../web/player/crossing";
+import { ElementBuffers } from "../../../web/player/element-buffers";
+import { FrontBuffers } from "../../../web/player/front-buffers";
+import {
+  cornersOf,
+  crossedFaces,
+  crossesFace,
+  isBehind,
+  newElement,
+  touching,
+} from "../../../web/player/judge";
+import { nextStop, stopKinds } from "../../../web/player/stops";
+import { newDocument } from "../../../web/session/document-store";
+import { cubeProject } from "../../support/projects";
+import { randomSource } from "../../support/random";
+import { boxSurface } from "../../support/surfaces";
+import { starSurface, starTrace } from "../../support/traces";
+
+const { bytes } = starTrace({
+  ...starSurface(boxSurface(3, [-1, -1, -1], [1, 1, 1])),
+  postponeEvery: 6,
+  reopenAfter: 20,
+});
+
+function readStar(): Trace {
+  const read = readTrace(bytes);
+  if (!read.success) throw new Error(read.errors[0].message);
+  return read.value;
+}
+
+const trace = readStar();
+
+/** A mesher whose calls never end. */
+const busyMesher = Promise.resolve({
+  meshProject: () => new Promise(() => undefined),
+  previewProject: () => new Promise(() => undefined),
+} as unknown as Mesher);
+
+function newApp(): App {
+  const first = { document: newDocument(cubeProject()) };
+  return new App(
+    { first, mesher: busyMesher, previewMesher: busyMesher, library: null },
+    { gallery: { opening: "", models: [] }, generate: false, still: true },
+  );
+}
+
+/** Frames that the test draws. */
+let frames: ((now: number) => void)[] = [];
+let now = 0;
+
+function drawFrame(milliseconds: number): void {
+  now += milliseconds;
+  const due = frames;
+  frames = [];
+  for (const draw of due) draw(now);
+}
+
+beforeEach(() => {
+  frames = [];
+  vi.stubGlobal("requestAnimationFrame", (draw: (now: number) => void) => frames.push(draw));
+  vi.stubGlobal("cancelAnimationFrame", () => {
+    frames = [];
+  });
+  vi.stubGlobal("matchMedia", () => ({ matches: false }));
+  vi.stubGlobal(
+    "Worker",
+    class {
+      postMessage(): void {
+        // Never answers.
+      }
+    },
+  );
+});
+
+afterEach(() => vi.unstubAllGlobals());
+
+describe("the buffers of the front", () => {
+  /** The triangles of the buffers, without free slots, in a canonical order. */
+  const triangles = ({ positions, slotCount }: FrontBuffers): string[] =>
+    Array.from({ length: slotCount }, (_, slot) => positions.slice(9 * slot, 9 * slot + 9))
+      .filter((corners) => corners.some((coordinate) => coordinate !== 0))
+      .map((corners) => corners.join(" "))
+      .sort();
+
+  const written = (state: number): string[] =>
+    Array.from(trace.frontAt(state), (face) =>
+      Float32Array.from(cornersOf(trace, face).flat()).join(" "),
+    ).sort();
+
+  it("hold the front after 200 random jumps and steps", () => {
+    const buffers = new FrontBuffers(trace);
+    const random = randomSource(20);
+    for (let i = 0; i < 200; i++) {
+      const state = random() % (trace.stepCount + 1);
+      buffers.show(state);
+      expect(triangles(buffers)).toEqual(written(state));
+    }
+  });
+
+  it("are written in place: a step changes few slots", () => {
+    const buffers = new FrontBuffers(trace);
+    buffers.show(40);
+    expect(buffers.written()?.[0]).toBe(0);
+    expect(buffers.written()).toBeNull();
+    buffers.show(41);
+    expect(buffers.written()).not.toBeNull();
+    expect(buffers.slotCount).toBeLessThanOrEqual(buffers.positions.length / 9);
+  });
+
+  it("hold the last elements that still exist", () => {
+    const elements = new ElementBuffers(trace);
+    elements.show(trace.stepCount, "last", [0, 0, 0]);
+    expect(elements.cornerCount).toBe(12);
+    elements.show(0, "recent", [0, 0, 0]);
+    expect(elements.cornerCount).toBe(0);
+    elements.show(10, "none", [0, 0, 0]);
+    expect(elements.cornerCount).toBe(0);
+  });
+});
+
+describe("the player", () => {
+  it("moves within the trace, and forgets the chosen candidate", () => {
+    const { player } = newApp();
+    player.open(bytes);
+    const step = () => player.state.getState().step;
+    player.move(5);
+    player.state.setState({ candidate: 0 });
+    player.move(-2);
+    expect(step()).toBe(3);
+    expect(player.state.getState().candidate).toBeNull();
+    player.move(Infinity);
+    expect(step()).toBe(trace.stepCount);
+    player.move(-Infinity);
+    expect(step()).toBe(0);
+    player.seek(12.4);
+    expect(step()).toBe(12);
+  });
+
+  it("plays at its speed, pauses at a kind of step, and repeats a range", () => {
+    const { player } = newApp();
+    player.open(bytes);
+    player.setSpeed(100);
+    player.play();
+    drawFrame(16);
+    drawFrame(50);
+    expect(player.state.getState()).toMatchObject({ step: 5, isPlaying: true });
+    player.state.setState({ stopAt: "postponed" });
+    drawFrame(200);
+    expect(player.state.getState()).toMatchObject({ step: 6, isPlaying: false });
+    player.state.setState({ stopAt: null, loop: { from: 2, to: 8 } });
+    player.play();
+    drawFrame(10);
+    drawFrame(200);
+    expect(player.state.getState()).toMatchObject({ step: 2, isPlaying: true });
+    player.toggle();
+    drawFrame(200);
+    expect(player.state.getState()).toMatchObject({ step: 2, isPlaying: false });
+  });
+
+  it("shows the end at once if the user prefers no motion", () => {
+    vi.stubGlobal("matchMedia", () => ({ matches: true }));
+    const { player } = newApp();
+    player.open(bytes);
+    player.play();
+    expect(player.state.getState()).toMatchObject({ step: trace.stepCount, isPlaying: false });
+  });
+
+  it("jumps to every kind of step and back", () => {
+    const { player } = newApp();
+    player.open(bytes);
+    for (const kind of stopKinds) {
+      player.seek(0);
+      const stops: number[] = [];
+      while (player.jump(kind, 1)) stops.push(player.state.getState().step);
+      expect(stops.length, kind).toBeGreaterThan(0);
+      expect(stops.every((stop) => nextStop(trace, stop - 1, 1, kind) === stop)).toBe(true);
+      if (stops.length > 1) expect(nextStop(trace, stops[1] ?? 0, -1, kind)).toBe(stops[0]);
+    }
+    player.seek(0);
+    player.jump("crosses", 1);
+    const { step, candidate } = player.state.getState();
+    const shown = trace.stepAt(step);
+    expect(shown?.kind === "advance" && shown.candidates[candidate ?? -1]?.verdict).toBe("crosses");
+  });
+
+  it("says why a file is no trace, and closes with the document and with a run", () => {
+    const app = newApp();
+    app.player.open(new Uint8Array(20));
+    expect(app.player.state.getState()).toMatchObject({ trace: null, failure: [/no trace/] });
+    app.player.open(bytes);
+    expect(app.player.state.getState()).toMatchObject({ failure: null });
+    app.showProject(cubeProject());
+    expect(app.player.state.getState().trace).toBeNull();
+    app.player.open(bytes);
+    void app.run.generate();
+    expect(app.player.state.getState().trace).toBeNull();
+  });
+});
+
+describe("the paper's crossing test", () => {
+  const face = [
+    [0, 0, 0],
+    [1, 0, 0],
+    [0, 1, 0],
+  ] as const;
+
+  it("gives the coordinates of the point where side and plane meet", () => {
+    const alphas = alphasOf(
+      [
+        [0.25, 0.5, -1],
+        [0.25, 0.5, 3],
+      ],
+      face,
+    );
+    expect(alphas).toEqual([0.25, 0.5, 0.25, 0.25]);
+    expect(excessOf([0.25, 0.5, 0.25, 0.25])).toBe(-0.25);
+  });
+
+  it("has no result for a side in parallel, and a positive excess beside the face", () => {
+    expect(
+      alphasOf(
+        [
+          [0, 0, 1],
+          [1, 0, 1],
+        ],
+        face,
+      ),
+    ).toBeNull();
+    const beside = alphasOf(
+      [
+        [2, 0, -1],
+        [2, 0, 1],
+      ],
+      face,
+    );
+    expect(beside && excessOf(beside)).toBe(1);
+  });
+});
+
+describe("the independent check", () => {
+  it("finds no crossing for accepted candidates, and the front's own faces do not count", () => {
+    for (let i = 1; i <= trace.stepCount; i++) {
+      const step = trace.stepAt(i);
+      if (step?.kind !== "advance" || step.outcome !== "accepted") continue;
+      const accepted = step.candidates.at(-1);
+      if (!accepted) throw new Error(`step ${i} has no candidate`);
+      const element = newElement(trace, step.face, accepted.position, accepted.isNew ? null : accepted.node);
+      expect(isBehind(element)).toBe(false);
+      expect(crossedFaces(trace, i - 1, element)).toEqual([]);
+    }
+  });
+
+  it("finds the walls that an element leaves the box through, and apexes behind the base", () => {
+    const step = trace.stepAt(1);
+    if (step?.kind !== "advance") throw new Error("step 1 is no advance");
+    const [a] = cornersOf(trace, step.face);
+    const beyond = newElement(trace, step.face, [-4 * a[0], -3 * a[1], -2.5 * a[2]], null);
+    const crossed = crossedFaces(trace, 0, beyond);
+    expect(crossed.length).toBeGreaterThan(0);
+    expect(crossed.every((face) => crossesFace(trace, beyond, face, touching))).toBe(true);
+    expect(isBehind(newElement(trace, step.face, [2 * a[0], 2 * a[1], 2 * a[2]], null))).toBe(true);
+  });
+});

@@ -1,0 +1,103 @@
+import { Button, Progress, Text } from "@mantine/core";
+import { IconPlayerRecordFilled } from "@tabler/icons-react";
+import { strings } from "../../strings";
+import { ScrollPanel } from "../../ui/frames/scroll-panel";
+import { useApp, useRun } from "../shared/app-context";
+import { JumpControl } from "./jump-control";
+import { Lens } from "./lens";
+import { OpenTrace } from "./trace-files";
+import styles from "./player.module.css";
+import { ScrubBar } from "./scrub-bar";
+import { Transport } from "./transport";
+import { usePlayer } from "./use-player";
+import { ViewChoices } from "./view-choices";
+
+const texts = strings.player;
+
+/** Records the front of the present model, and plays it. */
+export function FrontPanel() {
+  const recording = usePlayer((state) => state.recording !== null);
+  const hasTrace = usePlayer((state) => state.trace !== null);
+  if (recording) return <Recording />;
+  return hasTrace ? <Player /> : <NoTrace />;
+}
+
+function NoTrace() {
+  const app = useApp();
+  const failure = usePlayer((state) => state.failure);
+  const busy = useRun((state) => state.busy);
+  return (
+    <ScrollPanel label={texts.tab}>
+      <Text size="sm" maw={640} mb={10}>
+        {texts.intro}
+      </Text>
+      <Button
+        size="compact-sm"
+        leftSection={<IconPlayerRecordFilled size={13} aria-hidden />}
+        data-testid="player-record"
+        disabled={busy}
+        onClick={() => void app.player.record()}
+      >
+        {texts.record}
+      </Button>{" "}
+      <OpenTrace />
+      {failure && (
+        <div role="alert" className={styles["failure"]} data-testid="player-failure">
+          {failure.map((reason) => (
+            <p key={reason}>{reason}</p>
+          ))}
+        </div>
+      )}
+    </ScrollPanel>
+  );
+}
+
+function Recording() {
+  const app = useApp();
+  const recording = usePlayer((state) => state.recording);
+  const progress = recording?.progress;
+  const isStopping = recording?.isStopping ?? false;
+  return (
+    <ScrollPanel label={texts.tab}>
+      <Text size="sm" role="status">
+        {isStopping ? texts.stopping : texts.recording}
+      </Text>
+      <Progress
+        value={100 * (progress?.fraction ?? 0)}
+        my={8}
+        maw={420}
+        size="sm"
+        aria-label={texts.recording}
+        transitionDuration={0}
+      />
+      <Text size="sm" c="dimmed" mb={8}>
+        {texts.recorded(progress?.tetrahedra ?? 0)}
+      </Text>
+      <Button
+        size="compact-sm"
+        variant="default"
+        data-testid="player-stop"
+        disabled={isStopping}
+        onClick={() => app.player.stopRecording()}
+      >
+        {texts.stop}
+      </Button>
+    </ScrollPanel>
+  );
+}
+
+function Player() {
+  return (
+    <div className={styles["player"]} data-testid="player">
+      <section className={styles["controls"]} aria-label={texts.transport}>
+        <Transport />
+        <ScrubBar />
+        <div className={styles["row"]}>
+          <JumpControl />
+          <ViewChoices />
+        </div>
+      </section>
+      <Lens />
+    </div>
+  );
+}

@@ -1,0 +1,138 @@
+import {
+  IconDeviceFloppy,
+  IconPlayerPauseFilled,
+  IconPlayerPlayFilled,
+  IconPlayerRecordFilled,
+  IconPlayerSkipBackFilled,
+  IconPlayerSkipForwardFilled,
+  IconPlayerTrackNextFilled,
+  IconPlayerTrackPrevFilled,
+  IconRepeat,
+  IconX,
+} from "@tabler/icons-react";
+import { NativeSelect, Toolbar } from "@mantine/core";
+import { speeds } from "../../player/player";
+import { download, fileStem } from "../../session/files";
+import { strings } from "../../strings";
+import { IconButton } from "../../ui/icon-button";
+import { useApp, useRun } from "../shared/app-context";
+import styles from "./player.module.css";
+import { usePlayer, useTrace } from "./use-player";
+
+const texts = strings.player;
+const icon = { size: 15, "aria-hidden": true } as const;
+/** Half the number of steps that a new loop repeats. */
+const loopReach = 50;
+
+/** Buttons that move through the steps, the step shown, and the speed. */
+export function Transport() {
+  const { player } = useApp();
+  const isPlaying = usePlayer((state) => state.isPlaying);
+  return (
+    <div className={styles["row"]}>
+      <Toolbar aria-label={texts.transport} className={styles["buttons"]}>
+        <IconButton label={texts.start} data-testid="player-start" onClick={() => player.move(-Infinity)}>
+          <IconPlayerSkipBackFilled {...icon} />
+        </IconButton>
+        <IconButton label={texts.back} data-testid="player-back" onClick={() => player.move(-1)}>
+          <IconPlayerTrackPrevFilled {...icon} />
+        </IconButton>
+        <IconButton
+          label={isPlaying ? texts.pause : texts.play}
+          data-testid="player-play"
+          variant="filled"
+          color="blue"
+          onClick={() => player.toggle()}
+        >
+          {isPlaying ? <IconPlayerPauseFilled {...icon} /> : <IconPlayerPlayFilled {...icon} />}
+        </IconButton>
+        <IconButton label={texts.forward} data-testid="player-forward" onClick={() => player.move(1)}>
+          <IconPlayerTrackNextFilled {...icon} />
+        </IconButton>
+        <IconButton label={texts.end} data-testid="player-end" onClick={() => player.move(Infinity)}>
+          <IconPlayerSkipForwardFilled {...icon} />
+        </IconButton>
+        <LoopButton />
+      </Toolbar>
+      <Counter />
+      <SpeedSelect />
+      <TraceButtons />
+    </div>
+  );
+}
+
+function Counter() {
+  const { stepCount, steps } = useTrace();
+  const step = usePlayer((state) => state.step);
+  return (
+    <span className={styles["counter"]} data-testid="player-counter">
+      <b>{texts.counter(step, stepCount)}</b>
+      <span>{texts.faces(steps.frontSizes[step] ?? 0)}</span>
+    </span>
+  );
+}
+
+function SpeedSelect() {
+  const { player } = useApp();
+  const speed = usePlayer((state) => state.speed);
+  return (
+    <NativeSelect
+      size="xs"
+      aria-label={texts.speed}
+      data-testid="player-speed"
+      value={speed}
+      data={speeds.map((value) => ({ value: String(value), label: texts.speedOf(value) }))}
+      onChange={(event) => player.setSpeed(Number(event.currentTarget.value))}
+    />
+  );
+}
+
+/** Repeats the steps around the present one. */
+function LoopButton() {
+  const { player } = useApp();
+  const { stepCount } = useTrace();
+  const loop = usePlayer((state) => state.loop);
+  const step = usePlayer((state) => state.step);
+  const around = { from: Math.max(0, step - loopReach), to: Math.min(stepCount, step + loopReach) };
+  const { from, to } = loop ?? around;
+  return (
+    <IconButton
+      label={texts.loopHint(from, to)}
+      data-testid="player-loop"
+      aria-pressed={loop !== null}
+      variant={loop ? "light" : "subtle"}
+      color={loop ? "blue" : "gray"}
+      onClick={() => player.state.setState({ loop: loop ? null : around })}
+    >
+      <IconRepeat {...icon} />
+    </IconButton>
+  );
+}
+
+/** Records again, saves the trace, or leaves it. */
+function TraceButtons() {
+  const app = useApp();
+  const file = usePlayer((state) => state.file);
+  const busy = useRun((state) => state.busy);
+  const save = (): void => {
+    if (file) download([file], `${fileStem(app.documents.project.name)}.tft`, "application/octet-stream");
+  };
+  return (
+    <span className={styles["end"]}>
+      <IconButton
+        label={texts.recordAgain}
+        data-testid="player-record"
+        disabled={busy}
+        onClick={() => void app.player.record()}
+      >
+        <IconPlayerRecordFilled {...icon} />
+      </IconButton>
+      <IconButton label={texts.save} data-testid="player-save" onClick={save}>
+        <IconDeviceFloppy {...icon} />
+      </IconButton>
+      <IconButton label={texts.close} data-testid="player-close" onClick={() => app.player.close()}>
+        <IconX {...icon} />
+      </IconButton>
+    </span>
+  );
+}

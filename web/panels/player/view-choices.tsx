@@ -1,0 +1,75 @@
+import { NativeSelect } from "@mantine/core";
+import { strings } from "../../strings";
+import { useApp } from "../shared/app-context";
+import styles from "./player.module.css";
+import { usePlayer } from "./use-player";
+
+const texts = strings.player;
+
+/** What the view shows of the front, and its colours. */
+export function ViewChoices() {
+  const { player } = useApp();
+  const { coloring, faces, elements, follows } = usePlayer((state) => state);
+  return (
+    <>
+      <Choice
+        label={texts.coloring}
+        testId="player-coloring"
+        value={coloring}
+        choices={texts.colorings}
+        onChoose={(chosen) => player.state.setState({ coloring: chosen })}
+      />
+      <Choice
+        label={texts.shownFaces}
+        testId="player-faces"
+        value={faces}
+        choices={texts.faceChoices}
+        onChoose={(chosen) => player.state.setState({ faces: chosen })}
+      />
+      <Choice
+        label={texts.elements}
+        testId="player-elements"
+        value={elements}
+        choices={texts.elementChoices}
+        onChoose={(chosen) => player.state.setState({ elements: chosen })}
+      />
+      <label className={styles["check"]}>
+        <input
+          type="checkbox"
+          data-testid="player-follow"
+          checked={follows}
+          onChange={(event) => player.state.setState({ follows: event.currentTarget.checked })}
+        />
+        {texts.follow}
+      </label>
+    </>
+  );
+}
+
+interface ChoiceProps<Value extends string> {
+  readonly label: string;
+  readonly testId: string;
+  readonly value: Value;
+  /** The name of each value. */
+  readonly choices: Readonly<Record<Value, string>>;
+  readonly onChoose: (value: Value) => void;
+}
+
+function Choice<Value extends string>({ label, testId, value, choices, onChoose }: ChoiceProps<Value>) {
+  const values = Object.keys(choices) as Value[];
+  return (
+    <label className={styles["choice"]}>
+      {label}
+      <NativeSelect
+        size="xs"
+        data-testid={testId}
+        value={value}
+        data={values.map((option) => ({ value: option, label: choices[option] }))}
+        onChange={(event) => {
+          const chosen = values.find((option) => option === event.currentTarget.value);
+          if (chosen) onChoose(chosen);
+        }}
+      />
+    </label>
+  );
+}

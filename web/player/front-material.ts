@@ -1,0 +1,52 @@
+import { Color, DoubleSide, ShaderMaterial } from "three";
+import { edgeStrength, facetLight } from "../viewer/materials/glsl";
+
+const vertexShader = /* glsl */ `
+  attribute float value;
+  uniform vec2 range;
+  varying float vShade;
+  varying vec3 vViewPosition;
+  varying vec3 vBarycentric;
+  void main() {
+    int corner = gl_VertexID % 3;
+    vBarycentric = vec3(corner == 0, corner == 1, corner == 2);
+    vShade = (value - range.x) / (range.y - range.x);
+    vec4 viewPosition = modelViewMatrix * vec4(position, 1.0);
+    vViewPosition = viewPosition.xyz;
+    gl_Position = projectionMatrix * viewPosition;
+  }
+`;
+
+const fragmentShader = /* glsl */ `
+  uniform sampler2D ramp;
+  uniform vec3 edgeColor;
+  uniform float opacity;
+  varying float vShade;
+  varying vec3 vViewPosition;
+  varying vec3 vBarycentric;
+  ${facetLight}
+  ${edgeStrength}
+  void main() {
+    vec3 color = texture2D(ramp, vec2(clamp(vShade, 0.002, 0.998), 0.5)).rgb * facetLight(vViewPosition);
+    gl_FragColor = vec4(mix(color, edgeColor, edgeStrength(vBarycentric, 0.6)), opacity);
+  }
+`;
+
+/** Triangles without an index, coloured by a value per corner; `range` has the values at both ends of the colour ramp. */
+export function createFrontMaterial({ opacity }: { readonly opacity: number }): ShaderMaterial {
+  return new ShaderMaterial({
+    vertexShader,
+    fragmentShader,
+    side: DoubleSide,
+    transparent: opacity < 1,
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 1,
+    uniforms: {
+      ramp: { value: null },
+      range: { value: [0, 1] },
+      edgeColor: { value: new Color() },
+      opacity: { value: opacity },
+    },
+  });
+}

@@ -1,0 +1,219 @@
+import { readTrace, type Mesher, type Progress, type Trace } from "tetrafront";
+import { createStore, type StoreApi } from "zustand/vanilla";
+import type { DocumentStore } from "../session/document-store";
+import type { MeshRun } from "../session/run";
+import { Playback } from "./playback";
+import { recordProject, type PreparedOf } from "./recording";
+import { nextStop, refusedIn, type StopKind } from "./stops";
+
+/** What the colours of the front's faces mean. */
+export type FrontColoring = "age" | "size" | "layer";
+/** Which faces of the front are drawn: all, or those that look towards the eye, as seen from the empty volume. */
+export type FrontFaces = "all" | "inside";
+/** Which elements are drawn besides the front. */
+export type ShownElements = "none" | "last" | "recent";
+
+export interface PlayerState {
+  /** A recording that is under way. */
+  readonly recording: { readonly progress: Progress | null; readonly isStopping: boolean } | null;
+  /** Why there is no trace; null without a failure. */
+  readonly failure: readonly string[] | null;
+  /** The trace that the view shows; null if it shows the model and its mesh. */
+  readonly trace: Trace | null;
+  /** The trace as a file. */
+  readonly file: Uint8Array<ArrayBuffer> | null;
+  /** The state that is shown: the one after this step. */
+  readonly step: number;
+  readonly isPlaying: boolean;
+  /** Steps per second. */
+  readonly speed: number;
+  /** Playing repeats the steps from `from` to `to`; null: it ends with the trace. */
+  readonly loop: { readonly from: number; readonly to: number } | null;
+  /** Playing pauses at steps of this kind. */
+  readonly stopAt: StopKind | null;
+  readonly coloring: FrontColoring;
+  readonly faces: FrontFaces;
+  readonly elements: ShownElements;
+  /** Index of the candidate in the step that the lens shows; null: the one that decides the step. */
+  readonly candidate: number | null;
+  /** Whether the view follows the base face. */
+  readonly follows: boolean;
+}
+
+/** Speeds to choose from, in steps per second. */
+export const speeds = [1, 5, 25, 100, 500, 2500, 10_000] as const;
+/** Steps of the keys that jump. */
+export const jump = 100;
+
+const initialState: PlayerState = {
+  recording: null,
+  failure: null,
+  trace: null,
+  file: null,
+  step: 0,
+  isPlaying: false,
+  speed: 25,
+  loop: null,
+  stopAt: null,
+  coloring: "age",
+  faces: "inside",
+  elements: "recent",
+  candidate: null,
+  follows: false,
+};
+
+export interface PlayerOptions {
+  readonly documents: DocumentStore;
+  readonly run: MeshRun;
+  readonly mesher: Promise<Mesher>;
+  readonly preparedOf: PreparedOf;
+}
+
+/** Records the front of the present model, and plays it. */
+export class Player {
+  readonly state: StoreApi<PlayerState> = createStore<PlayerState>(() => initialState);
+  readonly #options: PlayerOptions;
+  readonly #playback = new Playback((steps) => this.#advance(steps));
+  #abort: AbortController | null = null;
+
+  constructor(options: PlayerOptions) {
+    this.#options = options;
+    let { id } = options.documents.state.getState();
+    options.documents.state.subscribe((state) => {
+      if (state.id === id) return;
+      id = state.id;
+      this.#abandon();
+    });
+    // The view can show only one of them.
+    options.run.state.subscribe(({ busy }, before) => {
+      if (busy && !before.busy) this.#abandon();
+    });
+  }
+
+  /** Meshes the present model with the options of Generate mesh, and shows the trace of its front. */
+  async record(): Promise<void> {
+    if (this.#abort) return;
+    const abort = (this.#abort = new AbortController());
+    this.close();
+    this.state.setState({ recording: { progress: null, isStopping: false }, failure: null });
+    const { documents, mesher, preparedOf } = this.#options;
+    const onProgress = (progress: Progress): void => {
+      if (this.#abort !== abort) return;
+      this.state.setState({ recording: { progress, isStopping: abort.signal.aborted } });
+    };
+    const recorded = await recordProject(await mesher, documents, preparedOf, {
+      signal: abort.signal,
+      onProgress,
+    });
+    // Another document was opened, or a run was started.
+    if (this.#abort !== abort) return;
+    this.#abort = null;
+    this.state.setState({ recording: null });
+    if (recorded.kind === "failed") this.state.setState({ failure: recorded.reasons });
+    else this.#show(recorded.trace, recorded.file);
+  }
+
+  /** Shows a trace from a file, which may belong to another model. */
+  open(file: Uint8Array<ArrayBuffer>): void {
+    const read = readTrace(file);
+    this.close();
+    if (read.success) this.#show(read.value, file);
+    else this.state.setState({ failure: read.errors.map(({ message, remedy }) => `${message}. ${remedy}`) });
+  }
+
+  /** Stops a recording. What it has recorded until then is shown. */
+  stopRecording(): void {
+    const { recording } = this.state.getState();
+    if (!recording || !this.#abort) return;
+    this.state.setState({ recording: { ...recording, isStopping: true } });
+    this.#abort.abort();
+  }
+
+  /** Shows the model again. */
+  close(): void {
+    this.#playback.stop();
+    const { recording, speed, coloring, faces, elements, follows } = this.state.getState();
+    this.state.setState({ ...initialState, recording, speed, coloring, faces, elements, follows });
+  }
+
+  /** Shows the state after a step; numbers out of range show the first or the last state. */
+  seek(step: number): void {
+    const { trace, step: before } = this.state.getState();
+    if (!trace) return;
+    const to = Math.min(Math.max(0, Math.round(step)), trace.stepCount);
+    if (to !== before) this.state.setState({ step: to, candidate: null });
+  }
+
+  /** Moves by a number of steps, and pauses. */
+  move(steps: number): void {
+    this.pause();
+    this.seek(this.state.getState().step + steps);
+  }
+
+  /** Moves to the nearest step of a kind, and pauses. Returns whether there is one. */
+  jump(kind: StopKind, direction: 1 | -1): boolean {
+    const { trace, step } = this.state.getState();
+    if (!trace) return false;
+    const found = nextStop(trace, step, direction, kind);
+    if (found === null) return false;
+    this.pause();
+    this.seek(found);
+    this.state.setState({ candidate: refusedIn(trace, found, kind) });
+    return true;
+  }
+
+  /** Plays from the present state; from the first one if the present one is the last. */
+  play(): void {
+    const { trace, step, loop, speed } = this.state.getState();
+    if (!trace || trace.stepCount === 0) return;
+    const last = loop?.to ?? trace.stepCount;
+    if (step >= last || (loop && step < loop.from)) this.seek(loop?.from ?? 0);
+    // Who prefers no motion sees where playing would end.
+    if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
+      this.#advance(trace.stepCount);
+      return;
+    }
+    this.state.setState({ isPlaying: true });
+    this.#playback.start(speed);
+  }
+
+  pause(): void {
+    this.#playback.stop();
+    if (this.state.getState().isPlaying) this.state.setState({ isPlaying: false });
+  }
+
+  toggle(): void {
+    if (this.state.getState().isPlaying) this.pause();
+    else this.play();
+  }
+
+  setSpeed(speed: number): void {
+    this.state.setState({ speed });
+    if (this.state.getState().isPlaying) this.#playback.start(speed);
+  }
+
+  /** Ends a recording without a result, and shows the model again. */
+  #abandon(): void {
+    this.#abort?.abort();
+    this.#abort = null;
+    this.state.setState({ recording: null });
+    this.close();
+  }
+
+  #show(trace: Trace, file: Uint8Array<ArrayBuffer>): void {
+    this.state.setState({ trace, file, step: 0, loop: null, candidate: null, failure: null });
+  }
+
+  /** Plays a number of steps: up to the next stop, the end of the loop, or the end. */
+  #advance(steps: number): void {
+    const { trace, step, loop, stopAt } = this.state.getState();
+    if (!trace) return;
+    const last = loop?.to ?? trace.stepCount;
+    const stop = stopAt && nextStop(trace, step, 1, stopAt);
+    const end = Math.min(last, stop ?? last);
+    if (step + steps < end) return this.seek(step + steps);
+    this.seek(end);
+    if (loop && end === loop.to && this.state.getState().isPlaying) this.seek(loop.from);
+    else this.pause();
+  }
+}

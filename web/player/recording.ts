@@ -1,0 +1,55 @@
+import {
+  readTrace,
+  recordTrace,
+  type Mesher,
+  type PreparedBody,
+  type Project,
+  type RunControl,
+  type Trace,
+} from "tetrafront";
+import { engineInput } from "../document/engine-input";
+import { settledProject, type DocumentStore } from "../session/document-store";
+import { failureText } from "../session/failure-text";
+import { remedyInApp } from "../strings";
+
+/** Returns the triangles of bodies that are already made. */
+export type PreparedOf = (project: Project) => readonly PreparedBody[];
+
+export type Recorded =
+  | { readonly kind: "recorded"; readonly trace: Trace; readonly file: Uint8Array<ArrayBuffer> }
+  | { readonly kind: "failed"; readonly reasons: readonly string[] };
+
+/**
+ * Meshes the present model as Generate mesh does, but without the optimization, which is not part of a trace. Resolves in
+ * any case; a recording that was stopped has the steps made until then.
+ */
+export async function recordProject(
+  mesher: Mesher,
+  documents: DocumentStore,
+  preparedOf: PreparedOf,
+  control: RunControl,
+): Promise<Recorded> {
+  const project = settledProject(documents.state.getState());
+  const [input, options] = engineInput(project);
+  const preparedBodies = preparedOf(project);
+  try {
+    const { result, trace: file } = await recordTrace(
+      mesher,
+      input,
+      { ...options, ...(preparedBodies.length > 0 && { preparedBodies }), optimization: "none" },
+      control,
+    );
+    if (!file) {
+      const reasons = result.report.diagnostics.map(
+        (diagnostic) => `${diagnostic.message}. ${remedyInApp(diagnostic)}`,
+      );
+      return { kind: "failed", reasons };
+    }
+    const read = readTrace(file);
+    return read.success
+      ? { kind: "recorded", trace: read.value, file }
+      : { kind: "failed", reasons: read.errors.map(({ message, remedy }) => `${message}. ${remedy}`) };
+  } catch (error) {
+    return { kind: "failed", reasons: [failureText(error)] };
+  }
+}

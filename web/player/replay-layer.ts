@@ -1,0 +1,112 @@
+import type { Trace } from "tetrafront";
+import { BufferAttribute, BufferGeometry, DoubleSide, FrontSide, Group, Mesh, type DataTexture } from "three";
+import type { Position } from "../document/position";
+import type { Layer } from "../viewer/layers/layer";
+import { rampTexture } from "../viewer/materials/textures";
+import { setColor, setTexture } from "../viewer/materials/uniforms";
+import type { SceneChanges } from "../viewer/scene-state";
+import { ElementBuffers } from "./element-buffers";
+import { FrontBuffers } from "./front-buffers";
+import { createFrontMaterial } from "./front-material";
+import { frontValues, type FrontValues } from "./front-values";
+import type { FrontColoring, PlayerState } from "./player";
+
+/** The front of a trace after a step, and the elements made last. */
+export class ReplayLayer implements Layer {
+  readonly root = new Group();
+  readonly #trace: Trace;
+  readonly #front: FrontBuffers;
+  readonly #elements: ElementBuffers;
+  readonly #frontMaterial = createFrontMaterial({ opacity: 1 });
+  readonly #elementMaterial = createFrontMaterial({ opacity: 0.85 });
+  readonly #frontGeometry = new BufferGeometry();
+  readonly #elementGeometry = new BufferGeometry();
+  #ramp: DataTexture | null = null;
+  #values: FrontValues;
+  #coloring: FrontColoring = "age";
+  #origin: Position = [0, 0, 0];
+
+  constructor(trace: Trace) {
+    this.#trace = trace;
+    this.#front = new FrontBuffers(trace);
+    this.#elements = new ElementBuffers(trace);
+    this.#values = frontValues(trace, this.#coloring);
+    const { positions, values } = this.#front;
+    this.#frontGeometry
+      .setAttribute("position", new BufferAttribute(positions, 3))
+      .setAttribute("value", new BufferAttribute(values, 1));
+    this.#elementGeometry
+      .setAttribute("position", new BufferAttribute(this.#elements.positions, 3))
+      .setAttribute("value", new BufferAttribute(this.#elements.values, 1));
+    const front = new Mesh(this.#frontGeometry, this.#frontMaterial);
+    const elements = new Mesh(this.#elementGeometry, this.#elementMaterial);
+    for (const mesh of [front, elements]) mesh.frustumCulled = false;
+    this.root.add(front, elements);
+  }
+
+  update(changes: SceneChanges): void {
+    const { colors, origin } = changes.state;
+    if (changes.has("colors")) {
+      this.#ramp?.dispose();
+      this.#ramp = rampTexture(colors.ramp);
+      for (const material of [this.#frontMaterial, this.#elementMaterial]) {
+        setTexture(material, "ramp", this.#ramp);
+        setColor(material, "edgeColor", colors.meshEdge);
+      }
+    }
+    if (changes.has("origin")) this.#reset(origin);
+  }
+
+  /** Shows a state of the player. The cost of a few steps is that of their faces. */
+  show({ step, coloring, faces, elements }: PlayerState): void {
+    if (coloring !== this.#coloring) {
+      this.#coloring = coloring;
+      this.#values = frontValues(this.#trace, coloring);
+      this.#reset(this.#origin);
+    }
+    this.#frontMaterial.side = faces === "all" ? DoubleSide : FrontSide;
+    this.#front.show(step);
+    this.#frontGeometry.setDrawRange(0, 3 * this.#front.slotCount);
+    const written = this.#front.written();
+    if (written) this.#upload(...written);
+    setRange(this.#frontMaterial, this.#values.rangeAt(step));
+
+    this.#elements.show(step, elements, this.#origin);
+    this.#elementGeometry.setDrawRange(0, this.#elements.cornerCount);
+    for (const attribute of Object.values(this.#elementGeometry.attributes))
+      if (attribute instanceof BufferAttribute) attribute.needsUpdate = true;
+    setRange(this.#elementMaterial, this.#elements.range);
+  }
+
+  dispose(): void {
+    for (const owned of [
+      this.#frontGeometry,
+      this.#elementGeometry,
+      this.#frontMaterial,
+      this.#elementMaterial,
+    ])
+      owned.dispose();
+    this.#ramp?.dispose();
+  }
+
+  #reset(origin: Position): void {
+    this.#origin = origin;
+    this.#front.reset(origin, this.#values.valueOf);
+  }
+
+  /** Copies slots to the graphics card. */
+  #upload(first: number, last: number): void {
+    for (const attribute of Object.values(this.#frontGeometry.attributes)) {
+      if (!(attribute instanceof BufferAttribute)) continue;
+      const perSlot = 3 * attribute.itemSize;
+      attribute.clearUpdateRanges();
+      attribute.addUpdateRange(perSlot * first, perSlot * (last - first + 1));
+      attribute.needsUpdate = true;
+    }
+  }
+}
+
+function setRange(material: ReturnType<typeof createFrontMaterial>, range: readonly [number, number]): void {
+  const uniform = material.uniforms["range"];
+  if (uniform) uniform.value = range;
+}

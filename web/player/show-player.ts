@@ -1,0 +1,57 @@
+import type { Trace } from "tetrafront";
+import type { StoreApi } from "zustand/vanilla";
+import { cornersOf } from "./judge";
+import { decisive, examine } from "./lens";
+import { LensLayer, type LensScene } from "./lens-layer";
+import type { PlayerState } from "./player";
+import { ReplayLayer } from "./replay-layer";
+import type { Viewer } from "../viewer/viewer";
+
+/** Draws the trace of a player in a view, instead of the model's surfaces and mesh. Returns a function that ends this. */
+export function showPlayer(player: StoreApi<PlayerState>, viewer: Viewer): () => void {
+  let shown: {
+    readonly trace: Trace;
+    readonly end: () => void;
+    readonly show: (state: PlayerState) => void;
+  } | null = null;
+  const update = (state: PlayerState): void => {
+    if (shown?.trace !== state.trace) {
+      shown?.end();
+      shown = state.trace && { trace: state.trace, ...drawTrace(state.trace, viewer) };
+      viewer.show({ isReplaying: shown !== null });
+    }
+    shown?.show(state);
+  };
+  update(player.getState());
+  const stop = player.subscribe(update);
+  return () => {
+    stop();
+    shown?.end();
+    viewer.show({ isReplaying: false });
+  };
+}
+
+function drawTrace(trace: Trace, viewer: Viewer) {
+  const replay = new ReplayLayer(trace);
+  const lens = new LensLayer();
+  const ends = [viewer.addLayer(replay), viewer.addLayer(lens)];
+  return {
+    show: (state: PlayerState): void => {
+      replay.show(state);
+      // While the front is played, only its faces change.
+      const scene = state.isPlaying ? null : lensScene(trace, state);
+      lens.show(scene);
+      if (state.follows && scene) viewer.fitPosition(cornersOf(trace, scene.step.face)[0]);
+      viewer.requestFrame();
+    },
+    end: (): void => ends.forEach((end) => end()),
+  };
+}
+
+function lensScene(trace: Trace, { step: number, candidate }: PlayerState): LensScene | null {
+  const step = trace.stepAt(number);
+  if (step?.kind !== "advance") return null;
+  const index = candidate ?? decisive(step);
+  const chosen = index === null ? undefined : step.candidates[index];
+  return { trace, step, examined: chosen ? examine(trace, step, chosen) : null };
+}

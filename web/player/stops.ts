@@ -1,0 +1,47 @@
+import { REFUSALS, type Refusal, type Trace } from "tetrafront";
+
+/** Steps at which playing can pause, and to which one can jump. */
+export const stopKinds = ["postponed", ...REFUSALS, "recovery", "new-node"] as const;
+export type StopKind = (typeof stopKinds)[number];
+
+/** `TraceSteps.outcomes` of a step whose face was postponed; those of recovery are larger. */
+const postponedOutcome = 1;
+
+/** Returns the nearest step of a kind after or before a step; null if there is none. O(steps between). */
+export function nextStop(trace: Trace, step: number, direction: 1 | -1, kind: StopKind): number | null {
+  for (let i = step + direction; i >= 1 && i <= trace.stepCount; i += direction)
+    if (isOfKind(trace, i, kind)) return i;
+  return null;
+}
+
+function isOfKind({ steps }: Trace, step: number, kind: StopKind): boolean {
+  switch (kind) {
+    case "postponed":
+      return steps.outcomes[step] === postponedOutcome;
+    case "recovery":
+      return (steps.outcomes[step] ?? 0) > postponedOutcome;
+    case "new-node":
+      return (steps.nodesMade[step] ?? 0) > (steps.nodesMade[step - 1] ?? 0);
+    default:
+      return firstRefused(steps, step, kind) !== null;
+  }
+}
+
+/** Returns the rank of the first candidate of a step that was refused for a reason; null if there is none. */
+function firstRefused(steps: Trace["steps"], step: number, reason: Refusal): number | null {
+  const begin = steps.firstCandidates[step] ?? 0;
+  const verdicts = steps.candidateVerdicts.subarray(begin, steps.firstCandidates[step + 1]);
+  const rank = verdicts.indexOf(REFUSALS.indexOf(reason));
+  return rank < 0 ? null : rank;
+}
+
+/** Returns the rank of the candidate because of which a step is of a kind; null if it is so as a whole. */
+export function refusedIn({ steps }: Trace, step: number, kind: StopKind): number | null {
+  const reason = REFUSALS.find((refusal) => refusal === kind);
+  return reason ? firstRefused(steps, step, reason) : null;
+}
+
+/** Returns whether a trace has steps of a kind. */
+export function hasStop(trace: Trace, kind: StopKind): boolean {
+  return nextStop(trace, 0, 1, kind) !== null;
+}

@@ -1,0 +1,135 @@
+/** Texts about the recorded front. */
+import type { FrontChange, Refusal } from "tetrafront";
+
+const number = (value: number): string => value.toLocaleString("en-US");
+
+/** Words for what was tried: an existing node by its number. */
+const candidateName = (node: number | null): string =>
+  node === null ? "A new node" : `Node ${number(node)}`;
+
+const changes: Readonly<Record<FrontChange, string>> = {
+  star: "A pocket that the front could not close is joined to one point.",
+  reopened: "The elements around a pocket are removed, so that the front can fill it in another way.",
+  closed: "The pocket that was reopened is closed.",
+  undone: "The attempt to fill the pocket in another way is undone.",
+  "exact-fill": "A pocket is filled exactly, with extra points where needed.",
+};
+
+const stops = {
+  postponed: "postponed face",
+  behind: "candidate behind the base face",
+  crosses: "candidate that crosses a face",
+  "too-close": "new node too close to a face",
+  recovery: "step of recovery",
+  "new-node": "new node",
+} as const;
+
+const verdicts: Readonly<Record<Refusal | "accepted", string>> = {
+  accepted: "accepted",
+  behind: "behind the base face",
+  crosses: "crosses a face",
+  "too-close": "too close to a face",
+};
+
+export const playerStrings = {
+  tab: "Front",
+  intro:
+    "Record how the front of this model advances. Then play it forwards and backwards, stop at any step, and see why each node was chosen or refused.",
+  record: "Record the front",
+  recordAgain: "Record again",
+  recording: "Recording the front",
+  recorded: (tetrahedra: number) => `${number(tetrahedra)} tetrahedra`,
+  stop: "Stop recording",
+  stopping: "Stopping…",
+  open: "Open trace…",
+  save: "Save trace",
+  close: "Show the model",
+  transport: "Player",
+  start: "First state",
+  back: "Step back",
+  play: "Play",
+  pause: "Pause",
+  forward: "Step forward",
+  end: "Last state",
+  speed: "Speed",
+  speedOf: (speed: number) => (speed === 1 ? "1 step/s" : `${number(speed)} steps/s`),
+  scrub: "Step of the front",
+  counter: (step: number, steps: number) => `${number(step)} / ${number(steps)}`,
+  scrubText: (step: number, steps: number, faces: number) =>
+    `Step ${number(step)} of ${number(steps)}, ${number(faces)} faces`,
+  faces: (faces: number) => `${number(faces)} faces`,
+  stops,
+  jumpTo: "Jump to",
+  next: (kind: keyof typeof stops) => `Next ${stops[kind]}`,
+  before: (kind: keyof typeof stops) => `Previous ${stops[kind]}`,
+  pauseThere: "Pause there",
+  loopHint: (from: number, to: number) => `Repeat steps ${number(from)} to ${number(to)}`,
+  coloring: "Colour",
+  colorings: { age: "Age", size: "Size", layer: "Layer" },
+  legend: { age: "age of the face", size: "size of the face", layer: "layer of the face" },
+  /** What the lower and the upper end of the colour scale mean. */
+  legendEnds: (coloring: "age" | "size" | "layer", from: number, to: number): readonly [string, string] => {
+    if (coloring === "age") return ["old", "new"];
+    const digits = coloring === "size" ? 3 : 2;
+    return [Number(from.toPrecision(digits)).toString(), Number(to.toPrecision(digits)).toString()];
+  },
+  shownFaces: "Faces",
+  faceChoices: { inside: "Seen from inside", all: "All" },
+  elements: "Elements",
+  elementChoices: { none: "None", last: "Last", recent: "Last 60" },
+  follow: "Follow",
+
+  lens: "Lens",
+  beforeFirst: "The front before the first step: the triangles of the boundary.",
+  playing: "Pause to look into a step.",
+  changes,
+  sentence: {
+    accepted: (node: number | null, isNew: boolean, element: number) =>
+      `${isNew ? "New node" : "Node"} ${number(node ?? 0)} was accepted: it makes element ${number(element)} over the base face.`,
+    behind: (node: number | null) =>
+      `${candidateName(node)} was refused: it is behind the base face, or in its plane.`,
+    crosses: (node: number | null, face: number, isNewSide: boolean | null) =>
+      isNewSide === null
+        ? `${candidateName(node)} was refused: the new element would cross face ${number(face)}.`
+        : isNewSide
+          ? `${candidateName(node)} was refused: a side of the new element would cut face ${number(face)}.`
+          : `${candidateName(node)} was refused: a side of face ${number(face)} would cut the new element.`,
+    tooClose: (face: number) => `A new node was refused: it would be too close to face ${number(face)}.`,
+  },
+  whatIf: {
+    behind: "Without this rule, the element would have no volume, or would be inside out.",
+    crosses: (faces: readonly number[]) =>
+      `Accepted, its element would overlap what the front encloses: it would cross ${faces.length === 1 ? "face" : "faces"} ${faces
+        .slice(0, 6)
+        .map(number)
+        .join(", ")}${faces.length > 6 ? " …" : ""}.`,
+    clear: "Our own check finds nothing that its element would cross.",
+    tooClose: "Its element would cross nothing, but would leave a gap for poor elements.",
+  },
+  postponed: (ruleClass: number | null) =>
+    ruleClass === null
+      ? "No candidate was accepted. The face is set aside for recovery."
+      : `No candidate was accepted. The face comes again under rule class ${ruleClass}.`,
+  base: (face: number) => `Base face ${number(face)}`,
+  bucket: "Size bucket",
+  layers: "Layers",
+  ruleClass: "Rule class",
+  strict: "0 (strict)",
+  targetEdge: "Target edge",
+  nearby: "Faces near",
+  ranked: "Candidates",
+  region: "Part of local remeshing, which fills a pocket again after a stall.",
+  whyNow: "Smaller buckets come first, then lower layers (step F4).",
+  candidates: "Candidates tried",
+  candidate: "Node",
+  candidateName: (rank: number, node: number | null) =>
+    `${rank}: ${node === null ? "new node" : number(node)}`,
+  score: "Score",
+  verdict: "Verdict",
+  verdicts,
+  verdictAt: (verdict: string, face: number | null) =>
+    face === null ? verdict : `${verdict}: ${number(face)}`,
+  test: "Crossing test",
+  testHint:
+    "Equations 1 to 5 of the paper: the side crosses the face, because every αⁱ is between 0 and 1. The engine decides by exact signs instead.",
+} as const;
