@@ -1,4 +1,6 @@
-#include "tetrafront/mesher.h"
+/// @file The stages of a run, one after the other.
+
+#include "mesh_run.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -7,14 +9,9 @@
 #include <utility>
 
 #include "base/diagnostics.h"
-#include "base/fingerprint.h"
-#include "base/task.h"
 #include "boundary/boundary.h"
 #include "boundary/surface_access.h"
-#include "field/size_field.h"
 #include "optimize/locality.h"
-#include "optimize/optimizer.h"
-#include "optimize/volume_limiter.h"
 #include "preview/check_input.h"
 #include "quality/metrics.h"
 #include "quality/quality_analysis.h"
@@ -27,9 +24,6 @@
 #include "sizing/volume_sizes.h"
 #include "surface/patch_summary.h"
 #include "surface/surface_mesher.h"
-#include "tetrafront/trace.h"
-#include "volume/recorded_stage.h"
-#include "volume/region_mesher.h"
 
 namespace tetrafront {
 namespace {
@@ -58,189 +52,11 @@ constexpr double kMeasureEnd = 0.98;
 /// Elements per unit of budget: copying one in the order of a list costs far less than a step of the front.
 constexpr std::size_t kReorderedPerUnit = 32;
 
-std::unique_ptr<VolumeStage> makePlainStage(const SurfaceMesh& boundary, const SizeField& field,
-                                            const MeshOptions& options,
-                                            StepRecorder& /*recorder*/) {
-  return std::make_unique<RegionMesher>(boundary, field, options);
-}
-
 bool hasVolumeLimits(const std::vector<double>& volumes) {
   return std::ranges::any_of(volumes, [](double volume) { return volume > 0.0; });
 }
 
 }  // namespace
-
-/// Runs the stages one after the other. Each stage keeps its result in a member and frees its own memory.
-class MeshRun::Impl {
- public:
-  Impl(Model model, BackgroundGrid grid, const MeshOptions& options)
-      : options_(options), model_(std::move(model)), grid_(std::move(grid)) {}
-
-  Impl(Model model, BodySurfaces bodies, BackgroundGrid grid, const MeshOptions& options)
-      : options_(options), bodies_(std::move(bodies)), grid_(std::move(grid)) {
-    if (!model.patches.empty()) {
-      model_ = std::move(model);
-    } else {
-      addBodies();
-    }
-  }
-
-  Impl(std::span<const double> points, std::span<const std::uint32_t> triangles,
-       GivenRegions regions, BackgroundGrid grid, const MeshOptions& options)
-      : options_(options), maxVolumes_(std::move(regions.maxVolumes)), grid_(std::move(grid)) {
-    surface_.points.assign(points.begin(), points.end());
-    surface_.triangles.assign(triangles.begin(), triangles.end());
-    surface_.triangleRegions = std::move(regions.triangleRegions);
-  }
-
-  MeshStatus advance(std::uint32_t budget) {
-    if (status_ != MeshStatus::kRunning) return status_;
-    const bool isFinished = job_->advance(budget);
-    if (isFinished) status_ = job_->take();
-    // A run that fails keeps its progress.
-    if (!isFinished || status_ == MeshStatus::kDone) fraction_ = job_->fraction();
-    if (isFinished) job_.reset();
-    return status_;
-  }
-
-  void cancel() {
-    if (status_ != MeshStatus::kRunning) return;
-    status_ = MeshStatus::kCancelled;
-    if (records_ && front_) recorder_.endPass();
-    job_.reset();
-    keepUnfinished();
-  }
-
-  [[nodiscard]] MeshStatus status() const { return status_; }
-  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
-  [[nodiscard]] const SurfaceMesh& surface() const { return surface_; }
-  [[nodiscard]] const std::vector<PatchSummary>& patchSummaries() const { return patches_; }
-
-  [[nodiscard]] VolumeMesh volume() const {
-    if (front_) return front_->mesh();
-    if (optimizer_) return optimizer_->mesh();
-    if (limiter_) return limiter_->mesh();
-    return mesh_;
-  }
-
-  [[nodiscard]] std::vector<double> front() const {
-    return front_ ? front_->frontCorners() : std::vector<double>{};
-  }
-
-  [[nodiscard]] QualitySummary quality() const {
-    return status_ == MeshStatus::kDone ? quality_ : measureQuality(volume());
-  }
-  [[nodiscard]] const QualityStatistics& statistics() const { return statistics_; }
-  [[nodiscard]] const MetricShapes& metricShapes() const { return metricShapes_; }
-  [[nodiscard]] RecoverySummary recovery() const { return front_ ? front_->recovery() : recovery_; }
-  [[nodiscard]] FrontCounters counters() const { return front_ ? front_->counters() : counters_; }
-
-  [[nodiscard]] bool hasFoundNothingBetter() const { return hasFoundNothingBetter_; }
-
-  [[nodiscard]] std::uint64_t fingerprint() const {
-    const VolumeMesh mesh = volume();
-    Fingerprint fingerprint;
-    fingerprint.add(mesh.points);
-    fingerprint.add(mesh.tetrahedra);
-    return fingerprint.value();
-  }
-
-  void record(MakeVolumeStage make) {
-    makeFront_ = make;
-    records_ = true;
-  }
-  [[nodiscard]] std::vector<std::uint8_t> takeTrace() { return recorder_.takeEvents(); }
-  [[nodiscard]] std::uint64_t recordedSteps() const { return recorder_.counts().steps; }
-  [[nodiscard]] std::uint64_t frontFingerprint() const { return frontFingerprint_; }
-
-  [[nodiscard]] Progress progress() const {
-    Progress progress;
-    progress.phase = phase_;
-    progress.fraction = fraction_;
-    progress.expectedTetrahedra = expectedTetrahedra_;
-    progress.triangles = static_cast<std::uint32_t>(surface_.triangles.size() / 3);
-    progress.nodes = static_cast<std::uint32_t>(surface_.points.size() / 3);
-    if (front_) {
-      progress.nodes = front_->nodeCount();
-      progress.tetrahedra = front_->tetrahedronCount();
-      progress.frontFaces = front_->frontFaceCount();
-      progress.exactFillFraction = exactFill_;
-    } else if (optimizer_) {
-      progress.nodes = optimizer_->pointCount();
-      progress.tetrahedra = optimizer_->tetrahedronCount();
-    } else if (limiter_) {
-      progress.nodes = limiter_->nodeCount();
-      progress.tetrahedra = limiter_->tetrahedronCount();
-    } else if (!mesh_.points.empty()) {
-      progress.nodes = static_cast<std::uint32_t>(mesh_.points.size() / 3);
-      progress.tetrahedra = static_cast<std::uint32_t>(mesh_.tetrahedra.size() / 4);
-      progress.frontFaces = static_cast<std::uint32_t>(mesh_.front.size() / 3);
-    }
-    return progress;
-  }
-
- private:
-  Task<MeshStatus> run(Work& work);
-  void begin(Work& work, Phase phase, double end);
-
-  // The stages. Those that return a boolean return false if the input is invalid.
-  Task<bool> checkInput(Work& work);
-  Task<bool> meshSurface(Work& work);
-  Task<bool> checkBoundary(Work& work);
-  Task<bool> findSizes(Work& work);
-  void addBodies();
-  void summarizeBodies();
-  bool limitElements();
-  Task<MeshStatus> fill(Work& work);
-  Task<> optimize(Work& work);
-  Task<bool> limitVolumes(Work& work, VolumeLimits limits);
-  Task<> measure(Work& work);
-  Task<MeshStatus> verify(Work& work);
-
-  void followFront(Work& work, std::optional<std::uint32_t>& section);
-  void keepUnfinished();
-
-  void report(const std::vector<Diagnostic>& found) {
-    diagnostics_.insert(diagnostics_.end(), found.begin(), found.end());
-  }
-  [[nodiscard]] bool hasReported(DiagnosticCode code) const {
-    return std::ranges::any_of(diagnostics_,
-                               [&](const Diagnostic& known) { return known.code == code; });
-  }
-  [[nodiscard]] std::size_t boundaryNodes() const { return surface_.points.size() / 3; }
-
-  MeshOptions options_;
-  /// Largest volumes per given region; per region of the mesh once the boundary is checked.
-  std::vector<double> maxVolumes_;
-  std::optional<Model> model_;          ///< none if a surface is given
-  std::optional<BodySurfaces> bodies_;  ///< without triangles once they are in the surface
-  BackgroundGrid grid_;
-  MeshStatus status_ = MeshStatus::kRunning;
-  Phase phase_ = Phase::kCheck;
-  double fraction_ = 0.0;
-  double exactFill_ = 0.0;
-  SurfaceMesh surface_;
-  std::vector<PatchSummary> patches_;
-  std::optional<SizeField> field_;
-  std::uint32_t expectedTetrahedra_ = 0;
-  MakeVolumeStage makeFront_ = makePlainStage;
-  bool records_ = false;
-  StepRecorder recorder_;
-  std::uint64_t frontFingerprint_ = 0;
-  std::unique_ptr<VolumeStage> front_;      ///< while it fills
-  std::optional<MeshOptimizer> optimizer_;  ///< while it optimizes
-  std::optional<VolumeLimiter> limiter_;    ///< while it splits large elements
-  bool hasFoundNothingBetter_ = false;
-  VolumeMesh mesh_;  ///< at all other times
-  RecoverySummary recovery_;
-  FrontCounters counters_;
-  QualitySummary quality_;
-  QualityStatistics statistics_;
-  MetricShapes metricShapes_;
-  std::vector<Diagnostic> diagnostics_;
-  /// The last member: its tasks use the others. None once the run has ended.
-  std::optional<Job<MeshStatus>> job_{std::in_place, [this](Work& work) { return run(work); }};
-};
 
 /// The chain F1-F9 of Löhner & Parikh 1988, section 2, then optimization and verification.
 Task<MeshStatus> MeshRun::Impl::run(Work& work) {
@@ -500,51 +316,5 @@ Task<MeshStatus> MeshRun::Impl::verify(Work& work) {
   statistics_ = {};
   co_return MeshStatus::kStalled;
 }
-
-MeshRun::MeshRun(Model model, BackgroundGrid grid, const MeshOptions& options)
-    : impl_(std::make_unique<Impl>(std::move(model), std::move(grid), options)) {}
-
-MeshRun::MeshRun(Model model, BodySurfaces bodies, BackgroundGrid grid, const MeshOptions& options)
-    : impl_(std::make_unique<Impl>(std::move(model), std::move(bodies), std::move(grid), options)) {
-}
-
-MeshRun::MeshRun(std::span<const double> points, std::span<const std::uint32_t> triangles,
-                 const MeshOptions& options)
-    : MeshRun(points, triangles, BackgroundGrid{}, options) {}
-
-MeshRun::MeshRun(std::span<const double> points, std::span<const std::uint32_t> triangles,
-                 BackgroundGrid grid, const MeshOptions& options)
-    : MeshRun(points, triangles, GivenRegions{}, std::move(grid), options) {}
-
-MeshRun::MeshRun(std::span<const double> points, std::span<const std::uint32_t> triangles,
-                 GivenRegions regions, BackgroundGrid grid, const MeshOptions& options)
-    : impl_(std::make_unique<Impl>(points, triangles, std::move(regions), std::move(grid),
-                                   options)) {}
-
-MeshRun::MeshRun(MeshRun&&) noexcept = default;
-MeshRun& MeshRun::operator=(MeshRun&&) noexcept = default;
-MeshRun::~MeshRun() = default;
-
-MeshStatus MeshRun::advance(std::uint32_t budget) { return impl_->advance(budget); }
-void MeshRun::cancel() { impl_->cancel(); }
-MeshStatus MeshRun::status() const { return impl_->status(); }
-Progress MeshRun::progress() const { return impl_->progress(); }
-const std::vector<Diagnostic>& MeshRun::diagnostics() const { return impl_->diagnostics(); }
-const SurfaceMesh& MeshRun::surface() const { return impl_->surface(); }
-VolumeMesh MeshRun::volume() const { return impl_->volume(); }
-std::vector<double> MeshRun::front() const { return impl_->front(); }
-const std::vector<PatchSummary>& MeshRun::patchSummaries() const { return impl_->patchSummaries(); }
-QualitySummary MeshRun::quality() const { return impl_->quality(); }
-QualityStatistics MeshRun::statistics() const { return impl_->statistics(); }
-MetricShapes MeshRun::metricShapes() const { return impl_->metricShapes(); }
-RecoverySummary MeshRun::recovery() const { return impl_->recovery(); }
-FrontCounters MeshRun::counters() const { return impl_->counters(); }
-bool MeshRun::hasFoundNothingBetter() const { return impl_->hasFoundNothingBetter(); }
-std::uint64_t MeshRun::fingerprint() const { return impl_->fingerprint(); }
-std::vector<std::uint8_t> MeshRun::takeTrace() { return impl_->takeTrace(); }
-std::uint64_t MeshRun::recordedSteps() const { return impl_->recordedSteps(); }
-std::uint64_t MeshRun::frontFingerprint() const { return impl_->frontFingerprint(); }
-
-void recordFront(MeshRun& run) { run.impl_->record(makeRecordedStage); }
 
 }  // namespace tetrafront

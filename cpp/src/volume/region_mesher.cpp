@@ -251,4 +251,9 @@ FrontCounters BasicRegionMesher<Trace>::counters() const {
 template class BasicRegionMesher<NullTrace>;
 template class BasicRegionMesher<RecordingTrace>;
 
+std::unique_ptr<VolumeStage> makeStage(const SurfaceMesh& boundary, const SizeField& field,
+                                       const MeshOptions& options, StepRecorder& /*recorder*/) {
+  return std::make_unique<RegionMesher>(boundary, field, options);
+}
+
 }  // namespace tetrafront

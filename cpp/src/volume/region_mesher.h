@@ -82,4 +82,10 @@ extern template class BasicRegionMesher<RecordingTrace>;
 
 using RegionMesher = BasicRegionMesher<NullTrace>;
 
+/// Makes a mesher of regions that records nothing.
+[[nodiscard]] std::unique_ptr<VolumeStage> makeStage(const SurfaceMesh& boundary,
+                                                     const SizeField& field,
+                                                     const MeshOptions& options,
+                                                     StepRecorder& recorder);
+
 }  // namespace tetrafront

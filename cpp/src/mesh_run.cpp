@@ -1,0 +1,56 @@
+/// @file The public functions of a run.
+
+#include "mesh_run.h"
+
+#include "tetrafront/trace.h"
+#include "volume/recorded_stage.h"
+
+namespace tetrafront {
+
+MeshRun::MeshRun(Model model, BackgroundGrid grid, const MeshOptions& options)
+    : impl_(std::make_unique<Impl>(std::move(model), std::move(grid), options)) {}
+
+MeshRun::MeshRun(Model model, BodySurfaces bodies, BackgroundGrid grid, const MeshOptions& options)
+    : impl_(std::make_unique<Impl>(std::move(model), std::move(bodies), std::move(grid), options)) {
+}
+
+MeshRun::MeshRun(std::span<const double> points, std::span<const std::uint32_t> triangles,
+                 const MeshOptions& options)
+    : MeshRun(points, triangles, BackgroundGrid{}, options) {}
+
+MeshRun::MeshRun(std::span<const double> points, std::span<const std::uint32_t> triangles,
+                 BackgroundGrid grid, const MeshOptions& options)
+    : MeshRun(points, triangles, GivenRegions{}, std::move(grid), options) {}
+
+MeshRun::MeshRun(std::span<const double> points, std::span<const std::uint32_t> triangles,
+                 GivenRegions regions, BackgroundGrid grid, const MeshOptions& options)
+    : impl_(std::make_unique<Impl>(points, triangles, std::move(regions), std::move(grid),
+                                   options)) {}
+
+MeshRun::MeshRun(MeshRun&&) noexcept = default;
+MeshRun& MeshRun::operator=(MeshRun&&) noexcept = default;
+MeshRun::~MeshRun() = default;
+
+MeshStatus MeshRun::advance(std::uint32_t budget) { return impl_->advance(budget); }
+void MeshRun::cancel() { impl_->cancel(); }
+MeshStatus MeshRun::status() const { return impl_->status(); }
+Progress MeshRun::progress() const { return impl_->progress(); }
+const std::vector<Diagnostic>& MeshRun::diagnostics() const { return impl_->diagnostics(); }
+const SurfaceMesh& MeshRun::surface() const { return impl_->surface(); }
+VolumeMesh MeshRun::volume() const { return impl_->volume(); }
+std::vector<double> MeshRun::front() const { return impl_->front(); }
+const std::vector<PatchSummary>& MeshRun::patchSummaries() const { return impl_->patchSummaries(); }
+QualitySummary MeshRun::quality() const { return impl_->quality(); }
+QualityStatistics MeshRun::statistics() const { return impl_->statistics(); }
+MetricShapes MeshRun::metricShapes() const { return impl_->metricShapes(); }
+RecoverySummary MeshRun::recovery() const { return impl_->recovery(); }
+FrontCounters MeshRun::counters() const { return impl_->counters(); }
+bool MeshRun::hasFoundNothingBetter() const { return impl_->hasFoundNothingBetter(); }
+std::uint64_t MeshRun::fingerprint() const { return impl_->fingerprint(); }
+std::vector<std::uint8_t> MeshRun::takeTrace() { return impl_->takeTrace(); }
+std::uint64_t MeshRun::recordedSteps() const { return impl_->recordedSteps(); }
+std::uint64_t MeshRun::frontFingerprint() const { return impl_->frontFingerprint(); }
+
+void recordFront(MeshRun& run) { run.impl_->record(makeRecordedStage); }
+
+}  // namespace tetrafront

@@ -1,0 +1,198 @@
+#pragma once
+
+/// @file The state of a run: the result of each stage, and the stage that is running. mesher.cpp has the stages.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/fingerprint.h"
+#include "base/task.h"
+#include "field/size_field.h"
+#include "optimize/optimizer.h"
+#include "optimize/volume_limiter.h"
+#include "quality/metrics.h"
+#include "tetrafront/mesher.h"
+#include "volume/region_mesher.h"
+#include "volume/volume_stage.h"
+
+namespace tetrafront {
+
+/// Runs the stages one after the other. Each stage keeps its result in a member and frees its own memory.
+class MeshRun::Impl {
+ public:
+  Impl(Model model, BackgroundGrid grid, const MeshOptions& options)
+      : options_(options), model_(std::move(model)), grid_(std::move(grid)) {}
+
+  Impl(Model model, BodySurfaces bodies, BackgroundGrid grid, const MeshOptions& options)
+      : options_(options), bodies_(std::move(bodies)), grid_(std::move(grid)) {
+    if (!model.patches.empty()) {
+      model_ = std::move(model);
+    } else {
+      addBodies();
+    }
+  }
+
+  Impl(std::span<const double> points, std::span<const std::uint32_t> triangles,
+       GivenRegions regions, BackgroundGrid grid, const MeshOptions& options)
+      : options_(options), maxVolumes_(std::move(regions.maxVolumes)), grid_(std::move(grid)) {
+    surface_.points.assign(points.begin(), points.end());
+    surface_.triangles.assign(triangles.begin(), triangles.end());
+    surface_.triangleRegions = std::move(regions.triangleRegions);
+  }
+
+  MeshStatus advance(std::uint32_t budget) {
+    if (status_ != MeshStatus::kRunning) return status_;
+    const bool isFinished = job_->advance(budget);
+    if (isFinished) status_ = job_->take();
+    // A run that fails keeps its progress.
+    if (!isFinished || status_ == MeshStatus::kDone) fraction_ = job_->fraction();
+    if (isFinished) job_.reset();
+    return status_;
+  }
+
+  void cancel() {
+    if (status_ != MeshStatus::kRunning) return;
+    status_ = MeshStatus::kCancelled;
+    if (records_ && front_) recorder_.endPass();
+    job_.reset();
+    keepUnfinished();
+  }
+
+  [[nodiscard]] MeshStatus status() const { return status_; }
+  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
+  [[nodiscard]] const SurfaceMesh& surface() const { return surface_; }
+  [[nodiscard]] const std::vector<PatchSummary>& patchSummaries() const { return patches_; }
+
+  [[nodiscard]] VolumeMesh volume() const {
+    if (front_) return front_->mesh();
+    if (optimizer_) return optimizer_->mesh();
+    if (limiter_) return limiter_->mesh();
+    return mesh_;
+  }
+
+  [[nodiscard]] std::vector<double> front() const {
+    return front_ ? front_->frontCorners() : std::vector<double>{};
+  }
+
+  [[nodiscard]] QualitySummary quality() const {
+    return status_ == MeshStatus::kDone ? quality_ : measureQuality(volume());
+  }
+  [[nodiscard]] const QualityStatistics& statistics() const { return statistics_; }
+  [[nodiscard]] const MetricShapes& metricShapes() const { return metricShapes_; }
+  [[nodiscard]] RecoverySummary recovery() const { return front_ ? front_->recovery() : recovery_; }
+  [[nodiscard]] FrontCounters counters() const { return front_ ? front_->counters() : counters_; }
+
+  [[nodiscard]] bool hasFoundNothingBetter() const { return hasFoundNothingBetter_; }
+
+  [[nodiscard]] std::uint64_t fingerprint() const {
+    const VolumeMesh mesh = volume();
+    Fingerprint fingerprint;
+    fingerprint.add(mesh.points);
+    fingerprint.add(mesh.tetrahedra);
+    return fingerprint.value();
+  }
+
+  void record(MakeVolumeStage make) {
+    makeFront_ = make;
+    records_ = true;
+  }
+  [[nodiscard]] std::vector<std::uint8_t> takeTrace() { return recorder_.takeEvents(); }
+  [[nodiscard]] std::uint64_t recordedSteps() const { return recorder_.counts().steps; }
+  [[nodiscard]] std::uint64_t frontFingerprint() const { return frontFingerprint_; }
+
+  [[nodiscard]] Progress progress() const {
+    Progress progress;
+    progress.phase = phase_;
+    progress.fraction = fraction_;
+    progress.expectedTetrahedra = expectedTetrahedra_;
+    progress.triangles = static_cast<std::uint32_t>(surface_.triangles.size() / 3);
+    progress.nodes = static_cast<std::uint32_t>(surface_.points.size() / 3);
+    if (front_) {
+      progress.nodes = front_->nodeCount();
+      progress.tetrahedra = front_->tetrahedronCount();
+      progress.frontFaces = front_->frontFaceCount();
+      progress.exactFillFraction = exactFill_;
+    } else if (optimizer_) {
+      progress.nodes = optimizer_->pointCount();
+      progress.tetrahedra = optimizer_->tetrahedronCount();
+    } else if (limiter_) {
+      progress.nodes = limiter_->nodeCount();
+      progress.tetrahedra = limiter_->tetrahedronCount();
+    } else if (!mesh_.points.empty()) {
+      progress.nodes = static_cast<std::uint32_t>(mesh_.points.size() / 3);
+      progress.tetrahedra = static_cast<std::uint32_t>(mesh_.tetrahedra.size() / 4);
+      progress.frontFaces = static_cast<std::uint32_t>(mesh_.front.size() / 3);
+    }
+    return progress;
+  }
+
+ private:
+  Task<MeshStatus> run(Work& work);
+  void begin(Work& work, Phase phase, double end);
+
+  // The stages. Those that return a boolean return false if the input is invalid.
+  Task<bool> checkInput(Work& work);
+  Task<bool> meshSurface(Work& work);
+  Task<bool> checkBoundary(Work& work);
+  Task<bool> findSizes(Work& work);
+  void addBodies();
+  void summarizeBodies();
+  bool limitElements();
+  Task<MeshStatus> fill(Work& work);
+  Task<> optimize(Work& work);
+  Task<bool> limitVolumes(Work& work, VolumeLimits limits);
+  Task<> measure(Work& work);
+  Task<MeshStatus> verify(Work& work);
+
+  void followFront(Work& work, std::optional<std::uint32_t>& section);
+  void keepUnfinished();
+
+  void report(const std::vector<Diagnostic>& found) {
+    diagnostics_.insert(diagnostics_.end(), found.begin(), found.end());
+  }
+  [[nodiscard]] bool hasReported(DiagnosticCode code) const {
+    return std::ranges::any_of(diagnostics_,
+                               [&](const Diagnostic& known) { return known.code == code; });
+  }
+  [[nodiscard]] std::size_t boundaryNodes() const { return surface_.points.size() / 3; }
+
+  MeshOptions options_;
+  /// Largest volumes per given region; per region of the mesh once the boundary is checked.
+  std::vector<double> maxVolumes_;
+  std::optional<Model> model_;          ///< none if a surface is given
+  std::optional<BodySurfaces> bodies_;  ///< without triangles once they are in the surface
+  BackgroundGrid grid_;
+  MeshStatus status_ = MeshStatus::kRunning;
+  Phase phase_ = Phase::kCheck;
+  double fraction_ = 0.0;
+  double exactFill_ = 0.0;
+  SurfaceMesh surface_;
+  std::vector<PatchSummary> patches_;
+  std::optional<SizeField> field_;
+  std::uint32_t expectedTetrahedra_ = 0;
+  MakeVolumeStage makeFront_ = makeStage;
+  bool records_ = false;
+  StepRecorder recorder_;
+  std::uint64_t frontFingerprint_ = 0;
+  std::unique_ptr<VolumeStage> front_;      ///< while it fills
+  std::optional<MeshOptimizer> optimizer_;  ///< while it optimizes
+  std::optional<VolumeLimiter> limiter_;    ///< while it splits large elements
+  bool hasFoundNothingBetter_ = false;
+  VolumeMesh mesh_;  ///< at all other times
+  RecoverySummary recovery_;
+  FrontCounters counters_;
+  QualitySummary quality_;
+  QualityStatistics statistics_;
+  MetricShapes metricShapes_;
+  std::vector<Diagnostic> diagnostics_;
+  /// The last member: its tasks use the others. None once the run has ended.
+  std::optional<Job<MeshStatus>> job_{std::in_place, [this](Work& work) { return run(work); }};
+};
+
+}  // namespace tetrafront
