@@ -1,4 +1,5 @@
 import type { LineType, Project, ProjectLine } from "tetrafront";
+import { arcThrough, circleThrough, onArc } from "./arcs";
 import { findRecord } from "./entities";
 import type { Position } from "./position";
 import { addScaled, scale } from "./vectors";
@@ -32,6 +33,12 @@ export function samplesAlong(type: LineType, points: readonly Position[]): reado
         const s = 1 - t;
         return addScaled(addScaled(scale(a, s * (1 - 2 * t)), b, 4 * t * s), c, t * (2 * t - 1));
       });
+    case "arc":
+    case "circle": {
+      if (!a || !b || !c) return points;
+      const arc = type === "arc" ? arcThrough(a, b, c) : circleThrough(a, b, c);
+      return arc ? shares.map((t) => onArc(arc, t)) : points;
+    }
   }
 }
 

@@ -22,6 +22,8 @@ export const drawingStrings = {
     straight: "Click places for a chain of lines, or type coordinates. Enter ends the chain.",
     parabolic: "Click three places: start, middle, end.",
     spline: "Click places, then Enter. The first place closes the spline.",
+    arc: "Click three places: start, a place between, end.",
+    circle: "Click three places of the circle.",
     patch: "Click into a loop of lines, or click its lines and press Enter.",
     measure: "Click two places for a distance, a third one for an angle.",
   },

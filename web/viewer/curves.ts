@@ -1,9 +1,9 @@
 import { CatmullRomCurve3, Vector3 } from "three";
 import type { LineType } from "tetrafront";
+import { samplesAlong } from "../document/line-samples";
 import type { Position } from "../document/position";
-import { addScaled, scale } from "../document/vectors";
 
-/** Segments per curve, or per piece of a spline. */
+/** Segments per piece of a spline. */
 const segments = 24;
 
 /**
@@ -11,15 +11,9 @@ const segments = 24;
  * samples lines of the project; a spline differs from its samples by little.
  */
 export function sampledCurve(type: LineType, through: readonly Position[]): readonly Position[] {
-  const [a, b, c] = through;
-  if (type === "straight" || !a || !b || !c) return through;
-  if (type === "parabolic") {
-    return Array.from({ length: segments + 1 }, (_, i) => {
-      const t = i / segments;
-      const s = 1 - t;
-      return addScaled(addScaled(scale(a, s * (1 - 2 * t)), b, 4 * t * s), c, t * (2 * t - 1));
-    });
-  }
+  const [a] = through;
+  if (!a || through.length < 3) return through;
+  if (type !== "spline") return samplesAlong(type, through);
   const last = through.at(-1) ?? a;
   const closed = through.length > 3 && a.every((x, k) => x === last[k]);
   const points = (closed ? through.slice(0, -1) : through).map((position) => new Vector3(...position));

@@ -12,6 +12,8 @@ const counts: { readonly [T in LineType]: { readonly min: number; readonly max: 
   straight: { min: 2, max: 2 },
   parabolic: { min: 3, max: 3 },
   spline: { min: 3, max: Infinity },
+  arc: { min: 3, max: 3 },
+  circle: { min: 3, max: 3 },
 };
 
 /** A straight line of the present chain, with what it added to the undo steps. */
@@ -111,7 +113,9 @@ export class LineTool extends DrawingTool {
   #add(): void {
     const type = this.#type;
     const [first] = this.#places;
-    const { creation, line, points } = drawLine(this.project, type, this.#places);
+    // A circle ends at its first point.
+    const places = type === "circle" && first ? [...this.#places, first] : this.#places;
+    const { creation, line, points } = drawLine(this.project, type, places);
     if (creation) this.create(creation);
     else this.stores.view.select({ kind: "line", id: line });
     const end = points.at(-1);

@@ -1,0 +1,48 @@
+import type { Position } from "./position";
+import { add, addScaled, cross, dot, length, scale, subtract } from "./vectors";
+
+/** The part of a circle from `start` counter-clockwise around `normal`. */
+export interface CircularArc {
+  readonly centre: Position;
+  readonly normal: Position;
+  readonly start: Position;
+  /** Radians. */
+  readonly angle: number;
+}
+
+/** Points whose triangle has a smaller area, relative to its longest side, define no circle: as in the engine. */
+const collinearity = 1e-9;
+
+/** Returns the arc from a over b to c; null if the three lie on one straight line. */
+export function arcThrough(a: Position, b: Position, c: Position): CircularArc | null {
+  const circle = circleThrough(a, b, c);
+  if (!circle) return null;
+  const { centre, normal } = circle;
+  const radius = subtract(a, centre);
+  const end = subtract(c, centre);
+  const angle = Math.atan2(dot(cross(radius, end), normal), dot(radius, end));
+  return { ...circle, angle: angle > 0 ? angle : angle + 2 * Math.PI };
+}
+
+/** Returns the whole circle from a over b and c; null if the three lie on one straight line. */
+export function circleThrough(a: Position, b: Position, c: Position): CircularArc | null {
+  const [ab, ac] = [subtract(b, a), subtract(c, a)];
+  const normal = cross(ab, ac);
+  const area = length(normal);
+  const longest = Math.max(length(ab), length(ac), length(subtract(c, b)));
+  if (!(area > collinearity * longest * longest)) return null;
+  const weighted = subtract(scale(ac, dot(ab, ab)), scale(ab, dot(ac, ac)));
+  const toCentre = scale(cross(weighted, normal), 1 / (2 * area * area));
+  return { centre: add(a, toCentre), normal: scale(normal, 1 / area), start: a, angle: 2 * Math.PI };
+}
+
+/** Returns the position at a share of the angle, 0 to 1. */
+export function onArc({ centre, normal, start, angle }: CircularArc, share: number): Position {
+  const radius = subtract(start, centre);
+  const turned = addScaled(
+    scale(radius, Math.cos(share * angle)),
+    cross(normal, radius),
+    Math.sin(share * angle),
+  );
+  return add(centre, turned);
+}
