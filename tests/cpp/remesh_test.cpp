@@ -80,16 +80,6 @@ double diagonalOf(const SurfaceMesh& mesh) {
   return glm::length(bounds.high - bounds.low);
 }
 
-/// Returns the distance from a point to a surface: visits every triangle.
-double distanceTo(const SurfaceMesh& mesh, const Vec3& p) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh))) {
-    const auto [a, b, c] = cornersOf(mesh, t);
-    nearest = std::min(nearest, squaredDistanceToTriangle(p, a, b, c));
-  }
-  return std::sqrt(nearest);
-}
-
 /// Returns the largest distance from samples of one surface to another: a lower bound of the
 /// distance.
 double sampledDistance(const SurfaceMesh& from, const SurfaceMesh& to, std::size_t samples) {
@@ -984,7 +974,7 @@ TEST(RemeshEnvelope, AcceptsOnlyTrianglesThatAreNearEverywhere) {
       corner = reference.nearest(centre + offset, patch, 10.0, t).position;
     }
     const NearestPoint below = reference.nearest(centroidOf(corners), patch, tolerance, t);
-    if (!isWithin(reference, corners, patch, tolerance, below)) {
+    if (!proveWithin(reference, corners, patch, tolerance, below).isProven) {
       ++refused;
       continue;
     }

@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "base/mesh_access.h"
+#include "boundary/surface_access.h"
+#include "geom/measure.h"
 #include "support/shapes.h"
 
 namespace tetrafront::testing {
@@ -62,6 +66,15 @@ SurfaceMeasures measure(const SurfaceMesh& mesh, const SizeField& field) {
   }
   measures.meanEdgeRatio /= static_cast<double>(measures.edges);
   return measures;
+}
+
+double distanceTo(const SurfaceMesh& mesh, const Vec3& point) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh))) {
+    const auto [a, b, c] = cornersOf(mesh, t);
+    nearest = std::min(nearest, squaredDistanceToTriangle(point, a, b, c));
+  }
+  return std::sqrt(nearest);
 }
 
 }  // namespace tetrafront::testing

@@ -34,4 +34,7 @@ EdgeUse countEdges(const SurfaceMesh& mesh);
 
 SurfaceMeasures measure(const SurfaceMesh& mesh, const SizeField& field);
 
+/// Returns the distance from a point to a surface: visits every triangle.
+double distanceTo(const SurfaceMesh& mesh, const Vec3& point);
+
 }  // namespace tetrafront::testing

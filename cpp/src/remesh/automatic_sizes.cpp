@@ -241,43 +241,66 @@ void ShapeMeasure::measure(const Sample& sample) {
   add(piece.centroid, size, axis);
 }
 
-/// Returns true if the ray meets the box between two distances. `inverse`: 1 / direction.
-bool meetsRay(const Box& box, const Vec3& from, const Vec3& inverse, double first, double last) {
-  for (int k = 0; k < 3; ++k) {
-    const double a = (static_cast<double>(box.low[k]) - from[k]) * inverse[k];
-    const double b = (static_cast<double>(box.high[k]) - from[k]) * inverse[k];
-    first = std::max(first, std::min(a, b));
-    last = std::min(last, std::max(a, b));
-    if (first > last) return false;
+/// A ray, prepared for tests with many boxes.
+class BoxRay {
+ public:
+  BoxRay(const Vec3& from, const Vec3& direction, double first) : from_(from), first_(first) {
+    // A direction along an axis must not give 0 x infinity.
+    for (int k = 0; k < 3; ++k) {
+      inverse_[k] =
+          1.0 / (std::fabs(direction[k]) < kLeastComponent ? kLeastComponent : direction[k]);
+    }
   }
-  return true;
-}
+  /// Returns the distance at which the ray is first in the box, if it is below `last`; otherwise infinity.
+  [[nodiscard]] double entryInto(const Box& box, double last) const {
+    double first = first_;
+    for (int k = 0; k < 3; ++k) {
+      const double low = (static_cast<double>(box.low[k]) - from_[k]) * inverse_[k];
+      const double high = (static_cast<double>(box.high[k]) - from_[k]) * inverse_[k];
+      first = std::max(first, inverse_[k] > 0.0 ? low : high);
+      last = std::min(last, inverse_[k] > 0.0 ? high : low);
+    }
+    return first <= last ? first : std::numeric_limits<double>::infinity();
+  }
+
+ private:
+  Vec3 from_;
+  Vec3 inverse_{0.0};
+  double first_;
+};
 
 /// Returns the distance to the opposite side of the body, or infinity.
 double ShapeMeasure::thicknessAt(const Vec3& position, const Vec3& inward) const {
+  struct Waiting {
+    BranchId branch;
+    double entry;
+  };
   const BoxTree& tree = reference_.tree();
-  // A direction along an axis must not give 0 x infinity.
-  Vec3 inverse(0.0);
-  for (int k = 0; k < 3; ++k) {
-    inverse[k] = 1.0 / (std::fabs(inward[k]) < kLeastComponent ? kLeastComponent : inward[k]);
-  }
+  const BoxRay ray(position, inward, kRayStart * reference_.diagonal());
   const double limit = rules_.maxSize * std::max(rules_.layers, 1.0);
-  const double start = kRayStart * reference_.diagonal();
   double nearest = limit;
-  std::array<BranchId, 64> waiting;
+  std::array<Waiting, 64> waiting;
   std::size_t count = 0;
-  waiting[count++] = BranchId(0U);
+  const auto wait = [&](BranchId branch) {
+    const double entry = ray.entryInto(tree.boxOf(branch), nearest);
+    if (entry < nearest) waiting[count++] = {branch, entry};
+  };
+  wait(BranchId(0U));
   while (count > 0) {
-    const BranchId branch = waiting[--count];
-    if (!meetsRay(tree.boxOf(branch), position, inverse, start, nearest)) continue;
+    const auto [branch, entry] = waiting[--count];
+    if (entry >= nearest) continue;
     if (!tree.isLeaf(branch)) {
-      waiting[count++] = BoxTree::leftOf(branch);
-      waiting[count++] = BoxTree::rightOf(branch);
+      // The nearer branch is the next one.
+      const std::size_t before = count;
+      wait(BoxTree::leftOf(branch));
+      wait(BoxTree::rightOf(branch));
+      if (count == before + 2 && waiting[before].entry < waiting[before + 1].entry)
+        std::swap(waiting[before], waiting[before + 1]);
       continue;
     }
     const std::span<const Box> boxes = tree.itemBoxesOf(branch);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-      if (!meetsRay(boxes[i], position, inverse, start, nearest)) continue;
+      if (!(ray.entryInto(boxes[i], nearest) < nearest)) continue;
       const std::uint32_t item = tree.itemsOf(branch)[i];
       castRay(position, inward, reference_.pieces()[item].triangle, nearest);
     }

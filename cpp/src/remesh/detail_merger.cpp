@@ -223,9 +223,8 @@ bool DetailMerger::isAdmitted() {
     if (isThick && glm::dot(normal, facing) < kLeastTurnCosine * glm::length(normal)) return false;
     numbered_.push_back(numbered(added.nodes, corners));
   }
-  if (TriangleGrid::intersectEachOther(numbered_)) return false;
   grid_.setHidden(removed_, true);
-  const bool intersects = grid_.intersectsAny(numbered_);
+  const bool intersects = grid_.intersect(numbered_);
   grid_.setHidden(removed_, false);
   return !intersects;
 }

@@ -18,6 +18,8 @@ constexpr double kSharpness = 1.02;
 /// A part is cut only if it extends to both sides of the edge by more than this, relative to the bound.
 /// The bound is about 1e-3 of the diagonal, so this is 1e-12 of it, a few thousand roundings.
 constexpr double kLeastCutPerBound = 1e-9;
+/// Sampled distance / tolerance below which the nearest point found by a walk counts as nearest of all.
+constexpr double kLeastSampled = 1e-3;
 /// Steps of a walk between neighbouring triangles, after which the tree is faster.
 constexpr int kMaxWalk = 24;
 
@@ -172,8 +174,23 @@ float SampledDeviation::distanceAt(const Vec3& position, TriangleId triangle) co
   const double near =
       reference.nearest(position, patch, surface_.tolerance(), surface_.beneath(triangle))
           .squaredDistance;
+  const double least = kLeastSampled * surface_.tolerance();
+  if (near <= least * least) return static_cast<float>(std::sqrt(near));
   return static_cast<float>(
       std::sqrt(reference.nearest(position, patch, std::sqrt(near), {}).squaredDistance));
+}
+
+/// Distance of the middle of an edge, which its two triangles share unless they are in different patches.
+float SampledDeviation::ofEdge(HalfEdgeId halfEdge) {
+  const SurfaceComplex& complex = surface_.complex();
+  const auto [a, b, apex] = complex.nodesOf(halfEdge);
+  const auto measured = [&] {
+    return distanceAt(0.5 * (complex.pointOf(a) + complex.pointOf(b)), triangleOf(halfEdge));
+  };
+  if (!complex.stretchOf(halfEdge).isNone()) return measured();
+  float& distance = ofEdge_[complex.halfEdgeBetween(std::min(a, b), std::max(a, b)).index()];
+  if (distance < 0.0F) distance = measured();
+  return distance;
 }
 
 float SampledDeviation::of(TriangleId triangle) {
@@ -186,9 +203,9 @@ float SampledDeviation::of(TriangleId triangle) {
     largest = std::max(largest, distance);
   }
   const auto [a, b, c] = complex.cornersOf(triangle);
-  for (const Vec3& sample : {(a + b + c) / 3.0, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) {
-    largest = std::max(largest, distanceAt(sample, triangle));
-  }
+  largest = std::max(largest, distanceAt((a + b + c) / 3.0, triangle));
+  for (std::uint32_t k = 0; k < 3; ++k)
+    largest = std::max(largest, ofEdge(halfEdgeOf(triangle, k)));
   return largest;
 }
 

@@ -58,7 +58,9 @@ class SampledDeviation {
  public:
   /// `surface` must outlive this.
   explicit SampledDeviation(const GuardedSurface& surface)
-      : surface_(surface), ofNode_(surface.complex().nodeCount(), -1.0F) {}
+      : surface_(surface),
+        ofNode_(surface.complex().nodeCount(), -1.0F),
+        ofEdge_(3 * surface.complex().triangleSlots(), -1.0F) {}
 
   /// Returns the largest distance of the corners, of the middles of the edges and of the centroid of a triangle from its
   /// patch; 0 in planar patches. O(log n).
@@ -66,9 +68,11 @@ class SampledDeviation {
 
  private:
   [[nodiscard]] float distanceAt(const Vec3& position, TriangleId triangle) const;
+  [[nodiscard]] float ofEdge(HalfEdgeId halfEdge);
 
   const GuardedSurface& surface_;
   std::vector<float> ofNode_;  ///< negative: not measured yet
+  std::vector<float> ofEdge_;  ///< per half-edge: of its middle; negative: not measured yet
 };
 
 }  // namespace tetrafront

@@ -11,14 +11,25 @@
 
 namespace tetrafront {
 
-/// Returns true if it can prove that every point of the triangle is within `tolerance` of the
+/// What the proof of a triangle has found.
+struct EnvelopeProof {
+  bool isProven = false;
+  PatchFacetId over{};  ///< the facet over which the whole triangle is known to lie, or none
+};
+
+/// Tries to prove that every point of the triangle is within `tolerance` of the
 /// curved patch. Divides the triangle until each part is proven in one of two ways:
 ///   - all its corners are near one triangle of the patch (the distance to a convex set is largest at
 ///     a corner);
 ///   - it lies over one facet, except for points near an edge of the facet; if the part extends too
 ///     far beyond an edge, it is cut there.
-/// Also returns false if this needs too many parts. `below`: the point of the patch nearest to the centroid.
-[[nodiscard]] bool isWithin(const ReferenceSurface& reference, const std::array<Vec3, 3>& corners,
-                            SmoothPatchId patch, double tolerance, const NearestPoint& below);
+/// Fails if this needs too many parts. `below`: the point of the patch nearest to the centroid.
+[[nodiscard]] EnvelopeProof proveWithin(const ReferenceSurface& reference,
+                                        const std::array<Vec3, 3>& corners, SmoothPatchId patch,
+                                        double tolerance, const NearestPoint& below);
+
+/// Returns true if every point of a triangle that lies over the facet is within `tolerance` of it.
+[[nodiscard]] bool isNearFacet(const Facet& facet, const std::array<Vec3, 3>& corners,
+                               double tolerance);
 
 }  // namespace tetrafront

@@ -48,6 +48,9 @@ GuardedSurface::GuardedSurface(const ReferenceSurface& reference, const SurfaceL
   for (const TriangleId t : IdRange<TriangleId>(complex_.triangleSlots())) {
     insert(t);
     beneath_[t.index()] = t;
+    const PatchFacetId facet = reference.facetOf(t);
+    // The normal of a sliver may be unknown.
+    if (!facet.isNone() && reference.facet(facet).normal != Vec3(0.0)) over_[t.index()] = facet;
   }
   for (const auto& [position, triangle] : findGuests(reference, complex_, limits.tolerance)) {
     nextGuest_.push_back(firstGuest_[triangle.index()]);
@@ -60,6 +63,7 @@ GuardedSurface::GuardedSurface(const ReferenceSurface& reference, const SurfaceL
 void GuardedSurface::insert(TriangleId triangle) {
   if (triangle.index() >= beneath_.size()) {
     beneath_.resize(triangle.index() + 1);
+    over_.resize(beneath_.size());
     firstGuest_.resize(beneath_.size());
   }
   grid_.insert(triangle);
@@ -82,7 +86,8 @@ bool GuardedSurface::apply(const SurfaceChange& change, bool coversSame) {
 bool GuardedSurface::isAdmitted(bool coversSame) {
   measureAdded();
   return isThickEnough() && facesAsReference() && keepsCreases() &&
-         (coversSame || isInOnePlane() || !intersects()) && isInEnvelope() && findHosts();
+         (coversSame || isInOnePlane() || !grid_.intersect(numbered_)) && isInEnvelope() &&
+         findHosts();
 }
 
 /// Returns true if all removed and added triangles are exactly in one plane across an axis and face the same way. Both
@@ -124,8 +129,35 @@ bool GuardedSurface::isThickEnough() const {
   });
 }
 
+PatchFacetId GuardedSurface::facetUnder(std::span<const TriangleId> triangles) const {
+  const PatchFacetId first = over_[triangles.front().index()];
+  const bool isCommon =
+      std::ranges::all_of(triangles, [&](TriangleId t) { return over_[t.index()] == first; });
+  return isCommon ? first : PatchFacetId{};
+}
+
+/// Returns true if the added triangles replace others that lie over the facet, face as it does and are near it. They then
+/// lie over it, too.
+bool GuardedSurface::faceFacet(PatchFacetId id) {
+  if (id.isNone()) return false;
+  const Facet& facet = reference_.facet(id);
+  const bool isNear = std::ranges::all_of(numbered_, [&](const NumberedTriangle& triangle) {
+    const auto& [a, b, c] = triangle.corners;
+    const Vec3 normal = glm::cross(b - a, c - a);
+    const double area = glm::length(normal);
+    return area > 0.0 && glm::dot(normal, facet.normal) >= limits_.facingCosine * area &&
+           isNearFacet(facet, triangle.corners, limits_.tolerance) && !collinear(a, b, c);
+  });
+  if (!isNear) return false;
+  for (std::size_t i = 0; i < numbered_.size(); ++i) below_[i].triangle = hintFor(i);
+  overNow_.assign(numbered_.size(), id);
+  return true;
+}
+
 bool GuardedSurface::facesAsReference() {
   below_.assign(change_->added.size(), NearestPoint{});
+  overNow_.assign(change_->added.size(), PatchFacetId{});
+  if (faceFacet(facetUnder(change_->removed))) return true;
   for (std::size_t i = 0; i < change_->added.size(); ++i) {
     const auto& [a, b, c] = numbered_[i].corners;
     const Vec3 normal = glm::cross(b - a, c - a);
@@ -217,16 +249,14 @@ TriangleId GuardedSurface::hintFor(std::size_t added) const {
   return {};
 }
 
-bool GuardedSurface::intersects() {
-  return TriangleGrid::intersectEachOther(numbered_) || grid_.intersectsAny(numbered_);
-}
-
-bool GuardedSurface::isInEnvelope() const {
+bool GuardedSurface::isInEnvelope() {
   for (std::size_t i = 0; i < numbered_.size(); ++i) {
     const SmoothPatchId patch = change_->added[i].patch;
-    if (!reference_.patch(patch).isPlanar &&
-        !isWithin(reference_, numbered_[i].corners, patch, limits_.tolerance, below_[i]))
-      return false;
+    if (reference_.patch(patch).isPlanar || !overNow_[i].isNone()) continue;
+    const EnvelopeProof proof =
+        proveWithin(reference_, numbered_[i].corners, patch, limits_.tolerance, below_[i]);
+    if (!proof.isProven) return false;
+    overNow_[i] = proof.over;
   }
   return true;
 }
@@ -277,6 +307,7 @@ void GuardedSurface::replaceTriangles() {
     }
     insert(t);
     beneath_[t.index()] = below_[i].triangle;
+    over_[t.index()] = overNow_[i];
     slots_.push_back(t);
   }
   for (const auto& [guest, host] : hosts_) {

@@ -6,7 +6,8 @@
 ///   3. every point of a triangle is within the tolerance of its patch (envelope.h);
 ///   4. every guest (guests.h) is within the tolerance of a triangle of its patch.
 /// The operations of SurfaceEditor keep the number of triangles at each edge, and the feature lines.
-/// For a planar patch, 3 and 4 follow from 2 and from its feature lines.
+/// For a planar patch, 3 and 4 follow from 2 and from its feature lines. For a facet of a curved patch, 3 follows from 2 if
+/// the removed triangles lie over it: the added ones have the same boundary, so they cover no other part of its plane.
 
 #include <cstdint>
 #include <span>
@@ -79,7 +80,11 @@ class GuardedSurface {
   void updateStretch(StretchId id, const Stretch& stretch) { complex_.stretch(id) = stretch; }
   void releaseStretch(StretchId id) { complex_.removeStretch(id); }
 
-  /// A given triangle of the same patch; in a curved patch, the one beneath when the triangle was made.
+  /// The facet over which all the triangles are known to lie, or none.
+  [[nodiscard]] PatchFacetId facetUnder(std::span<const TriangleId> triangles) const;
+
+  /// A given triangle of the same patch; in a curved patch, one that was beneath or on the same facet when the triangle
+  /// was made.
   [[nodiscard]] TriangleId beneath(TriangleId triangle) const { return beneath_[triangle.index()]; }
 
  private:
@@ -89,14 +94,14 @@ class GuardedSurface {
   }
   [[nodiscard]] bool isAdmitted(bool coversSame);
   void measureAdded();
+  [[nodiscard]] bool faceFacet(PatchFacetId id);
   [[nodiscard]] bool isThickEnough() const;
   [[nodiscard]] bool facesAsReference();
   [[nodiscard]] bool keepsCreases();
   [[nodiscard]] FeatureLineId lineOf(NodeId a, NodeId b) const;
   [[nodiscard]] bool keepsCrease(NodeId a, NodeId b, FeatureLineId line);
   [[nodiscard]] bool isInOnePlane() const;
-  [[nodiscard]] bool intersects();
-  [[nodiscard]] bool isInEnvelope() const;
+  [[nodiscard]] bool isInEnvelope();
   [[nodiscard]] bool findHosts();
   [[nodiscard]] TriangleId hintFor(std::size_t added) const;
   void replaceTriangles();
@@ -105,6 +110,7 @@ class GuardedSurface {
   SurfaceLimits limits_;
   SurfaceComplex complex_;
   std::vector<TriangleId> beneath_;  ///< per triangle
+  std::vector<PatchFacetId> over_;   ///< per triangle: the facet over which it lies, if known
   std::vector<Vec3> guests_;         ///< positions
   std::vector<GuestId>
       firstGuest_;  ///< per triangle: first of the guests that it must stay close to
@@ -115,6 +121,7 @@ class GuardedSurface {
   const SurfaceChange* change_ = nullptr;
   std::vector<NumberedTriangle> numbered_;
   std::vector<NearestPoint> below_;  ///< of the centroid; in planar patches only the triangle
+  std::vector<PatchFacetId> overNow_;
   std::vector<std::pair<GuestId, std::size_t>> hosts_;  ///< guest, index of the added triangle
   std::vector<TriangleId> slots_;
   std::vector<StretchId> carried_;  ///< per half-edge

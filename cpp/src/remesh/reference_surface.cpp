@@ -153,10 +153,10 @@ void ReferenceSurface::findFacets() {
     if (!patch(patchOf(t)).isPlanar) seeds.push_back({areaOf(cornersOf(mesh_, t)), t});
   }
   stableSort(seeds, [](const Seed& a, const Seed& b) { return a.area > b.area; });
-  facetOf_.assign(normals_.size(), kNoIndex);
+  facetOf_.assign(normals_.size(), PatchFacetId{});
   std::vector<TriangleId> members;
   for (const Seed& seed : seeds) {
-    if (facetOf_[seed.triangle.index()] == kNoIndex) growFacet(seed.triangle, members);
+    if (facetOf(seed.triangle).isNone()) growFacet(seed.triangle, members);
   }
   std::vector<Box> boxes;
   for (const Facet& facet : facets_) {
@@ -172,7 +172,7 @@ void ReferenceSurface::findFacets() {
 }
 
 void ReferenceSurface::growFacet(TriangleId seed, std::vector<TriangleId>& members) {
-  const auto id = static_cast<std::uint32_t>(facets_.size());
+  const PatchFacetId id(facets_.size());
   Facet facet;
   facet.normal = normalOf(seed);
   facet.origin = cornersOf(mesh_, seed)[0];
@@ -190,7 +190,7 @@ void ReferenceSurface::growFacet(TriangleId seed, std::vector<TriangleId>& membe
   for (std::size_t i = 0; i < members.size(); ++i) {
     for (std::uint32_t k = 0; k < 3; ++k) {
       const TriangleId next = smoothNeighbour(halfEdgeOf(members[i], k));
-      if (next.isNone() || facetOf_[next.index()] != kNoIndex) continue;
+      if (next.isNone() || !facetOf(next).isNone()) continue;
       const double height = heightOf(next);
       if (height > tolerance || glm::dot(normalOf(next), facet.normal) <= 0.0) continue;
       facet.flatness = std::max(facet.flatness, height);
@@ -199,10 +199,11 @@ void ReferenceSurface::growFacet(TriangleId seed, std::vector<TriangleId>& membe
     }
   }
   for (const TriangleId t : members) {
+    facet.area += areaOf(cornersOf(mesh_, t));
     for (std::uint32_t k = 0; k < 3; ++k) {
       const HalfEdgeId halfEdge = halfEdgeOf(t, k);
       const TriangleId next = smoothNeighbour(halfEdge);
-      if (next.isNone() || facetOf_[next.index()] != id) facetEdges_.push_back(halfEdge);
+      if (next.isNone() || facetOf(next) != id) facetEdges_.push_back(halfEdge);
     }
   }
   facet.edgeCount = static_cast<std::uint32_t>(facetEdges_.size()) - facet.firstEdge;

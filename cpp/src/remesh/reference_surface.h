@@ -20,6 +20,7 @@
 namespace tetrafront {
 
 using SmoothPatchId = Id<struct SmoothPatchTag>;
+using PatchFacetId = Id<struct PatchFacetTag>;
 
 /// Angles from which on the surface counts as sharp.
 struct FeatureRules {
@@ -48,8 +49,13 @@ struct Facet {
   Vec3 normal{0.0};       ///< unit normal
   Vec3 origin{0.0};       ///< a point of the plane
   double flatness = 0.0;  ///< largest distance of a corner from the plane
+  double area = 0.0;
   std::uint32_t firstEdge = 0;
   std::uint32_t edgeCount = 0;
+
+  [[nodiscard]] Vec3 projected(const Vec3& position) const {
+    return position - normal * glm::dot(position - origin, normal);
+  }
 };
 
 class ReferenceSurface {
@@ -83,10 +89,11 @@ class ReferenceSurface {
   [[nodiscard]] TriangleId smoothNeighbour(HalfEdgeId halfEdge) const {
     return neighbours_[halfEdge.index()];
   }
-  /// The facet of a triangle in a curved patch.
-  [[nodiscard]] const Facet& facetOf(TriangleId triangle) const {
-    return facets_[facetOf_[triangle.index()]];
+  /// The facet of a triangle; none in planar patches.
+  [[nodiscard]] PatchFacetId facetOf(TriangleId triangle) const {
+    return facetOf_[triangle.index()];
   }
+  [[nodiscard]] const Facet& facet(PatchFacetId id) const { return facets_[id.index()]; }
   /// Calls visit(from, to) for the boundary edges of a facet that may touch a box, with the facet
   /// on their left. Stops and returns false when `visit` returns false.
   template <class Visit>
@@ -171,7 +178,7 @@ class ReferenceSurface {
   /// Facets with more edges than this search them in the tree.
   static constexpr std::uint32_t kFewEdges = 8;
   std::vector<Facet> facets_;
-  std::vector<std::uint32_t> facetOf_;  ///< per triangle; kNoIndex in planar patches
+  std::vector<PatchFacetId> facetOf_;  ///< per triangle; none in planar patches
   std::vector<HalfEdgeId> facetEdges_;
   std::vector<std::uint32_t> treeEdges_;  ///< per item of the tree: index in facetEdges_
   BoxTree facetEdgeTree_;

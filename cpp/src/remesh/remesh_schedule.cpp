@@ -214,10 +214,10 @@ void RemeshSchedule::flipAround(NodeId node) {
 bool RemeshSchedule::flipEdges(TriangleId triangle, std::uint32_t since) {
   bool made = false;
   for (std::uint32_t k = 0; k < 3 && complex_.isAlive(triangle); ++k) {
-    const auto [a, b, apex] = complex_.nodesOf(halfEdgeOf(triangle, k));
-    if (std::max(editor_.lastChange(a), editor_.lastChange(b)) >= since) {
-      made = editor_.flip(a, b) || made;
-    }
+    const HalfEdgeId halfEdge = halfEdgeOf(triangle, k);
+    const auto [a, b, apex] = complex_.nodesOf(halfEdge);
+    if (std::max(editor_.lastChange(a), editor_.lastChange(b)) < since) continue;
+    made = (editor_.mayFlip(halfEdge) && editor_.flip(a, b)) || made;
   }
   return made;
 }

@@ -8,46 +8,29 @@
 #include "geom/measure.h"
 #include "geom/predicates.h"
 #include "quality/metrics.h"
+#include "remesh/triangle_parts.h"
 
 namespace tetrafront {
 namespace {
 
-/// Smallest gain of a measure that justifies a change; with any gain, rounding could move a node
-/// for ever.
-constexpr double kLeastGain = 1e-3;
 /// Length of a move / target size below which the target size of the node is kept.
 constexpr double kNearMove = 0.05;
 /// Height / tolerance up to which the apex of a cap may be absorbed by the feature line beneath it.
 constexpr double kAbsorbedHeight = 0.05;
 /// Length / tolerance of an edge whose nodes nearly coincide: a collapse does not change the lengths of other edges.
 constexpr double kTinyEdge = 1e-3;
+/// Smallest relative gain of a squared sine that justifies a flip; with any gain, rounding could flip an edge for ever.
+constexpr double kLeastFlipGain = 1e-3;
 /// Squared sine of an angle below which the gain of a flip is rounding.
 constexpr double kLeastSquaredSine = 1e-12;
 /// Squared sine of half a degree. A cap with a smaller angle could stay for ever.
 constexpr double kLeastCapSquaredSine = 7.6e-5;
-/// If all triangles have radius ratios above this after a move, a rise of their mean justifies the
-/// move, even if the poorest triangle does not improve.
-constexpr double kGoodRatio = 0.6;
+/// Cosine of an angle opposite an edge, 75 degrees. In a plane, a flip raises the smallest angle only if the two angles
+/// opposite the edge exceed 180 degrees together; the margin is for bends.
+constexpr double kNarrowApex = 0.26;
 /// Smallest cosine between the normals of the two triangles of a flip: across a bend, the other
 /// diagonal would change the shape.
 constexpr double kFlipCosine = 0.5;
-/// Steps of improve() / mean edge length at the node, on a patch and along a line.
-constexpr std::array<double, 3> kPatchSteps{0.4, 0.15, 0.05};
-constexpr std::array<double, 4> kLineSteps{0.3, -0.3, 0.1, -0.1};
-constexpr double kHalfRoot = 0.70710678118654752;
-/// Eight directions in the plane.
-constexpr std::array<std::array<double, 2>, 8> kDirections{{{1.0, 0.0},
-                                                            {kHalfRoot, kHalfRoot},
-                                                            {0.0, 1.0},
-                                                            {-kHalfRoot, kHalfRoot},
-                                                            {-1.0, 0.0},
-                                                            {-kHalfRoot, -kHalfRoot},
-                                                            {0.0, -1.0},
-                                                            {kHalfRoot, -kHalfRoot}}};
-
-Vec3 normalOf(const std::array<Vec3, 3>& corners) {
-  return glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-}
 
 /// Returns the triangle with node `old` replaced by `now`.
 NodeTriple replaced(NodeTriple nodes, NodeId old, NodeId now) {
@@ -188,18 +171,16 @@ double SurfaceEditor::smallestAdded() const {
   return smallest;
 }
 
-double SurfaceEditor::poorestAdded() const {
-  double poorest = 1.0;
-  for (const SurfaceChange::Added& added : change_.added) {
-    poorest = std::min(poorest, radiusRatioOf(added.nodes));
-  }
-  return poorest;
-}
-
-double SurfaceEditor::meanAdded() const {
+SurfaceEditor::Ratios SurfaceEditor::ratiosAdded() const {
+  Ratios ratios;
   double sum = 0.0;
-  for (const SurfaceChange::Added& added : change_.added) sum += radiusRatioOf(added.nodes);
-  return sum / static_cast<double>(change_.added.size());
+  for (const SurfaceChange::Added& added : change_.added) {
+    const double ratio = radiusRatioOf(added.nodes);
+    ratios.poorest = std::min(ratios.poorest, ratio);
+    sum += ratio;
+  }
+  ratios.mean = sum / static_cast<double>(change_.added.size());
+  return ratios;
 }
 
 bool SurfaceEditor::follows(FeatureLineId line, double begin, double end, const Vec3& a,
@@ -234,6 +215,8 @@ bool SurfaceEditor::split(NodeId a, NodeId b, double part) {
 Vec3 SurfaceEditor::splitPosition(const Vec3& straight, TriangleId triangle) const {
   const SmoothPatchId patch = complex_.patchOf(triangle);
   if (reference_.patch(patch).isPlanar) return straight;
+  if (const PatchFacetId id = surface_.facetUnder({&triangle, 1}); !id.isNone())
+    return inExactRange(reference_.facet(id).projected(straight));
   const NearestPoint nearest =
       reference_.nearest(straight, patch, 2.0 * surface_.tolerance(), surface_.beneath(triangle));
   return nearest.triangle.isNone() ? straight : inExactRange(nearest.position);
@@ -339,7 +322,7 @@ bool SurfaceEditor::keepsTopology(NodeId a, NodeId b) {
 /// removes it.
 bool SurfaceEditor::allowsShapes(const CollapseRule& rule) const {
   const double before = poorestRemoved();
-  const double after = poorestAdded();
+  const double after = ratiosAdded().poorest;
   if (rule.mustImprove) return after > before;
   if (after >= std::min(rule.poorest, before)) return true;
   const double smallest = smallestAdded();
@@ -404,6 +387,15 @@ bool SurfaceEditor::collapse(NodeId a, NodeId b, const CollapseRule& rule) {
 
 // ---- flip ---------------------------------------------------------------------------------------
 
+bool SurfaceEditor::mayFlip(HalfEdgeId halfEdge) const {
+  const auto [a, b, apex] = complex_.nodesOf(halfEdge);
+  const auto [from, to, top] = inMetric({a, b, apex}, cornersOf({a, b, apex}));
+  const Vec3 u = from - top;
+  const Vec3 v = to - top;
+  const double dot = glm::dot(u, v);
+  return dot <= 0.0 || dot * dot <= kNarrowApex * kNarrowApex * glm::dot(u, u) * glm::dot(v, v);
+}
+
 bool SurfaceEditor::flip(NodeId a, NodeId b) {
   complex_.collectEdge(a, b, edge_);
   if (edge_.size() != 2 || !complex_.stretchOf(edge_[0]).isNone()) return false;
@@ -419,176 +411,15 @@ bool SurfaceEditor::flip(NodeId a, NodeId b) {
       std::min(squaredSineOf(complex_.nodesOf(t)), squaredSineOf(complex_.nodesOf(u)));
   const double after =
       std::min(squaredSineOf(change_.added[0].nodes), squaredSineOf(change_.added[1].nodes));
-  if (after <= before * (1.0 + kLeastGain) + kLeastSquaredSine) return false;
+  if (after <= before * (1.0 + kLeastFlipGain) + kLeastSquaredSine) return false;
   if (c == d || complex_.areJoined(c, d)) return false;
-  const Vec3 first = normalOf(cornersOf(change_.added[0].nodes));
-  const Vec3 second = normalOf(cornersOf(change_.added[1].nodes));
+  const Vec3 first = crossOf(cornersOf(change_.added[0].nodes));
+  const Vec3 second = crossOf(cornersOf(change_.added[1].nodes));
   if (glm::dot(first, second) < kFlipCosine * glm::length(first) * glm::length(second))
     return false;
   const bool isFlat = orient3d(complex_.pointOf(from), complex_.pointOf(to), complex_.pointOf(c),
                                complex_.pointOf(d)) == 0;
   return apply(isFlat);
-}
-
-// ---- move ---------------------------------------------------------------------------------------
-
-void SurfaceEditor::beginMove(NodeId node) {
-  change_.clear();
-  complex_.collectStar(node, change_.removed);
-  for (const TriangleId t : change_.removed) {
-    change_.added.push_back({complex_.nodesOf(t), complex_.patchOf(t)});
-  }
-  change_.moved = node;
-  change_.position = complex_.pointOf(node);
-}
-
-bool SurfaceEditor::endMove(bool wasMade) {
-  change_.clear();
-  return wasMade;
-}
-
-bool SurfaceEditor::isBetter(double poorest, double mean, bool forMean) const {
-  const double after = poorestAdded();
-  if (after > poorest + kLeastGain) return true;
-  return forMean && after > kGoodRatio && meanAdded() > mean + kLeastGain;
-}
-
-/// Projects the moved node onto its patch; returns false if the patch is too far away.
-bool SurfaceEditor::projectMove(NodeId node) {
-  const Vec3& here = complex_.pointOf(node);
-  const SmoothPatchId id = change_.added[0].patch;
-  const SmoothPatch& patch = reference_.patch(id);
-  if (patch.isPlanar) {
-    const double height = glm::dot(change_.position - here, patch.normal);
-    change_.position = inExactRange(change_.position - patch.normal * height);
-    return true;
-  }
-  const double reach = std::max(2.0 * surface_.tolerance(), 0.5 * sizeOf(node));
-  const NearestPoint nearest =
-      reference_.nearest(change_.position, id, reach, surface_.beneath(change_.removed[0]));
-  change_.position = inExactRange(nearest.position);
-  return !nearest.triangle.isNone();
-}
-
-bool SurfaceEditor::moveOnPatch(NodeId node, const Vec3& target, bool forMean) {
-  beginMove(node);
-  const Vec3 here = change_.position;
-  const double poorest = poorestRemoved();
-  const double mean = meanAdded();
-  for (const double part : {1.0, 0.5, 0.25}) {
-    change_.position = here + (target - here) * part;
-    if (projectMove(node) && isBetter(poorest, mean, forMean) && apply()) return endMove(true);
-  }
-  return endMove(false);
-}
-
-bool SurfaceEditor::moveOnLine(NodeId node, double arc, bool forMean) {
-  const SurfaceComplex::LineNeighbours line = complex_.lineNeighbours(node);
-  if (!line.areComplete()) return false;
-  beginMove(node);
-  const double poorest = poorestRemoved();
-  const double mean = meanAdded();
-  Stretch first = complex_.stretch(line.first);
-  Stretch second = complex_.stretch(line.second);
-  // Arcs jump by the length of a closed line where the line begins.
-  const double jump = second.begin - first.end;
-  const double here = first.end;
-  for (const double part : {1.0, 0.5, 0.25}) {
-    first.end = here + (arc - here) * part;
-    second.begin = first.end + jump;
-    change_.position = inExactRange(reference_.line(first.line).at(first.end));
-    if (!isBetter(poorest, mean, forMean) ||
-        !follows(first.line, first.begin, first.end, complex_.pointOf(line.before),
-                 change_.position) ||
-        !follows(second.line, second.begin, second.end, change_.position,
-                 complex_.pointOf(line.after)))
-      continue;
-    if (!apply()) continue;
-    surface_.updateStretch(line.first, first);
-    surface_.updateStretch(line.second, second);
-    return endMove(true);
-  }
-  return endMove(false);
-}
-
-/// Returns the weighted mean of the centroids of a node's triangles. The weight of a triangle grows
-/// with its area in target lengths, so that triangles that are too large shrink.
-Vec3 SurfaceEditor::centreOf(NodeId node) const {
-  Vec3 sum(0.0);
-  double weights = 0.0;
-  complex_.visitStar(node, [&](TriangleId t, std::uint32_t /*k*/) {
-    const NodeTriple& nodes = complex_.nodesOf(t);
-    const Corners corners = complex_.cornersOf(t);
-    const double size = (sizeOf(nodes[0]) + sizeOf(nodes[1]) + sizeOf(nodes[2])) / 3.0;
-    const double weight =
-        glm::length(normalOf(inMetric(nodes, corners))) / (size * size * size * size);
-    sum += (corners[0] + corners[1] + corners[2]) * (weight / 3.0);
-    weights += weight;
-  });
-  return weights > 0.0 ? sum / weights : complex_.pointOf(node);
-}
-
-bool SurfaceEditor::smooth(NodeId node) {
-  if (!complex_.isUsed(node) || complex_.kindOf(node) == NodeKind::kCorner) return false;
-  if (complex_.kindOf(node) == NodeKind::kSmooth) return moveOnPatch(node, centreOf(node), true);
-  const SurfaceComplex::LineNeighbours line = complex_.lineNeighbours(node);
-  if (!line.areComplete()) return false;
-  const Stretch& first = complex_.stretch(line.first);
-  const Stretch& second = complex_.stretch(line.second);
-  const double whole = (first.end - first.begin) + (second.end - second.begin);
-  const double before = sizeOf(line.before) + sizeOf(node);
-  const double after = sizeOf(line.after) + sizeOf(node);
-  return moveOnLine(node, first.begin + whole * before / (before + after), true);
-}
-
-bool SurfaceEditor::improve(NodeId node) {
-  if (!complex_.isUsed(node) || complex_.kindOf(node) == NodeKind::kCorner) return false;
-  return complex_.kindOf(node) == NodeKind::kLine ? improveOnLine(node) : improveOnPatch(node);
-}
-
-bool SurfaceEditor::improveOnLine(NodeId node) {
-  bool moved = false;
-  for (const double step : kLineSteps) {
-    const SurfaceComplex::LineNeighbours line = complex_.lineNeighbours(node);
-    if (!line.areComplete()) return moved;
-    const Stretch& towards = complex_.stretch(step > 0.0 ? line.second : line.first);
-    const double arc = complex_.stretch(line.first).end + step * (towards.end - towards.begin);
-    moved = moveOnLine(node, arc, false) || moved;
-  }
-  return moved;
-}
-
-bool SurfaceEditor::improveOnPatch(NodeId node) {
-  bool moved = false;
-  for (const double step : kPatchSteps) {
-    beginMove(node);
-    const Vec3 here = change_.position;
-    Vec3 normal(0.0);
-    double reach = 0.0;
-    for (const SurfaceChange::Added& added : change_.added) {
-      const Corners corners = cornersOf(added.nodes);
-      normal += normalOf(corners);
-      for (const Vec3& corner : corners) reach += 0.5 * glm::length(corner - here);
-    }
-    const double length = glm::length(normal);
-    if (!(length > 0.0)) return moved;
-    normal /= length;
-    reach *= step / static_cast<double>(change_.added.size());
-    const Vec3 axis = std::fabs(normal.x) < 0.6 ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, 1.0, 0.0);
-    const Vec3 u = glm::normalize(glm::cross(axis, normal));
-    const Vec3 v = glm::cross(normal, u);
-    Vec3 best = here;
-    double most = -1.0;
-    for (const auto& [x, y] : kDirections) {
-      change_.position = here + (u * x + v * y) * reach;
-      const double poorest = poorestAdded();
-      if (poorest <= most) continue;
-      most = poorest;
-      best = change_.position;
-    }
-    moved = moveOnPatch(node, best, false) || moved;
-  }
-  return moved;
 }
 
 }  // namespace tetrafront

@@ -45,6 +45,8 @@ class SurfaceEditor {
   /// Replaces the edge between two triangles by the other diagonal if this raises the smallest
   /// angle.
   bool flip(NodeId a, NodeId b);
+  /// False if the angle opposite the edge is so small that only the triangle on its other side could justify a flip.
+  [[nodiscard]] bool mayFlip(HalfEdgeId halfEdge) const;
   /// Moves a node to the position at which its triangles are best on average.
   bool smooth(NodeId node);
   /// Moves a node to a position at which its poorest triangle is better.
@@ -86,8 +88,12 @@ class SurfaceEditor {
   [[nodiscard]] double smallestRemoved() const;
   [[nodiscard]] double smallestAdded() const;
   [[nodiscard]] double poorestRemoved() const;
-  [[nodiscard]] double poorestAdded() const;
-  [[nodiscard]] double meanAdded() const;
+  /// Radius ratios of several triangles.
+  struct Ratios {
+    double poorest = 1.0;
+    double mean = 0.0;
+  };
+  [[nodiscard]] Ratios ratiosAdded() const;
 
   /// Returns true if the line between two arcs and the segment a b are within the tolerance of each
   /// other.
@@ -112,7 +118,7 @@ class SurfaceEditor {
   bool moveOnPatch(NodeId node, const Vec3& target, bool forMean);
   bool moveOnLine(NodeId node, double arc, bool forMean);
   [[nodiscard]] bool projectMove(NodeId node);
-  [[nodiscard]] bool isBetter(double poorest, double mean, bool forMean) const;
+  [[nodiscard]] bool isBetter(const Ratios& before, bool forMean) const;
   [[nodiscard]] Vec3 centreOf(NodeId node) const;
   bool improveOnLine(NodeId node);
   bool improveOnPatch(NodeId node);

@@ -31,7 +31,14 @@ void TriangleGrid::setHidden(std::span<const TriangleId> triangles, bool isHidde
   for (const TriangleId t : triangles) isHidden_[t.index()] = isHidden ? 1 : 0;
 }
 
+bool TriangleGrid::intersect(std::span<const NumberedTriangle> triangles) {
+  if (triangles.empty()) return false;
+  separation_.begin(triangles);
+  return intersectEachOther(triangles) || intersectsAny(triangles);
+}
+
 bool TriangleGrid::intersectEachOther(std::span<const NumberedTriangle> triangles) {
+  if (separation_.areApart()) return false;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const Box box = boxAround(triangles[i].corners);
     for (std::size_t j = 0; j < i; ++j) {
@@ -44,7 +51,6 @@ bool TriangleGrid::intersectEachOther(std::span<const NumberedTriangle> triangle
 }
 
 bool TriangleGrid::intersectsAny(std::span<const NumberedTriangle> triangles) {
-  if (triangles.empty()) return false;
   ofGiven_.clear();
   for (const NumberedTriangle& triangle : triangles)
     ofGiven_.push_back(boxAround(triangle.corners));
@@ -59,11 +65,12 @@ bool TriangleGrid::intersectsAny(std::span<const NumberedTriangle> triangles) {
   for (std::size_t n = 0; n < count; ++n) {
     const TriangleId t(found_[n]);
     if (isHidden(t)) continue;
+    const auto isNear = [&](const Box& box) { return BoxTree::overlaps(box, boxes_[t.index()]); };
+    if (std::ranges::none_of(ofGiven_, isNear)) continue;
     const NumberedTriangle other = numbered(complex_.nodesOf(t), complex_.cornersOf(t));
+    if (separation_.isApart(other)) continue;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-      if (BoxTree::overlaps(ofGiven_[i], boxes_[t.index()]) &&
-          intersectImproperly(triangles[i], other))
-        return true;
+      if (isNear(ofGiven_[i]) && intersectImproperly(triangles[i], other)) return true;
     }
   }
   return false;

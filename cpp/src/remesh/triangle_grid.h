@@ -9,6 +9,7 @@
 #include "base/ids.h"
 #include "geom/box.h"
 #include "geom/intersect.h"
+#include "remesh/separation.h"
 #include "remesh/surface_complex.h"
 #include "search/face_grid.h"
 #include "tetrafront/vec3.h"
@@ -28,23 +29,27 @@ class TriangleGrid {
   void insert(TriangleId triangle);
   void remove(TriangleId triangle) { grid_.remove(triangle.value); }
 
-  /// Hides triangles from intersectsAny(), or shows them again.
+  /// Hides triangles from intersect(), or shows them again.
   void setHidden(std::span<const TriangleId> triangles, bool isHidden);
   [[nodiscard]] bool isHidden(TriangleId triangle) const {
     return isHidden_[triangle.index()] != 0;
   }
 
-  /// Returns whether two of the triangles intersect, beyond the nodes and edges that they share. Exact.
-  [[nodiscard]] static bool intersectEachOther(std::span<const NumberedTriangle> triangles);
-  /// Returns whether one of the triangles intersects one in the grid, beyond the nodes and edges that they share. Exact.
-  [[nodiscard]] bool intersectsAny(std::span<const NumberedTriangle> triangles);
+  /// Returns whether one of the triangles intersects another one, or one in the grid, beyond the nodes and edges that they
+  /// share. Exact.
+  [[nodiscard]] bool intersect(std::span<const NumberedTriangle> triangles);
 
  private:
+  [[nodiscard]] bool intersectEachOther(std::span<const NumberedTriangle> triangles);
+  [[nodiscard]] bool intersectsAny(std::span<const NumberedTriangle> triangles);
+
   const SurfaceComplex& complex_;
   FaceGrid grid_;
   std::vector<Box> boxes_;  ///< per triangle
   std::vector<std::uint8_t> isHidden_;
-  std::vector<Box> ofGiven_;  ///< scratch of intersectsAny()
+  // Scratch of intersect().
+  SeparationProof separation_;
+  std::vector<Box> ofGiven_;
   std::vector<std::uint32_t> found_;
 };
 

@@ -12,6 +12,11 @@ namespace tetrafront {
 
 using TriangleCorners = std::array<Vec3, 3>;
 
+/// Returns the normal, twice as long as the area.
+[[nodiscard]] inline Vec3 crossOf(const TriangleCorners& corners) {
+  return glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+}
+
 /// Divides a triangle at the middle of its longest edge.
 [[nodiscard]] inline std::array<TriangleCorners, 2> halvesOf(const TriangleCorners& corners) {
   const std::size_t k = longestEdgeOf(corners);
