@@ -1,6 +1,7 @@
 import type { Trace } from "tetrafront";
 import type { Position } from "../document/position";
 
+const noSlot = -1;
 /** Corners of a triangle. */
 const corners = 3;
 /** Beyond this many steps it is faster to write all faces than to replay the steps. */
@@ -16,7 +17,8 @@ export class FrontBuffers {
   /** Value per corner, which the colour shows. */
   readonly values: Float32Array<ArrayBuffer>;
   readonly #trace: Trace;
-  readonly #slotOf = new Map<number, number>();
+  /** Slot of each face that was ever made; noSlot if it is not part of the front. */
+  readonly #slotOf: Int32Array;
   readonly #free: number[] = [];
   #origin: Position = [0, 0, 0];
   #valueOf: (face: number) => number = () => 0;
@@ -28,6 +30,7 @@ export class FrontBuffers {
   constructor(trace: Trace) {
     this.#trace = trace;
     const capacity = trace.steps.frontSizes.reduce((most, size) => Math.max(most, size), 0);
+    this.#slotOf = new Int32Array(trace.faces.born.length).fill(noSlot);
     this.positions = new Float32Array(9 * capacity);
     this.values = new Float32Array(corners * capacity);
   }
@@ -68,7 +71,7 @@ export class FrontBuffers {
   }
 
   #writeAll(step: number): void {
-    this.#slotOf.clear();
+    this.#slotOf.fill(noSlot);
     this.#free.length = 0;
     const before = this.#slots;
     this.#slots = 0;
@@ -85,9 +88,9 @@ export class FrontBuffers {
   }
 
   readonly #remove = (face: number): void => {
-    const slot = this.#slotOf.get(face);
-    if (slot === undefined) return;
-    this.#slotOf.delete(face);
+    const slot = this.#slotOf[face] ?? noSlot;
+    if (slot === noSlot) return;
+    this.#slotOf[face] = noSlot;
     this.#free.push(slot);
     this.positions.fill(0, 9 * slot, 9 * slot + 9);
     this.#note(slot, slot);
@@ -95,20 +98,22 @@ export class FrontBuffers {
 
   readonly #add = (face: number): void => {
     const slot = this.#free.pop() ?? this.#slots++;
-    this.#slotOf.set(face, slot);
+    this.#slotOf[face] = slot;
     const { faces, nodes } = this.#trace;
+    const value = this.#valueOf(face);
     for (let corner = 0; corner < corners; corner++) {
+      this.values[corners * slot + corner] = value;
       const node = faces.nodes[corners * face + corner] ?? 0;
       for (let axis = 0; axis < 3; axis++)
         this.positions[9 * slot + 3 * corner + axis] =
           (nodes.positions[3 * node + axis] ?? 0) - (this.#origin[axis] ?? 0);
     }
-    this.values.fill(this.#valueOf(face), corners * slot, corners * slot + corners);
     this.#note(slot, slot);
   };
 
   #note(first: number, last: number): void {
-    const [low, high] = this.#written ?? [first, last];
-    this.#written = [Math.min(low, first), Math.max(high, last)];
+    if (!this.#written) this.#written = [first, last];
+    this.#written[0] = Math.min(this.#written[0], first);
+    this.#written[1] = Math.max(this.#written[1], last);
   }
 }

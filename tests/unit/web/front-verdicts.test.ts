@@ -1,0 +1,38 @@
+/** The engine's verdicts on real models, against an independent check: the paper's test in doubles. */
+import { readFileSync } from "node:fs";
+import { createMesher, readProject, readTrace, recordTrace, type Trace } from "tetrafront";
+import { expect, test } from "vitest";
+import { crossedFaces, crossesFace, isBehind, newElement, touching } from "../../../web/player/judge";
+
+async function record(id: string): Promise<Trace> {
+  const file = new URL(`../../../public/models/${id}.json`, import.meta.url);
+  const project = readProject(readFileSync(file, "utf8"));
+  if (!project.success) throw new Error(project.errors[0].message);
+  const mesher = await createMesher();
+  const { trace: bytes } = await recordTrace(mesher, project.value, { optimization: "none" });
+  mesher.dispose();
+  const read = readTrace(bytes ?? new Uint8Array());
+  if (!read.success) throw new Error(read.errors[0].message);
+  return read.value;
+}
+
+test.each(["unit-cube"])(
+  "%s: accepted candidates cross nothing, and refused ones fail for the reason given",
+  async (id) => {
+    const trace = await record(id);
+    let crossing = 0;
+    for (let i = 1; i <= trace.stepCount; i++) {
+      const step = trace.stepAt(i);
+      if (step?.kind !== "advance") continue;
+      for (const { node, isNew, position, verdict, culprit } of step.candidates) {
+        const element = newElement(trace, step.face, position, isNew ? null : node);
+        if (verdict === "behind") expect(isBehind(element), `step ${i}`).toBe(true);
+        if (verdict === "accepted") expect(crossedFaces(trace, i - 1, element), `step ${i}`).toEqual([]);
+        if (verdict !== "crosses") continue;
+        ++crossing;
+        expect(crossesFace(trace, element, culprit ?? 0, touching), `step ${i}`).toBe(true);
+      }
+    }
+    expect(crossing).toBe(trace.summary().refused.crosses);
+  },
+);
