@@ -1,36 +1,145 @@
-import { expect, test, type Page } from "@playwright/test";
+import { expect, test, type Locator, type Page } from "@playwright/test";
+import { parseVtu } from "../support/mesh-files";
+import { measured } from "../support/mesh-measures";
 import { AppPage } from "./app-page";
+import { downloadMesh } from "./downloads";
 
-/** Opens an empty project. */
-async function openNew(page: Page): Promise<AppPage> {
-  const app = new AppPage(page);
-  await app.openCube();
-  await page.getByRole("menuitem", { name: "File" }).click();
-  await page.getByRole("menuitem", { name: "New project" }).click();
-  await expect(page.getByTestId("project-name")).toHaveValue("Untitled");
-  return app;
+/** Opens an empty project, and counts the clicks and keys of the user from then on. Typed text is one action. */
+class PiecesPage {
+  readonly app: AppPage;
+  readonly panel: Locator;
+  readonly #page: Page;
+  actions = 0;
+
+  constructor(page: Page) {
+    this.#page = page;
+    this.app = new AppPage(page);
+    this.panel = page.getByTestId("operation");
+  }
+
+  async open(scheme: "dark" | "light" = "dark"): Promise<void> {
+    await this.#page.addInitScript((chosen) => {
+      localStorage.setItem("mantine-color-scheme-value", chosen);
+    }, scheme);
+    await this.#page.goto("./?new=1&test=1");
+    await expect(this.app.viewport).toHaveAttribute("data-status", "none");
+  }
+
+  async press(...keys: readonly string[]): Promise<void> {
+    for (const key of keys) await this.#page.keyboard.press(key);
+    this.actions += keys.length;
+  }
+
+  async type(text: string): Promise<void> {
+    await this.#page.keyboard.type(text);
+    ++this.actions;
+  }
+
+  async click(locator: Locator): Promise<void> {
+    await locator.click();
+    ++this.actions;
+  }
+
+  /** Opens the panel of a command by the palette. */
+  async start(command: string): Promise<void> {
+    await this.press("Control+k");
+    const search = this.#page.getByRole("dialog").getByRole("textbox", { name: "Search commands" });
+    await expect(search).toBeFocused();
+    await this.type(command);
+    await this.press("Enter");
+    await expect(this.panel).toBeVisible();
+    await expect(this.panel.locator(":focus")).toHaveCount(1);
+  }
+
+  /** Accepts the values of the panel. */
+  async accept(): Promise<void> {
+    await this.press("Enter");
+    await expect(this.panel).toBeHidden();
+  }
+
+  /** Meshes the model and returns the measures of the file that the app downloads. */
+  async mesh() {
+    await this.press("Control+Enter");
+    await this.app.meshed();
+    const { volume, ...defects } = measured(parseVtu(await downloadMesh(this.#page, /VTU/)));
+    expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
+    return volume;
+  }
+
+  /** A row of the tree. */
+  row(key: string): Locator {
+    return this.#page.getByTestId(`tree-${key}`);
+  }
 }
 
-/** Runs a command by the palette. */
-async function runByPalette(page: Page, name: string): Promise<void> {
-  await page.keyboard.press("Control+k");
-  await page
-    .getByRole("searchbox")
-    .or(page.getByPlaceholder(/command/i))
-    .fill(name);
-  await page.keyboard.press("Enter");
+for (const { command, expected } of [
+  { command: "Box…", expected: 2 },
+  { command: "Cylinder…", expected: 4 * Math.PI },
+  { command: "Sphere…", expected: (32 * Math.PI) / 3 },
+]) {
+  test(`${command} makes a piece by keyboard only, which is meshed and downloaded`, async ({ page }) => {
+    const pieces = new PiecesPage(page);
+    await pieces.open();
+    await pieces.start(command);
+    await pieces.type("4/2");
+    await pieces.accept();
+    const share = (await pieces.mesh()) / expected;
+    expect(share).toBeGreaterThan(0.95);
+    expect(share).toBeLessThan(1 + 1e-9);
+  });
 }
 
-test("a box is created by keyboard only and meshed", async ({ page }) => {
-  const app = await openNew(page);
-  await runByPalette(page, "Box…");
-  const panel = page.getByTestId("operation");
-  await expect(panel.getByTestId("operation-width")).toBeFocused();
-  await page.keyboard.type("2");
-  await page.keyboard.press("Tab");
-  await page.keyboard.type("3/2");
-  await page.keyboard.press("Enter");
-  await expect(panel).toBeHidden();
-  const mesh = await app.generate();
-  expect(mesh.tets).toBeGreaterThan(20);
+test("a cube with a hole through takes at most 25 actions", async ({ page }) => {
+  const pieces = new PiecesPage(page);
+  await pieces.open();
+  await pieces.start("Box…");
+  await pieces.accept();
+  await pieces.click(pieces.row("patch-2"));
+  await pieces.start("Hole through…");
+  await pieces.type("0.5");
+  await pieces.accept();
+  const volume = await pieces.mesh();
+  expect(volume).toBeGreaterThan(1 - Math.PI / 16);
+  expect(volume).toBeLessThan(1 - 0.9 * (Math.PI / 16));
+  expect(pieces.actions).toBeLessThanOrEqual(25);
+});
+
+test("copies, a mirror image and an array are one step of undo each", async ({ page, context }) => {
+  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+  const pieces = new PiecesPage(page);
+  await pieces.open();
+  await pieces.start("Box…");
+  await pieces.accept();
+  await expect(pieces.row("patch-6")).toHaveAttribute("aria-selected", "true");
+  const undo = page.getByTestId("undo");
+  for (const { open, last } of [
+    { open: () => pieces.start("Mirror…"), last: 11 },
+    { open: () => pieces.start("Linear array…"), last: 18 },
+    { open: () => pieces.press("Control+d"), last: 11 },
+    { open: () => pieces.press("Control+c", "Control+v"), last: 11 },
+  ]) {
+    await open();
+    await expect(pieces.panel.locator(":focus")).toHaveCount(1);
+    if (last === 11) await pieces.type("1/2");
+    await pieces.accept();
+    await expect(pieces.row(`patch-${last}`)).toBeVisible();
+    await expect(pieces.row(`patch-${last + 1}`)).toBeHidden();
+    await undo.click();
+    await expect(pieces.row("patch-7")).toBeHidden();
+    await expect(pieces.row("patch-6")).toBeVisible();
+    await page.keyboard.press("Escape");
+    await pieces.row("patch-1").click();
+    for (let id = 2; id <= 6; ++id) await pieces.row(`patch-${id}`).click({ modifiers: ["ControlOrMeta"] });
+  }
+});
+
+test("Escape closes the panel and restores the project; other edits accept it", async ({ page }) => {
+  const pieces = new PiecesPage(page);
+  await pieces.open();
+  await pieces.start("Box…");
+  await expect(pieces.row("patch-6")).toBeVisible();
+  await pieces.press("Escape");
+  await expect(pieces.panel).toBeHidden();
+  await expect(pieces.row("patch-6")).toBeHidden();
+  await expect(page.getByTestId("undo")).toBeDisabled();
 });

@@ -2,15 +2,14 @@ import type { App } from "../app/app";
 import { isEmptyProject } from "../document/entities";
 import type { Operation } from "../document/operations/operation";
 import { pieceOperations } from "../document/operations/pieces";
+import { sweepOperations } from "../document/operations/sweeps";
+import { duplicateOperation, transformOperations } from "../document/operations/transforms";
 import { settledProject } from "../session/document-store";
 import { operationStrings } from "../strings";
+import { copySelection, hasNoText, pasteFragment } from "./clipboard-actions";
+import { hasSelection } from "./conditions";
+import { startOperation } from "./start-operation";
 import { define, type Command, type MenuName } from "./command";
-
-/** Opens the panel of an operation. */
-export function startOperation(app: App, operation: Operation): void {
-  app.shell.setState({ drawer: null, dialog: null });
-  app.operations.start(operation);
-}
 
 /** Accepts what the open operation gives. A model that was empty before is fitted into the view. */
 export function acceptOperation(app: App): void {
@@ -28,7 +27,38 @@ const open = (menu: MenuName, section: number, operation: Operation, key?: strin
     key === undefined ? {} : { keys: [key] },
   );
 
-/** Commands that open the panel of an operation. */
-export const operationCommands: readonly Command[] = pieceOperations.map((operation) =>
+/** Commands that open the panel of an operation that creates. */
+export const pieceCommands: readonly Command[] = pieceOperations.map((operation) =>
   open("create", 10, operation),
 );
+
+/** Commands that open the panel of an operation that sweeps the selection or drills a hole. */
+export const sweepCommands: readonly Command[] = sweepOperations.map((operation) =>
+  open("create", 11, operation),
+);
+
+/** Commands that copy the selection, or open the panel of an operation that transforms it. */
+export const transformCommands: readonly Command[] = [
+  define("edit", 3)("copy", operationStrings.copy, (app) => void copySelection(app), {
+    keys: ["mod+C"],
+    enabled: (app) => hasSelection(app) && hasNoText(),
+  }),
+  define("edit", 3)(
+    "paste",
+    operationStrings.opens(operationStrings.paste.title),
+    (app) => void pasteFragment(app),
+    {
+      keys: ["mod+V"],
+    },
+  ),
+  define("edit", 3)(
+    "duplicate",
+    operationStrings.duplicate,
+    (app) => startOperation(app, duplicateOperation),
+    {
+      keys: ["mod+D"],
+      enabled: hasSelection,
+    },
+  ),
+  ...transformOperations.map((operation) => open("edit", 4, operation)),
+];

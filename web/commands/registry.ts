@@ -8,7 +8,7 @@ import { frontCommands } from "./front-commands";
 import { helpMenu } from "./help-menu";
 import { meshMenu } from "./mesh-menu";
 import { toolCommands } from "./tool-commands";
-import { operationCommands } from "./operation-commands";
+import { pieceCommands, sweepCommands, transformCommands } from "./operation-commands";
 import { viewMenu } from "./view-menu";
 
 /** Every command, in the order of the menus. */
@@ -16,8 +16,10 @@ export const commands: readonly Command[] = [
   ...fileMenu,
   ...editMenu,
   ...toolCommands.filter(({ menu }) => menu !== "view"),
+  ...transformCommands,
   ...createMenu,
-  ...operationCommands,
+  ...pieceCommands,
+  ...sweepCommands,
   ...viewMenu,
   ...toolCommands.filter(({ menu }) => menu === "view"),
   ...meshMenu,

@@ -2,7 +2,7 @@ import type { Project, ProjectLine, ProjectPatch, ProjectPoint } from "tetrafron
 import type { Creation } from "./create";
 import { nextId } from "./create";
 import type { Entity } from "./entities";
-import { lineKey, sameCourse } from "./line-courses";
+import { lineKey, loopsKey, sameCourse } from "./line-courses";
 import { PointIndex } from "./point-index";
 import type { Position } from "./position";
 import type { Shape, ShapeLine } from "./shape";
@@ -81,17 +81,6 @@ function freeName(name: string, taken: Set<string>): string {
   return free;
 }
 
-/** Identifies the lines around a patch, in any order and direction. */
-function loopsKey(loops: readonly (readonly number[])[]): string {
-  const keyOf = (loop: readonly number[]): string =>
-    loop
-      .map(Math.abs)
-      .sort((a, b) => a - b)
-      .join(" ");
-  const [outer = [], ...holes] = loops;
-  return [keyOf(outer), ...holes.map(keyOf).sort()].join("; ");
-}
-
 /** Gives ids to the points and lines of a shape. */
 class LineInsertion {
   readonly newPoints: ProjectPoint[] = [];
@@ -163,6 +152,17 @@ class LineInsertion {
     }
     return undefined;
   }
+}
+
+/** Returns lists with the records of an insertion; unchanged lists stay the same. */
+export function withInsertion(lists: Pick<Project, "points" | "lines" | "patches">, made: Insertion) {
+  const joined = <Item>(list: readonly Item[], more: readonly Item[]): readonly Item[] =>
+    more.length === 0 ? list : [...list, ...more];
+  return {
+    points: joined(lists.points, made.points),
+    lines: joined(lists.lines, made.lines),
+    patches: joined(lists.patches, made.patches),
+  };
 }
 
 /** Adds the records of an insertion to the lists of a project. */

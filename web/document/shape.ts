@@ -34,12 +34,21 @@ export function placedIn(shape: Shape, frame: Frame): Shape {
   return mapPoints(shape, (position) => fromFrame(frame, position));
 }
 
-/** Builds a shape step by step. Lines with the same ends and type are made once. */
+/** Builds a shape step by step, from nothing or from a shape to extend. Straight lines with the same ends are made once. */
 export class ShapeBuilder implements Shape {
-  readonly points: Position[] = [];
-  readonly lines: ShapeLine[] = [];
-  readonly patches: ShapePatch[] = [];
+  readonly points: Position[];
+  readonly lines: ShapeLine[];
+  readonly patches: ShapePatch[];
   readonly #straight = new Map<string, number>();
+
+  constructor({ points, lines, patches }: Shape = { points: [], lines: [], patches: [] }) {
+    this.points = [...points];
+    this.lines = [...lines];
+    this.patches = [...patches];
+    for (const [index, line] of lines.entries()) {
+      if (line.type === "straight") this.#straight.set(line.points.join(" "), index + 1);
+    }
+  }
 
   /** Adds a point. Returns its index. */
   point(position: Position): number {
@@ -69,8 +78,8 @@ export class ShapeBuilder implements Shape {
     return points.map((from, i) => this.straight(from, points[(i + 1) % points.length] ?? from));
   }
 
-  patch(type: PatchType, loops: readonly (readonly number[])[], name: string): void {
-    this.patches.push({ type, loops, name });
+  patch(type: PatchType, loops: readonly (readonly number[])[], name?: string): void {
+    this.patches.push({ type, loops, ...(name !== undefined && { name }) });
   }
 
   /** Returns what was built. */

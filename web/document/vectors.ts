@@ -102,3 +102,19 @@ export function mean(positions: readonly Position[]): Position {
   if (positions.length === 0) return zero;
   return scale(positions.reduce(add, zero), 1 / positions.length);
 }
+
+/** Cosine and sine of a share of a full turn, exact for multiples of a quarter: no rounding where none is needed. */
+export function turn(share: number): readonly [cosine: number, sine: number] {
+  const quarters = 4 * share;
+  if (Number.isInteger(quarters)) {
+    const exact = [
+      [1, 0],
+      [0, 1],
+      [-1, 0],
+      [0, -1],
+    ] as const;
+    return exact[((quarters % 4) + 4) % 4] ?? [1, 0];
+  }
+  const angle = 2 * Math.PI * share;
+  return [Math.cos(angle), Math.sin(angle)];
+}

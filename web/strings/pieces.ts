@@ -7,6 +7,12 @@ const patches = {
   left: "left",
   right: "right",
   side: "side",
+  tip: "tip",
+  root: "root",
+  upper: "upper",
+  lower: "lower",
+  start: "start",
+  end: "end",
   numbered: (name: string, number: number) => `${name} ${number}`,
 } as const;
 

@@ -1,0 +1,247 @@
+import { createMesher, type Mesher, type Project } from "tetrafront";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { documentKey } from "../../../web/document/content-keys";
+import type { Offer } from "../../../web/document/create";
+import type { Entity } from "../../../web/document/entities";
+import { transformOperations } from "../../../web/document/operations/transforms";
+import type { Operation, FieldValues } from "../../../web/document/operations/operation";
+import { box } from "../../../web/document/pieces/box";
+import { cylinder } from "../../../web/document/pieces/cylinder";
+import { prism } from "../../../web/document/pieces/prism";
+import type { Position } from "../../../web/document/position";
+import {
+  determinant,
+  mapPosition,
+  reflectionAt,
+  repeated,
+  rotationAbout,
+  scalingAbout,
+  translation,
+} from "../../../web/document/transforms/affine";
+import { joinPoints } from "../../../web/document/transforms/join-points";
+import { offerCopies } from "../../../web/document/transforms/copies";
+import { offerTransform } from "../../../web/document/transforms/transform";
+import { ShapeBuilder } from "../../../web/document/shape";
+import { pasteOperation } from "../../../web/document/operations/paste";
+import { offerExtrusion } from "../../../web/document/transforms/extrude";
+import { fragmentText, readFragment } from "../../../web/document/transforms/fragment";
+import { offerHoleThrough } from "../../../web/document/transforms/hole-through";
+import { offerRevolution } from "../../../web/document/transforms/revolve";
+import { DocumentStore } from "../../../web/session/document-store";
+import { regionVolumes } from "../../support/check-mesh";
+import { expectValid } from "../../support/expect-valid";
+import { projectOf } from "../../support/pieces";
+import { randomSource } from "../../support/random";
+
+let mesher: Mesher;
+beforeAll(async () => void (mesher = await createMesher()));
+afterAll(() => mesher.dispose());
+
+const allPatches = (project: Project): Entity[] =>
+  project.patches.map(({ id }) => ({ kind: "patch", id }) as const);
+
+/** Applies an offer, checks that undo restores the project, and returns the new project. */
+function applied(project: Project, offer: Offer): Project {
+  if (!offer.possible) throw new Error(offer.reason);
+  const documents = new DocumentStore(project, () => 0);
+  const before = documentKey(project);
+  documents.edit(offer.creation.edit);
+  const after = documents.project;
+  documents.undo();
+  expect(documentKey(documents.project)).toBe(before);
+  for (const list of [after.points, after.lines, after.patches]) {
+    expect(new Set(list.map(({ id }) => id)).size).toBe(list.length);
+  }
+  return after;
+}
+
+async function volumesOf(project: Project): Promise<number[]> {
+  const result = await mesher.meshProject(project);
+  expect(result.report.diagnostics.filter(({ severity }) => severity !== "information")).toEqual([]);
+  expectValid(result);
+  return regionVolumes(result.surface);
+}
+
+function operationNamed(id: string): Operation {
+  const found = transformOperations.find((operation) => operation.id === id);
+  if (!found) throw new Error(id);
+  return found;
+}
+
+/** Runs an operation on all patches with some of its first values changed. */
+function operated(project: Project, id: string, values: FieldValues): Project {
+  const operation = operationNamed(id);
+  const subject = { project, selection: allPatches(project) };
+  return applied(project, operation.make(subject, { ...operation.initial(subject), ...values }));
+}
+
+const options = { label: "Test", join: true };
+
+describe("affine maps", () => {
+  const next = randomSource(7);
+  const random = (): number => next() / 2 ** 32;
+  const position = (): Position => [random() - 0.5, random() - 0.5, random() - 0.5];
+
+  it("keep centres and have the determinants of their kinds", () => {
+    for (let trial = 0; trial < 50; ++trial) {
+      const [centre, axis] = [position(), position()];
+      const rotation = rotationAbout(centre, axis, 360 * random());
+      const reflection = reflectionAt(centre, axis);
+      for (const map of [rotation, reflection, scalingAbout(centre, [2, 3, 4])]) {
+        mapPosition(map, centre).forEach((x, k) => expect(x).toBeCloseTo(centre[k] ?? 0, 12));
+      }
+      expect(determinant(rotation)).toBeCloseTo(1, 12);
+      expect(determinant(reflection)).toBeCloseTo(-1, 12);
+      expect(determinant(scalingAbout(centre, [2, 3, 4]))).toBeCloseTo(24, 12);
+    }
+  });
+
+  it("four quarter turns are exact", () => {
+    const [, , , full] = repeated(rotationAbout([1, 0, 0], [0, 0, 1], 90), 4);
+    expect(full && mapPosition(full, [3, 4, 5])).toEqual([3, 4, 5]);
+  });
+});
+
+describe("transforms", () => {
+  const cube = projectOf([box(1, 1, 1)], 0.4);
+
+  it.each([
+    ["translated", translation([3, -2, 1]), 1],
+    ["rotated", rotationAbout([1, 2, 3], [1, 1, 0], 37), 1],
+    ["scaled", scalingAbout([1, 1, 1], [2, 3, 0.5]), 3],
+    ["mirrored", reflectionAt([0, 0, 3], [1, 2, 3]), 1],
+  ])("a cube is %s", async (_, map, factor) => {
+    const moved = applied(cube, offerTransform(cube, allPatches(cube), map, options));
+    expect(await volumesOf(moved)).toEqual([expect.closeTo(factor, 9)]);
+    const copied = applied(cube, offerCopies(cube, allPatches(cube), [map], { ...options, join: false }));
+    expect(copied.patches).toHaveLength(12);
+  });
+
+  it("copies side by side share what coincides", async () => {
+    const row = operated(cube, "array-linear", { spacing: 1, count: 3 });
+    expect([row.points.length, row.lines.length, row.patches.length]).toEqual([16, 28, 16]);
+    expect(await volumesOf(row)).toEqual([1, 1, 1].map((volume) => expect.closeTo(volume, 9) as number));
+    const mirrored = operated(cube, "transform-mirror", { point: [0.5, 0, 0] });
+    expect(mirrored.patches).toHaveLength(11);
+    expect(await volumesOf(mirrored)).toHaveLength(2);
+  });
+
+  it("a circular array of sectors closes", async () => {
+    const wedge = projectOf([prism(3, 1, 1)], 0.5);
+    const apex = wedge.points.find(({ position: [x, , z] }) => x === 1 && z === 0);
+    const ring = operated(wedge, "array-circular", { centre: apex?.position ?? [0, 0, 0], count: 6 });
+    const area = (3 * Math.sqrt(3)) / 4;
+    const volumes = await volumesOf(ring);
+    expect(volumes).toHaveLength(6);
+    for (const volume of volumes) expect(volume).toBeCloseTo(area, 9);
+  });
+
+  it("points that are moved onto others are joined, with their lines and patches", async () => {
+    const two = projectOf([box(1, 1, 1)], 0.4);
+    const apart = applied(two, offerCopies(two, allPatches(two), [translation([5, 0, 0])], options));
+    const copy = apart.patches.slice(6).map(({ id }) => ({ kind: "patch", id }) as const);
+    const together = applied(apart, offerTransform(apart, copy, translation([-4, 0, 0]), options));
+    expect([together.points.length, together.lines.length, together.patches.length]).toEqual([12, 20, 11]);
+    expect(await volumesOf(together)).toHaveLength(2);
+    expect(joinPoints(together)).toBe(together);
+  });
+
+  it("says what to select", () => {
+    const operation = operationNamed("transform-move");
+    const subject = { project: cube, selection: [] };
+    expect(operation.make(subject, operation.initial(subject))).toMatchObject({ possible: false });
+  });
+});
+
+describe("sweeps", () => {
+  const cube = projectOf([box(1, 1, 1)], 0.4);
+  const top = cube.patches.find(({ name }) => name === "top")?.id ?? 0;
+  const patch = (id: number): Entity[] => [{ kind: "patch", id }];
+  const extrudedBy = (project: Project, selection: Entity[], vector: Position, keepBase = true): Project =>
+    applied(project, offerExtrusion(project, selection, vector, { label: "Extrude", keepBase }));
+
+  it("a patch is extruded to a region of its own, or as a part of its region", async () => {
+    const two = extrudedBy(cube, patch(top), [0.5, 0, 2]);
+    expect(two.patches).toHaveLength(11);
+    expect(await volumesOf(two)).toEqual([1, 2].map((volume) => expect.closeTo(volume, 9) as number));
+    const one = extrudedBy(cube, patch(top), [0, 0, 2], false);
+    expect(one.patches).toHaveLength(10);
+    expect(await volumesOf(one)).toEqual([expect.closeTo(3, 9)]);
+  });
+
+  it("lines of a closed loop are extruded to a solid", async () => {
+    const outline = projectOf([{ ...prism(5, 1, 1), patches: [] }], 0.4);
+    const base = outline.lines
+      .filter(({ points }) =>
+        points.every((id) => outline.points.find((point) => point.id === id)?.position[2] === 0),
+      )
+      .map(({ id }) => ({ kind: "line", id }) as const);
+    const solid = extrudedBy({ ...outline, lines: outline.lines.slice(0, 5) }, base, [0, 0, 2]);
+    expect(solid.patches).toHaveLength(7);
+    expect(await volumesOf(solid)).toEqual([expect.closeTo(5 * Math.sin((2 * Math.PI) / 5), 9)]);
+  });
+
+  it("a circle is extruded to a cylinder", async () => {
+    const disc = cylinder(1, 1, 1);
+    const project = projectOf([{ ...disc, patches: disc.patches.slice(0, 1) }], 0.3);
+    const raised = extrudedBy(project, patch(project.patches[0]?.id ?? 0), [0, 0, 2]);
+    expect(raised.patches.map(({ type }) => type)).toEqual(["planar", "tube", "planar"]);
+    expect((await volumesOf(raised))[0]).toBeGreaterThan(0.97 * 2 * Math.PI);
+  });
+
+  const revolve = (project: Project, selection: Entity[], point: Position, angle: number): Project =>
+    applied(
+      project,
+      offerRevolution(project, selection, { point, axis: [0, 0, 1], angle }, { label: "R", keepBase: true }),
+    );
+  const rectangle = (x: number): Project => {
+    const corners: Position[] = [[x, 0, 0], [x + 1, 0, 0], [x + 1, 0, 1], [x, 0, 1]]; // prettier-ignore
+    const builder = new ShapeBuilder({ points: corners, lines: [], patches: [] });
+    builder.patch("planar", [builder.polygon([0, 1, 2, 3])]);
+    return projectOf([builder.shape], 0.4);
+  };
+
+  it.each([
+    ["a sector beside the axis", 1, 90, (3 * Math.PI) / 4],
+    ["a ring beside the axis", 1, 360, 3 * Math.PI],
+    ["a sector at the axis", 0, 200, (Math.PI * 200) / 360],
+    ["a cylinder at the axis", 0, -360, Math.PI],
+  ])("a rectangle is revolved to %s", async (_, x, angle, expected) => {
+    const project = rectangle(x);
+    const solid = revolve(project, patch(project.patches[0]?.id ?? 0), [0, 0, 0], angle);
+    const volumes = await volumesOf(solid);
+    expect(volumes).toHaveLength(1);
+    expect((volumes[0] ?? 0) / expected).toBeGreaterThan(0.96);
+    expect((volumes[0] ?? 0) / expected).toBeLessThan(1.0001);
+  });
+
+  it("a hole goes through to the patch opposite", async () => {
+    const hole = { patch: top, centre: [0.1, 0.1, 7] as Position, diameter: 0.5 };
+    const drilled = applied(cube, offerHoleThrough(cube, hole, "Hole"));
+    expect(drilled.patches.filter(({ loops }) => loops.length === 2)).toHaveLength(3);
+    const [volume = 0, ...others] = await volumesOf({ ...drilled, meshing: { size: 0.15 } });
+    expect(others).toEqual([]);
+    expect(volume).toBeGreaterThan(1 - Math.PI / 16);
+    expect(volume).toBeLessThan(1 - 0.94 * (Math.PI / 16));
+    expect(offerHoleThrough(cube, { ...hole, diameter: 0.9 }, "Hole").possible).toBe(false);
+  });
+});
+
+describe("the clipboard", () => {
+  it("has the selection as a project, and pastes it into another", async () => {
+    const cube = projectOf([box(1, 1, 1)], 0.4);
+    const text = fragmentText(cube, allPatches(cube));
+    const read = readFragment(text ?? "");
+    if (!("fragment" in read)) throw new Error(read.reason);
+    const paste = pasteOperation(read.fragment);
+    const other = projectOf([], 0.4);
+    const into = (project: Project): Project => {
+      const subject = { project, selection: [] };
+      return applied(project, paste.make(subject, paste.initial(subject)));
+    };
+    expect(await volumesOf(into(other))).toEqual([expect.closeTo(1, 12)]);
+    expect(await volumesOf(into(cube))).toHaveLength(2);
+    expect("reason" in readFragment("{}")).toBe(true);
+    expect(fragmentText(cube, [])).toBeNull();
+  });
+});

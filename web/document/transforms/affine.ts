@@ -1,0 +1,95 @@
+import { combined, noRotation, type Quaternion } from "../placement";
+import type { Position } from "../position";
+import { add, addScaled, cross, dot, scale, subtract, turn, unit, zero } from "../vectors";
+
+/** A map of space that keeps straight lines straight: p becomes its linear part times p, plus an offset. */
+export interface Affine {
+  /** Images of the directions x, y and z. */
+  readonly columns: readonly [Position, Position, Position];
+  readonly offset: Position;
+  /** Rotation and factor of a map that keeps all angles and does not mirror; null for other maps. */
+  readonly similarity: { readonly rotation: Quaternion; readonly factor: number } | null;
+}
+
+const axes: readonly [Position, Position, Position] = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+
+/** Returns the image of a direction: without the offset. */
+export function mapDirection({ columns: [x, y, z] }: Affine, direction: Position): Position {
+  return add(add(scale(x, direction[0]), scale(y, direction[1])), scale(z, direction[2]));
+}
+
+export function mapPosition(map: Affine, position: Position): Position {
+  return add(mapDirection(map, position), map.offset);
+}
+
+/** Returns by how much the map enlarges volumes; negative if it mirrors. */
+export function determinant({ columns: [x, y, z] }: Affine): number {
+  return (
+    x[0] * (y[1] * z[2] - y[2] * z[1]) +
+    x[1] * (y[2] * z[0] - y[0] * z[2]) +
+    x[2] * (y[0] * z[1] - y[1] * z[0])
+  );
+}
+
+/** Returns by how much the map enlarges lengths, on average. */
+export const meanFactor = (map: Affine): number => Math.cbrt(Math.abs(determinant(map)));
+
+export function translation(offset: Position): Affine {
+  return { columns: axes, offset, similarity: { rotation: noRotation, factor: 1 } };
+}
+
+/** Returns the map with a linear part that leaves a centre where it is. */
+function about(centre: Position, columns: Affine["columns"], similarity: Affine["similarity"]): Affine {
+  const linear: Affine = { columns, offset: zero, similarity };
+  return { ...linear, offset: subtract(centre, mapDirection(linear, centre)) };
+}
+
+/** Returns the rotation about an axis through a centre, by degrees, counter-clockwise around the axis (Rodrigues). */
+export function rotationAbout(centre: Position, axis: Position, degrees: number): Affine {
+  const direction = unit(axis) ?? [0, 0, 1];
+  const [cosine, sine] = turn(degrees / 360);
+  const column = (k: 0 | 1 | 2): Position => {
+    const along = scale(direction, (1 - cosine) * dot(direction, axes[k]));
+    return addScaled(addScaled(along, axes[k], cosine), cross(direction, axes[k]), sine);
+  };
+  const half = (degrees * Math.PI) / 360;
+  const [x, y, z] = scale(direction, Math.sin(half));
+  const rotation: Quaternion = [x, y, z, Math.cos(half)];
+  return about(centre, [column(0), column(1), column(2)], { rotation, factor: 1 });
+}
+
+/** Returns the map that multiplies distances from a centre along each axis by a factor. */
+export function scalingAbout(centre: Position, [x, y, z]: Position): Affine {
+  const isSimilar = x === y && y === z && x > 0;
+  const columns = [scale(axes[0], x), scale(axes[1], y), scale(axes[2], z)] as const;
+  return about(centre, columns, isSimilar ? { rotation: noRotation, factor: x } : null);
+}
+
+/** Returns the reflection in the plane through a point with a normal. */
+export function reflectionAt(point: Position, normal: Position): Affine {
+  const n = unit(normal) ?? [0, 0, 1];
+  const column = (k: 0 | 1 | 2): Position => addScaled(axes[k], n, -2 * dot(axes[k], n));
+  return about(point, [column(0), column(1), column(2)], null);
+}
+
+/** Returns `first` followed by `then`. */
+export function followed(first: Affine, then: Affine): Affine {
+  const column = (k: 0 | 1 | 2): Position => mapDirection(then, first.columns[k]);
+  const similarity = first.similarity &&
+    then.similarity && {
+      rotation: combined(then.similarity.rotation, first.similarity.rotation),
+      factor: first.similarity.factor * then.similarity.factor,
+    };
+  return { columns: [column(0), column(1), column(2)], offset: mapPosition(then, first.offset), similarity };
+}
+
+/** Returns the map applied once, twice, and so on. */
+export function repeated(map: Affine, count: number): Affine[] {
+  const maps: Affine[] = [];
+  for (let i = 0; i < count; ++i) maps.push(followed(maps.at(-1) ?? translation(zero), map));
+  return maps;
+}

@@ -1,0 +1,141 @@
+import type { Project } from "tetrafront";
+import { operationStrings } from "../../strings";
+import { emptyProject, nextId, type Offer } from "../create";
+import { entityKey, type Entity } from "../entities";
+import { insertion, withInsertion, type Insertion } from "../insert-shape";
+import { mapPoints, type Shape } from "../shape";
+import { determinant, mapPosition, type Affine } from "./affine";
+import { replacing } from "./join-points";
+import { hasParts, selectedParts, shapeOf, type SelectedParts } from "./selected-parts";
+import { movedPlacement, movedSizes, type TransformOptions } from "./transform";
+
+const texts = operationStrings.refusals;
+
+/** Returns a shape after a map. A map that mirrors also reverses the loops, so that patches keep their outer side. */
+export function mappedShape(shape: Shape, map: Affine): Shape {
+  const moved = mapPoints(shape, (position) => mapPosition(map, position));
+  if (determinant(map) > 0) return moved;
+  const patches = moved.patches.map((patch) => ({
+    ...patch,
+    loops: patch.loops.map((loop) => loop.map((step) => -step).toReversed()),
+  }));
+  return { ...moved, patches };
+}
+
+/** Offers copies of the selected points, lines, patches, bodies and sources, one per map; the selection stays. */
+export function offerCopies(
+  project: Project,
+  selection: readonly Entity[],
+  maps: readonly Affine[],
+  options: TransformOptions,
+): Offer {
+  return offerCopiesFrom(project, project, selection, maps, options);
+}
+
+/** Offers copies of selected parts of the same or another project. */
+export function offerCopiesFrom(
+  project: Project,
+  from: Project,
+  selection: readonly Entity[],
+  maps: readonly Affine[],
+  { label, join }: TransformOptions,
+): Offer {
+  const parts = selectedParts(from, selection);
+  if (!hasParts({ ...parts, nodes: new Set() })) return { possible: false, reason: texts.nothingSelected };
+  if (parts.bodies.size > 0 && maps.some(({ similarity }) => !similarity)) {
+    return { possible: false, reason: texts.bodies };
+  }
+  const shape = shapeOf(parts);
+  let lists = project;
+  const entities: Entity[] = [];
+  for (const map of maps) {
+    const made = insertion(lists, mappedShape(shape, map), { join });
+    entities.push(...copiedEntities(selection, parts, made));
+    lists = { ...lists, ...withInsertion(lists, made) };
+    const others = copiedOthers(lists, from, parts, map);
+    entities.push(...others.entities);
+    lists = { ...lists, ...others.lists };
+  }
+  if (lists.points === project.points && lists.lines === project.lines && lists.patches === project.patches) {
+    const hasOthers = lists.bodies !== project.bodies || lists.background !== project.background;
+    if (!hasOthers) return { possible: false, reason: texts.allCoincide };
+  }
+  return {
+    possible: true,
+    creation: {
+      entities: distinct(entities),
+      edit: {
+        label,
+        replace: [
+          ...replacing(project, lists),
+          ...(lists.bodies !== project.bodies ? [[["project", "bodies"], lists.bodies] as const] : []),
+          ...(lists.background !== project.background
+            ? [[["project", "background"], lists.background] as const]
+            : []),
+        ],
+      },
+    },
+  };
+}
+
+/** Returns entities without repetitions: copies may share some. */
+function distinct(entities: readonly Entity[]): Entity[] {
+  return [...new Map(entities.map((entity) => [entityKey(entity), entity])).values()];
+}
+
+/** The copies of what was selected itself, of the drawn kinds. */
+function copiedEntities(selection: readonly Entity[], parts: SelectedParts, made: Insertion): Entity[] {
+  const copyOf = ({ kind, id }: Entity): Entity[] => {
+    const isIt = (record: { readonly id: number }): boolean => record.id === id;
+    const copy =
+      kind === "point"
+        ? made.pointIds[parts.points.findIndex(isIt)]
+        : kind === "line"
+          ? made.lineIds[parts.lines.findIndex(isIt)]
+          : kind === "patch"
+            ? made.patchIds[parts.patches.findIndex(isIt)]
+            : undefined;
+    return copy === undefined ? [] : [{ kind, id: Math.abs(copy) }];
+  };
+  return selection.flatMap(copyOf);
+}
+
+/** Copies of bodies and sources. */
+function copiedOthers(project: Project, from: Project, parts: SelectedParts, map: Affine) {
+  const bodies = copiedBodies(project, from, parts, map);
+  const sources = copiedSources(project, from, parts, map);
+  const { background } = project;
+  return {
+    entities: [
+      ...bodies.map(({ id }): Entity => ({ kind: "body", id })),
+      ...sources.map(({ id }): Entity => ({ kind: "source", id })),
+    ],
+    lists: {
+      ...(bodies.length > 0 && { bodies: [...(project.bodies ?? []), ...bodies] }),
+      ...(sources.length > 0 && {
+        background: { ...background, sources: [...(background.sources ?? []), ...sources] },
+      }),
+    },
+  };
+}
+
+function copiedBodies(project: Project, from: Project, { bodies }: SelectedParts, map: Affine) {
+  const first = nextId(project, "body");
+  let patch = nextId(project, "patch");
+  return (from.bodies ?? [])
+    .filter(({ id }) => bodies.has(id))
+    .map((body, i) => ({
+      ...body,
+      id: first + i,
+      placement: movedPlacement(body.placement, map),
+      patches: body.patches.map((own) => ({ ...own, id: patch++ })),
+    }));
+}
+
+function copiedSources(project: Project, from: Project, { sources }: SelectedParts, map: Affine) {
+  const first = nextId(project, "source");
+  const moved = movedSizes(from.background, { ...emptyParts, sources }, map).sources ?? [];
+  return moved.filter(({ id }) => sources.has(id)).map((source, i) => ({ ...source, id: first + i }));
+}
+
+const emptyParts: SelectedParts = selectedParts(emptyProject(), []);

@@ -1,0 +1,95 @@
+import type { Project, ProjectLine, ProjectPatch, ProjectPoint } from "tetrafront";
+import { coincidenceLength } from "../insert-shape";
+import { lineKey, loopsKey, sameCourse } from "../line-courses";
+import { PointIndex } from "../point-index";
+import type { Position } from "../position";
+import { distance, zero } from "../vectors";
+
+type Drawn = Pick<Project, "points" | "lines" | "patches">;
+
+/** The drawn records of a project after points were joined. */
+export interface Joined {
+  readonly points: readonly ProjectPoint[];
+  readonly lines: readonly ProjectLine[];
+  readonly patches: readonly ProjectPatch[];
+}
+
+/**
+ * Joins points at one position, then lines with the same course and patches within the same lines, into the first of each.
+ * Returns the same lists if nothing coincides. O(size).
+ */
+export function joinPoints(project: Project): Joined {
+  const tolerance = coincidenceLength(project);
+  const index = new PointIndex<number>(tolerance);
+  const pointIds = new Map<number, number>();
+  for (const { id, position } of project.points) {
+    const same = index.find(position);
+    if (same === undefined) index.add(position, id);
+    else pointIds.set(id, same);
+  }
+  if (pointIds.size === 0) return project;
+  const points = project.points.filter(({ id }) => !pointIds.has(id));
+  const moved = project.lines.map((line) =>
+    line.points.some((id) => pointIds.has(id))
+      ? { ...line, points: line.points.map((id) => pointIds.get(id) ?? id) }
+      : line,
+  );
+  const { lines, lineIds } = joinLines(moved, points, tolerance);
+  return { points, lines, patches: joinPatches(project.patches, lineIds) };
+}
+
+/** Signed ids of the lines that stay, for the lines that go. */
+type LineIds = ReadonlyMap<number, number>;
+
+function joinLines(
+  all: readonly ProjectLine[],
+  points: readonly ProjectPoint[],
+  tolerance: number,
+): { readonly lines: readonly ProjectLine[]; readonly lineIds: LineIds } {
+  const positions = new Map(points.map(({ id, position }) => [id, position]));
+  const courseOf = (line: ProjectLine): Position[] => line.points.map((id) => positions.get(id) ?? zero);
+  const isSame = (a: Position, b: Position): boolean => distance(a, b) <= tolerance;
+  const known = new Map<string, ProjectLine[]>();
+  const lineIds = new Map<number, number>();
+  for (const line of all) {
+    const key = lineKey(line);
+    const candidates = known.get(key) ?? [];
+    const course = courseOf(line);
+    const directionTo = (other: ProjectLine): 1 | -1 | 0 => {
+      const its = courseOf(other);
+      if (other.points[0] === line.points[0] && sameCourse(line.type, course, its, isSame)) return 1;
+      const isBack = other.points.at(-1) === line.points[0];
+      return isBack && sameCourse(line.type, course, its.toReversed(), isSame) ? -1 : 0;
+    };
+    const same = candidates.find((other) => directionTo(other) !== 0);
+    if (same) lineIds.set(line.id, directionTo(same) * same.id);
+    else known.set(key, [...candidates, line]);
+  }
+  return { lines: all.filter(({ id }) => !lineIds.has(id)), lineIds };
+}
+
+function joinPatches(all: readonly ProjectPatch[], lineIds: LineIds): readonly ProjectPatch[] {
+  const seen = new Set<string>();
+  return all
+    .map((patch) => {
+      const isChanged = patch.loops.some((loop) => loop.some((step) => lineIds.has(Math.abs(step))));
+      if (!isChanged) return patch;
+      const loops = patch.loops.map((loop) =>
+        loop.map((step) => Math.sign(step) * (lineIds.get(Math.abs(step)) ?? Math.abs(step))),
+      );
+      return { ...patch, loops };
+    })
+    .filter(({ loops }) => {
+      const key = loopsKey(loops);
+      if (seen.has(key)) return false;
+      seen.add(key);
+      return true;
+    });
+}
+
+/** Returns the paths and values with which joined lists replace those of a project. */
+export function replacing(project: Drawn, joined: Joined) {
+  return (["points", "lines", "patches"] as const)
+    .filter((list) => project[list] !== joined[list])
+    .map((list) => [["project", list], joined[list]] as const);
+}
