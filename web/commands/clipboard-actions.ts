@@ -8,18 +8,25 @@ import { startOperation } from "./start-operation";
 /** What this page has copied last: for browsers that do not let it read the clipboard. */
 let copied: string | null = null;
 
+/** Undefined on pages that are not loaded by a secure connection. */
+const clipboard = (): Clipboard | undefined => (navigator as { readonly clipboard?: Clipboard }).clipboard;
+
 /** Puts the selection on the clipboard, as the text of a project. */
 export async function copySelection(app: App): Promise<void> {
   const text = fragmentText(app.documents.project, app.view.state.getState().selection);
   if (text === null) return;
   copied = text;
   // Without permission, the text can still be pasted in this page.
-  await navigator.clipboard?.writeText(text).catch(() => undefined);
+  await clipboard()
+    ?.writeText(text)
+    .catch(() => undefined);
 }
 
 /** Opens the panel that pastes what the clipboard has. */
 export async function pasteFragment(app: App): Promise<void> {
-  const text = await navigator.clipboard?.readText().catch(() => null);
+  const text = await clipboard()
+    ?.readText()
+    .catch(() => null);
   const read = readFragment(text || copied || "");
   if ("reason" in read) showMessage(app, operationStrings.paste.title, [read.reason]);
   else startOperation(app, pasteOperation(read.fragment));

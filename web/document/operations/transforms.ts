@@ -114,7 +114,7 @@ const scaling = transformOperation({
 const mirror = transformOperation({
   id: "transform-mirror",
   ...texts.mirror,
-  initial: () => ({ point: [0, 0, 0] as Position, normal: worldFrame.x, keep: true }),
+  initial: () => ({ point: [0, 0, 0] as Position, normal: worldFrame.x, keep: true as boolean }),
   fields: [
     position("point", labels.point),
     direction("normal", labels.normal),

@@ -1,10 +1,11 @@
 import { useRef, useState, type KeyboardEvent } from "react";
+import { useStore } from "zustand";
 import { describeMesh } from "./mesh-summary";
 import { strings } from "../../strings";
 import { navigate } from "../../tools/navigation-keys";
 import type { Hover } from "../../tools/select-tool";
 import type { Viewer } from "../../viewer/viewer";
-import { useProject, useQualitySpace, useRun, useStale, useView } from "../shared/app-context";
+import { useApp, useProject, useQualitySpace, useRun, useStale, useView } from "../shared/app-context";
 import { isDrawingTool } from "../../document/tools";
 import { DrawingBar } from "./drawing-bar";
 import { DrawingMarks } from "./drawing-marks";
@@ -27,8 +28,9 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const [hover, setHover] = useState<Hover | null>(null);
   const isDrawing = useView((state) => isDrawingTool(state.tool));
   const { viewer, trouble } = useViewer(container, canvas, setHover);
+  const hasOperation = useStore(useApp().operations.state, ({ open }) => open !== null);
   return (
-    <main className={styles["view"]}>
+    <main className={styles["view"]} data-operation={hasOperation || undefined}>
       <ViewState container={container} />
       <div ref={container} className={styles["canvasBox"]} data-testid="viewport">
         <ViewCanvas canvas={canvas} viewer={viewer} />
