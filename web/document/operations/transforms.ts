@@ -114,7 +114,7 @@ const scaling = transformOperation({
 const mirror = transformOperation({
   id: "transform-mirror",
   ...texts.mirror,
-  initial: () => ({ point: [0, 0, 0] as Position, normal: worldFrame.x, keep: true as boolean }),
+  initial: () => ({ point: [0, 0, 0] as Position, normal: worldFrame.x, keep: true }),
   fields: [
     position("point", labels.point),
     direction("normal", labels.normal),
@@ -122,7 +122,7 @@ const mirror = transformOperation({
   ],
   make: (subject, { point, normal, keep, join }) =>
     unit(normal)
-      ? moveOrCopy(subject, reflectionAt(point, normal), keep ? 1 : 0, { label: texts.mirror.step, join })
+      ? moveOrCopy(subject, reflectionAt(point, normal), Number(keep), { label: texts.mirror.step, join })
       : refuse(operationStrings.noDirection),
 });
 
