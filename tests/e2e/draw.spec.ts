@@ -117,3 +117,38 @@ test("a unit cube drawn in the view, with pointer and keyboard alone, gives a va
   expect(defects).toEqual(noDefects);
   expect(meshVolume(mesh)).toBeCloseTo(1, 9);
 });
+
+test("a drag selects in a box, Shift pans instead, and the right button has a menu", async ({ page }) => {
+  const draw = new DrawPage(page);
+  await draw.openCube();
+  const box = await draw.viewport.boundingBox();
+  if (!box) throw new Error("There is no view");
+  const selected = page.locator('[role="treeitem"][aria-selected="true"]');
+  const corner = await draw.at([0, 0, 0]);
+  const drag = async (): Promise<void> => {
+    await page.mouse.move(corner.x - 8, corner.y - 8);
+    await page.mouse.down();
+    await page.mouse.move(corner.x + 8, corner.y + 8, { steps: 4 });
+    await page.mouse.up();
+  };
+  await drag();
+  await expect(selected).toHaveCount(1);
+  expect(await draw.at([0, 0, 0])).toEqual(corner);
+  await page.keyboard.down("Shift");
+  await drag();
+  await page.keyboard.up("Shift");
+  await expect.poll(() => draw.at([0, 0, 0])).not.toEqual(corner);
+  await expect(selected).toHaveCount(1);
+  await draw.click([0, 0, 0]);
+  const moved = await draw.at([0, 0, 0]);
+  await page.mouse.click(moved.x, moved.y, { button: "right" });
+  const menu = page.getByTestId("context-menu");
+  await menu.getByRole("menuitem", { name: /Select what is connected/ }).click();
+  await expect(menu).toBeHidden();
+  await expect(page.getByTestId("inspector")).toContainText("26 entities selected");
+  await page.keyboard.press("Control+i");
+  await expect(page.getByTestId("inspector")).not.toContainText("entities selected");
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Control+a");
+  await expect(page.getByTestId("inspector")).toContainText("26 entities selected");
+});

@@ -247,10 +247,11 @@ test("the entity under the pointer is highlighted, and a drag rotates the view w
   await expect(page.getByTestId("hover-label")).toContainText("6");
   expect((await app.viewport.screenshot()).equals(before)).toBe(false);
   const turned = await projected(page, "point", 6);
-  await page.mouse.down();
+  await page.mouse.down({ button: "right" });
   await page.mouse.move(corner.x + 80, corner.y + 30, { steps: 5 });
-  await page.mouse.up();
+  await page.mouse.up({ button: "right" });
   await expect.poll(() => projected(page, "point", 6)).not.toEqual(turned);
+  await expect(page.getByTestId("context-menu")).toBeHidden();
   await expect(page.locator('[data-testid^="tree-"][aria-selected="true"]')).toHaveCount(0);
 });
 

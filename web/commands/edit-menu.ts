@@ -1,4 +1,13 @@
+import type { Project } from "tetrafront";
 import type { App } from "../app/app";
+import {
+  allEntities,
+  boundaryOf,
+  connectedTo,
+  invertedSelection,
+  sameKinds,
+} from "../document/select-related";
+import type { Entity } from "../document/entities";
 import { commandLabels } from "../strings";
 import { define, type Command } from "./command";
 import { hasHighlight, hasSelection } from "./conditions";
@@ -17,6 +26,20 @@ function leaveLevel(app: App): void {
   else if (hasTool(app)) app.view.setTool("select");
   else app.view.clear();
 }
+
+/** A command that replaces the selection by related entities. */
+const select = (
+  id: keyof typeof commandLabels.selecting,
+  related: (project: Project, selection: readonly Entity[]) => readonly Entity[],
+  keys: readonly string[],
+  enabled = hasSelection,
+): Command =>
+  define("edit", 2)(
+    `select-${id}`,
+    commandLabels.selecting[id],
+    ({ documents, view }) => view.selectAll(related(documents.project, view.state.getState().selection)),
+    { keys, enabled },
+  );
 
 export const editMenu: readonly Command[] = [
   define("edit", 0)(
@@ -48,4 +71,14 @@ export const editMenu: readonly Command[] = [
     keys: ["Escape"],
     enabled: (app) => hasSelection(app) || hasHighlight(app) || hasTool(app) || hasOperation(app),
   }),
+  select(
+    "all",
+    (project) => allEntities(project),
+    ["mod+A"],
+    () => true,
+  ),
+  select("inverse", invertedSelection, ["mod+I"], () => true),
+  select("same-kind", sameKinds, []),
+  select("connected", connectedTo, []),
+  select("boundary", boundaryOf, []),
 ];

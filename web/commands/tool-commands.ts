@@ -41,9 +41,9 @@ function takePlane(app: App): void {
 
 /** The tools of the view. Their buttons take them whatever is selected. */
 export const toolCommands: readonly Command[] = [
-  tool("edit", 2, "select", "V", take("select")),
-  tool("edit", 2, "move", "G", take("move")),
-  tool("edit", 2, "measure", "M", take("measure")),
+  tool("edit", 3, "select", "V", take("select")),
+  tool("edit", 3, "move", "G", take("move")),
+  tool("edit", 3, "measure", "M", take("measure")),
   tool("create", 0, "point", "P", take("point")),
   tool("create", 0, "line", "L", createOrTake("line", straightMaker)),
   tool("create", 0, "patch", "A", createOrTake("patch", anyPatchMaker)),

@@ -47,6 +47,8 @@ export interface ViewState {
   readonly qualitySpace: QualitySpace;
   readonly edges: boolean;
   readonly tool: ToolName;
+  /** What a drag with the left button does: it selects what lies in a box, or orbits. */
+  readonly leftDrag: "select" | "orbit";
   /** Type of the lines that the line tool draws. */
   readonly lineType: LineType;
   readonly workPlane: WorkPlane;
@@ -82,6 +84,7 @@ const initialView: ViewState = {
   qualitySpace: "metric",
   edges: true,
   tool: "select",
+  leftDrag: "select",
   lineType: "straight",
   workPlane: principalPlane("xy"),
   snapping: { grid: true, model: true, patches: true },
@@ -138,6 +141,17 @@ export class ViewStore {
 
   clear(): void {
     this.state.setState({ selection: [], ...nothingMarked });
+  }
+
+  /** Selects entities in one step: all of them, with the selection before, or each the other way round. */
+  selectMany(entities: readonly Entity[], mode: SelectMode): void {
+    const { selection } = this.state.getState();
+    const before = new Set(selection.map(entityKey));
+    const given = new Set(entities.map(entityKey));
+    const added = entities.filter((entity) => !before.has(entityKey(entity)));
+    if (mode === "replace") this.selectAll(entities);
+    else if (mode === "add") this.selectAll([...selection, ...added]);
+    else this.selectAll([...selection.filter((entity) => !given.has(entityKey(entity))), ...added]);
   }
 
   /** Selects the given entities and nothing else. */

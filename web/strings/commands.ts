@@ -17,6 +17,13 @@ export const commandLabels = {
   delete: "Delete selection",
   selectSeveral: "Select several (each click toggles)",
   deselect: "Clear selection",
+  selecting: {
+    all: "Select all",
+    inverse: "Invert selection",
+    "same-kind": "Select all of the same kind",
+    connected: "Select what is connected",
+    boundary: "Select boundary",
+  },
   mergePatches: "Merge selected patches of a body",
 
   tools: {
@@ -72,6 +79,7 @@ export const commandLabels = {
   cutAcross: (axis: string) => `Cut across ${axis}`,
   layers: layerNames,
   hide: "Hide selection",
+  isolate: "Isolate selection",
   showAll: "Show all",
   shadings: {
     "radius-ratio": "Shade by radius ratio",

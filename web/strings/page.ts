@@ -23,7 +23,7 @@ export const pageStrings = {
   viewport: {
     label: "Three-dimensional view",
     tools: "Tools",
-    pieces: "Create",
+    menu: "Selection",
     roles: "Roles of the selected patch's lines in equation (14) of the paper",
     stale: "Out of date",
     staleHint: "The model has changed since this mesh was made.",
@@ -40,7 +40,7 @@ export const pageStrings = {
     legend: "Colour scale",
     unoptimized: "not optimized yet",
     hints: [
-      ["Drag", "orbit"],
+      ["Right", "orbit"],
       ["Middle", "pan"],
       ["Wheel", "zoom"],
       ["F", "fit"],
@@ -138,8 +138,13 @@ export const pageStrings = {
     mouse: [
       ["Click", "select; Shift adds (in the tree: extends to here), Ctrl toggles"],
       ["Double click", "fit the entity under the pointer"],
-      ["Left or right drag", "orbit"],
-      ["Middle drag", "pan"],
+      [
+        "Left drag",
+        "select in a box: to the right what lies inside, to the left what is touched; with Alt a lasso",
+      ],
+      ["Right click", "menu of the selection"],
+      ["Right drag", "orbit"],
+      ["Middle drag, Shift drag", "pan"],
       ["Wheel", "zoom at the pointer"],
       ["One finger, two fingers", "orbit; pan and zoom"],
     ],

@@ -178,6 +178,8 @@ export const panelStrings = {
     plain: "Plain",
     dihedral: "Dihedral",
     edges: "Element edges",
+    mouse: "Left drag",
+    leftDrag: { select: "Selects", orbit: "Orbits" },
     cut: "Cut",
     cutOn: "Cut mesh",
     cutAxis: "Cut axis",

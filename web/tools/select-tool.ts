@@ -1,9 +1,21 @@
-import type { Entity } from "../document/entities";
+import { sameEntity, type Entity } from "../document/entities";
+import { linePaths } from "../document/line-paths";
 import type { SelectMode, ViewStore } from "../document/selection";
+import type { DocumentStore } from "../session/document-store";
+import type { PreviewFeed } from "../session/preview";
 import type { Layer } from "../viewer/layers/layer";
 import type { ScreenPoint } from "../viewer/screen";
 import type { Viewer } from "../viewer/viewer";
+import type { Drawing } from "./drawing/drawing";
+import { entitiesWithin, outlineOf, shownEntities } from "./outline-selection";
 import type { Tool, ToolPointer } from "./tool";
+
+export interface SelectStores {
+  readonly documents: Pick<DocumentStore, "project">;
+  readonly previews: Pick<PreviewFeed, "state">;
+  readonly view: ViewStore;
+  readonly drawing: Pick<Drawing, "state">;
+}
 
 /** An entity under the pointer. */
 export interface Hover {
@@ -15,35 +27,51 @@ export interface Hover {
 const hoverDelay = 80;
 
 /**
- * A click selects, a double click fits the view to the entity, and a resting pointer highlights the entity
- * under it.
+ * A click selects, and a double click fits the view to the entity. A drag selects what lies within a box or, with Alt, a
+ * lasso. A resting pointer highlights the entity under it.
  */
 export class SelectTool implements Tool {
   readonly id = "select";
-  readonly #viewer: Pick<Viewer, "fitTarget">;
-  readonly #view: ViewStore;
+  readonly #viewer: Pick<Viewer, "fitTarget" | "seenFrom">;
+  readonly #stores: SelectStores;
   readonly #onHover: (hover: Hover | null) => void;
+  /** The corners of a lasso, or the two of a box; null without a press. */
+  #outline: readonly ScreenPoint[] | null = null;
   #restTimer: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(viewer: Pick<Viewer, "fitTarget">, view: ViewStore, onHover: (hover: Hover | null) => void) {
+  constructor(
+    viewer: Pick<Viewer, "fitTarget" | "seenFrom">,
+    stores: SelectStores,
+    onHover: (hover: Hover | null) => void,
+  ) {
     this.#viewer = viewer;
-    this.#view = view;
+    this.#stores = stores;
     this.#onHover = onHover;
   }
 
-  down(): boolean {
+  /** A drag with the left button draws a box. With Shift it pans. */
+  down(pointer: ToolPointer): boolean {
     clearTimeout(this.#restTimer);
-    return false;
+    const isSelecting = this.#view.state.getState().leftDrag === "select";
+    const isClaimed = pointer.button === "left" && !pointer.touch && !pointer.shift && isSelecting;
+    if (isClaimed) this.#outline = [pointer.at];
+    return isClaimed;
   }
 
   move(pointer: ToolPointer | null): void {
     clearTimeout(this.#restTimer);
-    if (pointer) this.#restTimer = setTimeout(() => this.#rest(pointer), hoverDelay);
+    if (pointer && this.#outline) {
+      if (pointer.isDrag) this.#draw(pointer, this.#outline);
+    } else if (pointer) this.#restTimer = setTimeout(() => this.#rest(pointer), hoverDelay);
     else this.#setHover(null);
   }
 
   up(pointer: ToolPointer): void {
+    const outline = this.#outline;
+    this.cancel();
+    if (pointer.button === "right") this.#openMenu(pointer);
     if (pointer.button !== "left") return;
+    if (pointer.isDrag && outline) return this.#selectWithin(outline, pointer);
     const target = pointer.hit()?.target ?? null;
     if (pointer.clicks === 2) this.#viewer.fitTarget(target);
     else if (target?.kind === "element") this.#view.selectElement(target.index);
@@ -52,6 +80,8 @@ export class SelectTool implements Tool {
 
   cancel(): void {
     clearTimeout(this.#restTimer);
+    this.#outline = null;
+    if (this.#stores.drawing.state.getState().outline) this.#stores.drawing.state.setState({ outline: null });
   }
 
   key(): boolean {
@@ -60,6 +90,35 @@ export class SelectTool implements Tool {
 
   overlay(): Layer | null {
     return null;
+  }
+
+  get #view(): ViewStore {
+    return this.#stores.view;
+  }
+
+  #draw(pointer: ToolPointer, outline: readonly ScreenPoint[]): void {
+    const [start = pointer.at] = outline;
+    this.#outline = pointer.alt ? [...outline, pointer.at] : [start, pointer.at];
+    this.#stores.drawing.state.setState({ outline: outlineOf(this.#outline) });
+  }
+
+  #selectWithin(corners: readonly ScreenPoint[], pointer: ToolPointer): void {
+    const { documents, previews, view } = this.#stores;
+    const { preview, project: sampled } = previews.state.getState();
+    const { project } = documents;
+    const paths = linePaths(project, preview && sampled && { samples: preview, project: sampled });
+    const shown = shownEntities(project, paths, view.state.getState());
+    const { toScreen } = this.#viewer.seenFrom(pointer.at);
+    view.selectMany(entitiesWithin(outlineOf(corners), shown, toScreen), pointer.mod ? "toggle" : "replace");
+  }
+
+  /** The menu is about the entity under the pointer, and the selection if the entity belongs to it. */
+  #openMenu(pointer: ToolPointer): void {
+    const target = pointer.hit()?.target ?? null;
+    const { selection } = this.#view.state.getState();
+    const isSelected = target?.kind !== "element" && selection.some((entity) => sameEntity(entity, target));
+    if (target && target.kind !== "element" && !isSelected) this.#view.select(target);
+    this.#stores.drawing.state.setState({ menu: pointer.at });
   }
 
   #rest(pointer: ToolPointer): void {

@@ -201,6 +201,7 @@ export class ToolController {
       shift: event.shiftKey,
       mod: event.ctrlKey || event.metaKey,
       alt: event.altKey,
+      touch: event.pointerType === "touch",
       isDrag: press?.isDrag ?? false,
       clicks: press?.clicks ?? 0,
       hit: () => {

@@ -13,6 +13,8 @@ export interface ToolPointer {
   /** Ctrl, or Command on a Mac. */
   readonly mod: boolean;
   readonly alt: boolean;
+  /** A finger: it has no buttons, so that a drag moves the camera. */
+  readonly touch: boolean;
   /** True if the pointer has moved more than a few pixels since the button was pressed. */
   readonly isDrag: boolean;
   /** Number of clicks in quick succession, this one included: 2 for a double click; 0 without a button. */

@@ -77,13 +77,16 @@ export function fitDistance(
 export class ViewCamera {
   readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 1000);
   readonly controls: CameraControls;
+  /** Does a drag with the left button orbit? */
+  leftOrbits = false;
+  readonly #element: HTMLElement;
   #radius = 1;
 
   constructor(element: HTMLElement, smooth: boolean) {
     this.controls = new CameraControls(this.camera, element);
     const { ACTION } = CameraControls;
-    this.controls.mouseButtons.left = ACTION.ROTATE;
-    this.controls.mouseButtons.right = ACTION.ROTATE;
+    element.addEventListener("pointerdown", this.#chooseActions, { capture: true });
+    this.#element = element;
     this.controls.mouseButtons.middle = ACTION.TRUCK;
     this.controls.mouseButtons.wheel = ACTION.DOLLY;
     this.controls.touches.one = ACTION.TOUCH_ROTATE;
@@ -153,8 +156,16 @@ export class ViewCamera {
   }
 
   dispose(): void {
+    this.#element.removeEventListener("pointerdown", this.#chooseActions, { capture: true });
     this.controls.dispose();
   }
+
+  /** The right button orbits. With Shift, left and right button pan; Ctrl with the right button, too. */
+  readonly #chooseActions = ({ shiftKey, ctrlKey, metaKey }: PointerEvent): void => {
+    const { ROTATE, TRUCK, NONE } = CameraControls.ACTION;
+    this.controls.mouseButtons.left = shiftKey ? TRUCK : this.leftOrbits ? ROTATE : NONE;
+    this.controls.mouseButtons.right = shiftKey || ctrlKey || metaKey ? TRUCK : ROTATE;
+  };
 
   #rotateTo(view: StandardView, animate: boolean): void {
     const [azimuth, polar] = standardAngles[view];

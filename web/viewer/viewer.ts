@@ -103,6 +103,7 @@ export class Viewer {
     const parts = Object.keys(change) as (keyof ShownState)[];
     if (parts.every((part) => change[part] === before[part])) return;
     this.#update(change);
+    this.#view.leftOrbits = this.#state.leftDrag === "orbit";
     if (this.#state.project !== before.project || this.#state.bodies !== before.bodies) this.#followModel();
   }
 

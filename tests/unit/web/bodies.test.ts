@@ -209,6 +209,7 @@ describe("the brush", () => {
     shift: false,
     mod: false,
     alt: false,
+    touch: false,
     isDrag: false,
     clicks: 1,
     hit: () =>

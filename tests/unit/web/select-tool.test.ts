@@ -1,11 +1,16 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { createStore } from "zustand/vanilla";
 import { ViewStore } from "../../../web/document/selection";
-import { SelectTool, type Hover } from "../../../web/tools/select-tool";
+import { Drawing } from "../../../web/tools/drawing/drawing";
+import { SelectTool, type Hover, type SelectStores } from "../../../web/tools/select-tool";
 import type { ToolPointer } from "../../../web/tools/tool";
 import type { Target } from "../../../web/viewer/layers/layer";
+import type { Viewer } from "../../../web/viewer/viewer";
+import { cubeProject } from "../../support/projects";
 
 const line = (id: number): Target => ({ kind: "line", id });
 let view: ViewStore;
+let drawing: Drawing;
 let tool: SelectTool;
 let fitted: (Target | null)[];
 let hovers: (Hover | null)[];
@@ -15,11 +20,23 @@ beforeEach(() => {
   view = new ViewStore();
   fitted = [];
   hovers = [];
-  tool = new SelectTool({ fitTarget: (target) => void fitted.push(target) }, view, (hover) =>
-    hovers.push(hover),
+  drawing = new Drawing();
+  const project = cubeProject();
+  const previews = { state: createStore(() => ({ preview: null, project: null })) };
+  tool = new SelectTool(
+    { fitTarget: (target) => void fitted.push(target), seenFrom: fromAbove },
+    { documents: { project }, previews: previews as unknown as SelectStores["previews"], view, drawing },
+    (hover) => hovers.push(hover),
   );
 });
 afterEach(() => vi.useRealTimers());
+
+/** A view of the unit cube from above, without perspective: 100 pixels per unit. */
+const fromAbove: Viewer["seenFrom"] = (at) => ({
+  pointer: at,
+  ray: { origin: [at.x / 100, at.y / 100, 10], direction: [0, 0, -1] },
+  toScreen: ([x, y]) => ({ x: 100 * x, y: 100 * y }),
+});
 
 function pointer(target: Target | null, change: Partial<ToolPointer> = {}): ToolPointer {
   const hit = target && { target, position: [0, 0, 0] as const, depth: 1 };
@@ -28,6 +45,7 @@ function pointer(target: Target | null, change: Partial<ToolPointer> = {}): Tool
     at: { x: 5, y: 6 },
     button: "left",
     ...modifiers,
+    touch: false,
     isDrag: false,
     clicks: 1,
     hit: () => hit,
@@ -37,8 +55,48 @@ function pointer(target: Target | null, change: Partial<ToolPointer> = {}): Tool
 
 const selected = (): readonly number[] => view.state.getState().selection.map(({ id }) => id);
 
-it("the select tool leaves every press to the camera", () => {
-  expect(tool.down()).toBe(false);
+it("a press of the left button draws a box; with Shift, by a finger or if the left button orbits, it moves the camera", () => {
+  expect(tool.down(pointer(null))).toBe(true);
+  expect(tool.down(pointer(null, { shift: true }))).toBe(false);
+  expect(tool.down(pointer(null, { touch: true }))).toBe(false);
+  expect(tool.down(pointer(null, { button: "right" }))).toBe(false);
+  view.state.setState({ leftDrag: "orbit" });
+  expect(tool.down(pointer(null))).toBe(false);
+});
+
+function drag(...corners: readonly (readonly [x: number, y: number])[]): void {
+  const path = corners.map(([x, y]) =>
+    pointer(null, { at: { x, y }, isDrag: true, alt: corners.length > 2 }),
+  );
+  const [start = pointer(null), ...rest] = path;
+  tool.down(start);
+  for (const next of rest) tool.move(next);
+  tool.up(rest.at(-1) ?? start);
+}
+
+const kinds = (): Record<string, number> =>
+  view.state
+    .getState()
+    .selection.reduce<Record<string, number>>(
+      (counts, { kind }) => ({ ...counts, [kind]: (counts[kind] ?? 0) + 1 }),
+      {},
+    );
+
+it("a box drawn to the right selects what lies inside, one drawn to the left what it touches", () => {
+  drag([-10, -10], [110, 110]);
+  expect(kinds()).toEqual({ point: 8, line: 12, patch: 6 });
+  // Around the edge at x = 0, y = 0 of the cube, seen along it: two points and the line between them lie inside.
+  drag([-10, -10], [10, 10]);
+  expect(kinds()).toEqual({ point: 2, line: 1 });
+  drag([10, 10], [-10, -10]);
+  expect(kinds()).toEqual({ point: 2, line: 5, patch: 4 });
+  drag([200, 200], [210, 210]);
+  expect(kinds()).toEqual({});
+});
+
+it("a lasso selects what lies inside", () => {
+  drag([-10, -10], [120, -10], [-10, 120], [-9, -5]);
+  expect(kinds()).toEqual({ point: 6, line: 7, patch: 2 });
 });
 
 it("a click selects an entity; with Shift it adds, with Ctrl it toggles, and on nothing it clears the selection", () => {
@@ -61,10 +119,15 @@ it("a click selects a tetrahedron", () => {
   expect(view.state.getState().element).toBe(42);
 });
 
-it("the select tool ignores other buttons", () => {
-  tool.up(pointer(line(1), { button: "right" }));
+it("the right button opens a menu for what is under the pointer, or for the selection that it belongs to", () => {
   tool.up(pointer(line(1), { button: "middle" }));
   expect(selected()).toEqual([]);
+  tool.up(pointer(line(1), { button: "right" }));
+  expect(selected()).toEqual([1]);
+  expect(drawing.state.getState().menu).toEqual({ x: 5, y: 6 });
+  view.selectAll([{ kind: "line", id: 2 }, { kind: "line", id: 3 }]); // prettier-ignore
+  tool.up(pointer(line(3), { button: "right" }));
+  expect(selected()).toEqual([2, 3]);
 });
 
 it("a double click fits the view to the entity, or to the model if there is none", () => {
@@ -93,7 +156,7 @@ it("nothing is highlighted over a tetrahedron, after a press, or after the point
   vi.advanceTimersByTime(100);
   expect(view.state.getState().hover).toBeNull();
   tool.move(pointer(line(4)));
-  tool.down();
+  tool.down(pointer(null));
   vi.advanceTimersByTime(100);
   expect(view.state.getState().hover).toBeNull();
   tool.move(pointer(line(4)));

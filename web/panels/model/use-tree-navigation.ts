@@ -88,6 +88,8 @@ export function useTreeNavigation(options: TreeNavigationOptions): TreeNavigatio
     // Ctrl Enter generates the mesh.
     if (!action || (event.key === "Enter" && isModified)) return;
     event.preventDefault();
+    // Ctrl A selects everything elsewhere.
+    if (action === selectKind) event.stopPropagation();
     action();
   };
   const toggle = (row: TreeRow): void => setOpen(row, row.open === false);

@@ -26,6 +26,8 @@ export function DisplayPanel() {
       <LayerSwitches />
       <SectionTitle>{strings.display.shading}</SectionTitle>
       <ShadingControls />
+      <SectionTitle>{strings.display.mouse}</SectionTitle>
+      <MouseChoice />
       <SectionTitle>{strings.display.cut}</SectionTitle>
       <CutSettings />
       {regions.length > 1 && (
@@ -75,6 +77,24 @@ function ShadingControls() {
         onChange={(event) => app.view.state.setState({ edges: event.currentTarget.checked })}
       />
     </>
+  );
+}
+
+function MouseChoice() {
+  const app = useApp();
+  const leftDrag = useView((state) => state.leftDrag);
+  return (
+    <SegmentedControl
+      size="xs"
+      fullWidth
+      aria-label={strings.display.mouse}
+      data={(["select", "orbit"] as const).map((value) => ({
+        value,
+        label: strings.display.leftDrag[value],
+      }))}
+      value={leftDrag}
+      onChange={(value) => app.view.state.setState({ leftDrag: value })}
+    />
   );
 }
 

@@ -130,10 +130,10 @@ function connect(
   onHover: (hover: Hover | null) => void,
 ): () => void {
   const stop = followSession(app, viewer);
-  const select = new SelectTool(viewer, app.view, onHover);
+  const { documents, previews, view, drawing } = app;
+  const select = new SelectTool(viewer, { documents, previews, view, drawing }, onHover);
   const tools = new ToolController(canvas, viewer, select, (target) => pageApps.owns(app, target));
   const brush = new BrushTool(app.documents, app.view, viewer);
-  const { documents, previews, view, drawing } = app;
   const stores = { documents, previews, view, drawing, viewer };
   const byName: Readonly<Record<ToolName, Tool>> = {
     select,

@@ -7,6 +7,7 @@ import type { Hover } from "../../tools/select-tool";
 import type { Viewer } from "../../viewer/viewer";
 import { useApp, useProject, useQualitySpace, useRun, useStale, useView } from "../shared/app-context";
 import { isDrawingTool } from "../../document/tools";
+import { ContextMenu, SelectionOutline } from "./selection-overlays";
 import { DrawingBar } from "./drawing-bar";
 import { DrawingMarks } from "./drawing-marks";
 import { HoverLabel } from "./hover-label";
@@ -39,11 +40,13 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
         {viewer && <PatchRoleLabels viewer={viewer} />}
         {hover && <HoverLabel hover={hover} />}
         {viewer && <DrawingMarks viewer={viewer} />}
+        <SelectionOutline />
       </div>
       {trouble && <ViewNotice trouble={trouble} />}
       <ToolColumn />
       {isDrawing ? <DrawingBar /> : <CutBar />}
       <MeshBadge />
+      <ContextMenu />
       {!trouble && <Legend />}
       {layout !== "phone" && <MouseHint />}
       <OperationPanel />

@@ -15,6 +15,10 @@ export interface DrawingState {
   readonly picked: number;
   /** The places of a measurement. */
   readonly measured: readonly Position[];
+  /** The box or lasso that is being drawn around entities. */
+  readonly outline: { readonly points: readonly ScreenPoint[]; readonly touching: boolean } | null;
+  /** Where the context menu is open. */
+  readonly menu: ScreenPoint | null;
   /** Why the last action created nothing. */
   readonly refused: string | null;
 }
@@ -26,6 +30,8 @@ const idle: DrawingState = {
   mistake: null,
   picked: 0,
   measured: [],
+  outline: null,
+  menu: null,
   refused: null,
 };
 

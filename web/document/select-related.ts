@@ -1,0 +1,64 @@
+import type { Project } from "tetrafront";
+import { dependentsOf, entityKey, findRecord, recordsOf, type DrawnKind, type Entity } from "./entities";
+
+const selectable: readonly DrawnKind[] = ["point", "line", "patch", "body"];
+
+/** Returns all points, lines, patches and bodies. */
+export function allEntities(project: Project): Entity[] {
+  return selectable.flatMap((kind) => recordsOf(project, kind).map(({ id }): Entity => ({ kind, id })));
+}
+
+/** Returns everything that is not selected, of the selected kinds; without a selection, everything. */
+export function invertedSelection(project: Project, selection: readonly Entity[]): Entity[] {
+  const kinds = new Set(selection.map(({ kind }) => kind));
+  const selected = new Set(selection.map(entityKey));
+  return allEntities(project).filter(
+    (entity) => (kinds.size === 0 || kinds.has(entity.kind)) && !selected.has(entityKey(entity)),
+  );
+}
+
+/** Returns all entities of the selected kinds. */
+export function sameKinds(project: Project, selection: readonly Entity[]): Entity[] {
+  const kinds = [...new Set(selection.map(({ kind }) => kind))];
+  return kinds.flatMap((kind) => recordsOf(project, kind).map(({ id }): Entity => ({ kind, id })));
+}
+
+/** Returns what an entity is built on: the lines of a patch, the points of a line. */
+function partsOf(project: Project, { kind, id }: Entity): Entity[] {
+  if (kind === "patch") {
+    const lines = new Set((findRecord(project, "patch", id)?.loops ?? []).flat().map(Math.abs));
+    return [...lines].map((line) => ({ kind: "line", id: line }));
+  }
+  const points = kind === "line" ? (findRecord(project, "line", id)?.points ?? []) : [];
+  return [...new Set(points)].map((point) => ({ kind: "point", id: point }));
+}
+
+/** Returns the lines around the selected patches, and the points of the selected lines. */
+export function boundaryOf(project: Project, selection: readonly Entity[]): Entity[] {
+  return unique(selection.flatMap((entity) => partsOf(project, entity)));
+}
+
+/** Returns the selected entities with everything that they are built on. */
+export function withParts(project: Project, selection: readonly Entity[]): Entity[] {
+  return reached(selection, (entity) => partsOf(project, entity));
+}
+
+/** Returns everything that is connected with the selection by common points and lines. */
+export function connectedTo(project: Project, selection: readonly Entity[]): Entity[] {
+  return reached(selection, (entity) => [...partsOf(project, entity), ...dependentsOf(project, entity)]);
+}
+
+function reached(start: readonly Entity[], neighbours: (entity: Entity) => readonly Entity[]): Entity[] {
+  const found = new Map<string, Entity>();
+  const waiting = [...start];
+  for (let entity = waiting.pop(); entity; entity = waiting.pop()) {
+    if (found.has(entityKey(entity))) continue;
+    found.set(entityKey(entity), entity);
+    waiting.push(...neighbours(entity));
+  }
+  return [...found.values()];
+}
+
+const unique = (entities: readonly Entity[]): Entity[] => [
+  ...new Map(entities.map((entity) => [entityKey(entity), entity])).values(),
+];
