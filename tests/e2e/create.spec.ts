@@ -147,6 +147,10 @@ for (const button of ["add", "add-next"]) {
     }
     await dialog.getByTestId("new-x").fill("7.5");
     await dialog.getByTestId("new-x").press("Enter");
+    // Enter adds the point, and the next one can be typed.
+    await expect(dialog.getByRole("status")).toContainText("Added point 9");
+    await expect(dialog.getByTestId("new-x")).toBeFocused();
+    await page.keyboard.press("Escape");
     await expect(dialog).toBeHidden();
     await expect(page.getByTestId("position-x")).toHaveValue("7.5");
     await page.getByRole("button", { name: "Undo: Add point 9" }).click();

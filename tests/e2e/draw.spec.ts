@@ -152,3 +152,82 @@ test("a drag selects in a box, Shift pans instead, and the right button has a me
   await page.keyboard.press("Control+a");
   await expect(page.getByTestId("inspector")).toContainText("26 entities selected");
 });
+
+test("open edges are one quiet count until a mesh is asked for", async ({ page }) => {
+  const draw = new DrawPage(page);
+  await draw.openNew();
+  await page.keyboard.press("l");
+  for (const corner of square(0)) await draw.click(corner);
+  await page.getByTestId("tool-patch").click();
+  await draw.hover([0.5, 0.5, 0]);
+  await draw.click([0.5, 0.5, 0]);
+  await draw.counts(4, 4, 1);
+  await expect(page.getByTestId("open-edges")).toHaveText("4 open edges");
+  await expect(page.getByTestId("marker-0")).toBeHidden();
+  await page.getByTestId("generate").click();
+  await expect(page.getByTestId("marker-0")).toBeVisible();
+  await expect(page.getByTestId("open-edges")).toBeHidden();
+});
+
+test("a notice names what a delete has taken along, and undoes it; F2 renames", async ({ page }) => {
+  const draw = new DrawPage(page);
+  await draw.openCube();
+  await draw.select("point-1");
+  await page.getByTestId("tree-point-1").press("F2");
+  await expect(page.getByTestId("entity-name")).toBeFocused();
+  await page.keyboard.type("origin");
+  await page.keyboard.press("Enter");
+  await page.getByTestId("tree-point-1").press("Delete");
+  await draw.counts(7, 9, 3);
+  const notice = page.getByTestId("notice-deleted");
+  await expect(notice).toContainText("Delete point 1 and 6 dependent entities: line");
+  await notice.getByRole("button", { name: "Undo" }).click();
+  await draw.counts(8, 12, 6);
+  await expect(page.getByTestId("tree-point-1")).toContainText("origin");
+});
+
+test("a circle on a face of a patch becomes its hole, and a second click fills it", async ({ page }) => {
+  const draw = new DrawPage(page);
+  await draw.openNew();
+  await page.keyboard.press("l");
+  for (const corner of square(0)) await draw.click(corner);
+  await page.getByTestId("drawing-bar").getByText("circle", { exact: true }).click();
+  await draw.typeCoordinates("0.5,0.5,0", "@0.2,0,0");
+  await draw.counts(7, 5, 0);
+  await page.getByTestId("tool-patch").click();
+  await draw.hover([0.1, 0.1, 0]);
+  await draw.click([0.1, 0.1, 0]);
+  await draw.counts(7, 5, 1);
+  await expect(page.getByTestId("patch-loop-1")).toBeVisible();
+  await draw.hover([0.5, 0.5, 0]);
+  await draw.click([0.5, 0.5, 0]);
+  await draw.counts(7, 5, 2);
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  await draw.counts(7, 5, 0);
+});
+
+test("Backspace removes the last place, Esc leaves the chain and then the tool, and distances are measured", async ({
+  page,
+}) => {
+  const draw = new DrawPage(page);
+  await draw.openNew();
+  await page.getByTestId("tool-line").click();
+  for (const corner of square(0).slice(0, 3)) await draw.click(corner);
+  await draw.counts(3, 2, 0);
+  await page.keyboard.press("Backspace");
+  await draw.counts(2, 1, 0);
+  await draw.typeCoordinates("@0,0,2");
+  await draw.counts(3, 2, 0);
+  await page.keyboard.press("Escape");
+  await expect(draw.viewport).toHaveAttribute("data-tool", "line");
+  await page.keyboard.press("Escape");
+  await expect(draw.viewport).toHaveAttribute("data-tool", "select");
+  await page.keyboard.press("m");
+  await draw.click([0, 0, 0]);
+  await draw.click([1, 0, 2]);
+  const measurement = page.getByTestId("measurement");
+  await expect(measurement).toHaveText(/distance2\.236dx1dy0dz2/);
+  await draw.click([1, 0, 0]);
+  await expect(measurement).toContainText("angle26.57°");
+});

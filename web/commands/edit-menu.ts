@@ -11,7 +11,7 @@ import type { Entity } from "../document/entities";
 import { commandLabels } from "../strings";
 import { define, type Command } from "./command";
 import { hasHighlight, hasSelection } from "./conditions";
-import { deleteSelection } from "./selection-actions";
+import { deleteSelection, rename } from "./selection-actions";
 import { mergeableBody, mergeSelectedPatches } from "./surface-actions";
 
 const past = (app: App) => app.documents.state.getState().history.past;
@@ -64,6 +64,10 @@ export const editMenu: readonly Command[] = [
     (app) => app.view.state.setState(({ several }) => ({ several: !several })),
     { checked: (app) => app.view.state.getState().several },
   ),
+  define("edit", 1)("rename", commandLabels.rename, rename, {
+    keys: ["F2"],
+    enabled: (app) => app.view.state.getState().selection.length === 1,
+  }),
   define("edit", 1)("merge-patches", commandLabels.mergePatches, (app) => void mergeSelectedPatches(app), {
     enabled: (app) => mergeableBody(app.documents.project, app.view.state.getState().selection) !== undefined,
   }),

@@ -1,13 +1,36 @@
 import type { App } from "../app/app";
-import { deleteEntities } from "../document/edits";
-import type { Entity } from "../document/entities";
+import { deleteEntities, withDependents } from "../document/edits";
+import { entityKey, type Entity } from "../document/entities";
 import type { Problem } from "../document/validate";
+import { showNotice } from "../session/shell";
+import { entityNouns, strings } from "../strings";
 
 export function deleteSelection(app: App): void {
   const { selection } = app.view.state.getState();
   if (selection.length === 0) return;
-  app.documents.edit(deleteEntities(app.documents.project, selection));
+  const { project } = app.documents;
+  const edit = deleteEntities(project, selection);
+  const chosen = new Set(selection.map(entityKey));
+  const others = withDependents(project, selection).filter((entity) => !chosen.has(entityKey(entity)));
+  app.documents.edit(edit);
   app.view.clear();
+  if (others.length === 0) return;
+  const { history } = app.documents.state.getState();
+  showNotice(app.shell, {
+    key: "deleted",
+    tone: "information",
+    text: strings.notices.deleted(
+      edit.label,
+      others.map(({ kind, id }) => `${entityNouns[kind]} ${id}`),
+    ),
+    action: {
+      label: strings.notices.undo,
+      run: () => {
+        // Only if nothing was changed since.
+        if (app.documents.state.getState().history.past.at(-1) === history.past.at(-1)) app.documents.undo();
+      },
+    },
+  });
 }
 
 /** Selects entities and moves the view to them. */
@@ -49,4 +72,9 @@ export function showTriangles(app: App, triangles: readonly number[], body: numb
   if (body !== null) showGivenTriangles(app);
   app.shell.setState({ drawer: null });
   app.viewer.getState().viewer?.fitSelectedFaces();
+}
+
+/** Moves the focus to the name of the selected entity. */
+export function rename(app: App): void {
+  app.shell.setState(({ renaming }) => ({ rightTab: "inspector", drawer: "right", renaming: renaming + 1 }));
 }

@@ -5,7 +5,7 @@ export type DialogName = "help" | "new-point" | "new-node" | "cover" | "propose"
 /** A message that does not interrupt the work and needs no answer. */
 export interface Notice {
   /** A notice replaces an earlier one with the same key. */
-  readonly key: "document-left" | "autosave-failed" | "file-notes" | "improvement";
+  readonly key: "document-left" | "autosave-failed" | "file-notes" | "improvement" | "deleted";
   readonly tone: "information" | "warning";
   readonly text: string;
   readonly action: { readonly label: string; readonly run: () => void };
@@ -19,6 +19,8 @@ export interface ShellState {
   /** On small screens the panels are drawers. */
   readonly drawer: "left" | "right" | "bottom" | null;
   readonly dialog: DialogName | null;
+  /** Number of times that the user has asked to rename the selected entity. */
+  readonly renaming: number;
   /** A failure that the user must read before continuing. */
   readonly message: { readonly title: string; readonly lines: readonly string[] } | null;
   readonly notices: readonly Notice[];
@@ -35,6 +37,7 @@ export function createShell(): Shell {
     bottomTab: "log",
     drawer: null,
     dialog: null,
+    renaming: 0,
     message: null,
     notices: [],
     reading: null,

@@ -15,6 +15,7 @@ export const commandLabels = {
   undo: (step: string | undefined) => (step === undefined ? "Undo" : `Undo: ${step}`),
   redo: (step: string | undefined) => (step === undefined ? "Redo" : `Redo: ${step}`),
   delete: "Delete selection",
+  rename: "Rename",
   selectSeveral: "Select several (each click toggles)",
   deselect: "Clear selection",
   selecting: {

@@ -1,4 +1,7 @@
 /** Texts of the page around the panels: header, view, status bar, dialogs and messages. */
+/** Number of deleted entities that a notice names. */
+const maxNamed = 6;
+
 export const pageStrings = {
   appName: "Tetrafront",
   menus: { file: "File", edit: "Edit", create: "Create", view: "View", mesh: "Mesh", help: "Help" },
@@ -24,6 +27,7 @@ export const pageStrings = {
     label: "Three-dimensional view",
     tools: "Tools",
     menu: "Selection",
+    openEdges: (count: number) => (count === 1 ? "1 open edge" : `${count} open edges`),
     roles: "Roles of the selected patch's lines in equation (14) of the paper",
     stale: "Out of date",
     staleHint: "The model has changed since this mesh was made.",
@@ -101,6 +105,9 @@ export const pageStrings = {
       `The browser could not store your changes: ${reason}. Save the project to a file. The app keeps trying.`,
     retry: "Try again",
     dismiss: "Dismiss",
+    undo: "Undo",
+    deleted: (step: string, others: readonly string[]) =>
+      `${step}: ${others.slice(0, maxNamed).join(", ")}${others.length > maxNamed ? ` and ${others.length - maxNamed} more` : ""}.`,
     understood: "OK",
     improvementDiscarded: "The improvement was discarded, because the model has changed meanwhile.",
     showQuality: "Show quality",

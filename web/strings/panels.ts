@@ -191,7 +191,7 @@ export const panelStrings = {
     node: "New background node",
     position: "Position",
     size: "Size",
-    add: "Add",
+    addClose: "Add and close",
     addNext: "Add and next",
     added: (what: string) => `Added ${what}.`,
     nodeHint:

@@ -5,7 +5,8 @@
 export type InputMode = "field" | "dialog" | "view";
 
 const dialogs = '[role="dialog"], [role="menu"]';
-const fields = "input, textarea, select, [contenteditable]";
+/** A choice among radio buttons takes no text. */
+const fields = 'input:not([type="radio"]), textarea, select, [contenteditable]';
 
 /** Returns the mode for a key event with this target. A field in a dialog belongs to the dialog. */
 export function inputMode(target: EventTarget | null): InputMode {

@@ -58,7 +58,7 @@ function PositionForm({ kind }: { readonly kind: PositionedKind }) {
   const fields = useRef<HTMLDivElement>(null);
   const apply = (action: string): void => {
     add();
-    if (action === "next") fields.current?.querySelector("input")?.focus();
+    if (action !== "add") fields.current?.querySelector("input")?.focus();
     else app.shell.setState({ dialog: null });
   };
   return (
@@ -78,10 +78,10 @@ function PositionForm({ kind }: { readonly kind: PositionedKind }) {
         {added !== null && strings.create.added(added)}
       </Text>
       <Group justify="flex-end" gap="xs" mt={8}>
-        <ApplyButton action="next" data-testid="add-next">
-          {strings.create.addNext}
+        <ApplyButton action="add" data-testid="add">
+          {strings.create.addClose}
         </ApplyButton>
-        <ApplyButton data-testid="add">{strings.create.add}</ApplyButton>
+        <ApplyButton data-testid="add-next">{strings.create.addNext}</ApplyButton>
       </Group>
     </DialogForm>
   );

@@ -6,7 +6,7 @@ import { dependentsOf, entityKey, entityName, findRecord, type Entity } from "..
 import { FieldRow } from "../../ui/fields/field-row";
 import { NameField } from "../../ui/fields/name-field";
 import { defaultName, strings } from "../../strings";
-import { useApp, useProblems, useProject } from "../shared/app-context";
+import { useApp, useProblems, useProject, useShell } from "../shared/app-context";
 import { EntityChips } from "../shared/entity-chips";
 import { EntityIcon } from "../shared/entity-icon";
 import { BodyCard } from "../bodies/body-card";
@@ -26,6 +26,7 @@ export function EntityCard({ entity }: { readonly entity: Entity }) {
   const app = useApp();
   const project = useProject();
   const problems = useProblems((state) => state.byEntity.get(entityKey(entity)));
+  const renaming = useShell((state) => state.renaming);
   const record = findRecord(project, entity.kind, entity.id);
   const dependents = useMemo(() => dependentsOf(project, entity), [project, entity]);
   if (!record) return null;
@@ -37,6 +38,7 @@ export function EntityCard({ entity }: { readonly entity: Entity }) {
         <FieldRow label={strings.inspector.name}>
           <NameField
             key={entityKey(entity)}
+            focusRequest={renaming}
             label={strings.inspector.name}
             value={name}
             placeholder={defaultName(entity.kind, entity.id)}

@@ -1,5 +1,6 @@
 import { IconAlertTriangle, IconChevronDown, IconChevronRight } from "@tabler/icons-react";
 import type { ComponentPropsWithoutRef, KeyboardEvent, MouseEvent } from "react";
+import { rename } from "../../commands/selection-actions";
 import { entityKey } from "../../document/entities";
 import type { SelectMode } from "../../document/selection";
 import { formatCount } from "../../ui/format";
@@ -93,7 +94,7 @@ function EntityItem({ row, common, onToggle }: EntityItemProps) {
       aria-setsize={row.siblings}
       aria-posinset={row.ordinal}
       onMouseEnter={() => app.view.setHover(row.entity)}
-      onDoubleClick={() => app.viewer.getState().viewer?.fit([row.entity])}
+      onDoubleClick={() => rename(app)}
     >
       {row.open !== null && <Opener isOpen={row.open} onToggle={onToggle} />}
       <EntityIcon entity={row.entity} project={project} />

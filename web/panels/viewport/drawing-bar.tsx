@@ -3,6 +3,7 @@ import { IconGridDots, IconMagnet, IconPlaneDeparture, IconTriangle, type Icon }
 import { useStore } from "zustand";
 import type { LineType } from "tetrafront";
 import { commandNamed, runCommand } from "../../commands/registry";
+import { lineTypes } from "../../document/line-types";
 import { isDrawingTool, type Snapping, type ToolName } from "../../document/tools";
 import { principalPlane, principalPlanes } from "../../document/work-plane";
 import { lineTypeNames, strings } from "../../strings";
@@ -10,7 +11,6 @@ import { IconButton } from "../../ui/icon-button";
 import { useApp, useView } from "../shared/app-context";
 import styles from "./drawing.module.css";
 
-const lineTypes = Object.keys(lineTypeNames) as LineType[];
 const words = strings.drawing;
 
 /** Choices of the active drawing tool: type of line, work plane, snapping; and what to do next. */
@@ -36,7 +36,7 @@ function LineTypeChoice({ value }: { readonly value: LineType }) {
     <SegmentedControl
       size="xs"
       aria-label={words.lineType}
-      data={lineTypes.map((type) => ({ value: type, label: lineTypeNames[type] }))}
+      data={[...lineTypes].map((type) => ({ value: type, label: lineTypeNames[type] }))}
       value={value}
       onChange={(lineType) => app.view.state.setState({ lineType })}
     />

@@ -1,7 +1,11 @@
 import { IconAlertTriangleFilled } from "@tabler/icons-react";
+import { useMemo, type MouseEvent } from "react";
+import type { App } from "../../app/app";
+import { meshKey } from "../../document/content-keys";
+import { strings } from "../../strings";
 import { showProblem } from "../../commands/selection-actions";
 import type { Viewer } from "../../viewer/viewer";
-import { useApp, useProblems, useView } from "../shared/app-context";
+import { useApp, useProblems, useProject, useRun, useView } from "../shared/app-context";
 import { useMarkers } from "./use-markers";
 import styles from "./problem-markers.module.css";
 
@@ -12,7 +16,10 @@ const maxMarkers = 30;
 export function ProblemMarkers({ viewer }: { readonly viewer: Viewer }) {
   const app = useApp();
   const problems = useProblems((state) => state.problems);
-  const placed = problems.filter(({ position }) => position !== null).slice(0, maxMarkers);
+  const isMeshed = useIsMeshed();
+  const placed = problems
+    .filter(({ position, code }) => position !== null && (isMeshed || code !== openEdge))
+    .slice(0, maxMarkers);
   const box = useMarkers(
     viewer,
     placed.map(({ position }) => position),
@@ -28,12 +35,50 @@ export function ProblemMarkers({ viewer }: { readonly viewer: Viewer }) {
           data-testid={`marker-${index}`}
           aria-label={problem.message}
           title={problem.message}
-          onClick={() => showProblem(app, problem)}
+          onClick={(event) => {
+            if (event.shiftKey) selectBelow(app, viewer, event);
+            else showProblem(app, problem);
+          }}
         >
           <IconAlertTriangleFilled size={16} aria-hidden />
         </button>
       ))}
     </div>
+  );
+}
+
+/** A model without missing patches is not expected before it is meshed. */
+const openEdge = "open-edge";
+
+/** Returns whether the user has asked for a mesh of the present model. */
+function useIsMeshed(): boolean {
+  const project = useProject();
+  const key = useRun((state) => state.outcome?.key);
+  return useMemo(() => key === meshKey(project), [project, key]);
+}
+
+/** Adds what lies below a marker to the selection. */
+function selectBelow(app: App, viewer: Viewer, { currentTarget, clientX, clientY }: MouseEvent): void {
+  const box = currentTarget.closest("[data-testid=viewport]")?.getBoundingClientRect();
+  const target = box && viewer.hit({ x: clientX - box.left, y: clientY - box.top })?.target;
+  if (target && target.kind !== "element") app.view.select(target, "add");
+}
+
+/** The number of open edges while the model is drawn. A click lists them. */
+export function OpenEdges() {
+  const app = useApp();
+  const isMeshed = useIsMeshed();
+  const count = useProblems(({ problems }) => problems.filter(({ code }) => code === openEdge).length);
+  if (isMeshed || count === 0) return null;
+  return (
+    <button
+      type="button"
+      className={styles["openEdges"]}
+      data-testid="open-edges"
+      onClick={() => app.shell.setState({ bottomTab: "problems", drawer: "bottom" })}
+    >
+      {strings.viewport.openEdges(count)}
+    </button>
   );
 }
 

@@ -13,7 +13,7 @@ import { DrawingMarks } from "./drawing-marks";
 import { HoverLabel } from "./hover-label";
 import { Legend } from "./legend";
 import { PatchRoleLabels } from "./patch-role-labels";
-import { PositionMarker, ProblemMarkers } from "./problem-markers";
+import { OpenEdges, PositionMarker, ProblemMarkers } from "./problem-markers";
 import { CutBar, MeshBadge, MouseHint, ViewNotice } from "./viewport-overlays";
 import type { Layout } from "../shared/use-layout";
 import { ToolColumn } from "./tool-column";
@@ -46,6 +46,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
       <ToolColumn />
       {isDrawing ? <DrawingBar /> : <CutBar />}
       <MeshBadge />
+      <OpenEdges />
       <ContextMenu />
       {!trouble && <Legend />}
       {layout !== "phone" && <MouseHint />}

@@ -1,6 +1,7 @@
 import type { LineType } from "tetrafront";
 import { drawLine, placeAt, samePlace, type Place } from "../../document/draw";
 import { findRecord } from "../../document/entities";
+import { turned } from "../../document/circles";
 import type { Position } from "../../document/position";
 import { sampledCurve } from "../../viewer/curves";
 import { emptySketch, type Sketch } from "../../viewer/layers/drawing-layer";
@@ -13,8 +14,12 @@ const counts: { readonly [T in LineType]: { readonly min: number; readonly max: 
   parabolic: { min: 3, max: 3 },
   spline: { min: 3, max: Infinity },
   arc: { min: 3, max: 3 },
-  circle: { min: 3, max: 3 },
+  // The centre, and a place on the circle.
+  circle: { min: 2, max: 2 },
 };
+
+/** Segments with which a circle is drawn before it exists. */
+const circleSamples = 64;
 
 /** A straight line of the present chain, with what it added to the undo steps. */
 interface Link {
@@ -91,7 +96,8 @@ export class LineTool extends DrawingTool {
   protected sketch(): Sketch {
     const places = this.#places.map(({ position }) => position);
     const next = this.snap?.position;
-    const path = sampledCurve(this.#type, next ? [...places, next] : places);
+    const through = next ? [...places, next] : places;
+    const path = this.#type === "circle" ? this.#circle(through) : sampledCurve(this.#type, through);
     const dots = [...this.#places, ...(this.snap ? [this.placeOf(this.snap)] : [])];
     return {
       ...emptySketch,
@@ -113,8 +119,7 @@ export class LineTool extends DrawingTool {
   #add(): void {
     const type = this.#type;
     const [first] = this.#places;
-    // A circle ends at its first point.
-    const places = type === "circle" && first ? [...this.#places, first] : this.#places;
+    const places = type === "circle" ? this.#placesOnCircle() : this.#places;
     const { creation, line, points } = drawLine(this.project, type, places);
     if (creation) this.create(creation);
     else this.stores.view.select({ kind: "line", id: line });
@@ -126,6 +131,23 @@ export class LineTool extends DrawingTool {
     this.#start = start;
     this.#links = [...this.#links, { from: first, label: creation?.edit.label ?? null }];
     this.#places = [place];
+  }
+
+  /** Returns three places on the circle around the first picked place through the second one, and the first again. */
+  #placesOnCircle(): readonly Place[] {
+    const [centre, on] = this.#places;
+    if (!centre || !on) return [];
+    const third = (turns: number): Place =>
+      placeAt(this.project, turned(on.position, centre.position, this.frame.z, turns / 3));
+    return [on, third(1), third(2), on];
+  }
+
+  /** Returns positions along the circle around the first of two positions. */
+  #circle([centre, on]: readonly Position[]): readonly Position[] {
+    if (!centre || !on) return [];
+    return Array.from({ length: circleSamples + 1 }, (_, i) =>
+      turned(on, centre, this.frame.z, i / circleSamples),
+    );
   }
 
   #placeOfPoint(id: number): Place | undefined {

@@ -1,5 +1,5 @@
 import { TextInput } from "@mantine/core";
-import { useState, type KeyboardEvent } from "react";
+import { useEffect, useRef, useState, type KeyboardEvent } from "react";
 
 export interface NameFieldProps {
   readonly label: string;
@@ -7,11 +7,20 @@ export interface NameFieldProps {
   readonly placeholder: string;
   readonly onCommit: (value: string) => void;
   readonly testId?: string;
+  /** Each new number moves the focus to the field and selects its text. */
+  readonly focusRequest?: number;
 }
 
 /** A name. Enter and leaving the field commit it; Escape discards the text. */
-export function NameField({ label, value, placeholder, onCommit, testId }: NameFieldProps) {
+export function NameField({ label, value, placeholder, onCommit, testId, focusRequest = 0 }: NameFieldProps) {
   const [draft, setDraft] = useState<string | null>(null);
+  const field = useRef<HTMLInputElement>(null);
+  const answered = useRef(focusRequest);
+  useEffect(() => {
+    if (focusRequest === answered.current) return;
+    answered.current = focusRequest;
+    field.current?.select();
+  }, [focusRequest]);
   const commit = (): void => {
     const next = draft?.trim();
     setDraft(null);
@@ -26,6 +35,7 @@ export function NameField({ label, value, placeholder, onCommit, testId }: NameF
   };
   return (
     <TextInput
+      ref={field}
       size="xs"
       aria-label={label}
       autoComplete="off"
