@@ -26,8 +26,6 @@ export function sameCourse(
       return true;
     case "parabolic":
     case "spline":
-    case "arc":
-    case "circle":
       return a.length === b.length && a.every((p, i) => isSame(p, b[i] ?? p));
     case "arc":
     case "circle":

@@ -7,6 +7,7 @@ import { transformOperations } from "../../../web/document/operations/transforms
 import type { Operation, FieldValues } from "../../../web/document/operations/operation";
 import { box } from "../../../web/document/pieces/box";
 import { cylinder } from "../../../web/document/pieces/cylinder";
+import { onCircle } from "../../../web/document/pieces/on-circle";
 import { prism } from "../../../web/document/pieces/prism";
 import type { Position } from "../../../web/document/position";
 import {
@@ -21,7 +22,7 @@ import {
 import { joinPoints } from "../../../web/document/transforms/join-points";
 import { offerCopies } from "../../../web/document/transforms/copies";
 import { offerTransform } from "../../../web/document/transforms/transform";
-import { ShapeBuilder } from "../../../web/document/shape";
+import { ShapeBuilder, type Shape } from "../../../web/document/shape";
 import { pasteOperation } from "../../../web/document/operations/paste";
 import { offerExtrusion } from "../../../web/document/transforms/extrude";
 import { fragmentText, readFragment } from "../../../web/document/transforms/fragment";
@@ -144,6 +145,16 @@ describe("transforms", () => {
     expect([together.points.length, together.lines.length, together.patches.length]).toEqual([12, 20, 11]);
     expect(await volumesOf(together)).toHaveLength(2);
     expect(joinPoints(together)).toBe(together);
+  });
+
+  it("an arc is joined to one with the same course and another middle point", () => {
+    const arc = (share: number): Shape => ({
+      points: [onCircle(1, 0, 0), onCircle(1, share, 0), onCircle(1, 1 / 4, 0)],
+      lines: [{ type: "arc", points: [0, 1, 2] }],
+      patches: [],
+    });
+    expect(projectOf([arc(0.1), arc(0.2)], 1).lines).toHaveLength(1);
+    expect(projectOf([arc(0.1), arc(0.6)], 1).lines).toHaveLength(2);
   });
 
   it("says what to select", () => {

@@ -1,5 +1,5 @@
 import type { Project, ProjectLine, ProjectPatch, ProjectPoint } from "tetrafront";
-import { findRecord, recordsOf, type DrawnKind, type Entity } from "../entities";
+import type { DrawnKind, Entity } from "../entities";
 import type { Shape } from "../shape";
 
 /** The records of a selection, with all that they are built on: the lines of patches and the points of lines. */
@@ -54,14 +54,4 @@ export function shapeOf({
       ...(name !== undefined && { name }),
     })),
   };
-}
-
-/** Returns the entities of a selection that exist. */
-export function existing(project: Project, selection: readonly Entity[]): Entity[] {
-  return selection.filter(({ kind, id }) => findRecord(project, kind, id) !== undefined);
-}
-
-/** Returns whether a selection holds bodies whose records exist. */
-export function selectedBodies(project: Project, { bodies }: SelectedParts) {
-  return recordsOf(project, "body").filter(({ id }) => bodies.has(id));
 }
