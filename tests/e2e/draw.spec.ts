@@ -2,7 +2,9 @@ import { expect, test } from "@playwright/test";
 import { readFile } from "node:fs/promises";
 import { defectsOf, meshVolume, NO_DEFECTS } from "../support/check-mesh";
 import { parseVtu } from "../support/mesh-files";
+import { readProject } from "tetrafront";
 import { AppPage } from "./app-page";
+import { downloaded } from "./downloads";
 
 type Position = readonly [x: number, y: number, z: number];
 
@@ -230,4 +232,58 @@ test("Backspace removes the last place, Esc leaves the chain and then the tool, 
   await expect(measurement).toHaveText(/distance2\.236dx1dy0dz2/);
   await draw.click([1, 0, 0]);
   await expect(measurement).toContainText("angle26.57°");
+});
+
+test("the move tool drags a point as one step of undo, joins what coincides, and arrow keys move the selection", async ({
+  page,
+}) => {
+  const app = new DrawPage(page);
+  // Without file dialogs, saving downloads the project.
+  await page.addInitScript(() => {
+    Reflect.deleteProperty(window, "showOpenFilePicker");
+    Reflect.deleteProperty(window, "showSaveFilePicker");
+  });
+  await app.openNew();
+  const positions = async (): Promise<readonly Position[]> => {
+    const saved = await downloaded(page, () => page.keyboard.press("Control+s"));
+    const read = readProject(Buffer.from(saved).toString());
+    if (!read.success) throw new Error(read.errors[0].message);
+    return read.value.points.map(({ position }) => position);
+  };
+  const drag = async (from: Position, to: Position): Promise<void> => {
+    await app.hover(from);
+    await page.mouse.down();
+    const { x, y } = await app.at(to);
+    await page.mouse.move(x, y, { steps: 4 });
+    await page.mouse.up();
+  };
+  await page.getByTestId("tool-line").click();
+  await app.typeCoordinates("0,0,0", "1,0,0", "0,1,0");
+  await page.keyboard.press("Enter");
+  await page.getByTestId("tool-move").click();
+  await expect(app.viewport).toHaveAttribute("data-tool", "move");
+  await drag([1, 0, 0], [1, 1, 0]);
+  expect(await positions()).toEqual([
+    [0, 0, 0],
+    [1, 1, 0],
+    [0, 1, 0],
+  ]);
+
+  await page.keyboard.press("ArrowUp");
+  const [, moved = [0, 0, 0]] = await positions();
+  expect(moved[1]).toBeGreaterThan(1);
+  expect([moved[0], moved[2]]).toEqual([1, 0]);
+  for (let steps = 0; steps < 2; steps++) await page.keyboard.press("Control+z");
+  expect(await positions()).toEqual([
+    [0, 0, 0],
+    [1, 0, 0],
+    [0, 1, 0],
+  ]);
+
+  await drag([1, 0, 0], [0, 1, 0]);
+  await expect(app.viewport).toHaveAttribute("data-points", "2");
+  await page.keyboard.press("Control+z");
+  await expect(app.viewport).toHaveAttribute("data-points", "3");
+  await page.keyboard.press("Escape");
+  await expect(app.viewport).toHaveAttribute("data-tool", "select");
 });

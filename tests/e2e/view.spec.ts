@@ -232,7 +232,8 @@ test("a double click fits the view to the entity, or to the model if there is no
   await expect.poll(async () => (await edge()).right).toBeGreaterThan(3 * whole);
   const box = await app.viewport.boundingBox();
   if (!box) throw new Error("The view has no box");
-  await page.mouse.dblclick(box.x + 20, box.y + box.height / 2);
+  // Beside the column of tools.
+  await page.mouse.dblclick(box.x + 80, box.y + box.height / 2);
   await expect.poll(async () => Math.round((await edge()).right)).toBe(Math.round(whole));
 });
 

@@ -4,6 +4,7 @@ import type { App } from "../../app/app";
 import type { Moving, ViewState } from "../../document/selection";
 import { isDrawingTool, type ToolName } from "../../document/tools";
 import { BrushTool } from "../../tools/brush-tool";
+import { DragTool } from "../../tools/drag-tool";
 import { LineTool } from "../../tools/drawing/line-tool";
 import { MeasureTool } from "../../tools/drawing/measure-tool";
 import { PatchTool } from "../../tools/drawing/patch-tool";
@@ -137,7 +138,7 @@ function connect(
   const stores = { documents, previews, view, drawing, viewer };
   const byName: Readonly<Record<ToolName, Tool>> = {
     select,
-    move: select,
+    move: new DragTool(stores, select),
     point: new PointTool(stores),
     line: new LineTool(stores),
     patch: new PatchTool(stores),

@@ -1,0 +1,208 @@
+import type { Project } from "tetrafront";
+import { findRecord, sameEntity, type Entity } from "../document/entities";
+import { linePaths } from "../document/line-paths";
+import type { Position } from "../document/position";
+import type { ViewStore } from "../document/selection";
+import { translation } from "../document/transforms/affine";
+import { selectedParts } from "../document/transforms/selected-parts";
+import { offerTransform } from "../document/transforms/transform";
+import { dot, fromFrame, scale, subtract, toFrame, unit, zero, type Frame } from "../document/vectors";
+import { onPlane, roundStep, roundTo } from "../document/work-plane";
+import type { DocumentStore, Gesture } from "../session/document-store";
+import { operationStrings } from "../strings";
+import type { Layer } from "../viewer/layers/layer";
+import type { Viewer } from "../viewer/viewer";
+import { snapToModel, type SnapTargets } from "./drawing/snapping";
+import type { Tool, ToolPointer } from "./tool";
+
+export interface DragStores {
+  readonly documents: DocumentStore;
+  readonly view: ViewStore;
+  readonly viewer: Pick<Viewer, "seenFrom" | "pixelLength">;
+}
+
+/** Smallest step of a drag and of an arrow key, in CSS pixels. */
+const stepPixels = 10;
+/** Below this sine of the angle between the line of sight and the work plane, a drag moves parallel to the view. */
+const flattest = 0.2;
+
+/** A press on something selected. */
+interface Drag {
+  readonly project: Project;
+  readonly selection: readonly Entity[];
+  readonly gesture: Gesture;
+  /** Where the pointer took hold: the point itself, or a place on a line or patch. */
+  readonly start: Position;
+  /** The plane of the drag, through `start`. */
+  readonly plane: Frame;
+  /** What does not move, to snap to. */
+  readonly targets: SnapTargets;
+  offset: Position;
+}
+
+const label = operationStrings.transforms.move.step;
+
+/** Moves per arrow key, in the axes of the work plane. */
+const directions: Readonly<Record<string, Position>> = {
+  ArrowLeft: [-1, 0, 0],
+  ArrowRight: [1, 0, 0],
+  ArrowDown: [0, -1, 0],
+  ArrowUp: [0, 1, 0],
+  PageDown: [0, 0, -1],
+  PageUp: [0, 0, 1],
+};
+
+/**
+ * Drags the selection in the work plane, or parallel to the view if that plane is seen from its edge; a press on anything
+ * else selects it first. Shift keeps to one axis, Ctrl turns snapping off. What coincides after the drag is joined. Arrow
+ * keys move by a step of the grid.
+ */
+export class DragTool implements Tool {
+  readonly id = "move";
+  readonly #stores: DragStores;
+  /** Receives the presses beside the model. */
+  readonly #otherwise: Tool;
+  #drag: Drag | null = null;
+
+  constructor(stores: DragStores, otherwise: Tool) {
+    this.#stores = stores;
+    this.#otherwise = otherwise;
+  }
+
+  down(pointer: ToolPointer): boolean {
+    this.#drag = pointer.button === "left" && !pointer.mod && !pointer.shift ? this.#begin(pointer) : null;
+    return this.#drag !== null || this.#otherwise.down(pointer);
+  }
+
+  move(pointer: ToolPointer | null): void {
+    if (!pointer || !this.#drag) return this.#otherwise.move(pointer);
+    if (!pointer.isDrag) return;
+    const offset = this.#offsetAt(pointer, this.#drag);
+    if (!offset) return;
+    this.#drag.offset = offset;
+    this.#show(this.#drag, false);
+  }
+
+  up(pointer: ToolPointer): void {
+    const drag = this.#drag;
+    this.#drag = null;
+    if (drag && pointer.isDrag) {
+      this.#show(drag, true);
+      drag.gesture.commit();
+    } else {
+      drag?.gesture.cancel();
+      this.#otherwise.up(pointer);
+    }
+  }
+
+  cancel(): void {
+    this.#drag?.gesture.cancel();
+    this.#drag = null;
+    this.#otherwise.cancel();
+  }
+
+  key(event: KeyboardEvent): boolean {
+    if (event.key === "Escape") {
+      this.#stores.view.setTool("select");
+      return true;
+    }
+    const direction = event.ctrlKey || event.metaKey ? undefined : directions[event.key];
+    return direction !== undefined && this.#nudge(direction, event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
+  }
+
+  overlay(): Layer | null {
+    return null;
+  }
+
+  get #step(): number {
+    return roundStep(stepPixels * this.#stores.viewer.pixelLength);
+  }
+
+  get #frame(): Frame {
+    return this.#stores.view.state.getState().workPlane.frame;
+  }
+
+  /** Returns an offset that is given in the axes of the work plane. */
+  #fromPlane(offset: Position): Position {
+    return fromFrame({ ...this.#frame, origin: zero }, offset);
+  }
+
+  /** Returns false if nothing is selected: the keys then move the camera. */
+  #nudge(direction: Position, steps: number): boolean {
+    const { documents, view } = this.#stores;
+    const map = translation(this.#fromPlane(scale(direction, steps * this.#step)));
+    const { selection } = view.state.getState();
+    const offer = offerTransform(documents.project, selection, map, { label, join: false });
+    if (offer.possible) documents.edit({ ...offer.creation.edit, mergeKey: "nudge" });
+    return offer.possible;
+  }
+
+  #begin(pointer: ToolPointer): Drag | null {
+    const { documents, view, viewer } = this.#stores;
+    const hit = pointer.hit();
+    if (!hit || hit.target.kind === "element") return null;
+    const target: Entity = hit.target;
+    if (!view.state.getState().selection.some((entity) => sameEntity(entity, target))) view.select(target);
+    const { selection } = view.state.getState();
+    const { project } = documents;
+    if (!offerTransform(project, selection, translation(zero), { label, join: false }).possible) return null;
+    const held = target.kind === "point" ? findRecord(project, "point", target.id)?.position : undefined;
+    const start = held ?? hit.position;
+    const { ray } = viewer.seenFrom(pointer.at);
+    const sight = unit(ray.direction) ?? ray.direction;
+    const isFlat = Math.abs(dot(sight, this.#frame.z)) < flattest;
+    const plane = { ...this.#frame, origin: start, ...(isFlat && { z: sight }) };
+    const gesture = documents.begin(label);
+    return {
+      project,
+      selection,
+      gesture,
+      start,
+      plane,
+      targets: targetsBeside(project, selection),
+      offset: zero,
+    };
+  }
+
+  #offsetAt(pointer: ToolPointer, { start, plane, targets }: Drag): Position | null {
+    const { view, viewer } = this.#stores;
+    const { snapping } = view.state.getState();
+    const seen = viewer.seenFrom(pointer.at);
+    const snap = snapping.model && !pointer.mod ? snapToModel(targets, seen) : null;
+    if (snap) return subtract(snap.position, start);
+    const at = onPlane(seen.ray, plane);
+    if (!at) return null;
+    const moved = toFrame(this.#frame, at);
+    const from = toFrame(this.#frame, start);
+    const step = snapping.grid && !pointer.mod ? this.#step : 0;
+    const offset = moved.map((x, k) => stepped(x, from[k] ?? 0, step)) as [number, number, number];
+    return this.#fromPlane(pointer.shift ? alongOneAxis(offset) : offset);
+  }
+
+  #show({ project, selection, gesture, offset }: Drag, join: boolean): void {
+    const offer = offerTransform(project, selection, translation(offset), { label, join });
+    if (offer.possible) gesture.update(offer.creation.edit);
+  }
+}
+
+/** Returns how far a coordinate moves: to a multiple of the step, unless it stays within half a step. */
+function stepped(to: number, from: number, step: number): number {
+  if (step === 0) return to - from;
+  return Math.abs(to - from) < step / 2 ? 0 : roundTo(to, step) - from;
+}
+
+/** Returns the offset without its smaller parts. */
+function alongOneAxis(offset: Position): Position {
+  const largest = Math.max(...offset.map(Math.abs));
+  return offset.map((x) => (Math.abs(x) === largest ? x : 0)) as [number, number, number];
+}
+
+/** Returns the points and lines that do not move with a selection. */
+function targetsBeside(project: Project, selection: readonly Entity[]): SnapTargets {
+  const moved = new Set(selectedParts(project, selection).points.map(({ id }) => id));
+  const stays = (id: number): boolean => !moved.has(id);
+  return {
+    points: project.points.filter(({ id }) => stays(id)),
+    lines: linePaths(project, null).filter(({ line }) => line.points.every(stays)),
+  };
+}
