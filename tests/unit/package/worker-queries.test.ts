@@ -20,6 +20,7 @@ const modules = vi.hoisted(() => ({ failure: undefined as Error | undefined, loa
 
 vi.mock("../../../wasm/dist/engine/loader.js", () => ({
   loadEngine: () => new Promise(() => undefined),
+  loadTraceEngine: () => new Promise(() => undefined),
   loadTools: () => {
     modules.loads += 1;
     if (modules.failure !== undefined) return Promise.reject(modules.failure);
