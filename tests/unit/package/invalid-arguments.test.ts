@@ -315,9 +315,7 @@ const TESTED_ELSEWHERE = ["MesherError", "createMesher", "readTrace", "recordTra
 
 test("every exported function and every method is tested", () => {
   const exported = Object.entries(api).filter(([, value]) => typeof value === "function");
-  const names = exported
-    .map(([name]) => name)
-    .filter((name) => !TESTED_ELSEWHERE.includes(name));
+  const names = exported.map(([name]) => name).filter((name) => !TESTED_ELSEWHERE.includes(name));
   expect(Object.keys(functions).sort()).toEqual(names.sort());
   const own = Object.getOwnPropertyNames(Object.getPrototypeOf(mesher) as object);
   expect(own.filter((name) => !["constructor", "dispose"].includes(name)).sort()).toEqual(
