@@ -11,11 +11,11 @@ namespace {
 
 /// Rulings whose lengths are summed, and offsets tried in each direction.
 constexpr int kRulings = 64;
-/// Sums that differ by less, relative to the larger, are equal.
+/// Sums that differ by less, relative to the larger, are equal: their rounding is about 1e-14.
 constexpr double kEqualSums = 1e-9;
 /// Halvings of the interval in which the best offset lies: to the last bit.
 constexpr int kHalvings = 48;
-/// An offset that matches two joints of lines up to this is taken to match them.
+/// An offset that matches two joints of lines up to this share of the rim is taken to match them: rounding, not a gap.
 constexpr double kSameJoint = 1e-9;
 /// Rulings for the mean length.
 constexpr int kMeanRulings = 16;
