@@ -10,6 +10,7 @@ import { models as bodies } from "../models/bodies.mjs";
 import { models as bracket } from "../models/bracket.mjs";
 import { models as engineIntake } from "../models/engine-intake.mjs";
 import { models as firstSteps } from "../models/first-steps.mjs";
+import { models as flange } from "../models/flange.mjs";
 import { models as isoparametric } from "../models/isoparametric.mjs";
 import { models as missileLauncher } from "../models/missile-launcher.mjs";
 import { models as pipeAndFlow } from "../models/pipe-and-flow.mjs";
@@ -26,6 +27,7 @@ const models = [
   ...firstSteps,
   ...sDuct,
   ...pipes,
+  ...flange,
   ...blade,
   ...isoparametric,
   ...wing,

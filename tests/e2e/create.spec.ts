@@ -417,3 +417,28 @@ test("the inspector closes a spline and opens it again", async ({ page }) => {
   await page.getByTestId("line-closed").click();
   await expect(points).toHaveValue("1, 2, 7, 5");
 });
+
+test("two circles are joined by a tube, and a circle becomes an arc", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByTestId("tree-point").click();
+  await choose(page, "point", [1, 2, 4]);
+  await page.getByTestId("create-line-circle").click();
+  await expect(page.getByTestId("line-points")).toHaveValue("1, 2, 4, 1");
+  await choose(page, "point", [5, 6, 8]);
+  await page.keyboard.press("c");
+  await expect(page.getByTestId("line-points")).toHaveValue("5, 6, 8, 5");
+  const { lines } = await savedProject(page);
+  const circles = lines.filter(({ type }) => type === "circle").map(({ id }) => id);
+  expect(circles).toHaveLength(2);
+  await choose(page, "line", circles);
+  await page.keyboard.press("a");
+  await expect(page.getByTestId("patch-type")).toHaveValue("tube");
+  await expect(page.getByTestId("patch-hint")).toContainText("straight rulings");
+  const { patches } = await savedProject(page);
+  expect(patches.at(-1)).toMatchObject({ type: "tube", loops: circles.map((id) => [id]) });
+  await choose(page, "line", circles.slice(0, 1));
+  await page.getByTestId("line-type").click();
+  await page.getByRole("option", { name: "arc" }).click();
+  await expect(page.getByTestId("line-points")).toHaveValue("1, 2, 4");
+});

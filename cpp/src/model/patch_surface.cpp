@@ -7,6 +7,9 @@ namespace tetrafront {
 
 namespace {
 
+/// Distance between two strips of a tube, in the parameter of its first rim.
+constexpr double kStripGap = 1.0 / 16.0;
+
 /// Samples per curved line for the plane of a loop. The normal of a plane curve is exact with any
 /// number; this many give its area to about 1 %.
 constexpr std::uint32_t kSurfaceLoopSamples = 16;
@@ -33,8 +36,25 @@ MappedSurface::MappedSurface(TubeSurface tube) : surface_(std::move(tube)) {
                           corner.alongXi, corner.alongEta);
 }
 
+Vec2 MappedSurface::stripToPlane(const Vec2& unit, std::size_t strip) const {
+  return plane_.toPlane({unit.x + kStripGap * static_cast<double>(strip), unit.y});
+}
+
+Vec2 MappedSurface::toUnit(const Vec2& plane) const {
+  Vec2 unit = plane_.toUnit(plane);
+  if (surface_.tube() == nullptr || surface_.tube()->creases().size() < 2) return unit;
+  // Half of the gap belongs to either strip.
+  const std::span<const double> creases = surface_.tube()->creases();
+  std::size_t strip = 0;
+  while (strip + 1 < creases.size() &&
+         unit.x > creases[strip + 1] + kStripGap * (static_cast<double>(strip) + 0.5))
+    ++strip;
+  unit.x -= kStripGap * static_cast<double>(strip);
+  return unit;
+}
+
 SurfacePoint MappedSurface::evaluate(const Vec2& plane) const {
-  const Vec2 unit = plane_.toUnit(plane);
+  const Vec2 unit = toUnit(plane);
   SurfacePoint result = surface_.evaluate(unit);
   const StretchedPlane::Derivatives chain = plane_.derivatives(unit);
   result.alongEta = chain.xiByEta * result.alongXi + chain.etaByEta * result.alongEta;

@@ -25,6 +25,9 @@ class MappedSurface {
   explicit MappedSurface(TubeSurface tube);
 
   [[nodiscard]] const UnitSurface& unitSurface() const { return surface_; }
+  /// Returns the position in the plane of a point of a tube in the strip that follows crease `strip`: strips between
+  /// creases are drawn apart, so that each has its own nodes on both sides. Without creases there is one strip.
+  [[nodiscard]] Vec2 stripToPlane(const Vec2& unit, std::size_t strip) const;
   [[nodiscard]] const StretchedPlane& stretchedPlane() const { return plane_; }
   [[nodiscard]] SurfacePoint evaluate(const Vec2& plane) const;
 
@@ -32,6 +35,8 @@ class MappedSurface {
   [[nodiscard]] Vec2 clamped(const Vec2& plane) const;
 
  private:
+  [[nodiscard]] Vec2 toUnit(const Vec2& plane) const;
+
   UnitSurface surface_;
   StretchedPlane plane_;
 };

@@ -6,6 +6,13 @@
 
 namespace tetrafront {
 
+namespace {
+
+/// Cosine of 2 degrees: lines at a larger angle form a corner.
+constexpr double kLeastSmoothCosine = 0.99939082701909573;
+
+}  // namespace
+
 double wrapped(double part) {
   const double fraction = part - std::floor(part);
   // A tiny negative number is rounded up to 1.
@@ -28,6 +35,14 @@ Curve::Sample Rim::sample(double part) const {
   Curve::Sample sample = curves_[index].sample((at - starts_[index]) / width);
   sample.derivative /= width;
   return sample;
+}
+
+bool Rim::hasCornerAt(std::size_t index) const {
+  const OrientedCurve& before = curves_[(index + curves_.size() - 1) % curves_.size()];
+  const Vec3 incoming = before.sample(1.0).derivative;
+  const Vec3 outgoing = curves_[index].sample(0.0).derivative;
+  const double lengths = glm::length(incoming) * glm::length(outgoing);
+  return glm::dot(incoming, outgoing) < kLeastSmoothCosine * lengths;
 }
 
 double Rim::partAt(std::size_t index, double t) const {

@@ -25,6 +25,8 @@ class Rim {
   [[nodiscard]] double partAt(std::size_t index, double t) const;
   /// Parameters at which the lines begin, ascending; the first is 0.
   [[nodiscard]] std::span<const double> starts() const { return starts_; }
+  /// Returns whether the rim has a corner where line `index` begins.
+  [[nodiscard]] bool hasCornerAt(std::size_t index) const;
 
  private:
   [[nodiscard]] double endOf(std::size_t index) const {

@@ -110,7 +110,16 @@ class RimMatcher {
 RimMatch matchRims(const Rim& first, const Rim& second) { return RimMatcher(first, second).run(); }
 
 TubeSurface::TubeSurface(Rim first, Rim second)
-    : first_(std::move(first)), second_(std::move(second)), match_(matchRims(first_, second_)) {}
+    : first_(std::move(first)), second_(std::move(second)), match_(matchRims(first_, second_)) {
+  for (std::size_t i = 0; i < first_.starts().size(); ++i) {
+    for (std::size_t j = 0; j < second_.starts().size(); ++j) {
+      const double xi = first_.starts()[i];
+      const double difference = wrapped(xiOfSecond(second_.starts()[j]) - xi + 0.5) - 0.5;
+      const bool isCorner = first_.hasCornerAt(i) || second_.hasCornerAt(j);
+      if (isCorner && std::fabs(difference) <= kSameJoint) creases_.push_back(xi);
+    }
+  }
+}
 
 SurfacePoint TubeSurface::evaluate(const Vec2& unit) const {
   const Curve::Sample from = first_.sample(unit.x);

@@ -3,6 +3,9 @@
 /// @file The ruled surface between two closed rims: straight lines join positions of both. Two
 /// circles with one axis give a cylinder or a cone, exactly.
 
+#include <span>
+#include <vector>
+
 #include "model/rim.h"
 #include "model/surface_point.h"
 
@@ -36,6 +39,9 @@ class TubeSurface {
   [[nodiscard]] double xiOfSecond(double part) const;
   /// Mean length of the rulings.
   [[nodiscard]] double meanRuling() const;
+  /// The xi of the creases, ascending: of the rulings between two joints of lines, of which one is a corner. Where only
+  /// one rim has a joint, there is no crease.
+  [[nodiscard]] std::span<const double> creases() const { return creases_; }
 
  private:
   [[nodiscard]] double direction() const { return match_.isReversed ? -1.0 : 1.0; }
@@ -43,6 +49,7 @@ class TubeSurface {
   Rim first_;
   Rim second_;
   RimMatch match_;
+  std::vector<double> creases_;
 };
 
 }  // namespace tetrafront

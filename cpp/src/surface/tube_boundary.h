@@ -9,7 +9,9 @@
 ///                 |     |
 ///     first rim   +-->--+
 ///
-/// The seam is not a line of the model: its nodes belong to the patch.
+/// The seam is not a line of the model: its nodes belong to the patch. Where corners of both rims are opposite each
+/// other, the tube has a crease. It is then cut along all creases, into strips that are drawn apart in the plane, so that
+/// no triangle extends across a crease.
 
 #include <vector>
 

@@ -172,13 +172,14 @@ describe("together the models use", () => {
   test("every type of line and of patch, and holes", () => {
     const lines = all.flatMap((project) => project.lines.map(({ type }) => type));
     const patches = all.flatMap((project) => project.patches.map(({ type }) => type));
-    expect([...new Set(lines)].sort()).toEqual(["parabolic", "spline", "straight"]);
+    expect([...new Set(lines)].sort()).toEqual(["arc", "circle", "parabolic", "spline", "straight"]);
     expect([...new Set(patches)].sort()).toEqual([
       "barnhill-gregory-nielson",
       "coons",
       "isoparametric-triangle",
       "planar",
       "serendipity",
+      "tube",
     ]);
     expect(all.some(({ patches }) => patches.some(({ loops }) => loops.length > 1))).toBe(true);
   });
