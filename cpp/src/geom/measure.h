@@ -2,6 +2,7 @@
 
 /// @file Distances in plain doubles. They decide whether things are too close, never topology.
 
+#include <algorithm>
 #include <array>
 
 #include "tetrafront/vec3.h"
@@ -16,11 +17,30 @@ namespace tetrafront {
                                           const Vec3& c);
 
 /// Returns the squared distance from `p` to the closed segment a b.
-[[nodiscard]] double squaredDistanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b);
+[[nodiscard]] inline double squaredDistanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 ab = b - a;
+  const Vec3 ap = p - a;
+  const double square = glm::dot(ab, ab);
+  const double t = square > 0.0 ? std::clamp(glm::dot(ap, ab) / square, 0.0, 1.0) : 0.0;
+  const Vec3 rest = ap - ab * t;
+  return glm::dot(rest, rest);
+}
 
 /// Returns the squared distance from `p` to the closed triangle a b c.
-[[nodiscard]] double squaredDistanceToTriangle(const Vec3& p, const Vec3& a, const Vec3& b,
-                                               const Vec3& c);
+[[nodiscard]] inline double squaredDistanceToTriangle(const Vec3& p, const Vec3& a, const Vec3& b,
+                                                      const Vec3& c) {
+  const Vec3 normal = glm::cross(b - a, c - a);
+  const double square = glm::dot(normal, normal);
+  const bool above = square > 0.0 && glm::dot(glm::cross(b - a, p - a), normal) >= 0.0 &&
+                     glm::dot(glm::cross(c - b, p - b), normal) >= 0.0 &&
+                     glm::dot(glm::cross(a - c, p - c), normal) >= 0.0;
+  if (above) {
+    const double height = glm::dot(p - a, normal);
+    return height * height / square;
+  }
+  return std::min(squaredDistanceToSegment(p, a, b),
+                  std::min(squaredDistanceToSegment(p, b, c), squaredDistanceToSegment(p, c, a)));
+}
 
 /// Returns the length of the longest edge.
 [[nodiscard]] double longestEdgeLengthOf(const std::array<Vec3, 3>& corners);

@@ -23,10 +23,6 @@ constexpr double kLeastSampled = 1e-3;
 /// Steps of a walk between neighbouring triangles, after which the tree is faster.
 constexpr int kMaxWalk = 24;
 
-double squaredDistance(const Vec3& position, const std::array<Vec3, 3>& corners) {
-  return squaredDistanceToTriangle(position, corners[0], corners[1], corners[2]);
-}
-
 }  // namespace
 
 DeviationBound::DeviationBound(const GuardedSurface& surface, double least)
@@ -36,10 +32,12 @@ DeviationBound::DeviationBound(const GuardedSurface& surface, double least)
       bound_(least),
       above_(countTriangles(surface.reference().mesh())) {
   std::vector<Box> boxes;
+  frames_.resize(complex_.triangleSlots());
   for (const TriangleId t : IdRange<TriangleId>(complex_.triangleSlots())) {
     if (!complex_.isAlive(t) || reference_.patch(complex_.patchOf(t)).isPlanar) continue;
     const auto [a, b, c] = complex_.cornersOf(t);
     boxes.push_back(Box::of(a, b, c));
+    frames_[t.index()] = TriangleFrame({a, b, c});
     items_.push_back(t);
     if (!surface.beneath(t).isNone()) above_[surface.beneath(t).index()] = t;
   }
@@ -75,18 +73,20 @@ bool DeviationBound::advance(std::size_t budget) {
   return isPassDone();
 }
 
-/// Walks from a triangle to one that is nearer to the position than its neighbours.
+/// Walks from a triangle to one that is nearer to the position than its neighbours across the edges beyond which the
+/// position lies.
 TriangleId DeviationBound::walk(const Vec3& position, TriangleId from) const {
   TriangleId here = from;
-  double square = squaredDistance(position, complex_.cornersOf(here));
+  TriangleFrame::Distance distance = frames_[here.index()].measure(position);
   for (int step = 0; step < kMaxWalk; ++step) {
     const TriangleId last = here;
+    const std::uint32_t beyond = distance.beyond;
     for (std::uint32_t k = 0; k < 3; ++k) {
       const TriangleId next = neighbours_[halfEdgeOf(last, k).index()];
-      if (next.isNone()) continue;
-      const double other = squaredDistance(position, complex_.cornersOf(next));
-      if (other >= square) continue;
-      square = other;
+      if ((beyond >> k & 1U) == 0 || next.isNone()) continue;
+      const TriangleFrame::Distance other = frames_[next.index()].measure(position);
+      if (other.squared >= distance.squared) continue;
+      distance = other;
       here = next;
     }
     if (here == last) break;
@@ -98,12 +98,12 @@ TriangleId DeviationBound::walk(const Vec3& position, TriangleId from) const {
 TriangleId DeviationBound::nearest(const Vec3& position, SmoothPatchId patch,
                                    TriangleId guess) const {
   double square = std::numeric_limits<double>::infinity();
-  if (!guess.isNone()) square = squaredDistance(position, complex_.cornersOf(guess));
+  if (!guess.isNone()) square = frames_[guess.index()].squaredDistance(position);
   TriangleId found = guess;
   tree_.visitNear(position, square, [&](std::uint32_t item) {
     const TriangleId t = items_[item];
     if (complex_.patchOf(t) != patch) return;
-    const double other = squaredDistance(position, complex_.cornersOf(t));
+    const double other = frames_[t.index()].squaredDistance(position);
     if (other >= square) return;
     square = other;
     found = t;
@@ -112,10 +112,10 @@ TriangleId DeviationBound::nearest(const Vec3& position, SmoothPatchId patch,
 }
 
 double DeviationBound::boundBy(const Corners& corners, TriangleId triangle) const {
-  const Corners other = complex_.cornersOf(triangle);
+  const TriangleFrame& frame = frames_[triangle.index()];
   double largest = 0.0;
   for (const Vec3& corner : corners) {
-    largest = std::max(largest, squaredDistance(corner, other));
+    largest = std::max(largest, frame.squaredDistance(corner));
   }
   return std::sqrt(largest);
 }
@@ -159,7 +159,7 @@ void DeviationBound::measure(const Corners& corners, SmoothPatchId patch, Triang
   if (bound <= bound_) return;
   // The distance of the centroid is at most the largest one.
   const bool isSharp =
-      bound <= kSharpness * std::sqrt(squaredDistance(centroid, complex_.cornersOf(t)));
+      bound <= kSharpness * std::sqrt(frames_[t.index()].squaredDistance(centroid));
   if (isSharp || depth >= kMaxDepth) {
     bound_ = bound;
     return;

@@ -9,6 +9,7 @@
 
 #include "base/ids.h"
 #include "base/resumable.h"
+#include "geom/triangle_frame.h"
 #include "remesh/guarded_surface.h"
 #include "remesh/triangle_parts.h"
 #include "search/box_tree.h"
@@ -46,6 +47,8 @@ class DeviationBound : public Resumable {
   const SurfaceComplex& complex_;
   const ReferenceSurface& reference_;
   double bound_;
+  std::vector<TriangleFrame>
+      frames_;  ///< per triangle of the remeshed surface; empty in planar patches
   std::vector<TriangleId> above_;  ///< per given triangle: a remeshed one made above it, or none
   std::vector<TriangleId> items_;  ///< triangles of the remeshed surface in curved patches
   std::vector<TriangleId>

@@ -25,12 +25,8 @@ constexpr double kApexCosine = 0.70710678;
 /// triangle.
 constexpr double kPieceLength = 1.0 / 60.0;
 constexpr int kMaxHalvings = 8;
-/// Squared height / longest edge below which barycentric coordinates lose too many digits.
-constexpr double kThinnest = 1e-8;
 /// Steps of a walk between neighbouring triangles, after which the tree is faster.
 constexpr int kMaxSteps = 24;
-
-double squaredLength(const Vec3& v) { return glm::dot(v, v); }
 
 Vec3 unitOf(const Vec3& v) {
   const double length = glm::length(v);
@@ -61,7 +57,10 @@ ReferenceSurface::ReferenceSurface(const SurfaceMesh& mesh, std::span<const std:
 Task<> ReferenceSurface::prepare(Work& work) {
   const EdgeTable edges(mesh_.triangles, countNodes(mesh_), {});
   co_await work.yield();
-  findFrames();
+  frames_.reserve(countTriangles(mesh_));
+  for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh_))) {
+    frames_.emplace_back(cornersOf(mesh_, t));
+  }
   SmoothTriangles smooth =
       findSmoothTriangles(mesh_, edges, groups_, rules_.creaseCosine, largestCoordinate_);
   normals_ = std::move(smooth.normals);
@@ -82,28 +81,6 @@ Task<> ReferenceSurface::prepare(Work& work) {
   BoxTreeBuilder builder(std::move(boxes));
   co_await work.finish(builder, 32);
   tree_ = builder.take();
-}
-
-void ReferenceSurface::findFrames() {
-  const std::uint32_t count = countTriangles(mesh_);
-  frames_.resize(count);
-  for (std::uint32_t t = 0; t < count; ++t) {
-    const auto [a, b, c] = cornersOf(mesh_, TriangleId(t));
-    Frame& frame = frames_[t];
-    frame.origin = a;
-    frame.ab = b - a;
-    frame.ac = c - a;
-    frame.abab = squaredLength(frame.ab);
-    frame.abac = glm::dot(frame.ab, frame.ac);
-    frame.acac = squaredLength(frame.ac);
-    const Vec3 normal = glm::cross(frame.ab, frame.ac);
-    const double square = squaredLength(normal);
-    const double longest = std::max({frame.abab, frame.acac, squaredLength(c - b)});
-    if (square > kThinnest * longest * longest) {
-      frame.normal = unitOf(normal);
-      frame.inverse = 1.0 / square;
-    }
-  }
 }
 
 void ReferenceSurface::findPatches() {
@@ -362,51 +339,25 @@ void ReferenceSurface::divide(TriangleId triangle, const std::array<Vec3, 3>& co
   divide(triangle, {middle, b, c}, depth - 1, boxes);
 }
 
-double ReferenceSurface::squaredDistance(const Vec3& position, TriangleId triangle) const {
-  const Frame& frame = frames_[triangle.index()];
-  if (frame.inverse == 0.0) {
-    const auto [a, b, c] = cornersOf(mesh_, triangle);
-    return squaredDistanceToTriangle(position, a, b, c);
-  }
-  const Vec3 offset = position - frame.origin;
-  const double alongAb = glm::dot(offset, frame.ab);
-  const double alongAc = glm::dot(offset, frame.ac);
-  // Barycentric coordinates of b and c.
-  const double v = (frame.acac * alongAb - frame.abac * alongAc) * frame.inverse;
-  const double w = (frame.abab * alongAc - frame.abac * alongAb) * frame.inverse;
-  if (v >= 0.0 && w >= 0.0 && v + w <= 1.0) {
-    const double height = glm::dot(offset, frame.normal);
-    return height * height;
-  }
-  const Vec3 b = frame.origin + frame.ab;
-  const Vec3 c = frame.origin + frame.ac;
-  double square = std::numeric_limits<double>::infinity();
-  if (w < 0.0) square = squaredDistanceToSegment(position, frame.origin, b);
-  if (v < 0.0) square = std::min(square, squaredDistanceToSegment(position, frame.origin, c));
-  if (v + w > 1.0) square = std::min(square, squaredDistanceToSegment(position, b, c));
-  return square;
-}
-
 /// Walks to a triangle that is nearer than all its neighbours; returns it with its nearest point.
 NearestPoint ReferenceSurface::walk(const Vec3& position, TriangleId from) const {
-  NearestPoint nearest{from, squaredDistance(position, from), {}};
+  TriangleId here = from;
   TriangleId last{};
+  TriangleFrame::Distance distance = frames_[here.index()].measure(position);
   for (int step = 0; step < kMaxSteps; ++step) {
-    const TriangleId here = nearest.triangle;
+    const TriangleId current = here;
     for (std::uint32_t k = 0; k < 3; ++k) {
-      const TriangleId next = smoothNeighbour(halfEdgeOf(here, k));
+      const TriangleId next = smoothNeighbour(halfEdgeOf(current, k));
       if (next.isNone() || next == last) continue;
-      const double square = squaredDistance(position, next);
-      if (square >= nearest.squaredDistance) continue;
-      nearest.squaredDistance = square;
-      nearest.triangle = next;
+      const TriangleFrame::Distance other = frames_[next.index()].measure(position);
+      if (other.squared >= distance.squared) continue;
+      distance = other;
+      here = next;
     }
-    if (nearest.triangle == here) break;
-    last = here;
+    if (here == current) break;
+    last = current;
   }
-  const std::array<Vec3, 3> corners = cornersOf(mesh_, nearest.triangle);
-  nearest.position = nearestPointOfTriangle(position, corners[0], corners[1], corners[2]);
-  return nearest;
+  return {here, distance.squared, frames_[here.index()].nearestPoint(position, distance)};
 }
 
 NearestPoint ReferenceSurface::nearest(const Vec3& position, SmoothPatchId patch, double limit,
@@ -417,18 +368,19 @@ NearestPoint ReferenceSurface::nearest(const Vec3& position, SmoothPatchId patch
     if (found.squaredDistance <= best.squaredDistance) return found;
   }
   TriangleId last{};
+  TriangleFrame::Distance distance;
   tree_.visitNear(position, best.squaredDistance, [&](std::uint32_t item) {
     const TriangleId t = pieces_[item].triangle;
     if (t == last || t == best.triangle || patchOf(t) != patch) return;
     last = t;
-    const double square = squaredDistance(position, t);
-    if (square >= best.squaredDistance) return;
-    best.squaredDistance = square;
+    const TriangleFrame::Distance other = frames_[t.index()].measure(position);
+    if (other.squared >= best.squaredDistance) return;
+    distance = other;
+    best.squaredDistance = other.squared;
     best.triangle = t;
   });
   if (!best.triangle.isNone()) {
-    const std::array<Vec3, 3> corners = cornersOf(mesh_, best.triangle);
-    best.position = nearestPointOfTriangle(position, corners[0], corners[1], corners[2]);
+    best.position = frames_[best.triangle.index()].nearestPoint(position, distance);
   }
   return best;
 }

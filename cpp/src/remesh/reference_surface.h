@@ -12,6 +12,7 @@
 #include "base/mesh_access.h"
 #include "base/task.h"
 #include "boundary/edge_table.h"
+#include "geom/triangle_frame.h"
 #include "remesh/feature_line.h"
 #include "search/box_tree.h"
 #include "tetrafront/mesh.h"
@@ -105,7 +106,9 @@ class ReferenceSurface {
   [[nodiscard]] NearestPoint nearest(const Vec3& position, SmoothPatchId patch, double limit,
                                      TriangleId hint) const;
 
-  [[nodiscard]] double squaredDistance(const Vec3& position, TriangleId triangle) const;
+  [[nodiscard]] double squaredDistance(const Vec3& position, TriangleId triangle) const {
+    return frames_[triangle.index()].squaredDistance(position);
+  }
 
   /// A part of a given triangle, no longer than a fraction of the diagonal: boxes around whole needles would overlap.
   struct Piece {
@@ -123,20 +126,6 @@ class ReferenceSurface {
     EdgeId edge;
   };
 
-  /// What the distance to a triangle needs; computed once, because it is measured millions of times.
-  struct Frame {
-    Vec3 origin{0.0};  ///< first corner
-    Vec3 ab{0.0};
-    Vec3 ac{0.0};
-    Vec3 normal{
-        0.0};  ///< unit normal of the triangle itself; zero if it is too thin to be measured so
-    double abab = 0.0;
-    double abac = 0.0;
-    double acac = 0.0;
-    double inverse = 0.0;  ///< 1 / squared length of the cross product
-  };
-
-  void findFrames();
   void findPatches();
   void findFacets();
   void growFacet(TriangleId seed, std::vector<TriangleId>& members);
@@ -161,7 +150,7 @@ class ReferenceSurface {
   FeatureRules rules_;
   double diagonal_ = 0.0;
   double largestCoordinate_ = 0.0;
-  std::vector<Frame> frames_;
+  std::vector<TriangleFrame> frames_;
   std::vector<Vec3> normals_;
   std::vector<TriangleId> neighbours_;       ///< per half-edge
   std::vector<std::uint8_t> isFeatureEdge_;  ///< per edge of the table
