@@ -62,7 +62,7 @@ const PACKAGE = [
 
 /** The modules of web/, in the same way. */
 const APP = [
-  ["strings"],
+  ["strings", "expressions"],
   ["document", "ui"],
   ["workers"],
   ["session"],

@@ -32,3 +32,6 @@ export interface DocumentContent {
 }
 
 export type ProjectEdit = Edit<DocumentContent>;
+
+/** An edit that changes a draft, so that it can be combined with others. */
+export type DraftEdit = ProjectEdit & DraftChange<DocumentContent>;

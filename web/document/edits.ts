@@ -1,7 +1,7 @@
 import type { Project, ProjectLine, ProjectPatch } from "tetrafront";
 import { stepNames } from "../strings";
 import { listOf, nounOf, recordOf, type Axis } from "./draft-records";
-import type { ProjectEdit } from "./edit";
+import type { DraftEdit, ProjectEdit } from "./edit";
 import { pointsForType } from "./line-types";
 import { dependentsOf, entityKey, type DrawnKind, type Entity } from "./entities";
 
@@ -16,7 +16,7 @@ export function moveEntity(
   id: number,
   axis: Axis,
   value: number,
-): ProjectEdit {
+): DraftEdit {
   return {
     label: stepNames.move(nounOf(kind, id)),
     mergeKey: `move-${kind}-${id}-${axis}`,
@@ -49,7 +49,7 @@ export function renameProject(name: string): ProjectEdit {
   };
 }
 
-export function setLineType(id: number, type: ProjectLine["type"]): ProjectEdit {
+export function setLineType(id: number, type: ProjectLine["type"]): DraftEdit {
   return {
     label: stepNames.setLineType(id),
     change: ({ project }) => {
@@ -71,7 +71,7 @@ export function setLinePoints(id: number, points: readonly number[]): ProjectEdi
   };
 }
 
-export function setPatchType(id: number, type: ProjectPatch["type"]): ProjectEdit {
+export function setPatchType(id: number, type: ProjectPatch["type"]): DraftEdit {
   return {
     label: stepNames.setPatchType(id),
     change: ({ project }) => {

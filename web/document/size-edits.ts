@@ -1,14 +1,14 @@
 import type { Project, ProjectBackground, ProjectMeshing } from "tetrafront";
 import { stepNames } from "../strings";
 import { nounOf, recordOf, type Axis, type ProjectDraft } from "./draft-records";
-import type { ProjectEdit } from "./edit";
+import type { DraftEdit, ProjectEdit } from "./edit";
 
 /**
  * Changes of sizes and mesh settings, as named edits for the history: background nodes, sources, the background grid as
  * a whole, and the uniform size. An edit of a missing entity changes nothing.
  */
 
-export function setNodeSize(id: number, size: number): ProjectEdit {
+export function setNodeSize(id: number, size: number): DraftEdit {
   return {
     label: stepNames.setNode("size", id),
     mergeKey: `size-${id}`,
@@ -19,7 +19,7 @@ export function setNodeSize(id: number, size: number): ProjectEdit {
   };
 }
 
-export function setNodeStretching(id: number, stretching: number): ProjectEdit {
+export function setNodeStretching(id: number, stretching: number): DraftEdit {
   return {
     label: stepNames.setNode("stretching", id),
     mergeKey: `stretching-${id}`,
@@ -32,7 +32,7 @@ export function setNodeStretching(id: number, stretching: number): ProjectEdit {
   };
 }
 
-export function setNodeDirection(id: number, axis: Axis, value: number): ProjectEdit {
+export function setNodeDirection(id: number, axis: Axis, value: number): DraftEdit {
   return {
     label: stepNames.setNode("direction", id),
     mergeKey: `direction-${id}-${axis}`,
@@ -52,7 +52,7 @@ function sourceOf({ background }: ProjectDraft, id: number) {
 /** A number of a source that determines sizes. */
 export type SourceField = "size" | "distance" | "growth";
 
-export function setSourceField(id: number, field: SourceField, value: number): ProjectEdit {
+export function setSourceField(id: number, field: SourceField, value: number): DraftEdit {
   return {
     label: stepNames.setSource(field, id),
     mergeKey: `source-${field}-${id}`,
@@ -64,7 +64,7 @@ export function setSourceField(id: number, field: SourceField, value: number): P
 }
 
 /** Moves one corner of a source along one axis. */
-export function moveSource(id: number, corner: number, axis: Axis, value: number): ProjectEdit {
+export function moveSource(id: number, corner: number, axis: Axis, value: number): DraftEdit {
   return {
     label: stepNames.move(nounOf("source", id)),
     mergeKey: `move-source-${id}-${corner}-${axis}`,

@@ -2,6 +2,7 @@ import { liveNotes, type Project } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { documentKey, shownMeshKey } from "../document/content-keys";
 import type { Change, DocumentContent, ProjectEdit } from "../document/edit";
+import { agreement } from "../document/expression-edits";
 import { addStep, commit, redo, startHistory, stepFrom, undo, type History, type Step } from "./history";
 
 /** The file that Save writes to. */
@@ -57,19 +58,26 @@ export function newDocumentId(): string {
   return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
 }
 
-/** Makes the step of a change. It also removes what groups and expressions note about entities that are gone. */
+/**
+ * Makes the step of a change. It also removes what groups and expressions note about entities that are gone, and makes
+ * numbers and their expressions agree.
+ */
 function stepOfProject(content: DocumentContent, change: Change<DocumentContent>): Step<DocumentContent> {
   const step = stepFrom(content, change);
-  const { project } = step.present;
-  const notes = Object.entries(liveNotes(project));
-  const tidy = stepFrom(step.present, {
-    replace: notes.map(([key, list]) => [["project", key], list] as const),
-  });
-  if (tidy.forward.length === 0) return step;
+  const notes = Object.entries(liveNotes(step.present.project));
+  const tidy = followedBy(step, { replace: notes.map(([key, list]) => [["project", key], list] as const) });
+  const agreed = agreement(content.project, tidy.present.project);
+  return agreed ? followedBy(tidy, agreed) : tidy;
+}
+
+/** Returns a step and a further change as one step. */
+function followedBy(step: Step<DocumentContent>, change: Change<DocumentContent>): Step<DocumentContent> {
+  const next = stepFrom(step.present, change);
+  if (next.forward.length === 0) return step;
   return {
-    present: tidy.present,
-    forward: [...step.forward, ...tidy.forward],
-    backward: [...tidy.backward, ...step.backward],
+    present: next.present,
+    forward: [...step.forward, ...next.forward],
+    backward: [...next.backward, ...step.backward],
   };
 }
 
@@ -152,6 +160,15 @@ export class DocumentStore {
   /** Goes one step forward; does nothing during a gesture. */
   redo(): void {
     if (!this.#gesture) this.#set(redo(this.state.getState().history));
+  }
+
+  /** Goes to the state after a number of the steps that can be undone or redone; cancels the current gesture. */
+  jumpTo(steps: number): void {
+    this.#gesture?.cancel();
+    let { history } = this.state.getState();
+    while (history.past.length > steps && history.past.length > 0) history = undo(history);
+    while (history.past.length < steps && history.future.length > 0) history = redo(history);
+    this.#set(history);
   }
 
   /** Cancels the current gesture, shows another document, and returns the previous one. */

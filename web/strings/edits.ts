@@ -29,6 +29,10 @@ export const stepNames = {
   addLines: (count: number) => `Add ${count} lines`,
   addHole: (patch: string) => `Add hole to ${patch}`,
   addTetrahedron: "Add background tetrahedron",
+  addParameter: (name: string) => `Add parameter ${name}`,
+  setParameter: (name: string) => `Set parameter ${name}`,
+  renameParameter: (name: string) => `Rename parameter ${name}`,
+  removeParameter: (name: string) => `Remove parameter ${name}`,
   paintSize: "Paint size",
   improve: "Improve mesh",
   generate: "Generate mesh",
@@ -68,6 +72,15 @@ export const patchMisfits = {
   loopCount: (needed: number, found: number) =>
     `Needs ${countWords[needed] ?? needed} loops; found ${found === 1 ? "1 loop" : `${found} loops`}.`,
   lineType: (line: string) => `Needs parabolic lines; ${line} has another type.`,
+} as const;
+
+/** Why a parameter cannot have a name or an expression. */
+export const parameterProblems = {
+  name: "Use letters, digits and underscores, and begin with a letter",
+  reserved: (name: string) => `"${name}" is a function or a constant`,
+  taken: (name: string) => `There is already a parameter ${name}`,
+  expression: "Enter a number or a formula, such as 2*r",
+  cycle: (name: string) => `Uses ${name} itself`,
 } as const;
 
 /** Name of a new project. */

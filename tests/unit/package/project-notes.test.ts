@@ -32,6 +32,7 @@ const NOTES = {
     { kind: "point", id: 2, field: "position.0", expression: "width" },
     { kind: "source", id: 7, field: "size", expression: "half_2/10" },
     { kind: "source", id: 7, field: "positions.0.2", expression: "half_2" },
+    { kind: "background-node", id: 1, field: "size", expression: "width/20" },
   ],
 } as const satisfies Partial<Project>;
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { readNumber } from "../../../web/ui/fields/expression";
+import { readNumber } from "../../../web/expressions/expression";
 
 describe("readNumber", () => {
   it.each([

@@ -21,7 +21,7 @@ import { WORDS } from "./words.js";
 export const GROUP_KINDS = ["point", "line", "patch", "body", "source"] as const;
 
 /** Kinds of entities whose numbers may have expressions. */
-export const EXPRESSION_KINDS = ["point", "body", "source"] as const;
+export const EXPRESSION_KINDS = ["point", "body", "background-node", "source"] as const;
 
 type GroupKind = (typeof GROUP_KINDS)[number];
 type ExpressionKind = (typeof EXPRESSION_KINDS)[number];
@@ -32,6 +32,7 @@ const REMESHING = "size|minSize|maxSize|tolerance|featureAngle|anglePerEdge|laye
 const NUMBER_FIELDS: Readonly<Record<ExpressionKind, RegExp>> = {
   point: /^position\.[0-2]$/,
   body: new RegExp(`^(placement\\.(scale|position\\.[0-2]|rotation\\.[0-3])|remeshing\\.(${REMESHING}))$`),
+  "background-node": /^(size|stretching|(position|direction)\.[0-2])$/,
   source: /^(size|distance|growth|positions\.[0-2]\.[0-2])$/,
 };
 
@@ -89,7 +90,7 @@ interface Noted {
   readonly lines: Records;
   readonly patches: Records;
   readonly bodies?: readonly { readonly id: number; readonly patches: Records }[] | undefined;
-  readonly background: { readonly sources?: Sources | undefined };
+  readonly background: { readonly nodes: Records; readonly sources?: Sources | undefined };
   readonly groups?: readonly Group[] | undefined;
   readonly parameters?: readonly Parameter[] | undefined;
   readonly expressions?: readonly Expression[] | undefined;
@@ -97,10 +98,10 @@ interface Noted {
 
 /** Answers whether the notes of a project refer to something. */
 export class Subjects {
-  readonly #ids: Readonly<Record<GroupKind, ReadonlySet<number>>>;
+  readonly #ids: Readonly<Record<GroupKind | ExpressionKind, ReadonlySet<number>>>;
   readonly #corners: ReadonlyMap<number, number>;
 
-  constructor({ points, lines, patches, bodies = [], background: { sources = [] } }: Noted) {
+  constructor({ points, lines, patches, bodies = [], background: { nodes, sources = [] } }: Noted) {
     const idsOf = (...lists: readonly Records[]) =>
       new Set(lists.flatMap((list) => list.map((one) => one.id)));
     this.#ids = {
@@ -108,12 +109,13 @@ export class Subjects {
       line: idsOf(lines),
       patch: idsOf(patches, ...bodies.map((body) => body.patches)),
       body: idsOf(bodies),
+      "background-node": idsOf(nodes),
       source: idsOf(sources),
     };
     this.#corners = new Map(sources.map((source) => [source.id, source.positions.length]));
   }
 
-  has(kind: GroupKind, entity: number): boolean {
+  has(kind: GroupKind | ExpressionKind, entity: number): boolean {
     return this.#ids[kind].has(entity);
   }
 

@@ -1,5 +1,6 @@
 import { LIMITS, type Project, type ProjectBackgroundNode } from "tetrafront";
 import { moveEntity } from "../../document/edits";
+import { expressionOf, keepingExpression } from "../../document/expression-edits";
 import { setNodeDirection, setNodeSize, setNodeStretching } from "../../document/size-edits";
 import { NumberRow } from "../../ui/fields/number-row";
 import { PositionRow } from "../../ui/fields/position-row";
@@ -7,6 +8,7 @@ import { Unit } from "../../ui/fields/unit";
 import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import { aboveZero, atLeastOne, sizeStep, stepFor, unitsOf, upTo } from "../shared/size-fields";
+import { positionExpressions } from "./kept-expressions";
 
 interface NodeEditorProps {
   readonly node: ProjectBackgroundNode;
@@ -17,6 +19,7 @@ interface NodeEditorProps {
 export function NodeEditor({ node, project }: NodeEditorProps) {
   const { documents } = useApp();
   const { id, size, stretching = 1, direction = [1, 0, 0] as const, position } = node;
+  const path = (field: string) => ({ kind: "background-node", id, field }) as const;
   const refuseZero = (axis: 0 | 1 | 2, value: number): string | null =>
     direction.with(axis, value).every((x) => x === 0) ? strings.fields.zeroDirection : null;
   return (
@@ -28,7 +31,10 @@ export function NodeEditor({ node, project }: NodeEditorProps) {
         refuse={upTo(LIMITS.length, aboveZero)}
         testId="node-size"
         {...unitsOf(project)}
-        onCommit={(value) => documents.edit(setNodeSize(id, value))}
+        expression={expressionOf(project, path("size"))}
+        onCommit={(value, expression) =>
+          documents.edit(keepingExpression(setNodeSize(id, value), path("size"), expression))
+        }
       />
       <NumberRow
         label={strings.inspector.stretching}
@@ -37,7 +43,10 @@ export function NodeEditor({ node, project }: NodeEditorProps) {
         refuse={upTo(LIMITS.stretching, atLeastOne)}
         testId="node-stretching"
         rightSection={<Unit>×</Unit>}
-        onCommit={(value) => documents.edit(setNodeStretching(id, value))}
+        expression={expressionOf(project, path("stretching"))}
+        onCommit={(value, expression) =>
+          documents.edit(keepingExpression(setNodeStretching(id, value), path("stretching"), expression))
+        }
       />
       {stretching !== 1 && (
         <PositionRow
@@ -46,7 +55,12 @@ export function NodeEditor({ node, project }: NodeEditorProps) {
           step={0.1}
           refuse={refuseZero}
           testId="direction"
-          onCommit={(axis, value) => documents.edit(setNodeDirection(id, axis, value))}
+          expressions={positionExpressions(project, path("direction"))}
+          onCommit={(axis, value, expression) =>
+            documents.edit(
+              keepingExpression(setNodeDirection(id, axis, value), path(`direction.${axis}`), expression),
+            )
+          }
         />
       )}
       <PositionRow
@@ -54,7 +68,16 @@ export function NodeEditor({ node, project }: NodeEditorProps) {
         value={position}
         step={stepFor(project)}
         testId="position"
-        onCommit={(axis, value) => documents.edit(moveEntity("background-node", id, axis, value))}
+        expressions={positionExpressions(project, path("position"))}
+        onCommit={(axis, value, expression) =>
+          documents.edit(
+            keepingExpression(
+              moveEntity("background-node", id, axis, value),
+              path(`position.${axis}`),
+              expression,
+            ),
+          )
+        }
       />
     </>
   );

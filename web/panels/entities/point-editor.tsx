@@ -1,20 +1,32 @@
 import type { Project, ProjectPoint } from "tetrafront";
 import { moveEntity } from "../../document/edits";
+import { keepingExpression } from "../../document/expression-edits";
 import { PositionRow } from "../../ui/fields/position-row";
 import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import { stepFor } from "../shared/size-fields";
+import { positionExpressions } from "./kept-expressions";
 
 /** The position of a point. */
 export function PointEditor({ point, project }: { readonly point: ProjectPoint; readonly project: Project }) {
   const app = useApp();
+  const path = { kind: "point", id: point.id, field: "position" } as const;
   return (
     <PositionRow
       label={strings.inspector.position}
       value={point.position}
       step={stepFor(project)}
       testId="position"
-      onCommit={(axis, value) => app.documents.edit(moveEntity("point", point.id, axis, value))}
+      expressions={positionExpressions(project, path)}
+      onCommit={(axis, value, expression) =>
+        app.documents.edit(
+          keepingExpression(
+            moveEntity("point", point.id, axis, value),
+            { ...path, field: `position.${axis}` },
+            expression,
+          ),
+        )
+      }
     />
   );
 }

@@ -1,11 +1,13 @@
 import { Text } from "@mantine/core";
 import { LIMITS, SOURCE_GROWTH, type Project, type ProjectSource } from "tetrafront";
+import { expressionOf, keepingExpression } from "../../document/expression-edits";
 import { moveSource, setSourceField } from "../../document/size-edits";
 import { NumberRow } from "../../ui/fields/number-row";
 import { PositionRow } from "../../ui/fields/position-row";
 import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import { aboveZero, notNegative, sizeStep, stepFor, unitsOf, upTo } from "../shared/size-fields";
+import { positionExpressions } from "./kept-expressions";
 
 interface SourceEditorProps {
   readonly source: ProjectSource;
@@ -16,6 +18,7 @@ interface SourceEditorProps {
 export function SourceEditor({ source, project }: SourceEditorProps) {
   const { documents } = useApp();
   const { id, size, distance = 0, growth = SOURCE_GROWTH, positions } = source;
+  const path = (field: string) => ({ kind: "source", id, field }) as const;
   const length = { step: sizeStep(size), ...unitsOf(project) };
   const fields = [
     { name: "size", value: size, refuse: upTo(LIMITS.length, aboveZero), ...length },
@@ -29,7 +32,10 @@ export function SourceEditor({ source, project }: SourceEditorProps) {
           key={name}
           label={strings.inspector[name]}
           testId={`source-${name}`}
-          onCommit={(value) => documents.edit(setSourceField(id, name, value))}
+          expression={expressionOf(project, path(name))}
+          onCommit={(value, expression) =>
+            documents.edit(keepingExpression(setSourceField(id, name, value), path(name), expression))
+          }
           {...field}
         />
       ))}
@@ -40,7 +46,16 @@ export function SourceEditor({ source, project }: SourceEditorProps) {
           value={position}
           step={stepFor(project)}
           testId={`position-${index}`}
-          onCommit={(axis, value) => documents.edit(moveSource(id, index, axis, value))}
+          expressions={positionExpressions(project, path(`positions.${index}`))}
+          onCommit={(axis, value, expression) =>
+            documents.edit(
+              keepingExpression(
+                moveSource(id, index, axis, value),
+                path(`positions.${index}.${axis}`),
+                expression,
+              ),
+            )
+          }
         />
       ))}
       <Text size="sm" c="dimmed">

@@ -10,6 +10,7 @@ import { useApp, useProject, useQualitySpace, useRun, useView } from "../shared/
 import { ElementSize } from "../background/element-size";
 import { EntityCard } from "../later/later";
 import { MeshSettings } from "./mesh-settings";
+import { ParameterTable } from "./parameter-table";
 import { PanelBoundary } from "../shared/panel-boundary";
 import { QualityPanel } from "../quality/quality-panel";
 import { SelectionCard } from "../entities/selection-card";
@@ -63,6 +64,7 @@ function ProjectCard() {
       <Text size="sm" c="dimmed">
         {strings.inspector.nothingSelected}
       </Text>
+      <ParameterTable />
       <ElementSize />
       <MeshSettings />
     </>

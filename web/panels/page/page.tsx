@@ -3,6 +3,7 @@ import { openDropped } from "../../commands/drop-actions";
 import type { App } from "../../app/app";
 import { strings } from "../../strings";
 import { AppContext } from "../shared/app-context";
+import { ProjectNames } from "../shared/project-names";
 import { PageLayout } from "./layout";
 import { PanelBoundary } from "../shared/panel-boundary";
 import { useCommandHotkeys } from "./hotkeys";
@@ -23,10 +24,12 @@ export function Page({ app }: { readonly app: App }) {
   const dropping = useFileDrop(app);
   return (
     <AppContext value={app}>
-      <PageLayout root={root} />
-      <PanelBoundary floats onFailed={losePalette}>
-        <Overlays />
-      </PanelBoundary>
+      <ProjectNames>
+        <PageLayout root={root} />
+        <PanelBoundary floats onFailed={losePalette}>
+          <Overlays />
+        </PanelBoundary>
+      </ProjectNames>
       {dropping && <div className={styles["drop"]}>{strings.viewport.drop}</div>}
     </AppContext>
   );

@@ -1,6 +1,6 @@
 import type { Position } from "../../document/position";
 import { add, fromFrame, type Frame } from "../../document/vectors";
-import { readNumber } from "../../ui/fields/expression";
+import { readNumber, type NamedNumbers } from "../../expressions/expression";
 
 /** What typed coordinates refer to. */
 export interface CoordinateContext {
@@ -8,6 +8,8 @@ export interface CoordinateContext {
   readonly last: Position | null;
   /** The work plane. */
   readonly frame: Frame;
+  /** The parameters of the project. */
+  readonly named?: NamedNumbers;
 }
 
 export type TypedPosition =
@@ -25,14 +27,15 @@ const degrees = Math.PI / 180;
  * - `5 < 30`: length and angle in degrees in the work plane, from the place picked last or, without one, from the
  *   plane's origin.
  */
-export function readCoordinates(text: string, { last, frame }: CoordinateContext): TypedPosition {
+export function readCoordinates(text: string, { last, frame, named }: CoordinateContext): TypedPosition {
+  const read = (part: string): number | null => readNumber(part, named);
   const trimmed = text.trim();
   const isRelative = trimmed.startsWith("@");
   if (isRelative && !last) return { success: false, reason: "no-last-place" };
   const body = isRelative ? trimmed.slice(1) : trimmed;
   const base = isRelative ? last : null;
-  if (body.includes("<")) return polar(body, last ?? frame.origin, frame);
-  const numbers = parts(body).map(readNumber);
+  if (body.includes("<")) return polar(body.split("<").map(read), last ?? frame.origin, frame);
+  const numbers = parts(body).map(read);
   const [a, b, c] = numbers;
   if (a == null || b == null || c === null || numbers.length > 3) return syntax;
   const inPlane = c === undefined;
@@ -41,8 +44,11 @@ export function readCoordinates(text: string, { last, frame }: CoordinateContext
   return { success: true, position: add(origin, offset) };
 }
 
-function polar(text: string, from: Position, frame: Frame): TypedPosition {
-  const [length, angle, ...more] = text.split("<").map(readNumber);
+function polar(
+  [length, angle, ...more]: readonly (number | null)[],
+  from: Position,
+  frame: Frame,
+): TypedPosition {
   if (length == null || angle == null || more.length > 0) return syntax;
   const [cosine, sine] = circle(angle);
   return { success: true, position: add(from, inDirections(frame, length * cosine, length * sine)) };

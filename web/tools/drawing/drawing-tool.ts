@@ -7,6 +7,7 @@ import type { Position } from "../../document/position";
 import type { ViewStore } from "../../document/selection";
 import { fromFrame, toFrame, type Frame } from "../../document/vectors";
 import { onPlane, planeOfPatch, roundStep, roundTo, type Ray } from "../../document/work-plane";
+import { parameterValues } from "../../expressions/parameters";
 import type { DocumentStore } from "../../session/document-store";
 import type { PreviewFeed } from "../../session/preview";
 import { DrawingLayer, type Sketch } from "../../viewer/layers/drawing-layer";
@@ -98,7 +99,8 @@ export abstract class DrawingTool implements Tool, TypedInput {
   }
 
   take(text: string): DrawingState["mistake"] {
-    const typed = readCoordinates(text, { last: this.last(), frame: this.frame });
+    const named = parameterValues(this.stores.documents.project.parameters);
+    const typed = readCoordinates(text, { last: this.last(), frame: this.frame, named });
     if (!typed.success) return typed.reason;
     this.snap = null;
     this.pick(placeAt(this.stores.documents.project, typed.position), null);

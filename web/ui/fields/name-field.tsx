@@ -6,14 +6,18 @@ export interface NameFieldProps {
   readonly value: string;
   readonly placeholder: string;
   readonly onCommit: (value: string) => void;
+  /** Returns why a text is invalid, or null if it is valid. An invalid text stays, with the reason. */
+  readonly refuse?: (value: string) => string | null;
   readonly testId?: string;
   /** Each new number moves the focus to the field and selects its text. */
   readonly focusRequest?: number;
 }
 
 /** A name. Enter and leaving the field commit it; Escape discards the text. */
-export function NameField({ label, value, placeholder, onCommit, testId, focusRequest = 0 }: NameFieldProps) {
+export function NameField(props: NameFieldProps) {
+  const { label, value, placeholder, onCommit, refuse, testId, focusRequest = 0 } = props;
   const [draft, setDraft] = useState<string | null>(null);
+  const [error, setError] = useState<string | null>(null);
   const field = useRef<HTMLInputElement>(null);
   const answered = useRef(focusRequest);
   useEffect(() => {
@@ -23,6 +27,9 @@ export function NameField({ label, value, placeholder, onCommit, testId, focusRe
   }, [focusRequest]);
   const commit = (): void => {
     const next = draft?.trim();
+    const reason = next === undefined || next === value ? null : (refuse?.(next) ?? null);
+    setError(reason);
+    if (reason !== null) return;
     setDraft(null);
     if (next !== undefined && next !== value) onCommit(next);
   };
@@ -31,6 +38,7 @@ export function NameField({ label, value, placeholder, onCommit, testId, focusRe
     else if (event.key === "Escape" && draft !== null) {
       event.stopPropagation();
       setDraft(null);
+      setError(null);
     }
   };
   return (
@@ -42,6 +50,7 @@ export function NameField({ label, value, placeholder, onCommit, testId, focusRe
       placeholder={placeholder}
       data-testid={testId}
       value={draft ?? value}
+      error={error}
       onChange={(event) => setDraft(event.currentTarget.value)}
       onBlur={commit}
       onKeyDown={onKeyDown}

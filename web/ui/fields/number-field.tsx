@@ -1,19 +1,24 @@
 import { TextInput } from "@mantine/core";
-import { useRef, useState, type KeyboardEvent, type ReactNode } from "react";
+import { useContext, useLayoutEffect, useRef, useState, type KeyboardEvent, type ReactNode } from "react";
+import { isPlainNumber, readNumber } from "../../expressions/expression";
 import { useFormField } from "../frames/dialog-form";
-import { readNumber } from "./expression";
+import { NamedNumbersContext } from "./named-numbers";
 import { formatNumber } from "../format";
 import { strings } from "../../strings";
 
 export interface NumberFieldProps {
   /** Label for screen readers; the row around the field shows a label of its own. */
   readonly label: string;
-  readonly value: number;
+  /** Null if the field stands for several numbers that differ. */
+  readonly value: number | null;
+  /** What the number was computed from. The field shows it while it has the focus. */
+  readonly expression?: string | undefined;
   /** Change per press of an arrow key. Shift multiplies it by 10, Alt by 0.1. */
   readonly step: number;
   /** Returns why a number is invalid, or null if it is valid. */
   readonly refuse?: (value: number) => string | null;
-  readonly onCommit: (value: number) => void;
+  /** The expression is what was typed, if it is not a plain number. */
+  readonly onCommit: (value: number, expression: string | null) => void;
   /** Text before and after the number, for example the axis and the unit. */
   readonly leftSection?: ReactNode;
   readonly rightSection?: ReactNode;
@@ -32,35 +37,49 @@ function stepOf(event: KeyboardEvent, step: number): number {
   return step * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
 }
 
+/** Returns the text of a number that is not being typed. */
+const textOf = (value: number | null): string => (value === null ? "" : formatNumber(value));
+
 /** The text that is being typed into a number field; null if the field shows its value. */
-function useNumberDraft({ value, refuse, live = false, onCommit }: NumberFieldProps) {
+function useNumberDraft(
+  { value, expression, refuse, live = false, onCommit }: NumberFieldProps,
+  isFocused: boolean,
+) {
+  const named = useContext(NamedNumbersContext);
   const [draft, setDraft] = useState<string | null>(null);
   const [error, setError] = useState<string | null>(null);
+  const resting = isFocused ? (expression ?? textOf(value)) : textOf(value);
   const discard = (): void => {
     setDraft(null);
     setError(null);
   };
   /** Commits a number, unless it is invalid: then returns false and keeps the text, with the reason. */
-  const take = (next: number | null): boolean => {
+  const take = (next: number | null, text = ""): boolean => {
     const reason = next === null ? strings.fields.notANumber : (refuse?.(next) ?? null);
     setError(reason);
     if (next === null || reason !== null) return false;
     setDraft(null);
-    if (next !== value) onCommit(next);
+    const kept = text === "" || isPlainNumber(text) ? null : text;
+    if (next !== value || kept !== (expression ?? null)) onCommit(next, kept);
     return true;
   };
   const commit = (): boolean => {
     if (draft === null) return true;
-    if (draft.trim() !== formatNumber(value)) return take(readNumber(draft));
+    const text = draft.trim();
+    if (text !== (expression ?? textOf(value))) return take(readNumber(text, named), text);
     discard();
     return true;
   };
   const type = (text: string): void => {
     setDraft(text);
-    const typed = live ? readNumber(text) : null;
-    if (typed !== null && typed !== value && (refuse?.(typed) ?? null) === null) onCommit(typed);
+    const typed = live ? readNumber(text, named) : null;
+    if (typed !== null && typed !== value && (refuse?.(typed) ?? null) === null) onCommit(typed, null);
   };
-  return { draft, type, error, discard, take, commit };
+  const step = (change: number): boolean =>
+    take(
+      Number((((draft === null ? value : readNumber(draft, named)) ?? value ?? 0) + change).toPrecision(12)),
+    );
+  return { text: draft ?? resting, isTyped: draft !== null, type, error, discard, step, commit };
 }
 
 /**
@@ -68,41 +87,50 @@ function useNumberDraft({ value, refuse, live = false, onCommit }: NumberFieldPr
  * arrow keys change it by a step. An invalid text stays, with the reason.
  */
 export function NumberField(props: NumberFieldProps) {
-  const { label, value, step, leftSection, leftSectionWidth = 20, rightSection, testId } = props;
-  const { draft, type, error, discard, take, commit } = useNumberDraft(props);
+  const { label, value, expression, step, leftSection, leftSectionWidth = 20, rightSection, testId } = props;
+  const [isFocused, setFocused] = useState(false);
+  const draft = useNumberDraft(props, isFocused);
   const input = useRef<HTMLInputElement>(null);
-  useFormField({ commit, focus: () => input.current?.focus() });
+  useFormField({ commit: draft.commit, focus: () => input.current?.focus() });
+  useLayoutEffect(() => {
+    // The expression has replaced the value.
+    if (isFocused) input.current?.select();
+  }, [isFocused]);
   const onKeyDown = (event: KeyboardEvent<HTMLInputElement>): void => {
     const direction = directions[event.key];
     if (direction !== undefined) {
       event.preventDefault();
-      const base = draft === null ? value : (readNumber(draft) ?? value);
-      take(Number((base + direction * stepOf(event, step)).toPrecision(12)));
-    } else if (event.key === "Enter") commit();
-    else if (event.key === "Escape" && (draft !== null || error !== null)) {
+      draft.step(direction * stepOf(event, step));
+    } else if (event.key === "Enter") draft.commit();
+    else if (event.key === "Escape" && (draft.isTyped || draft.error !== null)) {
       event.stopPropagation();
-      discard();
+      draft.discard();
     }
   };
   return (
     <TextInput
       {...(leftSection !== undefined && { leftSection, leftSectionWidth })}
       {...(rightSection !== undefined && { rightSection })}
+      {...(expression !== undefined && { title: `${expression} = ${textOf(value)}` })}
+      {...(value !== null && { "aria-valuenow": value, "aria-valuetext": textOf(value) })}
+      {...(value === null && { placeholder: strings.fields.different })}
       ref={input}
       size="xs"
       aria-label={label}
       role="spinbutton"
-      aria-valuenow={value}
-      aria-valuetext={formatNumber(value)}
       autoComplete="off"
       spellCheck={false}
       data-testid={testId}
+      data-expression={expression}
       data-autofocus={props.first || undefined}
-      value={draft ?? formatNumber(value)}
-      error={error}
-      onChange={(event) => type(event.currentTarget.value)}
-      onFocus={(event) => event.currentTarget.select()}
-      onBlur={commit}
+      value={draft.text}
+      error={draft.error}
+      onChange={(event) => draft.type(event.currentTarget.value)}
+      onFocus={() => setFocused(true)}
+      onBlur={() => {
+        setFocused(false);
+        draft.commit();
+      }}
       onKeyDown={onKeyDown}
     />
   );

@@ -6,11 +6,14 @@ const axes = ["x", "y", "z"] as const;
 export interface PositionFieldsProps {
   /** Meaning of the three numbers, for example "Position". */
   readonly label: string;
-  readonly value: readonly [number, number, number];
+  /** Null for a coordinate in which several positions differ. */
+  readonly value: readonly [number | null, number | null, number | null];
+  /** What the coordinates were computed from. */
+  readonly expressions?: readonly (string | undefined)[] | undefined;
   readonly step: number;
   /** Returns why a coordinate is invalid, or null if it is valid. */
   readonly refuse?: (axis: 0 | 1 | 2, value: number) => string | null;
-  readonly onCommit: (axis: 0 | 1 | 2, value: number) => void;
+  readonly onCommit: (axis: 0 | 1 | 2, value: number, expression: string | null) => void;
   /** Prefix of the test ids, which end with the axis: "new" gives "new-x". */
   readonly testId: string;
   /** Also commit valid coordinates while they are typed. */
@@ -23,6 +26,7 @@ export interface PositionFieldsProps {
 export function PositionFields({
   label,
   value: position,
+  expressions = [],
   step,
   refuse,
   onCommit,
@@ -37,6 +41,7 @@ export function PositionFields({
           key={axis}
           label={`${label} ${axes[axis]}`}
           value={position[axis]}
+          expression={expressions[axis]}
           step={step}
           live={live}
           first={first === true && axis === 0}
@@ -46,7 +51,7 @@ export function PositionFields({
             </span>
           }
           testId={`${testId}-${axes[axis]}`}
-          onCommit={(value) => onCommit(axis, value)}
+          onCommit={(value, expression) => onCommit(axis, value, expression)}
           {...(refuse && { refuse: (value: number) => refuse(axis, value) })}
         />
       ))}

@@ -1,15 +1,52 @@
+/** Named numbers that an expression may use. */
+export type NamedNumbers = ReadonlyMap<string, number>;
+
+const noNames: NamedNumbers = new Map();
+
+const tokenPattern = /\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?|[A-Za-z_][A-Za-z0-9_]*|[-+*/^()]|\S/g;
+const namePattern = /^[A-Za-z_]/;
+
 /**
- * Reads a number the way people type it: `0.25`, `1/3`, `2*pi`, `(1+2)/4`, `1e-3`, `-sqrt(2)/2`, `3^2`, `sin(30)`. Angles are
- * in degrees.
+ * Reads a number the way people type it: `0.25`, `1/3`, `2*pi`, `(1+2)/4`, `1e-3`, `-sqrt(2)/2`, `3^2`, `sin(30)`, `2*r` with
+ * a number named `r`. Angles are in degrees. Names are case-sensitive; functions and constants are not.
  * Returns null for anything else, and for results that are not finite.
  */
-export function readNumber(text: string): number | null {
-  const tokens = text.toLowerCase().match(/\d+\.?\d*(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?|[a-z]+|[-+*/^()]|\S/g);
+export function readNumber(text: string, named: NamedNumbers = noNames): number | null {
+  const tokens = text.match(tokenPattern);
   if (!tokens) return null;
-  const reader = new ExpressionReader(tokens);
+  const reader = new ExpressionReader(tokens, named);
   const value = reader.sum();
   return reader.done && value !== null && Number.isFinite(value) ? value : null;
 }
+
+/** Returns whether a text is a number without operators, functions or names. */
+export const isPlainNumber = (text: string): boolean =>
+  /^\s*[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?\s*$/.test(text);
+
+/** Returns the expression with each number of one name replaced by a text. */
+export function withNameReplaced(expression: string, name: string, replacement: string): string {
+  return expression.replace(tokenPattern, (token: string, offset: number) =>
+    token === name && !isCall(expression.slice(offset + token.length)) ? replacement : token,
+  );
+}
+
+/** Returns whether the text after a name makes it the name of a function. */
+const isCall = (after: string): boolean => /^\s*\(/.test(after);
+
+/** Returns the names of the numbers that an expression uses, functions and constants excluded. */
+export function namesIn(expression: string): ReadonlySet<string> {
+  const names = [...expression.matchAll(tokenPattern)].filter(
+    ({ 0: token, index }) =>
+      namePattern.test(token) &&
+      !Object.hasOwn(constants, token.toLowerCase()) &&
+      !isCall(expression.slice(index + token.length)),
+  );
+  return new Set(names.map(([token]) => token));
+}
+
+/** Returns whether a name is that of a function or constant. */
+export const isReservedName = (name: string): boolean =>
+  Object.hasOwn(functions, name.toLowerCase()) || Object.hasOwn(constants, name.toLowerCase());
 
 const degrees = Math.PI / 180;
 
@@ -37,10 +74,12 @@ const constants: Readonly<Record<string, number>> = { pi: Math.PI };
 /** A recursive-descent parser. Every method returns null if the text is invalid. */
 class ExpressionReader {
   readonly #tokens: readonly string[];
+  readonly #named: NamedNumbers;
   #next = 0;
 
-  constructor(tokens: readonly string[]) {
+  constructor(tokens: readonly string[], named: NamedNumbers) {
     this.#tokens = tokens;
+    this.#named = named;
   }
 
   get done(): boolean {
@@ -81,12 +120,14 @@ class ExpressionReader {
     const token = this.#tokens[this.#next++];
     if (token === undefined) return null;
     if (token === "(") return this.#closed();
-    const apply = functions[token];
-    if (apply) {
-      const value = this.#take("(") ? this.#closed() : null;
+    const lowerCase = token.toLowerCase();
+    const apply = Object.hasOwn(functions, lowerCase) ? functions[lowerCase] : undefined;
+    if (apply && this.#take("(")) {
+      const value = this.#closed();
       return value === null ? null : apply(value);
     }
-    return constants[token] ?? (/^[\d.]/.test(token) ? Number(token) : null);
+    const constant = Object.hasOwn(constants, lowerCase) ? constants[lowerCase] : undefined;
+    return constant ?? this.#named.get(token) ?? (/^[\d.]/.test(token) ? Number(token) : null);
   }
 
   #closed(): number | null {

@@ -1,0 +1,168 @@
+import type { Project } from "tetrafront";
+import { describe, expect, it } from "vitest";
+import { keepingExpression } from "../../../web/document/expression-edits";
+import { deleteEntities, moveEntity } from "../../../web/document/edits";
+import {
+  addParameter,
+  expressionProblem,
+  nameProblem,
+  removeParameter,
+  renameParameter,
+  setParameter,
+} from "../../../web/document/parameters";
+import { setSourceField } from "../../../web/document/size-edits";
+import { namesIn, readNumber, withNameReplaced } from "../../../web/expressions/expression";
+import { parameterValues } from "../../../web/expressions/parameters";
+import { DocumentStore } from "../../../web/session/document-store";
+import { cubeProject } from "../../support/projects";
+
+const cube = cubeProject();
+const id = cube.points[0]?.id ?? 0;
+const x = { kind: "point", id, field: "position.0" } as const;
+
+function opened(project: Project = cube) {
+  const documents = new DocumentStore(project, () => 0);
+  const moveTo = (value: number, expression: string | null) =>
+    documents.edit(keepingExpression(moveEntity("point", id, 0, value), x, expression));
+  const xNow = () => documents.project.points[0]?.position[0];
+  return { documents, moveTo, xNow };
+}
+
+describe("an expression with names", () => {
+  const named = new Map([
+    ["r", 0.5],
+    ["sine", 3],
+    ["e1", 7],
+  ]);
+
+  it.each([
+    ["2*r", 1],
+    ["r^2 + e1", 7.25],
+    ["sin(30)*sine", 1.5],
+    ["-(r)", -0.5],
+    ["2e1", 20],
+  ])("reads %s", (text, value) => expect(readNumber(text, named)).toBeCloseTo(value, 14));
+
+  it.each(["R", "rr", "r r", "2r", "r(2)", "constructor", "toString(1)"])("rejects %s", (text) =>
+    expect(readNumber(text, named)).toBeNull(),
+  );
+
+  it("lists names without functions, constants and exponents, and replaces whole names only", () => {
+    expect([...namesIn("2*r + sin(a1)/pi - 1e3*r")]).toEqual(["r", "a1"]);
+    expect(withNameReplaced("r + rr*sin(r) - 1e3", "r", "w")).toBe("w + rr*sin(w) - 1e3");
+  });
+});
+
+describe("parameters", () => {
+  it("use each other in any order; those in a cycle have no value", () => {
+    const values = parameterValues([
+      { name: "area", expression: "pi*r^2" },
+      { name: "r", expression: "d/2" },
+      { name: "d", expression: "2" },
+      { name: "a", expression: "b+1" },
+      { name: "b", expression: "a-1" },
+      { name: "c", expression: "a" },
+    ]);
+    expect([...values].sort()).toEqual([
+      ["area", Math.PI],
+      ["d", 2],
+      ["r", 1],
+    ]);
+  });
+
+  it("refuse names and expressions that cannot be used", () => {
+    const project = {
+      ...cube,
+      parameters: [
+        { name: "r", expression: "1" },
+        { name: "s", expression: "r" },
+      ],
+    };
+    for (const name of ["", "2r", "a b", "pi", "Sin", "r"]) expect(nameProblem(project, name)).not.toBeNull();
+    expect(nameProblem(project, "r", "r")).toBeNull();
+    for (const text of ["", "r", "2*s", "t", "1/0"])
+      expect(expressionProblem(project, "r", text)).not.toBeNull();
+    expect(expressionProblem(project, "s", "3*r")).toBeNull();
+  });
+
+  it("move the points that use them, as one step of undo", () => {
+    const { documents, moveTo, xNow } = opened();
+    documents.edit(addParameter("r", "0.3"));
+    moveTo(0.6, "2*r");
+    documents.edit(setParameter("r", "0.5"));
+    expect(xNow()).toBe(1);
+    expect(documents.state.getState().history.past).toHaveLength(3);
+    documents.undo();
+    expect(xNow()).toBe(0.6);
+    documents.redo();
+    expect(xNow()).toBe(1);
+  });
+
+  it("change through other parameters, and keep their values and expressions when renamed or removed", () => {
+    const { documents, moveTo, xNow } = opened();
+    documents.edit(addParameter("d", "-4"));
+    documents.edit(addParameter("r", "d/2"));
+    moveTo(-2, "r");
+    documents.edit(renameParameter("d", "width"));
+    expect(documents.project.parameters?.[1]).toEqual({ name: "r", expression: "width/2" });
+    documents.edit(setParameter("width", "-6"));
+    expect(xNow()).toBe(-3);
+    documents.edit(removeParameter(documents.project, "width"));
+    expect(documents.project.parameters).toEqual([{ name: "r", expression: "(-6)/2" }]);
+    expect(xNow()).toBe(-3);
+    documents.edit(removeParameter(documents.project, "r"));
+    expect(documents.project.parameters).toBeUndefined();
+    expect(documents.project.expressions).toEqual([{ ...x, expression: "(-3)" }]);
+  });
+});
+
+describe("the expression of a number", () => {
+  it("is forgotten when the number changes in another way, also by a drag, and undo restores it", () => {
+    const { documents, moveTo } = opened();
+    documents.edit(addParameter("r", "1"));
+    moveTo(1, "r");
+    const gesture = documents.begin("Drag");
+    gesture.update(moveEntity("point", id, 0, 5));
+    gesture.commit();
+    expect(documents.project.expressions).toBeUndefined();
+    documents.undo();
+    expect(documents.project.expressions).toEqual([{ ...x, expression: "r" }]);
+    moveTo(1, null);
+    expect(documents.project.expressions).toBeUndefined();
+  });
+
+  it("goes with its entity", () => {
+    const { documents, moveTo } = opened();
+    moveTo(1, "2/2");
+    documents.edit(deleteEntities(documents.project, [{ kind: "point", id }]));
+    expect(documents.project.expressions).toEqual([]);
+  });
+
+  it("never gives a number a value that the file would not allow", () => {
+    const { documents } = opened({
+      ...cube,
+      background: {
+        ...cube.background,
+        sources: [{ id: 1, type: "point", positions: [[0, 0, 0]], size: 1 }],
+      },
+    });
+    documents.edit(addParameter("s", "1"));
+    const path = { kind: "source", id: 1, field: "size" } as const;
+    documents.edit(keepingExpression(setSourceField(1, "size", 1), path, "s"));
+    documents.edit(setParameter("s", "-1"));
+    expect(documents.project.background.sources?.[0]?.size).toBe(1);
+  });
+
+  it("is left alone if the file holds another value, until its parameter changes", () => {
+    const { documents, xNow } = opened({
+      ...cube,
+      parameters: [{ name: "r", expression: "1" }],
+      expressions: [{ ...x, expression: "9*r" }],
+    });
+    const before = xNow();
+    documents.edit(moveEntity("point", id, 1, 0.25));
+    expect(xNow()).toBe(before);
+    documents.edit(setParameter("r", "2"));
+    expect(xNow()).toBe(18);
+  });
+});

@@ -1,0 +1,99 @@
+import type { Project, ProjectExpression } from "tetrafront";
+import { isReservedName, namesIn, readNumber, withNameReplaced } from "../expressions/expression";
+import { dependentParameters, parameterValues } from "../expressions/parameters";
+import { parameterProblems, stepNames } from "../strings";
+import type { ProjectDraft } from "./draft-records";
+import type { ProjectEdit } from "./edit";
+
+/** The parameters of a project: named numbers that expressions use. */
+
+const namePattern = /^[A-Za-z_][A-Za-z0-9_]*$/;
+
+/** Returns why a parameter cannot have a name; null if it can. `own` is the name that it has now. */
+export function nameProblem({ parameters = [] }: Project, name: string, own?: string): string | null {
+  if (!namePattern.test(name)) return parameterProblems.name;
+  if (isReservedName(name)) return parameterProblems.reserved(name);
+  const isTaken = name !== own && parameters.some((parameter) => parameter.name === name);
+  return isTaken ? parameterProblems.taken(name) : null;
+}
+
+/** Returns why a parameter cannot have an expression; null if it can. */
+export function expressionProblem(
+  { parameters = [] }: Project,
+  name: string,
+  expression: string,
+): string | null {
+  const dependents = dependentParameters(parameters, name);
+  if ([...namesIn(expression)].some((used) => dependents.has(used))) return parameterProblems.cycle(name);
+  return readNumber(expression, parameterValues(parameters)) === null ? parameterProblems.expression : null;
+}
+
+/** Returns a name that no parameter has: `p1`, `p2` and so on. */
+export function freeName({ parameters = [] }: Project): string {
+  const names = new Set(parameters.map(({ name }) => name));
+  let count = 1;
+  while (names.has(`p${count}`)) ++count;
+  return `p${count}`;
+}
+
+const withoutSpaces = (text: string): string => text.trim();
+
+export function addParameter(name: string, expression: string): ProjectEdit {
+  return {
+    label: stepNames.addParameter(name),
+    change: ({ project }) => {
+      (project.parameters ??= []).push({ name, expression: withoutSpaces(expression) });
+    },
+  };
+}
+
+export function setParameter(name: string, expression: string): ProjectEdit {
+  return {
+    label: stepNames.setParameter(name),
+    mergeKey: `parameter-${name}`,
+    change: ({ project }) => {
+      const parameter = project.parameters?.find((one) => one.name === name);
+      if (parameter) parameter.expression = withoutSpaces(expression);
+    },
+  };
+}
+
+/** Renames a parameter, also in all expressions. */
+export function renameParameter(name: string, next: string): ProjectEdit {
+  return {
+    label: stepNames.renameParameter(name),
+    change: ({ project }) => {
+      const parameter = project.parameters?.find((one) => one.name === name);
+      if (parameter) parameter.name = next;
+      replaceName(project, name, next);
+    },
+  };
+}
+
+/** Removes a parameter. Expressions that use it get its value, so that the model stays as it is. */
+export function removeParameter(project: Project, name: string): ProjectEdit {
+  const value = parameterValues(project.parameters).get(name);
+  return {
+    label: stepNames.removeParameter(name),
+    change: ({ project: draft }) => {
+      const rest = (draft.parameters ?? []).filter((one) => one.name !== name);
+      if (rest.length > 0) draft.parameters = rest;
+      else delete draft.parameters;
+      if (value !== undefined) replaceName(draft, name, value < 0 ? `(${value})` : String(value));
+    },
+  };
+}
+
+function replaceName({ parameters = [], expressions = [] }: ProjectDraft, name: string, text: string): void {
+  for (const noted of [...parameters, ...expressions]) {
+    if (namesIn(noted.expression).has(name)) {
+      noted.expression = withNameReplaced(noted.expression, name, text);
+    }
+  }
+}
+
+/** Returns the expressions that use a parameter, directly or through other parameters. */
+export function usesOf({ parameters = [], expressions = [] }: Project, name: string): ProjectExpression[] {
+  const names = dependentParameters(parameters, name);
+  return expressions.filter(({ expression }) => [...namesIn(expression)].some((used) => names.has(used)));
+}

@@ -1,0 +1,51 @@
+/** The values of named parameters whose expressions may use each other. */
+import { namesIn, readNumber, type NamedNumbers } from "./expression";
+
+/** A named number. */
+export interface Parameter {
+  readonly name: string;
+  readonly expression: string;
+}
+
+const known = new WeakMap<readonly Parameter[], NamedNumbers>();
+const none: NamedNumbers = new Map();
+
+/**
+ * Returns the values of all parameters that have one. A parameter has none if its expression is invalid, or uses a
+ * parameter without a value or, directly or indirectly, itself. The same list gives the same object.
+ */
+export function parameterValues(parameters: readonly Parameter[] | undefined): NamedNumbers {
+  if (!parameters || parameters.length === 0) return none;
+  let values = known.get(parameters);
+  if (!values) known.set(parameters, (values = evaluated(parameters)));
+  return values;
+}
+
+function evaluated(parameters: readonly Parameter[]): NamedNumbers {
+  const expressions = new Map(parameters.map(({ name, expression }) => [name, expression]));
+  const values = new Map<string, number>();
+  const visited = new Set<string>();
+  const visit = (name: string): void => {
+    const expression = expressions.get(name);
+    if (expression === undefined || visited.has(name)) return;
+    // A parameter that is reached again before it has a value uses itself, and then gets none.
+    visited.add(name);
+    namesIn(expression).forEach(visit);
+    const value = readNumber(expression, values);
+    if (value !== null) values.set(name, value);
+  };
+  parameters.forEach(({ name }) => visit(name));
+  return values;
+}
+
+/** Returns the names of the parameters whose expressions use a parameter, directly or indirectly, and its own name. */
+export function dependentParameters(parameters: readonly Parameter[], name: string): ReadonlySet<string> {
+  const found = new Set([name]);
+  for (let before = 0; before < found.size;) {
+    before = found.size;
+    for (const parameter of parameters) {
+      if ([...namesIn(parameter.expression)].some((used) => found.has(used))) found.add(parameter.name);
+    }
+  }
+  return found;
+}
