@@ -3,7 +3,7 @@ import type { App } from "../app/app";
 import { replaceBackground, replaceSources, setMeshing } from "../document/size-edits";
 import { documentGrid } from "../document/large-grid";
 import { packArrays } from "../document/packed-grid";
-import { rangeAlong, smallestSize } from "../document/extent";
+import { likelySize } from "../document/extent";
 import { strings } from "../strings";
 import { showFailure } from "./messages";
 
@@ -80,23 +80,10 @@ export async function applyProposal(app: App, proposal: SizeProposal, use: Propo
   }
 }
 
-/**
- * Returns a size that the user can change: the smallest of the grid, or else about a twentieth of the model.
- */
-export function likelySize(app: App): number {
-  const { project } = app.documents;
-  const extents = [0, 1, 2].map((axis) => {
-    const [low, high] = rangeAlong(project.points, axis);
-    return Math.max(0, high - low);
-  });
-  const rough = smallestSize(project) ?? (Math.max(...extents) || 1) / 20;
-  return Number(rough.toPrecision(2));
-}
-
 /** Switches between a uniform size and the sizes of the background grid. */
 export function toggleUniformSize(app: App): void {
   const on = app.documents.project.meshing?.size === undefined;
-  app.documents.edit(setMeshing("size", on ? likelySize(app) : null));
+  app.documents.edit(setMeshing("size", on ? likelySize(app.documents.project) : null));
   app.view.clear();
   app.shell.setState({ rightTab: "inspector" });
 }

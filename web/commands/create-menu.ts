@@ -2,7 +2,7 @@ import type { LineType, PatchType, Project, SourceType } from "tetrafront";
 import { create, takeOffer } from "./creation-actions";
 import type { App } from "../app/app";
 import { commandLabels } from "../strings";
-import { define, type Command } from "./command";
+import { define, type Command, type MenuName } from "./command";
 import {
   addSource,
   offerClosedSpline,
@@ -13,6 +13,7 @@ import {
   offerTetrahedron,
   type Offer,
 } from "../document/create";
+import { offerSplit } from "../document/grid-edits";
 import type { Entity } from "../document/entities";
 
 /** Creates something from the selection. Each maker is a command and a button in the inspector. */
@@ -93,15 +94,33 @@ const tetrahedronMaker: Maker = {
   offer: offerTetrahedron,
 };
 
-export const makers: readonly Maker[] = [...lineMakers, ...patchMakers, holeMaker, tetrahedronMaker];
+const splitMaker: Maker = {
+  id: "split",
+  label: commandLabels.split,
+  key: null,
+  from: "background-node",
+  quiet: true,
+  offer: offerSplit,
+};
 
-const commandOf = (maker: Maker, section: number): Command =>
-  define("create", section)(
+export const makers: readonly Maker[] = [
+  ...lineMakers,
+  ...patchMakers,
+  holeMaker,
+  tetrahedronMaker,
+  splitMaker,
+];
+
+const commandOf = (maker: Maker, section: number, menu: MenuName = "create"): Command =>
+  define(menu, section)(
     maker.id,
     maker.label,
     (app) => createFrom(app, maker),
     maker.key === null ? {} : { keys: [maker.key] },
   );
+
+/** Splits tetrahedra of the background grid. */
+export const splitCommand = commandOf(splitMaker, 2, "mesh");
 
 /** Runs a maker on the selection, or shows what to select first. */
 export function createFrom(app: App, maker: Maker): void {

@@ -4,7 +4,9 @@ import { canImprove } from "../session/run";
 import { commandLabels } from "../strings";
 import { takeBackgroundFromMesh, toggleUniformSize } from "./background-actions";
 import { define, type Command } from "./command";
+import { splitCommand } from "./create-menu";
 import { generateMesh, improveMesh } from "./mesh-actions";
+import { sizeTools } from "./tool-commands";
 
 const isBusy = (app: App): boolean => app.run.state.getState().busy;
 
@@ -33,6 +35,8 @@ export const meshMenu: readonly Command[] = [
   define("mesh", 1)("coarsen", commandLabels.coarsen(coarser), (app) =>
     app.documents.edit(scaleSizes(app.documents.project, coarser)),
   ),
+  ...sizeTools,
+  splitCommand,
   define("mesh", 2)("cover", commandLabels.cover, (app) => app.shell.setState({ dialog: "cover" })),
   define("mesh", 2)(
     "background-from-mesh",

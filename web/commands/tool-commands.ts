@@ -39,6 +39,12 @@ function takePlane(app: App): void {
   else showMessage(app, commandLabels.planes.selection, [strings.drawing.noPlane]);
 }
 
+/** The tools that draw sizes: the background grid and sources. */
+export const sizeTools: readonly Command[] = [
+  tool("mesh", 2, "node", "N", take("node")),
+  tool("mesh", 2, "source", "D", take("source")),
+];
+
 /** The tools of the view. Their buttons take them whatever is selected. */
 export const toolCommands: readonly Command[] = [
   tool("edit", 3, "select", "V", take("select")),

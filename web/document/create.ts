@@ -6,6 +6,7 @@ import { likelyPatchType, patchMisfit } from "./patch-rules";
 import { entityNouns, selectionHints, stepNames, untitled } from "../strings";
 import type { ProjectEdit } from "./edit";
 import type { Position } from "./position";
+import { cross, dot, length, subtract, zero } from "./vectors";
 
 /** An edit that adds entities to the project, and the entities that it adds. */
 export interface Creation {
@@ -163,6 +164,15 @@ export function offerHole(project: Project, selection: readonly Entity[]): Offer
   });
 }
 
+/** Volume below which four positions count as coplanar, relative to the cube of their distance. */
+const flatness = 1e-9;
+
+/** Returns whether four positions span no volume. */
+function isFlat([a = zero, b = a, c = a, d = a]: readonly Position[]): boolean {
+  const [u, v, w] = [subtract(b, a), subtract(c, a), subtract(d, a)];
+  return Math.abs(dot(cross(u, v), w)) <= flatness * Math.max(length(u), length(v), length(w)) ** 3;
+}
+
 /** Offers a tetrahedron of the background grid with the four selected nodes. */
 export function offerTetrahedron(project: Project, selection: readonly Entity[]): Offer {
   const nodes = idsOf(selection, "background-node");
@@ -170,6 +180,8 @@ export function offerTetrahedron(project: Project, selection: readonly Entity[])
   if (nodes.length !== 4 || a === undefined || b === undefined || c === undefined || d === undefined) {
     return refuse(selectionHints.tetrahedron);
   }
+  const corners = nodes.map((id) => findRecord(project, "background-node", id)?.position ?? zero);
+  if (isFlat(corners)) return refuse(selectionHints.flatTetrahedron);
   const same = (other: readonly number[]): boolean => nodes.every((node) => other.includes(node));
   if (project.background.tetrahedra.some(same)) return refuse(selectionHints.sameTetrahedron);
   return offer({
@@ -184,7 +196,7 @@ export function offerTetrahedron(project: Project, selection: readonly Entity[])
 }
 
 /** Number of corners of a source. */
-const cornersOf: { readonly [T in SourceType]: number } = { point: 1, segment: 2, triangle: 3 };
+export const cornersOf: { readonly [T in SourceType]: number } = { point: 1, segment: 2, triangle: 3 };
 /** Size of a new source, relative to the smallest size in the grid; without a grid, to the extent of the model. */
 const sourceShare = 0.5;
 const extentShare = 0.025;
@@ -231,7 +243,6 @@ function selectedPositions(project: Project, selection: readonly Entity[]): Posi
 
 /** Adds a source at the selected positions, or in the middle of the model if their number does not fit. */
 export function addSource(project: Project, selection: readonly Entity[], type: SourceType): Creation {
-  const id = nextId(project, "source");
   const { centre, extent } = boxOf(project);
   const needed = cornersOf[type];
   const selected = selectedPositions(project, selection);
@@ -242,7 +253,13 @@ export function addSource(project: Project, selection: readonly Entity[], type: 
     [x + reach, y, z],
     [x, y + reach, z],
   ];
-  const positions = selected.length === needed ? selected : corners.slice(0, needed);
+  return addSourceAt(project, type, selected.length === needed ? selected : corners.slice(0, needed));
+}
+
+/** Adds a source with its corners at positions. Its size is smaller than those around it. */
+export function addSourceAt(project: Project, type: SourceType, positions: readonly Position[]): Creation {
+  const id = nextId(project, "source");
+  const { extent } = boxOf(project);
   const smallest = smallestSize(project);
   const rough = smallest === undefined ? extentShare * extent : sourceShare * smallest;
   const size = Number(rough.toPrecision(2));

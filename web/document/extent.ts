@@ -36,3 +36,13 @@ export function diagonalOf(points: readonly { readonly position: readonly number
     }),
   );
 }
+
+/** Returns a size that the user can change: the smallest of the grid, or else about a twentieth of the model. */
+export function likelySize(project: Project): number {
+  const extents = [0, 1, 2].map((axis) => {
+    const [low, high] = rangeAlong(project.points, axis);
+    return Math.max(0, high - low);
+  });
+  const rough = smallestSize(project) ?? (Math.max(...extents) || 1) / 20;
+  return Number(rough.toPrecision(2));
+}

@@ -1,4 +1,4 @@
-import type { LineType } from "tetrafront";
+import type { LineType, SourceType } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { Brush } from "./brush";
 import type { QualitySpace } from "./mesh-quality";
@@ -51,6 +51,8 @@ export interface ViewState {
   readonly leftDrag: "select" | "orbit";
   /** Type of the lines that the line tool draws. */
   readonly lineType: LineType;
+  /** Type of the sources that the source tool draws. */
+  readonly sourceType: SourceType;
   readonly workPlane: WorkPlane;
   readonly snapping: Snapping;
   /** The brush with which the left button paints sizes; null if it selects. */
@@ -86,6 +88,7 @@ const initialView: ViewState = {
   tool: "select",
   leftDrag: "select",
   lineType: "straight",
+  sourceType: "segment",
   workPlane: principalPlane("xy"),
   snapping: { grid: true, model: true, patches: true },
   brush: null,

@@ -1,12 +1,11 @@
 /** The tools of the view, in the order of their buttons. */
-export const toolNames = ["select", "point", "line", "patch", "move", "measure"] as const;
+export const toolNames = ["select", "point", "line", "patch", "node", "source", "move", "measure"] as const;
 
 /** What the left button and the keys do in the view. */
 export type ToolName = (typeof toolNames)[number];
 
 /** The tools that place something in the work plane. */
-export const isDrawingTool = (tool: ToolName): boolean =>
-  tool === "point" || tool === "line" || tool === "patch" || tool === "measure";
+export const isDrawingTool = (tool: ToolName): boolean => tool !== "select" && tool !== "move";
 
 /** What the pointer snaps to, beside points and lines. */
 export interface Snapping {

@@ -32,6 +32,8 @@ export const commandLabels = {
     point: "Draw points",
     line: "Draw lines",
     patch: "Draw patches",
+    node: "Draw background grid",
+    source: "Draw sources",
     move: "Move",
     measure: "Measure",
   },
@@ -62,6 +64,7 @@ export const commandLabels = {
   },
   hole: "Hole in the patch",
   tetrahedron: "Background tetrahedron",
+  split: "Split background tetrahedra",
   sources: { point: "Point source", segment: "Segment source", triangle: "Triangle source" },
 
   fit: "Fit model",

@@ -2,6 +2,8 @@
 export const drawingStrings = {
   bar: "Drawing",
   lineType: "Type of line",
+  sourceType: "Type of source",
+  sourceTypes: { point: "Point", segment: "Segment", triangle: "Triangle" },
   plane: "Work plane",
   planes: { xy: "XY", xz: "XZ", yz: "YZ" },
   planeOfSelection: "Work plane from selection",
@@ -10,6 +12,7 @@ export const drawingStrings = {
   snapTo: { grid: "Grid", model: "Points and lines", patches: "Patches" },
   snaps: {
     point: "point",
+    node: "grid node",
     intersection: "intersection",
     middle: "middle",
     line: "on line",
@@ -25,6 +28,12 @@ export const drawingStrings = {
     circle: "Click the centre, then a place on the circle. The circle lies in the work plane.",
     spline: "Click places, then Enter. The first place closes the spline.",
     patch: "Click into a loop of lines, or click its lines and press Enter.",
+    node: "Click places or nodes of the background grid. Four of them make a tetrahedron.",
+    source: {
+      point: "Click the place of the source.",
+      segment: "Click both ends of the source. Enter after the first one makes a point source.",
+      triangle: "Click the three corners of the source.",
+    },
     measure: "Click two places for a distance, a third one for an angle.",
   },
   coordinates: "Coordinates",

@@ -10,6 +10,10 @@ export const stepNames = {
   setNode: (field: "size" | "stretching" | "direction", id: number) =>
     `Set ${field} of background node ${id}`,
   setSource: (field: "size" | "distance" | "growth", id: number) => `Set ${field} of source ${id}`,
+  setNodeShape: (id: number) => `Shape background node ${id}`,
+  setSourceShape: (id: number) => `Shape source ${id}`,
+  splitTetrahedra: (count: number) =>
+    `Split ${count} background ${count === 1 ? "tetrahedron" : "tetrahedra"}`,
   setMeshing: {
     size: "Set uniform size",
     gradation: "Set gradation",
@@ -49,6 +53,8 @@ export const selectionHints = {
   loop: "Select the lines around the patch.",
   hole: "Select one patch and the lines around the hole.",
   tetrahedron: "Select four nodes of the background grid.",
+  flatTetrahedron: "The four nodes lie in one plane.",
+  split: "Select two, three or four nodes of one tetrahedron of the background grid.",
   sameTetrahedron: "The background grid already has this tetrahedron.",
   source: (positions: number) =>
     positions === 1

@@ -1,11 +1,12 @@
 import { SegmentedControl, Text } from "@mantine/core";
 import { useState } from "react";
-import { coverModel, likelySize } from "../../commands/background-actions";
+import { coverModel } from "../../commands/background-actions";
 import { DialogButtons } from "../../ui/frames/dialog-buttons";
 import { ApplyButton, DialogForm } from "../../ui/frames/dialog-form";
 import { FieldRow } from "../../ui/fields/field-row";
 import { FramedDialog } from "../../ui/frames/framed-dialog";
 import { NumberRow } from "../../ui/fields/number-row";
+import { likelySize } from "../../document/extent";
 import { strings } from "../../strings";
 import { useApp, useProject, useShell } from "../shared/app-context";
 import { aboveZero, sizeStep } from "../shared/size-fields";
@@ -28,7 +29,7 @@ function CoverForm({ onClose }: { readonly onClose: () => void }) {
   const app = useApp();
   const hasGrid = useProject().background.nodes.length > 0;
   const [shape, setShape] = useState<"box" | "tetrahedron">("box");
-  const [size, setSize] = useState(() => likelySize(app));
+  const [size, setSize] = useState(() => likelySize(app.documents.project));
   return (
     <DialogForm
       onApply={() => {

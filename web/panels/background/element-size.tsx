@@ -1,7 +1,7 @@
 import { LIMITS } from "tetrafront";
 import { Button, Group, SegmentedControl, Text } from "@mantine/core";
-import { likelySize } from "../../commands/background-actions";
 import { commandNamed, runCommand } from "../../commands/registry";
+import { likelySize } from "../../document/extent";
 import { setMeshing } from "../../document/size-edits";
 import { FieldRow } from "../../ui/fields/field-row";
 import { formatCount } from "../../ui/format";
@@ -31,7 +31,9 @@ export function ElementSize() {
         ]}
         value={uniformSize === undefined ? "grid" : "uniform"}
         onChange={(value) =>
-          app.documents.edit(setMeshing("size", value === "uniform" ? likelySize(app) : null))
+          app.documents.edit(
+            setMeshing("size", value === "uniform" ? likelySize(app.documents.project) : null),
+          )
         }
       />
       {uniformSize === undefined ? <GridCounts /> : <UniformSize size={uniformSize} />}

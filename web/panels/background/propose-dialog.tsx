@@ -1,12 +1,13 @@
 import { Alert, Button, Checkbox, Text } from "@mantine/core";
 import { useState } from "react";
 import { PROPOSAL_DEFAULTS } from "tetrafront";
-import { applyProposal, likelySize } from "../../commands/background-actions";
+import { applyProposal } from "../../commands/background-actions";
 import { DialogButtons } from "../../ui/frames/dialog-buttons";
 import { ApplyButton, DialogForm } from "../../ui/frames/dialog-form";
 import { formatCount } from "../../ui/format";
 import { FramedDialog } from "../../ui/frames/framed-dialog";
 import { NumberRow } from "../../ui/fields/number-row";
+import { likelySize } from "../../document/extent";
 import { strings } from "../../strings";
 import { useApp, useProject, useShell } from "../shared/app-context";
 import { ProposalSummary } from "./proposal-summary";
@@ -34,7 +35,7 @@ function ProposeForm({ onClose }: { readonly onClose: () => void }) {
   const app = useApp();
   const sourceCount = useProject().background.sources?.length ?? 0;
   const [options, setOptions] = useState<ProposalFields>(() => {
-    const uniform = likelySize(app);
+    const uniform = likelySize(app.documents.project);
     const smallest = Number((smallestShare * uniform).toPrecision(2));
     return { ...PROPOSAL_DEFAULTS, uniform, smallest };
   });

@@ -1,7 +1,7 @@
 import { SegmentedControl } from "@mantine/core";
 import { IconGridDots, IconMagnet, IconPlaneDeparture, IconTriangle, type Icon } from "@tabler/icons-react";
 import { useStore } from "zustand";
-import type { LineType } from "tetrafront";
+import type { LineType, SourceType } from "tetrafront";
 import { commandNamed, runCommand } from "../../commands/registry";
 import { lineTypes } from "../../document/line-types";
 import { isDrawingTool, type Snapping, type ToolName } from "../../document/tools";
@@ -17,15 +17,17 @@ const words = strings.drawing;
 export function DrawingBar() {
   const tool = useView((state) => state.tool);
   const lineType = useView((state) => state.lineType);
+  const sourceType = useView((state) => state.sourceType);
   if (!isDrawingTool(tool)) return null;
   return (
     <div className={styles["bar"]} role="group" aria-label={words.bar} data-testid="drawing-bar">
       <div className={styles["choices"]}>
         {tool === "line" && <LineTypeChoice value={lineType} />}
+        {tool === "source" && <SourceTypeChoice value={sourceType} />}
         {tool !== "patch" && <PlaneChoice />}
         {tool !== "patch" && <SnapSwitches />}
       </div>
-      <Hint tool={tool} lineType={lineType} />
+      <Hint text={hintOf(tool, lineType, sourceType)} />
     </div>
   );
 }
@@ -39,6 +41,22 @@ function LineTypeChoice({ value }: { readonly value: LineType }) {
       data={[...lineTypes].map((type) => ({ value: type, label: lineTypeNames[type] }))}
       value={value}
       onChange={(lineType) => app.view.state.setState({ lineType })}
+    />
+  );
+}
+
+function SourceTypeChoice({ value }: { readonly value: SourceType }) {
+  const app = useApp();
+  return (
+    <SegmentedControl
+      size="xs"
+      aria-label={words.sourceType}
+      data={(["point", "segment", "triangle"] as const).map((type) => ({
+        value: type,
+        label: words.sourceTypes[type],
+      }))}
+      value={value}
+      onChange={(sourceType) => app.view.state.setState({ sourceType })}
     />
   );
 }
@@ -103,16 +121,18 @@ function SnapSwitches() {
   );
 }
 
-interface HintProps {
-  readonly tool: ToolName;
-  readonly lineType: LineType;
+/** Returns what to do next. */
+function hintOf(tool: ToolName, lineType: LineType, sourceType: SourceType): string | null {
+  if (tool === "select" || tool === "move") return null;
+  if (tool === "line") return words.hints[lineType];
+  return tool === "source" ? words.hints.source[sourceType] : words.hints[tool];
 }
 
 /** What to do next, or why the last action created nothing. */
-function Hint({ tool, lineType }: HintProps) {
+function Hint({ text }: { readonly text: string | null }) {
   const app = useApp();
   const refused = useStore(app.drawing.state, (state) => state.refused);
-  if (tool === "select" || tool === "move") return null;
+  if (text === null) return null;
   return (
     <div
       className={styles["hint"]}
@@ -120,7 +140,7 @@ function Hint({ tool, lineType }: HintProps) {
       data-testid="drawing-hint"
       data-refused={refused !== null || undefined}
     >
-      {refused ?? (tool === "line" ? words.hints[lineType] : words.hints[tool])}
+      {refused ?? text}
     </div>
   );
 }

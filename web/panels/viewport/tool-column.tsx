@@ -2,12 +2,14 @@ import { ActionIcon, Toolbar, Tooltip } from "@mantine/core";
 import {
   IconArrowsMove,
   IconCube,
+  IconFocusCentered,
   IconCylinder,
   IconLine,
   IconPoint,
   IconPointer,
   IconRulerMeasure,
   IconSphere,
+  IconPyramid,
   IconTriangle,
   type Icon,
 } from "@tabler/icons-react";
@@ -23,6 +25,8 @@ const toolIcons: Readonly<Record<ToolName, Icon>> = {
   point: IconPoint,
   line: IconLine,
   patch: IconTriangle,
+  node: IconPyramid,
+  source: IconFocusCentered,
   move: IconArrowsMove,
   measure: IconRulerMeasure,
 };

@@ -7,8 +7,11 @@ import { BrushTool } from "../../tools/brush-tool";
 import { DragTool } from "../../tools/drag-tool";
 import { LineTool } from "../../tools/drawing/line-tool";
 import { MeasureTool } from "../../tools/drawing/measure-tool";
+import { NodeTool } from "../../tools/drawing/node-tool";
 import { PatchTool } from "../../tools/drawing/patch-tool";
 import { PointTool } from "../../tools/drawing/point-tool";
+import { SourceTool } from "../../tools/drawing/source-tool";
+import { HandleTool } from "../../tools/handle-tool";
 import { SelectTool, type Hover } from "../../tools/select-tool";
 import type { Tool } from "../../tools/tool";
 import { ToolController } from "../../tools/tool-controller";
@@ -137,11 +140,13 @@ function connect(
   const brush = new BrushTool(app.documents, app.view, viewer);
   const stores = { documents, previews, view, drawing, viewer };
   const byName: Readonly<Record<ToolName, Tool>> = {
-    select,
-    move: new DragTool(stores, select),
+    select: new HandleTool(stores, select),
+    move: new HandleTool(stores, new DragTool(stores, select)),
     point: new PointTool(stores),
     line: new LineTool(stores),
     patch: new PatchTool(stores),
+    node: new NodeTool(stores),
+    source: new SourceTool(stores),
     measure: new MeasureTool(stores),
   };
   const show = ({ brush: hasBrush, moving, tool }: ViewState): void => {

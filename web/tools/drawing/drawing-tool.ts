@@ -157,7 +157,7 @@ export abstract class DrawingTool implements Tool, TypedInput {
   protected snapAt(pointer: ToolPointer): Snap | null {
     const { snapping } = this.stores.view.state.getState();
     const seen = this.stores.viewer.seenFrom(pointer.at);
-    const onModel = snapping.model && !pointer.mod ? snapToModel(this.#targets(), seen) : null;
+    const onModel = snapping.model && !pointer.mod ? snapToModel(this.targets(), seen) : null;
     if (onModel) return onModel;
     const inPlane = onPlane(seen.ray, this.frame);
     const hit = snapping.patches ? pointer.hit() : null;
@@ -168,6 +168,18 @@ export abstract class DrawingTool implements Tool, TypedInput {
     const isOnGrid = snapping.grid && !pointer.mod;
     const position = isOnGrid ? roundInFrame(this.frame, inPlane, this.gridStep) : inPlane;
     return { kind: isOnGrid ? "grid" : "plane", id: null, position };
+  }
+
+  /** What the pointer snaps to. */
+  protected targets(): SnapTargets {
+    const { hidden, layers } = this.stores.view.state.getState();
+    const { points } = this.project;
+    const lines = layers.lines ? this.paths : [];
+    if (hidden.size === 0) return { points: layers.points ? points : [], lines };
+    return {
+      points: layers.points ? points.filter(({ id }) => !hidden.has(entityKey({ kind: "point", id }))) : [],
+      lines: lines.filter(({ line }) => !hidden.has(entityKey({ kind: "line", id: line.id }))),
+    };
   }
 
   /** Shows what a click would create. */
@@ -211,17 +223,6 @@ export abstract class DrawingTool implements Tool, TypedInput {
       kind: "patch",
       id,
       position: isOnGrid ? roundInFrame(plane.frame, exact, this.gridStep) : exact,
-    };
-  }
-
-  #targets(): SnapTargets {
-    const { hidden, layers } = this.stores.view.state.getState();
-    const { points } = this.project;
-    const lines = layers.lines ? this.paths : [];
-    if (hidden.size === 0) return { points: layers.points ? points : [], lines };
-    return {
-      points: layers.points ? points.filter(({ id }) => !hidden.has(entityKey({ kind: "point", id }))) : [],
-      lines: lines.filter(({ line }) => !hidden.has(entityKey({ kind: "line", id: line.id }))),
     };
   }
 }

@@ -6,7 +6,7 @@ import type { PointerView } from "../../viewer/pointer-view";
 import type { ScreenPoint } from "../../viewer/screen";
 
 /** What the pointer snaps to. "plane" is a place in the work plane beside its grid. */
-export type SnapKind = "point" | "intersection" | "middle" | "line" | "patch" | "grid" | "plane";
+export type SnapKind = "point" | "node" | "intersection" | "middle" | "line" | "patch" | "grid" | "plane";
 
 export interface Snap {
   readonly kind: SnapKind;

@@ -1,0 +1,135 @@
+import type { Project, ProjectBackgroundNode, ProjectSource } from "tetrafront";
+import { selectionHints, stepNames } from "../strings";
+import { idsOf, nextId, type Offer } from "./create";
+import type { ProjectEdit } from "./edit";
+import { recordOf } from "./draft-records";
+import type { Entity } from "./entities";
+import type { Position } from "./position";
+import { add, dot, mean, scale, unit } from "./vectors";
+
+/** Edits of the background grid in the view: shapes of glyphs, and nodes that split tetrahedra. */
+
+/** What the handles of a node change. */
+export interface NodeShape {
+  readonly size: number;
+  readonly stretching: number;
+  readonly direction: Position;
+}
+
+/** Sets size, stretching and direction of a node; a stretching of 1 leaves no direction. */
+export function setNodeShape(id: number, { size, stretching, direction }: NodeShape): ProjectEdit {
+  return {
+    label: stepNames.setNodeShape(id),
+    change: ({ project }) => {
+      const node = recordOf(project.background.nodes, id);
+      if (!node) return;
+      node.size = size;
+      if (stretching > 1) {
+        node.stretching = stretching;
+        node.direction = [...direction];
+      } else {
+        delete node.stretching;
+        delete node.direction;
+      }
+    },
+  };
+}
+
+/** What the handles of a source change. */
+export interface SourceShape {
+  readonly positions: readonly Position[];
+  readonly size: number;
+  readonly distance: number;
+}
+
+export function setSourceShape(id: number, { positions, size, distance }: SourceShape): ProjectEdit {
+  return {
+    label: stepNames.setSourceShape(id),
+    change: ({ project }) => {
+      const source = project.background.sources && recordOf(project.background.sources, id);
+      if (!source) return;
+      source.positions = positions.map((position) => [...position]);
+      source.size = size;
+      if (distance > 0 || source.distance !== undefined) source.distance = distance;
+    },
+  };
+}
+
+/**
+ * Offers a node in the middle of two, three or four selected nodes that belong to one tetrahedron. It splits all
+ * tetrahedra at their common edge, face or tetrahedron, so that the grid still fits together. Its size is the mean.
+ */
+export function offerSplit(project: Project, selection: readonly Entity[]): Offer {
+  const { nodes, tetrahedra } = project.background;
+  const ids = new Set(idsOf(selection, "background-node"));
+  const around = tetrahedra.filter((corners) => [...ids].every((id) => corners.includes(id)));
+  if (ids.size < 2 || ids.size > 4 || around.length === 0) {
+    return { possible: false, reason: selectionHints.split };
+  }
+  const id = nextId(project, "background-node");
+  const node = middleOf(
+    id,
+    nodes.filter((one) => ids.has(one.id)),
+  );
+  const replaced = new Set(around);
+  const split = tetrahedra.flatMap((corners) =>
+    replaced.has(corners) ? [...ids].map((gone) => swapped(corners, gone, id)) : [corners],
+  );
+  return {
+    possible: true,
+    creation: {
+      entities: [{ kind: "background-node", id }],
+      edit: {
+        label: stepNames.splitTetrahedra(around.length),
+        replace: [
+          [
+            ["project", "background", "nodes"],
+            [...nodes, node],
+          ],
+          [["project", "background", "tetrahedra"], split],
+        ],
+      },
+    },
+  };
+}
+
+type Corners = Project["background"]["tetrahedra"][number];
+
+/** Returns the corners of a tetrahedron with one replaced by another. */
+function swapped([a, b, c, d]: Corners, gone: number, by: number): Corners {
+  const of = (corner: number): number => (corner === gone ? by : corner);
+  return [of(a), of(b), of(c), of(d)];
+}
+
+/** Returns a node at the mean position with the mean size; stretched along the mean direction if all are stretched. */
+function middleOf(id: number, corners: readonly ProjectBackgroundNode[]): ProjectBackgroundNode {
+  const meanOf = (values: readonly number[]): number =>
+    values.reduce((sum, value) => sum + value, 0) / values.length;
+  const position = mean(corners.map((node) => node.position)) as [number, number, number];
+  const size = meanOf(corners.map((node) => node.size));
+  const node = { id, position, size };
+  const axes = corners.flatMap(({ stretching = 1, direction }) => {
+    const axis = stretching > 1 && direction ? unit(direction) : null;
+    return axis ? [axis] : [];
+  });
+  const [first] = axes;
+  if (!first || axes.length < corners.length) return node;
+  // Opposite directions are the same axis.
+  const sum = axes.reduce((total, axis) => add(total, scale(axis, dot(axis, first) < 0 ? -1 : 1)), [
+    0, 0, 0,
+  ] as Position);
+  const direction = (unit(sum) ?? first) as [number, number, number];
+  return { ...node, stretching: meanOf(corners.map(({ stretching = 1 }) => stretching)), direction };
+}
+
+/** Returns a number of three significant digits: a drag needs no more. */
+export const rounded = (value: number): number => Number(value.toPrecision(3));
+
+/** Returns the shape of a node, with the direction that a stretching would get. */
+export function shapeOfNode({ size, stretching = 1, direction }: ProjectBackgroundNode): NodeShape {
+  return { size, stretching, direction: direction ?? [1, 0, 0] };
+}
+
+export function shapeOfSource({ positions, size, distance = 0 }: ProjectSource): SourceShape {
+  return { positions, size, distance };
+}

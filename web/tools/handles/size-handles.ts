@@ -1,0 +1,119 @@
+import type { Project } from "tetrafront";
+import { LIMITS } from "tetrafront";
+import {
+  rounded,
+  setNodeShape,
+  setSourceShape,
+  shapeOfNode,
+  shapeOfSource,
+  type NodeShape,
+  type SourceShape,
+} from "../../document/grid-edits";
+import type { ProjectEdit } from "../../document/edit";
+import { findRecord, type Entity } from "../../document/entities";
+import type { Position } from "../../document/position";
+import { add, cross, distance, frameAlong, length, scale, subtract, unit } from "../../document/vectors";
+
+/** What a handle changes: a corner of a source by its index, or a length. */
+export type HandleRole = "size" | "direction" | "distance" | { readonly corner: number };
+
+/** A place in the view that the user can drag. */
+export interface Handle {
+  readonly role: HandleRole;
+  readonly position: Position;
+  /** The handle changes how far it is from here; the position of a corner is free. */
+  readonly from: Position;
+}
+
+/** A node or source whose handles are shown, at the moment when a drag begins. */
+export type Handled =
+  | { readonly kind: "node"; readonly id: number; readonly centre: Position; readonly shape: NodeShape }
+  | { readonly kind: "source"; readonly id: number; readonly shape: SourceShape };
+
+/** Smallest distance of a handle from its centre, in CSS pixels: beside the dot that moves the whole. */
+const leastPixels = 26;
+/** A stretching that is nearer to 1 becomes 1. */
+const roundness = 1.03;
+
+/** Returns the node or source that is the whole selection; null for any other selection. */
+export function handledOf(project: Project, selection: readonly Entity[]): Handled | null {
+  const [entity, ...others] = selection;
+  if (!entity || others.length > 0) return null;
+  if (entity.kind === "background-node") {
+    const node = findRecord(project, "background-node", entity.id);
+    return node ? { kind: "node", id: node.id, centre: node.position, shape: shapeOfNode(node) } : null;
+  }
+  if (entity.kind !== "source") return null;
+  const source = findRecord(project, "source", entity.id);
+  return source ? { kind: "source", id: source.id, shape: shapeOfSource(source) } : null;
+}
+
+/** Length of half a glyph: across and along its direction. */
+export const radiiOf = ({ size, stretching }: NodeShape): readonly [across: number, along: number] => [
+  size / 2,
+  (size * stretching) / 2,
+];
+
+/** Returns the handles, in true size unless the glyph is smaller than they are. `pixel`: length of a CSS pixel. */
+export function handlesOf(handled: Handled, pixel: number): readonly Handle[] {
+  const least = leastPixels * pixel;
+  if (handled.kind === "node") {
+    const { centre, shape } = handled;
+    const [across, along] = radiiOf(shape);
+    const { x, z } = frameAlong(shape.direction);
+    return [
+      { role: "size", from: centre, position: add(centre, scale(x, Math.max(across, least))) },
+      { role: "direction", from: centre, position: add(centre, scale(z, Math.max(along, 1.5 * least))) },
+    ];
+  }
+  const { positions, size, distance: reach } = handled.shape;
+  const [first = [0, 0, 0] as const, second] = positions;
+  const { x, y } = second ? frameAlong(subtract(second, first)) : { x: axisX, y: axisY };
+  const corners = positions.map((position, corner) => ({ role: { corner }, from: position, position }));
+  return [
+    { role: "size", from: first, position: add(first, scale(x, Math.max(size / 2, least))) },
+    { role: "distance", from: first, position: add(first, scale(y, Math.max(reach, 1.5 * least))) },
+    ...(positions.length > 1 ? corners : []),
+  ];
+}
+
+const axisX: Position = [1, 0, 0];
+const axisY: Position = [0, 1, 0];
+
+/** Returns the edit of a drag that moved a handle to a position. Lengths change by the same factor as their handle's. */
+export function draggedTo(handled: Handled, { role, position, from }: Handle, to: Position): ProjectEdit {
+  const factor = distance(to, from) / (distance(position, from) || 1);
+  if (handled.kind === "node")
+    return setNodeShape(handled.id, nodeDragged(handled.shape, role, factor, to, from));
+  const { shape, id } = handled;
+  if (typeof role === "object") {
+    return setSourceShape(id, { ...shape, positions: shape.positions.with(role.corner, to) });
+  }
+  if (role === "size") return setSourceShape(id, { ...shape, size: lengthOf(shape.size * factor) });
+  // Without a distance, its handle has no length of its own to scale.
+  const reach = shape.distance > 0 ? shape.distance * factor : distance(to, from);
+  return setSourceShape(id, { ...shape, distance: rounded(reach) });
+}
+
+function nodeDragged(
+  shape: NodeShape,
+  role: HandleRole,
+  factor: number,
+  to: Position,
+  from: Position,
+): NodeShape {
+  // The ellipsoid grows as a whole.
+  if (role === "size") return { ...shape, size: lengthOf(shape.size * factor) };
+  const asked = Math.min(LIMITS.stretching, shape.stretching * factor);
+  const stretching = asked < roundness ? 1 : rounded(asked);
+  return { ...shape, stretching, direction: tidy(unit(subtract(to, from)) ?? shape.direction) };
+}
+
+const lengthOf = (value: number): number => Math.max(rounded(value), Number.MIN_VALUE);
+
+/** Returns a direction with three decimals; that of an axis if it is nearly one. */
+function tidy(direction: Position): Position {
+  const axis = [axisX, axisY, [0, 0, 1] as Position].find((one) => length(cross(one, direction)) < 0.03);
+  if (axis) return axis;
+  return direction.map((x) => Math.round(1000 * x) / 1000) as [number, number, number];
+}
