@@ -22,5 +22,6 @@ export * from "./commands";
 export * from "./edits";
 export * from "./entities";
 export * from "./mesh";
+export { fixStrings } from "./fixes";
 export { operationStrings } from "./operations";
 export { remedyInApp } from "./remedies";

@@ -27,7 +27,25 @@ export function joinPoints(project: Project): Joined {
     if (same === undefined) index.add(position, id);
     else pointIds.set(id, same);
   }
-  if (pointIds.size === 0) return project;
+  return pointIds.size === 0 ? project : withPoints(project, pointIds);
+}
+
+/** Joins two points into the first of them, then lines and patches that coincide. */
+export function joinPair(project: Project, keep: number, drop: number): Joined {
+  const ids = new Set(project.points.map(({ id }) => id));
+  return ids.has(keep) && ids.has(drop) ? withPoints(project, new Map([[drop, keep]])) : project;
+}
+
+/** Joins lines with the same course into the first of them, then patches within the same lines. */
+export function joinDuplicateLines(project: Project): Joined {
+  const { lines, lineIds } = joinLines(project.lines, project.points, coincidenceLength(project));
+  if (lineIds.size === 0) return project;
+  return { points: project.points, lines, patches: joinPatches(project.patches, lineIds) };
+}
+
+/** Replaces points by others: `pointIds` has the point that stays for each one that goes. */
+function withPoints(project: Project, pointIds: ReadonlyMap<number, number>): Joined {
+  const tolerance = coincidenceLength(project);
   const points = project.points.filter(({ id }) => !pointIds.has(id));
   const moved = project.lines.map((line) =>
     line.points.some((id) => pointIds.has(id))

@@ -5,6 +5,7 @@ import { strings } from "../../strings";
 import { useApp, useProblems, useRun, useShell } from "../shared/app-context";
 import { PatchTable } from "../quality/patch-quality";
 import { FrontPanel } from "../later/later";
+import { FixAllButton } from "../problems/fix-button";
 import { ProblemCard } from "../problems/problem-card";
 import { PanelBoundary } from "../shared/panel-boundary";
 import tabs from "../../ui/frames/panel-tabs.module.css";
@@ -115,10 +116,13 @@ function ProblemPanel() {
       )}
       {groups.map(({ code, severity, problems: members }) => (
         <section key={`${severity} ${code}`} data-testid={`problems-${code}`}>
-          <h2 className={styles["group"]} data-severity={severity}>
-            {strings.problemTitle(code)}
-            <span>{strings.bottom.count(members.length, severity)}</span>
-          </h2>
+          <div className={styles["group"]} data-severity={severity}>
+            <h2>
+              {strings.problemTitle(code)}
+              <span>{strings.bottom.count(members.length, severity)}</span>
+            </h2>
+            <FixAllButton problems={members} />
+          </div>
           {members.slice(0, maxPerGroup).map((problem) => (
             <ProblemCard
               key={problem.key}

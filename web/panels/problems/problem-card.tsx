@@ -6,6 +6,7 @@ import { formatPosition } from "../../ui/format";
 import { strings } from "../../strings";
 import { useApp, useProject } from "../shared/app-context";
 import { EntityChips } from "../shared/entity-chips";
+import { FixButton } from "./fix-button";
 import { TriangleList } from "./triangle-list";
 import styles from "./problem-card.module.css";
 
@@ -41,6 +42,7 @@ export function ProblemCard({ problem, testId }: ProblemCardProps) {
           {problem.remedy}
         </Text>
         <div className={styles["foot"]}>
+          <FixButton problem={problem} />
           {canShow && (
             <Button size="compact-xs" variant="default" onClick={() => showProblem(app, problem)}>
               {strings.bottom.show}

@@ -1,0 +1,186 @@
+import type { Project, ProjectLine } from "tetrafront";
+import { fixStrings } from "../strings";
+import { offerPatch } from "./create";
+import type { DrawnLoop } from "./drawn-loop";
+import type { ProjectEdit } from "./edit";
+import { findRecord, type DrawnKind } from "./entities";
+import { linePaths } from "./line-paths";
+import { drawnLoops, keyOf } from "./loop-search";
+import { orderLoops } from "./loops";
+import { joinDuplicateLines, joinPair, replacing } from "./transforms/join-points";
+import type { Problem } from "./validate";
+
+/** Changes that solve problems without a decision of the user. Each says what it does; one fix is one step of undo. */
+export interface QuickFix {
+  /** Label of the button. */
+  readonly label: string;
+  /** One sentence: what it will do. */
+  readonly effect: string;
+  /** Makes a covering grid, which only the engine can do, instead of an edit. */
+  readonly coversModel: boolean;
+  /** Returns the fixed project; the same one if the problem is gone. */
+  readonly apply: (project: Project) => Project;
+}
+
+/** What the search for a fix knows beside the problem. */
+export interface FixContext {
+  readonly project: Project;
+  /** All problems: open edges that belong together are closed by one patch. */
+  readonly problems: readonly Problem[];
+}
+
+/** Returns the fix of a problem; null if there is no safe one. */
+export function quickFixOf(problem: Problem, context: FixContext): QuickFix | null {
+  // Bodies have repairs of their own.
+  if (problem.body !== null || problem.entities.some(({ kind }) => kind === "body")) return null;
+  switch (problem.code) {
+    case "duplicate-points":
+      return joinPoints(problem);
+    case "duplicate-lines":
+      return joinLines(problem);
+    case "loop-not-closed":
+      return orderLoop(problem, context);
+    case "open-circle":
+      return closeCircle(problem);
+    case "zero-length-line":
+      return deleteLine(problem, context);
+    case "degenerate-background-tetrahedron":
+      return removeTetrahedron(problem);
+    case "empty-background-grid":
+      return { ...fixStrings.cover, coversModel: true, apply: (project) => project };
+    case "open-edge":
+      return closePatch(problem, context);
+    default:
+      return null;
+  }
+}
+
+/** Returns the edit that makes a fix; null if it changes nothing. */
+export function fixEdit(project: Project, label: string, fixes: readonly QuickFix[]): ProjectEdit | null {
+  const fixed = fixes.reduce((current, { apply }) => apply(current), project);
+  const replace = [
+    ...replacing(project, fixed),
+    ...(fixed.background === project.background
+      ? []
+      : [[["project", "background"], fixed.background] as const]),
+  ];
+  return replace.length > 0 ? { label, replace } : null;
+}
+
+const idsOf = ({ entities }: Problem, of: DrawnKind): readonly number[] =>
+  entities.flatMap(({ kind, id }) => (kind === of ? [id] : []));
+
+const simple = (text: Pick<QuickFix, "label" | "effect">, apply: QuickFix["apply"]): QuickFix => ({
+  ...text,
+  coversModel: false,
+  apply,
+});
+
+function joinPoints(problem: Problem): QuickFix | null {
+  const [a, b] = idsOf(problem, "point");
+  if (a === undefined || b === undefined) return null;
+  const [keep, drop] = [Math.min(a, b), Math.max(a, b)];
+  return simple(fixStrings.joinPoints(keep, drop), (project) => ({
+    ...project,
+    ...joinPair(project, keep, drop),
+  }));
+}
+
+function joinLines(problem: Problem): QuickFix | null {
+  const [a, b] = idsOf(problem, "line");
+  if (a === undefined || b === undefined) return null;
+  return simple(fixStrings.joinLines(Math.min(a, b), Math.max(a, b)), (project) => ({
+    ...project,
+    ...joinDuplicateLines(project),
+  }));
+}
+
+/** Lines that form loops in another order or direction. */
+function orderLoop(problem: Problem, { project }: FixContext): QuickFix | null {
+  const [id] = idsOf(problem, "patch");
+  const patch = id === undefined ? undefined : findRecord(project, "patch", id);
+  if (!patch) return null;
+  const ordered = (given: Project) => orderLoops(given, [...new Set(patch.loops.flat().map(Math.abs))]);
+  if (!ordered(project).success) return null;
+  return simple(fixStrings.orderLoop(patch.id), (current) => {
+    const found = ordered(current);
+    if (!found.success) return current;
+    const patches = current.patches.map((one) =>
+      one.id === patch.id ? { ...one, loops: found.loops.map((loop) => [...loop]) } : one,
+    );
+    return { ...current, patches };
+  });
+}
+
+function closeCircle(problem: Problem): QuickFix | null {
+  const [id] = idsOf(problem, "line");
+  if (id === undefined) return null;
+  const closed = (line: ProjectLine): ProjectLine => {
+    const [first, second, third] = line.points;
+    if (line.id !== id || first === undefined || second === undefined || third === undefined) return line;
+    return { ...line, points: [first, second, third, first] };
+  };
+  return simple(fixStrings.closeCircle(id), (project) => ({ ...project, lines: project.lines.map(closed) }));
+}
+
+/** A line without length that no patch needs. */
+function deleteLine(problem: Problem, { project }: FixContext): QuickFix | null {
+  const [id] = idsOf(problem, "line");
+  const isUsed = project.patches.some(({ loops }) => loops.flat().some((step) => Math.abs(step) === id));
+  if (id === undefined || isUsed) return null;
+  return simple(fixStrings.deleteLine(id), (current) => ({
+    ...current,
+    lines: current.lines.filter((line) => line.id !== id),
+  }));
+}
+
+function removeTetrahedron(problem: Problem): QuickFix | null {
+  const nodes = new Set(idsOf(problem, "background-node"));
+  if (nodes.size === 0) return null;
+  return simple(fixStrings.removeTetrahedron, (project) => ({
+    ...project,
+    background: {
+      ...project.background,
+      tetrahedra: project.background.tetrahedra.filter(
+        (corners) => !(corners.every((id) => nodes.has(id)) && new Set(corners).size === nodes.size),
+      ),
+    },
+  }));
+}
+
+/** Planar loops of open lines, by list of problems: each problem of a list asks for them. */
+const foundLoops = new WeakMap<readonly Problem[], readonly DrawnLoop[]>();
+
+function openLoops(project: Project, problems: readonly Problem[]): readonly DrawnLoop[] {
+  const known = foundLoops.get(problems);
+  if (known) return known;
+  const open = new Set(
+    problems.filter(({ code }) => code === "open-edge").flatMap((one) => idsOf(one, "line")),
+  );
+  const paths = linePaths(project, null).filter((path) => open.has(path.line.id));
+  const loops = drawnLoops(paths).filter(({ normal }) => normal !== null);
+  foundLoops.set(problems, loops);
+  return loops;
+}
+
+/** Open lines that lie in one plane and form a loop. */
+function closePatch(problem: Problem, { project, problems }: FixContext): QuickFix | null {
+  const [line] = idsOf(problem, "line");
+  if (line === undefined) return null;
+  const loop = openLoops(project, problems).find(({ lines }) => lines.some((id) => Math.abs(id) === line));
+  if (!loop) return null;
+  const lines = loop.lines.map(Math.abs);
+  const key = keyOf(lines);
+  const isFilled = (current: Project): boolean =>
+    current.patches.some(({ loops: [outer = []] }) => keyOf(outer) === key);
+  return simple(fixStrings.closePatch(lines), (current) => {
+    if (isFilled(current)) return current;
+    const selection = lines.map((id) => ({ kind: "line" as const, id }));
+    const found = orderLoops(current, lines);
+    const offer = offerPatch(current, selection, "planar");
+    const id = offer.possible ? offer.creation.entities[0]?.id : undefined;
+    if (id === undefined || !found.success) return current;
+    const loops = found.loops.map((one) => [...one]);
+    return { ...current, patches: [...current.patches, { id, type: "planar" as const, loops }] };
+  });
+}

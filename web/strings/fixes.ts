@@ -1,0 +1,38 @@
+/** Texts of quick fixes: the label of the button, and what it will do. */
+export const fixStrings = {
+  cover: {
+    label: "Create covering grid",
+    effect: "Creates a background grid of one size around the model.",
+  },
+  joinPoints: (keep: number, drop: number) => ({
+    label: "Join points",
+    effect: `Uses point ${keep} in place of point ${drop}, and joins lines and patches that then coincide.`,
+  }),
+  joinLines: (keep: number, drop: number) => ({
+    label: "Join lines",
+    effect: `Uses line ${keep} in all patches in place of line ${drop}.`,
+  }),
+  orderLoop: (patch: number) => ({
+    label: "Order the loop",
+    effect: `Puts the lines of patch ${patch} in order and reverses those that run the wrong way.`,
+  }),
+  closeCircle: (line: number) => ({
+    label: "Close the circle",
+    effect: `Makes the first point of line ${line} its last one too.`,
+  }),
+  deleteLine: (line: number) => ({
+    label: "Delete the line",
+    effect: `Deletes line ${line}, which no patch uses.`,
+  }),
+  removeTetrahedron: {
+    label: "Remove the tetrahedron",
+    effect: "Removes the tetrahedron from the background grid; its nodes stay.",
+  },
+  closePatch: (lines: readonly number[]) => ({
+    label: "Close with a patch",
+    effect: `Adds a planar patch within the lines ${lines.join(", ")}.`,
+  }),
+  fixAll: (count: number) => `Fix all ${count}`,
+  fixAllEffect: (effect: string) => `Does the same for all problems of this kind. ${effect}`,
+  stepAll: (label: string, count: number) => `${label} (${count} problems)`,
+} as const;
