@@ -11,6 +11,7 @@ import type { Entity } from "../document/entities";
 import { commandLabels } from "../strings";
 import { define, type Command } from "./command";
 import { hasHighlight, hasSelection } from "./conditions";
+import { canGroup, groupSelection } from "./group-actions";
 import { deleteSelection, rename } from "./selection-actions";
 import { mergeableBody, mergeSelectedPatches } from "./surface-actions";
 
@@ -54,6 +55,9 @@ export const editMenu: readonly Command[] = [
     (app) => app.documents.redo(),
     { keys: ["mod+shift+Z", "mod+Y"], enabled: (app) => future(app).length > 0 },
   ),
+  define("edit", 0)("history", commandLabels.history, (app) =>
+    app.shell.setState({ bottomTab: "history", drawer: "bottom" }),
+  ),
   define("edit", 1)("delete", commandLabels.delete, deleteSelection, {
     keys: ["Delete"],
     enabled: hasSelection,
@@ -68,6 +72,7 @@ export const editMenu: readonly Command[] = [
     keys: ["F2"],
     enabled: (app) => app.view.state.getState().selection.length === 1,
   }),
+  define("edit", 1)("group", commandLabels.group, groupSelection, { enabled: canGroup }),
   define("edit", 1)("merge-patches", commandLabels.mergePatches, (app) => void mergeSelectedPatches(app), {
     enabled: (app) => mergeableBody(app.documents.project, app.view.state.getState().selection) !== undefined,
   }),

@@ -15,7 +15,7 @@ export interface Notice {
 export interface ShellState {
   readonly leftTab: "model" | "examples";
   readonly rightTab: "inspector" | "quality" | "display";
-  readonly bottomTab: "log" | "problems" | "patches" | "front";
+  readonly bottomTab: "log" | "problems" | "patches" | "front" | "history";
   /** On small screens the panels are drawers. */
   readonly drawer: "left" | "right" | "bottom" | null;
   readonly dialog: DialogName | null;

@@ -15,7 +15,9 @@ export const commandLabels = {
   undo: (step: string | undefined) => (step === undefined ? "Undo" : `Undo: ${step}`),
   redo: (step: string | undefined) => (step === undefined ? "Redo" : `Redo: ${step}`),
   delete: "Delete selection",
+  history: "Show history",
   rename: "Rename",
+  group: "Group selection",
   selectSeveral: "Select several (each click toggles)",
   deselect: "Clear selection",
   selecting: {

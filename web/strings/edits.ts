@@ -37,6 +37,21 @@ export const stepNames = {
   setParameter: (name: string) => `Set parameter ${name}`,
   renameParameter: (name: string) => `Rename parameter ${name}`,
   removeParameter: (name: string) => `Remove parameter ${name}`,
+  addGroup: (name: string) => `Add ${name.toLowerCase()}`,
+  renameGroup: (name: string) => `Rename group ${name}`,
+  colorGroup: (name: string) => `Set colour of group ${name}`,
+  extendGroup: (name: string) => `Add to group ${name}`,
+  removeGroup: (name: string) => `Remove group ${name}`,
+  setCommon: {
+    "position.0": (count: number) => `Set x of ${count} entities`,
+    "position.1": (count: number) => `Set y of ${count} entities`,
+    "position.2": (count: number) => `Set z of ${count} entities`,
+    size: (count: number) => `Set size of ${count} entities`,
+    stretching: (count: number) => `Set stretching of ${count} entities`,
+    distance: (count: number) => `Set distance of ${count} entities`,
+    growth: (count: number) => `Set growth of ${count} entities`,
+  },
+  setCommonType: (count: number, kind: "lines" | "patches") => `Change type of ${count} ${kind}`,
   paintSize: "Paint size",
   improve: "Improve mesh",
   generate: "Generate mesh",
@@ -88,6 +103,9 @@ export const parameterProblems = {
   expression: "Enter a number or a formula, such as 2*r",
   cycle: (name: string) => `Uses ${name} itself`,
 } as const;
+
+/** Name of a new group. */
+export const groupName = (id: number): string => `Group ${id}`;
 
 /** Name of a new project. */
 export const untitled = "Untitled";

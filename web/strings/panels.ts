@@ -24,6 +24,10 @@ export const panelStrings = {
     more: (count: number) => `and ${count} more`,
     createFrom: "Create from selection",
     deleteAll: "Delete selection",
+    delete: "Delete",
+    deletesAlso: (count: number) =>
+      count === 1 ? "Deletes 1 dependent too" : `Deletes ${count} dependents too`,
+    common: (count: number) => `Common to ${count} entities`,
     name: "Name",
     position: "Position",
     size: "Size",
@@ -56,6 +60,22 @@ export const panelStrings = {
     valid: "valid",
     element: (index: string) => `Tetrahedron ${index}`,
     elementNodes: "Nodes",
+  },
+  groups: {
+    title: "Groups",
+    make: "Group selection",
+    add: (name: string) => `Add selection to ${name}`,
+    name: (name: string) => `Name of group ${name}`,
+    color: (name: string) => `Colour of group ${name}`,
+    select: (name: string, count: number) => `Select the ${count} entities of ${name}`,
+    show: (name: string) => `Show ${name}`,
+    hide: (name: string) => `Hide ${name}`,
+    remove: (name: string) => `Remove group ${name}; its entities stay`,
+  },
+  history: {
+    title: "History",
+    start: "As opened",
+    hint: "Choose a step to go back or forward to the model after it.",
   },
   parameters: {
     title: "Parameters",

@@ -15,14 +15,20 @@ export const stateCodes: { readonly [S in DrawState]: number } = {
 
 const stateCount = Object.keys(stateCodes).length;
 
-/** Vertex shader declarations: the state of the vertex's entity, and whether this pass draws it. */
+/**
+ * Vertex shader declarations: the state of the vertex's entity, its tint, and whether this pass draws it. The last number
+ * of a tint is 1 without a tint, as in geometries without this attribute.
+ */
 export const drawStateGlsl = /* glsl */ `
   attribute float state;
+  attribute vec4 tint;
   uniform int drawnStates;
   uniform vec3 stateColors[${stateCount}];
   uniform float stateScales[${stateCount}];
   bool isDrawn() { return ((drawnStates >> int(state)) & 1) == 1; }
-  vec3 stateColor() { return stateColors[int(state)]; }
+  vec3 stateColor() {
+    return int(state) == ${stateCodes.normal} ? mix(tint.rgb, stateColors[int(state)], tint.a) : stateColors[int(state)];
+  }
   float stateScale() { return stateScales[int(state)]; }
 `;
 

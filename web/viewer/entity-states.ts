@@ -1,4 +1,4 @@
-import { BufferAttribute, InstancedBufferAttribute } from "three";
+import { BufferAttribute, InstancedBufferAttribute, type BufferGeometry } from "three";
 import { entityKey, sameEntity, type DrawnKind, type Entity } from "../document/entities";
 import { stateCodes, type DrawState } from "./draw-state";
 import type { SceneState } from "./scene-state";
@@ -7,7 +7,7 @@ interface Identified {
   readonly id: number;
 }
 
-type Emphasis = Pick<SceneState, "selection" | "hover" | "hidden" | "defects">;
+type Emphasis = Pick<SceneState, "selection" | "hover" | "hidden" | "defects" | "tints">;
 
 /**
  * The draw states of the entities of one kind, as a vertex attribute with one byte per vertex. A change of hover,
@@ -16,10 +16,12 @@ type Emphasis = Pick<SceneState, "selection" | "hover" | "hidden" | "defects">;
 export class EntityStates {
   readonly #kind: DrawnKind;
   readonly #instanced: boolean;
+  readonly #tinted: boolean;
   #records: readonly Identified[] = [];
   /** Record i owns the vertices from offsets[i] to before offsets[i + 1]. */
   #offsets: ArrayLike<number> = [0];
   #attribute: BufferAttribute;
+  #tint: BufferAttribute;
   #codes = new Uint8Array();
   readonly #counts = new Map<number, number>();
   #indexById: ReadonlyMap<number, number> | null = null;
@@ -27,16 +29,24 @@ export class EntityStates {
   #shown: Emphasis | null = null;
   #selectedIds: ReadonlySet<number> = new Set();
 
-  /** If `instanced`, the attribute has one byte per instance. */
-  constructor(kind: DrawnKind, { instanced = false } = {}) {
+  /** If `instanced`, the attributes have one value per instance; if `tinted`, there are colours of groups. */
+  constructor(kind: DrawnKind, { instanced = false, tinted = false } = {}) {
     this.#kind = kind;
     this.#instanced = instanced;
+    this.#tinted = tinted;
     this.#attribute = this.#createAttribute(0);
+    this.#tint = this.#createTint(0);
   }
 
   /** One state code per vertex. */
   get attribute(): BufferAttribute {
     return this.#attribute;
+  }
+
+  /** Gives a geometry the states, and the tints if there are any. */
+  attachTo(geometry: BufferGeometry): void {
+    geometry.setAttribute("state", this.#attribute);
+    if (this.#tinted) geometry.setAttribute("tint", this.#tint);
   }
 
   /**
@@ -52,7 +62,10 @@ export class EntityStates {
     this.#offsets = offsets;
     this.#indexById = null;
     this.#shown = null;
-    if (this.#attribute.count !== vertices) this.#attribute = this.#createAttribute(vertices);
+    if (this.#attribute.count !== vertices) {
+      this.#attribute = this.#createAttribute(vertices);
+      this.#tint = this.#createTint(vertices);
+    }
     return sameVertices;
   }
 
@@ -63,6 +76,7 @@ export class EntityStates {
     if (!before || before.selection !== state.selection) {
       this.#selectedIds = new Set(state.selection.filter(this.#isOfKind).map(({ id }) => id));
     }
+    if (this.#tinted && before?.tints !== state.tints) this.#writeTints(state);
     if (!before) return this.#writeAll(state);
     for (const id of this.#affectedIds(before, state)) {
       const index = this.#indexOf(id);
@@ -117,6 +131,25 @@ export class EntityStates {
   #createAttribute(vertices: number): BufferAttribute {
     const codes = new Uint8Array(vertices);
     return this.#instanced ? new InstancedBufferAttribute(codes, 1) : new BufferAttribute(codes, 1);
+  }
+
+  /** Red, green, blue and whether there is no tint, per vertex. */
+  #createTint(vertices: number): BufferAttribute {
+    const tints = new Uint8Array(this.#tinted ? 4 * vertices : 0).fill(255);
+    return this.#instanced
+      ? new InstancedBufferAttribute(tints, 4, true)
+      : new BufferAttribute(tints, 4, true);
+  }
+
+  #writeTints({ tints }: Emphasis): void {
+    this.#records.forEach(({ id }, index) => {
+      const tint = tints.get(entityKey({ kind: this.#kind, id }));
+      const bytes = tint ? [...tint.map((part) => Math.round(255 * part)), 0] : [255, 255, 255, 255];
+      for (let vertex = this.#offsets[index] ?? 0; vertex < (this.#offsets[index + 1] ?? 0); ++vertex) {
+        this.#tint.array.set(bytes, 4 * vertex);
+      }
+    });
+    this.#tint.needsUpdate = true;
   }
 
   #indexOf(id: number): number | undefined {

@@ -1,3 +1,4 @@
+import { groupTints } from "../document/groups";
 import type { ViewStore } from "../document/selection";
 import { defectsOf } from "../document/validate";
 import type { BodyFeed } from "../session/bodies";
@@ -49,6 +50,7 @@ function projectState({ documents, bodies, run }: SessionStores) {
   return {
     project,
     bodies: shownBodies(project, bodies),
+    tints: groupTints(project),
     isMeshStale: isStale(run.state.getState(), documents.state.getState()),
   };
 }

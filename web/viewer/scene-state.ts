@@ -35,6 +35,8 @@ export interface ShownState extends ViewState {
   /** The boundary that the last run checked; `triangles` and `defects` refer to it. */
   readonly checkedSurface: SurfaceMesh | null;
   readonly defects: Defects;
+  /** Colours of the groups, by the keys of their members. */
+  readonly tints: ReadonlyMap<string, readonly [number, number, number]>;
   /** A recorded front is shown instead of the surfaces of the model and its mesh. */
   readonly isReplaying: boolean;
 }

@@ -1,9 +1,10 @@
+import { BufferGeometry } from "three";
 import { describe, expect, it } from "vitest";
 import { stateCodes } from "../../../web/viewer/draw-state";
 import { EntityStates, offsetsOf } from "../../../web/viewer/entity-states";
 import type { SceneState } from "../../../web/viewer/scene-state";
 
-type Emphasis = Pick<SceneState, "selection" | "hover" | "hidden" | "defects">;
+type Emphasis = Pick<SceneState, "selection" | "hover" | "hidden" | "defects" | "tints">;
 
 const { hidden, normal, hover, selected, defective } = stateCodes;
 const nothing: Emphasis = {
@@ -11,6 +12,7 @@ const nothing: Emphasis = {
   hover: null,
   hidden: new Set(),
   defects: { triangles: [], patches: new Set(), bodies: new Map() },
+  tints: new Map(),
 };
 /** Ids that are not indices, with one, two and three vertices. */
 const patches = [{ id: 7 }, { id: 3 }, { id: 12 }];
@@ -27,6 +29,25 @@ const bytes = (states: EntityStates): number[] => [...states.attribute.array];
 const patch = (id: number) => ({ kind: "patch", id }) as const;
 
 describe("EntityStates", () => {
+  it("gives the vertices of grouped entities the colour of their group, and takes it back", () => {
+    const states = new EntityStates("patch", { tinted: true });
+    const geometry = new BufferGeometry();
+    states.assign(patches, offsets);
+    states.attachTo(geometry);
+    const tints = () => [...geometry.getAttribute("tint").array];
+    const plain = [255, 255, 255, 255];
+    states.update({
+      ...nothing,
+      tints: new Map([
+        ["patch-3", [1, 0, 0.2]],
+        ["line-7", [0, 0, 0]],
+      ]),
+    });
+    expect(tints()).toEqual([plain, [255, 0, 51, 0], [255, 0, 51, 0], plain, plain, plain].flat());
+    states.update(nothing);
+    expect(tints()).toEqual(Array.from({ length: 6 }, () => plain).flat());
+  });
+
   it("gives every vertex the state of its entity", () => {
     const states = shown({
       selection: [patch(12), { kind: "line", id: 7 }],

@@ -21,6 +21,7 @@ export function sceneState(change: Partial<SceneState> = {}): SceneState {
     unoptimized: null,
     checkedSurface: null,
     defects: { triangles: [], patches: new Set(), bodies: new Map() },
+    tints: new Map(),
     isReplaying: false,
     colors: viewerColors.dark,
     origin: [0, 0, 0],

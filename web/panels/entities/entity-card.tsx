@@ -11,6 +11,8 @@ import { EntityChips } from "../shared/entity-chips";
 import { EntityIcon } from "../shared/entity-icon";
 import { BodyCard } from "../bodies/body-card";
 import { BodyPatchCard } from "../bodies/body-patch-card";
+import { DeleteSection } from "./delete-section";
+import { GroupButtons } from "./group-list";
 import { LineEditor } from "./line-editor";
 import { NodeEditor } from "./node-editor";
 import { PatchEditor } from "./patch-editor";
@@ -29,6 +31,7 @@ export function EntityCard({ entity }: { readonly entity: Entity }) {
   const renaming = useShell((state) => state.renaming);
   const record = findRecord(project, entity.kind, entity.id);
   const dependents = useMemo(() => dependentsOf(project, entity), [project, entity]);
+  const alone = useMemo(() => [entity], [entity]);
   if (!record) return null;
   const name = entityName(project, entity) ?? "";
   return (
@@ -54,6 +57,8 @@ export function EntityCard({ entity }: { readonly entity: Entity }) {
           <EntityChips entities={dependents} project={project} paddingTop={5} />
         </FieldRow>
       )}
+      <GroupButtons selection={[entity]} />
+      {entity.kind !== "body-patch" && <DeleteSection entities={alone} project={project} />}
       {(entity.kind === "patch" || entity.kind === "body-patch") && <PatchFacts patch={entity.id} />}
       {entity.kind !== "body" &&
         problems?.map((problem) => <ProblemCard key={problem.key} problem={problem} />)}

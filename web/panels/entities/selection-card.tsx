@@ -1,6 +1,5 @@
 import { Button, Text } from "@mantine/core";
 import { createFrom, makers, sourceMakers } from "../../commands/create-menu";
-import { deleteSelection } from "../../commands/selection-actions";
 import { mergeableBody, mergeSelectedPatches } from "../../commands/surface-actions";
 import type { Entity } from "../../document/entities";
 import { isClosedChain } from "../../document/selection";
@@ -8,6 +7,9 @@ import { SectionTitle } from "../../ui/frames/section-title";
 import { strings } from "../../strings";
 import { useApp, useProject } from "../shared/app-context";
 import { EntityChips } from "../shared/entity-chips";
+import { CommonFields } from "./common-fields";
+import { DeleteSection } from "./delete-section";
+import { GroupButtons } from "./group-list";
 import styles from "./selection-card.module.css";
 
 /** Several selected entities, and what can be created from them. */
@@ -15,6 +17,7 @@ export function SelectionCard({ selection }: { readonly selection: readonly Enti
   const app = useApp();
   const project = useProject();
   const closed = isClosedChain(selection);
+  const unique = closed ? selection.slice(0, -1) : selection;
   return (
     <>
       <SectionTitle>
@@ -23,6 +26,7 @@ export function SelectionCard({ selection }: { readonly selection: readonly Enti
           : strings.inspector.several(selection.length)}
       </SectionTitle>
       <EntityChips entities={selection} project={project} />
+      <CommonFields entities={unique} project={project} />
       <CreateFromSelection selection={selection} explain />
       {mergeableBody(project, selection) && (
         <Button
@@ -36,9 +40,8 @@ export function SelectionCard({ selection }: { readonly selection: readonly Enti
           {strings.bodies.split.merge}
         </Button>
       )}
-      <Button mt={10} size="compact-xs" variant="default" onClick={() => deleteSelection(app)}>
-        {strings.inspector.deleteAll}
-      </Button>
+      <GroupButtons selection={selection} />
+      <DeleteSection entities={selection} project={project} />
     </>
   );
 }

@@ -6,7 +6,8 @@ export interface TypeSelectProps<Type extends string> extends Pick<
   "comboboxProps" | "error" | "maxDropdownHeight"
 > {
   readonly types: readonly { readonly value: Type; readonly label: string }[];
-  readonly value: Type;
+  /** Null if several entities have different types. */
+  readonly value: Type | null;
   readonly renderOption?: (option: { readonly value: Type; readonly label: string }) => React.ReactNode;
   readonly onChange: (type: Type) => void;
   readonly testId: string;
@@ -30,8 +31,9 @@ export function TypeSelect<Type extends string>({
       allowDeselect={false}
       data={types}
       value={value}
+      placeholder={strings.fields.different}
       {...(renderOption && {
-        renderOption: ({ option }) => renderOption(typeOf(option.value) ?? { value, label: option.label }),
+        renderOption: ({ option }) => renderOption({ value: option.value as Type, label: option.label }),
       })}
       onChange={(name) => {
         const chosen = typeOf(name);

@@ -13,6 +13,7 @@ import { MeshSettings } from "./mesh-settings";
 import { ParameterTable } from "./parameter-table";
 import { PanelBoundary } from "../shared/panel-boundary";
 import { QualityPanel } from "../quality/quality-panel";
+import { GroupList } from "../entities/group-list";
 import { SelectionCard } from "../entities/selection-card";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
 import { SectionTitle } from "../../ui/frames/section-title";
@@ -64,6 +65,7 @@ function ProjectCard() {
       <Text size="sm" c="dimmed">
         {strings.inspector.nothingSelected}
       </Text>
+      <GroupList />
       <ParameterTable />
       <ElementSize />
       <MeshSettings />

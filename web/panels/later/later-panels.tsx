@@ -4,3 +4,4 @@ export { EntityCard } from "../entities/entity-card";
 export { FrontPanel } from "../player/front-panel";
 export { GalleryPanel } from "../files/gallery";
 export { QualityReport } from "../quality/quality-report";
+export { HistoryList } from "../model/history-list";

@@ -29,3 +29,4 @@ export const EntityCard = later("EntityCard");
 export const FrontPanel = later("FrontPanel");
 export const GalleryPanel = later("GalleryPanel");
 export const QualityReport = later("QualityReport");
+export const HistoryList = later("HistoryList");

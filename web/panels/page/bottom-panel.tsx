@@ -4,7 +4,7 @@ import { groupProblems } from "../../document/validate";
 import { strings } from "../../strings";
 import { useApp, useProblems, useRun, useShell } from "../shared/app-context";
 import { PatchTable } from "../quality/patch-quality";
-import { FrontPanel } from "../later/later";
+import { FrontPanel, HistoryList } from "../later/later";
 import { FixAllButton } from "../problems/fix-button";
 import { ProblemCard } from "../problems/problem-card";
 import { PanelBoundary } from "../shared/panel-boundary";
@@ -12,9 +12,9 @@ import tabs from "../../ui/frames/panel-tabs.module.css";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
 import styles from "./bottom-panel.module.css";
 
-const bottomTabs = ["log", "problems", "patches", "front"] as const;
+const bottomTabs = ["log", "problems", "patches", "front", "history"] as const;
 
-/** The log of the mesher, the problems, the quality of the patches, and the player of the front. */
+/** The log of the mesher, the problems, the quality of the patches, the player of the front, and the steps of undo. */
 export function BottomPanel() {
   const app = useApp();
   const tab = useShell((state) => state.bottomTab);
@@ -49,6 +49,9 @@ export function BottomPanel() {
         <Tabs.Tab value="front" data-testid="tab-front">
           {strings.player.tab}
         </Tabs.Tab>
+        <Tabs.Tab value="history" data-testid="tab-history">
+          {strings.history.title}
+        </Tabs.Tab>
       </Tabs.List>
       <Tabs.Panel value="log">
         <LogList />
@@ -62,6 +65,11 @@ export function BottomPanel() {
       <Tabs.Panel value="front">
         <PanelBoundary>
           <FrontPanel />
+        </PanelBoundary>
+      </Tabs.Panel>
+      <Tabs.Panel value="history">
+        <PanelBoundary>
+          <HistoryList />
         </PanelBoundary>
       </Tabs.Panel>
     </Tabs>

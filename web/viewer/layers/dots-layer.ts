@@ -40,7 +40,7 @@ export class DotsLayer<Record extends Dotted> implements HittableLayer {
 
   constructor(options: DotsOptions<Record>) {
     this.#options = options;
-    this.#states = new EntityStates(options.kind);
+    this.#states = new EntityStates(options.kind, { tinted: options.kind === "point" });
     this.#material = createDotMaterial(options.shape);
     this.root = new Points(this.#geometry, this.#material);
     this.root.frustumCulled = false;
@@ -108,7 +108,7 @@ export class DotsLayer<Record extends Dotted> implements HittableLayer {
     this.#geometry.dispose();
     this.#position = new BufferAttribute(new Float32Array(3 * dots), 3);
     this.#geometry.setAttribute("position", this.#position);
-    this.#geometry.setAttribute("state", this.#states.attribute);
+    this.#states.attachTo(this.#geometry);
   }
 
   #positionOf(dot: number): Position | null {

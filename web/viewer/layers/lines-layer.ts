@@ -16,7 +16,7 @@ const emphasizedWidth = 3.6;
 /** The model's lines as sampled by the engine: one buffer of segments, drawn by two passes. */
 export class LinesLayer implements HittableLayer {
   readonly root = new Group();
-  readonly #states = new EntityStates("line", { instanced: true });
+  readonly #states = new EntityStates("line", { instanced: true, tinted: true });
   readonly #geometry = new LineSegmentsGeometry();
   readonly #normal = createLineMaterial({ widths: { normal: normalWidth }, depthTest: true });
   /** Emphasized lines show through everything in front of them. */
@@ -98,7 +98,7 @@ export class LinesLayer implements HittableLayer {
     const ends = new InstancedInterleavedBuffer(this.#segments, 6, 1);
     this.#geometry.setAttribute("instanceStart", new InterleavedBufferAttribute(ends, 3, 0));
     this.#geometry.setAttribute("instanceEnd", new InterleavedBufferAttribute(ends, 3, 3));
-    this.#geometry.setAttribute("state", this.#states.attribute);
+    this.#states.attachTo(this.#geometry);
     this.#geometry.instanceCount = segments;
   }
 }

@@ -22,7 +22,7 @@ type BuildTree = (corners: Float32Array<ArrayBuffer>) => Promise<SerializedTree>
 /** The model's patches as sampled by the engine: one buffer of triangles, drawn by three passes. */
 export class PatchesLayer implements HittableLayer {
   readonly root = new Group();
-  readonly #states = new EntityStates("patch");
+  readonly #states = new EntityStates("patch", { tinted: true });
   readonly #geometry = new BufferGeometry();
   /** All patches, behind the mesh if both lie in one plane. */
   readonly #plain = createPatchMaterial({
@@ -128,6 +128,6 @@ export class PatchesLayer implements HittableLayer {
     this.#geometry.dispose();
     this.#corners = new Float32Array(3 * corners);
     this.#geometry.setAttribute("position", new BufferAttribute(this.#corners, 3));
-    this.#geometry.setAttribute("state", this.#states.attribute);
+    this.#states.attachTo(this.#geometry);
   }
 }

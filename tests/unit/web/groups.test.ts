@@ -1,0 +1,93 @@
+import { liveNotes, parseProject, type Project } from "tetrafront";
+import { describe, expect, it } from "vitest";
+import { deleteEntities } from "../../../web/document/edits";
+import {
+  addGroup,
+  colorFromCss,
+  colorGroup,
+  cssColor,
+  extendGroup,
+  groupEntities,
+  groupTints,
+  removeGroup,
+  renameGroup,
+} from "../../../web/document/groups";
+import { DocumentStore } from "../../../web/session/document-store";
+import { cubeProject } from "../../support/projects";
+
+function opened(project: Project = cubeProject()) {
+  const documents = new DocumentStore(project, () => 0);
+  const group = (id: number) => documents.project.groups?.find((one) => one.id === id);
+  return { documents, group };
+}
+
+describe("a group", () => {
+  it("holds each entity once, has a name and a colour, and is valid in a file", () => {
+    const { documents, group } = opened();
+    const [point, node] = [
+      documents.project.points[0]?.id ?? 0,
+      documents.project.background.nodes[0]?.id ?? 0,
+    ];
+    documents.edit(
+      addGroup(documents.project, [
+        { kind: "point", id: point },
+        { kind: "point", id: point },
+        { kind: "background-node", id: node },
+      ]),
+    );
+    expect(group(1)?.members).toEqual([{ kind: "point", id: point }]);
+    documents.edit(
+      extendGroup(documents.project, 1, [
+        { kind: "line", id: 1 },
+        { kind: "point", id: point },
+      ]),
+    );
+    documents.edit(renameGroup(documents.project, 1, "left"));
+    documents.edit(colorGroup(documents.project, 1, [1, 0, 0.5]));
+    expect(group(1)).toEqual({
+      id: 1,
+      name: "left",
+      color: [1, 0, 0.5],
+      members: [
+        { kind: "point", id: point },
+        { kind: "line", id: 1 },
+      ],
+    });
+    expect(parseProject(documents.project).success).toBe(true);
+    expect([...groupTints(documents.project)]).toEqual([
+      [`point-${point}`, [1, 0, 0.5]],
+      ["line-1", [1, 0, 0.5]],
+    ]);
+  });
+
+  it("loses what is deleted, and goes without its entities", () => {
+    const { documents, group } = opened();
+    const lines = documents.project.lines.length;
+    documents.edit(
+      addGroup(documents.project, [
+        { kind: "line", id: 1 },
+        { kind: "line", id: 2 },
+      ]),
+    );
+    documents.edit(deleteEntities(documents.project, [{ kind: "line", id: 1 }]));
+    expect(group(1)?.members).toEqual([{ kind: "line", id: 2 }]);
+    documents.edit(removeGroup(documents.project, 1));
+    expect(documents.project.groups).toBeUndefined();
+    expect(documents.project.lines).toHaveLength(lines - 1);
+    for (let i = 0; i < 3; ++i) documents.undo();
+    expect(documents.project.groups).toBeUndefined();
+    expect(documents.project.lines).toHaveLength(lines);
+    expect(liveNotes(documents.project)).toEqual({});
+  });
+
+  it("keeps patches of bodies apart from drawn ones", () => {
+    const project = cubeProject();
+    expect(groupEntities(project, { id: 1, name: "", members: [{ kind: "patch", id: 1 }] })).toEqual([
+      { kind: "patch", id: 1 },
+    ]);
+  });
+
+  it("has colours that survive the way through CSS", () => {
+    for (const text of ["#000000", "#ff8000", "#0c22ff"]) expect(cssColor(colorFromCss(text))).toBe(text);
+  });
+});

@@ -1,0 +1,12 @@
+import type { App } from "../app/app";
+import { addGroup, groupableMembers } from "../document/groups";
+
+/** Returns whether groups can hold what is selected. */
+export const canGroup = (app: App): boolean =>
+  groupableMembers(app.view.state.getState().selection).length > 0;
+
+/** Makes a group of the selection. */
+export function groupSelection(app: App): void {
+  const { selection } = app.view.state.getState();
+  app.documents.edit(addGroup(app.documents.project, selection));
+}

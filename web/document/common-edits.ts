@@ -1,0 +1,121 @@
+import { SOURCE_GROWTH, type LineType, type PatchType, type Project } from "tetrafront";
+import { stepNames } from "../strings";
+import { listOf, recordOf } from "./draft-records";
+import type { DraftEdit } from "./edit";
+import { setLineType, setPatchType } from "./edits";
+import { findRecord, type Entity } from "./entities";
+import { expressionOf, keepingExpressions } from "./expression-edits";
+import { numberAt, setNumberAt, type NumberPath } from "./number-paths";
+
+/** What several selected entities have in common, and edits that change it in all of them. */
+
+/** Numbers that entities of several kinds have. */
+export type CommonField = `position.${0 | 1 | 2}` | "size" | "stretching" | "distance" | "growth";
+
+const coordinates = ["position.0", "position.1", "position.2"] as const;
+
+/** The numbers of each kind that a selection can change together. */
+const fieldsOf: { readonly [K in Entity["kind"]]?: readonly CommonField[] } = {
+  point: coordinates,
+  "background-node": [...coordinates, "size", "stretching"],
+  source: ["size", "distance", "growth"],
+};
+
+/** Values of numbers that a file may omit. */
+const defaults: { readonly [F in CommonField]?: number } = {
+  stretching: 1,
+  distance: 0,
+  growth: SOURCE_GROWTH,
+};
+
+const pathOf = ({ kind, id }: Entity, field: CommonField): NumberPath | undefined =>
+  kind === "point" || kind === "background-node" || kind === "source" ? { kind, id, field } : undefined;
+
+/** A number that all selected entities have. */
+export interface CommonNumber {
+  readonly field: CommonField;
+  /** Null if the entities differ. */
+  readonly value: number | null;
+  readonly expression: string | undefined;
+}
+
+/** Returns the numbers that all given entities have. */
+export function commonNumbers(project: Project, entities: readonly Entity[]): CommonNumber[] {
+  const [first] = entities;
+  const fields = (first && fieldsOf[first.kind]) ?? [];
+  return fields
+    .filter((field) => entities.every(({ kind }) => fieldsOf[kind]?.includes(field)))
+    .map((field) => ({
+      field,
+      value: same(
+        entities.map(({ kind, id }) => numberAt(findRecord(project, kind, id), field) ?? defaults[field]),
+      ),
+      expression:
+        same(
+          entities.map((entity) => {
+            const path = pathOf(entity, field);
+            return path && expressionOf(project, path);
+          }),
+        ) ?? undefined,
+    }));
+}
+
+/** Returns the value that all have; null if they differ. */
+function same<Value>(values: readonly (Value | undefined)[]): Value | null {
+  const [first] = values;
+  return first !== undefined && values.every((value) => value === first) ? first : null;
+}
+
+/** Sets a number of all given entities, with the expression that was typed. */
+export function setCommonNumber(
+  entities: readonly Entity[],
+  field: CommonField,
+  value: number,
+  expression: string | null,
+): DraftEdit {
+  const edit: DraftEdit = {
+    label: stepNames.setCommon[field](entities.length),
+    mergeKey: `common-${field}-${entities.map(({ kind, id }) => `${kind}${id}`).join()}`,
+    change: ({ project }) => {
+      for (const { kind, id } of entities) {
+        const record = recordOf(listOf(project, kind), id);
+        setNumberAt(record, field, value);
+        if (field === "stretching" && record && "stretching" in record && !("direction" in record)) {
+          Object.assign(record, { direction: [1, 0, 0] });
+        }
+      }
+    },
+  };
+  const paths = entities.flatMap((entity) => pathOf(entity, field) ?? []);
+  return keepingExpressions(
+    edit,
+    paths.map((path) => ({ path, expression })),
+  );
+}
+
+/** Returns the type that all given lines, or all given patches, have: null if they differ, undefined for other kinds. */
+export function commonType(
+  project: Project,
+  entities: readonly Entity[],
+  kind: "line" | "patch",
+): LineType | PatchType | null | undefined {
+  if (entities.length === 0 || entities.some((entity) => entity.kind !== kind)) return undefined;
+  return same<LineType | PatchType>(entities.map(({ id }) => findRecord(project, kind, id)?.type));
+}
+
+const together = (label: string, edits: readonly DraftEdit[]): DraftEdit => ({
+  label,
+  change: (draft) => edits.forEach((edit) => edit.change(draft)),
+});
+
+export const setCommonLineType = (entities: readonly Entity[], type: LineType): DraftEdit =>
+  together(
+    stepNames.setCommonType(entities.length, "lines"),
+    entities.map(({ id }) => setLineType(id, type)),
+  );
+
+export const setCommonPatchType = (entities: readonly Entity[], type: PatchType): DraftEdit =>
+  together(
+    stepNames.setCommonType(entities.length, "patches"),
+    entities.map(({ id }) => setPatchType(id, type)),
+  );

@@ -1,0 +1,138 @@
+import { GROUP_KINDS, type Project, type ProjectGroup } from "tetrafront";
+import { groupName, stepNames } from "../strings";
+import type { ProjectEdit } from "./edit";
+import { entityKey, patchEntity, type Entity } from "./entities";
+
+/** Groups: named sets of entities with a colour. */
+
+type Member = ProjectGroup["members"][number];
+type GroupColor = NonNullable<ProjectGroup["color"]>;
+
+/** Colours of new groups, one after the other: distinct for most colour-blind people (Okabe and Ito 2008). */
+const palette: readonly GroupColor[] = [
+  [0.9, 0.62, 0],
+  [0.34, 0.71, 0.91],
+  [0, 0.62, 0.45],
+  [0.94, 0.89, 0.26],
+  [0.84, 0.37, 0],
+  [0.8, 0.47, 0.65],
+];
+
+/** Returns the member that stands for an entity; undefined if groups cannot hold entities of its kind. */
+function memberOf({ kind, id }: Entity): Member | undefined {
+  const kindInFile = kind === "body-patch" ? "patch" : kind;
+  const known = GROUP_KINDS.find((one) => one === kindInFile);
+  return known && { kind: known, id };
+}
+
+const sameMember = (a: Member, b: Member): boolean => a.kind === b.kind && a.id === b.id;
+
+/** Returns the entities of a group. */
+export function groupEntities(project: Project, { members }: ProjectGroup): Entity[] {
+  return members.map(({ kind, id }) => (kind === "patch" ? patchEntity(project, id) : { kind, id }));
+}
+
+/** Returns the members that a selection would give a group. */
+export function groupableMembers(entities: readonly Entity[]): Member[] {
+  const members: Member[] = [];
+  for (const entity of entities) {
+    const member = memberOf(entity);
+    if (member && !members.some((other) => sameMember(other, member))) members.push(member);
+  }
+  return members;
+}
+
+/** Makes a group of entities, with the next free id and the next colour. */
+export function addGroup({ groups = [] }: Project, entities: readonly Entity[]): ProjectEdit {
+  const id = groups.reduce((highest, group) => Math.max(highest, group.id), 0) + 1;
+  const color = palette[(id - 1) % palette.length];
+  const name = groupName(id);
+  const group = { id, name, ...(color && { color }), members: groupableMembers(entities) };
+  return {
+    label: stepNames.addGroup(name),
+    replace: [
+      [
+        ["project", "groups"],
+        [...groups, group],
+      ],
+    ],
+  };
+}
+
+/** Changes a group; does nothing if it is missing. */
+function changeGroup(
+  { groups = [] }: Project,
+  id: number,
+  label: (name: string) => string,
+  change: (group: ProjectGroup) => ProjectGroup,
+  mergeKey?: string,
+): ProjectEdit {
+  const name = groups.find((group) => group.id === id)?.name ?? "";
+  return {
+    label: label(name),
+    ...(mergeKey !== undefined && { mergeKey }),
+    replace: [[["project", "groups"], groups.map((group) => (group.id === id ? change(group) : group))]],
+  };
+}
+
+export const renameGroup = (project: Project, id: number, name: string): ProjectEdit =>
+  changeGroup(project, id, stepNames.renameGroup, (group) => ({ ...group, name }));
+
+export const colorGroup = (project: Project, id: number, color: GroupColor): ProjectEdit =>
+  changeGroup(project, id, stepNames.colorGroup, (group) => ({ ...group, color }), `group-color-${id}`);
+
+/** Adds entities to a group. */
+export const extendGroup = (project: Project, id: number, entities: readonly Entity[]): ProjectEdit =>
+  changeGroup(project, id, stepNames.extendGroup, (group) => {
+    const added = groupableMembers(entities).filter(
+      (member) => !group.members.some((other) => sameMember(other, member)),
+    );
+    return added.length === 0 ? group : { ...group, members: [...group.members, ...added] };
+  });
+
+/** Removes a group; its members stay in the model. */
+export function removeGroup({ groups = [] }: Project, id: number): ProjectEdit {
+  const rest = groups.filter((group) => group.id !== id);
+  return {
+    label: stepNames.removeGroup(groups.find((group) => group.id === id)?.name ?? ""),
+    replace: [[["project", "groups"], rest.length > 0 ? rest : undefined]],
+  };
+}
+
+const noTints: ReadonlyMap<string, GroupColor> = new Map();
+const tintsOf = new WeakMap<object, ReadonlyMap<string, GroupColor>>();
+
+/**
+ * Returns the colours of the groups, by the keys of their members; of several groups, the last one decides. The same list
+ * of groups gives the same object.
+ */
+export function groupTints(project: Project): ReadonlyMap<string, GroupColor> {
+  const { groups } = project;
+  if (!groups || groups.every(({ color }) => color === undefined)) return noTints;
+  let tints = tintsOf.get(groups);
+  if (!tints) {
+    tints = new Map(
+      groups.flatMap(({ members, color }) =>
+        color ? members.map((member) => [entityKey(member), color] as const) : [],
+      ),
+    );
+    tintsOf.set(groups, tints);
+  }
+  return tints;
+}
+
+/** Returns a colour as in CSS: `#ff8000`. */
+export const cssColor = (color: GroupColor): string =>
+  `#${color
+    .map((part) =>
+      Math.round(255 * part)
+        .toString(16)
+        .padStart(2, "0"),
+    )
+    .join("")}`;
+
+/** Reads a colour from CSS: `#ff8000`. */
+export function colorFromCss(text: string): GroupColor {
+  const part = (at: number): number => Number.parseInt(text.slice(at, at + 2), 16) / 255;
+  return [part(1), part(3), part(5)];
+}

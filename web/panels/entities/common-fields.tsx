@@ -1,0 +1,121 @@
+import { LIMITS, type LineType, type PatchType, type Project } from "tetrafront";
+import {
+  commonNumbers,
+  commonType,
+  setCommonLineType,
+  setCommonNumber,
+  setCommonPatchType,
+  type CommonField,
+  type CommonNumber,
+} from "../../document/common-edits";
+import type { Entity } from "../../document/entities";
+import { lineTypes } from "../../document/line-types";
+import { patchTypes } from "../../document/patch-rules";
+import { FieldRow } from "../../ui/fields/field-row";
+import { NumberRow } from "../../ui/fields/number-row";
+import { PositionRow } from "../../ui/fields/position-row";
+import { lineTypeNames, patchTypeNames, strings } from "../../strings";
+import { useApp } from "../shared/app-context";
+import { aboveZero, atLeastOne, notNegative, sizeStep, stepFor, unitsOf, upTo } from "../shared/size-fields";
+import { TypeSelect } from "./type-select";
+
+interface CommonFieldsProps {
+  readonly entities: readonly Entity[];
+  readonly project: Project;
+}
+
+/** Fields of everything that several entities have in common; each changes all of them. */
+export function CommonFields({ entities, project }: CommonFieldsProps) {
+  const numbers = commonNumbers(project, entities);
+  const isPositioned = numbers.some(({ field }) => field === "position.0");
+  return (
+    <section data-testid="common-fields">
+      {isPositioned && <CommonPosition entities={entities} project={project} numbers={numbers} />}
+      {numbers.map((number) => (
+        <CommonNumberRow key={number.field} entities={entities} project={project} number={number} />
+      ))}
+      <CommonTypes entities={entities} project={project} />
+    </section>
+  );
+}
+
+function CommonPosition({
+  entities,
+  project,
+  numbers,
+}: CommonFieldsProps & { readonly numbers: readonly CommonNumber[] }) {
+  const { documents } = useApp();
+  const at = (axis: 0 | 1 | 2) => numbers.find(({ field }) => field === `position.${axis}`);
+  return (
+    <PositionRow
+      label={strings.inspector.position}
+      value={[at(0)?.value ?? null, at(1)?.value ?? null, at(2)?.value ?? null]}
+      expressions={([0, 1, 2] as const).map((axis) => at(axis)?.expression)}
+      step={stepFor(project)}
+      testId="common-position"
+      onCommit={(axis, value, expression) =>
+        documents.edit(setCommonNumber(entities, `position.${axis}`, value, expression))
+      }
+    />
+  );
+}
+
+const refusals: Readonly<Partial<Record<CommonField, (value: number) => string | null>>> = {
+  size: upTo(LIMITS.length, aboveZero),
+  stretching: upTo(LIMITS.stretching, atLeastOne),
+  distance: upTo(LIMITS.length, notNegative),
+  growth: upTo(LIMITS.growth, notNegative),
+};
+
+function CommonNumberRow({
+  entities,
+  project,
+  number: { field, value, expression },
+}: CommonFieldsProps & { readonly number: CommonNumber }) {
+  const { documents } = useApp();
+  if (field === "position.0" || field === "position.1" || field === "position.2") return null;
+  const refuse = refusals[field];
+  const isLength = field === "size" || field === "distance";
+  return (
+    <NumberRow
+      label={strings.inspector[field]}
+      value={value}
+      expression={expression}
+      step={isLength ? sizeStep(value ?? 1) : 0.05}
+      testId={`common-${field}`}
+      {...(refuse && { refuse })}
+      {...(isLength && unitsOf(project))}
+      onCommit={(next, text) => documents.edit(setCommonNumber(entities, field, next, text))}
+    />
+  );
+}
+
+const lineOptions = lineTypes.map((value) => ({ value, label: lineTypeNames[value] }));
+const patchOptions = patchTypes.map((value) => ({ value, label: patchTypeNames[value] }));
+
+function CommonTypes({ entities, project }: CommonFieldsProps) {
+  const { documents } = useApp();
+  const line = commonType(project, entities, "line");
+  const patch = commonType(project, entities, "patch");
+  if (line === undefined && patch === undefined) return null;
+  return (
+    <FieldRow label={strings.inspector.type}>
+      {line !== undefined && (
+        <TypeSelect<LineType>
+          types={lineOptions}
+          value={line as LineType | null}
+          testId="common-type"
+          onChange={(type) => documents.edit(setCommonLineType(entities, type))}
+        />
+      )}
+      {patch !== undefined && (
+        <TypeSelect<PatchType>
+          types={patchOptions}
+          value={patch as PatchType | null}
+          testId="common-type"
+          onChange={(type) => documents.edit(setCommonPatchType(entities, type))}
+        />
+      )}
+    </FieldRow>
+  );
+}

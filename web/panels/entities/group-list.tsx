@@ -1,0 +1,118 @@
+import { Button } from "@mantine/core";
+import { IconEye, IconEyeOff, IconPointer, IconTrash } from "@tabler/icons-react";
+import type { ProjectGroup } from "tetrafront";
+import { groupSelection } from "../../commands/group-actions";
+import { entityKey, type Entity } from "../../document/entities";
+import {
+  colorFromCss,
+  colorGroup,
+  cssColor,
+  extendGroup,
+  groupableMembers,
+  groupEntities,
+  removeGroup,
+  renameGroup,
+} from "../../document/groups";
+import { NameField } from "../../ui/fields/name-field";
+import { SectionTitle } from "../../ui/frames/section-title";
+import { IconButton } from "../../ui/icon-button";
+import { strings } from "../../strings";
+import { useApp, useProject, useView } from "../shared/app-context";
+import styles from "./group-list.module.css";
+
+const texts = strings.groups;
+
+/** The groups of the project. */
+export function GroupList() {
+  const { groups = [] } = useProject();
+  if (groups.length === 0) return null;
+  return (
+    <section data-testid="groups">
+      <SectionTitle>{texts.title}</SectionTitle>
+      <ul className={styles["list"]}>
+        {groups.map((group) => (
+          <GroupRow key={group.id} group={group} />
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+function GroupRow({ group }: { readonly group: ProjectGroup }) {
+  const { documents, view } = useApp();
+  const project = useProject();
+  const hidden = useView((state) => state.hidden);
+  const { id, name, color = [0.5, 0.5, 0.5] } = group;
+  const entities = groupEntities(project, group);
+  const isHidden = entities.length > 0 && entities.every((entity) => hidden.has(entityKey(entity)));
+  return (
+    <li className={styles["row"]} data-testid={`group-${id}`}>
+      <input
+        type="color"
+        className={styles["color"]}
+        aria-label={texts.color(name)}
+        value={cssColor(color)}
+        onChange={({ currentTarget: { value } }) =>
+          documents.edit(colorGroup(project, id, colorFromCss(value)))
+        }
+      />
+      <NameField
+        label={texts.name(name)}
+        value={name}
+        placeholder={name}
+        onCommit={(next) => documents.edit(renameGroup(project, id, next))}
+      />
+      <IconButton
+        label={texts.select(name, entities.length)}
+        size={28}
+        onClick={() => view.selectAll(entities)}
+      >
+        <IconPointer size={15} aria-hidden />
+      </IconButton>
+      <IconButton
+        label={isHidden ? texts.show(name) : texts.hide(name)}
+        size={28}
+        onClick={() => view.setHidden(entities, !isHidden)}
+      >
+        {isHidden ? <IconEyeOff size={15} aria-hidden /> : <IconEye size={15} aria-hidden />}
+      </IconButton>
+      <IconButton
+        label={texts.remove(name)}
+        size={28}
+        onClick={() => documents.edit(removeGroup(project, id))}
+      >
+        <IconTrash size={15} aria-hidden />
+      </IconButton>
+    </li>
+  );
+}
+
+/** Buttons that make a group of the selection, or add it to the groups that there are. */
+export function GroupButtons({ selection }: { readonly selection: readonly Entity[] }) {
+  const app = useApp();
+  const project = useProject();
+  if (groupableMembers(selection).length === 0) return null;
+  return (
+    <div className={styles["buttons"]}>
+      <Button
+        size="compact-xs"
+        variant="default"
+        data-testid="group-selection"
+        onClick={() => groupSelection(app)}
+      >
+        {texts.make}
+      </Button>
+      {(project.groups ?? []).map(({ id, name }) => (
+        <Button
+          key={id}
+          size="compact-xs"
+          variant="default"
+          data-testid={`extend-group-${id}`}
+          onClick={() => app.documents.edit(extendGroup(project, id, selection))}
+        >
+          {texts.add(name)}
+        </Button>
+      ))}
+    </div>
+  );
+}
