@@ -1,5 +1,5 @@
 import type { App } from "../app/app";
-import type { ToolName } from "../document/tools";
+import { handleModes, type ToolName } from "../document/tools";
 import { planeOfSelection, principalPlane, principalPlanes } from "../document/work-plane";
 import { commandLabels, strings } from "../strings";
 import { define, type Command, type MenuName } from "./command";
@@ -16,6 +16,14 @@ const take =
   (name: ToolName) =>
   (app: App): void =>
     app.view.setTool(name);
+
+/** Takes the move tool; if it is active, changes its handles. */
+function takeMove(app: App): void {
+  const { tool: active, handleMode } = app.view.state.getState();
+  const next = handleModes[(handleModes.indexOf(handleMode) + 1) % handleModes.length];
+  if (active === "move" && next) app.view.state.setState({ handleMode: next });
+  else app.view.setTool("move");
+}
 
 /**
  * Creates from the selection, or shows what else to select, if at least two of the entities that the maker needs are
@@ -48,7 +56,7 @@ export const sizeTools: readonly Command[] = [
 /** The tools of the view. Their buttons take them whatever is selected. */
 export const toolCommands: readonly Command[] = [
   tool("edit", 3, "select", "V", take("select")),
-  tool("edit", 3, "move", "G", take("move")),
+  tool("edit", 3, "move", "G", takeMove),
   tool("edit", 3, "measure", "M", take("measure")),
   tool("create", 0, "point", "P", take("point")),
   tool("create", 0, "line", "L", createOrTake("line", straightMaker)),

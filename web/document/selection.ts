@@ -4,7 +4,7 @@ import type { Brush } from "./brush";
 import type { QualitySpace } from "./mesh-quality";
 import { entityKey, sameEntity, type Entity } from "./entities";
 import type { Position } from "./position";
-import type { Snapping, ToolName } from "./tools";
+import type { HandleMode, Snapping, ToolName } from "./tools";
 import { principalPlane, type WorkPlane } from "./work-plane";
 
 /** The state of the view, which undo does not change: selection, visibility, cut, shading. */
@@ -54,6 +54,8 @@ export interface ViewState {
   /** Type of the sources that the source tool draws. */
   readonly sourceType: SourceType;
   readonly workPlane: WorkPlane;
+  /** What the handles of the move tool do. */
+  readonly handleMode: HandleMode;
   readonly snapping: Snapping;
   /** The brush with which the left button paints sizes; null if it selects. */
   readonly brush: Brush | null;
@@ -90,6 +92,7 @@ const initialView: ViewState = {
   lineType: "straight",
   sourceType: "segment",
   workPlane: principalPlane("xy"),
+  handleMode: "translate",
   snapping: { grid: true, model: true, patches: true },
   brush: null,
   moving: null,

@@ -4,6 +4,10 @@ export const toolNames = ["select", "point", "line", "patch", "node", "source", 
 /** What the left button and the keys do in the view. */
 export type ToolName = (typeof toolNames)[number];
 
+/** What the handles of the move tool do, in the order of their buttons. */
+export const handleModes = ["translate", "rotate", "scale"] as const;
+export type HandleMode = (typeof handleModes)[number];
+
 /** The tools that place something in the work plane. */
 export const isDrawingTool = (tool: ToolName): boolean => tool !== "select" && tool !== "move";
 

@@ -48,6 +48,7 @@ export const operationStrings = {
   refusals: {
     nothingSelected: "Select points, lines, patches, bodies or sources.",
     bodies: "Bodies can be moved, rotated and scaled equally along all axes; deselect the bodies.",
+    arcs: "Arcs and circles stay round only with equal factors. Use equal factors, or draw them as splines first.",
     flat: "A factor must not be 0.",
     noFragment: "The clipboard has no points, lines, patches, bodies or sources of Tetrafront.",
     noProfile: "Select patches, or lines.",

@@ -52,21 +52,28 @@ const directions: Readonly<Record<string, Position>> = {
   PageUp: [0, 0, 1],
 };
 
+/** What a drag takes: whatever lies under the pointer, or only points that are selected or belong to a selected line. */
+export type Draggable = "all" | "held-points";
+
 /**
  * Drags the selection in the work plane, or parallel to the view if that plane is seen from its edge; a press on anything
- * else selects it first. Shift keeps to one axis, Ctrl turns snapping off. What coincides after the drag is joined. Arrow
+ * else selects it first. With `held-points`, only selected points and the points of selected lines are dragged, and all else
+ * is left to the other tool. Shift keeps to one axis, Ctrl turns snapping off. What coincides after the drag is joined. Arrow
  * keys move by a step of the grid.
  */
 export class DragTool implements Tool {
-  readonly id = "move";
+  readonly id: string;
   readonly #stores: DragStores;
   /** Receives the presses beside the model. */
   readonly #otherwise: Tool;
+  readonly #draggable: Draggable;
   #drag: Drag | null = null;
 
-  constructor(stores: DragStores, otherwise: Tool) {
+  constructor(stores: DragStores, otherwise: Tool, draggable: Draggable = "all") {
+    this.id = draggable === "all" ? "move" : otherwise.id;
     this.#stores = stores;
     this.#otherwise = otherwise;
+    this.#draggable = draggable;
   }
 
   down(pointer: ToolPointer): boolean {
@@ -102,6 +109,7 @@ export class DragTool implements Tool {
   }
 
   key(event: KeyboardEvent): boolean {
+    if (this.#draggable !== "all") return this.#otherwise.key(event);
     if (event.key === "Escape") {
       this.#stores.view.setTool("select");
       return true;
@@ -111,7 +119,7 @@ export class DragTool implements Tool {
   }
 
   overlay(): Layer | null {
-    return null;
+    return this.#draggable === "all" ? null : this.#otherwise.overlay();
   }
 
   get #step(): number {
@@ -138,13 +146,13 @@ export class DragTool implements Tool {
   }
 
   #begin(pointer: ToolPointer): Drag | null {
-    const { documents, view, viewer } = this.#stores;
+    const { documents, viewer } = this.#stores;
     const hit = pointer.hit();
     if (!hit || hit.target.kind === "element") return null;
     const target: Entity = hit.target;
-    if (!view.state.getState().selection.some((entity) => sameEntity(entity, target))) view.select(target);
-    const { selection } = view.state.getState();
     const { project } = documents;
+    const selection = this.#selectionFor(project, target);
+    if (!selection) return null;
     if (!offerTransform(project, selection, translation(zero), { label, join: false }).possible) return null;
     const held = target.kind === "point" ? findRecord(project, "point", target.id)?.position : undefined;
     const start = held ?? hit.position;
@@ -162,6 +170,23 @@ export class DragTool implements Tool {
       targets: targetsBeside(project, selection),
       offset: zero,
     };
+  }
+
+  /** Returns what a drag of an entity moves, and selects it with the move tool; null if it moves nothing. */
+  #selectionFor(project: Project, target: Entity): readonly Entity[] | null {
+    const { view } = this.#stores;
+    const { selection, several } = view.state.getState();
+    const isSelected = selection.some((entity) => sameEntity(entity, target));
+    if (this.#draggable === "held-points") {
+      if (target.kind !== "point" || several) return null;
+      if (isSelected) return selection;
+      const isOfLine = selection.some(
+        ({ kind, id }) => kind === "line" && findRecord(project, "line", id)?.points.includes(target.id),
+      );
+      return isOfLine ? [target] : null;
+    }
+    if (!isSelected) view.select(target);
+    return view.state.getState().selection;
   }
 
   #offsetAt(pointer: ToolPointer, { start, plane, targets }: Drag): Position | null {

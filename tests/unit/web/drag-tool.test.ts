@@ -11,12 +11,13 @@ let documents: DocumentStore;
 let view: ViewStore;
 let tool: DragTool;
 let passed: string[];
+let other: Tool;
 
 beforeEach(() => {
   documents = new DocumentStore(cubeProject());
   view = new ViewStore();
   passed = [];
-  const otherwise: Tool = {
+  other = {
     id: "other",
     down: () => (passed.push("down"), false),
     move: () => void passed.push("move"),
@@ -25,7 +26,7 @@ beforeEach(() => {
     key: () => false,
     overlay: () => null,
   };
-  tool = new DragTool({ documents, view, viewer: { seenFrom: fromAbove, pixelLength: 0.01 } }, otherwise);
+  tool = new DragTool({ documents, view, viewer: { seenFrom: fromAbove, pixelLength: 0.01 } }, other);
 });
 
 /** A view of the unit cube from above, without perspective: 100 pixels per unit. */
@@ -124,4 +125,25 @@ it("moves the selection by arrow keys, ten steps with Shift; without a selection
   expect(first().position[2]).toBeCloseTo((position[2] ?? 0) + 1, 12);
   expect(key("Escape")).toBe(true);
   expect(view.state.getState().tool).toBe("select");
+});
+
+it("drags only held points in the mode of the select tool: selected ones, and those of selected lines", () => {
+  const line = documents.project.lines.find(({ points }) => points.includes(first().id));
+  if (!line) throw new Error("the point has no line");
+  const held = new DragTool(
+    { documents, view, viewer: { seenFrom: fromAbove, pixelLength: 0.01 } },
+    other,
+    "held-points",
+  );
+  const target = { kind: "point", id: first().id } as const;
+  const [x = 0, y = 0, z = 0] = first().position;
+  expect(held.down(pointer(x, y, target))).toBe(false);
+  expect(passed).toEqual(["down"]);
+  view.select({ kind: "line", id: line.id });
+  expect(held.down(pointer(x, y, { kind: "line", id: line.id }))).toBe(false);
+  expect(held.down(pointer(x, y, target))).toBe(true);
+  held.move(pointer(x + 0.3, y, null));
+  held.up(pointer(x + 0.3, y, null));
+  expect(first().position).toEqual([x + 0.3, y, z]);
+  expect(view.state.getState().selection).toEqual([{ kind: "line", id: line.id }]);
 });

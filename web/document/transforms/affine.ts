@@ -35,6 +35,19 @@ export function determinant({ columns: [x, y, z] }: Affine): number {
   );
 }
 
+/** Relative difference of lengths, and cosine of angles, up to which a map keeps the shape of circles. */
+const circleTolerance = 1e-9;
+
+/** Returns whether circles stay circles: the map stretches all directions alike, mirrored or not. */
+export function keepsCircles({ columns: [x, y, z] }: Affine): boolean {
+  const square = dot(x, x);
+  const limit = circleTolerance * square;
+  return (
+    [dot(y, y), dot(z, z)].every((other) => Math.abs(other - square) <= limit) &&
+    [dot(x, y), dot(y, z), dot(z, x)].every((product) => Math.abs(product) <= limit)
+  );
+}
+
 /** Returns by how much the map enlarges lengths, on average. */
 export const meanFactor = (map: Affine): number => Math.cbrt(Math.abs(determinant(map)));
 

@@ -4,7 +4,7 @@ import type { Entity } from "../entities";
 import { combined, noRotation } from "../placement";
 import type { Position } from "../position";
 import { operationStrings } from "../../strings";
-import { determinant, mapDirection, mapPosition, meanFactor, type Affine } from "./affine";
+import { determinant, keepsCircles, mapDirection, mapPosition, meanFactor, type Affine } from "./affine";
 import { joinPoints, replacing } from "./join-points";
 import { hasParts, selectedParts, type SelectedParts } from "./selected-parts";
 
@@ -27,6 +27,8 @@ export function offerTransform(
   if (!hasParts(parts)) return { possible: false, reason: texts.nothingSelected };
   if (parts.bodies.size > 0 && !map.similarity) return { possible: false, reason: texts.bodies };
   if (determinant(map) === 0) return { possible: false, reason: texts.flat };
+  if (!keepsCircles(map) && parts.lines.some(({ type }) => type === "arc" || type === "circle"))
+    return { possible: false, reason: texts.arcs };
   const moved = movedProject(project, parts, map);
   const drawn = join ? joinPoints(moved) : moved;
   const kept = new Set(drawn.patches.map(({ id }) => id));

@@ -4,7 +4,7 @@ import { useStore } from "zustand";
 import type { LineType, SourceType } from "tetrafront";
 import { commandNamed, runCommand } from "../../commands/registry";
 import { lineTypes } from "../../document/line-types";
-import { isDrawingTool, type Snapping, type ToolName } from "../../document/tools";
+import { handleModes, type Snapping, type ToolName } from "../../document/tools";
 import { principalPlane, principalPlanes } from "../../document/work-plane";
 import { lineTypeNames, strings } from "../../strings";
 import { IconButton } from "../../ui/icon-button";
@@ -13,17 +13,18 @@ import styles from "./drawing.module.css";
 
 const words = strings.drawing;
 
-/** Choices of the active drawing tool: type of line, work plane, snapping; and what to do next. */
+/** Choices of the active tool: type of line, handles, work plane, snapping; and what to do next. */
 export function DrawingBar() {
   const tool = useView((state) => state.tool);
   const lineType = useView((state) => state.lineType);
   const sourceType = useView((state) => state.sourceType);
-  if (!isDrawingTool(tool)) return null;
+  if (tool === "select") return null;
   return (
     <div className={styles["bar"]} role="group" aria-label={words.bar} data-testid="drawing-bar">
       <div className={styles["choices"]}>
         {tool === "line" && <LineTypeChoice value={lineType} />}
         {tool === "source" && <SourceTypeChoice value={sourceType} />}
+        {tool === "move" && <HandleChoice />}
         {tool !== "patch" && <PlaneChoice />}
         {tool !== "patch" && <SnapSwitches />}
       </div>
@@ -41,6 +42,21 @@ function LineTypeChoice({ value }: { readonly value: LineType }) {
       data={[...lineTypes].map((type) => ({ value: type, label: lineTypeNames[type] }))}
       value={value}
       onChange={(lineType) => app.view.state.setState({ lineType })}
+    />
+  );
+}
+
+function HandleChoice() {
+  const app = useApp();
+  const handleMode = useView((state) => state.handleMode);
+  return (
+    <SegmentedControl
+      size="xs"
+      aria-label={words.handles}
+      data-testid="handle-mode"
+      data={handleModes.map((mode) => ({ value: mode, label: words.handleModes[mode] }))}
+      value={handleMode}
+      onChange={(mode) => app.view.state.setState({ handleMode: mode })}
     />
   );
 }
@@ -123,7 +139,7 @@ function SnapSwitches() {
 
 /** Returns what to do next. */
 function hintOf(tool: ToolName, lineType: LineType, sourceType: SourceType): string | null {
-  if (tool === "select" || tool === "move") return null;
+  if (tool === "select") return null;
   if (tool === "line") return words.hints[lineType];
   return tool === "source" ? words.hints.source[sourceType] : words.hints[tool];
 }

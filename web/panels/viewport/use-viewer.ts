@@ -12,6 +12,7 @@ import { PatchTool } from "../../tools/drawing/patch-tool";
 import { PointTool } from "../../tools/drawing/point-tool";
 import { SourceTool } from "../../tools/drawing/source-tool";
 import { HandleTool } from "../../tools/handle-tool";
+import { TransformTool } from "../../tools/transform-tool";
 import { SelectTool, type Hover } from "../../tools/select-tool";
 import type { Tool } from "../../tools/tool";
 import { ToolController } from "../../tools/tool-controller";
@@ -140,8 +141,8 @@ function connect(
   const brush = new BrushTool(app.documents, app.view, viewer);
   const stores = { documents, previews, view, drawing, viewer };
   const byName: Readonly<Record<ToolName, Tool>> = {
-    select: new HandleTool(stores, select),
-    move: new HandleTool(stores, new DragTool(stores, select)),
+    select: new HandleTool(stores, new DragTool(stores, select, "held-points")),
+    move: new HandleTool(stores, new TransformTool(stores, new DragTool(stores, select))),
     point: new PointTool(stores),
     line: new LineTool(stores),
     patch: new PatchTool(stores),

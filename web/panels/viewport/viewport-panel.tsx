@@ -6,7 +6,6 @@ import { navigate } from "../../tools/navigation-keys";
 import type { Hover } from "../../tools/select-tool";
 import type { Viewer } from "../../viewer/viewer";
 import { useApp, useProject, useQualitySpace, useRun, useStale, useView } from "../shared/app-context";
-import { isDrawingTool } from "../../document/tools";
 import { ContextMenu, SelectionOutline } from "./selection-overlays";
 import { DrawingBar } from "./drawing-bar";
 import { DrawingMarks } from "./drawing-marks";
@@ -27,7 +26,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const container = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
   const [hover, setHover] = useState<Hover | null>(null);
-  const isDrawing = useView((state) => isDrawingTool(state.tool));
+  const hasChoices = useView((state) => state.tool !== "select");
   const { viewer, trouble } = useViewer(container, canvas, setHover);
   const hasOperation = useStore(useApp().operations.state, ({ open }) => open !== null);
   return (
@@ -44,7 +43,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
       </div>
       {trouble && <ViewNotice trouble={trouble} />}
       <ToolColumn />
-      {isDrawing ? <DrawingBar /> : <CutBar />}
+      {hasChoices ? <DrawingBar /> : <CutBar />}
       <MeshBadge />
       <OpenEdges />
       <ContextMenu />

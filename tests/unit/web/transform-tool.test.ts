@@ -1,0 +1,162 @@
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import type { Project } from "tetrafront";
+import { ViewStore } from "../../../web/document/selection";
+import type { HandleMode } from "../../../web/document/tools";
+import { DocumentStore } from "../../../web/session/document-store";
+import { Drawing } from "../../../web/tools/drawing/drawing";
+import type { Tool, ToolPointer } from "../../../web/tools/tool";
+import { TransformTool } from "../../../web/tools/transform-tool";
+import { SceneChanges } from "../../../web/viewer/scene-state";
+import { cubeProject } from "../../support/projects";
+import { frontCamera, sceneState, viewport } from "./scene";
+
+let documents: DocumentStore;
+let view: ViewStore;
+let drawing: Drawing;
+let tool: TransformTool;
+let passed: string[];
+
+const otherwise: Tool = {
+  id: "other",
+  down: () => (passed.push("down"), false),
+  move: () => undefined,
+  up: () => void passed.push("up"),
+  cancel: () => void passed.push("cancel"),
+  key: () => false,
+  overlay: () => null,
+};
+
+/** Shows the handles around a selected project, seen along y. */
+async function shown(project: Project, handleMode: HandleMode): Promise<void> {
+  documents = new DocumentStore(project);
+  view = new ViewStore();
+  drawing = new Drawing();
+  passed = [];
+  view.selectAll([
+    ...project.points.map(({ id }) => ({ kind: "point", id }) as const),
+    ...project.lines.map(({ id }) => ({ kind: "line", id }) as const),
+  ]);
+  view.state.setState({ handleMode });
+  const camera = frontCamera();
+  const viewer = { camera, size: viewport, pixelLength: 0.01, requestFrame: () => undefined };
+  tool = new TransformTool({ documents, view, drawing, viewer }, otherwise);
+  const overlay = tool.overlay();
+  const state = sceneState({ ...view.state.getState(), project });
+  overlay.update(new SceneChanges(state, null));
+  await vi.waitFor(() => expect(overlay.root.children).toHaveLength(1));
+  overlay.root.updateMatrixWorld(true);
+}
+
+const pointer = (x: number, y: number, change: Partial<ToolPointer> = {}): ToolPointer => ({
+  at: { x, y },
+  button: "left",
+  shift: false,
+  mod: false,
+  alt: false,
+  touch: false,
+  isDrag: true,
+  clicks: 1,
+  hit: () => null,
+  ...change,
+});
+
+/** Presses the first handle to the right of the middle of the view; returns where. */
+function pressRight(height = 0): number {
+  for (let x = viewport.width; x > viewport.width / 2; x -= 0.5) {
+    passed = [];
+    if (tool.down(pointer(x, viewport.height / 2 - height))) return x;
+  }
+  throw new Error("there is no handle");
+}
+
+const centred = (): Project => {
+  const cube = cubeProject();
+  const points = cube.points.map((point) => ({
+    ...point,
+    position: point.position.map((x) => x - 0.5) as [number, number, number],
+  }));
+  return { ...cube, points };
+};
+const positions = () => documents.project.points.map(({ position }) => position);
+
+describe("the handles of a selection", () => {
+  let before: readonly (readonly number[])[];
+
+  beforeEach(() => {
+    before = centred().points.map(({ position }) => position);
+  });
+
+  it("move along an axis by steps of the grid, as one step of undo", async () => {
+    await shown(centred(), "translate");
+    const x = pressRight();
+    tool.move(pointer(x + 13, 50));
+    tool.move(pointer(x + 20.3, 55));
+    tool.up(pointer(x + 20.3, 55));
+    const moved = (positions()[0]?.[0] ?? NaN) - (before[0]?.[0] ?? NaN);
+    expect(moved).toBeGreaterThan(1.5);
+    expect(moved).toBeLessThan(2.5);
+    expect((10 * moved) % 1).toBeCloseTo(0, 9);
+    positions().forEach((position, i) => {
+      expect(position[0] - (before[i]?.[0] ?? 0)).toBeCloseTo(moved, 12);
+      expect(position.slice(1)).toEqual(before[i]?.slice(1));
+    });
+    expect(documents.state.getState().history.past.map(({ label }) => label)).toEqual(["Move selection"]);
+    documents.undo();
+    expect(positions()).toEqual(before);
+  });
+
+  it("are cancelled without a trace", async () => {
+    await shown(centred(), "translate");
+    const x = pressRight();
+    tool.move(pointer(x + 30, 50));
+    expect(positions()).not.toEqual(before);
+    tool.cancel();
+    expect(positions()).toEqual(before);
+    expect(documents.state.getState().history.past).toEqual([]);
+  });
+
+  it("rotate by steps of 15 degrees about the middle, and keep all distances", async () => {
+    await shown(centred(), "rotate");
+    const x = pressRight();
+    tool.move(pointer(x - 6, 20));
+    tool.up(pointer(x - 6, 20));
+    const radii = (list: readonly (readonly number[])[]) => list.map((p) => Math.hypot(...p));
+    expect(positions()).not.toEqual(before);
+    radii(positions()).forEach((radius, i) => expect(radius).toBeCloseTo(radii(before)[i] ?? 0, 12));
+    const [p, q] = [positions()[0], before[0]];
+    if (!p || !q) throw new Error("the cube has no points");
+    expect(documents.state.getState().history.past).toHaveLength(1);
+  });
+
+  it("scale along one axis by steps of a tenth", async () => {
+    await shown(centred(), "scale");
+    const x = pressRight();
+    tool.move(pointer(x + 9, 50));
+    tool.up(pointer(x + 9, 50));
+    const factor = (positions()[0]?.[0] ?? 0) / (before[0]?.[0] ?? 1);
+    expect(factor).toBeGreaterThan(1.05);
+    expect((10 * factor) % 1).toBeCloseTo(0, 9);
+    positions().forEach((position, i) => expect(position.slice(1)).toEqual(before[i]?.slice(1)));
+  });
+
+  it("refuse to flatten circles, and say why", async () => {
+    const cube = centred();
+    const [a, b, c] = cube.points.map(({ id }) => id);
+    if (!a || !b || !c) throw new Error("the cube has no points");
+    await shown({ ...cube, lines: [{ id: 99, type: "arc", points: [a, b, c] }], patches: [] }, "scale");
+    const x = pressRight();
+    tool.move(pointer(x + 9, 50));
+    expect(drawing.state.getState().refused).toMatch(/round/);
+    tool.up(pointer(x + 9, 50));
+    expect(positions()).toEqual(before);
+    expect(documents.state.getState().history.past).toEqual([]);
+  });
+
+  it("leave everything else to the other tool", async () => {
+    await shown(centred(), "translate");
+    expect(tool.down(pointer(1, 1))).toBe(false);
+    tool.up(pointer(1, 1));
+    tool.cancel();
+    expect(passed).toEqual(["down", "up", "cancel"]);
+  });
+});

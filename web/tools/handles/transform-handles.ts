@@ -1,0 +1,128 @@
+import { Group, Object3D, type PerspectiveCamera } from "three";
+import { TransformControls } from "three/addons/controls/TransformControls.js";
+import type { Position } from "../../document/position";
+import type { HandleMode } from "../../document/tools";
+import { rotationAbout, scalingAbout, translation, type Affine } from "../../document/transforms/affine";
+import { roundTo } from "../../document/work-plane";
+
+/** Steps of a drag; 0 for none. */
+export interface HandleSteps {
+  /** Coordinates of the middle, in model units. */
+  readonly length: number;
+  /** Degrees. */
+  readonly angle: number;
+  readonly factor: number;
+}
+
+/** A position of the pointer from -1 to 1, right and up, as three expects it. */
+export interface NormalizedPointer {
+  readonly x: number;
+  readonly y: number;
+}
+
+/** Smallest factor of a scale: a drag through the middle neither flattens nor mirrors. */
+const minFactor = 0.05;
+/** Rounding errors of the handles: what is smaller counts as no change. */
+const precision = 1e-9;
+
+/**
+ * Arrows, rings or boxes at a middle, by which a selection is moved, rotated or scaled. They know nothing of the selection:
+ * each drag gives a map of space. Without an element, three's controls have no listeners of their own.
+ */
+export class TransformHandles {
+  readonly root = new Group();
+  readonly #target = new Object3D();
+  readonly #controls: TransformControls;
+  /** In model coordinates, when the drag began. */
+  #middle: Position = [0, 0, 0];
+  #origin: Position = [0, 0, 0];
+
+  constructor(camera: PerspectiveCamera) {
+    this.#controls = new TransformControls(camera);
+    this.#controls.setSpace("world");
+    this.root.add(this.#target, this.#controls.getHelper());
+    this.#controls.attach(this.#target);
+  }
+
+  get isDragging(): boolean {
+    return this.#controls.dragging;
+  }
+
+  setMode(mode: HandleMode): void {
+    this.#controls.setMode(mode);
+  }
+
+  /** Places the handles, unless they are dragged. */
+  place(middle: Position, origin: Position): void {
+    if (this.isDragging) return;
+    this.#middle = middle;
+    this.#origin = origin;
+    this.#target.position.set(middle[0] - origin[0], middle[1] - origin[1], middle[2] - origin[2]);
+    this.#target.quaternion.identity();
+    this.#target.scale.set(1, 1, 1);
+    this.root.updateMatrixWorld(true);
+  }
+
+  /** Highlights the handle under the pointer. Returns whether there is one. */
+  hover(pointer: NormalizedPointer): boolean {
+    this.#controls.pointerHover(asEvent(pointer));
+    return this.#controls.axis !== null;
+  }
+
+  press(pointer: NormalizedPointer): void {
+    this.#controls.pointerDown(asEvent(pointer));
+  }
+
+  /** Returns the map from the beginning of the drag to the pointer. */
+  drag(pointer: NormalizedPointer, steps: HandleSteps): Affine {
+    this.#controls.pointerMove(asEvent(pointer, -1));
+    const mode = this.#controls.mode as HandleMode;
+    if (mode === "rotate") return this.#rotation(steps.angle);
+    return mode === "scale" ? this.#scaling(steps.factor) : this.#translation(steps.length);
+  }
+
+  release(pointer: NormalizedPointer): void {
+    this.#controls.pointerUp(asEvent(pointer));
+  }
+
+  dispose(): void {
+    this.#controls.detach();
+    this.#controls.getHelper().dispose();
+  }
+
+  #translation(step: number): Affine {
+    const { x, y, z } = this.#target.position;
+    const at = [x, y, z].map((local, k) => local + (this.#origin[k] ?? 0));
+    const offset = at.map((to, k) => {
+      const from = this.#middle[k] ?? 0;
+      if (Math.abs(to - from) <= precision * Math.max(1, Math.abs(from))) return 0;
+      return (step > 0 ? roundTo(to, step) : to) - from;
+    });
+    return translation(offset as [number, number, number]);
+  }
+
+  #rotation(step: number): Affine {
+    const { x, y, z, w } = this.#target.quaternion;
+    const length = Math.hypot(x, y, z);
+    if (length <= precision) return translation([0, 0, 0]);
+    const degrees = (2 * Math.atan2(length, w) * 180) / Math.PI;
+    const angle = step > 0 ? roundTo(degrees, step) : degrees;
+    const axis = [x, y, z].map((part) => roundTo(part / length, precision)) as [number, number, number];
+    return rotationAbout(this.#middle, axis, angle);
+  }
+
+  #scaling(step: number): Affine {
+    const { x, y, z } = this.#target.scale;
+    const factors = [x, y, z].map((factor) => {
+      const positive = Math.max(minFactor, factor);
+      if (Math.abs(positive - 1) <= precision) return 1;
+      return step > 0 ? Math.max(minFactor, roundTo(positive, step)) : positive;
+    });
+    return scalingAbout(this.#middle, factors as [number, number, number]);
+  }
+}
+
+/** The methods of the handles take a position of the pointer, whatever their declared type. */
+function asEvent({ x, y }: NormalizedPointer, button = 0): PointerEvent {
+  return { x, y, button } as unknown as PointerEvent;
+}
