@@ -13,7 +13,7 @@ import { loadModel, type GalleryModel } from "../session/gallery";
 import { hideNotice, showNotice } from "../session/shell";
 import { reasonsOf, openedMesh } from "../session/shown-mesh";
 import { strings } from "../strings";
-import type { NewBody, ReadSurface } from "../workers/surface-files";
+import type { ReadSurface } from "../workers/surface-files";
 import { showFailure, showMessage } from "./messages";
 
 /**
@@ -31,7 +31,7 @@ export function openProject(app: App, project: Project, file: ProjectFile | null
 export function openSurface(app: App, name: string, read: ReadSurface): void {
   const project = {
     ...projectOf(name, read),
-    ...(hasNestedBodies(read.bodies) && innerRegions),
+    ...(read.hasInnerSolid && innerRegions),
   };
   for (const made of read.bodies) app.bodies.keep(made);
   finishOpening(app, app.showProject(project));
@@ -75,19 +75,6 @@ function projectOf(name: string, { bodies, unit }: ReadSurface): Project {
 }
 
 const innerRegions: Pick<Project, "meshing"> = { meshing: { innerShells: "regions" } };
-
-/**
- * Returns whether a solid of a file may lie inside another, so that it is meshed and not a cavity: whether the box of
- * one body contains that of another.
- */
-function hasNestedBodies(bodies: readonly NewBody[]): boolean {
-  const boxes = bodies.map(({ loaded }) => loaded.drawn);
-  return boxes.some(({ low, high }) =>
-    boxes.some((inner) =>
-      low.every((x, k) => x < (inner.low[k] ?? x) && (inner.high[k] ?? x) < (high[k] ?? x)),
-    ),
-  );
-}
 
 /** Selects the first new body and previews the triangles of each as soon as its surface is known to be valid. */
 export function showNewBodies(app: App, { bodies, notes }: Pick<ReadSurface, "bodies" | "notes">): void {

@@ -19,6 +19,8 @@ export const defaultRepair: RepairWishes = { weld: 0, fillHoles: maxHoleEdges };
 export interface RepairProposal {
   readonly wishes: RepairWishes;
   readonly changes: readonly RepairChange[];
+  /** Largest distance by which a node is moved, in model units. */
+  readonly deviation: number;
   /** Inspection of the result. */
   readonly after: SurfaceInspection;
   readonly surface: Pick<SurfaceInput, "points" | "triangles"> & { readonly trianglePatch: Uint32Array };

@@ -199,6 +199,7 @@ export class BodyFeed {
         repair: {
           wishes,
           changes: repair.changes,
+          deviation: repair.deviation,
           after,
           surface: { points, triangles, trianglePatch },
           hasFilled: repaired.patches.length > patches.length,

@@ -93,6 +93,8 @@ export const bodyStrings = {
       "resolved-intersection": (index: number) => `Cut triangle ${index}`,
       "removed-sheet": (index: number) => `Removed triangle ${index}`,
     },
+    moves: (deviation: string) =>
+      deviation === "0" ? "No node moves." : `Nodes move by at most ${deviation}.`,
     solves: "Afterwards, the surface can be meshed.",
     remains: (count: number) => `Afterwards, ${counted(count, "problem remains", "problems remain")}.`,
     weld: "Weld within",
@@ -125,7 +127,6 @@ export const bodyStrings = {
     },
     options: "Remeshing options",
     automatic: "automatic",
-    off: "off",
     fields: {
       size: "Size",
       minSize: "Smallest size",

@@ -44,6 +44,8 @@ export interface ReadSurface {
   readonly bodies: readonly NewBody[];
   /** Unit of the coordinates, if the file defines one. */
   readonly unit: string | undefined;
+  /** Whether a solid lies in another one, so that inner shells are regions. */
+  readonly hasInnerSolid: boolean;
   /** Sentences about content of the file that was ignored. */
   readonly notes: readonly string[];
 }
@@ -75,7 +77,9 @@ export interface SurfaceProtocol {
     /** `others`: files that it may need, by their names. */
     readonly argument: { readonly file: File; readonly others: readonly File[]; readonly head: BodyHead };
     readonly answer: SurfaceReading<
-      Pick<FileContent, "unit" | "notes" | "mesh"> & { readonly made: readonly PackedNewBody[] }
+      Pick<FileContent, "unit" | "hasInnerSolid" | "notes" | "mesh"> & {
+        readonly made: readonly PackedNewBody[];
+      }
     >;
   };
   /** Returns the arrays of a body. */
@@ -135,10 +139,10 @@ export async function readSurfaceFile(
   try {
     const read = await client.call("read", { file, others, head });
     if (!read.success) return read;
-    const { made, unit, notes, mesh } = read;
+    const { made, unit, hasInnerSolid, notes, mesh } = read;
     const bodies: NewBody[] = [];
     for (const one of made) bodies.push(await unpacked(one));
-    return { success: true, bodies, unit, notes, mesh };
+    return { success: true, bodies, unit, hasInnerSolid, notes, mesh };
   } finally {
     client.dispose();
   }

@@ -16,6 +16,7 @@ import {
   type SurfaceFile,
 } from "tetrafront";
 import { buffersOfDrawn, drawnSurface } from "../document/drawn-surface";
+import { hasInnerSolid } from "../document/inner-solids";
 import { meaningOf, patchValues, type PatchMeaning } from "../document/patch-colors";
 import { strings } from "../strings";
 import "./cad-library";
@@ -38,7 +39,12 @@ serveCalls<SurfaceProtocol>({
     const made = createBodies(read.value, head).map(newBody);
     const { unit } = read.value;
     const notes = notesOf(read.value);
-    return { answer: { success: true, made, unit, notes, mesh: null }, transfer: made.flatMap(buffersOf) };
+    const solids = made.map(({ loaded }) => loaded.surface);
+    const isInner = hasInnerSolid(solids, read.value.surfaceRegions);
+    return {
+      answer: { success: true, made, unit, hasInnerSolid: isInner, notes, mesh: null },
+      transfer: made.flatMap(buffersOf),
+    };
   },
   load: (body) => {
     const answer = newBody(body);
@@ -98,6 +104,7 @@ async function readVolume(
       success: true,
       made: [made],
       unit: file.unit,
+      hasInnerSolid: false,
       notes,
       mesh: { surface, volume, patchShapes, regions, invertedTetrahedra },
     },

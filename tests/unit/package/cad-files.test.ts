@@ -16,6 +16,7 @@ import {
 } from "tetrafront";
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test, vi } from "vitest";
 
+import { askForCad, secondsFor } from "../../../wasm/dist/cad/cad-client.js";
 import { mutated, randomSource } from "../../support/random.js";
 import { boxSolid, drilledSolid, pinSolid, stepFile } from "../../support/step-files.js";
 import { temporaryFolder } from "../../support/temporary-folder.js";
@@ -102,6 +103,14 @@ describe("a solid", () => {
     if (!read.success) throw new Error(read.errors[0].message);
     expect(read.value.triangles.length / 3).toBeGreaterThan(100);
     expect(read.value.triangles.length / 3).toBeLessThan(1e5);
+  });
+
+  test("that takes too long is given up, and its worker ends", async () => {
+    const deflection = { distance: 0.1, isRelative: false, angle: 0.1 };
+    const request = { format: "step", bytes: plate, deflection } as const;
+    expect(await askForCad(request, undefined, 0.001)).toEqual({ kind: "timed-out", seconds: 0.001 });
+    expect((await askForCad(request, undefined)).kind).toBe("read");
+    expect(secondsFor(1e8)).toBeGreaterThan(secondsFor(1e3));
   });
 
   test("of a BREP file has no unit", async () => {

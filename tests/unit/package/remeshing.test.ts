@@ -94,9 +94,27 @@ describe("remeshSurface", () => {
     expect(result.report.dihedral.min).toBeGreaterThan(10);
   });
 
+  test("drops details by itself only if an angle would be below 10° and no option is given", async () => {
+    const given = steppedBlock(1e-4);
+    const kept = await mesher.remeshSurface(given, { dropDetails: 0 });
+    const fractions: number[] = [];
+    const automatic = await mesher.remeshSurface(
+      given,
+      {},
+      { onProgress: ({ fraction }) => fractions.push(fraction) },
+    );
+    expect(kept.smallestAngle).toBeLessThan(10);
+    expect(automatic.smallestAngle).toBeGreaterThan(20);
+    expect(automatic.mergedDetails.length).toBeGreaterThan(1);
+    expect(fractions).toEqual([...fractions].sort((a, b) => a - b));
+    expect((await mesher.remeshSurface(given, { layers: 1 })).mergedDetails).toEqual([]);
+    const visible = await mesher.remeshSurface(steppedBlock(0.2));
+    expect([visible.mergedDetails, visible.smallestAngle > 10]).toEqual([[], true]);
+  });
+
   test("drops details on request, and lists them", async () => {
     const given = steppedBlock(1e-4);
-    const kept = await mesher.remeshSurface(given);
+    const kept = await mesher.remeshSurface(given, { dropDetails: 0 });
     expect(kept.mergedDetails).toEqual([]);
     expect(kept.smallestAngle).toBeLessThan(15);
     const dropped = await mesher.remeshSurface(given, { dropDetails: 0.01 });
@@ -251,7 +269,7 @@ describe("tetrafront remesh", () => {
 
   test("names --drop-details where angles are small, and lists what it dropped", async () => {
     save("step.off", offFile(steppedBlock(1e-4)));
-    const kept = await run("remesh", "step.off", "-o", "made.off");
+    const kept = await run("remesh", "step.off", "-o", "made.off", "--drop-details", "0");
     expect(kept.stderr).toMatch(/smallest angle [\d.]+° \(--drop-details [\d.e-]+ may raise it\)/);
     const dropped = await run("remesh", "step.off", "-o", "made.off", "--drop-details", "0.01");
     expect([kept.code, dropped.code]).toEqual([0, 0]);
@@ -426,8 +444,11 @@ describe("tetrafront mesh --surface remesh", () => {
     const report = JSON.parse(readFileSync(inFolder("r.json"), "utf8")) as {
       volume: number;
       repair: { kind: string }[];
+      repairDeviation: number;
     };
     expect(report.volume).toBeCloseTo(2 - 0.5 * 0.75 * 0.625, 6);
+    expect(report.repairDeviation).toBe(0);
+    expect(stderr).toMatch(/repair: crossing\.off: \d+ changes; no node was moved\./);
     expect(report.repair.some(({ kind }) => kind === "resolved-intersection")).toBe(true);
   });
 });

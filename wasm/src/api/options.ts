@@ -187,7 +187,12 @@ const remeshEntries = {
   featureAngle: angleOption("feature angle", REMESH_DEFAULTS.featureAngle),
   anglePerEdge: angleOption("angle per edge", undefined),
   layers: option("number of layers", `a number from 0 to ${MAX_LAYERS}`, within(0, MAX_LAYERS), undefined),
-  dropDetails: distanceOption("length of dropped details"),
+  dropDetails: option(
+    "length of dropped details",
+    `0 or a distance from ${limitText(MIN_LENGTH)} to ${limitText(MAX_LENGTH)}, in model units`,
+    v.union([v.literal(0), within(MIN_LENGTH, MAX_LENGTH)]),
+    undefined,
+  ),
   growth: growthOption(REMESH_DEFAULTS.growth),
   maxVolume: meshEntries.maxVolume,
   innerShells,

@@ -13,6 +13,7 @@ import type {
 } from "../mesh/inspection.js";
 import type { PatchedSurface, SurfaceInput } from "../mesh/mesh.js";
 import { emptyGrid, withNodes } from "../project/grid-arrays.js";
+import { isAutomaticRemesh, remeshBest } from "./best-remesh.js";
 import { afterPause, beginCall } from "./call-checks.js";
 import {
   checkGroups,
@@ -128,7 +129,22 @@ export class SurfaceTools {
     return describedRefinement(refinement);
   }
 
+  /** Merges narrow details where they leave poor triangles, if all options are automatic. */
   async remesh(
+    surface: PatchedSurface,
+    options: RemeshOptions,
+    control: PartialControl,
+    name?: EntityNamer,
+  ): Promise<SurfaceRemesh> {
+    refuse([...checkPatchedSurface(surface), ...checkRemeshOptions(options)]);
+    const once = (wanted: RemeshOptions, watched: PartialControl) =>
+      this.#remeshOnce(surface, wanted, watched, name);
+    return isAutomaticRemesh(options)
+      ? remeshBest(once, surface.points, options, control)
+      : once(options, control);
+  }
+
+  async #remeshOnce(
     surface: PatchedSurface,
     options: RemeshOptions,
     control: PartialControl,

@@ -9,18 +9,33 @@ import type { CadReply, CadRequest } from "./protocol.js";
 export const notLoadedRemedy = cadHost.remedy;
 
 /**
- * Resolves with the reply of the worker; a crash of the worker is a reply, too. Rejects with a `MesherError` of
+ * Seconds after which the worker is terminated: OpenCascade cannot be interrupted, and some damaged files keep it busy
+ * forever. Real parts took a few seconds.
+ */
+const LIMIT = { base: 120, perMegabyte: 30 } as const;
+const MEGABYTE = 1e6;
+
+/** Returns the longest time that the worker gets for a file, in seconds. */
+export function secondsFor(bytes: number): number {
+  return LIMIT.base + Math.ceil((LIMIT.perMegabyte * bytes) / MEGABYTE);
+}
+
+/**
+ * Resolves with the reply of the worker; a crash of the worker and the end of its time are replies, too. Rejects with a `MesherError` of
  * code `cancelled` if the signal is aborted.
  */
 export async function askForCad(
   request: Omit<CadRequest, "library">,
   signal: AbortSignal | undefined,
+  seconds = secondsFor(request.bytes.length),
 ): Promise<CadReply> {
+  let timer: ReturnType<typeof setTimeout> | undefined;
   let worker: CadWorker | undefined;
   try {
     return await untilCancelled(
       () =>
         new Promise<CadReply>((resolve) => {
+          timer = setTimeout(() => resolve({ kind: "timed-out", seconds }), seconds * 1000);
           try {
             worker = cadHost.start({ onReply: resolve, onCrash: resolve });
             worker.post({ ...request, library: cadLibrary() });
@@ -31,6 +46,7 @@ export async function askForCad(
       signal,
     );
   } finally {
+    clearTimeout(timer);
     worker?.terminate();
   }
 }

@@ -53,9 +53,16 @@ export interface CadCrash {
   readonly message: string;
 }
 
+/** The worker was terminated because it took longer than the limit. */
+export interface CadTimeout {
+  readonly kind: "timed-out";
+  readonly seconds: number;
+}
+
 export type CadReply =
   | { readonly kind: "read"; readonly shapes: readonly CadShape[] }
   /** OpenCascade rejects the file. */
   | { readonly kind: "rejected" }
   /** OpenCascade failed in the file, its memory is exhausted, or the worker or the library could not be loaded. */
-  | CadCrash;
+  | CadCrash
+  | CadTimeout;

@@ -52,6 +52,7 @@ type CheckResult =
       readonly kind: "surface";
       readonly diagnostics: readonly Diagnostic[];
       readonly changes?: readonly RepairChange[] | undefined;
+      readonly repairDeviation?: number | undefined;
       readonly inspection: Omit<SurfaceInspection, "diagnostics">;
     }
   | {
@@ -92,7 +93,7 @@ export async function checkFile(input: string, options: CheckCommandOptions): Pr
 
 function printStatistics(input: string, result: CheckResult): void {
   if (result.kind === "surface") {
-    if (result.changes !== undefined) printChanges(input, result.changes);
+    printChanges(input, result);
     for (const line of surfaceLines(result.inspection)) print(`${input}: ${line}`);
   }
   if (result.kind === "mesh") for (const line of meshLines(result.inspection)) print(`${input}: ${line}`);
@@ -181,7 +182,7 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
     throw new InvalidInput(input, [nothing]);
   }
   const given = await inSteps(surfaceOf(mesh));
-  const { surface: whole, changes } = await repaired(mesher, given, repair);
+  const { surface: whole, changes, repairDeviation } = await repaired(mesher, given, repair);
   const { surface, diagnostics: found } = await locatedOrNot(mesher, whole, options.innerShells);
   const { innerShells = whole.regionPoints && "regions" } = options;
   const inspectionOptions = { innerShells, maxDiagnostics: maxDiagnosticsOf(options) };
@@ -191,6 +192,7 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
     kind: "surface",
     diagnostics: [...touching, ...found, ...diagnostics, ...notes(mesh)],
     changes,
+    repairDeviation,
     inspection,
   };
 }

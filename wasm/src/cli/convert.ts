@@ -187,9 +187,9 @@ async function prepared(mesh: FileMesh, conversion: Conversion): Promise<FileMes
 async function surfaceFrom(mesh: FileMesh, { input, repair, isQuiet }: Conversion): Promise<FileMesh> {
   const given = await inSteps(surfaceOf(mesh));
   if (repair === undefined) return welded(mesh, given);
-  const { surface, changes } = await withMesher((mesher) => repaired(mesher, given, repair));
-  if (!isQuiet && changes !== undefined) printChanges(input, changes);
-  return { ...mesh, ...surface, nodeData: new Map() };
+  const made = await withMesher((mesher) => repaired(mesher, given, repair));
+  if (!isQuiet) printChanges(input, made);
+  return { ...mesh, ...made.surface, nodeData: new Map() };
 }
 
 /** Returns the defect as a warning: the format can store such a mesh, but hardly any program can use it. */

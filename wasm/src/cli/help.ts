@@ -51,9 +51,7 @@ Regions
 
 CAD files
   STEP, IGES and BREP files are triangulated, remeshed and, if needed, repaired. Each solid becomes a region, in
-  millimetres, each of its faces a patch, and a face that two solids share an interface. If narrow details leave
-  triangles with angles below 10 degrees, details narrower than 1/2500 of the diagonal are merged where this
-  helps, and listed; --drop-details 0 keeps them all.
+  millimetres, each of its faces a patch, and a face that two solids share an interface.
 
 Surfaces
   By default, the mesh keeps every triangle of other surfaces, unless the given sizes are far smaller: if an edge is
@@ -128,8 +126,9 @@ Sizes
 
 Small details
   Strips and steps that are much narrower than the sizes leave triangles with small angles. --drop-details merges
-  sharp edges that are nearer to each other than a length; 1/2000 of the diagonal is a good one. --json lists
-  every merge.
+  sharp edges that are nearer to each other than a length, and --json lists every merge. If no option of sizes or
+  shapes is given and an angle is below 10 degrees, details narrower than 1/2500 of the diagonal are merged,
+  provided that the triangles get better; --drop-details 0 keeps them all.
 
 Rounding
   STL files have single precision. The program reads the written surface again. If the rounding made it invalid,

@@ -103,6 +103,7 @@ interface Outcome {
   readonly written: string | null;
   /** Changes of the surface, if a repair was requested. */
   readonly changes?: readonly RepairChange[] | undefined;
+  readonly repairDeviation?: number | undefined;
   readonly refinement?: RefinementCounts | undefined;
   readonly remesh?: RemeshReport | undefined;
 }
@@ -114,9 +115,9 @@ export async function meshFile(input: string, options: MeshCommandOptions): Prom
   // If the report cannot be written, that failure is not reported in it either.
   if (failedCheck !== undefined) return failedCheck.exitCode;
   const outcome = await meshAndWrite(input, options).catch(whereFailed);
-  const { changes, refinement, remesh, written } = outcome;
+  const { changes, repairDeviation, refinement, remesh, written } = outcome;
   const done = {
-    ...(changes && { repair: changes }),
+    ...(changes && { repair: changes, repairDeviation }),
     ...(refinement && { refinement }),
     ...(remesh && { remesh }),
   };
@@ -141,7 +142,17 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const isQuiet = options.quiet === true;
   const requiredAngle = requiredAngleOf(options);
   const made = await meshInput(input, options, () => checkMeshPaths(input, options));
-  const { given, treatment, result, model: meshed, found, changes, refinement, remesh } = made;
+  const {
+    given,
+    treatment,
+    result,
+    model: meshed,
+    found,
+    changes,
+    repairDeviation,
+    refinement,
+    remesh,
+  } = made;
   const { report } = result;
   const shouldWrite = mayWrite(result, options);
   const written = shouldWrite && (await writeResult(input, options, result, meshed)) ? options.output : null;
@@ -156,7 +167,15 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   printDiagnostics(input, poor, { isQuiet });
   const exitCode = isLost || poor.length > 0 ? ExitCode.notCompleted : EXIT_CODES[report.status];
   const diagnostics = [...found, ...report.diagnostics, ...poor];
-  return { report: { ...report, diagnostics }, written, exitCode, changes, refinement, remesh };
+  return {
+    report: { ...report, diagnostics },
+    written,
+    exitCode,
+    changes,
+    repairDeviation,
+    refinement,
+    remesh,
+  };
 }
 
 /** What was read, and what became of it. */
@@ -166,6 +185,7 @@ export interface MeshedInput extends Meshed {
   /** Diagnostics from before the run. */
   readonly found: readonly Diagnostic[];
   readonly changes?: readonly RepairChange[] | undefined;
+  readonly repairDeviation?: number | undefined;
 }
 
 /**
@@ -199,13 +219,14 @@ export async function meshInput(
   const { innerShells } = options;
   const isRepairImplied = repair === undefined && (treatment === "remesh" || isCad);
   const repairing = { input, repair, split, innerShells, isRepairImplied };
-  const { model, changes, split: splitWords, located: found = [] } = await withRepair(given, repairing);
-  if (changes !== undefined && !isQuiet) printChanges(input, changes);
+  const treated = await withRepair(given, repairing);
+  const { model, changes, repairDeviation, split: splitWords, located: found = [] } = treated;
+  if (!isQuiet) printChanges(input, treated);
   if (splitWords !== undefined && !isQuiet) print(`${input}: ${splitWords}`);
   if (given.kind === "surface" && !isQuiet) {
     for (const line of readingLines(given.surface)) print(`note: ${input}: ${line}`);
   }
-  const meshing = { isQuiet, treatment, isCad, remeshing: options, grid, onTrace };
+  const meshing = { isQuiet, treatment, remeshing: options, grid, onTrace };
   const made = await mesh(model, meshOptions, meshing);
   const { refinement, remesh } = made;
   if (refinement !== undefined && !isQuiet) print(`${input}: ${refinementText(refinement)}`);
@@ -213,7 +234,7 @@ export async function meshInput(
   if (remesh?.isPartial === true) print(`${input}: ${REMESHING_STOPPED}`);
   const { diagnostics } = made.result.report;
   printWithGrid({ input, background: options.background }, [...found, ...diagnostics], isQuiet);
-  return { ...made, given, treatment, found, changes };
+  return { ...made, given, treatment, found, changes, repairDeviation };
 }
 
 const REMESHING_STOPPED =
@@ -247,6 +268,7 @@ function requiredAngleError(
 interface Repaired {
   readonly model: Input;
   readonly changes?: readonly RepairChange[] | undefined;
+  readonly repairDeviation?: number | undefined;
   /** Description of the splitting. */
   readonly split?: string | undefined;
   /** Warnings about solids that overlap and about region points. */
@@ -273,6 +295,7 @@ async function withRepair(
     const {
       surface: whole,
       changes,
+      repairDeviation,
       warnings = [],
     } = isRepairImplied
       ? await madeFillable(mesher, given.surface, input, innerShells)
@@ -283,6 +306,7 @@ async function withRepair(
     return {
       model: { kind: "surface", surface },
       changes,
+      repairDeviation,
       split: words,
       located: [...warnings, ...diagnostics],
     };
@@ -359,7 +383,6 @@ async function checkReportPath(input: string, options: MeshCommandOptions): Prom
 interface MeshingOptions {
   readonly isQuiet: boolean;
   readonly treatment: SurfaceTreatment | undefined;
-  readonly isCad: boolean;
   readonly remeshing: RemeshCommandOptions;
   readonly grid: GivenGrid | undefined;
   readonly onTrace: RunControl["onTrace"];

@@ -53,8 +53,8 @@ async function proposeForSurface(input: string, options: ProposeOptions): Promis
   const { surface, proposal } = await withMesher(async (mesher) => {
     const isQuiet = options.quiet === true || options.json === true;
     const made = await madeFillable(mesher, given.surface, input, undefined);
-    const { surface: whole, changes, warnings = [] } = made;
-    if (changes !== undefined && !isQuiet) printChanges(input, changes);
+    const { surface: whole, warnings = [] } = made;
+    if (!isQuiet) printChanges(input, made);
     const found = await located(mesher, whole);
     printDiagnostics(input, [...warnings, ...found.diagnostics], { isQuiet: options.quiet === true });
     return { surface: found.surface, proposal: await mesher.proposeSurfaceSizes(found.surface, sizes) };

@@ -92,18 +92,16 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
   if (given.kind === "project") throw new InvalidInput(input, [projectGiven]);
   const grid = await readGivenGrid(options, isQuiet);
   return withRun(isQuiet, async (mesher, controlOf) => {
-    const {
-      surface: whole,
-      changes,
-      warnings = [],
-    } = repair === undefined
-      ? await madeFillable(mesher, given.surface, input, innerShells)
-      : await repaired(mesher, given.surface, repair);
+    const prepared =
+      repair === undefined
+        ? await madeFillable(mesher, given.surface, input, innerShells)
+        : await repaired(mesher, given.surface, repair);
+    const { surface: whole, changes, repairDeviation, warnings = [] } = prepared;
     const divided = await withSplit(mesher, whole, split);
     const { surface, diagnostics: unlocated } = await located(mesher, divided, innerShells);
     const found = [...warnings, ...unlocated];
     printDiagnostics(input, found, { isQuiet });
-    if (changes !== undefined && !isQuiet) printChanges(input, changes);
+    if (!isQuiet) printChanges(input, prepared);
     if (!isQuiet) for (const line of readingLines(given.surface)) print(`note: ${input}: ${line}`);
     if (split !== undefined && !isQuiet) print(`${input}: ${splitText(whole, divided)}`);
     const all = withRegionVolumes(await withGrid(mesher, sizes, grid), surface);
@@ -123,6 +121,7 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
       output,
       remesh: made.remesh,
       repair: changes,
+      repairDeviation,
       diagnostics: [...found, ...notes, ...made.diagnostics, ...diagnostics],
       exitCode,
     };

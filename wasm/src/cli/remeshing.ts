@@ -7,7 +7,6 @@ import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import type { PartialControl, RunControl } from "../engine/control.js";
-import { diagonalOf } from "../formats/near-points.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { SurfaceRemesh } from "../mesh/inspection.js";
 import { numberIn, refuseOptions } from "./input.js";
@@ -128,44 +127,6 @@ export async function remeshed(
   const surface = repairedSurface(given, made);
   const remesh = { given: countTriangles(given), triangles: countTriangles(surface), ...figures };
   return { surface, remesh, diagnostics };
-}
-
-/** Smallest angle, in degrees, below which details are merged, and up to which length, relative to the diagonal. */
-const POOR_ANGLE = 10;
-const DROPPED = 1 / 2500;
-
-/**
- * Remeshes a surface with automatic sizes. If its triangles are poor because of narrow details, merges these, unless that
- * gives a smaller smallest angle. If it is stopped, the surface is complete or not, but `isPartial`.
- */
-export async function remeshedBest(
-  mesher: Mesher,
-  given: SurfaceFile,
-  options: RemeshOptions,
-  control: PartialControl,
-): Promise<RemeshedSurface> {
-  const all = await remeshed(mesher, given, options, control);
-  if (all.remesh.isPartial || all.remesh.smallestAngle >= POOR_ANGLE) return all;
-  const dropDetails = DROPPED * diagonalOf(given.points);
-  const merged = await remeshed(mesher, given, { ...options, dropDetails }, control);
-  const { smallestAngle, meanRadiusRatio, isPartial } = merged.remesh;
-  if (isPartial) return { ...all, remesh: { ...all.remesh, isPartial } };
-  const isBetter =
-    smallestAngle > all.remesh.smallestAngle && meanRadiusRatio > all.remesh.meanRadiusRatio - RATIO_NOISE;
-  return isBetter ? merged : all;
-}
-
-/** Differences of the mean radius ratio that do not matter. */
-const RATIO_NOISE = 0.005;
-
-/** Returns whether no option of a remeshing is given that it would choose by itself. */
-export function isAutomatic(
-  given: RemeshCommandOptions,
-  { size, maxVolume, background }: MeshOptions,
-): boolean {
-  const names = Object.keys(WRITTEN) as (keyof RemeshCommandOptions)[];
-  const hasSizes = size !== undefined || maxVolume !== undefined || background !== undefined;
-  return !hasSizes && names.every((name) => given[name] === undefined);
 }
 
 export function refinementText({ given, triangles, splitEdges }: RefinementCounts): string {

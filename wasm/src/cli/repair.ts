@@ -14,7 +14,7 @@ import type { RepairChange } from "../mesh/inspection.js";
 import { overlappingSolids } from "./overlaps.js";
 import { numberIn, refuseOptions } from "./input.js";
 import { InvalidInput, print } from "./messages.js";
-import { positionText } from "./tables.js";
+import { positionText, short } from "./tables.js";
 
 /** Options as commander passes them. */
 export interface RepairCommandOptions {
@@ -27,7 +27,9 @@ export interface RepairCommandOptions {
 export interface RepairedSurface {
   readonly surface: SurfaceFile;
   /** Undefined if no repair was requested. */
-  readonly changes?: readonly RepairChange[];
+  readonly changes?: readonly RepairChange[] | undefined;
+  /** Largest distance by which the repair moved a node, in model units; as `changes`. */
+  readonly repairDeviation?: number | undefined;
   /** About solids that overlap. */
   readonly warnings?: readonly Diagnostic[];
 }
@@ -60,7 +62,8 @@ export async function repaired(
 ): Promise<RepairedSurface> {
   if (options === undefined) return { surface: given };
   const repair = await mesher.repairSurface(given, options);
-  return { surface: repairedSurface(given, repair), changes: repair.changes };
+  const { changes, deviation: repairDeviation } = repair;
+  return { surface: repairedSurface(given, repair), changes, repairDeviation };
 }
 
 /**
@@ -88,8 +91,15 @@ export async function madeFillable(
 /** Largest number of lines per kind of change; `--json` and `--report` list all. */
 const MAX_PER_KIND = 20;
 
-/** Prints one line per change, and one per kind that has more. */
-export function printChanges(input: string, changes: readonly RepairChange[]): void {
+/** Number of significant digits of a deviation. */
+const DIGITS = 3;
+
+/** Prints one line per change, one per kind that has more, and the largest distance by which a node was moved. */
+export function printChanges(
+  input: string,
+  { changes, repairDeviation = 0 }: Pick<RepairedSurface, "changes" | "repairDeviation">,
+): void {
+  if (changes === undefined) return;
   if (changes.length === 0) return print(`repair: ${input}: nothing to repair`);
   const kinds = new Map<RepairChange["kind"], RepairChange[]>();
   for (const change of changes) {
@@ -102,6 +112,11 @@ export function printChanges(input: string, changes: readonly RepairChange[]): v
     const rest = all.length - MAX_PER_KIND;
     if (rest > 0) print(`repair: ${input}: and ${rest} more "${kind}".`);
   }
+  const moved =
+    repairDeviation === 0
+      ? "no node was moved"
+      : `nodes were moved by at most ${short(repairDeviation, DIGITS)}`;
+  print(`repair: ${input}: ${plural(changes.length, "change")}; ${moved}.`);
 }
 
 /** Describes a change with ids and position. */

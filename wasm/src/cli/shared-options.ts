@@ -68,7 +68,7 @@ export const withRemeshing = (command: Command, prefix = ""): Command =>
     )
     .option(
       "--drop-details <length>",
-      `${prefix}merge sharp edges that are nearer to each other than this (default: keep all details)`,
+      `${prefix}merge sharp edges that are nearer to each other than this; 0 keeps all (default: see Small details)`,
     );
 
 export const innerShellsOption = (): Option =>

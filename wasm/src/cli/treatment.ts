@@ -6,12 +6,10 @@ import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { SurfaceInspection } from "../mesh/inspection.js";
 import {
-  isAutomatic,
   refined,
   type RefinementCounts,
   type RemeshCommandOptions,
   remeshed,
-  remeshedBest,
   remeshOptions,
   type RemeshReport,
   type SurfaceTreatment,
@@ -33,8 +31,6 @@ export interface TreatedSurface {
 export interface TreatmentOptions {
   /** As given by `--surface`, if at all. */
   readonly treatment: SurfaceTreatment | undefined;
-  /** Whether the triangles approximate the shapes of a CAD file. */
-  readonly isCad: boolean;
   readonly remeshing: RemeshCommandOptions;
   /** Options of the mesh, including the background grid. */
   readonly options: MeshOptions;
@@ -48,17 +44,15 @@ export async function treatedSurface(
   wanted: TreatmentOptions,
 ): Promise<TreatedSurface> {
   const treating = { ...wanted, options: withRegionVolumes(wanted.options, given) };
-  const { treatment, isCad, remeshing, options, controlOf } = treating;
+  const { treatment, remeshing, options, controlOf } = treating;
   switch (treatment) {
     case "keep":
       return { surface: given };
-    case "remesh": {
-      const remesh = isCad && isAutomatic(remeshing, options) ? remeshedBest : remeshed;
-      return remesh(mesher, given, remeshOptions(remeshing, options), {
+    case "remesh":
+      return remeshed(mesher, given, remeshOptions(remeshing, options), {
         ...controlOf("remesh"),
         partial: true,
       });
-    }
     case "refine": {
       const { found, refine } = await inspected(mesher, given, treating);
       return found.isFillable ? refine() : { surface: given, invalid: found.diagnostics };

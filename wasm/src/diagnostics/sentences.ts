@@ -55,7 +55,7 @@ const OPTION_WORDS: Readonly<Record<CheckedOption, readonly [name: string, range
   tolerance: ["tolerance", `a distance above 0 and up to ${LENGTH}`],
   "feature-angle": ["feature angle", ANGLE_RANGE],
   "angle-per-edge": ["angle per edge", ANGLE_RANGE],
-  "drop-details": ["length of dropped details", `a distance above 0 and up to ${LENGTH}`],
+  "drop-details": ["length of dropped details", `a distance from 0 up to ${LENGTH}`],
   layers: ["number of layers", `a number from 0 to ${MAX_LAYERS}`],
   "max-volume": ["largest volume of a tetrahedron", "a volume above 0"],
 };

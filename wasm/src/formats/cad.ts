@@ -92,6 +92,11 @@ async function shapesIn(
       const smaller = "Export the parts one by one, or triangulate them in the CAD program and export STL.";
       throw new ReadFailure({ code: "too-large-file", message, remedy: smaller });
     }
+    case "timed-out": {
+      const message = `OpenCascade did not finish the ${name} file within ${reply.seconds} s`;
+      const simpler = "Export the parts one by one, or triangulate them in the CAD program and export STL.";
+      throw new ReadFailure({ message, remedy: simpler });
+    }
     case "rejected":
       throw new ReadFailure({ message: `OpenCascade cannot read the file as ${name}`, remedy });
     case "failed":

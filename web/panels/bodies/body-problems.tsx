@@ -8,6 +8,7 @@ import { groupProblems } from "../../document/validate";
 import { placed } from "../../document/placement";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { NumberRow } from "../../ui/fields/number-row";
+import { formatShort } from "../../ui/format";
 import { strings } from "../../strings";
 import { ProblemCard } from "../problems/problem-card";
 import { useApp, useProblems } from "../shared/app-context";
@@ -65,7 +66,7 @@ const changeLabel = (change: RepairChange): string =>
 /** What a repair would change, with its options. */
 function RepairSection({ body, repair }: RepairSectionProps) {
   const app = useApp();
-  const { wishes, changes, after } = repair;
+  const { wishes, changes, deviation, after } = repair;
   const errors = after.diagnostics.filter(({ severity }) => severity === "error").length;
   const propose = (change: Partial<typeof wishes>): void =>
     void app.bodies.proposeRepair(body, { ...wishes, ...change });
@@ -88,6 +89,8 @@ function RepairSection({ body, repair }: RepairSectionProps) {
         ))}
       </ul>
       <Text size="sm" c="dimmed" mb={6} data-testid="repair-outcome">
+        {changes.length > 0 &&
+          `${texts.repair.moves(formatShort(deviation * (body.placement?.scale ?? 1)))} `}
         {after.isFillable ? texts.repair.solves : texts.repair.remains(errors)}
       </Text>
       <NumberRow

@@ -39,7 +39,7 @@ const refusals: { readonly [F in Field]: (value: number) => string | null } = {
   featureAngle,
   anglePerEdge: featureAngle,
   layers: refuseLayers,
-  dropDetails: aboveZero,
+  dropDetails: notNegative,
   growth: notNegative,
 };
 
@@ -102,7 +102,7 @@ function RemeshingField({ body, field }: RemeshingFieldProps) {
         />
         {set === undefined ? (
           <Text size="xs" c="dimmed" component="span">
-            {field === "dropDetails" ? texts.off : texts.automatic}
+            {texts.automatic}
           </Text>
         ) : (
           <IconButton

@@ -1,0 +1,65 @@
+/** A remeshing with automatic options merges details that would leave poor triangles. */
+import type { PartialControl } from "../engine/control.js";
+import { diagonalOf } from "../formats/near-points.js";
+import type { SurfaceRemesh } from "../mesh/inspection.js";
+import type { RemeshOptions } from "./option-types.js";
+
+/** Smallest angle, in degrees, below which details are merged, and up to which length, relative to the diagonal. */
+const POOR_ANGLE = 10;
+const DROPPED = 1 / 2500;
+
+/** Differences of the mean radius ratio that do not matter. */
+const RATIO_NOISE = 0.005;
+
+/** Estimated share of the work that the first remeshing is. */
+const FIRST_SHARE = 0.55;
+
+/** Options by which a remeshing is not automatic. */
+const CHOSEN = [
+  "size",
+  "minSize",
+  "maxSize",
+  "tolerance",
+  "featureAngle",
+  "anglePerEdge",
+  "layers",
+  "dropDetails",
+  "maxVolume",
+  "background",
+] as const satisfies readonly (keyof RemeshOptions)[];
+
+/** Returns whether no option is given that a remeshing would choose by itself. */
+export function isAutomaticRemesh(options: RemeshOptions): boolean {
+  return CHOSEN.every((name) => options[name] === undefined);
+}
+
+/**
+ * Remeshes a surface with automatic options. If its triangles are poor because of narrow details, merges these, unless
+ * that gives a smaller smallest angle. `remesh`: one remeshing with such options. If the second one is stopped, the result
+ * is that of the first, but `isPartial`.
+ */
+export async function remeshBest(
+  remesh: (options: RemeshOptions, control: PartialControl) => Promise<SurfaceRemesh>,
+  points: Float64Array,
+  options: RemeshOptions,
+  control: PartialControl,
+): Promise<SurfaceRemesh> {
+  const all = await remesh(options, partOf(control, 0, FIRST_SHARE));
+  if (all.isPartial || all.smallestAngle >= POOR_ANGLE) return all;
+  const dropDetails = DROPPED * diagonalOf(points);
+  const merged = await remesh({ ...options, dropDetails }, partOf(control, FIRST_SHARE, 1));
+  if (merged.isPartial) return { ...all, isPartial: true };
+  const isBetter =
+    merged.smallestAngle > all.smallestAngle && merged.meanRadiusRatio > all.meanRadiusRatio - RATIO_NOISE;
+  return isBetter ? merged : all;
+}
+
+/** Returns a control whose progress is a part of the whole. */
+function partOf(control: PartialControl, from: number, to: number): PartialControl {
+  const { onProgress } = control;
+  if (onProgress === undefined) return control;
+  return {
+    ...control,
+    onProgress: (progress) => onProgress({ ...progress, fraction: from + (to - from) * progress.fraction }),
+  };
+}
