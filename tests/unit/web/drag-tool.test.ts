@@ -142,8 +142,8 @@ it("drags only held points in the mode of the select tool: selected ones, and th
   view.select({ kind: "line", id: line.id });
   expect(held.down(pointer(x, y, { kind: "line", id: line.id }))).toBe(false);
   expect(held.down(pointer(x, y, target))).toBe(true);
-  held.move(pointer(x + 0.3, y, null));
-  held.up(pointer(x + 0.3, y, null));
-  expect(first().position).toEqual([x + 0.3, y, z]);
+  held.move(pointer(x + 0.3, y - 0.2, null));
+  held.up(pointer(x + 0.3, y - 0.2, null));
+  expect(first().position).toEqual([x + 0.3, y - 0.2, z]);
   expect(view.state.getState().selection).toEqual([{ kind: "line", id: line.id }]);
 });

@@ -76,7 +76,7 @@ export class TransformHandles {
   /** Returns the map from the beginning of the drag to the pointer. */
   drag(pointer: NormalizedPointer, steps: HandleSteps): Affine {
     this.#controls.pointerMove(asEvent(pointer, -1));
-    const mode = this.#controls.mode as HandleMode;
+    const { mode } = this.#controls;
     if (mode === "rotate") return this.#rotation(steps.angle);
     return mode === "scale" ? this.#scaling(steps.factor) : this.#translation(steps.length);
   }
