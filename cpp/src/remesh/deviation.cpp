@@ -18,7 +18,8 @@ constexpr double kSharpness = 1.02;
 /// A part is cut only if it extends to both sides of the edge by more than this, relative to the bound.
 /// The bound is about 1e-3 of the diagonal, so this is 1e-12 of it, a few thousand roundings.
 constexpr double kLeastCutPerBound = 1e-9;
-/// Sampled distance / tolerance below which the nearest point found by a walk counts as nearest of all.
+/// Sampled distance / tolerance below which the nearest point found by a walk counts as nearest of all: the samples are for
+/// colours, in which a thousandth of the tolerance cannot be seen.
 constexpr double kLeastSampled = 1e-3;
 /// Steps of a walk between neighbouring triangles, after which the tree is faster.
 constexpr int kMaxWalk = 24;

@@ -1,0 +1,190 @@
+#include "remesh/remesh_targets.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "base/diagnostics.h"
+#include "base/mesh_access.h"
+#include "field/size_sites.h"
+#include "geom/angles.h"
+#include "remesh/automatic_sizes.h"
+#include "remesh/cusps.h"
+#include "sizing/expected_count.h"
+#include "sizing/target_sizes.h"
+#include "sizing/volume_sizes.h"
+
+namespace tetrafront {
+namespace {
+
+// Automatic lengths / diagonal of the surface, or / size.
+constexpr double kMaxSizePerDiagonal = 1.0 / 20.0;
+constexpr double kMinSizePerDiagonal = 1.0 / 300.0;
+constexpr double kMinSizePerSize = 0.1;
+/// Smallest sizes at short feature lines and at narrow gaps / smallest automatic size. Triangles around a short line grow
+/// quickly and are few; along a gap there are many.
+constexpr double kLineSizePerMinSize = 1.0 / 1000.0;
+constexpr double kGapSizePerMinSize = 1.0 / 25.0;
+/// Upper bound of the triangles that one size below the smallest one adds. Around a point at which the size is 1/1000 of
+/// the smallest, and from which it grows by 0.3 per unit of distance, there are about 900.
+constexpr double kTrianglesPerDetail = 1000.0;
+constexpr double kTolerancePerDiagonal = 1.0 / 700.0;
+constexpr double kTolerancePerSize = 0.05;
+constexpr double kDegreesPerEdge = 20.0;
+/// Angle per edge if sizes are given: a coarse limit that keeps round shapes round.
+constexpr double kCoarseDegreesPerEdge = 60.0;
+/// Tested tolerance / tolerance.
+constexpr double kTestedTolerance = 0.85;
+/// Deviation that sizes aim at / tolerance: changes need some room.
+constexpr double kPlannedTolerance = 0.7;
+/// Deviation of the longest edges at a cusp from their feature lines / tested tolerance. Edges are between .75 and 1.4 times
+/// their target length, and those that would leave the tolerance are not made.
+constexpr double kCuspTolerance = 1.25;
+/// Largest edge at a cusp / size that follows from the shape without gaps.
+constexpr double kCuspPerSize = 1.6;
+/// Relative error of the sizes that the shape asks for.
+constexpr float kSlack = 0.01F;
+/// Sizes sorted per unit of budget.
+constexpr std::size_t kSitesPerUnit = 32;
+/// Area of an equilateral triangle, in squared edge lengths.
+constexpr double kTriangleArea = 0.4330127018922193;
+
+double areaOf(const ReferenceSurface& reference) {
+  double sum = 0.0;
+  for (const ReferenceSurface::Piece& piece : reference.pieces()) sum += piece.area;
+  return sum;
+}
+
+/// Counts the triangles that the sizes ask for, per given triangle. O(pieces).
+std::vector<double> countExpected(const ReferenceSurface& reference, const RemeshSizes& sizes) {
+  std::vector<double> expected(countTriangles(reference.mesh()), 0.0);
+  RemeshSizes::Hint hint;
+  for (const ReferenceSurface::Piece& piece : reference.pieces()) {
+    expected[piece.triangle.index()] += trianglesOn(piece.area, sizes.sizeAt(piece.centroid, hint));
+  }
+  return expected;
+}
+
+/// Returns kTooManyElements if the sizes ask for more triangles than the limit, and than there are.
+std::vector<Diagnostic> checkTriangleCount(const ReferenceSurface& reference,
+                                           std::span<const double> expected,
+                                           std::uint32_t maxTriangles) {
+  const double total = std::accumulate(expected.begin(), expected.end(), 0.0);
+  const double limit = std::max(static_cast<double>(maxTriangles),
+                                static_cast<double>(countTriangles(reference.mesh())));
+  if (total <= limit) return {};
+  Diagnostic tooMany;
+  tooMany.code = DiagnosticCode::kTooManyElements;
+  const auto most = std::max_element(expected.begin(), expected.end()) - expected.begin();
+  tooMany.entities = {{EntityKind::kTriangle, static_cast<std::uint32_t>(most)}};
+  tooMany.values = {cappedCount(total), limit};
+  return {tooMany};
+}
+
+/// Returns the cusps. Their edges may exceed the sizes that curvature, thickness and short lines ask for by a factor only:
+/// a small hole near the tip keeps its triangles.
+Task<std::vector<Cusp>> findLimitedCusps(Work& work, const ReferenceSurface& reference,
+                                         const ShapeSizes& sizes, const RemeshOptions& options,
+                                         const RemeshLengths& lengths) {
+  const CuspRules rules{lengths.minSize, lengths.maxSize, kCuspTolerance * lengths.testedTolerance};
+  std::vector<Cusp> cusps = findCusps(reference, rules);
+  co_await work.yield();
+  const std::size_t count = sizes.countWithoutGaps;
+  if (cusps.empty() || count == 0) co_return cusps;
+  SizeSites sites(std::span(sizes.positions).first(count), std::span(sizes.sizes).first(count),
+                  options.growth, kSlack);
+  co_await work.finish(sites, kSitesPerUnit);
+  for (Cusp& cusp : cusps) {
+    cusp.reach = std::min(cusp.reach, kCuspPerSize * sites.at(cusp.tip, SiteId(0U)).size);
+  }
+  co_return cusps;
+}
+
+}  // namespace
+
+RemeshLengths remeshLengthsOf(const RemeshOptions& options, bool hasTargets, double diagonal) {
+  const bool hasSize = options.size > 0.0;
+  RemeshLengths lengths{};
+  lengths.maxSize = options.maxSize > 0.0 ? options.maxSize : kMaxSizePerDiagonal * diagonal;
+  if (hasTargets) lengths.maxSize = hasSize ? options.size : diagonal;
+  if (options.maxVolume > 0.0) {
+    lengths.maxSize = std::min(lengths.maxSize, sizeForVolume(options.maxVolume));
+  }
+  lengths.minSize = hasSize ? kMinSizePerSize * options.size : kMinSizePerDiagonal * diagonal;
+  if (options.minSize > 0.0) lengths.minSize = options.minSize;
+  lengths.minSize = std::min(lengths.minSize, lengths.maxSize);
+  const bool isExact = options.minSize > 0.0;
+  lengths.minSizeAtLines = (isExact ? 1.0 : kLineSizePerMinSize) * lengths.minSize;
+  lengths.minSizeAtGaps = (isExact ? 1.0 : kGapSizePerMinSize) * lengths.minSize;
+  lengths.tolerance = kTolerancePerDiagonal * diagonal;
+  if (hasSize) lengths.tolerance = std::min(lengths.tolerance, kTolerancePerSize * options.size);
+  if (options.tolerance > 0.0) lengths.tolerance = options.tolerance;
+  lengths.testedTolerance = kTestedTolerance * lengths.tolerance;
+  const double automatic = hasTargets ? kCoarseDegreesPerEdge : kDegreesPerEdge;
+  lengths.radiansPerEdge = radians(options.anglePerEdge > 0.0 ? options.anglePerEdge : automatic);
+  lengths.layers = options.layers;
+  if (options.layers < 0.0) lengths.layers = hasTargets ? 0.0 : 1.0;
+  return lengths;
+}
+
+MeshOptions targetOptions(const RemeshOptions& options) {
+  MeshOptions targets;
+  targets.size = options.size;
+  targets.growth = options.growth;
+  targets.maxVolume = options.maxVolume;
+  return targets;
+}
+
+double trianglesOn(double area, double size) { return area / (kTriangleArea * size * size); }
+
+Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
+                                  const BackgroundGrid& grid, const RemeshOptions& options,
+                                  const RemeshLengths& lengths) {
+  MeshOptions targets = targetOptions(options);
+  if (!usesGrid(grid, targets)) targets.size = lengths.maxSize;
+  work.beginPart(0.2);
+  TargetSizes given(reference.mesh(), grid, targets, EdgeSizes::kIgnored);
+  co_await work.finish(given);
+  TargetField found;
+  found.diagnostics = given.diagnostics();
+  if (anyError(found.diagnostics)) co_return found;
+  found.sizes.emplace(given.take());
+  const std::vector<double> ofGiven = countExpected(reference, *found.sizes);
+  found.diagnostics = checkTriangleCount(reference, ofGiven, options.maxTriangles);
+  if (!found.diagnostics.empty()) co_return found;
+  co_await work.yield();
+
+  work.beginPart(0.7);
+  const ShapeSizeRules rules{lengths.maxSize,
+                             lengths.minSize,
+                             lengths.minSizeAtLines,
+                             lengths.minSizeAtGaps,
+                             kPlannedTolerance * lengths.tolerance,
+                             lengths.radiansPerEdge,
+                             lengths.layers};
+  ShapeSizes sizes = co_await findShapeSizes(work, reference, rules);
+  if (sizes.positions.empty()) co_return found;
+  work.beginPart(0.8);
+  std::vector<Cusp> cusps = co_await findLimitedCusps(work, reference, sizes, options, lengths);
+  work.beginPart(1.0);
+  const std::size_t belowMin = sizes.countBelowMin;
+  SizeSites sites(sizes.positions, sizes.sizes, options.growth, kSlack);
+  co_await work.finish(sites, kSitesPerUnit);
+  found.sizes->capTo(std::move(sites), std::move(sizes.axes));
+  found.sizes->raiseTo(CuspSizes(std::move(cusps)));
+  // Counting takes longer than this bound, which only very many small details exceed without need.
+  const double most = std::accumulate(ofGiven.begin(), ofGiven.end(), 0.0) +
+                      trianglesOn(areaOf(reference), lengths.minSize) +
+                      kTrianglesPerDetail * static_cast<double>(belowMin);
+  if (most > static_cast<double>(options.maxTriangles)) {
+    found.diagnostics =
+        checkTriangleCount(reference, countExpected(reference, *found.sizes), options.maxTriangles);
+  }
+  co_await work.yield();
+  co_return found;
+}
+
+}  // namespace tetrafront

@@ -1,0 +1,52 @@
+#pragma once
+
+/// @file The lengths and the size field of a remeshing, with all automatic values replaced.
+
+#include <optional>
+#include <vector>
+
+#include "base/task.h"
+#include "remesh/reference_surface.h"
+#include "remesh/remesh_sizes.h"
+#include "tetrafront/background_grid.h"
+#include "tetrafront/options.h"
+#include "tetrafront/remesh.h"
+#include "tetrafront/status.h"
+
+namespace tetrafront {
+
+struct RemeshLengths {
+  double maxSize;
+  double minSize;
+  double minSizeAtLines;
+  double minSizeAtGaps;
+  double tolerance;
+  /// The checks of a change use this smaller tolerance. From the remeshed surface to the given one, they hold for every
+  /// point. In the other direction they test the guests only, and between them the distance may be slightly larger.
+  double testedTolerance;
+  double radiansPerEdge;
+  double layers;
+};
+
+/// `hasTargets`: a size or a background grid is given. `diagonal`: of the surface.
+[[nodiscard]] RemeshLengths remeshLengthsOf(const RemeshOptions& options, bool hasTargets,
+                                            double diagonal);
+
+/// Returns the options of the given sizes.
+[[nodiscard]] MeshOptions targetOptions(const RemeshOptions& options);
+
+/// Returns the number of triangles of one size that cover an area.
+[[nodiscard]] double trianglesOn(double area, double size);
+
+struct TargetField {
+  std::optional<RemeshSizes> sizes;
+  std::vector<Diagnostic> diagnostics;  ///< not empty if the grid or the sizes cannot be used
+};
+
+/// Makes the size field: given sizes, capped by those of the shape. Too many triangles are refused as soon as the sizes
+/// are known: work on the shape takes longer if they are small. Everything must outlive the task.
+Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
+                                  const BackgroundGrid& grid, const RemeshOptions& options,
+                                  const RemeshLengths& lengths);
+
+}  // namespace tetrafront
