@@ -128,6 +128,17 @@ TEST_P(EverySurface, IsFilledInThePapersOrder) {
   EXPECT_EQ(testing::complaintAbout(outcome.mesh, outcome.boundary), "");
 }
 
+TEST_P(EverySurface, IsFilledInOrdersThatIgnoreSizes) {
+  for (const FrontOrder order : {FrontOrder::kFirstIn, FrontOrder::kRandom}) {
+    MeshOptions options;
+    options.order = order;
+    const Outcome outcome = fillByOwnSizes(GetParam().surface, options);
+    ASSERT_EQ(outcome.status, MeshStatus::kDone);
+    EXPECT_EQ(testing::complaintAbout(outcome.mesh, outcome.boundary), "");
+    EXPECT_EQ(fillByOwnSizes(GetParam().surface, options).fingerprint(), outcome.fingerprint());
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Volume, EverySurface,
     ::testing::Values(

@@ -17,6 +17,7 @@ export const panelStrings = {
   inspector: {
     title: "Inspector",
     display: "Display",
+    lessons: "Lessons",
     nothingSelected: "Select an entity in the tree or in the view to edit it.",
     several: (count: number) => `${count} entities selected`,
     closedChain: (count: number) => `${count} points, closed`,
@@ -288,10 +289,17 @@ export const panelStrings = {
   meshing: {
     title: "Mesh settings",
     order: "Front order",
-    orders: { layered: "Layered", "smallest-first": "Smallest first" },
+    orders: {
+      layered: "Layered",
+      "smallest-first": "Smallest first",
+      "first-in": "First in",
+      random: "Random",
+    },
     orderHints: {
       layered: "Advances the front layer by layer, which is fastest.",
       "smallest-first": "Takes the smallest face of the front next, as in the paper.",
+      "first-in": "Takes the face that joined the front first; sizes do not count. To compare with.",
+      random: "Takes any face next, the same in each run. To compare with.",
     },
     optimization: "Optimization",
     optimizations: { none: "None", fast: "Fast", default: "Default", thorough: "Thorough" },

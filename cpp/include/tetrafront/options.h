@@ -21,6 +21,8 @@ enum class FrontOrder : std::uint8_t {
   kLayered = 0,        ///< buckets of similar size, smallest first; within a bucket layer by layer,
                        ///< and within a layer tile by tile in space
   kSmallestFirst = 1,  ///< the face that forms the smallest element is next, as in the paper
+  kFirstIn = 2,        ///< the face that joined the front first is next; sizes do not count
+  kRandom = 3,         ///< pseudo-random, the same in each run; sizes do not count
 };
 
 /// Effort for the shape of the elements after the front has closed.

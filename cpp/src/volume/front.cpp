@@ -12,13 +12,14 @@ constexpr double kCellPerSize = 1.3;
 
 // Layout of a key, most significant part first: rule class 4 bits, size bucket 8, layer 12, tile
 // 12, fine size 8, sequence 20. In the paper's order, 31 bits of the size replace the parts between
-// class and sequence.
+// class and sequence. Orders that ignore the size have one part below the class.
 constexpr int kClassShift = 60;
 constexpr int kBucketShift = 52;
 constexpr int kLayerShift = 40;
 constexpr int kTileShift = 28;
 constexpr int kFineShift = 20;
 constexpr std::uint64_t kSequenceMask = (std::uint64_t{1} << kFineShift) - 1;
+constexpr std::uint64_t kBelowClassMask = (std::uint64_t{1} << kClassShift) - 1;
 constexpr std::uint32_t kMaxLayer = (1U << (kBucketShift - kLayerShift)) - 1;
 
 // Buckets span a factor of 4 (two octaves). One of them is centred on the typical size.
@@ -48,6 +49,14 @@ double powerOfFour(int exponent) {
   constexpr int kDoubleMantissaBits = 52;
   return std::bit_cast<double>(static_cast<std::uint64_t>(kBias + 2 * exponent)
                                << kDoubleMantissaBits);
+}
+
+/// Returns a number that looks random: the finalizer of SplitMix64 (Steele, Lea and Flood, 2014).
+/// Different numbers have different results.
+std::uint64_t scrambled(std::uint64_t number) {
+  number = (number ^ (number >> 30U)) * 0xbf58476d1ce4e5b9U;
+  number = (number ^ (number >> 27U)) * 0x94d049bb133111ebU;
+  return number ^ (number >> 31U);
 }
 
 /// Spreads the last four bits of `x`, with two free bits after each.
@@ -129,7 +138,10 @@ std::vector<FaceId> Front::activeFaces() const {
 
 std::uint64_t Front::keyOf(const FrontFace& face) {
   const std::uint64_t ruleClass = static_cast<std::uint64_t>(face.ruleClass) << kClassShift;
-  const std::uint64_t sequence = sequence_++ & kSequenceMask;
+  const std::uint64_t number = sequence_++;
+  if (order_ == FrontOrder::kFirstIn) return ruleClass | (number & kBelowClassMask);
+  if (order_ == FrontOrder::kRandom) return ruleClass | (scrambled(number) & kBelowClassMask);
+  const std::uint64_t sequence = number & kSequenceMask;
   if (order_ == FrontOrder::kSmallestFirst) {
     // The bits of the float above the sequence number: 31, because sizes are positive.
     const std::uint64_t size = std::bit_cast<std::uint32_t>(face.size);

@@ -193,7 +193,10 @@ export interface MeshOptions {
    * region that conforms to the surrounding one.
    */
   readonly innerShells?: InnerShells | undefined;
-  /** Order in which faces leave the front. Default `layered`; `smallest-first` is that of the paper. */
+  /**
+   * Order in which faces leave the front. Default `layered`; `smallest-first` is that of the paper. `first-in` and
+   * `random` ignore the sizes; they are for comparison and make poorer meshes.
+   */
   readonly order?: FrontOrder | undefined;
   /**
    * Whether cheap filters exclude faces that cannot cross a new element, as in the paper, before the others are

@@ -35,7 +35,8 @@ export const WORDS = {
   gradation: `Largest size ratio of neighbouring elements, above 1, up to ${LIMITS.gradation}; 0 for no limit; default ${MESH_DEFAULTS.gradation}`,
   innerShells:
     "What closed shells inside a region bound: cavities (default), or regions, which are meshed too",
-  order: "Next face of the front: one of the lowest layer (default), or the smallest",
+  order:
+    "Next face of the front: one of the lowest layer (default), the smallest, the first in, or a random one",
   optimization: "Effort spent on improving the elements after the front",
   bodies: "Closed triangulated surfaces beside the drawn patches",
   bodyPoints: "Nodes of the given triangles: base64 of x y z per node, as little-endian doubles",

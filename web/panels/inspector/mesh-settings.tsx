@@ -24,6 +24,9 @@ type Setting = Exclude<keyof ProjectMeshing, "size">;
 const refuseGradation = (value: number): string | null =>
   value === 0 || (value > 1 && value <= LIMITS.gradation) ? null : texts.invalidGradation;
 
+/** The other orders are for comparison: they make poorer meshes. */
+const isForUse = (order: FrontOrder): boolean => order === "layered" || order === "smallest-first";
+
 /** How the mesh is made, apart from its sizes. Kept in the project file. */
 export function MeshSettings() {
   const app = useApp();
@@ -43,7 +46,7 @@ export function MeshSettings() {
       </summary>
       <ChoiceSetting
         label={texts.order}
-        values={FRONT_ORDERS}
+        values={FRONT_ORDERS.filter((value) => isForUse(value) || value === order)}
         value={order}
         labelOf={(value) => texts.orders[value]}
         hint={texts.orderHints[order]}
