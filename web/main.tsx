@@ -27,7 +27,7 @@ offerLeftDocument(app);
 
 /**
  * The address selects the document to open, `model=ID` or `new=1`, but a reload continues with the document as it was
- * before the reload.
+ * before the reload. `lesson=N` opens a lesson, also after a reload.
  */
 function intentOf(query: URLSearchParams): Intent {
   const [navigation] = performance.getEntriesByType("navigation") as PerformanceNavigationTiming[];
@@ -36,10 +36,27 @@ function intentOf(query: URLSearchParams): Intent {
 }
 
 function startOf(query: URLSearchParams): Start | null {
-  if (query.get("new") === "1") return { kind: "new" };
+  // A lesson opens its own model.
+  if (query.get("new") === "1" || query.has("lesson")) return { kind: "new" };
   const model = query.get("model");
   return model === null ? null : { kind: "model", id: model };
 }
+
+const lesson = query.get("lesson");
+if (lesson !== null) {
+  void import("./commands/lesson-actions").then(({ openLessonNumber }) =>
+    openLessonNumber(app, Number(lesson)),
+  );
+}
+
+// The address names the open lesson, so that it can be passed on.
+app.shell.subscribe(({ lesson }, before) => {
+  if (lesson === before.lesson) return;
+  const address = new URL(window.location.href);
+  for (const start of ["model", "new", "lesson"]) address.searchParams.delete(start);
+  if (lesson !== null) address.searchParams.set("lesson", String(lesson));
+  window.history.replaceState(null, "", address);
+});
 
 if (still) {
   // For tests: returns where a position, or the middle of an entity, appears in the view.

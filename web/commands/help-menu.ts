@@ -2,6 +2,9 @@ import { commandLabels } from "../strings";
 import { define, type Command } from "./command";
 
 export const helpMenu: readonly Command[] = [
+  define("help", 0)("lessons", commandLabels.lessons, (app) =>
+    app.shell.setState({ rightTab: "lessons", drawer: "right" }),
+  ),
   define("help", 0)("help", commandLabels.help, (app) => app.shell.setState({ dialog: "help" }), {
     keys: ["shift+?"],
   }),

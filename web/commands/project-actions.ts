@@ -27,6 +27,12 @@ export function openProject(app: App, project: Project, file: ProjectFile | null
   meshOpened(app);
 }
 
+/** Opens a project as a new document, and does not mesh it. */
+export function showModel(app: App, project: Project): void {
+  finishOpening(app, app.showProject(project));
+  app.run.cancel();
+}
+
 /** Opens a surface as a new document: a project with a body per solid; the card shows the first one. */
 export function openSurface(app: App, name: string, read: ReadSurface): void {
   const project = {
@@ -100,8 +106,7 @@ export function showNotes(app: App, notes: readonly string[]): void {
 
 /** Opens an empty project, to draw in. */
 export function newProject(app: App): void {
-  finishOpening(app, app.showProject(emptyProject()));
-  app.run.cancel();
+  showModel(app, emptyProject());
 }
 
 export async function openExample(app: App, model: GalleryModel): Promise<void> {

@@ -1,9 +1,9 @@
-import { readTrace, type Mesher, type Progress, type Trace } from "tetrafront";
+import { readTrace, type FrontOrder, type Mesher, type Progress, type Trace } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import type { DocumentStore } from "../session/document-store";
+import { settledProject, type DocumentStore } from "../session/document-store";
 import type { MeshRun } from "../session/run";
 import { Playback } from "./playback";
-import { recordProject, type PreparedOf } from "./recording";
+import { recordProject, type PreparedOf, type Recorded } from "./recording";
 import { nextStop, refusedIn, type StopKind } from "./stops";
 
 /** What the colours of the front's faces mean. */
@@ -90,9 +90,12 @@ export class Player {
     });
   }
 
-  /** Meshes the present model with the options of Generate mesh, and shows the trace of its front. */
-  async record(): Promise<void> {
-    if (this.#abort) return;
+  /**
+   * Meshes the present model with the options of Generate mesh, and shows the trace of its front. `order` replaces the
+   * order of the model. Returns null if a recording is under way, or if another document or a run has ended this one.
+   */
+  async record(order?: FrontOrder): Promise<Recorded | null> {
+    if (this.#abort) return null;
     const abort = (this.#abort = new AbortController());
     this.close();
     this.state.setState({ recording: { progress: null, isStopping: false }, failure: null });
@@ -101,23 +104,26 @@ export class Player {
       if (this.#abort !== abort) return;
       this.state.setState({ recording: { progress, isStopping: abort.signal.aborted } });
     };
-    const recorded = await recordProject(await mesher, documents, preparedOf, {
+    const present = settledProject(documents.state.getState());
+    const project = order ? { ...present, meshing: { ...present.meshing, order } } : present;
+    const recorded = await recordProject(await mesher, project, preparedOf, {
       signal: abort.signal,
       onProgress,
     });
     // Another document was opened, or a run was started.
-    if (this.#abort !== abort) return;
+    if (this.#abort !== abort) return null;
     this.#abort = null;
     this.state.setState({ recording: null });
     if (recorded.kind === "failed") this.state.setState({ failure: recorded.reasons });
-    else this.#show(recorded.trace, recorded.file);
+    else this.show(recorded.trace, recorded.file);
+    return recorded;
   }
 
   /** Shows a trace from a file, which may belong to another model. */
   open(file: Uint8Array<ArrayBuffer>): void {
     const read = readTrace(file);
     this.close();
-    if (read.success) this.#show(read.value, file);
+    if (read.success) this.show(read.value, file);
     else this.state.setState({ failure: read.errors.map(({ message, remedy }) => `${message}. ${remedy}`) });
   }
 
@@ -200,7 +206,9 @@ export class Player {
     this.close();
   }
 
-  #show(trace: Trace, file: Uint8Array<ArrayBuffer>): void {
+  /** Shows a trace and the file it was read from, in the first state. */
+  show(trace: Trace, file: Uint8Array<ArrayBuffer>): void {
+    this.pause();
     this.state.setState({ trace, file, step: 0, loop: null, candidate: null, failure: null });
   }
 

@@ -2,13 +2,13 @@ import {
   readTrace,
   recordTrace,
   type Mesher,
+  type MeshReport,
   type PreparedBody,
   type Project,
   type RunControl,
   type Trace,
 } from "tetrafront";
 import { engineInput } from "../document/engine-input";
-import { settledProject, type DocumentStore } from "../session/document-store";
 import { failureText } from "../session/failure-text";
 import { remedyInApp } from "../strings";
 
@@ -16,20 +16,25 @@ import { remedyInApp } from "../strings";
 export type PreparedOf = (project: Project) => readonly PreparedBody[];
 
 export type Recorded =
-  | { readonly kind: "recorded"; readonly trace: Trace; readonly file: Uint8Array<ArrayBuffer> }
+  | {
+      readonly kind: "recorded";
+      readonly trace: Trace;
+      readonly file: Uint8Array<ArrayBuffer>;
+      /** The mesh of the front, before any optimization. */
+      readonly report: MeshReport;
+    }
   | { readonly kind: "failed"; readonly reasons: readonly string[] };
 
 /**
- * Meshes the present model as Generate mesh does, but without the optimization, which is not part of a trace. Resolves in
+ * Meshes a project as Generate mesh does, but without the optimization, which is not part of a trace. Resolves in
  * any case; a recording that was stopped has the steps made until then.
  */
 export async function recordProject(
   mesher: Mesher,
-  documents: DocumentStore,
+  project: Project,
   preparedOf: PreparedOf,
   control: RunControl,
 ): Promise<Recorded> {
-  const project = settledProject(documents.state.getState());
   const [input, options] = engineInput(project);
   const preparedBodies = preparedOf(project);
   try {
@@ -47,7 +52,7 @@ export async function recordProject(
     }
     const read = readTrace(file);
     return read.success
-      ? { kind: "recorded", trace: read.value, file }
+      ? { kind: "recorded", trace: read.value, file, report: result.report }
       : { kind: "failed", reasons: read.errors.map(({ message, remedy }) => `${message}. ${remedy}`) };
   } catch (error) {
     return { kind: "failed", reasons: [failureText(error)] };

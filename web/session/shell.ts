@@ -14,7 +14,9 @@ export interface Notice {
 /** Which tabs, drawers and dialogs are open. Undo does not affect it, and a reload resets it. */
 export interface ShellState {
   readonly leftTab: "model" | "examples";
-  readonly rightTab: "inspector" | "quality" | "display";
+  readonly rightTab: "inspector" | "quality" | "display" | "lessons";
+  /** Number of the open lesson, from 1; null: the list of the lessons. */
+  readonly lesson: number | null;
   readonly bottomTab: "log" | "problems" | "patches" | "front" | "history";
   /** On small screens the panels are drawers. */
   readonly drawer: "left" | "right" | "bottom" | null;
@@ -34,6 +36,7 @@ export function createShell(): Shell {
   return createStore<ShellState>(() => ({
     leftTab: "model",
     rightTab: "inspector",
+    lesson: null,
     bottomTab: "log",
     drawer: null,
     dialog: null,

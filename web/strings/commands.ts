@@ -118,6 +118,7 @@ export const commandLabels = {
     close: "Show the model instead of the front",
   },
 
+  lessons: "Lessons",
   help: "Keyboard and mouse",
 } as const;
 

@@ -3,6 +3,11 @@ import { loadFileDialogs } from "../../session/files";
 
 const load = () => import("./later-panels");
 
+/** The lessons, with the libraries that render their text: loaded when the tab is opened. */
+export const LessonsPanel = lazy(async () => ({
+  default: (await import("../lessons/lessons-panel")).LessonsPanel,
+}));
+
 /** Delay in milliseconds that leaves the connection to the first picture and the first mesh. */
 const aheadMs = 1500;
 

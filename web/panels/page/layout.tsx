@@ -7,7 +7,7 @@ import { useApp, useShell } from "../shared/app-context";
 import { BottomPanel } from "./bottom-panel";
 import { Header } from "./header";
 import { Inspector } from "../inspector/inspector";
-import { DisplayPanel, GalleryPanel, QualityReport } from "../later/later";
+import { DisplayPanel, GalleryPanel, LessonsPanel, QualityReport } from "../later/later";
 import { ModelTree } from "../model/model-tree";
 import { PanelBoundary } from "../shared/panel-boundary";
 import { StatusBar } from "./status-bar";
@@ -16,7 +16,7 @@ import { ViewportPanel } from "../viewport/viewport-panel";
 import tabs from "../../ui/frames/panel-tabs.module.css";
 import styles from "./layout.module.css";
 
-const rightTabs = ["inspector", "quality", "display"] as const;
+const rightTabs = ["inspector", "quality", "display", "lessons"] as const;
 
 /** The whole app: panels beside the view if there is room, otherwise in drawers. */
 export function PageLayout({ root }: { readonly root: RefObject<HTMLDivElement | null> }) {
@@ -168,6 +168,9 @@ function RightPanel() {
           {strings.report.tab}
         </Tabs.Tab>
         <Tabs.Tab value="display">{strings.inspector.display}</Tabs.Tab>
+        <Tabs.Tab value="lessons" data-testid="tab-lessons">
+          {strings.inspector.lessons}
+        </Tabs.Tab>
       </Tabs.List>
       <Tabs.Panel value="inspector">
         <Inspector />
@@ -180,6 +183,11 @@ function RightPanel() {
       <Tabs.Panel value="display">
         <PanelBoundary>
           <DisplayPanel />
+        </PanelBoundary>
+      </Tabs.Panel>
+      <Tabs.Panel value="lessons">
+        <PanelBoundary>
+          <LessonsPanel />
         </PanelBoundary>
       </Tabs.Panel>
     </Tabs>

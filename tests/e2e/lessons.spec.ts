@@ -1,0 +1,173 @@
+/** The lessons: all tasks of all ten, wrong answers, the address, progress, and what axe says. */
+import AxeBuilder from "@axe-core/playwright";
+import { expect, test, type Locator, type Page } from "@playwright/test";
+import { readFileSync } from "node:fs";
+import { parseLesson, type Lesson, type LessonTask } from "../../web/lessons/lesson";
+import { listOf } from "../../web/lessons/lesson-files";
+
+const folder = new URL("../../public/lessons/", import.meta.url);
+const fileText = (name: string): string => readFileSync(new URL(name, folder), "utf8");
+const lessons = listOf(fileText("index.json")).map((file): Lesson => {
+  const parsed = parseLesson(file, fileText(file));
+  if (!parsed.success) throw new Error(parsed.errors.join("\n"));
+  return parsed.lesson;
+});
+
+async function violations(page: Page): Promise<string[]> {
+  const axe = new AxeBuilder({ page }).setLegacyMode(true).options({ resultTypes: ["violations"] });
+  const { violations: found } = await axe.analyze();
+  return found.flatMap(({ id, nodes }) => nodes.map(({ html }) => `${id}: ${html}`));
+}
+
+async function open(page: Page, address: string, scheme: "dark" | "light" = "dark"): Promise<void> {
+  await page.addInitScript((value) => localStorage.setItem("mantine-color-scheme-value", value), scheme);
+  await page.goto(`./?test=1${address}`);
+}
+
+const front = (page: Page): Locator => page.getByTestId("lesson-front");
+const task = (page: Page, number: number): Locator => page.getByTestId(`lesson-task-${number}`);
+
+/** Does what a task asks for, with the controls that a reader would use. */
+async function complete(page: Page, asked: LessonTask, number: number): Promise<void> {
+  switch (asked.kind) {
+    case "step":
+      if (asked.reach === "end") {
+        await page.getByTestId("player-end").click();
+        return;
+      }
+      await page.getByTestId("player-kind").selectOption(asked.reach);
+      await page.getByTestId("player-next").click();
+      return;
+    case "color":
+      await page.getByTestId("player-coloring").selectOption(asked.coloring);
+      return;
+    case "number":
+      await page.getByTestId(`lesson-answer-${number}`).fill(String(asked.answer));
+      await page.getByTestId(`lesson-answer-${number}`).press("Enter");
+      return;
+    case "choice":
+      await page.getByTestId(`lesson-choice-${number}-${1 + asked.choices.indexOf(asked.answer)}`).check();
+      await page.getByTestId(`lesson-check-${number}`).click();
+      return;
+    case "compare":
+      await page.getByTestId(`lesson-compare-${number}`).click();
+      await expect(page.getByTestId(`lesson-run-${asked.order}`)).toHaveAttribute("aria-pressed", "true");
+  }
+}
+
+lessons.forEach((lesson, index) => {
+  test(`lesson ${index + 1}, ${lesson.title}, is completed`, async ({ page }) => {
+    await open(page, `&lesson=${index + 1}`);
+    await expect(front(page)).toHaveAttribute("data-shown", "true");
+    const viewport = page.getByTestId("viewport");
+    await expect(viewport).toHaveAttribute("data-step", String(lesson.step));
+    await expect(page.getByTestId("lesson-page").getByRole("link").first()).toContainText("Parikh");
+    expect(await page.locator(".katex-error").count()).toBe(0);
+    for (const [i] of lesson.tasks.entries())
+      await expect(task(page, i + 1)).toHaveAttribute("data-done", "false");
+    await expect(page.getByTestId("lesson-finished")).toHaveCount(0);
+    expect(await violations(page)).toEqual([]);
+    for (const [i, asked] of lesson.tasks.entries()) {
+      await complete(page, asked, i + 1);
+      await expect(task(page, i + 1)).toHaveAttribute("data-done", "true");
+    }
+    await expect(page.getByTestId("lesson-finished")).toBeVisible();
+    expect(await violations(page)).toEqual([]);
+    // Progress survives a reload.
+    await page.goto("./?test=1&new=1");
+    await page.getByTestId("tab-lessons").click();
+    await expect(page.getByTestId(`lesson-${index + 1}`)).toContainText("done");
+  });
+});
+
+test("the list opens lessons, the address follows, and the buttons lead to the next one", async ({
+  page,
+}) => {
+  await open(page, "&new=1", "light");
+  await page.getByRole("menuitem", { name: "Help" }).click();
+  await page.getByRole("menuitem", { name: "Lessons" }).click();
+  for (let number = 1; number <= 10; number++)
+    await expect(page.getByTestId(`lesson-${number}`)).toContainText(lessons[number - 1]?.title ?? "");
+  expect(await violations(page)).toEqual([]);
+  await page.getByTestId("lesson-1").click();
+  await expect(front(page)).toHaveAttribute("data-shown", "true");
+  await expect(page).toHaveURL(/[?&]lesson=1(&|$)/);
+  await expect(page.getByTestId("lesson-previous")).toBeDisabled();
+  await page.getByTestId("lesson-next").click();
+  await expect(page.getByTestId("lesson-page")).toHaveAttribute("data-lesson", "2");
+  await expect(page).toHaveURL(/[?&]lesson=2(&|$)/);
+  await expect(front(page)).toHaveAttribute("data-shown", "true");
+  await page.getByTestId("lesson-all").click();
+  await expect(page).not.toHaveURL(/lesson=/);
+  await expect(page.getByTestId("lesson-list")).toBeVisible();
+});
+
+test("wrong answers get a hint, and the right one counts after them", async ({ page }) => {
+  await open(page, "&lesson=1");
+  await expect(front(page)).toHaveAttribute("data-shown", "true");
+  const answer = page.getByTestId("lesson-answer-1");
+  const verdict = page.getByTestId("lesson-verdict-1");
+  for (const [typed, said] of [
+    ["", "Type a number."],
+    ["many", "Type a number."],
+    ["491", "Not yet. Go to the first state."],
+  ] as const) {
+    await answer.fill(typed);
+    await answer.press("Enter");
+    await expect(verdict).toContainText(said);
+    await expect(task(page, 1)).toHaveAttribute("data-done", "false");
+  }
+  await page.getByTestId("lesson-check-2").click();
+  await expect(page.getByTestId("lesson-verdict-2")).toHaveText("Choose an answer.");
+  await page.getByTestId("lesson-choice-2-3").check();
+  await page.getByTestId("lesson-check-2").click();
+  await expect(page.getByTestId("lesson-verdict-2")).toContainText("Not yet.");
+  await answer.fill("492");
+  await answer.press("Enter");
+  await expect(verdict).toHaveText("Right.");
+  await expect(task(page, 1)).toHaveAttribute("data-done", "true");
+});
+
+test("another model ends the front of the lesson, and the lesson brings it back", async ({ page }) => {
+  await open(page, "&lesson=4");
+  await expect(front(page)).toHaveAttribute("data-shown", "true");
+  await page.getByTestId("player-close").click();
+  await expect(front(page)).toHaveAttribute("data-shown", "false");
+  await page.getByTestId("lesson-show").click();
+  await expect(front(page)).toHaveAttribute("data-shown", "true");
+  await page.getByTestId("player-start").click();
+  await page.getByTestId("lesson-show").click();
+  await expect(page.getByTestId("viewport")).toHaveAttribute("data-step", String(lessons[3]?.step));
+});
+
+test("an address with a lesson that does not exist shows the list", async ({ page }) => {
+  await open(page, "&lesson=99");
+  await expect(page.getByTestId("lesson-list")).toBeVisible();
+  await expect(page.getByTestId("lesson-10")).toBeVisible();
+});
+
+test("a lesson with errors is named in the list, and does not hide the others", async ({ page }) => {
+  await page.route("**/lessons/front.md", (route) => route.fulfill({ body: "---\ntitle: A\n---\nText." }));
+  await open(page, "&new=1");
+  await page.getByTestId("tab-lessons").click();
+  await expect(page.getByTestId("lesson-errors")).toContainText(
+    'front.md: field "model" is missing; add it.',
+  );
+  await expect(page.getByTestId("lesson-9")).toBeVisible();
+});
+
+test("a lesson is completed on a phone", async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await open(page, "&lesson=6");
+  await expect(front(page)).toHaveAttribute("data-shown", "true");
+  await expect(page.getByTestId("viewport")).toBeVisible();
+  expect(await violations(page)).toEqual([]);
+  const overflow = await page
+    .getByTestId("lesson-page")
+    .evaluate((panel) => panel.scrollWidth - panel.clientWidth);
+  expect(overflow).toBeLessThanOrEqual(0);
+  for (const [i, asked] of (lessons[5]?.tasks ?? []).entries()) {
+    await complete(page, asked, i + 1);
+    await expect(task(page, i + 1)).toHaveAttribute("data-done", "true");
+  }
+});

@@ -1,0 +1,168 @@
+/**
+ * The lessons against the real fronts of their models: each begins in a state that completes no task, every task can be
+ * completed, and the numbers that a lesson states are those of the front.
+ */
+import { readFileSync } from "node:fs";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import {
+  createMesher,
+  readProject,
+  readTrace,
+  recordTrace,
+  type FrontOrder,
+  type Mesher,
+  type MeshReport,
+  type Trace,
+} from "tetrafront";
+import { isShown } from "../../../web/lessons/check-task";
+import { parseLesson, type Lesson } from "../../../web/lessons/lesson";
+import { listOf } from "../../../web/lessons/lesson-files";
+import { runMeasures } from "../../../web/lessons/run-measures";
+import { searchCost } from "../../../web/lessons/search-cost";
+import { hasStop } from "../../../web/player/stops";
+
+const inPublic = (file: string): string =>
+  readFileSync(new URL(`../../../public/${file}`, import.meta.url), "utf8");
+
+const lessons = listOf(inPublic("lessons/index.json")).map((file): Lesson => {
+  const parsed = parseLesson(file, inPublic(`lessons/${file}`));
+  if (!parsed.success) throw new Error(parsed.errors.join("\n"));
+  return parsed.lesson;
+});
+
+let mesher: Mesher;
+beforeAll(async () => {
+  mesher = await createMesher();
+});
+afterAll(() => mesher.dispose());
+
+interface Run {
+  readonly trace: Trace;
+  readonly report: MeshReport;
+}
+
+/** Records as the app does: without optimization, in the order of the lesson or of a comparison. */
+async function run({ model, order }: Lesson, other: FrontOrder = order): Promise<Run> {
+  const file = model.endsWith(".json") ? `lessons/${model}` : `models/${model}.json`;
+  const read = readProject(inPublic(file));
+  if (!read.success) throw new Error(read.errors[0].message);
+  const { result, trace: bytes } = await recordTrace(mesher, read.value, {
+    order: other,
+    optimization: "none",
+  });
+  const trace = bytes && readTrace(bytes);
+  if (!trace?.success) throw new Error(`${model} has no trace`);
+  return { trace: trace.value, report: result.report };
+}
+
+const lessonNamed = (id: string): Lesson => {
+  const found = lessons.find((lesson) => lesson.id === id);
+  if (!found) throw new Error(`there is no lesson ${id}`);
+  return found;
+};
+
+describe.each(lessons)("the lesson $title", (lesson) => {
+  it("begins in a state of its front that completes no task, and has the steps that it asks for", async () => {
+    const { trace, report } = await run(lesson);
+    expect(report.status).toBe("done");
+    expect(lesson.step).toBeLessThan(trace.stepCount);
+    for (const task of lesson.tasks) {
+      const { step, coloring } = lesson;
+      expect(isShown(task, { trace, step, coloring }), task.ask).toBe(false);
+      if (task.kind === "step" && task.reach !== "end") expect(hasStop(trace, task.reach)).toBe(true);
+      if (task.kind === "compare") expect(task.order).not.toBe(lesson.order);
+    }
+  });
+});
+
+/** The numbers that lessons state, measured. */
+describe("the numbers of the lessons", () => {
+  const answers = (id: string): readonly number[] =>
+    lessonNamed(id).tasks.flatMap((task) => (task.kind === "number" ? [task.answer] : []));
+
+  it("of the unit cube", async () => {
+    const { trace, report } = await run(lessonNamed("front"));
+    const sizes = trace.steps.frontSizes;
+    expect(answers("front")).toEqual([sizes[0]]);
+    expect([report.tetrahedra, trace.stepCount, Math.max(...sizes)]).toEqual([1736, 1743, 662]);
+    expect(sizes.indexOf(662)).toBe(432);
+    expect(sizes[1]).toBe(494);
+
+    const madeNode = new Set<number>();
+    let firstTry = 0;
+    for (let state = 1; state <= trace.stepCount; state++) {
+      const step = trace.stepAt(state);
+      if (step?.kind !== "advance") continue;
+      if (step.addedNodes.length > 0) madeNode.add(state);
+      firstTry += Number(step.candidates.length === 1);
+    }
+    expect([madeNode.size, firstTry]).toEqual([188, 1691]);
+    expect(madeNode).toContain(100);
+
+    const many = trace.stepAt(1223);
+    expect(many?.kind === "advance" && [many.rankedCandidates, many.candidates.length]).toEqual([4, 3]);
+    expect(answers("candidates")).toEqual([4]);
+    const crossing = trace.stepAt(258);
+    expect(crossing?.kind === "advance" && crossing.candidates[0]?.verdict).toBe("crosses");
+  });
+
+  it("of the plate with its sides", async () => {
+    const { trace } = await run(lessonNamed("sides"));
+    /** Lengths of the sides of the line along an axis through a corner of the plate. */
+    const sidesAlong = (axis: 0 | 1): number[] => {
+      const corner = [-1, -0.6, 0];
+      const { positions } = trace.nodes;
+      const on = Array.from({ length: trace.header.nodes }, (_, node) => [
+        ...positions.subarray(3 * node, 3 * node + 3),
+      ])
+        .filter((position) => position.every((x, k) => k === axis || x === corner[k]))
+        .map((position) => position[axis] ?? 0)
+        .sort((a, b) => a - b);
+      return on.slice(1).map((x, i) => x - (on[i] ?? 0));
+    };
+    expect(sidesAlong(1)).toHaveLength(answers("sides")[0] ?? 0);
+    const long = sidesAlong(0);
+    expect(long).toHaveLength(20);
+    expect(long[0]).toBeCloseTo(0.1315, 4);
+    expect(Math.min(...long)).toBeCloseTo(0.0735, 4);
+    // Steps S1 to S3 from x = 0.5, in the size field of the plate.
+    const sizeAt = (x: number): number => 0.07 + (0.07 * x) / 1.1;
+    const first = sizeAt(0.5);
+    expect((first + sizeAt(0.5 - first / 2)) / 2).toBeCloseTo(answers("sides")[1] ?? 0, 4);
+  });
+
+  it("of the patches, the search, the orders and the stall", async () => {
+    const duct = await run(lessonNamed("plane"));
+    expect(duct.report.patches.map(({ triangles }) => triangles)).toEqual([170, 221, 221, 221, 221, 108]);
+    expect(answers("plane")[1]).toBe(duct.trace.steps.frontSizes[0]);
+
+    const intake = await run(lessonNamed("search"));
+    const cost = searchCost(intake.trace);
+    expect([cost.linear.at(-1), cost.near.at(-1)]).toEqual([74_948_838, 701_836]);
+    expect(Math.round((cost.linear.at(-1) ?? 0) / (cost.near.at(-1) ?? 1))).toBe(answers("search")[0]);
+    expect(intake.report.front).toMatchObject({ facesTested: 722_660, facesAnalysed: 31_653 });
+
+    const order = lessonNamed("order");
+    const measured = async (other: FrontOrder) => {
+      const { crossings, smallCrossings, postponed, flat } = runMeasures((await run(order, other)).trace);
+      return [crossings, smallCrossings, postponed, flat];
+    };
+    expect(await measured("smallest-first")).toEqual([1439, 20, 206, 59]);
+    expect(await measured("first-in")).toEqual([2306, 146, 349, 81]);
+    expect((await measured("layered")).filter((_, i) => i !== 1)).toEqual([315, 29, 31]);
+
+    const { trace } = await run(lessonNamed("stall"));
+    const changes = Array.from({ length: trace.stepCount }, (_, i) => trace.stepAt(i + 1)).flatMap((step) =>
+      step?.kind === "recovery" ? [[step.step, step.change] as const] : [],
+    );
+    expect(changes.slice(0, 3)).toEqual([
+      [1553, "star"],
+      [1554, "star"],
+      [1555, "reopened"],
+    ]);
+    expect(changes.at(-1)).toEqual([4889, "exact-fill"]);
+    expect(trace.steps.frontSizes[1554]).toBe(answers("stall")[0]);
+    expect(trace.steps.frontSizes[4888]).toBe(42);
+    expect(trace.summary().postponed).toBe(3354);
+  });
+});

@@ -1,0 +1,133 @@
+/** Opens lessons, shows their models, and runs them in another order. Loaded with the lessons. */
+import type { FrontOrder, MeshReport, Trace } from "tetrafront";
+import { createStore, type StoreApi } from "zustand/vanilla";
+import type { App } from "../app/app";
+import { isShown } from "../lessons/check-task";
+import { course, finishTask } from "../lessons/course";
+import type { Lesson } from "../lessons/lesson";
+import { loadLessonModel } from "../lessons/lesson-files";
+import type { PlayerState } from "../player/player";
+import type { Recorded } from "../player/recording";
+import { strings } from "../strings";
+import { showFailure } from "./messages";
+import { showModel } from "./project-actions";
+
+/** A recorded front of the model of a lesson. */
+export interface LessonRun {
+  readonly order: FrontOrder;
+  readonly trace: Trace;
+  readonly file: Uint8Array<ArrayBuffer>;
+  readonly report: MeshReport;
+}
+
+/** The fronts that were recorded for the lesson whose model was shown last. */
+export interface LessonRuns {
+  readonly lesson: Lesson | null;
+  readonly runs: readonly LessonRun[];
+  /** True while the model is being loaded and its front recorded. */
+  readonly isPreparing: boolean;
+}
+
+const stores = new WeakMap<App, StoreApi<LessonRuns>>();
+
+export function lessonRuns(app: App): StoreApi<LessonRuns> {
+  const known = stores.get(app);
+  if (known) return known;
+  const made = createStore<LessonRuns>(() => ({ lesson: null, runs: [], isPreparing: false }));
+  stores.set(app, made);
+  app.player.state.subscribe((state) => noteShown(made.getState(), state));
+  return made;
+}
+
+/** Marks the tasks that are done by what the player shows. */
+function noteShown({ lesson, runs }: LessonRuns, { trace, step, coloring }: PlayerState): void {
+  if (!lesson || !trace || !runs.some((run) => run.trace === trace)) return;
+  lesson.tasks.forEach((task, index) => {
+    if (isShown(task, { trace, step, coloring })) finishTask(lesson, index);
+  });
+}
+
+/** Opens the lesson with a number, from 1, and shows its model. Other numbers open the list. */
+export async function openLessonNumber(app: App, number: number): Promise<void> {
+  app.shell.setState({ rightTab: "lessons", drawer: "right", lesson: null });
+  try {
+    const lesson = (await course()).lessons[number - 1];
+    if (lesson) await openLesson(app, lesson, number);
+  } catch {
+    // The panel says why, and offers to try again.
+  }
+}
+
+/** Opens a lesson and shows its model. `number` is its place among the lessons, from 1. */
+export async function openLesson(app: App, lesson: Lesson, number: number): Promise<void> {
+  app.shell.setState({ rightTab: "lessons", lesson: number });
+  await showLessonModel(app, lesson);
+}
+
+/**
+ * Shows the model of a lesson with its front, in the state where the lesson begins. The present document stays available, as
+ * if an example were opened.
+ */
+export async function showLessonModel(app: App, lesson: Lesson): Promise<void> {
+  const store = lessonRuns(app);
+  store.setState({ lesson, runs: [], isPreparing: true });
+  try {
+    const project = await loadLessonModel(lesson, app.gallery);
+    // Another lesson was opened meanwhile.
+    if (store.getState().lesson !== lesson) return;
+    showModel(app, project);
+    app.shell.setState({ bottomTab: "front", drawer: "right" });
+    await runEnd(app);
+    const recorded = await app.player.record();
+    if (store.getState().lesson !== lesson || recorded?.kind !== "recorded") return;
+    store.setState({ runs: [runOf(lesson.order, recorded)] });
+    showBeginning(app, lesson);
+  } catch (error) {
+    showFailure(app, strings.messages.openFailed(lesson.title), error);
+  } finally {
+    if (store.getState().lesson === lesson) store.setState({ isPreparing: false });
+  }
+}
+
+/** Shows the state in which a lesson begins. */
+export function showBeginning({ player }: App, { step, coloring }: Lesson): void {
+  player.pause();
+  player.state.setState({ coloring });
+  player.seek(step);
+}
+
+/** Records the front of the present lesson in another order, and shows it. Returns whether this has succeeded. */
+export async function compareRun(app: App, order: FrontOrder): Promise<boolean> {
+  const store = lessonRuns(app);
+  const { lesson } = store.getState();
+  const recorded = await app.player.record(order);
+  if (store.getState().lesson !== lesson || recorded?.kind !== "recorded") return false;
+  const others = store.getState().runs.filter((run) => run.order !== order);
+  store.setState({ runs: [...others, runOf(order, recorded)] });
+  return true;
+}
+
+/** Shows the front of a run, and keeps its share of the steps. */
+export function showRun({ player }: App, { trace, file }: LessonRun): void {
+  const before = player.state.getState();
+  const share = before.trace ? before.step / Math.max(1, before.trace.stepCount) : 0;
+  player.show(trace, file);
+  player.seek(share * trace.stepCount);
+}
+
+const runOf = (
+  order: FrontOrder,
+  { trace, file, report }: Extract<Recorded, { readonly kind: "recorded" }>,
+): LessonRun => ({ order, trace, file, report });
+
+/** Resolves when no run is active. */
+function runEnd({ run }: App): Promise<void> {
+  if (!run.state.getState().busy) return Promise.resolve();
+  return new Promise((resolve) => {
+    const stop = run.state.subscribe(({ busy }) => {
+      if (busy) return;
+      stop();
+      resolve();
+    });
+  });
+}

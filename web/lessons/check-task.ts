@@ -1,0 +1,40 @@
+/** Checks whether a task is done: by the state of the player, or by an answer. */
+import type { Trace } from "tetrafront";
+import type { FrontColoring } from "../player/player";
+import { nextStop } from "../player/stops";
+import type { LessonTask, TaskOf } from "./lesson";
+
+/** Share of an answer within which it may differ because decimal numbers are rounded. */
+const rounding = 1e-12;
+
+/** What the reader sees of the lesson's front. */
+export interface ShownFront {
+  readonly trace: Trace;
+  readonly step: number;
+  readonly coloring: FrontColoring;
+}
+
+/** Returns whether what is shown completes a task of the kinds `step` and `color`; false for the others. */
+export function isShown(task: LessonTask, { trace, step, coloring }: ShownFront): boolean {
+  if (task.kind === "color") return coloring === task.coloring;
+  return task.kind === "step" && isReached(task, trace, step);
+}
+
+function isReached({ reach }: TaskOf<"step">, trace: Trace, step: number): boolean {
+  if (reach === "end") return step === trace.stepCount;
+  return step >= 1 && nextStop(trace, step - 1, 1, reach) === step;
+}
+
+/** Returns whether an answer is right. Numbers may have a decimal comma and spaces between groups of digits. */
+export function isRight(task: TaskOf<"number"> | TaskOf<"choice">, answer: string): boolean {
+  if (task.kind === "choice") return answer === task.answer;
+  const value = numberIn(answer);
+  return value !== null && Math.abs(value - task.answer) <= task.tolerance + rounding * Math.abs(task.answer);
+}
+
+/** Returns the number that a text states; null if it states none. */
+export function numberIn(answer: string): number | null {
+  const plain = answer.replace(/[\s\u00a0\u202f]/g, "").replace(/^([+-]?\d+),(?!\d{3}$)(\d+)$/, "$1.$2");
+  const ungrouped = plain.replace(/,(?=\d{3}(\D|$))/g, "");
+  return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?%?$/i.test(ungrouped) ? parseFloat(ungrouped) : null;
+}

@@ -1,0 +1,155 @@
+import { Button } from "@mantine/core";
+import { IconChevronLeft, IconChevronRight, IconList } from "@tabler/icons-react";
+import { useEffect, useRef } from "react";
+import { openLesson, showBeginning, showLessonModel } from "../../commands/lesson-actions";
+import { isFinished, restart } from "../../lessons/course";
+import type { Lesson } from "../../lessons/lesson";
+import { lessonStrings as texts } from "../../strings/lessons";
+import { ScrollPanel } from "../../ui/frames/scroll-panel";
+import { IconButton } from "../../ui/icon-button";
+import { usePlayer } from "../player/use-player";
+import { useApp } from "../shared/app-context";
+import { LessonPlayer } from "./lesson-player";
+import { LessonText } from "./lesson-text";
+import styles from "./lessons.module.css";
+import { SearchChart } from "./search-chart";
+import { TaskList } from "./task-list";
+import { useLessonRuns, useProgress } from "./use-lessons";
+
+const icon = { size: 15, "aria-hidden": true } as const;
+
+export interface LessonPageProps {
+  readonly lesson: Lesson;
+  /** Place of the lesson in the course, from 1. */
+  readonly number: number;
+  readonly lessons: readonly Lesson[];
+}
+
+/** A lesson: its text, its figure and its tasks. */
+export function LessonPage({ lesson, number, lessons }: LessonPageProps) {
+  const heading = useRef<HTMLHeadingElement>(null);
+  // The button that has opened the lesson is gone: the keys go on from the title.
+  useEffect(() => heading.current?.focus({ preventScroll: true }), []);
+  return (
+    <ScrollPanel
+      label={texts.name(number, lesson.title)}
+      className={styles["page"]}
+      data-testid="lesson-page"
+      data-lesson={number}
+    >
+      <LessonBar number={number} lessons={lessons} />
+      <h2 ref={heading} tabIndex={-1} className={styles["heading"]}>
+        {texts.name(number, lesson.title)}
+      </h2>
+      <p className={styles["source"]}>
+        <a href={texts.paperLink} target="_blank" rel="noreferrer">
+          {texts.paper}
+        </a>
+        , {texts.section(lesson.paper)}
+      </p>
+      <FrontState lesson={lesson} />
+      <LessonPlayer />
+      <LessonText text={lesson.text} />
+      {lesson.figure === "search-cost" && <SearchChart />}
+      <TaskList lesson={lesson} />
+      <Finished lesson={lesson} number={number} lessons={lessons} />
+    </ScrollPanel>
+  );
+}
+
+function LessonBar({ number, lessons }: Omit<LessonPageProps, "lesson">) {
+  const app = useApp();
+  const open = (to: number): void => {
+    const lesson = lessons[to - 1];
+    if (lesson) void openLesson(app, lesson, to);
+  };
+  return (
+    <nav className={styles["bar"]} aria-label={texts.title}>
+      <Button
+        size="compact-xs"
+        variant="subtle"
+        color="gray"
+        leftSection={<IconList {...icon} />}
+        data-testid="lesson-all"
+        onClick={() => app.shell.setState({ lesson: null })}
+      >
+        {texts.all}
+      </Button>
+      <span>
+        <IconButton
+          label={texts.previous}
+          data-testid="lesson-previous"
+          disabled={number <= 1}
+          onClick={() => open(number - 1)}
+        >
+          <IconChevronLeft {...icon} />
+        </IconButton>
+        <IconButton
+          label={texts.next}
+          data-testid="lesson-next"
+          disabled={number >= lessons.length}
+          onClick={() => open(number + 1)}
+        >
+          <IconChevronRight {...icon} />
+        </IconButton>
+      </span>
+    </nav>
+  );
+}
+
+/** Says if the view shows something else than the front of the lesson, and brings it back. */
+function FrontState({ lesson }: { readonly lesson: Lesson }) {
+  const app = useApp();
+  const shown = usePlayer((state) => state.trace);
+  const { runs, isPreparing, lesson: prepared } = useLessonRuns((state) => state);
+  const isShown = prepared === lesson && runs.some(({ trace }) => trace === shown);
+  if (isPreparing) return <p role="status">{texts.preparing}</p>;
+  return (
+    <p className={styles["front"]} data-testid="lesson-front" data-shown={isShown}>
+      {!isShown && `${texts.otherModel} `}
+      <Button
+        size="compact-xs"
+        variant="default"
+        data-testid="lesson-show"
+        onClick={() => (isShown ? showBeginning(app, lesson) : void showLessonModel(app, lesson))}
+      >
+        {isShown ? texts.goTo(lesson.step) : texts.show}
+      </Button>
+    </p>
+  );
+}
+
+function Finished({ lesson, number, lessons }: LessonPageProps) {
+  const app = useApp();
+  const next = lessons[number];
+  const done = isFinished(lesson, useProgress());
+  return (
+    <div className={styles["end"]} role="status">
+      {done && (
+        <>
+          <p data-testid="lesson-finished">{texts.finished}</p>
+          {next && (
+            <Button
+              size="compact-sm"
+              rightSection={<IconChevronRight {...icon} />}
+              onClick={() => void openLesson(app, next, number + 1)}
+            >
+              {texts.next}
+            </Button>
+          )}{" "}
+          <Button
+            size="compact-sm"
+            variant="default"
+            data-testid="lesson-restart"
+            onClick={() => {
+              restart(lesson);
+              showBeginning(app, lesson);
+            }}
+          >
+            {texts.restart}
+          </Button>
+        </>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,49 @@
+import {
+  IconPlayerSkipForwardFilled,
+  IconPlayerTrackNextFilled,
+  IconPlayerTrackPrevFilled,
+} from "@tabler/icons-react";
+import { strings } from "../../strings";
+import { IconButton } from "../../ui/icon-button";
+import { JumpControl } from "../player/jump-control";
+import { ScrubBar } from "../player/scrub-bar";
+import { usePlayer, useTrace } from "../player/use-player";
+import { useApp } from "../shared/app-context";
+import { useLayout } from "../shared/use-layout";
+import styles from "./lessons.module.css";
+
+const texts = strings.player;
+const icon = { size: 15, "aria-hidden": true } as const;
+
+/** The player in a lesson, where the panels are drawers of which only one is open. */
+export function LessonPlayer() {
+  const layout = useLayout();
+  const hasTrace = usePlayer((state) => state.trace !== null);
+  return layout !== "wide" && hasTrace ? <Player /> : null;
+}
+
+function Player() {
+  const { player } = useApp();
+  const { stepCount, steps } = useTrace();
+  const step = usePlayer((state) => state.step);
+  return (
+    <section className={styles["player"]} aria-label={texts.transport} data-testid="lesson-player">
+      <ScrubBar />
+      <div>
+        <IconButton label={texts.back} data-testid="lesson-back" onClick={() => player.move(-1)}>
+          <IconPlayerTrackPrevFilled {...icon} />
+        </IconButton>
+        <IconButton label={texts.forward} data-testid="lesson-forward" onClick={() => player.move(1)}>
+          <IconPlayerTrackNextFilled {...icon} />
+        </IconButton>
+        <IconButton label={texts.end} data-testid="lesson-end" onClick={() => player.move(Infinity)}>
+          <IconPlayerSkipForwardFilled {...icon} />
+        </IconButton>
+        <span>
+          {texts.counter(step, stepCount)}, {texts.faces(steps.frontSizes[step] ?? 0)}
+        </span>
+        <JumpControl />
+      </div>
+    </section>
+  );
+}

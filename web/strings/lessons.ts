@@ -1,0 +1,79 @@
+/** Texts about the lessons. Those of a lesson are in its file. */
+import type { FrontOrder } from "tetrafront";
+
+const number = (value: number): string => value.toLocaleString("en-US");
+
+const targets = {
+  postponed: "a postponed face",
+  behind: "a candidate behind the base face",
+  crosses: "a candidate that crosses a face",
+  "too-close": "a new node too close to a face",
+  recovery: "a step of recovery",
+  "new-node": "a step that makes a new node",
+  end: "the last state",
+} as const;
+
+const orders: Readonly<Record<FrontOrder, string>> = {
+  layered: "layered",
+  "smallest-first": "smallest first",
+  "first-in": "first in",
+  random: "random",
+};
+
+export const lessonStrings = {
+  title: "Lessons",
+  intro:
+    "Ten lessons on the advancing-front method. Each opens a model, shows a state of its front, and sets tasks that the app checks.",
+  loading: "Loading the lessons…",
+  failed: (reason: string) =>
+    `The lessons could not be loaded: ${reason}. Check the connection and try again.`,
+  retry: "Try again",
+  errors: "These files have errors",
+  all: "All lessons",
+  previous: "Previous lesson",
+  next: "Next lesson",
+  name: (lesson: number, title: string) => `${lesson} ${title}`,
+  done: (done: number, tasks: number) => (done === tasks ? "done" : `${done} of ${tasks} tasks`),
+  paper: "Löhner and Parikh 1988",
+  section: (section: string) => `section ${section}`,
+  paperLink: "https://doi.org/10.1002/fld.1650081003",
+  preparing: "Recording the front of the model…",
+  otherModel: "The view does not show the front of this lesson.",
+  show: "Show it",
+  goTo: (step: number) => (step === 0 ? "Go to the first state" : `Go to step ${number(step)}`),
+  tasks: "Tasks",
+  task: (task: number) => `Task ${task}`,
+  taskDone: "Done",
+  taskOpen: "Not done yet",
+  reach: (target: keyof typeof targets) => `Reach ${targets[target]} with the player.`,
+  color: (coloring: string) => `Choose the colour “${coloring}” under the player.`,
+  answer: "Your answer",
+  check: "Check",
+  right: "Right.",
+  wrong: "Not yet.",
+  noNumber: "Type a number.",
+  noChoice: "Choose an answer.",
+  compare: (order: FrontOrder) => `Run in the order “${orders[order]}”`,
+  running: "Running…",
+  runs: "Runs to compare",
+  run: {
+    order: "Order",
+    crossings: "Crosses",
+    smallCrossings: "small",
+    postponed: "Postp.",
+    flat: "Flat",
+  },
+  runHint:
+    "Crosses: candidates refused because they cross a face; small: of these, a face less than half as large as the base face. Postp.: postponed faces. Flat: elements with a dihedral angle below 5° when the front has closed. Click an order to see its front.",
+  showRun: (order: FrontOrder) => `Show the front in the order “${orders[order]}”`,
+  orders,
+  finished: "All tasks of this lesson are done.",
+  restart: "Start this lesson again",
+  cost: "Faces looked at",
+  costLinear: "linear search",
+  costNear: "search in space",
+  costText: (elements: number, linear: number, near: number) =>
+    `For ${number(elements)} elements, a linear search compares ${number(linear)} faces; the search in space returns ${number(near)}.`,
+  costAxis: (elements: number) => `${number(elements)} elements`,
+  number,
+} as const;
