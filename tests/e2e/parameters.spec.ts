@@ -48,8 +48,8 @@ test("a selection is edited at once and becomes a group; the history jumps", asy
   await app.openCube();
   await app.select("point-5");
   await page.getByTestId("tree-point-6").click({ modifiers: ["Control"] });
-  await expect(page.getByTestId("common-position-x")).toHaveAttribute("placeholder", "different");
-  await expect(page.getByTestId("common-position-z")).toHaveValue("1");
+  await expect(page.getByTestId("common-position-y")).toHaveAttribute("placeholder", "different");
+  await expect(page.getByTestId("common-position-z")).toHaveValue("0");
   await app.type("common-position-z", "1.25");
   await page.getByTestId("group-selection").click();
   await page.getByTestId("tree-point-6").click();
@@ -75,7 +75,7 @@ test("a selection is edited at once and becomes a group; the history jumps", asy
     "Rename group Group 1",
   ]);
   await history.getByRole("button", { name: "As opened" }).click();
-  await expect(page.getByTestId("common-position-z")).toHaveValue("1");
+  await expect(page.getByTestId("common-position-z")).toHaveValue("0");
   await history.getByRole("button", { name: "Set z of 2 entities" }).click();
   await expect(page.getByTestId("common-position-z")).toHaveValue("1.25");
   await expect(history.locator("[aria-current]")).toHaveText("Set z of 2 entities");

@@ -1,5 +1,6 @@
 import type { App } from "../app/app";
 import { keyWords } from "../strings";
+import { booleanCommands } from "./boolean-commands";
 import type { Command } from "./command";
 import { createMenu } from "./create-menu";
 import { editMenu } from "./edit-menu";
@@ -17,6 +18,7 @@ export const commands: readonly Command[] = [
   ...editMenu,
   ...toolCommands.filter(({ menu }) => menu !== "view"),
   ...transformCommands,
+  ...booleanCommands,
   ...createMenu,
   ...pieceCommands,
   ...sweepCommands,

@@ -27,13 +27,13 @@ export function moveEntity(
   };
 }
 
-/** Names a point, line, patch or source; an empty name removes the name. */
+/** Names an entity; an empty name removes the name. Background nodes have no names: nothing changes. */
 export function renameEntity(entity: Entity, name: string): ProjectEdit {
   return {
     label: stepNames.rename(nounOf(entity.kind, entity.id)),
     change: ({ project }) => {
       const record = recordOf(listOf(project, entity.kind), entity.id);
-      if (!record) return;
+      if (!record || entity.kind === "background-node") return;
       if (name === "") delete record.name;
       else record.name = name;
     },

@@ -21,6 +21,27 @@ export const operationStrings = {
     [...new Set(entities.map(({ kind }) => kind))]
       .map((kind) => countOf(entities.filter((entity) => entity.kind === kind).length, kind))
       .join(", "),
+  booleans: {
+    title: "Boolean operation",
+    kind: "Operation",
+    kinds: { union: "Union", difference: "Difference", intersection: "Intersection" },
+    commands: {
+      union: "Union of two bodies…",
+      difference: "Difference of two bodies…",
+      intersection: "Intersection of two bodies…",
+    },
+    steps: { union: "Unite bodies", difference: "Subtract body", intersection: "Intersect bodies" },
+    swap: "Subtract the first body",
+    planar: "Both bodies are planar. The result is points, lines and planar patches again.",
+    triangulated:
+      "A body has curved patches. The result is a body with a triangulated boundary; its patches keep their names.",
+    twoBodies: (count: number) =>
+      `Select two closed bodies that share no lines, for example one patch of each. Found ${count === 1 ? "1 body" : `${count} bodies`}.`,
+    open: "One of the bodies is not closed: each of its edges must have exactly two patches.",
+    nothing: "Nothing is left.",
+    body: "Combination",
+    patch: (number: number) => `part ${number}`,
+  },
   fields: {
     width: "Width (x)",
     depth: "Depth (y)",

@@ -68,6 +68,8 @@ export interface Operation<Values extends FieldValues = FieldValues> {
   initial(subject: Subject): Values;
   /** The fields to show, which may depend on the values. */
   fields(values: Values, subject: Subject): readonly FieldSpec[];
+  /** What the user should know about the result before accepting it. */
+  note?(values: Values, subject: Subject): string;
   /** What the values give. */
   make(subject: Subject, values: Values): Offer;
 }

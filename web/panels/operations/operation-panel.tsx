@@ -43,6 +43,11 @@ function OperationForm({ open }: { readonly open: OpenOperation }) {
             <OperationField key={spec.key} spec={spec} open={open} />
           ))}
         </div>
+        {operation.note && (
+          <Text size="xs" c="dimmed" data-testid="operation-note">
+            {operation.note(values, subject)}
+          </Text>
+        )}
         <Text className={styles["result"]} role="status" data-refused={reason !== null || undefined}>
           {reason ?? operationStrings.result(entities)}
         </Text>

@@ -1,0 +1,84 @@
+import { expect, test, type Page } from "@playwright/test";
+import { defectsOf, meshVolume, NO_DEFECTS } from "../support/check-mesh";
+import { parseVtu } from "../support/mesh-files";
+import { AppPage } from "./app-page";
+import { downloadMesh } from "./downloads";
+
+/** Opens a command by the palette. */
+async function start(page: Page, command: string): Promise<void> {
+  await page.keyboard.press("Control+k");
+  const search = page.getByRole("dialog").getByRole("textbox", { name: "Search commands" });
+  await expect(search).toBeFocused();
+  await page.keyboard.type(command);
+  await page.keyboard.press("Enter");
+  await expect(page.getByTestId("operation")).toBeVisible();
+}
+
+async function accept(page: Page): Promise<void> {
+  await page.getByTestId("accept").click();
+  await expect(page.getByTestId("operation")).toBeHidden();
+}
+
+async function openEmpty(page: Page): Promise<AppPage> {
+  await page.goto("./?test=1&new=1");
+  const app = new AppPage(page);
+  await expect(app.viewport).toHaveAttribute("data-points", "0");
+  await expect(app.viewport).toHaveAttribute("data-frames", /./);
+  return app;
+}
+
+/** Meshes, downloads, and checks the mesh without the engine. Returns its volume. */
+async function checkedVolume(app: AppPage): Promise<number> {
+  await app.page.getByTestId("viewport-canvas").focus();
+  await app.page.keyboard.press("Control+Enter");
+  await app.meshed();
+  const mesh = parseVtu(await downloadMesh(app.page, /VTU/));
+  expect(defectsOf(mesh)).toEqual(NO_DEFECTS);
+  return meshVolume(mesh);
+}
+
+test("a wing is subtracted from a box: the result is said to be a body, is meshed and downloaded", async ({
+  page,
+}) => {
+  const app = await openEmpty(page);
+  await start(page, "Box…");
+  for (const key of ["width", "depth", "height"]) await page.getByTestId(`operation-${key}`).fill("3");
+  await accept(page);
+  await start(page, "NACA wing…");
+  await page.getByTestId("operation-chord").fill("1");
+  await page.getByTestId("operation-tipChord").fill("0.6");
+  await page.getByTestId("operation-span").fill("1.5");
+  await accept(page);
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Control+a");
+  await start(page, "Difference of two bodies");
+  await expect(page.getByTestId("operation-note")).toContainText("triangulated boundary");
+  await accept(page);
+  await expect(app.viewport).toHaveAttribute("data-patches", "0");
+  const volume = await checkedVolume(app);
+  expect(volume).toBeLessThan(27);
+  expect(volume).toBeGreaterThan(26.8);
+});
+
+test("a box is cut out of a box: points, lines and patches again, as one step of undo", async ({ page }) => {
+  const app = await openEmpty(page);
+  await start(page, "Box…");
+  await accept(page);
+  await start(page, "Box…");
+  await page.getByTestId("operation-width").fill("1/2");
+  await page.getByTestId("operation-depth").fill("1/2");
+  await page.getByTestId("operation-height").fill("1");
+  await accept(page);
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Control+a");
+  await start(page, "Difference of two bodies");
+  await expect(page.getByTestId("operation-note")).toContainText("planar patches again");
+  await accept(page);
+  await expect(app.viewport).toHaveAttribute("data-points", "16");
+  await expect(app.viewport).toHaveAttribute("data-lines", "24");
+  await expect(app.viewport).toHaveAttribute("data-patches", "10");
+  await page.getByRole("button", { name: "Undo: Subtract body" }).click();
+  await expect(app.viewport).toHaveAttribute("data-patches", "12");
+  await page.keyboard.press("Control+Shift+z");
+  expect(await checkedVolume(app)).toBeCloseTo(0.75, 9);
+});

@@ -1,0 +1,161 @@
+import { bodySurface, type Project, type ProjectBody, type ProjectPreview } from "tetrafront";
+import { bodiesOf, entityKey, type Entity } from "../entities";
+import { orientedOutward } from "./orientation";
+
+/** Closed bodies of a model as oriented triangles, for Boolean operations. */
+
+/** One patch of a solid. */
+export interface SolidPatch {
+  readonly name: string | undefined;
+}
+
+/** A closed surface: drawn patches that share lines, or a body. */
+export interface Solid {
+  /** The patches, or the body, that it was made from. */
+  readonly entities: readonly Entity[];
+  /** x y z per node. */
+  readonly points: Float64Array;
+  /** Three nodes per triangle, counter-clockwise as seen from outside. */
+  readonly triangles: Uint32Array;
+  /** Per triangle: index in `patches`. */
+  readonly trianglePatch: Uint32Array;
+  readonly patches: readonly SolidPatch[];
+  /** Whether all patches are planar and all their lines straight. */
+  readonly isPlanar: boolean;
+}
+
+/** Entities that should form a solid, and the solid; null if they are not closed. */
+export interface SolidCandidate {
+  readonly entities: readonly Entity[];
+  readonly solid: Solid | null;
+}
+
+/** Returns the ids of patches that are connected by common lines, in the order of the project. */
+export function connectedPatches({ patches }: Pick<Project, "patches">): number[][] {
+  const parent = new Map<number, number>();
+  const root = (id: number): number => {
+    let at = id;
+    for (let next = parent.get(at); next !== undefined && next !== at; next = parent.get(at)) at = next;
+    return at;
+  };
+  const patchOfLine = new Map<number, number>();
+  for (const { id, loops } of patches) {
+    parent.set(id, id);
+    for (const line of loops.flat().map(Math.abs)) {
+      const other = patchOfLine.get(line);
+      if (other === undefined) patchOfLine.set(line, id);
+      else if (root(other) !== root(id)) parent.set(root(id), root(other));
+    }
+  }
+  const groups = new Map<number, number[]>();
+  for (const { id } of patches) {
+    const group = groups.get(root(id));
+    if (group) group.push(id);
+    else groups.set(root(id), [id]);
+  }
+  return [...groups.values()];
+}
+
+/**
+ * Returns the bodies that a selection touches, in the order of the selection; all without a selection. `samples` are those of
+ * the project: patches share their nodes along lines.
+ */
+export function solidCandidates(
+  project: Project,
+  selection: readonly Entity[],
+  samples: ProjectPreview,
+): SolidCandidate[] {
+  const groups: (readonly Entity[])[] = [
+    ...connectedPatches(project).map((ids) => ids.map((id): Entity => ({ kind: "patch", id }))),
+    ...bodiesOf(project).map(({ id }): Entity[] => [{ kind: "body", id }]),
+  ];
+  const touching = partsByKey(project);
+  const chosen =
+    selection.length === 0
+      ? groups
+      : unique(
+          selection.flatMap((entity) => {
+            const reached = new Set((touching.get(entityKey(entity)) ?? [entity]).map(entityKey));
+            return groups.filter((group) => group.some((member) => reached.has(entityKey(member))));
+          }),
+        );
+  return chosen.map((entities) => ({ entities, solid: solidOf(project, entities, samples) }));
+}
+
+const unique = <Item>(items: readonly Item[]): Item[] => [...new Set(items)];
+
+/** Returns the patches or bodies that use points, lines and patches of bodies, by their keys. */
+function partsByKey(project: Project): ReadonlyMap<string, readonly Entity[]> {
+  const users = new Map<string, Entity[]>();
+  const add = (part: Entity, user: Entity): void => {
+    const known = users.get(entityKey(part));
+    if (known) known.push(user);
+    else users.set(entityKey(part), [user]);
+  };
+  const pointsOf = new Map(project.lines.map(({ id, points }) => [id, points]));
+  for (const { id, loops } of project.patches) {
+    for (const line of loops.flat().map(Math.abs)) {
+      add({ kind: "line", id: line }, { kind: "patch", id });
+      for (const point of pointsOf.get(line) ?? []) add({ kind: "point", id: point }, { kind: "patch", id });
+    }
+  }
+  for (const body of bodiesOf(project)) {
+    for (const { id } of body.patches) add({ kind: "body-patch", id }, { kind: "body", id: body.id });
+  }
+  return users;
+}
+
+function solidOf(project: Project, entities: readonly Entity[], samples: ProjectPreview): Solid | null {
+  const [first] = entities;
+  const body = first?.kind === "body" ? bodiesOf(project).find(({ id }) => id === first.id) : undefined;
+  return body ? solidOfBody(entities, body) : solidOfPatches(project, entities, samples);
+}
+
+function solidOfBody(entities: readonly Entity[], body: ProjectBody): Solid | null {
+  const { points, triangles, trianglePatch } = bodySurface(body);
+  const oriented = orientedOutward(points, triangles);
+  if (!oriented) return null;
+  const patches = body.patches.map(({ name }) => ({ name: name ?? body.name }));
+  return { entities, points, triangles: oriented, trianglePatch, patches, isPlanar: false };
+}
+
+function solidOfPatches(
+  project: Project,
+  entities: readonly Entity[],
+  { patchOffsets, patchTriangles, patchPoints }: ProjectPreview,
+): Solid | null {
+  const ids = new Set(entities.map(({ id }) => id));
+  const lines = new Map(project.lines.map((line) => [line.id, line]));
+  const nodes = new Map<number, number>();
+  const [points, triangles, trianglePatch]: [number[], number[], number[]] = [[], [], []];
+  const patches: SolidPatch[] = [];
+  let isPlanar = true;
+  project.patches.forEach(({ id, type, name, loops }, index) => {
+    if (!ids.has(id)) return;
+    const areStraight = loops.flat().every((step) => lines.get(Math.abs(step))?.type === "straight");
+    isPlanar &&= type === "planar" && areStraight;
+    for (let corner = 3 * (patchOffsets[index] ?? 0); corner < 3 * (patchOffsets[index + 1] ?? 0); ++corner) {
+      const sampled = patchTriangles[corner] ?? 0;
+      let node = nodes.get(sampled);
+      if (node === undefined) {
+        node = nodes.size;
+        nodes.set(sampled, node);
+        for (let k = 0; k < 3; ++k) points.push(patchPoints[3 * sampled + k] ?? 0);
+      }
+      triangles.push(node);
+      if (corner % 3 === 0) trianglePatch.push(patches.length);
+    }
+    patches.push({ name });
+  });
+  const flat = Float64Array.from(points);
+  const oriented = orientedOutward(flat, Uint32Array.from(triangles));
+  if (!oriented) return null;
+  return {
+    entities,
+    points: flat,
+    triangles: oriented,
+    trianglePatch: Uint32Array.from(trianglePatch),
+    patches,
+    isPlanar,
+  };
+}
