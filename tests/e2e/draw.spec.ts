@@ -120,6 +120,47 @@ test("a unit cube drawn in the view, with pointer and keyboard alone, gives a va
   expect(meshVolume(mesh)).toBeCloseTo(1, 9);
 });
 
+test("a sphere of eight octants: three arcs, a patch and three mirror images give a valid mesh", async ({
+  page,
+}) => {
+  const draw = new DrawPage(page);
+  await draw.openNew();
+  await page.keyboard.press("l");
+  await page.getByTestId("drawing-bar").getByText("arc", { exact: true }).click();
+  await page.getByTestId("viewport-canvas").focus();
+  const half = "sqrt(2)/2";
+  await draw.typeCoordinates("1,0,0", `${half},${half},0`, "0,1,0");
+  await draw.typeCoordinates("0,1,0", `0,${half},${half}`, "0,0,1");
+  await draw.typeCoordinates("0,0,1", `${half},0,${half}`, "1,0,0");
+  await draw.counts(6, 3, 0);
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("Escape");
+  await page.getByTestId("tree-line-1").click();
+  for (const id of [2, 3]) await page.getByTestId(`tree-line-${id}`).click({ modifiers: ["Control"] });
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Shift+A");
+  await draw.counts(6, 3, 1);
+  for (const [normal, counts] of [
+    ["X", [9, 5, 2]],
+    ["Y", [13, 8, 4]],
+    ["Z", [18, 12, 8]],
+  ] as const) {
+    await page.getByTestId("viewport-canvas").focus();
+    await page.keyboard.press("Control+a");
+    await page.keyboard.press("Control+k");
+    await page.keyboard.type("Mirror…");
+    await page.keyboard.press("Enter");
+    await page.getByTestId("operation-normal").getByText(normal, { exact: true }).click();
+    await page.getByTestId("accept").click();
+    await draw.counts(...counts);
+  }
+  const { mesh, defects } = await draw.downloadedMesh("0.3");
+  expect(defects).toEqual(noDefects);
+  // Larger than the octahedron of its corners, smaller than the ball.
+  expect(meshVolume(mesh)).toBeGreaterThan(1.5 * (4 / 3));
+  expect(meshVolume(mesh)).toBeLessThan((4 / 3) * Math.PI);
+});
+
 test("a drag selects in a box, Shift pans instead, and the right button has a menu", async ({ page }) => {
   const draw = new DrawPage(page);
   await draw.openCube();

@@ -48,5 +48,5 @@ async function startBoolean(app: App, kind: BooleanKind): Promise<void> {
 
 /** Commands that combine two closed bodies. */
 export const booleanCommands: readonly Command[] = booleanKinds.map((kind) =>
-  define("edit", 4)(`boolean-${kind}`, texts.commands[kind], (app) => void startBoolean(app, kind)),
+  define("edit", 7)(`boolean-${kind}`, texts.commands[kind], (app) => void startBoolean(app, kind)),
 );

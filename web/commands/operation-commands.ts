@@ -39,11 +39,11 @@ export const sweepCommands: readonly Command[] = sweepOperations.map((operation)
 
 /** Commands that copy the selection, or open the panel of an operation that transforms it. */
 export const transformCommands: readonly Command[] = [
-  define("edit", 3)("copy", operationStrings.copy, (app) => void copySelection(app), {
+  define("edit", 5)("copy", operationStrings.copy, (app) => void copySelection(app), {
     keys: ["mod+C"],
     enabled: (app) => hasSelection(app) && hasNoText(),
   }),
-  define("edit", 3)(
+  define("edit", 5)(
     "paste",
     operationStrings.opens(operationStrings.paste.title),
     (app) => void pasteFragment(app),
@@ -51,7 +51,7 @@ export const transformCommands: readonly Command[] = [
       keys: ["mod+V"],
     },
   ),
-  define("edit", 3)(
+  define("edit", 5)(
     "duplicate",
     operationStrings.duplicate,
     (app) => startOperation(app, duplicateOperation),
@@ -60,5 +60,5 @@ export const transformCommands: readonly Command[] = [
       enabled: hasSelection,
     },
   ),
-  ...transformOperations.map((operation) => open("edit", 4, operation)),
+  ...transformOperations.map((operation) => open("edit", 6, operation)),
 ];

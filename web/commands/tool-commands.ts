@@ -62,12 +62,12 @@ export const toolCommands: readonly Command[] = [
   tool("create", 0, "line", "L", createOrTake("line", straightMaker)),
   tool("create", 0, "patch", "A", createOrTake("patch", anyPatchMaker)),
   ...principalPlanes.map((plane) =>
-    define("edit", 3)(
+    define("edit", 4)(
       `plane-${plane}`,
       commandLabels.planes[plane],
       (app) => app.view.state.setState({ workPlane: principalPlane(plane) }),
       { checked: (app) => app.view.state.getState().workPlane.kind === plane },
     ),
   ),
-  define("edit", 3)("plane-selection", commandLabels.planes.selection, takePlane, { keys: ["W"] }),
+  define("edit", 4)("plane-selection", commandLabels.planes.selection, takePlane, { keys: ["W"] }),
 ];

@@ -8,6 +8,8 @@ import { add, areaVector, cross, dot, mean, scale, subtract, unit, zero } from "
 export interface PatchPlane {
   /** Centroid of the area within the outer loop. */
   readonly centre: Position;
+  /** Where the outer loop begins. */
+  readonly corner: Position;
   /** Unit normal; the outer loop is counter-clockwise around it. */
   readonly normal: Position;
   /** The unit normal, or its opposite, that points away from the middle of the model. */
@@ -24,11 +26,12 @@ export function planeOfPatch(project: Project, id: number): PatchPlane | undefin
 export function planeOfLoop(project: Project, loop: readonly number[]): PatchPlane | undefined {
   const polygon = loopPolygon(project, loop);
   const normal = unit(areaVector(polygon));
-  if (!normal) return undefined;
+  const [corner] = polygon;
+  if (!normal || !corner) return undefined;
   const centre = centroid(polygon, normal);
   const middle = mean(project.points.map(({ position }) => position));
   const outward = dot(normal, subtract(centre, middle)) < 0 ? scale(normal, -1) : normal;
-  return { centre, normal, outward };
+  return { centre, corner, normal, outward };
 }
 
 /** Returns the centroid of the area of a polygon, as the weighted mean of the triangles around its first corner. */

@@ -1,7 +1,8 @@
 import type { Project } from "tetrafront";
 import { findRecord, type Entity } from "./entities";
+import { planeOfPatch } from "./patch-planes";
 import type { Position } from "./position";
-import { addScaled, areaVector, cross, dot, frameAlong, scale, subtract, unit, type Frame } from "./vectors";
+import { addScaled, cross, dot, frameAlong, scale, subtract, unit, type Frame } from "./vectors";
 
 /** The plane in which the drawing tools place what they draw: x and y of the frame lie in it. */
 export interface WorkPlane {
@@ -47,22 +48,6 @@ export function planeThrough(a: Position, b: Position, c: Position): WorkPlane |
   return isFlat ? null : planeAlong(normal, a);
 }
 
-/** Returns the plane of a planar patch, by the points of its outer loop; null for other patches. */
-export function planeOfPatch(project: Project, id: number): WorkPlane | null {
-  const patch = findRecord(project, "patch", id);
-  if (patch?.type !== "planar") return null;
-  const polygon = (patch.loops[0] ?? []).flatMap((step) => {
-    const points = findRecord(project, "line", Math.abs(step))?.points ?? [];
-    return (step > 0 ? points : points.toReversed()).slice(0, -1).flatMap((point) => {
-      const record = findRecord(project, "point", point);
-      return record ? [record.position] : [];
-    });
-  });
-  const normal = unit(areaVector(polygon));
-  const [first] = polygon;
-  return normal && first ? planeAlong(normal, first) : null;
-}
-
 /**
  * Returns the plane that a selection defines: of three points, of a planar patch, or parallel to `plane` through one
  * point; null for any other selection.
@@ -73,7 +58,10 @@ export function planeOfSelection(
   plane: WorkPlane,
 ): WorkPlane | null {
   const [first, ...others] = selection;
-  if (first?.kind === "patch" && others.length === 0) return planeOfPatch(project, first.id);
+  if (first?.kind === "patch" && others.length === 0) {
+    const found = planeOfPatch(project, first.id);
+    return found ? planeAlong(found.normal, found.corner) : null;
+  }
   const positions = selection.flatMap(({ kind, id }) => {
     const point = kind === "point" ? findRecord(project, "point", id) : undefined;
     return point ? [point.position] : [];

@@ -6,6 +6,12 @@ export const drawingStrings = {
   sourceTypes: { point: "Point", segment: "Segment", triangle: "Triangle" },
   handles: "Handles",
   handleModes: { translate: "Move", rotate: "Rotate", scale: "Scale" },
+  /** By how much a drag changes the selection. */
+  amounts: {
+    translate: (offset: string) => `Δ ${offset}`,
+    rotate: (degrees: string) => `${degrees}°`,
+    scale: (factors: string) => `× ${factors}`,
+  },
   plane: "Work plane",
   planes: { xy: "XY", xz: "XZ", yz: "YZ" },
   planeOfSelection: "Work plane from selection",

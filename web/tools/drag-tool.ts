@@ -9,15 +9,18 @@ import { offerTransform } from "../document/transforms/transform";
 import { dot, fromFrame, scale, subtract, toFrame, unit, zero, type Frame } from "../document/vectors";
 import { onPlane, roundStep, roundTo } from "../document/work-plane";
 import type { DocumentStore, Gesture } from "../session/document-store";
-import { operationStrings } from "../strings";
+import { operationStrings, strings } from "../strings";
+import { formatPosition } from "../ui/format";
 import type { Layer } from "../viewer/layers/layer";
 import type { Viewer } from "../viewer/viewer";
+import type { Drawing } from "./drawing/drawing";
 import { snapToModel, type SnapTargets } from "./drawing/snapping";
 import type { Tool, ToolPointer } from "./tool";
 
 export interface DragStores {
   readonly documents: DocumentStore;
   readonly view: ViewStore;
+  readonly drawing: Drawing;
   readonly viewer: Pick<Viewer, "seenFrom" | "pixelLength">;
 }
 
@@ -88,11 +91,14 @@ export class DragTool implements Tool {
     if (!offset) return;
     this.#drag.offset = offset;
     this.#show(this.#drag, false);
+    const amount = strings.drawing.amounts.translate(formatPosition(offset));
+    this.#stores.drawing.state.setState({ pointer: pointer.at, amount });
   }
 
   up(pointer: ToolPointer): void {
     const drag = this.#drag;
     this.#drag = null;
+    if (drag) this.#stores.drawing.state.setState({ amount: null });
     if (drag && pointer.isDrag) {
       this.#show(drag, true);
       drag.gesture.commit();
@@ -103,6 +109,7 @@ export class DragTool implements Tool {
   }
 
   cancel(): void {
+    if (this.#drag) this.#stores.drawing.state.setState({ amount: null });
     this.#drag?.gesture.cancel();
     this.#drag = null;
     this.#otherwise.cancel();

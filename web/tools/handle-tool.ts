@@ -1,3 +1,4 @@
+import { Group } from "three";
 import type { Position } from "../document/position";
 import type { ViewStore } from "../document/selection";
 import { subtract, unit, type Frame } from "../document/vectors";
@@ -184,14 +185,15 @@ function glyphOf(handled: Handled): Glyph {
 
 /** The glyphs, with what the other tool draws. Each change of the scene may concern them. */
 class HandleOverlay implements Layer {
-  readonly root;
+  /** The layer hides its own root while nothing has a glyph. */
+  readonly root = new Group();
   readonly #layer: SizeGlyphLayer;
   readonly #other: Layer | null;
   readonly #show: () => void;
   readonly #stop: () => void;
 
   constructor(layer: SizeGlyphLayer, other: Layer | null, show: () => void, stop: () => void) {
-    this.root = layer.root;
+    this.root.add(layer.root);
     this.#layer = layer;
     this.#other = other;
     this.#show = show;

@@ -9,7 +9,8 @@ import { hasParts, selectedParts } from "../document/transforms/selected-parts";
 import { offerTransform } from "../document/transforms/transform";
 import { roundStep } from "../document/work-plane";
 import type { DocumentStore, Gesture } from "../session/document-store";
-import { operationStrings } from "../strings";
+import { operationStrings, strings } from "../strings";
+import { formatPosition } from "../ui/format";
 import type { Layer } from "../viewer/layers/layer";
 import type { SceneChanges, SceneState } from "../viewer/scene-state";
 import type { ScreenPoint } from "../viewer/screen";
@@ -36,11 +37,13 @@ const steps: { readonly [M in HandleMode]: string } = {
   scale: operationStrings.transforms.scale.step,
 };
 
+const { amounts } = strings.drawing;
+
 interface Drag {
   readonly gesture: Gesture;
   readonly project: Project;
   readonly selection: readonly Entity[];
-  readonly label: string;
+  readonly mode: HandleMode;
   map: Affine;
 }
 
@@ -70,17 +73,20 @@ export class TransformTool implements Tool {
     if (!isHandle) return this.#otherwise.down(pointer);
     const { documents, view } = this.#stores;
     const { selection, handleMode } = view.state.getState();
-    const label = steps[handleMode];
     const { project } = documents;
-    this.#drag = { gesture: documents.begin(label), project, selection, label, map: translation([0, 0, 0]) };
+    const gesture = documents.begin(steps[handleMode]);
+    this.#drag = { gesture, project, selection, mode: handleMode, map: translation([0, 0, 0]) };
     this.#handles?.press(at);
     return true;
   }
 
   move(pointer: ToolPointer | null): void {
     if (pointer && this.#drag && this.#handles) {
-      this.#drag.map = this.#handles.drag(this.#normalized(pointer.at), this.#steps(pointer));
+      const { map, numbers } = this.#handles.drag(this.#normalized(pointer.at), this.#steps(pointer));
+      this.#drag.map = map;
       this.#show(this.#drag, false);
+      const amount = amounts[this.#drag.mode](formatPosition(numbers));
+      this.#stores.drawing.state.setState({ pointer: pointer.at, amount });
     } else {
       const isHandle =
         pointer !== null && this.#isShown && this.#handles?.hover(this.#normalized(pointer.at)) === true;
@@ -96,6 +102,7 @@ export class TransformTool implements Tool {
     this.#handles?.release(this.#normalized(pointer.at));
     this.#show(drag, true);
     drag.gesture.commit();
+    this.#stores.drawing.state.setState({ amount: null });
   }
 
   cancel(): void {
@@ -104,7 +111,7 @@ export class TransformTool implements Tool {
     this.#drag = null;
     this.#handles?.release({ x: 0, y: 0 });
     drag.gesture.cancel();
-    this.#refuse(null);
+    this.#stores.drawing.state.setState({ amount: null, refused: null });
   }
 
   key(event: KeyboardEvent): boolean {
@@ -151,8 +158,8 @@ export class TransformTool implements Tool {
     return { length: roundStep(stepPixels * viewer.pixelLength), angle: angleStep, factor: factorStep };
   }
 
-  #show({ project, selection, gesture, label, map }: Drag, join: boolean): void {
-    const offer = offerTransform(project, selection, map, { label, join });
+  #show({ project, selection, gesture, mode, map }: Drag, join: boolean): void {
+    const offer = offerTransform(project, selection, map, { label: steps[mode], join });
     if (offer.possible) gesture.update(offer.creation.edit);
     this.#refuse(offer.possible ? null : offer.reason);
   }

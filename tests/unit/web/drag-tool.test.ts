@@ -1,6 +1,7 @@
 import { beforeEach, expect, it } from "vitest";
 import { ViewStore } from "../../../web/document/selection";
 import { DocumentStore } from "../../../web/session/document-store";
+import { Drawing } from "../../../web/tools/drawing/drawing";
 import { DragTool } from "../../../web/tools/drag-tool";
 import type { Tool, ToolPointer } from "../../../web/tools/tool";
 import type { Target } from "../../../web/viewer/layers/layer";
@@ -26,7 +27,10 @@ beforeEach(() => {
     key: () => false,
     overlay: () => null,
   };
-  tool = new DragTool({ documents, view, viewer: { seenFrom: fromAbove, pixelLength: 0.01 } }, other);
+  tool = new DragTool(
+    { documents, view, drawing: new Drawing(), viewer: { seenFrom: fromAbove, pixelLength: 0.01 } },
+    other,
+  );
 });
 
 /** A view of the unit cube from above, without perspective: 100 pixels per unit. */
@@ -131,7 +135,7 @@ it("drags only held points in the mode of the select tool: selected ones, and th
   const line = documents.project.lines.find(({ points }) => points.includes(first().id));
   if (!line) throw new Error("the point has no line");
   const held = new DragTool(
-    { documents, view, viewer: { seenFrom: fromAbove, pixelLength: 0.01 } },
+    { documents, view, drawing: new Drawing(), viewer: { seenFrom: fromAbove, pixelLength: 0.01 } },
     other,
     "held-points",
   );

@@ -91,6 +91,7 @@ describe("the handles of a selection", () => {
     const x = pressRight();
     tool.move(pointer(x + 13, 50));
     tool.move(pointer(x + 20.3, 55));
+    expect(drawing.state.getState().amount).toMatch(/^Δ [\d.]+, 0, 0$/);
     tool.up(pointer(x + 20.3, 55));
     const moved = (positions()[0]?.[0] ?? NaN) - (before[0]?.[0] ?? NaN);
     expect(moved).toBeGreaterThan(1.5);
@@ -111,6 +112,7 @@ describe("the handles of a selection", () => {
     tool.move(pointer(x + 30, 50));
     expect(positions()).not.toEqual(before);
     tool.cancel();
+    expect(drawing.state.getState().amount).toBeNull();
     expect(positions()).toEqual(before);
     expect(documents.state.getState().history.past).toEqual([]);
   });

@@ -17,6 +17,7 @@ import { PositionRow } from "../../ui/fields/position-row";
 import { lineTypeNames, patchTypeNames, strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import { aboveZero, atLeastOne, notNegative, sizeStep, stepFor, unitsOf, upTo } from "../shared/size-fields";
+import styles from "./selection-card.module.css";
 import { TypeSelect } from "./type-select";
 
 interface CommonFieldsProps {
@@ -29,7 +30,7 @@ export function CommonFields({ entities, project }: CommonFieldsProps) {
   const numbers = commonNumbers(project, entities);
   const isPositioned = numbers.some(({ field }) => field === "position.0");
   return (
-    <section data-testid="common-fields">
+    <section className={styles["fields"]} data-testid="common-fields">
       {isPositioned && <CommonPosition entities={entities} project={project} numbers={numbers} />}
       {numbers.map((number) => (
         <CommonNumberRow key={number.field} entities={entities} project={project} number={number} />

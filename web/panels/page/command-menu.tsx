@@ -17,7 +17,7 @@ export function CommandMenubar() {
         <Menubar.Menu key={menu}>
           <Menubar.Target className={styles["target"]}>{strings.menus[menu]}</Menubar.Target>
           <Menubar.Dropdown>
-            <CommandItems menu={menu} />
+            <CommandItems menu={menu} hasSubmenus />
           </Menubar.Dropdown>
         </Menubar.Menu>
       ))}
@@ -25,8 +25,14 @@ export function CommandMenubar() {
   );
 }
 
+interface CommandItemsProps {
+  readonly menu: MenuName;
+  /** Show long sections as menus of their own, so that the menu is no taller than the screen. */
+  readonly hasSubmenus?: boolean;
+}
+
 /** The items of one menu, with dividers between sections. Mounted only while the menu is open. */
-export function CommandItems({ menu }: { readonly menu: MenuName }) {
+export function CommandItems({ menu, hasSubmenus = false }: CommandItemsProps) {
   const app = useApp();
   // Render again whenever a command may have become enabled or checked.
   useDocument((state) => state);
@@ -35,12 +41,38 @@ export function CommandItems({ menu }: { readonly menu: MenuName }) {
   useStore(app.viewer);
   useStore(app.player.state, ({ trace, recording }) => trace !== null || recording !== null);
   const items = commands.filter((command) => command.menu === menu);
-  return items.map((command, index) => (
-    <Fragment key={command.id}>
-      {index > 0 && items[index - 1]?.section !== command.section && <Menu.Divider />}
-      <CommandItem command={command} />
-    </Fragment>
-  ));
+  const sections = [...new Set(items.map(({ section }) => section))];
+  const labels: Readonly<Record<number, string>> = hasSubmenus ? (strings.submenus[menu] ?? {}) : {};
+  return sections.map((section, index) => {
+    const label = labels[section];
+    const before = sections[index - 1];
+    // Submenus follow each other without a divider.
+    const isDivided = index > 0 && !(label !== undefined && before !== undefined && labels[before]);
+    const own = items.filter((command) => command.section === section);
+    return (
+      <Fragment key={section}>
+        {isDivided && <Menu.Divider />}
+        {label === undefined ? <ItemList items={own} /> : <Submenu label={label} items={own} />}
+      </Fragment>
+    );
+  });
+}
+
+function ItemList({ items }: { readonly items: readonly Command[] }) {
+  return items.map((command) => <CommandItem key={command.id} command={command} />);
+}
+
+function Submenu({ label, items }: { readonly label: string; readonly items: readonly Command[] }) {
+  return (
+    <Menu.Sub>
+      <Menu.Sub.Target>
+        <Menu.Sub.Item leftSection={<span className={styles["check"]} />}>{label}</Menu.Sub.Item>
+      </Menu.Sub.Target>
+      <Menu.Sub.Dropdown>
+        <ItemList items={items} />
+      </Menu.Sub.Dropdown>
+    </Menu.Sub>
+  );
 }
 
 function CommandItem({ command }: { readonly command: Command }) {

@@ -22,6 +22,7 @@ export function DrawingMarks({ viewer }: { readonly viewer: Viewer }) {
   return (
     <>
       <SnapMark viewer={viewer} />
+      <DragAmount />
       {typed !== null && <CoordinateField typed={typed} />}
       {measured.length > 1 && <MeasurementCard places={measured} viewer={viewer} />}
     </>
@@ -44,6 +45,19 @@ function SnapMark({ viewer }: { readonly viewer: Viewer }) {
         </span>
       )}
     </div>
+  );
+}
+
+/** By how much a drag changes the selection, beside the pointer. */
+function DragAmount() {
+  const app = useApp();
+  const amount = useStore(app.drawing.state, (state) => state.amount);
+  const pointer = useStore(app.drawing.state, (state) => state.pointer);
+  if (amount === null) return null;
+  return (
+    <span className={styles["amount"]} style={{ left: pointer.x, top: pointer.y }} data-testid="amount">
+      {amount}
+    </span>
   );
 }
 

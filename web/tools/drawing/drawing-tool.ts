@@ -6,7 +6,8 @@ import { linePaths, type LinePath } from "../../document/line-paths";
 import type { Position } from "../../document/position";
 import type { ViewStore } from "../../document/selection";
 import { fromFrame, toFrame, type Frame } from "../../document/vectors";
-import { onPlane, planeOfPatch, roundStep, roundTo, type Ray } from "../../document/work-plane";
+import { planeOfPatch } from "../../document/patch-planes";
+import { onPlane, planeAlong, roundStep, roundTo, type Ray } from "../../document/work-plane";
 import { parameterValues } from "../../expressions/parameters";
 import type { DocumentStore } from "../../session/document-store";
 import type { PreviewFeed } from "../../session/preview";
@@ -214,7 +215,8 @@ export abstract class DrawingTool implements Tool, TypedInput {
 
   /** On planar patches, the grid of the patch's plane applies. */
   #onPatch(id: number, position: Position, ray: Ray, isFree: boolean): Snap {
-    const plane = planeOfPatch(this.project, id);
+    const found = planeOfPatch(this.project, id);
+    const plane = found && planeAlong(found.normal, found.corner);
     const exact = plane && onPlane(ray, plane.frame);
     if (!plane || !exact) return { kind: "patch", id, position };
     const { grid } = this.stores.view.state.getState().snapping;

@@ -19,6 +19,8 @@ export interface DrawingState {
   readonly outline: { readonly points: readonly ScreenPoint[]; readonly touching: boolean } | null;
   /** Where the context menu is open. */
   readonly menu: ScreenPoint | null;
+  /** By how much a drag moves, rotates or scales, shown at the pointer; null without a drag. */
+  readonly amount: string | null;
   /** Why the last action created nothing. */
   readonly refused: string | null;
 }
@@ -32,6 +34,7 @@ const idle: DrawingState = {
   measured: [],
   outline: null,
   menu: null,
+  amount: null,
   refused: null,
 };
 

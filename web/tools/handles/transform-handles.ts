@@ -14,6 +14,12 @@ export interface HandleSteps {
   readonly factor: number;
 }
 
+/** What a drag does: an offset, an angle in degrees, or factors. */
+export interface Motion {
+  readonly map: Affine;
+  readonly numbers: readonly number[];
+}
+
 /** A position of the pointer from -1 to 1, right and up, as three expects it. */
 export interface NormalizedPointer {
   readonly x: number;
@@ -73,8 +79,8 @@ export class TransformHandles {
     this.#controls.pointerDown(asEvent(pointer));
   }
 
-  /** Returns the map from the beginning of the drag to the pointer. */
-  drag(pointer: NormalizedPointer, steps: HandleSteps): Affine {
+  /** Returns the map from the beginning of the drag to the pointer, with its numbers. */
+  drag(pointer: NormalizedPointer, steps: HandleSteps): Motion {
     this.#controls.pointerMove(asEvent(pointer, -1));
     const { mode } = this.#controls;
     if (mode === "rotate") return this.#rotation(steps.angle);
@@ -90,7 +96,7 @@ export class TransformHandles {
     this.#controls.getHelper().dispose();
   }
 
-  #translation(step: number): Affine {
+  #translation(step: number): Motion {
     const { x, y, z } = this.#target.position;
     const at = [x, y, z].map((local, k) => local + (this.#origin[k] ?? 0));
     const offset = at.map((to, k) => {
@@ -98,27 +104,27 @@ export class TransformHandles {
       if (Math.abs(to - from) <= precision * Math.max(1, Math.abs(from))) return 0;
       return (step > 0 ? roundTo(to, step) : to) - from;
     });
-    return translation(offset as [number, number, number]);
+    return { map: translation(offset as [number, number, number]), numbers: offset };
   }
 
-  #rotation(step: number): Affine {
+  #rotation(step: number): Motion {
     const { x, y, z, w } = this.#target.quaternion;
     const length = Math.hypot(x, y, z);
-    if (length <= precision) return translation([0, 0, 0]);
+    if (length <= precision) return { map: translation([0, 0, 0]), numbers: [0] };
     const degrees = (2 * Math.atan2(length, w) * 180) / Math.PI;
     const angle = step > 0 ? roundTo(degrees, step) : degrees;
     const axis = [x, y, z].map((part) => roundTo(part / length, precision)) as [number, number, number];
-    return rotationAbout(this.#middle, axis, angle);
+    return { map: rotationAbout(this.#middle, axis, angle), numbers: [angle] };
   }
 
-  #scaling(step: number): Affine {
+  #scaling(step: number): Motion {
     const { x, y, z } = this.#target.scale;
     const factors = [x, y, z].map((factor) => {
       const positive = Math.max(minFactor, factor);
       if (Math.abs(positive - 1) <= precision) return 1;
       return step > 0 ? Math.max(minFactor, roundTo(positive, step)) : positive;
     });
-    return scalingAbout(this.#middle, factors as [number, number, number]);
+    return { map: scalingAbout(this.#middle, factors as [number, number, number]), numbers: factors };
   }
 }
 
