@@ -8,6 +8,7 @@
 #include "tetrafront/region_location.h"
 #include "tetrafront/remesh.h"
 #include "tetrafront/size_proposals.h"
+#include "tetrafront/size_samples.h"
 #include "tetrafront/surface_tools.h"
 
 EMSCRIPTEN_BINDINGS(tools) {
@@ -16,9 +17,11 @@ EMSCRIPTEN_BINDINGS(tools) {
   using namespace tetrafront::border;
 
   registerTypes<Doubles, Indices, double, Model, VolumeMesh, BackgroundGrid, CoverShape,
-                MeshOptions, InspectionOptions, RepairOptions, RemeshOptions, ProposalOptions>();
+                MeshOptions, InspectionOptions, RepairOptions, RemeshOptions, ProposalOptions,
+                BodySurfaces>();
   registerTypes<SurfaceInspection, MeshInspection, SurfaceRepair, SurfaceRefinement, SurfaceRemesh,
-                PatchSplit, ModelPreview, SizeProposal, RegionLocation, SurfaceSizeProposal>();
+                PatchSplit, ModelPreview, SizeProposal, RegionLocation, SurfaceSizeProposal,
+                SizeSamples>();
 
   registerTool<SurfaceInspector, Doubles, Indices, InspectionOptions, Indices>("Inspection",
                                                                                "inspectSurface");
@@ -35,6 +38,8 @@ EMSCRIPTEN_BINDINGS(tools) {
   registerTool<ModelPreviewer, Model, BackgroundGrid, MeshOptions>("Preview", "previewModel");
   registerTool<CoveringGridBuilder, Model, double, CoverShape>("Cover", "cover");
   registerTool<SizeProposer, Model, ProposalOptions>("Proposal", "propose");
+  registerTool<SizeSampler, Model, BodySurfaces, BackgroundGrid, MeshOptions, Doubles>(
+      "SizeSampling", "sampleSizes");
   registerTool<MeshGridBuilder, VolumeMesh, Doubles>("BackgroundFromMesh", "backgroundFromMesh");
   function("memoryBytes", &memoryBytes);
 }

@@ -37,6 +37,7 @@ const PUBLIC_HEADERS = {
   "mesh_inspection.h": "quality",
   "mesh_improvement.h": "optimize",
   "covering_grid.h": "preview",
+  "size_samples.h": "preview",
   "size_proposals.h": "preview",
   "preview.h": "preview",
   "surface_tools.h": "repair",

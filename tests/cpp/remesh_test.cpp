@@ -374,6 +374,26 @@ TEST(RemeshStretched, TrianglesFollowTheMetric) {
   }
 }
 
+/// The expected number of triangles is that of the stretched ones, not of small ones without stretching.
+TEST(RemeshStretched, TheLimitOfTrianglesCountsStretchedOnes) {
+  const SurfaceMesh given = gridBox(Vec3(0.0), Vec3(2.0, 1.0, 1.0), {1, 1, 1});
+  const BackgroundNode target{Vec3(0.0), 0.08, 10.0, Vec3(1.0, 0.6, 0.4)};
+  const auto made = [&](std::uint32_t maxTriangles) {
+    RemeshOptions options;
+    options.tolerance = 0.05;
+    options.maxTriangles = maxTriangles;
+    SurfaceRemesher remesher(given.points, given.triangles, {}, constantGrid(target), options);
+    while (!remesher.advance(1U << 20U)) {
+    }
+    return remesher.result();
+  };
+  const std::size_t count = made(1'000'000).triangles.size() / 3;
+  EXPECT_TRUE(
+      made(static_cast<std::uint32_t>(1.6 * static_cast<double>(count))).diagnostics.empty());
+  EXPECT_FALSE(
+      made(static_cast<std::uint32_t>(0.4 * static_cast<double>(count))).diagnostics.empty());
+}
+
 TEST(Remesh, LayersAndAnglePerEdgeAlsoCountWithASize) {
   RemeshOptions options;
   options.size = 0.5;

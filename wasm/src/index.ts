@@ -184,6 +184,7 @@ export type {
 export type {
   Mesher,
   SizeProposal,
+  SizeSamples,
   SplitInput,
   SplitSurface,
   SurfaceSizeProposal,

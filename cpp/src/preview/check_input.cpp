@@ -64,7 +64,7 @@ class InputCheck {
     co_await work.yield();
     if (field_) checkSizes();
     sampled_.preview.diagnostics = std::move(diagnostics_);
-    co_return CheckedInput{std::move(sampled_.preview), std::move(field_)};
+    co_return CheckedInput{std::move(sampled_.preview), std::move(field_), std::move(boundary_)};
   }
 
  private:
@@ -90,6 +90,7 @@ class InputCheck {
     if (anyError(diagnostics_)) co_return;
     SampledVolume enclosed = findSampledVolume(*model_, sampled_, closure, options_->innerShells);
     volume_ = enclosed.volume;
+    boundary_ = std::move(enclosed.boundary);
     report(std::move(enclosed.diagnostics));
     co_await work.yield();
   }
@@ -160,6 +161,7 @@ class InputCheck {
   std::vector<Diagnostic> diagnostics_;
   SampledModel sampled_;
   std::optional<double> volume_;  ///< enclosed, if the surface is closed
+  SurfaceMesh boundary_;
   std::optional<SizeField> field_;
 };
 

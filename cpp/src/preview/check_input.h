@@ -8,6 +8,7 @@
 
 #include "base/task.h"
 #include "field/size_field.h"
+#include "tetrafront/mesh.h"
 #include "tetrafront/preview.h"
 
 namespace tetrafront {
@@ -18,6 +19,8 @@ struct CheckedInput {
   ModelPreview preview;
   /// Nothing if the sizes are invalid.
   std::optional<SizeField> field;
+  /// The sampled surface, oriented as a whole; empty if it encloses no volume.
+  SurfaceMesh boundary;
 };
 
 /// Checks any input. Reports each problem, unless another one makes the question meaningless. Takes milliseconds for

@@ -77,6 +77,7 @@ SampledVolume findSampledVolume(const Model& model, const SampledModel& sampled,
     surface.addPatch(patch, closure.isReversed[patch] != 0);
   if (isSingleRegion(closure)) {
     result.volume = std::fabs(enclosedVolume(surface.mesh));
+    result.boundary = std::move(surface.mesh);
     return result;
   }
   std::vector<Diagnostic> found;
@@ -91,6 +92,7 @@ SampledVolume findSampledVolume(const Model& model, const SampledModel& sampled,
                   [](const Entity& entity) { return entity.kind == EntityKind::kTriangle; });
     result.diagnostics.push_back(std::move(diagnostic));
   }
+  if (result.volume) result.boundary = std::move(surface.mesh);
   return result;
 }
 

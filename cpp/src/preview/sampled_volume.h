@@ -7,11 +7,14 @@
 
 #include "model/check_closure.h"
 #include "preview/surface_sampler.h"
+#include "tetrafront/mesh.h"
 #include "tetrafront/options.h"
 
 namespace tetrafront {
 
 struct SampledVolume {
+  /// The samples with shared nodes; oriented outward, or inward as a whole. Empty unless the volume is known.
+  SurfaceMesh boundary;
   std::optional<double> volume;  ///< enclosed; nothing if the samples do not form a closed surface
   std::vector<Diagnostic> diagnostics;
 };

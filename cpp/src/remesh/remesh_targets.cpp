@@ -58,12 +58,26 @@ double areaOf(const ReferenceSurface& reference) {
   return sum;
 }
 
+/// Returns 1 / h^2 in a plane with this unit normal, where h^2 is the product of the two principal sizes in the plane:
+/// H^-1 scales areas in it by |H n| / det H.
+double triangleDensity(const SymmetricTensor& h, const Vec3& normal) {
+  return glm::length(h * normal) / h.determinant();
+}
+
 /// Counts the triangles that the sizes ask for, per given triangle. O(pieces).
 std::vector<double> countExpected(const ReferenceSurface& reference, const RemeshSizes& sizes) {
   std::vector<double> expected(countTriangles(reference.mesh()), 0.0);
   RemeshSizes::Hint hint;
+  const bool isStretched = sizes.isStretched();
   for (const ReferenceSurface::Piece& piece : reference.pieces()) {
-    expected[piece.triangle.index()] += trianglesOn(piece.area, sizes.sizeAt(piece.centroid, hint));
+    double& count = expected[piece.triangle.index()];
+    if (!isStretched) {
+      count += trianglesOn(piece.area, sizes.sizeAt(piece.centroid, hint));
+      continue;
+    }
+    const Vec3 normal = reference.normalOf(piece.triangle);
+    count += trianglesOn(piece.area, 1.0) *
+             triangleDensity(sizes.tensorAt(piece.centroid, hint), normal);
   }
   return expected;
 }

@@ -77,6 +77,8 @@ describe.each<[string, unknown]>([
     ["the project of a preview", () => mesher.previewProject(wrong)],
     ["the project to cover", () => mesher.coverProject(wrong)],
     ["the project of a proposal", () => mesher.proposeSizes(wrong)],
+    ["the project of size samples", () => mesher.sampleSizes(wrong, new Float64Array(3))],
+    ["the positions of size samples", () => mesher.sampleSizes(project, wrong)],
     ["the mesh for a background", () => mesher.backgroundFromMesh(wrong)],
     ["the volume for a background", () => volumeBackground(mesher, wrong)],
     ["the surface to inspect", () => mesher.inspectSurface(wrong)],

@@ -198,6 +198,12 @@ const methods: Readonly<Record<Exclude<keyof api.Mesher, "dispose">, Arguments>>
   previewProject: { project, options: { size: 1, innerShells: "cavities" }, control },
   coverProject: { project, options: { size: 1, shape: "box" }, control },
   proposeSizes: { project, options: { smallest: 0.5 }, control },
+  sampleSizes: {
+    project: { ...project, bodies: [body] },
+    positions: new Float64Array(6),
+    options: { gradation: 1.3, background, preparedBodies: [prepared] },
+    control,
+  },
   backgroundFromMesh: { mesh: block, options: { sizes: new Float64Array(8).fill(1) }, control },
   inspectSurface: { surface: box, options: { innerShells: "regions" }, control },
   repairSurface: { surface: box, options: { weld: 0, fillHoles: 3 }, control },

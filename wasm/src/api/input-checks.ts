@@ -258,6 +258,15 @@ function checkNodeSizes(sizes: Float64Array | undefined, count: number): Diagnos
   );
 }
 
+/** Checks positions, x y z each. */
+export function checkPositions(positions: Float64Array): Diagnostic[] {
+  const schema = v.pipe(
+    doubles(3),
+    v.check((values) => values.every(Number.isFinite), "a coordinate is not finite"),
+  );
+  return checkArrays("positions", positions, schema, "Pass x y z per position in a Float64Array.");
+}
+
 function checkArrays(name: string, value: unknown, schema: v.GenericSchema, remedy: string): Diagnostic[] {
   const problem = problemIn(schema, value);
   if (problem === undefined) return [];

@@ -40,6 +40,20 @@ export interface SizeProposal {
   readonly sources: readonly ProjectSource[];
 }
 
+/** Result of `sampleSizes`. */
+export interface SizeSamples {
+  /**
+   * Target edge length per position; where the sizes are stretched, that of a regular element with the same volume. Empty
+   * if the project has no valid sizes.
+   */
+  readonly sizes: Float64Array;
+  /**
+   * Expected number of tetrahedra of the mesh, within about a third, with bodies within a factor of two; null if the project encloses no volume or has no
+   * valid sizes, and if a body is not among `preparedBodies`.
+   */
+  readonly tetrahedra: number | null;
+}
+
 /** Result of `proposeSurfaceSizes`. Lengths are in model units. */
 export interface SurfaceSizeProposal {
   /** Largest and smallest target size on the surface. */
@@ -105,6 +119,19 @@ export interface Mesher {
    * missed. Answered as `previewProject`.
    */
   proposeSizes(project: Project, options?: ProposalOptions, control?: RunControl): Promise<SizeProposal>;
+  /**
+   * Returns the target sizes at positions, x y z each, before the project is meshed, and the number of tetrahedra to expect.
+   * Outside the background grid, the size is that of the nearest tetrahedron. Answered as `previewProject`, and takes about
+   * as long; invalid sizes are no error.
+   *
+   *     const { sizes, tetrahedra } = await mesher.sampleSizes(project, Float64Array.of(0, 0, 0));
+   */
+  sampleSizes(
+    project: Project,
+    positions: Float64Array,
+    options?: ProjectMeshOptions,
+    control?: RunControl,
+  ): Promise<SizeSamples>;
   /**
    * Converts a mesh to a background grid, with the given sizes (one per node), or with sizes from its own edges, which ask
    * for about as many elements as it has. Omits nodes without a tetrahedron. Rejects with `invalid-input` if the

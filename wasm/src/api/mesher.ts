@@ -58,11 +58,13 @@ import { describedImprovement, improvementErrors } from "./improvement.js";
 import type {
   Mesher,
   SizeProposal,
+  SizeSamples,
   SplitInput,
   SplitSurface,
   SurfaceSizeProposal,
 } from "./mesher-interface.js";
 import { type LocatedSurface, locateRegions } from "./region-location.js";
+import { sampleSizes } from "./size-samples.js";
 import { proposeSurfaceSizes } from "./surface-sizes.js";
 import type {
   CoverOptions,
@@ -297,6 +299,16 @@ class WorkerMesher implements Mesher {
     const question = { kind: "propose", id, model, options: engineProposalOptions(options) } as const;
     const answer = await this.#client.ask(question, control);
     return { size: answer.size, sources: projectSources(answer.sources) };
+  }
+
+  async sampleSizes(
+    project: Project,
+    positions: Float64Array,
+    options: ProjectMeshOptions = {},
+    control: RunControl = {},
+  ): Promise<SizeSamples> {
+    beginCall(this.#client, control);
+    return sampleSizes(this.#client, project, positions, options, control);
   }
 
   async backgroundFromMesh(

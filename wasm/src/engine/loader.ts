@@ -16,6 +16,7 @@ import type {
   Refinement,
   Remesh,
   Repair,
+  SizeSampling,
   SurfaceProposal,
   VolumeInspection,
 } from "./tools.js";
@@ -40,6 +41,7 @@ export type EnginePreview = ResultOf<"previewModel">;
 export type EngineLocation = ResultOf<"locateRegions">;
 export type EngineSurfaceProposal = ResultOf<"proposeSurfaceSizes">;
 export type EngineProposal = ResultOf<"propose">;
+export type EngineSizeSamples = ResultOf<"sampleSizes">;
 export type EngineGrid = ResultOf<"cover">;
 
 /** Options of the engine: 0 for a size that is not given, and enumerators by their numbers. */
@@ -65,6 +67,7 @@ export type EngineTool =
   | Refinement
   | Remesh
   | Repair
+  | SizeSampling
   | SurfaceProposal
   | VolumeInspection;
 

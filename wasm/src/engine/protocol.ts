@@ -24,6 +24,7 @@ import type {
   EngineRemeshOptions,
   EngineRepair,
   EngineRepairOptions,
+  EngineSizeSamples,
   EngineSurfaceProposal,
   EngineVolumeInspection,
 } from "./loader.js";
@@ -61,6 +62,16 @@ export type Question =
       readonly id: number;
       readonly model: ModelArrays;
       readonly options: EngineProposalOptions;
+    }
+  /** `options`: those to mesh with; `positions`: x y z each. */
+  | {
+      readonly kind: "sample-sizes";
+      readonly id: number;
+      readonly model: ModelArrays;
+      readonly bodies: BodySurfaceArrays;
+      readonly grid: GridArrays;
+      readonly options: EngineOptions;
+      readonly positions: Float64Array;
     }
   /** Without sizes, they come from the mesh's own edges. */
   | {
@@ -223,6 +234,7 @@ export interface Answers {
   readonly preview: EnginePreview;
   readonly cover: EngineGrid;
   readonly propose: EngineProposal;
+  readonly "sample-sizes": EngineSizeSamples;
   readonly "background-from-mesh": EngineGrid;
   readonly "inspect-surface": EngineInspection;
   readonly "locate-regions": EngineLocation;

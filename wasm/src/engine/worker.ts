@@ -156,6 +156,10 @@ function toolFor(tools: Tools, question: ToolQuestion): EngineTool | null {
       return tools.cover(question.model, question.size, question.shape);
     case "propose":
       return tools.propose(question.model, question.options);
+    case "sample-sizes": {
+      const { model, bodies, grid, options, positions } = question;
+      return tools.sampleSizes(model, bodies, grid, options, positions);
+    }
     case "background-from-mesh":
       return tools.backgroundFromMesh(question.mesh, question.sizes);
     case "inspect-surface":
