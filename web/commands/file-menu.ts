@@ -20,6 +20,9 @@ export const DOWNLOADS: readonly string[] = [
 
 export const fileMenu: readonly Command[] = [
   define("file", 0)("new", commandLabels.new, newProject),
+  define("file", 0)("new-template", commandLabels.newTemplate, (app) =>
+    app.shell.setState({ dialog: "templates" }),
+  ),
   define("file", 0)("open", commandLabels.open, (app) => void openFromDialog(app), {
     keys: ["mod+O"],
     inFields: true,

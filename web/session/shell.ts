@@ -1,6 +1,6 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 
-export type DialogName = "help" | "new-point" | "new-node" | "cover" | "propose" | "recent";
+export type DialogName = "help" | "new-point" | "new-node" | "cover" | "propose" | "recent" | "templates";
 
 /** A message that does not interrupt the work and needs no answer. */
 export interface Notice {

@@ -3,6 +3,7 @@ import { layerNames } from "./entities";
 /** Labels of the commands in menus, palette and help. */
 export const commandLabels = {
   new: "New project",
+  newTemplate: "New from template…",
   open: "Open…",
   importSurface: "Import surface…",
   recent: "Open recent…",
@@ -26,6 +27,7 @@ export const commandLabels = {
     "same-kind": "Select all of the same kind",
     connected: "Select what is connected",
     boundary: "Select boundary",
+    loop: "Select loop",
   },
   mergePatches: "Merge selected patches of a body",
 
@@ -103,6 +105,7 @@ export const commandLabels = {
   cover: "Create covering grid…",
   backgroundFromMesh: "Use this mesh as background grid",
   propose: "Propose sizes…",
+  showSizes: "Show target sizes",
   uniformSize: "Uniform size",
   problems: "Show problems",
 

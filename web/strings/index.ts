@@ -23,5 +23,7 @@ export * from "./edits";
 export * from "./entities";
 export * from "./mesh";
 export { fixStrings } from "./fixes";
+export * from "./palette";
+export { templateStrings } from "./templates";
 export { operationStrings } from "./operations";
 export { remedyInApp } from "./remedies";

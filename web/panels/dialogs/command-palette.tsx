@@ -1,44 +1,34 @@
 import { Kbd } from "@mantine/core";
-import { Spotlight } from "@mantine/spotlight";
+import { Spotlight, useSpotlight } from "@mantine/spotlight";
 import { IconSearch } from "@tabler/icons-react";
 import { useState } from "react";
 import { useStore } from "zustand";
-import { commands, keyNames, runCommand } from "../../commands/registry";
+import { paletteItems } from "../../commands/palette-items";
+import { inGroups, searchPalette } from "../../commands/palette-search";
+import { keyNames } from "../../commands/registry";
 import { strings } from "../../strings";
 import { useApp, useDocument, useRun, useView } from "../shared/app-context";
 import { paletteStore } from "../shared/palette";
 
-/** Does a label contain all words of a query, in any order? */
-function hasWords(label: string, query: string): boolean {
-  const text = label.toLowerCase();
-  return query
-    .toLowerCase()
-    .split(/\s+/)
-    .every((word) => text.includes(word));
-}
-
-/** The command palette: every command that is enabled. */
+/** The command palette: every command that is enabled; a query also finds entities, examples, templates and settings. */
 export function CommandPalette() {
   const app = useApp();
   // Keep the text here: a palette that is reopened while it closes would keep the old text.
   const [query, setQuery] = useState("");
+  const { opened } = useSpotlight(paletteStore);
   useDocument((state) => state.history.past.length + state.history.future.length);
   useRun((state) => state.busy);
   useView((state) => state.selection.length);
   useStore(app.viewer);
-  const actions = commands
-    .filter((command) => command.enabled(app) && hasWords(command.label(app), query))
-    .map((command) => ({
-      id: command.id,
-      group: strings.menus[command.menu],
-      label: command.label(app),
-      rightSection:
-        command.keys[0] === undefined ? null : <Kbd size="xs">{keyNames(command.keys[0]).join(" ")}</Kbd>,
-      onClick: () => runCommand(app, command),
-    }));
-  const groups = Object.values(strings.menus).map((group) => ({
+  const { listed, found } = opened ? paletteItems(app) : nothing;
+  const actions = inGroups(searchPalette(query, listed, found)).map(({ group, items }) => ({
     group,
-    actions: actions.filter((action) => action.group === group),
+    actions: items.map(({ id, label, hotkey, run }) => ({
+      id,
+      label,
+      rightSection: hotkey === null ? null : <Kbd size="xs">{keyNames(hotkey).join(" ")}</Kbd>,
+      onClick: run,
+    })),
   }));
   return (
     <Spotlight
@@ -47,10 +37,10 @@ export function CommandPalette() {
       query={query}
       onQueryChange={setQuery}
       // The actions are already filtered.
-      filter={(_, found) => found}
+      filter={(_, given) => given}
       onSpotlightOpen={() => setQuery("")}
       tagsToIgnore={[]}
-      actions={groups.filter((group) => group.actions.length > 0)}
+      actions={actions}
       nothingFound={strings.header.paletteEmpty}
       highlightQuery
       overlayProps={{ blur: 0, backgroundOpacity: 0.5 }}
@@ -66,3 +56,5 @@ export function CommandPalette() {
     />
   );
 }
+
+const nothing = { listed: [], found: [] } as const;

@@ -8,6 +8,7 @@ import { Notices } from "../dialogs/notices";
 import { useIsLastUsed } from "../shared/page-apps";
 import { ProposeDialog } from "../background/propose-dialog";
 import { RecentDialog } from "../files/recent-dialog";
+import { TemplateDialog } from "../files/template-dialog";
 
 /** Everything that opens above the page. Loaded after it. */
 export default function Overlays() {
@@ -22,6 +23,7 @@ export default function Overlays() {
       <CoverDialog />
       <ProposeDialog />
       <RecentDialog />
+      <TemplateDialog />
       <MessageDialog />
       <Notices />
     </>

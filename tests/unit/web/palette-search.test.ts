@@ -1,0 +1,59 @@
+import { expect, it } from "vitest";
+import type { PaletteItem } from "../../../web/commands/palette-items";
+import { inGroups, searchPalette } from "../../../web/commands/palette-search";
+import { commands } from "../../../web/commands/registry";
+import { synonyms } from "../../../web/strings";
+
+const item = (id: string, label: string, words = "", group = "Edit"): PaletteItem => ({
+  id,
+  group,
+  label,
+  words,
+  hotkey: null,
+  run: () => undefined,
+});
+
+const listed = [
+  item("undo", "Undo", "back revert"),
+  item("front", "Front view", "", "View"),
+  item("generate", "Generate mesh", "run start", "Mesh"),
+  item("cover", "Create covering grid…", "bounding box", "Mesh"),
+];
+const found = Array.from({ length: 30 }, (_, i) => item(`point-${i}`, `Point ${i}`, "", "Entities"));
+const ids = (query: string) => searchPalette(query, listed, found).map(({ id }) => id);
+
+it("lists the commands without a query, and nothing else", () => {
+  expect(ids("")).toEqual(["undo", "front", "generate", "cover"]);
+  expect(ids("  ")).toEqual(ids(""));
+});
+
+it("finds words in any order, other words, entities, and words with mistakes", () => {
+  expect(ids("view front")).toEqual(["front"]);
+  expect(ids("revert")).toEqual(["undo"]);
+  expect(ids("point 17")).toEqual(["point-17"]);
+  expect(ids("genrate")).toEqual(["generate"]);
+  expect(ids("covring grd")[0]).toBe("cover");
+  expect(ids("qqqqqq")).toEqual([]);
+});
+
+it("prefers labels to other words, and exact words to similar ones", () => {
+  const more = [item("a", "Box of bricks", "", "A"), item("b", "Cover", "box", "B")];
+  expect(searchPalette("box", more, []).map(({ id }) => id)).toEqual(["a", "b"]);
+  expect(searchPalette("undo", [...listed, item("c", "Unde", "", "C")], []).map(({ id }) => id)).toEqual([
+    "undo",
+  ]);
+});
+
+it("shows a few entities of many, in groups by their best entry", () => {
+  expect(ids("point")).toHaveLength(8);
+  const groups = inGroups([item("x", "X", "", "B"), item("y", "Y", "", "A"), item("z", "Z", "", "B")]);
+  expect(groups.map(({ group, items }) => [group, items.length])).toEqual([
+    ["B", 2],
+    ["A", 1],
+  ]);
+});
+
+it("knows synonyms of existing commands only", () => {
+  const known = new Set(commands.map(({ id }) => id));
+  expect(Object.keys(synonyms).filter((id) => !known.has(id))).toEqual([]);
+});

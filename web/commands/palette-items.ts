@@ -1,0 +1,98 @@
+import type { App } from "../app/app";
+import { drawnKinds, recordsOf, type Entity } from "../document/entities";
+import { templates } from "../document/templates";
+import { entityWords, paletteStrings, settingNames, strings, synonyms, templateStrings } from "../strings";
+import { openExample, openProject } from "./project-actions";
+import { commands, runCommand } from "./registry";
+import { showEntities } from "./selection-actions";
+
+/** An entry of the command palette. */
+export interface PaletteItem {
+  readonly id: string;
+  readonly group: string;
+  readonly label: string;
+  /** Other words that find it. */
+  readonly words: string;
+  /** Its hotkey, in Mantine's notation. */
+  readonly hotkey: string | null;
+  readonly run: () => void;
+}
+
+/** Returns every command that is enabled, in the order of the menus. */
+function commandItems(app: App): PaletteItem[] {
+  return commands
+    .filter((command) => command.enabled(app))
+    .map((command) => ({
+      id: command.id,
+      group: strings.menus[command.menu],
+      label: command.label(app),
+      words: synonyms[command.id] ?? "",
+      hotkey: command.keys[0] ?? null,
+      run: () => runCommand(app, command),
+    }));
+}
+
+/** Returns the settings: each opens the panel that has it. */
+function settingItems(app: App): PaletteItem[] {
+  return Object.entries(settingNames).map(([id, { label, words }]) => ({
+    id: `setting-${id}`,
+    group: paletteStrings.settings,
+    label,
+    words,
+    hotkey: null,
+    run: () => {
+      if (id !== "display") app.view.clear();
+      app.shell.setState({ rightTab: id === "display" ? "display" : "inspector", drawer: "right" });
+    },
+  }));
+}
+
+function exampleItems(app: App): PaletteItem[] {
+  return app.gallery.models.map((model) => ({
+    id: `example-${model.id}`,
+    group: paletteStrings.examples,
+    label: model.title,
+    words: `${model.id} ${model.blurb}`,
+    hotkey: null,
+    run: () => void openExample(app, model),
+  }));
+}
+
+function templateItems(app: App): PaletteItem[] {
+  return templates.map(({ id, make }) => ({
+    id: `template-${id}`,
+    group: paletteStrings.templates,
+    label: templateStrings.templates[id].title,
+    words: templateStrings.title,
+    hotkey: null,
+    run: () => openProject(app, make()),
+  }));
+}
+
+/** Returns the entities of the project: by name, or by kind and id. */
+function entityItems(app: App): PaletteItem[] {
+  const { project } = app.documents;
+  return drawnKinds.flatMap((kind) =>
+    recordsOf(project, kind).map((record) => {
+      const entity: Entity = { kind, id: record.id };
+      const title = `${entityWords[kind].one} ${record.id}`;
+      const name = "name" in record ? record.name : undefined;
+      return {
+        id: `entity-${kind}-${record.id}`,
+        group: paletteStrings.entities,
+        label: name === undefined ? title : `${name} (${title.toLowerCase()})`,
+        words: title,
+        hotkey: null,
+        run: () => showEntities(app, [entity]),
+      };
+    }),
+  );
+}
+
+/** Returns all entries. Entities, examples and settings are only found, never listed. */
+export function paletteItems(app: App): { readonly listed: PaletteItem[]; readonly found: PaletteItem[] } {
+  return {
+    listed: commandItems(app),
+    found: [...settingItems(app), ...templateItems(app), ...exampleItems(app), ...entityItems(app)],
+  };
+}

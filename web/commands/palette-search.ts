@@ -1,0 +1,77 @@
+import Fuse from "fuse.js";
+import type { PaletteItem } from "./palette-items";
+
+/** Entries shown per group, of those that are only found. */
+const maxPerGroup = 8;
+/** Share of a word that may differ: 0 for none, 1 for all. */
+const tolerance = 0.34;
+
+const wordsOf = (query: string): string[] => query.toLowerCase().split(/\s+/).filter(Boolean);
+
+/** Returns whether a text contains all words, in any order. */
+const hasWords = (text: string, words: readonly string[]): boolean =>
+  words.every((word) => text.toLowerCase().includes(word));
+
+/**
+ * Returns the entries that a query finds, the best first: those whose label contains all words, then those with other words
+ * for them; only without any, those that are spelled similarly. O(entries).
+ */
+export function searchPalette(
+  query: string,
+  listed: readonly PaletteItem[],
+  found: readonly PaletteItem[],
+): readonly PaletteItem[] {
+  const words = wordsOf(query);
+  if (words.length === 0) return listed;
+  const all = [...listed, ...found];
+  const byLabel = all.filter(({ label }) => hasWords(label, words));
+  const byWords = all.filter(
+    (item) => !byLabel.includes(item) && hasWords(`${item.label} ${item.words}`, words),
+  );
+  const exact = [...byLabel, ...byWords];
+  return limited(exact.length > 0 ? exact : similar(words, all), new Set(listed));
+}
+
+/** Returns the entries with a similar word for each word of the query. */
+function similar(words: readonly string[], items: readonly PaletteItem[]): PaletteItem[] {
+  const fuse = new Fuse(items, {
+    keys: [
+      { name: "label", weight: 2 },
+      { name: "words", weight: 1 },
+    ],
+    threshold: tolerance,
+    ignoreLocation: true,
+    includeScore: true,
+    minMatchCharLength: 2,
+  });
+  let scores: Map<PaletteItem, number> | null = null;
+  for (const word of words) {
+    const next = new Map<PaletteItem, number>();
+    for (const { item, score = 1 } of fuse.search(word)) {
+      const before: number | undefined = scores ? scores.get(item) : 0;
+      if (before !== undefined) next.set(item, before + score);
+    }
+    scores = next;
+  }
+  return [...(scores ?? [])].toSorted(([, a], [, b]) => a - b).map(([item]) => item);
+}
+
+/** Keeps all commands, and the first entries of each group of others. */
+function limited(items: readonly PaletteItem[], listed: ReadonlySet<PaletteItem>): readonly PaletteItem[] {
+  const counts = new Map<string, number>();
+  return items.filter((item) => {
+    if (listed.has(item)) return true;
+    const count = counts.get(item.group) ?? 0;
+    counts.set(item.group, count + 1);
+    return count < maxPerGroup;
+  });
+}
+
+/** Returns the entries in groups, in the order of their best entries. */
+export function inGroups(
+  items: readonly PaletteItem[],
+): readonly { readonly group: string; readonly items: readonly PaletteItem[] }[] {
+  const groups = new Map<string, PaletteItem[]>();
+  for (const item of items) groups.set(item.group, [...(groups.get(item.group) ?? []), item]);
+  return [...groups].map(([group, members]) => ({ group, items: members }));
+}

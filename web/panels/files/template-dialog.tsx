@@ -1,0 +1,38 @@
+import { Text, UnstyledButton } from "@mantine/core";
+import { openProject } from "../../commands/project-actions";
+import { templates } from "../../document/templates";
+import { templateStrings as texts } from "../../strings";
+import { FramedDialog } from "../../ui/frames/framed-dialog";
+import { useApp, useShell } from "../shared/app-context";
+import styles from "./recent-dialog.module.css";
+
+/** Projects to begin with. */
+export function TemplateDialog() {
+  const app = useApp();
+  const opened = useShell((state) => state.dialog === "templates");
+  const close = (): void => app.shell.setState({ dialog: null });
+  return (
+    <FramedDialog opened={opened} title={texts.title} onClose={close}>
+      <Text size="sm" c="dimmed" mb="sm">
+        {texts.hint}
+      </Text>
+      <ul className={styles["list"]}>
+        {templates.map(({ id, make }) => (
+          <li key={id} className={styles["row"]}>
+            <UnstyledButton
+              className={styles["open"]}
+              data-testid={`template-${id}`}
+              onClick={() => {
+                close();
+                openProject(app, make());
+              }}
+            >
+              <span className={styles["name"]}>{texts.templates[id].title}</span>
+              <span className={styles["time"]}>{texts.templates[id].blurb}</span>
+            </UnstyledButton>
+          </li>
+        ))}
+      </ul>
+    </FramedDialog>
+  );
+}
