@@ -1,6 +1,8 @@
 import type { App } from "../app/app";
 import { pasteOperation } from "../document/operations/paste";
 import { operationStrings } from "../strings";
+import { addPoints, readPositionList } from "../document/position-list";
+import { create } from "./creation-actions";
 import { fragmentText, readFragment } from "../document/transforms/fragment";
 import { showMessage } from "./messages";
 import { startOperation } from "./start-operation";
@@ -27,9 +29,18 @@ export async function pasteFragment(app: App): Promise<void> {
   const text = await clipboard()
     ?.readText()
     .catch(() => null);
+  if (text && pastePositions(app, text)) return;
   const read = readFragment(text || copied || "");
   if ("reason" in read) showMessage(app, operationStrings.paste.title, [read.reason]);
   else startOperation(app, pasteOperation(read.fragment));
+}
+
+/** Pastes a list of coordinates: as places of the active drawing tool, or as points. Returns false for any other text. */
+function pastePositions(app: App, text: string): boolean {
+  const positions = readPositionList(text);
+  if (!positions) return false;
+  if (app.drawing.takeLines(text) === undefined) create(app, addPoints(app.documents.project, positions));
+  return true;
 }
 
 /** Is no text of the page selected, which Ctrl C copies then? */

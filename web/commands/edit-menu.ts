@@ -3,6 +3,7 @@ import type { App } from "../app/app";
 import {
   allEntities,
   boundaryOf,
+  loopAround,
   connectedTo,
   invertedSelection,
   sameKinds,
@@ -90,4 +91,7 @@ export const editMenu: readonly Command[] = [
   select("same-kind", sameKinds, []),
   select("connected", connectedTo, []),
   select("boundary", boundaryOf, []),
+  select("loop", loopAround, [], ({ view }) =>
+    view.state.getState().selection.some(({ kind }) => kind === "line"),
+  ),
 ];

@@ -50,6 +50,12 @@ export const meshMenu: readonly Command[] = [
   define("mesh", 2)("uniform-size", commandLabels.uniformSize, toggleUniformSize, {
     checked: (app) => app.documents.project.meshing?.size !== undefined,
   }),
+  define("mesh", 2)(
+    "show-sizes",
+    commandLabels.showSizes,
+    (app) => app.view.setSizes({ enabled: !app.view.state.getState().sizes.enabled }),
+    { keys: ["shift+D"], checked: (app) => app.view.state.getState().sizes.enabled },
+  ),
   define("mesh", 3)("problems", commandLabels.problems, (app) =>
     app.shell.setState({ bottomTab: "problems", drawer: "bottom" }),
   ),

@@ -1,4 +1,6 @@
 import type { Project } from "tetrafront";
+import { linePaths } from "./line-paths";
+import { drawnLoops } from "./loop-search";
 import { dependentsOf, entityKey, findRecord, recordsOf, type DrawnKind, type Entity } from "./entities";
 
 const selectable: readonly DrawnKind[] = ["point", "line", "patch", "body"];
@@ -36,6 +38,16 @@ function partsOf(project: Project, { kind, id }: Entity): Entity[] {
 /** Returns the lines around the selected patches, and the points of the selected lines. */
 export function boundaryOf(project: Project, selection: readonly Entity[]): Entity[] {
   return unique(selection.flatMap((entity) => partsOf(project, entity)));
+}
+
+/** Returns the lines of the smallest loop that all selected lines belong to; the selection if there is none. */
+export function loopAround(project: Project, selection: readonly Entity[]): Entity[] {
+  const lines = selection.flatMap(({ kind, id }) => (kind === "line" ? [id] : []));
+  const loops = drawnLoops(linePaths(project, null))
+    .map((loop) => loop.lines.map(Math.abs))
+    .filter((loop) => lines.length > 0 && lines.every((line) => loop.includes(line)));
+  const [smallest] = loops.toSorted((a, b) => a.length - b.length);
+  return smallest ? smallest.map((id) => ({ kind: "line", id })) : [...selection];
 }
 
 /** Returns the selected entities with everything that they are built on. */

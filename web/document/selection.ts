@@ -22,6 +22,13 @@ export interface Cut {
   readonly flipped: boolean;
 }
 
+/** A plane across the model, on which target sizes are shown. */
+export interface SizePlane {
+  readonly axis: CutAxis;
+  /** Between the two ends of the model along the axis, 0 to 1. */
+  readonly position: number;
+}
+
 export interface ViewState {
   /** In the order of selection. A chain of points is closed if its last point is the first one again. */
   readonly selection: readonly Entity[];
@@ -43,6 +50,8 @@ export interface ViewState {
   readonly hiddenRegions: ReadonlySet<number>;
   readonly cut: Cut;
   readonly shading: Shading;
+  /** Whether the view shows the target sizes instead of the mesh, and on which plane. */
+  readonly sizes: { readonly enabled: boolean; readonly plane: SizePlane | null };
   /** Where the quality of a stretched mesh is measured, wherever the page shows it. */
   readonly qualitySpace: QualitySpace;
   readonly edges: boolean;
@@ -85,6 +94,7 @@ const initialView: ViewState = {
   hiddenRegions: new Set(),
   cut: { enabled: false, axis: "x", position: 0.5, flipped: false },
   shading: "radius-ratio",
+  sizes: { enabled: false, plane: { axis: "z", position: 0.5 } },
   qualitySpace: "metric",
   edges: true,
   tool: "select",
@@ -243,6 +253,10 @@ export class ViewStore {
 
   setCut(change: Partial<Cut>): void {
     this.state.setState(({ cut }) => ({ cut: { ...cut, ...change } }));
+  }
+
+  setSizes(change: Partial<ViewState["sizes"]>): void {
+    this.state.setState(({ sizes }) => ({ sizes: { ...sizes, ...change } }));
   }
 
   /** Cuts across another axis and keeps the part whose cut faces the isometric view. */

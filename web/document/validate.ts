@@ -116,6 +116,10 @@ export interface Defects {
   readonly triangles: readonly number[];
   /** Ids of patches that are invalid as a whole. */
   readonly patches: ReadonlySet<number>;
+  /** Ids of lines at which the surface is open. */
+  readonly openLines: ReadonlySet<number>;
+  /** The model is still being drawn: nobody has asked for its mesh. */
+  readonly areOpenLinesExpected: boolean;
   /** Indices of triangles in the given surfaces of bodies, by body. */
   readonly bodies: ReadonlyMap<number, readonly number[]>;
 }
@@ -123,8 +127,11 @@ export interface Defects {
 /** Largest number of triangles of a body that are highlighted. */
 const maxBodyTriangles = 20_000;
 
-/** Returns the defects that errors name: their triangles if there are any, else their patches. */
-export function defectsOf(problems: readonly Problem[]): Defects {
+/**
+ * Returns the defects that errors name: their triangles if there are any, else their patches. `isMeshed`: a mesh of the
+ * model was asked for.
+ */
+export function defectsOf(problems: readonly Problem[], isMeshed = true): Defects {
   const errors = problems.filter(({ severity }) => severity === "error");
   const aboutPatches = errors.filter(
     ({ triangles, entities }) => triangles.length === 0 && entities[0]?.kind === "patch",
@@ -139,6 +146,12 @@ export function defectsOf(problems: readonly Problem[]): Defects {
   return {
     triangles: errors.flatMap(({ triangles, body }) => (body === null ? triangles : [])),
     patches: new Set(patches.map(({ id }) => id)),
+    openLines: new Set(
+      errors
+        .filter(({ code }) => code === "open-edge")
+        .flatMap(({ entities }) => entities.flatMap(({ kind, id }) => (kind === "line" ? [id] : []))),
+    ),
+    areOpenLinesExpected: !isMeshed,
     bodies,
   };
 }

@@ -16,6 +16,7 @@ import { Operations } from "./operations";
 import { PreviewFeed } from "./preview";
 import { ProblemList } from "./problems";
 import { MeshRun, regionCount } from "./run";
+import { SizeFeed } from "./size-feed";
 import type { ShownMesh } from "./shown-mesh";
 
 export interface SessionOptions {
@@ -38,6 +39,7 @@ export class Session {
   readonly previews: PreviewFeed;
   readonly bodies: BodyFeed;
   readonly problems: ProblemList;
+  readonly sizes: SizeFeed;
   readonly library: DocumentLibrary | null;
   readonly autosave: Autosave | null;
 
@@ -51,6 +53,7 @@ export class Session {
     this.previews = new PreviewFeed(this.documents, previewMesher);
     const check = new BodyCheck(this.documents, previewMesher, this.bodies);
     this.problems = new ProblemList(this.documents, this.previews, this.bodies, check, this.run);
+    this.sizes = new SizeFeed(this, previewMesher);
     this.library = library;
     this.autosave = library && new Autosave(this.documents, library.storage);
     this.run.state.subscribe((state, before) => {

@@ -30,6 +30,7 @@ export const stepNames = {
       ? `Delete ${subject}`
       : `Delete ${subject} and ${dependents} dependent ${dependents === 1 ? "entity" : "entities"}`,
   add: (entity: string) => `Add ${entity}`,
+  addPoints: (count: number) => `Add ${count} points`,
   addLines: (count: number) => `Add ${count} lines`,
   addHole: (patch: string) => `Add hole to ${patch}`,
   addTetrahedron: "Add background tetrahedron",

@@ -31,7 +31,7 @@ export interface ShownEntity {
   readonly paths: readonly (readonly Position[])[];
 }
 
-/** Returns the points, lines and patches that are shown; a patch with the lines around it. */
+/** Returns the points, lines, patches, background nodes and sources that are shown; a patch with the lines around it. */
 export function shownEntities(
   project: Project,
   paths: readonly LinePath[],
@@ -50,10 +50,21 @@ export function shownEntities(
     entity: { kind: "patch", id },
     paths: loops.flat().map((step) => byLine.get(Math.abs(step)) ?? []),
   }));
+  const { nodes, sources = [] } = project.background;
+  const gridNodes = nodes.map(({ id, position }): ShownEntity => ({
+    entity: { kind: "background-node", id },
+    paths: [[position]],
+  }));
+  const sourcePaths = sources.map(({ id, positions }): ShownEntity => ({
+    entity: { kind: "source", id },
+    paths: [positions.length > 2 ? [...positions, ...positions.slice(0, 1)] : positions],
+  }));
   const shown = [
     ...(layers.points ? points : []),
     ...(layers.lines ? lines : []),
     ...(layers.patches ? patches : []),
+    ...(layers.background ? gridNodes : []),
+    ...(layers.sources ? sourcePaths : []),
   ];
   return hidden.size === 0 ? shown : shown.filter(({ entity }) => !hidden.has(entityKey(entity)));
 }

@@ -2,7 +2,7 @@ import { Color, type ShaderMaterial } from "three";
 import { displayColor } from "./materials/uniforms";
 
 /** State of an entity that determines how it is drawn. */
-export type DrawState = "hidden" | "normal" | "hover" | "selected" | "defective";
+export type DrawState = "hidden" | "normal" | "hover" | "selected" | "defective" | "open";
 
 /** Value of each state in the vertex attribute `state`. */
 export const stateCodes: { readonly [S in DrawState]: number } = {
@@ -11,6 +11,8 @@ export const stateCodes: { readonly [S in DrawState]: number } = {
   hover: 2,
   selected: 3,
   defective: 4,
+  /** A line at which patches are still missing. */
+  open: 5,
 };
 
 const stateCount = Object.keys(stateCodes).length;

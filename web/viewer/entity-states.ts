@@ -162,7 +162,9 @@ export class EntityStates {
     if (hidden.size > 0 && hidden.has(entityKey(entity))) return stateCodes.hidden;
     if (this.#selectedIds.has(id)) return stateCodes.selected;
     if (sameEntity(hover, entity)) return stateCodes.hover;
-    return this.#isPatch && defects.patches.has(id) ? stateCodes.defective : stateCodes.normal;
+    if (this.#isPatch && defects.patches.has(id)) return stateCodes.defective;
+    if (this.#kind !== "line" || !defects.openLines.has(id)) return stateCodes.normal;
+    return defects.areOpenLinesExpected ? stateCodes.open : stateCodes.defective;
   }
 
   #writeAll(state: Emphasis): void {
@@ -209,6 +211,9 @@ export class EntityStates {
     }
     if (this.#isPatch && before.defects !== now.defects) {
       for (const { patches } of [before.defects, now.defects]) patches.forEach((id) => ids.add(id));
+    }
+    if (this.#kind === "line" && before.defects !== now.defects) {
+      for (const { openLines } of [before.defects, now.defects]) openLines.forEach((id) => ids.add(id));
     }
     return ids;
   }

@@ -1,3 +1,4 @@
+import { meshKey } from "../document/content-keys";
 import { groupTints } from "../document/groups";
 import type { ViewStore } from "../document/selection";
 import { defectsOf } from "../document/validate";
@@ -6,6 +7,7 @@ import type { DocumentStore } from "../session/document-store";
 import type { PreviewFeed } from "../session/preview";
 import type { ProblemList } from "../session/problems";
 import { isStale, type MeshRun } from "../session/run";
+import type { SizeFeed } from "../session/size-feed";
 import type { SampledProject, ShownState } from "./scene-state";
 import { shownBodies } from "./shown-bodies";
 import type { Viewer } from "./viewer";
@@ -18,6 +20,7 @@ export interface SessionStores {
   readonly problems: ProblemList;
   readonly run: MeshRun;
   readonly view: ViewStore;
+  readonly sizes: SizeFeed;
 }
 
 /** Returns the state of the stores as the viewer shows it. */
@@ -28,6 +31,7 @@ export function shownState(stores: SessionStores): ShownState {
     ...previewState(stores),
     ...runState(stores),
     ...problemState(stores),
+    ...sizeState(stores),
     isReplaying: false,
   };
 }
@@ -41,6 +45,7 @@ export function followSession(stores: SessionStores, viewer: Viewer): () => void
     stores.run.state.subscribe(() => viewer.show(runState(stores))),
     stores.problems.state.subscribe(() => viewer.show(problemState(stores))),
     stores.view.state.subscribe((state) => viewer.show(state)),
+    stores.sizes.state.subscribe(() => viewer.show(sizeState(stores))),
   ];
   return () => stops.forEach((stop) => stop());
 }
@@ -71,6 +76,11 @@ function runState({ documents, run }: SessionStores) {
   };
 }
 
-function problemState({ problems }: SessionStores) {
-  return { defects: defectsOf(problems.state.getState().problems) };
+function problemState({ problems, run, documents }: SessionStores) {
+  const isMeshed = run.state.getState().outcome?.key === meshKey(documents.project);
+  return { defects: defectsOf(problems.state.getState().problems, isMeshed) };
+}
+
+function sizeState({ sizes }: SessionStores) {
+  return { shownSizes: sizes.state.getState().shown };
 }

@@ -1,6 +1,7 @@
 import { Group, type PerspectiveCamera, type Scene } from "three";
 import { defectiveCorners, selectedCorners } from "./highlight-corners";
 import { hitTest } from "./hit-test";
+import { AxesLayer } from "./layers/axes-layer";
 import { BodiesLayer } from "./layers/bodies-layer";
 import { DotsLayer } from "./layers/dots-layer";
 import { FrontLayer } from "./layers/front-layer";
@@ -11,6 +12,7 @@ import type { Hit, Layer } from "./layers/layer";
 import { LinesLayer } from "./layers/lines-layer";
 import { MeshLayer, type MeshLayerEvents } from "./layers/mesh-layer";
 import { PatchesLayer } from "./layers/patches-layer";
+import { SizesLayer } from "./layers/sizes-layer";
 import { SourcesLayer } from "./layers/sources-layer";
 import type { MeshQueryClient } from "./queries/mesh-query-client";
 import type { SceneChanges, Viewport } from "./scene-state";
@@ -33,8 +35,9 @@ export class SceneLayers {
   });
   readonly #grid = new GridLayer();
   readonly #sources = new SourcesLayer();
-  /** What a recorded front replaces. */
+  /** What a recorded front and target sizes replace. */
   readonly #replaced = new Group();
+  #isReplaying = false;
   /** In the order in which they are added to the scene. */
   readonly #all: Layer[];
 
@@ -48,7 +51,9 @@ export class SceneLayers {
   }
 
   update(changes: SceneChanges): void {
-    this.#replaced.visible = !changes.state.isReplaying;
+    const { isReplaying, shownSizes } = changes.state;
+    this.#isReplaying = isReplaying;
+    this.#replaced.visible = !isReplaying && shownSizes === null;
     for (const layer of this.#all) layer.update(changes);
   }
 
@@ -67,9 +72,8 @@ export class SceneLayers {
   /** Returns what lies at a point of the view; null if nothing does. */
   hit(camera: PerspectiveCamera, viewport: Viewport, at: ScreenPoint): Hit | null {
     const onSurfaces = [this.#points, this.#grid, this.#sources, this.#lines];
-    const isReplaying = !this.#replaced.visible;
-    const solid = isReplaying ? [] : [this.mesh, this.#bodies];
-    const order = { solid, onSurfaces, translucent: isReplaying ? null : this.#patches };
+    const solid = this.#replaced.visible ? [this.mesh, this.#bodies] : [];
+    const order = { solid, onSurfaces, translucent: this.#isReplaying ? null : this.#patches };
     return hitTest(order, camera, viewport, at);
   }
 
@@ -99,6 +103,6 @@ export class SceneLayers {
     for (const { root } of surfaces) this.#replaced.add(root);
     this.#scene.add(this.#replaced);
     const entities = [this.#lines, this.#points, this.#grid, this.#sources];
-    return [new GroundLayer(), ...surfaces, ...entities];
+    return [new GroundLayer(), new AxesLayer(), ...surfaces, new SizesLayer(), ...entities];
   }
 }

@@ -3,6 +3,7 @@ import type { ViewState } from "../document/selection";
 import type { Defects } from "../document/validate";
 import type { ViewerColors } from "./colors";
 import type { Position } from "../document/position";
+import type { ShownSizes } from "../session/size-feed";
 import type { ShownBody } from "./shown-bodies";
 
 /** Lines and patches of a project, sampled by the engine. */
@@ -37,6 +38,8 @@ export interface ShownState extends ViewState {
   readonly defects: Defects;
   /** Colours of the groups, by the keys of their members. */
   readonly tints: ReadonlyMap<string, readonly [number, number, number]>;
+  /** Target sizes that are shown instead of the surfaces; null for none. */
+  readonly shownSizes: ShownSizes | null;
   /** A recorded front is shown instead of the surfaces of the model and its mesh. */
   readonly isReplaying: boolean;
 }

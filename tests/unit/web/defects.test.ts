@@ -24,6 +24,12 @@ describe("defectsOf", () => {
       problem({ entities: [{ kind: "line", id: 5 }, patch(4)] }),
       problem({ entities: [patch(6)], severity: "warning" }),
     ]);
-    expect(defects).toEqual({ triangles: [7, 8], patches: new Set([2, 3]), bodies: new Map() });
+    expect(defects).toEqual({
+      triangles: [7, 8],
+      patches: new Set([2, 3]),
+      openLines: new Set(),
+      areOpenLinesExpected: false,
+      bodies: new Map(),
+    });
   });
 });

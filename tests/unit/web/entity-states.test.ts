@@ -11,7 +11,13 @@ const nothing: Emphasis = {
   selection: [],
   hover: null,
   hidden: new Set(),
-  defects: { triangles: [], patches: new Set(), bodies: new Map() },
+  defects: {
+    triangles: [],
+    patches: new Set(),
+    openLines: new Set<number>(),
+    areOpenLinesExpected: false,
+    bodies: new Map(),
+  },
   tints: new Map(),
 };
 /** Ids that are not indices, with one, two and three vertices. */
@@ -60,7 +66,13 @@ describe("EntityStates", () => {
   });
 
   it("prefers hidden to selected, selected to hover, and hover to defective", () => {
-    const defects = { triangles: [], patches: new Set([3, 7, 12]), bodies: new Map() };
+    const defects = {
+      triangles: [],
+      patches: new Set([3, 7, 12]),
+      openLines: new Set<number>(),
+      areOpenLinesExpected: false,
+      bodies: new Map(),
+    };
     const states = shown({
       defects,
       hidden: new Set(["patch-7"]),

@@ -163,7 +163,13 @@ describe("the layer of patches", () => {
     expect(visible()).toEqual([true, true, false]);
     change(layer, hovered, {
       ...start,
-      defects: { triangles: [], patches: new Set([9]), bodies: new Map() },
+      defects: {
+        triangles: [],
+        patches: new Set([9]),
+        openLines: new Set<number>(),
+        areOpenLinesExpected: false,
+        bodies: new Map(),
+      },
     });
     expect(visible()).toEqual([true, true, true]);
     show(layer, { ...start, hidden: new Set(["patch-8", "patch-9"]) });

@@ -1,5 +1,5 @@
 import { LIMITS } from "tetrafront";
-import { Button, Group, SegmentedControl, Text } from "@mantine/core";
+import { Button, Group, SegmentedControl, Switch, Text } from "@mantine/core";
 import { commandNamed, runCommand } from "../../commands/registry";
 import { likelySize } from "../../document/extent";
 import { setMeshing } from "../../document/size-edits";
@@ -7,7 +7,7 @@ import { FieldRow } from "../../ui/fields/field-row";
 import { formatCount } from "../../ui/format";
 import { NumberField } from "../../ui/fields/number-field";
 import { strings } from "../../strings";
-import { useApp, useProject } from "../shared/app-context";
+import { useApp, useProject, useView } from "../shared/app-context";
 import { aboveZero, sizeStep, unitsOf, upTo } from "../shared/size-fields";
 import { SectionTitle } from "../../ui/frames/section-title";
 
@@ -42,7 +42,24 @@ export function ElementSize() {
           <SizeCommand key={id} id={id} />
         ))}
       </Group>
+      <ShowSizes />
     </section>
+  );
+}
+
+/** Colours the model by the target size before it is meshed. */
+function ShowSizes() {
+  const app = useApp();
+  const enabled = useView((state) => state.sizes.enabled);
+  return (
+    <Switch
+      size="xs"
+      mt={8}
+      label={texts.showSizes}
+      checked={enabled}
+      data-testid="show-sizes"
+      onChange={(event) => app.view.setSizes({ enabled: event.currentTarget.checked })}
+    />
   );
 }
 

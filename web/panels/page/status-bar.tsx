@@ -1,12 +1,31 @@
 import { Progress, VisuallyHidden } from "@mantine/core";
 import { IconX } from "@tabler/icons-react";
 import type { MeshReport, Progress as RunProgressReport } from "tetrafront";
+import { useStore } from "zustand";
+import { useMemo } from "react";
 import { savedState } from "../../session/document-store";
 import type { RunState } from "../../session/run";
 import { IconButton } from "../../ui/icon-button";
-import { formatAngle, formatCount, formatSeconds, formatShare } from "../../ui/format";
+import {
+  formatAngle,
+  formatCount,
+  formatPosition,
+  formatSeconds,
+  formatShare,
+  formatShort,
+} from "../../ui/format";
 import { measuredIn, phaseNames, strings } from "../../strings";
-import { useApp, useDocument, useQualitySpace, useRun, useShell, useStale } from "../shared/app-context";
+import {
+  useApp,
+  useDocument,
+  useProject,
+  useQualitySpace,
+  useRun,
+  useShell,
+  useStale,
+} from "../shared/app-context";
+import { roomyBounds } from "../../viewer/bounds";
+import { groundSpacing } from "../../viewer/layers/ground-layer";
 import { useThrottled } from "../shared/use-throttled";
 import styles from "./status-bar.module.css";
 
@@ -49,8 +68,30 @@ export function StatusBar() {
   return (
     <footer className={styles["bar"]} data-testid="status">
       {reading ? <Reading {...reading} /> : busy ? <RunProgress /> : <Outcome />}
+      <PointerPlace />
       <MeshNumbers />
     </footer>
+  );
+}
+
+/** The position under the pointer, and the distance between the lines of the grid. */
+function PointerPlace() {
+  const app = useApp();
+  const project = useProject();
+  const cursor = useStore(app.drawing.state, (state) => state.cursor);
+  const step = useStore(app.drawing.state, (state) => state.gridStep);
+  const ground = useMemo(() => groundSpacing(roomyBounds(project).radius), [project]);
+  return (
+    <>
+      <span className={styles["wide"]} data-testid="grid-unit">
+        {strings.drawing.gridUnit(formatShort(step ?? ground))}
+      </span>
+      {cursor && (
+        <span className={`${styles["wide"]} ${styles["place"]}`} data-testid="pointer-position" aria-hidden>
+          {formatPosition(cursor)}
+        </span>
+      )}
+    </>
   );
 }
 
@@ -134,6 +175,7 @@ function MeshNumbers() {
           {strings.status.nodes(formatCount(points))}
         </span>
       )}
+      <ExpectedCount />
       {tetrahedra !== undefined && (
         <span data-testid="count-tetrahedra">{strings.status.tetrahedra(formatCount(tetrahedra))}</span>
       )}
@@ -151,6 +193,20 @@ function MeshNumbers() {
         {savedText}
       </span>
     </div>
+  );
+}
+
+/** How many tetrahedra a mesh of the present model would have, until there is one. */
+function ExpectedCount() {
+  const app = useApp();
+  const expected = useStore(app.sizes.state, (state) => state.expected);
+  const hasMesh = useRun((state) => state.busy || state.mesh !== null);
+  const stale = useStale();
+  if (expected === null || (hasMesh && !stale)) return null;
+  return (
+    <span data-testid="count-expected">
+      {strings.background.about(formatCount(Number(expected.toPrecision(2))))}
+    </span>
   );
 }
 

@@ -93,6 +93,13 @@ function CoordinateField({ typed }: { readonly typed: string }) {
         value={typed}
         error={mistake && words.mistakes[mistake]}
         onChange={(event) => app.drawing.type(event.currentTarget.value)}
+        onPaste={(event) => {
+          const text = event.clipboardData.getData("text");
+          if (!text.trim().includes("\n")) return;
+          // A field of one line would join the lines.
+          event.preventDefault();
+          app.drawing.takeLines(text);
+        }}
         onBlur={() => app.drawing.type(null)}
         onKeyDown={(event) => {
           if (event.key === "Enter") app.drawing.submit();

@@ -4,6 +4,7 @@ import { frontValues } from "../../player/front-values";
 import { asksForStretching, bestValue, worstShown, type QualityMeasure } from "../../document/mesh-quality";
 import { measuredIn, measureNames, spaceNames, strings } from "../../strings";
 import type { RunState } from "../../session/run";
+import { formatShort } from "../../ui/format";
 import { shownBodies } from "../../viewer/shown-bodies";
 import { viridis } from "../../ui/theme/viridis";
 import { useApp, useProject, useQualitySpace, useRegions, useRun, useView } from "../shared/app-context";
@@ -15,7 +16,9 @@ export function Legend() {
   const app = useApp();
   const isReplaying = useStore(app.player.state, ({ trace }) => trace !== null);
   const showsDeviation = useDeviationShown();
+  const sizes = useStore(app.sizes.state, (state) => state.shown);
   if (isReplaying) return <FrontLegend />;
+  if (sizes) return <SizeLegend range={sizes.range} />;
   if (showsDeviation) return <DeviationLegend />;
   return <MeshLegend />;
 }
@@ -58,6 +61,33 @@ function FrontLegend() {
       <div className={styles["ticks"]}>
         <span>{high}</span>
         <span>{low}</span>
+      </div>
+      <figcaption>{name}</figcaption>
+    </figure>
+  );
+}
+
+/** Ticks on the scale of sizes, as shares of it: the ratio of two neighbouring ticks is the same everywhere. */
+const sizeTicks = [1, 0.75, 0.5, 0.25, 0];
+
+/** The colour scale of the target sizes. */
+function SizeLegend({ range: [low, high] }: { readonly range: readonly [number, number] }) {
+  const name = strings.background.sizeLegend;
+  const values = low < high ? sizeTicks.map((share) => low * (high / low) ** share) : [low];
+  return (
+    <figure
+      className={styles["legend"]}
+      aria-label={`${strings.viewport.legend}: ${name}`}
+      data-testid="size-legend"
+    >
+      <div
+        className={styles["bar"]}
+        style={{ background: `linear-gradient(to top, ${viridis.join(", ")})` }}
+      />
+      <div className={styles["ticks"]}>
+        {values.map((value) => (
+          <span key={value}>{formatShort(Number(value.toPrecision(2)))}</span>
+        ))}
       </div>
       <figcaption>{name}</figcaption>
     </figure>

@@ -11,6 +11,7 @@ import { NodeTool } from "../../tools/drawing/node-tool";
 import { PatchTool } from "../../tools/drawing/patch-tool";
 import { PointTool } from "../../tools/drawing/point-tool";
 import { SourceTool } from "../../tools/drawing/source-tool";
+import { followPointer } from "../../tools/follow-pointer";
 import { HandleTool } from "../../tools/handle-tool";
 import { TransformTool } from "../../tools/transform-tool";
 import { SelectTool, type Hover } from "../../tools/select-tool";
@@ -163,10 +164,12 @@ function connect(
       state.moving === before.moving;
     if (!isSame) show(state);
   });
+  const stopPointer = followPointer(canvas, stores);
   const stopReplay = followPlayer(app, viewer);
   app.viewer.setState({ viewer });
   return () => {
     stopReplay();
+    stopPointer();
     stop();
     stopTools();
     tools.dispose();

@@ -15,6 +15,7 @@ import { PatchRoleLabels } from "./patch-role-labels";
 import { OpenEdges, PositionMarker, ProblemMarkers } from "./problem-markers";
 import { CutBar, MeshBadge, MouseHint, ViewNotice } from "./viewport-overlays";
 import type { Layout } from "../shared/use-layout";
+import { SizeBar } from "./size-bar";
 import { ToolColumn } from "./tool-column";
 import { OperationPanel } from "../operations/operation-panel";
 import { useViewer } from "./use-viewer";
@@ -27,6 +28,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const [hover, setHover] = useState<Hover | null>(null);
   const hasChoices = useView((state) => state.tool !== "select");
+  const showsSizes = useView((state) => state.sizes.enabled);
   const { viewer, trouble } = useViewer(container, canvas, setHover);
   const hasOperation = useStore(useApp().operations.state, ({ open }) => open !== null);
   return (
@@ -43,7 +45,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
       </div>
       {trouble && <ViewNotice trouble={trouble} />}
       <ToolColumn />
-      {hasChoices ? <DrawingBar /> : <CutBar />}
+      {hasChoices ? <DrawingBar /> : showsSizes ? <SizeBar /> : <CutBar />}
       <MeshBadge />
       <OpenEdges />
       <ContextMenu />

@@ -189,6 +189,7 @@ export abstract class DrawingTool implements Tool, TypedInput {
     drawing.state.setState({
       snap: this.snap,
       picked: this.picked,
+      gridStep: this.gridStep,
       ...(pointer && { pointer: pointer.at }),
     });
     this.#layer?.show(this.sketch());

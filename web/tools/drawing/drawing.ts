@@ -1,4 +1,5 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
+import { linesOf } from "../../document/position-list";
 import type { Position } from "../../document/position";
 import type { ScreenPoint } from "../../viewer/screen";
 import type { Snap } from "./snapping";
@@ -7,6 +8,10 @@ export interface DrawingState {
   /** The place under the pointer. */
   readonly snap: Snap | null;
   readonly pointer: ScreenPoint;
+  /** The position under the pointer, on the work plane or where a tool would draw; null if it is not over the view. */
+  readonly cursor: Position | null;
+  /** Step of the work plane's grid while it is shown. */
+  readonly gridStep: number | null;
   /** The text in the coordinate field; null while the field is closed. */
   readonly typed: string | null;
   /** Why the typed text is no position. */
@@ -28,6 +33,8 @@ export interface DrawingState {
 const idle: DrawingState = {
   snap: null,
   pointer: { x: 0, y: 0 },
+  cursor: null,
+  gridStep: null,
   typed: null,
   mistake: null,
   picked: 0,
@@ -63,6 +70,17 @@ export class Drawing {
 
   type(typed: string | null): void {
     this.state.setState({ typed, mistake: null });
+  }
+
+  /**
+   * Hands the lines of a pasted text to the tool, one place each. Returns the first line that is no position; null if there is
+   * none. Returns undefined without a tool.
+   */
+  takeLines(text: string): string | null | undefined {
+    if (!this.#input) return undefined;
+    this.type(null);
+    for (const line of linesOf(text)) if (this.#input.take(line) !== null) return line;
+    return null;
   }
 
   /** Hands the typed text to the tool, and closes the field if the tool has used it. */

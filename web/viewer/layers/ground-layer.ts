@@ -1,5 +1,6 @@
 import { BufferAttribute, BufferGeometry, LineSegments } from "three";
 import { isDrawingTool } from "../../document/tools";
+import { roundStep } from "../../document/work-plane";
 import { roomyBounds } from "../bounds";
 import { createGroundMaterial } from "../materials/ground-material";
 import { setColor, setNumber } from "../materials/uniforms";
@@ -39,9 +40,7 @@ export class GroundLayer implements Layer {
 
   /** Lays the grid below a model of this radius around the origin, at a round spacing. */
   #lay(radius: number, height: number): void {
-    const rough = radius / 3;
-    const power = 10 ** Math.floor(Math.log10(rough));
-    const spacing = power * ([1, 2, 5, 10].find((step) => step * power >= rough) ?? 10);
+    const spacing = groundSpacing(radius);
     const reach = lines * spacing;
     const ends: number[] = [];
     for (let i = -lines; i <= lines; ++i) {
@@ -60,3 +59,6 @@ export class GroundLayer implements Layer {
     setNumber(this.#material, "reach", Math.min(reach, 9 * radius));
   }
 }
+
+/** Returns the distance between the lines of the ground under a model of a radius. */
+export const groundSpacing = (radius: number): number => roundStep(radius / 3);

@@ -12,8 +12,12 @@ import { addOrigin, type Hit, type HittableLayer } from "./layer";
 /** Widths in CSS pixels. */
 const normalWidth = 1.6;
 const emphasizedWidth = 3.6;
+const openWidth = 1.2;
+const defectiveWidth = 2.6;
+/** Length of a dash and the gap after it, in CSS pixels. */
+const dash = 7;
 
-/** The model's lines as sampled by the engine: one buffer of segments, drawn by two passes. */
+/** The model's lines as sampled by the engine: one buffer of segments, drawn by four passes. */
 export class LinesLayer implements HittableLayer {
   readonly root = new Group();
   readonly #states = new EntityStates("line", { instanced: true, tinted: true });
@@ -24,9 +28,14 @@ export class LinesLayer implements HittableLayer {
     widths: { hover: emphasizedWidth, selected: emphasizedWidth },
     depthTest: false,
   });
+  /** Lines that still lack patches. */
+  readonly #open = createLineMaterial({ widths: { open: openWidth }, depthTest: true, dash });
+  readonly #defective = createLineMaterial({ widths: { defective: defectiveWidth }, depthTest: true });
   readonly #meshes = [
     new Mesh(this.#geometry, this.#normal),
     new Mesh(this.#geometry, this.#emphasized),
+    new Mesh(this.#geometry, this.#open),
+    new Mesh(this.#geometry, this.#defective),
   ] as const;
   /** x y z of both ends per segment, local. */
   #segments = new Float32Array();
@@ -44,8 +53,9 @@ export class LinesLayer implements HittableLayer {
     const { state } = changes;
     this.root.visible = state.layers.lines;
     if (changes.has("colors")) {
-      const { line: normal, hover, selection: selected } = state.colors;
-      for (const { material } of this.#meshes) setStateColors(material, { normal, hover, selected });
+      const { line: normal, hover, selection: selected, front: defective } = state.colors;
+      const colors = { normal, hover, selected, open: normal, defective };
+      for (const { material } of this.#meshes) setStateColors(material, colors);
     }
     if (changes.has("viewport")) {
       const { width, height } = state.viewport;
@@ -55,6 +65,8 @@ export class LinesLayer implements HittableLayer {
     this.#states.update(state);
     this.#meshes[0].visible = this.#states.hasAny("normal");
     this.#meshes[1].visible = this.#states.hasAny("hover", "selected");
+    this.#meshes[2].visible = this.#states.hasAny("open");
+    this.#meshes[3].visible = this.#states.hasAny("defective");
   }
 
   hit(_ray: Ray, screen: Screen): Hit | null {

@@ -12,6 +12,7 @@ const vertexShader = /* glsl */ `
   uniform vec2 resolution;
   varying vec3 vColor;
   varying vec2 vUv;
+  varying float vAlong;
   ${drawStateGlsl}
   // Moves an end that lies behind the eye to the near plane.
   vec3 trimmed(vec3 visible, vec3 behind) {
@@ -29,6 +30,7 @@ const vertexShader = /* glsl */ `
     vec4 clipEnd = projectionMatrix * vec4(end, 1.0);
     // From here to the offset, lengths are in pixels.
     vec2 along = (clipEnd.xy / clipEnd.w - clipStart.xy / clipStart.w) * resolution;
+    vAlong = position.y < 0.5 ? 0.0 : 0.5 * length(along);
     along = length(along) > 0.0 ? normalize(along) : vec2(1.0, 0.0);
     vec2 offset = vec2(along.y, -along.x) * sign(position.x);
     if (position.y < 0.0) offset -= along;
@@ -40,9 +42,12 @@ const vertexShader = /* glsl */ `
 `;
 
 const fragmentShader = /* glsl */ `
+  uniform float dash;
   varying vec3 vColor;
   varying vec2 vUv;
+  varying float vAlong;
   void main() {
+    if (dash > 0.0 && mod(vAlong, dash) > 0.6 * dash) discard;
     float beyond = max(abs(vUv.y) - 1.0, 0.0);
     if (beyond > 0.0 && vUv.x * vUv.x + beyond * beyond > 1.0) discard;
     gl_FragColor = vec4(vColor, 1.0);
@@ -53,6 +58,8 @@ export interface LinePass {
   /** Width in CSS pixels of each state that the pass draws. */
   readonly widths: { readonly [S in DrawState]?: number };
   readonly depthTest: boolean;
+  /** Length of a dash and the gap after it, in CSS pixels; without it, lines are solid. */
+  readonly dash?: number;
 }
 
 export type LineMaterial = StateMaterial & {
@@ -60,8 +67,12 @@ export type LineMaterial = StateMaterial & {
 };
 
 /** Line segments, coloured by the state of their line. The uniform `resolution` is the size of the view in CSS pixels. */
-export function createLineMaterial({ widths, depthTest }: LinePass): LineMaterial {
-  const uniforms = { ...drawStateUniforms(widths), resolution: { value: new Vector2(1, 1) } };
+export function createLineMaterial({ widths, depthTest, dash = 0 }: LinePass): LineMaterial {
+  const uniforms = {
+    ...drawStateUniforms(widths),
+    resolution: { value: new Vector2(1, 1) },
+    dash: { value: dash },
+  };
   const material = new ShaderMaterial({
     vertexShader,
     fragmentShader,

@@ -1,0 +1,136 @@
+import type { Mesher, PreparedBody, Project } from "tetrafront";
+import { createStore, type StoreApi } from "zustand/vanilla";
+import { engineInput } from "../document/engine-input";
+import { isEmptyProject } from "../document/entities";
+import type { SizePlane, ViewStore } from "../document/selection";
+import { sizeSurface, type SizeSurface } from "../document/size-positions";
+import type { BodyFeed } from "./bodies";
+import type { DocumentStore } from "./document-store";
+import type { PreviewFeed } from "./preview";
+import { isStale, type MeshRun } from "./run";
+
+/** Sizes at the positions of a surface. */
+export interface ShownSizes extends SizeSurface {
+  /** Target edge length per position. */
+  readonly sizes: Float64Array;
+  /** The smallest and the largest of them. */
+  readonly range: readonly [low: number, high: number];
+}
+
+export interface SizeState {
+  /** The expected number of tetrahedra of the present project; null if it is not known. */
+  readonly expected: number | null;
+  /** The sizes that the view shows; null if it shows none, or the project has no valid sizes. */
+  readonly shown: ShownSizes | null;
+}
+
+/** Time without a change before sizes are asked for, in milliseconds: an edit by dragging makes many. */
+const restMs = 120;
+
+const nothing: SizeState = { expected: null, shown: null };
+
+/** What an answer belongs to. */
+interface Question {
+  readonly project: Project;
+  readonly plane: SizePlane | null;
+  readonly enabled: boolean;
+  readonly bodies: readonly PreparedBody[];
+}
+
+interface Stores {
+  readonly documents: DocumentStore;
+  readonly previews: PreviewFeed;
+  readonly bodies: BodyFeed;
+  readonly run: MeshRun;
+  readonly view: ViewStore;
+}
+
+/**
+ * Keeps the sizes that the view shows, and the expected number of elements, up to date with the document. Asks for
+ * nothing while a mesh is made, or is up to date and shown.
+ */
+export class SizeFeed {
+  readonly state: StoreApi<SizeState> = createStore<SizeState>(() => nothing);
+  readonly #stores: Stores;
+  readonly #mesher: Promise<Mesher>;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  #abort: AbortController | null = null;
+  #asked: Question | null = null;
+
+  constructor(stores: Stores, mesher: Promise<Mesher>) {
+    this.#stores = stores;
+    this.#mesher = mesher;
+    stores.previews.state.subscribe(() => this.#changed());
+    stores.bodies.state.subscribe(() => this.#changed());
+    stores.run.state.subscribe((state, before) => {
+      if (state.busy !== before.busy || state.mesh !== before.mesh) this.#changed();
+    });
+    stores.view.state.subscribe((state, before) => {
+      if (state.sizes !== before.sizes) this.#changed();
+    });
+  }
+
+  #changed(): void {
+    const question = this.#question();
+    if (question && this.#asked && sameQuestion(question, this.#asked)) return;
+    this.#asked = question;
+    this.#abort?.abort();
+    clearTimeout(this.#timer);
+    if (!question) this.state.setState(nothing);
+    else {
+      if (!question.enabled) this.state.setState({ shown: null });
+      this.#timer = setTimeout(() => void this.#ask(question), restMs);
+    }
+  }
+
+  #question(): Question | null {
+    const { documents, previews, bodies: feed, run, view } = this.#stores;
+    const { project } = previews.state.getState();
+    const { enabled, plane } = view.state.getState().sizes;
+    if (!project || isEmptyProject(project)) return null;
+    const { busy, mesh } = run.state.getState();
+    const isKnown = busy || (mesh !== null && !isStale(run.state.getState(), documents.state.getState()));
+    if (isKnown && !enabled) return null;
+    const bodies = feed.preparations.allOf(project);
+    return { project, enabled, plane: enabled ? plane : null, bodies };
+  }
+
+  async #ask(question: Question): Promise<void> {
+    const { preview } = this.#stores.previews.state.getState();
+    if (!preview) return;
+    const abort = new AbortController();
+    this.#abort = abort;
+    const { project, enabled, plane, bodies } = question;
+    const surface = enabled ? sizeSurface(project, preview, plane) : null;
+    try {
+      const [drawn, options] = engineInput(project);
+      const mesher = await this.#mesher;
+      const positions = surface?.points ?? new Float64Array();
+      const given = { ...options, preparedBodies: bodies };
+      const { sizes, tetrahedra } = await mesher.sampleSizes(drawn, positions, given, {
+        signal: abort.signal,
+      });
+      if (abort.signal.aborted) return;
+      const hasSizes = surface !== null && sizes.length > 0;
+      this.state.setState({
+        expected: tetrahedra,
+        shown: hasSizes ? { ...surface, sizes, range: rangeOf(sizes) } : null,
+      });
+    } catch {
+      // A drawing that is not finished has no sizes; its problems say why.
+      if (!abort.signal.aborted) this.state.setState(nothing);
+    }
+  }
+}
+
+function sameQuestion(a: Question, b: Question): boolean {
+  const sameBodies = a.bodies.length === b.bodies.length && a.bodies.every((body, i) => body === b.bodies[i]);
+  return a.project === b.project && a.plane === b.plane && a.enabled === b.enabled && sameBodies;
+}
+
+function rangeOf(sizes: Float64Array): readonly [number, number] {
+  return [
+    sizes.reduce((low, size) => Math.min(low, size), Infinity),
+    sizes.reduce((high, size) => Math.max(high, size), 0),
+  ];
+}
