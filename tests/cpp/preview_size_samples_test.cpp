@@ -38,7 +38,7 @@ TEST(SizeSamples, ABodyBesideAModelCounts) {
   bodies.patches = 1;
   MeshOptions options;
   options.size = 0.05;
-  const double volume = 1.0 + enclosedVolume(sphere);
+  const double volume = 1.0 + tetrafront::enclosedVolume(sphere);
   const SizeSamples samples = sampleSizes(box, bodies, {}, options, {});
   const double exact = kTetrahedraPerUnitVolume * volume / std::pow(0.05, 3);
   EXPECT_NEAR(samples.tetrahedra, exact, 1e-3 * exact);

@@ -1,5 +1,6 @@
 #include "tetrafront/size_samples.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -83,7 +84,8 @@ Task<SizeSamples> takeSamples(Work& work, const SampleInput& input) {
   work.beginPart(1.0);
   co_await sampleField(work, *field, input.positions, samples.sizes);
   if (!isClosed || surface.triangles.empty()) co_return samples;
-  const double expected = expectedTetrahedra(surface, *field);
+  // The samples of a drawn model may face inward as a whole.
+  const double expected = tetrahedraWithin(std::fabs(enclosedVolume(surface)), surface, *field);
   samples.tetrahedra = cappedCount(expected);
   co_return samples;
 }

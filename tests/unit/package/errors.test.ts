@@ -17,6 +17,7 @@ import {
 } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
+import { cubeProject } from "../../support/projects.js";
 import { blockMesh } from "../../support/block-mesh.js";
 import { boxSurface } from "../../support/surfaces.js";
 
@@ -78,7 +79,7 @@ describe.each<[string, unknown]>([
     ["the project to cover", () => mesher.coverProject(wrong)],
     ["the project of a proposal", () => mesher.proposeSizes(wrong)],
     ["the project of size samples", () => mesher.sampleSizes(wrong, new Float64Array(3))],
-    ["the positions of size samples", () => mesher.sampleSizes(project, wrong)],
+    ["the positions of size samples", () => mesher.sampleSizes(cubeProject(), wrong)],
     ["the mesh for a background", () => mesher.backgroundFromMesh(wrong)],
     ["the volume for a background", () => volumeBackground(mesher, wrong)],
     ["the surface to inspect", () => mesher.inspectSurface(wrong)],
