@@ -2,6 +2,7 @@ import type { Project, ProjectBody } from "tetrafront";
 import type { App } from "../app/app";
 import { addBodies, nextBodyIds, replaceBody, usedPatches } from "../document/body-edits";
 import { withRepairs } from "../document/body-repair";
+import { inProjectUnit, unitOf } from "../document/length-units";
 import { bodiesOf, bodyOfPatch, findRecord, type Entity } from "../document/entities";
 import { openDocumentFile } from "../session/files";
 import { bodyStepNames, strings } from "../strings";
@@ -33,7 +34,7 @@ export async function addSurfaces(
   await app.documents.afterGesture();
   const { project } = app.documents;
   const bodies = renumbered(
-    files.flatMap(({ read }) => read.bodies),
+    files.flatMap(({ read }) => inProjectUnit(read.bodies, read.unit, project)),
     project,
   );
   for (const made of bodies) app.bodies.keep(made);
@@ -43,10 +44,16 @@ export async function addSurfaces(
   const notes = files.flatMap(({ name, read }) =>
     units === undefined || read.unit === undefined || read.unit === units
       ? read.notes
-      : [...read.notes, strings.files.otherUnit(name, read.unit, units)],
+      : [...read.notes, unitNote(name, read.unit, units)],
   );
   return { bodies, notes };
 }
+
+/** Returns what was done about a file in another unit than the project's. */
+const unitNote = (name: string, unit: string, units: string): string =>
+  unitOf(unit) && unitOf(units)
+    ? strings.files.scaledUnit(name, unit, units)
+    : strings.files.otherUnit(name, unit, units);
 
 /** Returns bodies with ids that the project does not have yet. */
 function renumbered(made: readonly NewBody[], project: Project): NewBody[] {

@@ -5,6 +5,7 @@ type ChangeOf<Kind extends RepairChange["kind"]> = Extract<RepairChange, { reado
 
 /** Names of the steps of undo. */
 export const bodyStepNames = {
+  setUnit: (id: number) => `Set unit of body ${id}`,
   addMany: (count: number) => `Add ${count} bodies`,
   surface: (body: string) => `Change treatment of ${body}`,
   remeshing: {

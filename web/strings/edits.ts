@@ -21,6 +21,7 @@ export const stepNames = {
     order: "Set front order",
     optimization: "Set optimization",
   },
+  setUnits: "Set length unit",
   removeUniformSize: "Use sizes of background grid",
   refineSizes: "Make all sizes finer",
   coarsenSizes: "Make all sizes coarser",

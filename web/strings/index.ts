@@ -5,6 +5,7 @@ import { pageStrings } from "./page";
 import { pieceStrings } from "./pieces";
 import { panelStrings } from "./panels";
 import { playerStrings } from "./player";
+import { unitStrings } from "./units";
 
 /** All texts that a user reads. The package words diagnostics and errors of files. */
 export const strings = {
@@ -14,6 +15,7 @@ export const strings = {
   bodies: bodyStrings,
   pieces: pieceStrings,
   player: playerStrings,
+  units: unitStrings,
   problemTitle,
 } as const;
 

@@ -127,6 +127,8 @@ export const pageStrings = {
       "Projects contain the surface of an opened mesh, not its elements. Download the mesh to keep it.",
     regionPointsUnused: (count: number) =>
       `${count === 1 ? "A point that marks a region or hole is" : `${count} points that mark regions and holes are`} not used in projects. The command line uses them: tetrafront mesh.`,
+    scaledUnit: (name: string, unit: string, units: string) =>
+      `“${name}” is in ${unit} and was scaled to ${units}, the unit of the project.`,
     otherUnit: (name: string, unit: string, units: string) =>
       `“${name}” is in ${unit}, the project in ${units}. Set the scale of its bodies.`,
     furtherProject: "A project cannot be added to another document. Drop it alone.",

@@ -28,19 +28,21 @@ const hoverDelay = 80;
 
 /**
  * A click selects, and a double click fits the view to the entity. A drag selects what lies within a box or, with Alt, a
- * lasso. A resting pointer highlights the entity under it.
+ * lasso. A resting pointer highlights the entity under it. After a click, Tab goes through all that lies under the pointer.
  */
 export class SelectTool implements Tool {
   readonly id = "select";
-  readonly #viewer: Pick<Viewer, "fitTarget" | "seenFrom">;
+  readonly #viewer: Pick<Viewer, "fitTarget" | "seenFrom" | "entitiesAt">;
   readonly #stores: SelectStores;
   readonly #onHover: (hover: Hover | null) => void;
   /** The corners of a lasso, or the two of a box; null without a press. */
   #outline: readonly ScreenPoint[] | null = null;
   #restTimer: ReturnType<typeof setTimeout> | undefined;
+  /** Where the last click was, while the pointer has not left it. */
+  #clicked: ScreenPoint | null = null;
 
   constructor(
-    viewer: Pick<Viewer, "fitTarget" | "seenFrom">,
+    viewer: Pick<Viewer, "fitTarget" | "seenFrom" | "entitiesAt">,
     stores: SelectStores,
     onHover: (hover: Hover | null) => void,
   ) {
@@ -60,6 +62,7 @@ export class SelectTool implements Tool {
 
   move(pointer: ToolPointer | null): void {
     clearTimeout(this.#restTimer);
+    if (!pointer || (this.#clicked && isFar(pointer.at, this.#clicked))) this.#clicked = null;
     if (pointer && this.#outline) {
       if (pointer.isDrag) this.#draw(pointer, this.#outline);
     } else if (pointer) this.#restTimer = setTimeout(() => this.#rest(pointer), hoverDelay);
@@ -72,6 +75,7 @@ export class SelectTool implements Tool {
     if (pointer.button === "right") this.#openMenu(pointer);
     if (pointer.button !== "left") return;
     if (pointer.isDrag && outline) return this.#selectWithin(outline, pointer);
+    this.#clicked = pointer.at;
     const target = pointer.hit()?.target ?? null;
     if (pointer.clicks === 2) this.#viewer.fitTarget(target);
     else if (target?.kind === "element") this.#view.selectElement(target.index);
@@ -84,8 +88,10 @@ export class SelectTool implements Tool {
     if (this.#stores.drawing.state.getState().outline) this.#stores.drawing.state.setState({ outline: null });
   }
 
-  key(): boolean {
-    return false;
+  /** Tab moves the focus unless something was clicked that hides other entities. */
+  key(event: KeyboardEvent): boolean {
+    if (event.key !== "Tab" || event.ctrlKey || event.altKey || event.metaKey) return false;
+    return this.#clicked !== null && this.#selectNext(this.#clicked, event.shiftKey ? -1 : 1);
   }
 
   overlay(): Layer | null {
@@ -94,6 +100,18 @@ export class SelectTool implements Tool {
 
   get #view(): ViewStore {
     return this.#stores.view;
+  }
+
+  /** Selects what follows the selected entity under the pointer. Returns false if there is nothing else. */
+  #selectNext(at: ScreenPoint, step: 1 | -1): boolean {
+    const found = this.#viewer.entitiesAt(at);
+    const { selection } = this.#view.state.getState();
+    const [only, ...others] = selection;
+    const index = others.length === 0 ? found.findIndex((entity) => sameEntity(entity, only ?? null)) : -1;
+    const next = found.at(index < 0 ? 0 : (index + step) % found.length);
+    if (!next || sameEntity(next, only ?? null)) return false;
+    this.#view.select(next);
+    return true;
   }
 
   #draw(pointer: ToolPointer, outline: readonly ScreenPoint[]): void {
@@ -131,6 +149,10 @@ export class SelectTool implements Tool {
     this.#onHover(hover);
   }
 }
+
+/** Has the pointer moved since a click? In CSS pixels. */
+const stillness = 6;
+const isFar = (a: ScreenPoint, b: ScreenPoint): boolean => Math.hypot(a.x - b.x, a.y - b.y) > stillness;
 
 function modeOf({ mod, shift }: ToolPointer): SelectMode {
   if (mod) return "toggle";

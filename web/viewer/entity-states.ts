@@ -2,6 +2,7 @@ import { BufferAttribute, InstancedBufferAttribute, type BufferGeometry } from "
 import { entityKey, sameEntity, type DrawnKind, type Entity } from "../document/entities";
 import { stateCodes, type DrawState } from "./draw-state";
 import type { SceneState } from "./scene-state";
+import type { Screen } from "./screen";
 
 interface Identified {
   readonly id: number;
@@ -108,6 +109,13 @@ export class EntityStates {
   /** Returns whether a vertex is drawn. */
   isDrawn(vertex: number): boolean {
     return this.#attribute.getX(vertex) !== stateCodes.hidden;
+  }
+
+  /** Returns whether a vertex is drawn and belongs to an entity that a hit test does not pass through. */
+  canHit(vertex: number, { isSkipped }: Pick<Screen, "isSkipped">): boolean {
+    if (!this.isDrawn(vertex)) return false;
+    const entity = this.entityAt(this.recordOf(vertex));
+    return entity !== null && !isSkipped(entity);
   }
 
   /** Returns whether any entity has one of these states. */

@@ -1,6 +1,7 @@
 import { Group, type PerspectiveCamera, type Scene } from "three";
+import type { Entity } from "../document/entities";
 import { defectiveCorners, selectedCorners } from "./highlight-corners";
-import { hitTest } from "./hit-test";
+import { entitiesUnder, hitTest } from "./hit-test";
 import { AxesLayer } from "./layers/axes-layer";
 import { BodiesLayer } from "./layers/bodies-layer";
 import { DotsLayer } from "./layers/dots-layer";
@@ -75,6 +76,13 @@ export class SceneLayers {
     const solid = this.#replaced.visible ? [this.mesh, this.#bodies] : [];
     const order = { solid, onSurfaces, translucent: this.#isReplaying ? null : this.#patches };
     return hitTest(order, camera, viewport, at);
+  }
+
+  /** Returns the entities at a point of the view, the uppermost first: those behind a mesh too. */
+  entitiesAt(camera: PerspectiveCamera, viewport: Viewport, at: ScreenPoint): Entity[] {
+    const onSurfaces = [this.#points, this.#grid, this.#sources, this.#lines];
+    const translucent = this.#isReplaying ? null : this.#patches;
+    return entitiesUnder({ solid: [this.#bodies], onSurfaces, translucent }, camera, viewport, at);
   }
 
   /** Draws more of large surfaces in the next frame. Returns whether there is more. */

@@ -1,4 +1,5 @@
 import { Matrix4, Vector3, type PerspectiveCamera } from "three";
+import type { Entity } from "../document/entities";
 import type { Viewport } from "./scene-state";
 
 export interface ScreenPoint {
@@ -17,12 +18,21 @@ export class Screen {
   readonly pointer: Readonly<ScreenPoint>;
   /** Positions farther from the eye are covered by a surface. */
   readonly maxDepth: number;
+  /** Entities that the pointer passes through. */
+  readonly isSkipped: (entity: Entity) => boolean;
   readonly #viewport: Viewport;
   readonly #matrix = new Matrix4();
   readonly #eye = new Vector3();
 
-  constructor(camera: PerspectiveCamera, viewport: Viewport, pointer: ScreenPoint, maxDepth = Infinity) {
+  constructor(
+    camera: PerspectiveCamera,
+    viewport: Viewport,
+    pointer: ScreenPoint,
+    maxDepth = Infinity,
+    isSkipped: (entity: Entity) => boolean = () => false,
+  ) {
     this.pointer = pointer;
+    this.isSkipped = isSkipped;
     this.maxDepth = maxDepth;
     this.#viewport = viewport;
     this.#matrix.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);

@@ -173,6 +173,11 @@ export class Viewer {
     return this.#layers.hit(this.#view.camera, this.#state.viewport, at);
   }
 
+  /** Returns the entities at a point of the view, the uppermost first. */
+  entitiesAt(at: ScreenPoint): Entity[] {
+    return this.#layers.entitiesAt(this.#view.camera, this.#state.viewport, at);
+  }
+
   /** Returns the view as seen from a position of the pointer. */
   seenFrom(at: ScreenPoint): PointerView {
     return pointerView(this.#view.camera, this.#state.viewport, this.#state.origin, at);

@@ -2,7 +2,7 @@ import { DoubleSide, FrontSide, Ray, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import type { Project } from "tetrafront";
 import { emptyProject } from "../../../web/document/create";
-import { hitTest } from "../../../web/viewer/hit-test";
+import { entitiesUnder, hitTest } from "../../../web/viewer/hit-test";
 import { DotsLayer } from "../../../web/viewer/layers/dots-layer";
 import type { Hit, HittableLayer } from "../../../web/viewer/layers/layer";
 import { LinesLayer } from "../../../web/viewer/layers/lines-layer";
@@ -113,6 +113,18 @@ describe("hit test", () => {
     expect(hit?.target).toEqual({ kind: "patch", id: 3 });
     hit?.position.forEach((x, k) => expect(x).toBeCloseTo([-3, 2, 0.5][k] ?? 0));
     expect(pick(centre)?.target).toEqual({ kind: "patch", id: 8 });
+  });
+
+  it("finds all entities under the pointer, each once", () => {
+    const patches = new PatchesLayer(noTree);
+    show(patches, base);
+    const order = { solid: [nothing], onSurfaces: [], translucent: patches };
+    const found = entitiesUnder(order, camera, viewport, at(-3, 0.5, 2));
+    expect(found).toEqual([
+      { kind: "patch", id: 3 },
+      { kind: "patch", id: 8 },
+    ]);
+    expect(entitiesUnder(order, camera, viewport, { x: 0, y: 0 })).toEqual([]);
   });
 
   it("gives model coordinates although the layers work in local ones", () => {

@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { createStore } from "zustand/vanilla";
+import type { Entity } from "../../../web/document/entities";
 import { ViewStore } from "../../../web/document/selection";
 import { Drawing } from "../../../web/tools/drawing/drawing";
 import { SelectTool, type Hover, type SelectStores } from "../../../web/tools/select-tool";
@@ -14,17 +15,20 @@ let drawing: Drawing;
 let tool: SelectTool;
 let fitted: (Target | null)[];
 let hovers: (Hover | null)[];
+/** What lies under the pointer. */
+let under: Entity[];
 
 beforeEach(() => {
   vi.useFakeTimers();
   view = new ViewStore();
   fitted = [];
   hovers = [];
+  under = [];
   drawing = new Drawing();
   const project = cubeProject();
   const previews = { state: createStore(() => ({ preview: null, project: null })) };
   tool = new SelectTool(
-    { fitTarget: (target) => void fitted.push(target), seenFrom: fromAbove },
+    { fitTarget: (target) => void fitted.push(target), seenFrom: fromAbove, entitiesAt: () => under },
     { documents: { project }, previews: previews as unknown as SelectStores["previews"], view, drawing },
     (hover) => hovers.push(hover),
   );
@@ -164,4 +168,22 @@ it("nothing is highlighted over a tetrahedron, after a press, or after the point
   tool.move(null);
   expect(view.state.getState().hover).toBeNull();
   expect(hovers.at(-1)).toBeNull();
+});
+
+it("Tab goes through all that lies under the pointer after a click, and else moves the focus", () => {
+  under = [1, 2, 3].map((id) => ({ kind: "line", id }));
+  const tab = (shiftKey = false): boolean =>
+    tool.key({ key: "Tab", shiftKey, ctrlKey: false, altKey: false, metaKey: false } as KeyboardEvent);
+  expect(tab()).toBe(false);
+  tool.up(pointer(line(1)));
+  expect([tab(), selected()]).toEqual([true, [2]]);
+  expect([tab(), selected()]).toEqual([true, [3]]);
+  expect([tab(), selected()]).toEqual([true, [1]]);
+  expect([tab(true), selected()]).toEqual([true, [3]]);
+  // A pointer that has left the place gives the key back.
+  tool.move(pointer(null, { at: { x: 50, y: 6 }, button: null }));
+  expect(tab()).toBe(false);
+  under = [{ kind: "line", id: 1 }];
+  tool.up(pointer(line(1)));
+  expect(tab()).toBe(false);
 });

@@ -14,6 +14,7 @@ import { BodyPreview } from "./body-preview";
 import { BodyProblems } from "./body-problems";
 import { BodyRepairs } from "./body-repairs";
 import { BodyTreatment } from "./body-treatment";
+import { BodyUnit } from "./body-unit";
 import { useBody } from "./use-body";
 
 const texts = strings.bodies;
@@ -37,6 +38,7 @@ export function BodyCard({ body }: { readonly body: ProjectBody }) {
           </Text>
         )
       )}
+      <BodyUnit body={body} />
       {state?.inspection && <BodyProblems body={body} inspection={state.inspection} />}
       <BodyRepairs body={body} />
       <BodyTreatment body={body} />

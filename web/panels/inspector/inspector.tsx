@@ -2,6 +2,7 @@ import { Text } from "@mantine/core";
 import { renameProject } from "../../document/edits";
 import { findRecord } from "../../document/entities";
 import { qualityIn } from "../../document/mesh-quality";
+import { setProjectUnit, unitOf } from "../../document/length-units";
 import { FieldRow } from "../../ui/fields/field-row";
 import { formatAngle } from "../../ui/format";
 import { NameField } from "../../ui/fields/name-field";
@@ -11,6 +12,7 @@ import { ElementSize } from "../background/element-size";
 import { EntityCard } from "../later/later";
 import { MeshSettings } from "./mesh-settings";
 import { ParameterTable } from "./parameter-table";
+import { UnitSelect } from "../shared/unit-select";
 import { PanelBoundary } from "../shared/panel-boundary";
 import { QualityPanel } from "../quality/quality-panel";
 import { GroupList } from "../entities/group-list";
@@ -57,6 +59,13 @@ function ProjectCard() {
           onCommit={(name) => app.documents.edit(renameProject(name))}
         />
       </FieldRow>
+      <UnitSelect
+        label={strings.units.ofProject}
+        value={unitOf(project.units) ?? null}
+        without={strings.units.unknown}
+        testId="project-unit"
+        onChange={(unit) => app.documents.edit(setProjectUnit(unit))}
+      />
       {project.description !== undefined && (
         <Text size="sm" c="dimmed" my={6}>
           {project.description}

@@ -94,7 +94,9 @@ export class BodyObject {
     if (!this.root.visible || !this.#isSolid || !drawn) return null;
     const { scale = 1 } = this.#placement ?? {};
     const local = ray.clone().applyMatrix4(new Matrix4().copy(this.root.matrixWorld).invert());
-    const hit = this.#tree.firstHit(local, DoubleSide, (triangle) => this.#states.isDrawn(3 * triangle));
+    const hit = this.#tree.firstHit(local, DoubleSide, (triangle) =>
+      this.#states.canHit(3 * triangle, screen),
+    );
     const depth = hit ? hit.distance * scale : Infinity;
     const target = hit && this.#states.entityAt(this.#states.recordOf(3 * hit.triangle));
     if (!hit || !target || depth > screen.maxDepth) return null;

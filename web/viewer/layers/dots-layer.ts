@@ -65,7 +65,7 @@ export class DotsLayer<Record extends Dotted> implements HittableLayer {
 
   hit(_ray: Ray, screen: Screen): Hit | null {
     if (!this.root.visible) return null;
-    const nearest = nearestDot(this.#position.array, screen, (dot) => this.#states.isDrawn(dot));
+    const nearest = nearestDot(this.#position.array, screen, (dot) => this.#states.canHit(dot, screen));
     const target = nearest && this.#states.entityAt(this.#states.recordOf(nearest.index));
     const position = nearest && this.#positionOf(nearest.index);
     return target && position ? { target, position, depth: nearest.depth } : null;

@@ -71,7 +71,7 @@ export class LinesLayer implements HittableLayer {
 
   hit(_ray: Ray, screen: Screen): Hit | null {
     if (!this.root.visible) return null;
-    const nearest = nearestSegment(this.#segments, screen, (segment) => this.#states.isDrawn(segment));
+    const nearest = nearestSegment(this.#segments, screen, (segment) => this.#states.canHit(segment, screen));
     const target = nearest && this.#states.entityAt(this.#states.recordOf(nearest.index));
     if (!target) return null;
     const position = addOrigin(pointOnSegment(this.#segments, nearest), this.#origin);

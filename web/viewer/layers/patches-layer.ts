@@ -92,7 +92,7 @@ export class PatchesLayer implements HittableLayer {
 
   hit(ray: Ray, screen: Screen): Hit | null {
     if (!this.root.visible) return null;
-    const hit = this.#tree.firstHit(ray, DoubleSide, (triangle) => this.#states.isDrawn(3 * triangle));
+    const hit = this.#tree.firstHit(ray, DoubleSide, (triangle) => this.#states.canHit(3 * triangle, screen));
     const target = hit && this.#states.entityAt(this.#states.recordOf(3 * hit.triangle));
     if (!target || hit.distance > screen.maxDepth) return null;
     return { target, position: addOrigin(hit.point, this.#origin), depth: hit.distance };

@@ -64,7 +64,7 @@ export class SourcesLayer implements HittableLayer {
   hit(_ray: Ray, screen: Screen): Hit | null {
     if (!this.root.visible) return null;
     const { ends, states } = this.#edges;
-    const nearest = nearestSegment(ends, screen, (segment) => states.isDrawn(2 * segment), Infinity);
+    const nearest = nearestSegment(ends, screen, (segment) => states.canHit(2 * segment, screen), Infinity);
     const target = nearest && states.entityAt(states.recordOf(2 * nearest.index));
     if (!target) return null;
     const position = addOrigin(pointOnSegment(ends, nearest), this.#origin);

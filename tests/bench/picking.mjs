@@ -1,0 +1,21 @@
+// Measures picking: the time from a position of the pointer to the entity under it, for a model of 2000 entities in front of
+// the boundary of a mesh of a million tetrahedra. The goal is 20 ms.
+import { createServer } from "vite";
+import { inRoot } from "../../scripts/lib/paths.mjs";
+
+const server = await createServer({
+  root: inRoot(),
+  configFile: false,
+  appType: "custom",
+  logLevel: "error",
+  server: { middlewareMode: true, hmr: false, ws: false },
+  optimizeDeps: { noDiscovery: true },
+});
+try {
+  const { measurePicking } = await server.ssrLoadModule("/tests/bench/support/picking.ts");
+  for (const { what, median, longest } of await measurePicking()) {
+    console.log(`${what.padEnd(52)} median ${median.toFixed(2)} ms, longest ${longest.toFixed(2)} ms`);
+  }
+} finally {
+  await server.close();
+}

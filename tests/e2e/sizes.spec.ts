@@ -1,0 +1,206 @@
+import { expect, test } from "@playwright/test";
+import { readProject, writeProject, type Project } from "tetrafront";
+import { NO_DEFECTS, defectsOf, meshVolume } from "../support/check-mesh";
+import { parseVtu } from "../support/mesh-files";
+import { stlBinary } from "../support/surface-files";
+import { sphereSurface } from "../support/surfaces";
+import { AppPage, nextFrame, sampleProject } from "./app-page";
+import { downloaded, downloadMesh } from "./downloads";
+import { dropBytes } from "./drop-bytes";
+
+type Position = readonly [x: number, y: number, z: number];
+
+/** The app with the background grid of its model drawn in the view. */
+class SizesPage extends AppPage {
+  /** Where a position appears on the page. */
+  async at(position: Position): Promise<{ readonly x: number; readonly y: number }> {
+    const box = await this.viewport.boundingBox();
+    const found = await this.page.evaluate((position) => {
+      const { tetrafrontPosition } = window as unknown as {
+        tetrafrontPosition: (position: Position) => { x: number; y: number } | null;
+      };
+      return tetrafrontPosition(position);
+    }, position);
+    if (!box || !found) throw new Error(`${position.join()} is not in view`);
+    return { x: box.x + found.x, y: box.y + found.y };
+  }
+
+  async click(position: Position): Promise<void> {
+    const { x, y } = await this.at(position);
+    await this.page.mouse.click(x, y);
+  }
+
+  async drag(from: Position, to: Position): Promise<void> {
+    const [a, b] = [await this.at(from), await this.at(to)];
+    await this.page.mouse.move(a.x, a.y);
+    await this.page.mouse.down();
+    await this.page.mouse.move((a.x + b.x) / 2, (a.y + b.y) / 2);
+    await this.page.mouse.move(b.x, b.y);
+    await this.page.mouse.up();
+  }
+
+  async typeCoordinates(text: string): Promise<void> {
+    await this.page.keyboard.type(text);
+    await expect(this.page.getByTestId("coordinates")).toHaveValue(text);
+    await this.page.keyboard.press("Enter");
+    await expect(this.page.getByTestId("coordinates")).toBeHidden();
+  }
+
+  /** Opens a project file and waits for its view. */
+  async openProject(project: Project): Promise<void> {
+    await this.page.goto("./?test=1&new=1");
+    await expect(this.viewport).toHaveAttribute("data-points", "0");
+    await this.page.evaluate(() => {
+      Reflect.deleteProperty(window, "showOpenFilePicker");
+      Reflect.deleteProperty(window, "showSaveFilePicker");
+    });
+    await this.openFile("project.json", writeProject(project));
+    await expect(this.viewport).toHaveAttribute("data-points", String(project.points.length));
+  }
+
+  /** The project as it would be saved. */
+  async project(): Promise<Project> {
+    const bytes = await downloaded(this.page, () => this.page.keyboard.press("Control+s"));
+    const read = readProject(new TextDecoder().decode(bytes));
+    if (!read.success) throw new Error(read.errors[0].message);
+    return read.value;
+  }
+
+  async downloadedMesh() {
+    const { points, tetrahedra } = parseVtu(await downloadMesh(this.page, /^Download mesh as VTU/));
+    const mesh = {
+      points: Float64Array.from(points),
+      tetrahedra: Uint32Array.from(tetrahedra.flat()),
+      regions: new Uint32Array(),
+      front: new Uint32Array(),
+    };
+    const empty = { points: new Float64Array(), triangles: new Uint32Array() };
+    const { extraFaces: _, ...defects } = defectsOf(mesh, empty);
+    return { mesh, defects };
+  }
+}
+
+const { extraFaces: _, ...noDefects } = NO_DEFECTS;
+
+test("the engine intake's background grid is built by pointer and keyboard, and meshes", async ({ page }) => {
+  const app = new SizesPage(page);
+  const intake = sampleProject("engine-intake");
+  const { nodes, tetrahedra } = intake.background;
+  await app.openProject({ ...intake, background: { nodes: [], tetrahedra: [] } });
+  await page.getByTestId("tool-node").click();
+  const known = new Set<number>();
+  for (const corners of tetrahedra) {
+    for (const id of corners) {
+      const node = nodes.find((one) => one.id === id);
+      if (!node) throw new Error(`there is no node ${id}`);
+      // New nodes by their coordinates, existing ones by a click.
+      if (known.has(id)) await app.click(node.position);
+      else await app.typeCoordinates(node.position.join(","));
+      known.add(id);
+    }
+  }
+  await page.keyboard.press("v");
+  const positionOf = (id: number): string => nodes.find((one) => one.id === id)?.position.join() ?? "";
+  const ids = [...known];
+  for (const [index, id] of ids.entries()) {
+    await app.select(`background-node-${index + 1}`);
+    await app.type("node-size", String(nodes.find((one) => one.id === id)?.size));
+  }
+  const { background } = await app.project();
+  // The nodes are numbered in the order in which they were placed.
+  expect(background.nodes.map(({ position, size }) => `${position.join()} ${size}`)).toEqual(
+    ids.map((id) => `${positionOf(id)} ${nodes.find((one) => one.id === id)?.size ?? 0}`),
+  );
+  expect(background.tetrahedra.map((corners) => corners.map((corner) => ids[corner - 1]))).toEqual(
+    tetrahedra,
+  );
+  await expect(page.getByTestId("count-expected")).toContainText("tetrahedra");
+  await app.generate();
+  const { defects } = await app.downloadedMesh();
+  expect(defects).toEqual(noDefects);
+});
+
+test("an imported STL gets a source drawn by two clicks, which refines the mesh", async ({ page }) => {
+  const app = new SizesPage(page);
+  await page.goto("./?test=1&new=1");
+  await expect(app.viewport).toHaveAttribute("data-points", "0");
+  await dropBytes(page, stlBinary(sphereSurface(8)), "ball.stl");
+  await expect(page.getByTestId("body-card")).toBeVisible();
+  // The unit of the file: in a project without one, it becomes that of the project.
+  await page.getByTestId("body-unit").click();
+  await page.getByRole("option", { name: "mm", exact: true }).click();
+  await app.generate();
+  const before = await app.mesh();
+  await page.getByTestId("tool-source").click();
+  await app.click([0.5, 0, 0]);
+  await app.click([1, 0, 0]);
+  await expect(page.getByTestId("source-size")).toBeVisible();
+  await app.type("source-size", "0.05");
+  await page.keyboard.press("Escape");
+  const { background, units } = await app.project();
+  expect(units).toBe("mm");
+  expect(background.sources).toHaveLength(1);
+  expect(background.sources?.[0]).toMatchObject({ type: "segment", size: 0.05 });
+  const after = await app.generate();
+  expect(after.tets).toBeGreaterThan(2 * before.tets);
+  const { mesh, defects } = await app.downloadedMesh();
+  expect(defects).toEqual(noDefects);
+  expect(Math.abs(meshVolume(mesh) / ((4 / 3) * Math.PI) - 1)).toBeLessThan(0.1);
+});
+
+test("handles change size and stretching of a node, and undo takes each drag back", async ({ page }) => {
+  const app = new SizesPage(page);
+  await app.openCube();
+  await page.getByTestId("tool-node").click();
+  await page.keyboard.press("v");
+  await app.select("background-node-2");
+  await page.keyboard.press("Shift+f");
+  const nodeOf = async () => (await app.project()).background.nodes.find(({ id }) => id === 2);
+  const node = await nodeOf();
+  if (!node) throw new Error("there is no node 2");
+  const [x, y, z] = node.position;
+  const { size } = node;
+  // The handles of a ball are half a size away: across the direction, and along it.
+  await nextFrame(app.viewport, () => app.drag([x + size / 2, y, z], [x + size, y, z]));
+  await expect.poll(async () => (await nodeOf())?.stretching).toBeCloseTo(2, 1);
+  await page.keyboard.press("Control+z");
+  await expect.poll(nodeOf).toEqual(node);
+});
+
+test("target sizes are shown before meshing on the model and a plane, with a legend", async ({ page }) => {
+  const app = new SizesPage(page);
+  const wing = sampleProject("unit-cube");
+  await app.openProject({
+    ...wing,
+    background: {
+      ...wing.background,
+      sources: [{ id: 1, type: "point", positions: [[0, 0, 0]], size: 0.02, distance: 0.05, growth: 0.3 }],
+    },
+  });
+  const plain = await app.colours();
+  await page.getByTestId("show-sizes").click();
+  await expect(page.getByTestId("size-legend")).toContainText("0.02");
+  await expect(page.getByTestId("size-bar")).toBeVisible();
+  await expect.poll(() => app.colours()).toBeGreaterThan(plain + 100);
+  const slider = page.getByRole("slider", { name: "Position of the plane" });
+  await slider.focus();
+  await nextFrame(app.viewport, () => page.keyboard.press("ArrowRight"));
+  await page.getByTestId("size-bar").getByText("x", { exact: true }).click();
+  await page.keyboard.press("Shift+D");
+  await expect(page.getByTestId("size-legend")).toBeHidden();
+});
+
+test("a problem is fixed by its button, and undo brings it back", async ({ page }) => {
+  const app = new SizesPage(page);
+  const cube = sampleProject("unit-cube");
+  await app.openProject({ ...cube, patches: cube.patches.slice(2) });
+  // Nobody has asked for a mesh: the open edges are one quiet count.
+  await page.getByTestId("open-edges").click();
+  const fix = page.getByTestId("fix-open-edge").first();
+  await expect(fix).toHaveAttribute("aria-description", /Adds a planar patch/);
+  await page.getByTestId("fix-all-open-edge").click();
+  await expect(app.viewport).toHaveAttribute("data-patches", "6");
+  await expect(app.viewport).toHaveAttribute("data-problems", "0");
+  await page.keyboard.press("Control+z");
+  await expect(app.viewport).toHaveAttribute("data-patches", "4");
+});

@@ -1,0 +1,39 @@
+import { expect, it } from "vitest";
+import { emptyProject } from "../../../web/document/create";
+import { addPoints, readPositionList } from "../../../web/document/position-list";
+import { Drawing } from "../../../web/tools/drawing/drawing";
+import { DocumentStore } from "../../../web/session/document-store";
+
+it.each<[string, string, number[][] | null]>([
+  ["commas", "1,2,3\n4,5,6", [[1, 2, 3], [4, 5, 6]]], // prettier-ignore
+  ["tabs of a spreadsheet, with a heading", "x\ty\tz\r\n0.5\t1e-3\t-2\r\n", [[0.5, 0.001, -2]]],
+  ["two numbers, comments and empty lines", "# section\n1 2\n\n// end\n3;4", [[1, 2, 0], [3, 4, 0]]], // prettier-ignore
+  ["words", "hello\nworld", null],
+  ["four numbers", "1 2 3 4", null],
+  ["a line that is no position", "1,2,3\n4,five,6", null],
+  ["a project file", '{"format": "tetrafront-project"}', null],
+  ["nothing", "  \n", null],
+])("reads positions with %s", (_, text, expected) => {
+  expect(readPositionList(text)).toEqual(expected);
+});
+
+it("adds pasted points as one step", () => {
+  const documents = new DocumentStore(emptyProject());
+  const positions = readPositionList("0 0 0\n1 0 0\n1 1 0") ?? [];
+  const { edit, entities } = addPoints(documents.project, positions);
+  documents.edit(edit);
+  expect(documents.project.points.map(({ position }) => position)).toEqual(positions);
+  expect(entities).toHaveLength(3);
+  documents.undo();
+  expect(documents.project.points).toEqual([]);
+});
+
+it("hands pasted lines to the active tool, up to the first that it refuses", () => {
+  const drawing = new Drawing();
+  expect(drawing.takeLines("1,2")).toBeUndefined();
+  const taken: string[] = [];
+  drawing.begin({ take: (text) => (text === "?" ? "syntax" : (taken.push(text), null)) });
+  expect(drawing.takeLines("1,2\n@1,0\n")).toBeNull();
+  expect(drawing.takeLines("5,5\n?\n6,6")).toBe("?");
+  expect(taken).toEqual(["1,2", "@1,0", "5,5"]);
+});

@@ -1,0 +1,13 @@
+/** Names of length units, and where they are chosen. */
+export const unitStrings = {
+  um: "µm",
+  mm: "mm",
+  cm: "cm",
+  m: "m",
+  in: "inch",
+  ft: "foot",
+  unknown: "not stated",
+  other: "other scale",
+  ofProject: "Length unit",
+  ofFile: "Unit of the file",
+} as const;
