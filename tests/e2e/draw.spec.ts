@@ -128,7 +128,7 @@ test("a sphere of eight octants: three arcs, a patch and three mirror images giv
   await page.keyboard.press("l");
   await page.getByTestId("drawing-bar").getByText("arc", { exact: true }).click();
   await page.getByTestId("viewport-canvas").focus();
-  const half = "sqrt(2)/2";
+  const half = "1/sqrt(2)";
   await draw.typeCoordinates("1,0,0", `${half},${half},0`, "0,1,0");
   await draw.typeCoordinates("0,1,0", `0,${half},${half}`, "0,0,1");
   await draw.typeCoordinates("0,0,1", `${half},0,${half}`, "1,0,0");

@@ -88,9 +88,7 @@ export class TransformTool implements Tool {
       const amount = amounts[this.#drag.mode](formatPosition(numbers));
       this.#stores.drawing.state.setState({ pointer: pointer.at, amount });
     } else {
-      const isHandle =
-        pointer !== null && this.#isShown && this.#handles?.hover(this.#normalized(pointer.at)) === true;
-      this.#otherwise.move(isHandle ? null : pointer);
+      this.#otherwise.move(pointer && this.#isOverHandle(pointer) ? null : pointer);
     }
     if (this.#handles) this.#stores.viewer.requestFrame();
   }
@@ -130,6 +128,11 @@ export class TransformTool implements Tool {
 
   get #isShown(): boolean {
     return this.#handles?.root.visible === true;
+  }
+
+  /** Highlights the handle under a pointer without a pressed button: during another drag there are no handles. */
+  #isOverHandle({ button, at }: ToolPointer): boolean {
+    return button === null && this.#isShown && this.#handles?.hover(this.#normalized(at)) === true;
   }
 
   async #load(root: Group, isOver: () => boolean): Promise<void> {

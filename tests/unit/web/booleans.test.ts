@@ -1,5 +1,5 @@
 import Module, { type ManifoldToplevel } from "manifold-3d";
-import { bodySurface, type Project, type ProjectPreview } from "tetrafront";
+import { bodySurface, createMesher, type Project, type ProjectPreview } from "tetrafront";
 import { beforeAll, describe, expect, it } from "vitest";
 import { booleanKinds, type BooleanKind } from "../../../web/document/booleans/combine";
 import { offerBoolean } from "../../../web/document/booleans/offer";
@@ -7,6 +7,7 @@ import { orientedOutward } from "../../../web/document/booleans/orientation";
 import { solidCandidates, type Solid } from "../../../web/document/booleans/solids";
 import { emptyProject } from "../../../web/document/create";
 import { insertInto, insertion } from "../../../web/document/insert-shape";
+import { pieceOperations } from "../../../web/document/operations/pieces";
 import { box as boxShape } from "../../../web/document/pieces/box";
 import type { Position } from "../../../web/document/position";
 import { mapPoints } from "../../../web/document/shape";
@@ -223,6 +224,38 @@ describe("Boolean operations on other bodies", () => {
     expect(triangleVolume(points, triangles)).toBeCloseTo(0.75, 6);
     expect(body.patches).toHaveLength(10);
     expect(new Set(body.patches.map(({ name }) => name)).size).toBe(10);
+  });
+});
+
+describe("the samples of solid pieces", () => {
+  it("are closed, and the volumes of a box without a piece and of the piece add up", async () => {
+    const mesher = await createMesher();
+    const cube: Box = { size: [9, 9, 9], low: [-4.5, -4.5, -4.5] };
+    for (const operation of pieceOperations) {
+      const documents = new DocumentStore(boxes(cube));
+      const subject = { project: documents.project, selection: [] };
+      const values = { ...operation.initial(subject), position: [0.1, 0.2, 0.3] };
+      const offer = operation.make(subject, values);
+      if (!offer.possible) throw new Error(`${operation.id}: ${offer.reason}`);
+      documents.edit(offer.creation.edit);
+      const { project } = documents;
+      const [first, second] = solidCandidates(project, [], await mesher.previewProject(project, {})).map(
+        ({ solid }) => solid,
+      );
+      if (!first || !second) throw new Error(`${operation.id} is not closed`);
+      const areas = [first, second].map(({ points, triangles }) => triangleVolume(points, triangles));
+      const volume = (kind: BooleanKind): number => {
+        const { bodies = [], ...drawn } = combined(project, kind, [first, second]);
+        const [body] = bodies;
+        if (!body) return volumeOf(drawn);
+        const { points, triangles } = bodySurface(body);
+        expect(orientedOutward(points, triangles)).not.toBeNull();
+        return triangleVolume(points, triangles);
+      };
+      expect(volume("intersection") / (areas[1] ?? 1)).toBeCloseTo(1, 5);
+      expect(volume("difference") / ((areas[0] ?? 0) - (areas[1] ?? 0))).toBeCloseTo(1, 5);
+    }
+    mesher.dispose();
   });
 });
 

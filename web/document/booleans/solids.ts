@@ -1,5 +1,8 @@
 import { bodySurface, type Project, type ProjectBody, type ProjectPreview } from "tetrafront";
 import { bodiesOf, entityKey, type Entity } from "../entities";
+import { coincidenceLength } from "../insert-shape";
+import { PointIndex } from "../point-index";
+import type { Position } from "../position";
 import { orientedOutward } from "./orientation";
 
 /** Closed bodies of a model as oriented triangles, for Boolean operations. */
@@ -58,7 +61,7 @@ export function connectedPatches({ patches }: Pick<Project, "patches">): number[
 
 /**
  * Returns the bodies that a selection touches, in the order of the selection; all without a selection. `samples` are those of
- * the project: patches share their nodes along lines.
+ * the project: along a line, all its patches have nodes at the same positions.
  */
 export function solidCandidates(
   project: Project,
@@ -126,7 +129,7 @@ function solidOfPatches(
 ): Solid | null {
   const ids = new Set(entities.map(({ id }) => id));
   const lines = new Map(project.lines.map((line) => [line.id, line]));
-  const nodes = new Map<number, number>();
+  const nodes = new PointIndex<number>(coincidenceLength(project));
   const [points, triangles, trianglePatch]: [number[], number[], number[]] = [[], [], []];
   const patches: SolidPatch[] = [];
   let isPlanar = true;
@@ -135,12 +138,17 @@ function solidOfPatches(
     const areStraight = loops.flat().every((step) => lines.get(Math.abs(step))?.type === "straight");
     isPlanar &&= type === "planar" && areStraight;
     for (let corner = 3 * (patchOffsets[index] ?? 0); corner < 3 * (patchOffsets[index + 1] ?? 0); ++corner) {
-      const sampled = patchTriangles[corner] ?? 0;
-      let node = nodes.get(sampled);
+      const sampled = 3 * (patchTriangles[corner] ?? 0);
+      const position: Position = [
+        patchPoints[sampled] ?? 0,
+        patchPoints[sampled + 1] ?? 0,
+        patchPoints[sampled + 2] ?? 0,
+      ];
+      let node = nodes.find(position);
       if (node === undefined) {
-        node = nodes.size;
-        nodes.set(sampled, node);
-        for (let k = 0; k < 3; ++k) points.push(patchPoints[3 * sampled + k] ?? 0);
+        node = points.length / 3;
+        nodes.add(position, node);
+        points.push(...position);
       }
       triangles.push(node);
       if (corner % 3 === 0) trianglePatch.push(patches.length);

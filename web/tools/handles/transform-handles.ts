@@ -72,6 +72,8 @@ export class TransformHandles {
   /** Highlights the handle under the pointer. Returns whether there is one. */
   hover(pointer: NormalizedPointer): boolean {
     this.#controls.pointerHover(asEvent(pointer));
+    // The middle of the arrows belongs to what is selected there: it is dragged in the work plane, with snapping.
+    if (this.#controls.mode === "translate" && this.#controls.axis === "XYZ") this.#controls.axis = null;
     return this.#controls.axis !== null;
   }
 
