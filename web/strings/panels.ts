@@ -8,7 +8,8 @@ export const panelStrings = {
     filter: "Filter (name, type, id)",
     clearFilter: "Clear filter",
     nothing: "Nothing matches.",
-    empty: "This project is empty. Create a point (Create menu), or open an example or a project file.",
+    empty:
+      "This project is empty. Draw in the view with the tools on its left, create a box or another piece (menu Create), or open an example or a file.",
     add: (what: string) => `Add ${what}`,
     show: (what: string) => `Show ${what}`,
     hide: (what: string) => `Hide ${what}`,
