@@ -17,6 +17,7 @@
 #include "optimize/optimizer.h"
 #include "optimize/volume_limiter.h"
 #include "quality/metrics.h"
+#include "surface/surface_trace.h"
 #include "tetrafront/mesher.h"
 #include "volume/region_mesher.h"
 #include "volume/volume_stage.h"
@@ -98,8 +99,10 @@ class MeshRun::Impl {
     return fingerprint.value();
   }
 
+  /// Records the steps of a run that has not begun. Only callers of this function need the code that records.
   void record(MakeVolumeStage make) {
     makeFront_ = make;
+    meshSurface_ = &Impl::meshSurface<RecordingSurfaceTrace>;
     records_ = true;
   }
   [[nodiscard]] std::vector<std::uint8_t> takeTrace() { return recorder_.takeEvents(); }
@@ -138,6 +141,7 @@ class MeshRun::Impl {
 
   // The stages. Those that return a boolean return false if the input is invalid.
   Task<bool> checkInput(Work& work);
+  template <class Trace>
   Task<bool> meshSurface(Work& work);
   Task<bool> checkBoundary(Work& work);
   Task<bool> findSizes(Work& work);
@@ -176,6 +180,7 @@ class MeshRun::Impl {
   std::vector<PatchSummary> patches_;
   std::optional<SizeField> field_;
   std::uint32_t expectedTetrahedra_ = 0;
+  Task<bool> (Impl::*meshSurface_)(Work&) = &Impl::meshSurface<NullSurfaceTrace>;
   MakeVolumeStage makeFront_ = makeStage;
   bool records_ = false;
   StepRecorder recorder_;

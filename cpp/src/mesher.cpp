@@ -66,7 +66,7 @@ Task<MeshStatus> MeshRun::Impl::run(Work& work) {
 
   if (model_) {
     begin(work, Phase::kSides, ends.surface);
-    if (!co_await meshSurface(work)) co_return MeshStatus::kInvalidInput;
+    if (!co_await (this->*meshSurface_)(work)) co_return MeshStatus::kInvalidInput;
     if (bodies_) addBodies();
   }
   begin(work, model_ ? Phase::kSurface : Phase::kCheck, ends.boundary);
@@ -122,8 +122,10 @@ Task<bool> MeshRun::Impl::checkInput(Work& work) {
   co_return field_.has_value() && !anyError(diagnostics_);
 }
 
+template <class Trace>
 Task<bool> MeshRun::Impl::meshSurface(Work& work) {
-  SurfaceMesher mesher(*model_, *field_, options_.maxTetrahedra);
+  typename Trace::Recorder recorder(recorder_.bytes());
+  BasicSurfaceMesher<Trace> mesher(*model_, *field_, options_.maxTetrahedra, Trace{&recorder});
   MeshStatus status = mesher.advance(work.remaining());
   for (; status == MeshStatus::kRunning; status = mesher.advance(work.remaining())) {
     phase_ = mesher.phase();
@@ -137,6 +139,9 @@ Task<bool> MeshRun::Impl::meshSurface(Work& work) {
   co_await work.yield();
   co_return true;
 }
+
+template Task<bool> MeshRun::Impl::meshSurface<NullSurfaceTrace>(Work& work);
+template Task<bool> MeshRun::Impl::meshSurface<RecordingSurfaceTrace>(Work& work);
 
 Task<bool> MeshRun::Impl::checkBoundary(Work& work) {
   const BoundarySource source =

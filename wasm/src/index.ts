@@ -68,6 +68,22 @@ export type { VolumeFile } from "./formats/volume-file.js";
 export { readTrace } from "./trace/read-trace.js";
 export type { Trace, TraceSummary } from "./trace/trace.js";
 export type { TraceHeader } from "./trace/header.js";
+export type { LinesSummary, PatchesSummary, SurfaceTrace } from "./trace/surface-trace.js";
+export type { PlaneSample } from "./trace/surface-events.js";
+export type {
+  DivideStep,
+  EdgeCandidate,
+  EdgeStep,
+  HalveStep,
+  ImprovedPatch,
+  ImproveStep,
+  PatchStep,
+  PlanarFront,
+  PlanePosition,
+  StationStep,
+  SurfaceStep,
+  TracedDivision,
+} from "./trace/surface-steps.js";
 export type { TracedFront } from "./trace/replay.js";
 export type { TracedMesh } from "./trace/final-mesh.js";
 export type { Lifetimes, TraceElements, TraceFaces, TraceNodes, TraceSteps } from "./trace/trace-columns.js";
@@ -80,10 +96,14 @@ export type {
   TraceStep,
 } from "./trace/trace-step.js";
 export {
+  EDGE_REFUSALS,
+  type EdgeRefusal,
   FRONT_CHANGES,
   type FrontChange,
   type Refusal,
   REFUSALS,
+  STATION_ENDS,
+  type StationEnd,
   TRACE_STATUSES,
   type TraceStatus,
 } from "./trace/layout.js";

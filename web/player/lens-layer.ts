@@ -1,26 +1,13 @@
 import type { AdvanceStep, Trace } from "tetrafront";
-import {
-  BufferAttribute,
-  BufferGeometry,
-  Group,
-  LineBasicMaterial,
-  LineSegments,
-  Mesh,
-  Points,
-  PointsMaterial,
-} from "three";
+import { Group } from "three";
 import type { Position } from "../document/position";
 import { add, cross, scale, subtract, unit } from "../document/vectors";
-import type { ViewerColors } from "../viewer/colors";
 import type { Layer } from "../viewer/layers/layer";
-import { createFacetMaterial } from "../viewer/materials/facet-material";
-import { setColor } from "../viewer/materials/uniforms";
 import type { SceneChanges } from "../viewer/scene-state";
 import { faceSize } from "./front-values";
 import { cornersOf } from "./judge";
 import type { LensCandidate } from "./lens";
-
-type ColorName = "selection" | "front" | "hover" | "source" | "point";
+import { Dots, Facets, Segments } from "./lens-parts";
 
 /** Length of the drawn normal, in sizes of the base face. */
 const normalLength = 0.5;
@@ -93,89 +80,5 @@ export class LensLayer implements Layer {
 
   dispose(): void {
     for (const part of this.#parts) part.dispose();
-  }
-}
-
-/** Positions drawn in one colour. */
-abstract class Part<Drawn extends Mesh | LineSegments | Points> {
-  protected constructor(
-    readonly object: Drawn,
-    protected readonly color: ColorName,
-  ) {}
-
-  abstract setColors(colors: ViewerColors): void;
-
-  set(positions: readonly Position[], origin: Position): void {
-    const local = Float32Array.from(positions.flatMap((position) => subtract(position, origin)));
-    this.object.geometry.dispose();
-    this.object.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(local, 3));
-    this.object.visible = positions.length > 0;
-  }
-
-  dispose(): void {
-    this.object.geometry.dispose();
-  }
-}
-
-class Facets extends Part<Mesh> {
-  readonly #material;
-
-  constructor(color: ColorName, opacity: number) {
-    const material = createFacetMaterial({ opacity, depthTest: false });
-    super(new Mesh(new BufferGeometry(), material), color);
-    this.#material = material;
-  }
-
-  setColors(colors: ViewerColors): void {
-    setColor(this.#material, "color", colors[this.color]);
-  }
-
-  override dispose(): void {
-    super.dispose();
-    this.#material.dispose();
-  }
-}
-
-class Segments extends Part<LineSegments> {
-  readonly #material;
-
-  constructor(color: ColorName) {
-    const material = new LineBasicMaterial({ transparent: true, depthTest: false });
-    super(new LineSegments(new BufferGeometry(), material), color);
-    this.#material = material;
-  }
-
-  setColors(colors: ViewerColors): void {
-    this.#material.color.set(colors[this.color]);
-  }
-
-  override dispose(): void {
-    super.dispose();
-    this.#material.dispose();
-  }
-}
-
-class Dots extends Part<Points> {
-  readonly #material;
-
-  /** `size`: in pixels. */
-  constructor(color: ColorName, size: number) {
-    const material = new PointsMaterial({
-      transparent: true,
-      depthTest: false,
-      sizeAttenuation: false,
-      size,
-    });
-    super(new Points(new BufferGeometry(), material), color);
-    this.#material = material;
-  }
-
-  setColors(colors: ViewerColors): void {
-    this.#material.color.set(colors[this.color]);
-  }
-
-  override dispose(): void {
-    super.dispose();
-    this.#material.dispose();
   }
 }

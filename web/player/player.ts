@@ -2,6 +2,7 @@ import { readTrace, type FrontOrder, type Mesher, type Progress, type Trace } fr
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { settledProject, type DocumentStore } from "../session/document-store";
 import type { MeshRun } from "../session/run";
+import { firstState, phaseEnd, phaseStart } from "./phases";
 import { Playback } from "./playback";
 import { recordProject, type PreparedOf, type Recorded } from "./recording";
 import { nextStop, refusedIn, type StopKind } from "./stops";
@@ -22,7 +23,7 @@ export interface PlayerState {
   readonly trace: Trace | null;
   /** The trace as a file. */
   readonly file: Uint8Array<ArrayBuffer> | null;
-  /** The state that is shown: the one after this step. */
+  /** The state that is shown: the one after this step. Negative in lines and patches (phases.ts). */
   readonly step: number;
   readonly isPlaying: boolean;
   /** Steps per second. */
@@ -146,14 +147,17 @@ export class Player {
   seek(step: number): void {
     const { trace, step: before } = this.state.getState();
     if (!trace) return;
-    const to = Math.min(Math.max(0, Math.round(step)), trace.stepCount);
+    const to = Math.min(Math.max(firstState(trace), Math.round(step)), trace.stepCount);
     if (to !== before) this.state.setState({ step: to, candidate: null });
   }
 
-  /** Moves by a number of steps, and pauses. */
+  /** Moves by a number of steps, and pauses. Infinitely many lead to the first or last state of the phase. */
   move(steps: number): void {
     this.pause();
-    this.seek(this.state.getState().step + steps);
+    const { trace, step } = this.state.getState();
+    if (!trace) return;
+    if (Number.isFinite(steps)) this.seek(step + steps);
+    else this.seek(steps < 0 ? phaseStart(trace, step) : phaseEnd(trace, step));
   }
 
   /** Moves to the nearest step of a kind, and pauses. Returns whether there is one. */
@@ -168,15 +172,15 @@ export class Player {
     return true;
   }
 
-  /** Plays from the present state; from the first one if the present one is the last. */
+  /** Plays from the present state; from the first one of the volume if the present one is the last. */
   play(): void {
     const { trace, step, loop, speed } = this.state.getState();
-    if (!trace || trace.stepCount === 0) return;
+    if (!trace || trace.stepCount === firstState(trace)) return;
     const last = loop?.to ?? trace.stepCount;
     if (step >= last || (loop && step < loop.from)) this.seek(loop?.from ?? 0);
     // Who prefers no motion sees where playing would end.
     if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
-      this.#advance(trace.stepCount);
+      this.#advance(Infinity);
       return;
     }
     this.state.setState({ isPlaying: true });

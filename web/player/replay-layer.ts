@@ -57,8 +57,10 @@ export class ReplayLayer implements Layer {
     if (changes.has("origin")) this.#reset(origin);
   }
 
-  /** Shows a state of the player. The cost of a few steps is that of their faces. */
+  /** Shows a state of the player; nothing before the volume. The cost of a few steps is that of their faces. */
   show({ step, coloring, faces, elements }: PlayerState): void {
+    this.root.visible = step >= 0;
+    if (step < 0) return;
     if (coloring !== this.#coloring) {
       this.#coloring = coloring;
       this.#values = frontValues(this.#trace, coloring);

@@ -4,7 +4,9 @@ import { cornersOf } from "./judge";
 import { decisive, examine } from "./lens";
 import { LensLayer, type LensScene } from "./lens-layer";
 import type { PlayerState } from "./player";
+import { surfaceState } from "./phases";
 import { ReplayLayer } from "./replay-layer";
+import { SurfaceLayer } from "./surface-layer";
 import type { Viewer } from "../viewer/viewer";
 
 /** Draws the trace of a player in a view, instead of the model's surfaces and mesh. Returns a function that ends this. */
@@ -34,10 +36,12 @@ export function showPlayer(player: StoreApi<PlayerState>, viewer: Viewer): () =>
 function drawTrace(trace: Trace, viewer: Viewer) {
   const replay = new ReplayLayer(trace);
   const lens = new LensLayer();
-  const ends = [viewer.addLayer(replay), viewer.addLayer(lens)];
+  const surface = new SurfaceLayer(trace);
+  const ends = [replay, surface, lens].map((layer) => viewer.addLayer(layer));
   return {
     show: (state: PlayerState): void => {
       replay.show(state);
+      surface.show(surfaceState(trace, state.step));
       // While the front is played, only its faces change.
       const scene = state.isPlaying ? null : lensScene(trace, state);
       lens.show(scene);

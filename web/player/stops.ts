@@ -1,7 +1,8 @@
-import { REFUSALS, type Refusal, type Trace } from "tetrafront";
+import { REFUSALS, type Refusal, type SurfaceTrace, type Trace } from "tetrafront";
+import { firstState, surfaceState } from "./phases";
 
 /** Steps at which playing can pause, and to which one can jump. */
-export const stopKinds = ["postponed", ...REFUSALS, "recovery", "new-node"] as const;
+export const stopKinds = ["postponed", ...REFUSALS, "recovery", "new-node", "line", "patch"] as const;
 export type StopKind = (typeof stopKinds)[number];
 
 /** `TraceSteps.outcomes` of a step whose face was postponed; those of recovery are larger. */
@@ -9,12 +10,35 @@ const postponedOutcome = 1;
 
 /** Returns the nearest step of a kind after or before a step; null if there is none. O(steps between). */
 export function nextStop(trace: Trace, step: number, direction: 1 | -1, kind: StopKind): number | null {
-  for (let i = step + direction; i >= 1 && i <= trace.stepCount; i += direction)
+  for (let i = step + direction; i > firstState(trace) && i <= trace.stepCount; i += direction)
     if (isOfKind(trace, i, kind)) return i;
   return null;
 }
 
-function isOfKind({ steps }: Trace, step: number, kind: StopKind): boolean {
+function isOfKind(trace: Trace, step: number, kind: StopKind): boolean {
+  const state = surfaceState(trace, step);
+  if (state !== null) return trace.surface !== null && isSurfaceStepOfKind(trace.surface, state, kind);
+  return step > 0 && isVolumeStepOfKind(trace, step, kind);
+}
+
+/** Lines count where they are divided, patches where their front begins. */
+function isSurfaceStepOfKind(surface: SurfaceTrace, step: number, kind: StopKind): boolean {
+  switch (kind) {
+    case "line":
+      return surface.kindAt(step) === "divided";
+    case "patch":
+    case "postponed":
+      return surface.kindAt(step) === kind;
+    case "recovery":
+      return false;
+    case "new-node":
+      return surface.makesNode(step);
+    default:
+      return surface.refusalsAt(step).includes(kind);
+  }
+}
+
+function isVolumeStepOfKind({ steps }: Trace, step: number, kind: StopKind): boolean {
   switch (kind) {
     case "postponed":
       return steps.outcomes[step] === postponedOutcome;
@@ -22,6 +46,9 @@ function isOfKind({ steps }: Trace, step: number, kind: StopKind): boolean {
       return (steps.outcomes[step] ?? 0) > postponedOutcome;
     case "new-node":
       return (steps.nodesMade[step] ?? 0) > (steps.nodesMade[step - 1] ?? 0);
+    case "line":
+    case "patch":
+      return false;
     default:
       return firstRefused(steps, step, kind) !== null;
   }
@@ -36,12 +63,16 @@ function firstRefused(steps: Trace["steps"], step: number, reason: Refusal): num
 }
 
 /** Returns the rank of the candidate because of which a step is of a kind; null if it is so as a whole. */
-export function refusedIn({ steps }: Trace, step: number, kind: StopKind): number | null {
+export function refusedIn(trace: Trace, step: number, kind: StopKind): number | null {
   const reason = REFUSALS.find((refusal) => refusal === kind);
-  return reason ? firstRefused(steps, step, reason) : null;
+  if (!reason) return null;
+  const state = surfaceState(trace, step);
+  if (state === null) return firstRefused(trace.steps, step, reason);
+  const rank = trace.surface?.refusalsAt(state).indexOf(reason) ?? -1;
+  return rank < 0 ? null : rank;
 }
 
 /** Returns whether a trace has steps of a kind. */
 export function hasStop(trace: Trace, kind: StopKind): boolean {
-  return nextStop(trace, 0, 1, kind) !== null;
+  return nextStop(trace, firstState(trace), 1, kind) !== null;
 }

@@ -1,5 +1,6 @@
-/** Texts about the recorded front. */
+/** Texts about the recorded fronts. */
 import type { FrontChange, Refusal } from "tetrafront";
+import { surfaceLensStrings } from "./surface-lens";
 
 const number = (value: number): string => value.toLocaleString("en-US");
 
@@ -22,6 +23,8 @@ const stops = {
   "too-close": "new node too close to a face",
   recovery: "step of recovery",
   "new-node": "new node",
+  line: "line",
+  patch: "patch",
 } as const;
 
 const verdicts: Readonly<Record<Refusal | "accepted", string>> = {
@@ -31,10 +34,14 @@ const verdicts: Readonly<Record<Refusal | "accepted", string>> = {
   "too-close": "too close to a face",
 };
 
+const phaseNames = { lines: "Lines", patches: "Patches", volume: "Volume" } as const;
+/** What the fronts are made of. */
+const faceNames = { lines: "faces", patches: "edges", volume: "faces" } as const;
+
 export const playerStrings = {
   tab: "Front",
   intro:
-    "Record how the front of this model advances. Then play it forwards and backwards, stop at any step, and see why each node was chosen or refused.",
+    "Record how lines are divided, and how the fronts of the patches and of the volume advance. Then play it forwards and backwards, stop at any step, and see why each node was chosen or refused.",
   record: "Record the front",
   recordAgain: "Record again",
   recording: "Recording the front",
@@ -45,19 +52,21 @@ export const playerStrings = {
   save: "Save trace",
   close: "Show the model",
   transport: "Player",
-  start: "First state",
+  start: "First state of the phase",
   back: "Step back",
   play: "Play",
   pause: "Pause",
   forward: "Step forward",
-  end: "Last state",
+  end: "Last state of the phase",
   speed: "Speed",
   speedOf: (speed: number) => (speed === 1 ? "1 step/s" : `${number(speed)} steps/s`),
   scrub: "Step of the front",
+  phases: phaseNames,
   counter: (step: number, steps: number) => `${number(step)} / ${number(steps)}`,
-  scrubText: (step: number, steps: number, faces: number) =>
-    `Step ${number(step)} of ${number(steps)}, ${number(faces)} faces`,
-  faces: (faces: number) => `${number(faces)} faces`,
+  scrubText: (phase: keyof typeof faceNames, step: number, steps: number, faces: number) =>
+    `${phaseNames[phase]}: step ${number(step)} of ${number(steps)}, ${number(faces)} ${faceNames[phase]}`,
+  faces: (phase: keyof typeof faceNames, faces: number) =>
+    phase === "lines" ? "" : `${number(faces)} ${faceNames[phase]}`,
   stops,
   jumpTo: "Jump to",
   next: (kind: keyof typeof stops) => `Next ${stops[kind]}`,
@@ -132,4 +141,5 @@ export const playerStrings = {
   test: "Crossing test",
   testHint:
     "Equations 1 to 5 of the paper: the side crosses the face, because every αⁱ is between 0 and 1. The engine decides by exact signs instead.",
+  ...surfaceLensStrings,
 } as const;

@@ -1,12 +1,12 @@
 #pragma once
 
-/// @file Records the decisions of the front, for teaching and for finding faults. docs/TRACE.md describes the events.
+/// @file Records the decisions of the fronts, for teaching and for finding faults. docs/TRACE.md describes the events.
 
 #include "tetrafront/mesher.h"
 
 namespace tetrafront {
 
-/// Lets a run record its steps: MeshRun::takeTrace() returns them. Call it before the first MeshRun::advance(). The mesh
+/// Lets a run record its steps, those of lines and patches included: MeshRun::takeTrace() returns them. Call it before the first MeshRun::advance(). The mesh
 /// stays the same, bit for bit. A step takes about 40 bytes, in a stretched size field 60. Programs that do
 /// not call this function do not contain the code that records.
 void recordFront(MeshRun& run);

@@ -5,6 +5,7 @@
 
 #include "base/sort.h"
 #include "model/patch_surface.h"
+#include "surface/surface_trace.h"
 
 namespace tetrafront {
 
@@ -83,20 +84,33 @@ void LineDivider::findMinSides() {
   }
 }
 
-const LineDivision& LineDivider::divide(LineId line, const SizeField& field) {
+template <class Trace>
+const LineDivision& LineDivider::divide(LineId line, const SizeField& field, Trace trace) {
   LineDivision& division = lines_.divisions[line.index()];
-  division = divideLine(model_->curve(line), field, minSides_[line.index()]);
+  const Curve& curve = model_->curve(line);
+  if constexpr (Trace::kOn) trace.recorder->line(line, curve.position(0.0));
+  division = divideLine(curve, field, minSides_[line.index()], trace);
+  if constexpr (Trace::kOn) trace.recorder->divided(division);
   return division;
 }
 
-void LineDivider::halveSides(const std::set<LineSide>& sides) {
+template <class Trace>
+void LineDivider::halveSides(const std::set<LineSide>& sides, [[maybe_unused]] Trace trace) {
   // In descending order, so that the indices of the other sides stay valid.
   for (auto entry = sides.rbegin(); entry != sides.rend(); ++entry) {
     const auto& [line, side] = *entry;
     halveSide(model_->curve(line), side, lines_.divisions[line.index()]);
+    if constexpr (Trace::kOn) {
+      trace.recorder->halved(line, side, lines_.divisions[line.index()]);
+    }
   }
   numberNodes();
 }
+
+template const LineDivision& LineDivider::divide(LineId, const SizeField&, NullSurfaceTrace);
+template const LineDivision& LineDivider::divide(LineId, const SizeField&, RecordingSurfaceTrace);
+template void LineDivider::halveSides(const std::set<LineSide>&, NullSurfaceTrace);
+template void LineDivider::halveSides(const std::set<LineSide>&, RecordingSurfaceTrace);
 
 void LineDivider::numberNodes() {
   const auto nodeAt = [&](PointId point) {

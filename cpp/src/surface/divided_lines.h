@@ -39,11 +39,13 @@ class LineDivider {
   [[nodiscard]] std::size_t lineCount() const { return isUsed_.size(); }
   [[nodiscard]] bool isUsed(LineId line) const { return isUsed_[line.index()] != 0; }
 
-  /// Divides a used line, or divides it again.
-  const LineDivision& divide(LineId line, const SizeField& field);
+  /// Divides a used line, or divides it again. `trace`: see surface_trace.h.
+  template <class Trace>
+  const LineDivision& divide(LineId line, const SizeField& field, Trace trace);
 
   /// Adds a node in the middle of each side, and numbers all nodes again.
-  void halveSides(const std::set<LineSide>& sides);
+  template <class Trace>
+  void halveSides(const std::set<LineSide>& sides, Trace trace);
 
   /// Sets lines().nodes.
   void numberNodes();

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "surface/surface_trace.h"
+
 namespace tetrafront {
 
 namespace {
@@ -54,16 +56,20 @@ class LineWalker {
   /// d lambda / dt: sides per unit of the parameter.
   [[nodiscard]] double rateAt(double t) { return glm::length(curve_->derivative(t)) / sizeAt(t); }
 
-  /// Returns the parameter at which a side that begins at t ends (S1-S3).
-  double step(double t) {
+  /// Returns the side that begins at t (S1-S3).
+  SideStep step(double t) {
     const double speed = glm::length(curve_->derivative(t));
     const double start = sizeAt(t);
-    if (start >= kMaxStep * speed) return t + kMaxStep;
-    const double length = settleLength(t, speed, start);
+    SideStep capped{t + kMaxStep, start, start, 0, SideStep::End::kCapped};
+    if (start >= kMaxStep * speed) return capped;
+    const Settled settled = settleLength(t, speed, start);
+    const double length = settled.length;
     const double middleSpeed =
         glm::length(curve_->derivative(std::min(1.0, t + 0.5 * length / speed)));
-    if (length >= kMaxStep * middleSpeed) return t + kMaxStep;
-    return t + length / middleSpeed;
+    capped.length = length;
+    capped.rounds = settled.rounds;
+    if (length >= kMaxStep * middleSpeed) return capped;
+    return {t + length / middleSpeed, start, length, settled.rounds, SideStep::End::kSettled};
   }
 
  private:
@@ -72,10 +78,15 @@ class LineWalker {
     return sizeAt(std::min(1.0, t + 0.5 * length / speed));
   }
 
-  double settleLength(double t, double speed, double length) {
+  struct Settled {
+    double length;
+    int rounds;
+  };
+  Settled settleLength(double t, double speed, double length) {
     double tooShort = 0.0;
     double tooLong = kMaxStep * speed;
-    for (int round = 0; round < kMaxAverages + kMaxBisections; ++round) {
+    int round = 0;
+    for (; round < kMaxAverages + kMaxBisections; ++round) {
       const double target = sizeAtMiddle(t, speed, length);
       if (std::fabs(target - length) <= kStepTolerance * length) break;
       if (target > length)
@@ -84,7 +95,7 @@ class LineWalker {
         tooLong = std::min(tooLong, length);
       length = 0.5 * (round < kMaxAverages ? length + target : tooShort + tooLong);
     }
-    return length;
+    return {length, round};
   }
 
   const Curve* curve_;
@@ -128,7 +139,9 @@ double minSidesFrom(LineWalker& walker, double t) {
 
 /// Tabulates the metric length over the steps of the walk. Returns false if there are too many steps, or if one is too
 /// short to change the parameter.
-bool tabulate(LineWalker& walker, const Curve& curve, std::vector<Station>& table) {
+template <class Trace>
+bool tabulate(LineWalker& walker, const Curve& curve, std::vector<Station>& table,
+              [[maybe_unused]] Trace trace) {
   table.push_back({0.0, 0.0, walker.rateAt(0.0)});
   std::size_t nextKnot = 1;
   bool hasSampledAhead = false;
@@ -138,14 +151,19 @@ bool tabulate(LineWalker& walker, const Curve& curve, std::vector<Station>& tabl
       if (minSidesFrom(walker, table.back().t) > kCertainlyTooMany * kMaxSidesPerLine) return false;
     }
     const double knot = curve.knots()[nextKnot];
-    double to = walker.step(table.back().t);
+    SideStep step = walker.step(table.back().t);
+    double to = step.to;
     // Extend a step that would leave a tiny interval before the knot.
     if (to >= knot - 1e-3 * (knot - table.back().t)) {
       to = knot;
+      step.end = SideStep::End::kKnot;
       nextKnot = std::min(nextKnot + 1, curve.knots().size() - 1);
     }
     if (!(to > table.back().t)) return false;
     integrate(walker, to, walker.rateAt(to), 0, table);
+    if constexpr (Trace::kOn) {
+      trace.recorder->station(step, to, table.back().lambda, curve.position(to));
+    }
     if (!(table.back().lambda <= kMaxSidesPerLine)) return false;
   }
   return true;
@@ -194,11 +212,13 @@ std::vector<double> equalIncrements(const std::vector<Station>& table, std::uint
 
 }  // namespace
 
-LineDivision divideLine(const Curve& curve, const SizeField& field, std::uint32_t minSides) {
+template <class Trace>
+LineDivision divideLine(const Curve& curve, const SizeField& field, std::uint32_t minSides,
+                        Trace trace) {
   LineDivision division;
   LineWalker walker(curve, field);
   std::vector<Station> table;
-  if (!tabulate(walker, curve, table)) {
+  if (!tabulate(walker, curve, table, trace)) {
     division.status = LineDivisionStatus::kTooManySides;
     division.position = curve.position(table.back().t);
     division.requiredSides = estimateSides(table.back());
@@ -214,6 +234,14 @@ LineDivision divideLine(const Curve& curve, const SizeField& field, std::uint32_
     division.position = curve.position(outside->t);
   }
   return division;
+}
+
+template LineDivision divideLine(const Curve&, const SizeField&, std::uint32_t, NullSurfaceTrace);
+template LineDivision divideLine(const Curve&, const SizeField&, std::uint32_t,
+                                 RecordingSurfaceTrace);
+
+LineDivision divideLine(const Curve& curve, const SizeField& field, std::uint32_t minSides) {
+  return divideLine(curve, field, minSides, NullSurfaceTrace{});
 }
 
 void halveSide(const Curve& curve, std::size_t side, LineDivision& division) {

@@ -29,12 +29,30 @@ struct LineDivision {
   [[nodiscard]] std::size_t sideCount() const { return nodes.empty() ? 0 : nodes.size() - 1; }
 };
 
+/// A step of the walk S1-S4 along a line.
+struct SideStep {
+  enum class End : std::uint8_t {
+    kSettled = 0,  ///< where the side of S3 ends
+    kCapped = 1,   ///< at the limit of a step's parameter range
+    kKnot = 2,     ///< at a knot of the line
+  };
+  double to = 0.0;      ///< parameter at which the side ends
+  double start = 0.0;   ///< S1: target size where the side begins
+  double length = 0.0;  ///< S3: length of the side when it is about the target size at its middle
+  int rounds = 0;       ///< number of averagings in S3
+  End end = End::kSettled;
+};
+
 /// Limit of the sides of one line. More of them mean that a size was mistyped.
 inline constexpr std::uint32_t kMaxSidesPerLine = 1'000'000;
 
 /// Divides `curve` so that each side is about as long as the target size at its middle. Let l be the length of the
 /// line in target sizes. The number of sides is l rounded, but at least `minSides`. If it is l rounded, the length of
-/// each side differs from the target size by at most 1/3, and by at most 1/4 if there are 2 sides or more. O(sides).
+/// each side differs from the target size by at most 1/3, and by at most 1/4 if there are 2 sides or more. The walk is
+/// passed to `trace`, one of those of surface_trace.h. O(sides).
+template <class Trace>
+[[nodiscard]] LineDivision divideLine(const Curve& curve, const SizeField& field,
+                                      std::uint32_t minSides, Trace trace);
 [[nodiscard]] LineDivision divideLine(const Curve& curve, const SizeField& field,
                                       std::uint32_t minSides);
 

@@ -5,14 +5,17 @@
 
 namespace tetrafront {
 
-PatchMesher::PatchMesher(const PatchSurface& surface, const SizeField& field,
-                         PatchBoundary boundary)
+template <class Trace>
+BasicPatchMesher<Trace>::BasicPatchMesher(const PatchSurface& surface, const SizeField& field,
+                                          PatchBoundary boundary, Trace trace)
     : metric_(surface, field),
       mesh_(std::move(boundary.mesh)),
-      front_(metric_, mesh_),
-      optimizer_(metric_, mesh_) {}
+      front_(metric_, mesh_, trace),
+      optimizer_(metric_, mesh_),
+      trace_(trace) {}
 
-bool PatchMesher::advance(std::uint32_t budget) {
+template <class Trace>
+bool BasicPatchMesher<Trace>::advance(std::uint32_t budget) {
   // The front and the optimizer both add triangles: check the limit at short intervals, however long the slice.
   constexpr std::uint32_t kCheckInterval = 4096;
   for (std::uint32_t left = budget; left > 0 && !isFinished();) {
@@ -23,15 +26,26 @@ bool PatchMesher::advance(std::uint32_t budget) {
   return isFinished();
 }
 
-bool PatchMesher::isFinished() const { return isImproved_ || hasStalled_ || hasTooManyTriangles(); }
+template <class Trace>
+bool BasicPatchMesher<Trace>::isFinished() const {
+  return isImproved_ || hasStalled_ || hasTooManyTriangles();
+}
 
-void PatchMesher::step(std::uint32_t budget) {
+template <class Trace>
+void BasicPatchMesher<Trace>::step(std::uint32_t budget) {
   if (isCovered_) {
     isImproved_ = optimizer_.advance(budget);
+    if constexpr (Trace::kOn) {
+      if (isImproved_) trace_.recorder->improved(mesh_);
+    }
   } else if (front_.advance(budget)) {
     hasStalled_ = front_.hasStalled();
     isCovered_ = !hasStalled_;
+    if constexpr (Trace::kOn) trace_.recorder->ended(mesh_, hasStalled_);
   }
 }
+
+template class BasicPatchMesher<NullSurfaceTrace>;
+template class BasicPatchMesher<RecordingSurfaceTrace>;
 
 }  // namespace tetrafront

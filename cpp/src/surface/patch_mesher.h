@@ -14,12 +14,14 @@ namespace tetrafront {
 /// Limit of the triangles of one patch. More of them mean that a size was mistyped.
 inline constexpr std::size_t kMaxTrianglesPerPatch = 10'000'000;
 
-class PatchMesher {
+template <class Trace>
+class BasicPatchMesher {
  public:
   /// `boundary` must have simple loops. Surface and field must outlive this.
-  PatchMesher(const PatchSurface& surface, const SizeField& field, PatchBoundary boundary);
-  PatchMesher(const PatchMesher&) = delete;
-  PatchMesher& operator=(const PatchMesher&) = delete;
+  BasicPatchMesher(const PatchSurface& surface, const SizeField& field, PatchBoundary boundary,
+                   Trace trace = {});
+  BasicPatchMesher(const BasicPatchMesher&) = delete;
+  BasicPatchMesher& operator=(const BasicPatchMesher&) = delete;
 
   /// Takes about `budget` edges from the front, or improves as many nodes and triangles; returns true when finished.
   bool advance(std::uint32_t budget);
@@ -39,11 +41,17 @@ class PatchMesher {
 
   PatchMetric metric_;
   PlanarMesh mesh_;
-  PlanarFront front_;
+  BasicPlanarFront<Trace> front_;
   PlanarOptimizer optimizer_;
   bool isCovered_ = false;
   bool hasStalled_ = false;
   bool isImproved_ = false;
+  [[no_unique_address]] Trace trace_;
 };
+
+extern template class BasicPatchMesher<NullSurfaceTrace>;
+extern template class BasicPatchMesher<RecordingSurfaceTrace>;
+
+using PatchMesher = BasicPatchMesher<NullSurfaceTrace>;
 
 }  // namespace tetrafront

@@ -36,8 +36,9 @@ constexpr double kBoxMargin = Tolerance::kCoincidence;
 
 }  // namespace
 
-PlanarFront::PlanarFront(const PatchMetric& metric, PlanarMesh& mesh)
-    : metric_(&metric), mesh_(&mesh), tree_(PlaneBox{}) {
+template <class Trace>
+BasicPlanarFront<Trace>::BasicPlanarFront(const PatchMetric& metric, PlanarMesh& mesh, Trace trace)
+    : metric_(&metric), mesh_(&mesh), tree_(PlaneBox{}), trace_(trace) {
   region_ = PlaneBox::of(mesh.plane.front(), mesh.plane.front());
   for (const Vec2& node : mesh.plane) region_.include(node);
   tree_ = Quadtree(region_);
@@ -48,15 +49,22 @@ PlanarFront::PlanarFront(const PatchMetric& metric, PlanarMesh& mesh)
 
 /// Smallest size first, in classes of a factor of sqrt(2) (the exponent of the squared size); within a class
 /// layer by layer, so that the front stays smooth; then in order of creation.
-std::uint64_t PlanarFront::keyOf(const Edge& edge) {
-  const double size = 0.5 * (mesh_->sizeOf(edge.from) + mesh_->sizeOf(edge.to));
-  const double squared = size * size;
-  const std::uint64_t sizeClass = std::bit_cast<std::uint64_t>(squared) >> 52U;
-  return (std::uint64_t{edge.pass} << 62U) | (sizeClass << 48U) |
+template <class Trace>
+std::uint64_t BasicPlanarFront<Trace>::keyOf(const Edge& edge) {
+  return (std::uint64_t{edge.pass} << 62U) | (sizeClassOf(edge) << 48U) |
          (std::uint64_t{edge.layer} << 32U) | sequence_++;
 }
 
-void PlanarFront::addEdge(PlanarNodeId from, PlanarNodeId to, std::uint16_t layer) {
+template <class Trace>
+std::uint64_t BasicPlanarFront<Trace>::sizeClassOf(const Edge& edge) const {
+  const double size = 0.5 * (mesh_->sizeOf(edge.from) + mesh_->sizeOf(edge.to));
+  const double squared = size * size;
+  return std::bit_cast<std::uint64_t>(squared) >> 52U;
+}
+
+template <class Trace>
+std::uint32_t BasicPlanarFront<Trace>::addEdge(PlanarNodeId from, PlanarNodeId to,
+                                               std::uint16_t layer) {
   std::uint32_t id = 0;
   if (freeEdges_.empty()) {
     id = static_cast<std::uint32_t>(edges_.size());
@@ -69,20 +77,27 @@ void PlanarFront::addEdge(PlanarNodeId from, PlanarNodeId to, std::uint16_t laye
   edges_[id] = {from, to, layer, 0};
   tree_.insert(id, PlaneBox::of(mesh_->planeOf(from), mesh_->planeOf(to)));
   heap_.push(id, keyOf(edges_[id]));
+  return id;
 }
 
-void PlanarFront::removeEdge(std::uint32_t id) {
+template <class Trace>
+void BasicPlanarFront<Trace>::removeEdge(std::uint32_t id) {
   tree_.remove(id);
   heap_.remove(id);
   freeEdges_.push_back(id);
 }
 
-bool PlanarFront::advance(std::uint32_t budget) {
+template <class Trace>
+bool BasicPlanarFront<Trace>::advance(std::uint32_t budget) {
   for (std::uint32_t step = 0; step < budget && !heap_.empty(); ++step) {
     const std::uint32_t id = heap_.pop();
     if (completeEdge(id)) continue;
     Edge& edge = edges_[id];
-    if (edge.pass == kLastPass) {
+    const bool comesAgain = edge.pass < kLastPass;
+    if constexpr (Trace::kOn) {
+      trace_.recorder->postponed(comesAgain ? edge.pass + 1U : SurfaceRecorder::kNoNextPass);
+    }
+    if (!comesAgain) {
       hasStalled_ = true;
       tree_.remove(id);
       freeEdges_.push_back(id);
@@ -96,14 +111,17 @@ bool PlanarFront::advance(std::uint32_t budget) {
 
 // ---- F5: complete the base edge ----------------------------------------------------------------
 
-bool PlanarFront::completeEdge(std::uint32_t id) {
+template <class Trace>
+bool BasicPlanarFront<Trace>::completeEdge(std::uint32_t id) {
   const Base base = makeBase(id);
   gather(base);
   rankCandidates(base);
+  recordBase(base);
   return tryCandidates(base);
 }
 
-PlanarFront::Base PlanarFront::makeBase(std::uint32_t id) {
+template <class Trace>
+typename BasicPlanarFront<Trace>::Base BasicPlanarFront<Trace>::makeBase(std::uint32_t id) {
   Base base{};
   base.id = id;
   base.edge = edges_[id];
@@ -131,7 +149,8 @@ PlanarFront::Base PlanarFront::makeBase(std::uint32_t id) {
   return base;
 }
 
-void PlanarFront::gather(const Base& base) {
+template <class Trace>
+void BasicPlanarFront<Trace>::gather(const Base& base) {
   PlaneBox box = PlaneBox::of(mesh_->planeOf(base.edge.from), mesh_->planeOf(base.edge.to));
   if (base.edge.pass == kLastPass) {
     box.include(region_.low);
@@ -165,12 +184,14 @@ void PlanarFront::gather(const Base& base) {
   }
 }
 
-double PlanarFront::distance(const Base& base, const Vec2& a, const Vec2& b) const {
+template <class Trace>
+double BasicPlanarFront<Trace>::distance(const Base& base, const Vec2& a, const Vec2& b) const {
   const Vec2 d = b - a;
   return std::sqrt(base.sample.metric.dot(d, d));
 }
 
-double PlanarFront::shape(const Base& base, const Vec2& apex) const {
+template <class Trace>
+double BasicPlanarFront<Trace>::shape(const Base& base, const Vec2& apex) const {
   constexpr double kTwoRootThree = 3.4641016151377544;
   const Vec2 a = mesh_->planeOf(base.edge.from);
   const Vec2 b = mesh_->planeOf(base.edge.to);
@@ -185,7 +206,8 @@ double PlanarFront::shape(const Base& base, const Vec2& apex) const {
 
 /// Nodes that replace the ideal point come first, the nearest one leading; then the ideal point; then the
 /// other nodes, best shape first.
-void PlanarFront::rankCandidates(const Base& base) {
+template <class Trace>
+void BasicPlanarFront<Trace>::rankCandidates(const Base& base) {
   candidates_.clear();
   for (const PlanarNodeId node : nearNodes_) {
     const double away = distance(base, mesh_->planeOf(node), base.ideal) / base.targetLength;
@@ -200,35 +222,51 @@ void PlanarFront::rankCandidates(const Base& base) {
   });
 }
 
-bool PlanarFront::tryCandidates(const Base& base) {
+template <class Trace>
+bool BasicPlanarFront<Trace>::tryCandidates(const Base& base) {
   for (const Candidate& candidate : candidates_) {
     if (candidate.node.isNone()) {
       if (tryNewNode(base)) return true;
       continue;
     }
-    if (mesh_->orientation(base.edge.from, base.edge.to, candidate.node) <= 0) continue;
-    if (mesh_->isSameNode(candidate.node, base.edge.from) ||
-        mesh_->isSameNode(candidate.node, base.edge.to))
-      continue;
-    if (crossesFront(base, candidate.node)) continue;
-    accept(base, candidate.node);
-    return true;
+    const PlanarNodeId node = candidate.node;
+    if (mesh_->orientation(base.edge.from, base.edge.to, node) <= 0) {
+      refuse(node, PlanarRefusal::kBehind);
+    } else if (mesh_->isSameNode(node, base.edge.from) || mesh_->isSameNode(node, base.edge.to)) {
+      refuse(node, PlanarRefusal::kSameNode);
+    } else if (const std::uint32_t crossed = firstCrossed(base, node); crossed != kNoIndex) {
+      refuse(node, PlanarRefusal::kCrosses, crossed);
+    } else {
+      accept(base, node, false);
+      return true;
+    }
   }
   return false;
 }
 
-bool PlanarFront::tryNewNode(const Base& base) {
+template <class Trace>
+bool BasicPlanarFront<Trace>::tryNewNode(const Base& base) {
   Base lowered = base;
   for (const double height : {1.0, kLowerHeight}) {
     lowered.ideal = base.middle + height * (base.ideal - base.middle);
-    if (!region_.holds(lowered.ideal) || isTooClose(lowered)) continue;
+    if (!region_.holds(lowered.ideal)) {
+      refuse({}, PlanarRefusal::kOutside);
+      continue;
+    }
+    if (const std::uint32_t near = firstTooClose(lowered); near != kNoIndex) {
+      refuse({}, PlanarRefusal::kTooClose, near);
+      continue;
+    }
     const PlanarNodeId node = mesh_->addNode(lowered.ideal, base.sample.position, base.sample.size);
-    if (mesh_->orientation(base.edge.from, base.edge.to, node) > 0 &&
-        !crossesFront(lowered, node)) {
+    if (mesh_->orientation(base.edge.from, base.edge.to, node) <= 0) {
+      refuse({}, PlanarRefusal::kBehind);
+    } else if (const std::uint32_t crossed = firstCrossed(lowered, node); crossed != kNoIndex) {
+      refuse({}, PlanarRefusal::kCrosses, crossed);
+    } else {
       const PlaneSample sample = metric_->sample(lowered.ideal, hint_);
       mesh_->positions[node.index()] = sample.position;
       mesh_->sizes[node.index()] = sample.size;
-      accept(lowered, node);
+      accept(lowered, node, true);
       return true;
     }
     mesh_->removeLastNode();
@@ -236,7 +274,9 @@ bool PlanarFront::tryNewNode(const Base& base) {
   return false;
 }
 
-bool PlanarFront::isTooClose(const Base& base) const {
+/// Returns an edge of the front that is too close to the ideal point, or kNoIndex.
+template <class Trace>
+std::uint32_t BasicPlanarFront<Trace>::firstTooClose(const Base& base) const {
   const Metric2& metric = base.sample.metric;
   const double clearance = kClearance * base.targetLength;
   for (const std::uint32_t id : nearEdges_) {
@@ -246,29 +286,54 @@ bool PlanarFront::isTooClose(const Base& base) const {
     const Vec2 offset = base.ideal - from;
     const double t = std::clamp(metric.dot(along, offset) / metric.dot(along, along), 0.0, 1.0);
     const Vec2 gap = offset - t * along;
-    if (metric.dot(gap, gap) < clearance * clearance) return true;
+    if (metric.dot(gap, gap) < clearance * clearance) return id;
   }
-  return false;
+  return kNoIndex;
+}
+
+// ---- what is recorded --------------------------------------------------------------------------
+
+template <class Trace>
+void BasicPlanarFront<Trace>::recordBase([[maybe_unused]] const Base& base) {
+  if constexpr (Trace::kOn) {
+    const Edge& edge = base.edge;
+    trace_.recorder->base({base.id, edge.from, mesh_->planeOf(edge.from), edge.pass,
+                           static_cast<std::uint32_t>(sizeClassOf(edge)), edge.layer, base.ideal,
+                           nearEdges_.size(), candidates_.size()},
+                          base.sample);
+  }
+}
+
+/// `node`: none for a new one.
+template <class Trace>
+void BasicPlanarFront<Trace>::refuse([[maybe_unused]] PlanarNodeId node,
+                                     [[maybe_unused]] PlanarRefusal why,
+                                     [[maybe_unused]] std::uint32_t culprit) {
+  if constexpr (Trace::kOn) trace_.recorder->refused(node, why, culprit);
 }
 
 // ---- F5.3: the crossing test -------------------------------------------------------------------
 
-bool PlanarFront::crossesFront(const Base& base, PlanarNodeId apex) const {
+/// Returns an edge of the front that the triangle of the base edge and the apex would cross, or kNoIndex.
+template <class Trace>
+std::uint32_t BasicPlanarFront<Trace>::firstCrossed(const Base& base, PlanarNodeId apex) const {
   const PlanarNodeId a = base.edge.from;
   const PlanarNodeId b = base.edge.to;
   PlaneBox box = PlaneBox::of(mesh_->planeOf(a), mesh_->planeOf(b));
   box.include(mesh_->planeOf(apex));
-  return std::ranges::any_of(nearEdges_, [&](std::uint32_t id) {
+  const auto crossed = std::ranges::find_if(nearEdges_, [&](std::uint32_t id) {
     if (id == base.id) return false;
     const Edge& edge = edges_[id];
     return box.overlaps(PlaneBox::of(mesh_->planeOf(edge.from), mesh_->planeOf(edge.to))) &&
            isBlockedBy(edge, a, b, apex);
   });
+  return crossed == nearEdges_.end() ? kNoIndex : *crossed;
 }
 
 /// Returns true if the triangle a b apex intersects the edge, except at common nodes.
-bool PlanarFront::isBlockedBy(const Edge& edge, PlanarNodeId a, PlanarNodeId b,
-                              PlanarNodeId apex) const {
+template <class Trace>
+bool BasicPlanarFront<Trace>::isBlockedBy(const Edge& edge, PlanarNodeId a, PlanarNodeId b,
+                                          PlanarNodeId apex) const {
   const PlanarMesh& mesh = *mesh_;
   const auto isCorner = [&](PlanarNodeId node) { return node == a || node == b || node == apex; };
   const auto isInTriangle = [&](PlanarNodeId node) {
@@ -297,23 +362,39 @@ bool PlanarFront::isBlockedBy(const Edge& edge, PlanarNodeId a, PlanarNodeId b,
 
 // ---- F6-F8: update the front -------------------------------------------------------------------
 
-void PlanarFront::accept(const Base& base, PlanarNodeId apex) {
+template <class Trace>
+void BasicPlanarFront<Trace>::accept(const Base& base, PlanarNodeId apex,
+                                     [[maybe_unused]] bool isNew) {
   mesh_->triangles.push_back({base.edge.from, base.edge.to, apex});
   const auto layer =
       static_cast<std::uint16_t>(std::min<std::uint32_t>(base.edge.layer + 1U, 0xffffU));
   removeEdge(base.id);
-  closeOrAdd(base.edge.from, apex, layer);
-  closeOrAdd(apex, base.edge.to, layer);
+  if constexpr (Trace::kOn) {
+    const auto change = [&](PlanarNodeId from, PlanarNodeId to) {
+      const std::uint32_t id = closeOrAdd(from, to, layer);
+      return SurfaceRecorder::EdgeChange{id, edges_[id].from != from};
+    };
+    const SurfaceRecorder::EdgeChange first = change(base.edge.from, apex);
+    const SurfaceRecorder::EdgeChange second = change(apex, base.edge.to);
+    trace_.recorder->accepted(*mesh_, apex, isNew, {first, second});
+  } else {
+    closeOrAdd(base.edge.from, apex, layer);
+    closeOrAdd(apex, base.edge.to, layer);
+  }
 }
 
-void PlanarFront::closeOrAdd(PlanarNodeId from, PlanarNodeId to, std::uint16_t layer) {
+/// Closes the edge with the opposite direction if it is in the front, else adds the edge. Returns which it was.
+template <class Trace>
+std::uint32_t BasicPlanarFront<Trace>::closeOrAdd(PlanarNodeId from, PlanarNodeId to,
+                                                  std::uint16_t layer) {
   const auto opposite = std::ranges::find_if(
       nearEdges_, [&](std::uint32_t id) { return edges_[id].from == to && edges_[id].to == from; });
-  if (opposite == nearEdges_.end()) {
-    addEdge(from, to, layer);
-    return;
-  }
+  if (opposite == nearEdges_.end()) return addEdge(from, to, layer);
   removeEdge(*opposite);
+  return *opposite;
 }
+
+template class BasicPlanarFront<NullSurfaceTrace>;
+template class BasicPlanarFront<RecordingSurfaceTrace>;
 
 }  // namespace tetrafront

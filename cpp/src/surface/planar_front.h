@@ -15,14 +15,16 @@
 #include "search/quadtree.h"
 #include "surface/patch_metric.h"
 #include "surface/planar_mesh.h"
+#include "surface/surface_trace.h"
 
 namespace tetrafront {
 
-class PlanarFront {
+template <class Trace>
+class BasicPlanarFront {
  public:
   /// `mesh` holds the boundary's nodes and sides. The sides must form simple closed loops with the patch on
-  /// their left. The front adds triangles and interior nodes. Both arguments must outlive this.
-  PlanarFront(const PatchMetric& metric, PlanarMesh& mesh);
+  /// their left. The front adds triangles and interior nodes. Metric and mesh must outlive this.
+  BasicPlanarFront(const PatchMetric& metric, PlanarMesh& mesh, Trace trace = {});
 
   /// Takes about `budget` edges from the front; returns true when none is left.
   bool advance(std::uint32_t budget);
@@ -56,23 +58,26 @@ class PlanarFront {
     Vec2 ideal;
   };
 
-  void addEdge(PlanarNodeId from, PlanarNodeId to, std::uint16_t layer);
+  std::uint32_t addEdge(PlanarNodeId from, PlanarNodeId to, std::uint16_t layer);
   void removeEdge(std::uint32_t id);
   [[nodiscard]] std::uint64_t keyOf(const Edge& edge);
+  [[nodiscard]] std::uint64_t sizeClassOf(const Edge& edge) const;
   bool completeEdge(std::uint32_t id);
   [[nodiscard]] Base makeBase(std::uint32_t id);
   void gather(const Base& base);
   void rankCandidates(const Base& base);
   bool tryCandidates(const Base& base);
   bool tryNewNode(const Base& base);
-  [[nodiscard]] bool isTooClose(const Base& base) const;
-  [[nodiscard]] bool crossesFront(const Base& base, PlanarNodeId apex) const;
+  [[nodiscard]] std::uint32_t firstTooClose(const Base& base) const;
+  [[nodiscard]] std::uint32_t firstCrossed(const Base& base, PlanarNodeId apex) const;
   [[nodiscard]] bool isBlockedBy(const Edge& edge, PlanarNodeId a, PlanarNodeId b,
                                  PlanarNodeId apex) const;
-  void accept(const Base& base, PlanarNodeId apex);
-  void closeOrAdd(PlanarNodeId from, PlanarNodeId to, std::uint16_t layer);
+  void accept(const Base& base, PlanarNodeId apex, bool isNew);
+  std::uint32_t closeOrAdd(PlanarNodeId from, PlanarNodeId to, std::uint16_t layer);
   [[nodiscard]] double distance(const Base& base, const Vec2& a, const Vec2& b) const;
   [[nodiscard]] double shape(const Base& base, const Vec2& apex) const;
+  void recordBase(const Base& base);
+  void refuse(PlanarNodeId node, PlanarRefusal why, std::uint32_t culprit = kNoIndex);
 
   const PatchMetric* metric_;
   PlanarMesh* mesh_;
@@ -90,6 +95,12 @@ class PlanarFront {
   std::vector<std::uint32_t> stamps_;
   std::uint32_t stamp_ = 0;
   std::vector<Candidate> candidates_;
+  [[no_unique_address]] Trace trace_;
 };
+
+extern template class BasicPlanarFront<NullSurfaceTrace>;
+extern template class BasicPlanarFront<RecordingSurfaceTrace>;
+
+using PlanarFront = BasicPlanarFront<NullSurfaceTrace>;
 
 }  // namespace tetrafront

@@ -50,19 +50,22 @@ bool mergeInto(std::vector<NodeId>& set, const std::vector<NodeId>& found) {
 
 }  // namespace
 
-SurfaceMesher::SurfaceMesher(const Model& model, const SizeField& field,
-                             std::uint32_t maxTetrahedra)
-    : model_(model), field_(&field), maxTetrahedra_(maxTetrahedra), lines_(model_) {
+template <class Trace>
+BasicSurfaceMesher<Trace>::BasicSurfaceMesher(const Model& model, const SizeField& field,
+                                              std::uint32_t maxTetrahedra, Trace trace)
+    : model_(model), field_(&field), maxTetrahedra_(maxTetrahedra), lines_(model_), trace_(trace) {
   surfaces_.reserve(model.patches.size());
   for (const Patch& patch : model.patches) surfaces_.emplace_back(model_, patch);
 }
 
-MeshStatus SurfaceMesher::advance(std::uint32_t budget) {
+template <class Trace>
+MeshStatus BasicSurfaceMesher<Trace>::advance(std::uint32_t budget) {
   if (!job_.advance(budget)) return MeshStatus::kRunning;
   return diagnostics_.empty() ? MeshStatus::kDone : MeshStatus::kInvalidInput;
 }
 
-Task<> SurfaceMesher::meshSurface(Work& work) {
+template <class Trace>
+Task<> BasicSurfaceMesher<Trace>::meshSurface(Work& work) {
   work.beginPart(0.5 * kLinesEnd);
   co_await divideLines(work);
   if (!diagnostics_.empty()) co_return;
@@ -71,6 +74,7 @@ Task<> SurfaceMesher::meshSurface(Work& work) {
   if (!diagnostics_.empty()) co_return;
   phase_ = Phase::kSurface;
   lines_.writeTo(mesh_);
+  if constexpr (Trace::kOn) trace_.recorder->numbered(lines_.lines());
   work.beginPart(kPatchesEnd);
   co_await meshPatches(work);
   if (!diagnostics_.empty()) co_return;
@@ -80,7 +84,8 @@ Task<> SurfaceMesher::meshSurface(Work& work) {
 
 // ---- sides -------------------------------------------------------------------------------------
 
-Task<> SurfaceMesher::divideLines(Work& work) {
+template <class Trace>
+Task<> BasicSurfaceMesher<Trace>::divideLines(Work& work) {
   addSources(sourcesInTubes(surfaces_, *field_));
   co_await divideEachLine(work);
   if (diagnostics_.empty() && addSources(sourcesAtShortLines(model_, lines_.lines().divisions)))
@@ -88,16 +93,18 @@ Task<> SurfaceMesher::divideLines(Work& work) {
 }
 
 /// Divides every line, also after a failure, so that the user gets all diagnostics at once.
-Task<> SurfaceMesher::divideEachLine(Work& work) {
+template <class Trace>
+Task<> BasicSurfaceMesher<Trace>::divideEachLine(Work& work) {
   for (const LineId line : IdRange<LineId>(lines_.lineCount())) {
     if (!lines_.isUsed(line)) continue;
-    const LineDivision& division = lines_.divide(line, *field_);
+    const LineDivision& division = lines_.divide(line, *field_, trace_);
     if (division.status != LineDivisionStatus::kDivided) reportLine(line, division);
     co_await work.spend(division.sideCount() / kSidesPerUnit + 1);
   }
 }
 
-void SurfaceMesher::reportLine(LineId line, const LineDivision& division) {
+template <class Trace>
+void BasicSurfaceMesher<Trace>::reportLine(LineId line, const LineDivision& division) {
   Diagnostic diagnostic;
   diagnostic.code = DiagnosticCode::kOutsideBackgroundGrid;
   if (division.status == LineDivisionStatus::kTooManySides) {
@@ -111,7 +118,8 @@ void SurfaceMesher::reportLine(LineId line, const LineDivision& division) {
 }
 
 /// Caps the sizes near sources. Returns true if there are any: divided lines must then be divided again.
-bool SurfaceMesher::addSources(const std::vector<SizeSource>& sources) {
+template <class Trace>
+bool BasicSurfaceMesher<Trace>::addSources(const std::vector<SizeSource>& sources) {
   if (sources.empty()) return false;
   if (!gradedField_) gradedField_.emplace(*field_);
   gradedField_->addSources(sources);
@@ -123,7 +131,8 @@ bool SurfaceMesher::addSources(const std::vector<SizeSource>& sources) {
 
 /// Halves the sides of bent lines until no loops intersect. No side is halved before the loops of all patches were
 /// checked: patches share lines, and the result must not depend on the order of the patches.
-Task<> SurfaceMesher::makeLoopsSimple(Work& work) {
+template <class Trace>
+Task<> BasicSurfaceMesher<Trace>::makeLoopsSimple(Work& work) {
   lines_.numberNodes();
   for (int round = 0; true; ++round) {
     std::set<LineSide> halvings;
@@ -132,18 +141,21 @@ Task<> SurfaceMesher::makeLoopsSimple(Work& work) {
       co_await work.spend(sides / kSidesPerUnit + 1);
     }
     if (!diagnostics_.empty() || halvings.empty()) co_return;
-    lines_.halveSides(halvings);
+    lines_.halveSides(halvings, trace_);
   }
 }
 
-PatchBoundary SurfaceMesher::layOut(PatchId patch) const {
+template <class Trace>
+PatchBoundary BasicSurfaceMesher<Trace>::layOut(PatchId patch) const {
   return layOutBoundary(model_, model_.model().patches[patch.index()], surfaces_[patch.index()],
                         *field_, lines_.lines());
 }
 
 /// Adds the invalid sides of a patch to `halvings`, or reports them if halving cannot help. Returns the number of
 /// sides of the patch.
-std::size_t SurfaceMesher::checkLoops(PatchId patch, bool canHalve, std::set<LineSide>& halvings) {
+template <class Trace>
+std::size_t BasicSurfaceMesher<Trace>::checkLoops(PatchId patch, bool canHalve,
+                                                  std::set<LineSide>& halvings) {
   const PatchBoundary boundary = layOut(patch);
   const std::vector<std::uint32_t> invalid = findInvalidSides(boundary);
   if (!invalid.empty() && !(canHalve && gatherHalvings(patch, boundary, invalid, halvings)))
@@ -153,9 +165,10 @@ std::size_t SurfaceMesher::checkLoops(PatchId patch, bool canHalve, std::set<Lin
 
 /// Adds those of the invalid sides that are bent in the patch's plane: the sides of bent lines of a planar patch, and
 /// those of the holes of a curved one. Returns false if there are none.
-bool SurfaceMesher::gatherHalvings(PatchId patch, const PatchBoundary& boundary,
-                                   const std::vector<std::uint32_t>& invalid,
-                                   std::set<LineSide>& halvings) const {
+template <class Trace>
+bool BasicSurfaceMesher<Trace>::gatherHalvings(PatchId patch, const PatchBoundary& boundary,
+                                               const std::vector<std::uint32_t>& invalid,
+                                               std::set<LineSide>& halvings) const {
   const bool isCurved = surfaces_[patch.index()].mapped() != nullptr;
   const std::size_t firstOfHoles =
       boundary.loops.size() > 1 ? boundary.loops[1] : boundary.origins.size();
@@ -169,8 +182,9 @@ bool SurfaceMesher::gatherHalvings(PatchId patch, const PatchBoundary& boundary,
   return hasFound;
 }
 
-void SurfaceMesher::reportLoops(PatchId patch, const PatchBoundary& boundary,
-                                const std::vector<std::uint32_t>& invalid) {
+template <class Trace>
+void BasicSurfaceMesher<Trace>::reportLoops(PatchId patch, const PatchBoundary& boundary,
+                                            const std::vector<std::uint32_t>& invalid) {
   Diagnostic diagnostic;
   diagnostic.code = DiagnosticCode::kLoopsIntersect;
   diagnostic.entities = {{EntityKind::kPatch, patch.value}};
@@ -187,7 +201,8 @@ void SurfaceMesher::reportLoops(PatchId patch, const PatchBoundary& boundary,
 // ---- patches -----------------------------------------------------------------------------------
 
 /// Triangulates all patches, and then again those that would coincide with others.
-Task<> SurfaceMesher::meshPatches(Work& work) {
+template <class Trace>
+Task<> BasicSurfaceMesher<Trace>::meshPatches(Work& work) {
   const std::size_t count = surfaces_.size();
   lineNodes_ = static_cast<std::uint32_t>(mesh_.points.size() / 3);
   triangulations_.resize(count);
@@ -198,7 +213,7 @@ Task<> SurfaceMesher::meshPatches(Work& work) {
   for (int round = 0; !pending.empty(); ++round) {
     for (std::size_t i = 0; i < pending.size(); ++i) {
       work.beginPart(static_cast<double>(i + 1) / static_cast<double>(pending.size()));
-      co_await meshPatch(work, pending[i]);
+      co_await meshPatch(work, pending[i], round > 0);
     }
     if (!diagnostics_.empty() || round == kMaxSeparationRounds) co_return;
     pending = findPatchesToSeparate();
@@ -206,12 +221,18 @@ Task<> SurfaceMesher::meshPatches(Work& work) {
   }
 }
 
-Task<> SurfaceMesher::meshPatch(Work& work, PatchId patch) {
+template <class Trace>
+Task<> BasicSurfaceMesher<Trace>::meshPatch(Work& work, PatchId patch,
+                                            [[maybe_unused]] bool isRepeated) {
   PatchBoundary boundary = layOut(patch);
+  if constexpr (Trace::kOn) {
+    const bool isCurved = surfaces_[patch.index()].mapped() != nullptr;
+    trace_.recorder->patch(patch, boundary, isCurved, isRepeated);
+  }
   const std::vector<Vec3> seam = boundary.seam;
   markSeparated(separated_[patch.index()], boundary.mesh);
   co_await work.spend(boundary.origins.size() / kSidesPerUnit + 1);
-  PatchMesher mesher(surfaces_[patch.index()], *field_, std::move(boundary));
+  BasicPatchMesher<Trace> mesher(surfaces_[patch.index()], *field_, std::move(boundary), trace_);
   while (!mesher.advance(work.remaining())) co_await work.yield();
   if (mesher.isComplete()) {
     takePatch(patch, mesher.mesh(), seam);
@@ -221,8 +242,9 @@ Task<> SurfaceMesher::meshPatch(Work& work, PatchId patch) {
   co_await work.spend(mesher.mesh().triangles.size() / kSidesPerUnit + 1);
 }
 
-void SurfaceMesher::takePatch(PatchId patch, const PlanarMesh& planar,
-                              const std::vector<Vec3>& seam) {
+template <class Trace>
+void BasicSurfaceMesher<Trace>::takePatch(PatchId patch, const PlanarMesh& planar,
+                                          const std::vector<Vec3>& seam) {
   Triangulation taken;
   taken.nodes = seam;
   taken.nodes.insert(taken.nodes.end(), planar.positions.begin() + planar.boundaryCount,
@@ -251,7 +273,8 @@ void SurfaceMesher::takePatch(PatchId patch, const PlanarMesh& planar,
   summaries_[patch.index()] = summarizePatch({surfaces_[patch.index()], *field_}, planar, patch);
 }
 
-void SurfaceMesher::reportPatch(PatchId patch, const PatchMesher& mesher) {
+template <class Trace>
+void BasicSurfaceMesher<Trace>::reportPatch(PatchId patch, const BasicPatchMesher<Trace>& mesher) {
   Diagnostic diagnostic;
   diagnostic.entities = {{EntityKind::kPatch, patch.value}};
   diagnostic.code = DiagnosticCode::kDegeneratePatch;
@@ -265,13 +288,15 @@ void SurfaceMesher::reportPatch(PatchId patch, const PatchMesher& mesher) {
 }
 
 /// The values of kTooManyElements: the elements of a cube with `sides` sides along each edge, and the limit.
-std::vector<double> SurfaceMesher::requiredTetrahedra(double sides) const {
+template <class Trace>
+std::vector<double> BasicSurfaceMesher<Trace>::requiredTetrahedra(double sides) const {
   return {cappedCount(kTetrahedraPerUnitVolume * sides * sides * sides),
           static_cast<double>(maxTetrahedra_)};
 }
 
 /// Returns the patches that need further nodes of their own because they would coincide with others.
-std::vector<PatchId> SurfaceMesher::findPatchesToSeparate() {
+template <class Trace>
+std::vector<PatchId> BasicSurfaceMesher<Trace>::findPatchesToSeparate() {
   std::vector<Chord> chords;
   for (const Triangulation& patch : triangulations_)
     chords.insert(chords.end(), patch.chords.begin(), patch.chords.end());
@@ -284,7 +309,8 @@ std::vector<PatchId> SurfaceMesher::findPatchesToSeparate() {
 
 // ---- the mesh ----------------------------------------------------------------------------------
 
-Task<> SurfaceMesher::appendPatches(Work& work) {
+template <class Trace>
+Task<> BasicSurfaceMesher<Trace>::appendPatches(Work& work) {
   for (const PatchId patch : IdRange<PatchId>(triangulations_.size())) {
     const std::size_t count = triangulations_[patch.index()].triangles.size();
     append(patch);
@@ -293,7 +319,8 @@ Task<> SurfaceMesher::appendPatches(Work& work) {
 }
 
 /// Appends a triangulation to the mesh, and frees its memory.
-void SurfaceMesher::append(PatchId patch) {
+template <class Trace>
+void BasicSurfaceMesher<Trace>::append(PatchId patch) {
   const Triangulation taken = std::exchange(triangulations_[patch.index()], {});
   const auto shift = static_cast<std::uint32_t>(mesh_.points.size() / 3) - lineNodes_;
   for (const Vec3& position : taken.nodes)
@@ -303,5 +330,8 @@ void SurfaceMesher::append(PatchId patch) {
       mesh_.triangles.push_back(node.value < lineNodes_ ? node.value : node.value + shift);
   mesh_.trianglePatch.insert(mesh_.trianglePatch.end(), taken.triangles.size(), patch.value);
 }
+
+template class BasicSurfaceMesher<NullSurfaceTrace>;
+template class BasicSurfaceMesher<RecordingSurfaceTrace>;
 
 }  // namespace tetrafront

@@ -20,11 +20,12 @@
 
 namespace tetrafront {
 
-class SurfaceMesher {
+template <class Trace>
+class BasicSurfaceMesher {
  public:
-  /// `model` must have passed diagnoseModel(). Both must outlive this. Diagnostics quote `maxTetrahedra`.
-  SurfaceMesher(const Model& model, const SizeField& field,
-                std::uint32_t maxTetrahedra = MeshOptions{}.maxTetrahedra);
+  /// `model` must have passed diagnoseModel(). Model and field must outlive this. Diagnostics quote `maxTetrahedra`.
+  BasicSurfaceMesher(const Model& model, const SizeField& field,
+                     std::uint32_t maxTetrahedra = MeshOptions{}.maxTetrahedra, Trace trace = {});
 
   /// Does `budget` units of work: one unit is an edge taken from a planar front, or a node or triangle improved.
   /// Returns kRunning, kDone, or kInvalidInput if there are diagnostics: a line or a patch leaves the background
@@ -60,7 +61,7 @@ class SurfaceMesher {
   Task<> divideEachLine(Work& work);
   Task<> makeLoopsSimple(Work& work);
   Task<> meshPatches(Work& work);
-  Task<> meshPatch(Work& work, PatchId patch);
+  Task<> meshPatch(Work& work, PatchId patch, bool isRepeated);
   Task<> appendPatches(Work& work);
 
   void reportLine(LineId line, const LineDivision& division);
@@ -73,7 +74,7 @@ class SurfaceMesher {
   void reportLoops(PatchId patch, const PatchBoundary& boundary,
                    const std::vector<std::uint32_t>& invalid);
   void takePatch(PatchId patch, const PlanarMesh& planar, const std::vector<Vec3>& seam);
-  void reportPatch(PatchId patch, const PatchMesher& mesher);
+  void reportPatch(PatchId patch, const BasicPatchMesher<Trace>& mesher);
   [[nodiscard]] std::vector<PatchId> findPatchesToSeparate();
   void append(PatchId patch);
   [[nodiscard]] std::vector<double> requiredTetrahedra(double sides) const;
@@ -92,7 +93,13 @@ class SurfaceMesher {
   SurfaceMesh mesh_;
   std::vector<PatchSummary> summaries_;
   std::vector<Diagnostic> diagnostics_;
+  [[no_unique_address]] Trace trace_;
   Job<> job_{[this](Work& work) { return meshSurface(work); }};  ///< last: uses the others
 };
+
+extern template class BasicSurfaceMesher<NullSurfaceTrace>;
+extern template class BasicSurfaceMesher<RecordingSurfaceTrace>;
+
+using SurfaceMesher = BasicSurfaceMesher<NullSurfaceTrace>;
 
 }  // namespace tetrafront

@@ -1,8 +1,6 @@
 #include "volume/step_recorder.h"
 
 #include <algorithm>
-#include <bit>
-#include <utility>
 
 namespace tetrafront {
 namespace {
@@ -29,46 +27,7 @@ std::uint32_t head(TraceEvent event, std::uint32_t detail) {
   return static_cast<std::uint32_t>(event) | detail << kKindBits;
 }
 
-template <class Bits>
-void appendBytes(std::vector<std::uint8_t>& bytes, Bits bits) {
-  for (std::size_t byte = 0; byte < sizeof(Bits); ++byte) {
-    bytes.push_back(static_cast<std::uint8_t>(bits >> (8 * byte)));
-  }
-}
-
 }  // namespace
-
-void TraceBytes::varint(std::uint64_t value) {
-  constexpr std::uint32_t kMore = 0x80;
-  for (; value >= kMore; value >>= 7) byte(static_cast<std::uint32_t>(value & 0x7f) | kMore);
-  byte(static_cast<std::uint32_t>(value));
-}
-
-void TraceBytes::zigzag(std::int64_t value) {
-  const auto twice = static_cast<std::uint64_t>(value) << 1;
-  varint(value < 0 ? ~twice : twice);
-}
-
-void TraceBytes::number(double value) { appendBytes(bytes_, std::bit_cast<std::uint64_t>(value)); }
-
-void TraceBytes::shortNumber(double value) {
-  appendBytes(bytes_, std::bit_cast<std::uint32_t>(static_cast<float>(value)));
-}
-
-void TraceBytes::score(double value) {
-  const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
-  appendBytes(bytes_, static_cast<std::uint16_t>(bits >> 16U));
-}
-
-void TraceBytes::position(const Vec3& at) {
-  for (int axis = 0; axis < 3; ++axis) number(at[axis]);
-}
-
-void TraceBytes::offset(const Vec3& from, const Vec3& to) {
-  for (int axis = 0; axis < 3; ++axis) shortNumber(to[axis] - from[axis]);
-}
-
-std::vector<std::uint8_t> TraceBytes::take() { return std::exchange(bytes_, {}); }
 
 template <class Nodes>
 void StepRecorder::writeCorners(const Nodes& nodes, std::uint32_t& before) {

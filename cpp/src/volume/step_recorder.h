@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/ids.h"
+#include "base/trace_bytes.h"
 #include "tetrafront/vec3.h"
 #include "volume/candidates.h"
 #include "volume/elements.h"
@@ -43,29 +44,6 @@ struct StepCounts {
   std::uint64_t postponed = 0;
 };
 
-/// Appends numbers to bytes, as docs/TRACE.md describes.
-class TraceBytes {
- public:
-  void byte(std::uint32_t value) { bytes_.push_back(static_cast<std::uint8_t>(value)); }
-  void varint(std::uint64_t value);
-  void zigzag(std::int64_t value);
-  /// Writes `value` minus `from` as a signed integer.
-  void difference(std::uint32_t value, std::uint32_t from) {
-    zigzag(std::int64_t{value} - std::int64_t{from});
-  }
-  void number(double value);
-  void shortNumber(double value);
-  /// Writes the upper half of a float: three digits, for display.
-  void score(double value);
-  void position(const Vec3& at);
-  void offset(const Vec3& from, const Vec3& to);
-  /// Returns what was written since the last call.
-  std::vector<std::uint8_t> take();
-
- private:
-  std::vector<std::uint8_t> bytes_;
-};
-
 class StepRecorder {
  public:
   /// A front begins; its faces are those of the boundary.
@@ -88,6 +66,8 @@ class StepRecorder {
   void changed(const Front& front, const Elements& elements, FrontChange what);
   void endPass();
 
+  /// Where the events are written, for those of lines and patches before them.
+  [[nodiscard]] TraceBytes& bytes() { return bytes_; }
   /// Returns the events since the last call.
   std::vector<std::uint8_t> takeEvents() { return bytes_.take(); }
   [[nodiscard]] const StepCounts& counts() const { return counts_; }

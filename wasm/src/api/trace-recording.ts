@@ -11,7 +11,7 @@ import type { MeshOptions, ProjectMeshOptions } from "./option-types.js";
 /** A recorded run. */
 export interface RecordedMesh {
   readonly result: MeshResult;
-  /** The trace as a file (docs/TRACE.md), for `readTrace`; absent if the front never began. */
+  /** The trace as a file (docs/TRACE.md), for `readTrace`; absent if the front of the volume never began. */
   readonly trace?: Uint8Array<ArrayBuffer> | undefined;
 }
 
@@ -22,7 +22,7 @@ export type RecordingOptions = (MeshOptions | ProjectMeshOptions) & {
 };
 
 /**
- * Meshes a project or fills a surface, and records every step of the front. The mesh is that of `meshProject` or
+ * Meshes a project or fills a surface, and records every step: of the lines, of the patches and of the front in the volume. The mesh is that of `meshProject` or
  * `fillSurface`, bit for bit; `optimization: "none"` saves the time of its optimization, which is not part of the trace. A
  * step takes about 40 bytes, in a stretched size field 60. Ends and rejects as these calls do.
  *
@@ -53,14 +53,14 @@ export async function recordTrace(
 
 const isSurface = (input: Project | SurfaceInput): input is SurfaceInput => ArrayBuffer.isView(input.points);
 
-/** Returns the trace of a run with `onTrace` as a file; undefined if the front never began. */
+/** Returns the trace of a run with `onTrace` as a file; undefined if the front of the volume never began. */
 export function recordedTrace(
   { recording, report, surface }: MeshResult,
   events: readonly Uint8Array[],
   name: string,
   order: FrontOrder = MESH_DEFAULTS.order,
 ): Uint8Array<ArrayBuffer> | undefined {
-  if (recording === undefined || events.length === 0) return undefined;
+  if (recording === undefined || recording.steps === 0) return undefined;
   const header = {
     name,
     nodes: surface.points.length / 3,

@@ -2,7 +2,9 @@
 
 /** Before the version, the last of the first eight bytes. */
 export const MAGIC = "TFTRACE";
-export const TRACE_VERSION = 1;
+export const TRACE_VERSION = 2;
+/** Version without events of lines and patches. */
+export const VOLUME_ONLY_VERSION = 1;
 
 /** Kinds of events, the lowest three bits of an event's first byte. */
 export const EVENT = {
@@ -42,6 +44,46 @@ export type FrontChange = (typeof FRONT_CHANGES)[number];
 export const TRACE_STATUSES = ["done", "stalled", "cancelled"] as const;
 /** How a recorded front has ended. */
 export type TraceStatus = (typeof TRACE_STATUSES)[number];
+
+/** Kinds of events of lines and patches, the lowest four bits of an event's first byte; 0 is the first of the volume. */
+export const SURFACE_EVENT = {
+  line: 1,
+  station: 2,
+  divided: 3,
+  halved: 4,
+  numbered: 5,
+  patch: 6,
+  base: 7,
+  refused: 8,
+  accepted: 9,
+  postponed: 10,
+  ended: 11,
+  improved: 12,
+} as const;
+
+export const SURFACE_KIND_BITS = 4;
+
+/** Bits of the detail of a `patch` event. */
+export const CURVED_BIT = 1;
+export const REPEATED_BIT = 2;
+export const CARRIERS_BIT = 4;
+/** Bit of the detail of a `base` event of a patch, above the pass: size and metric are those of the base edge before. */
+export const SAME_SAMPLE_BIT = 4;
+export const PASSES = 3;
+/** Bit of the detail of `refused` and `accepted` in a patch: the candidate is a new node. */
+export const NEW_NODE_BIT = 8;
+/** Detail of `postponed` in a patch: the edge is set aside. */
+export const EDGE_SET_ASIDE = 15;
+
+/** Where a step along a line ends, by its number in the file. */
+export const STATION_ENDS = ["settled", "capped", "knot"] as const;
+/** `settled`: where the side of step S3 ends; `capped`: at the limit of the parameter; `knot`: at a knot of the line. */
+export type StationEnd = (typeof STATION_ENDS)[number];
+
+/** Reasons for refusing a candidate over an edge of a 2-D front, by their number in the file. */
+export const EDGE_REFUSALS = ["behind", "crosses", "too-close", "same-node", "outside"] as const;
+/** See docs/TRACE.md; `behind`: the candidate is not on the unmeshed side of the base edge. */
+export type EdgeRefusal = (typeof EDGE_REFUSALS)[number];
 
 /** Step at which things die that are part of the final state. */
 export const NEVER = 0xffffffff;

@@ -3,8 +3,10 @@ import { isA } from "../base/values.js";
 import type { ReadResult } from "../diagnostics/read-error.js";
 import { ReadFailure, readSafely } from "../formats/read-result.js";
 import { parseHeader, type TraceHeader } from "./header.js";
-import { MAGIC, TRACE_VERSION } from "./layout.js";
+import { MAGIC, TRACE_VERSION, VOLUME_ONLY_VERSION } from "./layout.js";
 import { Replay } from "./replay.js";
+import { SurfaceReplay } from "./surface-replay.js";
+import { SurfaceTrace } from "./surface-trace.js";
 import { Trace } from "./trace.js";
 import { TraceCursor } from "./trace-cursor.js";
 
@@ -38,8 +40,9 @@ function traceIn(bytes: Uint8Array): Trace {
     });
   }
   const cursor = new TraceCursor(bytes);
-  const header = readHeader(cursor);
+  const { header, version } = readHeader(cursor);
   const replay = new Replay(cursor, header.nodes);
+  const surface = version === VOLUME_ONLY_VERSION ? undefined : new SurfaceReplay(cursor).run();
   while (replay.next());
   if (replay.steps.count !== header.steps)
     cursor.fail(`the header has ${header.steps} steps, but the trace has ${replay.steps.count}`);
@@ -54,10 +57,12 @@ function traceIn(bytes: Uint8Array): Trace {
     replay.elements.taken(),
     replay.steps.taken(),
   ] as const;
-  return new Trace(bytes, header, ...columns, replay.fronts, lists);
+  const hasSurface = surface !== undefined && surface.divisions.length > 0;
+  const traced = hasSurface ? new SurfaceTrace(bytes, surface, columns[0].positions) : null;
+  return new Trace(bytes, header, ...columns, replay.fronts, traced, lists);
 }
 
-function readHeader(cursor: TraceCursor): TraceHeader {
+function readHeader(cursor: TraceCursor): { readonly header: TraceHeader; readonly version: number } {
   if (cursor.ahead === 0) {
     const remedy = "Choose a trace file.";
     throw new ReadFailure({ code: "empty-file", message: "the file is empty", remedy, offset: 0 });
@@ -68,7 +73,7 @@ function readHeader(cursor: TraceCursor): TraceHeader {
     throw new ReadFailure({ message: "byte 0: this is no trace of a front", remedy, offset: 0 });
   }
   const version = cursor.byte();
-  if (version !== TRACE_VERSION) {
+  if (version !== TRACE_VERSION && version !== VOLUME_ONLY_VERSION) {
     const remedy = "Use the version of Tetrafront that recorded the trace, or record it again.";
     const offset = MAGIC.length;
     const message = `byte ${offset}: version ${version} of the format is not known`;
@@ -77,7 +82,7 @@ function readHeader(cursor: TraceCursor): TraceHeader {
   const length = cursor.count("bytes of the header", 1);
   const begin = cursor.at;
   const parsed = parseHeader(textOf(cursor.bytes(length)));
-  return "header" in parsed ? parsed.header : cursor.fail(parsed.problem, begin);
+  return "header" in parsed ? { header: parsed.header, version } : cursor.fail(parsed.problem, begin);
 }
 
 const textOf = (bytes: Uint8Array): string => new TextDecoder().decode(bytes);

@@ -61,6 +61,14 @@ export class TraceCursor {
     return this.#finite(this.#view.getFloat32(at, true), at);
   }
 
+  /** Reads the upper three bytes of a float; the last one is 0. */
+  shorterFloat(): number {
+    const at = this.#advance(3);
+    const float = new DataView(new ArrayBuffer(4));
+    for (let byte = 0; byte < 3; byte++) float.setUint8(byte + 1, this.#view.getUint8(at + byte));
+    return this.#finite(float.getFloat32(0, true), at);
+  }
+
   /** Reads the upper half of a float; the lower half is 0. */
   score(): number {
     const at = this.#advance(2);

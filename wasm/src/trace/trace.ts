@@ -4,6 +4,7 @@ import { type FinalLists, finalMesh, type TracedMesh } from "./final-mesh.js";
 import type { TraceHeader } from "./header.js";
 import { EVENT, type FrontChange, KIND_BITS, NONE, type Refusal, REFUSALS } from "./layout.js";
 import { OUTCOMES, type TracedFront } from "./replay.js";
+import type { LinesSummary, PatchesSummary, SurfaceTrace } from "./surface-trace.js";
 import {
   ACCEPTED,
   type TraceElements,
@@ -14,10 +15,13 @@ import {
 import { TraceCursor } from "./trace-cursor.js";
 import type { StepChanges, TracedCandidate, TracePosition, TraceStep } from "./trace-step.js";
 
-/** Counts over the whole trace. */
+/** Counts over the whole trace: of the volume, and of the lines and patches before it. */
 export interface TraceSummary {
   readonly name: string;
   readonly steps: number;
+  /** Null if the boundary was given. */
+  readonly lines: LinesSummary | null;
+  readonly patches: PatchesSummary | null;
   /** Number of steps that made an element over their base face. */
   readonly accepted: number;
   /** Number of refused candidates, by reason. */
@@ -46,6 +50,8 @@ export class Trace {
     readonly steps: TraceSteps,
     /** The fronts, in their order. */
     readonly fronts: readonly TracedFront[],
+    /** The lines and patches; null if the boundary was given, or the trace is one of version 1. */
+    readonly surface: SurfaceTrace | null,
     lists: FinalLists,
   ) {
     this.#bytes = bytes;
@@ -109,9 +115,12 @@ export class Trace {
     const [accepted = 0, postponed = 0, star = 0, reopened = 0, closed = 0, undone = 0, exactFill = 0] =
       outcomes;
     const [behind = 0, crosses = 0, tooClose = 0] = verdicts;
+    const surface = this.surface?.summary();
     return {
       name: this.header.name,
       steps: this.stepCount,
+      lines: surface?.lines ?? null,
+      patches: surface?.patches ?? null,
       accepted,
       refused: { behind, crosses, "too-close": tooClose },
       postponed,

@@ -1,8 +1,6 @@
-import katex from "katex";
-import "katex/dist/katex.min.css";
-import { useMemo } from "react";
 import type { SideAndFace } from "../../player/crossing";
 import { strings } from "../../strings";
+import { Formula } from "./formula";
 import styles from "./player.module.css";
 
 const texts = strings.player;
@@ -25,10 +23,4 @@ export function CrossingFormula({ pair }: { readonly pair: SideAndFace }) {
       <p className={styles["hint"]}>{texts.testHint}</p>
     </section>
   );
-}
-
-/** A formula in LaTeX; screen readers get MathML. */
-function Formula({ text }: { readonly text: string }) {
-  const html = useMemo(() => katex.renderToString(text, { throwOnError: false }), [text]);
-  return <p className={styles["formula"]} dangerouslySetInnerHTML={{ __html: html }} />;
 }

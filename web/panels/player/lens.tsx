@@ -2,13 +2,15 @@ import { Text } from "@mantine/core";
 import { lazy, Suspense, useMemo } from "react";
 import type { AdvanceStep } from "tetrafront";
 import { decisive, examine, type LensCandidate } from "../../player/lens";
+import { surfaceState } from "../../player/phases";
 import { strings } from "../../strings";
 import { formatShort } from "../../ui/format";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
-import tables from "../../ui/table.module.css";
-import { useApp } from "../shared/app-context";
+import { BaseFacts } from "./base-facts";
+import { CandidateTable, type CandidateRow } from "./candidate-table";
 import { sentenceOf, whatIfOf } from "./lens-sentence";
 import styles from "./player.module.css";
+import { SurfaceLens } from "./surface-lens";
 import { usePlayer, useTrace } from "./use-player";
 
 const texts = strings.player;
@@ -19,9 +21,16 @@ export function Lens() {
   const isPlaying = usePlayer((state) => state.isPlaying);
   return (
     <ScrollPanel label={texts.lens} className={styles["lens"]} data-testid="lens">
-      {isPlaying ? <Text size="sm">{texts.playing}</Text> : <StepUnderLens />}
+      {isPlaying ? <Text size="sm">{texts.playing}</Text> : <Step />}
     </ScrollPanel>
   );
+}
+
+function Step() {
+  const trace = useTrace();
+  const state = usePlayer(({ step }) => surfaceState(trace, step));
+  if (trace.surface === null || state === null) return <StepUnderLens />;
+  return <SurfaceLens surface={trace.surface} state={state} />;
 }
 
 function StepUnderLens() {
@@ -40,16 +49,23 @@ function StepUnderLens() {
     <>
       {examined && <Sentence step={step} examined={examined} />}
       {step.outcome === "postponed" && <p>{texts.postponed(step.nextRuleClass)}</p>}
-      <Candidates step={step} />
+      <CandidateTable label={texts.candidates} rows={rowsOf(step)} chosen={chosen ?? decisive(step)} />
       {examined?.pair && (
         <Suspense fallback={null}>
           <CrossingFormula pair={examined.pair} />
         </Suspense>
       )}
-      <BaseFacts step={step} />
+      <FaceFacts step={step} />
     </>
   );
 }
+
+const rowsOf = ({ candidates }: AdvanceStep): readonly CandidateRow[] =>
+  candidates.map(({ node, isNew, score, verdict, culprit }) => ({
+    name: isNew ? null : node,
+    score,
+    verdict: texts.verdictAt(texts.verdicts[verdict], culprit),
+  }));
 
 function Sentence({ step, examined }: { readonly step: AdvanceStep; readonly examined: LensCandidate }) {
   const whatIf = whatIfOf(examined);
@@ -63,45 +79,7 @@ function Sentence({ step, examined }: { readonly step: AdvanceStep; readonly exa
   );
 }
 
-/** The candidates in the order in which they were tried; a click examines one. */
-function Candidates({ step }: { readonly step: AdvanceStep }) {
-  const { player } = useApp();
-  const chosen = usePlayer((state) => state.candidate) ?? decisive(step);
-  if (step.candidates.length === 0) return null;
-  return (
-    <table className={`${tables["table"]} ${tables["compact"]}`} aria-label={texts.candidates}>
-      <thead>
-        <tr>
-          <th scope="col">{texts.candidate}</th>
-          <th scope="col">{texts.score}</th>
-          <th scope="col">{texts.verdict}</th>
-        </tr>
-      </thead>
-      <tbody>
-        {step.candidates.map(({ node, isNew, score, verdict, culprit }, i) => (
-          // Candidates have no identity beside their rank.
-          <tr key={i} data-highlighted={i === chosen || undefined}>
-            <th scope="row">
-              <button
-                type="button"
-                className={styles["candidate"]}
-                data-testid={`lens-candidate-${i}`}
-                aria-pressed={i === chosen}
-                onClick={() => player.state.setState({ candidate: i })}
-              >
-                {texts.candidateName(i + 1, isNew ? null : node)}
-              </button>
-            </th>
-            <td>{score.toFixed(3)}</td>
-            <td>{texts.verdictAt(texts.verdicts[verdict], culprit)}</td>
-          </tr>
-        ))}
-      </tbody>
-    </table>
-  );
-}
-
-function BaseFacts({ step }: { readonly step: AdvanceStep }) {
+function FaceFacts({ step }: { readonly step: AdvanceStep }) {
   const facts: readonly (readonly [string, string])[] = [
     [texts.bucket, String(step.bucket)],
     [texts.layers, String(step.layers)],
@@ -110,18 +88,6 @@ function BaseFacts({ step }: { readonly step: AdvanceStep }) {
     [texts.nearby, String(step.nearbyFaces)],
     [texts.ranked, String(step.rankedCandidates)],
   ];
-  return (
-    <section aria-label={texts.base(step.face)}>
-      <h2 className={styles["title"]}>{texts.base(step.face)}</h2>
-      <dl className={styles["facts"]}>
-        {facts.map(([name, value]) => (
-          <div key={name}>
-            <dt>{name}</dt>
-            <dd>{value}</dd>
-          </div>
-        ))}
-      </dl>
-      <p className={styles["hint"]}>{step.isRemeshing ? texts.region : texts.whyNow}</p>
-    </section>
-  );
+  const hint = step.isRemeshing ? texts.region : texts.whyNow;
+  return <BaseFacts title={texts.base(step.face)} facts={facts} hint={hint} />;
 }

@@ -1,5 +1,6 @@
 import { useMemo, type KeyboardEvent, type PointerEvent } from "react";
 import type { Trace } from "tetrafront";
+import { firstState, frontSizeAt, phaseAt, phasesOf } from "../../player/phases";
 import { jump } from "../../player/player";
 import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";
@@ -12,7 +13,7 @@ const maxPoints = 500;
 const width = 1000;
 const height = 100;
 
-/** The size of the front by step, and a slider over it. */
+/** The size of the fronts by step, phase after phase, and a slider over it. */
 export function ScrubBar() {
   const { player } = useApp();
   const trace = useTrace();
@@ -20,13 +21,16 @@ export function ScrubBar() {
   const loop = usePlayer((state) => state.loop);
   const outline = useMemo(() => outlineOf(trace), [trace]);
   const { stepCount } = trace;
-  const share = (at: number): string => `${stepCount === 0 ? 0 : (100 * at) / stepCount}%`;
+  const first = firstState(trace);
+  const states = stepCount - first;
+  const share = (steps: number): string => `${states === 0 ? 0 : (100 * steps) / states}%`;
+  const { phase, from, to } = phaseAt(trace, step);
 
   const scrub = (event: PointerEvent<HTMLDivElement>): void => {
     if ((event.buttons & 1) === 0) return;
     const { left, width: pixels } = event.currentTarget.getBoundingClientRect();
     player.pause();
-    player.seek((stepCount * (event.clientX - left)) / pixels);
+    player.seek(first + (states * (event.clientX - left)) / pixels);
   };
   const onKeyDown = (event: KeyboardEvent): void => {
     const steps = stepsOfKey(event.key);
@@ -41,10 +45,10 @@ export function ScrubBar() {
       role="slider"
       tabIndex={0}
       aria-label={strings.player.scrub}
-      aria-valuemin={0}
+      aria-valuemin={first}
       aria-valuemax={stepCount}
       aria-valuenow={step}
-      aria-valuetext={strings.player.scrubText(step, stepCount, trace.steps.frontSizes[step] ?? 0)}
+      aria-valuetext={strings.player.scrubText(phase, step - from, to - from, frontSizeAt(trace, step))}
       data-testid="player-scrub"
       onKeyDown={onKeyDown}
       onPointerDown={(event) => {
@@ -56,13 +60,23 @@ export function ScrubBar() {
       <svg viewBox={`0 0 ${width} ${height}`} preserveAspectRatio="none" aria-hidden>
         <path d={outline} />
       </svg>
+      {trace.surface &&
+        phasesOf(trace).map((range) => (
+          <span
+            key={range.phase}
+            className={styles["phase"]}
+            style={{ left: share(range.from - first), right: share(stepCount - range.to) }}
+          >
+            {strings.player.phases[range.phase]}
+          </span>
+        ))}
       {loop && (
         <span
           className={styles["loop"]}
-          style={{ left: share(loop.from), right: share(stepCount - loop.to) }}
+          style={{ left: share(loop.from - first), right: share(stepCount - loop.to) }}
         />
       )}
-      <span className={styles["handle"]} style={{ left: share(step) }} />
+      <span className={styles["handle"]} style={{ left: share(step - first) }} />
     </div>
   );
 }
@@ -89,20 +103,22 @@ function stepsOfKey(key: string): number | undefined {
   }
 }
 
-/** Returns the area under the largest sizes of the front in equal parts of the steps. */
-function outlineOf({ stepCount, steps: { frontSizes } }: Trace): string {
-  const points = Math.min(maxPoints, stepCount + 1);
-  const largest = Math.max(
-    1,
-    frontSizes.reduce((most, size) => Math.max(most, size), 0),
-  );
-  let path = `M0 ${height}`;
-  for (let i = 0; i < points; i++) {
-    const begin = Math.floor((i * frontSizes.length) / points);
-    const end = Math.max(begin + 1, Math.floor(((i + 1) * frontSizes.length) / points));
-    const size = frontSizes.subarray(begin, end).reduce((most, next) => Math.max(most, next), 0);
+/** Returns the area under the largest sizes of the fronts in equal parts of the steps. */
+function outlineOf(trace: Trace): string {
+  const first = firstState(trace);
+  const states = trace.stepCount - first + 1;
+  const points = Math.min(maxPoints, states);
+  const sizes = Array.from({ length: points }, (_, i) => {
+    const begin = first + Math.floor((i * states) / points);
+    const end = Math.max(begin + 1, first + Math.floor(((i + 1) * states) / points));
+    let largest = 0;
+    for (let state = begin; state < end; state++) largest = Math.max(largest, frontSizeAt(trace, state));
+    return largest;
+  });
+  const largest = Math.max(1, ...sizes);
+  const path = sizes.map((size, i) => {
     const x = points === 1 ? 0 : (width * i) / (points - 1);
-    path += `L${x.toFixed(1)} ${(height * (1 - size / largest)).toFixed(1)}`;
-  }
-  return `${path}L${width} ${height}Z`;
+    return `L${x.toFixed(1)} ${(height * (1 - size / largest)).toFixed(1)}`;
+  });
+  return `M0 ${height}${path.join("")}L${width} ${height}Z`;
 }

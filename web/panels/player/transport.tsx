@@ -11,6 +11,7 @@ import {
   IconX,
 } from "@tabler/icons-react";
 import { NativeSelect, Toolbar } from "@mantine/core";
+import { firstState, frontSizeAt, phaseAt } from "../../player/phases";
 import { speeds } from "../../player/player";
 import { download, fileStem } from "../../session/files";
 import { strings } from "../../strings";
@@ -61,13 +62,16 @@ export function Transport() {
   );
 }
 
+/** The phase with the number of its steps, and the size of its front. */
 function Counter() {
-  const { stepCount, steps } = useTrace();
+  const trace = useTrace();
   const step = usePlayer((state) => state.step);
+  const { phase, from, to } = phaseAt(trace, step);
   return (
     <span className={styles["counter"]} data-testid="player-counter">
-      <b>{texts.counter(step, stepCount)}</b>
-      <span>{texts.faces(steps.frontSizes[step] ?? 0)}</span>
+      {trace.surface && <span data-testid="player-phase">{texts.phases[phase]}</span>}
+      <b>{texts.counter(step - from, to - from)}</b>
+      <span>{texts.faces(phase, frontSizeAt(trace, step))}</span>
     </span>
   );
 }
@@ -90,10 +94,13 @@ function SpeedSelect() {
 /** Repeats the steps around the present one. */
 function LoopButton() {
   const { player } = useApp();
-  const { stepCount } = useTrace();
+  const trace = useTrace();
   const loop = usePlayer((state) => state.loop);
   const step = usePlayer((state) => state.step);
-  const around = { from: Math.max(0, step - loopReach), to: Math.min(stepCount, step + loopReach) };
+  const around = {
+    from: Math.max(firstState(trace), step - loopReach),
+    to: Math.min(trace.stepCount, step + loopReach),
+  };
   const { from, to } = loop ?? around;
   return (
     <IconButton

@@ -1,5 +1,6 @@
 import { useStore } from "zustand";
 import type { Trace } from "tetrafront";
+import { phaseAt } from "../../player/phases";
 import type { PlayerState } from "../../player/player";
 import { useApp } from "../shared/app-context";
 
@@ -12,4 +13,11 @@ export function useTrace(): Trace {
   const trace = usePlayer((state) => state.trace);
   if (!trace) throw new Error("A panel of a trace was used without one");
   return trace;
+}
+
+/** Whether the front of a patch is shown, which advances in a plane. */
+export function useShowsPlane(): boolean {
+  return usePlayer(
+    ({ trace, step }) => trace !== null && step < 0 && phaseAt(trace, step).phase === "patches",
+  );
 }

@@ -17,7 +17,8 @@ export function Legend() {
   const isReplaying = useStore(app.player.state, ({ trace }) => trace !== null);
   const showsDeviation = useDeviationShown();
   const sizes = useStore(app.sizes.state, (state) => state.shown);
-  if (isReplaying) return <FrontLegend />;
+  const isVolume = useStore(app.player.state, ({ step }) => step >= 0);
+  if (isReplaying) return isVolume ? <FrontLegend /> : null;
   if (sizes) return <SizeLegend range={sizes.range} />;
   if (showsDeviation) return <DeviationLegend />;
   return <MeshLegend />;

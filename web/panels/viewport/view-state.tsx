@@ -1,5 +1,6 @@
 import { useEffect, type RefObject } from "react";
 import { useStore } from "zustand";
+import { frontSizeAt } from "../../player/phases";
 import {
   useApp,
   useAutosavePending,
@@ -61,6 +62,6 @@ function useFrontState(container: RefObject<HTMLDivElement | null>): void {
     }
     data["step"] = String(step);
     data["steps"] = String(trace.stepCount);
-    data["frontFaces"] = String(trace.steps.frontSizes[step] ?? 0);
+    data["frontFaces"] = String(frontSizeAt(trace, step));
   }, [container, trace, step]);
 }

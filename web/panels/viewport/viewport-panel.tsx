@@ -1,4 +1,4 @@
-import { useRef, useState, type KeyboardEvent } from "react";
+import { lazy, Suspense, useRef, useState, type KeyboardEvent } from "react";
 import { useStore } from "zustand";
 import { describeMesh } from "./mesh-summary";
 import { strings } from "../../strings";
@@ -20,7 +20,10 @@ import { ToolColumn } from "./tool-column";
 import { OperationPanel } from "../operations/operation-panel";
 import { useViewer } from "./use-viewer";
 import { ViewState } from "./view-state";
+import { useShowsPlane } from "../player/use-player";
 import styles from "./viewport-panel.module.css";
+
+const PlaneView = lazy(async () => ({ default: (await import("../player/plane-view")).PlaneView }));
 
 /** The canvas with the labels, markers and controls above it. */
 export function ViewportPanel({ layout }: { readonly layout: Layout }) {
@@ -31,8 +34,13 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const showsSizes = useView((state) => state.sizes.enabled);
   const { viewer, trouble } = useViewer(container, canvas, setHover);
   const hasOperation = useStore(useApp().operations.state, ({ open }) => open !== null);
+  const showsPlane = useShowsPlane();
   return (
-    <main className={styles["view"]} data-operation={hasOperation || undefined}>
+    <main
+      className={styles["view"]}
+      data-operation={hasOperation || undefined}
+      data-split={showsPlane || undefined}
+    >
       <ViewState container={container} />
       <div ref={container} className={styles["canvasBox"]} data-testid="viewport">
         <ViewCanvas canvas={canvas} viewer={viewer} />
@@ -43,6 +51,11 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
         {viewer && <DrawingMarks viewer={viewer} />}
         <SelectionOutline />
       </div>
+      {showsPlane && (
+        <Suspense fallback={null}>
+          <PlaneView />
+        </Suspense>
+      )}
       {trouble && <ViewNotice trouble={trouble} />}
       <ToolColumn />
       {hasChoices ? <DrawingBar /> : showsSizes ? <SizeBar /> : <CutBar />}

@@ -1,0 +1,154 @@
+import { SegmentedControl } from "@mantine/core";
+import { useMemo, useState } from "react";
+import type { EdgeStep, PlanarFront, SurfaceStep, SurfaceTrace } from "tetrafront";
+import { ellipseOf, planePaths, windowAround, windowOf, type PlaneWindow } from "../../player/plane-drawing";
+import { decisiveCandidate } from "../../player/planar-lens";
+import { endsOf, planeOf, targetLength } from "../../player/planar-judge";
+import { surfaceState } from "../../player/phases";
+import { strings } from "../../strings";
+import { useApp } from "../shared/app-context";
+import styles from "./plane-view.module.css";
+import { usePlayer } from "./use-player";
+
+const texts = strings.player.plane;
+/** Radius of dots, as a share of the drawing. */
+const dot = 0.008;
+
+type Zoom = "patch" | "edge";
+
+/** The plane of a patch, in which its front advances; beside the view, in which the patch is in space. */
+export function PlaneView() {
+  const trace = usePlayer((state) => state.trace);
+  const number = usePlayer((state) => state.step);
+  const state = trace && surfaceState(trace, number);
+  const surface = trace?.surface;
+  if (!surface || state === null) return null;
+  const index = surface.frontAt(state);
+  return index === undefined ? null : <Plane surface={surface} index={index} state={state} />;
+}
+
+interface PlaneProps {
+  readonly surface: SurfaceTrace;
+  readonly index: number;
+  readonly state: number;
+}
+
+function Plane({ surface, index, state }: PlaneProps) {
+  const [zoom, setZoom] = useState<Zoom>("patch");
+  const front = surface.fronts[index];
+  const step = useMemo(() => surface.stepAt(state), [surface, state]);
+  const whole = useMemo(() => front && windowOf(front), [front]);
+  if (!front || !step || !whole) return null;
+  const box = zoom === "edge" && step.kind === "edge" ? windowAround(front, step) : whole;
+  return (
+    <section className={styles["pane"]} aria-label={texts.label} data-testid="plane-view">
+      <header className={styles["header"]}>
+        <b>{texts.title(front.patch)}</b>
+        <SegmentedControl
+          size="xs"
+          aria-label={texts.zoom}
+          data-testid="plane-zoom"
+          value={zoom}
+          data={[
+            { value: "patch", label: texts.zooms.patch },
+            { value: "edge", label: texts.zooms.edge },
+          ]}
+          onChange={setZoom}
+        />
+      </header>
+      <Drawing front={front} step={step} state={state} box={box} />
+      <p className={styles["hint"]}>{front.isCurved ? texts.curved : texts.flat}</p>
+    </section>
+  );
+}
+
+interface DrawingProps {
+  readonly front: PlanarFront;
+  readonly step: SurfaceStep;
+  readonly state: number;
+  readonly box: PlaneWindow;
+}
+
+function Drawing({ front, step, state, box }: DrawingProps) {
+  const paths = useMemo(() => planePaths(front, state), [front, state]);
+  const viewBox = `${box.left} ${-box.top} ${box.size} ${box.size}`;
+  return (
+    <svg
+      className={styles["drawing"]}
+      viewBox={viewBox}
+      role="img"
+      aria-label={texts.picture(paths.triangleCount, paths.edgeCount)}
+    >
+      {/* The plane's second axis points up. */}
+      <g transform="scale(1 -1)">
+        <path className={styles["triangles"]} d={paths.triangles} />
+        <path className={styles["boundary"]} d={paths.boundary} />
+        <path className={styles["front"]} d={paths.front} />
+        {step.kind === "edge" && <Step front={front} step={step} size={box.size} />}
+      </g>
+    </svg>
+  );
+}
+
+/** The base edge, the target size as an ellipse, the ideal point, and the candidate under the lens. */
+function Step({
+  front,
+  step,
+  size,
+}: {
+  readonly front: PlanarFront;
+  readonly step: EdgeStep;
+  readonly size: number;
+}) {
+  const { player } = useApp();
+  const chosen = usePlayer((state) => state.candidate) ?? decisiveCandidate(step);
+  const [a, b] = step.nodes.map((node) => planeOf(front, node));
+  const candidate = chosen === null ? undefined : step.candidates[chosen];
+  const culprit = candidate?.culprit ?? null;
+  const ellipse = ellipseOf(step, 0.55 * targetLength(front, step));
+  if (!a || !b) return null;
+  return (
+    <>
+      <ellipse
+        className={styles["size"]}
+        rx={ellipse.rx}
+        ry={ellipse.ry}
+        transform={`translate(${step.ideal.join(" ")}) rotate(${ellipse.angle})`}
+      />
+      {culprit !== null && <Edge front={front} edge={culprit} className={styles["culprit"]} />}
+      {candidate && (
+        <path
+          className={styles[candidate.verdict === "accepted" ? "accepted" : "refused"]}
+          d={`M${a.join(" ")}L${b.join(" ")}L${candidate.plane.join(" ")}Z`}
+        />
+      )}
+      <path className={styles["base"]} d={`M${a.join(" ")}L${b.join(" ")}`} />
+      <circle className={styles["ideal"]} cx={step.ideal[0]} cy={step.ideal[1]} r={dot * size} />
+      {step.candidates.map(({ plane: [x, y] }, i) => (
+        <circle
+          // Candidates have no identity beside their rank.
+          key={i}
+          className={styles["candidate"]}
+          data-chosen={i === chosen || undefined}
+          cx={x}
+          cy={y}
+          r={1.3 * dot * size}
+          onClick={() => player.state.setState({ candidate: i })}
+        />
+      ))}
+    </>
+  );
+}
+
+function Edge({
+  front,
+  edge,
+  className,
+}: {
+  readonly front: PlanarFront;
+  readonly edge: number;
+  readonly className: string | undefined;
+}) {
+  const [a, b] = endsOf(front, edge).map((node) => planeOf(front, node));
+  return a && b ? <path className={className} d={`M${a.join(" ")}L${b.join(" ")}`} /> : null;
+}

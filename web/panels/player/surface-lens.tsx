@@ -1,0 +1,117 @@
+import { Text } from "@mantine/core";
+import { lazy, Suspense, useMemo } from "react";
+import type { EdgeStep, PlanarFront, StationStep, SurfaceStep, SurfaceTrace } from "tetrafront";
+import { decisiveCandidate, examineCandidate, type PlanarLensCandidate } from "../../player/planar-lens";
+import { strings } from "../../strings";
+import { formatShort } from "../../ui/format";
+import { BaseFacts } from "./base-facts";
+import { CandidateTable } from "./candidate-table";
+import { usePlayer } from "./use-player";
+
+const texts = strings.player;
+const PlanarFormula = lazy(async () => ({ default: (await import("./planar-formula")).PlanarFormula }));
+
+/** Why a step of a line or a patch ended as it did. `state`: from 0. */
+export function SurfaceLens({ surface, state }: { readonly surface: SurfaceTrace; readonly state: number }) {
+  const step = useMemo(() => surface.stepAt(state), [surface, state]);
+  if (!step) return <Text size="sm">{texts.beforeLines}</Text>;
+  if (step.kind === "edge") {
+    const front = surface.fronts[step.front];
+    return front ? <EdgeUnderLens front={front} step={step} /> : null;
+  }
+  return (
+    <>
+      <p data-testid="lens-sentence">
+        <b>{sentenceOf(surface, step)}</b>
+      </p>
+      {step.kind === "station" && <p>{texts.line.measured(step.sides)}</p>}
+      {state === surface.lastLineStep && <p>{texts.beforePatches}</p>}
+    </>
+  );
+}
+
+function sentenceOf(surface: SurfaceTrace, step: Exclude<SurfaceStep, EdgeStep>): string {
+  switch (step.kind) {
+    case "station":
+      return stationSentence(step);
+    case "divided":
+      return step.sideCount === 0
+        ? texts.line.undivided(step.line)
+        : texts.line.divided(step.line, step.length, step.sideCount);
+    case "halved":
+      return texts.line.halved(step.line, step.side);
+    case "patch": {
+      const front = surface.fronts[step.front];
+      return texts.patch.begins(step.patch, surface.frontSizeAt(step.step), front?.isCurved ?? false);
+    }
+    case "improved":
+      return texts.patch.improved(step.patch, step.trianglesBefore, step.triangles);
+  }
+}
+
+function stationSentence({ line, end, startSize, length, rounds }: StationStep): string {
+  const name = texts.line.title(line);
+  const sentence =
+    end === "settled"
+      ? texts.line.settled(startSize, length, rounds)
+      : end === "capped"
+        ? texts.line.capped(startSize)
+        : texts.line.knot;
+  return `${name}. ${sentence}`;
+}
+
+function EdgeUnderLens({ front, step }: { readonly front: PlanarFront; readonly step: EdgeStep }) {
+  const chosen = usePlayer((state) => state.candidate) ?? decisiveCandidate(step);
+  const examined = useMemo(() => {
+    const candidate = chosen === null ? undefined : step.candidates[chosen];
+    return candidate ? examineCandidate(front, step, candidate) : null;
+  }, [front, step, chosen]);
+  const facts: readonly (readonly [string, string])[] = [
+    [texts.patch.size, formatShort(step.size)],
+    [texts.patch.metric, step.metric.map((term) => Number(term.toPrecision(3))).join(" ")],
+    [texts.patch.sizeClass, String(step.sizeClass)],
+    [texts.patch.layer, String(step.layer)],
+    [texts.patch.pass, String(step.pass)],
+    [texts.patch.nearby, String(step.nearbyEdges)],
+    [texts.patch.ranked, String(step.rankedCandidates)],
+  ];
+  const rows = step.candidates.map(({ node, isNew, verdict, culprit }) => ({
+    name: isNew ? null : node,
+    verdict: texts.verdictAt(texts.patch.verdicts[verdict], culprit),
+  }));
+  return (
+    <>
+      {examined && <Sentence examined={examined} />}
+      {step.outcome === "postponed" && <p>{texts.patch.postponed(step.nextPass)}</p>}
+      <CandidateTable label={texts.patch.candidates} rows={rows} chosen={chosen} />
+      {examined && (
+        <Suspense fallback={null}>
+          <PlanarFormula front={front} step={step} examined={examined} />
+        </Suspense>
+      )}
+      <BaseFacts title={texts.patch.base(step.edge)} facts={facts} hint={texts.patch.whyNow} />
+    </>
+  );
+}
+
+function Sentence({ examined }: { readonly examined: PlanarLensCandidate }) {
+  const { node, isNew, verdict, culprit } = examined.candidate;
+  const sentence =
+    verdict === "accepted"
+      ? texts.patch.accepted(node ?? 0, isNew)
+      : texts.patch[verdict](isNew ? null : node, culprit ?? 0);
+  const whatIf =
+    verdict === "accepted" || examined.isBehind
+      ? null
+      : examined.crossed.length > 0
+        ? texts.patch.whatIf(examined.crossed)
+        : texts.patch.clear;
+  return (
+    <>
+      <p data-testid="lens-sentence">
+        <b>{sentence}</b>
+      </p>
+      {whatIf !== null && <p data-testid="lens-what-if">{whatIf}</p>}
+    </>
+  );
+}

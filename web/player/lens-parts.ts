@@ -1,0 +1,152 @@
+/** What the layers of the player are made of: facets, segments and dots in a colour of the theme. */
+import {
+  BufferAttribute,
+  BufferGeometry,
+  InstancedBufferAttribute,
+  InstancedInterleavedBuffer,
+  InterleavedBufferAttribute,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  Points,
+  PointsMaterial,
+} from "three";
+import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
+import type { Position } from "../document/position";
+import { subtract } from "../document/vectors";
+import type { ViewerColors } from "../viewer/colors";
+import { setStateColors, stateCodes } from "../viewer/draw-state";
+import { createFacetMaterial } from "../viewer/materials/facet-material";
+import { createLineMaterial } from "../viewer/materials/line-material";
+import { setColor } from "../viewer/materials/uniforms";
+
+type ColorName = "selection" | "front" | "hover" | "source" | "point" | "line";
+
+/** Positions drawn in one colour. */
+export abstract class Part<Drawn extends Mesh | LineSegments | Points> {
+  protected constructor(
+    readonly object: Drawn,
+    protected readonly color: ColorName,
+  ) {}
+
+  abstract setColors(colors: ViewerColors): void;
+
+  set(positions: readonly Position[], origin: Position): void {
+    const local = Float32Array.from(positions.flatMap((position) => subtract(position, origin)));
+    this.object.geometry.dispose();
+    this.object.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(local, 3));
+    this.object.visible = positions.length > 0;
+  }
+
+  dispose(): void {
+    this.object.geometry.dispose();
+  }
+}
+
+export class Facets extends Part<Mesh> {
+  readonly #material;
+
+  constructor(color: ColorName, opacity: number) {
+    const material = createFacetMaterial({ opacity, depthTest: false });
+    super(new Mesh(new BufferGeometry(), material), color);
+    this.#material = material;
+  }
+
+  setColors(colors: ViewerColors): void {
+    setColor(this.#material, "color", colors[this.color]);
+  }
+
+  override dispose(): void {
+    super.dispose();
+    this.#material.dispose();
+  }
+}
+
+export class Segments extends Part<LineSegments> {
+  readonly #material;
+
+  constructor(color: ColorName) {
+    const material = new LineBasicMaterial({ transparent: true, depthTest: false });
+    super(new LineSegments(new BufferGeometry(), material), color);
+    this.#material = material;
+  }
+
+  setColors(colors: ViewerColors): void {
+    this.#material.color.set(colors[this.color]);
+  }
+
+  override dispose(): void {
+    super.dispose();
+    this.#material.dispose();
+  }
+}
+
+export class Dots extends Part<Points> {
+  readonly #material;
+
+  /** `size`: in pixels. */
+  constructor(color: ColorName, size: number) {
+    const material = new PointsMaterial({
+      transparent: true,
+      depthTest: false,
+      sizeAttenuation: false,
+      size,
+    });
+    super(new Points(new BufferGeometry(), material), color);
+    this.#material = material;
+  }
+
+  setColors(colors: ViewerColors): void {
+    this.#material.color.set(colors[this.color]);
+  }
+
+  override dispose(): void {
+    super.dispose();
+    this.#material.dispose();
+  }
+}
+
+/** Segments some pixels wide. */
+export class WideSegments {
+  readonly #material;
+  readonly object: Mesh;
+
+  /** `width`: in pixels. */
+  constructor(
+    readonly color: ColorName,
+    width: number,
+    depthTest: boolean,
+  ) {
+    this.#material = createLineMaterial({ widths: { selected: width }, depthTest });
+    this.object = new Mesh(new LineSegmentsGeometry(), this.#material);
+    this.object.frustumCulled = false;
+  }
+
+  setColors(colors: ViewerColors): void {
+    setStateColors(this.#material, { selected: colors[this.color] });
+  }
+
+  setViewport(width: number, height: number): void {
+    this.#material.uniforms.resolution.value.set(width, height);
+  }
+
+  /** Shows segments: their ends, two after two. */
+  set(ends: readonly Position[], origin: Position): void {
+    const local = Float32Array.from(ends.flatMap((position) => subtract(position, origin)));
+    const buffer = new InstancedInterleavedBuffer(local, 6, 1);
+    const states = new Uint8Array(ends.length / 2).fill(stateCodes.selected);
+    const geometry = new LineSegmentsGeometry();
+    geometry.setAttribute("instanceStart", new InterleavedBufferAttribute(buffer, 3, 0));
+    geometry.setAttribute("instanceEnd", new InterleavedBufferAttribute(buffer, 3, 3));
+    geometry.setAttribute("state", new InstancedBufferAttribute(states, 1));
+    geometry.instanceCount = states.length;
+    this.object.geometry.dispose();
+    this.object.geometry = geometry;
+    this.object.visible = ends.length > 0;
+  }
+
+  dispose(): void {
+    this.object.geometry.dispose();
+    this.#material.dispose();
+  }
+}

@@ -1,0 +1,95 @@
+/** Paths of the plane of a patch, in its own coordinates, for SVG. */
+import type { EdgeStep, PlanarFront } from "tetrafront";
+import { edgesAt, endsOf, planeOf, targetLength } from "./planar-judge";
+import { trianglesMadeAt } from "./surface-scene";
+
+/** A square of the plane: its left and upper border, and its width. */
+export interface PlaneWindow {
+  readonly left: number;
+  readonly top: number;
+  readonly size: number;
+}
+
+/** Width of the margin around a patch, as a share of its size. */
+const margin = 0.06;
+/** Width of the window around a base edge, in target sizes there. */
+const closeUp = 9;
+
+/** Returns the square around a patch. */
+export function windowOf({ plane, boundaryNodes }: PlanarFront): PlaneWindow {
+  let [left, right, bottom, top] = [Infinity, -Infinity, Infinity, -Infinity];
+  for (let node = 0; node < boundaryNodes; node++) {
+    const [x = 0, y = 0] = plane.subarray(2 * node, 2 * node + 2);
+    left = Math.min(left, x);
+    right = Math.max(right, x);
+    bottom = Math.min(bottom, y);
+    top = Math.max(top, y);
+  }
+  return squareAround(
+    (left + right) / 2,
+    (bottom + top) / 2,
+    (1 + 2 * margin) * Math.max(right - left, top - bottom),
+  );
+}
+
+/** Returns the square around a base edge. */
+export function windowAround(front: PlanarFront, step: EdgeStep): PlaneWindow {
+  const { rx, ry } = ellipseOf(step, targetLength(front, step));
+  return squareAround(step.ideal[0], step.ideal[1], closeUp * Math.max(rx, ry));
+}
+
+const squareAround = (x: number, y: number, size: number): PlaneWindow => ({
+  left: x - size / 2,
+  top: y + size / 2,
+  size,
+});
+
+/** Returns the ellipse of all steps of the plane that are as long in space, in target sizes: half axes, and the angle of the first in degrees. */
+export function ellipseOf({ metric: [xx, xy, yy] }: EdgeStep, length: number) {
+  const mean = (xx + yy) / 2;
+  const spread = Math.hypot((xx - yy) / 2, xy);
+  return {
+    rx: length / Math.sqrt(Math.max(mean - spread, Number.MIN_VALUE)),
+    ry: length / Math.sqrt(mean + spread),
+    // The longer axis belongs to the smaller eigenvalue.
+    angle: (Math.atan2(2 * xy, xx - yy) / 2) * (180 / Math.PI) + 90,
+  };
+}
+
+export interface PlanePaths {
+  readonly triangles: string;
+  readonly boundary: string;
+  readonly front: string;
+  readonly triangleCount: number;
+  readonly edgeCount: number;
+}
+
+/** Returns what a state has: the triangles made so far, or those of the improved patch. O(patch). */
+export function planePaths(front: PlanarFront, state: number): PlanePaths {
+  const improved = state >= front.lastStep ? front.improved : null;
+  const { plane, triangles } = improved ?? front;
+  const count = improved ? triangles.length / 3 : trianglesMadeAt(front, state);
+  const at = (node: number): string => `${plane[2 * node] ?? 0} ${plane[2 * node + 1] ?? 0}`;
+  let path = "";
+  for (let i = 0; i < count; i++) {
+    const [a = 0, b = 0, c = 0] = triangles.subarray(3 * i, 3 * i + 3);
+    path += `M${at(a)}L${at(b)}L${at(c)}Z`;
+  }
+  const edges = improved ? [] : edgesAt(front, state);
+  return {
+    triangles: path,
+    boundary: segments(front, edgesAt(front, front.firstStep)),
+    front: segments(front, edges),
+    triangleCount: count,
+    edgeCount: edges.length,
+  };
+}
+
+function segments(front: PlanarFront, edges: readonly number[]): string {
+  return edges
+    .map((edge) => {
+      const [from, to] = endsOf(front, edge);
+      return `M${planeOf(front, from).join(" ")}L${planeOf(front, to).join(" ")}`;
+    })
+    .join("");
+}

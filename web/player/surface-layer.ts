@@ -1,0 +1,174 @@
+import type { Trace } from "tetrafront";
+import { BufferAttribute, BufferGeometry, Group, Mesh } from "three";
+import type { Position } from "../document/position";
+import { subtract } from "../document/vectors";
+import type { Layer } from "../viewer/layers/layer";
+import { createFacetMaterial } from "../viewer/materials/facet-material";
+import { setColor } from "../viewer/materials/uniforms";
+import type { SceneChanges } from "../viewer/scene-state";
+import { Dots, Facets, WideSegments } from "./lens-parts";
+import { endsOf } from "./planar-judge";
+import { inSpace, surfaceScene } from "./surface-scene";
+
+/** The lines and patches of a trace after a step, in space, with the base edge and its new triangle. */
+export class SurfaceLayer implements Layer {
+  readonly root = new Group();
+  readonly #trace: Trace;
+  readonly #done = new TriangleRange();
+  readonly #made = new TriangleRange();
+  readonly #sides = new WideSegments("line", 1.6, true);
+  readonly #front = new WideSegments("front", 2.4, false);
+  readonly #walk = new WideSegments("selection", 2.4, false);
+  readonly #base = new WideSegments("selection", 4, false);
+  readonly #nodes = new Dots("point", 4);
+  readonly #triangle = new Facets("selection", 0.5);
+  readonly #wide = [this.#sides, this.#front, this.#walk, this.#base];
+  /** Triangles before those of each front, of the finished patches and of the fronts. */
+  #doneBefore: readonly number[] = [0];
+  #madeBefore: readonly number[] = [0];
+  #state: number | null = null;
+  #origin: Position = [0, 0, 0];
+
+  constructor(trace: Trace) {
+    this.#trace = trace;
+    const { object: nodes } = this.#nodes;
+    const { object: triangle } = this.#triangle;
+    for (const object of [nodes, triangle]) object.frustumCulled = false;
+    const drawn = [
+      this.#done.object,
+      this.#made.object,
+      ...this.#wide.map(({ object }) => object),
+      nodes,
+      triangle,
+    ];
+    drawn.forEach((object, order) => {
+      object.renderOrder = 10 + order;
+      this.root.add(object);
+    });
+    this.root.visible = false;
+  }
+
+  update(changes: SceneChanges): void {
+    const { colors, origin, viewport } = changes.state;
+    if (changes.has("colors")) {
+      for (const part of [...this.#wide, this.#nodes, this.#triangle]) part.setColors(colors);
+      this.#done.setColors(colors.patch, colors.meshEdge);
+      this.#made.setColors(colors.front, colors.meshEdge);
+    }
+    if (changes.has("viewport"))
+      for (const part of this.#wide) part.setViewport(viewport.width, viewport.height);
+    if (!changes.has("origin")) return;
+    this.#origin = origin;
+    this.#writeTriangles();
+    this.show(this.#state);
+  }
+
+  /** Shows a state of the lines and patches, from 0; null to show nothing. */
+  show(state: number | null): void {
+    this.#state = state;
+    this.root.visible = state !== null;
+    if (state === null) return;
+    const scene = surfaceScene(this.#trace, state);
+    this.#sides.set(scene.sides, this.#origin);
+    this.#walk.set(scene.walk, this.#origin);
+    this.#front.set(scene.front, this.#origin);
+    this.#nodes.set(scene.nodes, this.#origin);
+    this.#done.show(0, this.#doneBefore[scene.finished] ?? 0);
+    this.#made.show(this.#madeBefore[scene.finished] ?? 0, scene.made);
+    this.#showStep(state);
+  }
+
+  dispose(): void {
+    for (const part of [...this.#wide, this.#nodes, this.#triangle, this.#done, this.#made]) part.dispose();
+  }
+
+  /** Draws the base edge of a step, and the triangle over it. */
+  #showStep(state: number): void {
+    const step = this.#trace.surface?.stepAt(state);
+    const front = step?.kind === "edge" ? this.#trace.surface?.fronts[step.front] : undefined;
+    if (step?.kind !== "edge" || !front) {
+      this.#base.set([], this.#origin);
+      this.#triangle.set([], this.#origin);
+      return;
+    }
+    this.#base.set(
+      endsOf(front, step.edge).map((node) => inSpace(front, node)),
+      this.#origin,
+    );
+    const corners =
+      step.triangle === null ? [] : front.triangles.subarray(3 * step.triangle, 3 * step.triangle + 3);
+    this.#triangle.set(
+      [...corners].map((node) => inSpace(front, node)),
+      this.#origin,
+    );
+  }
+
+  #writeTriangles(): void {
+    const { surface } = this.#trace;
+    const [done, made] = [new TriangleList(this.#origin), new TriangleList(this.#origin)];
+    surface?.fronts.forEach((front, index) => {
+      const positions = surface.improvedPositions(index);
+      if (positions && front.improved) done.add(positions, front.improved.triangles);
+      else done.add(front.positions, front.triangles);
+      done.endPart();
+      made.add(front.positions, front.triangles);
+      made.endPart();
+    });
+    this.#doneBefore = done.before;
+    this.#madeBefore = made.before;
+    this.#done.set(done.coordinates);
+    this.#made.set(made.coordinates);
+  }
+}
+
+/** Triangles of several parts, one after the other. */
+class TriangleList {
+  readonly coordinates: number[] = [];
+  /** Triangles before each part, and of all parts at the end. */
+  readonly before: number[] = [0];
+
+  constructor(readonly origin: Position) {}
+
+  add(positions: Float64Array, triangles: Uint32Array): void {
+    for (const node of triangles) {
+      const [x = 0, y = 0, z = 0] = positions.subarray(3 * node, 3 * node + 3);
+      this.coordinates.push(...subtract([x, y, z], this.origin));
+    }
+  }
+
+  endPart(): void {
+    this.before.push(this.coordinates.length / 9);
+  }
+}
+
+/** Triangles of which a range is drawn. */
+class TriangleRange {
+  readonly object: Mesh;
+  readonly #material = createFacetMaterial({ opacity: 1, depthWrite: true, edges: true, polygonOffset: 1 });
+
+  constructor() {
+    this.object = new Mesh(new BufferGeometry(), this.#material);
+    this.object.frustumCulled = false;
+  }
+
+  setColors(color: string, edgeColor: string): void {
+    setColor(this.#material, "color", color);
+    setColor(this.#material, "edgeColor", edgeColor);
+  }
+
+  set(coordinates: readonly number[]): void {
+    this.object.geometry.dispose();
+    const attribute = new BufferAttribute(Float32Array.from(coordinates), 3);
+    this.object.geometry = new BufferGeometry().setAttribute("position", attribute);
+  }
+
+  show(first: number, count: number): void {
+    this.object.geometry.setDrawRange(3 * first, 3 * count);
+    this.object.visible = count > 0;
+  }
+
+  dispose(): void {
+    this.object.geometry.dispose();
+    this.#material.dispose();
+  }
+}

@@ -1,0 +1,74 @@
+/** What a state of the lines and patches looks like in space. */
+import type { PlanarFront, SurfaceTrace, Trace } from "tetrafront";
+import type { Position } from "../document/position";
+import { edgesAt, endsOf } from "./planar-judge";
+
+/** Segments are lists of ends, two after two. */
+export interface SurfaceScene {
+  /** Sides of lines that are divided. */
+  readonly sides: readonly Position[];
+  /** The walk along a line, up to its last station. */
+  readonly walk: readonly Position[];
+  /** Edges of the 2-D front. */
+  readonly front: readonly Position[];
+  /** Ends of sides, or stations of the walk. */
+  readonly nodes: readonly Position[];
+  /** Number of planar fronts that are finished, and of triangles that the next one has made. */
+  readonly finished: number;
+  readonly made: number;
+}
+
+/** Returns the scene of a state, from 0. O(sides + edges of the patch). */
+export function surfaceScene({ surface }: Trace, state: number): SurfaceScene {
+  if (surface === null) return { sides: [], walk: [], front: [], nodes: [], finished: 0, made: 0 };
+  const sides = sidesAt(surface, state);
+  const walk = walkAt(surface, state);
+  const index = surface.frontAt(state);
+  const front = index === undefined ? undefined : surface.fronts[index];
+  const isFinished = front !== undefined && state >= front.lastStep;
+  const edges = front && !isFinished ? edgesAt(front, state) : [];
+  return {
+    sides,
+    walk,
+    front: edges.flatMap((edge) => (front ? endsOf(front, edge).map((node) => inSpace(front, node)) : [])),
+    nodes: walk.length > 0 ? walk : sides,
+    finished: (index ?? 0) + (isFinished ? 1 : 0),
+    made: front && !isFinished ? trianglesMadeAt(front, state) : 0,
+  };
+}
+
+export const inSpace = ({ positions }: PlanarFront, node: number): Position => at(positions, node);
+
+const at = (numbers: ArrayLike<number>, index: number): Position => [
+  numbers[3 * index] ?? 0,
+  numbers[3 * index + 1] ?? 0,
+  numbers[3 * index + 2] ?? 0,
+];
+
+/** Number of triangles that a front has made until a step. */
+export function trianglesMadeAt({ trianglesBorn }: PlanarFront, step: number): number {
+  const next = trianglesBorn.findIndex((born) => born > step);
+  return next < 0 ? trianglesBorn.length : next;
+}
+
+/** The sides of each line after its last division until a step. Halved sides are drawn as one until the patches. */
+function sidesAt({ divisions }: SurfaceTrace, state: number): Position[] {
+  const last = new Map<number, Float64Array>();
+  for (const { line, lastStep, nodes } of divisions) if (lastStep <= state) last.set(line, nodes);
+  return [...last.values()].flatMap((nodes) => segmentsAlong(nodes, nodes.length / 3));
+}
+
+function walkAt(surface: SurfaceTrace, state: number): Position[] {
+  const division = surface.divisions[surface.divisionAt(state) ?? -1];
+  if (!division || state >= division.lastStep) return [];
+  const { begin, stations, firstStep } = division;
+  return segmentsAlong([...begin, ...stations], state - firstStep + 2);
+}
+
+/** Segments between the first `count` positions. */
+function segmentsAlong(positions: ArrayLike<number>, count: number): Position[] {
+  return Array.from({ length: Math.max(0, count - 1) }, (_, i) => [
+    at(positions, i),
+    at(positions, i + 1),
+  ]).flat();
+}

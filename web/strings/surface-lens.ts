@@ -1,0 +1,98 @@
+/** Texts about the lines and patches of a recording. */
+import type { EdgeRefusal } from "tetrafront";
+
+const number = (value: number): string => value.toLocaleString("en-US");
+const short = (value: number): string => Number(value.toPrecision(3)).toString();
+const plural = (count: number, word: string): string => `${number(count)} ${word}${count === 1 ? "" : "s"}`;
+
+/** Words for what was tried: an existing node by its number. */
+const candidateName = (node: number | null): string =>
+  node === null ? "A new node" : `Node ${number(node)}`;
+
+const edgeVerdicts: Readonly<Record<EdgeRefusal | "accepted", string>> = {
+  accepted: "accepted",
+  behind: "behind the base edge",
+  crosses: "crosses an edge",
+  "too-close": "too close to an edge",
+  "same-node": "end of the base edge",
+  outside: "outside the patch",
+};
+
+export const surfaceLensStrings = {
+  beforeLines: "Before the first step: the lines are not divided yet.",
+  beforePatches: "All lines are divided. The patches come next.",
+  line: {
+    title: (line: number) => `Line ${number(line)}`,
+    settled: (start: number, length: number, rounds: number) =>
+      rounds === 0
+        ? `The target size is ${short(start)} here (S1), and also at the middle of a side of this length (S2): the next side is ${short(length)} long.`
+        : `The target size is ${short(start)} here (S1), but differs at the middle of a side of this length (S2). After ${plural(rounds, "averaging")} (S3), the next side is ${short(length)} long.`,
+    capped: (start: number) =>
+      `The target size is ${short(start)} here (S1). The step ends at a sixteenth of the line, so that its bends are seen.`,
+    knot: "The step ends at a knot of the line.",
+    measured: (sides: number) =>
+      `Up to here the line is ${short(sides)} target sizes long. The steps only measure it; the sides follow at its end.`,
+    divided: (line: number, length: number, sides: number) =>
+      `Line ${number(line)} is ${short(length)} target sizes long. It is divided into ${plural(sides, "side")} that are equally long in target sizes (S4), so that the last one is as good as the others.`,
+    undivided: (line: number) => `Line ${number(line)} cannot be divided.`,
+    halved: (line: number, side: number) =>
+      `Side ${number(side)} of line ${number(line)} is halved: sides of a patch would intersect.`,
+  },
+  patch: {
+    begins: (patch: number, edges: number, isCurved: boolean) =>
+      `Patch ${number(patch)} begins: its ${plural(edges, "side")} are the first front in ${isCurved ? "the plane that is mapped to its surface (T1)" : "its plane"}.`,
+    improved: (patch: number, before: number, after: number) =>
+      `The front has covered patch ${number(patch)} with ${plural(before, "triangle")}. They are improved: edges are flipped, nodes move, are added and removed. ${plural(after, "triangle")} remain, and take their places in space (T3).`,
+    accepted: (node: number, isNew: boolean) =>
+      `${isNew ? "New node" : "Node"} ${number(node)} was accepted: it makes a triangle over the base edge.`,
+    behind: (node: number | null) =>
+      `${candidateName(node)} was refused: it is behind the base edge, or in line with it.`,
+    crosses: (node: number | null, edge: number) =>
+      `${candidateName(node)} was refused: the new triangle would cross edge ${number(edge)} of the front.`,
+    "too-close": (_: number | null, edge: number) =>
+      `A new node was refused: it would be too close to edge ${number(edge)} of the front.`,
+    "same-node": (node: number | null) =>
+      `${candidateName(node)} was refused: in space it is an end of the base edge, on the other side of the seam.`,
+    outside: () => "A new node was refused: it would be outside the patch.",
+    clear: "Our own check finds nothing that the triangle would cross.",
+    whatIf: (edges: readonly number[]) =>
+      `Accepted, its triangle would overlap what is meshed: it would cross ${edges.length === 1 ? "edge" : "edges"} ${edges
+        .slice(0, 6)
+        .map(number)
+        .join(", ")}${edges.length > 6 ? " …" : ""}.`,
+    postponed: (pass: number | null) =>
+      pass === null
+        ? "No candidate was accepted, in the whole front: the patch folds over itself."
+        : `No candidate was accepted. The edge comes again in pass ${pass}, with ${pass === 1 ? "a larger neighbourhood" : "the whole front"} to choose from.`,
+    base: (edge: number) => `Base edge ${number(edge)}`,
+    size: "Target size",
+    metric: "Metric G",
+    sizeClass: "Size class",
+    layer: "Layer",
+    pass: "Pass",
+    nearby: "Edges near",
+    ranked: "Candidates",
+    whyNow: "Lower size classes come first, then lower layers (step F4).",
+    candidates: "Candidates tried",
+    verdicts: edgeVerdicts,
+    test: "Test in the plane",
+    testHints: {
+      accepted: "Lengths in the plane are measured by G, so they are target sizes of space (T2).",
+      behind: "Twice the signed area of the triangle: the engine takes its sign exactly.",
+      crosses:
+        "The part of the edge from a to b that lies in the triangle, or touches it. The engine decides by exact signs.",
+      "too-close": "Lengths in the plane are measured by G, so they are target sizes of space (T2).",
+    },
+  },
+  plane: {
+    label: "Plane of the patch",
+    title: (patch: number) => `Plane of patch ${number(patch)}`,
+    zoom: "Part of the plane",
+    zooms: { patch: "Patch", edge: "Base edge" },
+    curved:
+      "This plane is mapped to the curved patch. The dashed ellipse is a circle in space: it shows how the plane is stretched and sheared, and how large triangles shall be.",
+    flat: "The patch is flat. The dashed ellipse shows how large triangles shall be, and in which direction.",
+    picture: (triangles: number, edges: number) =>
+      `${plural(triangles, "triangle")}, ${plural(edges, "edge")} of the front`,
+  },
+} as const;
