@@ -83,6 +83,62 @@ test("the front of the unit cube is recorded, played, and stepped through", asyn
   expect((await app.mesh()).fingerprint).toBe(fingerprint);
 });
 
+test("lines and patches are played before the volume, with the plane beside space", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByTestId("tab-front").click();
+  await page.getByTestId("player-record").click();
+  const { viewport } = app;
+  await expect(viewport).toHaveAttribute("data-step", "0");
+  const phase = page.getByTestId("player-phase");
+  const sentence = page.getByTestId("lens-sentence");
+  const plane = page.getByTestId("plane-view");
+  await expect(phase).toHaveText("Volume");
+  await expect(plane).toHaveCount(0);
+
+  await page.getByTestId("player-start").click();
+  await expect(phase).toHaveText("Patches");
+  await expect(plane).toBeVisible();
+  await expect(sentence).toContainText("Patch 0 begins");
+  const edges = Number(await viewport.getAttribute("data-front-faces"));
+  expect(edges).toBeGreaterThan(8);
+  const width = (await page.getByTestId("viewport-canvas").boundingBox())?.width ?? 0;
+  await page.getByTestId("player-forward").click();
+  await expect(sentence).toContainText("makes a triangle over the base edge");
+  await expect(page.getByTestId("lens-formula").locator("math").first()).toBeAttached();
+  await page.getByTestId("player-kind").selectOption("too-close");
+  await page.getByTestId("player-next").click();
+  await expect(sentence).toContainText(/would be too close to edge \d+/);
+  await page.getByTestId("plane-zoom").getByText("Base edge").click();
+  expect(await violations(page)).toEqual([]);
+
+  await page.getByTestId("player-kind").selectOption("patch");
+  await page.getByTestId("player-next").click();
+  await expect(sentence).toContainText("Patch 1 begins");
+  await page.getByTestId("player-start").click();
+  await expect(sentence).toContainText("Patch 0 begins");
+  await page.getByTestId("player-start").click();
+  await expect(phase).toHaveText("Lines");
+  await expect(page.getByTestId("lens")).toContainText("the lines are not divided yet");
+  await expect(plane).toHaveCount(0);
+  const wide = (await page.getByTestId("viewport-canvas").boundingBox())?.width ?? 0;
+  expect(wide).toBeGreaterThan(1.8 * width);
+  await page.getByTestId("player-kind").selectOption("line");
+  await page.getByTestId("player-next").click();
+  await expect(sentence).toContainText(/Line 0 is .* target sizes long/);
+
+  // One slider leads through all phases.
+  const scrub = page.getByTestId("player-scrub");
+  await scrub.focus();
+  await page.keyboard.press("End");
+  await page.keyboard.press("ArrowRight");
+  await expect(phase).toHaveText("Patches");
+  await page.keyboard.press("End");
+  await page.keyboard.press("ArrowRight");
+  await expect(viewport).toHaveAttribute("data-step", "0");
+  expect(await violations(page)).toEqual([]);
+});
+
 test("the keys play, step and jump, but not in fields and buttons", async ({ page }) => {
   const { viewport } = await openTrace(page, star);
   const read = readTrace(star);

@@ -172,7 +172,8 @@ describe("the player", () => {
   it("jumps to every kind of step and back", () => {
     const { player } = newApp();
     player.open(bytes);
-    for (const kind of stopKinds) {
+    // The surface of this trace was given: it has neither lines nor patches.
+    for (const kind of stopKinds.filter((other) => other !== "line" && other !== "patch")) {
       player.seek(0);
       const stops: number[] = [];
       while (player.jump(kind, 1)) stops.push(player.state.getState().step);

@@ -237,9 +237,10 @@ Examples
 `;
 
 export const TRACE_HELP = `
-A trace (.tft) holds every decision of the front: the base face, the ideal point, each candidate with the reason
-why it was refused, and what the step changed; docs/TRACE.md describes the file. Its fingerprint is that of
-\`tetrafront mesh --optimize none\` with the same options. A step takes about 40 bytes.
+A trace (.tft) holds every decision while lines are divided, patches triangulated and volumes filled: the base edge or
+face, the ideal point, each candidate with the reason why it was refused, and what the step changed; docs/TRACE.md
+describes the file. Its fingerprint is that of \`tetrafront mesh --optimize none\` with the same options. A step takes
+about 50 bytes.
 
 Examples
   tetrafront trace cube.json -o cube.tft

@@ -194,7 +194,7 @@ function addTrace(program: Command, setExitCode: SetExitCode): void {
   const command = program
     .command("trace")
     .description(
-      "Record every step of the front while a project or surface is meshed, or describe a recording.",
+      "Record every step of the fronts while a project or surface is meshed, or describe a recording.",
     )
     .argument("<input>", "project or surface; or a trace (.tft), with --summary")
     .option("-o, --output <file>", "output file (.tft)")
