@@ -1,6 +1,7 @@
 /** Checks whether a task is done: by the state of the player, or by an answer. */
 import type { Trace } from "tetrafront";
 import type { FrontColoring } from "../player/player";
+import { firstState } from "../player/phases";
 import { nextStop } from "../player/stops";
 import type { LessonTask, TaskOf } from "./lesson";
 
@@ -22,7 +23,7 @@ export function isShown(task: LessonTask, { trace, step, coloring }: ShownFront)
 
 function isReached({ reach }: TaskOf<"step">, trace: Trace, step: number): boolean {
   if (reach === "end") return step === trace.stepCount;
-  return step >= 1 && nextStop(trace, step - 1, 1, reach) === step;
+  return step > firstState(trace) && nextStop(trace, step - 1, 1, reach) === step;
 }
 
 /** Returns whether an answer is right. Numbers may have a decimal comma and spaces between groups of digits. */

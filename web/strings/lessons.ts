@@ -5,6 +5,8 @@ const number = (value: number): string => value.toLocaleString("en-US");
 
 const targets = {
   postponed: "a postponed face",
+  line: "a line that is divided",
+  patch: "the first front of a patch",
   behind: "a candidate behind the base face",
   crosses: "a candidate that crosses a face",
   "too-close": "a new node too close to a face",

@@ -3,6 +3,7 @@ import {
   IconPlayerTrackNextFilled,
   IconPlayerTrackPrevFilled,
 } from "@tabler/icons-react";
+import { frontSizeAt, phaseAt } from "../../player/phases";
 import { strings } from "../../strings";
 import { IconButton } from "../../ui/icon-button";
 import { JumpControl } from "../player/jump-control";
@@ -24,8 +25,9 @@ export function LessonPlayer() {
 
 function Player() {
   const { player } = useApp();
-  const { stepCount, steps } = useTrace();
+  const trace = useTrace();
   const step = usePlayer((state) => state.step);
+  const { phase, from, to } = phaseAt(trace, step);
   return (
     <section className={styles["player"]} aria-label={texts.transport} data-testid="lesson-player">
       <ScrubBar />
@@ -40,7 +42,7 @@ function Player() {
           <IconPlayerSkipForwardFilled {...icon} />
         </IconButton>
         <span>
-          {texts.counter(step, stepCount)}, {texts.faces(steps.frontSizes[step] ?? 0)}
+          {texts.counter(step - from, to - from)}, {texts.faces(phase, frontSizeAt(trace, step))}
         </span>
         <JumpControl />
       </div>
