@@ -1,5 +1,6 @@
 import type { LineType, PatchType, Project, SourceType } from "tetrafront";
 import { type Entity, entityName, findRecord, recordsOf, type DrawnKind } from "./entities";
+import { keepCoordinates } from "./expression-edits";
 import { rangeAlong, smallestSize } from "./extent";
 import { orderLoops } from "./loops";
 import { likelyPatchType, patchMisfit } from "./patch-rules";
@@ -40,7 +41,12 @@ export function nextId(project: Project, kind: DrawnKind): number {
 export const idsOf = (selection: readonly Entity[], of: DrawnKind): number[] =>
   selection.filter(({ kind }) => kind === of).map(({ id }) => id);
 
-export function addPoint(project: Project, position: Position): Creation {
+/** Adds a point. `expressions` are those from which its coordinates were computed; null for a coordinate without one. */
+export function addPoint(
+  project: Project,
+  position: Position,
+  expressions: readonly (string | null)[] = [],
+): Creation {
   const id = nextId(project, "point");
   return {
     entities: [{ kind: "point", id }],
@@ -48,6 +54,7 @@ export function addPoint(project: Project, position: Position): Creation {
       label: stepNames.add(`${entityNouns.point} ${id}`),
       change: (draft) => {
         draft.project.points.push({ id, position: [...position] });
+        keepCoordinates(draft.project, id, expressions);
       },
     },
   };

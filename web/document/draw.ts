@@ -2,6 +2,7 @@ import type { LineType, Project, ProjectLine } from "tetrafront";
 import { entityNouns, stepNames } from "../strings";
 import { addPoint, nextId, type Creation } from "./create";
 import type { Entity } from "./entities";
+import { keepCoordinates } from "./expression-edits";
 import { diagonalOf } from "./extent";
 import type { Position } from "./position";
 import { distance } from "./vectors";
@@ -11,16 +12,22 @@ export interface Place {
   /** Null for a position without a point. */
   readonly point: number | null;
   readonly position: Position;
+  /** What the coordinates were typed as; null for plain numbers. */
+  readonly expressions?: readonly (string | null)[];
 }
 
 /** Positions closer than this are one point, relative to the extent of the model: as in the engine. */
 const coincidence = 1e-9;
 
 /** Returns the place at a position: an existing point if one lies there. */
-export function placeAt(project: Project, position: Position): Place {
+export function placeAt(
+  project: Project,
+  position: Position,
+  expressions: readonly (string | null)[] = [],
+): Place {
   const tolerance = coincidence * (diagonalOf(project.points) || 1);
   const found = project.points.find((point) => distance(point.position, position) <= tolerance);
-  return found ? { point: found.id, position: found.position } : { point: null, position };
+  return found ? { point: found.id, position: found.position } : { point: null, position, expressions };
 }
 
 export const samePlace = (a: Place, b: Place): boolean =>
@@ -31,17 +38,17 @@ export const samePlace = (a: Place, b: Place): boolean =>
 /** Returns the point at a place, which is created if it does not exist. */
 export function drawPoint(project: Project, place: Place): Creation | Entity {
   if (place.point !== null) return { kind: "point", id: place.point };
-  return addPoint(project, place.position);
+  return addPoint(project, place.position, place.expressions);
 }
 
 /** Ids of the points at places; those of new points count up. Equal places share one point. */
 function pointIds(project: Project, places: readonly Place[]) {
-  const created: { id: number; position: Position }[] = [];
+  const created: { id: number; position: Position; expressions: readonly (string | null)[] }[] = [];
   let next = nextId(project, "point");
-  const ids = places.map(({ point, position }) => {
+  const ids = places.map(({ point, position, expressions = [] }) => {
     const known = point ?? created.find((other) => distance(other.position, position) === 0)?.id;
     if (known !== undefined) return known;
-    created.push({ id: next, position });
+    created.push({ id: next, position, expressions });
     return next++;
   });
   return { ids, created };
@@ -72,6 +79,7 @@ export function drawLine(project: Project, type: LineType, places: readonly Plac
             position: [...point.position] as [number, number, number],
           })),
         );
+        for (const point of created) keepCoordinates(draft, point.id, point.expressions);
         draft.lines.push({ id, type, points: [...ids] });
       },
     },

@@ -41,6 +41,18 @@ export function keepingExpressions(
   };
 }
 
+/** Keeps the expressions of the coordinates of a new point; null for a coordinate without one. */
+export function keepCoordinates(
+  project: ProjectDraft,
+  point: number,
+  expressions: readonly (string | null)[] = [],
+): void {
+  expressions.forEach((expression, axis) => {
+    if (expression !== null)
+      keep(project, { kind: "point", id: point, field: `position.${axis}` }, expression);
+  });
+}
+
 function keep(project: ProjectDraft, path: NumberPath, expression: string | null): void {
   const index = project.expressions?.findIndex((kept) => samePath(kept, path)) ?? -1;
   if (expression === null) {

@@ -13,6 +13,9 @@ import {
 import { setSourceField } from "../../../web/document/size-edits";
 import { namesIn, readNumber, withNameReplaced } from "../../../web/expressions/expression";
 import { parameterValues } from "../../../web/expressions/parameters";
+import { drawLine, placeAt } from "../../../web/document/draw";
+import { worldFrame } from "../../../web/document/vectors";
+import { readCoordinates } from "../../../web/tools/drawing/coordinates";
 import { DocumentStore } from "../../../web/session/document-store";
 import { cubeProject } from "../../support/projects";
 
@@ -113,6 +116,35 @@ describe("parameters", () => {
     documents.edit(removeParameter(documents.project, "r"));
     expect(documents.project.parameters).toBeUndefined();
     expect(documents.project.expressions).toEqual([{ ...x, expression: "(-3)" }]);
+  });
+});
+
+describe("typed coordinates", () => {
+  it("keep their expressions in the points of a line, and follow the parameters", () => {
+    const { documents } = opened({ ...cube, points: [], lines: [], patches: [] });
+    documents.edit(addParameter("r", "2"));
+    const places = ["0, r, 1", "2*r, 0, 0"].map((text) => {
+      const named = parameterValues(documents.project.parameters);
+      const typed = readCoordinates(text, { last: null, frame: worldFrame, named });
+      if (!typed.success) throw new Error(typed.reason);
+      return placeAt(documents.project, typed.position, typed.expressions);
+    });
+    const { creation } = drawLine(documents.project, "straight", places);
+    if (!creation) throw new Error("the line exists");
+    documents.edit(creation.edit);
+    documents.edit(setParameter("r", "3"));
+    expect(documents.project.points.map(({ position }) => position)).toEqual([
+      [0, 3, 1],
+      [6, 0, 0],
+    ]);
+    expect(documents.project.expressions).toHaveLength(2);
+  });
+
+  it("keep no expressions if they are relative or in the work plane", () => {
+    for (const text of ["@1/2, 0, 0", "1/2, 1/3", "1/2 < 30"]) {
+      const typed = readCoordinates(text, { last: [0, 0, 0], frame: worldFrame });
+      expect(typed).toMatchObject({ success: true, expressions: [] });
+    }
   });
 });
 

@@ -1,3 +1,4 @@
+import { expressionFrom } from "../../document/expression-edits";
 import type { Position } from "../../document/position";
 import { add, fromFrame, type Frame } from "../../document/vectors";
 import { readNumber, type NamedNumbers } from "../../expressions/expression";
@@ -13,7 +14,12 @@ export interface CoordinateContext {
 }
 
 export type TypedPosition =
-  | { readonly success: true; readonly position: Position }
+  | {
+      readonly success: true;
+      readonly position: Position;
+      /** What x, y and z were typed as; null for plain numbers. Empty if they were not typed as such. */
+      readonly expressions: readonly (string | null)[];
+    }
   | { readonly success: false; readonly reason: "syntax" | "no-last-place" };
 
 const syntax = { success: false, reason: "syntax" } as const;
@@ -41,7 +47,9 @@ export function readCoordinates(text: string, { last, frame, named }: Coordinate
   const inPlane = c === undefined;
   const offset: Position = inPlane ? inDirections(frame, a, b) : [a, b, c];
   const origin = base ?? (inPlane ? frame.origin : [0, 0, 0]);
-  return { success: true, position: add(origin, offset) };
+  const isAbsolute = base === null && !inPlane;
+  const expressions = isAbsolute ? parts(body).map(expressionFrom) : [];
+  return { success: true, position: add(origin, offset), expressions };
 }
 
 function polar(
@@ -51,7 +59,11 @@ function polar(
 ): TypedPosition {
   if (length == null || angle == null || more.length > 0) return syntax;
   const [cosine, sine] = circle(angle);
-  return { success: true, position: add(from, inDirections(frame, length * cosine, length * sine)) };
+  return {
+    success: true,
+    position: add(from, inDirections(frame, length * cosine, length * sine)),
+    expressions: [],
+  };
 }
 
 /** Cosine and sine of an angle in degrees; exact for right angles. */

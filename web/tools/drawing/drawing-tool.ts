@@ -104,7 +104,7 @@ export abstract class DrawingTool implements Tool, TypedInput {
     const typed = readCoordinates(text, { last: this.last(), frame: this.frame, named });
     if (!typed.success) return typed.reason;
     this.snap = null;
-    this.pick(placeAt(this.stores.documents.project, typed.position), null);
+    this.pick(placeAt(this.stores.documents.project, typed.position, typed.expressions), null);
     this.refresh(null);
     return null;
   }

@@ -10,9 +10,9 @@ export class PointTool extends DrawingTool {
   readonly picked = 0;
   #last: Position | null = null;
 
-  protected pick({ point, position }: Place): void {
+  protected pick({ point, position, expressions }: Place): void {
     this.#last = position;
-    if (point === null) this.create(addPoint(this.project, position));
+    if (point === null) this.create(addPoint(this.project, position, expressions));
     else this.stores.view.select({ kind: "point", id: point });
   }
 
