@@ -190,7 +190,7 @@ describe("liveNotes", () => {
     const live = { ...without, ...liveNotes(without) };
     expect(live.groups?.[0]).toBe(project.groups?.[0]);
     expect(live.groups?.[1]?.members).toEqual([]);
-    expect(live.expressions).toEqual([NOTES.expressions[0]]);
+    expect(live.expressions).toEqual([NOTES.expressions[0], NOTES.expressions[3]]);
     expect(parseProject(live).success).toBe(true);
   });
 });
