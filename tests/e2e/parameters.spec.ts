@@ -48,7 +48,7 @@ test("a selection is edited at once and becomes a group; the history jumps", asy
   await app.openCube();
   await app.select("point-5");
   await page.getByTestId("tree-point-6").click({ modifiers: ["Control"] });
-  await expect(page.getByTestId("common-position-y")).toHaveAttribute("placeholder", "different");
+  await expect(page.getByTestId("common-position-y")).toHaveAttribute("placeholder", "mixed");
   await expect(page.getByTestId("common-position-z")).toHaveValue("0");
   await app.type("common-position-z", "1.25");
   await page.getByTestId("group-selection").click();

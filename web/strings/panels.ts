@@ -97,7 +97,7 @@ export const panelStrings = {
   },
   fields: {
     notANumber: "Enter a number, such as 0.25 or 1/3",
-    different: "different",
+    different: "mixed",
     aboveZero: "Must be above 0",
     atLeastOne: "Must be at least 1",
     notNegative: "Must not be below 0",

@@ -11,7 +11,10 @@ export function HistoryList() {
   const past = useDocument((state) => state.history.past);
   const future = useDocument((state) => state.history.future);
   const present = useRef<HTMLButtonElement>(null);
-  useEffect(() => present.current?.scrollIntoView({ block: "nearest" }), [past.length]);
+  useEffect(() => {
+    // No return value: in new browsers, this call returns a promise.
+    present.current?.scrollIntoView({ block: "nearest" });
+  }, [past.length]);
   const steps = [strings.history.start, ...[...past, ...future].map(({ label }) => label)];
   return (
     <ScrollPanel label={strings.history.title} data-testid="history">
