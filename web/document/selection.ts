@@ -70,6 +70,8 @@ export interface ViewState {
   readonly brush: Brush | null;
   /** What the handles in the view do; null without handles. */
   readonly moving: Moving | null;
+  /** Show the ids of points. */
+  readonly numbers: boolean;
   /** Every click toggles, as if Ctrl were held: for touch screens. */
   readonly several: boolean;
 }
@@ -106,6 +108,7 @@ const initialView: ViewState = {
   snapping: { grid: true, model: true, patches: true },
   brush: null,
   moving: null,
+  numbers: false,
   several: false,
 };
 

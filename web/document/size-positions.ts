@@ -9,8 +9,9 @@ export interface SizeSurface {
   readonly points: Float64Array;
   /** Two indices per segment. */
   readonly segments: Uint32Array;
-  /** Three indices per triangle. */
+  /** Three indices per triangle of the patches, and of the plane. */
   readonly triangles: Uint32Array;
+  readonly plane: Uint32Array;
 }
 
 /** Longest edge of a piece of a line or patch, relative to the diagonal of the model. */
@@ -33,6 +34,7 @@ class SurfaceBuilder {
   readonly points: number[] = [];
   readonly segments: number[] = [];
   readonly triangles: number[] = [];
+  readonly plane: number[] = [];
 
   add([x, y, z]: Position): number {
     this.points.push(x, y, z);
@@ -48,6 +50,7 @@ class SurfaceBuilder {
       points: Float64Array.from(this.points),
       segments: Uint32Array.from(this.segments),
       triangles: Uint32Array.from(this.triangles),
+      plane: Uint32Array.from(this.plane),
     };
   }
 }
@@ -97,7 +100,7 @@ function addPlane(builder: SurfaceBuilder, { low, high }: Box, { axis, position 
       place[v] = at(v, wide(j));
       const corner = builder.add(place);
       if (i < planeDivisions && j < planeDivisions) {
-        builder.triangles.push(corner, corner + row, corner + row + 1, corner, corner + row + 1, corner + 1);
+        builder.plane.push(corner, corner + row, corner + row + 1, corner, corner + row + 1, corner + 1);
       }
     }
   }

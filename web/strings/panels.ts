@@ -217,6 +217,7 @@ export const panelStrings = {
     plain: "Plain",
     dihedral: "Dihedral",
     edges: "Element edges",
+    numbers: "Point numbers",
     mouse: "Left drag",
     leftDrag: { select: "Selects", orbit: "Orbits" },
     cut: "Cut",

@@ -18,7 +18,8 @@ import { randomSource } from "../../support/random";
 export interface Measurement {
   readonly what: string;
   readonly median: number;
-  readonly longest: number;
+  /** 19 of 20 hit tests take no longer. */
+  readonly most: number;
 }
 
 /** Cells along each axis: six tetrahedra each make 998 250. */
@@ -26,7 +27,8 @@ const cells = 55;
 /** Points, lines and patches of the model: 2000 in all. */
 const counts = { points: 700, lines: 700, patches: 600 };
 const pointers = 400;
-const warmUp = 100;
+const warmUp = 50;
+const repetitions = 5;
 
 export async function measurePicking(): Promise<readonly Measurement[]> {
   const layers = modelLayers();
@@ -46,14 +48,18 @@ function measured(what: string, { points, lines, patches }: ModelLayers, solid: 
   const order = { solid: [solid], onSurfaces: [points, lines], translucent: patches };
   const pick = (): number => {
     const pointer = { x: viewport.width * random(), y: viewport.height * random() };
-    const begin = performance.now();
-    hitTest(order, camera, viewport, pointer);
-    return performance.now() - begin;
+    // The shortest of several: other programs may interrupt one.
+    const times = Array.from({ length: repetitions }, () => {
+      const begin = performance.now();
+      hitTest(order, camera, viewport, pointer);
+      return performance.now() - begin;
+    });
+    return Math.min(...times);
   };
   // The first ones build trees and are compiled.
   for (let i = 0; i < warmUp; ++i) pick();
   const times = Array.from({ length: pointers }, pick).toSorted((a, b) => a - b);
-  return { what, median: times[pointers / 2] ?? 0, longest: times.at(-1) ?? 0 };
+  return { what, median: times[pointers / 2] ?? 0, most: times[Math.floor(0.95 * pointers)] ?? 0 };
 }
 
 /** Returns a generator of numbers from 0 to 1. */

@@ -4,7 +4,7 @@ import { templates } from "../../document/templates";
 import { templateStrings as texts } from "../../strings";
 import { FramedDialog } from "../../ui/frames/framed-dialog";
 import { useApp, useShell } from "../shared/app-context";
-import styles from "./recent-dialog.module.css";
+import styles from "./template-dialog.module.css";
 
 /** Projects to begin with. */
 export function TemplateDialog() {
@@ -18,17 +18,21 @@ export function TemplateDialog() {
       </Text>
       <ul className={styles["list"]}>
         {templates.map(({ id, make }) => (
-          <li key={id} className={styles["row"]}>
+          <li key={id}>
             <UnstyledButton
-              className={styles["open"]}
+              className={styles["template"]}
               data-testid={`template-${id}`}
               onClick={() => {
                 close();
                 openProject(app, make());
               }}
             >
-              <span className={styles["name"]}>{texts.templates[id].title}</span>
-              <span className={styles["time"]}>{texts.templates[id].blurb}</span>
+              <Text fw={600} size="sm" component="span">
+                {texts.templates[id].title}
+              </Text>
+              <Text size="sm" c="dimmed" component="span">
+                {texts.templates[id].blurb}
+              </Text>
             </UnstyledButton>
           </li>
         ))}

@@ -43,7 +43,8 @@ export function DisplayPanel() {
 function LayerSwitches() {
   const app = useApp();
   const visible = useView((state) => state.layers);
-  return layers.map((layer) => (
+  const numbers = useView((state) => state.numbers);
+  const switches = layers.map((layer) => (
     <Switch
       key={layer}
       size="xs"
@@ -53,6 +54,18 @@ function LayerSwitches() {
       onChange={(event) => app.view.setLayer(layer, event.currentTarget.checked)}
     />
   ));
+  return (
+    <>
+      {switches}
+      <Switch
+        size="xs"
+        my={6}
+        label={strings.display.numbers}
+        checked={numbers}
+        onChange={(event) => app.view.state.setState({ numbers: event.currentTarget.checked })}
+      />
+    </>
+  );
 }
 
 function ShadingControls() {

@@ -12,6 +12,7 @@ import { DrawingMarks } from "./drawing-marks";
 import { HoverLabel } from "./hover-label";
 import { Legend } from "./legend";
 import { PatchRoleLabels } from "./patch-role-labels";
+import { PointNumbers } from "./point-numbers";
 import { OpenEdges, PositionMarker, ProblemMarkers } from "./problem-markers";
 import { CutBar, MeshBadge, MouseHint, ViewNotice } from "./viewport-overlays";
 import type { Layout } from "../shared/use-layout";
@@ -47,6 +48,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
         {viewer && <ProblemMarkers viewer={viewer} />}
         {viewer && <PositionMarker viewer={viewer} />}
         {viewer && <PatchRoleLabels viewer={viewer} />}
+        {viewer && <PointNumbers viewer={viewer} />}
         {hover && <HoverLabel hover={hover} />}
         {viewer && <DrawingMarks viewer={viewer} />}
         <SelectionOutline />

@@ -63,7 +63,8 @@ export class LinesLayer implements HittableLayer {
     }
     if (changes.has("preview", "origin")) this.#setPositions(state.preview, state.origin);
     this.#states.update(state);
-    this.#meshes[0].visible = this.#states.hasAny("normal");
+    // Target sizes colour the lines.
+    this.#meshes[0].visible = state.shownSizes === null && this.#states.hasAny("normal");
     this.#meshes[1].visible = this.#states.hasAny("hover", "selected");
     this.#meshes[2].visible = this.#states.hasAny("open");
     this.#meshes[3].visible = this.#states.hasAny("defective");

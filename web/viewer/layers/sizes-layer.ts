@@ -13,22 +13,24 @@ import type { ShownSizes } from "../../session/size-feed";
 import type { SceneChanges } from "../scene-state";
 import type { Layer } from "./layer";
 
+const opacityBeforePlane = 0.35;
+
 /** The model and a plane, coloured by the target size: small sizes are dark, as on the scale of the mesh's quality. */
 export class SizesLayer implements Layer {
   readonly root = new Group();
-  readonly #faceMaterial = new MeshBasicMaterial({
+  readonly #patchMaterial = new MeshBasicMaterial({
     vertexColors: true,
     side: DoubleSide,
-    polygonOffset: true,
-    polygonOffsetFactor: 1,
-    polygonOffsetUnits: 1,
+    transparent: true,
   });
+  readonly #planeMaterial = new MeshBasicMaterial({ vertexColors: true, side: DoubleSide });
   readonly #lineMaterial = new LineBasicMaterial({ vertexColors: true });
-  readonly #faces = new Mesh(new BufferGeometry(), this.#faceMaterial);
+  readonly #patches = new Mesh(new BufferGeometry(), this.#patchMaterial);
+  readonly #plane = new Mesh(new BufferGeometry(), this.#planeMaterial);
   readonly #lines = new LineSegments(new BufferGeometry(), this.#lineMaterial);
 
   constructor() {
-    for (const drawn of [this.#faces, this.#lines]) {
+    for (const drawn of [this.#patches, this.#plane, this.#lines]) {
       drawn.frustumCulled = false;
       this.root.add(drawn);
     }
@@ -41,8 +43,13 @@ export class SizesLayer implements Layer {
     const local = Float32Array.from(shownSizes.points, (x, i) => x - (origin[i % 3] ?? 0));
     const position = new BufferAttribute(local, 3);
     const color = new BufferAttribute(sizeColors(shownSizes, colors.ramp), 3);
+    // Patches let the plane be seen that lies behind them.
+    const hasPlane = shownSizes.plane.length > 0;
+    this.#patchMaterial.opacity = hasPlane ? opacityBeforePlane : 1;
+    this.#patchMaterial.depthWrite = !hasPlane;
     for (const [drawn, indices] of [
-      [this.#faces, shownSizes.triangles],
+      [this.#patches, shownSizes.triangles],
+      [this.#plane, shownSizes.plane],
       [this.#lines, shownSizes.segments],
     ] as const) {
       drawn.geometry.dispose();
@@ -54,7 +61,7 @@ export class SizesLayer implements Layer {
   }
 
   dispose(): void {
-    for (const { geometry, material } of [this.#faces, this.#lines]) {
+    for (const { geometry, material } of [this.#patches, this.#plane, this.#lines]) {
       geometry.dispose();
       material.dispose();
     }

@@ -1,0 +1,59 @@
+import { expect, it } from "vitest";
+import { emptyProject } from "../../../web/document/create";
+import { sizeSurface } from "../../../web/document/size-positions";
+import { sizeColors } from "../../../web/viewer/layers/sizes-layer";
+import { preview } from "./scene";
+
+/** A line of length 4 and a triangle of area 8, in the plane z = 0. */
+const samples = preview([[0, 0, 0, 4, 0, 0]], [[0, 0, 0, 4, 0, 0, 0, 4, 0]]);
+
+function areaOf({ points }: { readonly points: Float64Array }, triangles: Uint32Array): number {
+  let area = 0;
+  for (let t = 0; t < triangles.length; t += 3) {
+    const [a = 0, b = 0, c = 0] = [...triangles.subarray(t, t + 3)].map((node) => 3 * node);
+    const at = (node: number, k: number): number => points[node + k] ?? NaN;
+    const u = [0, 1, 2].map((k) => at(b, k) - at(a, k));
+    const v = [0, 1, 2].map((k) => at(c, k) - at(a, k));
+    const across = [0, 1, 2].map((k) => {
+      const [i, j] = [(k + 1) % 3, (k + 2) % 3];
+      return (u[i] ?? 0) * (v[j] ?? 0) - (u[j] ?? 0) * (v[i] ?? 0);
+    });
+    area += Math.hypot(...across) / 2;
+  }
+  return area;
+}
+
+it("divides lines and patches into pieces that cover them", () => {
+  const surface = sizeSurface(emptyProject(), samples, null);
+  expect(areaOf(surface, surface.triangles)).toBeCloseTo(8, 9);
+  expect(surface.plane).toHaveLength(0);
+  let length = 0;
+  for (let s = 0; s < surface.segments.length; s += 2) {
+    const [a = 0, b = 0] = surface.segments.subarray(s, s + 2);
+    const piece = Math.abs((surface.points[3 * a] ?? NaN) - (surface.points[3 * b] ?? NaN));
+    expect(piece).toBeLessThanOrEqual(Math.hypot(4, 4) / 40 + 1e-9);
+    length += piece;
+  }
+  expect(length).toBeCloseTo(4, 9);
+});
+
+it("lays a plane across the model, a little larger than it", () => {
+  const { low, high } = { low: [0, 0, 0], high: [4, 4, 0] };
+  const surface = sizeSurface(emptyProject(), samples, { axis: "z", position: 0.5 });
+  expect(areaOf(surface, surface.plane)).toBeCloseTo(16 * 1.16 ** 2, 6);
+  const corners = [...surface.plane].map((node) => [...surface.points.subarray(3 * node, 3 * node + 3)]);
+  for (const axis of [0, 1]) {
+    const values = corners.map((corner) => corner[axis] ?? NaN);
+    expect(Math.min(...values)).toBeLessThan(low[axis] ?? 0);
+    expect(Math.max(...values)).toBeGreaterThan(high[axis] ?? 0);
+  }
+});
+
+it("colours the smallest size by the first colour, the largest by the last, and their geometric mean between them", () => {
+  const ramp = ["#000000", "#ffffff"];
+  const sizes = Float64Array.of(0.01, 0.1, 1);
+  const rgb = sizeColors({ sizes, range: [0.01, 1] }, ramp);
+  expect([...rgb].map((value) => Math.round(100 * value))).toEqual([0, 0, 0, 50, 50, 50, 100, 100, 100]);
+  // One size everywhere has one colour.
+  expect(new Set(sizeColors({ sizes: Float64Array.of(2, 2), range: [2, 2] }, ramp)).size).toBe(1);
+});

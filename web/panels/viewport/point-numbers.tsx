@@ -1,0 +1,31 @@
+import { entityKey } from "../../document/entities";
+import type { Viewer } from "../../viewer/viewer";
+import { useProject, useView } from "../shared/app-context";
+import { useMarkers } from "./use-markers";
+import styles from "./drawing.module.css";
+
+/** Largest number of points that are numbered: more would hide the model. */
+const maxNumbers = 300;
+
+/** The ids of the points that are shown, beside them. */
+export function PointNumbers({ viewer }: { readonly viewer: Viewer }) {
+  const isOn = useView((state) => state.numbers && state.layers.points);
+  const hidden = useView((state) => state.hidden);
+  const { points } = useProject();
+  const shown = isOn
+    ? points.filter(({ id }) => !hidden.has(entityKey({ kind: "point", id }))).slice(0, maxNumbers)
+    : [];
+  const box = useMarkers(
+    viewer,
+    shown.map(({ position }) => position),
+  );
+  return (
+    <div ref={box} aria-hidden data-testid="point-numbers">
+      {shown.map(({ id }) => (
+        <span key={id} className={styles["number"]}>
+          {id}
+        </span>
+      ))}
+    </div>
+  );
+}
