@@ -1,6 +1,6 @@
 import type { App } from "../app/app";
-import { booleanKinds, type BooleanKind } from "../document/booleans/combine";
-import { solidCandidates, type Solid } from "../document/booleans/solids";
+import { booleanKinds, type BooleanKind } from "../document/booleans/kinds";
+import type { Solid } from "../document/booleans/solids";
 import { loadManifold } from "../session/manifold";
 import { operationStrings } from "../strings";
 import { define, type Command } from "./command";
@@ -29,6 +29,10 @@ async function startBoolean(app: App, kind: BooleanKind): Promise<void> {
   try {
     app.operations.cancel();
     const library = loadManifold();
+    const [{ solidCandidates }, { booleanOperation }] = await Promise.all([
+      import("../document/booleans/solids"),
+      import("../document/operations/booleans"),
+    ]);
     const { project, preview } = await samplesOf(app);
     const { selection } = app.view.state.getState();
     const candidates = solidCandidates(project, selection, preview);
@@ -39,7 +43,6 @@ async function startBoolean(app: App, kind: BooleanKind): Promise<void> {
     }
     if (!first || !second) return showMessage(app, texts.title, [texts.open]);
     const both: readonly [Solid, Solid] = [first, second];
-    const { booleanOperation } = await import("../document/operations/booleans");
     startOperation(app, booleanOperation(await library, both, kind));
   } catch (error) {
     showFailure(app, texts.title, error);

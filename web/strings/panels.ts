@@ -29,7 +29,6 @@ export const panelStrings = {
     delete: "Delete",
     deletesAlso: (count: number) =>
       count === 1 ? "Deletes 1 dependent too" : `Deletes ${count} dependents too`,
-    common: (count: number) => `Common to ${count} entities`,
     name: "Name",
     position: "Position",
     size: "Size",

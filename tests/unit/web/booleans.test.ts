@@ -1,7 +1,7 @@
 import Module, { type ManifoldToplevel } from "manifold-3d";
 import { bodySurface, createMesher, type Project, type ProjectPreview } from "tetrafront";
 import { beforeAll, describe, expect, it } from "vitest";
-import { booleanKinds, type BooleanKind } from "../../../web/document/booleans/combine";
+import { booleanKinds, type BooleanKind } from "../../../web/document/booleans/kinds";
 import { offerBoolean } from "../../../web/document/booleans/offer";
 import { orientedOutward } from "../../../web/document/booleans/orientation";
 import { solidCandidates, type Solid } from "../../../web/document/booleans/solids";

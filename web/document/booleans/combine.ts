@@ -1,12 +1,10 @@
 import type { Manifold, ManifoldToplevel } from "manifold-3d";
 import { PointIndex } from "../point-index";
 import type { Position } from "../position";
+import type { BooleanKind } from "./kinds";
 import type { Solid } from "./solids";
 
 /** Boolean operations on two solids, by the library Manifold (Lalish, https://github.com/elalish/manifold). */
-
-export const booleanKinds = ["union", "difference", "intersection"] as const;
-export type BooleanKind = (typeof booleanKinds)[number];
 
 /** The boundary of what an operation gives. Triangles know the patch that they are part of. */
 export interface Combined {

@@ -6,7 +6,8 @@ import type { Offer } from "../create";
 import { bodiesOf, type Entity } from "../entities";
 import { insertion, mainEntities, withInsertion } from "../insert-shape";
 import { replacing } from "../transforms/join-points";
-import { combine, type BooleanKind, type Combined } from "./combine";
+import { combine, type Combined } from "./combine";
+import type { BooleanKind } from "./kinds";
 import { planarShape } from "./planar-result";
 import type { Solid } from "./solids";
 

@@ -1,6 +1,6 @@
 import type { ManifoldToplevel } from "manifold-3d";
 import { operationStrings } from "../../strings";
-import { booleanKinds, type BooleanKind } from "../booleans/combine";
+import { booleanKinds, type BooleanKind } from "../booleans/kinds";
 import { isTriangulated, offerBoolean } from "../booleans/offer";
 import type { Solid } from "../booleans/solids";
 import type { Operation } from "./operation";

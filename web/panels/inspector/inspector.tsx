@@ -9,14 +9,12 @@ import { NameField } from "../../ui/fields/name-field";
 import { measuredIn, measureNames, strings } from "../../strings";
 import { useApp, useProject, useQualitySpace, useRun, useView } from "../shared/app-context";
 import { ElementSize } from "../background/element-size";
-import { EntityCard } from "../later/later";
+import { EntityCard, GroupList, SelectionCard } from "../later/later";
 import { MeshSettings } from "./mesh-settings";
 import { ParameterTable } from "./parameter-table";
 import { UnitSelect } from "../shared/unit-select";
 import { PanelBoundary } from "../shared/panel-boundary";
 import { QualityPanel } from "../quality/quality-panel";
-import { GroupList } from "../entities/group-list";
-import { SelectionCard } from "../entities/selection-card";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { Facts } from "../../ui/facts";
@@ -33,7 +31,11 @@ export function Inspector() {
     <ScrollPanel label={strings.inspector.title} data-testid="inspector">
       {element !== null && <ElementCard tetrahedron={element} />}
       {element === null && !only && <ProjectCard />}
-      {existing.length > 1 && <SelectionCard selection={existing} />}
+      {existing.length > 1 && (
+        <PanelBoundary>
+          <SelectionCard selection={existing} />
+        </PanelBoundary>
+      )}
       {existing.length === 1 && only && (
         <PanelBoundary>
           <EntityCard entity={only} />
@@ -74,7 +76,11 @@ function ProjectCard() {
       <Text size="sm" c="dimmed">
         {strings.inspector.nothingSelected}
       </Text>
-      <GroupList />
+      {project.groups && (
+        <PanelBoundary>
+          <GroupList />
+        </PanelBoundary>
+      )}
       <ParameterTable />
       <ElementSize />
       <MeshSettings />

@@ -4,4 +4,6 @@ export { EntityCard } from "../entities/entity-card";
 export { FrontPanel } from "../player/front-panel";
 export { GalleryPanel } from "../files/gallery";
 export { QualityReport } from "../quality/quality-report";
+export { GroupList } from "../entities/group-list";
 export { HistoryList } from "../model/history-list";
+export { SelectionCard } from "../entities/selection-card";

@@ -34,4 +34,6 @@ export const EntityCard = later("EntityCard");
 export const FrontPanel = later("FrontPanel");
 export const GalleryPanel = later("GalleryPanel");
 export const QualityReport = later("QualityReport");
+export const GroupList = later("GroupList");
 export const HistoryList = later("HistoryList");
+export const SelectionCard = later("SelectionCard");
