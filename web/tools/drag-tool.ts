@@ -185,7 +185,9 @@ export class DragTool implements Tool {
     const { selection, several } = view.state.getState();
     const isSelected = selection.some((entity) => sameEntity(entity, target));
     if (this.#draggable === "held-points") {
-      if (target.kind !== "point" || several) return null;
+      // A press must not end the preview of an operation.
+      const { gestureStart } = this.#stores.documents.state.getState();
+      if (target.kind !== "point" || several || gestureStart !== null) return null;
       if (isSelected) return selection;
       const isOfLine = selection.some(
         ({ kind, id }) => kind === "line" && findRecord(project, "line", id)?.points.includes(target.id),

@@ -70,8 +70,10 @@ export class TransformTool implements Tool {
   down(pointer: ToolPointer): boolean {
     const at = this.#normalized(pointer.at);
     const isHandle = pointer.button === "left" && this.#isShown && this.#handles?.hover(at) === true;
-    if (!isHandle) return this.#otherwise.down(pointer);
     const { documents, view } = this.#stores;
+    // A press must not end the preview of an operation.
+    const isFree = documents.state.getState().gestureStart === null;
+    if (!isHandle || !isFree) return this.#otherwise.down(pointer);
     const { selection, handleMode } = view.state.getState();
     const { project } = documents;
     const gesture = documents.begin(steps[handleMode]);

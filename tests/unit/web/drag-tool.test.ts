@@ -1,4 +1,5 @@
 import { beforeEach, expect, it } from "vitest";
+import { moveEntity } from "../../../web/document/edits";
 import { ViewStore } from "../../../web/document/selection";
 import { DocumentStore } from "../../../web/session/document-store";
 import { Drawing } from "../../../web/tools/drawing/drawing";
@@ -150,4 +151,9 @@ it("drags only held points in the mode of the select tool: selected ones, and th
   held.up(pointer(x + 0.3, y - 0.2, null));
   expect(first().position).toEqual([x + 0.3, y - 0.2, z]);
   expect(view.state.getState().selection).toEqual([{ kind: "line", id: line.id }]);
+
+  const preview = documents.begin("Preview of an operation");
+  expect(held.down(pointer(x + 0.3, y - 0.2, target))).toBe(false);
+  preview.update(moveEntity("point", first().id, 2, 7));
+  expect(first().position[2]).toBe(7);
 });
