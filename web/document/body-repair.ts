@@ -6,6 +6,8 @@ import type {
   SurfaceInput,
   SurfaceInspection,
 } from "tetrafront";
+import type { DrawnSurface } from "./drawn-surface";
+import { distance } from "./vectors";
 
 /** What the user asks of a repair. */
 export type RepairWishes = Pick<RepairOptions, "weld" | "fillHoles">;
@@ -14,6 +16,17 @@ export type RepairWishes = Pick<RepairOptions, "weld" | "fillHoles">;
 const maxHoleEdges = 200;
 
 export const defaultRepair: RepairWishes = { weld: 0, fillHoles: maxHoleEdges };
+
+/** Height of steps between faces that nearly coincide / diagonal, up to which they are removed before a remeshing. */
+const stepHeight = 1 / 4096;
+
+/** Returns the distance within which a repair welds nodes of intersecting triangles: 0 if the body keeps its triangles. */
+export function weldBeforeRemeshing(
+  { surface = "remesh" }: ProjectBody,
+  { low, high }: Pick<DrawnSurface, "low" | "high">,
+): number {
+  return surface === "remesh" ? stepHeight * distance(low, high) : 0;
+}
 
 /** What a repair changes, and its result. */
 export interface RepairProposal {

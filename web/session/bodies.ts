@@ -12,7 +12,12 @@ import {
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { nextBodyIds } from "../document/body-edits";
 import { preparedKey } from "../document/content-keys";
-import { defaultRepair, type RepairProposal, type RepairWishes } from "../document/body-repair";
+import {
+  defaultRepair,
+  weldBeforeRemeshing,
+  type RepairProposal,
+  type RepairWishes,
+} from "../document/body-repair";
 import { bodiesOf } from "../document/entities";
 import { nextTurn } from "../document/slices";
 import { SurfaceClient, type LoadedSurface, type NewBody, type PatchArrays } from "../workers/surface-files";
@@ -187,11 +192,12 @@ export class BodyFeed {
 
   /** Finds out what a repair would change, and whether problems would remain. */
   async proposeRepair(body: ProjectBody, wishes: RepairWishes = defaultRepair): Promise<void> {
-    const { surface } = await this.#surfaces.load(body);
+    const { surface, drawn } = await this.#surfaces.load(body);
     const mesher = await this.#mesher;
     const patches = body.patches.map(({ id, name = "" }) => ({ name, tag: id }));
     try {
-      const repair = await mesher.repairSurface(surface, wishes);
+      const weldIntersections = weldBeforeRemeshing(body, drawn);
+      const repair = await mesher.repairSurface(surface, { ...wishes, weldIntersections });
       const repaired = repairedSurface({ ...surface, patches }, repair);
       const after = await mesher.inspectSurface(repaired);
       const { points, triangles, trianglePatch } = repaired;

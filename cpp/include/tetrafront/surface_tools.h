@@ -95,6 +95,10 @@ struct RepairOptions {
   /// intersect, holes of any size are closed, and triangles that enclose nothing are left out. The change is made only if the result
   /// can be meshed.
   bool resolveIntersections = true;
+  /// Distance within which nodes of intersecting triangles are welded when these are resolved, in model units; 0: none.
+  /// Faces that nearly coincide then leave no low steps and narrow strips. Thinner walls may disappear; a change that alters the
+  /// volume by more than 0.1 % is not made.
+  double weldIntersections = 0.0;
   /// Meaning of inner shells: the triangles around a cavity are oriented the other way.
   InnerShells innerShells = InnerShells::kCavities;
 };

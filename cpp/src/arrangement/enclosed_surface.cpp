@@ -23,6 +23,22 @@ constexpr std::uint32_t kMaxRounds = 5;
 /// Largest number of triangles between two rounds / number at the beginning.
 constexpr std::size_t kMaxGrowth = 20;
 
+/// Largest change of the volume by welding / volume.
+constexpr double kMaxVolumeChange = 1e-3;
+
+/// Returns six times the enclosed volume.
+double sixfoldVolumeOf(const SurfaceMesh& mesh) {
+  if (mesh.triangles.empty()) return 0.0;
+  const Vec3 origin = pointOf(mesh, NodeId(mesh.triangles[0]));
+  double sum = 0.0;
+  for (std::uint32_t t = 0; t < countTriangles(mesh); ++t) {
+    const auto [a, b, c] = nodesOf(mesh, TriangleId(t));
+    const Vec3 p = pointOf(mesh, a) - origin;
+    sum += glm::dot(p, glm::cross(pointOf(mesh, b) - origin, pointOf(mesh, c) - origin));
+  }
+  return sum;
+}
+
 /// Returns the largest magnitude of the coordinates, rounded up to a power of two.
 double extentOf(const SurfaceMesh& mesh) {
   double largest = 0.0;
@@ -40,17 +56,34 @@ class Enclosing {
     result_.isCut.assign(countTriangles(given), 0);
   }
 
-  Task<EnclosedSurface> run(Work& work) {
+  /// `weldDistance`: as encloseSurface().
+  Task<EnclosedSurface> run(Work& work, double weldDistance) {
     for (std::size_t attempt = 0; attempt < kWeldDistances.size(); ++attempt) {
       work.beginPart(1.0 - std::ldexp(0.5, -static_cast<int>(attempt)));
       weldDistance_ = kWeldDistances[attempt] * extent_;
       co_await resolve(work);
       if (result_.isResolved || isHopeless_) break;
     }
+    if (result_.isResolved && weldDistance > weldDistance_) {
+      work.beginPart(1.0);
+      co_await simplify(work, weldDistance);
+    }
     co_return std::move(result_);
   }
 
  private:
+  /// Resolves the surface with the points of intersecting triangles welded within a distance. Keeps the known result if
+  /// this fails or changes the volume.
+  Task<> simplify(Work& work, double weldDistance) {
+    EnclosedSurface known = result_;
+    weldDistance_ = weldDistance;
+    co_await resolve(work);
+    const double before = sixfoldVolumeOf(known.mesh);
+    const double change = std::fabs(sixfoldVolumeOf(result_.mesh) - before);
+    const bool isSame = change <= kMaxVolumeChange * std::fabs(before);
+    if (!result_.isResolved || !isSame) result_ = std::move(known);
+  }
+
   Task<> resolve(Work& work) {
     begin();
     std::size_t pairsBefore = kMaxPairs;
@@ -192,9 +225,9 @@ class Enclosing {
 
 }  // namespace
 
-Task<EnclosedSurface> encloseSurface(Work& work, const SurfaceMesh& mesh) {
+Task<EnclosedSurface> encloseSurface(Work& work, const SurfaceMesh& mesh, double weldDistance) {
   Enclosing enclosing(mesh);
-  EnclosedSurface result = co_await enclosing.run(work);
+  EnclosedSurface result = co_await enclosing.run(work, weldDistance);
   co_return result;
 }
 

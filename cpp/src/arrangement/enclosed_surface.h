@@ -28,8 +28,11 @@ struct EnclosedSurface {
 };
 
 /// Returns the boundary of the inside. `mesh`: triangles with valid indices and finite coordinates; it must outlive the task. They may
-/// intersect, coincide and be degenerate. They should be closed and agree in orientation; triangles that enclose nothing are left out. O(n log n) for n triangles that have few
+/// intersect, coincide and be degenerate. They should be closed and agree in orientation; triangles that enclose nothing are left out. `weldDistance`: points of
+/// intersecting triangles are welded within it, in model units, if the volume stays the same; 0 for none. Faces that nearly
+/// coincide otherwise leave steps as low as the rounding of their coordinates. O(n log n) for n triangles that have few
 /// others near them.
-Task<EnclosedSurface> encloseSurface(Work& work, const SurfaceMesh& mesh);
+Task<EnclosedSurface> encloseSurface(Work& work, const SurfaceMesh& mesh,
+                                     double weldDistance = 0.0);
 
 }  // namespace tetrafront

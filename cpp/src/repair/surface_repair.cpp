@@ -80,6 +80,8 @@ class RepairedSurface {
   Task<bool> check(Work& work);
   Task<bool> closeCracks(Work& work);
   Task<bool> resolve(Work& work);
+  Task<bool> takeEnclosed(Work& work, const SurfaceMesh& closed,
+                          const std::vector<FilledHole>& closedHoles, double weldDistance);
 
   void applyWeld(const std::vector<NodeId>& target);
   void removeTrianglesWithRepeatedNodes();
@@ -263,7 +265,16 @@ Task<bool> RepairedSurface::resolve(Work& work) {
   const std::vector<FilledHole> closedHoles = closeSurface(closed);
   co_await work.yield();
   work.beginPart(0.7);
-  EnclosedSurface enclosed = co_await encloseSurface(work, closed);
+  const double distance = options_.weldIntersections;
+  bool isValid = co_await takeEnclosed(work, closed, closedHoles, distance);
+  if (!isValid && distance > 0.0) isValid = co_await takeEnclosed(work, closed, closedHoles, 0.0);
+  co_return isValid;
+}
+
+Task<bool> RepairedSurface::takeEnclosed(Work& work, const SurfaceMesh& closed,
+                                         const std::vector<FilledHole>& closedHoles,
+                                         double weldDistance) {
+  EnclosedSurface enclosed = co_await encloseSurface(work, closed, weldDistance);
   if (!enclosed.isResolved || enclosed.sheetShare > kMaxSheetShare) co_return false;
   work.beginPart(1.0);
   BoundaryCheck boundary(enclosed.mesh, BoundarySource::kGivenSurface, options_.innerShells);

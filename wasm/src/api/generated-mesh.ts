@@ -10,6 +10,8 @@ import { carriedRegions } from "../formats/region-names.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
 import { withPatches } from "../mesh/mesh-checks.js";
 import type { MeshResult } from "../mesh/report.js";
+import { NO_REGION } from "../generated/constants.js";
+import { type PatchedRegions, withInterfacePatches } from "./interface-patches.js";
 import { type Project, patchesOf } from "../project/schema.js";
 
 /** Source of the names of a generated mesh. */
@@ -21,6 +23,11 @@ export interface NameSource {
    * instead.
    */
   readonly surface?: Pick<FileMesh, "trianglePatch" | "patches" | "surfaceRegions"> | undefined;
+  /**
+   * Whether triangles between two regions of the surface form patches of their own, "base / post". A repair cuts such interfaces
+   * out of the faces of solids. Default false.
+   */
+  readonly interfacePatches?: boolean | undefined;
 }
 
 /**
@@ -47,18 +54,34 @@ export function fileMeshOf(mesh: Pick<MeshResult, "surface" | "volume">, names: 
     isSame && given.surfaceRegions !== undefined
       ? carriedRegions(mesh, given.surfaceRegions, regionCount)
       : undefined;
-  const trianglePatch = isKept ? given.trianglePatch : surface.trianglePatch;
+  const kept =
+    isKept && carried !== undefined && names.interfacePatches === true
+      ? withInterfacePatches({ ...given, ...regionsBeside(mesh, carried) })
+      : given;
+  const trianglePatch = isKept && kept ? kept.trianglePatch : surface.trianglePatch;
   const word = project === undefined ? "shell" : "patch";
   return {
     points: volume.points.length > 0 ? volume.points : surface.points,
     triangles: surface.triangles,
     trianglePatch,
-    patches: isKept ? given.patches : numbered(word, countOf(trianglePatch), project && patchNames(project)),
+    patches:
+      isKept && kept ? kept.patches : numbered(word, countOf(trianglePatch), project && patchNames(project)),
     tetrahedra: volume.tetrahedra,
     tetrahedronRegion: carried?.tetrahedronRegion ?? volume.regions,
     regions: carried?.regions ?? numbered("region", regionCount),
     nodeData: new Map(),
   };
+}
+
+/** Returns the regions of a file on both sides of the triangles of a mesh. */
+function regionsBeside(
+  { surface, volume }: Pick<MeshResult, "surface" | "volume">,
+  { tetrahedronRegion, regions }: Pick<FileMesh, "tetrahedronRegion" | "regions">,
+): Pick<PatchedRegions, "regions" | "triangleRegions"> {
+  const carriedOf = new Map<number, number>();
+  volume.regions.forEach((region, t) => carriedOf.set(region, tetrahedronRegion[t] ?? 0));
+  const triangleRegions = surface.triangleRegions.map((region) => carriedOf.get(region) ?? NO_REGION);
+  return { regions, triangleRegions };
 }
 
 /** Rejects a surface with other triangles: its patches would be lost or assigned to the wrong triangles. */
@@ -77,7 +100,11 @@ const projectPatches = v.object({
   patches: patchList,
   bodies: v.optional(v.array(v.object({ patches: patchList }))),
 });
-const nameSource = v.object({ project: v.optional(projectPatches), surface: v.optional(withPatches) });
+const nameSource = v.object({
+  project: v.optional(projectPatches),
+  surface: v.optional(withPatches),
+  interfacePatches: v.optional(v.boolean()),
+});
 const meshResult = v.object({
   surface: v.object({
     points: doubles(3),

@@ -22,6 +22,12 @@ export interface RepairOptions {
    * changed only if the result can be meshed. Default true.
    */
   readonly resolveIntersections?: boolean | undefined;
+  /**
+   * Distance up to which nodes of intersecting triangles are welded when these are resolved, in model units. Faces that
+   * nearly coincide then leave no low steps, which a remeshing would have to follow with triangles of poor shape. A weld
+   * that changes the volume by more than 0.1 % is not made. Default 0: none.
+   */
+  readonly weldIntersections?: number | undefined;
   /** Meaning of inner shells, as in `MeshOptions`: shells of cavities have the opposite orientation. Default `cavities`. */
   readonly innerShells?: InnerShells | undefined;
 }

@@ -266,6 +266,12 @@ const repairSchema = objectWith({
     REPAIR_DEFAULTS.maxHoleEdges,
   ),
   orient: switchOption("choice of orienting triangles", REPAIR_DEFAULTS.orient),
+  weldIntersections: option(
+    "weld distance of intersections",
+    `0 or a distance up to ${limitText(MAX_LENGTH)}, in model units`,
+    within(0, MAX_LENGTH),
+    0,
+  ),
   resolveIntersections: switchOption(
     "choice of resolving intersections",
     REPAIR_DEFAULTS.resolveIntersections,
@@ -459,16 +465,11 @@ export function engineRemeshOptions(options: RemeshOptions): EngineRemeshOptions
 
 /** Converts valid options. */
 export function engineRepairOptions(options: RepairOptions): EngineRepairOptions {
-  const { weld, removeTriangles, fillHoles, orient, resolveIntersections, innerShells } = v.parse(
-    repairSchema,
-    options,
-  );
+  const { weld, fillHoles, innerShells, ...switches } = v.parse(repairSchema, options);
   return {
+    ...switches,
     weldDistance: weld === false ? -1 : weld,
-    removeTriangles,
     maxHoleEdges: fillHoles,
-    orient,
-    resolveIntersections,
     innerShells: INNER_SHELL_NUMBERS[innerShells],
   };
 }

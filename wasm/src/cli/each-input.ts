@@ -25,6 +25,10 @@ interface BatchOptions {
   readonly report?: string;
   readonly json?: boolean;
   readonly quiet?: boolean;
+  /** Whether all inputs are one model. */
+  readonly join?: boolean;
+  /** All inputs, if they are joined. */
+  readonly joined?: readonly string[];
 }
 
 /** Calls `one` with the only input, or runs the command once per input; resolves with the exit code. */
@@ -46,6 +50,16 @@ export async function forEachInput<Options extends BatchOptions>(
         "standard input cannot be combined with other inputs",
         "Use it as the only input.",
       );
+    }
+    if (options.join === true && files.length > 1 && only !== undefined) {
+      const { output, to, from } = options;
+      if (output?.includes("{name}") === true)
+        throw new FileError(output, "joined inputs have one output", "Omit {name}.");
+      await checkNoOverwrite(
+        files.flatMap((file) => inputFiles(file, from, `the input ${file}`)),
+        output === undefined ? [] : outputFiles(output, to, "the output"),
+      );
+      return await one(only, { ...options, joined: files });
     }
     if (files.length === 1 && only !== undefined) {
       const { output } = options;

@@ -53,6 +53,9 @@ CAD files
   STEP, IGES and BREP files are triangulated, remeshed and, if needed, repaired. Each solid becomes a region, in
   millimetres, each of its faces a patch, and a face that two solids share an interface.
 
+  --join meshes several files as one model, for example the parts of an assembly. Where solids touch, they share an
+  interface, named after both, and the mesh fits together.
+
 Surfaces
   By default, the mesh keeps every triangle of other surfaces, unless the given sizes are far smaller: if an edge is
   longer than twice the target length, large triangles are split or, if many are needles, replaced. A note

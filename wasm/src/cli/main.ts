@@ -148,6 +148,7 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
     )
     .option("-r, --report <file>", "write statistics and diagnostics as JSON; - for standard output")
     .addOption(elementOrderOption())
+    .option("--join", "mesh all inputs as one model: each solid a region, shared faces interfaces")
     .option("-k, --keep-partial", "write the mesh even if it is partial")
     .option("-q, --quiet", "print errors only")
     .addHelpText("after", meshHelp)

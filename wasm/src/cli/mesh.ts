@@ -83,6 +83,7 @@ export interface MeshCommandOptions
   /** Degrees. */
   readonly requireAngle?: string;
   readonly report?: string;
+  readonly joined?: readonly string[];
   readonly keepPartial?: boolean;
   readonly quiet?: boolean;
 }
@@ -217,8 +218,9 @@ export async function meshInput(
   }
   const grid = await readGivenGrid(options, isQuiet);
   const { innerShells } = options;
-  const isRepairImplied = repair === undefined && (treatment === "remesh" || isCad);
-  const repairing = { input, repair, split, innerShells, isRepairImplied };
+  const isRemeshed = treatment === "remesh";
+  const isRepairImplied = repair === undefined && (isRemeshed || isCad);
+  const repairing = { input, repair, split, innerShells, isRepairImplied, isRemeshed };
   const treated = await withRepair(given, repairing);
   const { model, changes, repairDeviation, split: splitWords, located: found = [] } = treated;
   if (!isQuiet) printChanges(input, treated);
@@ -282,11 +284,12 @@ interface Repairing {
   readonly innerShells: InnerShells | undefined;
   /** Whether the surface is repaired if it cannot be filled without. */
   readonly isRepairImplied: boolean;
+  readonly isRemeshed: boolean;
 }
 
 async function withRepair(
   given: Input,
-  { input, repair, split, innerShells, isRepairImplied }: Repairing,
+  { input, repair, split, innerShells, isRepairImplied, isRemeshed }: Repairing,
 ): Promise<Repaired> {
   if (given.kind === "project") return { model: given };
   const hasPoints = given.surface.regionPoints !== undefined;
@@ -298,7 +301,7 @@ async function withRepair(
       repairDeviation,
       warnings = [],
     } = isRepairImplied
-      ? await madeFillable(mesher, given.surface, input, innerShells)
+      ? await madeFillable(mesher, given.surface, input, { innerShells, isRemeshed })
       : await repaired(mesher, given.surface, repair);
     const divided = await withSplit(mesher, whole, split);
     const words = split && splitText(whole, divided);
@@ -436,7 +439,7 @@ async function writeResult(
 ): Promise<boolean> {
   const { output, to, quiet: isQuiet = false } = options;
   const name = writableName(output, to, ["volume"]);
-  const mesh = fileMeshOf(result, model);
+  const mesh = fileMeshOf(result, { ...model, interfacePatches: isCadInput(input, options.from) });
   if (!isQuiet && model.kind === "surface") {
     for (const line of unmeshedLines(model.surface, mesh)) print(`note: ${input}: ${line}`);
   }

@@ -52,7 +52,10 @@ async function proposeForSurface(input: string, options: ProposeOptions): Promis
   if (given.kind === "project") return ExitCode.invalidInput;
   const { surface, proposal } = await withMesher(async (mesher) => {
     const isQuiet = options.quiet === true || options.json === true;
-    const made = await madeFillable(mesher, given.surface, input, undefined);
+    const made = await madeFillable(mesher, given.surface, input, {
+      innerShells: undefined,
+      isRemeshed: true,
+    });
     const { surface: whole, warnings = [] } = made;
     if (!isQuiet) printChanges(input, made);
     const found = await located(mesher, whole);

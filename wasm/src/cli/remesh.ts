@@ -94,7 +94,7 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
   return withRun(isQuiet, async (mesher, controlOf) => {
     const prepared =
       repair === undefined
-        ? await madeFillable(mesher, given.surface, input, innerShells)
+        ? await madeFillable(mesher, given.surface, input, { innerShells, isRemeshed: true })
         : await repaired(mesher, given.surface, repair);
     const { surface: whole, changes, repairDeviation, warnings = [] } = prepared;
     const divided = await withSplit(mesher, whole, split);

@@ -13,6 +13,7 @@ import type { InnerShells } from "../generated/constants.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import { overlappingSolids } from "./overlaps.js";
 import { numberIn, refuseOptions } from "./input.js";
+import { diagonalOf } from "../formats/near-points.js";
 import { InvalidInput, print } from "./messages.js";
 import { positionText, short } from "./tables.js";
 
@@ -67,19 +68,29 @@ export async function repaired(
 }
 
 /**
+ * Height of steps between faces that nearly coincide / diagonal, up to which they are removed by the repair before a
+ * remeshing: a sixth of its tolerance.
+ */
+const STEP = 1 / 4096;
+
+/**
  * Returns the surface, repaired if it cannot be filled without, with a warning about solids that overlap. Throws an
- * InvalidInput if the triangles of different solids still intersect.
+ * InvalidInput if the triangles of different solids still intersect. `isRemeshed`: whether the surface will be remeshed.
  */
 export async function madeFillable(
   mesher: Mesher,
   given: SurfaceFile,
   input: string,
-  innerShells: InnerShells | undefined,
+  {
+    innerShells,
+    isRemeshed,
+  }: { readonly innerShells: InnerShells | undefined; readonly isRemeshed: boolean },
 ): Promise<RepairedSurface> {
   const before = await mesher.inspectSurface(given, { innerShells });
   if (before.isFillable) return { surface: given };
   const warnings = await overlappingSolids(mesher, given, before.diagnostics);
-  const made = await repaired(mesher, given, { innerShells });
+  const weldIntersections = isRemeshed ? STEP * diagonalOf(given.points) : 0;
+  const made = await repaired(mesher, given, { innerShells, weldIntersections });
   // New triangles between solids do not know the regions on both sides.
   const { givenRegions: _, ...surface } = withoutFilledPatch(made.surface);
   const found = await mesher.inspectSurface(surface, { innerShells });
