@@ -94,6 +94,29 @@ describe("remeshSurface", () => {
     expect(result.report.dihedral.min).toBeGreaterThan(10);
   });
 
+  test("follows no steps between faces that nearly coincide, if a repair has welded their intersections", async () => {
+    const [one, other] = [boxSurface(2), boxSurface(2, [0.5, 2e-6, 1e-6], [1.5, 1 + 2e-6, 1 + 1e-6])];
+    const nodes = one.points.length / 3;
+    const both = {
+      points: Float64Array.of(...one.points, ...other.points),
+      triangles: Uint32Array.of(...one.triangles, ...other.triangles.map((node) => node + nodes)),
+    };
+    const exact = await mesher.repairSurface(both);
+    const welded = await mesher.repairSurface(both, { weldIntersections: 5e-4 });
+    const [before, after] = [
+      await mesher.inspectSurface(exact.surface),
+      await mesher.inspectSurface(welded.surface),
+    ];
+    expect([exact.deviation, before.isFillable, after.isFillable]).toEqual([0, true, true]);
+    expect(before.edgeLengths.shortest).toBeLessThan(1e-5);
+    expect(after.edgeLengths.shortest).toBeCloseTo(0.5, 5);
+    expect(welded.deviation).toBeGreaterThan(0);
+    expect(welded.deviation).toBeLessThan(5e-6);
+    expect(after.volume).toBeCloseTo(1.5, 5);
+    const { smallestAngle } = await mesher.remeshSurface(welded.surface);
+    expect(smallestAngle).toBeGreaterThan(30);
+  });
+
   test("drops details by itself only if an angle would be below 10° and no option is given", async () => {
     const given = steppedBlock(1e-4);
     const kept = await mesher.remeshSurface(given, { dropDetails: 0 });
