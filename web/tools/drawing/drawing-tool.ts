@@ -197,8 +197,19 @@ export abstract class DrawingTool implements Tool, TypedInput {
   }
 
   #useKey(key: string): boolean {
+    const { drawing } = this.stores;
+    const { typed } = drawing.state.getState();
+    // The field opens with the next picture; keys pressed before belong to it.
+    if (typed !== null && key.length === 1) {
+      drawing.type(typed + key);
+      return true;
+    }
+    if (typed !== null && key === "Enter") {
+      drawing.submit();
+      return true;
+    }
     if (this.takesCoordinates && opensField.test(key)) {
-      this.stores.drawing.type(key);
+      drawing.type(key);
       return true;
     }
     switch (key) {
