@@ -99,7 +99,7 @@ test("lines and patches are played before the volume, with the plane beside spac
   await page.getByTestId("player-start").click();
   await expect(phase).toHaveText("Patches");
   await expect(plane).toBeVisible();
-  await expect(sentence).toContainText("Patch 0 begins");
+  await expect(sentence).toContainText("Patch 1 begins");
   const edges = Number(await viewport.getAttribute("data-front-faces"));
   expect(edges).toBeGreaterThan(8);
   const width = (await page.getByTestId("viewport-canvas").boundingBox())?.width ?? 0;
@@ -114,9 +114,9 @@ test("lines and patches are played before the volume, with the plane beside spac
 
   await page.getByTestId("player-kind").selectOption("patch");
   await page.getByTestId("player-next").click();
-  await expect(sentence).toContainText("Patch 1 begins");
+  await expect(sentence).toContainText("Patch 2 begins");
   await page.getByTestId("player-start").click();
-  await expect(sentence).toContainText("Patch 0 begins");
+  await expect(sentence).toContainText("Patch 1 begins");
   await page.getByTestId("player-start").click();
   await expect(phase).toHaveText("Lines");
   await expect(page.getByTestId("lens")).toContainText("the lines are not divided yet");
@@ -125,7 +125,7 @@ test("lines and patches are played before the volume, with the plane beside spac
   expect(wide).toBeGreaterThan(1.8 * width);
   await page.getByTestId("player-kind").selectOption("line");
   await page.getByTestId("player-next").click();
-  await expect(sentence).toContainText(/Line 0 is .* target sizes long/);
+  await expect(sentence).toContainText(/Line 1 is .* target sizes long/);
 
   // One slider leads through all phases.
   const scrub = page.getByTestId("player-scrub");

@@ -53,7 +53,7 @@ export class SurfaceLayer implements Layer {
     if (changes.has("colors")) {
       for (const part of [...this.#wide, this.#nodes, this.#triangle]) part.setColors(colors);
       this.#done.setColors(colors.patch, colors.meshEdge);
-      this.#made.setColors(colors.front, colors.meshEdge);
+      this.#made.setColors(colors.meshPlain, colors.meshEdge);
     }
     if (changes.has("viewport"))
       for (const part of this.#wide) part.setViewport(viewport.width, viewport.height);

@@ -7,7 +7,8 @@ import styles from "./player.module.css";
 
 const texts = strings.player.patch;
 
-const general = String.raw`\|\mathbf{d}\|_G=\sqrt{\mathbf{d}\cdot G\,\mathbf{d}},\quad\delta=\min(\max(1,\,0.55\,b),\,2b)`;
+const metricRule = String.raw`\|\mathbf{d}\|_G=\sqrt{\mathbf{d}\cdot G\,\mathbf{d}}`;
+const lengthRule = String.raw`\delta=\min(\max(1,\,0.55\,b),\,2b)`;
 
 interface PlanarFormulaProps {
   readonly front: PlanarFront;
@@ -35,7 +36,8 @@ function Lengths({ front, step }: { readonly front: PlanarFront; readonly step: 
   const base = a && b ? metricLength(step.metric, [b[0] - a[0], b[1] - a[1]]) : 0;
   return (
     <>
-      <Formula text={general} />
+      <Formula text={metricRule} />
+      <Formula text={lengthRule} />
       <Formula text={String.raw`b=${digits(base)},\quad\delta=${digits(targetLength(front, step))}`} />
     </>
   );

@@ -1,4 +1,4 @@
-import { lazy, Suspense, useRef, useState, type KeyboardEvent } from "react";
+import { lazy, Suspense, useEffect, useRef, useState, type KeyboardEvent } from "react";
 import { useStore } from "zustand";
 import { describeMesh } from "./mesh-summary";
 import { strings } from "../../strings";
@@ -36,6 +36,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const { viewer, trouble } = useViewer(container, canvas, setHover);
   const hasOperation = useStore(useApp().operations.state, ({ open }) => open !== null);
   const showsPlane = useShowsPlane();
+  useFitBeside(viewer, showsPlane);
   return (
     <main
       className={styles["view"]}
@@ -69,6 +70,20 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
       <OperationPanel />
     </main>
   );
+}
+
+/** Fits the model to the view again when the plane of a patch takes half of its width, or gives it back. */
+function useFitBeside(viewer: Viewer | null, showsPlane: boolean): void {
+  const before = useRef(showsPlane);
+  useEffect(() => {
+    if (before.current === showsPlane) return;
+    before.current = showsPlane;
+    // The canvas gets its new size in the next frame.
+    let frame = requestAnimationFrame(() => {
+      frame = requestAnimationFrame(() => viewer?.fit(null));
+    });
+    return () => cancelAnimationFrame(frame);
+  }, [viewer, showsPlane]);
 }
 
 interface ViewCanvasProps {
