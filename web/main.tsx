@@ -9,6 +9,7 @@ import { createApp, type Intent, type Start } from "./app/create-app";
 import { offerLeftDocument } from "./commands/project-actions";
 import type { DrawnKind } from "./document/entities";
 import { Page } from "./panels/page/page";
+import { sharedFrontIn } from "./player/shared-front";
 import { listenForPalette } from "./panels/shared/palette";
 import { cssVariables, theme } from "./ui/theme/theme";
 
@@ -40,6 +41,11 @@ function startOf(query: URLSearchParams): Start | null {
   if (query.get("new") === "1" || query.has("lesson")) return { kind: "new" };
   const model = query.get("model");
   return model === null ? null : { kind: "model", id: model };
+}
+
+const shared = sharedFrontIn(query);
+if (shared && app.gallery.models.some(({ id }) => id === shared.model)) {
+  void import("./commands/share-actions").then(({ showShared }) => showShared(app, shared));
 }
 
 const lesson = query.get("lesson");

@@ -45,5 +45,10 @@ export default defineConfig({
   worker: { format: "es", plugins: () => [withoutNodeModules()] },
   server: { headers: isolation },
   preview: { headers: isolation },
-  build: { target: "es2023", chunkSizeWarningLimit: 1500, sourcemap: true },
+  build: {
+    target: "es2023",
+    chunkSizeWarningLimit: 1500,
+    sourcemap: true,
+    rolldownOptions: { input: [inRoot("./index.html"), inRoot("./embed.html")] },
+  },
 });

@@ -86,6 +86,7 @@ const PANELS = [
   ["later"],
   ["inspector"],
   ["page"],
+  ["embed"],
 ];
 
 /** The folders whose imports have levels, by the name under which `npm run lint` reports them. */

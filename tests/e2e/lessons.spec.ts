@@ -27,15 +27,29 @@ async function open(page: Page, address: string, scheme: "dark" | "light" = "dar
 const front = (page: Page): Locator => page.getByTestId("lesson-front");
 const task = (page: Page, number: number): Locator => page.getByTestId(`lesson-task-${number}`);
 
+const stepOf = async (page: Page): Promise<number> =>
+  Number(await page.getByTestId("viewport").getAttribute("data-step"));
+
+/** Goes to the last state: the button leads to the end of lines, of patches, and of the volume in turn. */
+async function playToEnd(page: Page): Promise<void> {
+  const steps = Number(await page.getByTestId("viewport").getAttribute("data-steps"));
+  await expect(async () => {
+    await page.getByTestId("player-end").click();
+    expect(await stepOf(page)).toBe(steps);
+  }).toPass();
+}
+
 /** Does what a task asks for, with the controls that a reader would use. */
 async function complete(page: Page, asked: LessonTask, number: number): Promise<void> {
   switch (asked.kind) {
     case "step":
-      if (asked.reach === "end") {
-        await page.getByTestId("player-end").click();
+      if (asked.reach === "end") return playToEnd(page);
+      await page.getByTestId("player-kind").selectOption(asked.reach);
+      // Lines and patches come before the volume.
+      if (["line", "patch"].includes(asked.reach) && (await stepOf(page)) >= 0) {
+        await page.getByTestId("player-before").click();
         return;
       }
-      await page.getByTestId("player-kind").selectOption(asked.reach);
       await page.getByTestId("player-next").click();
       return;
     case "color":
@@ -51,7 +65,10 @@ async function complete(page: Page, asked: LessonTask, number: number): Promise<
       return;
     case "compare":
       await page.getByTestId(`lesson-compare-${number}`).click();
-      await expect(page.getByTestId(`lesson-run-${asked.order}`)).toHaveAttribute("aria-pressed", "true");
+      await expect(page.getByTestId(`lesson-run-${number}-${asked.order}`)).toHaveAttribute(
+        "aria-pressed",
+        "true",
+      );
   }
 }
 

@@ -11,6 +11,7 @@ import type { Recorded } from "../player/recording";
 import { strings } from "../strings";
 import { showFailure } from "./messages";
 import { showModel } from "./project-actions";
+import { runEnd } from "./run-end";
 
 /** A recorded front of the model of a lesson. */
 export interface LessonRun {
@@ -119,15 +120,3 @@ const runOf = (
   order: FrontOrder,
   { trace, file, report }: Extract<Recorded, { readonly kind: "recorded" }>,
 ): LessonRun => ({ order, trace, file, report });
-
-/** Resolves when no run is active. */
-function runEnd({ run }: App): Promise<void> {
-  if (!run.state.getState().busy) return Promise.resolve();
-  return new Promise((resolve) => {
-    const stop = run.state.subscribe(({ busy }) => {
-      if (busy) return;
-      stop();
-      resolve();
-    });
-  });
-}

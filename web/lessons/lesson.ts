@@ -73,10 +73,8 @@ const head = v.strictObject({
   /** Id of a model of the gallery, or the name of a project file beside the lesson. */
   model: text,
   order: v.optional(oneOf(FRONT_ORDERS), "layered"),
-  step: v.optional(
-    v.pipe(number, v.integer("must be a whole number"), v.minValue(0, "must not be negative")),
-    0,
-  ),
+  /** Negative in the states of lines and patches, as in the player. */
+  step: v.optional(v.pipe(number, v.integer("must be a whole number")), 0),
   coloring: v.optional(oneOf(colorings), "age"),
   figure: v.optional(oneOf(figures)),
   /** Section of the paper. */

@@ -5,7 +5,8 @@ export type DialogName = "help" | "new-point" | "new-node" | "cover" | "propose"
 /** A message that does not interrupt the work and needs no answer. */
 export interface Notice {
   /** A notice replaces an earlier one with the same key. */
-  readonly key: "document-left" | "autosave-failed" | "file-notes" | "improvement" | "deleted";
+  readonly key:
+    "document-left" | "autosave-failed" | "file-notes" | "improvement" | "deleted" | "shared" | "animation";
   readonly tone: "information" | "warning";
   readonly text: string;
   readonly action: { readonly label: string; readonly run: () => void };

@@ -42,7 +42,7 @@ export const lessonStrings = {
   preparing: "Recording the front of the model…",
   otherModel: "The view does not show the front of this lesson.",
   show: "Show it",
-  goTo: (step: number) => (step === 0 ? "Go to the first state" : `Go to step ${number(step)}`),
+  goTo: "Go to the beginning of the lesson",
   tasks: "Tasks",
   task: (task: number) => `Task ${task}`,
   taskDone: "Done",

@@ -12,6 +12,7 @@ import {
   Vector3,
   Vector4,
 } from "three";
+import type { Position } from "../document/position";
 
 // Must be set before any camera or control exists: z is up throughout.
 Object3D.DEFAULT_UP.set(0, 0, 1);
@@ -31,6 +32,12 @@ const standardAngles: { readonly [V in StandardView]: readonly [number, number] 
   top: [0, 0],
   bottom: [0, 180],
 };
+
+/** Where the camera is, and the position it looks at. */
+export interface CameraPose {
+  readonly eye: Position;
+  readonly target: Position;
+}
 
 /** Permitted distance from the target, in radii of the model. */
 const minDistance = 0.02;
@@ -128,6 +135,19 @@ export class ViewCamera {
 
   look(view: StandardView, animate: boolean): void {
     this.#rotateTo(view, animate);
+  }
+
+  /** The pose at which a running motion will end, in the coordinates of the scene. */
+  get pose(): CameraPose {
+    const eye = this.controls.getPosition(new Vector3(), true);
+    const target = this.controls.getTarget(new Vector3(), true);
+    return { eye: eye.toArray(), target: target.toArray() };
+  }
+
+  /** Moves at once. */
+  setPose({ eye, target }: CameraPose): void {
+    void this.controls.setFocalOffset(0, 0, 0, false);
+    void this.controls.setLookAt(...eye, ...target, false);
   }
 
   /** Rotates by angles in degrees. */

@@ -42,6 +42,22 @@ export class SceneRenderer {
     return { width, height, pixelRatio: this.webgl.getPixelRatio() };
   }
 
+  get canvas(): HTMLCanvasElement {
+    return this.webgl.domElement;
+  }
+
+  /** Returns a new picture as a PNG file. */
+  picture(camera: PerspectiveCamera): Promise<Blob> {
+    this.render(camera);
+    return new Promise((resolve, reject) => {
+      // The picture is taken at once: the canvas is empty after the page is drawn.
+      this.canvas.toBlob((blob) => {
+        if (blob) resolve(blob);
+        else reject(new Error("The browser cannot write this picture"));
+      }, "image/png");
+    });
+  }
+
   render(camera: PerspectiveCamera): void {
     this.webgl.render(this.scene, camera);
   }

@@ -1,7 +1,7 @@
 import type { PerspectiveCamera } from "three";
 import type { Entity } from "../document/entities";
 import { Bounds, boundsOf, entityBounds, projectBounds, roomyBounds } from "./bounds";
-import { ViewCamera, type StandardView } from "./camera";
+import { ViewCamera, type CameraPose, type StandardView } from "./camera";
 import { closeUpBox } from "./close-up";
 import type { ViewerColors } from "./colors";
 import { FrameLoop } from "./frame-loop";
@@ -151,6 +151,19 @@ export class Viewer {
     this.fit(null);
   }
 
+  /** Where the camera is and what it looks at, in the coordinates of the model. */
+  get pose(): CameraPose {
+    const { eye, target } = this.#view.pose;
+    const { origin } = this.#state;
+    return { eye: moved(eye, origin, 1), target: moved(target, origin, 1) };
+  }
+
+  setPose({ eye, target }: CameraPose): void {
+    const { origin } = this.#state;
+    this.#view.setPose({ eye: moved(eye, origin, -1), target: moved(target, origin, -1) });
+    this.#loop.request();
+  }
+
   /** Rotates by angles in degrees. */
   rotate(azimuth: number, polar: number): void {
     this.#view.rotate(azimuth, polar, this.#options.motion);
@@ -227,6 +240,25 @@ export class Viewer {
   /** Draws again, after a layer has changed by itself. */
   requestFrame(): void {
     this.#loop.request();
+  }
+
+  /** Returns the picture as a PNG file, without the view cube and with a transparent background. */
+  picture(): Promise<Blob> {
+    return this.#renderer.picture(this.#view.camera);
+  }
+
+  /** Draws the picture now, on a canvas of the same size, on the background of the page. */
+  drawOn(paper: HTMLCanvasElement, context: CanvasRenderingContext2D): void {
+    const { canvas } = this.#renderer;
+    this.#renderer.render(this.#view.camera);
+    if (paper.width !== canvas.width || paper.height !== canvas.height) {
+      paper.width = canvas.width;
+      paper.height = canvas.height;
+    }
+    context.fillStyle = getComputedStyle(document.body).backgroundColor;
+    context.fillRect(0, 0, paper.width, paper.height);
+    // The picture of the canvas lasts until the page is drawn.
+    context.drawImage(canvas, 0, 0);
   }
 
   /** Calls back after every frame. Returns a function that ends this. */
@@ -337,4 +369,8 @@ export class Viewer {
     const isGrowing = this.#layers.drawMore();
     return isMoving || isGrowing || this.#cube?.animating === true;
   }
+}
+
+function moved([x, y, z]: Position, [dx, dy, dz]: Position, sign: 1 | -1): Position {
+  return [x + sign * dx, y + sign * dy, z + sign * dz];
 }

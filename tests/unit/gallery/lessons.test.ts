@@ -19,6 +19,7 @@ import { parseLesson, type Lesson } from "../../../web/lessons/lesson";
 import { listOf } from "../../../web/lessons/lesson-files";
 import { runMeasures } from "../../../web/lessons/run-measures";
 import { searchCost } from "../../../web/lessons/search-cost";
+import { firstState } from "../../../web/player/phases";
 import { hasStop } from "../../../web/player/stops";
 
 const inPublic = (file: string): string =>
@@ -66,6 +67,7 @@ describe.each(lessons)("the lesson $title", (lesson) => {
     const { trace, report } = await run(lesson);
     expect(report.status).toBe("done");
     expect(lesson.step).toBeLessThan(trace.stepCount);
+    expect(lesson.step).toBeGreaterThanOrEqual(firstState(trace));
     for (const task of lesson.tasks) {
       const { step, coloring } = lesson;
       expect(isShown(task, { trace, step, coloring }), task.ask).toBe(false);

@@ -115,7 +115,7 @@ describe("a lesson", () => {
 
   it("names all errors at once", () => {
     expect(
-      errorsOf(withHead(`${fields.replace("title: A title\n", "")}\nstep: -1\norder: none`)),
+      errorsOf(withHead(`${fields.replace("title: A title\n", "")}\nstep: 0.5\norder: none`)),
     ).toHaveLength(3);
   });
 

@@ -1,6 +1,6 @@
 import { Button } from "@mantine/core";
 import { useMemo, useState } from "react";
-import type { Trace } from "tetrafront";
+import type { FrontOrder, Trace } from "tetrafront";
 import { compareRun, showRun } from "../../commands/lesson-actions";
 import type { TaskOf } from "../../lessons/lesson";
 import { runMeasures } from "../../lessons/run-measures";
@@ -33,14 +33,21 @@ export function CompareTask({ task, number, onDone }: TaskProps<TaskOf<"compare"
       >
         {isRunning ? texts.running : texts.compare(task.order)}
       </Button>
-      {runs.length > 1 && <RunTable />}
+      {runs.some(({ order }) => order === task.order) && <RunTable other={task.order} number={number} />}
     </div>
   );
 }
 
-function RunTable() {
+interface RunTableProps {
+  readonly other: FrontOrder;
+  readonly number: number;
+}
+
+/** The front of the lesson and one in another order. */
+function RunTable({ other, number }: RunTableProps) {
   const app = useApp();
-  const runs = useLessonRuns((state) => state.runs);
+  const { lesson, runs: all } = useLessonRuns((state) => state);
+  const runs = all.filter(({ order }) => order === lesson?.order || order === other);
   const shown = usePlayer((state) => state.trace);
   return (
     <>
@@ -63,7 +70,7 @@ function RunTable() {
                   className={styles["run"]}
                   aria-pressed={run.trace === shown}
                   aria-label={texts.showRun(run.order)}
-                  data-testid={`lesson-run-${run.order}`}
+                  data-testid={`lesson-run-${number}-${run.order}`}
                   onClick={() => showRun(app, run)}
                 >
                   {texts.orders[run.order]}

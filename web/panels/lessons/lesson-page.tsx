@@ -113,7 +113,7 @@ function FrontState({ lesson }: { readonly lesson: Lesson }) {
         data-testid="lesson-show"
         onClick={() => (isShown ? showBeginning(app, lesson) : void showLessonModel(app, lesson))}
       >
-        {isShown ? texts.goTo(lesson.step) : texts.show}
+        {isShown ? texts.goTo : texts.show}
       </Button>
     </p>
   );

@@ -1,8 +1,9 @@
 import "katex/dist/katex.min.css";
-import { useEffect, useRef } from "react";
+import { useRef } from "react";
 import Markdown from "react-markdown";
 import rehypeKatex from "rehype-katex";
 import remarkMath from "remark-math";
+import { useScrollFocus } from "../../ui/use-scroll-focus";
 import styles from "./lessons.module.css";
 
 const remarkPlugins = [remarkMath];
@@ -11,13 +12,7 @@ const rehypePlugins = [rehypeKatex];
 /** The text of a lesson. Formulas wider than the panel scroll, also with the keys. */
 export function LessonText({ text }: { readonly text: string }) {
   const box = useRef<HTMLDivElement>(null);
-  useEffect(() => {
-    const element = box.current;
-    if (!element) return undefined;
-    const watch = new ResizeObserver(() => focusScrolling(element));
-    watch.observe(element);
-    return () => watch.disconnect();
-  }, [text]);
+  useScrollFocus(box, ".katex-display", text);
   return (
     <div ref={box} className={styles["text"]}>
       <Markdown remarkPlugins={remarkPlugins} rehypePlugins={rehypePlugins}>
@@ -25,12 +20,4 @@ export function LessonText({ text }: { readonly text: string }) {
       </Markdown>
     </div>
   );
-}
-
-/** Lets the keyboard reach the formulas and tables that scroll, and only those. */
-function focusScrolling(box: HTMLElement): void {
-  for (const formula of box.querySelectorAll<HTMLElement>(".katex-display")) {
-    if (formula.scrollWidth > formula.clientWidth) formula.tabIndex = 0;
-    else formula.removeAttribute("tabindex");
-  }
 }

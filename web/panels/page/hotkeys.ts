@@ -3,6 +3,7 @@ import { useEffect } from "react";
 import type { App } from "../../app/app";
 import { commands, runCommand } from "../../commands/registry";
 import type { Command } from "../../commands/command";
+import { frontCommands } from "../../commands/front-commands";
 import { inputMode, isOfWidget } from "../../tools/input-mode";
 import type { PageApps } from "../../tools/page-apps";
 import { pageApps } from "../shared/page-apps";
@@ -22,8 +23,12 @@ function isMeant(app: App, apps: Apps, { inFields }: Command, target: EventTarge
  * Returns a listener for key events that runs the commands of an app: single keys only if no field has the
  * focus, and no commands in dialogs and menus.
  */
-export function hotkeyListener(app: App, apps: Apps): (event: KeyboardEvent) => void {
-  const hotkeys = commands.flatMap((command) =>
+export function hotkeyListener(
+  app: App,
+  apps: Apps,
+  among: readonly Command[] = commands,
+): (event: KeyboardEvent) => void {
+  const hotkeys = among.flatMap((command) =>
     command.keys.map((key): HotkeyItem => [
       key,
       (event) => {
@@ -39,10 +44,15 @@ export function hotkeyListener(app: App, apps: Apps): (event: KeyboardEvent) => 
 }
 
 /** Makes the hotkeys of all commands work. */
-export function useCommandHotkeys(app: App): void {
+export const useCommandHotkeys = (app: App): void => useHotkeys(app, commands);
+
+/** Makes the hotkeys of the player work, and no others. */
+export const useFrontHotkeys = (app: App): void => useHotkeys(app, frontCommands);
+
+function useHotkeys(app: App, among: readonly Command[]): void {
   useEffect(() => {
-    const listener = hotkeyListener(app, pageApps);
+    const listener = hotkeyListener(app, pageApps, among);
     document.documentElement.addEventListener("keydown", listener);
     return () => document.documentElement.removeEventListener("keydown", listener);
-  }, [app]);
+  }, [app, among]);
 }

@@ -17,6 +17,7 @@ import { download, fileStem } from "../../session/files";
 import { strings } from "../../strings";
 import { IconButton } from "../../ui/icon-button";
 import { useApp, useRun } from "../shared/app-context";
+import { ShareMenu } from "./share-menu";
 import styles from "./player.module.css";
 import { usePlayer, useTrace } from "./use-player";
 
@@ -137,6 +138,7 @@ function TraceButtons() {
       <IconButton label={texts.save} data-testid="player-save" onClick={save}>
         <IconDeviceFloppy {...icon} />
       </IconButton>
+      <ShareMenu />
       <IconButton label={texts.close} data-testid="player-close" onClick={() => app.player.close()}>
         <IconX {...icon} />
       </IconButton>

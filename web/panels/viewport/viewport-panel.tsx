@@ -1,11 +1,8 @@
-import { lazy, Suspense, useEffect, useRef, useState, type KeyboardEvent } from "react";
+import { lazy, Suspense, useEffect, useRef, useState } from "react";
 import { useStore } from "zustand";
-import { describeMesh } from "./mesh-summary";
-import { strings } from "../../strings";
-import { navigate } from "../../tools/navigation-keys";
 import type { Hover } from "../../tools/select-tool";
 import type { Viewer } from "../../viewer/viewer";
-import { useApp, useProject, useQualitySpace, useRun, useStale, useView } from "../shared/app-context";
+import { useApp, useView } from "../shared/app-context";
 import { ContextMenu, SelectionOutline } from "./selection-overlays";
 import { DrawingBar } from "./drawing-bar";
 import { DrawingMarks } from "./drawing-marks";
@@ -20,6 +17,7 @@ import { SizeBar } from "./size-bar";
 import { ToolColumn } from "./tool-column";
 import { OperationPanel } from "../operations/operation-panel";
 import { useViewer } from "./use-viewer";
+import { ViewCanvas } from "./view-canvas";
 import { ViewState } from "./view-state";
 import { useShowsPlane } from "../player/use-player";
 import styles from "./viewport-panel.module.css";
@@ -84,40 +82,4 @@ function useFitBeside(viewer: Viewer | null, showsPlane: boolean): void {
     });
     return () => cancelAnimationFrame(frame);
   }, [viewer, showsPlane]);
-}
-
-interface ViewCanvasProps {
-  readonly canvas: React.RefObject<HTMLCanvasElement | null>;
-  readonly viewer: Viewer | null;
-}
-
-/** The picture, with a summary for screen readers. Keys move the camera. */
-function ViewCanvas({ canvas, viewer }: ViewCanvasProps) {
-  const project = useProject();
-  const mesh = useRun((state) => state.mesh);
-  const space = useQualitySpace();
-  const cut = useView((state) => state.cut.enabled);
-  const stale = useStale();
-  const summary = [
-    strings.viewport.label,
-    ": ",
-    describeMesh(project, mesh, space),
-    cut ? strings.viewport.summaryCut : "",
-    stale ? strings.viewport.summaryStale : "",
-    ` ${strings.viewport.keys}`,
-  ].join("");
-  const onKeyDown = (event: KeyboardEvent): void => {
-    if (viewer && navigate(viewer, event.nativeEvent)) event.preventDefault();
-  };
-  return (
-    <canvas
-      ref={canvas}
-      className={styles["canvas"]}
-      data-testid="viewport-canvas"
-      role="img"
-      aria-label={summary}
-      tabIndex={0}
-      onKeyDown={onKeyDown}
-    />
-  );
 }

@@ -1,0 +1,135 @@
+/** Links to a step of a front, and the page that shows one in other pages. */
+import AxeBuilder from "@axe-core/playwright";
+import { expect, test, type Page } from "@playwright/test";
+import { readFileSync } from "node:fs";
+import { countColours } from "./app-page";
+
+async function violations(page: Page): Promise<string[]> {
+  const axe = new AxeBuilder({ page }).setLegacyMode(true).options({ resultTypes: ["violations"] });
+  const { violations: found } = await axe.analyze();
+  return found.flatMap(({ id, nodes }) => nodes.map(({ html }) => `${id}: ${html}`));
+}
+
+test("an embedded front shows its step without panels, and is played with buttons and keys", async ({
+  page,
+}) => {
+  await page.goto("./embed.html?test=1&model=unit-cube&step=100");
+  const viewport = page.getByTestId("viewport");
+  await expect(viewport).toHaveAttribute("data-step", "100");
+  await expect(viewport).toHaveAttribute("data-steps", "1743");
+  await expect(page).toHaveTitle(/Unit cube/);
+  await expect(page.getByRole("tab")).toHaveCount(0);
+  await expect(page.getByRole("menubar")).toHaveCount(0);
+  await page.getByTestId("player-forward").click();
+  await expect(viewport).toHaveAttribute("data-step", "101");
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press(",");
+  await page.keyboard.press(",");
+  await expect(viewport).toHaveAttribute("data-step", "99");
+  // Keys that change a model do nothing here.
+  await page.keyboard.press("Control+a");
+  await page.keyboard.press("Delete");
+  await expect(viewport).toHaveAttribute("data-points", "8");
+  expect(await violations(page)).toEqual([]);
+  await expect(page.getByRole("link", { name: "Open in Tetrafront" })).toHaveAttribute(
+    "href",
+    /model=unit-cube&step=100/,
+  );
+});
+
+test("an embedded front fits into a narrow frame, and is loaded when it is seen", async ({ page }) => {
+  await page.goto("./embed.html?model=none");
+  await expect(page.getByTestId("embed-failure")).toContainText("names no model");
+  // A page of a course with a frame far below.
+  await page.setContent(
+    `<html lang="en"><body style="margin: 0"><p style="height: 3000px">Text</p>
+    <iframe title="front" width="320" height="300" src="/embed.html?test=1&model=unit-cube&step=5"></iframe></body></html>`,
+  );
+  const frame = page.frameLocator("iframe");
+  await expect(frame.locator("#root")).toBeAttached();
+  await expect(frame.getByTestId("embed")).toHaveCount(0);
+  await page.locator("iframe").scrollIntoViewIfNeeded();
+  await expect(frame.getByTestId("viewport")).toHaveAttribute("data-step", "5");
+  const overflow = await frame
+    .getByTestId("embed")
+    .evaluate((embed) => [embed.scrollWidth - embed.clientWidth, embed.scrollHeight - embed.clientHeight]);
+  expect(overflow).toEqual([0, 0]);
+  const height = await frame.getByTestId("viewport").evaluate((view) => view.clientHeight);
+  expect(height).toBeGreaterThan(120);
+});
+
+test("a link leads to the same model, step, candidate, colours and camera", async ({ page, context }) => {
+  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+  await page.goto("./?test=1&model=unit-cube&step=258&candidate=0&color=layer&camera=3,-2,1.5,0.5,0.5,0.5");
+  const viewport = page.getByTestId("viewport");
+  await expect(viewport).toHaveAttribute("data-step", "258");
+  await expect(page.getByTestId("lens-sentence")).toContainText("Node 286 was refused");
+  await expect(page.getByTestId("player-coloring")).toHaveValue("layer");
+  await page.getByTestId("player-forward").click();
+  await page.getByTestId("player-share").click();
+  await page.getByTestId("share-link").click();
+  await expect(page.getByText("The link to this step is in the clipboard.")).toBeVisible();
+  const link = new URL(await page.evaluate(() => navigator.clipboard.readText()));
+  expect(Object.fromEntries(link.searchParams)).toEqual({
+    model: "unit-cube",
+    step: "259",
+    color: "layer",
+    camera: "3,-2,1.5,0.5,0.5,0.5",
+  });
+  await page.getByTestId("player-share").click();
+  await page.getByTestId("share-embed").click();
+  await expect(page.getByText("in a web page is in the clipboard")).toBeVisible();
+  const code = await page.evaluate(() => navigator.clipboard.readText());
+  expect(code).toMatch(
+    /^<iframe src="http[^"]*embed\.html\?model=unit-cube&amp;step=259[^"]*" title="Unit cube" loading="lazy"/,
+  );
+  expect(await violations(page)).toEqual([]);
+});
+
+test("a changed model has no link, and the app says why", async ({ page }) => {
+  await page.goto("./?test=1&model=unit-cube&step=10");
+  await expect(page.getByTestId("viewport")).toHaveAttribute("data-step", "10");
+  await page.getByRole("tab", { name: "Inspector" }).click();
+  await page.getByTestId("project-name").fill("Mine");
+  await page.getByTestId("project-name").press("Enter");
+  await page.getByTestId("player-share").click();
+  await page.getByTestId("share-link").click();
+  await expect(page.getByRole("dialog")).toContainText("unchanged examples");
+});
+
+test("a step is saved as a picture and a drawing, the front as a film", async ({ page }) => {
+  await page.goto("./?test=1&model=unit-cube&step=258");
+  const viewport = page.getByTestId("viewport");
+  await expect(viewport).toHaveAttribute("data-step", "258");
+  const saved = async (item: string) => {
+    const download = page.waitForEvent("download");
+    await page.getByTestId("player-share").click();
+    await page.getByTestId(item).click();
+    const file = await download;
+    return { name: file.suggestedFilename(), content: readFileSync(await file.path()) };
+  };
+  const png = await saved("share-png");
+  expect(png.name).toBe("unit-cube-step-258.png");
+  expect(countColours(png.content)).toBeGreaterThan(60);
+
+  const svg = await saved("share-svg");
+  expect(svg.name).toBe("unit-cube-step-258.svg");
+  const faces = Number(await viewport.getAttribute("data-front-faces"));
+  const polygons = svg.content.toString().match(/<polygon/g)?.length ?? 0;
+  expect(polygons).toBeGreaterThan(faces / 4);
+  expect(polygons).toBeLessThanOrEqual(faces + 1);
+
+  // The film of a short range, which the notice ends early.
+  const download = page.waitForEvent("download");
+  await page.getByTestId("player-share").click();
+  await page.getByTestId("share-webm").click();
+  await expect.poll(async () => Number(await viewport.getAttribute("data-step"))).toBeGreaterThan(300);
+  await page.getByRole("button", { name: "Stop and save" }).click();
+  const film = await download;
+  expect(film.suggestedFilename()).toBe("unit-cube.webm");
+  const content = readFileSync(await film.path());
+  // The first bytes of every WebM file (EBML).
+  expect(content.subarray(0, 4).toString("hex")).toBe("1a45dfa3");
+  expect(content.length).toBeGreaterThan(5000);
+  await expect(viewport).toHaveAttribute("data-step", "258");
+});

@@ -1,0 +1,123 @@
+// @vitest-environment happy-dom
+/** The page that shows a front in other pages, without WebGL: its player, its keys and its link. */
+import { MantineProvider } from "@mantine/core";
+import { createRoot, type Root } from "react-dom/client";
+import type { Mesher } from "tetrafront";
+import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { App } from "../../../web/app/app";
+import { copyLink, sharedFrontOf } from "../../../web/commands/share-actions";
+import { EmbedPage } from "../../../web/panels/embed/embed-page";
+import { newDocument } from "../../../web/session/document-store";
+import type { SharedFront } from "../../../web/player/shared-front";
+import { cubeProject } from "../../support/projects";
+import { boxSurface } from "../../support/surfaces";
+import { starSurface, starTrace } from "../../support/traces";
+
+vi.mock("../../../web/viewer/viewer", () => ({
+  Viewer: class {
+    constructor() {
+      throw new Error("There is no WebGL here");
+    }
+  },
+}));
+
+const { bytes } = starTrace({
+  ...starSurface(boxSurface(3, [-1, -1, -1], [1, 1, 1])),
+  postponeEvery: 6,
+  reopenAfter: 20,
+});
+const busyMesher = Promise.resolve({
+  meshProject: () => new Promise(() => undefined),
+  previewProject: () => new Promise(() => undefined),
+} as unknown as Mesher);
+const shared: SharedFront = {
+  model: "cube",
+  step: 3,
+  order: null,
+  coloring: "age",
+  candidate: null,
+  camera: null,
+};
+
+let app: App;
+let host: HTMLElement;
+let root: Root;
+const button = (testId: string): HTMLElement | null => host.querySelector(`[data-testid="${testId}"]`);
+const until = (check: () => void): Promise<void> => vi.waitFor(check, { timeout: 60_000 });
+
+beforeEach(async () => {
+  vi.stubGlobal(
+    "Worker",
+    class {
+      postMessage(): void {
+        // Never answers.
+      }
+      terminate(): void {
+        // Does nothing.
+      }
+    },
+  );
+  app = new App(
+    {
+      first: { document: newDocument(cubeProject()) },
+      mesher: busyMesher,
+      previewMesher: busyMesher,
+      library: null,
+    },
+    {
+      gallery: {
+        opening: "cube",
+        models: [{ id: "cube", title: "Unit cube", blurb: "", group: "", file: "" }],
+      },
+      generate: false,
+      still: true,
+    },
+  );
+  host = document.body.appendChild(document.createElement("div"));
+  root = createRoot(host);
+  root.render(
+    <MantineProvider env="test">
+      <EmbedPage app={app} shared={shared} />
+    </MantineProvider>,
+  );
+  await until(() => expect(button("embed")).not.toBeNull());
+});
+afterEach(() => {
+  root.unmount();
+  host.remove();
+  vi.unstubAllGlobals();
+});
+
+it("plays a trace with buttons and keys, and links to the app", async () => {
+  expect(host.querySelector('[role="status"]')?.textContent).toContain("Recording");
+  app.player.open(bytes);
+  app.player.seek(3);
+  await until(() => expect(button("player-forward")).not.toBeNull());
+  button("player-forward")?.click();
+  expect(app.player.state.getState().step).toBe(4);
+  button("viewport-canvas")?.dispatchEvent(
+    new KeyboardEvent("keydown", { key: ",", code: "Comma", bubbles: true }),
+  );
+  await until(() => expect(app.player.state.getState().step).toBe(3));
+  expect(host.querySelector("a")?.getAttribute("href")).toBe("./?model=cube&step=3");
+  expect(host.querySelector('[role="tab"]')).toBeNull();
+});
+
+it("has a link for the step of an unchanged example, and for nothing else", async () => {
+  expect(sharedFrontOf(app)).toBeNull();
+  app.player.open(bytes);
+  app.player.seek(7);
+  app.player.state.setState({ coloring: "layer" });
+  expect(sharedFrontOf(app)).toMatchObject({ model: "cube", step: 7, coloring: "layer", camera: null });
+  const written: string[] = [];
+  vi.stubGlobal("navigator", {
+    clipboard: { writeText: (text: string) => Promise.resolve(written.push(text)) },
+  });
+  await copyLink(app);
+  expect(written).toEqual([expect.stringMatching(/\?model=cube&step=7&color=layer$/)]);
+  app.documents.edit({ label: "Change", replace: [[["name"], "Mine"]] });
+  expect(sharedFrontOf(app)).toBeNull();
+  await copyLink(app);
+  expect(written).toHaveLength(1);
+  expect(app.shell.getState().message?.lines.join()).toContain("unchanged examples");
+});

@@ -1,0 +1,119 @@
+/** Pictures of a step and animations of the front, as files. Loaded when they are used. */
+import type { App } from "../app/app";
+import { frontDrawing } from "../player/front-drawing";
+import { download, fileStem } from "../session/files";
+import { hideNotice, showNotice } from "../session/shell";
+import { shareStrings as texts } from "../strings/share";
+import type { Viewer } from "../viewer/viewer";
+import { showFailure, showMessage } from "./messages";
+
+/** Frames per second of an animation, and its length in seconds. */
+const frameRate = 30;
+const seconds = 10;
+const bitsPerSecond = 8_000_000;
+
+const viewerOf = ({ viewer }: App): Viewer | null => viewer.getState().viewer;
+const nameOf = ({ documents, player }: App): string =>
+  `${fileStem(documents.project.name)}-step-${player.state.getState().step}`;
+
+/** Saves the view as it is, without background. */
+export async function savePicture(app: App): Promise<void> {
+  const viewer = viewerOf(app);
+  if (!viewer) return;
+  try {
+    const picture = await viewer.picture();
+    download([picture], `${nameOf(app)}.png`, "image/png");
+  } catch (error) {
+    showFailure(app, texts.noPicture, error);
+  }
+}
+
+/** Saves the front as a drawing that can be scaled. */
+export function saveDrawing(app: App): void {
+  const viewer = viewerOf(app);
+  const state = app.player.state.getState();
+  if (!viewer || !state.trace) return;
+  const drawing = frontDrawing(state.trace, state, {
+    ...viewer.size,
+    eye: viewer.pose.eye,
+    toScreen: (position) => viewer.toScreen(position),
+  });
+  download([drawing], `${nameOf(app)}.svg`, "image/svg+xml");
+}
+
+/** Plays the front once, or the range that is repeated, and saves this as a film. A notice offers to end it early. */
+export async function saveAnimation(app: App): Promise<void> {
+  const viewer = viewerOf(app);
+  const { trace, loop, step: before } = app.player.state.getState();
+  if (!viewer || !trace) return;
+  const type = ["video/webm;codecs=vp9", "video/webm"].find((each) => isRecordable(each));
+  if (type === undefined) return showMessage(app, texts.noAnimation, [texts.noWebm]);
+  const stop = new AbortController();
+  showNotice(app.shell, {
+    key: "animation",
+    tone: "information",
+    text: texts.recordingAnimation,
+    action: { label: texts.stopAnimation, run: () => stop.abort() },
+  });
+  try {
+    const film = await record(
+      app,
+      viewer,
+      { from: loop?.from ?? 0, to: loop?.to ?? trace.stepCount, type },
+      stop.signal,
+    );
+    // Another model may have been opened meanwhile.
+    if (film) download([film], `${fileStem(app.documents.project.name)}.webm`, "video/webm");
+  } catch (error) {
+    showFailure(app, texts.noAnimation, error);
+  } finally {
+    hideNotice(app.shell, "animation");
+    if (app.player.state.getState().trace === trace) app.player.seek(before);
+  }
+}
+
+const isRecordable = (type: string): boolean =>
+  typeof MediaRecorder !== "undefined" && MediaRecorder.isTypeSupported(type);
+
+interface Film {
+  readonly from: number;
+  readonly to: number;
+  readonly type: string;
+}
+
+/** Returns the film; null if the front was closed before the first picture. */
+async function record(
+  { player }: App,
+  viewer: Viewer,
+  { from, to, type }: Film,
+  signal: AbortSignal,
+): Promise<Blob | null> {
+  player.pause();
+  // The lens waits, as while playing; pausing ends the film.
+  player.state.setState({ isPlaying: true });
+  const { trace } = player.state.getState();
+  const paper = document.createElement("canvas");
+  const context = paper.getContext("2d");
+  if (!context) throw new Error(texts.noCanvas);
+  const pieces: Blob[] = [];
+  const recorder = new MediaRecorder(paper.captureStream(frameRate), {
+    mimeType: type,
+    videoBitsPerSecond: bitsPerSecond,
+  });
+  recorder.addEventListener("dataavailable", ({ data }) => pieces.push(data));
+  const ended = new Promise((resolve) => recorder.addEventListener("stop", resolve, { once: true }));
+  const frames = frameRate * seconds;
+  for (let frame = 0; frame <= frames && !signal.aborted; frame++) {
+    const state = player.state.getState();
+    if (state.trace !== trace || !state.isPlaying) break;
+    player.seek(from + ((to - from) * frame) / frames);
+    viewer.drawOn(paper, context);
+    if (frame === 0) recorder.start();
+    await new Promise((resolve) => setTimeout(resolve, 1000 / frameRate));
+  }
+  player.pause();
+  if (recorder.state === "inactive") return null;
+  recorder.stop();
+  await ended;
+  return new Blob(pieces, { type });
+}

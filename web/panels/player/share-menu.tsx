@@ -1,0 +1,64 @@
+import { ActionIcon, Menu } from "@mantine/core";
+import { IconShare } from "@tabler/icons-react";
+import { shareStrings as texts } from "../../strings/share";
+import { useApp } from "../shared/app-context";
+import { usePlayer } from "./use-player";
+
+const actions = () => import("../../commands/share-actions");
+const pictures = () => import("../../commands/picture-actions");
+
+/** Links to the step that is shown, and files of it. */
+export function ShareMenu() {
+  const app = useApp();
+  // Drawings show faces, which lines and patches do not have.
+  const isVolume = usePlayer(({ step }) => step >= 0);
+  return (
+    <Menu position="top-end">
+      <Menu.Target>
+        <ActionIcon
+          size={24}
+          variant="subtle"
+          color="gray"
+          aria-label={texts.share}
+          data-testid="player-share"
+        >
+          <IconShare size={15} aria-hidden />
+        </ActionIcon>
+      </Menu.Target>
+      <Menu.Dropdown>
+        <Menu.Item
+          data-testid="share-link"
+          onClick={() => void actions().then(({ copyLink }) => copyLink(app))}
+        >
+          {texts.link}
+        </Menu.Item>
+        <Menu.Item
+          data-testid="share-embed"
+          onClick={() => void actions().then(({ copyEmbedCode }) => copyEmbedCode(app))}
+        >
+          {texts.embed}
+        </Menu.Item>
+        <Menu.Divider />
+        <Menu.Item
+          data-testid="share-png"
+          onClick={() => void pictures().then(({ savePicture }) => savePicture(app))}
+        >
+          {texts.picture}
+        </Menu.Item>
+        <Menu.Item
+          data-testid="share-svg"
+          disabled={!isVolume}
+          onClick={() => void pictures().then(({ saveDrawing }) => saveDrawing(app))}
+        >
+          {texts.drawing}
+        </Menu.Item>
+        <Menu.Item
+          data-testid="share-webm"
+          onClick={() => void pictures().then(({ saveAnimation }) => saveAnimation(app))}
+        >
+          {texts.animation}
+        </Menu.Item>
+      </Menu.Dropdown>
+    </Menu>
+  );
+}

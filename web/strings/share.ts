@@ -1,0 +1,25 @@
+/** Texts about links, pictures and embedded views of the front. */
+export const shareStrings = {
+  share: "Share this step",
+  link: "Copy link to this step",
+  embed: "Copy code for a web page",
+  picture: "Save picture (PNG)",
+  drawing: "Save drawing (SVG)",
+  animation: "Save animation (WebM)",
+  noPicture: "The picture could not be saved",
+  noAnimation: "The animation could not be saved",
+  noWebm: "This browser cannot record WebM films. Use a current Chrome, Edge or Firefox.",
+  noCanvas: "The browser has no canvas for the film",
+  recordingAnimation: "The front is played and recorded, for about ten seconds.",
+  stopAnimation: "Stop and save",
+  linkCopied: "The link to this step is in the clipboard.",
+  codeCopied: "The code that shows this step in a web page is in the clipboard.",
+  understood: "OK",
+  noLink: "There is no link to this step",
+  onlyGallery:
+    "Links lead to unchanged examples. Open one under Examples, or save the trace and pass on its file.",
+  copyByHand: "Copy this text",
+  openInApp: "Open in Tetrafront",
+  loading: "Recording the front…",
+  noModel: "This address names no model. Use embed.html?model=unit-cube&step=100.",
+} as const;
