@@ -46,14 +46,19 @@ class SizesPage extends AppPage {
     await expect(this.page.getByTestId("coordinates")).toBeHidden();
   }
 
-  /** Opens a project file and waits for its view. */
-  async openProject(project: Project): Promise<void> {
-    await this.page.goto("./?test=1&new=1");
-    await expect(this.viewport).toHaveAttribute("data-points", "0");
-    await this.page.evaluate(() => {
+  /** Opens an empty project, without native file dialogs. */
+  async openNew(): Promise<void> {
+    await this.page.addInitScript(() => {
       Reflect.deleteProperty(window, "showOpenFilePicker");
       Reflect.deleteProperty(window, "showSaveFilePicker");
     });
+    await this.page.goto("./?test=1&new=1");
+    await expect(this.viewport).toHaveAttribute("data-points", "0");
+  }
+
+  /** Opens a project file and waits for its view. */
+  async openProject(project: Project): Promise<void> {
+    await this.openNew();
     await this.openFile("project.json", writeProject(project));
     await expect(this.viewport).toHaveAttribute("data-points", String(project.points.length));
   }
@@ -122,8 +127,7 @@ test("the engine intake's background grid is built by pointer and keyboard, and 
 
 test("an imported STL gets a source drawn by two clicks, which refines the mesh", async ({ page }) => {
   const app = new SizesPage(page);
-  await page.goto("./?test=1&new=1");
-  await expect(app.viewport).toHaveAttribute("data-points", "0");
+  await app.openNew();
   await dropBytes(page, stlBinary(sphereSurface(8)), "ball.stl");
   await expect(page.getByTestId("body-card")).toBeVisible();
   // The unit of the file: in a project without one, it becomes that of the project.
