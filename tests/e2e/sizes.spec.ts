@@ -157,16 +157,16 @@ test("handles change size and stretching of a node, and undo takes each drag bac
   await app.openCube();
   await page.getByTestId("tool-node").click();
   await page.keyboard.press("v");
-  await app.select("background-node-2");
-  await page.keyboard.press("Shift+f");
-  const nodeOf = async () => (await app.project()).background.nodes.find(({ id }) => id === 2);
+  await app.select("background-node-1");
+  // A ball of radius 1 around (-0.5, -0.5, -0.5): the handle of its direction is in the middle of the view.
+  await app.type("node-size", "2");
+  const nodeOf = async () => (await app.project()).background.nodes.find(({ id }) => id === 1);
   const node = await nodeOf();
-  if (!node) throw new Error("there is no node 2");
-  const [x, y, z] = node.position;
-  const { size } = node;
-  // The handles of a ball are half a size away: across the direction, and along it.
-  await nextFrame(app.viewport, () => app.drag([x + size / 2, y, z], [x + size, y, z]));
-  await expect.poll(async () => (await nodeOf())?.stretching).toBeCloseTo(2, 1);
+  expect(node).toMatchObject({ position: [-0.5, -0.5, -0.5], size: 2 });
+  expect(node?.stretching ?? 1).toBe(1);
+  await nextFrame(app.viewport, () => app.drag([0.5, -0.5, -0.5], [1, -0.5, -0.5]));
+  await expect.poll(async () => (await nodeOf())?.stretching ?? 1).toBeGreaterThan(1.1);
+  await page.getByTestId("viewport-canvas").focus();
   await page.keyboard.press("Control+z");
   await expect.poll(nodeOf).toEqual(node);
 });
