@@ -127,7 +127,7 @@ test("wrong answers get a hint, and the right one counts after them", async ({ p
   for (const [typed, said] of [
     ["", "Type a number."],
     ["many", "Type a number."],
-    ["491", "Not yet. Go to the first state."],
+    ["491", "Not yet. Go to the beginning"],
   ] as const) {
     await answer.fill(typed);
     await answer.press("Enter");
