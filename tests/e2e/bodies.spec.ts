@@ -101,7 +101,9 @@ test("a broken STL shows its problems and is repaired", async ({ page }) => {
   await expect(page.getByTestId("body-generate")).toBeDisabled();
   await expect(page.getByTestId("repair-filled-hole")).toContainText("fills");
   await expect(page.getByTestId("repair-flipped-triangle")).toHaveText("flips 1 triangle");
-  await expect(page.getByTestId("repair-outcome")).toHaveText("Afterwards, the surface can be meshed.");
+  await expect(page.getByTestId("repair-outcome")).toHaveText(
+    "No node moves. Afterwards, the surface can be meshed.",
+  );
   const before = await app.viewport.screenshot();
   await problems.getByRole("button", { name: "Show", exact: true }).first().click();
   await expect.poll(async () => (await app.viewport.screenshot()).equals(before)).toBe(false);
