@@ -33,9 +33,12 @@ export function isRight(task: TaskOf<"number"> | TaskOf<"choice">, answer: strin
   return value !== null && Math.abs(value - task.answer) <= task.tolerance + rounding * Math.abs(task.answer);
 }
 
-/** Returns the number that a text states; null if it states none. */
+/** Groups of digits; a number below 1 has none, so that 0,103 has a decimal comma. */
+const groupsOfDigits = /^[+-]?[1-9]\d{0,2}(,\d{3})+(?![\d,])/;
+
+/** Returns the number that a text states; null if it states none. A comma before three digits separates groups if it can. */
 export function numberIn(answer: string): number | null {
-  const plain = answer.replace(/[\s\u00a0\u202f]/g, "").replace(/^([+-]?\d+),(?!\d{3}$)(\d+)$/, "$1.$2");
-  const ungrouped = plain.replace(/,(?=\d{3}(\D|$))/g, "");
-  return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?%?$/i.test(ungrouped) ? parseFloat(ungrouped) : null;
+  const plain = answer.replace(/[\s\u00a0\u202f]/g, "");
+  const number = groupsOfDigits.test(plain) ? plain.replaceAll(",", "") : plain.replace(",", ".");
+  return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?%?$/i.test(number) ? parseFloat(number) : null;
 }
