@@ -2,7 +2,7 @@ import type { App } from "../app/app";
 import { drawnKinds, recordsOf, type Entity } from "../document/entities";
 import { templates } from "../document/templates";
 import { entityWords, paletteStrings, settingNames, strings, synonyms, templateStrings } from "../strings";
-import { openExample, openProject } from "./project-actions";
+import { openExample, openTemplate } from "./project-actions";
 import { commands, runCommand } from "./registry";
 import { showEntities } from "./selection-actions";
 
@@ -65,7 +65,7 @@ function templateItems(app: App): PaletteItem[] {
     label: templateStrings.templates[id].title,
     words: templateStrings.title,
     hotkey: null,
-    run: () => openProject(app, make()),
+    run: () => openTemplate(app, make()),
   }));
 }
 

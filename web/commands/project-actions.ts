@@ -1,6 +1,7 @@
 import type { Project } from "tetrafront";
 import type { App } from "../app/app";
 import { emptyProject } from "../document/create";
+import { isEmptyProject } from "../document/entities";
 import type { OpenFailure } from "../session/document-library";
 import {
   hasUnsavedChanges,
@@ -107,6 +108,12 @@ export function showNotes(app: App, notes: readonly string[]): void {
 /** Opens an empty project, to draw in. */
 export function newProject(app: App): void {
   showModel(app, emptyProject());
+}
+
+/** Opens a new project to begin with, and meshes it unless it is empty. */
+export function openTemplate(app: App, project: Project): void {
+  if (isEmptyProject(project)) showModel(app, project);
+  else openProject(app, project);
 }
 
 export async function openExample(app: App, model: GalleryModel): Promise<void> {

@@ -2,9 +2,16 @@ import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import type { Mesher } from "tetrafront";
 import { App } from "../../../web/app/app";
 import { DOWNLOADS } from "../../../web/commands/file-menu";
-import { newProject, openProject, openRecent, save } from "../../../web/commands/project-actions";
+import {
+  newProject,
+  openProject,
+  openRecent,
+  openTemplate,
+  save,
+} from "../../../web/commands/project-actions";
 import { commandNamed, commands, keyNames, runCommand } from "../../../web/commands/registry";
 import { moveEntity, renameProject } from "../../../web/document/edits";
+import { templates } from "../../../web/document/templates";
 import { DocumentLibrary } from "../../../web/session/document-library";
 import { newDocument } from "../../../web/session/document-store";
 import { cubeProject } from "../../support/projects";
@@ -37,12 +44,12 @@ const busyMesher = Promise.resolve({
   previewProject: () => new Promise(() => undefined),
 } as unknown as Mesher);
 
-function openApp(storage = new MemoryStorage(), locks = new MemoryLocks()) {
+function openApp(storage = new MemoryStorage(), locks = new MemoryLocks(), generate = false) {
   const library = new DocumentLibrary(storage, locks, new MemoryTab());
   const first = { document: newDocument({ ...cubeProject(), name: "A" }) };
   const app = new App(
     { first, mesher: busyMesher, previewMesher: busyMesher, library },
-    { gallery: { opening: "", models: [] }, generate: false, still: true },
+    { gallery: { opening: "", models: [] }, generate, still: true },
   );
   app.autosave?.follow();
   const run = (id: string): void => runCommand(app, commandNamed(id));
@@ -125,6 +132,20 @@ describe("the commands", () => {
     run("delete");
     expect(app.documents.project.lines).toHaveLength(9);
     expect(app.view.state.getState().selection).toEqual([]);
+  });
+});
+
+describe("opening a template", () => {
+  it.each(templates)("meshes $id, unless it is empty", async ({ id, make }) => {
+    const { app } = openApp(new MemoryStorage(), new MemoryLocks(), true);
+    const wasRun = vi.fn();
+    app.run.state.subscribe(({ busy }) => {
+      if (busy) wasRun();
+    });
+    openTemplate(app, make());
+    await new Promise((resolve) => setTimeout(resolve, 20));
+    expect(app.documents.project.name).toBe(make().name);
+    expect(wasRun.mock.calls.length > 0).toBe(id !== "empty");
   });
 });
 

@@ -1,5 +1,5 @@
 import { Text, UnstyledButton } from "@mantine/core";
-import { openProject } from "../../commands/project-actions";
+import { openTemplate } from "../../commands/project-actions";
 import { templates } from "../../document/templates";
 import { templateStrings as texts } from "../../strings";
 import { FramedDialog } from "../../ui/frames/framed-dialog";
@@ -24,7 +24,7 @@ export function TemplateDialog() {
               data-testid={`template-${id}`}
               onClick={() => {
                 close();
-                openProject(app, make());
+                openTemplate(app, make());
               }}
             >
               <Text fw={600} size="sm" component="span">
