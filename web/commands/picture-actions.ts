@@ -41,14 +41,21 @@ export function saveDrawing(app: App): void {
   download([drawing], `${nameOf(app)}.svg`, "image/svg+xml");
 }
 
-/** Plays the front once, or the range that is repeated, and saves this as a film. A notice offers to end it early. */
+/** Apps of which a film is being recorded. */
+const filmed = new WeakSet<App>();
+
+/**
+ * Plays the front once, or the range that is repeated, and saves this as a film. A notice offers to end it early. Does
+ * nothing while a film is being recorded.
+ */
 export async function saveAnimation(app: App): Promise<void> {
   const viewer = viewerOf(app);
   const { trace, loop, step: before } = app.player.state.getState();
-  if (!viewer || !trace) return;
+  if (!viewer || !trace || filmed.has(app)) return;
   const type = ["video/webm;codecs=vp9", "video/webm"].find((each) => isRecordable(each));
   if (type === undefined) return showMessage(app, texts.noAnimation, [texts.noWebm]);
   const stop = new AbortController();
+  filmed.add(app);
   showNotice(app.shell, {
     key: "animation",
     tone: "information",
@@ -67,6 +74,7 @@ export async function saveAnimation(app: App): Promise<void> {
   } catch (error) {
     showFailure(app, texts.noAnimation, error);
   } finally {
+    filmed.delete(app);
     hideNotice(app.shell, "animation");
     if (app.player.state.getState().trace === trace) app.player.seek(before);
   }
@@ -89,31 +97,33 @@ async function record(
   signal: AbortSignal,
 ): Promise<Blob | null> {
   player.pause();
-  // The lens waits, as while playing; pausing ends the film.
-  player.state.setState({ isPlaying: true });
   const { trace } = player.state.getState();
   const paper = document.createElement("canvas");
   const context = paper.getContext("2d");
   if (!context) throw new Error(texts.noCanvas);
-  const pieces: Blob[] = [];
-  const recorder = new MediaRecorder(paper.captureStream(frameRate), {
-    mimeType: type,
-    videoBitsPerSecond: bitsPerSecond,
-  });
-  recorder.addEventListener("dataavailable", ({ data }) => pieces.push(data));
-  const ended = new Promise((resolve) => recorder.addEventListener("stop", resolve, { once: true }));
-  const frames = frameRate * seconds;
-  for (let frame = 0; frame <= frames && !signal.aborted; frame++) {
-    const state = player.state.getState();
-    if (state.trace !== trace || !state.isPlaying) break;
-    player.seek(from + ((to - from) * frame) / frames);
-    viewer.drawOn(paper, context);
-    if (frame === 0) recorder.start();
-    await new Promise((resolve) => setTimeout(resolve, 1000 / frameRate));
+  const stream = paper.captureStream(frameRate);
+  try {
+    const pieces: Blob[] = [];
+    const recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: bitsPerSecond });
+    recorder.addEventListener("dataavailable", ({ data }) => pieces.push(data));
+    const ended = new Promise((resolve) => recorder.addEventListener("stop", resolve, { once: true }));
+    // The lens waits, as while playing; pausing ends the film.
+    player.state.setState({ isPlaying: true });
+    const frames = frameRate * seconds;
+    for (let frame = 0; frame <= frames && !signal.aborted; frame++) {
+      const state = player.state.getState();
+      if (state.trace !== trace || !state.isPlaying) break;
+      player.seek(from + ((to - from) * frame) / frames);
+      viewer.drawOn(paper, context);
+      if (frame === 0) recorder.start();
+      await new Promise((resolve) => setTimeout(resolve, 1000 / frameRate));
+    }
+    if (recorder.state === "inactive") return null;
+    recorder.stop();
+    await ended;
+    return new Blob(pieces, { type });
+  } finally {
+    player.pause();
+    for (const track of stream.getTracks()) track.stop();
   }
-  player.pause();
-  if (recorder.state === "inactive") return null;
-  recorder.stop();
-  await ended;
-  return new Blob(pieces, { type });
 }
