@@ -39,6 +39,8 @@ export const operationStrings = {
       `Select two closed bodies that share no lines, for example one patch of each. Found ${count === 1 ? "1 body" : `${count} bodies`}.`,
     open: "One of the bodies is not closed: each of its edges must have exactly two patches.",
     nothing: "Nothing is left.",
+    innerRegions:
+      "A body has inner shells, which are meshed as regions. Boolean operations need bodies of one region: set inner shells to cavities, or select a body without inner shells.",
     body: "Combination",
     patch: (number: number) => `part ${number}`,
   },

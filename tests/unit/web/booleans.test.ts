@@ -1,9 +1,9 @@
 import Module, { type ManifoldToplevel } from "manifold-3d";
-import { bodySurface, createMesher, type Project, type ProjectPreview } from "tetrafront";
+import { bodySurface, createBody, createMesher, type Project, type ProjectPreview } from "tetrafront";
 import { beforeAll, describe, expect, it } from "vitest";
 import { booleanKinds, type BooleanKind } from "../../../web/document/booleans/kinds";
 import { offerBoolean } from "../../../web/document/booleans/offer";
-import { orientedOutward } from "../../../web/document/booleans/orientation";
+import { orientedSurface } from "../../../web/document/booleans/orientation";
 import { solidCandidates, type Solid } from "../../../web/document/booleans/solids";
 import { emptyProject } from "../../../web/document/create";
 import { insertInto, insertion } from "../../../web/document/insert-shape";
@@ -14,6 +14,7 @@ import { mapPoints } from "../../../web/document/shape";
 import { mapPosition, rotationAbout } from "../../../web/document/transforms/affine";
 import { DocumentStore } from "../../../web/session/document-store";
 import { randomSource } from "../../support/random";
+import { boxSurface } from "../../support/surfaces";
 
 let library: ManifoldToplevel;
 
@@ -220,10 +221,55 @@ describe("Boolean operations on other bodies", () => {
     if (!body) throw new Error("there is no body");
     expect(counts(result)).toEqual([0, 0, 0]);
     const { points, triangles } = bodySurface(body);
-    expect([...(orientedOutward(points, triangles) ?? [])]).toEqual([...triangles]);
+    expect([...(orientedSurface(points, triangles)?.triangles ?? [])]).toEqual([...triangles]);
     expect(triangleVolume(points, triangles)).toBeCloseTo(0.75, 6);
     expect(body.patches).toHaveLength(10);
     expect(new Set(body.patches.map(({ name }) => name)).size).toBe(10);
+  });
+});
+
+/** Nested cubes with the middle (2, 2, 2) as one body, all oriented outward; and a box that covers x < 2. */
+function nestedAndHalf(...edges: readonly number[]): Project {
+  const project = boxes({ size: [4, 8, 8], low: [-2, -2, -2] });
+  const cubes = edges.map((edge) => boxSurface(2, cubeCorner(2 - edge / 2), cubeCorner(2 + edge / 2)));
+  const offset = (index: number): number =>
+    cubes.slice(0, index).reduce((sum, { points }) => sum + points.length / 3, 0);
+  const triangles = cubes.flatMap((cube, index) => [...cube.triangles].map((node) => node + offset(index)));
+  const surface = {
+    points: Float64Array.from(cubes.flatMap(({ points }) => [...points])),
+    triangles: Uint32Array.from(triangles),
+    trianglePatch: new Uint32Array(triangles.length / 3),
+    patches: [{ name: "cubes" }],
+  };
+  return { ...project, bodies: [createBody(surface, { id: 1, firstPatchId: 100, name: "cubes" })] };
+}
+
+const cubeCorner = (x: number): Position => [x, x, x];
+
+describe("Boolean operations on bodies with inner shells", () => {
+  it("keep cavities, and what lies in them", () => {
+    const volume = (kind: BooleanKind, ...edges: readonly number[]): number => {
+      const [body] = combined(nestedAndHalf(...edges), kind).bodies ?? [];
+      if (!body) throw new Error("there is no body");
+      const { points, triangles } = bodySurface(body);
+      return triangleVolume(points, triangles);
+    };
+    expect(volume("intersection", 4, 2)).toBeCloseTo(32 - 4, 5);
+    expect(volume("union", 4, 2)).toBeCloseTo(256 + 32 - 4, 4);
+    expect(volume("intersection", 4, 2, 1)).toBeCloseTo(32 - 4 + 0.5, 5);
+    expect(volume("intersection", 1, 4, 2)).toBeCloseTo(32 - 4 + 0.5, 5);
+  });
+
+  it("are refused if inner shells are regions", () => {
+    const offerIn = (project: Project) =>
+      offerBoolean(
+        library,
+        { ...project, meshing: { innerShells: "regions" } },
+        solidsOf(project),
+        "intersection",
+      );
+    expect(offerIn(nestedAndHalf(4, 2))).toMatchObject({ possible: false, reason: /regions/ });
+    expect(offerIn(nestedAndHalf(4)).possible).toBe(true);
   });
 });
 
@@ -249,7 +295,7 @@ describe("the samples of solid pieces", () => {
         const [body] = bodies;
         if (!body) return volumeOf(drawn);
         const { points, triangles } = bodySurface(body);
-        expect(orientedOutward(points, triangles)).not.toBeNull();
+        expect(orientedSurface(points, triangles)).not.toBeNull();
         return triangleVolume(points, triangles);
       };
       expect(volume("intersection") / (areas[1] ?? 1)).toBeCloseTo(1, 5);
@@ -269,15 +315,15 @@ describe("the orientation of a surface", () => {
       for (let t = 0; t < 4; ++t) {
         if ((flips >> t) & 1) given.subarray(3 * t, 3 * t + 3).reverse();
       }
-      const oriented = orientedOutward(points, given);
+      const oriented = orientedSurface(points, given);
       if (!oriented) throw new Error("the tetrahedron is closed");
-      expect(triangleVolume(points, oriented)).toBeCloseTo(1 / 6, 15);
+      expect(triangleVolume(points, oriented.triangles)).toBeCloseTo(1 / 6, 15);
     }
   });
 
   it("does not exist for an open surface or an edge with three triangles", () => {
-    expect(orientedOutward(points, tetrahedron.slice(3))).toBeNull();
-    expect(orientedOutward(points, Uint32Array.of(...tetrahedron, 0, 1, 3))).toBeNull();
-    expect(orientedOutward(points, new Uint32Array())).toBeNull();
+    expect(orientedSurface(points, tetrahedron.slice(3))).toBeNull();
+    expect(orientedSurface(points, Uint32Array.of(...tetrahedron, 0, 1, 3))).toBeNull();
+    expect(orientedSurface(points, new Uint32Array())).toBeNull();
   });
 });

@@ -1,5 +1,5 @@
 import type { ManifoldToplevel } from "manifold-3d";
-import { createBody, type Project } from "tetrafront";
+import { createBody, MESH_DEFAULTS, type Project } from "tetrafront";
 import { operationStrings } from "../../strings";
 import { nextBodyIds } from "../body-edits";
 import type { Offer } from "../create";
@@ -15,7 +15,7 @@ const texts = operationStrings.booleans;
 
 /**
  * Offers to replace two solids by their combination. If both are planar, the result is points, lines and planar patches;
- * otherwise it is a body with the names of the patches.
+ * otherwise it is a body with the names of the patches. Inner shells are cavities: it is refused if they are regions.
  */
 export function offerBoolean(
   library: ManifoldToplevel,
@@ -23,6 +23,9 @@ export function offerBoolean(
   [first, second]: readonly [Solid, Solid],
   kind: BooleanKind,
 ): Offer {
+  const innerShells = project.meshing?.innerShells ?? MESH_DEFAULTS.innerShells;
+  const hasInnerRegions = innerShells === "regions" && (first.hasInnerShells || second.hasInnerShells);
+  if (hasInnerRegions) return { possible: false, reason: texts.innerRegions };
   const combined = combine(library, first, second, kind);
   if (!combined) return { possible: false, reason: texts.nothing };
   const rest = withoutSolids(project, [...first.entities, ...second.entities]);

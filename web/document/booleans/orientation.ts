@@ -1,24 +1,73 @@
+import { boxOf } from "../drawn-surface";
+import type { Position } from "../position";
+import { cornerOf, windingNumber, type Triangles } from "../winding-number";
+
 /** Orients closed surfaces. */
 
+export interface OrientedSurface {
+  /** Counter-clockwise as seen from outside the solid: the triangles of an inner shell, from its cavity. */
+  readonly triangles: Uint32Array;
+  /** Whether a component lies within another. */
+  readonly hasInnerShells: boolean;
+}
+
 /**
- * Returns the triangles with all normals pointing outward; null if the surface is not closed, or not every edge has exactly
- * two triangles. Each component is oriented by the sign of its own volume. O(triangles).
+ * Orients the boundary of a solid; null if the surface is not closed, or not every edge has exactly two triangles. Each
+ * component is turned outward by the sign of its own volume, then those at an odd depth of nesting are turned inward.
+ * O(triangles) per component within the boxes of others.
  */
-export function orientedOutward(points: Float64Array, triangles: Uint32Array): Uint32Array | null {
+export function orientedSurface(points: Float64Array, triangles: Uint32Array): OrientedSurface | null {
   const count = triangles.length / 3;
   const neighbours = neighboursOf(triangles);
   if (count === 0 || !neighbours) return null;
   const oriented = triangles.slice();
   const visited = new Uint8Array(count);
+  const components: number[][] = [];
   for (let seed = 0; seed < count; ++seed) {
     if (visited[seed]) continue;
     const component = orientedFrom(seed, triangles, oriented, neighbours, visited);
     if (!component) return null;
     const volume = component.reduce((sum, triangle) => sum + volumeBelow(points, oriented, triangle), 0);
     if (volume < 0) for (const triangle of component) flip(oriented, triangle);
+    components.push(component);
   }
-  return oriented;
+  const depths = depthsOf(components.map((component) => shellOf(points, oriented, component)));
+  components.forEach((component, index) => {
+    if ((depths[index] ?? 0) % 2 === 1) for (const triangle of component) flip(oriented, triangle);
+  });
+  return { triangles: oriented, hasInnerShells: depths.some((depth) => depth > 0) };
 }
+
+/** A component, with its own nodes only. */
+function shellOf(points: Float64Array, triangles: Uint32Array, component: readonly number[]): Triangles {
+  const corners = component.flatMap((triangle) => [...triangles.subarray(3 * triangle, 3 * triangle + 3)]);
+  const own = Float64Array.from(corners.flatMap((node) => cornerOf(points, node)));
+  return { points: own, triangles: Uint32Array.from(corners, (_, corner) => corner) };
+}
+
+/** Returns within how many of the others each shell lies. All shells are oriented outward and do not cross. */
+function depthsOf(shells: readonly Triangles[]): number[] {
+  const boxes = shells.map(({ points }) => boxOf(points));
+  return shells.map((shell, inner) => {
+    // In the middle of a triangle: another shell may touch a node.
+    const place = middleOfFirst(shell);
+    return shells.filter((other, index) => {
+      const box = boxes[index];
+      if (index === inner || !box) return false;
+      const isWithinBox = place.every((x, k) => x > (box.low[k] ?? x) && x < (box.high[k] ?? x));
+      return isWithinBox && windingNumber(other, place) > 0.5;
+    }).length;
+  });
+}
+
+const middleOfFirst = ({ points }: Triangles): Position => {
+  const [a, b, c] = [0, 1, 2].map((node) => cornerOf(points, node));
+  return [0, 1, 2].map((k) => ((a?.[k] ?? 0) + (b?.[k] ?? 0) + (c?.[k] ?? 0)) / 3) as [
+    number,
+    number,
+    number,
+  ];
+};
 
 /** Returns the triangle beyond each edge, by 3 · triangle + edge; null if an edge has not exactly two triangles. */
 function neighboursOf(triangles: Uint32Array): Int32Array | null {

@@ -3,7 +3,7 @@ import { bodiesOf, entityKey, type Entity } from "../entities";
 import { coincidenceLength } from "../insert-shape";
 import { PointIndex } from "../point-index";
 import type { Position } from "../position";
-import { orientedOutward } from "./orientation";
+import { orientedSurface } from "./orientation";
 
 /** Closed bodies of a model as oriented triangles, for Boolean operations. */
 
@@ -20,6 +20,8 @@ export interface Solid {
   readonly points: Float64Array;
   /** Three nodes per triangle, counter-clockwise as seen from outside. */
   readonly triangles: Uint32Array;
+  /** Whether a part of the surface lies within another, as the boundary of a cavity does. */
+  readonly hasInnerShells: boolean;
   /** Per triangle: index in `patches`. */
   readonly trianglePatch: Uint32Array;
   readonly patches: readonly SolidPatch[];
@@ -116,10 +118,10 @@ function solidOf(project: Project, entities: readonly Entity[], samples: Project
 
 function solidOfBody(entities: readonly Entity[], body: ProjectBody): Solid | null {
   const { points, triangles, trianglePatch } = bodySurface(body);
-  const oriented = orientedOutward(points, triangles);
+  const oriented = orientedSurface(points, triangles);
   if (!oriented) return null;
   const patches = body.patches.map(({ name }) => ({ name: name ?? body.name }));
-  return { entities, points, triangles: oriented, trianglePatch, patches, isPlanar: false };
+  return { entities, points, ...oriented, trianglePatch, patches, isPlanar: false };
 }
 
 function solidOfPatches(
@@ -156,12 +158,12 @@ function solidOfPatches(
     patches.push({ name });
   });
   const flat = Float64Array.from(points);
-  const oriented = orientedOutward(flat, Uint32Array.from(triangles));
+  const oriented = orientedSurface(flat, Uint32Array.from(triangles));
   if (!oriented) return null;
   return {
     entities,
     points: flat,
-    triangles: oriented,
+    ...oriented,
     trianglePatch: Uint32Array.from(trianglePatch),
     patches,
     isPlanar,
