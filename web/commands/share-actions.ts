@@ -1,10 +1,14 @@
 /** Links to a state of a recorded front, and code that embeds it in another page. Loaded when they are used. */
+import type { FrontOrder, Project } from "tetrafront";
 import type { App } from "../app/app";
-import { queryOf, type SharedFront } from "../player/shared-front";
+import { meshKey } from "../document/content-keys";
+import { knownCandidate, queryOf, type SharedFront } from "../player/shared-front";
+import { isUntouched } from "../session/document-store";
+import { loadModel } from "../session/gallery";
 import { showNotice } from "../session/shell";
 import { shareStrings as texts } from "../strings/share";
 import type { Viewer } from "../viewer/viewer";
-import { showMessage } from "./messages";
+import { showFailure, showMessage } from "./messages";
 import { runEnd } from "./run-end";
 
 /** Records the front of the present model, and shows the state that an address names. */
@@ -17,16 +21,9 @@ export async function showShared(app: App, shared: SharedFront): Promise<void> {
   const { player } = app;
   player.state.setState({ coloring: shared.coloring });
   player.seek(shared.step);
-  player.state.setState({ candidate: knownCandidate(app, shared.candidate) });
+  const { step } = player.state.getState();
+  player.state.setState({ candidate: knownCandidate(recorded.trace, step, shared.candidate) });
   if (shared.camera) (await viewerOf(app)).setPose(shared.camera);
-}
-
-/** Returns the candidate if the step shown has tried so many. */
-function knownCandidate({ player }: App, candidate: number | null): number | null {
-  const { trace, step } = player.state.getState();
-  const shown = trace?.stepAt(step);
-  const count = shown?.kind === "advance" ? shown.candidates.length : 0;
-  return candidate !== null && candidate < count ? candidate : null;
 }
 
 /** Resolves when the view is there; never without WebGL. */
@@ -43,39 +40,66 @@ function viewerOf({ viewer: store }: App): Promise<Viewer> {
 }
 
 /**
- * Returns the state of the front that is shown; null if no address can name it, because the model is not an unchanged one of the
- * gallery, or no front is shown.
+ * Returns the state of the front that is shown; null if no address can name it, because the front is not that of an
+ * unchanged model of the gallery, or no front is shown. Throws if the model cannot be loaded.
  */
-export function sharedFrontOf({ documents, gallery, player, viewer }: App): SharedFront | null {
-  const { trace, step, coloring, candidate } = player.state.getState();
-  const { history } = documents.state.getState();
-  const { project } = history.present;
+export async function sharedFrontOf(app: App): Promise<SharedFront | null> {
+  const { trace, step, coloring, candidate } = app.player.state.getState();
+  if (!trace || trace.header.name !== app.documents.project.name) return null;
+  const { order } = trace.header;
+  const camera = app.viewer.getState().viewer?.pose ?? null;
+  const open = await openModel(app, order);
+  if (!open) return null;
+  const usual = open.original.meshing?.order ?? "layered";
+  return { model: open.id, step, order: order === usual ? null : order, coloring, candidate, camera };
+}
+
+interface OpenModel {
+  /** Id of the model in the gallery. */
+  readonly id: string;
+  readonly original: Project;
+}
+
+/**
+ * Returns the model of the gallery that the open document is; null if it is another one or was changed. Its order may be
+ * another one: it is replaced by `order` in the comparison.
+ */
+async function openModel({ documents, gallery }: App, order: FrontOrder): Promise<OpenModel | null> {
+  const state = documents.state.getState();
+  const { project } = state.history.present;
   const model = gallery.models.find(({ title }) => title === project.name);
-  if (!trace || !model || history.past.length > 0) return null;
-  return {
-    model: model.id,
-    step,
-    order: trace.header.order === "layered" ? null : trace.header.order,
-    coloring,
-    candidate,
-    camera: viewer.getState().viewer?.pose ?? null,
-  };
+  if (!model || !isUntouched(state)) return null;
+  const original = await loadModel(model);
+  if (documents.state.getState().id !== state.id) return null;
+  const [given, open] = [original, project].map((each) =>
+    meshKey({ ...each, meshing: { ...each.meshing, order } }),
+  );
+  return given === open ? { id: model.id, original } : null;
 }
 
 export async function copyLink(app: App): Promise<void> {
-  const shared = sharedFrontOf(app);
-  if (shared) await copy(app, addressOf("index.html", shared), texts.linkCopied);
-  else showMessage(app, texts.noLink, [texts.onlyGallery]);
+  await withShared(app, (shared) => copy(app, addressOf("index.html", shared), texts.linkCopied));
 }
 
 /** Copies the HTML that shows the state in a frame of another page. */
 export async function copyEmbedCode(app: App): Promise<void> {
-  const shared = sharedFrontOf(app);
-  if (!shared) return showMessage(app, texts.noLink, [texts.onlyGallery]);
   const title = app.documents.project.name.replace(/[<>&"]/g, "");
-  const address = addressOf("embed.html", shared).replaceAll("&", "&amp;");
-  const code = `<iframe src="${address}" title="${title}" loading="lazy" style="width: 100%; aspect-ratio: 4 / 3; border: 0"></iframe>`;
-  await copy(app, code, texts.codeCopied);
+  await withShared(app, (shared) => {
+    const address = addressOf("embed.html", shared).replaceAll("&", "&amp;");
+    const code = `<iframe src="${address}" title="${title}" loading="lazy" style="width: 100%; aspect-ratio: 4 / 3; border: 0"></iframe>`;
+    return copy(app, code, texts.codeCopied);
+  });
+}
+
+/** Calls `use` with the state of the front that is shown, or says why no address names it. */
+async function withShared(app: App, use: (shared: SharedFront) => Promise<void>): Promise<void> {
+  try {
+    const shared = await sharedFrontOf(app);
+    if (shared) await use(shared);
+    else showMessage(app, texts.noLink, [texts.onlyGallery]);
+  } catch (error) {
+    showFailure(app, texts.noLink, error);
+  }
 }
 
 function addressOf(page: string, shared: SharedFront): string {

@@ -1,6 +1,7 @@
 /** A state of the front of a model of the gallery, as an address names it. */
-import { FRONT_ORDERS, type FrontOrder } from "tetrafront";
+import { FRONT_ORDERS, type FrontOrder, type Trace } from "tetrafront";
 import type { CameraPose } from "../viewer/camera";
+import { surfaceState } from "./phases";
 import type { FrontColoring } from "./player";
 
 export interface SharedFront {
@@ -46,6 +47,14 @@ export function queryOf({ model, step, order, coloring, candidate, camera }: Sha
     query.set("camera", numbers.map((x) => Number(x.toPrecision(digits))).join(","));
   }
   return query;
+}
+
+/** Returns the candidate if the step shown has tried it; else null. */
+export function knownCandidate(trace: Trace, step: number, candidate: number | null): number | null {
+  const state = surfaceState(trace, step);
+  const shown = state === null ? trace.stepAt(step) : trace.surface?.stepAt(state);
+  const count = shown?.kind === "advance" || shown?.kind === "edge" ? shown.candidates.length : 0;
+  return candidate !== null && candidate < count ? candidate : null;
 }
 
 /** Steps of lines and patches are negative. */

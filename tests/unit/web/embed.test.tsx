@@ -2,7 +2,7 @@
 /** The page that shows a front in other pages, without WebGL: its player, its keys and its link. */
 import { MantineProvider } from "@mantine/core";
 import { createRoot, type Root } from "react-dom/client";
-import type { Mesher } from "tetrafront";
+import { writeProject, type Mesher, type Project } from "tetrafront";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { App } from "../../../web/app/app";
 import { copyLink, sharedFrontOf } from "../../../web/commands/share-actions";
@@ -39,6 +39,9 @@ const shared: SharedFront = {
   camera: null,
 };
 
+/** A model of the gallery with the name that the trace has. */
+const model: Project = { ...cubeProject(), name: "star" };
+
 let app: App;
 let host: HTMLElement;
 let root: Root;
@@ -57,9 +60,10 @@ beforeEach(async () => {
       }
     },
   );
+  vi.stubGlobal("fetch", () => Promise.resolve(new Response(writeProject(model))));
   app = new App(
     {
-      first: { document: newDocument(cubeProject()) },
+      first: { document: newDocument(model) },
       mesher: busyMesher,
       previewMesher: busyMesher,
       library: null,
@@ -67,7 +71,7 @@ beforeEach(async () => {
     {
       gallery: {
         opening: "cube",
-        models: [{ id: "cube", title: "Unit cube", blurb: "", group: "", file: "" }],
+        models: [{ id: "cube", title: "star", blurb: "", group: "", file: "" }],
       },
       generate: false,
       still: true,
@@ -104,11 +108,11 @@ it("plays a trace with buttons and keys, and links to the app", async () => {
 });
 
 it("has a link for the step of an unchanged example, and for nothing else", async () => {
-  expect(sharedFrontOf(app)).toBeNull();
+  expect(await sharedFrontOf(app)).toBeNull();
   app.player.open(bytes);
   app.player.seek(7);
   app.player.state.setState({ coloring: "layer" });
-  expect(sharedFrontOf(app)).toMatchObject({ model: "cube", step: 7, coloring: "layer", camera: null });
+  expect(await sharedFrontOf(app)).toMatchObject({ model: "cube", step: 7, coloring: "layer", camera: null });
   const written: string[] = [];
   vi.stubGlobal("navigator", {
     clipboard: { writeText: (text: string) => Promise.resolve(written.push(text)) },
@@ -116,8 +120,30 @@ it("has a link for the step of an unchanged example, and for nothing else", asyn
   await copyLink(app);
   expect(written).toEqual([expect.stringMatching(/\?model=cube&step=7&color=layer$/)]);
   app.documents.edit({ label: "Change", replace: [[["name"], "Mine"]] });
-  expect(sharedFrontOf(app)).toBeNull();
+  expect(await sharedFrontOf(app)).toBeNull();
   await copyLink(app);
   expect(written).toHaveLength(1);
   expect(app.shell.getState().message?.lines.join()).toContain("unchanged examples");
+});
+
+it("has no link for another model with the title of an example", async () => {
+  const sphere = { ...model, meshing: { ...model.meshing, size: 0.123 } };
+  app.showProject(sphere);
+  app.player.open(bytes);
+  expect(await sharedFrontOf(app)).toBeNull();
+  // The order of a front is a part of its address.
+  app.showProject({ ...model, meshing: { ...model.meshing, order: "first-in" } });
+  app.player.open(bytes);
+  expect(await sharedFrontOf(app)).toMatchObject({ model: "cube", order: null });
+  // A trace of another model, from a file.
+  app.showProject(cubeProject());
+  app.player.open(bytes);
+  expect(await sharedFrontOf(app)).toBeNull();
+});
+
+it("says why there is no link if the example cannot be loaded", async () => {
+  app.player.open(bytes);
+  vi.stubGlobal("fetch", () => Promise.reject(new Error("There is no connection")));
+  await copyLink(app);
+  expect(app.shell.getState().message?.lines.join()).toContain("no connection");
 });

@@ -11,6 +11,7 @@ import {
   phaseStart,
   surfaceState,
 } from "../../../web/player/phases";
+import { knownCandidate } from "../../../web/player/shared-front";
 import { nextStop, refusedIn } from "../../../web/player/stops";
 import { surfaceScene } from "../../../web/player/surface-scene";
 import { planePaths } from "../../../web/player/plane-drawing";
@@ -98,4 +99,16 @@ test("the sides of all lines are drawn when the lines are divided", () => {
   expect(surfaceScene(trace, 0)).toMatchObject({ sides: [], front: [], finished: 0 });
   const { sides } = surfaceScene(trace, surface.lastLineStep);
   expect(sides).toHaveLength(2 * surface.summary().lines.sides);
+});
+
+test("an address names the candidates that a step has tried, also in patches", () => {
+  for (let state = firstState(trace); state <= Math.min(trace.stepCount, 50); state++) {
+    const inSurface = surfaceState(trace, state);
+    const step = inSurface === null ? trace.stepAt(state) : surfaceOf().stepAt(inSurface);
+    const count = step && "candidates" in step ? step.candidates.length : 0;
+    const known = [null, 0, 1, 2, 3].map((candidate) => knownCandidate(trace, state, candidate));
+    expect(known).toEqual([null, ...[0, 1, 2, 3].map((candidate) => (candidate < count ? candidate : null))]);
+  }
+  const edge = surfaceOf().lastLineStep + 2 + firstState(trace);
+  expect(knownCandidate(trace, edge, 0)).toBe(0);
 });
