@@ -2,12 +2,14 @@
 import type { FrontOrder, MeshReport, Trace } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { App } from "../app/app";
+import { meshKey } from "../document/content-keys";
 import { isShown } from "../lessons/check-task";
 import { course, finishTask } from "../lessons/course";
 import type { Lesson } from "../lessons/lesson";
 import { loadLessonModel } from "../lessons/lesson-files";
 import type { PlayerState } from "../player/player";
 import type { Recorded } from "../player/recording";
+import { settledProject } from "../session/document-store";
 import { strings } from "../strings";
 import { showFailure } from "./messages";
 import { showModel } from "./project-actions";
@@ -21,9 +23,17 @@ export interface LessonRun {
   readonly report: MeshReport;
 }
 
+/** A document in a state of which all meshes are equal. */
+interface ShownModel {
+  readonly documentId: string;
+  readonly meshKey: string;
+}
+
 /** The fronts that were recorded for the lesson whose model was shown last. */
 export interface LessonRuns {
   readonly lesson: Lesson | null;
+  /** The model of the lesson as it was opened; null until then. */
+  readonly model: ShownModel | null;
   readonly runs: readonly LessonRun[];
   /** True while the model is being loaded and its front recorded. */
   readonly isPreparing: boolean;
@@ -34,7 +44,7 @@ const stores = new WeakMap<App, StoreApi<LessonRuns>>();
 export function lessonRuns(app: App): StoreApi<LessonRuns> {
   const known = stores.get(app);
   if (known) return known;
-  const made = createStore<LessonRuns>(() => ({ lesson: null, runs: [], isPreparing: false }));
+  const made = createStore<LessonRuns>(() => ({ lesson: null, model: null, runs: [], isPreparing: false }));
   stores.set(app, made);
   app.player.state.subscribe((state) => noteShown(made.getState(), state));
   return made;
@@ -71,14 +81,17 @@ export async function openLesson(app: App, lesson: Lesson, number: number): Prom
  */
 export async function showLessonModel(app: App, lesson: Lesson): Promise<void> {
   const store = lessonRuns(app);
-  store.setState({ lesson, runs: [], isPreparing: true });
+  store.setState({ lesson, model: null, runs: [], isPreparing: true });
   try {
     const project = await loadLessonModel(lesson, app.gallery);
     // Another lesson was opened meanwhile.
     if (store.getState().lesson !== lesson) return;
     showModel(app, project);
+    const model = shownModel(app);
+    store.setState({ model });
     app.shell.setState({ bottomTab: "front", drawer: "right" });
     await runEnd(app);
+    if (store.getState().lesson !== lesson || !isShownModel(app, model)) return;
     const recorded = await app.player.record();
     if (store.getState().lesson !== lesson || recorded?.kind !== "recorded") return;
     store.setState({ runs: [runOf(lesson.order, recorded)] });
@@ -97,15 +110,31 @@ export function showBeginning({ player }: App, { step, coloring }: Lesson): void
   player.seek(step);
 }
 
-/** Records the front of the present lesson in another order, and shows it. Returns whether this has succeeded. */
+/**
+ * Records the front of the present lesson in another order, and shows it. If another document is open, or the model was
+ * changed, opens the model of the lesson first. Returns whether this has succeeded.
+ */
 export async function compareRun(app: App, order: FrontOrder): Promise<boolean> {
   const store = lessonRuns(app);
-  const { lesson } = store.getState();
+  const { lesson, model } = store.getState();
+  if (!lesson) return false;
+  if (!isShownModel(app, model)) await showLessonModel(app, lesson);
+  if (store.getState().lesson !== lesson || !isShownModel(app, store.getState().model)) return false;
   const recorded = await app.player.record(order);
   if (store.getState().lesson !== lesson || recorded?.kind !== "recorded") return false;
   const others = store.getState().runs.filter((run) => run.order !== order);
   store.setState({ runs: [...others, runOf(order, recorded)] });
   return true;
+}
+
+function shownModel({ documents }: App): ShownModel {
+  const state = documents.state.getState();
+  return { documentId: state.id, meshKey: meshKey(settledProject(state)) };
+}
+
+function isShownModel(app: App, model: ShownModel | null): boolean {
+  const shown = shownModel(app);
+  return model?.documentId === shown.documentId && model.meshKey === shown.meshKey;
 }
 
 /** Shows the front of a run, and keeps its share of the steps. */

@@ -1,0 +1,121 @@
+/** The runs of a lesson: always of its own model. */
+import { readTrace, writeProject, type MeshReport, type Mesher, type Project } from "tetrafront";
+import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { App } from "../../../web/app/app";
+import { compareRun, lessonRuns, showLessonModel } from "../../../web/commands/lesson-actions";
+import { moveEntity } from "../../../web/document/edits";
+import type { Lesson } from "../../../web/lessons/lesson";
+import { newDocument } from "../../../web/session/document-store";
+import { cubeProject } from "../../support/projects";
+import { boxSurface } from "../../support/surfaces";
+import { starSurface, starTrace } from "../../support/traces";
+
+const { bytes } = starTrace(starSurface(boxSurface(2, [-1, -1, -1], [1, 1, 1])));
+const idleMesher = Promise.resolve({
+  meshProject: () => new Promise(() => undefined),
+  previewProject: () => new Promise(() => undefined),
+} as unknown as Mesher);
+
+const lesson: Lesson = {
+  id: "order",
+  title: "The order",
+  model: "cube",
+  order: "layered",
+  step: 1,
+  coloring: "age",
+  paper: "3",
+  tasks: [{ kind: "compare", ask: "Compare.", order: "first-in" }],
+  text: "A text.",
+};
+const cube: Project = { ...cubeProject(), name: "Cube" };
+
+let app: App;
+/** Names and first points of the models that were recorded. */
+let recorded: { readonly name: string; readonly x: number | undefined }[];
+
+beforeEach(() => {
+  vi.stubGlobal(
+    "Worker",
+    class {
+      postMessage(): void {
+        // Never answers.
+      }
+    },
+  );
+  vi.stubGlobal("document", { baseURI: "https://example.org/" });
+  vi.stubGlobal("fetch", () => Promise.resolve(new Response(writeProject(cube))));
+  app = new App(
+    {
+      first: { document: newDocument({ ...cubeProject(), name: "Mine" }) },
+      mesher: idleMesher,
+      previewMesher: idleMesher,
+      library: null,
+    },
+    {
+      gallery: {
+        opening: "cube",
+        models: [{ id: "cube", title: "Cube", blurb: "", group: "", file: "cube.json" }],
+      },
+      generate: false,
+      still: true,
+    },
+  );
+  recorded = [];
+  vi.spyOn(app.player, "record").mockImplementation(() => {
+    const { name, points } = app.documents.project;
+    recorded.push({ name, x: points[0]?.position[0] });
+    const trace = readTrace(bytes);
+    if (!trace.success) throw new Error(trace.errors[0].message);
+    app.player.show(trace.value, bytes);
+    return Promise.resolve({
+      kind: "recorded",
+      trace: trace.value,
+      file: bytes,
+      report: {} as unknown as MeshReport,
+    });
+  });
+});
+afterEach(() => {
+  vi.restoreAllMocks();
+  vi.unstubAllGlobals();
+});
+
+const orders = (): readonly string[] =>
+  lessonRuns(app)
+    .getState()
+    .runs.map(({ order }) => order);
+const own = { name: "Cube", x: cube.points[0]?.position[0] };
+
+it("are compared without opening the model again", async () => {
+  await showLessonModel(app, lesson);
+  const { id } = app.documents.state.getState();
+  expect(await compareRun(app, "first-in")).toBe(true);
+  expect(app.documents.state.getState().id).toBe(id);
+  expect(recorded).toEqual([own, own]);
+  expect(orders()).toEqual(["layered", "first-in"]);
+});
+
+it("are of the lesson's model if another document was opened", async () => {
+  await showLessonModel(app, lesson);
+  app.showProject({ ...cubeProject(), name: "Mine" });
+  expect(await compareRun(app, "first-in")).toBe(true);
+  expect(recorded).toEqual([own, own, own]);
+  expect(app.documents.project.name).toBe("Cube");
+  expect(orders()).toEqual(["layered", "first-in"]);
+});
+
+it("are of the lesson's model if it was changed", async () => {
+  await showLessonModel(app, lesson);
+  app.documents.edit(moveEntity("point", 1, 0, -2));
+  expect(await compareRun(app, "first-in")).toBe(true);
+  expect(recorded).toEqual([own, own, own]);
+});
+
+it("are not compared if the lesson's model cannot be opened", async () => {
+  await showLessonModel(app, lesson);
+  app.showProject({ ...cubeProject(), name: "Mine" });
+  vi.stubGlobal("fetch", () => Promise.reject(new Error("There is no connection")));
+  expect(await compareRun(app, "first-in")).toBe(false);
+  expect(recorded).toEqual([own]);
+  expect(app.shell.getState().message?.lines.join()).toContain("no connection");
+});
