@@ -9,7 +9,7 @@ import { createApp, type Intent, type Start } from "./app/create-app";
 import { offerLeftDocument } from "./commands/project-actions";
 import type { DrawnKind } from "./document/entities";
 import { Page } from "./panels/page/page";
-import { sharedFrontIn } from "./player/shared-front";
+import { sharedFrontIn, withoutFront } from "./player/shared-front";
 import { listenForPalette } from "./panels/shared/palette";
 import { cssVariables, theme } from "./ui/theme/theme";
 
@@ -44,9 +44,14 @@ function startOf(query: URLSearchParams): Start | null {
 }
 
 const shared = sharedFrontIn(query);
-if (shared && app.gallery.models.some(({ id }) => id === shared.model)) {
-  void import("./commands/share-actions").then(({ showShared }) => showShared(app, shared));
+if (shared) {
+  void import("./commands/share-actions").then(({ showSharedIfOpen }) => showSharedIfOpen(app, shared));
 }
+
+// The step that the address names belongs to the first document.
+app.documents.state.subscribe(({ id }, before) => {
+  if (id !== before.id) window.history.replaceState(null, "", withoutFront(window.location.href));
+});
 
 const lesson = query.get("lesson");
 if (lesson !== null) {

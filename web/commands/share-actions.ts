@@ -11,6 +11,14 @@ import type { Viewer } from "../viewer/viewer";
 import { showFailure, showMessage } from "./messages";
 import { runEnd } from "./run-end";
 
+/**
+ * Shows the state that an address names if its model is open and unchanged. After a reload, another document may be open.
+ */
+export async function showSharedIfOpen(app: App, shared: SharedFront): Promise<void> {
+  const open = await openModel(app, shared.order ?? "layered").catch(() => null);
+  if (open?.id === shared.model) await showShared(app, shared);
+}
+
 /** Records the front of the present model, and shows the state that an address names. */
 export async function showShared(app: App, shared: SharedFront): Promise<void> {
   app.shell.setState({ bottomTab: "front" });

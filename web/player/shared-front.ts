@@ -49,6 +49,13 @@ export function queryOf({ model, step, order, coloring, candidate, camera }: Sha
   return query;
 }
 
+/** Returns an address without the state of a front; a model stays. */
+export function withoutFront(address: string): URL {
+  const changed = new URL(address);
+  for (const name of ["step", "order", "color", "candidate", "camera"]) changed.searchParams.delete(name);
+  return changed;
+}
+
 /** Returns the candidate if the step shown has tried it; else null. */
 export function knownCandidate(trace: Trace, step: number, candidate: number | null): number | null {
   const state = surfaceState(trace, step);

@@ -5,7 +5,7 @@ import { createRoot, type Root } from "react-dom/client";
 import { writeProject, type Mesher, type Project } from "tetrafront";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { App } from "../../../web/app/app";
-import { copyLink, sharedFrontOf } from "../../../web/commands/share-actions";
+import { copyLink, sharedFrontOf, showSharedIfOpen } from "../../../web/commands/share-actions";
 import { EmbedPage } from "../../../web/panels/embed/embed-page";
 import { newDocument } from "../../../web/session/document-store";
 import type { SharedFront } from "../../../web/player/shared-front";
@@ -146,4 +146,25 @@ it("says why there is no link if the example cannot be loaded", async () => {
   vi.stubGlobal("fetch", () => Promise.reject(new Error("There is no connection")));
   await copyLink(app);
   expect(app.shell.getState().message?.lines.join()).toContain("no connection");
+});
+
+it("shows the step of an address only if its example is open and unchanged", async () => {
+  const record = vi.spyOn(app.player, "record").mockResolvedValue(null);
+  const cancel = vi.spyOn(app.run, "cancel");
+  app.showProject({ ...cubeProject(), name: "Mine" });
+  await showSharedIfOpen(app, shared);
+  app.showProject({ ...model, meshing: { ...model.meshing, size: 0.123 } });
+  await showSharedIfOpen(app, shared);
+  app.showProject(model);
+  await showSharedIfOpen(app, { ...shared, model: "other" });
+  app.documents.edit({ label: "Change", replace: [[["name"], "Mine"]] });
+  await showSharedIfOpen(app, shared);
+  expect(record).not.toHaveBeenCalled();
+  expect(app.shell.getState().bottomTab).not.toBe("front");
+  app.documents.undo();
+  app.showProject(model);
+  cancel.mockClear();
+  await showSharedIfOpen(app, { ...shared, order: "random" });
+  expect(cancel).toHaveBeenCalledTimes(1);
+  expect(record).toHaveBeenCalledWith("random");
 });

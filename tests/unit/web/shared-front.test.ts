@@ -1,6 +1,6 @@
 /** Addresses of states of a front. */
 import { expect, it } from "vitest";
-import { queryOf, sharedFrontIn, type SharedFront } from "../../../web/player/shared-front";
+import { queryOf, sharedFrontIn, withoutFront, type SharedFront } from "../../../web/player/shared-front";
 
 const full: SharedFront = {
   model: "unit-cube",
@@ -41,4 +41,10 @@ it.each([
   ["camera=1e999,2,3,1,2,3", { camera: null }],
 ])("ignore %s, which means nothing", (query, expected) => {
   expect(sharedFrontIn(new URLSearchParams(`model=a&step=1&${query}`))).toMatchObject(expected);
+});
+
+it("lose the front and keep the rest when another document is opened", () => {
+  const address = withoutFront(`https://example.org/app/?test=1&${queryOf(full).toString()}#top`);
+  expect(address.href).toBe("https://example.org/app/?test=1&model=unit-cube#top");
+  expect(sharedFrontIn(address.searchParams)).toBeNull();
 });
