@@ -1,9 +1,8 @@
 import type { App } from "../app/app";
-import { addGroup, groupableMembers } from "../document/groups";
+import { addGroup, isGroupable } from "../document/groups";
 
 /** Returns whether groups can hold what is selected. */
-export const canGroup = (app: App): boolean =>
-  groupableMembers(app.view.state.getState().selection).length > 0;
+export const canGroup = (app: App): boolean => app.view.state.getState().selection.some(isGroupable);
 
 /** Makes a group of the selection. */
 export function groupSelection(app: App): void {

@@ -1,11 +1,11 @@
 import { SOURCE_GROWTH, type LineType, type PatchType, type Project } from "tetrafront";
 import { stepNames } from "../strings";
-import { listOf, recordOf } from "./draft-records";
+import { draftFinder } from "./draft-records";
 import type { DraftEdit } from "./edit";
-import { setLineType, setPatchType } from "./edits";
-import { findRecord, type Entity } from "./entities";
-import { expressionOf, keepingExpressions } from "./expression-edits";
-import { numberAt, setNumberAt, type NumberPath } from "./number-paths";
+import { changeLineTypes, changePatchTypes } from "./edits";
+import { recordsOf, type Entity } from "./entities";
+import { expressionFinder, keepingExpressions } from "./expression-edits";
+import { numberAt, recordFinder, setNumberAt, type NumberPath } from "./number-paths";
 
 /** What several selected entities have in common, and edits that change it in all of them. */
 
@@ -39,22 +39,21 @@ export interface CommonNumber {
   readonly expression: string | undefined;
 }
 
-/** Returns the numbers that all given entities have. */
+/** Returns the numbers that all given entities have. O(entities + records of their kinds + expressions). */
 export function commonNumbers(project: Project, entities: readonly Entity[]): CommonNumber[] {
   const [first] = entities;
   const fields = (first && fieldsOf[first.kind]) ?? [];
+  const [record, expression] = [recordFinder(project), expressionFinder(project)];
   return fields
     .filter((field) => entities.every(({ kind }) => fieldsOf[kind]?.includes(field)))
     .map((field) => ({
       field,
-      value: same(
-        entities.map(({ kind, id }) => numberAt(findRecord(project, kind, id), field) ?? defaults[field]),
-      ),
+      value: same(entities.map((entity) => numberAt(record(entity), field) ?? defaults[field])),
       expression:
         same(
           entities.map((entity) => {
             const path = pathOf(entity, field);
-            return path && expressionOf(project, path);
+            return path && expression(path);
           }),
         ) ?? undefined,
     }));
@@ -66,7 +65,7 @@ function same<Value>(values: readonly (Value | undefined)[]): Value | null {
   return first !== undefined && values.every((value) => value === first) ? first : null;
 }
 
-/** Sets a number of all given entities, with the expression that was typed. */
+/** Sets a number of all given entities, with the expression that was typed. Costs as much as `commonNumbers`. */
 export function setCommonNumber(
   entities: readonly Entity[],
   field: CommonField,
@@ -77,8 +76,9 @@ export function setCommonNumber(
     label: stepNames.setCommon[field](entities.length),
     mergeKey: `common-${field}-${entities.map(({ kind, id }) => `${kind}${id}`).join()}`,
     change: ({ project }) => {
-      for (const { kind, id } of entities) {
-        const record = recordOf(listOf(project, kind), id);
+      const find = draftFinder(project);
+      for (const entity of entities) {
+        const record = find(entity);
         setNumberAt(record, field, value);
         if (field === "stretching" && record && "stretching" in record && !("direction" in record)) {
           Object.assign(record, { direction: [1, 0, 0] });
@@ -100,22 +100,20 @@ export function commonType(
   kind: "line" | "patch",
 ): LineType | PatchType | null | undefined {
   if (entities.length === 0 || entities.some((entity) => entity.kind !== kind)) return undefined;
-  return same<LineType | PatchType>(entities.map(({ id }) => findRecord(project, kind, id)?.type));
+  const types = new Map<number, LineType | PatchType>(
+    recordsOf(project, kind).map(({ id, type }) => [id, type]),
+  );
+  return same(entities.map(({ id }) => types.get(id)));
 }
 
-const together = (label: string, edits: readonly DraftEdit[]): DraftEdit => ({
-  label,
-  change: (draft) => edits.forEach((edit) => edit.change(draft)),
+export const setCommonLineType = (entities: readonly Entity[], type: LineType): DraftEdit => ({
+  label: stepNames.setCommonType(entities.length, "lines"),
+  change: ({ project }) => changeLineTypes(project, idsOf(entities), type),
 });
 
-export const setCommonLineType = (entities: readonly Entity[], type: LineType): DraftEdit =>
-  together(
-    stepNames.setCommonType(entities.length, "lines"),
-    entities.map(({ id }) => setLineType(id, type)),
-  );
+export const setCommonPatchType = (entities: readonly Entity[], type: PatchType): DraftEdit => ({
+  label: stepNames.setCommonType(entities.length, "patches"),
+  change: ({ project }) => changePatchTypes(project, idsOf(entities), type),
+});
 
-export const setCommonPatchType = (entities: readonly Entity[], type: PatchType): DraftEdit =>
-  together(
-    stepNames.setCommonType(entities.length, "patches"),
-    entities.map(({ id }) => setPatchType(id, type)),
-  );
+const idsOf = (entities: readonly Entity[]): readonly number[] => entities.map(({ id }) => id);

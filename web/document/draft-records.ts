@@ -1,7 +1,7 @@
 import { isDraft, original, type Draft } from "mutative";
 import { entityNouns } from "../strings";
 import type { DocumentContent } from "./edit";
-import type { DrawnKind } from "./entities";
+import type { DrawnKind, Entity } from "./entities";
 
 /** What edits need to find and to name the records that they change. */
 
@@ -38,4 +38,28 @@ export function listOf(project: ProjectDraft, kind: DrawnKind): { id: number; na
 export function recordOf<Item extends { readonly id: number }>(list: Item[], id: number): Item | undefined {
   const records = isDraft(list) ? original(list) : list;
   return list[records.findIndex((record) => record.id === id)];
+}
+
+/** As `recordOf`, for many records: indexes the ids once. For edits that neither add nor remove records. */
+export function finderIn<Item extends { readonly id: number }>(
+  list: Item[],
+): (id: number) => Item | undefined {
+  const records = isDraft(list) ? original(list) : list;
+  const indices = new Map(records.map((record, index) => [record.id, index]));
+  return (id) => {
+    const index = indices.get(id);
+    return index === undefined ? undefined : list[index];
+  };
+}
+
+type AnyRecord = ReturnType<typeof listOf>[number];
+
+/** As `finderIn`, for records of all kinds: indexes each kind once. */
+export function draftFinder(project: ProjectDraft): (entity: Entity) => AnyRecord | undefined {
+  const finders = new Map<DrawnKind, (id: number) => AnyRecord | undefined>();
+  return ({ kind, id }) => {
+    let find = finders.get(kind);
+    if (!find) finders.set(kind, (find = finderIn(listOf(project, kind))));
+    return find(id);
+  };
 }

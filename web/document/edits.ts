@@ -1,9 +1,9 @@
 import type { Project, ProjectLine, ProjectPatch } from "tetrafront";
 import { stepNames } from "../strings";
-import { listOf, nounOf, recordOf, type Axis } from "./draft-records";
+import { finderIn, listOf, nounOf, recordOf, type Axis, type ProjectDraft } from "./draft-records";
 import type { DraftEdit, ProjectEdit } from "./edit";
 import { pointsForType } from "./line-types";
-import { dependentsOf, entityKey, type DrawnKind, type Entity } from "./entities";
+import { dependentFinder, entityKey, type DrawnKind, type Entity } from "./entities";
 
 /**
  * Changes of the project's name and of its entities, as named edits for the history. An edit of a missing entity
@@ -52,13 +52,23 @@ export function renameProject(name: string): ProjectEdit {
 export function setLineType(id: number, type: ProjectLine["type"]): DraftEdit {
   return {
     label: stepNames.setLineType(id),
-    change: ({ project }) => {
-      const line = recordOf(project.lines, id);
-      if (!line) return;
-      line.points = [...pointsForType(line.points, line.type, type)];
-      line.type = type;
-    },
+    change: ({ project }) => changeLineTypes(project, [id], type),
   };
+}
+
+/** Changes the type of lines in a draft. O(ids + lines). */
+export function changeLineTypes(
+  project: ProjectDraft,
+  ids: readonly number[],
+  type: ProjectLine["type"],
+): void {
+  const find = finderIn(project.lines);
+  for (const id of ids) {
+    const line = find(id);
+    if (!line) continue;
+    line.points = [...pointsForType(line.points, line.type, type)];
+    line.type = type;
+  }
 }
 
 export function setLinePoints(id: number, points: readonly number[]): ProjectEdit {
@@ -74,11 +84,21 @@ export function setLinePoints(id: number, points: readonly number[]): ProjectEdi
 export function setPatchType(id: number, type: ProjectPatch["type"]): DraftEdit {
   return {
     label: stepNames.setPatchType(id),
-    change: ({ project }) => {
-      const patch = recordOf(project.patches, id);
-      if (patch) patch.type = type;
-    },
+    change: ({ project }) => changePatchTypes(project, [id], type),
   };
+}
+
+/** Changes the type of patches in a draft. O(ids + patches). */
+export function changePatchTypes(
+  project: ProjectDraft,
+  ids: readonly number[],
+  type: ProjectPatch["type"],
+): void {
+  const find = finderIn(project.patches);
+  for (const id of ids) {
+    const patch = find(id);
+    if (patch) patch.type = type;
+  }
 }
 
 /** The outer loop first; a negative id traverses its line backwards. */
@@ -94,13 +114,14 @@ export function setPatchLoops(id: number, loops: readonly (readonly number[])[])
   };
 }
 
-/** Returns the given entities and all that depend on them, directly or indirectly. */
+/** Returns the given entities and all that depend on them, directly or indirectly. O(entities + lines + patches). */
 export function withDependents(project: Project, entities: readonly Entity[]): Entity[] {
   const found = new Map<string, Entity>();
+  const dependentsOf = dependentFinder(project);
   const visit = (entity: Entity): void => {
     if (found.has(entityKey(entity))) return;
     found.set(entityKey(entity), entity);
-    dependentsOf(project, entity).forEach(visit);
+    dependentsOf(entity).forEach(visit);
   };
   entities.forEach(visit);
   return [...found.values()];

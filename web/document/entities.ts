@@ -125,7 +125,37 @@ export function indexById(project: Project, kind: DrawnKind): ReadonlyMap<number
   return new Map(recordsOf(project, kind).map((record, index) => [record.id, index]));
 }
 
-/** The entities built directly on this one: lines of a point, patches of a line. */
+/** As `dependentsOf`, for many entities: indexes lines and patches once, when the first point or line is asked for. */
+export function dependentFinder(project: Project): (entity: Entity) => readonly Entity[] {
+  let lines: ReadonlyMap<number, readonly Entity[]> | undefined;
+  let patches: ReadonlyMap<number, readonly Entity[]> | undefined;
+  return ({ kind, id }) => {
+    if (kind === "point")
+      return (lines ??= dependentsBy(project.lines, "line", (line) => line.points)).get(id) ?? [];
+    if (kind !== "line") return [];
+    patches ??= dependentsBy(project.patches, "patch", ({ loops }) => loops.flat().map(Math.abs));
+    return patches.get(id) ?? [];
+  };
+}
+
+/** Returns the entities of a list by the ids of what they are built on, in the order of the list. */
+function dependentsBy<Item extends { readonly id: number }>(
+  list: readonly Item[],
+  kind: DrawnKind,
+  basesOf: (item: Item) => readonly number[],
+): ReadonlyMap<number, readonly Entity[]> {
+  const found = new Map<number, Entity[]>();
+  for (const item of list) {
+    for (const base of new Set(basesOf(item))) {
+      const dependents = found.get(base);
+      if (dependents) dependents.push({ kind, id: item.id });
+      else found.set(base, [{ kind, id: item.id }]);
+    }
+  }
+  return found;
+}
+
+/** The entities built directly on this one: lines of a point, patches of a line. O(lines + patches). */
 export function dependentsOf(project: Project, entity: Entity): Entity[] {
   switch (entity.kind) {
     case "point":

@@ -1,23 +1,29 @@
+import { current, isDraft } from "mutative";
 import type { Project, ProjectExpression } from "tetrafront";
 import { parameterValues } from "../expressions/parameters";
 import { isPlainNumber, readNumber } from "../expressions/expression";
-import type { ProjectDraft } from "./draft-records";
+import { draftFinder, type ProjectDraft } from "./draft-records";
 import type { DocumentContent, DraftChange, DraftEdit } from "./edit";
-import {
-  isAllowed,
-  numberAt,
-  pathKey,
-  recordFinder,
-  samePath,
-  setNumberAt,
-  type NumberPath,
-} from "./number-paths";
+import { isAllowed, numberAt, pathKey, recordFinder, setNumberAt, type NumberPath } from "./number-paths";
 
 /** Expressions that the project keeps for its numbers. */
 
 /** Returns the expression of a number; undefined if it has none. */
 export const expressionOf = ({ expressions }: Project, path: NumberPath): string | undefined =>
-  expressions?.find((kept) => samePath(kept, path))?.expression;
+  expressions?.find(({ kind, id, field }) => kind === path.kind && id === path.id && field === path.field)
+    ?.expression;
+
+/** Returns a function that finds the expressions of numbers; it indexes them once. */
+export function expressionFinder({ expressions = [] }: Project): (path: NumberPath) => string | undefined {
+  const texts = new Map(expressions.map((kept) => [pathKey(kept), kept.expression]));
+  return (path) => texts.get(pathKey(path));
+}
+
+/** What an expression is kept for; null to forget it. */
+interface KeptExpression {
+  readonly path: NumberPath;
+  readonly expression: string | null;
+}
 
 /** Returns a typed text if it is worth keeping: anything but a plain number. */
 export const expressionFrom = (text: string): string | null => (isPlainNumber(text) ? null : text.trim());
@@ -27,16 +33,13 @@ export function keepingExpression(edit: DraftEdit, path: NumberPath, expression:
   return keepingExpressions(edit, [{ path, expression }]);
 }
 
-/** As `keepingExpression`, for several numbers. */
-export function keepingExpressions(
-  edit: DraftEdit,
-  kept: readonly { readonly path: NumberPath; readonly expression: string | null }[],
-): DraftEdit {
+/** As `keepingExpression`, for several numbers. O(numbers + expressions of the project). */
+export function keepingExpressions(edit: DraftEdit, kept: readonly KeptExpression[]): DraftEdit {
   return {
     ...edit,
     change: (draft) => {
       edit.change(draft);
-      for (const { path, expression } of kept) keep(draft.project, path, expression);
+      keep(draft.project, kept);
     },
   };
 }
@@ -47,24 +50,34 @@ export function keepCoordinates(
   point: number,
   expressions: readonly (string | null)[] = [],
 ): void {
-  expressions.forEach((expression, axis) => {
-    if (expression !== null)
-      keep(project, { kind: "point", id: point, field: `position.${axis}` }, expression);
-  });
+  const kept = expressions.map((expression, axis): KeptExpression => ({
+    path: { kind: "point", id: point, field: `position.${axis}` },
+    expression,
+  }));
+  keep(
+    project,
+    kept.filter(({ expression }) => expression !== null),
+  );
 }
 
-function keep(project: ProjectDraft, path: NumberPath, expression: string | null): void {
-  const index = project.expressions?.findIndex((kept) => samePath(kept, path)) ?? -1;
-  if (expression === null) {
-    if (index < 0) return;
-    if (project.expressions?.length === 1) delete project.expressions;
-    else project.expressions?.splice(index, 1);
-    return;
+function keep(project: ProjectDraft, kept: readonly KeptExpression[]): void {
+  if (kept.length === 0) return;
+  const { expressions = [] } = project;
+  // A search in the draft would make a draft of every expression.
+  const before = isDraft(expressions) ? current(expressions) : expressions;
+  const texts = new Map(before.map((one) => [pathKey(one), one]));
+  let isChanged = false;
+  for (const { path, expression } of kept) {
+    const key = pathKey(path);
+    if (texts.get(key)?.expression === (expression ?? undefined)) continue;
+    const { kind, id, field } = path;
+    if (expression === null) texts.delete(key);
+    else texts.set(key, { kind, id, field, expression });
+    isChanged = true;
   }
-  const { kind, id, field } = path;
-  const found = project.expressions?.[index];
-  if (found) found.expression = expression;
-  else (project.expressions ??= []).push({ kind, id, field, expression });
+  if (!isChanged) return;
+  if (texts.size > 0) project.expressions = [...texts.values()];
+  else delete project.expressions;
 }
 
 /**
@@ -94,7 +107,7 @@ export function agreement(before: Project, after: Project): DraftChange<Document
   if (set.length === 0 && forgotten.size === 0) return undefined;
   return {
     change: ({ project }) => {
-      const draftOf = draftFinder(after, project);
+      const draftOf = draftFinder(project);
       for (const [kept, value] of set) setNumberAt(draftOf(kept), kept.field, value);
       if (forgotten.size === 0) return;
       const rest = expressions.filter((kept) => !forgotten.has(pathKey(kept)));
@@ -107,18 +120,4 @@ export function agreement(before: Project, after: Project): DraftChange<Document
 function valueOf(path: NumberPath, text: string, values: ReadonlyMap<string, number>): number | null {
   const value = readNumber(text, values);
   return value !== null && isAllowed(path, value) ? value : null;
-}
-
-/** Returns a function that makes the draft of a record, and of no other record. */
-function draftFinder(project: Project, draft: ProjectDraft): (path: NumberPath) => object | undefined {
-  const lists = {
-    point: [project.points, draft.points],
-    body: [project.bodies ?? [], draft.bodies ?? []],
-    "background-node": [project.background.nodes, draft.background.nodes],
-    source: [project.background.sources ?? [], draft.background.sources ?? []],
-  } as const;
-  return ({ kind, id }) => {
-    const [records, drafts] = lists[kind];
-    return drafts[records.findIndex((record) => record.id === id)];
-  };
 }

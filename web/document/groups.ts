@@ -25,21 +25,20 @@ function memberOf({ kind, id }: Entity): Member | undefined {
   return known && { kind: known, id };
 }
 
-const sameMember = (a: Member, b: Member): boolean => a.kind === b.kind && a.id === b.id;
+/** Returns whether groups can hold an entity. */
+export const isGroupable = (entity: Entity): boolean => memberOf(entity) !== undefined;
+
+const memberKey = ({ kind, id }: Member): string => `${kind} ${id}`;
 
 /** Returns the entities of a group. */
 export function groupEntities(project: Project, { members }: ProjectGroup): Entity[] {
   return members.map(({ kind, id }) => (kind === "patch" ? patchEntity(project, id) : { kind, id }));
 }
 
-/** Returns the members that a selection would give a group. */
-export function groupableMembers(entities: readonly Entity[]): Member[] {
-  const members: Member[] = [];
-  for (const entity of entities) {
-    const member = memberOf(entity);
-    if (member && !members.some((other) => sameMember(other, member))) members.push(member);
-  }
-  return members;
+/** Returns the members that a selection would give a group, each once. O(entities). */
+function groupableMembers(entities: readonly Entity[]): Member[] {
+  const members = entities.flatMap((entity) => memberOf(entity) ?? []);
+  return [...new Map(members.map((member) => [memberKey(member), member])).values()];
 }
 
 /** Makes a group of entities, with the next free id and the next colour. */
@@ -81,12 +80,11 @@ export const renameGroup = (project: Project, id: number, name: string): Project
 export const colorGroup = (project: Project, id: number, color: GroupColor): ProjectEdit =>
   changeGroup(project, id, stepNames.colorGroup, (group) => ({ ...group, color }), `group-color-${id}`);
 
-/** Adds entities to a group. */
+/** Adds entities to a group. O(members + entities). */
 export const extendGroup = (project: Project, id: number, entities: readonly Entity[]): ProjectEdit =>
   changeGroup(project, id, stepNames.extendGroup, (group) => {
-    const added = groupableMembers(entities).filter(
-      (member) => !group.members.some((other) => sameMember(other, member)),
-    );
+    const known = new Set(group.members.map(memberKey));
+    const added = groupableMembers(entities).filter((member) => !known.has(memberKey(member)));
     return added.length === 0 ? group : { ...group, members: [...group.members, ...added] };
   });
 

@@ -1,16 +1,13 @@
 import { LIMITS, type Project, type ProjectExpression } from "tetrafront";
-import { recordsOf } from "./entities";
+import { recordsOf, type Entity } from "./entities";
 
 /** One number of an entity: the subject of an expression. */
 export type NumberPath = Pick<ProjectExpression, "kind" | "id" | "field">;
 
-export const samePath = (a: NumberPath, b: NumberPath): boolean =>
-  a.kind === b.kind && a.id === b.id && a.field === b.field;
-
 export const pathKey = ({ kind, id, field }: NumberPath): string => `${kind}-${id}-${field}`;
 
 /** Returns a function that finds the records of a project by kind and id; it indexes each kind once. */
-export function recordFinder(project: Project): (path: NumberPath) => object | undefined {
+export function recordFinder(project: Project): (entity: Entity) => object | undefined {
   const indices = new Map<string, ReadonlyMap<number, object>>();
   return ({ kind, id }) => {
     let index = indices.get(kind);

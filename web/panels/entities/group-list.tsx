@@ -8,8 +8,8 @@ import {
   colorGroup,
   cssColor,
   extendGroup,
-  groupableMembers,
   groupEntities,
+  isGroupable,
   removeGroup,
   renameGroup,
 } from "../../document/groups";
@@ -91,7 +91,7 @@ function GroupRow({ group }: { readonly group: ProjectGroup }) {
 export function GroupButtons({ selection }: { readonly selection: readonly Entity[] }) {
   const app = useApp();
   const project = useProject();
-  if (groupableMembers(selection).length === 0) return null;
+  if (!selection.some(isGroupable)) return null;
   return (
     <div className={styles["buttons"]}>
       <Button
