@@ -84,6 +84,7 @@ export class TransformTool implements Tool {
 
   move(pointer: ToolPointer | null): void {
     if (pointer && this.#drag && this.#handles) {
+      if (!pointer.isDrag) return;
       const { map, numbers } = this.#handles.drag(this.#normalized(pointer.at), this.#steps(pointer));
       this.#drag.map = map;
       this.#show(this.#drag, false);
@@ -100,9 +101,9 @@ export class TransformTool implements Tool {
     if (!drag) return this.#otherwise.up(pointer);
     this.#drag = null;
     this.#handles?.release(this.#normalized(pointer.at));
-    this.#show(drag, true);
-    drag.gesture.commit();
-    this.#stores.drawing.state.setState({ amount: null });
+    if (pointer.isDrag && this.#show(drag, true)) drag.gesture.commit();
+    else drag.gesture.cancel();
+    this.#stores.drawing.state.setState({ amount: null, refused: null });
   }
 
   cancel(): void {
@@ -163,10 +164,12 @@ export class TransformTool implements Tool {
     return { length: roundStep(stepPixels * viewer.pixelLength), angle: angleStep, factor: factorStep };
   }
 
-  #show({ project, selection, gesture, mode, map }: Drag, join: boolean): void {
+  /** Returns whether the drag so far is possible. */
+  #show({ project, selection, gesture, mode, map }: Drag, join: boolean): boolean {
     const offer = offerTransform(project, selection, map, { label: steps[mode], join });
     if (offer.possible) gesture.update(offer.creation.edit);
     this.#refuse(offer.possible ? null : offer.reason);
+    return offer.possible;
   }
 
   /** Says why the drag does nothing. */

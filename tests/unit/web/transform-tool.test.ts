@@ -117,6 +117,20 @@ describe("the handles of a selection", () => {
     expect(documents.state.getState().history.past).toEqual([]);
   });
 
+  it("change nothing by a click, and join nothing", async () => {
+    const project = centred();
+    const [first] = project.points;
+    if (!first) throw new Error("the cube has no points");
+    await shown({ ...project, points: [...project.points, { ...first, id: 100 }] }, "translate");
+    const given = documents.project;
+    const x = pressRight();
+    tool.move(pointer(x + 1, 50, { isDrag: false }));
+    expect(documents.project).toBe(given);
+    tool.up(pointer(x + 1, 50, { isDrag: false }));
+    expect(documents.project).toBe(given);
+    expect(documents.state.getState()).toMatchObject({ gestureStart: null, history: { past: [] } });
+  });
+
   it("rotate by steps of 15 degrees about the middle, and keep all distances", async () => {
     await shown(centred(), "rotate");
     const x = pressRight();
@@ -152,6 +166,7 @@ describe("the handles of a selection", () => {
     tool.up(pointer(x + 9, 50));
     expect(positions()).toEqual(before);
     expect(documents.state.getState().history.past).toEqual([]);
+    expect(drawing.state.getState()).toMatchObject({ amount: null, refused: null });
   });
 
   it("leave everything else to the other tool", async () => {
