@@ -154,6 +154,8 @@ export class DragTool implements Tool {
 
   #begin(pointer: ToolPointer): Drag | null {
     const { documents, viewer } = this.#stores;
+    // A press must not end the preview of an operation.
+    if (documents.state.getState().gestureStart !== null) return null;
     const hit = pointer.hit();
     if (!hit || hit.target.kind === "element") return null;
     const target: Entity = hit.target;
@@ -185,9 +187,7 @@ export class DragTool implements Tool {
     const { selection, several } = view.state.getState();
     const isSelected = selection.some((entity) => sameEntity(entity, target));
     if (this.#draggable === "held-points") {
-      // A press must not end the preview of an operation.
-      const { gestureStart } = this.#stores.documents.state.getState();
-      if (target.kind !== "point" || several || gestureStart !== null) return null;
+      if (target.kind !== "point" || several) return null;
       if (isSelected) return selection;
       const isOfLine = selection.some(
         ({ kind, id }) => kind === "line" && findRecord(project, "line", id)?.points.includes(target.id),

@@ -111,6 +111,8 @@ export class HandleTool implements Tool {
   }
 
   #begin(pointer: ToolPointer): Drag | null {
+    // A press must not end the preview of an operation.
+    if (this.#stores.documents.state.getState().gestureStart !== null) return null;
     const index = this.#indexAt(pointer);
     const handled = this.#handled;
     const handle = index === null ? undefined : this.#handles[index];

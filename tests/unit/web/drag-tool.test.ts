@@ -157,3 +157,12 @@ it("drags only held points in the mode of the select tool: selected ones, and th
   preview.update(moveEntity("point", first().id, 2, 7));
   expect(first().position[2]).toBe(7);
 });
+
+it("does not end the preview of an operation by a press", () => {
+  const [x = 0, y = 0] = first().position;
+  const preview = documents.begin("Preview of an operation");
+  expect(tool.down(pointer(x, y, { kind: "point", id: first().id }))).toBe(false);
+  expect(view.state.getState().selection).toEqual([]);
+  preview.update(moveEntity("point", first().id, 2, 7));
+  expect(first().position[2]).toBe(7);
+});
