@@ -5,8 +5,8 @@ import { cornerOf, windingNumber, type Triangles } from "./winding-number";
 
 /**
  * Returns whether a solid of a file lies in the material of another, or fills a void of another with which it shares all
- * its faces: shells inside a region are then regions. Otherwise they are cavities, and a solid inside a void is meshed
- * all the same. `bodies`: the surfaces made of the file. O(n) per pair of bodies whose boxes are nested.
+ * its faces: shells inside a region are then regions. Otherwise they are cavities, but a solid inside a void is still
+ * meshed. `bodies`: the surfaces made of the file. O(n) per pair of bodies whose boxes are nested.
  */
 export function hasInnerSolid(
   bodies: readonly Triangles[],

@@ -118,7 +118,7 @@ export interface Defects {
   readonly patches: ReadonlySet<number>;
   /** Ids of lines at which the surface is open. */
   readonly openLines: ReadonlySet<number>;
-  /** The model is still being drawn: nobody has asked for its mesh. */
+  /** The model is still being drawn: its mesh has not been asked for. */
   readonly areOpenLinesExpected: boolean;
   /** Indices of triangles in the given surfaces of bodies, by body. */
   readonly bodies: ReadonlyMap<number, readonly number[]>;

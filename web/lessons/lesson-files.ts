@@ -8,7 +8,8 @@ const folder = "lessons/";
 
 /** The lessons that could be read, and what is wrong with the others. */
 export interface Course {
-  readonly lessons: readonly Lesson[];
+  /** Lessons at their places in `index.json`; null for a file with errors. The number of a lesson is its place, from 1. */
+  readonly lessons: readonly (Lesson | null)[];
   readonly errors: readonly string[];
 }
 
@@ -24,9 +25,16 @@ export async function loadCourse(): Promise<Course> {
   const files = listOf(await fetchText("index.json"));
   const read = await Promise.all(files.map(readLesson));
   return {
-    lessons: read.flatMap((parsed) => (parsed.success ? [parsed.lesson] : [])),
+    lessons: read.map((parsed) => (parsed.success ? parsed.lesson : null)),
     errors: read.flatMap((parsed) => (parsed.success ? [] : parsed.errors)),
   };
+}
+
+/** Returns the number of the nearest lesson before or after another one; null if there is none. */
+export function lessonBeside({ lessons }: Course, number: number, direction: 1 | -1): number | null {
+  let other = number + direction;
+  while (other >= 1 && other <= lessons.length && !lessons[other - 1]) other += direction;
+  return lessons[other - 1] ? other : null;
 }
 
 async function readLesson(file: string): Promise<ParsedLesson> {

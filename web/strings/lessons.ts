@@ -25,7 +25,7 @@ const orders: Readonly<Record<FrontOrder, string>> = {
 export const lessonStrings = {
   title: "Lessons",
   intro:
-    "Ten lessons on the advancing-front method. Each opens a model, shows a state of its front, and sets tasks that the app checks.",
+    "Lessons on the advancing-front method. Each opens a model, shows a state of its front, and sets tasks that the app checks.",
   loading: "Loading the lessons…",
   failed: (reason: string) =>
     `The lessons could not be loaded: ${reason}. Check the connection and try again.`,
@@ -44,7 +44,6 @@ export const lessonStrings = {
   show: "Show it",
   goTo: "Go to the beginning of the lesson",
   tasks: "Tasks",
-  task: (task: number) => `Task ${task}`,
   taskDone: "Done",
   taskOpen: "Not done yet",
   reach: (target: keyof typeof targets) => `Reach ${targets[target]} with the player.`,
@@ -71,7 +70,6 @@ export const lessonStrings = {
   orders,
   finished: "All tasks of this lesson are done.",
   restart: "Start this lesson again",
-  cost: "Faces looked at",
   costLinear: "linear search",
   costNear: "search in space",
   costText: (elements: number, linear: number, near: number) =>

@@ -21,5 +21,5 @@ export const shareStrings = {
   copyByHand: "Copy this text",
   openInApp: "Open in Tetrafront",
   loading: "Recording the front…",
-  noModel: "This address names no model. Use embed.html?model=unit-cube&step=100.",
+  noModel: "This address names no model, or no step of it. Use embed.html?model=unit-cube&step=100.",
 } as const;

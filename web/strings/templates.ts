@@ -1,7 +1,7 @@
 /** Texts of the templates of new projects. */
 export const templateStrings = {
   title: "New from template",
-  hint: "The present project stays under File ▸ Open recent.",
+  hint: "The present project stays under File ▸ Open recent if it was changed or has a file.",
   templates: {
     empty: { title: "Empty", blurb: "Nothing but the axes." },
     box: { title: "Box", blurb: "A cube with a uniform size." },

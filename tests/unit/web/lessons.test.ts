@@ -1,11 +1,11 @@
 /** Lessons: what a file may contain, when a task is done, and how the cost of a search is counted. */
 import { readFileSync } from "node:fs";
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
 import { readTrace, type Trace } from "tetrafront";
 import { isRight, isShown, numberIn } from "../../../web/lessons/check-task";
 import { finishTask, isFinished, progress, progressIn, restart } from "../../../web/lessons/course";
 import { parseLesson, type Lesson, type LessonTask, type TaskOf } from "../../../web/lessons/lesson";
-import { listOf } from "../../../web/lessons/lesson-files";
+import { lessonBeside, listOf, loadCourse } from "../../../web/lessons/lesson-files";
 import { flatAngle, runMeasures } from "../../../web/lessons/run-measures";
 import { searchCost } from "../../../web/lessons/search-cost";
 import { boxSurface } from "../../support/surfaces";
@@ -263,6 +263,25 @@ describe("progress", () => {
 });
 
 describe("the list of the lessons", () => {
+  it("numbers lessons by their places, whatever is wrong with other files", async () => {
+    const files: Readonly<Record<string, string>> = {
+      "index.json": '["bad.md", "a.md", "none.md", "b.md"]',
+      "a.md": withHead(fields),
+      "b.md": withHead(fields),
+      "bad.md": "Only text.",
+    };
+    vi.stubGlobal("document", { baseURI: "https://example.org/" });
+    vi.stubGlobal("fetch", (address: URL) => {
+      const content = files[address.pathname.replace("/lessons/", "")];
+      return Promise.resolve(new Response(content, { status: content === undefined ? 404 : 200 }));
+    });
+    const course = await loadCourse().finally(() => vi.unstubAllGlobals());
+    expect(course.lessons.map((lesson) => lesson?.id)).toEqual([undefined, "a", undefined, "b"]);
+    expect(course.errors).toHaveLength(2);
+    expect([1, 2, 3, 4].map((number) => lessonBeside(course, number, 1))).toEqual([2, 4, 4, null]);
+    expect([1, 2, 3, 4].map((number) => lessonBeside(course, number, -1))).toEqual([null, null, 2, 2]);
+  });
+
   it("names ten files, each of which is a lesson", () => {
     const folder = new URL("../../../public/lessons/", import.meta.url);
     const files = listOf(readFileSync(new URL("index.json", folder), "utf8"));

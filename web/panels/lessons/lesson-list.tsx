@@ -16,6 +16,7 @@ export function LessonList({ course: { lessons, errors } }: { readonly course: C
     <>
       <ol className={styles["list"]}>
         {lessons.map((lesson, index) => {
+          if (!lesson) return null;
           const done = lesson.tasks.filter((_, task) => progress[lesson.id]?.includes(task)).length;
           return (
             <li key={lesson.id}>

@@ -4,6 +4,7 @@ import { useEffect, useRef } from "react";
 import { openLesson, showBeginning, showLessonModel } from "../../commands/lesson-actions";
 import { isFinished, restart } from "../../lessons/course";
 import type { Lesson } from "../../lessons/lesson";
+import { lessonBeside, type Course } from "../../lessons/lesson-files";
 import { lessonStrings as texts } from "../../strings/lessons";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
 import { IconButton } from "../../ui/icon-button";
@@ -22,11 +23,11 @@ export interface LessonPageProps {
   readonly lesson: Lesson;
   /** Place of the lesson in the course, from 1. */
   readonly number: number;
-  readonly lessons: readonly Lesson[];
+  readonly course: Course;
 }
 
 /** A lesson: its text, its figure and its tasks. */
-export function LessonPage({ lesson, number, lessons }: LessonPageProps) {
+export function LessonPage({ lesson, number, course }: LessonPageProps) {
   const heading = useRef<HTMLHeadingElement>(null);
   // The button that has opened the lesson is gone: the keys go on from the title.
   useEffect(() => heading.current?.focus({ preventScroll: true }), []);
@@ -37,7 +38,7 @@ export function LessonPage({ lesson, number, lessons }: LessonPageProps) {
       data-testid="lesson-page"
       data-lesson={number}
     >
-      <LessonBar number={number} lessons={lessons} />
+      <LessonBar number={number} course={course} />
       <h2 ref={heading} tabIndex={-1} className={styles["heading"]}>
         {texts.name(number, lesson.title)}
       </h2>
@@ -52,16 +53,17 @@ export function LessonPage({ lesson, number, lessons }: LessonPageProps) {
       <LessonText text={lesson.text} />
       {lesson.figure === "search-cost" && <SearchChart />}
       <TaskList lesson={lesson} />
-      <Finished lesson={lesson} number={number} lessons={lessons} />
+      <Finished lesson={lesson} number={number} course={course} />
     </ScrollPanel>
   );
 }
 
-function LessonBar({ number, lessons }: Omit<LessonPageProps, "lesson">) {
+function LessonBar({ number, course }: Omit<LessonPageProps, "lesson">) {
   const app = useApp();
-  const open = (to: number): void => {
-    const lesson = lessons[to - 1];
-    if (lesson) void openLesson(app, lesson, to);
+  const [previous, next] = [lessonBeside(course, number, -1), lessonBeside(course, number, 1)];
+  const open = (to: number | null): void => {
+    const lesson = to === null ? null : course.lessons[to - 1];
+    if (to !== null && lesson) void openLesson(app, lesson, to);
   };
   return (
     <nav className={styles["bar"]} aria-label={texts.title}>
@@ -79,16 +81,16 @@ function LessonBar({ number, lessons }: Omit<LessonPageProps, "lesson">) {
         <IconButton
           label={texts.previous}
           data-testid="lesson-previous"
-          disabled={number <= 1}
-          onClick={() => open(number - 1)}
+          disabled={previous === null}
+          onClick={() => open(previous)}
         >
           <IconChevronLeft {...icon} />
         </IconButton>
         <IconButton
           label={texts.next}
           data-testid="lesson-next"
-          disabled={number >= lessons.length}
-          onClick={() => open(number + 1)}
+          disabled={next === null}
+          onClick={() => open(next)}
         >
           <IconChevronRight {...icon} />
         </IconButton>
@@ -119,20 +121,21 @@ function FrontState({ lesson }: { readonly lesson: Lesson }) {
   );
 }
 
-function Finished({ lesson, number, lessons }: LessonPageProps) {
+function Finished({ lesson, number, course }: LessonPageProps) {
   const app = useApp();
-  const next = lessons[number];
+  const following = lessonBeside(course, number, 1);
+  const next = following === null ? null : course.lessons[following - 1];
   const done = isFinished(lesson, useProgress());
   return (
     <div className={styles["end"]} role="status">
       {done && (
         <>
           <p data-testid="lesson-finished">{texts.finished}</p>
-          {next && (
+          {following !== null && next && (
             <Button
               size="compact-sm"
               rightSection={<IconChevronRight {...icon} />}
-              onClick={() => void openLesson(app, next, number + 1)}
+              onClick={() => void openLesson(app, next, following)}
             >
               {texts.next}
             </Button>

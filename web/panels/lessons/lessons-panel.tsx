@@ -12,7 +12,7 @@ export function LessonsPanel() {
   const number = useShell((state) => state.lesson);
   const lesson = number === null ? undefined : course?.lessons[number - 1];
   if (course && lesson && number !== null)
-    return <LessonPage key={lesson.id} lesson={lesson} number={number} lessons={course.lessons} />;
+    return <LessonPage key={lesson.id} lesson={lesson} number={number} course={course} />;
   return (
     <ScrollPanel label={texts.title} data-testid="lesson-list">
       <Text size="sm" c="dimmed" mb="xs">
