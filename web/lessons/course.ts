@@ -1,5 +1,4 @@
-/** Which tasks are done, kept in the browser, and the lesson whose front is shown. */
-import type { Trace } from "tetrafront";
+/** The lessons, loaded once, and which of their tasks are done, kept in the browser. */
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { loadCourse, type Course } from "./lesson-files";
 import type { Lesson } from "./lesson";
@@ -16,7 +15,7 @@ function keptProgress(): Progress {
   try {
     return progressIn(JSON.parse(localStorage.getItem(storageKey) ?? "{}"));
   } catch {
-    // Without storage, or with a damaged entry, the course begins anew.
+    // Without storage, or with a damaged entry, no task is done.
     return {};
   }
 }
@@ -53,14 +52,6 @@ export function restart({ id }: Pick<Lesson, "id">): void {
 
 export function isFinished({ id, tasks }: Lesson, done: Progress): boolean {
   return tasks.every((_, task) => done[id]?.includes(task) ?? false);
-}
-
-/** A front that belongs to a lesson. */
-export interface LessonFront {
-  readonly lesson: string;
-  readonly trace: Trace;
-  /** Number of the task of the kind `compare` that has recorded it; null for that of the lesson. */
-  readonly task: number | null;
 }
 
 let loading: Promise<Course> | null = null;

@@ -16,11 +16,6 @@ export function surfaceState(trace: Trace, step: number): number | null {
   return step < 0 ? step - firstState(trace) : null;
 }
 
-/** Returns the number of a state of the lines and patches. */
-export function numberOfSurfaceState(trace: Trace, state: number): number {
-  return firstState(trace) + state;
-}
-
 /** A phase, and its first and last state. */
 export interface PhaseRange {
   readonly phase: Phase;
