@@ -1,6 +1,6 @@
 import type { App } from "../app/app";
 import { pasteOperation } from "../document/operations/paste";
-import { operationStrings } from "../strings";
+import { operationStrings, strings } from "../strings";
 import { addPoints, readPositionList } from "../document/position-list";
 import { create } from "./creation-actions";
 import { fragmentText, readFragment } from "../document/transforms/fragment";
@@ -39,8 +39,18 @@ export async function pasteFragment(app: App): Promise<void> {
 function pastePositions(app: App, text: string): boolean {
   const positions = readPositionList(text);
   if (!positions) return false;
-  if (app.drawing.takeLines(text) === undefined) create(app, addPoints(app.documents.project, positions));
+  if (!pasteLines(app, text)) create(app, addPoints(app.documents.project, positions));
   return true;
+}
+
+/**
+ * Hands pasted lines to the active drawing tool, and tells which line it refuses. Returns false without a tool that takes
+ * coordinates.
+ */
+export function pasteLines(app: Pick<App, "drawing" | "shell">, text: string): boolean {
+  const refused = app.drawing.takeLines(text);
+  if (refused != null) showMessage(app, operationStrings.paste.title, [strings.drawing.refusedLine(refused)]);
+  return refused !== undefined;
 }
 
 /** Is no text of the page selected, which Ctrl C copies then? */

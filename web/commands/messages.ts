@@ -1,7 +1,7 @@
 import type { App } from "../app/app";
 
 /** Opens a dialog with a title and a list of sentences. */
-export function showMessage(app: App, title: string, lines: readonly string[]): void {
+export function showMessage(app: Pick<App, "shell">, title: string, lines: readonly string[]): void {
   app.shell.setState({ message: { title, lines } });
 }
 

@@ -11,15 +11,19 @@ export function linesOf(text: string): readonly string[] {
     .filter((line) => line !== "" && !/^(#|\/\/|%)/.test(line));
 }
 
+/** Returns whether the first line of a list is a heading, such as `x,y,z`, if it is no position: it has words. */
+export const isHeading = (line: string): boolean =>
+  line.split(/[\s,;]+/).some((word) => /^["']?[a-z]/i.test(word));
+
 /**
  * Returns the positions of a pasted list: two or three numbers per line, with commas, semicolons, tabs or spaces between
  * them. A first line of words is a heading. Null if the text is no such list.
  */
 export function readPositionList(text: string): readonly Position[] | null {
-  const all = linesOf(text).map((line) => line.split(/[\s,;]+/).filter(Boolean));
-  const [heading = []] = all;
-  const rows = heading.some((word) => /^["']?[a-z]/i.test(word)) ? all.slice(1) : all;
-  const positions = rows.map((words): Position | null => {
+  const lines = linesOf(text);
+  const rows = isHeading(lines[0] ?? "") ? lines.slice(1) : lines;
+  const positions = rows.map((line): Position | null => {
+    const words = line.split(/[\s,;]+/).filter(Boolean);
     const [x, y, z = 0] = words.map(Number);
     const isPosition = words.length >= 2 && words.length <= 3 && x !== undefined && y !== undefined;
     return isPosition && [x, y, z].every(Number.isFinite) ? [x, y, z] : null;
@@ -40,12 +44,8 @@ export function addPoints(project: Project, positions: readonly Position[]): Cre
           ? stepNames.add(`${entityNouns.point} ${first}`)
           : stepNames.addPoints(ids.length),
       change: ({ project: draft }) => {
-        draft.points.push(
-          ...positions.map((position, i) => ({
-            id: first + i,
-            position: [...position] as [number, number, number],
-          })),
-        );
+        // Not as arguments of one call, whose number has a limit.
+        positions.forEach(([x, y, z], i) => draft.points.push({ id: first + i, position: [x, y, z] }));
       },
     },
   };

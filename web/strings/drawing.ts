@@ -51,6 +51,8 @@ export const drawingStrings = {
     syntax: "Type 1,2,0 or @0.5,0,0 or 5<30.",
     "no-last-place": "There is no place before this one.",
   },
+  refusedLine: (line: string) =>
+    `"${line.length > 80 ? `${line.slice(0, 80)}…` : line}" is no position. The lines before it were used; this one and those after it were not.`,
   gridUnit: (step: string) => `grid ${step}`,
   measurement: "Measurement",
   distance: "distance",

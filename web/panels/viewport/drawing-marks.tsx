@@ -2,6 +2,7 @@ import { TextInput } from "@mantine/core";
 import { IconCopy } from "@tabler/icons-react";
 import { useEffect, useRef } from "react";
 import { useStore } from "zustand";
+import { pasteLines } from "../../commands/clipboard-actions";
 import { measure } from "../../document/measurement";
 import type { Position } from "../../document/position";
 import { formatShort, formatPosition } from "../../ui/format";
@@ -98,7 +99,7 @@ function CoordinateField({ typed }: { readonly typed: string }) {
           if (!text.trim().includes("\n")) return;
           // A field of one line would join the lines.
           event.preventDefault();
-          app.drawing.takeLines(text);
+          pasteLines(app, text);
         }}
         onBlur={() => app.drawing.type(null)}
         onKeyDown={(event) => {

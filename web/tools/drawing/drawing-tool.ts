@@ -60,8 +60,7 @@ export abstract class DrawingTool implements Tool, TypedInput {
   protected abstract leave(): boolean;
   /** Returns what a click at the snapped place would create. */
   protected abstract sketch(): Sketch;
-  /** Whether typed coordinates have a meaning. */
-  protected readonly takesCoordinates: boolean = true;
+  readonly takesCoordinates: boolean = true;
   /** Number of places picked for what is being drawn. */
   protected abstract get picked(): number;
 

@@ -1,5 +1,5 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { linesOf } from "../../document/position-list";
+import { isHeading, linesOf } from "../../document/position-list";
 import type { Position } from "../../document/position";
 import type { ScreenPoint } from "../../viewer/screen";
 import type { Snap } from "./snapping";
@@ -47,6 +47,8 @@ const idle: DrawingState = {
 
 /** The tool that reads typed coordinates. */
 export interface TypedInput {
+  /** Whether typed coordinates have a meaning. */
+  readonly takesCoordinates: boolean;
   /** Uses typed coordinates. Returns why they cannot be used; null if they were. */
   take(text: string): DrawingState["mistake"];
 }
@@ -73,14 +75,18 @@ export class Drawing {
   }
 
   /**
-   * Hands the lines of a pasted text to the tool, one place each. Returns the first line that is no position; null if there is
-   * none. Returns undefined without a tool.
+   * Hands the lines of a pasted text to the tool, one place each, without a heading. Returns the first line that is no
+   * position; null if there is none. Returns undefined without a tool that takes coordinates.
    */
   takeLines(text: string): string | null | undefined {
-    if (!this.#input) return undefined;
+    const input = this.#input;
+    if (!input?.takesCoordinates) return undefined;
     this.type(null);
-    for (const line of linesOf(text)) if (this.#input.take(line) !== null) return line;
-    return null;
+    // The names of parameters are words too: a first line that the tool takes is no heading.
+    const refused = linesOf(text).find(
+      (line, index) => input.take(line) !== null && !(index === 0 && isHeading(line)),
+    );
+    return refused ?? null;
   }
 
   /** Hands the typed text to the tool, and closes the field if the tool has used it. */

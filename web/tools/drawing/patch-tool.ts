@@ -18,7 +18,7 @@ import type { Snap } from "./snapping";
  */
 export class PatchTool extends DrawingTool {
   readonly id = "patch";
-  protected override readonly takesCoordinates = false;
+  override readonly takesCoordinates = false;
   #loops: { readonly paths: readonly LinePath[]; readonly loops: readonly DrawnLoop[] } | null = null;
   #hovered: LoopUse | null = null;
 
