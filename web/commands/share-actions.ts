@@ -99,11 +99,11 @@ export async function copyEmbedCode(app: App): Promise<void> {
   });
 }
 
-/** Calls `use` with the state of the front that is shown, or says why no address names it. */
-async function withShared(app: App, use: (shared: SharedFront) => Promise<void>): Promise<void> {
+/** Calls `pass` with the state of the front that is shown, or says why no address names it. */
+async function withShared(app: App, pass: (shared: SharedFront) => Promise<void>): Promise<void> {
   try {
     const shared = await sharedFrontOf(app);
-    if (shared) await use(shared);
+    if (shared) await pass(shared);
     else showMessage(app, texts.noLink, [texts.onlyGallery]);
   } catch (error) {
     showFailure(app, texts.noLink, error);
