@@ -1,7 +1,6 @@
 import type { Trace } from "tetrafront";
 import { BufferAttribute, BufferGeometry, Group, Mesh } from "three";
 import type { Position } from "../document/position";
-import { subtract } from "../document/vectors";
 import type { Layer } from "../viewer/layers/layer";
 import { createFacetMaterial } from "../viewer/materials/facet-material";
 import { setColor } from "../viewer/materials/uniforms";
@@ -27,6 +26,8 @@ export class SurfaceLayer implements Layer {
   #doneBefore: readonly number[] = [0];
   #madeBefore: readonly number[] = [0];
   #state: number | null = null;
+  /** Whether the triangles are there, relative to the present origin. They are made when a state is first shown. */
+  #hasTriangles = false;
   #origin: Position = [0, 0, 0];
 
   constructor(trace: Trace) {
@@ -59,7 +60,7 @@ export class SurfaceLayer implements Layer {
       for (const part of this.#wide) part.setViewport(viewport.width, viewport.height);
     if (!changes.has("origin")) return;
     this.#origin = origin;
-    this.#writeTriangles();
+    this.#hasTriangles = false;
     this.show(this.#state);
   }
 
@@ -68,6 +69,7 @@ export class SurfaceLayer implements Layer {
     this.#state = state;
     this.root.visible = state !== null;
     if (state === null) return;
+    if (!this.#hasTriangles) this.#writeTriangles();
     const scene = surfaceScene(this.#trace, state);
     this.#sides.set(scene.sides, this.#origin);
     this.#walk.set(scene.walk, this.#origin);
@@ -105,40 +107,42 @@ export class SurfaceLayer implements Layer {
 
   #writeTriangles(): void {
     const { surface } = this.#trace;
-    const [done, made] = [new TriangleList(this.#origin), new TriangleList(this.#origin)];
-    surface?.fronts.forEach((front, index) => {
-      const positions = surface.improvedPositions(index);
-      if (positions && front.improved) done.add(positions, front.improved.triangles);
-      else done.add(front.positions, front.triangles);
-      done.endPart();
-      made.add(front.positions, front.triangles);
-      made.endPart();
+    const fronts = surface?.fronts ?? [];
+    const finished = fronts.map((front, index): Triangles => {
+      const positions = surface?.improvedPositions(index);
+      return positions && front.improved ? { positions, triangles: front.improved.triangles } : front;
     });
-    this.#doneBefore = done.before;
-    this.#madeBefore = made.before;
-    this.#done.set(done.coordinates);
-    this.#made.set(made.coordinates);
+    this.#doneBefore = countsBefore(finished);
+    this.#madeBefore = countsBefore(fronts);
+    this.#done.set(cornersOf(finished, this.#origin));
+    this.#made.set(cornersOf(fronts, this.#origin));
+    this.#hasTriangles = true;
   }
 }
 
-/** Triangles of several parts, one after the other. */
-class TriangleList {
-  readonly coordinates: number[] = [];
-  /** Triangles before each part, and of all parts at the end. */
-  readonly before: number[] = [0];
+/** Three nodes per triangle, and x y z per node. */
+interface Triangles {
+  readonly positions: Float64Array;
+  readonly triangles: Uint32Array;
+}
 
-  constructor(readonly origin: Position) {}
+/** Returns the number of triangles before each part, and of all parts at the end. */
+function countsBefore(parts: readonly Triangles[]): number[] {
+  const counts = [0];
+  let count = 0;
+  for (const { triangles } of parts) counts.push((count += triangles.length / 3));
+  return counts;
+}
 
-  add(positions: Float64Array, triangles: Uint32Array): void {
-    for (const node of triangles) {
-      const [x = 0, y = 0, z = 0] = positions.subarray(3 * node, 3 * node + 3);
-      this.coordinates.push(...subtract([x, y, z], this.origin));
-    }
-  }
-
-  endPart(): void {
-    this.before.push(this.coordinates.length / 9);
-  }
+/** Returns x y z of the corners of all triangles, relative to an origin. */
+function cornersOf(parts: readonly Triangles[], origin: Position): Float32Array {
+  const corners = new Float32Array(9 * (countsBefore(parts).at(-1) ?? 0));
+  let next = 0;
+  for (const { positions, triangles } of parts)
+    for (const node of triangles)
+      for (let axis = 0; axis < 3; axis++)
+        corners[next++] = (positions[3 * node + axis] ?? 0) - (origin[axis] ?? 0);
+  return corners;
 }
 
 /** Triangles of which a range is drawn. */
@@ -156,9 +160,9 @@ class TriangleRange {
     setColor(this.#material, "edgeColor", edgeColor);
   }
 
-  set(coordinates: readonly number[]): void {
+  set(coordinates: Float32Array): void {
     this.object.geometry.dispose();
-    const attribute = new BufferAttribute(Float32Array.from(coordinates), 3);
+    const attribute = new BufferAttribute(coordinates, 3);
     this.object.geometry = new BufferGeometry().setAttribute("position", attribute);
   }
 
