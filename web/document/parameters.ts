@@ -1,5 +1,12 @@
 import type { Project, ProjectExpression } from "tetrafront";
-import { isReservedName, namesIn, readNumber, withNameReplaced } from "../expressions/expression";
+import {
+  isReservedName,
+  maxExpressionLength,
+  type NamedNumbers,
+  namesIn,
+  readNumber,
+  withNameReplaced,
+} from "../expressions/expression";
 import { dependentParameters, parameterValues } from "../expressions/parameters";
 import { parameterProblems, stepNames } from "../strings";
 import type { ProjectDraft } from "./draft-records";
@@ -63,34 +70,45 @@ export function renameParameter(name: string, next: string): ProjectEdit {
   return {
     label: stepNames.renameParameter(name),
     change: ({ project }) => {
+      const values = parameterValues([...(project.parameters ?? [])]);
       const parameter = project.parameters?.find((one) => one.name === name);
       if (parameter) parameter.name = next;
-      replaceName(project, name, next);
+      replaceName(project, name, next, values);
     },
   };
 }
 
 /** Removes a parameter. Expressions that use it get its value, so that the model stays as it is. */
 export function removeParameter(project: Project, name: string): ProjectEdit {
-  const value = parameterValues(project.parameters).get(name);
+  const values = parameterValues(project.parameters);
+  const value = values.get(name);
   return {
     label: stepNames.removeParameter(name),
     change: ({ project: draft }) => {
       const rest = (draft.parameters ?? []).filter((one) => one.name !== name);
       if (rest.length > 0) draft.parameters = rest;
       else delete draft.parameters;
-      if (value !== undefined) replaceName(draft, name, value < 0 ? `(${value})` : String(value));
+      if (value !== undefined) replaceName(draft, name, value < 0 ? `(${value})` : String(value), values);
     },
   };
 }
 
-function replaceName({ parameters = [], expressions = [] }: ProjectDraft, name: string, text: string): void {
-  for (const noted of [...parameters, ...expressions]) {
-    if (namesIn(noted.expression).has(name)) {
-      noted.expression = withNameReplaced(noted.expression, name, text);
-    }
+/** Replaces a name in all expressions. One that would become too long gives way to its value; `values`: those before. */
+function replaceName(draft: ProjectDraft, name: string, text: string, values: NamedNumbers): void {
+  const { parameters = [], expressions = [] } = draft;
+  const replaced = ({ expression }: { readonly expression: string }): string =>
+    namesIn(expression).has(name) ? withNameReplaced(expression, name, text) : expression;
+  for (const parameter of parameters) {
+    const next = replaced(parameter);
+    const value = values.get(parameter.name);
+    parameter.expression = next.length > maxExpressionLength && value !== undefined ? String(value) : next;
   }
+  for (const noted of expressions) noted.expression = replaced(noted);
+  if (expressions.some(isTooLong)) draft.expressions = expressions.filter((noted) => !isTooLong(noted));
 }
+
+const isTooLong = ({ expression }: { readonly expression: string }): boolean =>
+  expression.length > maxExpressionLength;
 
 /** Returns the expressions that use a parameter, directly or through other parameters. */
 export function usesOf({ parameters = [], expressions = [] }: Project, name: string): ProjectExpression[] {

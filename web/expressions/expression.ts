@@ -3,16 +3,20 @@ export type NamedNumbers = ReadonlyMap<string, number>;
 
 const noNames: NamedNumbers = new Map();
 
+/** Largest length of an expression in a project file, in characters. */
+export const maxExpressionLength = 1000;
+
 const tokenPattern = /\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?|[A-Za-z_][A-Za-z0-9_]*|[-+*/^()]|\S/g;
 const namePattern = /^[A-Za-z_]/;
 
 /**
  * Reads a number the way people type it: `0.25`, `1/3`, `2*pi`, `(1+2)/4`, `1e-3`, `-sqrt(2)/2`, `3^2`, `sin(30)`, `2*r` with
  * a number named `r`. Angles are in degrees. Names are case-sensitive; functions and constants are not.
- * Returns null for anything else, and for results that are not finite.
+ * Returns null for anything else, for a text that is too long or nested more than 200 deep, and for results that are not
+ * finite.
  */
 export function readNumber(text: string, named: NamedNumbers = noNames): number | null {
-  const tokens = text.match(tokenPattern);
+  const tokens = text.length > maxExpressionLength ? null : text.match(tokenPattern);
   if (!tokens) return null;
   const reader = new ExpressionReader(tokens, named);
   const value = reader.sum();
@@ -71,11 +75,15 @@ const functions: Readonly<Record<string, (x: number) => number>> = {
 
 const constants: Readonly<Record<string, number>> = { pi: Math.PI };
 
+/** Largest depth of nested parentheses, signs and exponents: deeper ones could exceed the stack. */
+const maxDepth = 200;
+
 /** A recursive-descent parser. Every method returns null if the text is invalid. */
 class ExpressionReader {
   readonly #tokens: readonly string[];
   readonly #named: NamedNumbers;
   #next = 0;
+  #depth = 0;
 
   constructor(tokens: readonly string[], named: NamedNumbers) {
     this.#tokens = tokens;
@@ -104,7 +112,16 @@ class ExpressionReader {
     return value;
   }
 
+  /** Every recursion passes through here. */
   #factor(): number | null {
+    if (this.#depth === maxDepth) return null;
+    ++this.#depth;
+    const value = this.#signed();
+    --this.#depth;
+    return value;
+  }
+
+  #signed(): number | null {
     const sign = this.#take("-", "+");
     if (sign) {
       const value = this.#factor();

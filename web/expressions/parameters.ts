@@ -25,16 +25,28 @@ function evaluated(parameters: readonly Parameter[]): NamedNumbers {
   const expressions = new Map(parameters.map(({ name, expression }) => [name, expression]));
   const values = new Map<string, number>();
   const visited = new Set<string>();
-  const visit = (name: string): void => {
+  // Not by recursion: a chain of parameters may be longer than the stack is deep.
+  const stack: { readonly name: string; readonly expression: string; readonly uses: Iterator<string> }[] = [];
+  const enter = (name: string): void => {
     const expression = expressions.get(name);
     if (expression === undefined || visited.has(name)) return;
     // A parameter that is reached again before it has a value uses itself, and then gets none.
     visited.add(name);
-    namesIn(expression).forEach(visit);
-    const value = readNumber(expression, values);
-    if (value !== null) values.set(name, value);
+    stack.push({ name, expression, uses: namesIn(expression).values() });
   };
-  parameters.forEach(({ name }) => visit(name));
+  for (const { name } of parameters) {
+    enter(name);
+    for (let top = stack.at(-1); top; top = stack.at(-1)) {
+      const used = top.uses.next();
+      if (used.done !== true) {
+        enter(used.value);
+        continue;
+      }
+      stack.pop();
+      const value = readNumber(top.expression, values);
+      if (value !== null) values.set(top.name, value);
+    }
+  }
   return values;
 }
 

@@ -144,6 +144,12 @@ describe("rejected with their path:", () => {
       /expected an expression/,
     ],
     [
+      "a long expression",
+      { parameters: [{ name: "r", expression: "1".repeat(1001) }] },
+      "parameters[0].expression",
+      /expected at most 1000 characters/,
+    ],
+    [
       "a dead expression",
       { expressions: expression("point", 99, "position.0") },
       "expressions[0].id",

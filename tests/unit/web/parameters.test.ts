@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import { readProject, writeProject, type Project } from "tetrafront";
 import { describe, expect, it } from "vitest";
 import { keepingExpression } from "../../../web/document/expression-edits";
 import { deleteEntities, moveEntity } from "../../../web/document/edits";
@@ -56,7 +56,22 @@ describe("an expression with names", () => {
   });
 });
 
+it("an expression that is nested too deep has no value, and fails nothing", () => {
+  const closed = (depth: number) => `${"(".repeat(depth)}1${")".repeat(depth)}`;
+  expect(readNumber(closed(100))).toBe(1);
+  for (const text of [closed(400), `${"-".repeat(900)}1`, `1${"^1".repeat(400)}`, closed(100_000)]) {
+    expect(readNumber(text)).toBeNull();
+  }
+});
+
 describe("parameters", () => {
+  it("have values at the end of a chain of any length", () => {
+    const count = 20_000;
+    const chain = Array.from({ length: count }, (_, k) => ({ name: `p${k}`, expression: `p${k + 1}+1` }));
+    const values = parameterValues([...chain, { name: `p${count}`, expression: "0" }]);
+    expect(values.get("p0")).toBe(count);
+  });
+
   it("use each other in any order; those in a cycle have no value", () => {
     const values = parameterValues([
       { name: "area", expression: "pi*r^2" },
@@ -117,6 +132,31 @@ describe("parameters", () => {
     expect(documents.project.parameters).toBeUndefined();
     expect(documents.project.expressions).toEqual([{ ...x, expression: "(-3)" }]);
   });
+
+  it("give way to their values where a longer name would make an expression too long for the file", () => {
+    const { documents, moveTo, xNow } = opened();
+    const sum = Array.from({ length: 100 }, () => "d").join("+");
+    documents.edit(addParameter("d", "0.5"));
+    documents.edit(addParameter("r", sum));
+    moveTo(50, sum);
+    documents.edit(renameParameter("d", "diameter_of_the_inlet"));
+    expect(documents.project.parameters?.[1]).toEqual({ name: "r", expression: "50" });
+    expect(documents.project.expressions ?? []).toEqual([]);
+    expect(xNow()).toBe(50);
+    expect(readProject(writeProject(documents.project)).success).toBe(true);
+  });
+});
+
+it("an expression is read up to the length that a project file may hold", () => {
+  const isInFile = (expression: string) =>
+    readProject(writeProject({ ...cube, parameters: [{ name: "r", expression }] })).success;
+  for (const [length, isRead] of [
+    [1000, true],
+    [1001, false],
+  ] as const) {
+    const text = "1".padStart(length);
+    expect([readNumber(text) !== null, isInFile(text)]).toEqual([isRead, isRead]);
+  }
 });
 
 describe("typed coordinates", () => {

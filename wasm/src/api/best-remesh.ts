@@ -1,4 +1,5 @@
 /** A remeshing with automatic options merges details that would leave poor triangles. */
+import { MesherError } from "../diagnostics/mesher-error.js";
 import type { PartialControl } from "../engine/control.js";
 import { diagonalOf } from "../formats/near-points.js";
 import type { SurfaceRemesh } from "../mesh/inspection.js";
@@ -36,7 +37,7 @@ export function isAutomaticRemesh(options: RemeshOptions): boolean {
 /**
  * Remeshes a surface with automatic options. If its triangles are poor because of narrow details, merges these, unless
  * that gives a smaller smallest angle. `remesh`: one remeshing with such options. If the second one is stopped, the result
- * is that of the first, but `isPartial`.
+ * is that of the first, but `isPartial`; if it fails, the result is that of the first. Rejects if it is cancelled.
  */
 export async function remeshBest(
   remesh: (options: RemeshOptions, control: PartialControl) => Promise<SurfaceRemesh>,
@@ -47,7 +48,13 @@ export async function remeshBest(
   const all = await remesh(options, partOf(control, 0, FIRST_SHARE));
   if (all.isPartial || all.smallestAngle >= POOR_ANGLE) return all;
   const dropDetails = DROPPED * diagonalOf(points);
-  const merged = await remesh({ ...options, dropDetails }, partOf(control, FIRST_SHARE, 1));
+  const merged = await remesh({ ...options, dropDetails }, partOf(control, FIRST_SHARE, 1)).catch(
+    (failure: unknown) => {
+      if (failure instanceof MesherError && failure.code !== "cancelled") return undefined;
+      throw failure;
+    },
+  );
+  if (merged === undefined) return all;
   if (merged.isPartial) return { ...all, isPartial: true };
   const isBetter =
     merged.smallestAngle > all.smallestAngle && merged.meanRadiusRatio > all.meanRadiusRatio - RATIO_NOISE;

@@ -62,9 +62,9 @@ function wordsFor({ kind, type, input, expected, requirement, message }: v.BaseI
     case "max_value":
       return `expected at most ${shown(requirement)}`;
     case "min_length":
-      return `expected at least ${shown(requirement)}${ITEMS}`;
+      return `expected at least ${shown(requirement)}${unitOf(input)}`;
     case "max_length":
-      return `expected at most ${shown(requirement)}${ITEMS}`;
+      return `expected at most ${shown(requirement)}${unitOf(input)}`;
     case "picklist":
       return `expected one of ${expected?.slice(1, -1).replaceAll(" | ", ", ")}`;
     default:
@@ -73,6 +73,7 @@ function wordsFor({ kind, type, input, expected, requirement, message }: v.BaseI
 }
 
 const ITEMS = " items";
+const unitOf = (input: unknown): string => (typeof input === "string" ? " characters" : ITEMS);
 const NAMES: Readonly<Record<string, string>> = {
   array: "a list",
   boolean: "true or false",

@@ -39,7 +39,10 @@ const NUMBER_FIELDS: Readonly<Record<ExpressionKind, RegExp>> = {
 /** Name of a parameter. */
 const PARAMETER_NAME = /^[A-Za-z_][A-Za-z0-9_]*$/;
 
-const expression = v.pipe(v.string(), v.regex(/\S/, "an expression"));
+/** Largest length of an expression, in characters. */
+const MAX_EXPRESSION = 1000;
+
+const expression = v.pipe(v.string(), v.regex(/\S/, "an expression"), v.maxLength(MAX_EXPRESSION));
 
 export const groupSchema = v.pipe(
   objectWith({
