@@ -7,7 +7,7 @@ import { findRecord, type DrawnKind } from "./entities";
 import { linePaths } from "./line-paths";
 import { drawnLoops, keyOf } from "./loop-search";
 import { orderLoops } from "./loops";
-import { joinDuplicateLines, joinPair, replacing } from "./transforms/join-points";
+import { joinLinePair, joinPair, replacing } from "./transforms/join-points";
 import type { Problem } from "./validate";
 
 /** Changes that solve problems without a decision of the user. Each says what it does; one fix is one step of undo. */
@@ -89,9 +89,10 @@ function joinPoints(problem: Problem): QuickFix | null {
 function joinLines(problem: Problem): QuickFix | null {
   const [a, b] = idsOf(problem, "line");
   if (a === undefined || b === undefined) return null;
-  return simple(fixStrings.joinLines(Math.min(a, b), Math.max(a, b)), (project) => ({
+  const [keep, drop] = [Math.min(a, b), Math.max(a, b)];
+  return simple(fixStrings.joinLines(keep, drop), (project) => ({
     ...project,
-    ...joinDuplicateLines(project),
+    ...joinLinePair(project, keep, drop),
   }));
 }
 
@@ -163,17 +164,36 @@ function openLoops(project: Project, problems: readonly Problem[]): readonly Dra
   return loops;
 }
 
-/** Open lines that lie in one plane and form a loop. */
+/**
+ * Returns the loop that a patch at a line would fill; undefined if there is none. Around a hole, it is the loop outside: with
+ * a patch within the hole too, its lines would still be open.
+ */
+function loopAt(line: number, loops: readonly DrawnLoop[]): DrawnLoop | undefined {
+  const isAmong = (ids: readonly number[]): boolean => ids.some((id) => Math.abs(id) === line);
+  const outside = loops.find(({ holes }) => holes.some(isAmong));
+  const isFilled = outside !== undefined && depthOf(outside, loops) % 2 === 0;
+  return isFilled ? outside : loops.find(({ lines }) => isAmong(lines));
+}
+
+/** Returns within how many of the loops a loop lies. */
+function depthOf({ lines: [first = 0] }: DrawnLoop, loops: readonly DrawnLoop[]): number {
+  const outside = loops.find(({ holes }) => holes.flat().some((id) => Math.abs(id) === Math.abs(first)));
+  return outside ? 1 + depthOf(outside, loops) : 0;
+}
+
+/** Open lines that lie in one plane and form a loop, without the holes within it. */
 function closePatch(problem: Problem, { project, problems }: FixContext): QuickFix | null {
   const [line] = idsOf(problem, "line");
   if (line === undefined) return null;
-  const loop = openLoops(project, problems).find(({ lines }) => lines.some((id) => Math.abs(id) === line));
+  const loop = loopAt(line, openLoops(project, problems));
   if (!loop) return null;
-  const lines = loop.lines.map(Math.abs);
-  const key = keyOf(lines);
+  const outer = loop.lines.map(Math.abs);
+  const holes = loop.holes.flat().map(Math.abs);
+  const lines = [...outer, ...holes];
+  const key = keyOf(outer);
   const isFilled = (current: Project): boolean =>
-    current.patches.some(({ loops: [outer = []] }) => keyOf(outer) === key);
-  return simple(fixStrings.closePatch(lines), (current) => {
+    current.patches.some(({ loops: [first = []] }) => keyOf(first) === key);
+  return simple(fixStrings.closePatch(outer, holes), (current) => {
     if (isFilled(current)) return current;
     const selection = lines.map((id) => ({ kind: "line" as const, id }));
     const found = orderLoops(current, lines);

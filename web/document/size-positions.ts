@@ -1,4 +1,4 @@
-import type { Project, ProjectPreview } from "tetrafront";
+import type { PreparedBody, Project, ProjectPreview } from "tetrafront";
 import { rangeAlong } from "./extent";
 import type { Position } from "./position";
 import type { SizePlane } from "./selection";
@@ -12,7 +12,12 @@ export interface SizeSurface {
   /** Three indices per triangle of the patches, and of the plane. */
   readonly triangles: Uint32Array;
   readonly plane: Uint32Array;
+  /** Ids of the bodies that the triangles cover. */
+  readonly bodies: readonly number[];
 }
+
+/** The treated triangles of a body, at their position. */
+export type SizedBody = Pick<PreparedBody, "body" | "points" | "triangles">;
 
 /** Longest edge of a piece of a line or patch, relative to the diagonal of the model. */
 const pieceShare = 1 / 40;
@@ -20,7 +25,7 @@ const pieceShare = 1 / 40;
 const planeDivisions = 48;
 /** How far the plane extends beyond the model, relative to its extent. */
 const planeMargin = 0.08;
-/** Further positions are not added: a preview answers at once. */
+/** Pieces become longer until there are no more positions, so that a preview answers at once. */
 const maxPositions = 60_000;
 
 /** The box around the samples of a model. */
@@ -41,44 +46,77 @@ class SurfaceBuilder {
     return this.points.length / 3 - 1;
   }
 
-  get isFull(): boolean {
-    return this.points.length > 3 * maxPositions;
-  }
-
-  finished(): SizeSurface {
+  finished(bodies: readonly number[]): SizeSurface {
     return {
       points: Float64Array.from(this.points),
       segments: Uint32Array.from(this.segments),
       triangles: Uint32Array.from(this.triangles),
       plane: Uint32Array.from(this.plane),
+      bodies,
     };
   }
 }
 
 /**
- * Returns positions along the lines and on the patches of a preview, close enough to show how sizes change between them, and
- * on a plane across the model, if one is given.
+ * Returns positions along the lines and on the patches of a preview and on prepared bodies, close enough to show how sizes
+ * change between them, and on a plane across the model, if one is given. Everything is covered, however large the model is.
  */
-export function sizeSurface(project: Project, preview: ProjectPreview, plane: SizePlane | null): SizeSurface {
+export function sizeSurface(
+  project: Project,
+  preview: ProjectPreview,
+  bodies: readonly SizedBody[],
+  plane: SizePlane | null,
+): SizeSurface {
   const builder = new SurfaceBuilder();
-  const box = boxOf(project, preview);
-  const longest = pieceShare * Math.hypot(...box.high.map((x, k) => x - (box.low[k] ?? 0)));
+  const box = boxOf(project, preview, bodies);
+  const surfaces = [{ points: preview.patchPoints, triangles: preview.patchTriangles }, ...bodies];
+  const diagonal = Math.hypot(...box.high.map((x, k) => x - (box.low[k] ?? 0)));
+  let longest = pieceShare * diagonal;
+  while (longest < diagonal && countPositions(preview, surfaces, longest) > maxPositions) longest *= 2;
   if (plane) addPlane(builder, box, plane);
   addLines(builder, preview, longest);
-  addPatches(builder, preview, longest);
-  return builder.finished();
+  for (const surface of surfaces) addTriangles(builder, surface, longest);
+  return builder.finished(bodies.map(({ body }) => body));
 }
 
-function boxOf({ points, background }: Project, { linePoints, patchPoints }: ProjectPreview): Box {
+type Triangles = Pick<SizedBody, "points" | "triangles">;
+
+/** Returns how many positions lines and triangles get. */
+function countPositions(
+  { lineOffsets, linePoints }: ProjectPreview,
+  surfaces: readonly Triangles[],
+  longest: number,
+): number {
+  let count = 0;
+  for (const i of segmentsOf(lineOffsets)) {
+    count += 1 + piecesOf(positionAt(linePoints, i), positionAt(linePoints, i + 1), longest);
+  }
+  for (const { points, triangles } of surfaces) {
+    const isUsed = new Uint8Array(points.length / 3);
+    for (let t = 0; t + 2 < triangles.length; t += 3) {
+      const pieces = piecesAlong(cornersAt(points, triangles, t), longest);
+      if (pieces > 1) count += ((pieces + 1) * (pieces + 2)) / 2;
+      else for (const node of triangles.subarray(t, t + 3)) isUsed[node] = 1;
+    }
+    count += isUsed.reduce((sum, one) => sum + one, 0);
+  }
+  return count;
+}
+
+function boxOf(
+  { points, background }: Project,
+  { linePoints, patchPoints }: ProjectPreview,
+  bodies: readonly SizedBody[],
+): Box {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
   const include = (axis: number, value: number): void => {
     low[axis] = Math.min(low[axis] ?? value, value);
     high[axis] = Math.max(high[axis] ?? value, value);
   };
-  for (const list of [linePoints, patchPoints])
+  for (const list of [linePoints, patchPoints, ...bodies.map((body) => body.points)])
     for (let i = 0; i < list.length; ++i) include(i % 3, list[i] ?? 0);
-  const others = points.length > 0 ? points : background.nodes;
+  const others = points.length > 0 || bodies.length > 0 ? points : background.nodes;
   if (others.length > 0)
     for (const axis of [0, 1, 2]) rangeAlong(others, axis).forEach((x) => include(axis, x));
   const [a = 0, b = 0, c = 0] = low.map((x) => (Number.isFinite(x) ? x : 0));
@@ -111,43 +149,64 @@ function addLines(
   { lineOffsets, linePoints }: ProjectPreview,
   longest: number,
 ): void {
-  for (let line = 0; line + 1 < lineOffsets.length; ++line) {
-    for (let i = lineOffsets[line] ?? 0; i + 1 < (lineOffsets[line + 1] ?? 0); ++i) {
-      if (builder.isFull) return;
-      const [a, b] = [positionAt(linePoints, i), positionAt(linePoints, i + 1)];
-      const pieces = piecesOf(a, b, longest);
-      for (let piece = 0; piece <= pieces; ++piece) {
-        const index = builder.add(mix(a, b, piece / pieces));
-        if (piece > 0) builder.segments.push(index - 1, index);
-      }
+  for (const i of segmentsOf(lineOffsets)) {
+    const [a, b] = [positionAt(linePoints, i), positionAt(linePoints, i + 1)];
+    const pieces = piecesOf(a, b, longest);
+    for (let piece = 0; piece <= pieces; ++piece) {
+      const index = builder.add(mix(a, b, piece / pieces));
+      if (piece > 0) builder.segments.push(index - 1, index);
     }
   }
 }
 
-/** Divides each triangle evenly, by its longest edge. */
-function addPatches(
-  builder: SurfaceBuilder,
-  { patchPoints, patchTriangles }: ProjectPreview,
-  longest: number,
-): void {
-  for (let t = 0; t + 2 < patchTriangles.length && !builder.isFull; t += 3) {
-    const [a, b, c] = [0, 1, 2].map((k) => positionAt(patchPoints, patchTriangles[t + k] ?? 0));
-    if (!a || !b || !c) continue;
-    const pieces = Math.max(piecesOf(a, b, longest), piecesOf(b, c, longest), piecesOf(c, a, longest));
-    let before: readonly number[] = [];
-    for (let i = 0; i <= pieces; ++i) {
-      const [from, to] = [mix(a, b, i / pieces), mix(a, c, i / pieces)];
-      const row = Array.from({ length: i + 1 }, (_, j) => builder.add(i === 0 ? a : mix(from, to, j / i)));
-      row.forEach((corner, j) => {
-        const [next, above, beside] = [row[j + 1], before[j], before[j + 1]];
-        if (next === undefined || above === undefined) return;
-        builder.triangles.push(above, corner, next);
-        if (beside !== undefined) builder.triangles.push(above, next, beside);
-      });
-      before = row;
-    }
+/** Gives the index of the first sample of each segment of each line. */
+function* segmentsOf(lineOffsets: Uint32Array): Generator<number> {
+  for (let line = 0; line + 1 < lineOffsets.length; ++line) {
+    for (let i = lineOffsets[line] ?? 0; i + 1 < (lineOffsets[line + 1] ?? 0); ++i) yield i;
   }
 }
+
+/** Divides each triangle evenly, by its longest edge. Triangles that stay whole share their corners. */
+function addTriangles(builder: SurfaceBuilder, { points, triangles }: Triangles, longest: number): void {
+  const known = new Map<number, number>();
+  const shared = (node: number): number => {
+    const index = known.get(node) ?? builder.add(positionAt(points, node));
+    known.set(node, index);
+    return index;
+  };
+  for (let t = 0; t + 2 < triangles.length; t += 3) {
+    const corners = cornersAt(points, triangles, t);
+    const pieces = piecesAlong(corners, longest);
+    if (pieces > 1) addDivided(builder, corners, pieces);
+    else builder.triangles.push(...[...triangles.subarray(t, t + 3)].map(shared));
+  }
+}
+
+function addDivided(builder: SurfaceBuilder, [a, b, c]: Corners, pieces: number): void {
+  let before: readonly number[] = [];
+  for (let i = 0; i <= pieces; ++i) {
+    const [from, to] = [mix(a, b, i / pieces), mix(a, c, i / pieces)];
+    const row = Array.from({ length: i + 1 }, (_, j) => builder.add(i === 0 ? a : mix(from, to, j / i)));
+    row.forEach((corner, j) => {
+      const [next, above, beside] = [row[j + 1], before[j], before[j + 1]];
+      if (next === undefined || above === undefined) return;
+      builder.triangles.push(above, corner, next);
+      if (beside !== undefined) builder.triangles.push(above, next, beside);
+    });
+    before = row;
+  }
+}
+
+type Corners = readonly [Position, Position, Position];
+
+const cornersAt = (points: Float64Array, triangles: Uint32Array, t: number): Corners => [
+  positionAt(points, triangles[t] ?? 0),
+  positionAt(points, triangles[t + 1] ?? 0),
+  positionAt(points, triangles[t + 2] ?? 0),
+];
+
+const piecesAlong = ([a, b, c]: Corners, longest: number): number =>
+  Math.max(piecesOf(a, b, longest), piecesOf(b, c, longest), piecesOf(c, a, longest));
 
 /** Largest number of pieces of an edge. */
 const maxPieces = 64;

@@ -101,7 +101,7 @@ export class SizeFeed {
     const abort = new AbortController();
     this.#abort = abort;
     const { project, enabled, plane, bodies } = question;
-    const surface = enabled ? sizeSurface(project, preview, plane) : null;
+    const surface = enabled ? sizeSurface(project, preview, bodies, plane) : null;
     try {
       const [drawn, options] = engineInput(project);
       const mesher = await this.#mesher;

@@ -28,9 +28,9 @@ export const fixStrings = {
     label: "Remove the tetrahedron",
     effect: "Removes the tetrahedron from the background grid; its nodes stay.",
   },
-  closePatch: (lines: readonly number[]) => ({
+  closePatch: (lines: readonly number[], holes: readonly number[]) => ({
     label: "Close with a patch",
-    effect: `Adds a planar patch within the lines ${lines.join(", ")}.`,
+    effect: `Adds a planar patch within the lines ${lines.join(", ")}${holes.length > 0 ? `, around the lines ${holes.join(", ")}` : ""}.`,
   }),
   fixAll: (count: number) => `Fix all ${count}`,
   fixAllEffect: (effect: string) => `Does the same for all problems of this kind. ${effect}`,

@@ -36,7 +36,7 @@ export class SceneLayers {
   });
   readonly #grid = new GridLayer();
   readonly #sources = new SourcesLayer();
-  /** What a recorded front and target sizes replace. */
+  /** What a recorded front and target sizes replace. Sizes replace only some bodies: their layer knows them. */
   readonly #replaced = new Group();
   #isReplaying = false;
   /** In the order in which they are added to the scene. */
@@ -55,6 +55,7 @@ export class SceneLayers {
     const { isReplaying, shownSizes } = changes.state;
     this.#isReplaying = isReplaying;
     this.#replaced.visible = !isReplaying && shownSizes === null;
+    this.#bodies.root.visible = !isReplaying;
     for (const layer of this.#all) layer.update(changes);
   }
 
@@ -73,7 +74,10 @@ export class SceneLayers {
   /** Returns what lies at a point of the view; null if nothing does. */
   hit(camera: PerspectiveCamera, viewport: Viewport, at: ScreenPoint): Hit | null {
     const onSurfaces = [this.#points, this.#grid, this.#sources, this.#lines];
-    const solid = this.#replaced.visible ? [this.mesh, this.#bodies] : [];
+    const solid = [
+      ...(this.#replaced.visible ? [this.mesh] : []),
+      ...(this.#isReplaying ? [] : [this.#bodies]),
+    ];
     const order = { solid, onSurfaces, translucent: this.#isReplaying ? null : this.#patches };
     return hitTest(order, camera, viewport, at);
   }
@@ -108,7 +112,7 @@ export class SceneLayers {
       edgeColor: ({ hover }) => hover,
     });
     const surfaces = [this.#patches, this.#bodies, this.mesh, new FrontLayer(), defects, selectedFaces];
-    for (const { root } of surfaces) this.#replaced.add(root);
+    for (const layer of surfaces) if (layer !== this.#bodies) this.#replaced.add(layer.root);
     this.#scene.add(this.#replaced);
     const entities = [this.#lines, this.#points, this.#grid, this.#sources];
     return [new GroundLayer(), new AxesLayer(), ...surfaces, new SizesLayer(), ...entities];

@@ -89,6 +89,20 @@ const queries: Readonly<Record<Question["kind"], (id: number) => Question>> = {
   preview: (id) => ({ kind: "preview", id, model, grid, options }),
   cover: (id) => ({ kind: "cover", id, model, size: 0, shape: 0 }),
   propose: (id) => ({ kind: "propose", id, model, options: engineProposalOptions({ uniform: 0.9 }) }),
+  "sample-sizes": (id) => ({
+    kind: "sample-sizes",
+    id,
+    model,
+    bodies: {
+      points: new Float64Array(),
+      triangles: new Uint32Array(),
+      trianglePatch: new Uint32Array(),
+      patches: 0,
+    },
+    grid,
+    options,
+    positions: points.slice(),
+  }),
   "background-from-mesh": (id) => ({
     kind: "background-from-mesh",
     id,

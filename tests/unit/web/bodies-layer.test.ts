@@ -51,6 +51,26 @@ describe("the layer of bodies", () => {
     expect(at(layer, 100, 50)).toBeNull();
   });
 
+  it("gives way to target sizes of a body, and stays without them, even where a mesh was shown", () => {
+    const layer = new BodiesLayer(noTree);
+    const nothing = new Uint32Array();
+    const sizes = {
+      points: new Float64Array(),
+      sizes: new Float64Array(),
+      range: [1, 1] as const,
+      segments: nothing,
+      triangles: nothing,
+      plane: nothing,
+    };
+    const front = new Float64Array(9);
+    const notYet = { ...start, front, shownSizes: { ...sizes, bodies: [] } };
+    show(layer, notYet);
+    expect(layer.root.children.map(({ visible }) => visible)).toEqual([true]);
+    expect(passes(layer).map((pass) => pass.visible)).toEqual([true, false, false]);
+    change(layer, notYet, { ...start, shownSizes: { ...sizes, bodies: [1] } });
+    expect(layer.root.children.map(({ visible }) => visible)).toEqual([false]);
+  });
+
   it("emphasizes a selected patch, and gives way to a mesh", () => {
     const layer = new BodiesLayer(noTree);
     const visible = (): boolean[] => passes(layer).map((pass) => pass.visible);

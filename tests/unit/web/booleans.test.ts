@@ -280,7 +280,7 @@ describe("the samples of solid pieces", () => {
     for (const operation of pieceOperations) {
       const documents = new DocumentStore(boxes(cube));
       const subject = { project: documents.project, selection: [] };
-      const values = { ...operation.initial(subject), position: [0.1, 0.2, 0.3] };
+      const values = { ...operation.initial(subject), position: [0.1, 0.2, 0.3] as const };
       const offer = operation.make(subject, values);
       if (!offer.possible) throw new Error(`${operation.id}: ${offer.reason}`);
       documents.edit(offer.creation.edit);

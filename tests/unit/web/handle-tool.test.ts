@@ -52,7 +52,7 @@ it("takes hold of the handles of a node, unless an operation has a preview", () 
   };
   const tool = new HandleTool({ documents, view, viewer }, otherwise);
   const state = sceneState({ ...view.state.getState(), project });
-  tool.overlay()?.update(new SceneChanges(state, null));
+  tool.overlay().update(new SceneChanges(state, null));
   const [x, y] = [100 * node.position[0], 100 * node.position[1]];
   let held: ToolPointer | null = null;
   for (let radius = 0; radius < 500 && !held; radius += 4) {

@@ -137,3 +137,76 @@ it("offers a covering grid if there is none, and no fix where the user must deci
     ),
   ).toEqual([]);
 });
+
+/** A cube with a square bore, without the patch at the top. */
+function boredCube(): Project {
+  const id = (ring: number, level: number, corner: number): number => 1 + 8 * ring + 4 * level + (corner % 4);
+  const rings = [
+    [0, 1],
+    [0.25, 0.75],
+  ] as const;
+  const corners = [
+    [0, 0],
+    [1, 0],
+    [1, 1],
+    [0, 1],
+  ] as const;
+  const points = rings.flatMap((range, ring) =>
+    [0, 1].flatMap((level) =>
+      corners.map(([x, y], corner) => ({
+        id: id(ring, level, corner),
+        position: [range[x], range[y], level] as [number, number, number],
+      })),
+    ),
+  );
+  const lines: { id: number; type: "straight"; points: [number, number] }[] = [];
+  const step = (from: number, to: number): number => {
+    const known = lines.find(({ points: ends }) => ends.includes(from) && ends.includes(to));
+    if (known) return known.points[0] === from ? known.id : -known.id;
+    lines.push({ id: lines.length + 1, type: "straight", points: [from, to] });
+    return lines.length;
+  };
+  const walls = [0, 1].flatMap((ring) =>
+    [0, 1, 2, 3].map((k) => {
+      const around = [id(ring, 0, k), id(ring, 0, k + 1), id(ring, 1, k + 1), id(ring, 1, k)];
+      return [around.map((from, i) => step(from, around[(i + 1) % 4] ?? 0))];
+    }),
+  );
+  const bottom = [0, 1].map((ring) => [0, 1, 2, 3].map((k) => step(id(ring, 0, k), id(ring, 0, k + 1))));
+  const patches = [...walls, bottom].map((loops, i) => ({ id: i + 1, type: "planar" as const, loops }));
+  return { ...cubeProject(), points, lines, patches };
+}
+
+it("closes a bored cube around the bore, whichever of its lines is asked, and all at once", async () => {
+  const project = boredCube();
+  const problems = await problemsOf(project);
+  expect(codes(problems)).toEqual(["open-edge"]);
+  const fixes = fixesOf(project, problems);
+  expect(fixes.length).toBeGreaterThan(0);
+  for (const fix of fixes) {
+    const closed = fix.apply(project);
+    expect(closed.patches.at(-1)?.loops.map((loop) => loop.length)).toEqual([4, 4]);
+    expect(codes(await problemsOf(closed))).toEqual([]);
+  }
+  const all = fixes.reduce((current, fix) => fix.apply(current), project);
+  expect(all.patches).toHaveLength(10);
+  expect(codes(await problemsOf(all))).toEqual([]);
+});
+
+it("joins only the two lines that it names; all fixes join all", async () => {
+  const cube = cubeProject();
+  const [first, second] = cube.lines;
+  if (!first || !second) throw new Error("the cube has no lines");
+  const copies = [
+    { ...first, id: 100 },
+    { ...first, id: 101 },
+    { ...second, id: 102 },
+  ];
+  const project: Project = { ...cube, lines: [...cube.lines, ...copies] };
+  const problems = (await problemsOf(project)).filter(({ code }) => code === "duplicate-lines");
+  const fixes = fixesOf(project, problems);
+  expect(fixes).toHaveLength(3);
+  for (const fix of fixes) expect(fix.apply(project).lines).toHaveLength(project.lines.length - 1);
+  const all = fixes.reduce((current, fix) => fix.apply(current), project);
+  expect(all.lines).toEqual(cube.lines);
+});

@@ -2,6 +2,7 @@ import { expect, it } from "vitest";
 import { emptyProject } from "../../../web/document/create";
 import { sizeSurface } from "../../../web/document/size-positions";
 import { sizeColors } from "../../../web/viewer/layers/sizes-layer";
+import { boxSurface } from "../../support/surfaces";
 import { preview } from "./scene";
 
 /** A line of length 4 and a triangle of area 8, in the plane z = 0. */
@@ -24,7 +25,7 @@ function areaOf({ points }: { readonly points: Float64Array }, triangles: Uint32
 }
 
 it("divides lines and patches into pieces that cover them", () => {
-  const surface = sizeSurface(emptyProject(), samples, null);
+  const surface = sizeSurface(emptyProject(), samples, [], null);
   expect(areaOf(surface, surface.triangles)).toBeCloseTo(8, 9);
   expect(surface.plane).toHaveLength(0);
   let length = 0;
@@ -39,7 +40,7 @@ it("divides lines and patches into pieces that cover them", () => {
 
 it("lays a plane across the model, a little larger than it", () => {
   const { low, high } = { low: [0, 0, 0], high: [4, 4, 0] };
-  const surface = sizeSurface(emptyProject(), samples, { axis: "z", position: 0.5 });
+  const surface = sizeSurface(emptyProject(), samples, [], { axis: "z", position: 0.5 });
   expect(areaOf(surface, surface.plane)).toBeCloseTo(16 * 1.16 ** 2, 6);
   const corners = [...surface.plane].map((node) => [...surface.points.subarray(3 * node, 3 * node + 3)]);
   for (const axis of [0, 1]) {
@@ -47,6 +48,34 @@ it("lays a plane across the model, a little larger than it", () => {
     expect(Math.min(...values)).toBeLessThan(low[axis] ?? 0);
     expect(Math.max(...values)).toBeGreaterThan(high[axis] ?? 0);
   }
+});
+
+it("covers prepared bodies, and lays the plane across them", () => {
+  const { points, triangles } = boxSurface(1, [10, 10, 10], [12, 12, 12]);
+  const body = { body: 7, points, triangles };
+  const surface = sizeSurface(emptyProject(), preview([]), [body], { axis: "z", position: 0.5 });
+  expect(surface.bodies).toEqual([7]);
+  expect(areaOf(surface, surface.triangles)).toBeCloseTo(24, 9);
+  expect(areaOf(surface, surface.plane)).toBeCloseTo(4 * 1.16 ** 2, 6);
+  const [, , z] = surface.points.subarray(3 * (surface.plane[0] ?? 0));
+  expect(z).toBe(11);
+});
+
+it("covers a model with too many patches and lines, with longer pieces", () => {
+  const patches = Array.from({ length: 8000 }, (_, k) => [0, 0, k, 1000, 0, k, 0, 1000, k]);
+  const surface = sizeSurface(emptyProject(), preview([[0, 0, 0, 4000, 0, 0]], patches), [], null);
+  expect(areaOf(surface, surface.triangles) / (8000 * 5e5)).toBeCloseTo(1, 9);
+  expect(surface.points.length / 3).toBeLessThanOrEqual(60_000);
+  // Not all the way down to one piece, if that is not needed.
+  expect(surface.triangles.length / 3).toBeGreaterThan(8000);
+});
+
+it("covers a body with more nodes than positions", () => {
+  const { points, triangles } = boxSurface(110);
+  expect(points.length / 3).toBeGreaterThan(60_000);
+  const surface = sizeSurface(emptyProject(), preview([]), [{ body: 1, points, triangles }], null);
+  expect(areaOf(surface, surface.triangles)).toBeCloseTo(6, 9);
+  expect(surface.points).toHaveLength(points.length);
 });
 
 it("colours the smallest size by the first colour, the largest by the last, and their geometric mean between them", () => {

@@ -36,10 +36,12 @@ export function joinPair(project: Project, keep: number, drop: number): Joined {
   return ids.has(keep) && ids.has(drop) ? withPoints(project, new Map([[drop, keep]])) : project;
 }
 
-/** Joins lines with the same course into the first of them, then patches within the same lines. */
-export function joinDuplicateLines(project: Project): Joined {
-  const { lines, lineIds } = joinLines(project.lines, project.points, coincidenceLength(project));
+/** Joins two lines with the same course into the first of them, then patches within the same lines. */
+export function joinLinePair(project: Project, keep: number, drop: number): Joined {
+  const pair = [keep, drop].flatMap((id) => project.lines.find((line) => line.id === id) ?? []);
+  const { lineIds } = joinLines(pair, project.points, coincidenceLength(project));
   if (lineIds.size === 0) return project;
+  const lines = project.lines.filter(({ id }) => !lineIds.has(id));
   return { points: project.points, lines, patches: joinPatches(project.patches, lineIds) };
 }
 

@@ -14,7 +14,10 @@ import type { Hit, HittableLayer } from "./layer";
 /** Opacity of patches behind other surfaces. */
 const opacityBehind = 0.16;
 
-/** The surfaces of bodies: the given triangles, or those of a preview. Where a mesh is shown, only emphasized patches. */
+/**
+ * The surfaces of bodies: the given triangles, or those of a preview. Where a mesh is shown, only emphasized patches; where
+ * target sizes are shown, the bodies without sizes.
+ */
 export class BodiesLayer implements HittableLayer {
   readonly root = new Group();
   readonly #objects = new Map<number, BodyObject>();
@@ -50,9 +53,11 @@ export class BodiesLayer implements HittableLayer {
     if (changes.has("colors")) this.#setColors(state.colors);
     for (const material of this.#bases) setNumber(material, "edges", state.edges ? 1 : 0);
     if (changes.has("bodies", "bodySurface", "origin")) this.#setBodies(state);
-    const isSolid = !showsMesh(state);
+    const { layers, hidden, shownSizes } = state;
+    const isSolid = shownSizes !== null || !showsMesh(state);
     for (const [id, object] of this.#objects) {
-      object.show(state, state.layers.bodies && !state.hidden.has(`body-${id}`), isSolid);
+      const isReplaced = shownSizes?.bodies.includes(id) === true;
+      object.show(state, layers.bodies && !hidden.has(`body-${id}`) && !isReplaced, isSolid);
     }
   }
 
