@@ -9,32 +9,32 @@ import { startOperation } from "./start-operation";
 
 const texts = operationStrings.booleans;
 
-/** Resolves when the samples of the view are those of the current project. */
-async function samplesOf({ documents, previews }: App) {
-  for (;;) {
-    const { project } = documents;
-    const { preview, project: sampled } = previews.state.getState();
-    if (preview && sampled === project) return { project, preview };
-    await new Promise<void>((resolve) => {
-      const stop = previews.state.subscribe(() => {
-        stop();
-        resolve();
-      });
-    });
-  }
-}
+/** The latest request of each app: it replaces those that still wait. */
+const latest = new WeakMap<App, symbol>();
 
-/** Opens the panel of a Boolean operation on two bodies, or says what to select. */
+/**
+ * Opens the panel of a Boolean operation on two bodies, or says what to select. Loading and sampling take time: if the
+ * project or the selection changes meanwhile, or another operation is opened, nothing happens.
+ */
 async function startBoolean(app: App, kind: BooleanKind): Promise<void> {
+  const request = Symbol(kind);
+  latest.set(app, request);
+  app.operations.cancel();
+  const { project } = app.documents;
+  const { selection } = app.view.state.getState();
+  const isLatest = (): boolean =>
+    latest.get(app) === request &&
+    app.documents.project === project &&
+    app.view.state.getState().selection === selection &&
+    app.operations.state.getState().open === null;
   try {
-    app.operations.cancel();
-    const library = loadManifold();
-    const [{ solidCandidates }, { booleanOperation }] = await Promise.all([
+    const [library, { solidCandidates }, { booleanOperation }, preview] = await Promise.all([
+      loadManifold(),
       import("../document/booleans/solids"),
       import("../document/operations/booleans"),
+      app.previews.samples(),
     ]);
-    const { project, preview } = await samplesOf(app);
-    const { selection } = app.view.state.getState();
+    if (!preview || !isLatest()) return;
     const candidates = solidCandidates(project, selection, preview);
     const solids = candidates.flatMap(({ solid }) => solid ?? []);
     const [first, second] = solids;
@@ -43,9 +43,9 @@ async function startBoolean(app: App, kind: BooleanKind): Promise<void> {
     }
     if (!first || !second) return showMessage(app, texts.title, [texts.open]);
     const both: readonly [Solid, Solid] = [first, second];
-    startOperation(app, booleanOperation(await library, both, kind));
+    startOperation(app, booleanOperation(library, both, kind));
   } catch (error) {
-    showFailure(app, texts.title, error);
+    if (isLatest()) showFailure(app, texts.title, error);
   }
 }
 

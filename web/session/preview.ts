@@ -9,7 +9,8 @@ export interface PreviewState {
   readonly preview: ProjectPreview | null;
   /** The project that `preview` belongs to: the latest one answered. */
   readonly project: Project | null;
-  readonly failure: string | null;
+  /** The project whose request failed last, and why; null after an answer. */
+  readonly failure: { readonly project: Project; readonly reason: string } | null;
 }
 
 /**
@@ -23,6 +24,7 @@ export class PreviewFeed {
     project: null,
     failure: null,
   }));
+  readonly #documents: DocumentStore;
   readonly #mesher: Promise<Mesher>;
   #next: Project | null = null;
   /** Cancels the active request; null without one. */
@@ -31,6 +33,7 @@ export class PreviewFeed {
   #hasGivenUp = false;
 
   constructor(documents: DocumentStore, mesher: Promise<Mesher>) {
+    this.#documents = documents;
     this.#mesher = mesher;
     documents.onProject((project) => this.request(project));
     this.request(documents.project);
@@ -50,6 +53,28 @@ export class PreviewFeed {
     }
   }
 
+  /**
+   * Returns the samples of the document's project once they are known; null if the document has changed by then. Rejects
+   * with the reason if sampling fails.
+   */
+  samples(): Promise<ProjectPreview | null> {
+    const { project } = this.#documents;
+    return new Promise((resolve, reject) => {
+      const settle = (): boolean => {
+        const { preview, project: sampled, failure } = this.state.getState();
+        if (this.#documents.project !== project) resolve(null);
+        else if (sampled === project) resolve(preview);
+        else if (failure?.project === project) reject(new Error(failure.reason));
+        else return false;
+        return true;
+      };
+      if (settle()) return;
+      const stop = this.state.subscribe(() => {
+        if (settle()) stop();
+      });
+    });
+  }
+
   async #ask(): Promise<void> {
     while (this.#next) {
       const project = this.#next;
@@ -65,7 +90,7 @@ export class PreviewFeed {
       } catch (error) {
         if (abort.signal.aborted) continue;
         this.#hasGivenUp = false;
-        this.state.setState({ failure: failureText(error) });
+        this.state.setState({ failure: { project, reason: failureText(error) } });
       }
     }
     this.#abort = null;

@@ -9,6 +9,7 @@ interface Question {
   readonly name: string;
   readonly signal: AbortSignal;
   readonly answer: () => void;
+  readonly fail: (error: Error) => void;
 }
 
 /** A mesher that answers only when the test says so, unless the question is cancelled. */
@@ -22,6 +23,7 @@ function slowMesher(questions: Question[]): Mesher {
         name: project.name,
         signal,
         answer: () => resolve({ diagnostics: [] } as never),
+        fail: reject,
       });
     });
   return { previewProject } as never;
@@ -55,4 +57,36 @@ it("a newer preview cancels a pending one at once, but not two before an answer"
   expect(shown()).toBe("fourth");
   expect(feed.busy).toBe(false);
   expect(feed.state.getState().failure).toBeNull();
+});
+
+it("gives samples of the present project, null if it changes, and the reason of a failure, at once and later", async () => {
+  const questions: Question[] = [];
+  const documents = new DocumentStore(emptyProject("first"), () => 0);
+  const feed = new PreviewFeed(documents, Promise.resolve(slowMesher(questions)));
+  await settled();
+  const first = feed.samples();
+  questions[0]?.answer();
+  expect(await first).toBe(feed.state.getState().preview);
+  expect(await feed.samples()).not.toBeNull();
+
+  documents.edit(renameProject("second"));
+  const second = feed.samples();
+  await settled();
+  documents.edit(renameProject("third"));
+  await settled();
+  questions.at(-1)?.answer();
+  expect(await second).toBeNull();
+
+  documents.edit(renameProject("fourth"));
+  const fourth = feed.samples();
+  await settled();
+  questions.at(-1)?.fail(new Error("no memory"));
+  await expect(fourth).rejects.toThrow("no memory");
+  await expect(feed.samples()).rejects.toThrow("no memory");
+
+  documents.edit(renameProject("fifth"));
+  const fifth = feed.samples();
+  await settled();
+  questions.at(-1)?.answer();
+  expect(await fifth).not.toBeNull();
 });
