@@ -10,6 +10,22 @@ export function offFile({ points, triangles }: SurfaceInput): Uint8Array {
   return encoder.encode(`${lines.join("\n")}\n`);
 }
 
+/** Returns a TetGen `.smesh` file; nodes count from 1. `marks`: its holes and regions. */
+export function smeshFile({ points, triangles }: SurfaceInput, marks: string): Uint8Array {
+  const lines = [`${points.length / 3} 3 0 0`];
+  for (let i = 0; i < points.length; i += 3)
+    lines.push(`${i / 3 + 1} ${points.subarray(i, i + 3).join(" ")}`);
+  lines.push(`${triangles.length / 3} 0`);
+  for (let t = 0; t < triangles.length; t += 3)
+    lines.push(
+      `3 ${triangles
+        .subarray(t, t + 3)
+        .map((node) => node + 1)
+        .join(" ")}`,
+    );
+  return encoder.encode(`${lines.join("\n")}\n${marks}`);
+}
+
 export function stlText({ points, triangles }: SurfaceInput, name = "part"): Uint8Array {
   const facets = Array.from({ length: triangles.length / 3 }, (_, t) => {
     const corners = [...triangles.subarray(3 * t, 3 * t + 3)].map(

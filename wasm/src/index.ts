@@ -133,7 +133,7 @@ export {
   type OutOfMemory,
 } from "./diagnostics/mesher-error.js";
 export { parseProject, readProject, writeProject } from "./project/project.js";
-export { LIMITS } from "./base/limits.js";
+export { LIMITS, STEP_HEIGHT } from "./base/limits.js";
 export { bodyPatchGroups, bodyWithPatches, mergePatches } from "./api/body-patches.js";
 export { bodySurface, createBody, type NewBody, type PlacedSurface } from "./project/bodies.js";
 export { createBodies, type SolidSurface } from "./project/solid-bodies.js";

@@ -1,10 +1,11 @@
-import type {
-  BodyRepair,
-  ProjectBody,
-  RepairChange,
-  RepairOptions,
-  SurfaceInput,
-  SurfaceInspection,
+import {
+  type BodyRepair,
+  type ProjectBody,
+  type RepairChange,
+  type RepairOptions,
+  STEP_HEIGHT,
+  type SurfaceInput,
+  type SurfaceInspection,
 } from "tetrafront";
 import type { DrawnSurface } from "./drawn-surface";
 import { distance } from "./vectors";
@@ -17,15 +18,12 @@ const maxHoleEdges = 200;
 
 export const defaultRepair: RepairWishes = { weld: 0, fillHoles: maxHoleEdges };
 
-/** Height of steps between faces that nearly coincide / diagonal, up to which they are removed before a remeshing. */
-const stepHeight = 1 / 4096;
-
 /** Returns the distance within which a repair welds nodes of intersecting triangles: 0 if the body keeps its triangles. */
 export function weldBeforeRemeshing(
   { surface = "remesh" }: ProjectBody,
   { low, high }: Pick<DrawnSurface, "low" | "high">,
 ): number {
-  return surface === "remesh" ? stepHeight * distance(low, high) : 0;
+  return surface === "remesh" ? STEP_HEIGHT * distance(low, high) : 0;
 }
 
 /** What a repair changes, and its result. */

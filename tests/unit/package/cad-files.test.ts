@@ -18,8 +18,6 @@ import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test, vi 
 
 import { askForCad, secondsFor } from "../../../wasm/dist/cad/cad-client.js";
 import { mutated, randomSource } from "../../support/random.js";
-import { offFile } from "../../support/surface-files.js";
-import { boxSurface } from "../../support/surfaces.js";
 import { boxSolid, drilledSolid, pinSolid, stepFile } from "../../support/step-files.js";
 import { temporaryFolder } from "../../support/temporary-folder.js";
 
@@ -194,67 +192,6 @@ describe("an assembly", () => {
     const written = await readMesh(readFileSync(inFolder("tower.msh")), { fileName: "tower.msh" });
     if (!written.success) throw new Error(written.errors[0].message);
     expect(written.value.regions.map(({ name }) => name)).toEqual(["base", "post"]);
-  });
-});
-
-describe("files of an assembly", () => {
-  const parts = {
-    base: boxSolid("base", [0, 0, 0], [6, 4, 1]),
-    left: boxSolid("left", [0, 0, 1], [1, 4, 4]),
-    right: boxSolid("right", [5, 0, 1], [6, 4, 4]),
-    lid: boxSolid("lid", [0, 0, 4], [6, 4, 5]),
-    // Names in files need not differ.
-    post: boxSolid("base", [2, 1, 1], [4, 3, 4]),
-  };
-
-  test("are one mesh with named regions and interfaces by --join", async () => {
-    for (const [name, solid] of Object.entries(parts)) save(`${name}.step`, stepFile([solid]));
-    const files = Object.keys(parts).map((name) => `${name}.step`);
-    const { code, stderr } = await run(
-      "mesh",
-      ...files,
-      "--join",
-      "-o",
-      "assembly.msh",
-      "--report",
-      "r.json",
-    );
-    expect([code, stderr]).toEqual([0, expect.not.stringContaining("error")]);
-    const read = await readMesh(readFileSync(inFolder("assembly.msh")), { fileName: "assembly.msh" });
-    if (!read.success) throw new Error(read.errors[0].message);
-    expect(read.value.regions.map(({ name }) => name)).toEqual(["base", "left", "right", "lid", "base 2"]);
-    const interfaces = read.value.patches.map(({ name }) => name).filter((name) => name.includes(" / "));
-    for (const pair of ["base / left", "base / right", "base / base 2", "left / lid", "right / lid"]) {
-      expect(interfaces).toContain(pair);
-    }
-    const report = JSON.parse(readFileSync(inFolder("r.json"), "utf8")) as { volume: number; status: string };
-    expect([report.status, report.volume]).toEqual(["done", expect.closeTo(24 + 24 + 24 + 12, 6)]);
-    const tets = read.value.tetrahedra;
-    const faces = new Map<string, number>();
-    for (let t = 0; t < tets.length; t += 4) {
-      for (let k = 0; k < 4; k++) {
-        const key = [0, 1, 2, 3]
-          .flatMap((i) => (i === k ? [] : (tets[t + i] ?? 0)))
-          .sort((a, b) => a - b)
-          .join();
-        faces.set(key, (faces.get(key) ?? 0) + 1);
-      }
-    }
-    expect(Math.max(...faces.values())).toBe(2);
-  });
-
-  test("need one unit, and are no projects", async () => {
-    save("a.step", stepFile([parts.base]));
-    save("b.off", offFile(boxSurface(1)));
-    const mixed = await run("mesh", "a.step", "b.off", "--join", "-o", "x.vtu");
-    expect([mixed.code, mixed.stderr]).toEqual([
-      2,
-      expect.stringContaining("The unit of the file is unknown, but that of the first file is mm"),
-    ]);
-    const named = await run("mesh", "a.step", "b.off", "--join", "-o", "{name}.vtu");
-    expect([named.code, named.stderr]).toEqual([2, expect.stringContaining("Joined inputs have one output")]);
-    const over = await run("mesh", "a.step", "b.off", "--join", "-o", "b.off");
-    expect(over.code).toBe(2);
   });
 });
 

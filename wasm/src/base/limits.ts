@@ -3,6 +3,12 @@ import { MAX_GRADATION, MAX_GROWTH, MAX_LENGTH, MAX_STRETCHING } from "../genera
 /** Returns the text of a limit for messages: 1e30, where JavaScript writes 1e+30. */
 export const limitText = (limit: number): string => String(limit).replace("+", "");
 
+/**
+ * Height of steps between faces that nearly coincide / diagonal, up to which they are removed by the repair before a
+ * remeshing: a sixth of the default tolerance of a remeshing.
+ */
+export const STEP_HEIGHT = 1 / 4096;
+
 /** Limits of numeric options. */
 export const LIMITS = {
   /**

@@ -52,13 +52,9 @@ export async function forEachInput<Options extends BatchOptions>(
       );
     }
     if (options.join === true && files.length > 1 && only !== undefined) {
-      const { output, to, from } = options;
+      const { output } = options;
       if (output?.includes("{name}") === true)
         throw new FileError(output, "joined inputs have one output", "Omit {name}.");
-      await checkNoOverwrite(
-        files.flatMap((file) => inputFiles(file, from, `the input ${file}`)),
-        output === undefined ? [] : outputFiles(output, to, "the output"),
-      );
       return await one(only, { ...options, joined: files });
     }
     if (files.length === 1 && only !== undefined) {

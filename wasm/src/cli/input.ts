@@ -2,14 +2,10 @@
 import { type ReadFileOptions, readMesh, readSurface, readVolume } from "../api/mesh-files.js";
 import type { Mesher } from "../api/mesher-interface.js";
 import { volumeBackground } from "../api/volume-background.js";
-import path from "node:path";
-import { inSteps } from "../calls/yielder.js";
-import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { ReadResult } from "../diagnostics/read-error.js";
-import { assemblyOf, type AssemblyPart } from "../formats/assembly.js";
 import { extensionOf, extensionsFor, FILE_FORMATS, isCadFile } from "../formats/file-formats.js";
-import { type SurfaceFile, surfaceOf } from "../formats/surface-file.js";
+import type { SurfaceFile } from "../formats/surface-file.js";
 import type { VolumeFile } from "../formats/volume-file.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
@@ -63,18 +59,14 @@ export function formatName(file: string, format: string | undefined): string {
 export interface InputOptions extends UnitOptions {
   /** Format. */
   readonly from?: string | undefined;
-  /** All inputs, if they are joined to one model. */
-  readonly joined?: readonly string[] | undefined;
 }
 
 /** `size`: target edge length, if it is given. */
 export async function readModel(
   input: string,
-  { from, joined = [], ...lengths }: InputOptions,
+  { from, ...lengths }: InputOptions,
   size?: number,
 ): Promise<Input> {
-  if (joined.length > 1)
-    return { kind: "surface", surface: await readJoined(joined, { from, ...lengths }, size) };
   const name = formatName(input, from);
   const known = [PROJECT_EXTENSION, ...extensionsFor("read", "surface")];
   const extension = await checkedExtension(input, name, known, OR_FROM);
@@ -88,40 +80,6 @@ export async function readModel(
     ...lengthOptions(lengths),
   });
   return { kind: "surface", surface: valueOf(input, read, name) };
-}
-
-/** Reads several surfaces as one: their solids are its regions, and faces that two solids share are interfaces. */
-async function readJoined(
-  files: readonly string[],
-  options: InputOptions,
-  size: number | undefined,
-): Promise<SurfaceFile> {
-  const parts: AssemblyPart[] = [];
-  for (const file of files) {
-    const read = await readModel(file, options, size);
-    if (read.kind === "project") throw new InvalidInput(file, [projectJoined]);
-    const { unit } = parts[0]?.surface ?? read.surface;
-    if (read.surface.unit !== unit) throw new InvalidInput(file, [otherUnit(unit, read.surface.unit)]);
-    const { name } = path.parse(file);
-    parts.push({ name, surface: read.surface });
-  }
-  return inSteps(surfaceOf(await inSteps(assemblyOf(parts))));
-}
-
-const projectJoined = packageDiagnostic(
-  "unreadable-input",
-  "the input is a project, but only surfaces can be joined",
-  "Omit --join, or join the surfaces of which the project was made.",
-);
-
-function otherUnit(first: string | undefined, unit: string | undefined): Diagnostic {
-  const words = [unit, first].map((one) => one ?? "unknown");
-  const message = `the unit of the file is ${words[0]}, but that of the first file is ${words[1]}`;
-  return packageDiagnostic(
-    "unreadable-input",
-    message,
-    "Use --units, with --file-units for files without a unit.",
-  );
 }
 
 /** Reads all contents of a mesh file without welding. */

@@ -5,7 +5,7 @@ import type { MeshOptions, RepairOptions, SplitOptions } from "../api/option-typ
 import { checkOptions } from "../api/options.js";
 import { emptyReport, emptyResult } from "../api/report.js";
 import { plural } from "../base/plural.js";
-import type { Diagnostic, DiagnosticOf } from "../diagnostics/diagnostic.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import type { RunControl } from "../engine/control.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
@@ -16,16 +16,10 @@ import { writableName, writeAll } from "./convert.js";
 import { elementOrderFor, type ElementOrderOption } from "./element-order.js";
 import { checkOutput, FileError, refuseFolder, writeOutput } from "./files.js";
 import { withMesher } from "./grids.js";
-import { type Input, isCadInput, numberIn, readModel, refuseOptions } from "./input.js";
-import {
-  asInvalidInput,
-  asEngineFailure,
-  InvalidInput,
-  ExitCode,
-  print,
-  printDiagnostics,
-} from "./messages.js";
-import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
+import { type Input, isCadInput, numberIn, refuseOptions } from "./input.js";
+import { readGiven } from "./joined-inputs.js";
+import { asInvalidInput, asEngineFailure, ExitCode, print, printDiagnostics } from "./messages.js";
+import { checkNoOverwrite, checkWritable, givenFiles, outputFiles } from "./paths.js";
 import {
   type RefinementCounts,
   refinementText,
@@ -45,6 +39,7 @@ import {
   repairOptions,
 } from "./repair.js";
 import { located } from "./regions.js";
+import { requiredAngleError, requiredAngleOf } from "./required-angle.js";
 import type { UnitOptions } from "./units.js";
 import { withRun } from "./run.js";
 import {
@@ -208,7 +203,7 @@ export async function meshInput(
   if (treatment === "remesh") remeshOptions(options, meshOptions);
   else refuseRemeshing(options);
   await checkPaths();
-  const given = await readModel(input, options, meshOptions.size);
+  const { given, diagnostics: read } = await readGiven(input, options, meshOptions.size);
   if (given.kind === "project") {
     if (options.surface !== undefined) refuseOptions([projectSurface]);
     const hasBodies = (given.project.bodies ?? []).length > 0;
@@ -222,7 +217,8 @@ export async function meshInput(
   const isRepairImplied = repair === undefined && (isRemeshed || isCad);
   const repairing = { input, repair, split, innerShells, isRepairImplied, isRemeshed };
   const treated = await withRepair(given, repairing);
-  const { model, changes, repairDeviation, split: splitWords, located: found = [] } = treated;
+  const { model, changes, repairDeviation, split: splitWords, located: foundLater = [] } = treated;
+  const found = [...read, ...foundLater];
   if (!isQuiet) printChanges(input, treated);
   if (splitWords !== undefined && !isQuiet) print(`${input}: ${splitWords}`);
   if (given.kind === "surface" && !isQuiet) {
@@ -241,30 +237,6 @@ export async function meshInput(
 
 const REMESHING_STOPPED =
   "stopped while the surface was remeshed, before the first tetrahedron; tetrafront remesh writes the surface that it has made so far";
-
-/** Returns an error if the finished mesh has a smaller dihedral angle than required. */
-function requiredAngleError(
-  { status, dihedral: { min: angle } }: MeshReport,
-  required: number,
-  { optimize }: MeshCommandOptions,
-  isRemeshed: boolean,
-): Diagnostic[] {
-  if (status !== "done" || angle >= required) return [];
-  const remedies = [
-    ...(isRemeshed ? [] : ["--surface remesh"]),
-    ...(optimize === "thorough" ? [] : ["--optimize thorough"]),
-    "a surface without needles and narrow gaps",
-  ];
-  const error: DiagnosticOf<"required-angle"> = {
-    code: "required-angle",
-    severity: "error",
-    message: `The smallest dihedral angle is ${angle.toFixed(2)}°, but --require-angle is ${required}°`,
-    remedy: `Use ${remedies.join(", or ")}.`,
-    entities: [],
-    data: { angle, required },
-  };
-  return [error];
-}
 
 /** Input after its repair and the splitting of its patches. */
 interface Repaired {
@@ -354,32 +326,20 @@ function readOptions(options: Omit<MeshCommandOptions, "output">): MeshOptions {
   return meshOptions;
 }
 
-/** Dihedral angle of the regular tetrahedron, in degrees, rounded down: the limit of any mesh. */
-const MAX_REQUIRED_ANGLE = 70;
-
-/** Returns the angle of `--require-angle` in degrees, 0 if it is not given. Throws an InvalidInput. */
-function requiredAngleOf({ requireAngle }: MeshCommandOptions): number {
-  const angle = Number(numberIn(requireAngle) ?? 0);
-  if (angle >= 0 && angle <= MAX_REQUIRED_ANGLE) return angle;
-  const message = `the required angle is "${requireAngle}"`;
-  const remedy = `Use an angle from 0 to ${MAX_REQUIRED_ANGLE} degrees.`;
-  throw new InvalidInput("command line", [invalidOption("--require-angle", message, remedy)]);
-}
-
 async function checkMeshPaths(input: string, options: MeshCommandOptions): Promise<void> {
-  const { output, from, to } = options;
+  const { output, to } = options;
   await refuseFolder(output);
   elementOrderFor(options, writableName(output, to, ["volume"]));
   const written = outputFiles(output, to, "the mesh");
-  await checkNoOverwrite([...inputFiles(input, from), ...gridFiles(options)], written);
+  await checkNoOverwrite([...givenFiles(input, options), ...gridFiles(options)], written);
   await checkWritable(written);
 }
 
 async function checkReportPath(input: string, options: MeshCommandOptions): Promise<undefined> {
-  const { report, output, from, to } = options;
+  const { report, output, to } = options;
   if (report === undefined) return;
   await checkOutput(report);
-  const kept = [...outputFiles(output, to, "the mesh"), ...inputFiles(input, from), ...gridFiles(options)];
+  const kept = [...outputFiles(output, to, "the mesh"), ...givenFiles(input, options), ...gridFiles(options)];
   await checkNoOverwrite(kept, [{ words: "the report", file: report }]);
 }
 

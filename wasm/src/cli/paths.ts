@@ -15,6 +15,15 @@ export function inputFiles(file: string, format: string | undefined, words = "th
   return [file, ...filesOf(formatName(file, format)).slice(1)].map((each) => ({ words, file: each }));
 }
 
+/** Returns the files of the input, or of all inputs that are joined. */
+export function givenFiles(
+  input: string,
+  { joined, from }: { readonly joined?: readonly string[] | undefined; readonly from?: string | undefined },
+): NamedFile[] {
+  if (joined === undefined) return inputFiles(input, from);
+  return joined.flatMap((file) => inputFiles(file, from, `the input ${file}`));
+}
+
 /** Returns a file to be written, with its companions. Throws a FileError. */
 export function outputFiles(file: string, format: string | undefined, words = "the output"): NamedFile[] {
   const others = filesOf(formatName(file, format)).slice(1);

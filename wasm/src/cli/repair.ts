@@ -6,6 +6,7 @@ import { checkRepairOptions } from "../api/options.js";
 import { repairedSurface } from "../api/repaired-surface.js";
 import { touchingSolids } from "../api/touching-solids.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { STEP_HEIGHT } from "../base/limits.js";
 import { plural } from "../base/plural.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
@@ -68,12 +69,6 @@ export async function repaired(
 }
 
 /**
- * Height of steps between faces that nearly coincide / diagonal, up to which they are removed by the repair before a
- * remeshing: a sixth of its tolerance.
- */
-const STEP = 1 / 4096;
-
-/**
  * Returns the surface, repaired if it cannot be filled without, with a warning about solids that overlap. Throws an
  * InvalidInput if the triangles of different solids still intersect. `isRemeshed`: whether the surface will be remeshed.
  */
@@ -89,7 +84,7 @@ export async function madeFillable(
   const before = await mesher.inspectSurface(given, { innerShells });
   if (before.isFillable) return { surface: given };
   const warnings = await overlappingSolids(mesher, given, before.diagnostics);
-  const weldIntersections = isRemeshed ? STEP * diagonalOf(given.points) : 0;
+  const weldIntersections = isRemeshed ? STEP_HEIGHT * diagonalOf(given.points) : 0;
   const made = await repaired(mesher, given, { innerShells, weldIntersections });
   // New triangles between solids do not know the regions on both sides.
   const { givenRegions: _, ...surface } = withoutFilledPatch(made.surface);

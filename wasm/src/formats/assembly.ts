@@ -1,6 +1,7 @@
 /** Joins the surfaces of several files, such as the parts of an assembly, to one with a region per solid. */
 import { type Steps, stepwise } from "../base/steps.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
+import { isNumberedSolid } from "./groups.js";
 import type { Shape, ShapeFace } from "./joined-shapes.js";
 import { surfaceOfShapes } from "./shape-surface.js";
 import type { SurfaceFile } from "./surface-file.js";
@@ -13,7 +14,8 @@ export interface AssemblyPart {
 
 /**
  * Returns one surface with the solids of all parts as regions; faces that two solids share become interfaces. Solids keep
- * their names, made different by numbers. The unit is that of the first part.
+ * their names, made different by numbers, and their largest volumes of tetrahedra. The unit is that of the first part. Points
+ * that mark regions and holes must have been located.
  */
 export function* assemblyOf(parts: readonly AssemblyPart[]): Steps<FileMesh> {
   const shapes: Shape[] = [];
@@ -24,20 +26,18 @@ export function* assemblyOf(parts: readonly AssemblyPart[]): Steps<FileMesh> {
   return { ...mesh, ...(unit && { unit }), ...(notes.length > 0 && { notes }) };
 }
 
-/** Names that readers give to solids without one. */
-const GENERIC = /^(solid|region) \d+$/;
-
 function* shapesOf({ name, surface }: AssemblyPart): Steps<Shape[]> {
-  const { surfaceRegions } = surface;
+  const { surfaceRegions, givenRegions } = surface;
   if (surfaceRegions === undefined) return [yield* shapeOf(surface, name, () => 1)];
   const { regions, triangleRegions } = surfaceRegions;
   const shapes: Shape[] = [];
   for (const [r, { name: own }] of regions.entries()) {
     const signOf = (t: number) =>
       Number(triangleRegions[2 * t] === r) - Number(triangleRegions[2 * t + 1] === r);
-    const isUnnamed = own === "" || (regions.length === 1 && GENERIC.test(own));
+    const isUnnamed = own === "" || (regions.length === 1 && isNumberedSolid(own));
     const shape = yield* shapeOf(surface, isUnnamed ? name : own, signOf);
-    if (shape.triangles.length > 0) shapes.push(shape);
+    const maxVolume = givenRegions?.maxVolumes[r] ?? 0;
+    if (shape.triangles.length > 0) shapes.push({ ...shape, maxVolume });
   }
   return shapes;
 }

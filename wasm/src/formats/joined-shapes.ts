@@ -22,6 +22,8 @@ export interface Shape {
   readonly points: Float64Array;
   readonly triangles: Uint32Array;
   readonly faces: readonly ShapeFace[];
+  /** Largest volume of its tetrahedra; 0 or undefined without a limit. */
+  readonly maxVolume?: number | undefined;
 }
 
 /** All shapes of a file. */

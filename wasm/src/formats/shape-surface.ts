@@ -28,13 +28,17 @@ export function* surfaceOfShapes(shapes: readonly Shape[]): Steps<FileMesh> {
     yield* shareTriangles(joined);
   }
   const mesh = yield* meshOf(joined, shapes);
-  return shapes.length > 1 && open.size === 0 ? withGivenRegions(mesh) : mesh;
+  return shapes.length > 1 && open.size === 0 ? withGivenRegions(mesh, shapes) : mesh;
 }
 
 /** Several solids state what is meshed on either side: a solid may fill a cavity of another. */
-function withGivenRegions(mesh: FileMesh): FileMesh {
+function withGivenRegions(mesh: FileMesh, shapes: readonly Shape[]): FileMesh {
   const { triangleRegions = new Uint32Array() } = mesh.surfaceRegions ?? {};
-  return { ...mesh, givenRegions: { triangleRegions, maxVolumes: new Float64Array() } };
+  const isLimited = shapes.some(({ maxVolume = 0 }) => maxVolume > 0);
+  const maxVolumes = isLimited
+    ? Float64Array.from(shapes, ({ maxVolume = 0 }) => maxVolume)
+    : new Float64Array();
+  return { ...mesh, givenRegions: { triangleRegions, maxVolumes } };
 }
 
 function* meshOf(joined: JoinedShapes, shapes: readonly Shape[]): Steps<FileMesh> {

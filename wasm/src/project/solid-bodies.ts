@@ -2,6 +2,7 @@
 import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
 import { integers } from "../calls/schemas.js";
+import { isNumberedSolid } from "../formats/groups.js";
 import { NO_REGION } from "../generated/constants.js";
 import type { FileGroup, SurfaceRegions } from "../mesh/file-mesh.js";
 import type { PatchedSurface } from "../mesh/mesh.js";
@@ -90,8 +91,6 @@ function joinedRegions(count: number, triangleRegions: Uint32Array): number[][] 
 
 /** Largest number of solids in the name of a body. */
 const MAX_NAMED = 3;
-/** Readers call solids without a name "solid 3". */
-const GENERIC = /^(solid|region) \d+$/;
 
 function withName(
   body: ProjectBody,
@@ -99,7 +98,7 @@ function withName(
   regions: SurfaceRegions["regions"],
 ): ProjectBody {
   const names = group.map((region) => regions[region]?.name ?? "").filter((name) => name !== "");
-  const isNamed = names.length > 0 && !(regions.length === 1 && names.every((name) => GENERIC.test(name)));
+  const isNamed = names.length > 0 && !(regions.length === 1 && names.every(isNumberedSolid));
   if (!isNamed) return body;
   const more = names.length - MAX_NAMED;
   return { ...body, name: names.slice(0, MAX_NAMED).join(" + ") + (more > 0 ? ` + ${more} more` : "") };

@@ -1,0 +1,102 @@
+/** The files of an assembly, which `tetrafront mesh --join` meshes as one model. */
+import { readFileSync } from "node:fs";
+import { readMesh } from "tetrafront";
+import { describe, expect, test } from "vitest";
+
+import { sixfoldVolume } from "../../support/block-mesh.js";
+import { boxSolid, stepFile } from "../../support/step-files.js";
+import { offFile, smeshFile } from "../../support/surface-files.js";
+import { boxSurface, joined } from "../../support/surfaces.js";
+import { temporaryFolder } from "../../support/temporary-folder.js";
+
+const { save, run, inFolder } = temporaryFolder();
+
+describe("files of an assembly", () => {
+  const parts = {
+    base: boxSolid("base", [0, 0, 0], [6, 4, 1]),
+    left: boxSolid("left", [0, 0, 1], [1, 4, 4]),
+    right: boxSolid("right", [5, 0, 1], [6, 4, 4]),
+    lid: boxSolid("lid", [0, 0, 4], [6, 4, 5]),
+    // Names in files need not differ.
+    post: boxSolid("base", [2, 1, 1], [4, 3, 4]),
+  };
+
+  test("are one mesh with named regions and interfaces by --join", async () => {
+    for (const [name, solid] of Object.entries(parts)) save(`${name}.step`, stepFile([solid]));
+    const files = Object.keys(parts).map((name) => `${name}.step`);
+    const { code, stderr } = await run(
+      "mesh",
+      ...files,
+      "--join",
+      "-o",
+      "assembly.msh",
+      "--report",
+      "r.json",
+    );
+    expect([code, stderr]).toEqual([0, expect.not.stringContaining("error")]);
+    const read = await readMesh(readFileSync(inFolder("assembly.msh")), { fileName: "assembly.msh" });
+    if (!read.success) throw new Error(read.errors[0].message);
+    expect(read.value.regions.map(({ name }) => name)).toEqual(["base", "left", "right", "lid", "base 2"]);
+    const interfaces = read.value.patches.map(({ name }) => name).filter((name) => name.includes(" / "));
+    for (const pair of ["base / left", "base / right", "base / base 2", "left / lid", "right / lid"]) {
+      expect(interfaces).toContain(pair);
+    }
+    const report = JSON.parse(readFileSync(inFolder("r.json"), "utf8")) as { volume: number; status: string };
+    expect([report.status, report.volume]).toEqual(["done", expect.closeTo(24 + 24 + 24 + 12, 6)]);
+    const tets = read.value.tetrahedra;
+    const faces = new Map<string, number>();
+    for (let t = 0; t < tets.length; t += 4) {
+      for (let k = 0; k < 4; k++) {
+        const key = [0, 1, 2, 3]
+          .flatMap((i) => (i === k ? [] : (tets[t + i] ?? 0)))
+          .sort((a, b) => a - b)
+          .join();
+        faces.set(key, (faces.get(key) ?? 0) + 1);
+      }
+    }
+    expect(Math.max(...faces.values())).toBe(2);
+  });
+
+  test("need one unit, and are no projects", async () => {
+    save("a.step", stepFile([parts.base]));
+    save("b.off", offFile(boxSurface(1)));
+    const mixed = await run("mesh", "a.step", "b.off", "--join", "-o", "x.vtu");
+    expect([mixed.code, mixed.stderr]).toEqual([
+      2,
+      expect.stringContaining("The unit of the file is unknown, but that of the first file is mm"),
+    ]);
+    const named = await run("mesh", "a.step", "b.off", "--join", "-o", "{name}.vtu");
+    expect([named.code, named.stderr]).toEqual([2, expect.stringContaining("Joined inputs have one output")]);
+    const over = await run("mesh", "a.step", "b.off", "--join", "-o", "b.off");
+    expect(over.code).toBe(2);
+    const report = await run("mesh", "a.step", "b.off", "--join", "-o", "x.vtu", "--report", "b.off");
+    expect([report.code, report.stderr]).toEqual([
+      2,
+      expect.stringContaining("The report would replace the input b.off"),
+    ]);
+    expect(readFileSync(inFolder("b.off"), "utf8")).toMatch(/^OFF/);
+  });
+
+  test("keep the holes and regions that points of their files mark", async () => {
+    // A box with a void, which a hole point marks; and a box in the void, whose region has a largest volume.
+    const outer = boxSurface(2);
+    const inner = boxSurface(1, [0.25, 0.25, 0.25], [0.5, 0.5, 0.5]);
+    save("shell.smesh", smeshFile(joined(outer, inner), "1\n1 0.3 0.3 0.3\n0\n"));
+    save("core.smesh", smeshFile(inner, "0\n1\n1 0.3 0.3 0.3 7 0.0005\n"));
+    const args = ["mesh", "shell.smesh", "core.smesh", "--join", "-o", "joined.msh", "--report", "r.json"];
+    const { code, stderr } = await run(...args);
+    expect([code, stderr]).toEqual([0, expect.not.stringContaining("error")]);
+    const read = await readMesh(readFileSync(inFolder("joined.msh")), { fileName: "joined.msh" });
+    if (!read.success) throw new Error(read.errors[0].message);
+    const { regions, tetrahedra, tetrahedronRegion, points } = read.value;
+    expect(regions.map(({ name }) => name)).toEqual(["shell", "core"]);
+    const volumes: [number[], number[]] = [[], []];
+    tetrahedronRegion.forEach((region, t) => {
+      const corners = [...tetrahedra.subarray(4 * t, 4 * t + 4)];
+      volumes[region === 0 ? 0 : 1].push(Math.abs(sixfoldVolume(points, corners)) / 6);
+    });
+    const sum = (all: readonly number[]) => all.reduce((total, volume) => total + volume, 0);
+    expect(volumes.map(sum)).toEqual([expect.closeTo(1 - 1 / 64, 9), expect.closeTo(1 / 64, 9)]);
+    expect(Math.max(...volumes[1])).toBeLessThanOrEqual(0.0005);
+  });
+});
