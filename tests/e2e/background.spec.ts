@@ -126,6 +126,22 @@ test("a covering grid solves the problem of a model outside the background grid"
   await expect(page.getByTestId("tree-background-node").getByText("4", { exact: true })).toBeVisible();
 });
 
+test("a quick fix enlarges a covering grid around a model that has grown, as one step of undo", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByRole("tab", { name: "Problems" }).click();
+  await app.select("point-2");
+  await app.type("position-x", "40");
+  const group = page.getByTestId("problems-outside-background-grid");
+  await expect(group).toBeVisible();
+  await page.getByTestId("fix-outside-background-grid").first().click();
+  await expect(group).toBeHidden();
+  await page.getByTestId("undo").click();
+  await expect(group).toBeVisible();
+});
+
 test("a uniform size replaces the background grid and removes its problems", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.openCube();

@@ -10,14 +10,18 @@ import { showFailure } from "./messages";
 /** Actions on the background grid that need the engine. */
 
 /** Replaces the background grid by one of uniform size around the model. */
-export async function coverModel(app: App, options: CoverOptions): Promise<void> {
+export async function coverModel(
+  app: App,
+  options: CoverOptions,
+  label: string = strings.background.cover,
+): Promise<void> {
   try {
     const mesher = await app.mesher;
     const background = await mesher.coverProject(app.documents.project, options);
-    app.documents.edit(replaceBackground(strings.background.cover, app.documents.project, background));
+    app.documents.edit(replaceBackground(label, app.documents.project, background));
     app.view.setLayer("background", true);
   } catch (error) {
-    showFailure(app, strings.background.cover, error);
+    showFailure(app, label, error);
   }
 }
 

@@ -1,5 +1,4 @@
 import type { App } from "../app/app";
-import { likelySize } from "../document/extent";
 import { fixEdit, quickFixOf, type QuickFix } from "../document/quick-fixes";
 import type { Problem } from "../document/validate";
 import { fixStrings } from "../strings";
@@ -19,7 +18,7 @@ export function applyFixes(app: App, fixes: readonly QuickFix[]): void {
   const [first] = fixes;
   if (!first) return;
   const { project } = app.documents;
-  if (first.coversModel) return void coverModel(app, { size: likelySize(project) });
+  if (first.coverSize !== null) return void coverModel(app, { size: first.coverSize }, first.label);
   const label = fixes.length === 1 ? first.label : fixStrings.stepAll(first.label, fixes.length);
   const edit = fixEdit(project, label, fixes);
   if (edit) app.documents.edit(edit);

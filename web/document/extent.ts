@@ -26,6 +26,13 @@ export function smallestSize({ background }: Project): number | undefined {
   return Number.isFinite(smallest) ? smallest : undefined;
 }
 
+/** Returns the size of all nodes of the background grid; undefined if they differ, are stretched, or there are none. */
+export function uniformSize({ background: { nodes } }: Project): number | undefined {
+  const size = nodes[0]?.size;
+  const isUniform = nodes.every((node) => node.size === size && (node.stretching ?? 1) === 1);
+  return isUniform ? size : undefined;
+}
+
 /** Returns the diagonal of the box around points; 0 without any. */
 export function diagonalOf(points: readonly { readonly position: readonly number[] }[]): number {
   if (points.length === 0) return 0;

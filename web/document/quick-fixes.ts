@@ -4,6 +4,7 @@ import { offerPatch } from "./create";
 import type { DrawnLoop } from "./drawn-loop";
 import type { ProjectEdit } from "./edit";
 import { findRecord, type DrawnKind } from "./entities";
+import { likelySize, uniformSize } from "./extent";
 import { linePaths } from "./line-paths";
 import { drawnLoops, keyOf } from "./loop-search";
 import { orderLoops } from "./loops";
@@ -16,8 +17,8 @@ export interface QuickFix {
   readonly label: string;
   /** One sentence: what it will do. */
   readonly effect: string;
-  /** Makes a covering grid, which only the engine can do, instead of an edit. */
-  readonly coversModel: boolean;
+  /** Size of the covering grid that it makes, which only the engine can do; null if it is an edit. */
+  readonly coverSize: number | null;
   /** Returns the fixed project; the same one if the problem is gone. */
   readonly apply: (project: Project) => Project;
 }
@@ -31,6 +32,7 @@ export interface FixContext {
 
 /** Returns the fix of a problem; null if there is no safe one. */
 export function quickFixOf(problem: Problem, context: FixContext): QuickFix | null {
+  if (problem.code === "outside-background-grid") return enlargeGrid(context);
   // Bodies have repairs of their own.
   if (problem.body !== null || problem.entities.some(({ kind }) => kind === "body")) return null;
   switch (problem.code) {
@@ -47,7 +49,7 @@ export function quickFixOf(problem: Problem, context: FixContext): QuickFix | nu
     case "degenerate-background-tetrahedron":
       return removeTetrahedron(problem);
     case "empty-background-grid":
-      return { ...fixStrings.cover, coversModel: true, apply: (project) => project };
+      return covering(fixStrings.cover, likelySize(context.project));
     case "open-edge":
       return closePatch(problem, context);
     default:
@@ -72,9 +74,21 @@ const idsOf = ({ entities }: Problem, of: DrawnKind): readonly number[] =>
 
 const simple = (text: Pick<QuickFix, "label" | "effect">, apply: QuickFix["apply"]): QuickFix => ({
   ...text,
-  coversModel: false,
+  coverSize: null,
   apply,
 });
+
+const covering = (text: Pick<QuickFix, "label" | "effect">, size: number): QuickFix => ({
+  ...text,
+  coverSize: size,
+  apply: (project) => project,
+});
+
+/** A larger grid, if this changes no size: all nodes ask for the same one, in all directions. */
+function enlargeGrid({ project }: FixContext): QuickFix | null {
+  const size = uniformSize(project);
+  return size === undefined ? null : covering(fixStrings.enlarge, size);
+}
 
 function joinPoints(problem: Problem): QuickFix | null {
   const [a, b] = idsOf(problem, "point");

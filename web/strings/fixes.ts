@@ -4,6 +4,10 @@ export const fixStrings = {
     label: "Create covering grid",
     effect: "Creates a background grid of one size around the model.",
   },
+  enlarge: {
+    label: "Enlarge covering grid",
+    effect: "Replaces the background grid by a larger one of the same size around the model; sources stay.",
+  },
   joinPoints: (keep: number, drop: number) => ({
     label: "Join points",
     effect: `Uses point ${keep} in place of point ${drop}, and joins lines and patches that then coincide.`,

@@ -10,6 +10,8 @@ import { LinesLayer } from "../../../web/viewer/layers/lines-layer";
 import { MeshLayer } from "../../../web/viewer/layers/mesh-layer";
 import { PatchesLayer } from "../../../web/viewer/layers/patches-layer";
 import { SourcesLayer } from "../../../web/viewer/layers/sources-layer";
+import { createDotMaterial } from "../../../web/viewer/materials/dot-material";
+import { dotReach } from "../../../web/viewer/nearest";
 import type { SceneState } from "../../../web/viewer/scene-state";
 import { Screen } from "../../../web/viewer/screen";
 import type { DrawnFaces, QueriedMesh } from "../../../web/viewer/queries/mesh-queries";
@@ -106,6 +108,20 @@ describe.each([
 });
 
 describe("the layer of points", () => {
+  it("draws small dots, and larger ones under the pointer and selected, which show through surfaces", () => {
+    const { uniforms, vertexShader } = createDotMaterial("round");
+    const sizes = uniforms.stateScales.value;
+    const [small, large] = [sizes[normal] ?? 0, Math.min(sizes[hover] ?? 0, sizes[selected] ?? 0)];
+    expect(small).toBeGreaterThanOrEqual(6);
+    expect(small).toBeLessThanOrEqual(7);
+    expect(large).toBeGreaterThanOrEqual(1.5 * small);
+    const threshold = Number(/stateScale\(\) > ([\d.]+)/.exec(vertexShader)?.[1]);
+    expect(threshold).toBeGreaterThan(small);
+    expect(threshold).toBeLessThan(large);
+    // The pointer need not be on the dot.
+    expect(dotReach).toBeGreaterThan(small / 2 + 4);
+  });
+
   it("writes only the position of a point that moves", () => {
     const layer = pointsLayer();
     show(layer, start);

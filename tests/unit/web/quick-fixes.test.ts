@@ -118,7 +118,7 @@ it("offers a covering grid if there is none, and no fix where the user must deci
   const project = { ...cubeProject(), background: { nodes: [], tetrahedra: [] } };
   const problems = await problemsOf(project);
   expect(codes(problems)).toContain("empty-background-grid");
-  expect(fixesOf(project, problems).map(({ coversModel }) => coversModel)).toEqual([true]);
+  expect(fixesOf(project, problems).map(({ coverSize }) => coverSize)).toEqual([0.05]);
   const bent = cubeProject();
   const moved = {
     ...bent,
@@ -136,6 +136,34 @@ it("offers a covering grid if there is none, and no fix where the user must deci
       found.filter(({ code }) => code === "not-planar"),
     ),
   ).toEqual([]);
+});
+
+it("enlarges a grid of one size, and no other one, if the model has grown out of it", async () => {
+  const cube = cubeProject();
+  const covered: Project = { ...cube, background: await mesher.coverProject(cube, { size: 0.37 }) };
+  expect(await problemsOf(covered)).toEqual([]);
+  const tripled = ({ position }: Project["points"][number]): [number, number, number] => [
+    3 * position[0],
+    3 * position[1],
+    3 * position[2],
+  ];
+  const grown = {
+    ...covered,
+    points: covered.points.map((point) => ({ ...point, position: tripled(point) })),
+  };
+  const problems = await problemsOf(grown);
+  expect(codes(problems)).toEqual(["outside-background-grid"]);
+  const [fix, ...others] = fixesOf(grown, problems);
+  expect(others.every(({ effect }) => effect === fix?.effect)).toBe(true);
+  expect(fix?.coverSize).toBe(0.37);
+  const background = await mesher.coverProject(grown, { size: fix?.coverSize ?? 0 });
+  expect(await problemsOf({ ...grown, background })).toEqual([]);
+  for (const change of [{ size: 0.38 }, { stretching: 2, direction: [1, 0, 0] as const }]) {
+    const [first, ...rest] = grown.background.nodes;
+    if (!first) throw new Error("the grid has no nodes");
+    const nodes = [{ ...first, ...change }, ...rest];
+    expect(fixesOf({ ...grown, background: { ...grown.background, nodes } }, problems)).toEqual([]);
+  }
 });
 
 /** A cube with a square bore, without the patch at the top. */

@@ -3,9 +3,9 @@ import { drawStateGlsl, drawStateUniforms, type StateMaterial } from "../draw-st
 import { culled } from "./glsl";
 
 /** Diameters in CSS pixels. */
-const diameters = { normal: 9, hover: 12, selected: 12, defective: 12 };
+const diameters = { normal: 7, hover: 12, selected: 12, defective: 12 };
 /** Dots above this diameter are emphasized. */
-const maxPlainDiameter = 10;
+const maxPlainDiameter = 8;
 
 const vertexShader = /* glsl */ `
   uniform float pixelRatio;
@@ -35,7 +35,7 @@ const fragmentShader = /* glsl */ `
     float pixel = 2.0 / vDiameter;
     float alpha = 1.0 - smoothstep(1.0 - pixel, 1.0, reach);
     if (alpha <= 0.01) discard;
-    vec3 color = mix(vColor, rim, smoothstep(1.0 - 3.0 * pixel, 1.0 - 2.0 * pixel, reach));
+    vec3 color = mix(vColor, rim, smoothstep(1.0 - 2.0 * pixel, 1.0 - pixel, reach));
     gl_FragColor = vec4(color, alpha);
   }
 `;
