@@ -65,7 +65,7 @@ export type { LengthOptions } from "./formats/units.js";
 export type { SurfaceFile } from "./formats/surface-file.js";
 export { unusedData, volumeBackground } from "./api/volume-background.js";
 export type { VolumeFile } from "./formats/volume-file.js";
-export { readTrace } from "./trace/read-trace.js";
+export { loadTrace, readTrace, type LoadTraceOptions } from "./trace/read-trace.js";
 export type { Trace, TraceSummary } from "./trace/trace.js";
 export type { TraceHeader } from "./trace/header.js";
 export type { LinesSummary, PatchesSummary, SurfaceTrace } from "./trace/surface-trace.js";

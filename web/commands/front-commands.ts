@@ -6,7 +6,7 @@ import { define, type Command } from "./command";
 const playerState = (app: App) => app.player.state.getState();
 const hasTrace = (app: App): boolean => playerState(app).trace !== null;
 const canRecord = (app: App): boolean =>
-  playerState(app).recording === null && !app.run.state.getState().busy;
+  playerState(app).recording === null && playerState(app).reading === null && !app.run.state.getState().busy;
 
 /** Records the front of the present model; the tab shows the progress. */
 function recordFront(app: App): void {

@@ -1,4 +1,4 @@
-import { readTrace, type FrontOrder, type Mesher, type Progress, type Trace } from "tetrafront";
+import { loadTrace, type FrontOrder, type Mesher, type Progress, type Trace } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { settledProject, type DocumentStore } from "../session/document-store";
 import type { MeshRun } from "../session/run";
@@ -17,10 +17,14 @@ export type ShownElements = "none" | "last" | "recent";
 export interface PlayerState {
   /** A recording that is under way. */
   readonly recording: { readonly progress: Progress | null; readonly isStopping: boolean } | null;
+  /** Fraction of a trace that has been read, 0 to 1; null while none is read. */
+  readonly reading: number | null;
   /** Why there is no trace; null without a failure. */
   readonly failure: readonly string[] | null;
   /** The trace that the view shows; null if it shows the model and its mesh. */
   readonly trace: Trace | null;
+  /** Whether the trace was opened from a file: it may belong to another model. */
+  readonly isOpened: boolean;
   /** The trace as a file. */
   readonly file: Uint8Array<ArrayBuffer> | null;
   /** The state that is shown: the one after this step. Negative in lines and patches (phases.ts). */
@@ -48,8 +52,10 @@ export const jump = 100;
 
 const initialState: PlayerState = {
   recording: null,
+  reading: null,
   failure: null,
   trace: null,
+  isOpened: false,
   file: null,
   step: 0,
   isPlaying: false,
@@ -115,17 +121,28 @@ export class Player {
     if (this.#abort !== abort) return null;
     this.#abort = null;
     this.state.setState({ recording: null });
-    if (recorded.kind === "failed") this.state.setState({ failure: recorded.reasons });
-    else this.show(recorded.trace, recorded.file);
-    return recorded;
+    if (recorded.kind === "failed") {
+      this.state.setState({ failure: recorded.reasons });
+      return recorded;
+    }
+    const trace = await this.#read(recorded.file);
+    if (!trace) return null;
+    this.show(trace, recorded.file);
+    return { ...recorded, trace };
   }
 
-  /** Shows a trace from a file, which may belong to another model. */
-  open(file: Uint8Array<ArrayBuffer>): void {
-    const read = readTrace(file);
-    this.close();
-    if (read.success) this.show(read.value, file);
-    else this.state.setState({ failure: read.errors.map(({ message, remedy }) => `${message}. ${remedy}`) });
+  /** Shows a trace from a file, which may belong to another model. Does nothing during a recording. */
+  async open(file: Uint8Array<ArrayBuffer>): Promise<void> {
+    if (this.state.getState().recording) return;
+    this.#abandon();
+    const trace = await this.#read(file);
+    if (!trace) return;
+    this.#show(trace, file, true);
+  }
+
+  /** Stops reading a trace. The model is shown. */
+  stopReading(): void {
+    if (this.state.getState().reading !== null) this.#abandon();
   }
 
   /** Stops a recording. What it has recorded until then is shown. */
@@ -139,8 +156,8 @@ export class Player {
   /** Shows the model again. */
   close(): void {
     this.#playback.stop();
-    const { recording, speed, coloring, faces, elements, follows } = this.state.getState();
-    this.state.setState({ ...initialState, recording, speed, coloring, faces, elements, follows });
+    const { recording, reading, speed, coloring, faces, elements, follows } = this.state.getState();
+    this.state.setState({ ...initialState, recording, reading, speed, coloring, faces, elements, follows });
   }
 
   /** Shows the state after a step; numbers out of range show the first or the last state. */
@@ -202,18 +219,41 @@ export class Player {
     if (this.state.getState().isPlaying) this.#playback.start(speed);
   }
 
-  /** Ends a recording without a result, and shows the model again. */
+  /** Ends a recording or the reading of a trace without a result, and shows the model again. */
   #abandon(): void {
     this.#abort?.abort();
     this.#abort = null;
-    this.state.setState({ recording: null });
+    this.state.setState({ recording: null, reading: null });
     this.close();
   }
 
-  /** Shows a trace and the file it was read from, in the first state. */
+  /** Reads a trace in slices. Returns null if it is invalid, or if the reading was ended. */
+  async #read(file: Uint8Array<ArrayBuffer>): Promise<Trace | null> {
+    const abort = (this.#abort = new AbortController());
+    this.state.setState({ reading: 0, failure: null });
+    const onProgress = (reading: number): void => {
+      if (this.#abort === abort) this.state.setState({ reading });
+    };
+    const read = await loadTrace(file, { signal: abort.signal, onProgress }).catch((error: unknown) => {
+      if (this.#abort === abort) throw error;
+      return null;
+    });
+    if (this.#abort !== abort || !read) return null;
+    this.#abort = null;
+    this.state.setState({ reading: null });
+    if (read.success) return read.value;
+    this.state.setState({ failure: read.errors.map(({ message, remedy }) => `${message}. ${remedy}`) });
+    return null;
+  }
+
+  /** Shows a recorded trace and the file it was read from, in the first state. */
   show(trace: Trace, file: Uint8Array<ArrayBuffer>): void {
+    this.#show(trace, file, false);
+  }
+
+  #show(trace: Trace, file: Uint8Array<ArrayBuffer>, isOpened: boolean): void {
     this.pause();
-    this.state.setState({ trace, file, step: 0, loop: null, candidate: null, failure: null });
+    this.state.setState({ trace, file, isOpened, step: 0, loop: null, candidate: null, failure: null });
   }
 
   /** Plays a number of steps: up to the next stop, the end of the loop, or the end. */

@@ -1,5 +1,4 @@
 import {
-  readTrace,
   recordTrace,
   type Mesher,
   type MeshReport,
@@ -15,15 +14,20 @@ import { remedyInApp } from "../strings";
 /** Returns the triangles of bodies that are already made. */
 export type PreparedOf = (project: Project) => readonly PreparedBody[];
 
-export type Recorded =
-  | {
-      readonly kind: "recorded";
-      readonly trace: Trace;
-      readonly file: Uint8Array<ArrayBuffer>;
-      /** The mesh of the front, before any optimization. */
-      readonly report: MeshReport;
-    }
-  | { readonly kind: "failed"; readonly reasons: readonly string[] };
+export interface FailedRecording {
+  readonly kind: "failed";
+  readonly reasons: readonly string[];
+}
+
+/** A recorded front, read. */
+export type Recorded = (RecordedFile & { readonly trace: Trace }) | FailedRecording;
+
+export interface RecordedFile {
+  readonly kind: "recorded";
+  readonly file: Uint8Array<ArrayBuffer>;
+  /** The mesh of the front, before any optimization. */
+  readonly report: MeshReport;
+}
 
 /**
  * Meshes a project as Generate mesh does, but without the optimization, which is not part of a trace. Resolves in
@@ -34,7 +38,7 @@ export async function recordProject(
   project: Project,
   preparedOf: PreparedOf,
   control: RunControl,
-): Promise<Recorded> {
+): Promise<RecordedFile | FailedRecording> {
   const [input, options] = engineInput(project);
   const preparedBodies = preparedOf(project);
   try {
@@ -50,10 +54,7 @@ export async function recordProject(
       );
       return { kind: "failed", reasons };
     }
-    const read = readTrace(file);
-    return read.success
-      ? { kind: "recorded", trace: read.value, file, report: result.report }
-      : { kind: "failed", reasons: read.errors.map(({ message, remedy }) => `${message}. ${remedy}`) };
+    return { kind: "recorded", file, report: result.report };
   } catch (error) {
     return { kind: "failed", reasons: [failureText(error)] };
   }

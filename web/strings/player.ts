@@ -48,6 +48,8 @@ export const playerStrings = {
   recorded: (tetrahedra: number) => `${number(tetrahedra)} tetrahedra`,
   stop: "Stop recording",
   stopping: "Stopping…",
+  reading: "Reading the trace",
+  stopReading: "Cancel",
   open: "Open trace…",
   save: "Save trace",
   close: "Show the model",

@@ -141,6 +141,6 @@ function addSamples({ kind, id }: Entity, { samples, project }: SampledProject, 
 }
 
 /** Returns the bounds of points given as x y z in a row. */
-export function boundsOf(points: readonly number[]): Bounds {
+export function boundsOf(points: ArrayLike<number>): Bounds {
   return new Bounds().addAll(points);
 }

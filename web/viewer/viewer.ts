@@ -146,6 +146,11 @@ export class Viewer {
     this.#fitBounds(new Bounds().add(...position));
   }
 
+  /** Moves to what lies at positions, x y z each. */
+  fitPositions(positions: Float64Array): void {
+    this.#fitBounds(boundsOf(positions));
+  }
+
   look(view: StandardView): void {
     this.#view.look(view, this.#options.motion);
     this.fit(null);

@@ -314,10 +314,17 @@ async function errorsOf(call: () => unknown): Promise<readonly ReportedError[] |
 }
 
 /**
- * Functions tested elsewhere: `readTrace` with damaged files (trace.test.ts); `recordTrace` passes its arguments on to methods
+ * Functions tested elsewhere: `readTrace` and `loadTrace` with damaged files (trace.test.ts); `recordTrace` passes its arguments on to methods
  * of the mesher; `liveNotes` takes a project that was checked.
  */
-const TESTED_ELSEWHERE = ["MesherError", "createMesher", "readTrace", "recordTrace", "liveNotes"];
+const TESTED_ELSEWHERE = [
+  "MesherError",
+  "createMesher",
+  "loadTrace",
+  "readTrace",
+  "recordTrace",
+  "liveNotes",
+];
 
 test("every exported function and every method is tested", () => {
   const exported = Object.entries(api).filter(([, value]) => typeof value === "function");

@@ -1,5 +1,5 @@
 /** Traces of the front: states, steps, summary, final mesh, and damaged files. */
-import { readTrace, type Trace, type TraceStep } from "tetrafront";
+import { loadTrace, MesherError, readTrace, type Trace, type TraceStep } from "tetrafront";
 import { describe, expect, test } from "vitest";
 import { mutated, randomSource } from "../../support/random.js";
 import { boxSurface } from "../../support/surfaces.js";
@@ -149,6 +149,50 @@ test("the final mesh has the engine's order and fingerprint", () => {
   expect([...mesh.points]).toEqual(points.map((value) => value + 0));
   expect([...mesh.tetrahedra]).toEqual(tetrahedra);
   expect(mesh.fingerprint).toBe(fingerprintOf(points, tetrahedra));
+});
+
+describe("reading in slices", () => {
+  const large = starTrace(starSurface(boxSurface(20, [-1, -1, -1], [1, 1, 1]))).bytes;
+
+  test("returns the trace that is read at once, and lets other work run meanwhile", async () => {
+    const expected = read(large);
+    const fractions: number[] = [];
+    let ticks = 0;
+    const ticking = setInterval(() => ++ticks);
+    const loaded = await loadTrace(large, { onProgress: (fraction) => fractions.push(fraction) });
+    clearInterval(ticking);
+    if (!loaded.success) throw new Error(loaded.errors[0].message);
+    const trace = loaded.value;
+    expect(trace.steps).toEqual(expected.steps);
+    expect(trace.faces).toEqual(expected.faces);
+    expect(trace.finalMesh()).toEqual(expected.finalMesh());
+    expect(ticks).toBeGreaterThan(2);
+    expect(fractions.length).toBeGreaterThan(2);
+    expect(fractions).toEqual(fractions.toSorted((a, b) => a - b));
+    expect(fractions.at(-1)).toBe(1);
+  });
+
+  test("is cancelled before and while it runs", async () => {
+    const code = (error: unknown) => (error instanceof MesherError ? error.code : error);
+    await expect(loadTrace(large, { signal: AbortSignal.abort() }).catch(code)).resolves.toBe("cancelled");
+    const abort = new AbortController();
+    let calls = 0;
+    const onProgress = () => {
+      ++calls;
+      abort.abort();
+    };
+    await expect(loadTrace(large, { signal: abort.signal, onProgress }).catch(code)).resolves.toBe(
+      "cancelled",
+    );
+    expect(calls).toBe(1);
+  });
+
+  test("returns the errors of a damaged file, and rejects invalid options", async () => {
+    const damaged = large.slice(0, -1);
+    expect(await loadTrace(damaged)).toEqual(readTrace(damaged));
+    const options = { onProgress: 3 } as unknown as { onProgress: () => void };
+    await expect(loadTrace(large, options)).rejects.toThrow(/options.onProgress/);
+  });
 });
 
 describe("damaged files", () => {

@@ -94,7 +94,7 @@ afterEach(() => {
 
 it("plays a trace with buttons and keys, and links to the app", async () => {
   expect(host.querySelector('[role="status"]')?.textContent).toContain("Recording");
-  app.player.open(bytes);
+  await app.player.open(bytes);
   app.player.seek(3);
   await until(() => expect(button("player-forward")).not.toBeNull());
   button("player-forward")?.click();
@@ -109,7 +109,7 @@ it("plays a trace with buttons and keys, and links to the app", async () => {
 
 it("has a link for the step of an unchanged example, and for nothing else", async () => {
   expect(await sharedFrontOf(app)).toBeNull();
-  app.player.open(bytes);
+  await app.player.open(bytes);
   app.player.seek(7);
   app.player.state.setState({ coloring: "layer" });
   expect(await sharedFrontOf(app)).toMatchObject({ model: "cube", step: 7, coloring: "layer", camera: null });
@@ -129,20 +129,20 @@ it("has a link for the step of an unchanged example, and for nothing else", asyn
 it("has no link for another model with the title of an example", async () => {
   const sphere = { ...model, meshing: { ...model.meshing, size: 0.123 } };
   app.showProject(sphere);
-  app.player.open(bytes);
+  await app.player.open(bytes);
   expect(await sharedFrontOf(app)).toBeNull();
   // The order of a front is a part of its address.
   app.showProject({ ...model, meshing: { ...model.meshing, order: "first-in" } });
-  app.player.open(bytes);
+  await app.player.open(bytes);
   expect(await sharedFrontOf(app)).toMatchObject({ model: "cube", order: null });
   // A trace of another model, from a file.
   app.showProject(cubeProject());
-  app.player.open(bytes);
+  await app.player.open(bytes);
   expect(await sharedFrontOf(app)).toBeNull();
 });
 
 it("says why there is no link if the example cannot be loaded", async () => {
-  app.player.open(bytes);
+  await app.player.open(bytes);
   vi.stubGlobal("fetch", () => Promise.reject(new Error("There is no connection")));
   await copyLink(app);
   expect(app.shell.getState().message?.lines.join()).toContain("no connection");

@@ -37,7 +37,7 @@ class Recorder extends EventTarget {
 
 let app: App;
 
-beforeEach(() => {
+beforeEach(async () => {
   vi.stubGlobal("Worker", class {});
   vi.stubGlobal("MediaRecorder", Recorder);
   vi.stubGlobal("requestAnimationFrame", () => 0);
@@ -59,7 +59,7 @@ beforeEach(() => {
     },
     { gallery: { opening: "", models: [] }, generate: false, still: true },
   );
-  app.player.open(bytes);
+  await app.player.open(bytes);
   app.player.seek(2);
 });
 afterEach(() => {

@@ -123,9 +123,9 @@ describe("the buffers of the front", () => {
 });
 
 describe("the player", () => {
-  it("moves within the trace, and forgets the chosen candidate", () => {
+  it("moves within the trace, and forgets the chosen candidate", async () => {
     const { player } = newApp();
-    player.open(bytes);
+    await player.open(bytes);
     const step = () => player.state.getState().step;
     player.move(5);
     player.state.setState({ candidate: 0 });
@@ -140,9 +140,9 @@ describe("the player", () => {
     expect(step()).toBe(12);
   });
 
-  it("plays at its speed, pauses at a kind of step, and repeats a range", () => {
+  it("plays at its speed, pauses at a kind of step, and repeats a range", async () => {
     const { player } = newApp();
-    player.open(bytes);
+    await player.open(bytes);
     player.setSpeed(100);
     player.play();
     drawFrame(16);
@@ -161,17 +161,17 @@ describe("the player", () => {
     expect(player.state.getState()).toMatchObject({ step: 2, isPlaying: false });
   });
 
-  it("shows the end at once if the user prefers no motion", () => {
+  it("shows the end at once if the user prefers no motion", async () => {
     vi.stubGlobal("matchMedia", () => ({ matches: true }));
     const { player } = newApp();
-    player.open(bytes);
+    await player.open(bytes);
     player.play();
     expect(player.state.getState()).toMatchObject({ step: trace.stepCount, isPlaying: false });
   });
 
-  it("jumps to every kind of step and back", () => {
+  it("jumps to every kind of step and back", async () => {
     const { player } = newApp();
-    player.open(bytes);
+    await player.open(bytes);
     // The surface of this trace was given: it has neither lines nor patches.
     for (const kind of stopKinds.filter((other) => other !== "line" && other !== "patch")) {
       player.seek(0);
@@ -188,17 +188,42 @@ describe("the player", () => {
     expect(shown?.kind === "advance" && shown.candidates[candidate ?? -1]?.verdict).toBe("crosses");
   });
 
-  it("says why a file is no trace, and closes with the document and with a run", () => {
+  it("says why a file is no trace, and closes with the document and with a run", async () => {
     const app = newApp();
-    app.player.open(new Uint8Array(20));
+    await app.player.open(new Uint8Array(20));
     expect(app.player.state.getState()).toMatchObject({ trace: null, failure: [/no trace/] });
-    app.player.open(bytes);
+    await app.player.open(bytes);
     expect(app.player.state.getState()).toMatchObject({ failure: null });
     app.showProject(cubeProject());
     expect(app.player.state.getState().trace).toBeNull();
-    app.player.open(bytes);
+    await app.player.open(bytes);
     void app.run.generate();
     expect(app.player.state.getState().trace).toBeNull();
+  });
+});
+
+describe("reading a trace", () => {
+  const large = starTrace(starSurface(boxSurface(20, [-1, -1, -1], [1, 1, 1]))).bytes;
+
+  it("can be cancelled; the model stays", async () => {
+    const { player } = newApp();
+    const opened = player.open(large);
+    await vi.waitFor(() => expect(player.state.getState().reading).toBeGreaterThan(0));
+    player.stopReading();
+    await opened;
+    expect(player.state.getState()).toMatchObject({ reading: null, trace: null, failure: null });
+  });
+
+  it("ends if another trace or another document is opened", async () => {
+    const app = newApp();
+    const first = app.player.open(large);
+    await app.player.open(bytes);
+    await first;
+    expect(app.player.state.getState().trace?.stepCount).toBe(trace.stepCount);
+    const last = app.player.open(large);
+    app.showProject(cubeProject());
+    await last;
+    expect(app.player.state.getState()).toMatchObject({ reading: null, trace: null });
   });
 });
 

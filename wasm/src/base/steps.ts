@@ -9,6 +9,14 @@ export type Steps<T> = Generator<typeof PAUSE, T, void>;
 /** Number of rows, nodes or elements per slice: a few milliseconds of work. */
 export const STEP = 1 << 12;
 
+/** Does the work without a pause and returns its result. */
+export function withoutPause<T>(work: Steps<T>): T {
+  for (;;) {
+    const step = work.next();
+    if (step.done === true) return step.value;
+  }
+}
+
 /** Calls `work` with consecutive ranges that cover 0 to `count` - 1. */
 export function* inRanges(
   count: number,

@@ -26,13 +26,15 @@ export class Yielder {
   }
 }
 
-/** Returns the result of the work; other work may run between its slices. */
-export async function inSteps<T>(work: Steps<T>, signal?: AbortSignal): Promise<T> {
+/** Returns the result of the work; other work may run between its slices. `onPause` is called before each pause. */
+export async function inSteps<T>(work: Steps<T>, signal?: AbortSignal, onPause?: () => void): Promise<T> {
   const yielder = new Yielder(signal);
   for (;;) {
     const step = work.next();
     if (step.done === true) return step.value;
-    if (yielder.isDue) await yielder.yield();
+    if (!yielder.isDue) continue;
+    onPause?.();
+    await yielder.yield();
   }
 }
 

@@ -141,16 +141,18 @@ export function readChange(cursor: TraceCursor, detail: number): ChangeEvent {
   };
 }
 
-/** Three nodes and the region per face of a front that begins. */
-export function readFirstFaces(cursor: TraceCursor): readonly number[] {
+/** A face of a front that begins. */
+export interface FirstFace {
+  readonly nodes: readonly [number, number, number];
+  readonly region: number;
+}
+
+/** Reads the faces of a front that begins, one after the other. */
+export function* firstFacesIn(cursor: TraceCursor): Generator<FirstFace, void> {
   const count = cursor.count("faces", 4);
-  const faces: number[] = [];
   let node = 0;
-  for (let i = 0; i < count; i++) {
-    for (let k = 0; k < 3; k++) faces.push((node += cursor.zigzag()));
-    faces.push(cursor.varint());
-  }
-  return faces;
+  const next = (): number => (node += cursor.zigzag());
+  for (let i = 0; i < count; i++) yield { nodes: [next(), next(), next()], region: cursor.varint() };
 }
 
 function readNodes(cursor: TraceCursor): readonly number[] {

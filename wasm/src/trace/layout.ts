@@ -89,3 +89,6 @@ export type EdgeRefusal = (typeof EDGE_REFUSALS)[number];
 export const NEVER = 0xffffffff;
 /** Index of no node, face or element. */
 export const NONE = 0xffffffff;
+
+/** Number of events, or of items of a list, in a slice of reading: some milliseconds of work. */
+export const EVENTS_PER_SLICE = 128;

@@ -1,5 +1,11 @@
 /** Reading of trace files (docs/TRACE.md). */
+import * as v from "valibot";
+import { PAUSE, type Steps, withoutPause } from "../base/steps.js";
 import { isA } from "../base/values.js";
+import { checkArgument } from "../calls/argument-checks.js";
+import { throwIfCancelled } from "../calls/cancelling.js";
+import { watch } from "../calls/schemas.js";
+import { inSteps } from "../calls/yielder.js";
 import type { ReadResult } from "../diagnostics/read-error.js";
 import { ReadFailure, readSafely } from "../formats/read-result.js";
 import { parseHeader, type TraceHeader } from "./header.js";
@@ -21,10 +27,44 @@ const MAX_BYTES = 0xffffffff;
  *     if (trace.success) console.log(trace.value.stepAt(1));
  */
 export function readTrace(bytes: Uint8Array): ReadResult<Trace> {
-  return readSafely(() => traceIn(bytes));
+  return readSafely(() => withoutPause(traceIn(cursorOf(bytes))));
 }
 
-function traceIn(bytes: Uint8Array): Trace {
+/** Options of `loadTrace`. */
+export interface LoadTraceOptions {
+  /** Called every few milliseconds with the fraction of the bytes read, 0 to 1. */
+  readonly onProgress?: ((fraction: number) => void) | undefined;
+  /** Aborting it rejects with a `MesherError` of code `cancelled`, within a few milliseconds. */
+  readonly signal?: AbortSignal | undefined;
+}
+
+const loadOptions = v.object(watch);
+
+/**
+ * Reads a trace as `readTrace` does, in slices of a few milliseconds, so that a page responds meanwhile. Rejects with a
+ * `MesherError` if it is cancelled, or if an option is invalid.
+ */
+export async function loadTrace(
+  bytes: Uint8Array,
+  options: LoadTraceOptions = {},
+): Promise<ReadResult<Trace>> {
+  checkArgument("options", options, loadOptions);
+  const { onProgress, signal } = options;
+  throwIfCancelled(signal);
+  try {
+    const cursor = cursorOf(bytes);
+    const onPause = onProgress && (() => onProgress(cursor.at / bytes.length));
+    const value = await inSteps(traceIn(cursor), signal, onPause);
+    onProgress?.(1);
+    return { success: true, value };
+  } catch (failure) {
+    return readSafely(() => {
+      throw failure;
+    });
+  }
+}
+
+function cursorOf(bytes: Uint8Array): TraceCursor {
   if (!isA("Uint8Array", bytes)) {
     throw new ReadFailure({
       code: "invalid-argument",
@@ -39,17 +79,22 @@ function traceIn(bytes: Uint8Array): Trace {
       remedy: "Record a coarser mesh.",
     });
   }
-  const cursor = new TraceCursor(bytes);
+  return new TraceCursor(bytes);
+}
+
+function* traceIn(cursor: TraceCursor): Steps<Trace> {
   const { header, version } = readHeader(cursor);
   const replay = new Replay(cursor, header.nodes);
-  const surface = version === VOLUME_ONLY_VERSION ? undefined : new SurfaceReplay(cursor).run();
-  while (replay.next());
+  yield* replay.readNodes();
+  const surface = version === VOLUME_ONLY_VERSION ? undefined : yield* new SurfaceReplay(cursor).readEvents();
+  yield* replay.readEvents();
   if (replay.steps.count !== header.steps)
     cursor.fail(`the header has ${header.steps} steps, but the trace has ${replay.steps.count}`);
   const passes = replay.passes.map(({ nodeOf, elementOf }) => ({
     nodes: nodeOf.copy(header.nodes),
     elements: elementOf.copy(),
   }));
+  yield PAUSE;
   const lists = { boundaryNodes: header.nodes, passes };
   const columns = [
     replay.nodes.taken(),
@@ -58,8 +103,8 @@ function traceIn(bytes: Uint8Array): Trace {
     replay.steps.taken(),
   ] as const;
   const hasSurface = surface !== undefined && surface.divisions.length > 0;
-  const traced = hasSurface ? new SurfaceTrace(bytes, surface, columns[0].positions) : null;
-  return new Trace(bytes, header, ...columns, replay.fronts, traced, lists);
+  const traced = hasSurface ? new SurfaceTrace(cursor.file, surface, columns[0].positions) : null;
+  return new Trace(cursor.file, header, ...columns, replay.fronts, traced, lists);
 }
 
 function readHeader(cursor: TraceCursor): { readonly header: TraceHeader; readonly version: number } {

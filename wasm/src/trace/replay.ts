@@ -2,20 +2,21 @@
  * Replays the events of a trace once: engine numbers become indices of things ever made, and every event is checked.
  * The engine's numbers are reused: `faceOf_[number]` is the face that has the number at present.
  */
+import { inRanges, PAUSE, type Steps } from "../base/steps.js";
 import {
   type AcceptedEvent,
   type BaseEvent,
   type ChangeEvent,
+  firstFacesIn,
   readAccepted,
   readBase,
   readChange,
-  readFirstFaces,
   readPostponed,
   readRefused,
   type RefusedEvent,
 } from "./events.js";
 import { GrowingArray } from "./growing-array.js";
-import { EVENT, FRONT_CHANGES, KIND_BITS, NONE, REFUSALS } from "./layout.js";
+import { EVENT, EVENTS_PER_SLICE, FRONT_CHANGES, KIND_BITS, NONE, REFUSALS } from "./layout.js";
 import { ACCEPTED, NodeColumns, SimplexColumns, StepColumns } from "./trace-columns.js";
 import type { TraceCursor } from "./trace-cursor.js";
 
@@ -54,6 +55,8 @@ export class Replay {
   /** More numbers than bytes cannot be in use; this bounds the memory for damaged files. */
   readonly #numberLimit: number;
   #frontSize = 0;
+  /** True after the event `pass`: the first faces of the front follow. */
+  #isFrontDue = false;
   /** True after the end of a front: only another front may follow. */
   #hasEnded = false;
   #eventOffset = 0;
@@ -67,16 +70,31 @@ export class Replay {
     this.#boundaryNodes = boundaryNodes;
     if (24 * boundaryNodes > cursor.ahead) cursor.fail(`the file is too short for ${boundaryNodes} nodes`);
     this.#numberLimit = cursor.ahead;
-    for (let i = 0; i < boundaryNodes; i++) {
-      this.#numberOf.push(i);
-      this.nodes.add([cursor.double(), cursor.double(), cursor.double()], 0, 0);
-    }
+  }
+
+  /** Reads the positions of the boundary's nodes, to the first event. */
+  *readNodes(): Steps<void> {
+    const cursor = this.#cursor;
+    yield* inRanges(this.#boundaryNodes, (begin, end) => {
+      for (let i = begin; i < end; i++) {
+        this.#numberOf.push(i);
+        this.nodes.add([cursor.double(), cursor.double(), cursor.double()], 0, 0);
+      }
+    });
     this.steps.begin(cursor.at, NONE);
     this.#endStep(0);
   }
 
+  /** Reads all events of the volume. */
+  *readEvents(): Steps<void> {
+    for (let events = 1; this.#next(); events++) {
+      if (this.#isFrontDue) yield* this.#readFirstFaces();
+      if (events % EVENTS_PER_SLICE === 0) yield PAUSE;
+    }
+  }
+
   /** Reads the next event; returns false at the end. */
-  next(): boolean {
+  #next(): boolean {
     const cursor = this.#cursor;
     if (cursor.ahead === 0) cursor.fail("the file ends before the trace does");
     this.#eventOffset = cursor.at;
@@ -129,8 +147,18 @@ export class Replay {
     this.passes.push(pass);
     for (let i = 0; i < this.#boundaryNodes; i++) pass.nodeOf.push(i);
     this.fronts.push({ state: this.#step, firstFace: this.faces.length, typicalSize });
-    const first = readFirstFaces(this.#cursor);
-    for (let i = 0; i < first.length; i += 4) this.#addFace(i / 4, first.slice(i, i + 3), first[i + 3] ?? 0);
+    this.#isFrontDue = true;
+  }
+
+  *#readFirstFaces(): Steps<void> {
+    const faces = firstFacesIn(this.#cursor);
+    for (let number = 0; ; number++) {
+      const face = faces.next();
+      if (face.done === true) break;
+      this.#addFace(number, face.value.nodes, face.value.region);
+      if (number % EVENTS_PER_SLICE === 0) yield PAUSE;
+    }
+    this.#isFrontDue = false;
     this.steps.addFirstFaces(this.faces.length, this.#frontSize);
     this.#lastBase = 0;
   }

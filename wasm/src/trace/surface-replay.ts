@@ -1,6 +1,7 @@
 /** Replays the events of lines and patches once, up to the first event of the volume, and checks every event. */
+import { PAUSE, type Steps } from "../base/steps.js";
 import { GrowingArray } from "./growing-array.js";
-import { EDGE_REFUSALS, NONE, SURFACE_EVENT, SURFACE_KIND_BITS } from "./layout.js";
+import { EDGE_REFUSALS, EVENTS_PER_SLICE, NONE, SURFACE_EVENT, SURFACE_KIND_BITS } from "./layout.js";
 import { PlanarFrontColumns } from "./planar-front-columns.js";
 import {
   type AcceptedEdgeEvent,
@@ -122,8 +123,8 @@ export class SurfaceReplay {
   }
 
   /** Reads all events of lines and patches. */
-  run(): ReplayedSurface {
-    while (this.#next());
+  *readEvents(): Steps<ReplayedSurface> {
+    for (let events = 1; this.#next(); events++) if (events % EVENTS_PER_SLICE === 0) yield PAUSE;
     if (this.#line !== undefined || this.#patch !== undefined) this.#fail("a line or a patch has no end");
     this.#firstCandidates.push(this.#candidateNodes.length);
     return {

@@ -18,6 +18,11 @@ export class TraceCursor {
     this.at = at;
   }
 
+  /** All bytes of the file. */
+  get file(): Uint8Array {
+    return this.#bytes;
+  }
+
   /** Number of unread bytes. */
   get ahead(): number {
     return this.#bytes.length - this.at;

@@ -17,8 +17,10 @@ const texts = strings.player;
 /** Records the front of the present model, and plays it. */
 export function FrontPanel() {
   const recording = usePlayer((state) => state.recording !== null);
+  const isReading = usePlayer((state) => state.reading !== null);
   const hasTrace = usePlayer((state) => state.trace !== null);
   if (recording) return <Recording />;
+  if (isReading) return <Reading />;
   return hasTrace ? <Player /> : <NoTrace />;
 }
 
@@ -81,6 +83,36 @@ function Recording() {
         onClick={() => app.player.stopRecording()}
       >
         {texts.stop}
+      </Button>
+    </ScrollPanel>
+  );
+}
+
+/** The progress of reading a recorded or an opened trace. */
+function Reading() {
+  const { player } = useApp();
+  const fraction = usePlayer((state) => state.reading ?? 0);
+  return (
+    <ScrollPanel label={texts.tab}>
+      <Text size="sm" role="status">
+        {texts.reading}
+      </Text>
+      <Progress
+        value={100 * fraction}
+        my={8}
+        maw={420}
+        size="sm"
+        aria-label={texts.reading}
+        data-testid="player-reading"
+        transitionDuration={0}
+      />
+      <Button
+        size="compact-sm"
+        variant="default"
+        data-testid="player-stop-reading"
+        onClick={() => player.stopReading()}
+      >
+        {texts.stopReading}
       </Button>
     </ScrollPanel>
   );
