@@ -69,7 +69,7 @@ export { loadTrace, readTrace, type LoadTraceOptions } from "./trace/read-trace.
 export type { Trace, TraceSummary } from "./trace/trace.js";
 export type { TraceHeader } from "./trace/header.js";
 export type { LinesSummary, PatchesSummary, SurfaceTrace } from "./trace/surface-trace.js";
-export type { PlaneSample } from "./trace/surface-events.js";
+export type { PlaneSample, Triple } from "./trace/surface-events.js";
 export type {
   DivideStep,
   EdgeCandidate,

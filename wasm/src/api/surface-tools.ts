@@ -136,6 +136,7 @@ export class SurfaceTools {
     control: PartialControl,
     name?: EntityNamer,
   ): Promise<SurfaceRemesh> {
+    beginCall(this.#client, control);
     refuse([...checkPatchedSurface(surface), ...checkRemeshOptions(options)]);
     const once = (wanted: RemeshOptions, watched: PartialControl) =>
       this.#remeshOnce(surface, wanted, watched, name);
@@ -150,8 +151,6 @@ export class SurfaceTools {
     control: PartialControl,
     name?: EntityNamer,
   ): Promise<SurfaceRemesh> {
-    beginCall(this.#client, control);
-    refuse([...checkPatchedSurface(surface), ...checkRemeshOptions(options)]);
     refuse(checkLocatedSurface(surface));
     const { background } = options;
     const [points, triangles] = [surface.points.slice(), surface.triangles.slice()];

@@ -19,7 +19,8 @@ import type { TraceCursor } from "./trace-cursor.js";
 
 /** x y in the plane of a patch. */
 export type Pair = readonly [number, number];
-type Triple = readonly [number, number, number];
+/** x y z in space, or the three different entries of a symmetric 2 x 2 matrix. */
+export type Triple = readonly [number, number, number];
 
 export interface StationEvent {
   readonly end: StationEnd;

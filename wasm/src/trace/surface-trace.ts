@@ -54,6 +54,7 @@ export interface PatchesSummary {
   readonly triangles: number;
 }
 
+/** The recorded division of lines and the recorded 2-D fronts of patches, read from a trace. */
 export class SurfaceTrace {
   /** The divisions of lines, in the order of the steps. */
   readonly divisions: readonly TracedDivision[];
