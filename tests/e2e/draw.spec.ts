@@ -48,6 +48,30 @@ class DrawPage extends AppPage {
     }
   }
 
+  /** The positions of all points, in a downloaded project. */
+  async savedPositions(): Promise<readonly Position[]> {
+    const saved = await downloaded(this.page, () => this.page.keyboard.press("Control+s"));
+    const read = readProject(Buffer.from(saved).toString());
+    if (!read.success) throw new Error(read.errors[0].message);
+    return read.value.points.map(({ position }) => position);
+  }
+
+  /** Length in the model of the handles at a position: they have the same size on the screen at any distance. */
+  async handleLength(middle: Position): Promise<number> {
+    const small = 1e-3;
+    const centre = await this.at(middle);
+    let squares = 0;
+    for (const axis of [0, 1, 2]) {
+      const beside = await this.at(middle.map((x, k) => (k === axis ? x + small : x)) as unknown as Position);
+      squares += ((beside.x - centre.x) ** 2 + (beside.y - centre.y) ** 2) / small ** 2;
+    }
+    // Seen from anywhere, the squares of the lengths of three perpendicular units sum to two.
+    const pixel = Math.sqrt(2 / squares);
+    const { height } = (await this.viewport.boundingBox()) ?? { height: 0 };
+    // Three draws a unit of its handles with 1.9 / 8 of the height of the view.
+    return (1.9 / 8) * height * pixel;
+  }
+
   async counts(points: number, lines: number, patches: number): Promise<void> {
     await expect(this.viewport).toHaveAttribute("data-points", String(points));
     await expect(this.viewport).toHaveAttribute("data-lines", String(lines));
@@ -275,6 +299,87 @@ test("Backspace removes the last place, Esc leaves the chain and then the tool, 
   await expect(measurement).toContainText("angle26.57°");
 });
 
+test("handles move, turn and scale the selection: each drag is one step of undo, and Escape cancels it", async ({
+  page,
+}) => {
+  const app = new DrawPage(page);
+  await page.addInitScript(() => {
+    Reflect.deleteProperty(window, "showOpenFilePicker");
+    Reflect.deleteProperty(window, "showSaveFilePicker");
+  });
+  await app.openNew();
+  await page.getByTestId("tool-line").click();
+  for (const corner of square(0)) await app.click(corner);
+  await page.keyboard.press("Escape");
+  await page.getByTestId("tool-move").click();
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Control+a");
+  await expect(page.getByTestId("inspector")).toContainText("8 entities selected");
+  const middle: Position = [0.5, 0.5, 0];
+  const before = await app.savedPositions();
+  expect(before).toHaveLength(4);
+
+  /** Presses the button on the handle in a direction from the middle, and moves by as much again. */
+  const pull = async (direction: Position, share: number): Promise<void> => {
+    const reach = share * (await app.handleLength(middle));
+    const [from, to] = [reach, 2 * reach].map(
+      (by) => middle.map((x, k) => x + by * (direction[k] ?? 0)) as unknown as Position,
+    );
+    if (!from || !to) return;
+    await app.hover(from);
+    await page.mouse.down();
+    const { x, y } = await app.at(to);
+    await page.mouse.move(x, y, { steps: 6 });
+  };
+  const undoOnce = async (): Promise<void> => {
+    await page.keyboard.press("Control+z");
+    expect(await app.savedPositions()).toEqual(before);
+    await app.counts(4, 4, 0);
+  };
+  const shifted = (positions: readonly Position[], k: number): number =>
+    (positions[k]?.[0] ?? 0) - (before[k]?.[0] ?? 0);
+
+  await pull([1, 0, 0], 0.35);
+  await expect(page.getByTestId("amount")).toBeVisible();
+  await page.mouse.up();
+  const moved = await app.savedPositions();
+  expect(shifted(moved, 0)).toBeGreaterThan(0);
+  for (const [k, [x, y, z]] of moved.entries()) {
+    expect(x - (before[k]?.[0] ?? 0)).toBeCloseTo(shifted(moved, 0), 9);
+    expect([y, z]).toEqual(before[k]?.slice(1));
+  }
+  await undoOnce();
+
+  await pull([1, 0, 0], 0.35);
+  await page.keyboard.press("Escape");
+  await page.mouse.up();
+  expect(await app.savedPositions()).toEqual(before);
+
+  await page.getByTestId("handle-mode").getByText("Rotate").click();
+  await pull([Math.SQRT1_2, Math.SQRT1_2, 0], 0.5);
+  await page.mouse.up();
+  const rotated = await app.savedPositions();
+  expect(rotated).not.toEqual(before);
+  for (const [k, [x, y, z]] of rotated.entries()) {
+    expect(Math.hypot(x - 0.5, y - 0.5, z)).toBeCloseTo(Math.SQRT1_2, 9);
+    const next = rotated[(k + 1) % 4] ?? [0, 0, 0];
+    expect(Math.hypot(next[0] - x, next[1] - y, next[2] - z)).toBeCloseTo(1, 9);
+  }
+  await undoOnce();
+
+  await page.getByTestId("handle-mode").getByText("Scale").click();
+  await pull([1, 0, 0], 0.35);
+  await page.mouse.up();
+  const scaled = await app.savedPositions();
+  const factor = 1 - 2 * shifted(scaled, 0);
+  expect(factor).toBeGreaterThan(1);
+  for (const [k, [x, y, z]] of scaled.entries()) {
+    expect(x - 0.5).toBeCloseTo(factor * ((before[k]?.[0] ?? 0) - 0.5), 9);
+    expect([y, z]).toEqual(before[k]?.slice(1));
+  }
+  await undoOnce();
+});
+
 test("the move tool drags a point as one step of undo, joins what coincides, and arrow keys move the selection", async ({
   page,
 }) => {
@@ -285,12 +390,7 @@ test("the move tool drags a point as one step of undo, joins what coincides, and
     Reflect.deleteProperty(window, "showSaveFilePicker");
   });
   await app.openNew();
-  const positions = async (): Promise<readonly Position[]> => {
-    const saved = await downloaded(page, () => page.keyboard.press("Control+s"));
-    const read = readProject(Buffer.from(saved).toString());
-    if (!read.success) throw new Error(read.errors[0].message);
-    return read.value.points.map(({ position }) => position);
-  };
+  const positions = () => app.savedPositions();
   const drag = async (from: Position, to: Position): Promise<void> => {
     await app.hover(from);
     await page.mouse.down();

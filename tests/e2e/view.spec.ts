@@ -221,14 +221,28 @@ test("keys rotate, zoom and pan the view", async ({ page }) => {
   expect(panned?.y).toBeCloseTo(centre?.y ?? 0, 0);
 });
 
-test("a double click fits the view to the entity, or to the model if there is none", async ({ page }) => {
+test("a double click on an entity edits it, from any tab; beside the model it fits the view", async ({
+  page,
+}) => {
   const app = new AppPage(page);
   await app.openCube();
   await nextFrame(app.viewport, () => page.keyboard.press("1"));
   const edge = () => onScreen(page, [0, 0, 0], [1, 0, 0]);
   const whole = (await edge()).right;
   const corner = await screenPosition(page, "point", 2);
-  await nextFrame(app.viewport, () => page.mouse.dblclick(corner.x, corner.y));
+  await page.getByRole("tab", { name: "Quality" }).click();
+  await page.mouse.dblclick(corner.x, corner.y);
+  await expect(page.getByTestId("entity-name")).toHaveAttribute("placeholder", "Point 2");
+  await expect(page.getByTestId("position-x")).toBeFocused();
+  await page.keyboard.type("0.25");
+  await page.keyboard.press("Enter");
+  await expect(page.getByTestId("tree-point-2")).toContainText("0.25");
+  await page.keyboard.press("Control+z");
+  await page.getByRole("tab", { name: "Quality" }).click();
+  await page.getByTestId("tree-point-2").press("F2");
+  await expect(page.getByTestId("entity-name")).toBeFocused();
+  await page.getByTestId("viewport-canvas").focus();
+  await nextFrame(app.viewport, () => page.keyboard.press("Shift+F"));
   await expect.poll(async () => (await edge()).right).toBeGreaterThan(3 * whole);
   const box = await app.viewport.boundingBox();
   if (!box) throw new Error("The view has no box");

@@ -2,7 +2,7 @@ import type { App } from "../app/app";
 import { deleteEntities, withDependents } from "../document/edits";
 import { entityKey, type Entity } from "../document/entities";
 import type { Problem } from "../document/validate";
-import { showNotice } from "../session/shell";
+import { showNotice, type EditedField } from "../session/shell";
 import { entityNouns, strings } from "../strings";
 
 export function deleteSelection(app: App): void {
@@ -74,7 +74,10 @@ export function showTriangles(app: App, triangles: readonly number[], body: numb
   app.viewer.getState().viewer?.fitSelectedFaces();
 }
 
-/** Moves the focus to the name of the selected entity. */
-export function rename(app: App): void {
-  app.shell.setState(({ renaming }) => ({ rightTab: "inspector", drawer: "right", renaming: renaming + 1 }));
+/** Moves the focus to the name of the selected entity, or to its other fields. Nodes of the background grid have no name. */
+export function editSelected(app: Pick<App, "shell" | "view">, editing: EditedField): void {
+  const hasOne = app.view.state.getState().selection.length === 1;
+  app.shell.setState({ rightTab: "inspector", drawer: "right", editing: hasOne ? editing : null });
 }
+
+export const rename = (app: App): void => editSelected(app, "name");

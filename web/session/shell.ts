@@ -22,14 +22,17 @@ export interface ShellState {
   /** On small screens the panels are drawers. */
   readonly drawer: "left" | "right" | "bottom" | null;
   readonly dialog: DialogName | null;
-  /** Number of times that the user has asked to rename the selected entity. */
-  readonly renaming: number;
+  /** Field of the selected entity that gets the focus as soon as the inspector shows it; null if none. */
+  readonly editing: EditedField | null;
   /** A failure that the user must read before continuing. */
   readonly message: { readonly title: string; readonly lines: readonly string[] } | null;
   readonly notices: readonly Notice[];
   /** The surface file that is being read. */
   readonly reading: { readonly fileName: string; readonly abort: AbortController } | null;
 }
+
+/** The name of an entity, or the first of its other fields. */
+export type EditedField = "name" | "values";
 
 export type Shell = StoreApi<ShellState>;
 
@@ -41,7 +44,7 @@ export function createShell(): Shell {
     bottomTab: "log",
     drawer: null,
     dialog: null,
-    renaming: 0,
+    editing: null,
     message: null,
     notices: [],
     reading: null,

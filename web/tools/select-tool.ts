@@ -4,6 +4,7 @@ import type { SelectMode, ViewStore } from "../document/selection";
 import type { DocumentStore } from "../session/document-store";
 import type { PreviewFeed } from "../session/preview";
 import type { Layer } from "../viewer/layers/layer";
+import type { Target } from "../viewer/layers/layer";
 import type { ScreenPoint } from "../viewer/screen";
 import type { Viewer } from "../viewer/viewer";
 import type { Drawing } from "./drawing/drawing";
@@ -23,18 +24,25 @@ export interface Hover {
   readonly at: ScreenPoint;
 }
 
+export interface SelectEvents {
+  /** An entity has come under the resting pointer, or none. */
+  readonly onHover: (hover: Hover | null) => void;
+  /** The selected entity was clicked twice. */
+  readonly onEdit: () => void;
+}
+
 /** Time that the pointer must rest before the entity under it is highlighted, in milliseconds. */
 const hoverDelay = 80;
 
 /**
- * A click selects, and a double click fits the view to the entity. A drag selects what lies within a box or, with Alt, a
- * lasso. A resting pointer highlights the entity under it. After a click, Tab goes through all that lies under the pointer.
+ * A click selects. A double click edits an entity; by a finger, or on anything else, it fits the view. A drag selects what
+ * lies within a box or, with Alt, a lasso. A resting pointer highlights the entity under it. After a click, Tab goes through all that lies under the pointer.
  */
 export class SelectTool implements Tool {
   readonly id = "select";
   readonly #viewer: Pick<Viewer, "fitTarget" | "seenFrom" | "entitiesAt">;
   readonly #stores: SelectStores;
-  readonly #onHover: (hover: Hover | null) => void;
+  readonly #events: SelectEvents;
   /** The corners of a lasso, or the two of a box; null without a press. */
   #outline: readonly ScreenPoint[] | null = null;
   #restTimer: ReturnType<typeof setTimeout> | undefined;
@@ -44,11 +52,11 @@ export class SelectTool implements Tool {
   constructor(
     viewer: Pick<Viewer, "fitTarget" | "seenFrom" | "entitiesAt">,
     stores: SelectStores,
-    onHover: (hover: Hover | null) => void,
+    events: SelectEvents,
   ) {
     this.#viewer = viewer;
     this.#stores = stores;
-    this.#onHover = onHover;
+    this.#events = events;
   }
 
   /** A drag with the left button draws a box. With Shift it pans. */
@@ -77,7 +85,7 @@ export class SelectTool implements Tool {
     if (pointer.isDrag && outline) return this.#selectWithin(outline, pointer);
     this.#clicked = pointer.at;
     const target = pointer.hit()?.target ?? null;
-    if (pointer.clicks === 2) this.#viewer.fitTarget(target);
+    if (pointer.clicks === 2) this.#doubleClick(pointer, target);
     else if (target?.kind === "element") this.#view.selectElement(target.index);
     else this.#view.select(target, modeOf(pointer));
   }
@@ -100,6 +108,13 @@ export class SelectTool implements Tool {
 
   get #view(): ViewStore {
     return this.#stores.view;
+  }
+
+  #doubleClick(pointer: ToolPointer, target: Target | null): void {
+    const isEdited = target && target.kind !== "element" && !pointer.touch && !pointer.mod && !pointer.shift;
+    if (!isEdited) return this.#viewer.fitTarget(target);
+    this.#view.select(target);
+    this.#events.onEdit();
   }
 
   /** Selects what follows the selected entity under the pointer. Returns false if there is nothing else. */
@@ -146,7 +161,7 @@ export class SelectTool implements Tool {
 
   #setHover(hover: Hover | null): void {
     this.#view.setHover(hover?.entity ?? null);
-    this.#onHover(hover);
+    this.#events.onHover(hover);
   }
 }
 

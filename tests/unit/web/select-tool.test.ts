@@ -15,6 +15,8 @@ let drawing: Drawing;
 let tool: SelectTool;
 let fitted: (Target | null)[];
 let hovers: (Hover | null)[];
+/** Ids of what was to be edited. */
+let edited: number[];
 /** What lies under the pointer. */
 let under: Entity[];
 
@@ -23,6 +25,7 @@ beforeEach(() => {
   view = new ViewStore();
   fitted = [];
   hovers = [];
+  edited = [];
   under = [];
   drawing = new Drawing();
   const project = cubeProject();
@@ -30,7 +33,7 @@ beforeEach(() => {
   tool = new SelectTool(
     { fitTarget: (target) => void fitted.push(target), seenFrom: fromAbove, entitiesAt: () => under },
     { documents: { project }, previews: previews as unknown as SelectStores["previews"], view, drawing },
-    (hover) => hovers.push(hover),
+    { onHover: (hover) => hovers.push(hover), onEdit: () => edited.push(...selected()) },
   );
 });
 afterEach(() => vi.useRealTimers());
@@ -134,12 +137,16 @@ it("the right button opens a menu for what is under the pointer, or for the sele
   expect(selected()).toEqual([2, 3]);
 });
 
-it("a double click fits the view to the entity, or to the model if there is none", () => {
+it("a double click edits the entity; by a finger it fits the view to it, beside all entities to the model", () => {
   tool.up(pointer(line(1)));
   tool.up(pointer(line(1), { clicks: 2 }));
+  expect(edited).toEqual([1]);
+  expect(fitted).toEqual([]);
+  tool.up(pointer(line(1), { clicks: 2, touch: true }));
   tool.up(pointer(null, { clicks: 2 }));
   expect(fitted).toEqual([line(1), null]);
   expect(selected()).toEqual([1]);
+  expect(edited).toEqual([1]);
 });
 
 it("the entity under a resting pointer is highlighted; a moving pointer causes no hit test", () => {

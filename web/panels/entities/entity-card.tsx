@@ -6,7 +6,7 @@ import { dependentsOf, entityKey, entityName, findRecord, type Entity } from "..
 import { FieldRow } from "../../ui/fields/field-row";
 import { NameField } from "../../ui/fields/name-field";
 import { defaultName, strings } from "../../strings";
-import { useApp, useProblems, useProject, useShell } from "../shared/app-context";
+import { useApp, useProblems, useProject } from "../shared/app-context";
 import { EntityChips } from "../shared/entity-chips";
 import { EntityIcon } from "../shared/entity-icon";
 import { BodyCard } from "../bodies/body-card";
@@ -21,6 +21,7 @@ import { PointEditor } from "./point-editor";
 import { ProblemCard } from "../problems/problem-card";
 import { CreateFromSelection } from "./selection-card";
 import { SourceEditor } from "./source-editor";
+import { useEditedField } from "./use-edited-field";
 import styles from "./entity-card.module.css";
 
 /** The fields of one entity. */
@@ -28,7 +29,7 @@ export function EntityCard({ entity }: { readonly entity: Entity }) {
   const app = useApp();
   const project = useProject();
   const problems = useProblems((state) => state.byEntity.get(entityKey(entity)));
-  const renaming = useShell((state) => state.renaming);
+  const { name: nameField, values } = useEditedField();
   const record = findRecord(project, entity.kind, entity.id);
   const dependents = useMemo(() => dependentsOf(project, entity), [project, entity]);
   const alone = useMemo(() => [entity], [entity]);
@@ -38,19 +39,22 @@ export function EntityCard({ entity }: { readonly entity: Entity }) {
     <>
       <EntityTitle entity={entity} project={project} isValid={!problems} />
       {entity.kind !== "background-node" && (
-        <FieldRow label={strings.inspector.name}>
-          <NameField
-            key={entityKey(entity)}
-            focusRequest={renaming}
-            label={strings.inspector.name}
-            value={name}
-            placeholder={defaultName(entity.kind, entity.id)}
-            testId="entity-name"
-            onCommit={(next) => app.documents.edit(renameEntity(entity, next))}
-          />
-        </FieldRow>
+        <div ref={nameField} className={styles["fields"]}>
+          <FieldRow label={strings.inspector.name}>
+            <NameField
+              key={entityKey(entity)}
+              label={strings.inspector.name}
+              value={name}
+              placeholder={defaultName(entity.kind, entity.id)}
+              testId="entity-name"
+              onCommit={(next) => app.documents.edit(renameEntity(entity, next))}
+            />
+          </FieldRow>
+        </div>
       )}
-      <EntityFields key={entityKey(entity)} entity={entity} project={project} />
+      <div ref={values} className={styles["fields"]}>
+        <EntityFields key={entityKey(entity)} entity={entity} project={project} />
+      </div>
       <CreateFromSelection selection={[entity]} />
       {dependents.length > 0 && (
         <FieldRow label={strings.inspector.usedBy}>

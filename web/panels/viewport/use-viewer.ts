@@ -2,6 +2,7 @@ import { useComputedColorScheme } from "@mantine/core";
 import { useEffect, useRef, useState, type RefObject } from "react";
 import type { App } from "../../app/app";
 import type { Moving, ViewState } from "../../document/selection";
+import { editSelected } from "../../commands/selection-actions";
 import { isDrawingTool, type ToolName } from "../../document/tools";
 import { BrushTool } from "../../tools/brush-tool";
 import { DragTool } from "../../tools/drag-tool";
@@ -137,7 +138,11 @@ function connect(
 ): () => void {
   const stop = followSession(app, viewer);
   const { documents, previews, view, drawing } = app;
-  const select = new SelectTool(viewer, { documents, previews, view, drawing }, onHover);
+  const select = new SelectTool(
+    viewer,
+    { documents, previews, view, drawing },
+    { onHover, onEdit: () => editSelected(app, "values") },
+  );
   const tools = new ToolController(canvas, viewer, select, (target) => pageApps.owns(app, target));
   const brush = new BrushTool(app.documents, app.view, viewer);
   const stores = { documents, previews, view, drawing, viewer };

@@ -1,5 +1,5 @@
 import { TextInput } from "@mantine/core";
-import { useEffect, useRef, useState, type KeyboardEvent } from "react";
+import { useState, type KeyboardEvent } from "react";
 
 export interface NameFieldProps {
   readonly label: string;
@@ -9,22 +9,13 @@ export interface NameFieldProps {
   /** Returns why a text is invalid, or null if it is valid. An invalid text stays, with the reason. */
   readonly refuse?: (value: string) => string | null;
   readonly testId?: string;
-  /** Each new number moves the focus to the field and selects its text. */
-  readonly focusRequest?: number;
 }
 
 /** A name. Enter and leaving the field commit it; Escape discards the text. */
 export function NameField(props: NameFieldProps) {
-  const { label, value, placeholder, onCommit, refuse, testId, focusRequest = 0 } = props;
+  const { label, value, placeholder, onCommit, refuse, testId } = props;
   const [draft, setDraft] = useState<string | null>(null);
   const [error, setError] = useState<string | null>(null);
-  const field = useRef<HTMLInputElement>(null);
-  const answered = useRef(focusRequest);
-  useEffect(() => {
-    if (focusRequest === answered.current) return;
-    answered.current = focusRequest;
-    field.current?.select();
-  }, [focusRequest]);
   const commit = (): void => {
     const next = draft?.trim();
     const reason = next === undefined || next === value ? null : (refuse?.(next) ?? null);
@@ -43,7 +34,6 @@ export function NameField(props: NameFieldProps) {
   };
   return (
     <TextInput
-      ref={field}
       size="xs"
       aria-label={label}
       autoComplete="off"
