@@ -45,14 +45,21 @@ export function crossedFaces(
   tolerance = -touching,
 ): number[] {
   const [low, high] = boxOf(element.corners);
-  return Array.from(trace.frontAt(state)).filter((face) => {
-    const nodes = nodesOf(trace, face);
-    const isNear = [0, 1, 2].every((axis) => {
-      const along = nodes.map((node) => positionOf(trace, node)[axis] ?? 0);
-      return Math.min(...along) <= (high[axis] ?? 0) && Math.max(...along) >= (low[axis] ?? 0);
-    });
-    return isNear && crossesFace(trace, element, face, tolerance);
-  });
+  const { faces, nodes } = trace;
+  const isNear = (face: number): boolean => {
+    for (let axis = 0; axis < 3; axis++) {
+      let [least, most] = [Infinity, -Infinity];
+      for (let corner = 3 * face; corner < 3 * face + 3; corner++) {
+        const coordinate = nodes.positions[3 * (faces.nodes[corner] ?? 0) + axis] ?? 0;
+        if (coordinate < least) least = coordinate;
+        if (coordinate > most) most = coordinate;
+      }
+      if (least > (high[axis] ?? 0) || most < (low[axis] ?? 0)) return false;
+    }
+    return true;
+  };
+  const near = trace.frontAt(state).filter(isNear);
+  return Array.from(near).filter((face) => crossesFace(trace, element, face, tolerance));
 }
 
 /** Returns whether an element would cross a face: with a positive tolerance also if they only touch. */

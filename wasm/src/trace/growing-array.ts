@@ -19,8 +19,8 @@ export class GrowingArray<T extends Numbers> {
   }
 
   push(value: number): void {
-    this.resize(this.#length + 1);
-    this.#array[this.#length - 1] = value;
+    if (this.#length === this.#array.length) this.#grow(this.#length + 1);
+    this.#array[this.#length++] = value;
   }
 
   /** Returns the entry; 0 beyond the end. */
@@ -34,13 +34,15 @@ export class GrowingArray<T extends Numbers> {
 
   /** Entries up to the new length get the value `filling`; those beyond it are dropped. */
   resize(length: number, filling = 0): void {
-    if (length > this.#array.length) {
-      const larger = new this.#type(Math.max(length, 2 * this.#array.length));
-      larger.set(this.#array);
-      this.#array = larger;
-    }
+    if (length > this.#array.length) this.#grow(length);
     if (length > this.#length) this.#array.fill(filling, this.#length, length);
     this.#length = length;
+  }
+
+  #grow(length: number): void {
+    const larger = new this.#type(Math.max(length, 2 * this.#array.length));
+    larger.set(this.#array);
+    this.#array = larger;
   }
 
   /** Returns a copy of the entries from `begin` on. */

@@ -6,6 +6,14 @@ export const TRACE_REMEDY = "Record the trace again, or copy the file again.";
 /** Numbers of more bits occur in no trace. */
 const MAX_VARINT_BYTES = 5;
 
+const scratch = new DataView(new ArrayBuffer(4));
+
+/** Returns the float with these 32 bits. */
+function floatOf(bits: number): number {
+  scratch.setInt32(0, bits);
+  return scratch.getFloat32(0);
+}
+
 export class TraceCursor {
   /** Offset of the next byte. */
   at: number;
@@ -69,17 +77,14 @@ export class TraceCursor {
   /** Reads the upper three bytes of a float; the last one is 0. */
   shorterFloat(): number {
     const at = this.#advance(3);
-    const float = new DataView(new ArrayBuffer(4));
-    for (let byte = 0; byte < 3; byte++) float.setUint8(byte + 1, this.#view.getUint8(at + byte));
-    return this.#finite(float.getFloat32(0, true), at);
+    const bits = (this.#view.getUint16(at, true) << 8) | (this.#view.getUint8(at + 2) << 24);
+    return this.#finite(floatOf(bits), at);
   }
 
   /** Reads the upper half of a float; the lower half is 0. */
   score(): number {
     const at = this.#advance(2);
-    const float = new DataView(new ArrayBuffer(4));
-    float.setUint16(0, this.#view.getUint16(at, true));
-    return this.#finite(float.getFloat32(0), at);
+    return this.#finite(floatOf(this.#view.getUint16(at, true) << 16), at);
   }
 
   double(): number {

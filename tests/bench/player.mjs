@@ -1,0 +1,121 @@
+// Measures the player of the front in a browser with a trace of 100 000 steps: how long reading it blocks the page, how long
+// it takes to show a state anywhere, and frames per second while it plays. The goals are 50 ms, 100 ms and 30 frames/s.
+// CHROMIUM is the path of a browser; without it, the one of Playwright is used.
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { chromium } from "@playwright/test";
+import { createMesher, readProject, recordTrace } from "tetrafront";
+import { preview } from "vite";
+import { inRoot } from "../../scripts/lib/paths.mjs";
+
+/** Target size in the unit cube: about 100 000 tetrahedra. */
+const SIZE = 0.0405;
+const SCRUBS = 60;
+const PLAYED_SECONDS = 5;
+
+const file = path.join(mkdtempSync(path.join(tmpdir(), "tetrafront-")), "cube.tft");
+writeFileSync(file, await cubeTrace());
+const server = await preview({ root: inRoot("web"), preview: { port: 0, host: "127.0.0.1" } });
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM,
+  args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+});
+try {
+  const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
+  await page.goto(`${server.resolvedUrls.local[0]}?example=unit-cube`);
+  await page.getByTestId("tab-front").click();
+  await page.evaluate(watchTasks);
+  const chooser = page.waitForEvent("filechooser");
+  await page.getByTestId("player-open").click();
+  await page.waitForTimeout(3000);
+  await page.evaluate(() => void (globalThis.longest = globalThis.reading = 0));
+  await (await chooser).setFiles(file);
+  await page.getByTestId("player-reading").waitFor();
+  await page.getByTestId("player-reading").waitFor({ state: "hidden" });
+  await page.getByTestId("player-scrub").waitFor();
+  await page.waitForTimeout(3000);
+  const { reading, longest } = await page.evaluate(() => ({
+    reading: globalThis.reading,
+    longest: globalThis.longest,
+  }));
+  const steps = Number(await page.getByTestId("viewport").getAttribute("data-steps"));
+  console.log(`steps                             ${steps}`);
+  console.log(`longest pause while reading       ${reading.toFixed(0)} ms`);
+  console.log(`longest pause when it is shown    ${longest.toFixed(0)} ms`);
+  const times = (await page.evaluate(scrub, SCRUBS)).sort((a, b) => a - b);
+  const at = (share) => times[Math.floor(share * (times.length - 1))].toFixed(0);
+  console.log(
+    `scrub to the next frame           median ${at(0.5)} ms, 95 % below ${at(0.95)} ms, longest ${at(1)} ms`,
+  );
+  for (const speed of ["25", "500", "10000"]) {
+    await page.getByTestId("player-scrub").press("Home");
+    await page.getByTestId("player-speed").selectOption(speed);
+    const frames = await page.evaluate(play, PLAYED_SECONDS);
+    console.log(`frames/s at ${speed.padStart(5)} steps/s         ${frames.toFixed(1)}`);
+  }
+} finally {
+  await browser.close();
+  await server.close();
+  rmSync(path.dirname(file), { recursive: true });
+}
+
+/** Returns the trace of the unit cube's front. */
+async function cubeTrace() {
+  const project = readProject(readFileSync(inRoot("public", "models", "unit-cube.json"), "utf8"));
+  const mesher = await createMesher();
+  const options = { size: SIZE, optimization: "none" };
+  const { trace } = await recordTrace(mesher, project.value, options);
+  mesher.dispose();
+  return trace;
+}
+
+/** In the page: keeps the longest pauses of the page, in milliseconds: while a trace is read, and at other times. */
+function watchTasks() {
+  globalThis.longest = globalThis.reading = 0;
+  let last = performance.now();
+  const { port1, port2 } = new MessageChannel();
+  port1.onmessage = () => {
+    const now = performance.now();
+    const isReading = globalThis.document.querySelector('[data-testid="player-reading"]') !== null;
+    if (isReading) globalThis.reading = Math.max(globalThis.reading, now - last);
+    else globalThis.longest = Math.max(globalThis.longest, now - last);
+    last = now;
+    setTimeout(() => port2.postMessage(0), 1);
+  };
+  port2.postMessage(0);
+}
+
+/** In the page: returns the times from a press on the scrub bar to the frame after the one that draws the state. */
+async function scrub(count) {
+  const bar = globalThis.document.querySelector('[data-testid="player-scrub"]');
+  const { left, width, top } = bar.getBoundingClientRect();
+  const frame = () => new Promise((resolve) => globalThis.requestAnimationFrame(resolve));
+  const times = [];
+  for (let i = 0; i < count; i++) {
+    const clientX = left + (((i * 37) % count) / count) * width;
+    await frame();
+    const begin = performance.now();
+    const options = { clientX, clientY: top + 2, buttons: 1, bubbles: true, pointerId: 1 };
+    bar.dispatchEvent(new globalThis.PointerEvent("pointermove", options));
+    await frame();
+    await frame();
+    times.push(performance.now() - begin);
+  }
+  return times;
+}
+
+/** In the page: plays for some seconds and returns the frames per second. */
+async function play(seconds) {
+  const button = globalThis.document.querySelector('[data-testid="player-play"]');
+  button.click();
+  let frames = 0;
+  const begin = performance.now();
+  while (performance.now() - begin < 1000 * seconds) {
+    await new Promise((resolve) => globalThis.requestAnimationFrame(resolve));
+    frames++;
+  }
+  const rate = (1000 * frames) / (performance.now() - begin);
+  if (globalThis.document.querySelector('[data-testid="viewport"]').dataset.step !== "0") button.click();
+  return rate;
+}
