@@ -43,6 +43,43 @@ export class MemoryStorage implements DocumentStorage {
   }
 }
 
+/**
+ * The database of a browser whose tab may be killed: a write is complete some time after it was issued, in the order of
+ * issue. What is then not complete never happens, and nothing happens in part.
+ */
+export class CrashingStorage extends MemoryStorage {
+  readonly #latency: () => number;
+  #last: Promise<void> = Promise.resolve();
+  #isKilled = false;
+
+  /** @param latency Returns the duration of a write, in milliseconds. */
+  constructor(latency: () => number) {
+    super();
+    this.#latency = latency;
+  }
+
+  override write(document: KeptDocument): Promise<void> {
+    // The database copies the value at once: later changes do not count.
+    const copy = structuredClone(document);
+    const before = this.#last;
+    this.#last = this.#completed(before, copy);
+    return this.#last;
+  }
+
+  /** Ends all writes that are not complete. */
+  kill(): void {
+    this.#isKilled = true;
+  }
+
+  async #completed(before: Promise<void>, document: KeptDocument): Promise<void> {
+    await before;
+    await new Promise((resolve) => setTimeout(resolve, this.#latency()));
+    // The tab has no process that a promise could tell.
+    if (this.#isKilled) await new Promise(() => undefined);
+    await super.write(document);
+  }
+}
+
 /** The locks of a browser with several tabs. */
 export class MemoryLocks implements DocumentLocks {
   readonly held = new Set<string>();
