@@ -161,7 +161,7 @@ export function countOrange(png: Buffer): number {
 }
 
 /** Visits the pixels of a PNG written by Chromium: 8 bits per channel, not interlaced. */
-function forEachPixel(png: Buffer, visit: (r: number, g: number, b: number) => void): void {
+export function forEachPixel(png: Buffer, visit: (r: number, g: number, b: number) => void): void {
   const width = png.readUInt32BE(16);
   const height = png.readUInt32BE(20);
   const channels = png[25] === 6 ? 4 : 3;

@@ -113,6 +113,9 @@ test("a covering grid solves the problem of a model outside the background grid"
   await page.getByRole("tab", { name: "Problems" }).click();
   const group = page.getByTestId("problems-outside-background-grid");
   await expect(group).toContainText("Outside background grid");
+  // While it is being built, the background grid need not cover the model.
+  await expect(page.getByTestId("marker-0")).toBeHidden();
+  await page.getByTestId("generate").click();
   await expect(page.getByTestId("marker-0")).toBeVisible();
   await command(page, "Create covering grid");
   const dialog = page.getByRole("dialog", { name: "Create covering grid" });

@@ -4,11 +4,12 @@ import { NO_DEFECTS, defectsOf, meshVolume } from "../support/check-mesh";
 import { parseVtu } from "../support/mesh-files";
 import { stlBinary } from "../support/surface-files";
 import { sphereSurface } from "../support/surfaces";
-import { AppPage, nextFrame, sampleProject } from "./app-page";
+import { AppPage, forEachPixel, nextFrame, sampleProject } from "./app-page";
 import { downloaded, downloadMesh } from "./downloads";
 import { dropBytes } from "./drop-bytes";
 
 type Position = readonly [x: number, y: number, z: number];
+type Colour = readonly [red: number, green: number, blue: number];
 
 /** The app with the background grid of its model drawn in the view. */
 class SizesPage extends AppPage {
@@ -28,6 +29,33 @@ class SizesPage extends AppPage {
   async click(position: Position): Promise<void> {
     const { x, y } = await this.at(position);
     await this.page.mouse.click(x, y);
+  }
+
+  /** Zooms out until positions are in view. */
+  async show(...positions: readonly Position[]): Promise<void> {
+    const box = await this.viewport.boundingBox();
+    if (!box) throw new Error("there is no view");
+    const isInView = async (position: Position): Promise<boolean> => {
+      const { x, y } = await this.at(position);
+      return x > box.x + 60 && y > box.y + 60 && x < box.x + box.width - 60 && y < box.y + box.height - 30;
+    };
+    await this.page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    const areInView = async (): Promise<boolean> => {
+      const seen = await Promise.all(positions.map(isInView));
+      if (seen.every(Boolean)) return true;
+      await nextFrame(this.viewport, () => this.page.mouse.wheel(0, 200));
+      return false;
+    };
+    await expect.poll(areInView).toBe(true);
+  }
+
+  /** The colour of the view at a position. */
+  async colourAt(position: Position): Promise<Colour> {
+    const { x, y } = await this.at(position);
+    let colour: Colour = [0, 0, 0];
+    const clip = { x: Math.round(x), y: Math.round(y), width: 1, height: 1 };
+    forEachPixel(await this.page.screenshot({ clip }), (...found) => (colour = found));
+    return colour;
   }
 
   async drag(from: Position, to: Position): Promise<void> {
@@ -92,6 +120,7 @@ test("the engine intake's background grid is built by pointer and keyboard, and 
   const intake = sampleProject("engine-intake");
   const { nodes, tetrahedra } = intake.background;
   await app.openProject({ ...intake, background: { nodes: [], tetrahedra: [] } });
+  await app.show(...nodes.map(({ position }) => position));
   await page.getByTestId("tool-node").click();
   const known = new Set<number>();
   for (const corners of tetrahedra) {
@@ -158,18 +187,21 @@ test("handles change size and stretching of a node, and undo takes each drag bac
   await page.getByTestId("tool-node").click();
   await page.keyboard.press("v");
   await app.select("background-node-1");
-  // A ball of radius 1 around (-0.5, -0.5, -0.5): the handle of its direction is in the middle of the view.
+  // A ball of radius 1 around (-0.5, -0.5, -0.5), with the handle of its direction.
   await app.type("node-size", "2");
   const nodeOf = async () => (await app.project()).background.nodes.find(({ id }) => id === 1);
   const node = await nodeOf();
   expect(node).toMatchObject({ position: [-0.5, -0.5, -0.5], size: 2 });
   expect(node?.stretching ?? 1).toBe(1);
+  await app.show([0.5, -0.5, -0.5], [1, -0.5, -0.5]);
   await nextFrame(app.viewport, () => app.drag([0.5, -0.5, -0.5], [1, -0.5, -0.5]));
   await expect.poll(async () => (await nodeOf())?.stretching ?? 1).toBeGreaterThan(1.1);
   await page.getByTestId("viewport-canvas").focus();
   await page.keyboard.press("Control+z");
   await expect.poll(nodeOf).toEqual(node);
 });
+
+const isYellow = ([red, green, blue]: Colour): boolean => Math.min(red, green) > blue + 50;
 
 test("target sizes are shown before meshing on the model and a plane, with a legend", async ({ page }) => {
   const app = new SizesPage(page);
@@ -181,11 +213,13 @@ test("target sizes are shown before meshing on the model and a plane, with a leg
       sources: [{ id: 1, type: "point", positions: [[0, 0, 0]], size: 0.02, distance: 0.05, growth: 0.3 }],
     },
   });
-  const plain = await app.colours();
   await page.getByTestId("show-sizes").click();
   await expect(page.getByTestId("size-legend")).toContainText("0.02");
   await expect(page.getByTestId("size-bar")).toBeVisible();
-  await expect.poll(() => app.colours()).toBeGreaterThan(plain + 100);
+  // Small sizes are blue, large ones yellow.
+  await expect.poll(async () => isYellow(await app.colourAt([0.9, 0, 0.1]))).toBe(true);
+  const [, green, blue] = await app.colourAt([0.1, 0, 0.1]);
+  expect(blue).toBeGreaterThan(0.7 * green);
   const slider = page.getByRole("slider", { name: "Position of the plane" });
   await slider.focus();
   await nextFrame(app.viewport, () => page.keyboard.press("ArrowRight"));
@@ -198,8 +232,7 @@ test("a problem is fixed by its button, and undo brings it back", async ({ page 
   const app = new SizesPage(page);
   const cube = sampleProject("unit-cube");
   await app.openProject({ ...cube, patches: cube.patches.slice(2) });
-  // Nobody has asked for a mesh: the open edges are one quiet count.
-  await page.getByTestId("open-edges").click();
+  await page.getByRole("tab", { name: "Problems" }).click();
   const fix = page.getByTestId("fix-open-edge").first();
   await expect(fix).toHaveAttribute("aria-description", /Adds a planar patch/);
   await page.getByTestId("fix-all-open-edge").click();

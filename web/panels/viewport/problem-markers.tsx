@@ -17,8 +17,9 @@ export function ProblemMarkers({ viewer }: { readonly viewer: Viewer }) {
   const app = useApp();
   const problems = useProblems((state) => state.problems);
   const isMeshed = useIsMeshed();
+  const isDrawing = useView(({ tool }) => tool !== "select");
   const placed = problems
-    .filter(({ position, code }) => position !== null && (isMeshed || code !== openEdge))
+    .filter(({ position, code }) => position !== null && (isMeshed || !expectedWhileDrawn.has(code)))
     .slice(0, maxMarkers);
   const box = useMarkers(
     viewer,
@@ -32,6 +33,7 @@ export function ProblemMarkers({ viewer }: { readonly viewer: Viewer }) {
           type="button"
           className={styles["marker"]}
           data-severity={problem.severity}
+          data-lets-through={isDrawing}
           data-testid={`marker-${index}`}
           aria-label={problem.message}
           title={problem.message}
@@ -47,8 +49,9 @@ export function ProblemMarkers({ viewer }: { readonly viewer: Viewer }) {
   );
 }
 
-/** A model without missing patches is not expected before it is meshed. */
 const openEdge = "open-edge";
+/** Before it is meshed, a model is not expected to be closed, nor its background grid to cover it. */
+const expectedWhileDrawn: ReadonlySet<string> = new Set([openEdge, "outside-background-grid"]);
 
 /** Returns whether the user has asked for a mesh of the present model. */
 function useIsMeshed(): boolean {
