@@ -9,5 +9,5 @@ export const unitStrings = {
   unknown: "not stated",
   other: "other scale",
   ofProject: "Length unit",
-  ofFile: "Unit of the file",
+  ofFile: "File unit",
 } as const;

@@ -15,6 +15,7 @@ import { BodyProblems } from "./body-problems";
 import { BodyRepairs } from "./body-repairs";
 import { BodyTreatment } from "./body-treatment";
 import { BodyUnit } from "./body-unit";
+import styles from "./bodies.module.css";
 import { useBody } from "./use-body";
 
 const texts = strings.bodies;
@@ -38,7 +39,9 @@ export function BodyCard({ body }: { readonly body: ProjectBody }) {
           </Text>
         )
       )}
-      <BodyUnit body={body} />
+      <div className={styles["unit"]}>
+        <BodyUnit body={body} />
+      </div>
       {state?.inspection && <BodyProblems body={body} inspection={state.inspection} />}
       <BodyRepairs body={body} />
       <BodyTreatment body={body} />
