@@ -40,6 +40,57 @@ test("on a phone the panels are drawers, and everything needed can be reached", 
   await expect(page.getByRole("dialog")).toBeHidden();
 });
 
+test("on a phone a new piece is in view as a whole, beside the column of tools", async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  const app = new AppPage(page);
+  await page.goto("./?test=1&new=1");
+  await expect(app.viewport).toHaveAttribute("data-frames", /./);
+  await page.getByTestId("create-box").click();
+  await page.getByTestId("accept").click();
+  await expect(app.viewport).toHaveAttribute("data-points", "8");
+  const column = await page.getByTestId("tool-select").boundingBox();
+  const edges = async (): Promise<{
+    readonly left: number;
+    readonly right: number;
+    readonly width: number;
+  }> => {
+    const xs = await page.evaluate(() => {
+      const { tetrafrontPosition: at } = window as unknown as {
+        tetrafrontPosition: (position: readonly number[]) => { x: number } | null;
+      };
+      const sides = [-0.5, 0.5];
+      return sides.flatMap((x) => sides.flatMap((y) => [0, 1].map((z) => at([x, y, z])?.x ?? NaN)));
+    });
+    const { width = 0 } = (await app.viewport.boundingBox()) ?? {};
+    return { left: Math.min(...xs), right: Math.max(...xs), width };
+  };
+  const isBeside = async (): Promise<boolean> => {
+    const { left, right, width } = await edges();
+    return column !== null && left >= column.x + column.width && right <= width;
+  };
+  await expect.poll(isBeside).toBe(true);
+  const { left, right } = await edges();
+  expect(right - left).toBeGreaterThan(200);
+});
+
+test("what to draw next is never under the notice that the mesh is out of date", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByTestId("tool-line").click();
+  for (const place of ["0,0,2", "0,1,2"]) {
+    await page.keyboard.type(place);
+    await page.keyboard.press("Enter");
+    await expect(page.getByTestId("coordinates")).toBeHidden();
+  }
+  const [hint, badge] = [page.getByTestId("drawing-hint"), page.getByTestId("mesh-badge")];
+  for (const width of [1440, 800]) {
+    await page.setViewportSize({ width, height: 900 });
+    await expect(badge).toBeVisible();
+    const [above, below] = [await hint.boundingBox(), await badge.boundingBox()];
+    expect((above?.y ?? 0) + (above?.height ?? 0)).toBeLessThanOrEqual(below?.y ?? 0);
+  }
+});
+
 test("on a phone every menu opens in place, and all its items can be reached", async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   const app = new AppPage(page);

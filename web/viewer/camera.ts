@@ -51,7 +51,7 @@ const fitMargin = 1.06;
 /**
  * Returns the distance from the centre of a box at which it just fills the view.
  * @param azimuth, polar direction of the camera, in radians.
- * @param aspect width / height of the view.
+ * @param aspect width / height of the view, or of the part of it that is free.
  */
 export function fitDistance(
   low: Vector3,
@@ -88,6 +88,8 @@ export class ViewCamera {
   leftOrbits = false;
   readonly #element: HTMLElement;
   #radius = 1;
+  /** Share of the width that is not covered. */
+  #freeShare = 1;
 
   constructor(element: HTMLElement, smooth: boolean) {
     this.controls = new CameraControls(this.camera, element);
@@ -117,8 +119,17 @@ export class ViewCamera {
     return 2 * this.controls.distance * Math.tan((fieldOfView / 2) * degrees);
   }
 
-  resize(width: number, height: number): void {
+  /**
+   * Sets the size of the view in CSS pixels, and how much of its width is covered at the left: the target appears in the
+   * middle of the rest.
+   */
+  resize(width: number, height: number, coveredLeft: number): void {
     this.camera.aspect = width / Math.max(1, height);
+    const covered = Math.min(0.5, coveredLeft / Math.max(1, width));
+    this.#freeShare = 1 - covered;
+    // Width of what the camera sees, at a distance of 1.
+    const seen = 2 * Math.tan((fieldOfView / 2) * degrees) * this.camera.aspect;
+    this.camera.filmOffset = covered === 0 ? 0 : (-covered / 2) * seen * this.camera.getFilmWidth();
     this.camera.updateProjectionMatrix();
   }
 
@@ -127,7 +138,7 @@ export class ViewCamera {
     const centre = new Vector3().addVectors(low, high).multiplyScalar(0.5);
     // The direction in which a running rotation will end.
     const { theta, phi } = this.controls.getSpherical(new Spherical(), true);
-    const distance = fitDistance(low, high, theta, phi, this.camera.aspect);
+    const distance = fitDistance(low, high, theta, phi, this.camera.aspect * this.#freeShare);
     void this.controls.moveTo(centre.x, centre.y, centre.z, animate);
     void this.controls.setFocalOffset(0, 0, 0, animate);
     void this.controls.dollyTo(Math.max(distance, this.#radius * minDistance), animate);

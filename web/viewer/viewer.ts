@@ -32,6 +32,8 @@ export interface ViewerOptions {
   /** If false, the camera jumps instead of gliding. */
   readonly motion: boolean;
   readonly multisampling: boolean;
+  /** Returns how many CSS pixels at the left are covered; asked when the size changes. */
+  readonly coveredLeft: () => number;
   readonly meshQueries: MeshQueryClient;
   readonly events: ViewerEvents;
 }
@@ -354,8 +356,12 @@ export class Viewer {
   #resize(): void {
     const { clientWidth, clientHeight } = this.#container;
     if (clientWidth === 0 || clientHeight === 0) return;
-    this.#view.resize(clientWidth, clientHeight);
+    const { empty, low, high } = projectBounds(this.#state.project, this.#state.bodies);
+    const wasShown = !empty && this.#showsAll(low, high);
+    this.#view.resize(clientWidth, clientHeight, this.#options.coveredLeft());
     this.#update({ viewport: this.#renderer.resize(clientWidth, clientHeight) });
+    // For example when a panel that covered half of the view is closed.
+    if (wasShown && !this.#showsAll(low, high)) this.fit(null, false);
     this.#cube?.resize();
     // Draw at once: the canvas is blank after a change of its size.
     this.#loop.drawNow();

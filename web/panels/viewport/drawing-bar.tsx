@@ -20,7 +20,7 @@ export function DrawingBar() {
   const sourceType = useView((state) => state.sourceType);
   if (tool === "select") return null;
   return (
-    <div className={styles["bar"]} role="group" aria-label={words.bar} data-testid="drawing-bar">
+    <div className={styles["bar"]} role="group" aria-label={words.bar} data-passes data-testid="drawing-bar">
       <div className={styles["choices"]}>
         {tool === "line" && <LineTypeChoice value={lineType} />}
         {tool === "source" && <SourceTypeChoice value={sourceType} />}

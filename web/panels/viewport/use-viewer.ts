@@ -34,13 +34,16 @@ export interface UsedViewer {
   readonly trouble: Trouble | null;
 }
 
-/** Draws the app in a canvas, and lets the pointer select in it. `onHover` must not change. */
+/** Draws the app in a canvas, and lets the pointer select in it. `onHover` must not change; `coveredLeft` is in CSS pixels. */
 export function useViewer(
   container: RefObject<HTMLElement | null>,
   canvas: RefObject<HTMLCanvasElement | null>,
   onHover: (hover: Hover | null) => void,
+  coveredLeft = 0,
 ): UsedViewer {
   const app = useApp();
+  const covered = useRef(coveredLeft);
+  useEffect(() => void (covered.current = coveredLeft), [coveredLeft]);
   const [viewer, setViewer] = useState<Viewer | null>(null);
   const [trouble, setTrouble] = useState<Trouble | null>(null);
   const scheme = useComputedColorScheme("dark", { getInitialValueInEffect: false });
@@ -55,6 +58,7 @@ export function useViewer(
         colors: firstColors.current,
         motion: !app.still && !window.matchMedia("(prefers-reduced-motion: reduce)").matches,
         multisampling: !app.still,
+        coveredLeft: () => covered.current,
         meshQueries: app.meshQueries,
         events: viewerEvents(app, box, setTrouble),
       });

@@ -24,6 +24,9 @@ import styles from "./viewport-panel.module.css";
 
 const PlaneView = lazy(async () => ({ default: (await import("../player/plane-view")).PlaneView }));
 
+/** Width that the column of tools covers on phones, in CSS pixels. On larger screens the model has room beside it. */
+const phoneColumn = 58;
+
 /** The canvas with the labels, markers and controls above it. */
 export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const container = useRef<HTMLDivElement>(null);
@@ -31,7 +34,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const [hover, setHover] = useState<Hover | null>(null);
   const hasChoices = useView((state) => state.tool !== "select");
   const showsSizes = useView((state) => state.sizes.enabled);
-  const { viewer, trouble } = useViewer(container, canvas, setHover);
+  const { viewer, trouble } = useViewer(container, canvas, setHover, layout === "phone" ? phoneColumn : 0);
   const hasOperation = useStore(useApp().operations.state, ({ open }) => open !== null);
   const showsPlane = useShowsPlane();
   useFitBeside(viewer, showsPlane);
@@ -59,8 +62,10 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
       )}
       {trouble && <ViewNotice trouble={trouble} />}
       <ToolColumn />
-      {hasChoices ? <DrawingBar /> : showsSizes ? <SizeBar /> : <CutBar />}
-      <MeshBadge />
+      <div className={styles["top"]}>
+        {hasChoices ? <DrawingBar /> : showsSizes ? <SizeBar /> : <CutBar />}
+        <MeshBadge />
+      </div>
       <OpenEdges />
       <ContextMenu />
       {!trouble && <Legend />}
