@@ -195,3 +195,36 @@ test("who prefers no motion sees the end at once", async ({ page }) => {
   const steps = await viewport.getAttribute("data-steps");
   await expect(viewport).toHaveAttribute("data-step", steps ?? "");
 });
+
+test("a condition is typed, corrected, jumped to and paused at, by keyboard", async ({ page }) => {
+  const { viewport } = await openTrace(page, star);
+  await page.getByTestId("player-kind").selectOption("condition");
+  const field = page.getByTestId("player-condition");
+  const hint = page.getByTestId("player-condition-hint");
+  await field.fill("refused: ugly");
+  await expect(hint).toHaveRole("alert");
+  await expect(hint).toContainText("At character 10");
+  await expect(field).toHaveAttribute("aria-invalid", "true");
+  await expect(page.getByTestId("player-next")).toBeDisabled();
+  expect(await violations(page)).toEqual([]);
+
+  await field.fill("refused: crosses and postponed");
+  await field.press("Enter");
+  await expect(page.getByTestId("lens-sentence")).toContainText(/would (cut|cross)/);
+  const first = Number(await viewport.getAttribute("data-step"));
+  expect(first).toBeGreaterThan(0);
+  await field.press("Enter");
+  await expect.poll(async () => Number(await viewport.getAttribute("data-step"))).toBeGreaterThan(first);
+  await field.press("Shift+Enter");
+  await expect(viewport).toHaveAttribute("data-step", String(first));
+
+  await field.fill("recovery");
+  await page.getByTestId("player-stop-at").check();
+  await page.getByTestId("player-speed").selectOption("500");
+  await page.getByTestId("player-play").click();
+  await expect(page.getByTestId("player-play")).toHaveAccessibleName("Play");
+  await expect(page.getByTestId("lens")).toContainText("pocket");
+  await field.fill("front < 0");
+  await field.press("Enter");
+  await expect(page.getByTestId("player-no-step")).toHaveText("No further step");
+});

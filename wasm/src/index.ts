@@ -68,7 +68,7 @@ export type { VolumeFile } from "./formats/volume-file.js";
 export { loadTrace, readTrace, type LoadTraceOptions } from "./trace/read-trace.js";
 export type { Trace, TraceSummary } from "./trace/trace.js";
 export type { TraceHeader } from "./trace/header.js";
-export type { LinesSummary, PatchesSummary, SurfaceTrace } from "./trace/surface-trace.js";
+export type { LinesSummary, PatchesSummary, SurfaceTrace, TriedCandidates } from "./trace/surface-trace.js";
 export type { PlaneSample, Triple } from "./trace/surface-events.js";
 export type {
   DivideStep,

@@ -38,7 +38,7 @@ export function faceSize({ faces, nodes: { positions } }: Trace, face: number): 
 }
 
 /** Returns the mean layer of a face's nodes. */
-function faceLayer({ faces, nodes }: Trace, face: number): number {
+export function faceLayer({ faces, nodes }: Trace, face: number): number {
   let sum = 0;
   for (let corner = 0; corner < 3; corner++) sum += nodes.layers[faces.nodes[3 * face + corner] ?? 0] ?? 0;
   return sum / 3;

@@ -5,7 +5,7 @@ import type { MeshRun } from "../session/run";
 import { firstState, phaseEnd, phaseStart } from "./phases";
 import { Playback } from "./playback";
 import { recordProject, type PreparedOf, type Recorded } from "./recording";
-import { nextStop, refusedIn, type StopKind } from "./stops";
+import { nextStop, refusedIn, type Stop } from "./stops";
 
 /** What the colours of the front's faces mean. */
 export type FrontColoring = "age" | "size" | "layer";
@@ -34,8 +34,10 @@ export interface PlayerState {
   readonly speed: number;
   /** Playing repeats the steps from `from` to `to`; null: it ends with the trace. */
   readonly loop: { readonly from: number; readonly to: number } | null;
-  /** Playing pauses at steps of this kind. */
-  readonly stopAt: StopKind | null;
+  /** Playing pauses at these steps. */
+  readonly stopAt: Stop | null;
+  /** The text of a condition at which playing can pause; it may be wrong. */
+  readonly condition: string;
   readonly coloring: FrontColoring;
   readonly faces: FrontFaces;
   readonly elements: ShownElements;
@@ -62,6 +64,7 @@ const initialState: PlayerState = {
   speed: 25,
   loop: null,
   stopAt: null,
+  condition: "",
   coloring: "age",
   faces: "inside",
   elements: "recent",
@@ -156,8 +159,19 @@ export class Player {
   /** Shows the model again. */
   close(): void {
     this.#playback.stop();
-    const { recording, reading, speed, coloring, faces, elements, follows } = this.state.getState();
-    this.state.setState({ ...initialState, recording, reading, speed, coloring, faces, elements, follows });
+    const { recording, reading, speed, coloring, faces, elements, follows, condition } =
+      this.state.getState();
+    this.state.setState({
+      ...initialState,
+      recording,
+      reading,
+      speed,
+      coloring,
+      faces,
+      elements,
+      follows,
+      condition,
+    });
   }
 
   /** Shows the state after a step; numbers out of range show the first or the last state. */
@@ -177,15 +191,15 @@ export class Player {
     else this.seek(steps < 0 ? phaseStart(trace, step) : phaseEnd(trace, step));
   }
 
-  /** Moves to the nearest step of a kind, and pauses. Returns whether there is one. */
-  jump(kind: StopKind, direction: 1 | -1): boolean {
+  /** Moves to the nearest step of a kind or that meets a condition, and pauses. Returns whether there is one. */
+  jump(stop: Stop, direction: 1 | -1): boolean {
     const { trace, step } = this.state.getState();
     if (!trace) return false;
-    const found = nextStop(trace, step, direction, kind);
+    const found = nextStop(trace, step, direction, stop);
     if (found === null) return false;
     this.pause();
     this.seek(found);
-    this.state.setState({ candidate: refusedIn(trace, found, kind) });
+    this.state.setState({ candidate: refusedIn(trace, found, stop) });
     return true;
   }
 
@@ -261,7 +275,7 @@ export class Player {
     const { trace, step, loop, stopAt } = this.state.getState();
     if (!trace) return;
     const last = loop?.to ?? trace.stepCount;
-    const stop = stopAt && nextStop(trace, step, 1, stopAt);
+    const stop = stopAt && nextStop(trace, step, 1, stopAt, Math.min(last, step + steps));
     const end = Math.min(last, stop ?? last);
     if (step + steps < end) return this.seek(step + steps);
     this.seek(end);

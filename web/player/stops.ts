@@ -1,4 +1,6 @@
-import { REFUSALS, type Refusal, type SurfaceTrace, type Trace } from "tetrafront";
+import { REFUSALS, type EdgeRefusal, type Refusal, type SurfaceTrace, type Trace } from "tetrafront";
+import type { Condition } from "./condition";
+import { holds } from "./condition-test";
 import { firstState, surfaceState } from "./phases";
 
 /** Steps at which playing can pause, and to which one can jump. */
@@ -8,11 +10,26 @@ export type StopKind = (typeof stopKinds)[number];
 /** `TraceSteps.outcomes` of a step whose face was postponed; those of recovery are larger. */
 const postponedOutcome = 1;
 
-/** Returns the nearest step of a kind after or before a step; null if there is none. O(steps between). */
-export function nextStop(trace: Trace, step: number, direction: 1 | -1, kind: StopKind): number | null {
-  for (let i = step + direction; i > firstState(trace) && i <= trace.stepCount; i += direction)
-    if (isOfKind(trace, i, kind)) return i;
+/** A kind of step, or a condition that steps can meet. */
+export type Stop = StopKind | Condition;
+
+/**
+ * Returns the nearest step of a kind after or before a step, but not after `last`; null if there is none. O(steps between).
+ */
+export function nextStop(
+  trace: Trace,
+  step: number,
+  direction: 1 | -1,
+  stop: Stop,
+  last = trace.stepCount,
+): number | null {
+  for (let i = step + direction; i > firstState(trace) && i <= last; i += direction)
+    if (isStop(trace, i, stop)) return i;
   return null;
+}
+
+function isStop(trace: Trace, step: number, stop: Stop): boolean {
+  return typeof stop === "string" ? isOfKind(trace, step, stop) : holds(trace, step, stop);
 }
 
 function isOfKind(trace: Trace, step: number, kind: StopKind): boolean {
@@ -63,8 +80,9 @@ function firstRefused(steps: Trace["steps"], step: number, reason: Refusal): num
 }
 
 /** Returns the rank of the candidate because of which a step is of a kind; null if it is so as a whole. */
-export function refusedIn(trace: Trace, step: number, kind: StopKind): number | null {
-  const reason = REFUSALS.find((refusal) => refusal === kind);
+export function refusedIn(trace: Trace, step: number, stop: Stop): number | null {
+  const sought = typeof stop === "string" ? stop : reasonIn(stop);
+  const reason = REFUSALS.find((refusal) => refusal === sought);
   if (!reason) return null;
   const state = surfaceState(trace, step);
   if (state === null) return firstRefused(trace.steps, step, reason);
@@ -72,7 +90,14 @@ export function refusedIn(trace: Trace, step: number, kind: StopKind): number | 
   return rank < 0 ? null : rank;
 }
 
-/** Returns whether a trace has steps of a kind. */
-export function hasStop(trace: Trace, kind: StopKind): boolean {
-  return nextStop(trace, firstState(trace), 1, kind) !== null;
+/** Returns the first reason of a refusal that a condition names. */
+function reasonIn(condition: Condition): EdgeRefusal | null {
+  if (condition.kind === "refused") return condition.reason;
+  const parts = condition.kind === "all" || condition.kind === "any" ? condition.parts : [];
+  return parts.map(reasonIn).find((reason) => reason !== null) ?? null;
+}
+
+/** Returns whether a trace has steps of a kind, or that meet a condition. */
+export function hasStop(trace: Trace, stop: Stop): boolean {
+  return nextStop(trace, firstState(trace), 1, stop) !== null;
 }

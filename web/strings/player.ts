@@ -1,5 +1,6 @@
 /** Texts about the recorded fronts. */
 import type { FrontChange, Refusal } from "tetrafront";
+import { conditionStrings } from "./condition";
 import { surfaceLensStrings } from "./surface-lens";
 
 const number = (value: number): string => value.toLocaleString("en-US");
@@ -25,7 +26,11 @@ const stops = {
   "new-node": "new node",
   line: "line",
   patch: "patch",
+  condition: "condition…",
 } as const;
+
+const stopName = (kind: keyof typeof stops): string =>
+  kind === "condition" ? "step that meets the condition" : stops[kind];
 
 const verdicts: Readonly<Record<Refusal | "accepted", string>> = {
   accepted: "accepted",
@@ -71,8 +76,10 @@ export const playerStrings = {
     phase === "lines" ? "" : `${number(faces)} ${faceNames[phase]}`,
   stops,
   jumpTo: "Jump to",
-  next: (kind: keyof typeof stops) => `Next ${stops[kind]}`,
-  before: (kind: keyof typeof stops) => `Previous ${stops[kind]}`,
+  next: (kind: keyof typeof stops) => `Next ${stopName(kind)}`,
+  before: (kind: keyof typeof stops) => `Previous ${stopName(kind)}`,
+  noFurther: "No further step",
+  condition: conditionStrings,
   pauseThere: "Pause there",
   loopHint: (from: number, to: number) => `Repeat steps ${number(from)} to ${number(to)}`,
   coloring: "Colour",

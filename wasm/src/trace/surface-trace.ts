@@ -55,6 +55,16 @@ export interface PatchesSummary {
 }
 
 /** The recorded division of lines and the recorded 2-D fronts of patches, read from a trace. */
+/** A base edge and its candidates, by their numbers in the patch. */
+export interface TriedCandidates {
+  /** Index of the base edge; null for other steps. */
+  readonly base: number | null;
+  /** Per candidate: its node; 0xffffffff for a new node that was refused. */
+  readonly nodes: Uint32Array;
+  /** Per candidate: the edge that it crosses or is too close to, or 0xffffffff. */
+  readonly culprits: Uint32Array;
+}
+
 export class SurfaceTrace {
   /** The divisions of lines, in the order of the steps. */
   readonly divisions: readonly TracedDivision[];
@@ -121,6 +131,18 @@ export class SurfaceTrace {
     const { firstCandidates, candidateVerdicts } = this.#columns;
     const verdicts = candidateVerdicts.subarray(firstCandidates[step], firstCandidates[step + 1]);
     return Array.from(verdicts, (verdict) => EDGE_REFUSALS[verdict]);
+  }
+
+  /** What a step tries, without decoding it: a base edge and its candidates. Empty for other steps. O(candidates). */
+  triedAt(step: number): TriedCandidates {
+    const { bases, firstCandidates, candidateNodes, candidateCulprits } = this.#columns;
+    const base = bases[step] ?? NONE;
+    const range = [firstCandidates[step] ?? 0, firstCandidates[step + 1] ?? 0] as const;
+    return {
+      base: base === NONE ? null : base,
+      nodes: candidateNodes.subarray(...range),
+      culprits: candidateCulprits.subarray(...range),
+    };
   }
 
   /** Returns step `step`, from 1 to `stepCount`; undefined for other numbers. */

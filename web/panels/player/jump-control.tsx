@@ -1,37 +1,43 @@
 import { NativeSelect } from "@mantine/core";
 import { IconChevronLeft, IconChevronRight } from "@tabler/icons-react";
 import { useMemo, useState } from "react";
-import { hasStop, stopKinds, type StopKind } from "../../player/stops";
+import { parseCondition } from "../../player/condition";
+import { hasStop, stopKinds, type Stop, type StopKind } from "../../player/stops";
 import { strings } from "../../strings";
 import { IconButton } from "../../ui/icon-button";
 import { useApp } from "../shared/app-context";
+import { ConditionField } from "./condition-field";
 import styles from "./player.module.css";
 import { usePlayer, useTrace } from "./use-player";
 
 const texts = strings.player;
 const icon = { size: 15, "aria-hidden": true } as const;
 
-/** Chooses a kind of step, jumps to the next or previous one, and pauses there while playing. */
+/** Chooses a kind of step or a condition, jumps to the next or previous one, and pauses there while playing. */
 export function JumpControl() {
   const { player } = useApp();
   const trace = useTrace();
   const kinds = useMemo(() => stopKinds.filter((kind) => hasStop(trace, kind)), [trace]);
-  const [chosen, setChosen] = useState<StopKind | null>(null);
-  const kind = chosen ?? kinds[0];
-  const stopAt = usePlayer((state) => state.stopAt);
-  if (kind === undefined) return null;
-  const choose = (value: string): void => {
-    const found = kinds.find((other) => other === value);
-    if (!found) return;
-    setChosen(found);
-    if (stopAt) player.state.setState({ stopAt: found });
+  const [chosen, setChosen] = useState<StopKind | "condition" | null>(null);
+  const [isMissing, setIsMissing] = useState(false);
+  const text = usePlayer((state) => state.condition);
+  const pauses = usePlayer((state) => state.stopAt !== null);
+  const kind = chosen ?? kinds[0] ?? "condition";
+  const stop = stopOf(kind, text);
+  const use = (next: StopKind | "condition", nextText: string): void => {
+    setChosen(next);
+    setIsMissing(false);
+    const stopAt = pauses ? stopOf(next, nextText) : null;
+    player.state.setState({ condition: nextText, stopAt });
   };
+  const jump = (direction: 1 | -1): void => setIsMissing(stop !== null && !player.jump(stop, direction));
   return (
     <span className={styles["jump"]} role="group" aria-label={texts.jumpTo}>
       <IconButton
         label={texts.before(kind)}
         data-testid="player-before"
-        onClick={() => player.jump(kind, -1)}
+        disabled={stop === null}
+        onClick={() => jump(-1)}
       >
         <IconChevronLeft {...icon} />
       </IconButton>
@@ -40,21 +46,41 @@ export function JumpControl() {
         aria-label={texts.jumpTo}
         data-testid="player-kind"
         value={kind}
-        data={kinds.map((value) => ({ value, label: texts.stops[value] }))}
-        onChange={(event) => choose(event.currentTarget.value)}
+        data={[...kinds, "condition" as const].map((value) => ({ value, label: texts.stops[value] }))}
+        onChange={({ currentTarget: { value } }) =>
+          use(kinds.find((other) => other === value) ?? "condition", text)
+        }
       />
-      <IconButton label={texts.next(kind)} data-testid="player-next" onClick={() => player.jump(kind, 1)}>
+      <IconButton
+        label={texts.next(kind)}
+        data-testid="player-next"
+        disabled={stop === null}
+        onClick={() => jump(1)}
+      >
         <IconChevronRight {...icon} />
       </IconButton>
+      {kind === "condition" && (
+        <ConditionField text={text} onChange={(value) => use("condition", value)} onJump={jump} />
+      )}
       <label className={styles["check"]}>
         <input
           type="checkbox"
           data-testid="player-stop-at"
-          checked={stopAt !== null}
-          onChange={(event) => player.state.setState({ stopAt: event.currentTarget.checked ? kind : null })}
+          checked={pauses}
+          disabled={stop === null}
+          onChange={(event) => player.state.setState({ stopAt: event.currentTarget.checked ? stop : null })}
         />
         {texts.pauseThere}
       </label>
+      <span role="status" className={styles["hint"]} data-testid="player-no-step">
+        {isMissing && texts.noFurther}
+      </span>
     </span>
   );
+}
+
+function stopOf(kind: StopKind | "condition", text: string): Stop | null {
+  if (kind !== "condition") return kind;
+  const parsed = parseCondition(text);
+  return parsed.success ? parsed.condition : null;
 }
