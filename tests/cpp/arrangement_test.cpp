@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "arrangement/enclosed_surface.h"
@@ -20,7 +21,7 @@ namespace {
 
 EnclosedSurface enclose(const SurfaceMesh& mesh) {
   Job job([&](Work& work) { return encloseSurface(work, mesh); });
-  return job.finish();
+  return std::move(job.finish().front());
 }
 
 SurfaceInspection inspectionOf(const SurfaceMesh& mesh) {
@@ -267,13 +268,26 @@ TEST(Arrangement, LeavesNoCrossingByExactIntegers) {
   }
 }
 
+TEST(Arrangement, ReturnsTheResultWithWeldedPointsFirstAndTheExactOneNext) {
+  // The faces of the cubes lie 1e-4 beside each other.
+  const SurfaceMesh mesh = unite({gridCube(2), moved(gridCube(2), {0.5, 1e-4, 1e-4})});
+  Job job([&](Work& work) { return encloseSurface(work, mesh, 1e-3); });
+  const std::vector<EnclosedSurface> results = job.finish();
+  ASSERT_EQ(results.size(), 2U);
+  EXPECT_TRUE(results[0].isResolved);
+  EXPECT_GT(results[0].deviation, 5e-5);
+  EXPECT_LE(results[0].deviation, 1e-3);
+  EXPECT_EQ(results[1].mesh.points, enclose(mesh).mesh.points);
+  EXPECT_EQ(results[1].mesh.triangles, enclose(mesh).mesh.triangles);
+}
+
 TEST(Arrangement, DoesNotDependOnSlices) {
   const SurfaceMesh mesh = unite({geodesicSphere(3), moved(gridCube(2), {0.1, 0.2, 0.3})});
   const EnclosedSurface whole = enclose(mesh);
   Job sliced([&](Work& work) { return encloseSurface(work, mesh); });
   std::size_t slices = 1;
   while (!sliced.advance(1)) ++slices;
-  const EnclosedSurface result = sliced.take();
+  const EnclosedSurface result = std::move(sliced.take().front());
   EXPECT_GT(slices, 100U);
   EXPECT_EQ(result.mesh.points, whole.mesh.points);
   EXPECT_EQ(result.mesh.triangles, whole.mesh.triangles);

@@ -22,6 +22,11 @@ constexpr std::array<double, 6> kWeldDistances{0.0, 0x1p-44, 0x1p-38, 0x1p-32, 0
 constexpr std::uint32_t kMaxRounds = 5;
 /// Largest number of triangles between two rounds / number at the beginning.
 constexpr std::size_t kMaxGrowth = 20;
+/// Largest number of triangles and pairs of all rounds / number of given triangles, for another attempt. 24 rounds of a part with
+/// 35 000 triangles count 29; a soup with hundreds of pairs per triangle gets one attempt.
+constexpr std::size_t kMaxWork = 100;
+/// Number of triangles that is added to the given one, so that small surfaces get all attempts.
+constexpr std::size_t kFreeTriangles = 1000;
 
 /// Largest change of the volume by welding / volume.
 constexpr double kMaxVolumeChange = 1e-3;
@@ -57,31 +62,42 @@ class Enclosing {
   }
 
   /// `weldDistance`: as encloseSurface().
-  Task<EnclosedSurface> run(Work& work, double weldDistance) {
+  Task<std::vector<EnclosedSurface>> run(Work& work, double weldDistance) {
     for (std::size_t attempt = 0; attempt < kWeldDistances.size(); ++attempt) {
       work.beginPart(1.0 - std::ldexp(0.5, -static_cast<int>(attempt)));
       weldDistance_ = kWeldDistances[attempt] * extent_;
       co_await resolve(work);
-      if (result_.isResolved || isHopeless_) break;
+      if (result_.isResolved || isHopeless_ || isTooMuchWork()) break;
     }
-    if (result_.isResolved && weldDistance > weldDistance_) {
+    std::vector<EnclosedSurface> results;
+    if (result_.isResolved && weldDistance > weldDistance_ && !isTooMuchWork()) {
       work.beginPart(1.0);
-      co_await simplify(work, weldDistance);
+      EnclosedSurface known = co_await simplify(work, weldDistance);
+      if (isSimplified(known)) results.push_back(std::move(result_));
+      result_ = std::move(known);
     }
-    co_return std::move(result_);
+    results.push_back(std::move(result_));
+    co_return results;
   }
 
  private:
-  /// Resolves the surface with the points of intersecting triangles welded within a distance. Keeps the known result if
-  /// this fails or changes the volume.
-  Task<> simplify(Work& work, double weldDistance) {
+  /// Resolves the surface with the points of intersecting triangles welded within a distance; returns the result before.
+  Task<EnclosedSurface> simplify(Work& work, double weldDistance) {
     EnclosedSurface known = result_;
     weldDistance_ = weldDistance;
     co_await resolve(work);
+    co_return known;
+  }
+
+  /// Returns whether the result is resolved, with the volume of the one before.
+  [[nodiscard]] bool isSimplified(const EnclosedSurface& known) const {
     const double before = sixfoldVolumeOf(known.mesh);
     const double change = std::fabs(sixfoldVolumeOf(result_.mesh) - before);
-    const bool isSame = change <= kMaxVolumeChange * std::fabs(before);
-    if (!result_.isResolved || !isSame) result_ = std::move(known);
+    return result_.isResolved && change <= kMaxVolumeChange * std::fabs(before);
+  }
+
+  [[nodiscard]] bool isTooMuchWork() const {
+    return spent_ > kMaxWork * (countTriangles(given_) + kFreeTriangles);
   }
 
   Task<> resolve(Work& work) {
@@ -94,6 +110,7 @@ class Enclosing {
       if (result_.mesh.triangles.empty()) co_return;
       Arrangement arrangement(result_.mesh);
       const bool isDone = co_await arrangement.run(work, pairsBefore);
+      spent_ += countTriangles(result_.mesh) + arrangement.pairCount();
       isHopeless_ = !isDone && round == 0;
       if (!isDone) co_return;
       result_.isResolved = round > 0 && arrangement.pairCount() == 0;
@@ -217,6 +234,7 @@ class Enclosing {
   double extent_;
   double weldDistance_ = 0.0;
   bool isHopeless_ = false;
+  std::size_t spent_ = 0;  ///< triangles and pairs of all rounds
   EnclosedSurface result_;
   std::vector<std::uint8_t> isInterface_;    ///< per triangle
   std::vector<std::uint8_t> isWeldable_;     ///< per node
@@ -225,10 +243,11 @@ class Enclosing {
 
 }  // namespace
 
-Task<EnclosedSurface> encloseSurface(Work& work, const SurfaceMesh& mesh, double weldDistance) {
+Task<std::vector<EnclosedSurface>> encloseSurface(Work& work, const SurfaceMesh& mesh,
+                                                  double weldDistance) {
   Enclosing enclosing(mesh);
-  EnclosedSurface result = co_await enclosing.run(work, weldDistance);
-  co_return result;
+  std::vector<EnclosedSurface> results = co_await enclosing.run(work, weldDistance);
+  co_return results;
 }
 
 }  // namespace tetrafront

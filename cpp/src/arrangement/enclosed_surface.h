@@ -31,8 +31,12 @@ struct EnclosedSurface {
 /// intersect, coincide and be degenerate. They should be closed and agree in orientation; triangles that enclose nothing are left out. `weldDistance`: points of
 /// intersecting triangles are welded within it, in model units, if the volume stays the same; 0 for none. Faces that nearly
 /// coincide otherwise leave steps as low as the rounding of their coordinates. O(n log n) for n triangles that have few
-/// others near them.
-Task<EnclosedSurface> encloseSurface(Work& work, const SurfaceMesh& mesh,
-                                     double weldDistance = 0.0);
+/// others near them. Further attempts are made only while the triangles and pairs of all rounds are at most 100 times those
+/// given.
+///
+/// Returns the results, the best first: with points welded, if that is wanted and possible, then without. If the first one is not
+/// resolved, it is the only one.
+Task<std::vector<EnclosedSurface>> encloseSurface(Work& work, const SurfaceMesh& mesh,
+                                                  double weldDistance = 0.0);
 
 }  // namespace tetrafront

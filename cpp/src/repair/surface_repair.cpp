@@ -81,7 +81,7 @@ class RepairedSurface {
   Task<bool> closeCracks(Work& work);
   Task<bool> resolve(Work& work);
   Task<bool> takeEnclosed(Work& work, const SurfaceMesh& closed,
-                          const std::vector<FilledHole>& closedHoles, double weldDistance);
+                          const std::vector<FilledHole>& closedHoles, EnclosedSurface& enclosed);
 
   void applyWeld(const std::vector<NodeId>& target);
   void removeTrianglesWithRepeatedNodes();
@@ -265,18 +265,21 @@ Task<bool> RepairedSurface::resolve(Work& work) {
   const std::vector<FilledHole> closedHoles = closeSurface(closed);
   co_await work.yield();
   work.beginPart(0.7);
-  const double distance = options_.weldIntersections;
-  bool isValid = co_await takeEnclosed(work, closed, closedHoles, distance);
-  if (!isValid && distance > 0.0) isValid = co_await takeEnclosed(work, closed, closedHoles, 0.0);
-  co_return isValid;
+  std::vector<EnclosedSurface> results =
+      co_await encloseSurface(work, closed, options_.weldIntersections);
+  work.beginPart(1.0);
+  for (EnclosedSurface& enclosed : results) {
+    const bool isTaken = co_await takeEnclosed(work, closed, closedHoles, enclosed);
+    if (isTaken) co_return true;
+  }
+  co_return false;
 }
 
+/// Takes one result, if the boundary check accepts it.
 Task<bool> RepairedSurface::takeEnclosed(Work& work, const SurfaceMesh& closed,
                                          const std::vector<FilledHole>& closedHoles,
-                                         double weldDistance) {
-  EnclosedSurface enclosed = co_await encloseSurface(work, closed, weldDistance);
+                                         EnclosedSurface& enclosed) {
   if (!enclosed.isResolved || enclosed.sheetShare > kMaxSheetShare) co_return false;
-  work.beginPart(1.0);
   BoundaryCheck boundary(enclosed.mesh, BoundarySource::kGivenSurface, options_.innerShells);
   co_await work.finish(boundary);
   if (!boundary.result().isValid) co_return false;

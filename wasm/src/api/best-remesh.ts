@@ -46,19 +46,36 @@ export async function remeshBest(
   control: PartialControl,
 ): Promise<SurfaceRemesh> {
   const all = await remesh(options, partOf(control, 0, FIRST_SHARE));
-  if (all.isPartial || all.smallestAngle >= POOR_ANGLE) return all;
+  if (!isPoor(all)) return all;
   const dropDetails = DROPPED * diagonalOf(points);
-  const merged = await remesh({ ...options, dropDetails }, partOf(control, FIRST_SHARE, 1)).catch(
-    (failure: unknown) => {
-      if (failure instanceof MesherError && failure.code !== "cancelled") return undefined;
-      throw failure;
-    },
-  );
+  const second = remesh({ ...options, dropDetails }, partOf(control, FIRST_SHARE, 1));
+  const merged = await unlessFailed(second);
   if (merged === undefined) return all;
   if (merged.isPartial) return { ...all, isPartial: true };
-  const isBetter =
-    merged.smallestAngle > all.smallestAngle && merged.meanRadiusRatio > all.meanRadiusRatio - RATIO_NOISE;
-  return isBetter ? merged : all;
+  return isBetter(merged, all) ? merged : all;
+}
+
+type Shapes = Pick<SurfaceRemesh, "isPartial" | "smallestAngle" | "meanRadiusRatio">;
+
+/** Returns whether a finished remeshing has triangles so poor that another way is worth its time. */
+export function isPoor({ isPartial, smallestAngle }: Shapes): boolean {
+  return !isPartial && smallestAngle < POOR_ANGLE;
+}
+
+/** Returns whether a remeshing has a larger smallest angle than another, without poorer triangles on average. */
+export function isBetter(one: Shapes, other: Shapes): boolean {
+  const isWorseOnAverage = one.meanRadiusRatio <= other.meanRadiusRatio - RATIO_NOISE;
+  return !one.isPartial && one.smallestAngle > other.smallestAngle && !isWorseOnAverage;
+}
+
+/** Resolves with undefined if the mesher fails. Rejects if it is cancelled. */
+export async function unlessFailed<Result>(made: Promise<Result>): Promise<Result | undefined> {
+  try {
+    return await made;
+  } catch (failure) {
+    if (failure instanceof MesherError && failure.code !== "cancelled") return undefined;
+    throw failure;
+  }
 }
 
 /** Returns a control whose progress is a part of the whole. */

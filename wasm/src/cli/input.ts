@@ -24,6 +24,12 @@ export type Input =
   | { readonly kind: "project"; readonly project: Project }
   | { readonly kind: "surface"; readonly surface: SurfaceFile };
 
+/** Returns the surface of an input that is known to be none else. */
+export function surfaceIn(input: Input): SurfaceFile {
+  if (input.kind === "surface") return input.surface;
+  throw new TypeError("the input is a project");
+}
+
 /** Background grid in the form of its file; a mesher converts a mesh to a grid. */
 export type GridInput =
   | { readonly kind: "project"; readonly background: BackgroundArrays }

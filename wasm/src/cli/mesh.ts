@@ -16,7 +16,7 @@ import { writableName, writeAll } from "./convert.js";
 import { elementOrderFor, type ElementOrderOption } from "./element-order.js";
 import { checkOutput, FileError, refuseFolder, writeOutput } from "./files.js";
 import { withMesher } from "./grids.js";
-import { type Input, isCadInput, numberIn, refuseOptions } from "./input.js";
+import { type Input, isCadInput, numberIn, refuseOptions, surfaceIn } from "./input.js";
 import { readGiven } from "./joined-inputs.js";
 import { asInvalidInput, asEngineFailure, ExitCode, print, printDiagnostics } from "./messages.js";
 import { checkNoOverwrite, checkWritable, givenFiles, outputFiles } from "./paths.js";
@@ -41,6 +41,7 @@ import {
 import { located } from "./regions.js";
 import { requiredAngleError, requiredAngleOf } from "./required-angle.js";
 import type { UnitOptions } from "./units.js";
+import { EXACT_REPAIR, hasWelded, remeshedBest } from "./best-repair.js";
 import { withRun } from "./run.js";
 import {
   checkSizes,
@@ -217,16 +218,21 @@ export async function meshInput(
   const isRepairImplied = repair === undefined && (isRemeshed || isCad);
   const repairing = { input, repair, split, innerShells, isRepairImplied, isRemeshed };
   const treated = await withRepair(given, repairing);
-  const { model, changes, repairDeviation, split: splitWords, located: foundLater = [] } = treated;
-  const found = [...read, ...foundLater];
+  const isWelded = isRepairImplied && isRemeshed && hasWelded(surfaceIn(given), treated);
+  const exact = isWelded ? () => withRepair(given, { ...repairing, isExact: true }) : undefined;
+  const { split: splitWords } = treated;
   if (!isQuiet) printChanges(input, treated);
   if (splitWords !== undefined && !isQuiet) print(`${input}: ${splitWords}`);
   if (given.kind === "surface" && !isQuiet) {
     for (const line of readingLines(given.surface)) print(`note: ${input}: ${line}`);
   }
   const meshing = { isQuiet, treatment, remeshing: options, grid, onTrace };
-  const made = await mesh(model, meshOptions, meshing);
-  const { refinement, remesh } = made;
+  const made = await mesh(treated, exact, meshOptions, meshing);
+  const { refinement, remesh, repaired: taken } = made;
+  const { changes, repairDeviation, located: foundLater = [] } = taken;
+  const found = [...read, ...foundLater];
+  if (taken !== treated && !isQuiet) print(`repair: ${input}: ${EXACT_REPAIR}`);
+  if (taken !== treated && !isQuiet) printChanges(input, taken);
   if (refinement !== undefined && !isQuiet) print(`${input}: ${refinementText(refinement)}`);
   if (remesh !== undefined && !isQuiet) print(`${input}: ${remeshText(remesh)}`);
   if (remesh?.isPartial === true) print(`${input}: ${REMESHING_STOPPED}`);
@@ -257,11 +263,13 @@ interface Repairing {
   /** Whether the surface is repaired if it cannot be filled without. */
   readonly isRepairImplied: boolean;
   readonly isRemeshed: boolean;
+  /** Whether no nodes are welded before the remeshing. */
+  readonly isExact?: boolean;
 }
 
 async function withRepair(
   given: Input,
-  { input, repair, split, innerShells, isRepairImplied, isRemeshed }: Repairing,
+  { input, repair, split, innerShells, isRepairImplied, isRemeshed, isExact }: Repairing,
 ): Promise<Repaired> {
   if (given.kind === "project") return { model: given };
   const hasPoints = given.surface.regionPoints !== undefined;
@@ -273,7 +281,7 @@ async function withRepair(
       repairDeviation,
       warnings = [],
     } = isRepairImplied
-      ? await madeFillable(mesher, given.surface, input, { innerShells, isRemeshed })
+      ? await madeFillable(mesher, given.surface, input, { innerShells, isRemeshed, isExact })
       : await repaired(mesher, given.surface, repair);
     const divided = await withSplit(mesher, whole, split);
     const words = split && splitText(whole, divided);
@@ -359,25 +367,34 @@ interface Meshed {
   readonly remesh?: RemeshReport;
 }
 
-async function mesh(model: Input, options: MeshOptions, meshing: MeshingOptions): Promise<Meshed> {
+/** `exact`: another repair, for triangles that are poor after a remeshing. */
+async function mesh(
+  given: Repaired,
+  exact: (() => Promise<Repaired>) | undefined,
+  options: MeshOptions,
+  meshing: MeshingOptions,
+): Promise<Meshed & { readonly repaired: Repaired }> {
+  const { model } = given;
   try {
     return await withRun(meshing.isQuiet, async (mesher, controlOf) => {
       const all = await withGrid(mesher, options, meshing.grid);
       const control = { ...controlOf(), onTrace: meshing.onTrace };
-      if (control.signal.aborted) return { result: emptyResult("cancelled"), model };
+      if (control.signal.aborted) return { result: emptyResult("cancelled"), model, repaired: given };
       if (model.kind === "project") {
-        return { result: await mesher.meshProject(model.project, all, control), model };
+        return { result: await mesher.meshProject(model.project, all, control), model, repaired: given };
       }
-      const treated = await treatedSurface(mesher, model.surface, { ...meshing, options: all, controlOf });
-      const { surface, invalid, diagnostics = [], ...report } = treated;
+      const { made, prepared: repaired } = await remeshedBest(given, exact, ({ model: one }) =>
+        treatedSurface(mesher, surfaceIn(one), { ...meshing, options: all, controlOf }),
+      );
+      const { surface, invalid, diagnostics = [], ...report } = made;
       const treatedModel = { kind: "surface", surface } as const;
-      if (invalid !== undefined) return { result: emptyResult("invalid-input", invalid), model };
+      if (invalid !== undefined) return { result: emptyResult("invalid-input", invalid), model, repaired };
       const result = withDiagnostics(await mesher.fillSurface(surface, all, control), diagnostics);
-      return { result, model: treatedModel, ...report };
+      return { result, model: treatedModel, repaired, ...report };
     });
   } catch (failure) {
     if (!(failure instanceof MesherError) || failure.code !== "cancelled") throw failure;
-    return { result: emptyResult("cancelled"), model };
+    return { result: emptyResult("cancelled"), model, repaired: given };
   }
 }
 

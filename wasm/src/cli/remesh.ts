@@ -1,4 +1,5 @@
 /** `tetrafront remesh`: replaces the triangles of a surface by well-shaped ones, and checks the written file. */
+import { EXACT_REPAIR, hasWelded, remeshedBest } from "./best-repair.js";
 import { readSurface, writeMesh } from "../api/mesh-files.js";
 import type { Mesher } from "../api/mesher-interface.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
@@ -92,20 +93,36 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
   if (given.kind === "project") throw new InvalidInput(input, [projectGiven]);
   const grid = await readGivenGrid(options, isQuiet);
   return withRun(isQuiet, async (mesher, controlOf) => {
-    const prepared =
-      repair === undefined
-        ? await madeFillable(mesher, given.surface, input, { innerShells, isRemeshed: true })
-        : await repaired(mesher, given.surface, repair);
-    const { surface: whole, changes, repairDeviation, warnings = [] } = prepared;
-    const divided = await withSplit(mesher, whole, split);
-    const { surface, diagnostics: unlocated } = await located(mesher, divided, innerShells);
-    const found = [...warnings, ...unlocated];
-    printDiagnostics(input, found, { isQuiet });
-    if (!isQuiet) printChanges(input, prepared);
+    const prepare = async (isExact: boolean) => {
+      const treated =
+        repair === undefined
+          ? await madeFillable(mesher, given.surface, input, { innerShells, isRemeshed: true, isExact })
+          : await repaired(mesher, given.surface, repair);
+      const divided = await withSplit(mesher, treated.surface, split);
+      return { treated, divided, ...(await located(mesher, divided, innerShells)) };
+    };
+    const welded = await prepare(false);
+    if (!isQuiet) printChanges(input, welded.treated);
     if (!isQuiet) for (const line of readingLines(given.surface)) print(`note: ${input}: ${line}`);
-    if (split !== undefined && !isQuiet) print(`${input}: ${splitText(whole, divided)}`);
-    const all = withRegionVolumes(await withGrid(mesher, sizes, grid), surface);
-    const made = await remeshed(mesher, surface, all, { ...controlOf("remesh"), partial: true });
+    if (split !== undefined && !isQuiet) {
+      print(`${input}: ${splitText(welded.treated.surface, welded.divided)}`);
+    }
+    const withSizes = await withGrid(mesher, sizes, grid);
+    const hasExact = repair === undefined && hasWelded(given.surface, welded.treated);
+    const { made, prepared, isExact } = await remeshedBest(
+      welded,
+      hasExact ? () => prepare(true) : undefined,
+      ({ surface }) =>
+        remeshed(mesher, surface, withRegionVolumes(withSizes, surface), {
+          ...controlOf("remesh"),
+          partial: true,
+        }),
+    );
+    const { changes, repairDeviation, warnings = [] } = prepared.treated;
+    const found = [...warnings, ...prepared.diagnostics];
+    if (isExact && !isQuiet) print(`repair: ${input}: ${EXACT_REPAIR}`);
+    if (isExact && !isQuiet) printChanges(input, prepared.treated);
+    printDiagnostics(input, found, { isQuiet });
     const files = await writeMesh(fileMesh(made.surface), name);
     const diagnostics = await problemsInFile(mesher, files, made.surface, { name, innerShells });
     await writeAll(files, { input, output, name, isQuiet });

@@ -70,7 +70,8 @@ export async function repaired(
 
 /**
  * Returns the surface, repaired if it cannot be filled without, with a warning about solids that overlap. Throws an
- * InvalidInput if the triangles of different solids still intersect. `isRemeshed`: whether the surface will be remeshed.
+ * InvalidInput if the triangles of different solids still intersect. `isRemeshed`: whether the surface will be remeshed:
+ * then nodes of intersecting triangles are welded, unless the repair is `isExact`.
  */
 export async function madeFillable(
   mesher: Mesher,
@@ -79,12 +80,17 @@ export async function madeFillable(
   {
     innerShells,
     isRemeshed,
-  }: { readonly innerShells: InnerShells | undefined; readonly isRemeshed: boolean },
+    isExact = false,
+  }: {
+    readonly innerShells: InnerShells | undefined;
+    readonly isRemeshed: boolean;
+    readonly isExact?: boolean | undefined;
+  },
 ): Promise<RepairedSurface> {
   const before = await mesher.inspectSurface(given, { innerShells });
   if (before.isFillable) return { surface: given };
   const warnings = await overlappingSolids(mesher, given, before.diagnostics);
-  const weldIntersections = isRemeshed ? STEP_HEIGHT * diagonalOf(given.points) : 0;
+  const weldIntersections = isRemeshed && !isExact ? STEP_HEIGHT * diagonalOf(given.points) : 0;
   const made = await repaired(mesher, given, { innerShells, weldIntersections });
   // New triangles between solids do not know the regions on both sides.
   const { givenRegions: _, ...surface } = withoutFilledPatch(made.surface);
