@@ -1,5 +1,5 @@
 // npm run fuzz [COUNT]: meshes COUNT (default 20 000) damaged surfaces and reads as many damaged projects and files of
-// every format, all through the package and generated from seeds. If clang has libFuzzer, it also searches
+// every format, CAD files among them, all through the package and generated from seeds. If clang has libFuzzer, it also searches
 // for surfaces guided by the coverage of the engine.
 import { build } from "./build.mjs";
 import { fuzzSurfaces } from "./lib/fuzzer.mjs";
@@ -13,7 +13,9 @@ const MOST_SECONDS = 600;
 await main(async () => {
   const count = process.argv[2] ?? "20000";
   if (!/^[1-9]\d*$/.test(count)) throw new UserError(`"${count}" is no number of surfaces`);
-  const tests = ["surface", "reader", "project"].map((name) => `tests/unit/package/${name}-fuzz.test.ts`);
+  const tests = ["surface-fuzz", "reader-fuzz", "project-fuzz", "cad-files"].map(
+    (name) => `tests/unit/package/${name}.test.ts`,
+  );
   const seeded = ["run", ...tests, "--testTimeout=0"];
   await must(inRoot("node_modules", ".bin", "vitest"), seeded, { env: { TETRAFRONT_FUZZ: count } });
 

@@ -3,7 +3,7 @@ import { measured } from "../support/mesh-measures";
 import { parseVtu } from "../support/mesh-files";
 import { boxSolid, stepFile } from "../support/step-files";
 import { stlBinary } from "../support/surface-files";
-import { boxSurface } from "../support/surfaces";
+import { boxSurface, joined } from "../support/surfaces";
 import { AppPage } from "./app-page";
 import { downloadMesh } from "./downloads";
 import { dropBytes, dropFiles } from "./drop-bytes";
@@ -45,4 +45,26 @@ test("a solid inside another one of its file is meshed", async ({ page }) => {
   await app.generate();
   const { volume } = measured(parseVtu(await downloadMesh(page, /VTU/)));
   expect(volume).toBeCloseTo(64, 6);
+});
+
+test("an STL file that intersects itself is repaired, meshed and downloaded", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const crossing = joined(boxSurface(2, [0, 0, 0], [2, 2, 2]), boxSurface(3, [1, 1, 1], [3, 3, 3]));
+  await dropBytes(page, stlBinary(crossing), "crossing.stl");
+  const problems = page.getByTestId("body-problems");
+  await expect(problems.locator("[data-code=self-intersection]").first()).toBeVisible();
+  await expect(page.getByTestId("body-generate")).toBeDisabled();
+  await expect(page.getByTestId("repair-resolved-intersection")).toContainText("cuts");
+  await expect(page.getByTestId("repair-outcome")).toContainText("Afterwards, the surface can be meshed.");
+  await page.getByTestId("body-repair-apply").click();
+  await expect(problems).toBeHidden();
+  await expect(page.getByTestId("body-repair-deviation")).toHaveText("No node was moved.");
+  const { tets } = await app.generate();
+  const mesh = parseVtu(await downloadMesh(page, /VTU/));
+  expect(mesh.tetrahedra).toHaveLength(tets);
+  const { volume, ...defects } = measured(mesh);
+  expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
+  // Two cubes of edge length 2 with a common cube of edge length 1.
+  expect(Math.abs(volume / 15 - 1)).toBeLessThan(1e-3);
 });

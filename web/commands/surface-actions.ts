@@ -69,7 +69,7 @@ export async function repairBody(app: App, id: number): Promise<void> {
   const state = app.bodies.state.getState().byId.get(id);
   const body = bodiesOf(app.documents.project).find((other) => other.id === id);
   if (!state?.repair || !body) return;
-  const { surface, hasFilled, changes } = state.repair;
+  const { surface, hasFilled } = state.repair;
   const filled = {
     id: nextBodyIds(app.documents.project).firstPatchId,
     name: strings.bodies.repair.filledPatch,
@@ -77,7 +77,7 @@ export async function repairBody(app: App, id: number): Promise<void> {
   const patches = hasFilled ? [...body.patches, filled] : body.patches;
   const used = usedPatches(patches, surface.trianglePatch);
   const { trianglePatch } = used;
-  const repaired = { ...body, repairs: withRepairs(body, changes) };
+  const repaired = { ...body, ...withRepairs(body, state.repair) };
   await changeBody(app, body, bodyStepNames.repair(nameOf(body)), () =>
     app.bodies.replaced(repaired, { ...surface, trianglePatch }, used.patches),
   );

@@ -58,8 +58,11 @@ export function repairGroups(changes: readonly RepairChange[]): readonly RepairG
 /** Largest number of positions that the project stores of the changes of one kind. */
 const maxPositions = 100;
 
-/** Returns the repairs of a body after further changes. */
-export function withRepairs({ repairs = [] }: ProjectBody, changes: readonly RepairChange[]): BodyRepair[] {
+/** Returns the repairs of a body after a further one, and the sum of their deviations. */
+export function withRepairs(
+  { repairs = [], repairDeviation = 0 }: ProjectBody,
+  { changes, deviation }: Pick<RepairProposal, "changes" | "deviation">,
+): { readonly repairs: readonly BodyRepair[]; readonly repairDeviation?: number } {
   const known = new Map(repairs.map((repair) => [repair.kind, repair]));
   for (const [kind, group] of repairGroups(changes)) {
     const before = known.get(kind) ?? { kind, count: 0, positions: [] };
@@ -70,5 +73,6 @@ export function withRepairs({ repairs = [] }: ProjectBody, changes: readonly Rep
       positions: positions.slice(0, maxPositions),
     });
   }
-  return [...known.values()];
+  const moved = repairDeviation + deviation;
+  return { repairs: [...known.values()], ...(moved > 0 && { repairDeviation: moved }) };
 }

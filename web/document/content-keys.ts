@@ -182,6 +182,7 @@ const bodyKey = remembering((body: ProjectBody): string =>
     hashText(body.name ?? ""),
     hashRecords(body.patches, bodyPatchFields),
     hashRecords(body.repairs ?? [], repairFields),
+    body.repairDeviation,
   ].join(" "),
 );
 

@@ -96,6 +96,8 @@ export const bodyStrings = {
     },
     moves: (deviation: string) =>
       deviation === "0" ? "No node moves." : `Nodes move by at most ${deviation}.`,
+    moved: (deviation: string) =>
+      deviation === "0" ? "No node was moved." : `Nodes were moved by at most ${deviation}.`,
     solves: "Afterwards, the surface can be meshed.",
     remains: (count: number) => `Afterwards, ${counted(count, "problem remains", "problems remain")}.`,
     weld: "Weld within",

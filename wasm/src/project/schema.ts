@@ -135,6 +135,7 @@ export const bodySchema = v.pipe(
     remeshing: v.optional(described(WORDS.remeshing, remeshingSchema)),
     placement: v.optional(described(WORDS.placement, placementSchema)),
     repairs: v.optional(described(WORDS.repairs, listOf(repairSchema))),
+    repairDeviation: v.optional(described(WORDS.repairDeviation, v.pipe(number, v.minValue(0)))),
   }),
   v.rawCheck(({ dataset, addIssue }) => {
     if (!dataset.typed) return;

@@ -59,6 +59,8 @@ export const WORDS = {
     "Details below this length are dropped first, in model units; 0 keeps all; default: those that leave poor triangles, if no other option is set",
   remeshGrowth: `Growth of the size per unit of distance, 0 to ${LIMITS.growth}, default ${REMESH_DEFAULTS.growth}`,
   placement: "Where the body is: the given points are scaled, then rotated, then moved",
+  repairDeviation:
+    "Largest distance by which the repairs moved a node, summed over repairs, in the coordinates of the given points; for information",
   repairs: "What repairs have changed in the given surface; for information",
   repairKind: "Kind of the changes",
   repairCount: "Number of changes of this kind",

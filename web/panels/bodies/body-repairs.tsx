@@ -1,6 +1,8 @@
+import { Text } from "@mantine/core";
 import type { ProjectBody } from "tetrafront";
 import { placed } from "../../document/placement";
 import { SectionTitle } from "../../ui/frames/section-title";
+import { formatShort } from "../../ui/format";
 import { strings } from "../../strings";
 import { PositionList } from "../shared/position-list";
 import styles from "./bodies.module.css";
@@ -8,7 +10,8 @@ import styles from "./bodies.module.css";
 const texts = strings.bodies.repair;
 
 /** What repairs have changed in the given surface. */
-export function BodyRepairs({ body: { repairs = [], placement } }: { readonly body: ProjectBody }) {
+export function BodyRepairs({ body }: { readonly body: ProjectBody }) {
+  const { repairs = [], repairDeviation = 0, placement } = body;
   if (repairs.length === 0) return null;
   return (
     <section data-testid="body-repairs">
@@ -28,6 +31,9 @@ export function BodyRepairs({ body: { repairs = [], placement } }: { readonly bo
           </li>
         ))}
       </ul>
+      <Text size="sm" c="dimmed" data-testid="body-repair-deviation">
+        {texts.moved(formatShort(repairDeviation * (placement?.scale ?? 1)))}
+      </Text>
     </section>
   );
 }
