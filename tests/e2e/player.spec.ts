@@ -228,3 +228,38 @@ test("a condition is typed, corrected, jumped to and paused at, by keyboard", as
   await field.press("Enter");
   await expect(page.getByTestId("player-no-step")).toHaveText("No further step");
 });
+
+test("the reader chooses nodes of a patch, is judged, and sees what a wrong one would break", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByTestId("tab-front").click();
+  await page.getByTestId("player-record").click();
+  await expect(page.getByTestId("player-kind")).toBeVisible();
+  await page.getByTestId("player-kind").selectOption("patch");
+  await page.getByTestId("player-before").click();
+  await page.getByTestId("game-toggle").click();
+  const verdict = page.getByTestId("game-verdict");
+  const choices = page.getByRole("group", { name: "Nodes to choose from" }).getByRole("button");
+  // Choose by keyboard until a choice is wrong: its edges are named, and the score stays.
+  await choices.first().focus();
+  await page.keyboard.press("Enter");
+  await expect(verdict).toContainText("point");
+  await expect(page.getByTestId("game-score")).toContainText("of 2 points");
+  const step = await app.viewport.getAttribute("data-step");
+  await page.getByTestId("game-next").click();
+  await expect(app.viewport).not.toHaveAttribute("data-step", step ?? "");
+  await expect(verdict).toBeEmpty();
+  await page.getByTestId("game-level").getByText("Hard").click();
+  for (let round = 0; !(await verdict.textContent())?.includes("cross"); round++) {
+    expect(round).toBeLessThan(12);
+    if (round > 0) await page.getByTestId("game-next").click();
+    await expect(verdict).toBeEmpty();
+    await choices.nth(round % (await choices.count())).click();
+    await expect(verdict).toContainText("program chose");
+  }
+  expect(await violations(page)).toEqual([]);
+  await page.getByTestId("game-toggle").click();
+  await expect(page.getByTestId("plane-zoom")).toBeVisible();
+});

@@ -1,6 +1,7 @@
 /** Texts about the recorded fronts. */
 import type { FrontChange, Refusal } from "tetrafront";
 import { conditionStrings } from "./condition";
+import { mesherGameStrings } from "./mesher-game";
 import { surfaceLensStrings } from "./surface-lens";
 
 const number = (value: number): string => value.toLocaleString("en-US");
@@ -80,6 +81,7 @@ export const playerStrings = {
   before: (kind: keyof typeof stops) => `Previous ${stopName(kind)}`,
   noFurther: "No further step",
   condition: conditionStrings,
+  game: mesherGameStrings,
   pauseThere: "Pause there",
   loopHint: (from: number, to: number) => `Repeat steps ${number(from)} to ${number(to)}`,
   coloring: "Colour",

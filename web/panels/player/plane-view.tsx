@@ -1,5 +1,5 @@
-import { SegmentedControl } from "@mantine/core";
-import { useMemo, useState } from "react";
+import { Button, SegmentedControl } from "@mantine/core";
+import { lazy, Suspense, useMemo, useState } from "react";
 import type { EdgeStep, PlanarFront, SurfaceStep, SurfaceTrace } from "tetrafront";
 import { ellipseOf, planePaths, windowAround, windowOf, type PlaneWindow } from "../../player/plane-drawing";
 import { decisiveCandidate } from "../../player/planar-lens";
@@ -10,9 +10,11 @@ import { useApp } from "../shared/app-context";
 import styles from "./plane-view.module.css";
 import { usePlayer } from "./use-player";
 
-const texts = strings.player.plane;
+const { plane: texts, game } = strings.player;
 /** Radius of dots, as a share of the drawing. */
 const dot = 0.008;
+
+const MesherGame = lazy(async () => ({ default: (await import("./mesher-game")).MesherGame }));
 
 type Zoom = "patch" | "edge";
 
@@ -34,6 +36,8 @@ interface PlaneProps {
 }
 
 function Plane({ surface, index, state }: PlaneProps) {
+  const { player } = useApp();
+  const [isGame, setIsGame] = useState(false);
   const [zoom, setZoom] = useState<Zoom>("patch");
   const front = surface.fronts[index];
   const step = useMemo(() => surface.stepAt(state), [surface, state]);
@@ -44,20 +48,43 @@ function Plane({ surface, index, state }: PlaneProps) {
     <section className={styles["pane"]} aria-label={texts.label} data-testid="plane-view">
       <header className={styles["header"]}>
         <b>{texts.title(front.patch)}</b>
-        <SegmentedControl
-          size="xs"
-          aria-label={texts.zoom}
-          data-testid="plane-zoom"
-          value={zoom}
-          data={[
-            { value: "patch", label: texts.zooms.patch },
-            { value: "edge", label: texts.zooms.edge },
-          ]}
-          onChange={setZoom}
-        />
+        <span className={styles["choices"]}>
+          {!isGame && (
+            <SegmentedControl
+              size="xs"
+              aria-label={texts.zoom}
+              data-testid="plane-zoom"
+              value={zoom}
+              data={[
+                { value: "patch", label: texts.zooms.patch },
+                { value: "edge", label: texts.zooms.edge },
+              ]}
+              onChange={setZoom}
+            />
+          )}
+          <Button
+            size="compact-xs"
+            variant="default"
+            data-testid="game-toggle"
+            onClick={() => {
+              player.pause();
+              setIsGame(!isGame);
+            }}
+          >
+            {isGame ? game.end : game.start}
+          </Button>
+        </span>
       </header>
-      <Drawing front={front} step={step} state={state} box={box} />
-      <p className={styles["hint"]}>{front.isCurved ? texts.curved : texts.flat}</p>
+      {isGame ? (
+        <Suspense fallback={null}>
+          <MesherGame surface={surface} state={state} />
+        </Suspense>
+      ) : (
+        <>
+          <Drawing front={front} step={step} state={state} box={box} />
+          <p className={styles["hint"]}>{front.isCurved ? texts.curved : texts.flat}</p>
+        </>
+      )}
     </section>
   );
 }

@@ -1,0 +1,73 @@
+/** "Be the mesher": questions and verdicts of recorded patches. */
+import { createMesher, type Trace } from "tetrafront";
+import { beforeAll, expect, it } from "vitest";
+import {
+  checkChoice,
+  judgeChoice,
+  levels,
+  nextQuestion,
+  type GameLevel,
+  type GameQuestion,
+} from "../../../web/player/mesher-game";
+import { edgesAt, endsOf } from "../../../web/player/planar-judge";
+import { recordSurface } from "../../support/recorded-models";
+
+let trace: Trace;
+beforeAll(async () => {
+  const mesher = await createMesher();
+  ({ trace } = await recordSurface(mesher, "unit-cube"));
+  mesher.dispose();
+});
+
+function questions(level: GameLevel): GameQuestion[] {
+  const { surface } = trace;
+  if (!surface) throw new Error("the trace has no patches");
+  const all: GameQuestion[] = [];
+  for (let at = nextQuestion(surface, 0, level); at; at = nextQuestion(surface, at.step.step, level))
+    all.push(at);
+  return all;
+}
+
+it.each(levels)("asks %s questions whose answer is among the choices", (level) => {
+  const all = questions(level);
+  expect(all.length).toBeGreaterThan(5);
+  for (const { front, step, nodes, program } of all) {
+    const ends = new Set(edgesAt(front, step.step - 1).flatMap((edge) => endsOf(front, edge)));
+    expect(nodes.every((node) => ends.has(node) && !step.nodes.includes(node))).toBe(true);
+    expect(new Set(nodes).size).toBe(nodes.length);
+    if (program !== null) expect(nodes).toContain(program);
+    const refused = step.candidates.filter(({ verdict }) => verdict !== "accepted").length;
+    if (level === "easy") expect(refused).toBe(0);
+    if (level === "hard") expect(refused).toBeGreaterThan(0);
+  }
+});
+
+it("gives both points for the program's choice, which our own check accepts", () => {
+  for (const question of questions("medium")) {
+    expect(judgeChoice(question, question.program)).toEqual({ kind: "best", edges: [], points: 2 });
+    if (question.program !== null) expect(checkChoice(question, question.program).kind).toBe("possible");
+  }
+});
+
+it("gives no point for what the program refused, and names what it would break", () => {
+  let judged = 0;
+  for (const question of questions("hard"))
+    for (const { node, isNew, verdict, culprit } of question.step.candidates) {
+      if (verdict === "accepted" || isNew || node === null) continue;
+      const found = judgeChoice(question, node);
+      expect(found.points).toBe(0);
+      if (verdict === "crosses") expect(found.edges).toContain(culprit);
+      judged++;
+    }
+  expect(judged).toBeGreaterThan(0);
+});
+
+it("gives one point for another choice that breaks nothing", () => {
+  const verdicts = questions("medium").flatMap((question) =>
+    question.nodes.map((node) => judgeChoice(question, node)),
+  );
+  const possible = verdicts.filter(({ kind }) => kind === "possible");
+  expect(possible.length).toBeGreaterThan(0);
+  expect(possible.every(({ points, edges }) => points === 1 && edges.length === 0)).toBe(true);
+  expect(verdicts.some(({ kind }) => kind === "crosses")).toBe(true);
+});

@@ -1,0 +1,97 @@
+import { Button, SegmentedControl } from "@mantine/core";
+import { useMemo, useState } from "react";
+import type { SurfaceTrace } from "tetrafront";
+import { firstState } from "../../player/phases";
+import {
+  judgeChoice,
+  levels,
+  nextQuestion,
+  type GameLevel,
+  type GameVerdict,
+} from "../../player/mesher-game";
+import { strings } from "../../strings";
+import { useApp } from "../shared/app-context";
+import { GameDrawing } from "./game-drawing";
+import styles from "./plane-view.module.css";
+import { useTrace } from "./use-player";
+
+const texts = strings.player.game;
+
+interface Answer {
+  /** The state in which it was given. */
+  readonly state: number;
+  readonly node: number | null;
+  readonly verdict: GameVerdict;
+}
+
+/** Asks for the third node of the next triangle, judges the choice, and keeps a score. `state`: of the surface. */
+export function MesherGame({ surface, state }: { readonly surface: SurfaceTrace; readonly state: number }) {
+  const { player } = useApp();
+  const trace = useTrace();
+  const [level, setLevel] = useState<GameLevel>("easy");
+  const [answer, setAnswer] = useState<Answer | null>(null);
+  const [score, setScore] = useState({ points: 0, rounds: 0 });
+  const question = useMemo(() => nextQuestion(surface, state, level), [surface, state, level]);
+  const given = answer?.state === state ? answer : null;
+  const choose = (node: number | null): void => {
+    if (!question || given) return;
+    const verdict = judgeChoice(question, node);
+    setAnswer({ state, node, verdict });
+    setScore(({ points, rounds }) => ({ points: points + verdict.points, rounds: rounds + 1 }));
+  };
+  const next = (): void => {
+    if (question) player.seek(firstState(trace) + question.step.step);
+  };
+  const nodes = question ? [...question.nodes, null] : [];
+  return (
+    <div className={styles["game"]} data-testid="mesher-game">
+      <div className={styles["header"]}>
+        <SegmentedControl
+          size="xs"
+          aria-label={texts.levelLabel}
+          data-testid="game-level"
+          value={level}
+          data={levels.map((value) => ({ value, label: texts.levels[value] }))}
+          onChange={(value) => {
+            setLevel(value);
+            setAnswer(null);
+          }}
+        />
+        <span data-testid="game-score">{texts.score(score.points, score.rounds)}</span>
+      </div>
+      <p className={styles["task"]}>{question ? `${texts.task} ${texts.help[level]}` : texts.none}</p>
+      {question && (
+        <GameDrawing
+          question={question}
+          showsIdeal={level !== "hard" || given !== null}
+          chosen={given ? given.node : undefined}
+          verdict={given?.verdict ?? null}
+          onChoose={choose}
+        />
+      )}
+      <div className={styles["choices"]} role="group" aria-label={texts.choices}>
+        {nodes.map((node) => (
+          <Button
+            key={node ?? "new"}
+            size="compact-xs"
+            variant={given && node === question?.program ? "filled" : "default"}
+            data-testid={`game-choice-${node ?? "new"}`}
+            aria-pressed={given?.node === node}
+            aria-disabled={given !== null}
+            onClick={() => choose(node)}
+          >
+            {texts.node(node)}
+          </Button>
+        ))}
+      </div>
+      <p role="status" className={styles["verdict"]} data-testid="game-verdict">
+        {given && question && texts.verdict[given.verdict.kind](given.verdict.edges, question.program)}
+      </p>
+      {given && (
+        <Button size="compact-sm" className={styles["next"]} data-testid="game-next" onClick={next}>
+          {texts.next}
+        </Button>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,105 @@
+/** "Be the mesher": the reader chooses the third node of the next triangle of a patch, and the choice is judged. */
+import type { EdgeStep, PlanarFront, PlanePosition, SurfaceTrace } from "tetrafront";
+import {
+  clearance,
+  crossedEdges,
+  distanceToEdge,
+  edgesAt,
+  endsOf,
+  isBehindEdge,
+  metricLength,
+  newTriangle,
+  planeOf,
+  targetLength,
+  touching,
+} from "./planar-judge";
+
+/** How much help there is, and which base edges are asked. */
+export const levels = ["easy", "medium", "hard"] as const;
+export type GameLevel = (typeof levels)[number];
+
+/** Nodes to choose from besides a new one. */
+const maxChoices: Readonly<Record<GameLevel, number>> = { easy: 4, medium: 8, hard: 16 };
+/** Points for the program's own choice, and for another one that breaks nothing. */
+export const bestPoints = 2;
+const possiblePoints = 1;
+
+export interface GameQuestion {
+  readonly front: PlanarFront;
+  readonly step: EdgeStep;
+  /** Nodes of the front near the ideal point, ascending, with the one that the program chose. */
+  readonly nodes: readonly number[];
+  /** The program's choice; null: a new node. */
+  readonly program: number | null;
+}
+
+export interface GameVerdict {
+  readonly kind: "best" | "possible" | "behind" | "crosses" | "too-close";
+  /** Edges of the front that the choice would cross, or is too close to. */
+  readonly edges: readonly number[];
+  readonly points: number;
+}
+
+/**
+ * Returns the next base edge after a state of lines and patches that suits a level: an easy one has no refused candidate, a
+ * hard one has at least one. Null if there is none. O(steps between).
+ */
+export function nextQuestion(surface: SurfaceTrace, state: number, level: GameLevel): GameQuestion | null {
+  for (let at = state + 1; at <= surface.stepCount; at++) {
+    if (surface.kindAt(at) !== "accepted") continue;
+    const hasRefused = surface.refusalsAt(at).some((refusal) => refusal !== undefined);
+    if ((level === "easy" && hasRefused) || (level === "hard" && !hasRefused)) continue;
+    const step = surface.stepAt(at);
+    const front = step?.kind === "edge" ? surface.fronts[step.front] : undefined;
+    if (step?.kind === "edge" && front) return questionOf(front, step, level);
+  }
+  return null;
+}
+
+function questionOf(front: PlanarFront, step: EdgeStep, level: GameLevel): GameQuestion {
+  const accepted = step.candidates.find(({ verdict }) => verdict === "accepted");
+  const program = accepted && !accepted.isNew ? accepted.node : null;
+  const near = [...new Set(edgesAt(front, step.step - 1).flatMap((edge) => endsOf(front, edge)))]
+    .filter((node) => !step.nodes.includes(node) && node !== program)
+    .map((node) => ({ node, far: metricLength(step.metric, minus(planeOf(front, node), step.ideal)) }))
+    .sort((a, b) => a.far - b.far || a.node - b.node)
+    .map(({ node }) => node);
+  const others = near.slice(0, maxChoices[level] - (program === null ? 0 : 1));
+  const nodes = program === null ? others : [...others, program];
+  return { front, step, nodes: nodes.sort((a, b) => a - b), program };
+}
+
+/** Judges a choice; null: a new node at the ideal point. By the recorded verdict if the program tried it, else by our own check. */
+export function judgeChoice(question: GameQuestion, node: number | null): GameVerdict {
+  const { step, program } = question;
+  if (node === program) return { kind: "best", edges: [], points: bestPoints };
+  const own = checkChoice(question, node);
+  const tried = step.candidates.find((candidate) => (candidate.isNew ? null : candidate.node) === node);
+  if (!tried || tried.verdict === "accepted" || own.kind !== "possible") return own;
+  // The engine decides by exact signs: it can refuse what merely touches.
+  const kind = tried.verdict === "crosses" || tried.verdict === "too-close" ? tried.verdict : "behind";
+  return { kind, edges: tried.culprit === null ? [] : [tried.culprit], points: 0 };
+}
+
+/** Judges a choice by our own check in doubles alone. O(edges of the patch). */
+export function checkChoice({ front, step }: GameQuestion, node: number | null): GameVerdict {
+  const position = node === null ? step.ideal : planeOf(front, node);
+  const triangle = newTriangle(front, step.nodes, position, node);
+  if (isBehindEdge(front, triangle)) return { kind: "behind", edges: [], points: 0 };
+  const edges = crossedEdges(front, step.step - 1, triangle, touching);
+  if (edges.length > 0) return { kind: "crosses", edges, points: 0 };
+  const close = node === null ? closeEdges(front, step) : [];
+  return close.length > 0
+    ? { kind: "too-close", edges: close, points: 0 }
+    : { kind: "possible", edges: [], points: possiblePoints };
+}
+
+/** Edges of the front that are too close to a new node at the ideal point. */
+function closeEdges(front: PlanarFront, step: EdgeStep): number[] {
+  const least = clearance * targetLength(front, step);
+  return edgesAt(front, step.step - 1).filter(
+    (edge) => edge !== step.edge && distanceToEdge(front, step.metric, step.ideal, edge) < least,
+  );
+}
+
+const minus = (a: PlanePosition, b: PlanePosition): PlanePosition => [a[0] - b[0], a[1] - b[1]];

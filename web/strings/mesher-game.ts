@@ -1,0 +1,34 @@
+/** Texts of "Be the mesher". */
+const number = (value: number): string => value.toLocaleString("en-US");
+const edgesOf = (edges: readonly number[]): string =>
+  `${edges.length === 1 ? "edge" : "edges"} ${edges.slice(0, 4).map(number).join(", ")}${edges.length > 4 ? " …" : ""}`;
+const nameOf = (node: number | null): string => (node === null ? "a new node" : `node ${number(node)}`);
+
+export const mesherGameStrings = {
+  start: "Be the mesher",
+  end: "End the game",
+  task: "The thick blue edge comes next. Which node shall make a triangle over it? Choose in the drawing or below.",
+  levelLabel: "Level",
+  levels: { easy: "Easy", medium: "Medium", hard: "Hard" },
+  help: {
+    easy: "The ring is the ideal point, at the target size from the edge. A node of the front is chosen if one is near it, else a new node is made.",
+    medium: "The ring is the ideal point. Some near nodes would make the triangle cross the front.",
+    hard: "Without the ideal point, and only where the program refused a candidate first.",
+  },
+  choices: "Nodes to choose from",
+  node: (node: number | null) => (node === null ? "New node" : `Node ${number(node)}`),
+  score: (points: number, rounds: number) => `${number(points)} of ${number(2 * rounds)} points`,
+  next: "Next edge",
+  none: "No further edge of this level follows. Choose another level, or go back in the player.",
+  verdict: {
+    best: () => "The program chose the same. 2 points.",
+    possible: (_: readonly number[], program: number | null) =>
+      `Possible: the triangle would cross nothing. The program chose ${nameOf(program)}, which comes first in its ranking. 1 point.`,
+    behind: (_: readonly number[], program: number | null) =>
+      `No point. The node is behind the edge or in line with it: the triangle would have no area, or lie on triangles that exist. The program chose ${nameOf(program)}.`,
+    crosses: (edges: readonly number[], program: number | null) =>
+      `No point. The triangle would cross ${edgesOf(edges)} of the front, drawn red: two triangles would overlap. The program chose ${nameOf(program)}.`,
+    "too-close": (edges: readonly number[], program: number | null) =>
+      `No point. The new node would be too close to ${edgesOf(edges)}, drawn red: the gap could only be filled by thin triangles. The program chose ${nameOf(program)}.`,
+  },
+} as const;
