@@ -404,6 +404,22 @@ test("a stroke of the brush paints sources that refine the preview, as one step 
   await previewed(page);
 });
 
+test("a box that touches a body selects it", async ({ page }) => {
+  const app = await openPlate(page);
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Escape");
+  await expect(page.getByTestId("tree-body-1")).toHaveAttribute("aria-selected", "false");
+  const box = await app.viewport.boundingBox();
+  if (!box) throw new Error("The view has no box");
+  // Drawn to the left, the box selects what it touches.
+  const [x, y] = [box.x + box.width - 150, box.y + box.height - 20];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2, { steps: 6 });
+  await page.mouse.up();
+  await expect(page.getByTestId("tree-body-1")).toHaveAttribute("aria-selected", "true");
+});
+
 test("handles move a body, a drag as one step of undo", async ({ page }) => {
   const app = await openPlate(page);
   await previewed(page);

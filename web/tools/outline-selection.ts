@@ -1,9 +1,12 @@
-import type { Project } from "tetrafront";
+import type { BodyPlacement, Project } from "tetrafront";
+import type { DrawnSurface } from "../document/drawn-surface";
 import { entityKey, type Entity } from "../document/entities";
 import type { LinePath } from "../document/line-paths";
 import { isInside, type Flat } from "../document/planar-loops";
+import { placed } from "../document/placement";
 import type { Position } from "../document/position";
 import type { ViewState } from "../document/selection";
+import { drawnOf, type ShownBody } from "../viewer/shown-bodies";
 import type { ScreenPoint } from "../viewer/screen";
 
 /** A box or lasso on the screen. */
@@ -28,7 +31,7 @@ export function outlineOf(corners: readonly ScreenPoint[]): Outline {
 /** An entity with the polylines that it consists of; a point has one position. */
 export interface ShownEntity {
   readonly entity: Entity;
-  readonly paths: readonly (readonly Position[])[];
+  readonly paths: Iterable<readonly Position[]>;
 }
 
 /** Returns the points, lines, patches, background nodes and sources that are shown; a patch with the lines around it. */
@@ -76,14 +79,46 @@ export function entitiesWithin(
   toScreen: (position: Position) => ScreenPoint | null,
 ): Entity[] {
   const polygon = points.map(({ x, y }): Flat => [x, y]);
-  return shown.flatMap(({ entity, paths }) => {
-    const seen = paths.map((path) => path.map(toScreen));
-    const isIn = (at: ScreenPoint | null): boolean => at !== null && isInside([at.x, at.y], polygon);
-    const all = seen.flat();
-    if (all.length === 0) return [];
-    const isFound = touching ? all.some(isIn) || seen.some((path) => crosses(path, points)) : all.every(isIn);
-    return isFound ? [entity] : [];
+  const isIn = (at: ScreenPoint | null): boolean => at !== null && isInside([at.x, at.y], polygon);
+  const isFound = (paths: Iterable<readonly Position[]>): boolean => {
+    let isEmpty = true;
+    for (const path of paths) {
+      const seen = path.map(toScreen);
+      if (touching ? seen.some(isIn) || crosses(seen, points) : !seen.every(isIn)) return touching;
+      isEmpty &&= seen.length === 0;
+    }
+    return !touching && !isEmpty;
+  };
+  return shown.flatMap(({ entity, paths }) => (isFound(paths) ? [entity] : []));
+}
+
+/** Returns the bodies that are shown, each with the border of every triangle that is drawn. */
+export function outlinedBodies(
+  bodies: readonly ShownBody[],
+  { layers, hidden, bodySurface }: Pick<ViewState, "layers" | "hidden" | "bodySurface">,
+): readonly ShownEntity[] {
+  if (!layers.bodies) return [];
+  return bodies.flatMap((body): ShownEntity[] => {
+    const entity = { kind: "body", id: body.id } as const;
+    if (hidden.has(entityKey(entity))) return [];
+    const { drawn, placement } = drawnOf(body, bodySurface);
+    return drawn ? [{ entity, paths: { [Symbol.iterator]: () => borders(drawn, placement) } }] : [];
   });
+}
+
+/** Gives the corners of each triangle, the first one again at the end. */
+function* borders(
+  { centre, corners }: DrawnSurface,
+  placement: BodyPlacement | undefined,
+): Generator<readonly Position[]> {
+  const cornerAt = (i: number): Position => {
+    const at = centre.map((x, k) => x + (corners[i + k] ?? 0)) as [number, number, number];
+    return placement ? placed(at, placement) : at;
+  };
+  for (let i = 0; i < corners.length; i += 9) {
+    const [a, b, c] = [cornerAt(i), cornerAt(i + 3), cornerAt(i + 6)];
+    yield [a, b, c, a];
+  }
 }
 
 /** Returns whether a polyline crosses a closed polygon. */

@@ -6,9 +6,10 @@ import type { PreviewFeed } from "../session/preview";
 import type { Layer } from "../viewer/layers/layer";
 import type { Target } from "../viewer/layers/layer";
 import type { ScreenPoint } from "../viewer/screen";
+import type { ShownBody } from "../viewer/shown-bodies";
 import type { Viewer } from "../viewer/viewer";
 import type { Drawing } from "./drawing/drawing";
-import { entitiesWithin, outlineOf, shownEntities } from "./outline-selection";
+import { entitiesWithin, outlinedBodies, outlineOf, shownEntities } from "./outline-selection";
 import type { Tool, ToolPointer } from "./tool";
 
 export interface SelectStores {
@@ -16,6 +17,8 @@ export interface SelectStores {
   readonly previews: Pick<PreviewFeed, "state">;
   readonly view: ViewStore;
   readonly drawing: Pick<Drawing, "state">;
+  /** Returns the bodies of the project. */
+  readonly bodies: () => readonly ShownBody[];
 }
 
 /** An entity under the pointer. */
@@ -136,11 +139,12 @@ export class SelectTool implements Tool {
   }
 
   #selectWithin(corners: readonly ScreenPoint[], pointer: ToolPointer): void {
-    const { documents, previews, view } = this.#stores;
+    const { documents, previews, view, bodies } = this.#stores;
     const { preview, project: sampled } = previews.state.getState();
     const { project } = documents;
     const paths = linePaths(project, preview && sampled && { samples: preview, project: sampled });
-    const shown = shownEntities(project, paths, view.state.getState());
+    const state = view.state.getState();
+    const shown = [...shownEntities(project, paths, state), ...outlinedBodies(bodies(), state)];
     const { toScreen } = this.#viewer.seenFrom(pointer.at);
     view.selectMany(entitiesWithin(outlineOf(corners), shown, toScreen), pointer.mod ? "toggle" : "replace");
   }

@@ -7,7 +7,10 @@ import { SelectTool, type Hover, type SelectStores } from "../../../web/tools/se
 import type { ToolPointer } from "../../../web/tools/tool";
 import type { Target } from "../../../web/viewer/layers/layer";
 import type { Viewer } from "../../../web/viewer/viewer";
+import { drawnSurface } from "../../../web/document/drawn-surface";
+import type { ShownBody } from "../../../web/viewer/shown-bodies";
 import { cubeProject } from "../../support/projects";
+import { boxSurface } from "../../support/surfaces";
 
 const line = (id: number): Target => ({ kind: "line", id });
 let view: ViewStore;
@@ -15,6 +18,7 @@ let drawing: Drawing;
 let tool: SelectTool;
 let fitted: (Target | null)[];
 let hovers: (Hover | null)[];
+let bodies: readonly ShownBody[];
 /** Ids of what was to be edited. */
 let edited: number[];
 /** What lies under the pointer. */
@@ -28,11 +32,18 @@ beforeEach(() => {
   edited = [];
   under = [];
   drawing = new Drawing();
+  bodies = [];
   const project = cubeProject();
   const previews = { state: createStore(() => ({ preview: null, project: null })) };
   tool = new SelectTool(
     { fitTarget: (target) => void fitted.push(target), seenFrom: fromAbove, entitiesAt: () => under },
-    { documents: { project }, previews: previews as unknown as SelectStores["previews"], view, drawing },
+    {
+      documents: { project },
+      previews: previews as unknown as SelectStores["previews"],
+      view,
+      drawing,
+      bodies: () => bodies,
+    },
     { onHover: (hover) => hovers.push(hover), onEdit: () => edited.push(...selected()) },
   );
 });
@@ -99,6 +110,32 @@ it("a box drawn to the right selects what lies inside, one drawn to the left wha
   expect(kinds()).toEqual({ point: 2, line: 5, patch: 4 });
   drag([200, 200], [210, 210]);
   expect(kinds()).toEqual({});
+});
+
+it("a box selects bodies by all their triangles, where they are placed, unless they are hidden", () => {
+  const shown = (id: number, x: number): ShownBody => {
+    const { points, triangles } = boxSurface(2, [0, 0, 0], [1, 1, 1]);
+    const trianglePatch = new Uint32Array(triangles.length / 3);
+    const drawn = drawnSurface({ points, triangles, trianglePatch }, 1);
+    const placement = { position: [x, 5, 0] as const, scale: 2 };
+    const none = { preview: null, split: null, patches: [] };
+    return { id, placement, given: { drawn } as unknown as ShownBody["given"], ...none };
+  };
+  bodies = [shown(1, 5), shown(2, 8)];
+  drag([490, 490], [710, 710]);
+  expect(kinds()).toEqual({ body: 1 });
+  expect(selected()).toEqual([1]);
+  // Without a node in the box.
+  drag([690, 600], [640, 610]);
+  expect(selected()).toEqual([1]);
+  drag([810, 600], [690, 610]);
+  expect(selected()).toEqual([1, 2]);
+  view.state.setState({ hidden: new Set(["body-2"]) });
+  drag([490, 490], [1010, 710]);
+  expect(selected()).toEqual([1]);
+  view.setLayer("bodies", false);
+  drag([490, 490], [1010, 710]);
+  expect(selected()).toEqual([]);
 });
 
 it("a lasso selects what lies inside", () => {

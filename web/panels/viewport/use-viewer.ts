@@ -21,6 +21,7 @@ import { ToolController } from "../../tools/tool-controller";
 import { viewerColors } from "../../ui/theme/theme";
 import { strings } from "../../strings";
 import { followSession, shownState } from "../../viewer/follow-session";
+import { shownBodies } from "../../viewer/shown-bodies";
 import { Viewer, type ViewerEvents } from "../../viewer/viewer";
 import { useApp } from "../shared/app-context";
 import { pageApps } from "../shared/page-apps";
@@ -144,7 +145,7 @@ function connect(
   const { documents, previews, view, drawing } = app;
   const select = new SelectTool(
     viewer,
-    { documents, previews, view, drawing },
+    { documents, previews, view, drawing, bodies: () => shownBodies(documents.project, app.bodies) },
     { onHover, onEdit: () => editSelected(app, "values") },
   );
   const tools = new ToolController(canvas, viewer, select, (target) => pageApps.owns(app, target));
