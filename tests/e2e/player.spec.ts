@@ -67,6 +67,9 @@ test("the front of the unit cube is recorded, played, and stepped through", asyn
   await expect(page.getByTestId("lens-sentence")).toContainText(/would cut/);
   await expect(page.getByTestId("lens-what-if")).toContainText("it would cross face");
   await expect(page.getByTestId("lens-formula").locator("math").first()).toBeAttached();
+  await expect(page.getByTestId("lens-layer")).toContainText(
+    "Layer (c) finds the crossing: the side from node",
+  );
 
   await page.getByTestId("player-speed").selectOption("10000");
   await page.getByTestId("player-play").click();

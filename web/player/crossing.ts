@@ -36,9 +36,11 @@ export interface SideAndFace {
   /** Whether the side is one of the new element's, and the face one of the front's. */
   readonly isNewSide: boolean;
   readonly side: Segment;
+  /** The nodes at the side's ends; null for a new node. */
+  readonly ends: readonly [number | null, number | null];
   readonly face: Triangle;
   readonly alphas: Alphas;
-  /** Not positive: the side crosses the face. */
+  /** Not above the tolerance: the side crosses the face. */
   readonly excess: number;
   /** Where the side meets the plane of the face. */
   readonly point: Position;

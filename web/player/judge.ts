@@ -73,34 +73,43 @@ export function crossesFace(trace: Trace, element: NewElement, face: number, tol
     // A face with a common edge also crosses if its third node is in the wedge of the element at this edge.
     return weights.every((weight, i) => (free.length === 1 && shared[i] === true) || weight >= -tolerance);
   });
-  return hasInside || sidesAndFaces(trace, element, face).some(({ excess }) => excess <= tolerance);
+  return (
+    hasInside || sidesAndFaces(element, frontFace(trace, face)).some(({ excess }) => excess <= tolerance)
+  );
+}
+
+/** A face of the front: positions, and indices of nodes. */
+export interface FrontFace {
+  readonly corners: Triangle;
+  readonly nodes: readonly [number, number, number];
+}
+
+export function frontFace(trace: Trace, face: number): FrontFace {
+  return { corners: cornersOf(trace, face), nodes: nodesOf(trace, face) };
 }
 
 /**
  * Returns all pairs of a side and a face without a common node, of an element and a face of the front; the one that crosses
  * most clearly first.
  */
-export function sidesAndFaces(trace: Trace, element: NewElement, face: number): SideAndFace[] {
-  const nodes = nodesOf(trace, face);
-  const positions = nodes.map((node) => positionOf(trace, node));
+export function sidesAndFaces(element: NewElement, { corners: positions, nodes }: FrontFace): SideAndFace[] {
   const pairs: SideAndFace[] = [];
   const compare = (
     isNewSide: boolean,
     side: Segment,
     triangle: Triangle,
-    ends: readonly (number | null)[],
+    ends: SideAndFace["ends"],
     others: readonly (number | null)[],
   ): void => {
     if (ends.some((end) => end !== null && others.includes(end))) return;
     const alphas = alphasOf(side, triangle);
     if (!alphas) return;
     const point = pointAt(side, alphas[2]);
-    pairs.push({ isNewSide, side, face: triangle, alphas, excess: excessOf(alphas), point });
+    pairs.push({ isNewSide, side, ends, face: triangle, alphas, excess: excessOf(alphas), point });
   };
-  const frontFace = triangleOf(positions, [0, 1, 2]);
   for (const [i, j] of elementSides) {
     const side = segmentOf(element.corners, i, j);
-    compare(true, side, frontFace, [element.nodes[i], element.nodes[j]], nodes);
+    compare(true, side, positions, [element.nodes[i], element.nodes[j]], nodes);
   }
   for (const k of [0, 1, 2]) {
     const next = (k + 1) % 3;
@@ -145,8 +154,8 @@ function triangleOf(positions: readonly Position[], [i, j, k]: readonly [number,
   return [positions[i] ?? none, positions[j] ?? none, positions[k] ?? none];
 }
 
-/** Returns the barycentric coordinates of a position in a tetrahedron. */
-function weightsOf(corners: NewElement["corners"], position: Position): readonly number[] {
+/** Returns the barycentric coordinates of a position in a tetrahedron: the shape functions of its corners. */
+export function weightsOf(corners: NewElement["corners"], position: Position): readonly number[] {
   const whole = sixVolumes(corners);
   return corners.map((_, i) => {
     const [a, b, c, d] = corners.map((corner, k) => (k === i ? position : corner));
@@ -154,7 +163,7 @@ function weightsOf(corners: NewElement["corners"], position: Position): readonly
   });
 }
 
-function boxOf(positions: readonly Position[]): readonly [Position, Position] {
+export function boxOf(positions: readonly Position[]): readonly [Position, Position] {
   const along = (axis: number, pick: (...values: number[]) => number): number =>
     pick(...positions.map((position) => position[axis] ?? 0));
   return [

@@ -1,6 +1,7 @@
 import type { AdvanceStep, Trace, TracedCandidate } from "tetrafront";
 import type { SideAndFace } from "./crossing";
-import { crossedFaces, isBehind, newElement, sidesAndFaces, touching } from "./judge";
+import { crossedFaces, frontFace, isBehind, newElement, touching } from "./judge";
+import { testByLayers, type LayeredTest } from "./layered-test";
 
 /** A candidate under the lens: the engine's verdict, and the numbers of our own check. */
 export interface LensCandidate {
@@ -11,6 +12,8 @@ export interface LensCandidate {
   readonly crossed: readonly number[];
   /** The side and the face that decide a crossing; null if nothing crosses. */
   readonly pair: SideAndFace | null;
+  /** The paper's test of the face that the element would cross; null if there is none. */
+  readonly test: { readonly face: number; readonly layers: LayeredTest } | null;
 }
 
 /** Returns the candidate that decides a step: the accepted one, or the last one. */
@@ -25,6 +28,10 @@ export function examine(trace: Trace, step: AdvanceStep, candidate: TracedCandid
   const behind = isBehind(element);
   const crossed = behind ? [] : crossedFaces(trace, before, element, touching);
   const culprit = candidate.verdict === "crosses" ? candidate.culprit : (crossed[0] ?? null);
-  const pair = behind || culprit === null ? undefined : sidesAndFaces(trace, element, culprit)[0];
-  return { candidate, isBehind: behind, crossed, pair: pair && pair.excess <= touching ? pair : null };
+  const test =
+    behind || culprit === null
+      ? null
+      : { face: culprit, layers: testByLayers(element, frontFace(trace, culprit)) };
+  const pair = test?.layers.finds === true ? test.layers.pair : null;
+  return { candidate, isBehind: behind, crossed, pair, test };
 }

@@ -1,6 +1,7 @@
 /** Texts about the recorded fronts. */
 import type { FrontChange, Refusal } from "tetrafront";
 import { conditionStrings } from "./condition";
+import { crossingTestStrings } from "./crossing-test";
 import { mesherGameStrings } from "./mesher-game";
 import { surfaceLensStrings } from "./surface-lens";
 
@@ -149,8 +150,6 @@ export const playerStrings = {
   verdicts,
   verdictAt: (verdict: string, face: number | null) =>
     face === null ? verdict : `${verdict}: ${number(face)}`,
-  test: "Crossing test",
-  testHint:
-    "Equations 1 to 5 of the paper: the side crosses the face, because every αⁱ is between 0 and 1. The engine decides by exact signs instead.",
+  test: crossingTestStrings,
   ...surfaceLensStrings,
 } as const;

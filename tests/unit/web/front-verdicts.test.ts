@@ -2,7 +2,16 @@
 import { readFileSync } from "node:fs";
 import { createMesher, readProject, readTrace, recordTrace, type Trace } from "tetrafront";
 import { expect, test } from "vitest";
-import { crossedFaces, crossesFace, isBehind, newElement, touching } from "../../../web/player/judge";
+import {
+  crossedFaces,
+  crossesFace,
+  frontFace,
+  isBehind,
+  newElement,
+  nodesOf,
+  touching,
+} from "../../../web/player/judge";
+import { testByLayers, tolerance } from "../../../web/player/layered-test";
 
 async function record(id: string): Promise<Trace> {
   const file = new URL(`../../../public/models/${id}.json`, import.meta.url);
@@ -21,6 +30,7 @@ test.each(["unit-cube"])(
   async (id) => {
     const trace = await record(id);
     let crossing = 0;
+    let foundByLayers = 0;
     for (let i = 1; i <= trace.stepCount; i++) {
       const step = trace.stepAt(i);
       if (step?.kind !== "advance") continue;
@@ -31,8 +41,15 @@ test.each(["unit-cube"])(
         if (verdict !== "crosses") continue;
         ++crossing;
         expect(crossesFace(trace, element, culprit ?? 0, touching), `step ${i}`).toBe(true);
+        // The paper's layers (a) and (b) rule out nothing that crosses; (c) leaves only common nodes to the exact signs.
+        const { boxGap, minGap, shapeExcess, finds } = testByLayers(element, frontFace(trace, culprit ?? 0));
+        expect(boxGap, `step ${i}`).toBeLessThanOrEqual(minGap);
+        expect(shapeExcess, `step ${i}`).toBeLessThanOrEqual(tolerance);
+        if (finds) ++foundByLayers;
+        else expect(nodesOf(trace, culprit ?? 0).some((other) => element.nodes.includes(other))).toBe(true);
       }
     }
     expect(crossing).toBe(trace.summary().refused.crosses);
+    expect(foundByLayers).toBeGreaterThan(crossing / 2);
   },
 );

@@ -50,9 +50,9 @@ function StepUnderLens() {
       {examined && <Sentence step={step} examined={examined} />}
       {step.outcome === "postponed" && <p>{texts.postponed(step.nextRuleClass)}</p>}
       <CandidateTable label={texts.candidates} rows={rowsOf(step)} chosen={chosen ?? decisive(step)} />
-      {examined?.pair && (
+      {examined?.test && (
         <Suspense fallback={null}>
-          <CrossingFormula pair={examined.pair} />
+          <CrossingFormula {...examined.test} />
         </Suspense>
       )}
       <FaceFacts step={step} />
