@@ -8,6 +8,7 @@ import { faceSize } from "./front-values";
 import { cornersOf } from "./judge";
 import type { LensCandidate } from "./lens";
 import { Dots, Facets, Segments } from "./lens-parts";
+import { outlineOf, type SearchRegion } from "./search-region";
 
 /** Length of the drawn normal, in sizes of the base face. */
 const normalLength = 0.5;
@@ -17,15 +18,17 @@ export interface LensScene {
   readonly trace: Trace;
   readonly step: AdvanceStep;
   readonly examined: LensCandidate | null;
+  readonly region: SearchRegion | null;
 }
 
-/** The base face with its normal and ideal point, the element of a candidate, and what it crosses. Shows through everything. */
+/** The base face with its normal, ideal point and search region, the element of a candidate, and what it crosses. Shows through everything. */
 export class LensLayer implements Layer {
   readonly root = new Group();
   readonly #base = new Facets("selection", 0.6);
   readonly #culprit = new Facets("front", 0.75);
   readonly #normal = new Segments("selection");
   readonly #element = new Segments("hover");
+  readonly #region = new Segments("source");
   readonly #ideal = new Dots("source", 9);
   readonly #candidate = new Dots("hover", 9);
   readonly #crossing = new Dots("front", 11);
@@ -34,6 +37,7 @@ export class LensLayer implements Layer {
     this.#culprit,
     this.#normal,
     this.#element,
+    this.#region,
     this.#ideal,
     this.#candidate,
     this.#crossing,
@@ -61,7 +65,7 @@ export class LensLayer implements Layer {
     this.#scene = scene;
     this.root.visible = scene !== null;
     if (!scene) return;
-    const { trace, step, examined } = scene;
+    const { trace, step, examined, region } = scene;
     const base = cornersOf(trace, step.face);
     const centroid = scale(add(add(base[0], base[1]), base[2]), 1 / 3);
     const normal = unit(cross(subtract(base[1], base[0]), subtract(base[2], base[0]))) ?? [0, 0, 1];
@@ -73,6 +77,7 @@ export class LensLayer implements Layer {
     this.#culprit.set(culprit === undefined ? [] : cornersOf(trace, culprit), this.#origin);
     this.#normal.set([centroid, tip, ...(pair ? pair.side : [])], this.#origin);
     this.#element.set(apex ? base.flatMap((corner) => [corner, apex]) : [], this.#origin);
+    this.#region.set(region ? outlineOf(region) : [], this.#origin);
     this.#ideal.set([step.idealPoint], this.#origin);
     this.#candidate.set(apex ? [apex] : [], this.#origin);
     this.#crossing.set(pair ? [pair.point] : [], this.#origin);

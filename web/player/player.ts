@@ -43,6 +43,8 @@ export interface PlayerState {
   readonly elements: ShownElements;
   /** Index of the candidate in the step that the lens shows; null: the one that decides the step. */
   readonly candidate: number | null;
+  /** Whether the view shows the search region of the step. */
+  readonly showsRegion: boolean;
   /** Whether the view follows the base face. */
   readonly follows: boolean;
 }
@@ -69,6 +71,7 @@ const initialState: PlayerState = {
   faces: "inside",
   elements: "recent",
   candidate: null,
+  showsRegion: false,
   follows: false,
 };
 
@@ -159,7 +162,7 @@ export class Player {
   /** Shows the model again. */
   close(): void {
     this.#playback.stop();
-    const { recording, reading, speed, coloring, faces, elements, follows, condition } =
+    const { recording, reading, speed, coloring, faces, elements, showsRegion, follows, condition } =
       this.state.getState();
     this.state.setState({
       ...initialState,
@@ -169,6 +172,7 @@ export class Player {
       coloring,
       faces,
       elements,
+      showsRegion,
       follows,
       condition,
     });

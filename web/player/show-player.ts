@@ -6,6 +6,7 @@ import { LensLayer, type LensScene } from "./lens-layer";
 import type { PlayerState } from "./player";
 import { surfaceState } from "./phases";
 import { ReplayLayer } from "./replay-layer";
+import { searchRegionOf } from "./search-region";
 import { SurfaceLayer } from "./surface-layer";
 import type { Viewer } from "../viewer/viewer";
 
@@ -59,10 +60,15 @@ function drawTrace(trace: Trace, viewer: Viewer) {
   };
 }
 
-function lensScene(trace: Trace, { step: number, candidate }: PlayerState): LensScene | null {
+function lensScene(trace: Trace, { step: number, candidate, showsRegion }: PlayerState): LensScene | null {
   const step = trace.stepAt(number);
   if (step?.kind !== "advance") return null;
   const index = candidate ?? decisive(step);
   const chosen = index === null ? undefined : step.candidates[index];
-  return { trace, step, examined: chosen ? examine(trace, step, chosen) : null };
+  return {
+    trace,
+    step,
+    examined: chosen ? examine(trace, step, chosen) : null,
+    region: showsRegion ? searchRegionOf(trace, step) : null,
+  };
 }

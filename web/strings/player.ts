@@ -98,6 +98,8 @@ export const playerStrings = {
   faceChoices: { inside: "Seen from inside", all: "All" },
   elements: "Elements",
   elementChoices: { none: "None", last: "Last", recent: "Last 60" },
+  searchRegion: "Search region",
+  regionHint: "The nodes in it are candidates for the base face. It lies around the ideal point.",
   follow: "Follow",
 
   lens: "Lens",

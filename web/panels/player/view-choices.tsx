@@ -9,7 +9,7 @@ const texts = strings.player;
 /** What the view shows of the front, and its colours. */
 export function ViewChoices() {
   const { player } = useApp();
-  const { coloring, faces, elements, follows } = usePlayer((state) => state);
+  const { coloring, faces, elements, showsRegion, follows } = usePlayer((state) => state);
   return (
     <>
       <Choice
@@ -33,6 +33,15 @@ export function ViewChoices() {
         choices={texts.elementChoices}
         onChoose={(chosen) => player.state.setState({ elements: chosen })}
       />
+      <label className={styles["check"]} title={texts.regionHint}>
+        <input
+          type="checkbox"
+          data-testid="player-region"
+          checked={showsRegion}
+          onChange={(event) => player.state.setState({ showsRegion: event.currentTarget.checked })}
+        />
+        {texts.searchRegion}
+      </label>
       <label className={styles["check"]}>
         <input
           type="checkbox"
