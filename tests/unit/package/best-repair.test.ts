@@ -40,6 +40,45 @@ test("keeps the welded repair if the exact one fails, and rejects if it is cance
   await expect(taken(angles, () => Promise.reject(cancelled))).rejects.toBe(cancelled);
 });
 
+test("returns the first result as a partial one if the second way is stopped", async () => {
+  const cancelled = new MesherError("cancelled", "it was cancelled", { reason: "it was cancelled" });
+  const first = made(2);
+  const stopped = {
+    prepared: "welded",
+    isExact: false,
+    made: { remesh: { ...first.remesh, isPartial: true } },
+  };
+  const half = { remesh: { ...made(30).remesh, isPartial: true } };
+  const exact = () => Promise.resolve<Way>("exact");
+  const partial = { partial: true };
+  const way = (second: () => Promise<typeof first>) => (prepared: Way) =>
+    prepared === "welded" ? Promise.resolve(first) : second();
+  expect(
+    await remeshedBest<Way, typeof first>(
+      "welded",
+      exact,
+      way(() => Promise.resolve(half)),
+      partial,
+    ),
+  ).toEqual(stopped);
+  expect(
+    await remeshedBest<Way, typeof first>(
+      "welded",
+      exact,
+      way(() => Promise.reject(cancelled)),
+      partial,
+    ),
+  ).toEqual(stopped);
+  expect(
+    await remeshedBest<Way, typeof first>(
+      "welded",
+      () => Promise.reject(cancelled),
+      way(() => Promise.resolve(half)),
+      partial,
+    ),
+  ).toEqual(stopped);
+});
+
 test("only a repair that moved nodes has another way", () => {
   const points = Float64Array.of(0, 0, 0, 1, 1, 1);
   expect([0, 1e-9, 1e-4].map((repairDeviation) => hasWelded({ points }, { repairDeviation }))).toEqual([

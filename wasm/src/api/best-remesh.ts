@@ -68,15 +68,19 @@ export function isBetter(one: Shapes, other: Shapes): boolean {
   return !one.isPartial && one.smallestAngle > other.smallestAngle && !isWorseOnAverage;
 }
 
-/** Resolves with undefined if the mesher fails. Rejects if it is cancelled. */
+/** Resolves with undefined if a call fails. Rejects if it is cancelled, or the mesher is disposed of. */
 export async function unlessFailed<Result>(made: Promise<Result>): Promise<Result | undefined> {
   try {
     return await made;
   } catch (failure) {
-    if (failure instanceof MesherError && failure.code !== "cancelled") return undefined;
+    const isFailed = failure instanceof MesherError && !ended.includes(failure.code);
+    if (isFailed) return undefined;
     throw failure;
   }
 }
+
+/** Codes of errors that the caller has caused. */
+const ended: readonly MesherError["code"][] = ["cancelled", "disposed"];
 
 /** Returns a control whose progress is a part of the whole. */
 function partOf(control: PartialControl, from: number, to: number): PartialControl {

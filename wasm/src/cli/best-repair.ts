@@ -1,5 +1,6 @@
 /** A repair that welds nodes before a remeshing, and an exact one, if the triangles are poor after the first. */
 import { isBetter, isPoor, unlessFailed } from "../api/best-remesh.js";
+import { MesherError } from "../diagnostics/mesher-error.js";
 import { diagonalOf } from "../formats/near-points.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import { InvalidInput } from "./messages.js";
@@ -27,17 +28,24 @@ export function hasWelded(
 
 /**
  * Remeshes a repaired surface. If its triangles are poor, does the same after the exact repair, if there is one, and
- * returns the better result; the first one if the second way fails. Rejects if it is cancelled.
+ * returns the better result; the first one if the second way fails. If the second way is stopped, returns the first
+ * result as a partial one if `partial`; rejects otherwise.
  */
 export async function remeshedBest<Prepared, Made extends { readonly remesh?: RemeshReport }>(
   prepared: Prepared,
   exact: (() => Promise<Prepared>) | undefined,
   remesh: (prepared: Prepared) => Promise<Made>,
+  { partial = false }: { readonly partial?: boolean } = {},
 ): Promise<BestRepair<Prepared, Made>> {
   const made = await remesh(prepared);
   const first = { prepared, made, isExact: false };
   if (exact === undefined || made.remesh === undefined || !isPoor(made.remesh)) return first;
-  const second = await unlessInvalid(other(exact, remesh));
+  const stopped = { ...first, made: { ...made, remesh: { ...made.remesh, isPartial: true } } };
+  const second = await unlessInvalid(other(exact, remesh)).catch((failure: unknown) => {
+    if (partial && failure instanceof MesherError && failure.code === "cancelled") return stopped;
+    throw failure;
+  });
+  if (second?.made.remesh?.isPartial === true) return stopped;
   const isTaken = second?.made.remesh !== undefined && isBetter(second.made.remesh, made.remesh);
   return isTaken ? { ...second, isExact: true } : first;
 }

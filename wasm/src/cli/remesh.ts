@@ -31,7 +31,14 @@ import {
   type RemeshReport,
   remeshText,
 } from "./remeshing.js";
-import { madeFillable, printChanges, type RepairCommandOptions, repaired, repairOptions } from "./repair.js";
+import {
+  madeFillable,
+  printChanges,
+  type RepairCommandOptions,
+  repaired,
+  type RepairedSurface,
+  repairOptions,
+} from "./repair.js";
 import { located, withRegionVolumes } from "./regions.js";
 import type { UnitOptions } from "./units.js";
 import { withRun } from "./run.js";
@@ -107,6 +114,7 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
     if (split !== undefined && !isQuiet) {
       print(`${input}: ${splitText(welded.treated.surface, welded.divided)}`);
     }
+    printDiagnostics(input, problemsOf(welded), { isQuiet });
     const withSizes = await withGrid(mesher, sizes, grid);
     const hasExact = repair === undefined && hasWelded(given.surface, welded.treated);
     const { made, prepared, isExact } = await remeshedBest(
@@ -117,12 +125,15 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
           ...controlOf("remesh"),
           partial: true,
         }),
+      { partial: true },
     );
-    const { changes, repairDeviation, warnings = [] } = prepared.treated;
-    const found = [...warnings, ...prepared.diagnostics];
-    if (isExact && !isQuiet) print(`repair: ${input}: ${EXACT_REPAIR}`);
-    if (isExact && !isQuiet) printChanges(input, prepared.treated);
-    printDiagnostics(input, found, { isQuiet });
+    const { changes, repairDeviation } = prepared.treated;
+    const found = problemsOf(prepared);
+    if (isExact && !isQuiet) {
+      print(`repair: ${input}: ${EXACT_REPAIR}`);
+      printChanges(input, prepared.treated);
+    }
+    if (isExact) printDiagnostics(input, found, { isQuiet });
     const files = await writeMesh(fileMesh(made.surface), name);
     const diagnostics = await problemsInFile(mesher, files, made.surface, { name, innerShells });
     await writeAll(files, { input, output, name, isQuiet });
@@ -143,6 +154,13 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
       exitCode,
     };
   });
+}
+
+function problemsOf(prepared: {
+  readonly treated: Pick<RepairedSurface, "warnings">;
+  readonly diagnostics: readonly Diagnostic[];
+}): readonly Diagnostic[] {
+  return [...(prepared.treated.warnings ?? []), ...prepared.diagnostics];
 }
 
 const projectGiven = packageDiagnostic(
