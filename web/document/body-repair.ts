@@ -10,7 +10,7 @@ import {
 import type { DrawnSurface } from "./drawn-surface";
 import { distance } from "./vectors";
 
-/** What the user asks of a repair. */
+/** What the user asks of a repair. Distances are in units of the body's own coordinates: its placement does not apply. */
 export type RepairWishes = Pick<RepairOptions, "weld" | "fillHoles">;
 
 /** Largest number of edges of a hole that is filled; the limit of the package. */
@@ -30,7 +30,7 @@ export function weldBeforeRemeshing(
 export interface RepairProposal {
   readonly wishes: RepairWishes;
   readonly changes: readonly RepairChange[];
-  /** Largest distance by which a node is moved, in model units. */
+  /** Largest distance by which a node is moved, in units of the body's own coordinates: its placement does not apply. */
   readonly deviation: number;
   /** Inspection of the result. */
   readonly after: SurfaceInspection;
@@ -40,6 +40,16 @@ export interface RepairProposal {
 }
 
 export type RepairKind = RepairChange["kind"];
+
+/** Returns a length of the body's own coordinates in model units. */
+export function placedLength(length: number, { placement }: Pick<ProjectBody, "placement">): number {
+  return length * (placement?.scale ?? 1);
+}
+
+/** Returns a length in model units in those of the body's own coordinates. */
+export function ownLength(length: number, { placement }: Pick<ProjectBody, "placement">): number {
+  return length / (placement?.scale ?? 1);
+}
 
 /** Changes of one kind. */
 export type RepairGroup = readonly [kind: RepairKind, changes: readonly RepairChange[]];
@@ -74,5 +84,6 @@ export function withRepairs(
     });
   }
   const moved = repairDeviation + deviation;
+  // Both describe the same triangles: an operation that makes others must replace both.
   return { repairs: [...known.values()], ...(moved > 0 && { repairDeviation: moved }) };
 }

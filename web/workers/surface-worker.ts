@@ -21,6 +21,7 @@ import { meaningOf, patchValues, type PatchMeaning } from "../document/patch-col
 import { strings } from "../strings";
 import "./cad-library";
 import { buffersOfPacked, packedBody } from "./packed-bodies";
+import { replacedBody } from "./replaced-body";
 import { serveCalls, type Answer } from "./serve-calls";
 import type { LoadedSurface, PackedNewBody, PatchArrays, SurfaceProtocol } from "./surface-files";
 
@@ -50,17 +51,8 @@ serveCalls<SurfaceProtocol>({
     const answer = newBody(body);
     return { answer, transfer: buffersOf(answer) };
   },
-  replace: ({ body, surface, patches }) => {
-    const groups = patches.map(({ id, name = "" }) => ({ name, tag: id }));
-    const made = createBody({ ...surface, patches: groups }, { id: body.id, firstPatchId: 1, name: "" });
-    const { trianglePatch, points, triangles } = made;
-    const replaced = newBody({
-      ...body,
-      points,
-      triangles,
-      ...(trianglePatch !== undefined && { trianglePatch }),
-      patches,
-    });
+  replace: (given) => {
+    const replaced = newBody(replacedBody(given));
     return { answer: replaced, transfer: buffersOf(replaced) };
   },
   split: ({ body, split, nextPatchId, isPreview }) =>

@@ -1,10 +1,12 @@
 /** An exact repair replaces one that welded nodes, if the triangles of the remeshing are poor after the latter only. */
 import { expect, test } from "vitest";
 
-import { hasWelded, remeshedBest } from "../../../wasm/src/cli/best-repair.js";
+import { filledBest, hasWelded, remeshedBest } from "../../../wasm/src/cli/best-repair.js";
 import { InvalidInput } from "../../../wasm/src/cli/messages.js";
 import type { RemeshReport } from "../../../wasm/src/cli/remeshing.js";
+import { emptyReport } from "../../../wasm/src/api/report.js";
 import { MesherError } from "../../../wasm/src/diagnostics/mesher-error.js";
+import type { MeshStatus } from "../../../wasm/src/mesh/report.js";
 
 type Way = "welded" | "exact";
 
@@ -77,6 +79,49 @@ test("returns the first result as a partial one if the second way is stopped", a
       partial,
     ),
   ).toEqual(stopped);
+});
+
+const report = (status: MeshStatus) => ({ report: emptyReport(status, []) });
+
+test.each([
+  ["is complete", "done", "done", ["exact"], "exact"],
+  ["stalls", "stalled", "done", ["exact", "welded"], "welded"],
+  ["makes the engine fail", "failed", "done", ["exact", "welded"], "welded"],
+  ["makes the engine fail, and the other stalls", "failed", "stalled", ["exact", "welded"], "welded"],
+  ["stalls as the other does", "stalled", "stalled", ["exact", "welded"], "exact"],
+  ["is stopped", "cancelled", "done", ["exact"], "exact"],
+] as const)("a surface after the exact repair %s", async (_, exact, welded, expected, taken) => {
+  const status = { exact, welded };
+  const filled: Way[] = [];
+  const best = {
+    prepared: "exact",
+    made: "exact",
+    isExact: true,
+    welded: { prepared: "welded", made: "welded" },
+  };
+  const found = await filledBest<string, string, ReturnType<typeof report>>(best, (way) => {
+    const one = way as Way;
+    filled.push(one);
+    const end = status[one];
+    const failed = new MesherError("engine-failed", "it failed", { reason: "it failed" });
+    return end === "failed" ? Promise.reject(failed) : Promise.resolve(report(end));
+  });
+  expect(filled).toEqual(expected);
+  expect([found.prepared, found.isExact]).toEqual([taken, taken === "exact"]);
+  expect(found.result.report.status).toBe(status[taken]);
+});
+
+test("a surface without another way is filled once, and a cancelled one is not filled again", async () => {
+  const filled: string[] = [];
+  const fill = (made: string) => {
+    filled.push(made);
+    return Promise.resolve(report("stalled"));
+  };
+  await filledBest({ prepared: "welded", made: "welded", isExact: false }, fill);
+  expect(filled).toEqual(["welded"]);
+  const cancelled = new MesherError("cancelled", "it was cancelled", { reason: "it was cancelled" });
+  const best = { prepared: "exact", made: "exact", isExact: true, welded: { prepared: "a", made: "a" } };
+  await expect(filledBest(best, () => Promise.reject(cancelled))).rejects.toBe(cancelled);
 });
 
 test("only a repair that moved nodes has another way", () => {

@@ -99,4 +99,13 @@ describe("files of an assembly", () => {
     expect(volumes.map(sum)).toEqual([expect.closeTo(1 - 1 / 64, 9), expect.closeTo(1 / 64, 9)]);
     expect(Math.max(...volumes[1])).toBeLessThanOrEqual(0.0005);
   });
+
+  test("say that largest volumes of regions are lost if a part is open", async () => {
+    const inner = boxSurface(1, [0.25, 0.25, 0.25], [0.5, 0.5, 0.5]);
+    const { points, triangles } = boxSurface(2);
+    save("open.off", offFile({ points, triangles: triangles.subarray(3) }));
+    save("core.smesh", smeshFile(inner, "0\n1\n1 0.3 0.3 0.3 7 0.0005\n"));
+    const { stderr } = await run("mesh", "open.off", "core.smesh", "--join", "-o", "joined.msh");
+    expect(stderr).toContain("largest volumes of regions have no effect, because not all solids are closed");
+  });
 });

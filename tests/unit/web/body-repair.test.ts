@@ -1,6 +1,16 @@
-import { readProject, writeProject, type ProjectBody } from "tetrafront";
+import {
+  bodyWithPatches,
+  createMesher,
+  mergePatches,
+  readProject,
+  writeProject,
+  type ProjectBody,
+} from "tetrafront";
 import { expect, it } from "vitest";
-import { withRepairs } from "../../../web/document/body-repair";
+import { setPlacement } from "../../../web/document/body-edits";
+import { ownLength, placedLength, withRepairs } from "../../../web/document/body-repair";
+import { DocumentStore } from "../../../web/session/document-store";
+import { replacedBody } from "../../../web/workers/replaced-body";
 import { cubeProject } from "../../support/projects";
 
 const arrayText = ({ buffer }: Float64Array | Uint32Array) => Buffer.from(buffer).toString("base64");
@@ -27,4 +37,62 @@ it("a body keeps the changes of all repairs, with the sum of their deviations, i
     success: false,
     errors: [{ path: "bodies[0].repairDeviation" }],
   });
+});
+
+it("a deviation is one of the body's own coordinates, whatever its placement", async () => {
+  // Two of the nodes of a tetrahedron are torn apart by 1e-3, which a weld closes.
+  const torn = {
+    points: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 1e-3, 1),
+    triangles: Uint32Array.of(0, 2, 1, 0, 1, 3, 1, 2, 4, 0, 4, 2),
+  };
+  const mesher = await createMesher();
+  try {
+    const { deviation } = await mesher.repairSurface(torn, { weld: 0.01 });
+    expect(deviation).toBeCloseTo(1e-3, 12);
+    const inches = { placement: { scale: 25.4 } };
+    expect(placedLength(deviation, inches)).toBeCloseTo(0.0254, 12);
+    expect(placedLength(deviation, {})).toBe(deviation);
+    // The user types a weld distance in model units, and reads the deviation in them.
+    const weld = ownLength(0.0255, inches);
+    expect((await mesher.repairSurface(torn, { weld })).deviation).toBeGreaterThan(0);
+    expect((await mesher.repairSurface(torn, { weld: ownLength(0.0253, inches) })).deviation).toBe(0);
+    expect(placedLength(weld, inches)).toBeCloseTo(0.0255, 12);
+  } finally {
+    mesher.dispose();
+  }
+});
+
+it("repairs and their deviation stay together when a body is changed", () => {
+  const known = {
+    repairs: [{ kind: "welded-node", count: 1, positions: [[0, 0, 1]] }],
+    repairDeviation: 0.5,
+  } as const;
+  const body: ProjectBody = { ...tetrahedron, ...known };
+  const surface = { trianglePatch: Uint32Array.of(0, 0, 1, 1), patches: [{ name: "a" }, { name: "b" }] };
+  const split = bodyWithPatches(body, surface, 90);
+  expect(split).toMatchObject(known);
+  expect(
+    mergePatches(
+      split,
+      split.patches.map(({ id }) => id),
+    ),
+  ).toMatchObject(known);
+  const project = { ...cubeProject(), bodies: [body] };
+  const documents = new DocumentStore(project);
+  documents.edit(setPlacement(1, { scale: 2 }));
+  expect(documents.project.bodies?.[0]).toMatchObject({ ...known, placement: { scale: 2 } });
+  // A new surface comes with repairs of its own; its arrays leave nothing of the given ones.
+  const [points, triangles] = [
+    Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1),
+    Uint32Array.of(0, 2, 1, 0, 1, 3),
+  ];
+  const fewer = { points, triangles, trianglePatch: new Uint32Array(2) };
+  const replaced = replacedBody({
+    body: { ...split, ...withRepairs(split, { changes: [], deviation: 0.25 }) },
+    surface: fewer,
+    patches: split.patches.slice(0, 1),
+  });
+  expect(replaced).toMatchObject({ repairDeviation: 0.75, repairs: known.repairs });
+  expect(replaced).not.toHaveProperty("trianglePatch");
+  expect(readProject(writeProject({ ...cubeProject(), bodies: [replaced] })).success).toBe(true);
 });

@@ -3,6 +3,7 @@ import { isBetter, isPoor, unlessFailed } from "../api/best-remesh.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import { diagonalOf } from "../formats/near-points.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
+import type { MeshResult } from "../mesh/report.js";
 import { InvalidInput } from "./messages.js";
 import type { RemeshReport } from "./remeshing.js";
 import type { RepairedSurface } from "./repair.js";
@@ -13,6 +14,8 @@ export interface BestRepair<Prepared, Made> {
   readonly made: Made;
   /** Whether the exact repair was better. */
   readonly isExact: boolean;
+  /** Result after the repair that welds nodes, if the exact one was better. */
+  readonly welded?: { readonly prepared: Prepared; readonly made: Made } | undefined;
 }
 
 /** Largest deviation of an exact repair / diagonal: it welds within far less than the step height. */
@@ -47,7 +50,29 @@ export async function remeshedBest<Prepared, Made extends { readonly remesh?: Re
   });
   if (second?.made.remesh?.isPartial === true) return stopped;
   const isTaken = second?.made.remesh !== undefined && isBetter(second.made.remesh, made.remesh);
-  return isTaken ? { ...second, isExact: true } : first;
+  return isTaken ? { ...second, isExact: true, welded: { prepared, made } } : first;
+}
+
+/** The way that was filled, and the result of filling it. */
+export interface FilledRepair<Prepared, Made, Result> extends BestRepair<Prepared, Made> {
+  readonly result: Result;
+}
+
+/**
+ * Fills the better surface. If the engine fails or stalls on that of the exact repair, fills that of the welded one, and
+ * returns its result if it is complete. Rejects if it is cancelled.
+ */
+export async function filledBest<Prepared, Made, Result extends Pick<MeshResult, "report">>(
+  best: BestRepair<Prepared, Made>,
+  fill: (made: Made) => Promise<Result>,
+): Promise<FilledRepair<Prepared, Made, Result>> {
+  const { welded } = best;
+  if (welded === undefined) return { ...best, result: await fill(best.made) };
+  const result = await unlessFailed(fill(best.made));
+  if (result?.report.status === "done" || result?.report.status === "cancelled") return { ...best, result };
+  const second = await fill(welded.made);
+  const isKept = result !== undefined && second.report.status !== "done";
+  return isKept ? { ...best, result } : { ...welded, isExact: false, result: second };
 }
 
 async function other<Prepared, Made>(

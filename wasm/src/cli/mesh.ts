@@ -41,7 +41,7 @@ import {
 import { located } from "./regions.js";
 import { requiredAngleError, requiredAngleOf } from "./required-angle.js";
 import type { UnitOptions } from "./units.js";
-import { EXACT_REPAIR, hasWelded, remeshedBest } from "./best-repair.js";
+import { EXACT_REPAIR, filledBest, hasWelded, remeshedBest } from "./best-repair.js";
 import { withRun } from "./run.js";
 import {
   checkSizes,
@@ -55,7 +55,7 @@ import {
 } from "./sizes.js";
 import { refuseSplit, type SplitCommandOptions, splitOptions, splitText, withSplit } from "./splitting.js";
 import { readingLines, unmeshedLines } from "./tables.js";
-import { treatedSurface } from "./treatment.js";
+import { type TreatedSurface, treatedSurface } from "./treatment.js";
 
 /** Options as commander passes them: numbers are still text. */
 export interface MeshCommandOptions
@@ -383,14 +383,19 @@ async function mesh(
       if (model.kind === "project") {
         return { result: await mesher.meshProject(model.project, all, control), model, repaired: given };
       }
-      const { made, prepared: repaired } = await remeshedBest(given, exact, ({ model: one }) =>
+      const best = await remeshedBest(given, exact, ({ model: one }) =>
         treatedSurface(mesher, surfaceIn(one), { ...meshing, options: all, controlOf }),
       );
-      const { surface, invalid, diagnostics = [], ...report } = made;
-      const treatedModel = { kind: "surface", surface } as const;
-      if (invalid !== undefined) return { result: emptyResult("invalid-input", invalid), model, repaired };
-      const result = withDiagnostics(await mesher.fillSurface(surface, all, control), diagnostics);
-      return { result, model: treatedModel, repaired, ...report };
+      const fill = async ({ surface, invalid, diagnostics = [] }: TreatedSurface): Promise<MeshResult> =>
+        invalid === undefined
+          ? withDiagnostics(await mesher.fillSurface(surface, all, control), diagnostics)
+          : emptyResult("invalid-input", invalid);
+      // A trace shows one front, also one that stalls.
+      const tried = meshing.onTrace === undefined ? best : { ...best, welded: undefined };
+      const { made, prepared, result } = await filledBest(tried, fill);
+      const { surface, invalid, diagnostics: _, ...report } = made;
+      if (invalid !== undefined) return { result, model, repaired: prepared };
+      return { result, model: { kind: "surface", surface }, repaired: prepared, ...report };
     });
   } catch (failure) {
     if (!(failure instanceof MesherError) || failure.code !== "cancelled") throw failure;

@@ -27,11 +27,21 @@ export function* surfaceOfShapes(shapes: readonly Shape[]): Steps<FileMesh> {
     yield* shareFaces(joined);
     yield* shareTriangles(joined);
   }
+  const isLimited = shapes.some(({ maxVolume = 0 }) => maxVolume > 0);
+  if (isLimited && open.size > 0) joined.notes.push(LIMITS_LOST);
   const mesh = yield* meshOf(joined, shapes);
-  return shapes.length > 1 && open.size === 0 ? withGivenRegions(mesh, shapes) : mesh;
+  const hasRegions = (shapes.length > 1 || isLimited) && open.size === 0;
+  return hasRegions ? withGivenRegions(mesh, shapes) : mesh;
 }
 
-/** Several solids state what is meshed on either side: a solid may fill a cavity of another. */
+/** Without closed solids it is unknown where a largest volume holds. */
+const LIMITS_LOST =
+  "largest volumes of regions have no effect, because not all solids are closed; --max-volume limits all tetrahedra";
+
+/**
+ * Several solids state what is meshed on either side: a solid may fill a cavity of another. One solid does so for the largest
+ * volume of its tetrahedra.
+ */
 function withGivenRegions(mesh: FileMesh, shapes: readonly Shape[]): FileMesh {
   const { triangleRegions = new Uint32Array() } = mesh.surfaceRegions ?? {};
   const isLimited = shapes.some(({ maxVolume = 0 }) => maxVolume > 0);

@@ -2,7 +2,7 @@ import { Button, Text } from "@mantine/core";
 import { IconTool } from "@tabler/icons-react";
 import type { ProjectBody, RepairChange, SurfaceInspection } from "tetrafront";
 import { repairBody } from "../../commands/surface-actions";
-import { repairGroups, type RepairProposal } from "../../document/body-repair";
+import { ownLength, placedLength, repairGroups, type RepairProposal } from "../../document/body-repair";
 import { entityKey } from "../../document/entities";
 import { groupProblems } from "../../document/validate";
 import { placed } from "../../document/placement";
@@ -89,17 +89,16 @@ function RepairSection({ body, repair }: RepairSectionProps) {
         ))}
       </ul>
       <Text size="sm" c="dimmed" mb={6} data-testid="repair-outcome">
-        {changes.length > 0 &&
-          `${texts.repair.moves(formatShort(deviation * (body.placement?.scale ?? 1)))} `}
+        {changes.length > 0 && `${texts.repair.moves(formatShort(placedLength(deviation, body)))} `}
         {after.isFillable ? texts.repair.solves : texts.repair.remains(errors)}
       </Text>
       <NumberRow
         label={texts.repair.weld}
-        value={typeof wishes.weld === "number" ? wishes.weld : 0}
+        value={placedLength(typeof wishes.weld === "number" ? wishes.weld : 0, body)}
         step={0.001}
         refuse={notNegative}
         testId="repair-weld"
-        onCommit={(weld) => propose({ weld })}
+        onCommit={(weld) => propose({ weld: ownLength(weld, body) })}
       />
       <NumberRow
         label={texts.repair.holes}

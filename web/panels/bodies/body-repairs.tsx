@@ -1,5 +1,6 @@
 import { Text } from "@mantine/core";
 import type { ProjectBody } from "tetrafront";
+import { placedLength } from "../../document/body-repair";
 import { placed } from "../../document/placement";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { formatShort } from "../../ui/format";
@@ -32,7 +33,7 @@ export function BodyRepairs({ body }: { readonly body: ProjectBody }) {
         ))}
       </ul>
       <Text size="sm" c="dimmed" data-testid="body-repair-deviation">
-        {texts.moved(formatShort(repairDeviation * (placement?.scale ?? 1)))}
+        {texts.moved(formatShort(placedLength(repairDeviation, body)))}
       </Text>
     </section>
   );
