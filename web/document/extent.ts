@@ -27,11 +27,19 @@ export function smallestSize({ background }: Project): number | undefined {
 }
 
 /** Returns the size of all nodes of the background grid; undefined if they differ, are stretched, or there are none. */
-export function uniformSize({ background: { nodes } }: Project): number | undefined {
+export function uniformSize({ background }: Project): number | undefined {
+  const known = uniformSizes.get(background);
+  if (known) return known.size;
+  const { nodes } = background;
   const size = nodes[0]?.size;
   const isUniform = nodes.every((node) => node.size === size && (node.stretching ?? 1) === 1);
-  return isUniform ? size : undefined;
+  const found = { size: isUniform ? size : undefined };
+  uniformSizes.set(background, found);
+  return found.size;
 }
+
+/** The answers for grids, which may have millions of nodes, and are asked for by each problem at each render. */
+const uniformSizes = new WeakMap<Project["background"], { readonly size: number | undefined }>();
 
 /** Returns the diagonal of the box around points; 0 without any. */
 export function diagonalOf(points: readonly { readonly position: readonly number[] }[]): number {

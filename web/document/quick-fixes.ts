@@ -8,6 +8,7 @@ import { likelySize, uniformSize } from "./extent";
 import { linePaths } from "./line-paths";
 import { drawnLoops, keyOf } from "./loop-search";
 import { orderLoops } from "./loops";
+import { loopsToFill } from "./loops-to-fill";
 import { joinLinePair, joinPair, replacing } from "./transforms/join-points";
 import type { Problem } from "./validate";
 
@@ -163,43 +164,26 @@ function removeTetrahedron(problem: Problem): QuickFix | null {
   }));
 }
 
-/** Planar loops of open lines, by list of problems: each problem of a list asks for them. */
-const foundLoops = new WeakMap<readonly Problem[], readonly DrawnLoop[]>();
+/** The loop to fill at each open line, by list of problems: each problem of a list asks for one. */
+const foundLoops = new WeakMap<readonly Problem[], ReadonlyMap<number, DrawnLoop>>();
 
-function openLoops(project: Project, problems: readonly Problem[]): readonly DrawnLoop[] {
+function openLoops(project: Project, problems: readonly Problem[]): ReadonlyMap<number, DrawnLoop> {
   const known = foundLoops.get(problems);
   if (known) return known;
   const open = new Set(
     problems.filter(({ code }) => code === "open-edge").flatMap((one) => idsOf(one, "line")),
   );
   const paths = linePaths(project, null).filter((path) => open.has(path.line.id));
-  const loops = drawnLoops(paths).filter(({ normal }) => normal !== null);
+  const loops = loopsToFill(drawnLoops(paths).filter(({ normal }) => normal !== null));
   foundLoops.set(problems, loops);
   return loops;
-}
-
-/**
- * Returns the loop that a patch at a line would fill; undefined if there is none. Around a hole, it is the loop outside: with
- * a patch within the hole too, its lines would still be open.
- */
-function loopAt(line: number, loops: readonly DrawnLoop[]): DrawnLoop | undefined {
-  const isAmong = (ids: readonly number[]): boolean => ids.some((id) => Math.abs(id) === line);
-  const outside = loops.find(({ holes }) => holes.some(isAmong));
-  const isFilled = outside !== undefined && depthOf(outside, loops) % 2 === 0;
-  return isFilled ? outside : loops.find(({ lines }) => isAmong(lines));
-}
-
-/** Returns within how many of the loops a loop lies. */
-function depthOf({ lines: [first = 0] }: DrawnLoop, loops: readonly DrawnLoop[]): number {
-  const outside = loops.find(({ holes }) => holes.flat().some((id) => Math.abs(id) === Math.abs(first)));
-  return outside ? 1 + depthOf(outside, loops) : 0;
 }
 
 /** Open lines that lie in one plane and form a loop, without the holes within it. */
 function closePatch(problem: Problem, { project, problems }: FixContext): QuickFix | null {
   const [line] = idsOf(problem, "line");
   if (line === undefined) return null;
-  const loop = loopAt(line, openLoops(project, problems));
+  const loop = openLoops(project, problems).get(line);
   if (!loop) return null;
   const outer = loop.lines.map(Math.abs);
   const holes = loop.holes.flat().map(Math.abs);

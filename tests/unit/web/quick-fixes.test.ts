@@ -238,3 +238,22 @@ it("joins only the two lines that it names; all fixes join all", async () => {
   const all = fixes.reduce((current, fix) => fix.apply(current), project);
   expect(all.lines).toEqual(cube.lines);
 });
+
+it("reads the nodes of a grid once, however many problems ask and however often", () => {
+  let reads = 0;
+  const cube = cubeProject();
+  const nodes = cube.background.nodes.map(({ size, ...node }) => ({
+    ...node,
+    get size() {
+      ++reads;
+      return size;
+    },
+  }));
+  const project: Project = { ...cube, background: { ...cube.background, nodes } };
+  const problem = { code: "outside-background-grid", entities: [], body: null } as unknown as Problem;
+  const problems = Array.from({ length: 100 }, () => problem);
+  const sizes = fixesOf(project, problems).map(({ coverSize }) => coverSize);
+  expect(new Set(sizes)).toEqual(new Set([cube.background.nodes[0]?.size]));
+  expect(fixesOf({ ...project, name: "Copy" }, problems)).toHaveLength(100);
+  expect(reads).toBeLessThanOrEqual(2 * nodes.length);
+});
