@@ -1,6 +1,6 @@
 // Loaded before a program (by NODE_OPTIONS): when its worker reports the first tetrahedra, or the fraction
-// TETRAFRONT_TEST_FRACTION of a call that is no inspection, sends the signal TETRAFRONT_TEST_SIGNAL to the program itself, or to its parent if
-// TETRAFRONT_TEST_TARGET is "parent".
+// TETRAFRONT_TEST_FRACTION of a call that is no inspection, sends the signal TETRAFRONT_TEST_SIGNAL to the program
+// itself, or to its parent if TETRAFRONT_TEST_TARGET is "parent".
 import { closeSync, openSync } from "node:fs";
 import { Worker } from "node:worker_threads";
 

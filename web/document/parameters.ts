@@ -1,7 +1,6 @@
-import type { Project, ProjectExpression } from "tetrafront";
+import { LIMITS, type Project, type ProjectExpression } from "tetrafront";
 import {
   isReservedName,
-  maxExpressionLength,
   type NamedNumbers,
   namesIn,
   readNumber,
@@ -22,6 +21,15 @@ export function nameProblem({ parameters = [] }: Project, name: string, own?: st
   if (isReservedName(name)) return parameterProblems.reserved(name);
   const isTaken = name !== own && parameters.some((parameter) => parameter.name === name);
   return isTaken ? parameterProblems.taken(name) : null;
+}
+
+/** Returns why a parameter cannot be renamed; null if it can. */
+export function renameProblem(project: Project, name: string, next: string): string | null {
+  const { parameters = [], expressions = [] } = project;
+  const isTooLong = [...parameters, ...expressions].some(
+    ({ expression }) => lengthWith(expression, name, next) > LIMITS.expression,
+  );
+  return nameProblem(project, next, name) ?? (isTooLong ? parameterProblems.longer(next) : null);
 }
 
 /** Returns why a parameter cannot have an expression; null if it can. */
@@ -93,22 +101,29 @@ export function removeParameter(project: Project, name: string): ProjectEdit {
   };
 }
 
-/** Replaces a name in all expressions. One that would become too long gives way to its value; `values`: those before. */
+/**
+ * Replaces a name in all expressions. One that would become too long for the file gives way to its value; one that has no
+ * value stays as it is. `values`: those before.
+ */
 function replaceName(draft: ProjectDraft, name: string, text: string, values: NamedNumbers): void {
   const { parameters = [], expressions = [] } = draft;
-  const replaced = ({ expression }: { readonly expression: string }): string =>
-    namesIn(expression).has(name) ? withNameReplaced(expression, name, text) : expression;
+  const fits = (expression: string): boolean => lengthWith(expression, name, text) <= LIMITS.expression;
   for (const parameter of parameters) {
-    const next = replaced(parameter);
+    const { expression } = parameter;
     const value = values.get(parameter.name);
-    parameter.expression = next.length > maxExpressionLength && value !== undefined ? String(value) : next;
+    if (fits(expression)) parameter.expression = withNameReplaced(expression, name, text);
+    else if (value !== undefined) parameter.expression = String(value);
   }
-  for (const noted of expressions) noted.expression = replaced(noted);
-  if (expressions.some(isTooLong)) draft.expressions = expressions.filter((noted) => !isTooLong(noted));
+  const kept = expressions.filter(({ expression }) => fits(expression));
+  for (const noted of kept) noted.expression = withNameReplaced(noted.expression, name, text);
+  if (kept.length === expressions.length) return;
+  if (kept.length > 0) draft.expressions = kept;
+  else delete draft.expressions;
 }
 
-const isTooLong = ({ expression }: { readonly expression: string }): boolean =>
-  expression.length > maxExpressionLength;
+/** Returns the length of an expression after the replacement of a name. */
+const lengthWith = (expression: string, name: string, text: string): number =>
+  withNameReplaced(expression, name, text).length;
 
 /** Returns the expressions that use a parameter, directly or through other parameters. */
 export function usesOf({ parameters = [], expressions = [] }: Project, name: string): ProjectExpression[] {

@@ -2,6 +2,8 @@ import type { PreparedBody, Project, ProjectPreview } from "tetrafront";
 import { rangeAlong } from "./extent";
 import type { Position } from "./position";
 import type { SizePlane } from "./selection";
+import { forEachInSlices } from "./slices";
+import { type Box, type Facts, factsOf, piecesOf } from "./triangle-facts";
 
 /** Positions at which sizes are shown, joined by segments and triangles. */
 export interface SizeSurface {
@@ -25,32 +27,61 @@ const pieceShare = 1 / 40;
 const planeDivisions = 48;
 /** How far the plane extends beyond the model, relative to its extent. */
 const planeMargin = 0.08;
-/** Pieces become longer until there are no more positions, so that a preview answers at once. */
+/**
+ * Pieces become longer until there are no more positions, so that the engine answers at once. Only lines and triangles
+ * without divisions may have more.
+ */
 const maxPositions = 60_000;
 
-/** The box around the samples of a model. */
-interface Box {
-  readonly low: Position;
-  readonly high: Position;
+/** Numbers of positions, segments and triangles without those of the plane. */
+interface Counts {
+  readonly positions: number;
+  readonly segments: number;
+  readonly triangles: number;
 }
 
-/** Collects positions with segments and triangles between them. */
+/** Takes as many positions, segments and triangles as were counted. */
 class SurfaceBuilder {
-  readonly points: number[] = [];
-  readonly segments: number[] = [];
-  readonly triangles: number[] = [];
+  readonly #points: Float64Array;
+  readonly #segments: Uint32Array;
+  readonly #triangles: Uint32Array;
   readonly plane: number[] = [];
+  #pointCount = 0;
+  #segmentCount = 0;
+  #triangleCount = 0;
 
-  add([x, y, z]: Position): number {
-    this.points.push(x, y, z);
-    return this.points.length / 3 - 1;
+  constructor({ positions, segments, triangles }: Counts) {
+    this.#points = new Float64Array(3 * positions);
+    this.#segments = new Uint32Array(2 * segments);
+    this.#triangles = new Uint32Array(3 * triangles);
+  }
+
+  add(x: number, y: number, z: number): number {
+    const at = 3 * this.#pointCount;
+    this.#points[at] = x;
+    this.#points[at + 1] = y;
+    this.#points[at + 2] = z;
+    return this.#pointCount++;
+  }
+
+  addSegment(a: number, b: number): void {
+    const at = 2 * this.#segmentCount++;
+    this.#segments[at] = a;
+    this.#segments[at + 1] = b;
+  }
+
+  addTriangle(a: number, b: number, c: number): void {
+    const at = 3 * this.#triangleCount++;
+    this.#triangles[at] = a;
+    this.#triangles[at + 1] = b;
+    this.#triangles[at + 2] = c;
   }
 
   finished(bodies: readonly number[]): SizeSurface {
     return {
-      points: Float64Array.from(this.points),
-      segments: Uint32Array.from(this.segments),
-      triangles: Uint32Array.from(this.triangles),
+      points: this.#points,
+      segments: this.#segments,
+      triangles: this.#triangles,
       plane: Uint32Array.from(this.plane),
       bodies,
     };
@@ -60,53 +91,82 @@ class SurfaceBuilder {
 /**
  * Returns positions along the lines and on the patches of a preview and on prepared bodies, close enough to show how sizes
  * change between them, and on a plane across the model, if one is given. Everything is covered, however large the model is.
+ * Works in slices: a body of millions of triangles does not block the page. What it measures of a body, it keeps.
  */
-export function sizeSurface(
+export async function sizeSurface(
   project: Project,
   preview: ProjectPreview,
   bodies: readonly SizedBody[],
   plane: SizePlane | null,
-): SizeSurface {
-  const builder = new SurfaceBuilder();
-  const box = boxOf(project, preview, bodies);
-  const surfaces = [{ points: preview.patchPoints, triangles: preview.patchTriangles }, ...bodies];
-  const diagonal = Math.hypot(...box.high.map((x, k) => x - (box.low[k] ?? 0)));
-  let longest = pieceShare * diagonal;
-  while (longest < diagonal && countPositions(preview, surfaces, longest) > maxPositions) longest *= 2;
+): Promise<SizeSurface> {
+  const surfaces: Facts[] = [];
+  for (const one of [{ points: preview.patchPoints, triangles: preview.patchTriangles }, ...bodies]) {
+    surfaces.push(await factsOf(one));
+  }
+  const box = boxOf(project, preview, surfaces);
+  const { counts, longest } = await choosePieces(preview, surfaces, diagonalOf(box));
+  const planePositions = plane ? (planeDivisions + 1) ** 2 : 0;
+  const builder = new SurfaceBuilder({ ...counts, positions: counts.positions + planePositions });
   if (plane) addPlane(builder, box, plane);
   addLines(builder, preview, longest);
-  for (const surface of surfaces) addTriangles(builder, surface, longest);
+  for (const surface of surfaces) await addTriangles(builder, surface, longest);
   return builder.finished(bodies.map(({ body }) => body));
 }
 
-type Triangles = Pick<SizedBody, "points" | "triangles">;
+const diagonalOf = ({ low, high }: Box): number => Math.hypot(...high.map((x, k) => x - (low[k] ?? 0)));
 
-/** Returns how many positions lines and triangles get. */
-function countPositions(
+/** Returns the length of pieces that gives few enough positions, or divides nothing, and what it gives. */
+async function choosePieces(
+  preview: ProjectPreview,
+  surfaces: readonly Facts[],
+  diagonal: number,
+): Promise<{ readonly longest: number; readonly counts: Counts }> {
+  // Divided or not, triangles have at least their nodes: if these are too many, only whole ones remain.
+  const nodes = surfaces.reduce((sum, { usedNodes }) => sum + usedNodes, 0);
+  let longest = nodes > maxPositions ? diagonal : pieceShare * diagonal;
+  for (;;) {
+    const counts = await count(preview, surfaces, longest);
+    if (counts.positions <= maxPositions || longest >= diagonal) return { longest, counts };
+    longest *= 2;
+  }
+}
+
+async function count(
   { lineOffsets, linePoints }: ProjectPreview,
-  surfaces: readonly Triangles[],
+  surfaces: readonly Facts[],
   longest: number,
-): number {
-  let count = 0;
+): Promise<Counts> {
+  let [positions, segments, triangles] = [0, 0, 0];
   for (const i of segmentsOf(lineOffsets)) {
-    count += 1 + piecesOf(positionAt(linePoints, i), positionAt(linePoints, i + 1), longest);
+    const pieces = piecesOf(distance(positionAt(linePoints, i), positionAt(linePoints, i + 1)), longest);
+    positions += pieces + 1;
+    segments += pieces;
   }
-  for (const { points, triangles } of surfaces) {
-    const isUsed = new Uint8Array(points.length / 3);
-    for (let t = 0; t + 2 < triangles.length; t += 3) {
-      const pieces = piecesAlong(cornersAt(points, triangles, t), longest);
-      if (pieces > 1) count += ((pieces + 1) * (pieces + 2)) / 2;
-      else for (const node of triangles.subarray(t, t + 3)) isUsed[node] = 1;
+  for (const { surface, longestEdges, longestOfAll, usedNodes } of surfaces) {
+    if (piecesOf(longestOfAll, longest) === 1) {
+      positions += usedNodes;
+      triangles += longestEdges.length;
+      continue;
     }
-    count += isUsed.reduce((sum, one) => sum + one, 0);
+    const isUsed = new Uint8Array(surface.points.length / 3);
+    await forEachInSlices(longestEdges.length, (t) => {
+      const pieces = piecesOf(longestEdges[t] ?? 0, longest);
+      triangles += pieces * pieces;
+      if (pieces > 1) positions += ((pieces + 1) * (pieces + 2)) / 2;
+      for (let k = 3 * t; pieces === 1 && k < 3 * t + 3; ++k) {
+        const node = surface.triangles[k] ?? 0;
+        positions += 1 - (isUsed[node] ?? 1);
+        isUsed[node] = 1;
+      }
+    });
   }
-  return count;
+  return { positions, segments, triangles };
 }
 
 function boxOf(
   { points, background }: Project,
-  { linePoints, patchPoints }: ProjectPreview,
-  bodies: readonly SizedBody[],
+  { linePoints }: ProjectPreview,
+  surfaces: readonly Facts[],
 ): Box {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
@@ -114,9 +174,11 @@ function boxOf(
     low[axis] = Math.min(low[axis] ?? value, value);
     high[axis] = Math.max(high[axis] ?? value, value);
   };
-  for (const list of [linePoints, patchPoints, ...bodies.map((body) => body.points)])
-    for (let i = 0; i < list.length; ++i) include(i % 3, list[i] ?? 0);
-  const others = points.length > 0 || bodies.length > 0 ? points : background.nodes;
+  for (let i = 0; i < linePoints.length; ++i) include(i % 3, linePoints[i] ?? 0);
+  for (const { box } of surfaces)
+    for (const end of [box?.low, box?.high]) end?.forEach((x, axis) => include(axis, x));
+  const hasBodies = surfaces.length > 1;
+  const others = points.length > 0 || hasBodies ? points : background.nodes;
   if (others.length > 0)
     for (const axis of [0, 1, 2]) rangeAlong(others, axis).forEach((x) => include(axis, x));
   const [a = 0, b = 0, c = 0] = low.map((x) => (Number.isFinite(x) ? x : 0));
@@ -136,7 +198,7 @@ function addPlane(builder: SurfaceBuilder, { low, high }: Box, { axis, position 
       place[across] = at(across, position);
       place[u] = at(u, wide(i));
       place[v] = at(v, wide(j));
-      const corner = builder.add(place);
+      const corner = builder.add(...place);
       if (i < planeDivisions && j < planeDivisions) {
         builder.plane.push(corner, corner + row, corner + row + 1, corner, corner + row + 1, corner + 1);
       }
@@ -151,10 +213,10 @@ function addLines(
 ): void {
   for (const i of segmentsOf(lineOffsets)) {
     const [a, b] = [positionAt(linePoints, i), positionAt(linePoints, i + 1)];
-    const pieces = piecesOf(a, b, longest);
+    const pieces = piecesOf(distance(a, b), longest);
     for (let piece = 0; piece <= pieces; ++piece) {
-      const index = builder.add(mix(a, b, piece / pieces));
-      if (piece > 0) builder.segments.push(index - 1, index);
+      const index = builder.add(...mix(a, b, piece / pieces));
+      if (piece > 0) builder.addSegment(index - 1, index);
     }
   }
 }
@@ -167,54 +229,46 @@ function* segmentsOf(lineOffsets: Uint32Array): Generator<number> {
 }
 
 /** Divides each triangle evenly, by its longest edge. Triangles that stay whole share their corners. */
-function addTriangles(builder: SurfaceBuilder, { points, triangles }: Triangles, longest: number): void {
-  const known = new Map<number, number>();
+async function addTriangles(
+  builder: SurfaceBuilder,
+  { surface: { points, triangles }, longestEdges }: Facts,
+  longest: number,
+): Promise<void> {
+  /** Index + 1 of the position of each node; 0 if it has none yet. */
+  const known = new Uint32Array(points.length / 3);
   const shared = (node: number): number => {
-    const index = known.get(node) ?? builder.add(positionAt(points, node));
-    known.set(node, index);
+    const after = known[node] ?? 0;
+    if (after > 0) return after - 1;
+    const index = builder.add(points[3 * node] ?? 0, points[3 * node + 1] ?? 0, points[3 * node + 2] ?? 0);
+    known[node] = index + 1;
     return index;
   };
-  for (let t = 0; t + 2 < triangles.length; t += 3) {
-    const corners = cornersAt(points, triangles, t);
-    const pieces = piecesAlong(corners, longest);
-    if (pieces > 1) addDivided(builder, corners, pieces);
-    else builder.triangles.push(...[...triangles.subarray(t, t + 3)].map(shared));
-  }
+  await forEachInSlices(longestEdges.length, (t) => {
+    const [a, b, c] = [triangles[3 * t] ?? 0, triangles[3 * t + 1] ?? 0, triangles[3 * t + 2] ?? 0];
+    const pieces = piecesOf(longestEdges[t] ?? 0, longest);
+    if (pieces === 1) builder.addTriangle(shared(a), shared(b), shared(c));
+    else addDivided(builder, [positionAt(points, a), positionAt(points, b), positionAt(points, c)], pieces);
+  });
 }
+
+type Corners = readonly [Position, Position, Position];
 
 function addDivided(builder: SurfaceBuilder, [a, b, c]: Corners, pieces: number): void {
   let before: readonly number[] = [];
   for (let i = 0; i <= pieces; ++i) {
     const [from, to] = [mix(a, b, i / pieces), mix(a, c, i / pieces)];
-    const row = Array.from({ length: i + 1 }, (_, j) => builder.add(i === 0 ? a : mix(from, to, j / i)));
+    const row = Array.from({ length: i + 1 }, (_, j) => builder.add(...(i === 0 ? a : mix(from, to, j / i))));
     row.forEach((corner, j) => {
       const [next, above, beside] = [row[j + 1], before[j], before[j + 1]];
       if (next === undefined || above === undefined) return;
-      builder.triangles.push(above, corner, next);
-      if (beside !== undefined) builder.triangles.push(above, next, beside);
+      builder.addTriangle(above, corner, next);
+      if (beside !== undefined) builder.addTriangle(above, next, beside);
     });
     before = row;
   }
 }
 
-type Corners = readonly [Position, Position, Position];
-
-const cornersAt = (points: Float64Array, triangles: Uint32Array, t: number): Corners => [
-  positionAt(points, triangles[t] ?? 0),
-  positionAt(points, triangles[t + 1] ?? 0),
-  positionAt(points, triangles[t + 2] ?? 0),
-];
-
-const piecesAlong = ([a, b, c]: Corners, longest: number): number =>
-  Math.max(piecesOf(a, b, longest), piecesOf(b, c, longest), piecesOf(c, a, longest));
-
-/** Largest number of pieces of an edge. */
-const maxPieces = 64;
-
-function piecesOf(a: Position, b: Position, longest: number): number {
-  const length = Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-  return Math.min(maxPieces, Math.max(1, Math.ceil(length / longest) || 1));
-}
+const distance = (a: Position, b: Position): number => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 
 const positionAt = (list: Float64Array, index: number): Position => [
   list[3 * index] ?? 0,

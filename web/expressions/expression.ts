@@ -1,22 +1,22 @@
+import { LIMITS } from "tetrafront";
+
 /** Named numbers that an expression may use. */
 export type NamedNumbers = ReadonlyMap<string, number>;
 
 const noNames: NamedNumbers = new Map();
 
-/** Largest length of an expression in a project file, in characters. */
-export const maxExpressionLength = 1000;
-
 const tokenPattern = /\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?|[A-Za-z_][A-Za-z0-9_]*|[-+*/^()]|\S/g;
 const namePattern = /^[A-Za-z_]/;
 
 /**
- * Reads a number the way people type it: `0.25`, `1/3`, `2*pi`, `(1+2)/4`, `1e-3`, `-sqrt(2)/2`, `3^2`, `sin(30)`, `2*r` with
+ * Reads a number the way people type it: `0.25`, `1/3`, `2*pi`, `(1+2)/4`, `1e-3`, `-sqrt(2)/2`, `3^2`, `sin(30)`, `2*r`
+ * with
  * a number named `r`. Angles are in degrees. Names are case-sensitive; functions and constants are not.
  * Returns null for anything else, for a text that is too long or nested more than 200 deep, and for results that are not
  * finite.
  */
 export function readNumber(text: string, named: NamedNumbers = noNames): number | null {
-  const tokens = text.length > maxExpressionLength ? null : text.match(tokenPattern);
+  const tokens = text.length > LIMITS.expression ? null : text.match(tokenPattern);
   if (!tokens) return null;
   const reader = new ExpressionReader(tokens, named);
   const value = reader.sum();

@@ -21,7 +21,10 @@ export interface LensScene {
   readonly region: SearchRegion | null;
 }
 
-/** The base face with its normal, ideal point and search region, the element of a candidate, and what it crosses. Shows through everything. */
+/**
+ * The base face with its normal, ideal point and search region, the element of a candidate, and what it crosses. Shows
+ * through everything.
+ */
 export class LensLayer implements Layer {
   readonly root = new Group();
   readonly #base = new Facets("selection", 0.6);

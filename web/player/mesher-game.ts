@@ -69,7 +69,10 @@ function questionOf(front: PlanarFront, step: EdgeStep, level: GameLevel): GameQ
   return { front, step, nodes: nodes.sort((a, b) => a - b), program };
 }
 
-/** Judges a choice; null: a new node at the ideal point. By the recorded verdict if the program tried it, else by our own check. */
+/**
+ * Judges a choice; null: a new node at the ideal point. By the recorded verdict if the program tried it, else by our own
+ * check.
+ */
 export function judgeChoice(question: GameQuestion, node: number | null): GameVerdict {
   const { step, program } = question;
   if (node === program) return { kind: "best", edges: [], points: bestPoints };

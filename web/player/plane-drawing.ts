@@ -44,7 +44,10 @@ const squareAround = (x: number, y: number, size: number): PlaneWindow => ({
   size,
 });
 
-/** Returns the ellipse of all steps of the plane that are as long in space, in target sizes: half axes, and the angle of the first in degrees. */
+/**
+ * Returns the ellipse of all steps of the plane that are as long in space, in target sizes: half axes, and the angle of
+ * the first in degrees.
+ */
 export function ellipseOf({ metric: [xx, xy, yy] }: EdgeStep, length: number) {
   const mean = (xx + yy) / 2;
   const spread = Math.hypot((xx - yy) / 2, xy);

@@ -1,3 +1,4 @@
+import type { Draft } from "mutative";
 import { liveNotes, type Project } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { documentKey, shownMeshKey } from "../document/content-keys";
@@ -67,7 +68,13 @@ function stepOfProject(content: DocumentContent, change: Change<DocumentContent>
   const notes = Object.entries(liveNotes(step.present.project));
   const tidy = followedBy(step, { replace: notes.map(([key, list]) => [["project", key], list] as const) });
   const agreed = agreement(content.project, tidy.present.project);
-  return agreed ? followedBy(tidy, agreed) : tidy;
+  const last = agreed ? followedBy(tidy, agreed) : tidy;
+  return last.present.project.expressions?.length === 0 ? followedBy(last, { change: withoutList }) : last;
+}
+
+/** An empty list of expressions says nothing. */
+function withoutList({ project }: Draft<DocumentContent>): void {
+  delete project.expressions;
 }
 
 /** Returns a step and a further change as one step. */

@@ -100,9 +100,11 @@ export class SizeFeed {
     if (!preview) return;
     const abort = new AbortController();
     this.#abort = abort;
+    const isAborted = (): boolean => abort.signal.aborted;
     const { project, enabled, plane, bodies } = question;
-    const surface = enabled ? sizeSurface(project, preview, bodies, plane) : null;
     try {
+      const surface = enabled ? await sizeSurface(project, preview, bodies, plane) : null;
+      if (isAborted()) return;
       const [drawn, options] = engineInput(project);
       const mesher = await this.#mesher;
       const positions = surface?.points ?? new Float64Array();
@@ -110,7 +112,7 @@ export class SizeFeed {
       const { sizes, tetrahedra } = await mesher.sampleSizes(drawn, positions, given, {
         signal: abort.signal,
       });
-      if (abort.signal.aborted) return;
+      if (isAborted()) return;
       const hasSizes = surface !== null && sizes.length > 0;
       this.state.setState({
         expected: tetrahedra,
@@ -118,7 +120,7 @@ export class SizeFeed {
       });
     } catch {
       // A drawing that is not finished has no sizes; its problems say why.
-      if (!abort.signal.aborted) this.state.setState(nothing);
+      if (!isAborted()) this.state.setState(nothing);
     }
   }
 }
@@ -129,8 +131,10 @@ function sameQuestion(a: Question, b: Question): boolean {
 }
 
 function rangeOf(sizes: Float64Array): readonly [number, number] {
-  return [
-    sizes.reduce((low, size) => Math.min(low, size), Infinity),
-    sizes.reduce((high, size) => Math.max(high, size), 0),
-  ];
+  let [low, high] = [Infinity, 0];
+  for (const size of sizes) {
+    if (size < low) low = size;
+    if (size > high) high = size;
+  }
+  return [low, high];
 }

@@ -1,3 +1,5 @@
+import { LIMITS } from "tetrafront";
+
 /** Names of the steps of undo: verb and object. */
 export const stepNames = {
   move: (entity: string) => `Move ${entity}`,
@@ -102,6 +104,7 @@ export const parameterProblems = {
   name: "Use letters, digits and underscores, and begin with a letter",
   reserved: (name: string) => `"${name}" is a function or a constant`,
   taken: (name: string) => `There is already a parameter ${name}`,
+  longer: (name: string) => `With ${name}, an expression has more than ${LIMITS.expression} characters`,
   expression: "Enter a number or a formula, such as 2*r",
   cycle: (name: string) => `Uses ${name} itself`,
 } as const;

@@ -2,12 +2,12 @@ import type { BodyPlacement, Project } from "tetrafront";
 import type { DrawnSurface } from "../document/drawn-surface";
 import { entityKey, type Entity } from "../document/entities";
 import type { LinePath } from "../document/line-paths";
-import { isInside, type Flat } from "../document/planar-loops";
 import { placed } from "../document/placement";
 import type { Position } from "../document/position";
 import type { ViewState } from "../document/selection";
 import { drawnOf, type ShownBody } from "../viewer/shown-bodies";
 import type { ScreenPoint } from "../viewer/screen";
+import { boxAround, OutlineArea, type Place } from "./outline-area";
 
 /** A box or lasso on the screen. */
 export interface Outline {
@@ -31,6 +31,14 @@ export function outlineOf(corners: readonly ScreenPoint[]): Outline {
 /** An entity with the polylines that it consists of; a point has one position. */
 export interface ShownEntity {
   readonly entity: Entity;
+  readonly paths: Iterable<readonly Position[]>;
+  /** Boxes around parts of it, and the polylines of each; without them, `paths` is its only part. */
+  readonly parts?: Iterable<ShownPart>;
+}
+
+/** Polylines, and the corners of a box around them. */
+interface ShownPart {
+  readonly corners: readonly Position[];
   readonly paths: Iterable<readonly Position[]>;
 }
 
@@ -72,24 +80,55 @@ export function shownEntities(
   return hidden.size === 0 ? shown : shown.filter(({ entity }) => !hidden.has(entityKey(entity)));
 }
 
-/** Returns the entities inside an outline, or also those that it touches. O(positions). */
+/**
+ * Returns the entities inside an outline, or also those that it touches. O(positions + points of the outline): parts of
+ * bodies that appear wholly inside or outside are not looked at.
+ */
 export function entitiesWithin(
   { points, touching }: Outline,
   shown: readonly ShownEntity[],
   toScreen: (position: Position) => ScreenPoint | null,
+  area = new OutlineArea(points),
 ): Entity[] {
-  const polygon = points.map(({ x, y }): Flat => [x, y]);
-  const isIn = (at: ScreenPoint | null): boolean => at !== null && isInside([at.x, at.y], polygon);
-  const isFound = (paths: Iterable<readonly Position[]>): boolean => {
-    let isEmpty = true;
+  const isIn = (at: ScreenPoint | null): boolean => at !== null && area.contains(at);
+  const isCrossed = (seen: readonly (ScreenPoint | null)[]): boolean =>
+    seen.some((b, i) => {
+      const a = seen[i - 1];
+      return a != null && b !== null && area.crosses(a, b);
+    });
+  /** Returns whether paths decide the answer: one is touched, or one is not inside. */
+  const isDecided = (paths: Iterable<readonly Position[]>): boolean => {
     for (const path of paths) {
       const seen = path.map(toScreen);
-      if (touching ? seen.some(isIn) || crosses(seen, points) : !seen.every(isIn)) return touching;
-      isEmpty &&= seen.length === 0;
+      if (touching ? seen.some(isIn) || isCrossed(seen) : !seen.every(isIn)) return true;
+    }
+    return false;
+  };
+  const placeOf = (corners: readonly Position[]): Place => {
+    const seen = corners.map(toScreen);
+    const isSeen = (at: ScreenPoint | null): at is ScreenPoint => at !== null;
+    return seen.every(isSeen) ? area.placeOf(boxAround(seen)) : "mixed";
+  };
+  const isPartDecided = ({ corners, paths }: ShownPart): boolean => {
+    const place = placeOf(corners);
+    if (place === "mixed") return isDecided(paths);
+    return (place === "inside") === touching;
+  };
+  const isFound = ({ paths, parts }: ShownEntity): boolean => {
+    if (!parts) return isDecided(paths) ? touching : !touching && hasPositions(paths);
+    let isEmpty = true;
+    for (const part of parts) {
+      if (isPartDecided(part)) return touching;
+      isEmpty = false;
     }
     return !touching && !isEmpty;
   };
-  return shown.flatMap(({ entity, paths }) => (isFound(paths) ? [entity] : []));
+  return shown.flatMap((one) => (isFound(one) ? [one.entity] : []));
+}
+
+function hasPositions(paths: Iterable<readonly Position[]>): boolean {
+  for (const path of paths) if (path.length > 0) return true;
+  return false;
 }
 
 /** Returns the bodies that are shown, each with the border of every triangle that is drawn. */
@@ -102,38 +141,75 @@ export function outlinedBodies(
     const entity = { kind: "body", id: body.id } as const;
     if (hidden.has(entityKey(entity))) return [];
     const { drawn, placement } = drawnOf(body, bodySurface);
-    return drawn ? [{ entity, paths: { [Symbol.iterator]: () => borders(drawn, placement) } }] : [];
+    if (!drawn) return [];
+    const every = { [Symbol.iterator]: () => borders(drawn, placement, 0, drawn.corners.length) };
+    const parts = { [Symbol.iterator]: () => partsOf(drawn, placement) };
+    return [{ entity, paths: every, parts }];
   });
 }
 
-/** Gives the corners of each triangle, the first one again at the end. */
-function* borders(
-  { centre, corners }: DrawnSurface,
-  placement: BodyPlacement | undefined,
-): Generator<readonly Position[]> {
-  const cornerAt = (i: number): Position => {
-    const at = centre.map((x, k) => x + (corners[i + k] ?? 0)) as [number, number, number];
+/** Number of triangles in a part of a body: those that follow each other are mostly near each other. */
+const trianglesPerPart = 64;
+
+/** Lowest and highest coordinates of the parts of surfaces, x y z x y z each, relative to their centre. */
+const partBoxes = new WeakMap<DrawnSurface, Float32Array>();
+
+function boxesOf(drawn: DrawnSurface): Float32Array {
+  const known = partBoxes.get(drawn);
+  if (known) return known;
+  const { corners } = drawn;
+  const perPart = 9 * trianglesPerPart;
+  const boxes = new Float32Array(6 * Math.ceil(corners.length / perPart));
+  for (let box = 0; box < boxes.length; box += 6) {
+    boxes.fill(Infinity, box, box + 3).fill(-Infinity, box + 3, box + 6);
+    const start = (box / 6) * perPart;
+    for (let i = start; i < Math.min(start + perPart, corners.length); ++i) {
+      const [low, high, x] = [box + (i % 3), box + 3 + (i % 3), corners[i] ?? 0];
+      if (x < (boxes[low] ?? 0)) boxes[low] = x;
+      if (x > (boxes[high] ?? 0)) boxes[high] = x;
+    }
+  }
+  partBoxes.set(drawn, boxes);
+  return boxes;
+}
+
+/** Gives the parts of a body. */
+function* partsOf(drawn: DrawnSurface, placement: BodyPlacement | undefined): Generator<ShownPart> {
+  const boxes = boxesOf(drawn);
+  const toModel = placer(drawn, placement);
+  const perPart = 9 * trianglesPerPart;
+  for (let part = 0; 6 * part < boxes.length; ++part) {
+    const end = (corner: number, axis: number): number =>
+      boxes[6 * part + axis + 3 * ((corner >> axis) & 1)] ?? 0;
+    const corners = Array.from({ length: 8 }, (_, corner) =>
+      toModel(end(corner, 0), end(corner, 1), end(corner, 2)),
+    );
+    const last = Math.min((part + 1) * perPart, drawn.corners.length);
+    yield { corners, paths: borders(drawn, placement, part * perPart, last) };
+  }
+}
+
+/** Returns a function that gives the position of a corner of a drawn surface. */
+function placer({ centre }: DrawnSurface, placement: BodyPlacement | undefined) {
+  return (x: number, y: number, z: number): Position => {
+    const at: Position = [centre[0] + x, centre[1] + y, centre[2] + z];
     return placement ? placed(at, placement) : at;
   };
-  for (let i = 0; i < corners.length; i += 9) {
+}
+
+/** Gives the corners of each triangle of a range of corners, the first one again at the end. */
+function* borders(
+  drawn: DrawnSurface,
+  placement: BodyPlacement | undefined,
+  start: number,
+  end: number,
+): Generator<readonly Position[]> {
+  const { corners } = drawn;
+  const toModel = placer(drawn, placement);
+  const cornerAt = (i: number): Position =>
+    toModel(corners[i] ?? 0, corners[i + 1] ?? 0, corners[i + 2] ?? 0);
+  for (let i = start; i < end; i += 9) {
     const [a, b, c] = [cornerAt(i), cornerAt(i + 3), cornerAt(i + 6)];
     yield [a, b, c, a];
   }
 }
-
-/** Returns whether a polyline crosses a closed polygon. */
-function crosses(path: readonly (ScreenPoint | null)[], polygon: readonly ScreenPoint[]): boolean {
-  return path.slice(1).some((b, i) => {
-    const a = path[i];
-    if (!a || !b) return false;
-    return polygon.some((c, k) => segmentsCross(a, b, c, polygon[(k + 1) % polygon.length] ?? c));
-  });
-}
-
-function segmentsCross(a: ScreenPoint, b: ScreenPoint, c: ScreenPoint, d: ScreenPoint): boolean {
-  return side(a, b, c) !== side(a, b, d) && side(c, d, a) !== side(c, d, b);
-}
-
-/** Returns whether c lies to the left of the way from a to b. */
-const side = (a: ScreenPoint, b: ScreenPoint, c: ScreenPoint): boolean =>
-  (b.x - a.x) * (c.y - a.y) > (b.y - a.y) * (c.x - a.x);

@@ -39,7 +39,8 @@ const hoverDelay = 80;
 
 /**
  * A click selects. A double click edits an entity; by a finger, or on anything else, it fits the view. A drag selects what
- * lies within a box or, with Alt, a lasso. A resting pointer highlights the entity under it. After a click, Tab goes through all that lies under the pointer.
+ * lies within a box or, with Alt, a lasso. A resting pointer highlights the entity under it. After a click, Tab goes through
+ * all that lies under the pointer.
  */
 export class SelectTool implements Tool {
   readonly id = "select";

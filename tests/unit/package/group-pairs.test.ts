@@ -28,7 +28,10 @@ async function passedThrough(given: FileMesh, extension: string): Promise<FileMe
   return read.value;
 }
 
-/** "side a: 3" per group, with the number of its elements and the sum of the positions of their corners, which tell which they are. */
+/**
+ * "side a: 3" per group, with the number of its elements and the sum of the positions of their corners, which tell which
+ * they are.
+ */
 function groupsOf(given: FileMesh, kind: "patches" | "regions"): string[] {
   const [nodes, owners, width] =
     kind === "patches"

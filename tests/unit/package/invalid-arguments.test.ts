@@ -314,8 +314,8 @@ async function errorsOf(call: () => unknown): Promise<readonly ReportedError[] |
 }
 
 /**
- * Functions tested elsewhere: `readTrace` and `loadTrace` with damaged files (trace.test.ts); `recordTrace` passes its arguments on to methods
- * of the mesher; `liveNotes` takes a project that was checked.
+ * Functions tested elsewhere: `readTrace` and `loadTrace` with damaged files (trace.test.ts); `recordTrace` passes its
+ * arguments on to methods of the mesher; `liveNotes` takes a project that was checked.
  */
 const TESTED_ELSEWHERE = [
   "MesherError",

@@ -194,10 +194,10 @@ describe("groups and expressions", () => {
     const documents = new DocumentStore(noted, () => 0);
     documents.edit(deleteEntities(noted, [{ kind: "point", id }]));
     expect(documents.project.groups).toEqual([{ id: 1, name: "corner", members: [] }]);
-    expect(documents.project.expressions).toEqual([]);
+    expect(documents.project.expressions).toBeUndefined();
     documents.undo();
     expect(documents.project).toEqual(noted);
     documents.redo();
-    expect(documents.project.expressions).toEqual([]);
+    expect(documents.project.expressions).toBeUndefined();
   });
 });

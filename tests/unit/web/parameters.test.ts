@@ -8,6 +8,7 @@ import {
   nameProblem,
   removeParameter,
   renameParameter,
+  renameProblem,
   setParameter,
 } from "../../../web/document/parameters";
 import { setSourceField } from "../../../web/document/size-edits";
@@ -133,16 +134,36 @@ describe("parameters", () => {
     expect(documents.project.expressions).toEqual([{ ...x, expression: "(-3)" }]);
   });
 
-  it("give way to their values where a longer name would make an expression too long for the file", () => {
+  it("are not renamed if an expression would become too long for the file", () => {
     const { documents, moveTo, xNow } = opened();
     const sum = Array.from({ length: 100 }, () => "d").join("+");
     documents.edit(addParameter("d", "0.5"));
     documents.edit(addParameter("r", sum));
     moveTo(50, sum);
-    documents.edit(renameParameter("d", "diameter_of_the_inlet"));
+    // 99 operators and 100 names.
+    expect(renameProblem(documents.project, "d", "d".repeat(9))).toBeNull();
+    expect(renameProblem(documents.project, "d", "d".repeat(10))).toMatch(/1000 characters/);
+    documents.edit(renameParameter("d", "d".repeat(10)));
     expect(documents.project.parameters?.[1]).toEqual({ name: "r", expression: "50" });
-    expect(documents.project.expressions ?? []).toEqual([]);
+    expect(documents.project.expressions).toBeUndefined();
     expect(xNow()).toBe(50);
+    expect(readProject(writeProject(documents.project)).success).toBe(true);
+  });
+
+  it("leave a project that can be read when one is removed whose value is longer than its name", () => {
+    const { documents, moveTo, xNow } = opened();
+    const sum = Array.from({ length: 100 }, () => "d").join("+");
+    documents.edit(addParameter("d", "1/3"));
+    documents.edit(addParameter("r", sum));
+    documents.edit(addParameter("none", `${sum}+unknown`));
+    moveTo(100 / 3, sum);
+    const before = xNow();
+    documents.edit(removeParameter(documents.project, "d"));
+    const [r, none] = documents.project.parameters ?? [];
+    expect(Number(r?.expression)).toBeCloseTo(100 / 3, 12);
+    expect(none?.expression).toBe(`${sum}+unknown`);
+    expect(documents.project.expressions).toBeUndefined();
+    expect(xNow()).toBe(before);
     expect(readProject(writeProject(documents.project)).success).toBe(true);
   });
 });
@@ -207,7 +228,7 @@ describe("the expression of a number", () => {
     const { documents, moveTo } = opened();
     moveTo(1, "2/2");
     documents.edit(deleteEntities(documents.project, [{ kind: "point", id }]));
-    expect(documents.project.expressions).toEqual([]);
+    expect(documents.project.expressions).toBeUndefined();
   });
 
   it("never gives a number a value that the file would not allow", () => {

@@ -24,8 +24,8 @@ function areaOf({ points }: { readonly points: Float64Array }, triangles: Uint32
   return area;
 }
 
-it("divides lines and patches into pieces that cover them", () => {
-  const surface = sizeSurface(emptyProject(), samples, [], null);
+it("divides lines and patches into pieces that cover them", async () => {
+  const surface = await sizeSurface(emptyProject(), samples, [], null);
   expect(areaOf(surface, surface.triangles)).toBeCloseTo(8, 9);
   expect(surface.plane).toHaveLength(0);
   let length = 0;
@@ -38,9 +38,9 @@ it("divides lines and patches into pieces that cover them", () => {
   expect(length).toBeCloseTo(4, 9);
 });
 
-it("lays a plane across the model, a little larger than it", () => {
+it("lays a plane across the model, a little larger than it", async () => {
   const { low, high } = { low: [0, 0, 0], high: [4, 4, 0] };
-  const surface = sizeSurface(emptyProject(), samples, [], { axis: "z", position: 0.5 });
+  const surface = await sizeSurface(emptyProject(), samples, [], { axis: "z", position: 0.5 });
   expect(areaOf(surface, surface.plane)).toBeCloseTo(16 * 1.16 ** 2, 6);
   const corners = [...surface.plane].map((node) => [...surface.points.subarray(3 * node, 3 * node + 3)]);
   for (const axis of [0, 1]) {
@@ -50,10 +50,10 @@ it("lays a plane across the model, a little larger than it", () => {
   }
 });
 
-it("covers prepared bodies, and lays the plane across them", () => {
+it("covers prepared bodies, and lays the plane across them", async () => {
   const { points, triangles } = boxSurface(1, [10, 10, 10], [12, 12, 12]);
   const body = { body: 7, points, triangles };
-  const surface = sizeSurface(emptyProject(), preview([]), [body], { axis: "z", position: 0.5 });
+  const surface = await sizeSurface(emptyProject(), preview([]), [body], { axis: "z", position: 0.5 });
   expect(surface.bodies).toEqual([7]);
   expect(areaOf(surface, surface.triangles)).toBeCloseTo(24, 9);
   expect(areaOf(surface, surface.plane)).toBeCloseTo(4 * 1.16 ** 2, 6);
@@ -61,19 +61,19 @@ it("covers prepared bodies, and lays the plane across them", () => {
   expect(z).toBe(11);
 });
 
-it("covers a model with too many patches and lines, with longer pieces", () => {
+it("covers a model with too many patches and lines, with longer pieces", async () => {
   const patches = Array.from({ length: 8000 }, (_, k) => [0, 0, k, 1000, 0, k, 0, 1000, k]);
-  const surface = sizeSurface(emptyProject(), preview([[0, 0, 0, 4000, 0, 0]], patches), [], null);
+  const surface = await sizeSurface(emptyProject(), preview([[0, 0, 0, 4000, 0, 0]], patches), [], null);
   expect(areaOf(surface, surface.triangles) / (8000 * 5e5)).toBeCloseTo(1, 9);
   expect(surface.points.length / 3).toBeLessThanOrEqual(60_000);
   // Not all the way down to one piece, if that is not needed.
   expect(surface.triangles.length / 3).toBeGreaterThan(8000);
 });
 
-it("covers a body with more nodes than positions", () => {
+it("covers a body with more nodes than positions", async () => {
   const { points, triangles } = boxSurface(110);
   expect(points.length / 3).toBeGreaterThan(60_000);
-  const surface = sizeSurface(emptyProject(), preview([]), [{ body: 1, points, triangles }], null);
+  const surface = await sizeSurface(emptyProject(), preview([]), [{ body: 1, points, triangles }], null);
   expect(areaOf(surface, surface.triangles)).toBeCloseTo(6, 9);
   expect(surface.points).toHaveLength(points.length);
 });
@@ -85,4 +85,29 @@ it("colours the smallest size by the first colour, the largest by the last, and 
   expect([...rgb].map((value) => Math.round(100 * value))).toEqual([0, 0, 0, 50, 50, 50, 100, 100, 100]);
   // One size everywhere has one colour.
   expect(new Set(sizeColors({ sizes: Float64Array.of(2, 2), range: [2, 2] }, ramp)).size).toBe(1);
+});
+
+it("keeps the facts of a body while the plane moves, and lets the page act in between", async () => {
+  const { points, triangles } = boxSurface(40);
+  const reads = { points: 0 };
+  const counted = new Proxy(points, {
+    get: (target, key) => {
+      if (typeof key === "string" && /^\d+$/.test(key)) ++reads.points;
+      return Reflect.get(target, key, target) as unknown;
+    },
+  });
+  const body = { body: 1, points: counted, triangles };
+  const surface = (position: number) =>
+    sizeSurface(emptyProject(), preview([]), [body], { axis: "z", position });
+  let turns = 0;
+  const timer = setInterval(() => ++turns, 0);
+  await surface(0.2);
+  expect(turns).toBeGreaterThan(0);
+  const first = reads.points;
+  const moved = await surface(0.8);
+  clearInterval(timer);
+  // Each node is read once more, for the positions; its triangles are not measured again.
+  expect(reads.points - first).toBe(points.length);
+  expect(first).toBeGreaterThan(3 * triangles.length);
+  expect(moved.points).toHaveLength(points.length + 3 * 49 ** 2);
 });

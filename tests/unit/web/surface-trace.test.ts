@@ -51,7 +51,10 @@ const doubleArea = (front: PlanarFront, edges: readonly (readonly [number, numbe
     }),
   );
 
-/** Returns what is wrong with the verdicts of a step: the accepted candidate comes last and all others fail for the reason given. */
+/**
+ * Returns what is wrong with the verdicts of a step: the accepted candidate comes last and all others fail for the reason
+ * given.
+ */
 function wrongIn(front: PlanarFront, step: EdgeStep): string[] {
   const target = targetLength(front, step);
   const present = edgesAt(front, step.step - 1);

@@ -48,8 +48,8 @@ export interface SizeSamples {
    */
   readonly sizes: Float64Array;
   /**
-   * Expected number of tetrahedra of the mesh, within about a third, with bodies within a factor of two; null if the project encloses no volume or has no
-   * valid sizes, and if a body is not among `preparedBodies`.
+   * Expected number of tetrahedra of the mesh, within about a third, with bodies within a factor of two; null if the
+   * project encloses no volume or has no valid sizes, and if a body is not among `preparedBodies`.
    */
   readonly tetrahedra: number | null;
 }

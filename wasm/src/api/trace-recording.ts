@@ -22,9 +22,10 @@ export type RecordingOptions = (MeshOptions | ProjectMeshOptions) & {
 };
 
 /**
- * Meshes a project or fills a surface, and records every step: of the lines, of the patches and of the front in the volume. The mesh is that of `meshProject` or
- * `fillSurface`, bit for bit; `optimization: "none"` saves the time of its optimization, which is not part of the trace. A
- * step takes about 40 bytes, in a stretched size field 60. Ends and rejects as these calls do.
+ * Meshes a project or fills a surface, and records every step: of the lines, of the patches and of the front in the
+ * volume. The mesh is that of `meshProject` or `fillSurface`, bit for bit; `optimization: "none"` saves the time of its
+ * optimization, which is not part of the trace. A step takes about 40 bytes, in a stretched size field 60. Ends and
+ * rejects as these calls do.
  *
  *     const { trace } = await recordTrace(mesher, project, { optimization: "none" });
  *     const read = trace && readTrace(trace);

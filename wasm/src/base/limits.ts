@@ -9,7 +9,7 @@ export const limitText = (limit: number): string => String(limit).replace("+", "
  */
 export const STEP_HEIGHT = 1 / 4096;
 
-/** Limits of numeric options. */
+/** Largest values of numeric options, and the largest length of an expression. */
 export const LIMITS = {
   /**
    * Sizes and distances, in model units; the engine cannot compute with larger ones, nor with larger coordinates.
@@ -26,4 +26,6 @@ export const LIMITS = {
    * million.
    */
   maxDiagnostics: 1_000_000,
+  /** Number of characters of an expression in a project. */
+  expression: 1000,
 } as const;

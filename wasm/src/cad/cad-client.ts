@@ -21,8 +21,8 @@ export function secondsFor(bytes: number): number {
 }
 
 /**
- * Resolves with the reply of the worker; a crash of the worker and the end of its time are replies, too. Rejects with a `MesherError` of
- * code `cancelled` if the signal is aborted.
+ * Resolves with the reply of the worker; a crash of the worker and the end of its time are replies, too. Rejects with a
+ * `MesherError` of code `cancelled` if the signal is aborted.
  */
 export async function askForCad(
   request: Omit<CadRequest, "library">,

@@ -38,8 +38,8 @@ export function lengthInFile(length: number, { scale = 1, units, fileUnits = "mm
 
 /**
  * Returns the mesh in the wanted unit. Coordinates are multiplied by a whole number, divided by another one, and multiplied by
- * the scale: millimetres become metres like the decimal number. Converts the points that mark regions, their volumes, and values at nodes named `size`. Throws a ReadFailure if the file's
- * unit is unknown or contradicts the options.
+ * the scale: millimetres become metres like the decimal number. Converts the points that mark regions, their volumes, and
+ * values at nodes named `size`. Throws a ReadFailure if the file's unit is unknown or contradicts the options.
  */
 export function* inUnits(mesh: FileMesh, { scale = 1, units, fileUnits }: LengthOptions): Steps<FileMesh> {
   if (mesh.unit !== undefined && fileUnits !== undefined && fileUnits !== mesh.unit) {

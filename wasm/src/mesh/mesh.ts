@@ -26,7 +26,10 @@ export interface RegionPoint {
   readonly maxVolume?: number | undefined;
 }
 
-/** Points of a file that mark the regions and holes of a model: every volume that its triangles enclose is a region or a hole. */
+/**
+ * Points of a file that mark the regions and holes of a model: every volume that its triangles enclose is a region or a
+ * hole.
+ */
 export interface RegionPoints {
   readonly holes: readonly Pick<RegionPoint, "number" | "position">[];
   readonly regions: readonly RegionPoint[];

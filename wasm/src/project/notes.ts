@@ -3,6 +3,7 @@
  * computed. Meshing ignores all of them.
  */
 import * as v from "valibot";
+import { LIMITS } from "../base/limits.js";
 import { shown } from "../base/values.js";
 import { objectWith } from "../calls/schemas.js";
 import {
@@ -39,10 +40,7 @@ const NUMBER_FIELDS: Readonly<Record<ExpressionKind, RegExp>> = {
 /** Name of a parameter. */
 const PARAMETER_NAME = /^[A-Za-z_][A-Za-z0-9_]*$/;
 
-/** Largest length of an expression, in characters. */
-const MAX_EXPRESSION = 1000;
-
-const expression = v.pipe(v.string(), v.regex(/\S/, "an expression"), v.maxLength(MAX_EXPRESSION));
+const expression = v.pipe(v.string(), v.regex(/\S/, "an expression"), v.maxLength(LIMITS.expression));
 
 export const groupSchema = v.pipe(
   objectWith({

@@ -217,7 +217,10 @@ export interface AcceptedEdgeEvent extends IdealEvent {
   readonly node: number | undefined;
   /** Position of a new node minus that of the base edge's first node. */
   readonly offset: Triple | undefined;
-  /** For the edges to the apex and from it: whether an edge of the front is closed, or one joins; and its number minus that of the base edge. */
+  /**
+   * For the edges to the apex and from it: whether an edge of the front is closed, or one joins; and its number minus
+   * that of the base edge.
+   */
   readonly edges: readonly { readonly isClosed: boolean; readonly edge: number }[];
 }
 

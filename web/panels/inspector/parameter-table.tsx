@@ -9,6 +9,7 @@ import {
   nameProblem,
   removeParameter,
   renameParameter,
+  renameProblem,
   setParameter,
   usesOf,
 } from "../../document/parameters";
@@ -62,7 +63,7 @@ function ParameterRow({ parameter: { name, expression } }: { readonly parameter:
           value={name}
           placeholder={name}
           testId={`parameter-name-${name}`}
-          refuse={(next) => nameProblem(project, next, name)}
+          refuse={(next) => renameProblem(project, name, next)}
           onCommit={(next) => documents.edit(renameParameter(name, next))}
         />
       </td>

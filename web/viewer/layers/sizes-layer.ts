@@ -9,6 +9,7 @@ import {
   Mesh,
   MeshBasicMaterial,
 } from "three";
+import type { Position } from "../../document/position";
 import type { ShownSizes } from "../../session/size-feed";
 import type { SceneChanges } from "../scene-state";
 import type { Layer } from "./layer";
@@ -40,8 +41,7 @@ export class SizesLayer implements Layer {
     const { shownSizes, origin, colors } = changes.state;
     this.root.visible = shownSizes !== null;
     if (!shownSizes || !changes.has("shownSizes", "origin", "colors")) return;
-    const local = Float32Array.from(shownSizes.points, (x, i) => x - (origin[i % 3] ?? 0));
-    const position = new BufferAttribute(local, 3);
+    const position = new BufferAttribute(relativeTo(origin, shownSizes.points), 3);
     const color = new BufferAttribute(sizeColors(shownSizes, colors.ramp), 3);
     // Patches let the plane be seen that lies behind them.
     const hasPlane = shownSizes.plane.length > 0;
@@ -68,21 +68,46 @@ export class SizesLayer implements Layer {
   }
 }
 
+/** Returns x y z of each position relative to an origin. A plain loop: bodies have millions of positions. */
+function relativeTo(origin: Position, points: Float64Array): Float32Array {
+  const relative = new Float32Array(points.length);
+  for (let i = 0; i < points.length; i += 3) {
+    relative[i] = (points[i] ?? 0) - origin[0];
+    relative[i + 1] = (points[i + 1] ?? 0) - origin[1];
+    relative[i + 2] = (points[i + 2] ?? 0) - origin[2];
+  }
+  return relative;
+}
+
+/** Number of colours between the smallest size and the largest. */
+const shades = 1024;
+
 /** Returns r g b per position: the smallest size has the first colour, the largest the last, evenly by their ratio. */
 export function sizeColors(
   { sizes, range: [low, high] }: Pick<ShownSizes, "sizes" | "range">,
   ramp: readonly string[],
 ): Float32Array {
-  const colors = ramp.map((color) => new Color(color));
-  const [last, extent] = [colors.length - 1, Math.log(high / low)];
+  const table = shadesOf(ramp.map((color) => new Color(color)));
+  const extent = Math.log(high / low);
   const rgb = new Float32Array(3 * sizes.length);
-  const mixed = new Color();
-  sizes.forEach((size, i) => {
-    const share = extent > 0 ? Math.log(size / low) / extent : 0.5;
-    const at = Math.min(last, Math.max(0, share * last));
-    const first = colors[Math.floor(at)];
-    const second = colors[Math.ceil(at)];
-    if (first && second) mixed.lerpColors(first, second, at - Math.floor(at)).toArray(rgb, 3 * i);
-  });
+  for (let i = 0; i < sizes.length; ++i) {
+    const share = extent > 0 ? Math.log((sizes[i] ?? low) / low) / extent : 0.5;
+    const at = 3 * Math.round(Math.min(1, Math.max(0, share)) * shades);
+    rgb[3 * i] = table[at] ?? 0;
+    rgb[3 * i + 1] = table[at + 1] ?? 0;
+    rgb[3 * i + 2] = table[at + 2] ?? 0;
+  }
   return rgb;
+}
+
+/** Returns r g b of colours evenly spaced along a ramp, both ends included. */
+function shadesOf(ramp: readonly Color[]): Float32Array {
+  const table = new Float32Array(3 * (shades + 1));
+  const mixed = new Color();
+  for (let shade = 0; shade <= shades; ++shade) {
+    const at = (shade / shades) * (ramp.length - 1);
+    const [first, second] = [ramp[Math.floor(at)], ramp[Math.ceil(at)]];
+    if (first && second) mixed.lerpColors(first, second, at - Math.floor(at)).toArray(table, 3 * shade);
+  }
+  return table;
 }
