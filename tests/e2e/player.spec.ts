@@ -102,14 +102,16 @@ test("lines and patches are played before the volume, with the plane beside spac
   await page.getByTestId("player-start").click();
   await expect(phase).toHaveText("Patches");
   await expect(plane).toBeVisible();
-  await expect(sentence).toContainText("Patch 1 begins");
+  await expect(plane).toContainText("Plane of patch “left”");
+  await expect(sentence).toContainText("Patch “left” begins");
   const edges = Number(await viewport.getAttribute("data-front-faces"));
   expect(edges).toBeGreaterThan(8);
   const width = (await page.getByTestId("viewport-canvas").boundingBox())?.width ?? 0;
   await page.getByTestId("player-forward").click();
   await expect(sentence).toContainText("makes a triangle over the base edge");
   await expect(page.getByTestId("lens-formula").locator("math").first()).toBeAttached();
-  await page.getByTestId("player-kind").selectOption("too-close");
+  // Fronts of patches have edges, not faces.
+  await page.getByTestId("player-kind").selectOption({ label: "new node too close to an edge" });
   await page.getByTestId("player-next").click();
   await expect(sentence).toContainText(/would be too close to edge \d+/);
   await page.getByTestId("plane-zoom").getByText("Base edge").click();
@@ -117,9 +119,9 @@ test("lines and patches are played before the volume, with the plane beside spac
 
   await page.getByTestId("player-kind").selectOption("patch");
   await page.getByTestId("player-next").click();
-  await expect(sentence).toContainText("Patch 2 begins");
+  await expect(sentence).toContainText("Patch “right” begins");
   await page.getByTestId("player-start").click();
-  await expect(sentence).toContainText("Patch 1 begins");
+  await expect(sentence).toContainText("Patch “left” begins");
   await page.getByTestId("player-start").click();
   await expect(phase).toHaveText("Lines");
   await expect(page.getByTestId("lens")).toContainText("the lines are not divided yet");
@@ -176,6 +178,12 @@ test("the lens says why a candidate was refused, with the numbers of the crossin
   await page.getByTestId("player-kind").selectOption("crosses");
   await page.getByTestId("player-next").click();
   await expect(page.getByTestId("lens-sentence")).toContainText(/was refused: .*face/);
+  const canvas = page.getByTestId("viewport-canvas");
+  const before = await canvas.screenshot();
+  await page.getByTestId("player-region").check();
+  await expect.poll(async () => (await canvas.screenshot()).equals(before)).toBe(false);
+  await page.getByTestId("player-region").uncheck();
+  await expect.poll(async () => (await canvas.screenshot()).equals(before)).toBe(true);
   await page.getByTestId("player-kind").selectOption("recovery");
   await page.getByTestId("player-next").click();
   await expect(lens).toContainText("elements around a pocket are removed");

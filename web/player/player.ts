@@ -2,6 +2,7 @@ import { loadTrace, type FrontOrder, type Mesher, type Progress, type Trace } fr
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { settledProject, type DocumentStore } from "../session/document-store";
 import type { MeshRun } from "../session/run";
+import { entityLabels, type EntityLabels } from "./entity-labels";
 import { firstState, phaseEnd, phaseStart } from "./phases";
 import { Playback } from "./playback";
 import { recordProject, type PreparedOf, type Recorded } from "./recording";
@@ -23,6 +24,8 @@ export interface PlayerState {
   readonly failure: readonly string[] | null;
   /** The trace that the view shows; null if it shows the model and its mesh. */
   readonly trace: Trace | null;
+  /** What lines and patches of the recorded model are called; null for a trace from a file. */
+  readonly labels: EntityLabels | null;
   /** Whether the trace was opened from a file: it may belong to another model. */
   readonly isOpened: boolean;
   /** The trace as a file. */
@@ -59,6 +62,7 @@ const initialState: PlayerState = {
   reading: null,
   failure: null,
   trace: null,
+  labels: null,
   isOpened: false,
   file: null,
   step: 0,
@@ -87,6 +91,8 @@ export class Player {
   readonly state: StoreApi<PlayerState> = createStore<PlayerState>(() => initialState);
   readonly #options: PlayerOptions;
   readonly #playback = new Playback((steps) => this.#advance(steps));
+  /** Labels of the recorded traces. */
+  readonly #labels = new WeakMap<Trace, EntityLabels>();
   #abort: AbortController | null = null;
 
   constructor(options: PlayerOptions) {
@@ -133,6 +139,7 @@ export class Player {
     }
     const trace = await this.#read(recorded.file);
     if (!trace) return null;
+    this.#labels.set(trace, entityLabels(project));
     this.show(trace, recorded.file);
     return { ...recorded, trace };
   }
@@ -271,7 +278,17 @@ export class Player {
 
   #show(trace: Trace, file: Uint8Array<ArrayBuffer>, isOpened: boolean): void {
     this.pause();
-    this.state.setState({ trace, file, isOpened, step: 0, loop: null, candidate: null, failure: null });
+    const labels = this.#labels.get(trace) ?? null;
+    this.state.setState({
+      trace,
+      labels,
+      file,
+      isOpened,
+      step: 0,
+      loop: null,
+      candidate: null,
+      failure: null,
+    });
   }
 
   /** Plays a number of steps: up to the next stop, the end of the loop, or the end. */

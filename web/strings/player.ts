@@ -19,20 +19,27 @@ const changes: Readonly<Record<FrontChange, string>> = {
   "exact-fill": "A pocket is filled exactly, with extra points where needed.",
 };
 
+/** Kinds of steps, in a front of faces or of edges. */
+const stopsOf = (unit: "face" | "edge", one: string) =>
+  ({
+    postponed: `postponed ${unit}`,
+    behind: `candidate behind the base ${unit}`,
+    crosses: `candidate that crosses ${one}`,
+    "too-close": `new node too close to ${one}`,
+    recovery: "step of recovery",
+    "new-node": "new node",
+    line: "line",
+    patch: "patch",
+    condition: "condition…",
+  }) as const;
 const stops = {
-  postponed: "postponed face",
-  behind: "candidate behind the base face",
-  crosses: "candidate that crosses a face",
-  "too-close": "new node too close to a face",
-  recovery: "step of recovery",
-  "new-node": "new node",
-  line: "line",
-  patch: "patch",
-  condition: "condition…",
+  lines: stopsOf("edge", "an edge"),
+  patches: stopsOf("edge", "an edge"),
+  volume: stopsOf("face", "a face"),
 } as const;
 
-const stopName = (kind: keyof typeof stops): string =>
-  kind === "condition" ? "step that meets the condition" : stops[kind];
+const stopName = (phase: keyof typeof stops, kind: keyof (typeof stops)["volume"]): string =>
+  kind === "condition" ? "step that meets the condition" : stops[phase][kind];
 
 const verdicts: Readonly<Record<Refusal | "accepted", string>> = {
   accepted: "accepted",
@@ -78,8 +85,8 @@ export const playerStrings = {
     phase === "lines" ? "" : `${number(faces)} ${faceNames[phase]}`,
   stops,
   jumpTo: "Jump to",
-  next: (kind: keyof typeof stops) => `Next ${stopName(kind)}`,
-  before: (kind: keyof typeof stops) => `Previous ${stopName(kind)}`,
+  next: (...stop: Parameters<typeof stopName>) => `Next ${stopName(...stop)}`,
+  before: (...stop: Parameters<typeof stopName>) => `Previous ${stopName(...stop)}`,
   noFurther: "No further step",
   condition: conditionStrings,
   game: mesherGameStrings,

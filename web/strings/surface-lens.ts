@@ -1,9 +1,9 @@
-/** Texts about the lines and patches of a recording. */
+/** Texts about the lines and patches of a recording, which are called by name or number: `label`s of player/entity-labels.ts. */
 import type { EdgeRefusal } from "tetrafront";
 
 const number = (value: number): string => value.toLocaleString("en-US");
 const short = (value: number): string => Number(value.toPrecision(3)).toString();
-/** Lines and patches count from 1 where the user reads them, as in the tree of the model. */
+/** Sides count from 1 where the user reads them. */
 const ordinal = (index: number): string => number(index + 1);
 const plural = (count: number, word: string): string => `${number(count)} ${word}${count === 1 ? "" : "s"}`;
 
@@ -24,7 +24,7 @@ export const surfaceLensStrings = {
   beforeLines: "Before the first step: the lines are not divided yet.",
   beforePatches: "All lines are divided. The patches come next.",
   line: {
-    title: (line: number) => `Line ${ordinal(line)}`,
+    title: (line: string) => `Line ${line}`,
     settled: (start: number, length: number, rounds: number) =>
       rounds === 0
         ? `The target size is ${short(start)} here (S1), and also at the middle of a side of this length (S2): the next side is ${short(length)} long.`
@@ -34,17 +34,17 @@ export const surfaceLensStrings = {
     knot: "The step ends at a knot of the line.",
     measured: (sides: number) =>
       `Up to here the line is ${short(sides)} target sizes long. The steps only measure it; the sides follow at its end.`,
-    divided: (line: number, length: number, sides: number) =>
-      `Line ${ordinal(line)} is ${short(length)} target sizes long. It is divided into ${plural(sides, "side")} that are equally long in target sizes (S4), so that the last one is as good as the others.`,
-    undivided: (line: number) => `Line ${ordinal(line)} cannot be divided.`,
-    halved: (line: number, side: number) =>
-      `Side ${ordinal(side)} of line ${ordinal(line)} is halved: sides of a patch would intersect.`,
+    divided: (line: string, length: number, sides: number) =>
+      `Line ${line} is ${short(length)} target sizes long. It is divided into ${plural(sides, "side")} that are equally long in target sizes (S4), so that the last one is as good as the others.`,
+    undivided: (line: string) => `Line ${line} cannot be divided.`,
+    halved: (line: string, side: number) =>
+      `Side ${ordinal(side)} of line ${line} is halved: sides of a patch would intersect.`,
   },
   patch: {
-    begins: (patch: number, edges: number, isCurved: boolean) =>
-      `Patch ${ordinal(patch)} begins: its ${plural(edges, "side")} are the first front in ${isCurved ? "the plane that is mapped to its surface (T1)" : "its plane"}.`,
-    improved: (patch: number, before: number, after: number) =>
-      `The front has covered patch ${ordinal(patch)} with ${plural(before, "triangle")}. They are improved: edges are flipped, nodes move, are added and removed. ${plural(after, "triangle")} remain, and take their places in space (T3).`,
+    begins: (patch: string, edges: number, isCurved: boolean) =>
+      `Patch ${patch} begins: its ${plural(edges, "side")} are the first front in ${isCurved ? "the plane that is mapped to its surface (T1)" : "its plane"}.`,
+    improved: (patch: string, before: number, after: number) =>
+      `The front has covered patch ${patch} with ${plural(before, "triangle")}. They are improved: edges are flipped, nodes move, are added and removed. ${plural(after, "triangle")} remain, and take their places in space (T3).`,
     accepted: (node: number, isNew: boolean) =>
       `${isNew ? "New node" : "Node"} ${number(node)} was accepted: it makes a triangle over the base edge.`,
     behind: (node: number | null) =>
@@ -88,7 +88,7 @@ export const surfaceLensStrings = {
   },
   plane: {
     label: "Plane of the patch",
-    title: (patch: number) => `Plane of patch ${ordinal(patch)}`,
+    title: (patch: string) => `Plane of patch ${patch}`,
     zoom: "Part of the plane",
     zooms: { patch: "Patch", edge: "Base edge" },
     curved:

@@ -2,6 +2,7 @@ import { NativeSelect } from "@mantine/core";
 import { IconChevronLeft, IconChevronRight } from "@tabler/icons-react";
 import { useMemo, useState } from "react";
 import { parseCondition } from "../../player/condition";
+import { phaseAt } from "../../player/phases";
 import { hasStop, stopKinds, type Stop, type StopKind } from "../../player/stops";
 import { strings } from "../../strings";
 import { IconButton } from "../../ui/icon-button";
@@ -24,6 +25,8 @@ export function JumpControl() {
   const pauses = usePlayer((state) => state.stopAt !== null);
   const kind = chosen ?? kinds[0] ?? "condition";
   const stop = stopOf(kind, text);
+  // Fronts of patches have edges instead of faces.
+  const phase = usePlayer((state) => phaseAt(trace, state.step).phase);
   const use = (next: StopKind | "condition", nextText: string): void => {
     setChosen(next);
     setIsMissing(false);
@@ -34,7 +37,7 @@ export function JumpControl() {
   return (
     <span className={styles["jump"]} role="group" aria-label={texts.jumpTo}>
       <IconButton
-        label={texts.before(kind)}
+        label={texts.before(phase, kind)}
         data-testid="player-before"
         disabled={stop === null}
         onClick={() => jump(-1)}
@@ -46,13 +49,13 @@ export function JumpControl() {
         aria-label={texts.jumpTo}
         data-testid="player-kind"
         value={kind}
-        data={[...kinds, "condition" as const].map((value) => ({ value, label: texts.stops[value] }))}
+        data={[...kinds, "condition" as const].map((value) => ({ value, label: texts.stops[phase][value] }))}
         onChange={({ currentTarget: { value } }) =>
           use(kinds.find((other) => other === value) ?? "condition", text)
         }
       />
       <IconButton
-        label={texts.next(kind)}
+        label={texts.next(phase, kind)}
         data-testid="player-next"
         disabled={stop === null}
         onClick={() => jump(1)}

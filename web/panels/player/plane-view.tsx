@@ -1,6 +1,7 @@
 import { Button, SegmentedControl } from "@mantine/core";
 import { lazy, Suspense, useMemo, useState } from "react";
 import type { EdgeStep, PlanarFront, SurfaceStep, SurfaceTrace } from "tetrafront";
+import { labelAt } from "../../player/entity-labels";
 import { ellipseOf, planePaths, windowAround, windowOf, type PlaneWindow } from "../../player/plane-drawing";
 import { decisiveCandidate } from "../../player/planar-lens";
 import { endsOf, planeOf, targetLength } from "../../player/planar-judge";
@@ -37,6 +38,7 @@ interface PlaneProps {
 
 function Plane({ surface, index, state }: PlaneProps) {
   const { player } = useApp();
+  const labels = usePlayer((shown) => shown.labels);
   const [isGame, setIsGame] = useState(false);
   const [zoom, setZoom] = useState<Zoom>("patch");
   const front = surface.fronts[index];
@@ -47,7 +49,7 @@ function Plane({ surface, index, state }: PlaneProps) {
   return (
     <section className={styles["pane"]} aria-label={texts.label} data-testid="plane-view">
       <header className={styles["header"]}>
-        <b>{texts.title(front.patch)}</b>
+        <b>{texts.title(labelAt(labels?.patches, front.patch))}</b>
         <span className={styles["choices"]}>
           {!isGame && (
             <SegmentedControl

@@ -1,6 +1,7 @@
 import { Text } from "@mantine/core";
 import { lazy, Suspense, useMemo } from "react";
 import type { EdgeStep, PlanarFront, StationStep, SurfaceStep, SurfaceTrace } from "tetrafront";
+import { labelAt, type EntityLabels } from "../../player/entity-labels";
 import { decisiveCandidate, examineCandidate, type PlanarLensCandidate } from "../../player/planar-lens";
 import { strings } from "../../strings";
 import { formatShort } from "../../ui/format";
@@ -14,6 +15,7 @@ const PlanarFormula = lazy(async () => ({ default: (await import("./planar-formu
 /** Why a step of a line or a patch ended as it did. `state`: from 0. */
 export function SurfaceLens({ surface, state }: { readonly surface: SurfaceTrace; readonly state: number }) {
   const step = useMemo(() => surface.stepAt(state), [surface, state]);
+  const labels = usePlayer((shown) => shown.labels);
   if (!step) return <Text size="sm">{texts.beforeLines}</Text>;
   if (step.kind === "edge") {
     const front = surface.fronts[step.front];
@@ -22,7 +24,7 @@ export function SurfaceLens({ surface, state }: { readonly surface: SurfaceTrace
   return (
     <>
       <p data-testid="lens-sentence">
-        <b>{sentenceOf(surface, step)}</b>
+        <b>{sentenceOf(surface, step, labels)}</b>
       </p>
       {step.kind === "station" && <p>{texts.line.measured(step.sides)}</p>}
       {state === surface.lastLineStep && <p>{texts.beforePatches}</p>}
@@ -30,26 +32,32 @@ export function SurfaceLens({ surface, state }: { readonly surface: SurfaceTrace
   );
 }
 
-function sentenceOf(surface: SurfaceTrace, step: Exclude<SurfaceStep, EdgeStep>): string {
+function sentenceOf(
+  surface: SurfaceTrace,
+  step: Exclude<SurfaceStep, EdgeStep>,
+  labels: EntityLabels | null,
+): string {
+  const line = (index: number): string => labelAt(labels?.lines, index);
+  const patch = (index: number): string => labelAt(labels?.patches, index);
   switch (step.kind) {
     case "station":
-      return stationSentence(step);
+      return stationSentence(step, line(step.line));
     case "divided":
       return step.sideCount === 0
-        ? texts.line.undivided(step.line)
-        : texts.line.divided(step.line, step.length, step.sideCount);
+        ? texts.line.undivided(line(step.line))
+        : texts.line.divided(line(step.line), step.length, step.sideCount);
     case "halved":
-      return texts.line.halved(step.line, step.side);
+      return texts.line.halved(line(step.line), step.side);
     case "patch": {
       const front = surface.fronts[step.front];
-      return texts.patch.begins(step.patch, surface.frontSizeAt(step.step), front?.isCurved ?? false);
+      return texts.patch.begins(patch(step.patch), surface.frontSizeAt(step.step), front?.isCurved ?? false);
     }
     case "improved":
-      return texts.patch.improved(step.patch, step.trianglesBefore, step.triangles);
+      return texts.patch.improved(patch(step.patch), step.trianglesBefore, step.triangles);
   }
 }
 
-function stationSentence({ line, end, startSize, length, rounds }: StationStep): string {
+function stationSentence({ end, startSize, length, rounds }: StationStep, line: string): string {
   const name = texts.line.title(line);
   const sentence =
     end === "settled"
