@@ -230,7 +230,12 @@ test("a condition is typed, corrected, jumped to and paused at, by keyboard", as
   await expect(viewport).toHaveAttribute("data-step", String(first));
 
   await field.fill("recovery");
-  await page.getByTestId("player-stop-at").check();
+  const pauses = page.getByTestId("player-stop-at");
+  await pauses.check();
+  await field.fill("recover");
+  await expect(hint).toHaveRole("alert");
+  await expect(pauses).toBeChecked();
+  await field.fill("recovery");
   await page.getByTestId("player-speed").selectOption("500");
   await page.getByTestId("player-play").click();
   await expect(page.getByTestId("player-play")).toHaveAccessibleName("Play");

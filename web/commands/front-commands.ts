@@ -34,12 +34,14 @@ export const frontCommands: readonly Command[] = [
     commandLabels.front.farForward(jump),
     (app) => app.player.move(jump),
     {
-      keys: ["shift+>"],
+      // The second one is Shift and the key of the full stop on a German keyboard.
+      keys: ["shift+>", "shift+:"],
       enabled: hasTrace,
     },
   ),
   define("mesh", 4)("front-far-back", commandLabels.front.farBack(jump), (app) => app.player.move(-jump), {
-    keys: ["shift+<"],
+    // On a German keyboard, < has a key of its own, and Shift and the key of the comma make a semicolon.
+    keys: ["shift+<", "<", "shift+;"],
     enabled: hasTrace,
   }),
   define("mesh", 4)("front-start", commandLabels.front.start, (app) => app.player.move(-Infinity), {

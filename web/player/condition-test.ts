@@ -18,7 +18,7 @@ interface TestedStep {
   readonly refuses: (reason: Part<"refused">["reason"]) => boolean;
 }
 
-/** Returns whether a condition holds for a step (see phases.ts). Takes a time that does not depend on the trace. */
+/** Returns whether a condition holds for a step (see phases.ts). O(parts · candidates of the step), without decoding it. */
 export function holds(trace: Trace, step: number, condition: Condition): boolean {
   const state = surfaceState(trace, step);
   if (state === null) return step > 0 && test(volumeStep(trace, step), condition);

@@ -2,14 +2,12 @@
 import { EDGE_REFUSALS, type EdgeRefusal } from "tetrafront";
 
 /** What a condition can name by its number: as the app shows it, so that patches and lines count from 1. */
-export const things = ["face", "edge", "node", "element", "patch", "line"] as const;
+const things = ["face", "edge", "node", "element", "patch", "line"] as const;
 /** What a condition can compare with a number. */
-export const quantities = ["size", "layer", "candidates", "front"] as const;
-export const relations = ["<=", ">=", "<", ">", "="] as const;
+const quantities = ["size", "layer", "candidates", "front"] as const;
+const relations = ["<=", ">=", "<", ">", "="] as const;
 /** What can happen in a step. */
-export const happenings = ["accepted", "postponed", "new node", "recovery"] as const;
-/** Why a candidate is refused, in words. */
-export const reasons: readonly string[] = EDGE_REFUSALS.map((reason) => reason.replace("-", " "));
+const happenings = ["accepted", "postponed", "new node", "recovery"] as const;
 
 export type Condition =
   /** Every part holds, or at least one. */

@@ -1,5 +1,5 @@
 /** "Be the mesher": the reader chooses the third node of the next triangle of a patch, and the choice is judged. */
-import type { EdgeStep, PlanarFront, PlanePosition, SurfaceTrace } from "tetrafront";
+import type { EdgeRefusal, EdgeStep, PlanarFront, PlanePosition, SurfaceTrace } from "tetrafront";
 import {
   clearance,
   crossedEdges,
@@ -34,10 +34,12 @@ export interface GameQuestion {
 }
 
 export interface GameVerdict {
-  readonly kind: "best" | "possible" | "behind" | "crosses" | "too-close";
+  readonly kind: "best" | "possible" | EdgeRefusal;
   /** Edges of the front that the choice would cross, or is too close to. */
   readonly edges: readonly number[];
   readonly points: number;
+  /** Whether the verdict was recorded, and our own check finds something else. */
+  readonly isDisputed: boolean;
 }
 
 /**
@@ -70,31 +72,33 @@ function questionOf(front: PlanarFront, step: EdgeStep, level: GameLevel): GameQ
 }
 
 /**
- * Judges a choice; null: a new node at the ideal point. By the recorded verdict if the program tried it, else by our own
- * check.
+ * Judges a choice: by the recorded verdict if the program tried the node, else by our own check. `node` is null for a new node at
+ * the ideal point. O(edges of the patch).
  */
 export function judgeChoice(question: GameQuestion, node: number | null): GameVerdict {
   const { step, program } = question;
-  if (node === program) return { kind: "best", edges: [], points: bestPoints };
+  if (node === program) return { kind: "best", edges: [], points: bestPoints, isDisputed: false };
   const own = checkChoice(question, node);
   const tried = step.candidates.find((candidate) => (candidate.isNew ? null : candidate.node) === node);
-  if (!tried || tried.verdict === "accepted" || own.kind !== "possible") return own;
-  // The engine decides by exact signs: it can refuse what merely touches.
-  const kind = tried.verdict === "crosses" || tried.verdict === "too-close" ? tried.verdict : "behind";
-  return { kind, edges: tried.culprit === null ? [] : [tried.culprit], points: 0 };
+  if (!tried || tried.verdict === "accepted") return own;
+  const { verdict: kind, culprit } = tried;
+  // Our own check names all edges that are crossed, the record only the one found first.
+  const edges = own.kind === kind && own.edges.length > 0 ? own.edges : culprit === null ? [] : [culprit];
+  const isChecked = kind !== "same-node" && kind !== "outside";
+  return { kind, edges, points: 0, isDisputed: isChecked && own.kind !== kind };
 }
 
 /** Judges a choice by our own check in doubles alone. O(edges of the patch). */
 export function checkChoice({ front, step }: GameQuestion, node: number | null): GameVerdict {
   const position = node === null ? step.ideal : planeOf(front, node);
   const triangle = newTriangle(front, step.nodes, position, node);
-  if (isBehindEdge(front, triangle)) return { kind: "behind", edges: [], points: 0 };
+  if (isBehindEdge(front, triangle)) return { kind: "behind", edges: [], points: 0, isDisputed: false };
   const edges = crossedEdges(front, step.step - 1, triangle, touching);
-  if (edges.length > 0) return { kind: "crosses", edges, points: 0 };
+  if (edges.length > 0) return { kind: "crosses", edges, points: 0, isDisputed: false };
   const close = node === null ? closeEdges(front, step) : [];
   return close.length > 0
-    ? { kind: "too-close", edges: close, points: 0 }
-    : { kind: "possible", edges: [], points: possiblePoints };
+    ? { kind: "too-close", edges: close, points: 0, isDisputed: false }
+    : { kind: "possible", edges: [], points: possiblePoints, isDisputed: false };
 }
 
 /** Edges of the front that are too close to a new node at the ideal point. */

@@ -1,6 +1,7 @@
 import { loadTrace, type FrontOrder, type Mesher, type Progress, type Trace } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { settledProject, type DocumentStore } from "../session/document-store";
+import { failureText } from "../session/failure-text";
 import type { MeshRun } from "../session/run";
 import { entityLabels, type EntityLabels } from "./entity-labels";
 import { firstState, phaseEnd, phaseStart } from "./phases";
@@ -20,7 +21,7 @@ export interface PlayerState {
   readonly recording: { readonly progress: Progress | null; readonly isStopping: boolean } | null;
   /** Fraction of a trace that has been read, 0 to 1; null while none is read. */
   readonly reading: number | null;
-  /** Why there is no trace; null without a failure. */
+  /** Why nothing was recorded or read last; null without a failure. */
   readonly failure: readonly string[] | null;
   /** The trace that the view shows; null if it shows the model and its mesh. */
   readonly trace: Trace | null;
@@ -37,7 +38,9 @@ export interface PlayerState {
   readonly speed: number;
   /** Playing repeats the steps from `from` to `to`; null: it ends with the trace. */
   readonly loop: { readonly from: number; readonly to: number } | null;
-  /** Playing pauses at these steps. */
+  /** Whether the user wants playing to pause at steps of the chosen kind. */
+  readonly pausesThere: boolean;
+  /** Playing pauses at these steps; null also while the condition has an error. */
   readonly stopAt: Stop | null;
   /** The text of a condition at which playing can pause; it may be wrong. */
   readonly condition: string;
@@ -69,6 +72,7 @@ const initialState: PlayerState = {
   isPlaying: false,
   speed: 25,
   loop: null,
+  pausesThere: false,
   stopAt: null,
   condition: "",
   coloring: "age",
@@ -111,7 +115,7 @@ export class Player {
 
   /**
    * Meshes the present model with the options of Generate mesh, and shows the trace of its front. `order` replaces the
-   * order of the model. Returns null if a recording is under way, or if another document or a run has ended this one.
+   * order of the model. Returns null if a recording is under way, or if another document, run or trace has ended this one.
    */
   async record(order?: FrontOrder): Promise<Recorded | null> {
     if (this.#abort) return null;
@@ -138,24 +142,30 @@ export class Player {
       return recorded;
     }
     const trace = await this.#read(recorded.file);
-    if (!trace) return null;
+    if (!trace) {
+      const { failure } = this.state.getState();
+      return failure && { kind: "failed", reasons: failure };
+    }
     this.#labels.set(trace, entityLabels(project));
     this.show(trace, recorded.file);
     return { ...recorded, trace };
   }
 
-  /** Shows a trace from a file, which may belong to another model. Does nothing during a recording. */
+  /**
+   * Shows a trace from a file, which may belong to another model. What is shown stays until the trace is read, and if it is
+   * invalid. Does nothing during a recording.
+   */
   async open(file: Uint8Array<ArrayBuffer>): Promise<void> {
     if (this.state.getState().recording) return;
-    this.#abandon();
+    this.#endReading();
+    this.pause();
     const trace = await this.#read(file);
-    if (!trace) return;
-    this.#show(trace, file, true);
+    if (trace) this.#show(trace, file, true);
   }
 
-  /** Stops reading a trace. The model is shown. */
+  /** Stops reading a trace. What was shown before stays. */
   stopReading(): void {
-    if (this.state.getState().reading !== null) this.#abandon();
+    if (this.state.getState().reading !== null) this.#endReading();
   }
 
   /** Stops a recording. What it has recorded until then is shown. */
@@ -246,10 +256,15 @@ export class Player {
 
   /** Ends a recording or the reading of a trace without a result, and shows the model again. */
   #abandon(): void {
+    this.#endReading();
+    this.state.setState({ recording: null });
+    this.close();
+  }
+
+  #endReading(): void {
     this.#abort?.abort();
     this.#abort = null;
-    this.state.setState({ recording: null, reading: null });
-    this.close();
+    this.state.setState({ reading: null });
   }
 
   /** Reads a trace in slices. Returns null if it is invalid, or if the reading was ended. */
@@ -259,15 +274,16 @@ export class Player {
     const onProgress = (reading: number): void => {
       if (this.#abort === abort) this.state.setState({ reading });
     };
-    const read = await loadTrace(file, { signal: abort.signal, onProgress }).catch((error: unknown) => {
-      if (this.#abort === abort) throw error;
-      return null;
-    });
-    if (this.#abort !== abort || !read) return null;
+    const read = await loadTrace(file, { signal: abort.signal, onProgress }).catch((error: unknown) => ({
+      success: false as const,
+      errors: [{ message: failureText(error), remedy: "" }],
+    }));
+    if (this.#abort !== abort) return null;
     this.#abort = null;
     this.state.setState({ reading: null });
     if (read.success) return read.value;
-    this.state.setState({ failure: read.errors.map(({ message, remedy }) => `${message}. ${remedy}`) });
+    const failure = read.errors.map(({ message, remedy }) => `${message}. ${remedy}`.trimEnd());
+    this.state.setState({ failure });
     return null;
   }
 

@@ -17,16 +17,11 @@ export function showPlayer(player: StoreApi<PlayerState>, viewer: Viewer): () =>
     readonly end: () => void;
     readonly show: (state: PlayerState) => void;
   } | null = null;
-  let isOpened = false;
   const update = (state: PlayerState): void => {
     if (shown?.trace !== state.trace) {
       shown?.end();
-      if (isOpened !== (state.trace !== null && state.isOpened)) {
-        isOpened = !isOpened;
-        // A trace from a file can be of another model.
-        if (state.trace && isOpened) viewer.fitPositions(state.trace.nodes.positions);
-        else viewer.fit(null);
-      }
+      // A trace from a file can be of another model.
+      viewer.replaceModel(state.isOpened ? (state.trace?.nodes.positions ?? null) : null);
       shown = state.trace && { trace: state.trace, ...drawTrace(state.trace, viewer) };
       viewer.show({ isReplaying: shown !== null });
     }
@@ -37,6 +32,7 @@ export function showPlayer(player: StoreApi<PlayerState>, viewer: Viewer): () =>
   return () => {
     stop();
     shown?.end();
+    viewer.replaceModel(null);
     viewer.show({ isReplaying: false });
   };
 }

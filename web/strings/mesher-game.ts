@@ -28,7 +28,12 @@ export const mesherGameStrings = {
       `No point. The node is behind the edge or in line with it: the triangle would have no area, or lie on triangles that exist. The program chose ${nameOf(program)}.`,
     crosses: (edges: readonly number[], program: number | null) =>
       `No point. The triangle would cross ${edgesOf(edges)} of the front, drawn red: two triangles would overlap. The program chose ${nameOf(program)}.`,
+    "same-node": (_: readonly number[], program: number | null) =>
+      `No point. In space the node is an end of the base edge, on the other side of the seam: the triangle would have two equal nodes. The program chose ${nameOf(program)}.`,
+    outside: (_: readonly number[], program: number | null) =>
+      `No point. The new node would be outside the patch. The program chose ${nameOf(program)}.`,
     "too-close": (edges: readonly number[], program: number | null) =>
       `No point. The new node would be too close to ${edgesOf(edges)}, drawn red: the gap could only be filled by thin triangles. The program chose ${nameOf(program)}.`,
   },
+  disputed: "Our own check, in doubles, finds otherwise; the program decides by exact signs.",
 } as const;

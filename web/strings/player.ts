@@ -3,7 +3,7 @@ import type { FrontChange, Refusal } from "tetrafront";
 import { conditionStrings } from "./condition";
 import { crossingTestStrings } from "./crossing-test";
 import { mesherGameStrings } from "./mesher-game";
-import { surfaceLensStrings } from "./surface-lens";
+import { otherwise, surfaceLensStrings } from "./surface-lens";
 
 const number = (value: number): string => value.toLocaleString("en-US");
 
@@ -51,6 +51,9 @@ const verdicts: Readonly<Record<Refusal | "accepted", string>> = {
 const phaseNames = { lines: "Lines", patches: "Patches", volume: "Volume" } as const;
 /** What the fronts are made of. */
 const faceNames = { lines: "faces", patches: "edges", volume: "faces" } as const;
+
+const facesOf = (faces: readonly number[]): string =>
+  `${faces.length === 1 ? "face" : "faces"} ${faces.slice(0, 6).map(number).join(", ")}${faces.length > 6 ? " …" : ""}`;
 
 export const playerStrings = {
   tab: "Front",
@@ -129,12 +132,15 @@ export const playerStrings = {
   whatIf: {
     behind: "Without this rule, the element would have no volume, or would be inside out.",
     crosses: (faces: readonly number[]) =>
-      `Accepted, its element would overlap what the front encloses: it would cross ${faces.length === 1 ? "face" : "faces"} ${faces
-        .slice(0, 6)
-        .map(number)
-        .join(", ")}${faces.length > 6 ? " …" : ""}.`,
-    clear: "Our own check finds nothing that its element would cross.",
+      `Accepted, its element would overlap what the front encloses: it would cross ${facesOf(faces)}.`,
     tooClose: "Its element would cross nothing, but would leave a gap for poor elements.",
+  },
+  /** The recorded verdict stays; our own check works in doubles, the engine with exact signs. */
+  disagreement: {
+    behind: otherwise("it finds the node behind the base face"),
+    inFront: otherwise("it finds the node in front of the base face"),
+    clear: otherwise("it finds nothing that the element would cross"),
+    crosses: (faces: readonly number[]) => otherwise(`it finds that the element crosses ${facesOf(faces)}`),
   },
   postponed: (ruleClass: number | null) =>
     ruleClass === null

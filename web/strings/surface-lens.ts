@@ -20,6 +20,12 @@ const edgeVerdicts: Readonly<Record<EdgeRefusal | "accepted", string>> = {
   outside: "outside the patch",
 };
 
+const edgesOf = (edges: readonly number[]): string =>
+  `${edges.length === 1 ? "edge" : "edges"} ${edges.slice(0, 6).map(number).join(", ")}${edges.length > 6 ? " …" : ""}`;
+/** The recorded verdict stays; our own check works in doubles. */
+export const otherwise = (finding: string): string =>
+  `Our own check, in doubles, disagrees: ${finding}. The engine decides by exact signs.`;
+
 export const surfaceLensStrings = {
   beforeLines: "Before the first step: the lines are not divided yet.",
   beforePatches: "All lines are divided. The patches come next.",
@@ -56,12 +62,15 @@ export const surfaceLensStrings = {
     "same-node": (node: number | null) =>
       `${candidateName(node)} was refused: in space it is an end of the base edge, on the other side of the seam.`,
     outside: () => "A new node was refused: it would be outside the patch.",
-    clear: "Our own check finds nothing that the triangle would cross.",
     whatIf: (edges: readonly number[]) =>
-      `Accepted, its triangle would overlap what is meshed: it would cross ${edges.length === 1 ? "edge" : "edges"} ${edges
-        .slice(0, 6)
-        .map(number)
-        .join(", ")}${edges.length > 6 ? " …" : ""}.`,
+      `Accepted, its triangle would overlap what is meshed: it would cross ${edgesOf(edges)}.`,
+    disagreement: {
+      behind: otherwise("it finds the node behind the base edge"),
+      inFront: otherwise("it finds the node in front of the base edge"),
+      clear: otherwise("it finds nothing that the triangle would cross"),
+      crosses: (edges: readonly number[]) =>
+        otherwise(`it finds that the triangle crosses ${edgesOf(edges)}`),
+    },
     postponed: (pass: number | null) =>
       pass === null
         ? "No candidate was accepted, in the whole front: the patch folds over itself."

@@ -58,6 +58,8 @@ export class Viewer {
   #isDisposed = false;
   readonly #layers: SceneLayers;
   readonly #observer: ResizeObserver;
+  /** Box of what is shown instead of the model; null for the model. */
+  #replaced: Bounds | null = null;
   /** Radius of the model when it was last fitted as a whole; 0 without extent. */
   #fittedRadius = 0;
   #state: SceneState;
@@ -123,6 +125,7 @@ export class Viewer {
   /** Moves to the given entities, or to the whole model. */
   fit(entities: readonly Entity[] | null, animate = this.#options.motion): void {
     const { project, preview, bodies } = this.#state;
+    if (entities === null && this.#replaced) return this.#fitBounds(this.#replaced, animate);
     const target = new Bounds();
     for (const entity of entities ?? []) {
       const { low, high, empty } = entityBounds(entity, project, preview, bodies);
@@ -148,9 +151,11 @@ export class Viewer {
     this.#fitBounds(new Bounds().add(...position));
   }
 
-  /** Moves to what lies at positions, x y z each. */
-  fitPositions(positions: Float64Array): void {
-    this.#fitBounds(boundsOf(positions));
+  /** Fits the positions, x y z each, of what is shown instead of the model, now and whenever all is fitted; null: the model. */
+  replaceModel(positions: Float64Array | null): void {
+    if (positions === null && this.#replaced === null) return;
+    this.#replaced = positions && boundsOf(positions);
+    this.fit(null);
   }
 
   look(view: StandardView): void {
@@ -356,7 +361,7 @@ export class Viewer {
   #resize(): void {
     const { clientWidth, clientHeight } = this.#container;
     if (clientWidth === 0 || clientHeight === 0) return;
-    const { empty, low, high } = projectBounds(this.#state.project, this.#state.bodies);
+    const { empty, low, high } = this.#replaced ?? projectBounds(this.#state.project, this.#state.bodies);
     const wasShown = !empty && this.#showsAll(low, high);
     this.#view.resize(clientWidth, clientHeight, this.#options.coveredLeft());
     this.#update({ viewport: this.#renderer.resize(clientWidth, clientHeight) });

@@ -5,6 +5,8 @@ import { hotkeyListener } from "../../../web/panels/page/hotkeys";
 import { newDocument } from "../../../web/session/document-store";
 import { PageApps } from "../../../web/tools/page-apps";
 import { cubeProject } from "../../support/projects";
+import { boxSurface } from "../../support/surfaces";
+import { starSurface, starTrace } from "../../support/traces";
 
 /** A mesher whose previews never end. */
 const busyMesher = Promise.resolve({
@@ -26,13 +28,13 @@ const newApp = (): App =>
 const element = (inside: string | null = null): EventTarget =>
   ({ closest: (selector: string) => (inside !== null && selector.includes(inside) ? {} : null) }) as never;
 
-const press = (target: EventTarget, key: string, ctrlKey = false): KeyboardEvent =>
+const press = (target: EventTarget, key: string, ctrlKey = false, shiftKey = false): KeyboardEvent =>
   ({
     key,
     ctrlKey,
     altKey: false,
     metaKey: false,
-    shiftKey: false,
+    shiftKey,
     target,
     preventDefault: () => undefined,
   }) as never;
@@ -91,6 +93,52 @@ describe("the hotkeys of two apps on one page", () => {
     send(press(element("input"), "Enter", true));
     send(press(parts[1]?.field as EventTarget, "Enter", true));
     expect(generate.map(({ mock }) => mock.calls.length)).toEqual([0, 1]);
+  });
+});
+
+describe("the hotkeys of the player", () => {
+  const { bytes } = starTrace(starSurface(boxSurface(6, [-1, -1, -1], [1, 1, 1])));
+
+  type Key = readonly [key: string, shift: boolean];
+  interface Layout {
+    readonly farForward: readonly Key[];
+    readonly farBack: readonly Key[];
+  }
+  /** What a keyboard sends for the keys that jump. */
+  const layouts: Readonly<Record<string, Layout>> = {
+    American: { farForward: [[">", true]], farBack: [["<", true]] },
+    German: {
+      farForward: [
+        [":", true],
+        [">", true],
+      ],
+      farBack: [
+        [";", true],
+        ["<", false],
+      ],
+    },
+  };
+
+  it.each(Object.entries(layouts))("work on an %s keyboard", async (_, keys) => {
+    const app = newApp();
+    await app.player.open(bytes);
+    const apps = new PageApps<App>();
+    apps.add(app, { contains: () => true });
+    const listen = hotkeyListener(app, apps);
+    const stepAfter = (key: string, shift: boolean): number => {
+      listen(press(element(), key, false, shift));
+      return app.player.state.getState().step;
+    };
+    expect(stepAfter(".", false)).toBe(1);
+    expect(stepAfter(",", false)).toBe(0);
+    for (const [key, shift] of keys.farForward) {
+      app.player.seek(50);
+      expect(stepAfter(key, shift)).toBe(150);
+    }
+    for (const [key, shift] of keys.farBack) {
+      app.player.seek(150);
+      expect(stepAfter(key, shift)).toBe(50);
+    }
   });
 });
 

@@ -44,7 +44,12 @@ it.each(levels)("asks %s questions whose answer is among the choices", (level) =
 
 it("gives both points for the program's choice, which our own check accepts", () => {
   for (const question of questions("medium")) {
-    expect(judgeChoice(question, question.program)).toEqual({ kind: "best", edges: [], points: 2 });
+    expect(judgeChoice(question, question.program)).toEqual({
+      kind: "best",
+      edges: [],
+      points: 2,
+      isDisputed: false,
+    });
     if (question.program !== null) expect(checkChoice(question, question.program).kind).toBe("possible");
   }
 });
@@ -55,12 +60,41 @@ it("gives no point for what the program refused, and names what it would break",
     for (const { node, isNew, verdict, culprit } of question.step.candidates) {
       if (verdict === "accepted" || isNew || node === null) continue;
       const found = judgeChoice(question, node);
-      expect(found.points).toBe(0);
+      expect(found).toMatchObject({ kind: verdict, points: 0, isDisputed: false });
       if (verdict === "crosses") expect(found.edges).toContain(culprit);
       judged++;
     }
   expect(judged).toBeGreaterThan(0);
 });
+
+it.each(["behind", "crosses", "too-close", "same-node", "outside"] as const)(
+  "shows the recorded verdict %s where our own check finds none",
+  (verdict) => {
+    const question = questions("easy").find(({ nodes, program }) => nodes.some((node) => node !== program));
+    const node = question?.nodes.find(
+      (other) => other !== question.program && checkChoice(question, other).kind === "possible",
+    );
+    if (!question || node === undefined) throw new Error("there is no such question");
+    const tried = {
+      node,
+      isNew: false,
+      plane: [0, 0],
+      verdict,
+      culprit: verdict === "crosses" ? 7 : null,
+    } as const;
+    const refused = {
+      ...question,
+      step: { ...question.step, candidates: [tried, ...question.step.candidates] },
+    };
+    expect(judgeChoice(refused, node)).toEqual({
+      kind: verdict,
+      edges: verdict === "crosses" ? [7] : [],
+      points: 0,
+      // Seams and the box of the patch are not part of our own check.
+      isDisputed: verdict !== "same-node" && verdict !== "outside",
+    });
+  },
+);
 
 it("gives one point for another choice that breaks nothing", () => {
   const verdicts = questions("medium").flatMap((question) =>

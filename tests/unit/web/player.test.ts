@@ -214,6 +214,40 @@ describe("reading a trace", () => {
     expect(player.state.getState()).toMatchObject({ reading: null, trace: null, failure: null });
   });
 
+  it("keeps the trace that is shown until another one is read, and if it cannot be read", async () => {
+    const { player } = newApp();
+    await player.open(bytes);
+    const shown = player.state.getState().trace;
+    const opened = player.open(large);
+    await vi.waitFor(() => expect(player.state.getState().reading).toBeGreaterThan(0));
+    expect(player.state.getState().trace).toBe(shown);
+    player.stopReading();
+    await opened;
+    expect(player.state.getState()).toMatchObject({ reading: null, trace: shown, failure: null });
+    await player.open(new Uint8Array(20));
+    expect(player.state.getState()).toMatchObject({ reading: null, trace: shown, failure: [/no trace/] });
+  });
+
+  it("ends with a message after a failure that no reader foresees", async () => {
+    const { player } = newApp();
+    const detached = Uint8Array.from(bytes);
+    structuredClone(detached.buffer, { transfer: [detached.buffer] });
+    await player.open(detached);
+    expect(player.state.getState()).toMatchObject({ reading: null, trace: null, failure: [/detached/] });
+    await player.open(bytes);
+    expect(player.state.getState()).toMatchObject({ failure: null, trace: { stepCount: trace.stepCount } });
+  });
+
+  it("says that a trace does not fit into memory", async () => {
+    const { player } = newApp();
+    const slice = vi.spyOn(Uint32Array.prototype, "slice").mockImplementation(() => {
+      throw new RangeError("Array buffer allocation failed");
+    });
+    await player.open(bytes);
+    slice.mockRestore();
+    expect(player.state.getState()).toMatchObject({ reading: null, failure: [/do not fit into memory/] });
+  });
+
   it("ends if another trace or another document is opened", async () => {
     const app = newApp();
     const first = app.player.open(large);

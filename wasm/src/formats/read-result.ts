@@ -28,16 +28,20 @@ export function tooManyNumbers(limit: number): ReadFailure {
   });
 }
 
+const MESH_TOO_LARGE = {
+  message: "the points and elements of the file do not fit into memory",
+  remedy: "Use a smaller mesh, or read its parts one by one: a point takes 24 bytes, a triangle 16.",
+};
+
 /** Turns a failed allocation of arrays into a read failure; returns anything else unchanged. */
-export function asTooLarge(failure: unknown): unknown {
+export function asTooLarge(
+  failure: unknown,
+  error: Pick<ReadError, "message" | "remedy"> = MESH_TOO_LARGE,
+): unknown {
   if (!(failure instanceof RangeError && /alloc|array length|buffer|maximum size/i.test(failure.message))) {
     return failure;
   }
-  return new ReadFailure({
-    code: "too-large-file",
-    message: "the points and elements of the file do not fit into memory",
-    remedy: "Use a smaller mesh, or read its parts one by one: a point takes 24 bytes, a triangle 16.",
-  });
+  return new ReadFailure({ code: "too-large-file", ...error });
 }
 
 /** Location in a file: `line` in text, else `offset`. */

@@ -7,7 +7,7 @@ import { throwIfCancelled } from "../calls/cancelling.js";
 import { watch } from "../calls/schemas.js";
 import { inSteps } from "../calls/yielder.js";
 import type { ReadResult } from "../diagnostics/read-error.js";
-import { ReadFailure, readSafely } from "../formats/read-result.js";
+import { asTooLarge, ReadFailure, readSafely } from "../formats/read-result.js";
 import { parseHeader, type TraceHeader } from "./header.js";
 import { MAGIC, TRACE_VERSION, VOLUME_ONLY_VERSION } from "./layout.js";
 import { Replay } from "./replay.js";
@@ -19,6 +19,11 @@ import { TraceCursor } from "./trace-cursor.js";
 /** More bytes cannot be addressed by 32 bits. */
 const MAX_BYTES = 0xffffffff;
 
+const TOO_LARGE = {
+  message: "the steps of the trace do not fit into memory",
+  remedy: "Record a coarser mesh: a step takes about 100 bytes.",
+};
+
 /**
  * Reads a trace, checks every event and returns it with all its states. Of a damaged file, the error names the byte. The
  * trace keeps `bytes`; do not change them. O(bytes); about 100 bytes of memory per step.
@@ -27,22 +32,27 @@ const MAX_BYTES = 0xffffffff;
  *     if (trace.success) console.log(trace.value.stepAt(1));
  */
 export function readTrace(bytes: Uint8Array): ReadResult<Trace> {
-  return readSafely(() => withoutPause(traceIn(cursorOf(bytes))));
+  try {
+    return { success: true, value: withoutPause(traceIn(cursorOf(bytes))) };
+  } catch (failure) {
+    return failed(failure);
+  }
 }
 
 /** Options of `loadTrace`. */
 export interface LoadTraceOptions {
-  /** Called every few milliseconds with the fraction of the bytes read, 0 to 1. */
+  /** Called between slices with the fraction of the bytes read, and with 1 at the end. */
   readonly onProgress?: ((fraction: number) => void) | undefined;
-  /** Aborting it rejects with a `MesherError` of code `cancelled`, within a few milliseconds. */
+  /** Aborting it rejects with a `MesherError` of code `cancelled` at the end of the slice. */
   readonly signal?: AbortSignal | undefined;
 }
 
 const loadOptions = v.object(watch);
 
 /**
- * Reads a trace as `readTrace` does, in slices of a few milliseconds, so that a page responds meanwhile. Rejects with a
- * `MesherError` if it is cancelled, or if an option is invalid.
+ * Reads a trace as `readTrace` does, in slices of about 12 milliseconds, so that a page responds meanwhile; the last slice,
+ * which copies all arrays once, takes longer for long traces. Rejects with a `MesherError` if it is cancelled, or if an option
+ * is invalid.
  */
 export async function loadTrace(
   bytes: Uint8Array,
@@ -58,10 +68,14 @@ export async function loadTrace(
     onProgress?.(1);
     return { success: true, value };
   } catch (failure) {
-    return readSafely(() => {
-      throw failure;
-    });
+    return failed(failure);
   }
+}
+
+function failed(failure: unknown): ReadResult<Trace> {
+  return readSafely(() => {
+    throw asTooLarge(failure, TOO_LARGE);
+  });
 }
 
 function cursorOf(bytes: Uint8Array): TraceCursor {

@@ -54,7 +54,6 @@ export interface PatchesSummary {
   readonly triangles: number;
 }
 
-/** The recorded division of lines and the recorded 2-D fronts of patches, read from a trace. */
 /** A base edge and its candidates, by their numbers in the patch. */
 export interface TriedCandidates {
   /** Index of the base edge; null for other steps. */
@@ -65,6 +64,7 @@ export interface TriedCandidates {
   readonly culprits: Uint32Array;
 }
 
+/** The recorded division of lines and the recorded 2-D fronts of patches, read from a trace. */
 export class SurfaceTrace {
   /** The divisions of lines, in the order of the steps. */
   readonly divisions: readonly TracedDivision[];
@@ -133,7 +133,10 @@ export class SurfaceTrace {
     return Array.from(verdicts, (verdict) => EDGE_REFUSALS[verdict]);
   }
 
-  /** What a step tries, without decoding it: a base edge and its candidates. Empty for other steps. O(candidates). */
+  /**
+   * Returns the base edge of a step and its candidates without decoding the step; no base edge and no candidates for steps
+   * without one. O(1): the arrays are views.
+   */
   triedAt(step: number): TriedCandidates {
     const { bases, firstCandidates, candidateNodes, candidateCulprits } = this.#columns;
     const base = bases[step] ?? NONE;

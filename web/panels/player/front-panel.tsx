@@ -26,7 +26,6 @@ export function FrontPanel() {
 
 function NoTrace() {
   const app = useApp();
-  const failure = usePlayer((state) => state.failure);
   const busy = useRun((state) => state.busy);
   return (
     <ScrollPanel label={texts.tab}>
@@ -43,14 +42,22 @@ function NoTrace() {
         {texts.record}
       </Button>{" "}
       <OpenTrace />
-      {failure && (
-        <div role="alert" className={styles["failure"]} data-testid="player-failure">
-          {failure.map((reason) => (
-            <p key={reason}>{reason}</p>
-          ))}
-        </div>
-      )}
+      <Failure />
     </ScrollPanel>
+  );
+}
+
+/** Why nothing was recorded or read. */
+function Failure() {
+  const failure = usePlayer((state) => state.failure);
+  return (
+    failure && (
+      <div role="alert" className={styles["failure"]} data-testid="player-failure">
+        {failure.map((reason) => (
+          <p key={reason}>{reason}</p>
+        ))}
+      </div>
+    )
   );
 }
 
@@ -128,6 +135,7 @@ function Player() {
           <JumpControl />
           <ViewChoices />
         </div>
+        <Failure />
       </section>
       <Lens />
     </div>

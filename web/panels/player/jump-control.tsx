@@ -22,7 +22,7 @@ export function JumpControl() {
   const [chosen, setChosen] = useState<StopKind | "condition" | null>(null);
   const [isMissing, setIsMissing] = useState(false);
   const text = usePlayer((state) => state.condition);
-  const pauses = usePlayer((state) => state.stopAt !== null);
+  const pauses = usePlayer((state) => state.pausesThere);
   const kind = chosen ?? kinds[0] ?? "condition";
   const stop = stopOf(kind, text);
   // Fronts of patches have edges instead of faces.
@@ -70,8 +70,10 @@ export function JumpControl() {
           type="checkbox"
           data-testid="player-stop-at"
           checked={pauses}
-          disabled={stop === null}
-          onChange={(event) => player.state.setState({ stopAt: event.currentTarget.checked ? stop : null })}
+          disabled={stop === null && !pauses}
+          onChange={({ currentTarget: { checked } }) =>
+            player.state.setState({ pausesThere: checked, stopAt: checked ? stop : null })
+          }
         />
         {texts.pauseThere}
       </label>

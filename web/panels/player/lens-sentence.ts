@@ -20,10 +20,16 @@ export function sentenceOf(step: AdvanceStep, { candidate, pair }: LensCandidate
   }
 }
 
-/** Returns what accepting a refused candidate would have done, by our own check; null for the accepted one. */
-export function whatIfOf({ candidate, isBehind, crossed }: LensCandidate): string | null {
-  if (candidate.verdict === "accepted") return null;
-  if (isBehind) return texts.whatIf.behind;
-  if (crossed.length > 0) return texts.whatIf.crosses(crossed);
-  return candidate.verdict === "too-close" ? texts.whatIf.tooClose : texts.whatIf.clear;
+/**
+ * Returns what accepting a refused candidate would have done, by our own check, or that the check does not find what was
+ * recorded; null for an accepted candidate that passes.
+ */
+export function whatIfOf({ candidate: { verdict }, isBehind, crossed }: LensCandidate): string | null {
+  const { whatIf, disagreement } = texts;
+  if (verdict === "behind") return isBehind ? whatIf.behind : disagreement.inFront;
+  if (isBehind) return disagreement.behind;
+  if (crossed.length > 0)
+    return verdict === "accepted" ? disagreement.crosses(crossed) : whatIf.crosses(crossed);
+  if (verdict === "accepted") return null;
+  return verdict === "too-close" ? whatIf.tooClose : disagreement.clear;
 }

@@ -18,8 +18,6 @@ import { useTrace } from "./use-player";
 const texts = strings.player.game;
 
 interface Answer {
-  /** The state in which it was given. */
-  readonly state: number;
   readonly node: number | null;
   readonly verdict: GameVerdict;
 }
@@ -29,15 +27,15 @@ export function MesherGame({ surface, state }: { readonly surface: SurfaceTrace;
   const { player } = useApp();
   const trace = useTrace();
   const [level, setLevel] = useState<GameLevel>("easy");
-  const [answer, setAnswer] = useState<Answer | null>(null);
-  const [score, setScore] = useState({ points: 0, rounds: 0 });
+  /** By step: each step counts once, whatever the level. */
+  const [answers, setAnswers] = useState<ReadonlyMap<number, Answer>>(new Map());
   const question = useMemo(() => nextQuestion(surface, state, level), [surface, state, level]);
-  const given = answer?.state === state ? answer : null;
+  const given = (question && answers.get(question.step.step)) ?? null;
+  const points = [...answers.values()].reduce((sum, { verdict }) => sum + verdict.points, 0);
   const choose = (node: number | null): void => {
     if (!question || given) return;
     const verdict = judgeChoice(question, node);
-    setAnswer({ state, node, verdict });
-    setScore(({ points, rounds }) => ({ points: points + verdict.points, rounds: rounds + 1 }));
+    setAnswers(new Map(answers).set(question.step.step, { node, verdict }));
   };
   const next = (): void => {
     if (question) player.seek(firstState(trace) + question.step.step);
@@ -52,12 +50,9 @@ export function MesherGame({ surface, state }: { readonly surface: SurfaceTrace;
           data-testid="game-level"
           value={level}
           data={levels.map((value) => ({ value, label: texts.levels[value] }))}
-          onChange={(value) => {
-            setLevel(value);
-            setAnswer(null);
-          }}
+          onChange={setLevel}
         />
-        <span data-testid="game-score">{texts.score(score.points, score.rounds)}</span>
+        <span data-testid="game-score">{texts.score(points, answers.size)}</span>
       </div>
       <p className={styles["task"]}>{question ? `${texts.task} ${texts.help[level]}` : texts.none}</p>
       {question && (
@@ -86,6 +81,7 @@ export function MesherGame({ surface, state }: { readonly surface: SurfaceTrace;
       </div>
       <p role="status" className={styles["verdict"]} data-testid="game-verdict">
         {given && question && texts.verdict[given.verdict.kind](given.verdict.edges, question.program)}
+        {given?.verdict.isDisputed && ` ${texts.disputed}`}
       </p>
       {given && (
         <Button size="compact-sm" className={styles["next"]} data-testid="game-next" onClick={next}>

@@ -108,12 +108,7 @@ function Sentence({ examined }: { readonly examined: PlanarLensCandidate }) {
     verdict === "accepted"
       ? texts.patch.accepted(node ?? 0, isNew)
       : texts.patch[verdict](isNew ? null : node, culprit ?? 0);
-  const whatIf =
-    verdict === "accepted" || examined.isBehind
-      ? null
-      : examined.crossed.length > 0
-        ? texts.patch.whatIf(examined.crossed)
-        : texts.patch.clear;
+  const whatIf = whatIfInPlane(examined);
   return (
     <>
       <p data-testid="lens-sentence">
@@ -122,4 +117,14 @@ function Sentence({ examined }: { readonly examined: PlanarLensCandidate }) {
       {whatIf !== null && <p data-testid="lens-what-if">{whatIf}</p>}
     </>
   );
+}
+
+/** As `whatIfOf` of the volume. Seams and the box of the patch are not part of our own check. */
+function whatIfInPlane({ candidate: { verdict }, isBehind, crossed }: PlanarLensCandidate): string | null {
+  const { whatIf, disagreement } = texts.patch;
+  if (verdict === "same-node" || verdict === "outside") return null;
+  if (verdict === "behind") return isBehind ? null : disagreement.inFront;
+  if (isBehind) return disagreement.behind;
+  if (crossed.length > 0) return verdict === "accepted" ? disagreement.crosses(crossed) : whatIf(crossed);
+  return verdict === "crosses" ? disagreement.clear : null;
 }
