@@ -9,6 +9,7 @@ import { createApp, type Intent, type Start } from "./app/create-app";
 import { offerLeftDocument } from "./commands/project-actions";
 import type { DrawnKind } from "./document/entities";
 import { Page } from "./panels/page/page";
+import { lessonIn, withLesson } from "./lessons/lesson-address";
 import { sharedFrontIn, withoutFront } from "./player/shared-front";
 import { listenForPalette } from "./panels/shared/palette";
 import { cssVariables, theme } from "./ui/theme/theme";
@@ -28,7 +29,7 @@ offerLeftDocument(app);
 
 /**
  * The address selects the document to open, `model=ID` or `new=1`, but a reload continues with the document as it was
- * before the reload. `lesson=N` opens a lesson, also after a reload.
+ * before the reload. `lesson=N` opens a lesson with its runs, also after a reload.
  */
 function intentOf(query: URLSearchParams): Intent {
   const [navigation] = performance.getEntriesByType("navigation") as PerformanceNavigationTiming[];
@@ -53,19 +54,15 @@ app.documents.state.subscribe(({ id }, before) => {
   if (id !== before.id) window.history.replaceState(null, "", withoutFront(window.location.href));
 });
 
-const lesson = query.get("lesson");
-if (lesson !== null) {
-  void import("./commands/lesson-actions").then(({ openLessonNumber }) =>
-    openLessonNumber(app, Number(lesson)),
-  );
+const lesson = lessonIn(query);
+if (lesson) {
+  void import("./commands/lesson-actions").then(({ openLessonNumber }) => openLessonNumber(app, lesson));
 }
 
-// The address names the open lesson, so that it can be passed on.
-app.shell.subscribe(({ lesson }, before) => {
-  if (lesson === before.lesson) return;
-  const address = new URL(window.location.href);
-  for (const start of ["model", "new", "lesson"]) address.searchParams.delete(start);
-  if (lesson !== null) address.searchParams.set("lesson", String(lesson));
+// The address names the open lesson and its runs, so that both can be passed on.
+app.shell.subscribe(({ lesson: number, lessonRuns: runs }, before) => {
+  if (number === before.lesson && runs === before.lessonRuns) return;
+  const address = withLesson(window.location.href, number === null ? null : { number, runs });
   window.history.replaceState(null, "", address);
 });
 

@@ -119,6 +119,27 @@ test("the list opens lessons, the address follows, and the buttons lead to the n
   await expect(page.getByTestId("lesson-list")).toBeVisible();
 });
 
+test("the runs of a lesson travel in its address", async ({ page }) => {
+  const number = 1 + lessons.findIndex(({ tasks }) => tasks.some(({ kind }) => kind === "compare"));
+  await open(page, `&lesson=${number}`);
+  await expect(front(page)).toHaveAttribute("data-shown", "true");
+  await page.getByTestId("lesson-compare-1").click();
+  const other = page.getByTestId("lesson-run-1-first-in");
+  await expect(other).toHaveAttribute("aria-pressed", "true");
+  await expect(page).toHaveURL(/[?&]runs=first-in(&|$)/);
+  const table = page.getByRole("table", { name: "Runs to compare" });
+  const rows = await table.innerText();
+  expect(rows.split("\n").length).toBeGreaterThan(2);
+
+  await page.reload();
+  await expect(front(page)).toHaveAttribute("data-shown", "true");
+  await expect(other).toHaveAttribute("aria-pressed", "false");
+  expect(await table.innerText()).toBe(rows);
+  await expect(page.getByTestId("viewport")).toHaveAttribute("data-step", String(lessons[number - 1]?.step));
+  await page.getByTestId("lesson-all").click();
+  await expect(page).not.toHaveURL(/runs=/);
+});
+
 test("wrong answers get a hint, and the right one counts after them", async ({ page }) => {
   await open(page, "&lesson=1");
   await expect(front(page)).toHaveAttribute("data-shown", "true");

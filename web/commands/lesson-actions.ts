@@ -6,6 +6,7 @@ import { meshKey } from "../document/content-keys";
 import { isShown } from "../lessons/check-task";
 import { course, finishTask } from "../lessons/course";
 import type { Lesson } from "../lessons/lesson";
+import type { LessonAddress } from "../lessons/lesson-address";
 import { loadLessonModel } from "../lessons/lesson-files";
 import type { PlayerState } from "../player/player";
 import type { Recorded } from "../player/recording";
@@ -58,29 +59,40 @@ function noteShown({ lesson, runs }: LessonRuns, { trace, step, coloring }: Play
   });
 }
 
-/** Opens the lesson with a number, from 1, and shows its model. Other numbers open the list. */
-export async function openLessonNumber(app: App, number: number): Promise<void> {
+/** Opens the lesson of an address, shows its model, and runs it in further orders. Unknown numbers open the list. */
+export async function openLessonNumber(app: App, { number, runs }: LessonAddress): Promise<void> {
   app.shell.setState({ rightTab: "lessons", drawer: "right", lesson: null });
   try {
     const lesson = (await course()).lessons[number - 1];
-    if (lesson) await openLesson(app, lesson, number);
+    if (lesson) await openLesson(app, lesson, number, runs);
   } catch {
     // The panel says why, and offers to try again.
   }
 }
 
-/** Opens a lesson and shows its model. `number` is its place among the lessons, from 1. */
-export async function openLesson(app: App, lesson: Lesson, number: number): Promise<void> {
+/** Opens a lesson and shows its model. `number` is its place among the lessons, from 1; `runs`: as for `showLessonModel`. */
+export async function openLesson(
+  app: App,
+  lesson: Lesson,
+  number: number,
+  runs: readonly FrontOrder[] = [],
+): Promise<void> {
   app.shell.setState({ rightTab: "lessons", lesson: number });
-  await showLessonModel(app, lesson);
+  await showLessonModel(app, lesson, runs);
 }
 
 /**
  * Shows the model of a lesson with its front, in the state where the lesson begins. The present document stays available, as
- * if an example were opened.
+ * if an example were opened. `orders`: further orders in which the model is run, to be compared.
  */
-export async function showLessonModel(app: App, lesson: Lesson): Promise<void> {
+export async function showLessonModel(
+  app: App,
+  lesson: Lesson,
+  orders: readonly FrontOrder[] = [],
+): Promise<void> {
   const store = lessonRuns(app);
+  const others = orders.filter((order) => order !== lesson.order);
+  app.shell.setState({ lessonRuns: others });
   store.setState({ lesson, model: null, runs: [], isPreparing: true });
   try {
     const project = await loadLessonModel(lesson, app.gallery);
@@ -94,7 +106,10 @@ export async function showLessonModel(app: App, lesson: Lesson): Promise<void> {
     if (store.getState().lesson !== lesson || !isShownModel(app, model)) return;
     const recorded = await app.player.record();
     if (store.getState().lesson !== lesson || recorded?.kind !== "recorded") return;
-    store.setState({ runs: [runOf(lesson.order, recorded)] });
+    const own = runOf(lesson.order, recorded);
+    store.setState({ runs: [own] });
+    for (const order of others) if (!(await addRun(app, lesson, order))) return;
+    if (others.length > 0) app.player.show(own.trace, own.file);
     showBeginning(app, lesson);
   } catch (error) {
     showFailure(app, strings.messages.openFailed(lesson.title), error);
@@ -120,10 +135,18 @@ export async function compareRun(app: App, order: FrontOrder): Promise<boolean> 
   if (!lesson) return false;
   if (!isShownModel(app, model)) await showLessonModel(app, lesson);
   if (store.getState().lesson !== lesson || !isShownModel(app, store.getState().model)) return false;
+  return addRun(app, lesson, order);
+}
+
+/** Records the front of the model of a lesson in another order, and shows it. Returns whether this has succeeded. */
+async function addRun(app: App, lesson: Lesson, order: FrontOrder): Promise<boolean> {
+  const store = lessonRuns(app);
   const recorded = await app.player.record(order);
   if (store.getState().lesson !== lesson || recorded?.kind !== "recorded") return false;
   const others = store.getState().runs.filter((run) => run.order !== order);
   store.setState({ runs: [...others, runOf(order, recorded)] });
+  const named = app.shell.getState().lessonRuns;
+  if (order !== lesson.order && !named.includes(order)) app.shell.setState({ lessonRuns: [...named, order] });
   return true;
 }
 

@@ -1,3 +1,4 @@
+import type { FrontOrder } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 
 export type DialogName = "help" | "new-point" | "new-node" | "cover" | "propose" | "recent" | "templates";
@@ -18,6 +19,8 @@ export interface ShellState {
   readonly rightTab: "inspector" | "quality" | "display" | "lessons";
   /** Number of the open lesson, from 1; null: the list of the lessons. */
   readonly lesson: number | null;
+  /** Orders in which the model of the open lesson was run, or shall be run, besides the lesson's own. */
+  readonly lessonRuns: readonly FrontOrder[];
   readonly bottomTab: "log" | "problems" | "patches" | "front" | "history";
   /** On small screens the panels are drawers. */
   readonly drawer: "left" | "right" | "bottom" | null;
@@ -41,6 +44,7 @@ export function createShell(): Shell {
     leftTab: "model",
     rightTab: "inspector",
     lesson: null,
+    lessonRuns: [],
     bottomTab: "log",
     drawer: null,
     dialog: null,

@@ -75,6 +75,18 @@ beforeEach(() => {
     });
   });
 });
+it("runs the model in the orders of an address, and shows the lesson's own run", async () => {
+  await showLessonModel(app, lesson, ["random", "layered", "first-in"]);
+  const { runs } = lessonRuns(app).getState();
+  expect(runs.map(({ order }) => order)).toEqual(["layered", "random", "first-in"]);
+  expect(app.player.state.getState().trace).toBe(runs[0]?.trace);
+  expect(app.shell.getState().lessonRuns).toEqual(["random", "first-in"]);
+  await compareRun(app, "smallest-first");
+  expect(app.shell.getState().lessonRuns).toEqual(["random", "first-in", "smallest-first"]);
+  await showLessonModel(app, lesson);
+  expect(app.shell.getState().lessonRuns).toEqual([]);
+});
+
 afterEach(() => {
   vi.restoreAllMocks();
   vi.unstubAllGlobals();

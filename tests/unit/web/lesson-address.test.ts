@@ -1,0 +1,21 @@
+/** The open lesson and its runs in the address of the page. */
+import { expect, it } from "vitest";
+import { lessonIn, withLesson } from "../../../web/lessons/lesson-address";
+
+it.each([
+  ["lesson=7", { number: 7, runs: [] }],
+  ["lesson=7&runs=first-in,random", { number: 7, runs: ["first-in", "random"] }],
+  ["lesson=7&runs=random, sideways,random,", { number: 7, runs: ["random"] }],
+  ["runs=random", null],
+])("%s", (query, lesson) => {
+  expect(lessonIn(new URLSearchParams(query))).toEqual(lesson);
+});
+
+it("comes back from the address, which keeps what is not about lessons", () => {
+  const lesson = { number: 3, runs: ["layered", "smallest-first"] } as const;
+  const address = withLesson("https://example.org/?model=cube&test=1&runs=random", lesson);
+  expect(lessonIn(address.searchParams)).toEqual(lesson);
+  expect(address.searchParams.get("test")).toBe("1");
+  expect(address.searchParams.has("model")).toBe(false);
+  expect(withLesson(address.href, null).search).toBe("?test=1");
+});
