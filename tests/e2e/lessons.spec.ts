@@ -140,6 +140,26 @@ test("the runs of a lesson travel in its address", async ({ page }) => {
   await expect(page).not.toHaveURL(/runs=/);
 });
 
+test("lesson 8 draws the heap of the front at every step, with the next base face on top", async ({
+  page,
+}) => {
+  await open(page, "&lesson=8");
+  await expect(front(page)).toHaveAttribute("data-shown", "true");
+  const queue = page.getByTestId("queue-figure");
+  await expect(page.getByTestId("lesson-page").getByRole("table")).toContainText("14,855");
+  for (const move of ["forward", "forward", "back"]) {
+    const next = (await queue.getAttribute("data-first")) ?? "";
+    const step = await stepOf(page);
+    await page.getByTestId(`player-${move}`).click();
+    await expect.poll(() => stepOf(page)).not.toBe(step);
+    if (move === "forward")
+      await expect(page.getByTestId("lens")).toContainText(
+        `Base face ${Number(next).toLocaleString("en-US")}`,
+      );
+  }
+  await expect(queue.locator("figcaption")).toContainText("compared faces");
+});
+
 test("wrong answers get a hint, and the right one counts after them", async ({ page }) => {
   await open(page, "&lesson=1");
   await expect(front(page)).toHaveAttribute("data-shown", "true");

@@ -25,10 +25,15 @@ async function openTrace(page: Page, content: Buffer): Promise<AppPage> {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByTestId("tab-front").click();
+  await chooseTrace(page, content);
+  return app;
+}
+
+/** Opens a trace from a file in the tab of the front. */
+async function chooseTrace(page: Page, content: Buffer): Promise<void> {
   const chooser = page.waitForEvent("filechooser");
   await page.getByTestId("player-open").click();
-  await (await chooser).setFiles({ name: "star.tft", mimeType: "application/octet-stream", buffer: content });
-  return app;
+  await (await chooser).setFiles({ name: "a.tft", mimeType: "application/octet-stream", buffer: content });
 }
 
 test("the front of the unit cube is recorded, played, and stepped through", async ({ page }) => {
@@ -197,6 +202,35 @@ test("a damaged trace is refused with the byte and a remedy", async ({ page }) =
   const app = await openTrace(page, star.subarray(0, star.length / 2));
   await expect(page.getByTestId("player-failure")).toContainText(/byte \d+: .*Record the trace again/);
   await expect(app.viewport).not.toHaveAttribute("data-steps");
+});
+
+test("a large trace is read with progress, and reading it can be cancelled: what was shown stays", async ({
+  page,
+}) => {
+  const large = Buffer.from(starTrace(starSurface(boxSurface(72, [0, 0, 0], [1, 1, 1]))).bytes);
+  const { viewport } = await openTrace(page, star);
+  const steps = (await viewport.getAttribute("data-steps")) ?? "";
+  expect(Number(steps)).toBeGreaterThan(0);
+  await page.getByTestId("player-forward").click();
+
+  const reading = page.getByTestId("player-reading");
+  await chooseTrace(page, large);
+  await expect(reading).toBeVisible();
+  await expect
+    .poll(async () => Number(await reading.getByRole("progressbar").getAttribute("aria-valuenow")), {
+      intervals: [20],
+    })
+    .toBeGreaterThan(0);
+  await page.getByTestId("player-stop-reading").click();
+  await expect(reading).toHaveCount(0);
+  await expect(viewport).toHaveAttribute("data-steps", steps);
+  await expect(viewport).toHaveAttribute("data-step", "1");
+
+  await chooseTrace(page, large);
+  await expect(reading).toBeVisible();
+  await expect(reading).toHaveCount(0);
+  await expect(viewport).not.toHaveAttribute("data-steps", steps);
+  await expect(viewport).toHaveAttribute("data-step", "0");
 });
 
 test("who prefers no motion sees the end at once", async ({ page }) => {

@@ -9,8 +9,8 @@ import { stopKinds } from "../player/stops";
 
 /** What the front's colours may show. */
 const colorings = ["age", "size", "layer"] as const;
-/** Charts that a lesson may show. */
-export const figures = ["search-cost"] as const;
+/** Figures that a lesson may show. */
+export const figures = ["queue", "search-cost"] as const;
 /** Where a task may send the reader: a step of a kind, or the last state. */
 const targets = [...stopKinds, "end"] as const;
 
@@ -76,7 +76,17 @@ const head = v.strictObject({
   /** Negative in the states of lines and patches, as in the player. */
   step: v.optional(v.pipe(number, v.integer("must be a whole number")), 0),
   coloring: v.optional(oneOf(colorings), "age"),
-  figure: v.optional(oneOf(figures)),
+  /** One or several. */
+  figure: v.optional(
+    v.pipe(
+      v.union(
+        [v.picklist(figures), v.array(v.picklist(figures))],
+        `must be one of: ${figures.join(", ")}, or a list of them`,
+      ),
+      v.transform((shown) => (typeof shown === "string" ? [shown] : shown)),
+    ),
+    [],
+  ),
   /** Section of the paper. */
   paper: text,
   tasks: v.pipe(v.array(task, "must be a list of tasks"), v.minLength(1, "needs at least one task")),

@@ -47,14 +47,17 @@ export function crossedFaces(
   const [low, high] = boxOf(element.corners);
   const { faces, nodes } = trace;
   const isNear = (face: number): boolean => {
+    const a = 3 * (faces.nodes[3 * face] ?? 0);
+    const b = 3 * (faces.nodes[3 * face + 1] ?? 0);
+    const c = 3 * (faces.nodes[3 * face + 2] ?? 0);
     for (let axis = 0; axis < 3; axis++) {
-      let [least, most] = [Infinity, -Infinity];
-      for (let corner = 3 * face; corner < 3 * face + 3; corner++) {
-        const coordinate = nodes.positions[3 * (faces.nodes[corner] ?? 0) + axis] ?? 0;
-        if (coordinate < least) least = coordinate;
-        if (coordinate > most) most = coordinate;
-      }
-      if (least > (high[axis] ?? 0) || most < (low[axis] ?? 0)) return false;
+      // Without arrays, because this is asked for all faces of the front.
+      const x = nodes.positions[a + axis] ?? 0;
+      const y = nodes.positions[b + axis] ?? 0;
+      const z = nodes.positions[c + axis] ?? 0;
+      const from = low[axis] ?? 0;
+      const to = high[axis] ?? 0;
+      if ((x > to && y > to && z > to) || (x < from && y < from && z < from)) return false;
     }
     return true;
   };

@@ -33,6 +33,8 @@ export interface PlayerState {
   readonly file: Uint8Array<ArrayBuffer> | null;
   /** The state that is shown: the one after this step. Negative in lines and patches (phases.ts). */
   readonly step: number;
+  /** The state that the lens shows: the same, or the one before while the user scrubs. */
+  readonly lensStep: number;
   readonly isPlaying: boolean;
   /** Steps per second. */
   readonly speed: number;
@@ -60,6 +62,11 @@ export const speeds = [1, 5, 25, 100, 500, 2500, 10_000] as const;
 /** Steps of the keys that jump. */
 export const jump = 100;
 
+/** States that are shown within this time of each other, in milliseconds, are scrubbed or played: the lens waits for the last. */
+const scrubbedMs = 250;
+/** Time after the last state until the lens shows it. */
+const settledMs = 100;
+
 const initialState: PlayerState = {
   recording: null,
   reading: null,
@@ -69,6 +76,7 @@ const initialState: PlayerState = {
   isOpened: false,
   file: null,
   step: 0,
+  lensStep: 0,
   isPlaying: false,
   speed: 25,
   loop: null,
@@ -98,6 +106,9 @@ export class Player {
   /** Labels of the recorded traces. */
   readonly #labels = new WeakMap<Trace, EntityLabels>();
   #abort: AbortController | null = null;
+  /** When a state was sought last. */
+  #soughtAt = -Infinity;
+  #settling: ReturnType<typeof setTimeout> | undefined;
 
   constructor(options: PlayerOptions) {
     this.#options = options;
@@ -200,7 +211,20 @@ export class Player {
     const { trace, step: before } = this.state.getState();
     if (!trace) return;
     const to = Math.min(Math.max(firstState(trace), Math.round(step)), trace.stepCount);
-    if (to !== before) this.state.setState({ step: to, candidate: null });
+    if (to === before) return;
+    const now = performance.now();
+    const isScrubbed = now - this.#soughtAt < scrubbedMs;
+    this.#soughtAt = now;
+    clearTimeout(this.#settling);
+    if (isScrubbed) this.#settling = setTimeout(() => this.#settle(), settledMs);
+    this.state.setState({ step: to, candidate: null, ...(!isScrubbed && { lensStep: to }) });
+  }
+
+  /** Lets the lens show the present state. */
+  #settle(): void {
+    clearTimeout(this.#settling);
+    const { step, lensStep } = this.state.getState();
+    if (step !== lensStep) this.state.setState({ lensStep: step });
   }
 
   /** Moves by a number of steps, and pauses. Infinitely many lead to the first or last state of the phase. */
@@ -220,6 +244,7 @@ export class Player {
     if (found === null) return false;
     this.pause();
     this.seek(found);
+    this.#settle();
     this.state.setState({ candidate: refusedIn(trace, found, stop) });
     return true;
   }
@@ -242,6 +267,7 @@ export class Player {
   pause(): void {
     this.#playback.stop();
     if (this.state.getState().isPlaying) this.state.setState({ isPlaying: false });
+    this.#settle();
   }
 
   toggle(): void {
@@ -301,6 +327,7 @@ export class Player {
       file,
       isOpened,
       step: 0,
+      lensStep: 0,
       loop: null,
       candidate: null,
       failure: null,

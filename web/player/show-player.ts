@@ -46,8 +46,8 @@ function drawTrace(trace: Trace, viewer: Viewer) {
     show: (state: PlayerState): void => {
       replay.show(state);
       surface.show(surfaceState(trace, state.step));
-      // While the front is played, only its faces change.
-      const scene = state.isPlaying ? null : lensScene(trace, state);
+      // While the front is played or scrubbed, only its faces change.
+      const scene = state.isPlaying || state.step !== state.lensStep ? null : lensScene(trace, state);
       lens.show(scene);
       if (state.follows && scene) viewer.fitPosition(cornersOf(trace, scene.step.face)[0]);
       viewer.requestFrame();

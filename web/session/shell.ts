@@ -27,6 +27,8 @@ export interface ShellState {
   readonly dialog: DialogName | null;
   /** Field of the selected entity that gets the focus as soon as the inspector shows it; null if none. */
   readonly editing: EditedField | null;
+  /** Whether the page has large type for an audience. */
+  readonly isPresenting: boolean;
   /** A failure that the user must read before continuing. */
   readonly message: { readonly title: string; readonly lines: readonly string[] } | null;
   readonly notices: readonly Notice[];
@@ -49,6 +51,7 @@ export function createShell(): Shell {
     drawer: null,
     dialog: null,
     editing: null,
+    isPresenting: false,
     message: null,
     notices: [],
     reading: null,

@@ -122,6 +122,7 @@ export const commandLabels = {
   },
 
   lessons: "Lessons",
+  present: "Presenter mode",
   help: "Keyboard and mouse",
 } as const;
 

@@ -34,6 +34,8 @@ export const lessonStrings = {
   all: "All lessons",
   previous: "Previous lesson",
   next: "Next lesson",
+  print: "Print this lesson",
+  printed: (address: string) => `Tetrafront, ${address}`,
   name: (lesson: number, title: string) => `${lesson} ${title}`,
   done: (done: number, tasks: number) => (done === tasks ? "done" : `${done} of ${tasks} tasks`),
   paper: "Löhner and Parikh 1988",
@@ -75,5 +77,17 @@ export const lessonStrings = {
   costText: (elements: number, linear: number, near: number) =>
     `For ${number(elements)} elements, a linear search compares ${number(linear)} faces; the search in space returns ${number(near)}.`,
   costAxis: (elements: number) => `${number(elements)} elements`,
+  queue: {
+    picture: (faces: number, first: number | null) =>
+      first === null
+        ? "The queue of the front is empty."
+        : `The queue of the front: ${number(faces)} faces in a heap, face ${number(first)} on top.`,
+    first: "comes next",
+    joined: "joined in this step",
+    below: (faces: number) => `${number(faces)} faces below`,
+    work: (taken: number, left: number, joined: number, comparisons: number, faces: number) =>
+      `This step took face ${number(taken)} from the top, ${left === 0 ? "" : `removed ${number(left)} more, `}and added ${number(joined)}. The heap compared faces ${number(comparisons)} times. To find the smallest of ${number(faces)} faces without a heap takes ${number(Math.max(0, faces - 1))} comparisons.`,
+    noWork: (faces: number) => `${number(faces)} faces wait. No parent comes after its two children.`,
+  },
   number,
 } as const;

@@ -174,4 +174,5 @@ export const pageStrings = {
     cadLibrary:
       "CAD files are read by a library that is loaded when the first one is opened. Its licence is the LGPL 2.1:",
   },
+  presenter: { title: "Presenter mode", laser: "Laser pointer", end: "End presentation" },
 } as const;

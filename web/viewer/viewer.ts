@@ -259,15 +259,19 @@ export class Viewer {
     return this.#renderer.picture(this.#view.camera);
   }
 
-  /** Draws the picture now, on a canvas of the same size, on the background of the page. */
-  drawOn(paper: HTMLCanvasElement, context: CanvasRenderingContext2D): void {
+  /** Draws the picture now, on a canvas of the same size; by default on the background of the page. */
+  drawOn(
+    paper: HTMLCanvasElement,
+    context: CanvasRenderingContext2D,
+    background = getComputedStyle(document.body).backgroundColor,
+  ): void {
     const { canvas } = this.#renderer;
     this.#renderer.render(this.#view.camera);
     if (paper.width !== canvas.width || paper.height !== canvas.height) {
       paper.width = canvas.width;
       paper.height = canvas.height;
     }
-    context.fillStyle = getComputedStyle(document.body).backgroundColor;
+    context.fillStyle = background;
     context.fillRect(0, 0, paper.width, paper.height);
     // The picture of the canvas lasts until the page is drawn.
     context.drawImage(canvas, 0, 0);

@@ -23,6 +23,7 @@ const lesson: Lesson = {
   order: "layered",
   step: 1,
   coloring: "age",
+  figure: [],
   paper: "3",
   tasks: [{ kind: "compare", ask: "Compare.", order: "first-in" }],
   text: "A text.",

@@ -89,7 +89,11 @@ describe("a lesson", () => {
       /field "step" must be a number without a unit/,
     ],
     ["half a step", withHead(`${fields}\nstep: 1.5`), /field "step" must be a whole number/],
-    ["an unknown figure", withHead(`${fields}\nfigure: heap`), /field "figure" must be one of: search-cost/],
+    [
+      "an unknown figure",
+      withHead(`${fields}\nfigure: heap`),
+      /field "figure" must be one of: queue, search-cost, or a list/,
+    ],
     [
       "no tasks",
       withHead(fields.replace(/tasks:[^]*/, "tasks: []")),

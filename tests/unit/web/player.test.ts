@@ -140,6 +140,30 @@ describe("the player", () => {
     expect(step()).toBe(12);
   });
 
+  it("shows every state at once, but the lens waits for the last of a scrub", async () => {
+    const { player } = newApp();
+    await player.open(bytes);
+    vi.useFakeTimers();
+    const shown = () => {
+      const { step, lensStep } = player.state.getState();
+      return [step, lensStep];
+    };
+    vi.advanceTimersByTime(1000);
+    player.seek(10);
+    expect(shown()).toEqual([10, 10]);
+    for (const step of [20, 30, 40]) {
+      vi.advanceTimersByTime(40);
+      player.seek(step);
+      expect(shown()).toEqual([step, 10]);
+    }
+    vi.advanceTimersByTime(200);
+    expect(shown()).toEqual([40, 40]);
+    player.seek(50);
+    player.jump("postponed", 1);
+    expect(player.state.getState().lensStep).toBe(player.state.getState().step);
+    vi.useRealTimers();
+  });
+
   it("plays at its speed, pauses at a kind of step, and repeats a range", async () => {
     const { player } = newApp();
     await player.open(bytes);

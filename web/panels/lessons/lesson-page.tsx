@@ -1,5 +1,5 @@
 import { Button } from "@mantine/core";
-import { IconChevronLeft, IconChevronRight, IconList } from "@tabler/icons-react";
+import { IconChevronLeft, IconChevronRight, IconList, IconPrinter } from "@tabler/icons-react";
 import { useEffect, useRef } from "react";
 import { openLesson, showBeginning, showLessonModel } from "../../commands/lesson-actions";
 import { isFinished, restart } from "../../lessons/course";
@@ -13,6 +13,8 @@ import { useApp } from "../shared/app-context";
 import { LessonPlayer } from "./lesson-player";
 import { LessonText } from "./lesson-text";
 import styles from "./lessons.module.css";
+import { usePrintedLesson } from "./printed-lesson";
+import { QueueFigure } from "./queue-figure";
 import { SearchChart } from "./search-chart";
 import { TaskList } from "./task-list";
 import { useLessonRuns, useProgress } from "./use-lessons";
@@ -29,6 +31,7 @@ export interface LessonPageProps {
 /** A lesson: its text, its figure and its tasks. */
 export function LessonPage({ lesson, number, course }: LessonPageProps) {
   const heading = useRef<HTMLHeadingElement>(null);
+  usePrintedLesson(useApp(), heading);
   // The button that has opened the lesson is gone: the keys go on from the title.
   useEffect(() => heading.current?.focus({ preventScroll: true }), []);
   return (
@@ -51,7 +54,8 @@ export function LessonPage({ lesson, number, course }: LessonPageProps) {
       <FrontState lesson={lesson} />
       <LessonPlayer />
       <LessonText text={lesson.text} />
-      {lesson.figure === "search-cost" && <SearchChart />}
+      {lesson.figure.includes("queue") && <QueueFigure />}
+      {lesson.figure.includes("search-cost") && <SearchChart />}
       <TaskList lesson={lesson} />
       <Finished lesson={lesson} number={number} course={course} />
     </ScrollPanel>
@@ -78,6 +82,9 @@ function LessonBar({ number, course }: Omit<LessonPageProps, "lesson">) {
         {texts.all}
       </Button>
       <span>
+        <IconButton label={texts.print} data-testid="lesson-print" onClick={() => window.print()}>
+          <IconPrinter {...icon} />
+        </IconButton>
         <IconButton
           label={texts.previous}
           data-testid="lesson-previous"
@@ -107,7 +114,7 @@ function FrontState({ lesson }: { readonly lesson: Lesson }) {
   const isShown = prepared === lesson && runs.some(({ trace }) => trace === shown);
   if (isPreparing) return <p role="status">{texts.preparing}</p>;
   return (
-    <p className={styles["front"]} data-testid="lesson-front" data-shown={isShown}>
+    <p className={styles["front"]} data-testid="lesson-front" data-shown={isShown} data-unprinted>
       {!isShown && `${texts.otherModel} `}
       <Button
         size="compact-xs"

@@ -10,7 +10,12 @@ export function LessonPlayer() {
   const hasTrace = usePlayer((state) => state.trace !== null);
   if (layout === "wide" || !hasTrace) return null;
   return (
-    <section className={styles["player"]} aria-label={strings.player.transport} data-testid="lesson-player">
+    <section
+      className={styles["player"]}
+      aria-label={strings.player.transport}
+      data-testid="lesson-player"
+      data-unprinted
+    >
       <CompactPlayer />
     </section>
   );

@@ -46,7 +46,7 @@ export function Header({ layout }: { readonly layout: Layout }) {
   const canRedo = useDocument((state) => state.history.future.length > 0);
   const cut = useView((state) => state.cut.enabled);
   return (
-    <header className={styles["header"]}>
+    <header className={styles["header"]} data-presented>
       <span className={styles["brand"]}>
         <Logo />
         <h1>{strings.appName}</h1>

@@ -30,27 +30,35 @@ export function PageLayout({ root }: { readonly root: RefObject<HTMLDivElement |
   );
 }
 
+/** Sizes of the panels. An audience sees larger type, and no model tree. */
+const usualSizes = { bottom: ["212px", "420px"], right: ["292px", "520px"] } as const;
+const presenterSizes = { bottom: ["300px", "540px"], right: ["440px", "720px"] } as const;
+
 function WideBody() {
+  const isPresenting = useShell((state) => state.isPresenting);
+  const { bottom, right } = isPresenting ? presenterSizes : usualSizes;
   return (
-    <Splitter className={styles["body"]} withHandle={false} lineSize={1}>
-      <Splitter.Pane defaultSize="250px" min="180px" max="480px">
-        <aside className={styles["side"]} aria-label={strings.tree.model}>
-          <LeftPanel />
-        </aside>
-      </Splitter.Pane>
+    <Splitter key={String(isPresenting)} className={styles["body"]} withHandle={false} lineSize={1}>
+      {!isPresenting && (
+        <Splitter.Pane defaultSize="250px" min="180px" max="480px">
+          <aside className={styles["side"]} aria-label={strings.tree.model}>
+            <LeftPanel />
+          </aside>
+        </Splitter.Pane>
+      )}
       <Splitter.Pane defaultSize={100} min={20}>
         <Splitter orientation="vertical" className={styles["side"]} withHandle={false} lineSize={1}>
           <Splitter.Pane defaultSize={100} min={20}>
             <ViewportPanel layout="wide" />
           </Splitter.Pane>
-          <Splitter.Pane defaultSize="212px" min="60px" max="420px">
+          <Splitter.Pane defaultSize={bottom[0]} min="60px" max={bottom[1]}>
             <aside className={styles["side"]} aria-label={strings.bottom.title}>
               <BottomPanel />
             </aside>
           </Splitter.Pane>
         </Splitter>
       </Splitter.Pane>
-      <Splitter.Pane defaultSize="292px" min="220px" max="520px">
+      <Splitter.Pane defaultSize={right[0]} min="220px" max={right[1]}>
         <aside className={styles["side"]} aria-label={strings.inspector.title}>
           <RightPanel />
         </aside>

@@ -6,6 +6,7 @@ import { HelpDialog } from "../dialogs/help-dialog";
 import { MessageDialog } from "../dialogs/message-dialog";
 import { Notices } from "../dialogs/notices";
 import { useIsLastUsed } from "../shared/page-apps";
+import { Presenter } from "../dialogs/presenter";
 import { ProposeDialog } from "../background/propose-dialog";
 import { RecentDialog } from "../files/recent-dialog";
 import { TemplateDialog } from "../files/template-dialog";
@@ -26,6 +27,7 @@ export default function Overlays() {
       <TemplateDialog />
       <MessageDialog />
       <Notices />
+      <Presenter />
     </>
   );
 }

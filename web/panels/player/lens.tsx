@@ -28,14 +28,14 @@ export function Lens() {
 
 function Step() {
   const trace = useTrace();
-  const state = usePlayer(({ step }) => surfaceState(trace, step));
+  const state = usePlayer(({ lensStep }) => surfaceState(trace, lensStep));
   if (trace.surface === null || state === null) return <StepUnderLens />;
   return <SurfaceLens surface={trace.surface} state={state} />;
 }
 
 function StepUnderLens() {
   const trace = useTrace();
-  const number = usePlayer((state) => state.step);
+  const number = usePlayer((state) => state.lensStep);
   const chosen = usePlayer((state) => state.candidate);
   const step = useMemo(() => trace.stepAt(number), [trace, number]);
   const examined = useMemo(() => {

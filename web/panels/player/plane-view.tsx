@@ -47,7 +47,7 @@ function Plane({ surface, index, state }: PlaneProps) {
   if (!front || !step || !whole) return null;
   const box = zoom === "edge" && step.kind === "edge" ? windowAround(front, step) : whole;
   return (
-    <section className={styles["pane"]} aria-label={texts.label} data-testid="plane-view">
+    <section className={styles["pane"]} aria-label={texts.label} data-testid="plane-view" data-presented>
       <header className={styles["header"]}>
         <b>{texts.title(labelAt(labels?.patches, front.patch))}</b>
         <span className={styles["choices"]}>

@@ -18,6 +18,7 @@ import { strings } from "../../strings";
 import { IconButton } from "../../ui/icon-button";
 import { useApp, useRun } from "../shared/app-context";
 import { ShareMenu } from "./share-menu";
+import { OpenTrace } from "./trace-files";
 import styles from "./player.module.css";
 import { usePlayer, useTrace } from "./use-player";
 
@@ -117,7 +118,7 @@ function LoopButton() {
   );
 }
 
-/** Records again, saves the trace, or leaves it. */
+/** Records again, opens or saves a trace, or leaves it. */
 function TraceButtons() {
   const app = useApp();
   const file = usePlayer((state) => state.file);
@@ -135,6 +136,7 @@ function TraceButtons() {
       >
         <IconPlayerRecordFilled {...icon} />
       </IconButton>
+      <OpenTrace isSmall />
       <IconButton label={texts.save} data-testid="player-save" onClick={save}>
         <IconDeviceFloppy {...icon} />
       </IconButton>

@@ -1,0 +1,71 @@
+/** Lessons in class and on paper: presenter mode, the laser pointer, and the print view. */
+import AxeBuilder from "@axe-core/playwright";
+import { expect, test, type Page } from "@playwright/test";
+
+async function openLesson(page: Page, number: number): Promise<void> {
+  await page.goto(`./?test=1&lesson=${number}`);
+  await expect(page.getByTestId("lesson-front")).toHaveAttribute("data-shown", "true");
+}
+
+const heightOf = async (page: Page): Promise<number> =>
+  (await page.getByTestId("lesson-page").getByRole("heading").first().boundingBox())?.height ?? 0;
+
+test("presenter mode has larger type and a laser pointer that takes no clicks", async ({ page }) => {
+  await openLesson(page, 1);
+  const before = await heightOf(page);
+  await page.getByRole("menuitem", { name: "Help" }).click();
+  await page.getByRole("menuitemcheckbox", { name: "Presenter mode" }).click();
+  await expect(page.getByTestId("presenter")).toBeVisible();
+  expect(await heightOf(page)).toBeGreaterThan(1.3 * before);
+  await page.getByTestId("presenter-laser").click();
+  await page.mouse.move(500, 400);
+  const dot = await page.getByTestId("laser").boundingBox();
+  expect((dot?.x ?? 0) + (dot?.width ?? 0) / 2).toBeCloseTo(500, 0);
+  expect((dot?.y ?? 0) + (dot?.height ?? 0) / 2).toBeCloseTo(400, 0);
+  // The scrub bar goes where it is clicked, although its panel is enlarged.
+  const bar = await page.getByTestId("player-scrub").boundingBox();
+  const viewport = page.getByTestId("viewport");
+  await page.mouse.click((bar?.x ?? 0) + (bar?.width ?? 0) - 1, (bar?.y ?? 0) + 5);
+  const last = Number(await viewport.getAttribute("data-steps"));
+  await expect
+    .poll(async () => Number(await viewport.getAttribute("data-step")))
+    .toBeGreaterThan(0.97 * last);
+  const axe = new AxeBuilder({ page }).setLegacyMode(true).options({ resultTypes: ["violations"] });
+  expect((await axe.analyze()).violations.map(({ id }) => id)).toEqual([]);
+  await page.getByTestId("presenter-end").click();
+  await expect(page.getByTestId("laser")).toHaveCount(0);
+  expect(await heightOf(page)).toBe(before);
+});
+
+test("a lesson is printed with its text, the view, its figures and tasks, and nothing else", async ({
+  page,
+}) => {
+  await page.addInitScript(() => {
+    // The browser sends these events itself when it prints.
+    window.print = () => window.dispatchEvent(new Event("beforeprint"));
+  });
+  await openLesson(page, 8);
+  await page.getByTestId("lesson-print").click();
+  const sheet = page.getByTestId("printed-lesson");
+  await expect(sheet).toBeHidden();
+  await page.emulateMedia({ media: "print" });
+  await expect(sheet).toBeVisible();
+  await expect(page.getByTestId("app")).toBeHidden();
+  await expect(sheet.getByRole("heading").first()).toContainText("Search structures");
+  await expect(sheet.locator("button, nav, input")).toHaveCount(0);
+  await expect(sheet.locator("canvas")).toBeVisible();
+  await expect(sheet.getByRole("table")).toContainText("14,855");
+  await expect(sheet.getByTestId("queue-figure")).toBeVisible();
+  await expect(sheet).toContainText("Divide the two numbers");
+  await expect(sheet).toContainText("?lesson=8");
+  // The picture shows the front.
+  const colors = await sheet.locator("canvas").evaluate((canvas: HTMLCanvasElement) => {
+    const { data } = canvas.getContext("2d")?.getImageData(0, 0, canvas.width, canvas.height) ?? {};
+    return new Set(new Uint32Array(data?.buffer ?? new ArrayBuffer(0))).size;
+  });
+  expect(colors).toBeGreaterThan(20);
+  await page.emulateMedia({ media: "screen" });
+  await page.evaluate(() => window.dispatchEvent(new Event("afterprint")));
+  await expect(sheet).toHaveCount(0);
+  await expect(page.getByTestId("lesson-page")).toBeVisible();
+});

@@ -1,0 +1,77 @@
+import { useMemo } from "react";
+import { FrontQueue } from "../../lessons/front-queue";
+import { lessonStrings } from "../../strings/lessons";
+import { usePlayer } from "../player/use-player";
+import styles from "./lessons.module.css";
+
+const texts = lessonStrings.queue;
+/** Levels of the heap that are drawn. */
+const levels = 4;
+/** Units of the drawing, which is scaled to the width of the panel. */
+const width = 320;
+const levelHeight = 34;
+const height = levels * levelHeight;
+const radius = { x: 19, y: 10 } as const;
+
+interface Place {
+  readonly x: number;
+  readonly y: number;
+}
+
+/** The first levels of the queue of the front in the state that is shown, drawn as a tree. */
+export function QueueFigure() {
+  const trace = usePlayer((state) => state.trace);
+  const step = usePlayer((state) => state.step);
+  const queue = useMemo(() => trace && new FrontQueue(trace), [trace]);
+  const shown = useMemo(() => {
+    if (!queue || step < 0) return null;
+    queue.show(step);
+    return { top: queue.faces.slice(0, 2 ** levels - 1), count: queue.faces.length, work: queue.work };
+  }, [queue, step]);
+  if (!shown) return null;
+  const { top, count, work } = shown;
+  const [first] = top;
+  const joined = new Set(work?.joined);
+  return (
+    <figure className={styles["figure"]} data-testid="queue-figure" data-first={first} data-count={count}>
+      <svg viewBox={`0 0 ${width} ${height}`} role="img" aria-label={texts.picture(count, first ?? null)}>
+        {top.map((face, slot) => slot > 0 && <path key={face} className={styles["axis"]} d={edgeTo(slot)} />)}
+        {top.map((face, slot) => {
+          const { x, y } = placeOf(slot);
+          const kind = slot === 0 ? "first" : joined.has(face) ? "joined" : undefined;
+          return (
+            <g key={face} className={styles["queued"]} data-kind={kind}>
+              <ellipse cx={x} cy={y} rx={radius.x} ry={radius.y} />
+              <text x={x} y={y}>
+                {face}
+              </text>
+            </g>
+          );
+        })}
+      </svg>
+      <ul className={styles["key"]}>
+        <li data-kind="first">{texts.first}</li>
+        <li data-kind="joined">{texts.joined}</li>
+        {count > top.length && <li>{texts.below(count - top.length)}</li>}
+      </ul>
+      <figcaption>
+        {work
+          ? texts.work(work.taken, work.left, work.joined.length, work.comparisons, count)
+          : texts.noWork(count)}
+      </figcaption>
+    </figure>
+  );
+}
+
+function placeOf(slot: number): Place {
+  const level = Math.floor(Math.log2(slot + 1));
+  const across = 2 ** level;
+  const x = (width * (slot + 1 - across + 0.5)) / across;
+  return { x, y: (level + 0.5) * levelHeight };
+}
+
+/** The edge from the parent of an entry to it. */
+function edgeTo(slot: number): string {
+  const [from, to] = [placeOf((slot - 1) >> 1), placeOf(slot)];
+  return `M${from.x} ${from.y + radius.y}L${to.x} ${to.y - radius.y}`;
+}
