@@ -274,6 +274,33 @@ test("a circle on a face of a patch becomes its hole, and a second click fills i
   await draw.counts(7, 5, 0);
 });
 
+test("a circle through three places is refused on a straight line, and goes through them", async ({
+  page,
+}) => {
+  const draw = new DrawPage(page);
+  await draw.openNew();
+  await page.keyboard.press("l");
+  const bar = page.getByTestId("drawing-bar");
+  await bar.getByText("circle", { exact: true }).click();
+  await page.getByTestId("circle-by").getByText("3 points").click();
+  await expect(page.getByTestId("drawing-hint")).toContainText("three places on the circle");
+  await draw.click([0, 0, 0]);
+  await draw.click([1, 0, 0]);
+  await draw.click([2, 0, 0]);
+  await expect(page.getByTestId("drawing-hint")).toContainText("straight line");
+  await draw.counts(0, 0, 0);
+  await draw.click([1, 1, 0]);
+  await draw.counts(3, 1, 0);
+  await bar.getByText("Centre", { exact: true }).click();
+  await draw.typeCoordinates("0,0,0", "1,0,0");
+  await draw.counts(5, 2, 0);
+  await page.getByTestId("tree-line-1").click();
+  await expect(page.getByTestId("line-type")).toHaveValue("circle");
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  await draw.counts(0, 0, 0);
+});
+
 test("Backspace removes the last place, Esc leaves the chain and then the tool, and distances are measured", async ({
   page,
 }) => {

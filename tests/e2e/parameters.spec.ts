@@ -1,7 +1,10 @@
 import { expect, test } from "@playwright/test";
-import { readProject } from "tetrafront";
+import { createBody, readProject, writeProject } from "tetrafront";
 import { AppPage } from "./app-page";
+import { cubeProject } from "../support/projects";
+import { boxSurface } from "../support/surfaces";
 import { downloaded } from "./downloads";
+import { dropBytes } from "./drop-bytes";
 
 test("a parameter moves the points whose coordinates use it; the file keeps it", async ({ page }) => {
   const app = new AppPage(page);
@@ -79,4 +82,42 @@ test("a selection is edited at once and becomes a group; the history jumps", asy
   await history.getByRole("button", { name: "Set z of 2 entities" }).click();
   await expect(page.getByTestId("common-position-z")).toHaveValue("1.25");
   await expect(history.locator("[aria-current]")).toHaveText("Set z of 2 entities");
+});
+
+test("bodies are edited together; their sizes use parameters", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const bodies = [1, 2].map((id) => {
+    const name = `a part with a name as long as those of files ${id}`;
+    const surface = boxSurface(2, [2 * id, 0, 0], [2 * id + 1, 1, 1]);
+    return createBody(surface, { id, firstPatchId: 100 + id, name });
+  });
+  const project = { ...cubeProject(), bodies, meshing: { size: 0.5 } };
+  await dropBytes(page, new TextEncoder().encode(writeProject(project)), "parts.json");
+  await expect(page.getByTestId("tree-body-2")).toContainText("remesh");
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Escape");
+  await app.page.getByTestId("new-parameter-name").fill("h");
+  await app.page.getByTestId("new-parameter-expression").fill("0.25");
+  await page.keyboard.press("Enter");
+
+  await page.getByTestId("tree-body-1").click();
+  await page.getByTestId("tree-body-2").click({ modifiers: ["Control"] });
+  await expect(page.getByTestId("common-remeshing-size")).toHaveAttribute("placeholder", "automatic");
+  await app.type("common-remeshing-size", "2*h");
+  await page.getByTestId("common-treatment").getByText("Keep").click();
+  await expect(page.getByTestId("common-remeshing-size")).toHaveCount(0);
+  await page.getByTestId("common-treatment").getByText("Remesh").click();
+  await expect(page.getByTestId("common-remeshing-size")).toHaveValue("0.5");
+
+  await page.getByTestId("tree-body-2").click();
+  await expect(page.getByTestId("remeshing-size")).toHaveAttribute("data-expression", "2*h");
+  await page.getByTestId("body-placement").locator("summary").click();
+  await app.type("placement-position-x", "4*h");
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Escape");
+  await app.type("parameter-h", "0.5");
+  await page.getByTestId("tree-body-2").click();
+  await expect(page.getByTestId("remeshing-size")).toHaveValue("1");
+  await expect(page.getByTestId("placement-position-x")).toHaveValue("2");
 });

@@ -8,7 +8,7 @@ import type {
 } from "tetrafront";
 import { bodyStepNames, stepNames } from "../strings";
 import { nounOf, recordOf, type ProjectDraft } from "./draft-records";
-import type { ProjectEdit } from "./edit";
+import type { DraftEdit, ProjectEdit } from "./edit";
 import { bodiesOf, recordsOf } from "./entities";
 
 /** Changes of the bodies of a project, as named edits for the history. An edit of a missing body changes nothing. */
@@ -19,6 +19,25 @@ export function nextBodyIds(project: Project): { readonly id: number; readonly f
     records.reduce((highest, { id }) => Math.max(highest, id), 0) + 1;
   const patches = [...recordsOf(project, "patch"), ...recordsOf(project, "body-patch")];
   return { id: above(bodiesOf(project)), firstPatchId: above(patches) };
+}
+
+/** Changes the treatment of bodies as one step. */
+export function setCommonSurface(ids: readonly number[], surface: BodySurface): ProjectEdit {
+  return {
+    label: bodyStepNames.surfaces(ids.length),
+    change: ({ project }) => {
+      for (const id of ids) {
+        const body = bodyOf(project, id);
+        if (body) writeSurface(body, surface);
+      }
+    },
+  };
+}
+
+/** The file omits the default. */
+function writeSurface(body: { surface?: BodySurface | undefined }, surface: BodySurface): void {
+  if (surface === "remesh") delete body.surface;
+  else body.surface = surface;
 }
 
 const replaceBodies = (label: string, bodies: readonly ProjectBody[]): ProjectEdit => ({
@@ -51,16 +70,13 @@ export function setBodySurface(id: number, surface: BodySurface): ProjectEdit {
     label: bodyStepNames.surface(nounOf("body", id)),
     change: ({ project }) => {
       const body = bodyOf(project, id);
-      if (!body) return;
-      // The file omits the default.
-      if (surface === "remesh") delete body.surface;
-      else body.surface = surface;
+      if (body) writeSurface(body, surface);
     },
   };
 }
 
 /** Sets an option of remeshing; null removes it, so that the default applies. */
-export function setRemeshing(id: number, field: keyof BodyRemeshing, value: number | null): ProjectEdit {
+export function setRemeshing(id: number, field: keyof BodyRemeshing, value: number | null): DraftEdit {
   return {
     label: bodyStepNames.remeshing[field],
     ...(value !== null && { mergeKey: `remeshing-${id}-${field}` }),
@@ -76,7 +92,7 @@ export function setRemeshing(id: number, field: keyof BodyRemeshing, value: numb
 }
 
 /** Moves a body. Parts of the placement that equal their default are omitted. */
-export function setPlacement(id: number, placement: BodyPlacement, mergeKey?: string): ProjectEdit {
+export function setPlacement(id: number, placement: BodyPlacement, mergeKey?: string): DraftEdit {
   return {
     label: stepNames.move(nounOf("body", id)),
     ...(mergeKey !== undefined && { mergeKey: `placement-${id}-${mergeKey}` }),

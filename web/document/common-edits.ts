@@ -1,16 +1,24 @@
-import { SOURCE_GROWTH, type LineType, type PatchType, type Project } from "tetrafront";
+import { SOURCE_GROWTH, type BodySurface, type LineType, type PatchType, type Project } from "tetrafront";
 import { stepNames } from "../strings";
 import { draftFinder } from "./draft-records";
 import type { DraftEdit } from "./edit";
 import { changeLineTypes, changePatchTypes } from "./edits";
-import { recordsOf, type Entity } from "./entities";
+import { bodiesOf, recordsOf, type Entity } from "./entities";
 import { expressionFinder, keepingExpressions } from "./expression-edits";
 import { numberAt, recordFinder, setNumberAt, type NumberPath } from "./number-paths";
 
 /** What several selected entities have in common, and edits that change it in all of them. */
 
 /** Numbers that entities of several kinds have. */
-export type CommonField = `position.${0 | 1 | 2}` | "size" | "stretching" | "distance" | "growth";
+export type CommonField =
+  | `position.${0 | 1 | 2}`
+  | "size"
+  | "stretching"
+  | "distance"
+  | "growth"
+  | "placement.scale"
+  | "remeshing.size"
+  | "remeshing.tolerance";
 
 const coordinates = ["position.0", "position.1", "position.2"] as const;
 
@@ -19,6 +27,7 @@ const fieldsOf: { readonly [K in Entity["kind"]]?: readonly CommonField[] } = {
   point: coordinates,
   "background-node": [...coordinates, "size", "stretching"],
   source: ["size", "distance", "growth"],
+  body: ["placement.scale", "remeshing.size", "remeshing.tolerance"],
 };
 
 /** Values of numbers that a file may omit. */
@@ -29,13 +38,15 @@ const defaults: { readonly [F in CommonField]?: number } = {
 };
 
 const pathOf = ({ kind, id }: Entity, field: CommonField): NumberPath | undefined =>
-  kind === "point" || kind === "background-node" || kind === "source" ? { kind, id, field } : undefined;
+  kind === "line" || kind === "patch" || kind === "body-patch" ? undefined : { kind, id, field };
 
 /** A number that all selected entities have. */
 export interface CommonNumber {
   readonly field: CommonField;
-  /** Null if the entities differ. */
+  /** Null if the entities differ, or none has the number. */
   readonly value: number | null;
+  /** None has the number: the program chooses it. */
+  readonly isAutomatic: boolean;
   readonly expression: string | undefined;
 }
 
@@ -48,7 +59,12 @@ export function commonNumbers(project: Project, entities: readonly Entity[]): Co
     .filter((field) => entities.every(({ kind }) => fieldsOf[kind]?.includes(field)))
     .map((field) => ({
       field,
-      value: same(entities.map((entity) => numberAt(record(entity), field) ?? defaults[field])),
+      values: entities.map((one) => numberAt(record(one), field) ?? defaults[field]),
+    }))
+    .map(({ field, values }) => ({
+      field,
+      value: same(values),
+      isAutomatic: values.every((value) => value === undefined),
       expression:
         same(
           entities.map((entity) => {
@@ -104,6 +120,13 @@ export function commonType(
     recordsOf(project, kind).map(({ id, type }) => [id, type]),
   );
   return same(entities.map(({ id }) => types.get(id)));
+}
+
+/** Returns the treatment that all given bodies have: null if they differ, undefined for other kinds. */
+export function commonSurface(project: Project, entities: readonly Entity[]): BodySurface | null | undefined {
+  if (entities.length === 0 || entities.some(({ kind }) => kind !== "body")) return undefined;
+  const surfaces = new Map(bodiesOf(project).map(({ id, surface = "remesh" }) => [id, surface]));
+  return same(entities.map(({ id }) => surfaces.get(id)));
 }
 
 export const setCommonLineType = (entities: readonly Entity[], type: LineType): DraftEdit => ({

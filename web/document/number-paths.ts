@@ -21,42 +21,74 @@ export function recordFinder(project: Project): (entity: Entity) => object | und
 
 /** Returns the number at a path of fields in a record, such as `position.0`; undefined if there is none. */
 export function numberAt(record: object | undefined, field: string): number | undefined {
+  if (!record) return undefined;
   let at: unknown = record;
   for (const key of field.split(".")) {
-    if (typeof at !== "object" || at === null) return undefined;
-    at = (at as Readonly<Record<string, unknown>>)[key];
+    at = typeof at === "object" && at !== null ? (at as Readonly<Record<string, unknown>>)[key] : undefined;
   }
-  return typeof at === "number" ? at : undefined;
+  return typeof at === "number" ? at : valuesIfMissing[field];
 }
 
-/** Sets the number at a path of fields in a draft of a record. Does nothing if what should hold the number is missing. */
+/** Values of numbers that a record may omit, if they are known. */
+const valuesIfMissing: Readonly<Record<string, number>> = {
+  "placement.scale": 1,
+  "placement.position.0": 0,
+  "placement.position.1": 0,
+  "placement.position.2": 0,
+};
+
+/** Returns what holds the number at a path, if a record may omit it. */
+function newHolder(path: string): object | undefined {
+  if (path === "placement.position") return [0, 0, 0];
+  return path === "placement" || path === "remeshing" ? {} : undefined;
+}
+
+/**
+ * Sets the number at a path of fields in a draft of a record. Adds the placement or the remeshing of a body if it has none;
+ * does nothing if something else that should hold the number is missing.
+ */
 export function setNumberAt(record: object | undefined, field: string, value: number): void {
   const keys = field.split(".");
   const last = keys.pop() ?? "";
   let at: unknown = record;
-  for (const key of keys) {
-    at = typeof at === "object" && at !== null ? (at as Record<string, unknown>)[key] : undefined;
-  }
+  keys.forEach((key, depth) => {
+    if (typeof at !== "object" || at === null) return;
+    const holder = at as Record<string, unknown>;
+    const missing = holder[key] === undefined ? newHolder(keys.slice(0, depth + 1).join(".")) : undefined;
+    if (missing) holder[key] = missing;
+    at = holder[key];
+  });
   if (typeof at === "object" && at !== null) (at as Record<string, unknown>)[last] = value;
 }
 
-/** Largest values of fields that have a limit of their own. */
-const limits: Readonly<Record<string, number>> = {
-  growth: LIMITS.growth,
-  stretching: LIMITS.stretching,
+/** The least value and the largest, both allowed. */
+type Range = readonly [min: number, max: number];
+
+const aboveZero: Range = [Number.MIN_VALUE, LIMITS.length];
+/** Degrees. */
+const angle: Range = [1, 180];
+
+/** Ranges of fields; all others have values from 0 to the largest length. They are those of the file and of the fields. */
+const ranges: Readonly<Record<string, Range>> = {
+  size: aboveZero,
+  stretching: [1, LIMITS.stretching],
+  growth: [0, LIMITS.growth],
+  "placement.scale": aboveZero,
+  "remeshing.size": aboveZero,
+  "remeshing.minSize": aboveZero,
+  "remeshing.maxSize": aboveZero,
+  "remeshing.tolerance": aboveZero,
+  "remeshing.featureAngle": angle,
+  "remeshing.anglePerEdge": angle,
+  "remeshing.layers": [0, 100],
+  "remeshing.growth": [0, LIMITS.growth],
 };
 
-/** Fields whose numbers must be above zero. */
-const positive: ReadonlySet<string> = new Set(["size", "placement.scale"]);
-
 /** Returns whether a number may have a value. Other values of an expression leave the number as it is. */
-export function isAllowed({ kind, field }: NumberPath, value: number): boolean {
-  if (positive.has(field) && value <= 0) return false;
-  if (field === "stretching") return value >= 1 && value <= LIMITS.stretching;
-  const isPosition = /position|direction/.test(field);
-  if (isPosition) return Math.abs(value) <= LIMITS.length;
-  // Remeshing has limits of its own for angles, layers and growth, which only its fields know.
-  if (kind === "body" && field.startsWith("remeshing.")) return false;
+export function isAllowed({ field }: NumberPath, value: number): boolean {
+  if (/position|direction/.test(field)) return Math.abs(value) <= LIMITS.length;
+  // A rotation is a unit quaternion: its parts do not change one by one.
   if (field.startsWith("placement.rotation")) return false;
-  return value >= 0 && value <= (limits[field] ?? LIMITS.length);
+  const [min, max] = ranges[field] ?? [0, LIMITS.length];
+  return value >= min && value <= max;
 }

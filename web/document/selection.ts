@@ -4,7 +4,7 @@ import type { Brush } from "./brush";
 import type { QualitySpace } from "./mesh-quality";
 import { entityKey, sameEntity, type Entity } from "./entities";
 import type { Position } from "./position";
-import type { HandleMode, Snapping, ToolName } from "./tools";
+import type { CircleBy, HandleMode, Snapping, ToolName } from "./tools";
 import { principalPlane, type WorkPlane } from "./work-plane";
 
 /** The state of the view, which undo does not change: selection, visibility, cut, shading. */
@@ -60,6 +60,8 @@ export interface ViewState {
   readonly leftDrag: "select" | "orbit";
   /** Type of the lines that the line tool draws. */
   readonly lineType: LineType;
+  /** What the line tool picks for a circle: its centre and a place on it, or three places on it. */
+  readonly circleBy: CircleBy;
   /** Type of the sources that the source tool draws. */
   readonly sourceType: SourceType;
   readonly workPlane: WorkPlane;
@@ -102,6 +104,7 @@ const initialView: ViewState = {
   tool: "select",
   leftDrag: "select",
   lineType: "straight",
+  circleBy: "centre",
   sourceType: "segment",
   workPlane: principalPlane("xy"),
   handleMode: "translate",

@@ -17,3 +17,7 @@ export interface Snapping {
   readonly model: boolean;
   readonly patches: boolean;
 }
+
+/** Ways to draw a circle. */
+export const circleWays = ["centre", "points"] as const;
+export type CircleBy = (typeof circleWays)[number];

@@ -10,8 +10,7 @@ const namePattern = /^[A-Za-z_]/;
 
 /**
  * Reads a number the way people type it: `0.25`, `1/3`, `2*pi`, `(1+2)/4`, `1e-3`, `-sqrt(2)/2`, `3^2`, `sin(30)`, `2*r`
- * with
- * a number named `r`. Angles are in degrees. Names are case-sensitive; functions and constants are not.
+ * with a number named `r`. Angles are in degrees. Names are case-sensitive; functions and constants are not.
  * Returns null for anything else, for a text that is too long or nested more than 200 deep, and for results that are not
  * finite.
  */

@@ -1,9 +1,10 @@
-import type { Mesher, PreparedBody, Project } from "tetrafront";
+import type { Mesher, PreparedBody, Project, ProjectBody } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { engineInput } from "../document/engine-input";
-import { isEmptyProject } from "../document/entities";
+import { bodiesOf, isEmptyProject } from "../document/entities";
 import type { SizePlane, ViewStore } from "../document/selection";
 import { sizeSurface, type SizeSurface } from "../document/size-positions";
+import { defaultName } from "../strings";
 import type { BodyFeed } from "./bodies";
 import type { DocumentStore } from "./document-store";
 import type { PreviewFeed } from "./preview";
@@ -20,6 +21,8 @@ export interface ShownSizes extends SizeSurface {
 export interface SizeState {
   /** The expected number of tetrahedra of the present project; null if it is not known. */
   readonly expected: number | null;
+  /** Names of the bodies that the number leaves out, because their triangles are not made yet. */
+  readonly without: readonly string[];
   /** The sizes that the view shows; null if it shows none, or the project has no valid sizes. */
   readonly shown: ShownSizes | null;
 }
@@ -27,7 +30,7 @@ export interface SizeState {
 /** Time without a change before sizes are asked for, in milliseconds: an edit by dragging makes many. */
 const restMs = 120;
 
-const nothing: SizeState = { expected: null, shown: null };
+const nothing: SizeState = { expected: null, without: [], shown: null };
 
 /** What an answer belongs to. */
 interface Question {
@@ -113,9 +116,15 @@ export class SizeFeed {
         signal: abort.signal,
       });
       if (isAborted()) return;
+      const missing = unpreparedBodies(project, bodies);
+      const rest = tetrahedra === null && missing.length > 0 ? withoutBodies(project, missing) : null;
+      const counted =
+        rest && !isEmptyProject(rest) ? await this.#count(rest, bodies, abort.signal) : tetrahedra;
+      if (isAborted()) return;
       const hasSizes = surface !== null && sizes.length > 0;
       this.state.setState({
-        expected: tetrahedra,
+        expected: counted,
+        without: counted === null ? [] : missing.map(nameOfBody),
         shown: hasSizes ? { ...surface, sizes, range: rangeOf(sizes) } : null,
       });
     } catch {
@@ -123,7 +132,32 @@ export class SizeFeed {
       if (!isAborted()) this.state.setState(nothing);
     }
   }
+
+  /** Returns the expected number of tetrahedra of a project whose bodies are all prepared; null if it has none. */
+  async #count(
+    project: Project,
+    bodies: readonly PreparedBody[],
+    signal: AbortSignal,
+  ): Promise<number | null> {
+    const [drawn, options] = engineInput(project);
+    const mesher = await this.#mesher;
+    const given = { ...options, preparedBodies: bodies };
+    return (await mesher.sampleSizes(drawn, new Float64Array(), given, { signal })).tetrahedra;
+  }
 }
+
+/** Returns the bodies of a project that are not among the prepared ones. */
+function unpreparedBodies(project: Project, prepared: readonly PreparedBody[]): readonly ProjectBody[] {
+  const known = new Set(prepared.map(({ body }) => body));
+  return bodiesOf(project).filter(({ id }) => !known.has(id));
+}
+
+const withoutBodies = (project: Project, left: readonly ProjectBody[]): Project => ({
+  ...project,
+  bodies: bodiesOf(project).filter((body) => !left.includes(body)),
+});
+
+const nameOfBody = ({ id, name }: ProjectBody): string => name ?? defaultName("body", id);
 
 function sameQuestion(a: Question, b: Question): boolean {
   const sameBodies = a.bodies.length === b.bodies.length && a.bodies.every((body, i) => body === b.bodies[i]);

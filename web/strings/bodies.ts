@@ -8,6 +8,7 @@ export const bodyStepNames = {
   setUnit: (id: number) => `Set unit of body ${id}`,
   addMany: (count: number) => `Add ${count} bodies`,
   surface: (body: string) => `Change treatment of ${body}`,
+  surfaces: (count: number) => `Change treatment of ${count} bodies`,
   remeshing: {
     size: "Set size of remeshing",
     minSize: "Set smallest size",

@@ -2,6 +2,8 @@
 export const drawingStrings = {
   bar: "Drawing",
   lineType: "Type of line",
+  circleBy: "Circle by",
+  circleWays: { centre: "Centre", points: "3 points" },
   sourceType: "Type of source",
   sourceTypes: { point: "Point", segment: "Segment", triangle: "Triangle" },
   handles: "Handles",
@@ -34,6 +36,7 @@ export const drawingStrings = {
     parabolic: "Click three places: start, middle, end.",
     arc: "Click three places: start, a place on the arc, end.",
     circle: "Click the centre, then a place on the circle. The circle lies in the work plane.",
+    circleThrough: "Click three places on the circle.",
     spline: "Click places, then Enter. The first place closes the spline.",
     patch: "Click into a loop of lines, or click its lines and press Enter.",
     node: "Click places or nodes of the background grid. Four of them make a tetrahedron.",
@@ -45,6 +48,7 @@ export const drawingStrings = {
     move: "Drag a handle, or the selection itself. Ctrl turns steps off, G changes the handles, arrow keys nudge.",
     measure: "Click two places for a distance, a third one for an angle.",
   },
+  noCircle: "The three places lie on one straight line.",
   coordinates: "Coordinates",
   coordinatesHint: "1,2,0   @0.5,0,0   5<30",
   mistakes: {

@@ -276,7 +276,9 @@ export const panelStrings = {
     smallest: "Smallest size",
     sources: "Sources to add",
     expected: "Expected",
-    about: (count: string) => `about ${count} tetrahedra`,
+    /** The bodies that `without` names are not counted. */
+    about: (count: string, [first, ...others]: readonly string[] = []) =>
+      `about ${count} tetrahedra${first === undefined ? "" : ` without ${others.length > 0 ? `${others.length + 1} bodies` : first}`}`,
     currentMesh: "Current mesh",
     elementSize: "Element size",
     showSizes: "Show target sizes",

@@ -1,7 +1,7 @@
 /** The command line with projects that have bodies: convert, info, check and mesh. */
 import { readFileSync } from "node:fs";
 
-import { readMesh, readProject, type MeshReport, type Project } from "tetrafront";
+import { readMesh, readProject, writeProject, type MeshReport, type Project } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { tetrafront } from "../../support/command-line.js";
@@ -33,6 +33,27 @@ describe("tetrafront convert to a project", () => {
     expect(info.stdout).toMatch(/body "ball": 432 triangles, 1 patch, box .*to be remeshed/);
     const { stdout } = await cli("info", "ball.json", "--json");
     expect((JSON.parse(stdout) as { bodies: unknown[] }).bodies[0]).toMatchObject({ triangles: 432 });
+
+    const groups: Project["groups"] = [
+      {
+        id: 1,
+        name: "inlet",
+        members: [
+          { kind: "patch", id: 1 },
+          { kind: "body", id: 1 },
+        ],
+      },
+      { id: 2, name: "", members: [] },
+    ];
+    save("grouped.json", writeProject({ ...project, groups }));
+    const grouped = await cli("info", "grouped.json");
+    expect(grouped.stdout).toContain('group "inlet": 1 patch, 1 body');
+    expect(grouped.stdout).toContain("group 2: empty");
+    const listed = JSON.parse((await cli("info", "grouped.json", "--json")).stdout) as { groups: unknown };
+    expect(listed.groups).toEqual([
+      { id: 1, name: "inlet", members: { patch: 1, body: 1 } },
+      { id: 2, name: "", members: {} },
+    ]);
 
     const checked = await cli("check", "ball.json");
     expect(checked).toMatchObject({ code: 0 });

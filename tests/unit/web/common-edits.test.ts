@@ -1,11 +1,16 @@
+import type { ProjectBody } from "tetrafront";
 import { describe, expect, it } from "vitest";
+import { setCommonSurface, setPlacement, setRemeshing } from "../../../web/document/body-edits";
 import {
   commonNumbers,
+  commonSurface,
   commonType,
   setCommonLineType,
   setCommonNumber,
 } from "../../../web/document/common-edits";
 import type { Entity } from "../../../web/document/entities";
+import { keepingExpression } from "../../../web/document/expression-edits";
+import { isAllowed } from "../../../web/document/number-paths";
 import { addParameter, setParameter } from "../../../web/document/parameters";
 import { DocumentStore } from "../../../web/session/document-store";
 import { cubeProject } from "../../support/projects";
@@ -51,6 +56,7 @@ describe("what a selection has in common", () => {
     expect(commonNumbers(documents.project, points)[2]).toEqual({
       field: "position.2",
       value: 3,
+      isAutomatic: false,
       expression: "h",
     });
     documents.edit(setParameter("h", "5"));
@@ -93,5 +99,84 @@ describe("a jump in the history", () => {
       const { past, future } = documents.state.getState().history;
       expect(past.length + future.length).toBe(10);
     }
+  });
+});
+
+describe("what bodies have in common", () => {
+  const body = (id: number): ProjectBody => ({ id, points: "", triangles: "", patches: [{ id: 100 + id }] });
+  const bodies: readonly Entity[] = [1, 2].map((id) => ({ kind: "body", id }));
+  const openedBodies = () => new DocumentStore({ ...cube, bodies: [body(1), body(2)] }, () => 0);
+
+  it("is scale, remeshing size, tolerance and treatment, automatic until one is set", () => {
+    const documents = openedBodies();
+    const numbers = () =>
+      commonNumbers(documents.project, bodies).map(({ field, value, isAutomatic }) => [
+        field,
+        value,
+        isAutomatic,
+      ]);
+    expect(numbers()).toEqual([
+      ["placement.scale", 1, false],
+      ["remeshing.size", null, true],
+      ["remeshing.tolerance", null, true],
+    ]);
+    documents.edit(setRemeshing(1, "size", 0.5));
+    expect(numbers()[1]).toEqual(["remeshing.size", null, false]);
+    documents.edit(setCommonNumber(bodies, "remeshing.size", 0.25, null));
+    expect(numbers()[1]).toEqual(["remeshing.size", 0.25, false]);
+    expect(documents.project.bodies?.map(({ remeshing }) => remeshing)).toEqual([
+      { size: 0.25 },
+      { size: 0.25 },
+    ]);
+    expect(commonNumbers(documents.project, [...bodies, ...points])).toEqual([]);
+    expect(commonSurface(documents.project, bodies)).toBe("remesh");
+    documents.edit(setCommonSurface([2], "keep"));
+    expect(commonSurface(documents.project, bodies)).toBeNull();
+    documents.edit(setCommonSurface([1, 2], "refine"));
+    expect(commonSurface(documents.project, bodies)).toBe("refine");
+    documents.undo();
+    expect(commonSurface(documents.project, bodies)).toBeNull();
+    expect(commonSurface(documents.project, points)).toBeUndefined();
+  });
+
+  it("follows parameters: scale, placement and remeshing, also where the file omits the default", () => {
+    const documents = openedBodies();
+    documents.edit(addParameter("s", "1"));
+    documents.edit(setCommonNumber(bodies, "placement.scale", 1, "s"));
+    documents.edit(setCommonNumber(bodies, "remeshing.size", 0.1, "s/10"));
+    const path = { kind: "body", id: 2, field: "placement.position.1" } as const;
+    documents.edit(keepingExpression(setPlacement(2, { position: [0, 0, 0] }), path, "s-1"));
+    documents.edit(setParameter("s", "3"));
+    const [first, second] = documents.project.bodies ?? [];
+    expect(first).toMatchObject({ placement: { scale: 3 }, remeshing: { size: 3 / 10 } });
+    expect(second?.placement).toEqual({ position: [0, 2, 0], scale: 3 });
+    documents.edit(setParameter("s", "-1"));
+    expect(documents.project.bodies?.[0]).toMatchObject({
+      placement: { scale: 3 },
+      remeshing: { size: 3 / 10 },
+    });
+    documents.edit(setRemeshing(1, "size", null));
+    const kept = documents.project.expressions?.filter(
+      ({ id, field }) => id === 1 && field === "remeshing.size",
+    );
+    expect(kept).toEqual([]);
+  });
+
+  it("stays within the limits of the file", () => {
+    const allowed = (field: string, value: number) => isAllowed({ kind: "body", id: 1, field }, value);
+    for (const [field, low, high] of [
+      ["remeshing.featureAngle", 1, 180],
+      ["remeshing.layers", 0, 100],
+      ["remeshing.size", 1e-9, 1e30],
+      ["placement.scale", 1e-9, 1e30],
+    ] as const) {
+      expect([low, high, low - 1, 2 * high].map((value) => allowed(field, value))).toEqual([
+        true,
+        true,
+        false,
+        false,
+      ]);
+    }
+    expect(allowed("placement.rotation.3", 0.5)).toBe(false);
   });
 });

@@ -7,7 +7,8 @@ import type { FileGroup, FileMesh, SurfaceRegions } from "../mesh/file-mesh.js";
 import { entityLabel } from "../diagnostics/entity-names.js";
 import { bodyBox } from "../project/bodies.js";
 import { bodyArrays } from "../project/body-arrays.js";
-import type { BodySurface, Project, ProjectBody } from "../project/schema.js";
+import { GROUP_KINDS } from "../project/notes.js";
+import type { BodySurface, Project, ProjectBody, ProjectGroup } from "../project/schema.js";
 import { writeToStandardOutput } from "./files.js";
 import { withMesher } from "./grids.js";
 import { formatName, isProject, readMeshFile, readProjectFile } from "./input.js";
@@ -102,7 +103,16 @@ async function answered(
   }
 }
 
-function projectContents({ name, units, points, lines, patches, bodies = [], background }: Project) {
+function projectContents({
+  name,
+  units,
+  points,
+  lines,
+  patches,
+  bodies = [],
+  background,
+  groups = [],
+}: Project) {
   return {
     format: "Tetrafront project",
     name,
@@ -113,7 +123,20 @@ function projectContents({ name, units, points, lines, patches, bodies = [], bac
     bodies: bodies.map(bodyContents),
     backgroundTetrahedra: background.tetrahedra.length,
     sources: background.sources?.length ?? 0,
+    groups: groups.map(groupContents),
   };
+}
+
+/** Counts the members of a group by kind; kinds without members are left out. */
+function groupContents({ id, name, members }: ProjectGroup) {
+  const count = (kind: string) => members.filter((member) => member.kind === kind).length;
+  const counts = GROUP_KINDS.map((kind) => [kind, count(kind)] as const);
+  return { id, name, members: Object.fromEntries(counts.filter(([, number]) => number > 0)) };
+}
+
+function groupLine({ id, name, members }: ReturnType<typeof groupContents>): string {
+  const counts = Object.entries(members).map(([kind, number]) => plural(number, kind));
+  return `${entityLabel("group", { id, name })}: ${counts.length > 0 ? counts.join(", ") : "empty"}`;
 }
 
 function bodyContents(body: ProjectBody) {
@@ -136,6 +159,7 @@ function projectLines(held: ReturnType<typeof projectContents>): string[] {
     [plural(held.points, "point"), plural(held.lines, "line"), plural(held.patches, "patch")].join(", "),
     ...held.bodies.flatMap(bodyLines),
     `a background grid of ${plural(held.backgroundTetrahedra, "tetrahedron")}, ${plural(held.sources, "source")}`,
+    ...held.groups.map(groupLine),
   ];
 }
 

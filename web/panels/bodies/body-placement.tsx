@@ -1,13 +1,15 @@
 import { Button, SegmentedControl, Text } from "@mantine/core";
 import type { BodyPlacement, ProjectBody } from "tetrafront";
 import { setPlacement } from "../../document/body-edits";
+import { expressionOf, keepingExpression } from "../../document/expression-edits";
 import { anglesOf, noRotation, rotationOf } from "../../document/placement";
 import type { Position } from "../../document/position";
 import { FieldRow } from "../../ui/fields/field-row";
 import { NumberRow } from "../../ui/fields/number-row";
 import { PositionRow } from "../../ui/fields/position-row";
 import { strings } from "../../strings";
-import { useApp, useView } from "../shared/app-context";
+import { positionExpressions } from "../entities/kept-expressions";
+import { useApp, useProject, useView } from "../shared/app-context";
 import { aboveZero } from "../shared/size-fields";
 import styles from "./bodies.module.css";
 import { useBody } from "./use-body";
@@ -27,12 +29,16 @@ const withAxis = (values: Position, axis: 0 | 1 | 2, value: number): Position =>
 /** Where a body is. */
 export function BodyPlacementFields({ body }: { readonly body: ProjectBody }) {
   const app = useApp();
+  const project = useProject();
   const box = useBody(body.id)?.inspection?.box;
   const { position = [0, 0, 0], rotation = noRotation, scale = 1 } = body.placement ?? {};
   const angles = anglesOf(rotation);
   const extent = box ? Math.max(...box.high.map((high, k) => high - (box.low[k] ?? 0))) : 1;
-  const set = (change: BodyPlacement, key: string): void =>
-    app.documents.edit(setPlacement(body.id, { position, rotation, scale, ...change }, key));
+  const path = (field: string) => ({ kind: "body", id: body.id, field: `placement.${field}` }) as const;
+  const edit = (change: BodyPlacement, key: string) =>
+    setPlacement(body.id, { position, rotation, scale, ...change }, key);
+  const setNumber = (change: BodyPlacement, field: string, expression: string | null): void =>
+    app.documents.edit(keepingExpression(edit(change, field), path(field), expression));
   return (
     <details className={styles["options"]} data-testid="body-placement">
       <summary>{texts.title}</summary>
@@ -42,7 +48,10 @@ export function BodyPlacementFields({ body }: { readonly body: ProjectBody }) {
         value={position}
         step={10 ** Math.round(Math.log10(extent / 20))}
         testId="placement-position"
-        onCommit={(axis, value) => set({ position: withAxis(position, axis, value) }, `position-${axis}`)}
+        expressions={positionExpressions(project, path("position"))}
+        onCommit={(axis, value, expression) =>
+          setNumber({ position: withAxis(position, axis, value) }, `position.${axis}`, expression)
+        }
       />
       <PositionRow
         label={texts.rotation}
@@ -50,7 +59,9 @@ export function BodyPlacementFields({ body }: { readonly body: ProjectBody }) {
         step={angleStep}
         testId="placement-rotation"
         onCommit={(axis, value) =>
-          set({ rotation: rotationOf(withAxis(angles, axis, value)) }, `rotation-${axis}`)
+          app.documents.edit(
+            edit({ rotation: rotationOf(withAxis(angles, axis, value)) }, `rotation-${axis}`),
+          )
         }
       />
       <NumberRow
@@ -59,7 +70,8 @@ export function BodyPlacementFields({ body }: { readonly body: ProjectBody }) {
         step={scaleStep}
         refuse={aboveZero}
         testId="placement-scale"
-        onCommit={(value) => set({ scale: value }, "scale")}
+        expression={expressionOf(project, path("scale"))}
+        onCommit={(value, expression) => setNumber({ scale: value }, "scale", expression)}
       />
       <Text size="xs" c="dimmed" mb={6}>
         {texts.hint}

@@ -2,12 +2,13 @@ import { SegmentedControl, Text } from "@mantine/core";
 import { IconRotate } from "@tabler/icons-react";
 import { BODY_SURFACES, REMESH_DEFAULTS, type BodyRemeshing, type ProjectBody } from "tetrafront";
 import { setBodySurface, setRemeshing } from "../../document/body-edits";
+import { expressionOf, keepingExpression } from "../../document/expression-edits";
 import { FieldRow } from "../../ui/fields/field-row";
 import { NumberField } from "../../ui/fields/number-field";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { IconButton } from "../../ui/icon-button";
 import { strings } from "../../strings";
-import { useApp } from "../shared/app-context";
+import { useApp, useProject } from "../shared/app-context";
 import { aboveZero, featureAngle, notNegative, sizeStep } from "../shared/size-fields";
 import styles from "./bodies.module.css";
 import { useBody, usePreparation } from "./use-body";
@@ -84,10 +85,13 @@ interface RemeshingFieldProps {
 /** An option of remeshing. While it is automatic, the field shows the value that the last preview has used. */
 function RemeshingField({ body, field }: RemeshingFieldProps) {
   const app = useApp();
+  const project = useProject();
   const used = useAutomaticValues(body)[field];
   const set = body.remeshing?.[field];
   const value = set ?? used;
-  const commit = (next: number | null): void => app.documents.edit(setRemeshing(body.id, field, next));
+  const path = { kind: "body", id: body.id, field: `remeshing.${field}` } as const;
+  const commit = (next: number | null, expression: string | null = null): void =>
+    app.documents.edit(keepingExpression(setRemeshing(body.id, field, next), path, expression));
   return (
     <FieldRow label={texts.fields[field]}>
       <div className={styles["automatic"]} title={texts.hintOf[field]}>
@@ -98,6 +102,7 @@ function RemeshingField({ body, field }: RemeshingFieldProps) {
           step={field === "layers" ? 1 : sizeStep(value)}
           refuse={refusals[field]}
           testId={`remeshing-${field}`}
+          expression={expressionOf(project, path)}
           onCommit={commit}
         />
         {set === undefined ? (

@@ -1,6 +1,16 @@
-import { LIMITS, type LineType, type PatchType, type Project } from "tetrafront";
+import {
+  BODY_SURFACES,
+  LIMITS,
+  type BodySurface,
+  type LineType,
+  type PatchType,
+  type Project,
+} from "tetrafront";
+import { SegmentedControl } from "@mantine/core";
+import { setCommonSurface } from "../../document/body-edits";
 import {
   commonNumbers,
+  commonSurface,
   commonType,
   setCommonLineType,
   setCommonNumber,
@@ -27,7 +37,11 @@ interface CommonFieldsProps {
 
 /** Fields of everything that several entities have in common; each changes all of them. */
 export function CommonFields({ entities, project }: CommonFieldsProps) {
-  const numbers = commonNumbers(project, entities);
+  const surface = commonSurface(project, entities);
+  // Other treatments do not remesh.
+  const isShown = ({ field }: CommonNumber): boolean =>
+    surface === "remesh" || !field.startsWith("remeshing.");
+  const numbers = commonNumbers(project, entities).filter(isShown);
   const isPositioned = numbers.some(({ field }) => field === "position.0");
   return (
     <section className={styles["fields"]} data-testid="common-fields">
@@ -35,6 +49,7 @@ export function CommonFields({ entities, project }: CommonFieldsProps) {
       {numbers.map((number) => (
         <CommonNumberRow key={number.field} entities={entities} project={project} number={number} />
       ))}
+      {surface !== undefined && <CommonTreatment entities={entities} surface={surface} />}
       <CommonTypes entities={entities} project={project} />
     </section>
   );
@@ -61,29 +76,75 @@ function CommonPosition({
   );
 }
 
+function CommonTreatment({
+  entities,
+  surface,
+}: {
+  readonly entities: readonly Entity[];
+  readonly surface: BodySurface | null;
+}) {
+  const { documents } = useApp();
+  const { label, values } = strings.bodies.treatment;
+  return (
+    <FieldRow label={label}>
+      <SegmentedControl
+        size="xs"
+        fullWidth
+        aria-label={label}
+        data-testid="common-treatment"
+        data={BODY_SURFACES.map((value) => ({ value, label: values[value] }))}
+        value={surface ?? ""}
+        onChange={(value) => {
+          const chosen = BODY_SURFACES.find((one) => one === value);
+          const ids = entities.map(({ id }) => id);
+          if (chosen) documents.edit(setCommonSurface(ids, chosen));
+        }}
+      />
+    </FieldRow>
+  );
+}
+
+/** Labels of the numbers, except positions. */
+const labels = {
+  size: strings.inspector.size,
+  stretching: strings.inspector.stretching,
+  distance: strings.inspector.distance,
+  growth: strings.inspector.growth,
+  "placement.scale": strings.bodies.placement.scale,
+  "remeshing.size": strings.bodies.treatment.fields.size,
+  "remeshing.tolerance": strings.bodies.treatment.fields.tolerance,
+} as const;
+
+/** Numbers without a unit. */
+const factors: ReadonlySet<CommonField> = new Set(["stretching", "growth", "placement.scale"]);
+
 const refusals: Readonly<Partial<Record<CommonField, (value: number) => string | null>>> = {
   size: upTo(LIMITS.length, aboveZero),
   stretching: upTo(LIMITS.stretching, atLeastOne),
   distance: upTo(LIMITS.length, notNegative),
   growth: upTo(LIMITS.growth, notNegative),
+  "placement.scale": upTo(LIMITS.length, aboveZero),
+  "remeshing.size": upTo(LIMITS.length, aboveZero),
+  "remeshing.tolerance": upTo(LIMITS.length, aboveZero),
 };
 
 function CommonNumberRow({
   entities,
   project,
-  number: { field, value, expression },
+  number: { field, value, isAutomatic, expression },
 }: CommonFieldsProps & { readonly number: CommonNumber }) {
   const { documents } = useApp();
   if (field === "position.0" || field === "position.1" || field === "position.2") return null;
   const refuse = refusals[field];
-  const isLength = field === "size" || field === "distance";
+  const isLength = !factors.has(field);
   return (
     <NumberRow
-      label={strings.inspector[field]}
+      label={labels[field]}
       value={value}
+      {...(isAutomatic && { placeholder: strings.bodies.treatment.automatic })}
       expression={expression}
       step={isLength ? sizeStep(value ?? 1) : 0.05}
-      testId={`common-${field}`}
+      testId={`common-${field.replace(".", "-")}`}
       {...(refuse && { refuse })}
       {...(isLength && unitsOf(project))}
       onCommit={(next, text) => documents.edit(setCommonNumber(entities, field, next, text))}

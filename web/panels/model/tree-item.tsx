@@ -88,6 +88,7 @@ function EntityItem({ row, common, onToggle }: EntityItemProps) {
       className={styles["row"]}
       data-hover={isHovered || undefined}
       data-level={row.level}
+      data-kind={row.entity.kind}
       aria-level={row.level}
       {...(row.open !== null && { "aria-expanded": row.open })}
       aria-selected={isSelected}

@@ -200,12 +200,13 @@ function MeshNumbers() {
 function ExpectedCount() {
   const app = useApp();
   const expected = useStore(app.sizes.state, (state) => state.expected);
+  const without = useStore(app.sizes.state, (state) => state.without);
   const hasMesh = useRun((state) => state.busy || state.mesh !== null);
   const stale = useStale();
   if (expected === null || (hasMesh && !stale)) return null;
   return (
     <span data-testid="count-expected">
-      {strings.background.about(formatCount(Number(expected.toPrecision(2))))}
+      {strings.background.about(formatCount(Number(expected.toPrecision(2))), without)}
     </span>
   );
 }

@@ -4,7 +4,7 @@ import { useStore } from "zustand";
 import type { LineType, SourceType } from "tetrafront";
 import { commandNamed, runCommand } from "../../commands/registry";
 import { lineTypes } from "../../document/line-types";
-import { handleModes, type Snapping, type ToolName } from "../../document/tools";
+import { circleWays, handleModes, type CircleBy, type Snapping, type ToolName } from "../../document/tools";
 import { principalPlane, principalPlanes } from "../../document/work-plane";
 import { lineTypeNames, strings } from "../../strings";
 import { IconButton } from "../../ui/icon-button";
@@ -17,18 +17,23 @@ const words = strings.drawing;
 export function DrawingBar() {
   const tool = useView((state) => state.tool);
   const lineType = useView((state) => state.lineType);
+  const circleBy = useView((state) => state.circleBy);
   const sourceType = useView((state) => state.sourceType);
   if (tool === "select") return null;
+  const isCircle = tool === "line" && lineType === "circle";
+  const hint =
+    isCircle && circleBy === "points" ? words.hints.circleThrough : hintOf(tool, lineType, sourceType);
   return (
     <div className={styles["bar"]} role="group" aria-label={words.bar} data-passes data-testid="drawing-bar">
       <div className={styles["choices"]}>
         {tool === "line" && <LineTypeChoice value={lineType} />}
+        {isCircle && <CircleChoice value={circleBy} />}
         {tool === "source" && <SourceTypeChoice value={sourceType} />}
         {tool === "move" && <HandleChoice />}
         {tool !== "patch" && <PlaneChoice />}
         {tool !== "patch" && <SnapSwitches />}
       </div>
-      <Hint text={hintOf(tool, lineType, sourceType)} />
+      <Hint text={hint} />
     </div>
   );
 }
@@ -42,6 +47,20 @@ function LineTypeChoice({ value }: { readonly value: LineType }) {
       data={[...lineTypes].map((type) => ({ value: type, label: lineTypeNames[type] }))}
       value={value}
       onChange={(lineType) => app.view.state.setState({ lineType })}
+    />
+  );
+}
+
+function CircleChoice({ value }: { readonly value: CircleBy }) {
+  const app = useApp();
+  return (
+    <SegmentedControl
+      size="xs"
+      aria-label={words.circleBy}
+      data-testid="circle-by"
+      data={circleWays.map((way) => ({ value: way, label: words.circleWays[way] }))}
+      value={value}
+      onChange={(circleBy) => app.view.state.setState({ circleBy })}
     />
   );
 }

@@ -1,4 +1,5 @@
 import type { LineType } from "tetrafront";
+import { circleThrough, onArc } from "../../document/arcs";
 import { drawLine, placeAt, samePlace, type Place } from "../../document/draw";
 import { findRecord } from "../../document/entities";
 import { turned } from "../../document/circles";
@@ -6,6 +7,7 @@ import type { Position } from "../../document/position";
 import { sampledCurve } from "../../viewer/curves";
 import { emptySketch, type Sketch } from "../../viewer/layers/drawing-layer";
 import type { Layer } from "../../viewer/layers/layer";
+import { strings } from "../../strings";
 import { DrawingTool } from "./drawing-tool";
 
 /** Numbers of places of each type of line: with `max`, the line is complete. */
@@ -17,6 +19,9 @@ const counts: { readonly [T in LineType]: { readonly min: number; readonly max: 
   // The centre, and a place on the circle.
   circle: { min: 2, max: 2 },
 };
+
+/** Number of places of a circle through three of them. */
+const placesOfCircle = 3;
 
 /** Segments with which a circle is drawn before it exists. */
 const circleSamples = 64;
@@ -43,7 +48,7 @@ export class LineTool extends DrawingTool {
 
   override overlay(): Layer {
     this.#stopListening = this.stores.view.state.subscribe((state, before) => {
-      if (state.lineType !== before.lineType) this.#drop();
+      if (state.lineType !== before.lineType || state.circleBy !== before.circleBy) this.#drop();
     });
     return super.overlay();
   }
@@ -60,7 +65,10 @@ export class LineTool extends DrawingTool {
     const [first] = this.#places;
     const closes = this.#type === "spline" && first && this.#places.length >= 3 && samePlace(first, place);
     this.#places = [...this.#places, place];
-    if (closes || this.#places.length >= counts[this.#type].max) this.#add();
+    if (this.#isStraightCircle()) {
+      this.#places = this.#places.slice(0, -1);
+      this.stores.drawing.state.setState({ refused: strings.drawing.noCircle });
+    } else if (closes || this.#places.length >= this.#placeCount) this.#add();
   }
 
   protected last(): Position | null {
@@ -112,6 +120,22 @@ export class LineTool extends DrawingTool {
     super.end();
   }
 
+  /** Number of places with which a line is complete. */
+  get #placeCount(): number {
+    return this.#isThroughThree ? placesOfCircle : counts[this.#type].max;
+  }
+
+  get #isThroughThree(): boolean {
+    const { lineType, circleBy } = this.stores.view.state.getState();
+    return lineType === "circle" && circleBy === "points";
+  }
+
+  /** Returns whether three places for a circle lie on one straight line. */
+  #isStraightCircle(): boolean {
+    const [a, b, c] = this.#places;
+    return this.#isThroughThree && !!a && !!b && !!c && !circleThrough(a.position, b.position, c.position);
+  }
+
   get #type(): LineType {
     return this.stores.view.state.getState().lineType;
   }
@@ -133,18 +157,28 @@ export class LineTool extends DrawingTool {
     this.#places = [place];
   }
 
-  /** Returns three places on the circle around the first picked place through the second one, and the first again. */
+  /**
+   * Returns three places on the circle, and the first again: the picked ones, or else those on the circle around the first
+   * picked place through the second one.
+   */
   #placesOnCircle(): readonly Place[] {
     const [centre, on] = this.#places;
     if (!centre || !on) return [];
+    if (this.#isThroughThree) return [...this.#places, centre];
     const third = (turns: number): Place =>
       placeAt(this.project, turned(on.position, centre.position, this.frame.z, turns / 3));
     return [on, third(1), third(2), on];
   }
 
-  /** Returns positions along the circle around the first of two positions. */
-  #circle([centre, on]: readonly Position[]): readonly Position[] {
+  /** Returns positions along the circle around the first of two positions, or through three. */
+  #circle(through: readonly Position[]): readonly Position[] {
+    const [centre, on, third] = through;
     if (!centre || !on) return [];
+    if (this.#isThroughThree) {
+      const circle = third && circleThrough(centre, on, third);
+      if (!circle) return through;
+      return Array.from({ length: circleSamples + 1 }, (_, i) => onArc(circle, i / circleSamples));
+    }
     return Array.from({ length: circleSamples + 1 }, (_, i) =>
       turned(on, centre, this.frame.z, i / circleSamples),
     );

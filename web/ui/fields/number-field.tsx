@@ -11,6 +11,8 @@ export interface NumberFieldProps {
   readonly label: string;
   /** Null if the field stands for several numbers that differ. */
   readonly value: number | null;
+  /** What stands in the field if the value is null. Default: that the numbers differ. */
+  readonly placeholder?: string;
   /** What the number was computed from. The field shows it while it has the focus. */
   readonly expression?: string | undefined;
   /** Change per press of an arrow key. Shift multiplies it by 10, Alt by 0.1. */
@@ -113,7 +115,7 @@ export function NumberField(props: NumberFieldProps) {
       {...(rightSection !== undefined && { rightSection })}
       {...(expression !== undefined && { title: `${expression} = ${textOf(value)}` })}
       {...(value !== null && { "aria-valuenow": value, "aria-valuetext": textOf(value) })}
-      {...(value === null && { placeholder: strings.fields.different })}
+      {...(value === null && { placeholder: props.placeholder ?? strings.fields.different })}
       ref={input}
       size="xs"
       aria-label={label}
