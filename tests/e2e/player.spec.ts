@@ -204,6 +204,37 @@ test("a damaged trace is refused with the byte and a remedy", async ({ page }) =
   await expect(app.viewport).not.toHaveAttribute("data-steps");
 });
 
+test("the reader chooses nodes of the volume in the view and by keyboard, and is judged", async ({
+  page,
+}) => {
+  const { viewport } = await openTrace(page, star);
+  await page.getByTestId("volume-game-toggle").click();
+  const verdict = page.getByTestId("volume-game-verdict");
+  const inView = page.getByTestId("volume-choices").locator("button");
+  await expect(inView.first()).toBeVisible();
+  const asked = await viewport.getAttribute("data-step");
+  // Labels of near nodes can lie on each other: the topmost takes the click.
+  await inView.last().click();
+  await expect(verdict).toContainText("point");
+  await expect(page.getByTestId("volume-game-score")).toContainText("of 2 points");
+  await expect(viewport).toHaveAttribute("data-step", asked ?? "");
+  // Another level does not ask the same step again for points.
+  await page.getByTestId("volume-game-level").getByText("Medium").click();
+  await expect(page.getByTestId("volume-game-score")).toContainText("of 2 points");
+  await page.getByTestId("volume-game-next").click();
+  await expect(verdict).toBeEmpty();
+  await expect(viewport).not.toHaveAttribute("data-step", asked ?? "");
+  const choices = page.getByTestId("volume-game").getByRole("group", { name: "Nodes to choose from" });
+  await choices.getByRole("button").first().focus();
+  await page.keyboard.press("Enter");
+  await expect(verdict).toContainText("point");
+  await expect(page.getByTestId("volume-game-score")).toContainText("of 4 points");
+  expect(await violations(page)).toEqual([]);
+  await page.getByTestId("volume-game-end").click();
+  await expect(inView).toHaveCount(0);
+  await expect(page.getByTestId("volume-game-toggle")).toBeVisible();
+});
+
 test("a large trace is read with progress, and reading it can be cancelled: what was shown stays", async ({
   page,
 }) => {

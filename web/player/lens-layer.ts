@@ -19,6 +19,7 @@ export interface LensScene {
   readonly step: AdvanceStep;
   readonly examined: LensCandidate | null;
   readonly region: SearchRegion | null;
+  readonly showsIdeal: boolean;
 }
 
 /**
@@ -68,7 +69,7 @@ export class LensLayer implements Layer {
     this.#scene = scene;
     this.root.visible = scene !== null;
     if (!scene) return;
-    const { trace, step, examined, region } = scene;
+    const { trace, step, examined, region, showsIdeal } = scene;
     const base = cornersOf(trace, step.face);
     const centroid = scale(add(add(base[0], base[1]), base[2]), 1 / 3);
     const normal = unit(cross(subtract(base[1], base[0]), subtract(base[2], base[0]))) ?? [0, 0, 1];
@@ -81,7 +82,7 @@ export class LensLayer implements Layer {
     this.#normal.set([centroid, tip, ...(pair ? pair.side : [])], this.#origin);
     this.#element.set(apex ? base.flatMap((corner) => [corner, apex]) : [], this.#origin);
     this.#region.set(region ? outlineOf(region) : [], this.#origin);
-    this.#ideal.set([step.idealPoint], this.#origin);
+    this.#ideal.set(showsIdeal ? [step.idealPoint] : [], this.#origin);
     this.#candidate.set(apex ? [apex] : [], this.#origin);
     this.#crossing.set(pair ? [pair.point] : [], this.#origin);
   }

@@ -19,10 +19,10 @@ export const levels = ["easy", "medium", "hard"] as const;
 export type GameLevel = (typeof levels)[number];
 
 /** Nodes to choose from besides a new one. */
-const maxChoices: Readonly<Record<GameLevel, number>> = { easy: 4, medium: 8, hard: 16 };
+export const maxChoices: Readonly<Record<GameLevel, number>> = { easy: 4, medium: 8, hard: 16 };
 /** Points for the program's own choice, and for another one that breaks nothing. */
 export const bestPoints = 2;
-const possiblePoints = 1;
+export const possiblePoints = 1;
 
 export interface GameQuestion {
   readonly front: PlanarFront;

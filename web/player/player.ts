@@ -8,6 +8,7 @@ import { firstState, phaseEnd, phaseStart } from "./phases";
 import { Playback } from "./playback";
 import { recordProject, type PreparedOf, type Recorded } from "./recording";
 import { nextStop, refusedIn, type Stop } from "./stops";
+import type { VolumeTask } from "./volume-game";
 
 /** What the colours of the front's faces mean. */
 export type FrontColoring = "age" | "size" | "layer";
@@ -53,6 +54,8 @@ export interface PlayerState {
   readonly candidate: number | null;
   /** Whether the view shows the search region of the step. */
   readonly showsRegion: boolean;
+  /** What "Be the mesher" asks in the volume; null if it is not played. */
+  readonly task: VolumeTask | null;
   /** Whether the view follows the base face. */
   readonly follows: boolean;
 }
@@ -88,6 +91,7 @@ const initialState: PlayerState = {
   elements: "recent",
   candidate: null,
   showsRegion: false,
+  task: null,
   follows: false,
 };
 

@@ -8,6 +8,7 @@ import { surfaceState } from "./phases";
 import { ReplayLayer } from "./replay-layer";
 import { searchRegionOf } from "./search-region";
 import { SurfaceLayer } from "./surface-layer";
+import { chosenCandidate, type VolumeTask } from "./volume-game";
 import type { Viewer } from "../viewer/viewer";
 
 /** Draws the trace of a player in a view, instead of the model's surfaces and mesh. Returns a function that ends this. */
@@ -47,13 +48,22 @@ function drawTrace(trace: Trace, viewer: Viewer) {
       replay.show(state);
       surface.show(surfaceState(trace, state.step));
       // While the front is played or scrubbed, only its faces change.
-      const scene = state.isPlaying || state.step !== state.lensStep ? null : lensScene(trace, state);
+      const isMoving = state.isPlaying || state.step !== state.lensStep;
+      const scene = state.task ? taskScene(trace, state.task) : isMoving ? null : lensScene(trace, state);
       lens.show(scene);
       if (state.follows && scene) viewer.fitPosition(cornersOf(trace, scene.step.face)[0]);
       viewer.requestFrame();
     },
     end: (): void => ends.forEach((end) => end()),
   };
+}
+
+/** The base face that is asked for, and what the choice would make. */
+function taskScene(trace: Trace, task: VolumeTask): LensScene {
+  const { step } = task.question;
+  const chosen = chosenCandidate(trace, task);
+  const examined = chosen && examine(trace, step, chosen);
+  return { trace, step, examined, region: null, showsIdeal: task.showsIdeal };
 }
 
 function lensScene(trace: Trace, { step: number, candidate, showsRegion }: PlayerState): LensScene | null {
@@ -66,5 +76,6 @@ function lensScene(trace: Trace, { step: number, candidate, showsRegion }: Playe
     step,
     examined: chosen ? examine(trace, step, chosen) : null,
     region: showsRegion ? searchRegionOf(trace, step) : null,
+    showsIdeal: true,
   };
 }

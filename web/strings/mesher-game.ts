@@ -37,3 +37,29 @@ export const mesherGameStrings = {
   },
   disputed: "Our own check, in doubles, finds otherwise; the program decides by exact signs.",
 } as const;
+
+const facesOf = (faces: readonly number[]): string =>
+  `${faces.length === 1 ? "face" : "faces"} ${faces.slice(0, 4).map(number).join(", ")}${faces.length > 4 ? " …" : ""}`;
+
+/** Texts of "Be the mesher" in the volume. */
+export const volumeGameStrings = {
+  task: "The blue face comes next. Which node shall make an element over it? Choose in the view or here.",
+  help: {
+    easy: "The dot in front of the face is the ideal point. A node of the front is chosen if one is near it, else a new node is made.",
+    medium: "The dot is the ideal point. Some near nodes would make the element cross the front.",
+    hard: "Without the ideal point, and only where the program refused a candidate first.",
+  },
+  next: "Next face",
+  none: "No further face of this level follows. Choose another level, or go back in the player.",
+  verdict: {
+    best: () => "The program chose the same. 2 points.",
+    possible: (_: readonly number[], program: number | null) =>
+      `Possible: the element would cross nothing. The program chose ${nameOf(program)}, which comes first in its ranking. 1 point.`,
+    behind: (_: readonly number[], program: number | null) =>
+      `No point. The node is behind the face or in its plane: the element would have no volume, or lie in elements that exist. The program chose ${nameOf(program)}.`,
+    crosses: (faces: readonly number[], program: number | null) =>
+      `No point. The element would cross ${facesOf(faces)} of the front: two elements would overlap. The program chose ${nameOf(program)}.`,
+    "too-close": (faces: readonly number[], program: number | null) =>
+      `No point. The new node would be too close to ${facesOf(faces)}: the gap could only be filled by flat elements. The program chose ${nameOf(program)}.`,
+  },
+} as const;

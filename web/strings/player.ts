@@ -2,7 +2,7 @@
 import type { FrontChange, Refusal } from "tetrafront";
 import { conditionStrings } from "./condition";
 import { crossingTestStrings } from "./crossing-test";
-import { mesherGameStrings } from "./mesher-game";
+import { mesherGameStrings, volumeGameStrings } from "./mesher-game";
 import { otherwise, surfaceLensStrings } from "./surface-lens";
 
 const number = (value: number): string => value.toLocaleString("en-US");
@@ -93,6 +93,7 @@ export const playerStrings = {
   noFurther: "No further step",
   condition: conditionStrings,
   game: mesherGameStrings,
+  volumeGame: volumeGameStrings,
   pauseThere: "Pause there",
   loopHint: (from: number, to: number) => `Repeat steps ${number(from)} to ${number(to)}`,
   coloring: "Colour",

@@ -1,11 +1,12 @@
-import { Text } from "@mantine/core";
-import { lazy, Suspense, useMemo } from "react";
+import { Button, Text } from "@mantine/core";
+import { lazy, Suspense, useMemo, useState } from "react";
 import type { AdvanceStep } from "tetrafront";
 import { decisive, examine, type LensCandidate } from "../../player/lens";
 import { surfaceState } from "../../player/phases";
 import { strings } from "../../strings";
 import { formatShort } from "../../ui/format";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
+import { useApp } from "../shared/app-context";
 import { BaseFacts } from "./base-facts";
 import { CandidateTable, type CandidateRow } from "./candidate-table";
 import { sentenceOf, whatIfOf } from "./lens-sentence";
@@ -14,14 +15,40 @@ import { SurfaceLens } from "./surface-lens";
 import { usePlayer, useTrace } from "./use-player";
 
 const texts = strings.player;
+const VolumeGame = lazy(async () => ({ default: (await import("./volume-game")).VolumeGame }));
 const CrossingFormula = lazy(async () => ({ default: (await import("./crossing-formula")).CrossingFormula }));
 
 /** Why a step ended as it did. */
 export function Lens() {
+  const { player } = useApp();
   const isPlaying = usePlayer((state) => state.isPlaying);
+  const isVolume = usePlayer(({ step }) => step >= 0);
+  const [isGame, setIsGame] = useState(false);
   return (
     <ScrollPanel label={texts.lens} className={styles["lens"]} data-testid="lens">
-      {isPlaying ? <Text size="sm">{texts.playing}</Text> : <Step />}
+      {isGame && isVolume ? (
+        <Suspense fallback={null}>
+          <VolumeGame onEnd={() => setIsGame(false)} />
+        </Suspense>
+      ) : (
+        <>
+          {isPlaying ? <Text size="sm">{texts.playing}</Text> : <Step />}
+          {isVolume && (
+            <Button
+              size="compact-xs"
+              variant="default"
+              mt={8}
+              data-testid="volume-game-toggle"
+              onClick={() => {
+                player.pause();
+                setIsGame(true);
+              }}
+            >
+              {texts.game.start}
+            </Button>
+          )}
+        </>
+      )}
     </ScrollPanel>
   );
 }

@@ -18,6 +18,7 @@ import { ToolColumn } from "./tool-column";
 import { OperationPanel } from "../operations/operation-panel";
 import { useViewer } from "./use-viewer";
 import { ViewCanvas } from "./view-canvas";
+import { VolumeChoices } from "./volume-choices";
 import { ViewState } from "./view-state";
 import { useShowsPlane } from "../player/use-player";
 import styles from "./viewport-panel.module.css";
@@ -52,6 +53,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
         {viewer && <PatchRoleLabels viewer={viewer} />}
         {viewer && <PointNumbers viewer={viewer} />}
         {hover && <HoverLabel hover={hover} />}
+        {viewer && <VolumeChoices viewer={viewer} />}
         {viewer && <DrawingMarks viewer={viewer} />}
         <SelectionOutline />
       </div>

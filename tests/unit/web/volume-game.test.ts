@@ -1,0 +1,88 @@
+/** "Be the mesher" in the volume: questions and verdicts of a recorded front. */
+import { createMesher, readProject, readTrace, recordTrace, type Trace } from "tetrafront";
+import { readFileSync } from "node:fs";
+import { beforeAll, expect, it } from "vitest";
+import { nodesOf } from "../../../web/player/judge";
+import { levels, type GameLevel } from "../../../web/player/mesher-game";
+import {
+  checkVolumeChoice,
+  chosenCandidate,
+  judgeVolumeChoice,
+  nextVolumeQuestion,
+  type VolumeQuestion,
+} from "../../../web/player/volume-game";
+
+let trace: Trace;
+beforeAll(async () => {
+  const text = readFileSync(new URL("../../../public/models/unit-cube.json", import.meta.url), "utf8");
+  const project = readProject(text);
+  if (!project.success) throw new Error(project.errors[0].message);
+  const mesher = await createMesher();
+  const { trace: bytes } = await recordTrace(mesher, project.value, { optimization: "none" });
+  mesher.dispose();
+  const read = readTrace(bytes ?? new Uint8Array());
+  if (!read.success) throw new Error(read.errors[0].message);
+  trace = read.value;
+});
+
+/** The first questions of a level. */
+function questions(level: GameLevel): VolumeQuestion[] {
+  const all: VolumeQuestion[] = [];
+  for (
+    let at = nextVolumeQuestion(trace, 0, level);
+    at && all.length < 60;
+    at = nextVolumeQuestion(trace, at.step.step, level)
+  )
+    all.push(at);
+  return all;
+}
+
+it.each(levels)("asks %s questions whose answer is among the choices", (level) => {
+  const all = questions(level);
+  expect(all.length).toBeGreaterThan(5);
+  for (const { step, nodes, program } of all) {
+    const front = new Set(Array.from(trace.frontAt(step.step - 1)).flatMap((face) => nodesOf(trace, face)));
+    const base = nodesOf(trace, step.face);
+    expect(nodes.every((node) => front.has(node) && !base.includes(node))).toBe(true);
+    expect(new Set(nodes).size).toBe(nodes.length);
+    if (program !== null) expect(nodes).toContain(program);
+    const refused = step.candidates.filter(({ verdict }) => verdict !== "accepted").length;
+    if (level === "easy") expect(refused).toBe(0);
+    if (level === "hard") expect(refused).toBeGreaterThan(0);
+  }
+});
+
+it("gives both points for the program's choice, which our own check accepts", () => {
+  for (const question of questions("medium")) {
+    expect(judgeVolumeChoice(trace, question, question.program)).toMatchObject({ kind: "best", points: 2 });
+    if (question.program !== null)
+      expect(checkVolumeChoice(trace, question, question.program).kind).toBe("possible");
+  }
+});
+
+it("gives no point for what the program refused, and names what it would break", () => {
+  let judged = 0;
+  for (const question of questions("hard"))
+    for (const { node, isNew, verdict, culprit } of question.step.candidates) {
+      if (verdict === "accepted" || isNew || node === null) continue;
+      const found = judgeVolumeChoice(trace, question, node);
+      expect(found).toMatchObject({ kind: verdict, points: 0, isDisputed: false });
+      if (verdict === "crosses") expect(found.faces).toContain(culprit);
+      judged++;
+    }
+  expect(judged).toBeGreaterThan(0);
+});
+
+it("gives one point for another choice that breaks nothing, and draws each choice", () => {
+  const kinds = new Set<string>();
+  for (const question of questions("medium"))
+    for (const node of question.nodes) {
+      const verdict = judgeVolumeChoice(trace, question, node);
+      kinds.add(verdict.kind);
+      expect(verdict.points).toBe({ best: 2, possible: 1 }[verdict.kind as string] ?? 0);
+      const task = { question, answer: { node, verdict }, showsIdeal: true, choose: () => undefined };
+      expect(chosenCandidate(trace, task)).toMatchObject({ node, isNew: false });
+      expect(chosenCandidate(trace, { ...task, answer: null })).toBeNull();
+    }
+  expect([...kinds]).toEqual(expect.arrayContaining(["best", "possible", "crosses"]));
+});
