@@ -59,6 +59,20 @@ export function VolumeGame({ onEnd }: { readonly onEnd: () => void }) {
         </Button>
       </div>
       <p className={styles["task"]}>{question ? `${texts.task} ${texts.help[level]}` : texts.none}</p>
+      <p role="status" className={styles["verdict"]} data-testid="volume-game-verdict">
+        {given && question && texts.verdict[given.verdict.kind](given.verdict.faces, question.program)}
+        {given?.verdict.isDisputed && ` ${game.disputed}`}
+      </p>
+      {given && question && (
+        <Button
+          size="compact-sm"
+          className={styles["next"]}
+          data-testid="volume-game-next"
+          onClick={() => player.seek(question.step.step)}
+        >
+          {texts.next}
+        </Button>
+      )}
       <div className={styles["choices"]} role="group" aria-label={game.choices}>
         {(question ? [...question.nodes, null] : []).map((node) => (
           <Button
@@ -74,20 +88,6 @@ export function VolumeGame({ onEnd }: { readonly onEnd: () => void }) {
           </Button>
         ))}
       </div>
-      <p role="status" className={styles["verdict"]} data-testid="volume-game-verdict">
-        {given && question && texts.verdict[given.verdict.kind](given.verdict.faces, question.program)}
-        {given?.verdict.isDisputed && ` ${game.disputed}`}
-      </p>
-      {given && question && (
-        <Button
-          size="compact-sm"
-          className={styles["next"]}
-          data-testid="volume-game-next"
-          onClick={() => player.seek(question.step.step)}
-        >
-          {texts.next}
-        </Button>
-      )}
     </div>
   );
 }
