@@ -28,7 +28,8 @@ export function mutated(file: Uint8Array, random: () => number): Uint8Array {
     }
     default: {
       const other = random() % file.length;
-      const copy = file.slice();
+      // The slice of a Buffer shares its bytes, so that the next file would be damaged more.
+      const copy = Uint8Array.from(file);
       copy.set(file.subarray(at, at + length).subarray(0, file.length - other), other);
       return copy;
     }

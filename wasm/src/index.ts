@@ -122,6 +122,13 @@ export {
   type TriangleQuality,
 } from "./mesh/inspection.js";
 export { type RepairOptions } from "./api/option-types.js";
+export {
+  type BestRepair,
+  type BestRepairOptions,
+  hasWelded,
+  remeshedBest,
+  type RemeshShapes,
+} from "./api/best-repair.js";
 export { createMesher } from "./api/mesher.js";
 export { recordTrace } from "./api/trace-recording.js";
 export type { RecordedMesh, RecordingOptions } from "./api/trace-recording.js";

@@ -1,5 +1,6 @@
 import {
   type BodyRepair,
+  type Diagnostic,
   type ProjectBody,
   type RepairChange,
   type RepairOptions,
@@ -32,6 +33,15 @@ export interface RepairProposal {
   readonly changes: readonly RepairChange[];
   /** Largest distance by which a node is moved, in units of the body's own coordinates: its placement does not apply. */
   readonly deviation: number;
+  /** Why triangles could not be resolved, if that was tried and failed. */
+  readonly unresolved: readonly Diagnostic[];
+  /** Whether no nodes of intersecting triangles are welded. */
+  readonly isExact: boolean;
+  /**
+   * Smallest angles, in degrees, after a remeshing: of the repair that welds nodes, and of the exact one, null if that one was not
+   * needed or failed. Null until both repairs have been compared.
+   */
+  readonly comparison: { readonly welded: number; readonly exact: number | null } | null;
   /** Inspection of the result. */
   readonly after: SurfaceInspection;
   readonly surface: Pick<SurfaceInput, "points" | "triangles"> & { readonly trianglePatch: Uint32Array };

@@ -1,7 +1,6 @@
 import {
   bodyPatchGroups,
   MesherError,
-  repairedSurface,
   type Diagnostic,
   type Mesher,
   type Project,
@@ -12,16 +11,12 @@ import {
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { nextBodyIds } from "../document/body-edits";
 import { preparedKey } from "../document/content-keys";
-import {
-  defaultRepair,
-  weldBeforeRemeshing,
-  type RepairProposal,
-  type RepairWishes,
-} from "../document/body-repair";
+import { defaultRepair, type RepairProposal, type RepairWishes } from "../document/body-repair";
 import { bodiesOf } from "../document/entities";
 import { nextTurn } from "../document/slices";
 import { SurfaceClient, type LoadedSurface, type NewBody, type PatchArrays } from "../workers/surface-files";
 import { BodyPreparations, type Preparation } from "./body-preparations";
+import { canCompare, comparedRepair, proposedRepair } from "./body-repairs";
 import { BodySurfaces } from "./body-surfaces";
 import type { DocumentStore } from "./document-store";
 import { failureText } from "./failure-text";
@@ -35,6 +30,8 @@ export interface BodyState {
   readonly inspection: SurfaceInspection | null;
   /** What a repair would change; null if none is needed, and until it is known. */
   readonly repair: RepairProposal | null;
+  /** Progress of the comparison with the exact repair, 0 to 1; null without one. */
+  readonly comparing: number | null;
   /** The patches that a split would make; null without a proposal. */
   readonly split: BodySplit | null;
   /** Why the surface could not be read or inspected. */
@@ -74,6 +71,7 @@ const unknownBody = (body: ProjectBody): BodyState => ({
   loaded: null,
   inspection: null,
   repair: null,
+  comparing: null,
   split: null,
   failure: null,
   preparation: null,
@@ -90,6 +88,8 @@ export class BodyFeed {
   readonly #client = new SurfaceClient();
   readonly #surfaces = new BodySurfaces(this.#client);
   readonly #aborts = new Map<number, AbortController>();
+  /** Aborts proposals and comparisons of repairs that are being made, by body. */
+  readonly #comparisons = new Map<number, AbortController>();
   /** Ids of bodies whose preview is made as soon as they are inspected. */
   readonly #awaited = new Set<number>();
   /** Aborts the proposal of a split that is being made. */
@@ -192,28 +192,50 @@ export class BodyFeed {
 
   /** Finds out what a repair would change, and whether problems would remain. */
   async proposeRepair(body: ProjectBody, wishes: RepairWishes = defaultRepair): Promise<void> {
-    const { surface, drawn } = await this.#surfaces.load(body);
+    this.cancelComparison(body.id);
+    const abort = new AbortController();
+    this.#comparisons.set(body.id, abort);
+    const loaded = await this.#surfaces.load(body);
     const mesher = await this.#mesher;
-    const patches = body.patches.map(({ id, name = "" }) => ({ name, tag: id }));
     try {
-      const weldIntersections = weldBeforeRemeshing(body, drawn);
-      const repair = await mesher.repairSurface(surface, { ...wishes, weldIntersections });
-      const repaired = repairedSurface({ ...surface, patches }, repair);
-      const after = await mesher.inspectSurface(repaired);
-      const { points, triangles, trianglePatch } = repaired;
-      this.#setFor(body, {
-        repair: {
-          wishes,
-          changes: repair.changes,
-          deviation: repair.deviation,
-          after,
-          surface: { points, triangles, trianglePatch },
-          hasFilled: repaired.patches.length > patches.length,
-        },
-      });
+      const repair = await proposedRepair(mesher, body, loaded, wishes, abort);
+      this.#setFor(body, { repair });
+      const isSmall = repair.after.triangles <= maxUnaskedTriangles;
+      if (isSmall && canCompare(body, repair)) await this.compareRepairs(body);
     } catch (error) {
-      this.#setFor(body, { failure: failureText(error) });
+      if (!abort.signal.aborted) this.#setFor(body, { failure: failureText(error) });
     }
+  }
+
+  /** Tries the exact repair beside the proposed one, and proposes the better one. */
+  async compareRepairs(body: ProjectBody): Promise<void> {
+    const repair = this.state.getState().byId.get(body.id)?.repair;
+    if (!repair || !canCompare(body, repair)) return;
+    this.cancelComparison(body.id);
+    const abort = new AbortController();
+    this.#comparisons.set(body.id, abort);
+    const isPresent = () => this.#comparisons.get(body.id) === abort;
+    try {
+      this.#setFor(body, { comparing: 0 });
+      const loaded = await this.#surfaces.load(body);
+      const compared = await comparedRepair(await this.#mesher, body, loaded, repair, {
+        signal: abort.signal,
+        onProgress: (fraction) => isPresent() && this.#setFor(body, { comparing: fraction }),
+      });
+      if (isPresent()) this.#setFor(body, { repair: compared });
+    } catch (error) {
+      // The proposed repair stays: the body can still be repaired without a comparison.
+      if (!abort.signal.aborted && !(error instanceof MesherError)) throw error;
+    } finally {
+      if (isPresent()) this.#setFor(body, { comparing: null });
+    }
+  }
+
+  /** Ends the comparison of two repairs of a body; the proposed one stays. */
+  cancelComparison(id: number): void {
+    this.#comparisons.get(id)?.abort();
+    this.#comparisons.delete(id);
+    if (this.state.getState().byId.get(id)?.comparing != null) this.#set(id, { comparing: null });
   }
 
   /** Shows which patches a split along edges with a larger angle would make, of one patch or of all. */
@@ -255,6 +277,7 @@ export class BodyFeed {
     if (bodies.length === 0 && byId.size === 0) return;
     const next = new Map(bodies.map((body) => [body.id, this.#followed(project, body, byId.get(body.id))]));
     for (const id of this.#aborts.keys()) if (!next.has(id)) this.#aborts.get(id)?.abort();
+    for (const id of this.#comparisons.keys()) if (!next.has(id)) this.#comparisons.get(id)?.abort();
     this.state.setState({ byId: next });
     for (const { body, loaded, inspection, failure } of next.values()) {
       if (failure === null && (!loaded || !inspection)) void this.#inspect(body);
@@ -263,6 +286,7 @@ export class BodyFeed {
 
   #followed(project: Project, body: ProjectBody, before: BodyState | undefined): BodyState {
     const isSame = before !== undefined && hasSameSurface(before.body, body);
+    if (!isSame) this.#comparisons.get(body.id)?.abort();
     const known = isSame ? { ...before, body } : unknownBody(body);
     const isFailed = known.failedKey !== null && known.failedKey === preparedKey(project, body);
     const state = known.failedKey === null || isFailed ? known : { ...known, ...noFailure };

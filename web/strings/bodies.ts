@@ -101,6 +101,17 @@ export const bodyStrings = {
       deviation === "0" ? "No node was moved." : `Nodes were moved by at most ${deviation}.`,
     solves: "Afterwards, the surface can be meshed.",
     remains: (count: number) => `Afterwards, ${counted(count, "problem remains", "problems remain")}.`,
+    comparison: {
+      start: "Compare with exact repair",
+      running: "Comparing with the exact repair",
+      cancel: "Cancel the comparison",
+      exact: (exact: string, welded: string) =>
+        `The exact repair, which welds no nodes, is taken: remeshed, its smallest angle is ${exact} instead of ${welded}.`,
+      welded: (welded: string, exact: string | null) =>
+        exact === null
+          ? `The repair that welds nodes is taken: remeshed, its smallest angle is ${welded}.`
+          : `The repair that welds nodes is taken: remeshed, its smallest angle is ${welded}; that of the exact one is ${exact}.`,
+    },
     weld: "Weld within",
     weldHint: "Nodes closer than this become one; 0 welds only equal positions.",
     holes: "Fill holes up to",

@@ -145,6 +145,16 @@ constexpr DiagnosticValues valuesOf(DiagnosticCode code) {
               {"lengthRatio", "Longest edge / target length there."}};
     case DiagnosticCode::kInconsistentRegions:
       return {count("Number of such triangles.")};
+    case DiagnosticCode::kUnresolvedSurface:
+      return {
+          {"reason",
+           "1: nothing is enclosed; 2: most of the area encloses nothing; 3: too many pairs of "
+           "triangles intersect; 4: the attempts came to their limit; 5: rounding made triangles "
+           "intersect again in each attempt; 6: what is enclosed has no valid boundary."},
+          count("Number of intersecting pairs in the last attempt."),
+          {"limit",
+           "Largest number of pairs (3), or of triangles and pairs in all attempts (4); 0 "
+           "otherwise."}};
     case DiagnosticCode::kLargeTetrahedra:
       return {count("Number of tetrahedra above their largest permitted volume."),
               {"volumeRatio", "Largest volume / permitted volume."}};

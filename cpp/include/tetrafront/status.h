@@ -106,6 +106,8 @@ enum class DiagnosticCode : std::uint16_t {
   kCoarseSurface = 51,
   /// Triangle of a given surface whose given regions contradict those of other triangles, or that has none.
   kInconsistentRegions = 52,
+  /// Warning: triangle of a given surface that an exact repair could not resolve, position. Nothing was cut or removed.
+  kUnresolvedSurface = 53,
   // Volume
   kStalled = 60,
   /// One node, tetrahedron or triangle per kind of defect. A mistake of the engine, not of the input.

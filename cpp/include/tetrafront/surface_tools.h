@@ -135,7 +135,8 @@ struct SurfaceRepair {
   std::vector<RepairChange> changes;  ///< all changes, in the order of the kinds
   /// Largest distance by which a node was moved, in model units; without the rounding of new nodes to doubles.
   double deviation = 0.0;
-  /// Empty unless a coordinate or an index is invalid, which cannot be repaired.
+  /// An error if a coordinate or an index is invalid, which cannot be repaired; a warning if an exact repair was tried and
+  /// could not be made (kUnresolvedSurface).
   std::vector<Diagnostic> diagnostics;
 };
 inline constexpr std::uint32_t kNoOrigin = 0xffffffffU;

@@ -184,6 +184,7 @@ Task<bool> Arrangement::run(Work& work, std::size_t maxPairs) {
   const std::vector<IntersectingPair> pairs =
       co_await findSelfIntersections(work, mesh_, ignored, tree, maxPairs);
   pairCount_ = pairs.size();
+  if (!pairs.empty()) firstOfPair_ = pairs[0].low;
   isCut_.assign(countTriangles(mesh_), 0);
   if (pairs.size() >= maxPairs) co_return false;
   TriangleCuts found(mesh_, points_);

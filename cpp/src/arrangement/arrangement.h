@@ -48,6 +48,8 @@ class Arrangement {
   [[nodiscard]] bool isCut(TriangleId triangle) const { return isCut_[triangle.index()] != 0; }
   /// Number of pairs of intersecting triangles.
   [[nodiscard]] std::size_t pairCount() const { return pairCount_; }
+  /// A triangle that intersects another one; none if there is no such pair.
+  [[nodiscard]] TriangleId firstOfPair() const { return firstOfPair_; }
 
  private:
   void addPart(const std::array<CutPointId, 3>& points);
@@ -60,6 +62,7 @@ class Arrangement {
   std::vector<std::uint32_t> begins_{0};  ///< per part and one more: index in owners_
   std::vector<std::uint8_t> isCut_;       ///< per triangle
   std::size_t pairCount_ = 0;
+  TriangleId firstOfPair_;
 };
 
 }  // namespace tetrafront

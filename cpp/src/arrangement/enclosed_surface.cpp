@@ -67,7 +67,12 @@ class Enclosing {
       work.beginPart(1.0 - std::ldexp(0.5, -static_cast<int>(attempt)));
       weldDistance_ = kWeldDistances[attempt] * extent_;
       co_await resolve(work);
-      if (result_.isResolved || isHopeless_ || isTooMuchWork()) break;
+      if (result_.isResolved || isHopeless_) break;
+      if (isTooMuchWork() && attempt + 1 < kWeldDistances.size()) {
+        result_.reason = Unresolved::kTooMuchWork;
+        result_.limit = workLimit();
+        break;
+      }
     }
     std::vector<EnclosedSurface> results;
     if (result_.isResolved && weldDistance > weldDistance_ && !isTooMuchWork()) {
@@ -96,8 +101,15 @@ class Enclosing {
     return result_.isResolved && change <= kMaxVolumeChange * std::fabs(before);
   }
 
-  [[nodiscard]] bool isTooMuchWork() const {
-    return spent_ > kMaxWork * (countTriangles(given_) + kFreeTriangles);
+  [[nodiscard]] std::size_t workLimit() const {
+    return kMaxWork * (countTriangles(given_) + kFreeTriangles);
+  }
+  [[nodiscard]] bool isTooMuchWork() const { return spent_ > workLimit(); }
+
+  void fail(Unresolved reason, TriangleId triangle, std::size_t limit = 0) {
+    result_.reason = reason;
+    result_.where = triangle.isNone() ? TriangleId{} : result_.origin[triangle.index()];
+    result_.limit = limit;
   }
 
   Task<> resolve(Work& work) {
@@ -107,14 +119,25 @@ class Enclosing {
       work.beginPart(1.0 - std::ldexp(0.5, -static_cast<int>(round)));
       co_await weld(work);
       removeDegenerateTriangles();
-      if (result_.mesh.triangles.empty()) co_return;
+      if (result_.mesh.triangles.empty()) {
+        result_.reason = Unresolved::kNothingEnclosed;
+        co_return;
+      }
       Arrangement arrangement(result_.mesh);
       const bool isDone = co_await arrangement.run(work, pairsBefore);
       spent_ += countTriangles(result_.mesh) + arrangement.pairCount();
+      result_.pairs = arrangement.pairCount();
       isHopeless_ = !isDone && round == 0;
-      if (!isDone) co_return;
+      if (!isDone) {
+        if (isHopeless_)
+          fail(Unresolved::kTooManyPairs, arrangement.firstOfPair(), kMaxPairs);
+        else
+          fail(Unresolved::kRounding, arrangement.firstOfPair());
+        co_return;
+      }
       result_.isResolved = round > 0 && arrangement.pairCount() == 0;
       if (result_.isResolved) co_return;
+      fail(Unresolved::kRounding, arrangement.firstOfPair());
       ++result_.rounds;
       take(arrangement);
       if (round == 0) {
@@ -133,6 +156,9 @@ class Enclosing {
     result_.mesh.triangles = given_.triangles;
     result_.deviation = 0.0;
     result_.sheetShare = 0.0;
+    result_.reason = Unresolved::kNone;
+    result_.where = {};
+    result_.limit = 0;
     result_.origin.clear();
     for (std::uint32_t t = 0; t < countTriangles(given_); ++t) result_.origin.emplace_back(t);
     isInterface_.assign(countTriangles(given_), 0);

@@ -15,6 +15,17 @@
 
 namespace tetrafront {
 
+/// Why a surface could not be resolved. The values are those of kUnresolvedSurface.
+enum class Unresolved : std::uint8_t {
+  kNone = 0,
+  kNothingEnclosed = 1,
+  kMostlySheets = 2,  ///< decided by the caller, from `sheetShare`
+  kTooManyPairs = 3,
+  kTooMuchWork = 4,
+  kRounding = 5,    ///< rounded triangles intersect again, within every weld distance
+  kNotAccepted = 6  ///< decided by the caller
+};
+
 struct EnclosedSurface {
   SurfaceMesh mesh;  ///< points: the given ones, then the new ones; some may be unused
   std::vector<TriangleId> origin;   ///< per triangle: the given triangle
@@ -24,7 +35,11 @@ struct EnclosedSurface {
   /// Largest share of the area that was left out in one round because it has the same volume on both sides.
   double sheetShare = 0.0;
   std::uint32_t rounds = 0;
-  bool isResolved = false;  ///< no two triangles intersect
+  bool isResolved = false;                ///< no two triangles intersect
+  Unresolved reason = Unresolved::kNone;  ///< of the last attempt
+  TriangleId where;       ///< a given triangle at which the last attempt failed, or none
+  std::size_t pairs = 0;  ///< intersecting pairs of the last round
+  std::size_t limit = 0;  ///< the number that was exceeded, or 0
 };
 
 /// Returns the boundary of the inside. `mesh`: triangles with valid indices and finite coordinates; it must outlive the task. They may

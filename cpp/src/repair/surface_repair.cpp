@@ -33,6 +33,15 @@ std::vector<std::uint32_t> valuesOf(const std::vector<TriangleId>& ids) {
   return values;
 }
 
+/// Returns the first triangle of which nothing is left, or none.
+TriangleId firstLeftOut(const SurfaceMesh& closed, const EnclosedSurface& enclosed) {
+  std::vector<std::uint8_t> isLeft(countTriangles(closed), 0);
+  for (const TriangleId from : enclosed.origin) isLeft[from.index()] = 1;
+  const auto first = std::ranges::find(isLeft, 0);
+  if (first == isLeft.end()) return {};
+  return TriangleId(static_cast<std::size_t>(first - isLeft.begin()));
+}
+
 /// A surface under repair. Its nodes keep their given indices until take().
 class RepairedSurface {
  public:
@@ -80,6 +89,7 @@ class RepairedSurface {
   Task<bool> check(Work& work);
   Task<bool> closeCracks(Work& work);
   Task<bool> resolve(Work& work);
+  void reportUnresolved(const SurfaceMesh& closed, const EnclosedSurface& enclosed);
   Task<bool> takeEnclosed(Work& work, const SurfaceMesh& closed,
                           const std::vector<FilledHole>& closedHoles, EnclosedSurface& enclosed);
 
@@ -116,6 +126,7 @@ class RepairedSurface {
   std::vector<Hole> holes_;             ///< in the order of their triangles
   std::vector<RepairChange> changes_;
   double deviation_ = 0.0;
+  std::vector<Diagnostic> warnings_;
 };
 
 Task<> RepairedSurface::weld(Work& work) {
@@ -272,17 +283,52 @@ Task<bool> RepairedSurface::resolve(Work& work) {
     const bool isTaken = co_await takeEnclosed(work, closed, closedHoles, enclosed);
     if (isTaken) co_return true;
   }
+  reportUnresolved(closed, results.back());
   co_return false;
 }
 
-/// Takes one result, if the boundary check accepts it.
+/// Says why the surface stays as it is, and where.
+void RepairedSurface::reportUnresolved(const SurfaceMesh& closed, const EnclosedSurface& enclosed) {
+  Diagnostic warning;
+  warning.code = DiagnosticCode::kUnresolvedSurface;
+  warning.severity = Severity::kWarning;
+  warning.values = {static_cast<double>(enclosed.reason), static_cast<double>(enclosed.pairs),
+                    static_cast<double>(enclosed.limit)};
+  if (!enclosed.where.isNone()) {
+    warning.hasPosition = true;
+    warning.position = centroidOf(cornersOf(closed, enclosed.where));
+    // A triangle that closes a hole is not one of the given surface.
+    const bool isGiven =
+        enclosed.where.index() < countTriangles(mesh_) && !origin_[enclosed.where.index()].isNone();
+    if (isGiven)
+      warning.entities = {{EntityKind::kTriangle, origin_[enclosed.where.index()].value}};
+  }
+  warnings_.push_back(std::move(warning));
+}
+
+/// Takes one result, if the boundary check accepts it. Otherwise notes why not.
 Task<bool> RepairedSurface::takeEnclosed(Work& work, const SurfaceMesh& closed,
                                          const std::vector<FilledHole>& closedHoles,
                                          EnclosedSurface& enclosed) {
-  if (!enclosed.isResolved || enclosed.sheetShare > kMaxSheetShare) co_return false;
+  if (!enclosed.isResolved) co_return false;
+  if (enclosed.sheetShare > kMaxSheetShare) {
+    enclosed.reason = Unresolved::kMostlySheets;
+    enclosed.where = firstLeftOut(closed, enclosed);
+    co_return false;
+  }
   BoundaryCheck boundary(enclosed.mesh, BoundarySource::kGivenSurface, options_.innerShells);
   co_await work.finish(boundary);
-  if (!boundary.result().isValid) co_return false;
+  if (!boundary.result().isValid) {
+    enclosed.reason = Unresolved::kNotAccepted;
+    for (const Diagnostic& found : boundary.takeDiagnostics()) {
+      if (found.severity != Severity::kError || found.entities.empty()) continue;
+      const Entity& entity = found.entities[0];
+      if (entity.kind != EntityKind::kTriangle) continue;
+      enclosed.where = enclosed.origin[entity.index];
+      break;
+    }
+    co_return false;
+  }
   keepHoles(closed, closedHoles);
   listResolved(closed, enclosed);
   takeResolved(closed, enclosed);
@@ -382,6 +428,7 @@ SurfaceRepair RepairedSurface::take() {
   result.triangles = std::move(mesh_.triangles);
   result.origin = valuesOf(origin_);
   result.deviation = deviation_;
+  result.diagnostics = std::move(warnings_);
   for (const auto& [hole, position] : holes_) {
     add(RepairKind::kFilledHole, hole.firstTriangle.value, hole.triangleCount, position);
   }

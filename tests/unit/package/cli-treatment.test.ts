@@ -102,6 +102,56 @@ test("a file that could have region points, but has none, is meshed", async () =
   expect(report.volume).toBeCloseTo(1, 12);
 });
 
+test("cavities and region points together are told", async () => {
+  save("part.smesh", cubeFile("0\n1\n1 0.5 0.5 0.5 7 0\n"));
+  const { stderr, report } = await meshedFile("part.smesh", "--inner-shells", "cavities");
+  expect(stderr).toContain("--inner-shells cavities has no effect: the points of the file decide");
+  expect(report.volume).toBeCloseTo(1, 12);
+  expect((await meshedFile("part.smesh", "--inner-shells", "regions")).stderr).not.toContain("has no effect");
+});
+
+/** Boxes that do not share nodes. */
+const boxesFile = (...offsets: readonly (readonly [number, number, number])[]) => {
+  const { points, triangles } = boxSurface(1);
+  return offFile({
+    points: Float64Array.from(
+      offsets.flatMap((offset) => [...points].map((x, i) => x + (offset[i % 3] ?? 0))),
+    ),
+    triangles: Uint32Array.from(
+      offsets.flatMap((_, b) => [...triangles].map((node) => node + (b * points.length) / 3)),
+    ),
+  });
+};
+
+test("bodies that become one are told, with the volume that they shared", async () => {
+  save("cross.off", boxesFile([0, 0, 0], [0.5, 0.5, 0.5]));
+  const { stderr } = await meshedFile("cross.off", "--repair");
+  expect(stderr).toContain("2 bodies that intersect became one, without the parts inside");
+  expect(stderr).toContain("0.125 in all, count once");
+  // Bodies that only touch stay two regions, and bodies apart are not repaired at all.
+  save("touch.off", boxesFile([0, 0, 0], [1, 0.25, 0.25]));
+  expect((await meshedFile("touch.off", "--repair")).stderr).not.toContain("became");
+  save("apart.off", boxesFile([0, 0, 0], [2, 0, 0]));
+  expect((await meshedFile("apart.off", "--repair")).stderr).not.toContain("became");
+});
+
+test("six sheets in one plane are refused with the reason: nothing is enclosed", async () => {
+  const sheet = (i: number) => [0.1 * i, 0, 0, 1 + 0.1 * i, 0, 0, 1 + 0.1 * i, 1, 0, 0.1 * i, 1, 0];
+  const points = Float64Array.from([0, 1, 2, 3, 4, 5].flatMap(sheet));
+  const triangles = Uint32Array.from(
+    [0, 1, 2, 3, 4, 5].flatMap((i) => [0, 1, 2, 0, 2, 3].map((n) => 4 * i + n)),
+  );
+  save("sheets.off", offFile({ points, triangles }));
+  for (const args of [["--surface", "remesh"], ["--repair"]]) {
+    const { code, stderr } = await run("mesh", "sheets.off", "-o", "sheets.vtu", ...args);
+    expect(code).toBe(2);
+    expect(stderr).toContain(
+      "warning: sheets.off: The surface could not be resolved, and stays as it is: its triangles enclose no volume",
+    );
+    expect(stderr).toContain("Use a surface that encloses a volume");
+  }
+});
+
 test("sizes are proposed for a surface that is repaired first, as remesh does", async () => {
   const { points, triangles } = boxSurface(1);
   const shifted = points.map((x) => x + 0.5);

@@ -324,6 +324,8 @@ const TESTED_ELSEWHERE = [
   "readTrace",
   "recordTrace",
   "liveNotes",
+  "hasWelded",
+  "remeshedBest",
 ];
 
 test("every exported function and every method is tested", () => {

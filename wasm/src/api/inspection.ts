@@ -51,10 +51,11 @@ export function changeDiagnostics(
   return describeAll(diagnostics, name);
 }
 
-/** `given`: number of nodes of the surface before the repair. */
+/** `given`: number of nodes of the surface before the repair; `diagnostics`: warnings about it. */
 export function describedRepair(
   { points, triangles, origin, deviation, ...rest }: EngineRepair,
   given: number,
+  diagnostics: readonly Diagnostic[],
 ): SurfaceRepair {
   const { kind: kinds, first, second, position } = rest.changes;
   const changes = Array.from(kinds, (number, i): RepairChange[] => {
@@ -70,7 +71,7 @@ export function describedRepair(
   );
   const added = points.length / 3 - (given - gone.size);
   const nodeOrigin = originsOf(given, (node) => gone.has(node), added);
-  return { surface: { points, triangles, origin, nodeOrigin }, origin, changes, deviation };
+  return { surface: { points, triangles, origin, nodeOrigin }, origin, changes, deviation, diagnostics };
 }
 
 export function describedRefinement(refinement: EngineRefinement): SurfaceRefinement {

@@ -101,8 +101,9 @@ export class SurfaceTools {
       options: engineRepairOptions(options),
     } as const;
     const repair = await this.#client.ask(question, control);
-    refuse(changeDiagnostics(repair));
-    return describedRepair(repair, points.length / 3);
+    const found = changeDiagnostics(repair, surfaceNamer(surface));
+    refuse(found.filter(({ severity }) => severity === "error"));
+    return describedRepair(repair, points.length / 3, found);
   }
 
   async refine(

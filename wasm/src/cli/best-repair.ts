@@ -1,56 +1,25 @@
-/** A repair that welds nodes before a remeshing, and an exact one, if the triangles are poor after the first. */
-import { isBetter, isPoor, unlessFailed } from "../api/best-remesh.js";
-import { MesherError } from "../diagnostics/mesher-error.js";
-import { diagonalOf } from "../formats/near-points.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
+/** The better of two repairs, as far as the command line is concerned. */
+import {
+  type BestRepair,
+  remeshedBest as betterRemeshed,
+  type BestRepairOptions,
+} from "../api/best-repair.js";
+import { unlessFailed } from "../api/best-remesh.js";
 import type { MeshResult } from "../mesh/report.js";
 import { InvalidInput } from "./messages.js";
 import type { RemeshReport } from "./remeshing.js";
-import type { RepairedSurface } from "./repair.js";
 
-/** Result of a remeshing, and the repaired surface of which it was made. */
-export interface BestRepair<Prepared, Made> {
-  readonly prepared: Prepared;
-  readonly made: Made;
-  /** Whether the exact repair was better. */
-  readonly isExact: boolean;
-  /** Result after the repair that welds nodes, if the exact one was better. */
-  readonly welded?: { readonly prepared: Prepared; readonly made: Made } | undefined;
-}
+export { hasWelded } from "../api/best-repair.js";
 
-/** Largest deviation of an exact repair / diagonal: it welds within far less than the step height. */
-const EXACT = 1e-5;
-
-/** Returns whether the repair of a surface welded nodes, so that an exact one gives another surface. */
-export function hasWelded(
-  { points }: Pick<SurfaceFile, "points">,
-  { repairDeviation = 0 }: Pick<RepairedSurface, "repairDeviation">,
-): boolean {
-  return repairDeviation > EXACT * diagonalOf(points);
-}
-
-/**
- * Remeshes a repaired surface. If its triangles are poor, does the same after the exact repair, if there is one, and
- * returns the better result; the first one if the second way fails. If the second way is stopped, returns the first
- * result as a partial one if `partial`; rejects otherwise.
- */
-export async function remeshedBest<Prepared, Made extends { readonly remesh?: RemeshReport }>(
+/** As the function of the package; input that the exact repair refuses counts as a failure of the second way. */
+export function remeshedBest<Prepared, Made extends { readonly remesh?: RemeshReport }>(
   prepared: Prepared,
   exact: (() => Promise<Prepared>) | undefined,
   remesh: (prepared: Prepared) => Promise<Made>,
-  { partial = false }: { readonly partial?: boolean } = {},
+  options: BestRepairOptions = {},
 ): Promise<BestRepair<Prepared, Made>> {
-  const made = await remesh(prepared);
-  const first = { prepared, made, isExact: false };
-  if (exact === undefined || made.remesh === undefined || !isPoor(made.remesh)) return first;
-  const stopped = { ...first, made: { ...made, remesh: { ...made.remesh, isPartial: true } } };
-  const second = await unlessInvalid(other(exact, remesh)).catch((failure: unknown) => {
-    if (partial && failure instanceof MesherError && failure.code === "cancelled") return stopped;
-    throw failure;
-  });
-  if (second?.made.remesh?.isPartial === true) return stopped;
-  const isTaken = second?.made.remesh !== undefined && isBetter(second.made.remesh, made.remesh);
-  return isTaken ? { ...second, isExact: true, welded: { prepared, made } } : first;
+  const isRefusal = (failure: unknown) => failure instanceof InvalidInput;
+  return betterRemeshed(prepared, exact, remesh, { ...options, isRefusal });
 }
 
 /** The way that was filled, and the result of filling it. */
@@ -73,23 +42,6 @@ export async function filledBest<Prepared, Made, Result extends Pick<MeshResult,
   const second = await fill(welded.made);
   const isKept = result !== undefined && second.report.status !== "done";
   return isKept ? { ...best, result } : { ...welded, isExact: false, result: second };
-}
-
-async function other<Prepared, Made>(
-  exact: () => Promise<Prepared>,
-  remesh: (prepared: Prepared) => Promise<Made>,
-): Promise<{ readonly prepared: Prepared; readonly made: Made }> {
-  const prepared = await exact();
-  return { prepared, made: await remesh(prepared) };
-}
-
-async function unlessInvalid<Result>(made: Promise<Result>): Promise<Result | undefined> {
-  try {
-    return await unlessFailed(made);
-  } catch (failure) {
-    if (failure instanceof InvalidInput) return undefined;
-    throw failure;
-  }
 }
 
 export const EXACT_REPAIR =

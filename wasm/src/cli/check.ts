@@ -182,7 +182,7 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
     throw new InvalidInput(input, [nothing]);
   }
   const given = await inSteps(surfaceOf(mesh));
-  const { surface: whole, changes, repairDeviation } = await repaired(mesher, given, repair);
+  const { surface: whole, changes, repairDeviation, warnings = [] } = await repaired(mesher, given, repair);
   const { surface, diagnostics: found } = await locatedOrNot(mesher, whole, options.innerShells);
   const { innerShells = whole.regionPoints && "regions" } = options;
   const inspectionOptions = { innerShells, maxDiagnostics: maxDiagnosticsOf(options) };
@@ -190,7 +190,7 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
   const touching = touchingSolids(given.surfaceRegions, diagnostics);
   return {
     kind: "surface",
-    diagnostics: [...touching, ...found, ...diagnostics, ...notes(mesh)],
+    diagnostics: [...warnings, ...touching, ...found, ...diagnostics, ...notes(mesh)],
     changes,
     repairDeviation,
     inspection,

@@ -227,7 +227,11 @@ export async function meshInput(
     for (const line of readingLines(given.surface)) print(`note: ${input}: ${line}`);
   }
   const meshing = { isQuiet, treatment, remeshing: options, grid, onTrace };
-  const made = await mesh(treated, exact, meshOptions, meshing);
+  const made = await mesh(treated, exact, meshOptions, meshing).catch((failure: unknown) => {
+    // Warnings of the repair say why the surface is invalid.
+    printWithGrid({ input, background: options.background }, treated.located ?? [], isQuiet);
+    throw failure;
+  });
   const { refinement, remesh, repaired: taken } = made;
   const { changes, repairDeviation, located: foundLater = [] } = taken;
   const found = [...read, ...foundLater];

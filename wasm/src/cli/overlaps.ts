@@ -1,53 +1,179 @@
-/** Finds solids of a surface whose volumes overlap. */
+/** Finds solids of a surface whose volumes overlap, and bodies that a repair has joined. */
 import type { Mesher } from "../api/mesher-interface.js";
 import { overlapWarning, touchingPairs, type TouchingPair } from "../api/touching-solids.js";
+import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { sixfoldVolume } from "../formats/sixfold-volume.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
+import type { SurfaceInput } from "../mesh/mesh.js";
+import { short } from "./tables.js";
 
 /** Smallest common volume, relative to the smaller solid: curved faces that touch overlap by their deviation. */
 const SMALLEST_OVERLAP = 1e-3;
 
-/** Returns one warning per pair of solids that share a volume, of those whose triangles intersect. */
+/** Significant digits of a volume. */
+const DIGITS = 3;
+
+/** The whole surface after its repair. */
+export interface Whole {
+  readonly isFillable: boolean;
+  readonly volume: number;
+}
+
+/**
+ * Returns one warning per pair of solids that share a volume, of those whose triangles intersect. `whole`: inspection of the
+ * surface after its repair. If it encloses as much as all solids one by one, no pair is looked at; and of the others, only
+ * those with boxes that share a volume, each with its own triangles alone.
+ */
 export async function overlappingSolids(
   mesher: Mesher,
   given: SurfaceFile,
   diagnostics: readonly Diagnostic[],
+  whole: Whole,
 ): Promise<Diagnostic[]> {
   const { surfaceRegions } = given;
+  const pairs = touchingPairs(surfaceRegions, diagnostics);
+  if (surfaceRegions === undefined || pairs.length === 0) return [];
+  const solids = surfaceRegions.regions.map((_, region) => solidOf(given, region));
+  const total = solids.reduce((sum, { volume }) => sum + volume, 0);
+  const smallest = Math.min(...solids.map(({ volume }) => volume));
+  if (whole.isFillable && total - whole.volume <= SMALLEST_OVERLAP * smallest) return [];
   const warnings: Diagnostic[] = [];
-  for (const pair of touchingPairs(surfaceRegions, diagnostics))
-    if (await isOverlap(mesher, given, pair)) warnings.push(overlapWarning(surfaceRegions, pair));
+  for (const pair of pairs) {
+    if (await isOverlap(mesher, given, pair, solids)) warnings.push(overlapWarning(surfaceRegions, pair));
+  }
   return warnings;
 }
 
 /** Two solids share a volume if the repaired surface of both encloses less than they do one by one. */
-async function isOverlap(mesher: Mesher, given: SurfaceFile, { regions }: TouchingPair): Promise<boolean> {
-  const volumes = regions.map((region) => volumeOf(given, region));
-  const triangles = trianglesOf(given, new Set<number>(regions));
-  const { surface } = await mesher.repairSurface({ points: given.points, triangles });
+async function isOverlap(
+  mesher: Mesher,
+  given: SurfaceFile,
+  { regions }: TouchingPair,
+  solids: readonly Solid[],
+): Promise<boolean> {
+  const [one, other] = regions.map((region) => solids[region]);
+  if (one === undefined || other === undefined) return false;
+  const limit = SMALLEST_OVERLAP * Math.min(one.volume, other.volume);
+  if (commonBox(one, other) <= limit) return false;
+  const { surface } = await mesher.repairSurface(partOf(given, new Set<number>(regions)));
   const { isFillable, volume } = await mesher.inspectSurface(surface);
-  const [one = 0, other = 0] = volumes;
-  return isFillable && one + other - volume > SMALLEST_OVERLAP * Math.min(one, other);
+  return isFillable && one.volume + other.volume - volume > limit;
 }
 
-function trianglesOf({ triangles, surfaceRegions }: SurfaceFile, regions: ReadonlySet<number>): Uint32Array {
+interface Solid {
+  readonly volume: number;
+  readonly low: readonly number[];
+  readonly high: readonly number[];
+}
+
+/** Returns the volume of the box that two boxes share. */
+function commonBox(one: Solid, other: Solid): number {
+  return [0, 1, 2].reduce((volume, k) => {
+    const low = Math.max(one.low[k] ?? 0, other.low[k] ?? 0);
+    return volume * Math.max(0, Math.min(one.high[k] ?? 0, other.high[k] ?? 0) - low);
+  }, 1);
+}
+
+/** Returns the triangles of some solids, with their own points. */
+function partOf(
+  { points, triangles, surfaceRegions }: SurfaceFile,
+  regions: ReadonlySet<number>,
+): SurfaceInput {
   const sides = surfaceRegions?.triangleRegions ?? new Uint32Array();
-  return triangles.filter((_, corner) => {
+  const indexOf = new Map<number, number>();
+  const used: number[] = [];
+  const corners: number[] = [];
+  triangles.forEach((node, corner) => {
     const side = 2 * Math.floor(corner / 3);
-    return regions.has(sides[side] ?? -1) || regions.has(sides[side + 1] ?? -1);
+    if (!regions.has(sides[side] ?? -1) && !regions.has(sides[side + 1] ?? -1)) return;
+    const known = indexOf.get(node);
+    if (known === undefined) {
+      indexOf.set(node, indexOf.size);
+      used.push(points[3 * node] ?? 0, points[3 * node + 1] ?? 0, points[3 * node + 2] ?? 0);
+    }
+    corners.push(known ?? indexOf.size - 1);
   });
+  return { points: Float64Array.from(used), triangles: Uint32Array.from(corners) };
 }
 
-/** Returns the volume of a solid, whose triangles face outward where it is on their first side. */
-function volumeOf({ points, triangles, surfaceRegions }: SurfaceFile, region: number): number {
+/** Returns the volume and the box of a solid, whose triangles face outward where it is on their first side. */
+function solidOf({ points, triangles, surfaceRegions }: SurfaceFile, region: number): Solid {
   const sides = surfaceRegions?.triangleRegions ?? new Uint32Array();
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
   let sixfold = 0;
   for (let t = 0; t < triangles.length / 3; t++) {
     const sign = Number(sides[2 * t] === region) - Number(sides[2 * t + 1] === region);
     if (sign === 0) continue;
     const [a = 0, b = 0, c = 0] = triangles.subarray(3 * t, 3 * t + 3);
     sixfold += sign * sixfoldVolume(points, 0, a, b, c).volume;
+    for (const node of [a, b, c]) {
+      for (let k = 0; k < 3; k++) {
+        const x = points[3 * node + k] ?? 0;
+        low[k] = Math.min(low[k] ?? x, x);
+        high[k] = Math.max(high[k] ?? x, x);
+      }
+    }
   }
-  return sixfold / 6;
+  return { volume: sixfold / 6, low, high };
+}
+
+/**
+ * Returns a note if a repair has joined bodies that intersected. Bodies are the connected components of the given surface;
+ * two of them are joined if they share a volume, which the repaired surface encloses once. `volume`: that of the latter.
+ */
+export function joinedBodies(given: SurfaceInput, repaired: SurfaceInput, volume: number): Diagnostic[] {
+  const { origin } = repaired;
+  if (origin === undefined) return [];
+  const bodyOf = componentsOf(given);
+  const pieceOf = componentsOf(repaired);
+  const bodiesIn = new Map<number, Set<number>>();
+  origin.forEach((from, t) => {
+    const body = bodyOf[from];
+    if (body === undefined) return;
+    const piece = pieceOf[t] ?? 0;
+    bodiesIn.set(piece, (bodiesIn.get(piece) ?? new Set()).add(body));
+  });
+  const groups = [...bodiesIn.values()].filter(({ size }) => size > 1);
+  if (groups.length === 0) return [];
+  const { points, triangles } = given;
+  const volumes = new Map<number, number>();
+  for (let t = 0; t < triangles.length / 3; t++) {
+    const [a = 0, b = 0, c = 0] = triangles.subarray(3 * t, 3 * t + 3);
+    const body = bodyOf[t] ?? 0;
+    volumes.set(body, (volumes.get(body) ?? 0) + sixfoldVolume(points, 0, a, b, c).volume / 6);
+  }
+  // A cavity counts as negative. Bodies that only touch keep their volumes, with an interface between them.
+  const common = [...volumes.values()].reduce((sum, one) => sum + one, 0) - volume;
+  const joined = groups.flatMap((group) => [...group].map((body) => Math.abs(volumes.get(body) ?? 0)));
+  if (common <= SMALLEST_OVERLAP * Math.min(...joined)) return [];
+  const bodies = groups.reduce((sum, { size }) => sum + size, 0);
+  const message = `${plural(bodies, "body")} that intersect became ${groups.length === 1 ? "one" : String(groups.length)}, without the parts inside; the volumes that they shared, ${short(common, DIGITS)} in all, count once`;
+  const remedy = "Move the bodies apart, or subtract one from the other, to keep them as regions.";
+  return [packageDiagnostic("joined-bodies", message, remedy, "information")];
+}
+
+/** Returns per triangle the first node of its connected component. */
+function componentsOf({ points, triangles }: SurfaceInput): Uint32Array {
+  const parent = Uint32Array.from({ length: points.length / 3 }, (_, node) => node);
+  const rootOf = (node: number): number => {
+    let root = node;
+    while (parent[root] !== root) root = parent[root] ?? root;
+    for (let at = node; at !== root;) {
+      const next = parent[at] ?? root;
+      parent[at] = root;
+      at = next;
+    }
+    return root;
+  };
+  for (let t = 0; t < triangles.length; t += 3) {
+    const first = rootOf(triangles[t] ?? 0);
+    for (const corner of [t + 1, t + 2]) {
+      const other = rootOf(triangles[corner] ?? 0);
+      parent[Math.max(first, other)] = Math.min(first, other);
+    }
+  }
+  return Uint32Array.from({ length: triangles.length / 3 }, (_, t) => rootOf(triangles[3 * t] ?? 0));
 }

@@ -3,6 +3,7 @@ import { hasRegionPoints } from "../api/input-checks.js";
 import type { Mesher } from "../api/mesher-interface.js";
 import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { InnerShells } from "../generated/constants.js";
 
@@ -23,7 +24,18 @@ export async function located(
 ): Promise<Located> {
   const isUnchanged =
     surface.regionPoints === undefined || (innerShells === "cavities" && !hasRegionPoints(surface));
-  return isUnchanged ? { surface, diagnostics: [] } : mesher.locateRegions(surface);
+  if (isUnchanged) return { surface, diagnostics: [] };
+  const found = await mesher.locateRegions(surface);
+  return innerShells === "cavities"
+    ? { ...found, diagnostics: [shellsUnused(), ...found.diagnostics] }
+    : found;
+}
+
+function shellsUnused(): Diagnostic {
+  const message =
+    "--inner-shells cavities has no effect: the points of the file decide which enclosed volumes are holes, and all others are regions";
+  const remedy = "Omit it, or add a hole point to each cavity.";
+  return packageDiagnostic("region-point", message, remedy, "warning");
 }
 
 type WithRegions = Pick<SurfaceFile, "givenRegions">;

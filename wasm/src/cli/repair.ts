@@ -8,12 +8,13 @@ import { touchingSolids } from "../api/touching-solids.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { STEP_HEIGHT } from "../base/limits.js";
 import { plural } from "../base/plural.js";
-import { invalidOption } from "../diagnostics/package-diagnostic.js";
+import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { InnerShells } from "../generated/constants.js";
 import type { RepairChange } from "../mesh/inspection.js";
-import { overlappingSolids } from "./overlaps.js";
+import { joinedBodies, overlappingSolids } from "./overlaps.js";
 import { numberIn, refuseOptions } from "./input.js";
+import { hasRegionVolumes } from "./regions.js";
 import { diagonalOf } from "../formats/near-points.js";
 import { InvalidInput, print } from "./messages.js";
 import { positionText, short } from "./tables.js";
@@ -32,7 +33,7 @@ export interface RepairedSurface {
   readonly changes?: readonly RepairChange[] | undefined;
   /** Largest distance by which the repair moved a node, in model units; as `changes`. */
   readonly repairDeviation?: number | undefined;
-  /** About solids that overlap. */
+  /** About solids that overlap, bodies that were joined, and what could not be resolved. */
   readonly warnings?: readonly Diagnostic[];
 }
 
@@ -64,8 +65,19 @@ export async function repaired(
 ): Promise<RepairedSurface> {
   if (options === undefined) return { surface: given };
   const repair = await mesher.repairSurface(given, options);
-  const { changes, deviation: repairDeviation } = repair;
-  return { surface: repairedSurface(given, repair), changes, repairDeviation };
+  const { changes, deviation: repairDeviation, diagnostics } = repair;
+  const surface = repairedSurface(given, repair);
+  const isCut = changes.some(({ kind }) => kind === "resolved-intersection");
+  const isOneRegion = (given.surfaceRegions?.regions.length ?? 0) < 2;
+  const joined =
+    isCut && isOneRegion
+      ? joinedBodies(
+          given,
+          repair.surface,
+          (await mesher.inspectSurface(surface, { innerShells: options.innerShells })).volume,
+        )
+      : [];
+  return { surface, changes, repairDeviation, warnings: [...diagnostics, ...joined] };
 }
 
 /**
@@ -89,15 +101,25 @@ export async function madeFillable(
 ): Promise<RepairedSurface> {
   const before = await mesher.inspectSurface(given, { innerShells });
   if (before.isFillable) return { surface: given };
-  const warnings = await overlappingSolids(mesher, given, before.diagnostics);
   const weldIntersections = isRemeshed && !isExact ? STEP_HEIGHT * diagonalOf(given.points) : 0;
   const made = await repaired(mesher, given, { innerShells, weldIntersections });
   // New triangles between solids do not know the regions on both sides.
-  const { givenRegions: _, ...surface } = withoutFilledPatch(made.surface);
+  const { givenRegions, ...surface } = withoutFilledPatch(made.surface);
   const found = await mesher.inspectSurface(surface, { innerShells });
+  const warnings = [
+    ...(made.warnings ?? []),
+    ...(hasRegionVolumes({ givenRegions }) ? [limitsLost()] : []),
+    ...(await overlappingSolids(mesher, given, before.diagnostics, found)),
+  ];
   const touching = found.isFillable ? [] : touchingSolids(given.surfaceRegions, found.diagnostics);
   if (touching.length > 0) throw new InvalidInput(input, touching);
-  return made.changes?.length === 0 ? { surface: given } : { ...made, surface, warnings };
+  return made.changes?.length === 0 ? { surface: given, warnings } : { ...made, surface, warnings };
+}
+
+function limitsLost(): Diagnostic {
+  const message = "the largest volumes of regions have no effect, because the surface was repaired";
+  const remedy = "Use --max-volume, which limits all tetrahedra.";
+  return packageDiagnostic("region-point", message, remedy, "warning");
 }
 
 /** Largest number of lines per kind of change; `--json` and `--report` list all. */

@@ -15,6 +15,8 @@ export type PackageCode =
   | "deviation-above-tolerance"
   /** Two solids of a file overlap, or touch in faces with different boundaries. */
   | "touching-solids"
+  /** Bodies of a surface intersected, and a repair made them one. */
+  | "joined-bodies"
   /** Triangles of a surface were far larger than the sizes, and were split or replaced. */
   | "divided-surface"
   /** A surface was valid, but is not after the rounding of its file format. */

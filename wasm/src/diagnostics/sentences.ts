@@ -60,6 +60,40 @@ const OPTION_WORDS: Readonly<Record<CheckedOption, readonly [name: string, range
   "max-volume": ["largest volume of a tetrahedron", "a volume above 0"],
 };
 
+interface UnresolvedPlace {
+  readonly triangle: string;
+  readonly at: string;
+  readonly count: number;
+  readonly limit: number;
+}
+
+/** Returns why an exact repair failed; the reasons are those of the engine. */
+function unresolved(reason: number, { triangle, at, count, limit }: UnresolvedPlace): string {
+  switch (reason) {
+    case 1:
+      return "its triangles enclose no volume, also after its holes are closed";
+    case 2:
+      return `more than half of its area encloses nothing, for example ${triangle}${at}`;
+    case 3:
+      return `more than ${limit} pairs of triangles intersect, for example ${triangle}${at}`;
+    case 4:
+      return `${triangle}${at} still intersects others after as many attempts as are allowed, which is ${limit} triangles and pairs in all (${plural(count, "pair")} left)`;
+    case 5:
+      return `${triangle}${at} intersects others again whenever its cuts are rounded (${plural(count, "pair")} left)`;
+    default:
+      return `what it encloses has no valid boundary${at === "" ? "" : ` near ${triangle}${at}`}`;
+  }
+}
+
+const UNRESOLVED_REMEDIES = [
+  "Use a surface that encloses a volume: thicken sheets in the program that made them, or close large holes.",
+  "Remove the triangles that enclose nothing, or close the surface that they belong to.",
+  "Remove copies of the surface, or repair its parts one by one.",
+  "Repair the surface near this position, or its parts one by one, or weld its nodes first (--weld).",
+  "Weld the nodes near this position (--weld), or move the parts apart by more than the rounding of their coordinates.",
+  "Separate the parts that touch near this position, or weld their nodes (--weld).",
+];
+
 /** One entry per engine code: the compiler rejects a table with a gap. */
 export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
   "not-finite": {
@@ -324,6 +358,12 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
     message: ({ the, at, data }) =>
       `${the("triangle")}${at} has given regions that contradict those of other triangles${total(data.count, "triangle")}`,
     remedy: "Repair the surface first, then call locateRegions().",
+  },
+  "unresolved-surface": {
+    message: ({ the, at, data: { reason, count, limit } }) =>
+      `The surface could not be resolved, and stays as it is: ${unresolved(reason, { triangle: the("triangle"), at, count, limit })}`,
+    remedy: ({ data: { reason } }) =>
+      UNRESOLVED_REMEDIES[reason - 1] ?? "Close the surface, and remove sheets.",
   },
   "large-tetrahedra": {
     message: ({ at, data: { count, volumeRatio } }) =>

@@ -116,6 +116,8 @@ export interface SurfaceRepair {
   readonly changes: readonly RepairChange[];
   /** Largest distance by which a node was moved, in model units; without the rounding of new nodes. */
   readonly deviation: number;
+  /** A warning `unresolved-surface` if triangles that intersect, sheets or open edges were to be resolved, and could not be: why and where. */
+  readonly diagnostics: readonly Diagnostic[];
 }
 
 /** Surface whose large triangles are split; its shape is the same. */

@@ -9,12 +9,13 @@ import { placed } from "../../document/placement";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { NumberRow } from "../../ui/fields/number-row";
 import { formatShort } from "../../ui/format";
-import { strings } from "../../strings";
+import { remedyInApp, strings } from "../../strings";
 import { ProblemCard } from "../problems/problem-card";
 import { useApp, useProblems } from "../shared/app-context";
 import { PositionList } from "../shared/position-list";
 import { notNegative, upTo } from "../shared/size-fields";
 import styles from "./bodies.module.css";
+import { RepairComparison } from "./repair-comparison";
 import { useBody } from "./use-body";
 
 const texts = strings.bodies;
@@ -66,7 +67,7 @@ const changeLabel = (change: RepairChange): string =>
 /** What a repair would change, with its options. */
 function RepairSection({ body, repair }: RepairSectionProps) {
   const app = useApp();
-  const { wishes, changes, deviation, after } = repair;
+  const { wishes, changes, deviation, after, unresolved } = repair;
   const errors = after.diagnostics.filter(({ severity }) => severity === "error").length;
   const propose = (change: Partial<typeof wishes>): void =>
     void app.bodies.proposeRepair(body, { ...wishes, ...change });
@@ -92,6 +93,13 @@ function RepairSection({ body, repair }: RepairSectionProps) {
         {changes.length > 0 && `${texts.repair.moves(formatShort(placedLength(deviation, body)))} `}
         {after.isFillable ? texts.repair.solves : texts.repair.remains(errors)}
       </Text>
+      {!after.isFillable &&
+        unresolved.map((found) => (
+          <Text key={found.message} size="sm" mb={6} data-testid="repair-unresolved">
+            {`${found.message}. ${remedyInApp(found)}`}
+          </Text>
+        ))}
+      <RepairComparison body={body} repair={repair} />
       <NumberRow
         label={texts.repair.weld}
         value={placedLength(typeof wishes.weld === "number" ? wishes.weld : 0, body)}

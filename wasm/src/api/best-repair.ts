@@ -1,0 +1,90 @@
+/** A repair that welds nodes before a remeshing, and an exact one, if the triangles are poor after the first. */
+import { MesherError } from "../diagnostics/mesher-error.js";
+import { diagonalOf } from "../formats/near-points.js";
+import type { SurfaceRemesh } from "../mesh/inspection.js";
+import type { SurfaceInput } from "../mesh/mesh.js";
+import { isBetter, isPoor, unlessFailed } from "./best-remesh.js";
+
+/** Figures of a remeshing by which two are compared. */
+export type RemeshShapes = Pick<SurfaceRemesh, "isPartial" | "smallestAngle" | "meanRadiusRatio">;
+
+/** Result of a remeshing, and the repaired surface of which it was made. */
+export interface BestRepair<Prepared, Made> {
+  readonly prepared: Prepared;
+  readonly made: Made;
+  /** Whether the exact repair was better. */
+  readonly isExact: boolean;
+  /** Result after the repair that welds nodes, if the exact one was better. */
+  readonly welded?: { readonly prepared: Prepared; readonly made: Made } | undefined;
+}
+
+/** Largest deviation of an exact repair / diagonal: it welds within far less than the step height. */
+const EXACT = 1e-5;
+
+/**
+ * Returns whether the repair of a surface welded nodes, so that an exact one gives another surface. `repairDeviation`: that of
+ * the repair with `weldIntersections`.
+ */
+export function hasWelded(
+  { points }: Pick<SurfaceInput, "points">,
+  { repairDeviation = 0 }: { readonly repairDeviation?: number | undefined },
+): boolean {
+  return repairDeviation > EXACT * diagonalOf(points);
+}
+
+export interface BestRepairOptions {
+  /** Whether the first result is returned as a partial one if the second way is stopped. Default false. */
+  readonly partial?: boolean;
+  /** Returns whether a failure of the second way means that it is not possible, beside those of the mesher. */
+  readonly isRefusal?: (failure: unknown) => boolean;
+}
+
+/**
+ * Remeshes a repaired surface. If its triangles are poor, does the same after the exact repair, if there is one, and
+ * returns the better result; the first one if the second way fails. If the second way is stopped, returns the first
+ * result as a partial one if `partial`; rejects otherwise.
+ *
+ *     const repair = (weldIntersections: number) => mesher.repairSurface(surface, { weldIntersections });
+ *     const welded = await repair(0.01);
+ *     const best = await remeshedBest(welded, () => repair(0), async ({ surface: one }) => ({
+ *       remesh: await mesher.remeshSurface(one),
+ *     }));
+ */
+export async function remeshedBest<Prepared, Made extends { readonly remesh?: RemeshShapes }>(
+  prepared: Prepared,
+  exact: (() => Promise<Prepared>) | undefined,
+  remesh: (prepared: Prepared) => Promise<Made>,
+  { partial = false, isRefusal = () => false }: BestRepairOptions = {},
+): Promise<BestRepair<Prepared, Made>> {
+  const made = await remesh(prepared);
+  const first = { prepared, made, isExact: false };
+  if (exact === undefined || made.remesh === undefined || !isPoor(made.remesh)) return first;
+  const stopped = { ...first, made: { ...made, remesh: { ...made.remesh, isPartial: true } } };
+  const second = await unlessRefused(other(exact, remesh), isRefusal).catch((failure: unknown) => {
+    if (partial && failure instanceof MesherError && failure.code === "cancelled") return stopped;
+    throw failure;
+  });
+  if (second?.made.remesh?.isPartial === true) return stopped;
+  const isTaken = second?.made.remesh !== undefined && isBetter(second.made.remesh, made.remesh);
+  return isTaken ? { ...second, isExact: true, welded: { prepared, made } } : first;
+}
+
+async function other<Prepared, Made>(
+  exact: () => Promise<Prepared>,
+  remesh: (prepared: Prepared) => Promise<Made>,
+): Promise<{ readonly prepared: Prepared; readonly made: Made }> {
+  const prepared = await exact();
+  return { prepared, made: await remesh(prepared) };
+}
+
+async function unlessRefused<Result>(
+  made: Promise<Result>,
+  isRefusal: (failure: unknown) => boolean,
+): Promise<Result | undefined> {
+  try {
+    return await unlessFailed(made);
+  } catch (failure) {
+    if (isRefusal(failure)) return undefined;
+    throw failure;
+  }
+}
