@@ -315,7 +315,8 @@ async function errorsOf(call: () => unknown): Promise<readonly ReportedError[] |
 
 /**
  * Functions tested elsewhere: `readTrace` and `loadTrace` with damaged files (trace.test.ts); `recordTrace` passes its
- * arguments on to methods of the mesher; `liveNotes` takes a project that was checked.
+ * arguments on to methods of the mesher; `liveNotes` takes a project that was checked; `hasWelded`
+ * and `remeshedBest` take results of the mesher (best-repair.test.ts).
  */
 const TESTED_ELSEWHERE = [
   "MesherError",
