@@ -84,7 +84,9 @@ test("a selection is edited at once and becomes a group; the history jumps", asy
   await expect(history.locator("[aria-current]")).toHaveText("Set z of 2 entities");
 });
 
-test("bodies are edited together; their sizes use parameters", async ({ page }) => {
+test("bodies are edited together; their sizes use parameters, and the estimate names what it leaves out", async ({
+  page,
+}) => {
   const app = new AppPage(page);
   await app.openCube();
   const bodies = [1, 2].map((id) => {
@@ -109,6 +111,7 @@ test("bodies are edited together; their sizes use parameters", async ({ page }) 
   await expect(page.getByTestId("common-remeshing-size")).toHaveCount(0);
   await page.getByTestId("common-treatment").getByText("Remesh").click();
   await expect(page.getByTestId("common-remeshing-size")).toHaveValue("0.5");
+  await expect(page.getByTestId("count-expected")).toContainText(/tetrahedra without (2 bodies|a part with)/);
 
   await page.getByTestId("tree-body-2").click();
   await expect(page.getByTestId("remeshing-size")).toHaveAttribute("data-expression", "2*h");

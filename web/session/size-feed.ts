@@ -1,4 +1,4 @@
-import type { Mesher, PreparedBody, Project, ProjectBody } from "tetrafront";
+import { liveNotes, type Mesher, type PreparedBody, type Project, type ProjectBody } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { engineInput } from "../document/engine-input";
 import { bodiesOf, isEmptyProject } from "../document/entities";
@@ -152,10 +152,11 @@ function unpreparedBodies(project: Project, prepared: readonly PreparedBody[]): 
   return bodiesOf(project).filter(({ id }) => !known.has(id));
 }
 
-const withoutBodies = (project: Project, left: readonly ProjectBody[]): Project => ({
-  ...project,
-  bodies: bodiesOf(project).filter((body) => !left.includes(body)),
-});
+/** Leaves bodies out, and what groups and expressions note about them: the package refuses notes about nothing. */
+function withoutBodies(project: Project, left: readonly ProjectBody[]): Project {
+  const rest = { ...project, bodies: bodiesOf(project).filter((body) => !left.includes(body)) };
+  return { ...rest, ...liveNotes(rest) };
+}
 
 const nameOfBody = ({ id, name }: ProjectBody): string => name ?? defaultName("body", id);
 
