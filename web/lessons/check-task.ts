@@ -1,6 +1,6 @@
 /** Checks whether a task is done: by the state of the player, or by an answer. */
 import type { Trace } from "tetrafront";
-import type { FrontColoring } from "../player/player";
+import type { FrontColoring } from "../player/front-values";
 import { firstState } from "../player/phases";
 import { nextStop } from "../player/stops";
 import type { LessonTask, TaskOf } from "./lesson";

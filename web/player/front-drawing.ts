@@ -3,10 +3,10 @@ import type { Trace } from "tetrafront";
 import type { Position } from "../document/position";
 import { cross, dot, subtract } from "../document/vectors";
 import { viridisAt } from "../ui/theme/viridis";
-import { frontValues } from "./front-values";
+import { type FrontColoring, frontValues } from "./front-values";
 import type { Triangle } from "./crossing";
 import { cornersOf } from "./judge";
-import type { FrontColoring, FrontFaces } from "./player";
+import type { FrontFaces } from "./player";
 
 /** A view of the model on a plane. */
 export interface DrawingView {

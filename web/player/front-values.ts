@@ -1,5 +1,7 @@
 import type { Trace } from "tetrafront";
-import type { FrontColoring } from "./player";
+
+/** What the colours of the front's faces mean. */
+export type FrontColoring = "age" | "size" | "layer";
 
 /** Number of steps in which the colour of a face changes from that of the youngest to that of the oldest. */
 export const agingSteps = 200;

@@ -4,14 +4,13 @@ import { settledProject, type DocumentStore } from "../session/document-store";
 import { failureText } from "../session/failure-text";
 import type { MeshRun } from "../session/run";
 import { entityLabels, type EntityLabels } from "./entity-labels";
+import type { FrontColoring } from "./front-values";
 import { firstState, phaseEnd, phaseStart } from "./phases";
 import { Playback } from "./playback";
 import { recordProject, type PreparedOf, type Recorded } from "./recording";
 import { nextStop, refusedIn, type Stop } from "./stops";
 import type { VolumeTask } from "./volume-game";
 
-/** What the colours of the front's faces mean. */
-export type FrontColoring = "age" | "size" | "layer";
 /** Which faces of the front are drawn: all, or those that look towards the eye, as seen from the empty volume. */
 export type FrontFaces = "all" | "inside";
 /** Which elements are drawn besides the front. */

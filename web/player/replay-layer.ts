@@ -8,8 +8,8 @@ import type { SceneChanges } from "../viewer/scene-state";
 import { ElementBuffers } from "./element-buffers";
 import { FrontBuffers } from "./front-buffers";
 import { createFrontMaterial } from "./front-material";
-import { frontValues, type FrontValues } from "./front-values";
-import type { FrontColoring, PlayerState } from "./player";
+import { type FrontColoring, frontValues, type FrontValues } from "./front-values";
+import type { PlayerState } from "./player";
 
 /** The front of a trace after a step, and the elements made last. */
 export class ReplayLayer implements Layer {

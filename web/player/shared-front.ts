@@ -1,8 +1,8 @@
 /** A state of the front of a model of the gallery, as an address names it. */
 import { FRONT_ORDERS, type FrontOrder, type Trace } from "tetrafront";
 import type { CameraPose } from "../viewer/camera";
+import type { FrontColoring } from "./front-values";
 import { surfaceState } from "./phases";
-import type { FrontColoring } from "./player";
 
 export interface SharedFront {
   /** Id of a model of the gallery. */

@@ -1,7 +1,6 @@
 /** Joins the surfaces of several files, such as the parts of an assembly, to one with a region per solid. */
 import { type Steps, stepwise } from "../base/steps.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
-import { isNumberedSolid } from "./groups.js";
+import { type FileMesh, isNumberedSolid } from "../mesh/file-mesh.js";
 import type { Shape, ShapeFace } from "./joined-shapes.js";
 import { surfaceOfShapes } from "./shape-surface.js";
 import type { SurfaceFile } from "./surface-file.js";

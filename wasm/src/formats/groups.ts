@@ -161,9 +161,6 @@ export function hasGenericName({ name, tag }: FileGroup): boolean {
   );
 }
 
-/** Returns whether a reader gave the name to a solid or a region without one. */
-export const isNumberedSolid = (name: string): boolean => /^(solid|region) \d+$/.test(name);
-
 /** Returns whether a reader of a file without names would give the group the same name. */
 export function hasDefaultName(word: "patch" | "region", { name, tag }: FileGroup): boolean {
   return ["", "surface", String(tag), `${word} ${tag}`].includes(name);

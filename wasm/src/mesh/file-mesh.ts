@@ -83,3 +83,6 @@ export interface FileMesh {
   /** By name, as in the file. */
   readonly nodeData: ReadonlyMap<string, NodeData>;
 }
+
+/** Returns whether a reader gave the name to a solid or a region without one. */
+export const isNumberedSolid = (name: string): boolean => /^(solid|region) \d+$/.test(name);

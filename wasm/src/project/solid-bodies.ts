@@ -2,9 +2,8 @@
 import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
 import { integers } from "../calls/schemas.js";
-import { isNumberedSolid } from "../formats/groups.js";
 import { NO_REGION } from "../generated/constants.js";
-import type { FileGroup, SurfaceRegions } from "../mesh/file-mesh.js";
+import { type FileGroup, isNumberedSolid, type SurfaceRegions } from "../mesh/file-mesh.js";
 import type { PatchedSurface } from "../mesh/mesh.js";
 import { createBody, newBodySchema, type NewBody, surfaceSchema } from "./bodies.js";
 import type { ProjectBody } from "./schema.js";

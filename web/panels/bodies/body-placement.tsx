@@ -8,7 +8,7 @@ import { FieldRow } from "../../ui/fields/field-row";
 import { NumberRow } from "../../ui/fields/number-row";
 import { PositionRow } from "../../ui/fields/position-row";
 import { strings } from "../../strings";
-import { positionExpressions } from "../entities/kept-expressions";
+import { positionExpressions } from "../shared/kept-expressions";
 import { useApp, useProject, useView } from "../shared/app-context";
 import { aboveZero } from "../shared/size-fields";
 import styles from "./bodies.module.css";

@@ -8,7 +8,7 @@ import { Unit } from "../../ui/fields/unit";
 import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import { aboveZero, atLeastOne, sizeStep, stepFor, unitsOf, upTo } from "../shared/size-fields";
-import { positionExpressions } from "./kept-expressions";
+import { positionExpressions } from "../shared/kept-expressions";
 
 interface NodeEditorProps {
   readonly node: ProjectBackgroundNode;

@@ -5,7 +5,7 @@ import { PositionRow } from "../../ui/fields/position-row";
 import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import { stepFor } from "../shared/size-fields";
-import { positionExpressions } from "./kept-expressions";
+import { positionExpressions } from "../shared/kept-expressions";
 
 /** The position of a point. */
 export function PointEditor({ point, project }: { readonly point: ProjectPoint; readonly project: Project }) {

@@ -7,7 +7,7 @@ import { PositionRow } from "../../ui/fields/position-row";
 import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import { aboveZero, notNegative, sizeStep, stepFor, unitsOf, upTo } from "../shared/size-fields";
-import { positionExpressions } from "./kept-expressions";
+import { positionExpressions } from "../shared/kept-expressions";
 
 interface SourceEditorProps {
   readonly source: ProjectSource;
