@@ -73,7 +73,7 @@ TEST(RemeshFacets, TrianglesOverAFacetStayOverIt) {
     const auto [a, b, c] = complex.cornersOf(t);
     if (!id.isNone()) {
       ++over;
-      EXPECT_TRUE(isNearFacet(reference.facet(id), {a, b, c}, kTolerance));
+      EXPECT_TRUE(isNearFacet(reference.facet(id), complex.cornersOf(t), kTolerance));
     }
     for (int n = 0; n < 20; ++n) {
       const double u = 0.05 * below(21);

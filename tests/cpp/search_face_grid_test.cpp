@@ -20,6 +20,14 @@ Box randomBox(testing::Random& random, double spread, double smallest, double de
   return box;
 }
 
+Box shifted(Box box, float length) {
+  for (int k = 0; k < 3; ++k) {
+    box.low[k] += length;
+    box.high[k] += length;
+  }
+  return box;
+}
+
 bool meet(const Box& a, const Box& b) {
   for (int k = 0; k < 3; ++k) {
     if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return false;
@@ -44,6 +52,13 @@ void compareWithLinearSearch(std::uint64_t seed, double spread, double smallest,
     if (face >= boxes.size()) {
       boxes.resize(face + 1);
       present.resize(face + 1, false);
+    }
+    if (present[face] && random.integer(0, 2) > 0) {
+      // Most of these stay in their cells.
+      boxes[face] = step % 5 == 0 ? randomBox(random, spread, smallest, decades)
+                                  : shifted(boxes[face], static_cast<float>(0.1 * smallest));
+      grid.update(face, boxes[face]);
+      continue;
     }
     if (present[face]) {
       grid.remove(face);

@@ -19,8 +19,8 @@ constexpr double kSharpness = 1.02;
 /// The bound is about 1e-3 of the diagonal, so this is 1e-12 of it, a few thousand roundings.
 constexpr double kLeastCutPerBound = 1e-9;
 /// Sampled distance / tolerance below which the nearest point found by a walk counts as nearest of all: the samples are for
-/// colours, in which a thousandth of the tolerance cannot be seen.
-constexpr double kLeastSampled = 1e-3;
+/// colours, in which a fiftieth of the tolerance cannot be seen.
+constexpr double kLeastSampled = 0.02;
 /// Steps of a walk between neighbouring triangles, after which the tree is faster.
 constexpr int kMaxWalk = 24;
 

@@ -4,6 +4,7 @@
 /// reference surface.
 
 #include <array>
+#include <span>
 
 #include "base/ids.h"
 #include "remesh/reference_surface.h"
@@ -28,8 +29,7 @@ struct EnvelopeProof {
                                         const std::array<Vec3, 3>& corners, SmoothPatchId patch,
                                         double tolerance, const NearestPoint& below);
 
-/// Returns true if every point of a triangle that lies over the facet is within `tolerance` of it.
-[[nodiscard]] bool isNearFacet(const Facet& facet, const std::array<Vec3, 3>& corners,
-                               double tolerance);
+/// Returns true if every point of a convex polygon that lies over the facet is within `tolerance` of it.
+[[nodiscard]] bool isNearFacet(const Facet& facet, std::span<const Vec3> corners, double tolerance);
 
 }  // namespace tetrafront

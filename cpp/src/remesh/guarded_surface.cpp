@@ -78,8 +78,22 @@ bool GuardedSurface::apply(const SurfaceChange& change, bool coversSame) {
   grid_.setHidden(change.removed, true);
   const bool admitted = isAdmitted(coversSame);
   grid_.setHidden(change.removed, false);
-  if (admitted) replaceTriangles();
-  return admitted;
+  if (!admitted) return false;
+  if (change.moved.isNone()) {
+    replaceTriangles();
+  } else {
+    moveTriangles();
+  }
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    beneath_[slots_[i].index()] = below_[i].triangle;
+    over_[slots_[i].index()] = overNow_[i];
+  }
+  for (const auto& [guest, host] : hosts_) {
+    const TriangleId t = slots_[host];
+    nextGuest_[guest.index()] = firstGuest_[t.index()];
+    firstGuest_[t.index()] = guest;
+  }
+  return true;
 }
 
 /// Makes the cheapest checks first.
@@ -286,6 +300,16 @@ bool GuardedSurface::findHosts() {
   return true;
 }
 
+/// The triangles of a node that moves keep their slots.
+void GuardedSurface::moveTriangles() {
+  complex_.moveNode(change_->moved, change_->position);
+  slots_ = change_->removed;
+  for (const TriangleId t : slots_) {
+    grid_.update(t);
+    firstGuest_[t.index()] = GuestId{};
+  }
+}
+
 void GuardedSurface::replaceTriangles() {
   carried_.clear();
   for (const SurfaceChange::Added& added : change_->added) {
@@ -298,7 +322,6 @@ void GuardedSurface::replaceTriangles() {
     complex_.removeTriangle(t);
     firstGuest_[t.index()] = GuestId{};
   }
-  if (!change_->moved.isNone()) complex_.moveNode(change_->moved, change_->position);
   slots_.clear();
   for (std::size_t i = 0; i < change_->added.size(); ++i) {
     const TriangleId t = complex_.addTriangle(change_->added[i].nodes, change_->added[i].patch);
@@ -306,14 +329,7 @@ void GuardedSurface::replaceTriangles() {
       complex_.setStretch(halfEdgeOf(t, k), carried_[3 * i + k]);
     }
     insert(t);
-    beneath_[t.index()] = below_[i].triangle;
-    over_[t.index()] = overNow_[i];
     slots_.push_back(t);
-  }
-  for (const auto& [guest, host] : hosts_) {
-    const TriangleId t = slots_[host];
-    nextGuest_[guest.index()] = firstGuest_[t.index()];
-    firstGuest_[t.index()] = guest;
   }
 }
 

@@ -24,7 +24,8 @@
 
 namespace tetrafront {
 
-/// A replacement of triangles by others. One node may move at the same time.
+/// A replacement of triangles by others; or a move of one node, with its triangles as removed and, in the same order, as
+/// added ones.
 struct SurfaceChange {
   struct Added {
     NodeTriple nodes;
@@ -104,6 +105,7 @@ class GuardedSurface {
   [[nodiscard]] bool isInEnvelope();
   [[nodiscard]] bool findHosts();
   [[nodiscard]] TriangleId hintFor(std::size_t added) const;
+  void moveTriangles();
   void replaceTriangles();
 
   const ReferenceSurface& reference_;

@@ -339,14 +339,17 @@ void ReferenceSurface::divide(TriangleId triangle, const std::array<Vec3, 3>& co
   divide(triangle, {middle, b, c}, depth - 1, boxes);
 }
 
-/// Walks to a triangle that is nearer than all its neighbours; returns it with its nearest point.
+/// Walks to a triangle that is nearer than its neighbours across the edges beyond which the position lies; returns it with
+/// its nearest point.
 NearestPoint ReferenceSurface::walk(const Vec3& position, TriangleId from) const {
   TriangleId here = from;
   TriangleId last{};
   TriangleFrame::Distance distance = frames_[here.index()].measure(position);
   for (int step = 0; step < kMaxSteps; ++step) {
     const TriangleId current = here;
+    const std::uint32_t beyond = distance.beyond;
     for (std::uint32_t k = 0; k < 3; ++k) {
+      if ((beyond >> k & 1U) == 0) continue;
       const TriangleId next = smoothNeighbour(halfEdgeOf(current, k));
       if (next.isNone() || next == last) continue;
       const TriangleFrame::Distance other = frames_[next.index()].measure(position);

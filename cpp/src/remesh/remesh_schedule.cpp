@@ -41,6 +41,9 @@ constexpr int kFlipsAround = 60;
 /// Squared sines of 38 and 32 degrees. Triangles with a smaller angle are improved one by one.
 constexpr double kPoorSquaredSine = 0.37904;
 constexpr double kPoorSquaredSineAtLast = 0.28081;
+/// Squared sine of 20 degrees. The few triangles with a smaller angle that remain get more passes.
+constexpr double kPoorestSquaredSine = 0.11698;
+constexpr int kMaxPoorestPasses = 4;
 /// Triangles visited per unit of budget.
 constexpr std::size_t kTrianglesPerUnit = 4;
 
@@ -67,6 +70,11 @@ Task<> RemeshSchedule::run(Work& work) {
     work.beginPart(squaredSine == kPoorSquaredSine ? 0.9 : 1.0);
     co_await improvePoor(work, squaredSine);
     co_await smoothAndFlip(work, kFinalSmoothingPasses);
+  }
+  for (int pass = 0; pass < kMaxPoorestPasses; ++pass) {
+    co_await improvePoor(work, kPoorestSquaredSine);
+    if (!isImproved_) break;
+    co_await smoothAndFlip(work, 1);
   }
 }
 
@@ -257,6 +265,7 @@ Task<> RemeshSchedule::smoothAll(Work& work) {
 /// Improves the triangles with an angle below the limit, the poorest first.
 Task<> RemeshSchedule::improvePoor(Work& work, double squaredSine) {
   poor_.clear();
+  isImproved_ = false;
   for (const TriangleId t : IdRange<TriangleId>(complex_.triangleSlots())) {
     if (!complex_.isAlive(t)) continue;
     const double square = editor_.squaredSineOf(complex_.nodesOf(t));
@@ -267,7 +276,9 @@ Task<> RemeshSchedule::improvePoor(Work& work, double squaredSine) {
   });
   co_await work.yield();
   co_await work.forEachBlock(poor_.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) improveTriangle(poor_[i].triangle, squaredSine);
+    for (std::size_t i = first; i < last; ++i) {
+      isImproved_ = improveTriangle(poor_[i].triangle, squaredSine) || isImproved_;
+    }
   });
 }
 

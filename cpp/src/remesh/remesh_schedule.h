@@ -52,6 +52,7 @@ class RemeshSchedule {
   SurfaceEditor& editor_;
   const SurfaceComplex& complex_;
   std::vector<Edge> edges_;
+  bool isImproved_ = false;  ///< whether the last improvePoor() changed a triangle
   std::vector<PoorTriangle> poor_;
   std::vector<Edge> waiting_;
   std::vector<HalfEdgeId> edge_;

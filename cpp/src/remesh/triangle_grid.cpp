@@ -27,6 +27,11 @@ void TriangleGrid::insert(TriangleId triangle) {
   grid_.insert(triangle.value, boxes_[triangle.index()]);
 }
 
+void TriangleGrid::update(TriangleId triangle) {
+  boxes_[triangle.index()] = boxAround(complex_.cornersOf(triangle));
+  grid_.update(triangle.value, boxes_[triangle.index()]);
+}
+
 void TriangleGrid::setHidden(std::span<const TriangleId> triangles, bool isHidden) {
   for (const TriangleId t : triangles) isHidden_[t.index()] = isHidden ? 1 : 0;
 }

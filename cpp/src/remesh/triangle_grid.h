@@ -27,6 +27,8 @@ class TriangleGrid {
 
   /// Inserts a triangle where its corners are now. O(1).
   void insert(TriangleId triangle);
+  /// Moves a triangle to where its corners are now. O(1).
+  void update(TriangleId triangle);
   void remove(TriangleId triangle) { grid_.remove(triangle.value); }
 
   /// Hides triangles from intersect(), or shows them again.

@@ -101,6 +101,16 @@ std::int32_t FaceGrid::cellCoordinate(double value, int axis, int level) const {
   return static_cast<std::int32_t>(std::clamp(cell, -kLimit, kLimit));
 }
 
+std::array<std::int32_t, 3> FaceGrid::cellOf(const Box& box, int level) const {
+  std::array<std::int32_t, 3> cell{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double centre =
+        0.5 * (static_cast<double>(box.low[axis]) + static_cast<double>(box.high[axis]));
+    cell[axis] = cellCoordinate(centre, axis, level);
+  }
+  return cell;
+}
+
 std::uint32_t FaceGrid::findBlock(std::uint64_t key) const {
   std::size_t slot = slotOf(key, table_.size());
   while (table_[slot].block != kNoIndex) {
@@ -140,12 +150,7 @@ void FaceGrid::growTable() {
 
 void FaceGrid::insert(std::uint32_t face, const Box& box) {
   const int level = levelOf(box);
-  std::array<std::int32_t, 3> cell{};
-  for (int axis = 0; axis < 3; ++axis) {
-    const double centre =
-        0.5 * (static_cast<double>(box.low[axis]) + static_cast<double>(box.high[axis]));
-    cell[axis] = cellCoordinate(centre, axis, level);
-  }
+  const std::array<std::int32_t, 3> cell = cellOf(box, level);
   const std::uint32_t blockId = findOrMakeBlock(level, blockKey(level, cell[0], cell[1], cell[2]));
   const std::uint32_t inBlock = cellInBlock(cell[0], cell[1], cell[2]);
   Block& block = blocks_[blockId];
@@ -192,6 +197,21 @@ void FaceGrid::remove(std::uint32_t face) {
   freeChunks_.push_back(head);
   head = first.next;
   if (head == kNoIndex) block.occupied &= ~(std::uint64_t{1} << inBlock);
+}
+
+void FaceGrid::update(std::uint32_t face, const Box& box) {
+  const Slot slot = slots_[face];
+  const int level = levelOf(box);
+  const std::array<std::int32_t, 3> cell = cellOf(box, level);
+  const bool staysInCell =
+      level == slot.level && cellInBlock(cell[0], cell[1], cell[2]) == (slot.blockAndCell & 63U) &&
+      blockKey(level, cell[0], cell[1], cell[2]) == blocks_[slot.blockAndCell >> 6].key;
+  if (staysInCell) {
+    chunks_[slot.chunk].boxes.set(slot.entry, box, face);
+    return;
+  }
+  remove(face);
+  insert(face, box);
 }
 
 std::size_t FaceGrid::query(const Box& box, std::vector<std::uint32_t>& faces) const {
