@@ -23,6 +23,8 @@ export interface LockedDocument {
 export const maxListedDocuments = 100;
 /** Time within which a lock is released, by this tab or by the page before a reload, in milliseconds. */
 const releaseTime = 1000;
+/** Time within which a new document is locked, even on a busy machine, in milliseconds. */
+const newLockTime = 60_000;
 
 /**
  * The documents that the browser stores. A document is open in at most one tab: each tab remembers the id of
@@ -108,18 +110,16 @@ export class DocumentLibrary {
    */
   keepOpen(id: string, release?: () => void): void {
     const before = this.#open;
-    this.#open = { id, release: release ? Promise.resolve(release) : this.#locks.acquire(id, releaseTime) };
+    this.#open = { id, release: release ? Promise.resolve(release) : this.#locks.acquire(id, newLockTime) };
     this.#tab.write(id);
     if (before) this.#released = before.release.then((releaseBefore) => releaseBefore?.());
   }
 
   /** Removes unchanged documents, and the oldest ones beyond the limit, unless a tab has them open. */
   async clean(): Promise<void> {
-    const [listed, untouched, openIds] = await Promise.all([
-      this.storage.list(),
-      this.storage.listUntouched(),
-      this.#locks.openIds(),
-    ]);
+    const [listed, untouched] = await Promise.all([this.storage.list(), this.storage.listUntouched()]);
+    // A document is locked before it is stored, so all listed ones that are open are locked by now.
+    const openIds = await this.#locks.openIds();
     const surplus = [...untouched, ...listed.slice(maxListedDocuments).map(({ id }) => id)];
     await this.storage.remove(surplus.filter((id) => !openIds.has(id) && id !== this.#open?.id));
   }

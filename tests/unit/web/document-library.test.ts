@@ -158,6 +158,24 @@ describe("the library of kept documents", () => {
     expect(names).not.toContain("untouched");
   });
 
+  it("keeps a new document though the machine is busy: its lock comes late, and it is stored during a cleaning", async () => {
+    const { openTab, storage, locks, keep } = browser();
+    const busy = {
+      openIds: () => locks.openIds(),
+      // A lock that comes after 3 s, unless the tab waits less.
+      acquire: (id: string, patience: number) => (patience < 3000 ? Promise.resolve(null) : locks.acquire(id)),
+    };
+    const second = new DocumentLibrary(storage, busy, new MemoryTab());
+    const list = storage.list.bind(storage);
+    storage.list = async () => {
+      const opened = await keep("new", 5, false);
+      second.keepOpen(opened);
+      return list();
+    };
+    await openTab().library.clean();
+    expect([...storage.documents.values()].map(({ name }) => name)).toEqual(["new"]);
+  });
+
   it("reports why a document cannot be opened, and does not lock it", async () => {
     const { openTab, storage, locks, keep } = browser();
     const { library } = openTab();
