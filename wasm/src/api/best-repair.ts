@@ -32,6 +32,7 @@ export function hasWelded(
   return repairDeviation > EXACT * diagonalOf(points);
 }
 
+/** How `remeshedBest` ends when its second way does not. */
 export interface BestRepairOptions {
   /** Whether the first result is returned as a partial one if the second way is stopped. Default false. */
   readonly partial?: boolean;
