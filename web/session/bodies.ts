@@ -195,10 +195,9 @@ export class BodyFeed {
     this.cancelComparison(body.id);
     const abort = new AbortController();
     this.#comparisons.set(body.id, abort);
-    const loaded = await this.#surfaces.load(body);
-    const mesher = await this.#mesher;
     try {
-      const repair = await proposedRepair(mesher, body, loaded, wishes, abort);
+      const loaded = await this.#surfaces.load(body);
+      const repair = await proposedRepair(await this.#mesher, body, loaded, wishes, abort);
       this.#setFor(body, { repair });
       const isSmall = repair.after.triangles <= maxUnaskedTriangles;
       if (isSmall && canCompare(body, repair)) await this.compareRepairs(body);
@@ -225,7 +224,7 @@ export class BodyFeed {
       if (isPresent()) this.#setFor(body, { repair: compared });
     } catch (error) {
       // The proposed repair stays: the body can still be repaired without a comparison.
-      if (!abort.signal.aborted && !(error instanceof MesherError)) throw error;
+      if (!abort.signal.aborted) this.#setFor(body, { failure: failureText(error) });
     } finally {
       if (isPresent()) this.#setFor(body, { comparing: null });
     }

@@ -120,7 +120,7 @@ class Enclosing {
       co_await weld(work);
       removeDegenerateTriangles();
       if (result_.mesh.triangles.empty()) {
-        result_.reason = Unresolved::kNothingEnclosed;
+        fail(Unresolved::kNothingEnclosed, {});
         co_return;
       }
       Arrangement arrangement(result_.mesh);
@@ -136,7 +136,10 @@ class Enclosing {
         co_return;
       }
       result_.isResolved = round > 0 && arrangement.pairCount() == 0;
-      if (result_.isResolved) co_return;
+      if (result_.isResolved) {
+        fail(Unresolved::kNone, {});
+        co_return;
+      }
       fail(Unresolved::kRounding, arrangement.firstOfPair());
       ++result_.rounds;
       take(arrangement);

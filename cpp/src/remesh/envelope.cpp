@@ -102,9 +102,9 @@ bool FacetProof::prove(const Facet& facet, const Vec3& centroid, const Vec3& nea
   return staysNearEdges && isNear_;
 }
 
-/// Returns false if the part extends beyond the edge of the facet and, there, too far from the
-/// edge. If the part is too far from the plane of the facet, only looks for the best cut. The points beyond the edge are in the convex polygon that the line through the edge cuts
-/// off.
+/// Returns false if the part extends beyond the edge of the facet and, there, too far from the edge. If the part is too far
+/// from the plane of the facet, only looks for the best cut. The points beyond the edge are in the convex polygon that the
+/// line through the edge cuts off.
 bool FacetProof::staysNear(const Facet& facet, const Vec3& centroid, const Vec3& from,
                            const Vec3& to) {
   const Vec3 edge = to - from;
@@ -169,8 +169,10 @@ class WaitingParts {
   }
   /// Divides a part at the cut, or else into halves.
   void pushPartsOf(const Part& part, const std::optional<Cut>& cut) {
-    if (cut && part.count < kMaxCorners) {
-      pushSides(part, *cut);
+    std::array<double, kMaxCorners> depth;
+    if (cut) depthsOf(part.polygon(), *cut, depth);
+    if (cut && part.count < kMaxCorners && countCrossings(part, depth) == 2) {
+      pushSides(part, depth);
     } else {
       pushHalves(part);
     }
@@ -194,9 +196,19 @@ class WaitingParts {
     polygon.corners[polygon.count++] = corner;
   }
 
-  void pushSides(const Part& part, const Cut& cut) {
-    std::array<double, kMaxCorners> depth;
-    depthsOf(part.polygon(), cut, depth);
+  /// Returns how many edges of the part cross the cut: two, unless corners that nearly coincide lie on the wrong side of
+  /// the cut by rounding.
+  static std::size_t countCrossings(const Part& part,
+                                    const std::array<double, kMaxCorners>& depth) {
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < part.count; ++k) {
+      if ((depth[k] > 0.0) != (depth[(k + 1) % part.count] > 0.0)) ++count;
+    }
+    return count;
+  }
+
+  /// Each side has at most one corner more than the part.
+  void pushSides(const Part& part, const std::array<double, kMaxCorners>& depth) {
     Polygon& inside = push(part.hint);
     Polygon& beyond = push(part.hint);
     for (std::size_t k = 0; k < part.count; ++k) {

@@ -88,6 +88,7 @@ test.each([
   ["stalls", "stalled", "done", ["exact", "welded"], "welded"],
   ["makes the engine fail", "failed", "done", ["exact", "welded"], "welded"],
   ["makes the engine fail, and the other stalls", "failed", "stalled", ["exact", "welded"], "welded"],
+  ["stalls, and the other makes the engine fail", "stalled", "failed", ["exact", "welded"], "exact"],
   ["stalls as the other does", "stalled", "stalled", ["exact", "welded"], "exact"],
   ["is stopped", "cancelled", "done", ["exact"], "exact"],
 ] as const)("a surface after the exact repair %s", async (_, exact, welded, expected, taken) => {

@@ -163,7 +163,8 @@ describe("the library of kept documents", () => {
     const busy = {
       openIds: () => locks.openIds(),
       // A lock that comes after 3 s, unless the tab waits less.
-      acquire: (id: string, patience: number) => (patience < 3000 ? Promise.resolve(null) : locks.acquire(id)),
+      acquire: (id: string, patience: number) =>
+        patience < 3000 ? Promise.resolve(null) : locks.acquire(id),
     };
     const second = new DocumentLibrary(storage, busy, new MemoryTab());
     const list = storage.list.bind(storage);

@@ -5,6 +5,7 @@ import {
   type BestRepairOptions,
 } from "../api/best-repair.js";
 import { unlessFailed } from "../api/best-remesh.js";
+import { MesherError } from "../diagnostics/mesher-error.js";
 import type { MeshResult } from "../mesh/report.js";
 import { InvalidInput } from "./messages.js";
 import type { RemeshReport } from "./remeshing.js";
@@ -39,9 +40,15 @@ export async function filledBest<Prepared, Made, Result extends Pick<MeshResult,
   if (welded === undefined) return { ...best, result: await fill(best.made) };
   const result = await unlessFailed(fill(best.made));
   if (result?.report.status === "done" || result?.report.status === "cancelled") return { ...best, result };
-  const second = await fill(welded.made);
-  const isKept = result !== undefined && second.report.status !== "done";
-  return isKept ? { ...best, result } : { ...welded, isExact: false, result: second };
+  if (result === undefined) return { ...welded, isExact: false, result: await fill(welded.made) };
+  // Whatever ends the second attempt, the first result is kept.
+  const second = await fill(welded.made).catch((failure: unknown) => {
+    if (failure instanceof MesherError) return undefined;
+    throw failure;
+  });
+  return second?.report.status === "done"
+    ? { ...welded, isExact: false, result: second }
+    : { ...best, result };
 }
 
 export const EXACT_REPAIR =

@@ -106,14 +106,15 @@ export async function madeFillable(
   // New triangles between solids do not know the regions on both sides.
   const { givenRegions, ...surface } = withoutFilledPatch(made.surface);
   const found = await mesher.inspectSurface(surface, { innerShells });
+  const isChanged = made.changes?.length !== 0;
   const warnings = [
     ...(made.warnings ?? []),
-    ...(hasRegionVolumes({ givenRegions }) ? [limitsLost()] : []),
+    ...(isChanged && hasRegionVolumes({ givenRegions }) ? [limitsLost()] : []),
     ...(await overlappingSolids(mesher, given, before.diagnostics, found)),
   ];
   const touching = found.isFillable ? [] : touchingSolids(given.surfaceRegions, found.diagnostics);
   if (touching.length > 0) throw new InvalidInput(input, touching);
-  return made.changes?.length === 0 ? { surface: given, warnings } : { ...made, surface, warnings };
+  return isChanged ? { ...made, surface, warnings } : { surface: given, warnings };
 }
 
 function limitsLost(): Diagnostic {

@@ -62,7 +62,8 @@ function Laser() {
     };
     for (const name of ["pointermove", "pointerdown"] as const)
       window.addEventListener(name, follow, options);
-    document.documentElement.addEventListener("pointerleave", hide, options);
+    // Not captured: the pointer leaves the elements of the page all the time.
+    document.documentElement.addEventListener("pointerleave", hide, { ...options, capture: false });
     return () => life.abort();
   }, []);
   return <div ref={dot} hidden aria-hidden className={styles["laser"]} data-testid="laser" />;

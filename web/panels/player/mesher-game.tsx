@@ -13,6 +13,7 @@ import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import { GameDrawing } from "./game-drawing";
 import styles from "./plane-view.module.css";
+import { useAnswers } from "./use-answers";
 import { useTrace } from "./use-player";
 
 const texts = strings.player.game;
@@ -28,14 +29,14 @@ export function MesherGame({ surface, state }: { readonly surface: SurfaceTrace;
   const trace = useTrace();
   const [level, setLevel] = useState<GameLevel>("easy");
   /** By step: each step counts once, whatever the level. */
-  const [answers, setAnswers] = useState<ReadonlyMap<number, Answer>>(new Map());
+  const [answers, addAnswer] = useAnswers<Answer>(trace);
   const question = useMemo(() => nextQuestion(surface, state, level), [surface, state, level]);
   const given = (question && answers.get(question.step.step)) ?? null;
   const points = [...answers.values()].reduce((sum, { verdict }) => sum + verdict.points, 0);
   const choose = (node: number | null): void => {
     if (!question || given) return;
     const verdict = judgeChoice(question, node);
-    setAnswers(new Map(answers).set(question.step.step, { node, verdict }));
+    addAnswer(question.step.step, { node, verdict });
   };
   const next = (): void => {
     if (question) player.seek(firstState(trace) + question.step.step);

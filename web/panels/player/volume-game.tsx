@@ -5,6 +5,7 @@ import { judgeVolumeChoice, nextVolumeQuestion, type VolumeVerdict } from "../..
 import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import styles from "./plane-view.module.css";
+import { useAnswers } from "./use-answers";
 import { usePlayer, useTrace } from "./use-player";
 
 const texts = strings.player.volumeGame;
@@ -23,8 +24,11 @@ export function VolumeGame({ onEnd }: { readonly onEnd: () => void }) {
   const isPlaying = usePlayer((shown) => shown.isPlaying);
   const [level, setLevel] = useState<GameLevel>("easy");
   /** By step: each step counts once, whatever the level. */
-  const [answers, setAnswers] = useState<ReadonlyMap<number, Answer>>(new Map());
-  const question = useMemo(() => nextVolumeQuestion(trace, state, level), [trace, state, level]);
+  const [answers, addAnswer] = useAnswers<Answer>(trace);
+  const question = useMemo(
+    () => (isPlaying ? null : nextVolumeQuestion(trace, state, level)),
+    [trace, state, level, isPlaying],
+  );
   const given = (question && answers.get(question.step.step)) ?? null;
   const points = [...answers.values()].reduce((sum, { verdict }) => sum + verdict.points, 0);
   useEffect(() => {
@@ -35,12 +39,12 @@ export function VolumeGame({ onEnd }: { readonly onEnd: () => void }) {
     const choose = (node: number | null): void => {
       if (given) return;
       const verdict = judgeVolumeChoice(trace, question, node);
-      setAnswers((before) => new Map(before).set(step, { node, verdict }));
+      addAnswer(step, { node, verdict });
     };
     const showsIdeal = level !== "hard" || given !== null;
     player.state.setState({ task: { question, answer: given, showsIdeal, choose } });
     return () => player.state.setState({ task: null });
-  }, [player, trace, question, given, level, isPlaying]);
+  }, [player, trace, question, given, level, isPlaying, addAnswer]);
   const choose = (node: number | null): void => player.state.getState().task?.choose(node);
   return (
     <div className={styles["game"]} data-testid="volume-game">
@@ -58,7 +62,9 @@ export function VolumeGame({ onEnd }: { readonly onEnd: () => void }) {
           {game.end}
         </Button>
       </div>
-      <p className={styles["task"]}>{question ? `${texts.task} ${texts.help[level]}` : texts.none}</p>
+      <p className={styles["task"]}>
+        {isPlaying ? strings.player.playing : question ? `${texts.task} ${texts.help[level]}` : texts.none}
+      </p>
       <p role="status" className={styles["verdict"]} data-testid="volume-game-verdict">
         {given && question && texts.verdict[given.verdict.kind](given.verdict.faces, question.program)}
         {given?.verdict.isDisputed && ` ${game.disputed}`}

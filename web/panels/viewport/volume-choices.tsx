@@ -24,6 +24,8 @@ export function VolumeChoices({ viewer }: { readonly viewer: Viewer }) {
             key={node}
             type="button"
             tabIndex={-1}
+            // The buttons of the game take the focus, these are hidden from screen readers.
+            onMouseDown={(event) => event.preventDefault()}
             className={styles["choice"]}
             data-chosen={task.answer?.node === node || undefined}
             data-program={(task.answer !== null && task.question.program === node) || undefined}
