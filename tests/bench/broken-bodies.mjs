@@ -2,20 +2,11 @@
 // spheres, ten damages each (TETRAFRONT_DAMAGES), through repair, remeshing and filling with automatic options.
 import { arch, cpus } from "node:os";
 import { BODIES, DAMAGES, sphereSoup } from "./support/damages.mjs";
+import { diagonalOf } from "./support/diagonal.mjs";
 import { createMesher, hasWelded, remeshedBest, STEP_HEIGHT } from "../../wasm/dist/index.js";
 
 const COUNT = Number(process.env.TETRAFRONT_DAMAGES ?? 10);
 const mesher = await createMesher();
-
-function diagonalOf({ points }) {
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  points.forEach((x, i) => {
-    low[i % 3] = Math.min(low[i % 3], x);
-    high[i % 3] = Math.max(high[i % 3], x);
-  });
-  return Math.hypot(...high.map((x, k) => x - low[k]));
-}
 
 /** Repairs, remeshes and fills as `tetrafront mesh --surface remesh` does. */
 async function run(surface) {

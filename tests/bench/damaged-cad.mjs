@@ -4,21 +4,14 @@
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { Worker } from "node:worker_threads";
-import { createServer } from "vite";
 import { inRoot } from "../../scripts/lib/paths.mjs";
 import { surfaceOfShapes } from "../../wasm/dist/formats/shape-surface.js";
+import { moduleServer } from "./support/modules.mjs";
 
 const COUNT = Number(process.env.TETRAFRONT_FILES ?? 1000);
 const SECONDS = 20;
 
-const server = await createServer({
-  root: inRoot(),
-  configFile: false,
-  appType: "custom",
-  logLevel: "error",
-  server: { middlewareMode: true, hmr: false, ws: false },
-  optimizeDeps: { noDiscovery: true },
-});
+const server = await moduleServer();
 const { mutated, randomSource } = await server.ssrLoadModule("/tests/support/random.ts");
 const { drilledSolid, stepFile } = await server.ssrLoadModule("/tests/support/step-files.ts");
 await server.close();

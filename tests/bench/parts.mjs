@@ -3,6 +3,7 @@
 import { mkdtempSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { arch, cpus, tmpdir } from "node:os";
 import path from "node:path";
+import { diagonalOf } from "./support/diagonal.mjs";
 import { NEEDLE_PARTS, toStl } from "./support/needle-parts.mjs";
 import {
   availablePartPeers,
@@ -31,16 +32,6 @@ const others = given
 
 const degrees = (value) => `${value.toFixed(1)}°`;
 const row = (cells) => console.log(`| ${cells.join(" | ")} |`);
-
-function diagonalOf({ points }) {
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  points.forEach((x, i) => {
-    low[i % 3] = Math.min(low[i % 3], x);
-    high[i % 3] = Math.max(high[i % 3], x);
-  });
-  return Math.hypot(...high.map((x, k) => x - low[k]));
-}
 
 function volumeOf({ points, triangles }) {
   let sum = 0;

@@ -1,16 +1,8 @@
 // Measures picking: the time from a position of the pointer to the entity under it, for a model of 2000 entities in front of
 // the boundary of a mesh of a million tetrahedra. The goal is 20 ms.
-import { createServer } from "vite";
-import { inRoot } from "../../scripts/lib/paths.mjs";
+import { moduleServer } from "./support/modules.mjs";
 
-const server = await createServer({
-  root: inRoot(),
-  configFile: false,
-  appType: "custom",
-  logLevel: "error",
-  server: { middlewareMode: true, hmr: false, ws: false },
-  optimizeDeps: { noDiscovery: true },
-});
+const server = await moduleServer();
 try {
   const { measurePicking } = await server.ssrLoadModule("/tests/bench/support/picking.ts");
   for (const { what, median, most } of await measurePicking()) {

@@ -40,9 +40,13 @@ export class FrontQueue {
   /** Parts of the rank per face. */
   readonly #sizes: Float64Array;
   readonly #layers: Uint32Array;
-  readonly #ruleClasses: Uint8Array;
+  /** Rule classes of the few faces that have failed. */
+  #ruleClasses = new Map<number, number>();
   /** States that were kept, by their step divided by `keptEvery`. */
-  readonly #kept = new Map<number, { readonly faces: readonly number[]; readonly ruleClasses: Uint8Array }>();
+  readonly #kept = new Map<
+    number,
+    { readonly faces: readonly number[]; readonly ruleClasses: ReadonlyMap<number, number> }
+  >();
   /** Steps that have each face as base, ascending. */
   readonly #baseSteps = new Map<number, number[]>();
   readonly #slots = new Map<number, number>();
@@ -60,7 +64,6 @@ export class FrontQueue {
       return order === "smallest-first" ? size : 0;
     });
     this.#layers = Uint32Array.from(born, (_, face) => (order === "layered" ? layersOf(trace, face) : 0));
-    this.#ruleClasses = new Uint8Array(born.length);
     for (let step = 1; step <= trace.stepCount; step++) {
       const face = trace.steps.bases[step] ?? born.length;
       if (face >= born.length) continue;
@@ -77,7 +80,8 @@ export class FrontQueue {
 
   /** Shows the queue after a step. O((steps between + faces) log faces), with at most `keptEvery` steps if it was there before. */
   show(step: number): void {
-    const kept = Math.floor(step / keptEvery);
+    // One step is replayed at least: a kept state does not know what its step has done.
+    const kept = Math.max(0, Math.floor((step - 1) / keptEvery));
     if (step < this.#step || this.#step < 0 || (this.#kept.has(kept) && this.#step < kept * keptEvery))
       this.#restore(kept);
     while (this.#step < step) this.#advance();
@@ -86,7 +90,7 @@ export class FrontQueue {
   /** What a face is ordered by at present. */
   rankOf(face: number): QueueRank {
     return {
-      ruleClass: this.#ruleClasses[face] ?? 0,
+      ruleClass: this.#ruleClasses.get(face) ?? 0,
       size: this.#sizes[face] ?? 0,
       layers: this.#layers[face] ?? 0,
     };
@@ -103,22 +107,22 @@ export class FrontQueue {
     this.#step = at * keptEvery;
     if (kept) {
       kept.faces.forEach((face, slot) => this.#put(slot, face));
-      this.#ruleClasses.set(kept.ruleClasses);
+      this.#ruleClasses = new Map(kept.ruleClasses);
       return;
     }
-    this.#ruleClasses.fill(0);
+    this.#ruleClasses.clear();
     for (let face = 0; face < (this.#trace.steps.facesMade[0] ?? 0); face++) this.#push(face);
   }
 
   #keep(): void {
     const index = this.#step / keptEvery;
     if (!Number.isInteger(index) || this.#kept.has(index)) return;
-    this.#kept.set(index, { faces: [...this.faces], ruleClasses: this.#ruleClasses.slice() });
+    this.#kept.set(index, { faces: [...this.faces], ruleClasses: new Map(this.#ruleClasses) });
   }
 
   #advance(): void {
     const step = ++this.#step;
-    const { removedFaces } = this.#trace.changesAt(step);
+    const { removedFaces, addedFaces } = this.#trace.changesAt(step);
     const { bases, outcomes, facesMade } = this.#trace.steps;
     const base = bases[step] ?? 0;
     const hasBase = base < this.#sizes.length;
@@ -126,25 +130,29 @@ export class FrontQueue {
     if (hasBase) this.#remove(base);
     const left = removedFaces.filter((face) => face !== base);
     for (const face of left) this.#remove(face);
-    const first = facesMade[step - 1] ?? 0;
-    const joined = Array.from({ length: (facesMade[step] ?? 0) - first }, (_, i) => first + i);
+    const joined = Array.from(addedFaces);
     for (const face of joined) this.#push(face);
     // A postponed face comes again under another rule class, or is set aside.
     if (hasBase && outcomes[step] === 1) {
       const decoded = this.#trace.stepAt(step);
       const next = decoded?.kind === "advance" ? decoded.nextRuleClass : null;
       if (next !== null) {
-        this.#ruleClasses[base] = next;
+        this.#ruleClasses.set(base, next);
         this.#push(base);
       }
     }
     this.#work = hasBase ? { taken: base, joined, left: left.length, comparisons: this.#comparisons } : null;
+    // A front that begins after this step is not its work.
+    const [from = 0, to = 0] = [facesMade[step - 1], facesMade[step]];
+    for (let face = from + joined.length; face < to; face++) this.#push(face);
     this.#keep();
   }
 
   #isBefore(a: number, b: number): boolean {
     this.#comparisons++;
-    for (const part of [this.#ruleClasses, this.#sizes, this.#layers]) {
+    const [ruleClass, others] = [this.#ruleClasses.get(a) ?? 0, this.#ruleClasses.get(b) ?? 0];
+    if (ruleClass !== others) return ruleClass < others;
+    for (const part of [this.#sizes, this.#layers]) {
       const difference = (part[a] ?? 0) - (part[b] ?? 0);
       if (difference !== 0) return difference < 0;
     }

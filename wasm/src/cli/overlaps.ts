@@ -37,7 +37,7 @@ export async function overlappingSolids(
   if (surfaceRegions === undefined || pairs.length === 0) return [];
   const solids = surfaceRegions.regions.map((_, region) => solidOf(given, region));
   const total = solids.reduce((sum, { volume }) => sum + volume, 0);
-  const smallest = Math.min(...solids.map(({ volume }) => volume));
+  const smallest = smallestOf(solids.map(({ volume }) => volume));
   if (whole.isFillable && total - whole.volume <= SMALLEST_OVERLAP * smallest) return [];
   const warnings: Diagnostic[] = [];
   for (const pair of pairs) {
@@ -61,6 +61,10 @@ async function isOverlap(
   const { isFillable, volume } = await mesher.inspectSurface(surface);
   return isFillable && one.volume + other.volume - volume > limit;
 }
+
+/** Returns the smallest number. There may be more of them than arguments of a function. */
+const smallestOf = (numbers: readonly number[]): number =>
+  numbers.reduce((least, one) => Math.min(least, one), Infinity);
 
 interface Solid {
   readonly volume: number;
@@ -148,7 +152,7 @@ export function joinedBodies(given: SurfaceInput, repaired: SurfaceInput, volume
   // A cavity counts as negative. Bodies that only touch keep their volumes, with an interface between them.
   const common = [...volumes.values()].reduce((sum, one) => sum + one, 0) - volume;
   const joined = groups.flatMap((group) => [...group].map((body) => Math.abs(volumes.get(body) ?? 0)));
-  if (common <= SMALLEST_OVERLAP * Math.min(...joined)) return [];
+  if (common <= SMALLEST_OVERLAP * smallestOf(joined)) return [];
   const bodies = groups.reduce((sum, { size }) => sum + size, 0);
   const message = `${plural(bodies, "body")} that intersect became ${groups.length === 1 ? "one" : String(groups.length)}, without the parts inside; the volumes that they shared, ${short(common, DIGITS)} in all, count once`;
   const remedy = "Move the bodies apart, or subtract one from the other, to keep them as regions.";
