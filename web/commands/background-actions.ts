@@ -2,6 +2,7 @@ import type { CoverOptions, ProjectBackground, ProjectSource, SizeProposal } fro
 import type { App } from "../app/app";
 import { replaceBackground, replaceSources, setMeshing } from "../document/size-edits";
 import { documentGrid } from "../document/large-grid";
+import { marginToCover } from "../document/coverage-margin";
 import { packArrays } from "../document/packed-grid";
 import { likelySize } from "../document/extent";
 import { strings } from "../strings";
@@ -19,6 +20,28 @@ export async function coverModel(
     const mesher = await app.mesher;
     const background = await mesher.coverProject(app.documents.project, options);
     app.documents.edit(replaceBackground(label, app.documents.project, background));
+    app.view.setLayer("background", true);
+  } catch (error) {
+    showFailure(app, label, error);
+  }
+}
+
+/** Makes the background grid cover the model by its margin, which changes no size inside the grid. */
+export async function extendGrid(app: App, label: string): Promise<void> {
+  try {
+    const { project } = app.documents;
+    // Only where it lies is of use.
+    const around = await (
+      await app.mesher
+    ).coverProject(project, { size: likelySize(project), shape: "box" });
+    const margin = await marginToCover(
+      project.background,
+      around.nodes.map(({ position }) => position),
+    );
+    await app.documents.afterGesture();
+    const { background } = app.documents.project;
+    const coverageMargin = Math.max(margin, background.coverageMargin ?? 0);
+    app.documents.edit({ label, replace: [[["project", "background"], { ...background, coverageMargin }]] });
     app.view.setLayer("background", true);
   } catch (error) {
     showFailure(app, label, error);

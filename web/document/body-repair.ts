@@ -37,6 +37,8 @@ export interface RepairProposal {
   readonly unresolved: readonly Diagnostic[];
   /** Whether no nodes of intersecting triangles are welded. */
   readonly isExact: boolean;
+  /** Whether the repair moved nodes so far that an exact one, which does not, may remesh better. */
+  readonly hasWelded: boolean;
   /**
    * Smallest angles, in degrees, after a remeshing: of the repair that welds nodes, and of the exact one, null if that one was not
    * needed or failed. Null until both repairs have been compared.

@@ -5,7 +5,7 @@ import type { DraftEdit } from "./edit";
 import { changeLineTypes, changePatchTypes } from "./edits";
 import { bodiesOf, recordsOf, type Entity } from "./entities";
 import { expressionFinder, keepingExpressions } from "./expression-edits";
-import { numberAt, recordFinder, setNumberAt, type NumberPath } from "./number-paths";
+import { numberAt, recordFinder, setNumberAt, type EntityNumber } from "./number-paths";
 
 /** What several selected entities have in common, and edits that change it in all of them. */
 
@@ -37,7 +37,7 @@ const defaults: { readonly [F in CommonField]?: number } = {
   growth: SOURCE_GROWTH,
 };
 
-const pathOf = ({ kind, id }: Entity, field: CommonField): NumberPath | undefined =>
+const pathOf = ({ kind, id }: Entity, field: CommonField): EntityNumber | undefined =>
   kind === "line" || kind === "patch" || kind === "body-patch" ? undefined : { kind, id, field };
 
 /** A number that all selected entities have. */

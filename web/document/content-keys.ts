@@ -113,7 +113,12 @@ const groupFields = fieldsOf<ProjectGroup & ProjectGroup["members"][number]>({
   kind: true,
 });
 const parameterFields = fieldsOf<ProjectParameter>({ name: true, expression: true });
-const expressionFields = fieldsOf<ProjectExpression>({ kind: true, id: true, field: true, expression: true });
+const expressionFields = fieldsOf<Extract<ProjectExpression, { readonly id: number }>>({
+  kind: true,
+  id: true,
+  field: true,
+  expression: true,
+});
 
 const withoutName = (fields: readonly string[]): string[] => fields.filter((field) => field !== "name");
 

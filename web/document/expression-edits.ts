@@ -4,14 +4,15 @@ import { parameterValues } from "../expressions/parameters";
 import { isPlainNumber, readNumber } from "../expressions/expression";
 import { draftFinder, type ProjectDraft } from "./draft-records";
 import type { DocumentContent, DraftChange, DraftEdit } from "./edit";
-import { isAllowed, numberAt, pathKey, recordFinder, setNumberAt, type NumberPath } from "./number-paths";
+import { holderFinder, isAllowed, numberAt, pathKey, setNumberAt, type NumberPath } from "./number-paths";
 
 /** Expressions that the project keeps for its numbers. */
 
 /** Returns the expression of a number; undefined if it has none. */
-export const expressionOf = ({ expressions }: Project, path: NumberPath): string | undefined =>
-  expressions?.find(({ kind, id, field }) => kind === path.kind && id === path.id && field === path.field)
-    ?.expression;
+export function expressionOf({ expressions }: Project, path: NumberPath): string | undefined {
+  const key = pathKey(path);
+  return expressions?.find((kept) => pathKey(kept) === key)?.expression;
+}
 
 /** Returns a function that finds the expressions of numbers; it indexes them once. */
 export function expressionFinder({ expressions = [] }: Project): (path: NumberPath) => string | undefined {
@@ -70,9 +71,8 @@ function keep(project: ProjectDraft, kept: readonly KeptExpression[]): void {
   for (const { path, expression } of kept) {
     const key = pathKey(path);
     if (texts.get(key)?.expression === (expression ?? undefined)) continue;
-    const { kind, id, field } = path;
     if (expression === null) texts.delete(key);
-    else texts.set(key, { kind, id, field, expression });
+    else texts.set(key, { ...path, expression });
     isChanged = true;
   }
   if (!isChanged) return;
@@ -90,7 +90,7 @@ export function agreement(before: Project, after: Project): DraftChange<Document
   if (expressions.length === 0) return undefined;
   const [oldValues, values] = [parameterValues(before.parameters), parameterValues(after.parameters)];
   const oldTexts = new Map((before.expressions ?? []).map((kept) => [pathKey(kept), kept.expression]));
-  const [oldRecord, record] = [recordFinder(before), recordFinder(after)];
+  const [oldRecord, record] = [holderFinder(before), holderFinder(after)];
   const set: (readonly [ProjectExpression, number])[] = [];
   const forgotten = new Set<string>();
   for (const kept of expressions) {
@@ -108,7 +108,9 @@ export function agreement(before: Project, after: Project): DraftChange<Document
   return {
     change: ({ project }) => {
       const draftOf = draftFinder(project);
-      for (const [kept, value] of set) setNumberAt(draftOf(kept), kept.field, value);
+      for (const [kept, value] of set) {
+        setNumberAt(kept.kind === "meshing" ? project.meshing : draftOf(kept), kept.field, value);
+      }
       if (forgotten.size === 0) return;
       const rest = expressions.filter((kept) => !forgotten.has(pathKey(kept)));
       if (rest.length > 0) project.expressions = rest;

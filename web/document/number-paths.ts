@@ -1,10 +1,19 @@
 import { LIMITS, type Project, type ProjectExpression } from "tetrafront";
 import { recordsOf, type Entity } from "./entities";
 
-/** One number of an entity: the subject of an expression. */
-export type NumberPath = Pick<ProjectExpression, "kind" | "id" | "field">;
+type WithoutExpression<Expression> = Expression extends unknown ? Omit<Expression, "expression"> : never;
 
-export const pathKey = ({ kind, id, field }: NumberPath): string => `${kind}-${id}-${field}`;
+/** One number of an entity or of the mesh settings: the subject of an expression. */
+export type NumberPath = WithoutExpression<ProjectExpression>;
+
+/** One number of an entity. */
+export type EntityNumber = Extract<NumberPath, { readonly id: number }>;
+
+/** The uniform size. */
+export const uniformSizePath = { kind: "meshing", field: "size" } as const satisfies NumberPath;
+
+export const pathKey = (path: NumberPath): string =>
+  `${path.kind}-${path.kind === "meshing" ? "" : path.id}-${path.field}`;
 
 /** Returns a function that finds the records of a project by kind and id; it indexes each kind once. */
 export function recordFinder(project: Project): (entity: Entity) => object | undefined {
@@ -17,6 +26,12 @@ export function recordFinder(project: Project): (entity: Entity) => object | und
     }
     return index.get(id);
   };
+}
+
+/** Returns a function that finds what has the numbers of expressions; it indexes each kind once. */
+export function holderFinder(project: Project): (path: NumberPath) => object | undefined {
+  const find = recordFinder(project);
+  return (path) => (path.kind === "meshing" ? project.meshing : find(path));
 }
 
 /** Returns the number at a path of fields in a record, such as `position.0`; undefined if there is none. */

@@ -18,11 +18,14 @@ export interface QuickFix {
   readonly label: string;
   /** One sentence: what it will do. */
   readonly effect: string;
-  /** Size of the covering grid that it makes, which only the engine can do; null if it is an edit. */
-  readonly coverSize: number | null;
+  /** What it does to the background grid with the help of the engine; null if it is an edit. */
+  readonly cover: GridCover | null;
   /** Returns the fixed project; the same one if the problem is gone. */
   readonly apply: (project: Project) => Project;
 }
+
+/** A grid of one size around the model, or the given grid, which then covers the model by its margin. */
+export type GridCover = { readonly kind: "replace"; readonly size: number } | { readonly kind: "extend" };
 
 /** What the search for a fix knows beside the problem. */
 export interface FixContext {
@@ -50,7 +53,7 @@ export function quickFixOf(problem: Problem, context: FixContext): QuickFix | nu
     case "degenerate-background-tetrahedron":
       return removeTetrahedron(problem);
     case "empty-background-grid":
-      return covering(fixStrings.cover, likelySize(context.project));
+      return covering(fixStrings.cover, { kind: "replace", size: likelySize(context.project) });
     case "open-edge":
       return closePatch(problem, context);
     default:
@@ -75,20 +78,21 @@ const idsOf = ({ entities }: Problem, of: DrawnKind): readonly number[] =>
 
 const simple = (text: Pick<QuickFix, "label" | "effect">, apply: QuickFix["apply"]): QuickFix => ({
   ...text,
-  coverSize: null,
+  cover: null,
   apply,
 });
 
-const covering = (text: Pick<QuickFix, "label" | "effect">, size: number): QuickFix => ({
+const covering = (text: Pick<QuickFix, "label" | "effect">, cover: GridCover): QuickFix => ({
   ...text,
-  coverSize: size,
+  cover,
   apply: (project) => project,
 });
 
-/** A larger grid, if this changes no size: all nodes ask for the same one, in all directions. */
+/** A larger grid if all nodes ask for the same size; otherwise the same grid with a margin, so that no size changes. */
 function enlargeGrid({ project }: FixContext): QuickFix | null {
   const size = uniformSize(project);
-  return size === undefined ? null : covering(fixStrings.enlarge, size);
+  if (size !== undefined) return covering(fixStrings.enlarge, { kind: "replace", size });
+  return project.background.tetrahedra.length > 0 ? covering(fixStrings.extend, { kind: "extend" }) : null;
 }
 
 function joinPoints(problem: Problem): QuickFix | null {

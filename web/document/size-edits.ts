@@ -90,7 +90,7 @@ function changed<Field extends keyof ProjectMeshing>(
 export function setMeshing<Field extends keyof ProjectMeshing>(
   field: Field,
   value: ProjectMeshing[Field] | null,
-): ProjectEdit {
+): DraftEdit {
   return {
     label: field === "size" && value === null ? stepNames.removeUniformSize : stepNames.setMeshing[field],
     ...(typeof value === "number" && { mergeKey: `meshing-${field}` }),

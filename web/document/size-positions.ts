@@ -91,25 +91,28 @@ class SurfaceBuilder {
 /**
  * Returns positions along the lines and on the patches of a preview and on prepared bodies, close enough to show how sizes
  * change between them, and on a plane across the model, if one is given. Everything is covered, however large the model is.
- * Works in slices: a body of millions of triangles does not block the page. What it measures of a body, it keeps.
+ * Works in slices: a body of millions of triangles does not block the page. What it measures of a body, it keeps. Rejects
+ * if it is aborted.
  */
 export async function sizeSurface(
   project: Project,
   preview: ProjectPreview,
   bodies: readonly SizedBody[],
   plane: SizePlane | null,
+  signal?: AbortSignal,
 ): Promise<SizeSurface> {
   const surfaces: Facts[] = [];
   for (const one of [{ points: preview.patchPoints, triangles: preview.patchTriangles }, ...bodies]) {
     surfaces.push(await factsOf(one));
+    signal?.throwIfAborted();
   }
   const box = boxOf(project, preview, surfaces);
-  const { counts, longest } = await choosePieces(preview, surfaces, diagonalOf(box));
+  const { counts, longest } = await choosePieces(preview, surfaces, diagonalOf(box), signal);
   const planePositions = plane ? (planeDivisions + 1) ** 2 : 0;
   const builder = new SurfaceBuilder({ ...counts, positions: counts.positions + planePositions });
   if (plane) addPlane(builder, box, plane);
   addLines(builder, preview, longest);
-  for (const surface of surfaces) await addTriangles(builder, surface, longest);
+  for (const surface of surfaces) await addTriangles(builder, surface, longest, signal);
   return builder.finished(bodies.map(({ body }) => body));
 }
 
@@ -120,12 +123,13 @@ async function choosePieces(
   preview: ProjectPreview,
   surfaces: readonly Facts[],
   diagonal: number,
+  signal?: AbortSignal,
 ): Promise<{ readonly longest: number; readonly counts: Counts }> {
   // Divided or not, triangles have at least their nodes: if these are too many, only whole ones remain.
   const nodes = surfaces.reduce((sum, { usedNodes }) => sum + usedNodes, 0);
   let longest = nodes > maxPositions ? diagonal : pieceShare * diagonal;
   for (;;) {
-    const counts = await count(preview, surfaces, longest);
+    const counts = await count(preview, surfaces, longest, signal);
     if (counts.positions <= maxPositions || longest >= diagonal) return { longest, counts };
     longest *= 2;
   }
@@ -135,6 +139,7 @@ async function count(
   { lineOffsets, linePoints }: ProjectPreview,
   surfaces: readonly Facts[],
   longest: number,
+  signal?: AbortSignal,
 ): Promise<Counts> {
   let [positions, segments, triangles] = [0, 0, 0];
   for (const i of segmentsOf(lineOffsets)) {
@@ -149,16 +154,20 @@ async function count(
       continue;
     }
     const isUsed = new Uint8Array(surface.points.length / 3);
-    await forEachInSlices(longestEdges.length, (t) => {
-      const pieces = piecesOf(longestEdges[t] ?? 0, longest);
-      triangles += pieces * pieces;
-      if (pieces > 1) positions += ((pieces + 1) * (pieces + 2)) / 2;
-      for (let k = 3 * t; pieces === 1 && k < 3 * t + 3; ++k) {
-        const node = surface.triangles[k] ?? 0;
-        positions += 1 - (isUsed[node] ?? 1);
-        isUsed[node] = 1;
-      }
-    });
+    await forEachInSlices(
+      longestEdges.length,
+      (t) => {
+        const pieces = piecesOf(longestEdges[t] ?? 0, longest);
+        triangles += pieces * pieces;
+        if (pieces > 1) positions += ((pieces + 1) * (pieces + 2)) / 2;
+        for (let k = 3 * t; pieces === 1 && k < 3 * t + 3; ++k) {
+          const node = surface.triangles[k] ?? 0;
+          positions += 1 - (isUsed[node] ?? 1);
+          isUsed[node] = 1;
+        }
+      },
+      signal,
+    );
   }
   return { positions, segments, triangles };
 }
@@ -233,6 +242,7 @@ async function addTriangles(
   builder: SurfaceBuilder,
   { surface: { points, triangles }, longestEdges }: Facts,
   longest: number,
+  signal?: AbortSignal,
 ): Promise<void> {
   /** Index + 1 of the position of each node; 0 if it has none yet. */
   const known = new Uint32Array(points.length / 3);
@@ -243,12 +253,16 @@ async function addTriangles(
     known[node] = index + 1;
     return index;
   };
-  await forEachInSlices(longestEdges.length, (t) => {
-    const [a, b, c] = [triangles[3 * t] ?? 0, triangles[3 * t + 1] ?? 0, triangles[3 * t + 2] ?? 0];
-    const pieces = piecesOf(longestEdges[t] ?? 0, longest);
-    if (pieces === 1) builder.addTriangle(shared(a), shared(b), shared(c));
-    else addDivided(builder, [positionAt(points, a), positionAt(points, b), positionAt(points, c)], pieces);
-  });
+  await forEachInSlices(
+    longestEdges.length,
+    (t) => {
+      const [a, b, c] = [triangles[3 * t] ?? 0, triangles[3 * t + 1] ?? 0, triangles[3 * t + 2] ?? 0];
+      const pieces = piecesOf(longestEdges[t] ?? 0, longest);
+      if (pieces === 1) builder.addTriangle(shared(a), shared(b), shared(c));
+      else addDivided(builder, [positionAt(points, a), positionAt(points, b), positionAt(points, c)], pieces);
+    },
+    signal,
+  );
 }
 
 type Corners = readonly [Position, Position, Position];

@@ -25,15 +25,25 @@ export interface Facts {
   readonly box: Box | null;
 }
 
-/** The facts of surfaces, by their nodes: a body keeps its arrays until it is prepared again. */
-const known = new WeakMap<Float64Array, Facts>();
+/** A measurement that is done or under way, and the triangles that it is of. */
+interface Measurement {
+  readonly triangles: Uint32Array;
+  readonly facts: Promise<Facts>;
+}
 
-/** Measures a surface in slices; the same arrays only once. O(nodes + triangles). */
-export async function factsOf(surface: Triangles): Promise<Facts> {
-  const before = known.get(surface.points);
-  if (before?.surface.triangles === surface.triangles) return before;
-  const facts = await measured(surface);
-  known.set(surface.points, facts);
+/** The measurements of surfaces, by their nodes: a body keeps its arrays until it is prepared again. */
+const known = new WeakMap<Float64Array, Measurement>();
+
+/**
+ * Measures a surface in slices; the same arrays only once, also if they are asked for again before the end. It cannot be
+ * cancelled, because the next question needs the same facts. O(nodes + triangles).
+ */
+export function factsOf(surface: Triangles): Promise<Facts> {
+  const { points, triangles } = surface;
+  const before = known.get(points);
+  if (before?.triangles === triangles) return before.facts;
+  const facts = measured(surface);
+  known.set(points, { triangles, facts });
   return facts;
 }
 

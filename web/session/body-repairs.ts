@@ -34,6 +34,7 @@ export async function proposedRepair(
     deviation: repair.deviation,
     unresolved: repair.diagnostics,
     isExact,
+    hasWelded: !isExact && hasWelded(repaired, { repairDeviation: repair.deviation }),
     comparison: null,
     after,
     surface: { points, triangles, trianglePatch },
@@ -43,9 +44,8 @@ export async function proposedRepair(
 
 /** Returns whether an exact repair gives another surface, whose remeshing may be better. */
 export function canCompare({ surface = "remesh" }: ProjectBody, proposal: RepairProposal): boolean {
-  const { after, comparison, deviation, isExact } = proposal;
-  const isWelded = !isExact && hasWelded(proposal.surface, { repairDeviation: deviation });
-  return surface === "remesh" && after.isFillable && comparison === null && isWelded;
+  const { after, comparison } = proposal;
+  return surface === "remesh" && after.isFillable && comparison === null && proposal.hasWelded;
 }
 
 /**

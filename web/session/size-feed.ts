@@ -106,7 +106,7 @@ export class SizeFeed {
     const isAborted = (): boolean => abort.signal.aborted;
     const { project, enabled, plane, bodies } = question;
     try {
-      const surface = enabled ? await sizeSurface(project, preview, bodies, plane) : null;
+      const surface = enabled ? await sizeSurface(project, preview, bodies, plane, abort.signal) : null;
       if (isAborted()) return;
       const [drawn, options] = engineInput(project);
       const mesher = await this.#mesher;

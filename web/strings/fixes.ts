@@ -8,6 +8,11 @@ export const fixStrings = {
     label: "Enlarge covering grid",
     effect: "Replaces the background grid by a larger one of the same size around the model; sources stay.",
   },
+  extend: {
+    label: "Extend background grid",
+    effect:
+      "Makes the background grid cover the model by a margin: outside its tetrahedra, the sizes of the nearest one apply; inside, no size changes.",
+  },
   joinPoints: (keep: number, drop: number) => ({
     label: "Join points",
     effect: `Uses point ${keep} in place of point ${drop}, and joins lines and patches that then coincide.`,

@@ -59,6 +59,16 @@ test("a project without notes has no keys for them", () => {
   expect(writeProject(cubeProject())).not.toMatch(/groups|parameters|expressions/);
 });
 
+test("the uniform size may have an expression", () => {
+  const project = notedCube({
+    meshing: { size: 0.1 },
+    expressions: [{ kind: "meshing", field: "size", expression: "width/20" }],
+  });
+  expect(readProject(writeProject(project))).toEqual({ success: true, value: project });
+  const { meshing: _, ...without } = project;
+  expect(liveNotes(without).expressions).toEqual([]);
+});
+
 test("a group may hold patches of bodies", () => {
   const { id, patches, ...body } = bodyOf(5, 77);
   const project = notedCube({
@@ -166,6 +176,27 @@ describe("rejected with their path:", () => {
       { expressions: expression("source", 7, "positions.1.0") },
       "expressions[0].field",
       /source 7 has no number/,
+    ],
+    [
+      "an expression of a uniform size that is not there",
+      { expressions: [{ kind: "meshing", field: "size", expression: "1" }] },
+      "expressions[0].field",
+      /meshing has no number "size"/,
+    ],
+    [
+      "an expression of another mesh setting",
+      {
+        meshing: { gradation: 1.2 },
+        expressions: [{ kind: "meshing", field: "gradation", expression: "1" }],
+      },
+      "expressions[0].field",
+      /expected one of size/,
+    ],
+    [
+      "an expression of nothing",
+      { expressions: [{ kind: "line", id: 1, field: "size", expression: "1" }] },
+      "expressions[0].kind",
+      /expected .*"point".*"meshing".*received "line"/,
     ],
     [
       "two expressions of one number",

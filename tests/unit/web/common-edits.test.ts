@@ -157,7 +157,7 @@ describe("what bodies have in common", () => {
     });
     documents.edit(setRemeshing(1, "size", null));
     const kept = documents.project.expressions?.filter(
-      ({ id, field }) => id === 1 && field === "remeshing.size",
+      (one) => one.kind === "body" && one.id === 1 && one.field === "remeshing.size",
     );
     expect(kept).toEqual([]);
   });

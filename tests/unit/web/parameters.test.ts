@@ -11,7 +11,8 @@ import {
   renameProblem,
   setParameter,
 } from "../../../web/document/parameters";
-import { setSourceField } from "../../../web/document/size-edits";
+import { uniformSizePath } from "../../../web/document/number-paths";
+import { scaleSizes, setMeshing, setSourceField } from "../../../web/document/size-edits";
 import { namesIn, readNumber, withNameReplaced } from "../../../web/expressions/expression";
 import { parameterValues } from "../../../web/expressions/parameters";
 import { drawLine, placeAt } from "../../../web/document/draw";
@@ -258,4 +259,31 @@ describe("the expression of a number", () => {
     documents.edit(setParameter("r", "2"));
     expect(xNow()).toBe(18);
   });
+});
+
+it("the uniform size follows its expression until it is changed in another way", () => {
+  const { documents } = opened();
+  const sizeNow = () => documents.project.meshing?.size;
+  const setSize = (value: number, expression: string | null) =>
+    documents.edit(keepingExpression(setMeshing("size", value), uniformSizePath, expression));
+  documents.edit(addParameter("h", "0.2"));
+  setSize(0.1, "h/2");
+  documents.edit(setParameter("h", "0.3"));
+  expect(sizeNow()).toBe(0.15);
+  const kept = [{ ...uniformSizePath, expression: "h/2" }];
+  expect(documents.project.expressions).toEqual(kept);
+  const read = readProject(writeProject(documents.project));
+  expect(read.success && read.value.expressions).toEqual(kept);
+  documents.edit(renameParameter("h", "edge"));
+  expect(documents.project.expressions).toEqual([{ ...uniformSizePath, expression: "edge/2" }]);
+  // Sizes above 0 only: a parameter without a valid size leaves the size as it is.
+  documents.edit(setParameter("edge", "-1"));
+  expect(sizeNow()).toBe(0.15);
+  documents.undo();
+  documents.edit(scaleSizes(documents.project, 0.5));
+  expect(sizeNow()).toBe(0.075);
+  expect(documents.project.expressions).toBeUndefined();
+  documents.undo();
+  documents.edit(setMeshing("size", null));
+  expect(documents.project.expressions).toBeUndefined();
 });

@@ -1,6 +1,7 @@
 import { createMesher, type Mesher, type Project } from "tetrafront";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { fixEdit, quickFixOf, type QuickFix } from "../../../web/document/quick-fixes";
+import { marginToCover } from "../../../web/document/coverage-margin";
 import { toProblems, type Problem } from "../../../web/document/validate";
 import { DocumentStore } from "../../../web/session/document-store";
 import { cubeProject } from "../../support/projects";
@@ -118,7 +119,7 @@ it("offers a covering grid if there is none, and no fix where the user must deci
   const project = { ...cubeProject(), background: { nodes: [], tetrahedra: [] } };
   const problems = await problemsOf(project);
   expect(codes(problems)).toContain("empty-background-grid");
-  expect(fixesOf(project, problems).map(({ coverSize }) => coverSize)).toEqual([0.05]);
+  expect(fixesOf(project, problems).map(({ cover }) => cover)).toEqual([{ kind: "replace", size: 0.05 }]);
   const bent = cubeProject();
   const moved = {
     ...bent,
@@ -138,7 +139,7 @@ it("offers a covering grid if there is none, and no fix where the user must deci
   ).toEqual([]);
 });
 
-it("enlarges a grid of one size, and no other one, if the model has grown out of it", async () => {
+it("enlarges a grid of one size, and extends other ones by a margin, if the model has grown out of it", async () => {
   const cube = cubeProject();
   const covered: Project = { ...cube, background: await mesher.coverProject(cube, { size: 0.37 }) };
   expect(await problemsOf(covered)).toEqual([]);
@@ -155,15 +156,48 @@ it("enlarges a grid of one size, and no other one, if the model has grown out of
   expect(codes(problems)).toEqual(["outside-background-grid"]);
   const [fix, ...others] = fixesOf(grown, problems);
   expect(others.every(({ effect }) => effect === fix?.effect)).toBe(true);
-  expect(fix?.coverSize).toBe(0.37);
-  const background = await mesher.coverProject(grown, { size: fix?.coverSize ?? 0 });
+  expect(fix?.cover).toEqual({ kind: "replace", size: 0.37 });
+  const background = await mesher.coverProject(grown, { size: 0.37 });
   expect(await problemsOf({ ...grown, background })).toEqual([]);
   for (const change of [{ size: 0.38 }, { stretching: 2, direction: [1, 0, 0] as const }]) {
     const [first, ...rest] = grown.background.nodes;
     if (!first) throw new Error("the grid has no nodes");
-    const nodes = [{ ...first, ...change }, ...rest];
-    expect(fixesOf({ ...grown, background: { ...grown.background, nodes } }, problems)).toEqual([]);
+    const graded = {
+      ...grown,
+      background: { ...grown.background, nodes: [{ ...first, ...change }, ...rest] },
+    };
+    const [extension] = fixesOf(graded, problems);
+    expect(extension?.cover).toEqual({ kind: "extend" });
+    const { nodes } = await mesher.coverProject(grown, { size: 1 });
+    const coverageMargin = await marginToCover(
+      graded.background,
+      nodes.map(({ position }) => position),
+    );
+    expect(await problemsOf({ ...graded, background: { ...graded.background, coverageMargin } })).toEqual([]);
   }
+});
+
+it("extends a graded grid without a change of the sizes inside", async () => {
+  const cube = cubeProject();
+  const { nodes, ...grid } = await mesher.coverProject(cube, { size: 0.37 });
+  const background = {
+    ...grid,
+    nodes: nodes.map((node) => ({ ...node, size: 0.1 + 0.2 * Math.abs(node.position[0]) })),
+  };
+  const far: [number, number, number] = [9, -4, 30];
+  const coverageMargin = await marginToCover(background, [far, [0, 0, 0]]);
+  const positions = Float64Array.of(0.5, 0.5, 0.5, 0.1, 0.9, 0.3, ...far);
+  const sizesIn = async (given: Project["background"]) => [
+    ...(await mesher.sampleSizes({ ...cube, background: given }, positions)).sizes,
+  ];
+  const [a = 0, b = 0, outside = 0] = await sizesIn({ ...background, coverageMargin });
+  expect([a, b]).toEqual((await sizesIn(background)).slice(0, 2));
+  expect(Math.abs(a - b)).toBeGreaterThan(0.05);
+  // Outside, the sizes are those of the grid's nearest place.
+  const sizes = background.nodes.map(({ size }) => size);
+  expect(outside).toBeGreaterThanOrEqual(Math.min(...sizes) - 1e-12);
+  expect(outside).toBeLessThanOrEqual(Math.max(...sizes) + 1e-12);
+  expect(await marginToCover({ nodes: [], tetrahedra: [] }, [far])).toBe(0);
 });
 
 /** A cube with a square bore, without the patch at the top. */
@@ -252,7 +286,9 @@ it("reads the nodes of a grid once, however many problems ask and however often"
   const project: Project = { ...cube, background: { ...cube.background, nodes } };
   const problem = { code: "outside-background-grid", entities: [], body: null } as unknown as Problem;
   const problems = Array.from({ length: 100 }, () => problem);
-  const sizes = fixesOf(project, problems).map(({ coverSize }) => coverSize);
+  const sizes = fixesOf(project, problems).map(({ cover }) =>
+    cover?.kind === "replace" ? cover.size : null,
+  );
   expect(new Set(sizes)).toEqual(new Set([cube.background.nodes[0]?.size]));
   expect(fixesOf({ ...project, name: "Copy" }, problems)).toHaveLength(100);
   expect(reads).toBeLessThanOrEqual(2 * nodes.length);

@@ -1,6 +1,7 @@
 import { expect, it } from "vitest";
 import { emptyProject } from "../../../web/document/create";
 import { sizeSurface } from "../../../web/document/size-positions";
+import { factsOf } from "../../../web/document/triangle-facts";
 import { sizeColors } from "../../../web/viewer/layers/sizes-layer";
 import { boxSurface } from "../../support/surfaces";
 import { preview } from "./scene";
@@ -110,4 +111,18 @@ it("keeps the facts of a body while the plane moves, and lets the page act in be
   expect(reads.points - first).toBe(points.length);
   expect(first).toBeGreaterThan(3 * triangles.length);
   expect(moved.points).toHaveLength(points.length + 3 * 49 ** 2);
+});
+
+it("rejects soon after it is aborted, and the next question goes on with the measurement", async () => {
+  const { points, triangles } = boxSurface(60);
+  const body = { body: 1, points, triangles };
+  const abort = new AbortController();
+  const plane = { axis: "z", position: 0.2 } as const;
+  const first = sizeSurface(emptyProject(), preview([]), [body], plane, abort.signal);
+  const facts = factsOf(body);
+  abort.abort(new Error("replaced"));
+  await expect(first).rejects.toThrow("replaced");
+  const second = await sizeSurface(emptyProject(), preview([]), [body], plane);
+  expect(areaOf(second, second.triangles)).toBeCloseTo(6, 9);
+  expect(await factsOf(body)).toBe(await facts);
 });

@@ -20,7 +20,7 @@ export function liveNotes(project: Project): Pick<Project, "groups" | "expressio
   return {
     ...(groups && { groups: areGroupsLive ? groups : shrunk }),
     ...(expressions && {
-      expressions: live(expressions, (one) => subjects.has(one.kind, one.id) && subjects.hasNumber(one)),
+      expressions: live(expressions, (one) => subjects.hasSubject(one) && subjects.hasNumber(one)),
     }),
   };
 }

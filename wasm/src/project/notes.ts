@@ -37,6 +37,9 @@ const NUMBER_FIELDS: Readonly<Record<ExpressionKind, RegExp>> = {
   source: /^(size|distance|growth|positions\.[0-2]\.[0-2])$/,
 };
 
+/** Numbers of the mesh settings that may have an expression. */
+const MESHING_FIELDS = ["size"] as const;
+
 /** Name of a parameter. */
 const PARAMETER_NAME = /^[A-Za-z_][A-Za-z0-9_]*$/;
 
@@ -69,15 +72,20 @@ export const parameterSchema = v.pipe(
   v.readonly(),
 );
 
-export const expressionSchema = v.pipe(
-  objectWith({
-    kind: v.picklist(EXPRESSION_KINDS),
-    id: reference,
-    field: described(WORDS.expressionField, v.string()),
-    expression: described(WORDS.expression, expression),
-  }),
-  v.readonly(),
-);
+const ofEntity = objectWith({
+  kind: v.picklist(EXPRESSION_KINDS),
+  id: reference,
+  field: described(WORDS.expressionField, v.string()),
+  expression: described(WORDS.expression, expression),
+});
+
+const ofMeshing = objectWith({
+  kind: v.literal("meshing"),
+  field: described(WORDS.meshingField, v.picklist(MESHING_FIELDS)),
+  expression: described(WORDS.expression, expression),
+});
+
+export const expressionSchema = v.pipe(v.variant("kind", [ofEntity, ofMeshing]), v.readonly());
 
 type Group = v.InferOutput<typeof groupSchema>;
 type Parameter = v.InferOutput<typeof parameterSchema>;
@@ -95,14 +103,19 @@ interface Noted {
   readonly groups?: readonly Group[] | undefined;
   readonly parameters?: readonly Parameter[] | undefined;
   readonly expressions?: readonly Expression[] | undefined;
+  readonly meshing?: { readonly [Field in (typeof MESHING_FIELDS)[number]]?: number | undefined } | undefined;
 }
 
 /** Answers whether the notes of a project refer to something. */
 export class Subjects {
   readonly #ids: Readonly<Record<GroupKind | ExpressionKind, ReadonlySet<number>>>;
   readonly #corners: ReadonlyMap<number, number>;
+  readonly #meshing: Noted["meshing"];
 
-  constructor({ points, lines, patches, bodies = [], background: { nodes, sources = [] } }: Noted) {
+  constructor(project: Noted) {
+    const { points, lines, patches, bodies = [], background, meshing } = project;
+    const { nodes, sources = [] } = background;
+    this.#meshing = meshing;
     const idsOf = (...lists: readonly Records[]) =>
       new Set(lists.flatMap((list) => list.map((one) => one.id)));
     this.#ids = {
@@ -120,8 +133,15 @@ export class Subjects {
     return this.#ids[kind].has(entity);
   }
 
-  /** Returns whether the entity, which exists, has the number. */
-  hasNumber({ kind, id: entity, field }: Expression): boolean {
+  /** Returns whether the subject of an expression exists: its entity, or the mesh settings. */
+  hasSubject(noted: Expression): boolean {
+    return noted.kind === "meshing" || this.has(noted.kind, noted.id);
+  }
+
+  /** Returns whether the subject, which exists, has the number. */
+  hasNumber(noted: Expression): boolean {
+    if (noted.kind === "meshing") return this.#meshing?.[noted.field] !== undefined;
+    const { kind, id: entity, field } = noted;
     if (!NUMBER_FIELDS[kind].test(field)) return false;
     const [list, corner] = field.split(".");
     return list !== "positions" || Number(corner) < (this.#corners.get(entity) ?? 0);
@@ -140,18 +160,21 @@ export function checkNotes(project: Noted, report: Report): void {
     (p, name) => report(["parameters", p, "name"], `another parameter also has the name "${name}"`),
   );
   checkDistinct(
-    expressions.map(({ kind, id: entity, field }) => `${shown(field)} of ${kind} ${entity}`),
+    expressions.map((noted) => `${shown(noted.field)} of ${subjectOf(noted)}`),
     (e, subject) => report(["expressions", e], `another expression also defines ${subject}`),
   );
   expressions.forEach((noted, e) => {
-    const { kind, id: entity, field } = noted;
-    if (!subjects.has(kind, entity)) {
-      report(["expressions", e, "id"], `there is no ${kind} with the id ${entity}`);
+    if (noted.kind !== "meshing" && !subjects.hasSubject(noted)) {
+      report(["expressions", e, "id"], `there is no ${noted.kind} with the id ${noted.id}`);
     } else if (!subjects.hasNumber(noted)) {
-      report(["expressions", e, "field"], `${kind} ${entity} has no number ${shown(field)}`);
+      report(["expressions", e, "field"], `${subjectOf(noted)} has no number ${shown(noted.field)}`);
     }
   });
 }
+
+/** Names the subject of an expression in an error. */
+const subjectOf = (noted: Expression): string =>
+  noted.kind === "meshing" ? "meshing" : `${noted.kind} ${noted.id}`;
 
 function checkMembers(members: Group["members"], subjects: Subjects, path: Path, report: Report): void {
   members.forEach(({ kind, id: member }, m) => {

@@ -343,7 +343,10 @@ export type ProjectSource = NonNullable<ProjectBackground["sources"]>[number];
 export type ProjectGroup = NonNullable<Project["groups"]>[number];
 /** A named number that expressions use. */
 export type ProjectParameter = NonNullable<Project["parameters"]>[number];
-/** What a number of an entity is computed from. The entity has the value, so that only editors evaluate expressions. */
+/**
+ * What a number of an entity or of the mesh settings is computed from. The value is there, so that only editors evaluate
+ * expressions.
+ */
 export type ProjectExpression = NonNullable<Project["expressions"]>[number];
 
 /** The id of a point; positive, unique among points. */

@@ -78,8 +78,9 @@ export const WORDS = {
   parameters: "Named numbers that expressions use",
   parameterName: "Letters, digits and underscores, not beginning with a digit; unique",
   parameterExpression: "A number, or a formula with other parameters, such as 2*radius",
-  expressions: "What numbers of entities are computed from; the entities have the values",
+  expressions: "What numbers of entities and mesh settings are computed from; the values are there",
   expressionField: "Path of the number in the entity, such as position.0 or size",
+  meshingField: "Name of the number in the mesh settings",
   expression: "A formula with parameters, such as radius/2",
   background: "Coarse tetrahedra that cover the model, with the target size at their nodes",
 } as const;

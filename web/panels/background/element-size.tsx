@@ -2,6 +2,8 @@ import { LIMITS } from "tetrafront";
 import { Button, Group, SegmentedControl, Switch, Text } from "@mantine/core";
 import { commandNamed, runCommand } from "../../commands/registry";
 import { likelySize } from "../../document/extent";
+import { expressionOf, keepingExpression } from "../../document/expression-edits";
+import { uniformSizePath } from "../../document/number-paths";
 import { setMeshing } from "../../document/size-edits";
 import { FieldRow } from "../../ui/fields/field-row";
 import { formatCount } from "../../ui/format";
@@ -87,7 +89,10 @@ function UniformSize({ size }: { readonly size: number }) {
           refuse={upTo(LIMITS.length, aboveZero)}
           testId="uniform-size"
           {...unitsOf(project)}
-          onCommit={(value) => app.documents.edit(setMeshing("size", value))}
+          expression={expressionOf(project, uniformSizePath)}
+          onCommit={(value, expression) =>
+            app.documents.edit(keepingExpression(setMeshing("size", value), uniformSizePath, expression))
+          }
         />
       </FieldRow>
       <Text size="xs" c="dimmed" mb={6}>

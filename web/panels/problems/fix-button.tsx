@@ -31,7 +31,7 @@ export function FixAllButton({ problems }: { readonly problems: readonly Problem
   const app = useApp();
   const fixes = problems.length > 1 ? fixesOf(app, problems) : [];
   const [first] = fixes;
-  if (!first || fixes.length < 2 || first.coverSize !== null) return null;
+  if (!first || fixes.length < 2 || first.cover !== null) return null;
   return (
     <Tooltip label={fixStrings.fixAllEffect(first.effect)} multiline maw={280} openDelay={200}>
       <Button
