@@ -69,6 +69,19 @@ test("a selection is edited at once and becomes a group; the history jumps", asy
   await group.getByRole("button", { name: /^Select the 2/ }).click();
   await expect(page.getByText("2 entities selected")).toBeVisible();
 
+  // The same in the tree: a click selects the members, buttons hide the others and show everything again.
+  const row = page.getByTestId("tree-group-1");
+  await expect(row).toContainText("top edge");
+  await row.getByRole("button", { name: "Show only top edge" }).click();
+  const other = page.getByTestId("tree-point-7");
+  await expect(other.getByRole("button", { name: /^Show/ })).toBeVisible();
+  await expect(page.getByTestId("tree-point-6").getByRole("button", { name: /^Hide/ })).toBeVisible();
+  await page.getByTestId("groups-show-all").click();
+  await expect(other.getByRole("button", { name: /^Hide/ })).toBeVisible();
+  await page.getByTestId("tree-point-7").click();
+  await row.click();
+  await expect(page.getByText("2 entities selected")).toBeVisible();
+
   await page.getByTestId("tab-history").click();
   const history = page.getByTestId("history");
   await expect(history.getByRole("button")).toHaveText([

@@ -1,6 +1,7 @@
 import type { App } from "../app/app";
 import { deleteEntities, withDependents } from "../document/edits";
 import { entityKey, type Entity } from "../document/entities";
+import { allEntities, withParts } from "../document/select-related";
 import type { Problem } from "../document/validate";
 import { showNotice, type EditedField } from "../session/shell";
 import { entityNouns, strings } from "../strings";
@@ -31,6 +32,13 @@ export function deleteSelection(app: App): void {
       },
     },
   });
+}
+
+/** Shows entities with all their parts, and hides everything else. */
+export function isolate({ documents: { project }, view }: App, entities: readonly Entity[]): void {
+  const shown = withParts(project, entities);
+  view.setHidden(allEntities(project), true);
+  view.setHidden(shown, false);
 }
 
 /** Selects entities and moves the view to them. */

@@ -1,10 +1,10 @@
 import type { App } from "../app/app";
 import type { CutAxis, Layer, Shading } from "../document/selection";
-import { allEntities, withParts } from "../document/select-related";
 import type { StandardView } from "../viewer/camera";
 import { commandLabels } from "../strings";
 import { define, type Command } from "./command";
 import { hasHighlight, hasSelection } from "./conditions";
+import { isolate } from "./selection-actions";
 
 const hasViewer = (app: App): boolean => app.viewer.getState().viewer !== null;
 const viewState = (app: App) => app.view.state.getState();
@@ -83,16 +83,10 @@ export const viewMenu: readonly Command[] = [
     keys: ["H"],
     enabled: hasSelection,
   }),
-  define("view", 4)(
-    "isolate",
-    commandLabels.isolate,
-    ({ documents: { project }, view }) => {
-      const shown = withParts(project, view.state.getState().selection);
-      view.setHidden(allEntities(project), true);
-      view.setHidden(shown, false);
-    },
-    { keys: ["I"], enabled: hasSelection },
-  ),
+  define("view", 4)("isolate", commandLabels.isolate, (app) => isolate(app, viewState(app).selection), {
+    keys: ["I"],
+    enabled: hasSelection,
+  }),
   define("view", 4)("show-all", commandLabels.showAll, (app) => app.view.showAll(), { keys: ["shift+H"] }),
   ...shadings.map((shading) =>
     define("view", 5)(

@@ -18,6 +18,9 @@ const palette: readonly GroupColor[] = [
   [0.8, 0.47, 0.65],
 ];
 
+/** Colour that stands for groups without one. */
+export const groupedColor: GroupColor = [0.5, 0.5, 0.5];
+
 /** Returns the member that stands for an entity; undefined if groups cannot hold entities of its kind. */
 function memberOf({ kind, id }: Entity): Member | undefined {
   const kindInFile = kind === "body-patch" ? "patch" : kind;

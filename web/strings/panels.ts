@@ -13,6 +13,7 @@ export const panelStrings = {
     add: (what: string) => `Add ${what}`,
     show: (what: string) => `Show ${what}`,
     hide: (what: string) => `Hide ${what}`,
+    isolate: (what: string) => `Show only ${what}`,
     problems: (count: number) => (count === 1 ? "1 problem" : `${count} problems`),
   },
   inspector: {

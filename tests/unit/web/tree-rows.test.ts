@@ -1,9 +1,8 @@
 import { describe, expect, it } from "vitest";
-import { TreeRows } from "../../../web/panels/model/tree-rows";
+import { TreeRows, rowKey } from "../../../web/panels/model/tree-rows";
 import { cubeProject } from "../../support/projects";
 
-const keyOf = (row: ReturnType<TreeRows["at"]>): string =>
-  row === undefined ? "" : row.type === "group" ? row.kind : `${row.entity.kind}-${row.entity.id}`;
+const keyOf = (row: ReturnType<TreeRows["at"]>): string => (row === undefined ? "" : rowKey(row));
 
 describe("the rows of the tree", () => {
   const project = cubeProject();
@@ -51,6 +50,26 @@ describe("the rows of the tree", () => {
     expect(rows.at(0)).toMatchObject({ kind: "point", total: project.points.length, open: false });
     expect(rows.at(1)).toMatchObject({ kind: "line" });
     expect(rows.indexOf("point-1")).toBe(-1);
+  });
+
+  it("begin with the groups that the user made, and find them by name", () => {
+    const groups = [
+      { id: 3, name: "Inlet", members: [{ kind: "point", id: 1 }] },
+      { id: 7, name: "outlet", members: [] },
+    ] as const;
+    const grouped = { ...project, groups };
+    const keysOf = (filter: string, closed: readonly string[]) => {
+      const rows = new TreeRows(grouped, filter, new Set(closed));
+      const keys = rows.slice(0, rows.length).map(rowKey);
+      keys.forEach((key, i) => expect(rows.indexOf(key)).toBe(i));
+      return keys;
+    };
+    expect(keysOf("", []).slice(0, 5)).toEqual(["groups", "group-3", "group-7", "point", "point-1"]);
+    expect(keysOf("", ["groups", "point"]).slice(0, 3)).toEqual(["groups", "point", "line"]);
+    expect(keysOf("inl", ["groups"])).toEqual(["groups", "group-3"]);
+    expect(keysOf("point 3", [])).toEqual(["point", "point-3"]);
+    const headings = new TreeRows(grouped, "", new Set()).at(3);
+    expect(headings).toMatchObject({ type: "group", ordinal: 2 });
   });
 
   it("are made only when they are requested", () => {

@@ -1,13 +1,15 @@
 import { Button } from "@mantine/core";
-import { IconEye, IconEyeOff, IconPointer, IconTrash } from "@tabler/icons-react";
+import { IconEye, IconEyeOff, IconFocusCentered, IconPointer, IconTrash } from "@tabler/icons-react";
 import type { ProjectGroup } from "tetrafront";
 import { groupSelection } from "../../commands/group-actions";
+import { isolate } from "../../commands/selection-actions";
 import { entityKey, type Entity } from "../../document/entities";
 import {
   colorFromCss,
   colorGroup,
   cssColor,
   extendGroup,
+  groupedColor,
   groupEntities,
   isGroupable,
   removeGroup,
@@ -39,10 +41,11 @@ export function GroupList() {
 }
 
 function GroupRow({ group }: { readonly group: ProjectGroup }) {
-  const { documents, view } = useApp();
+  const app = useApp();
+  const { documents, view } = app;
   const project = useProject();
   const hidden = useView((state) => state.hidden);
-  const { id, name, color = [0.5, 0.5, 0.5] } = group;
+  const { id, name, color = groupedColor } = group;
   const entities = groupEntities(project, group);
   const isHidden = entities.length > 0 && entities.every((entity) => hidden.has(entityKey(entity)));
   return (
@@ -68,6 +71,9 @@ function GroupRow({ group }: { readonly group: ProjectGroup }) {
         onClick={() => view.selectAll(entities)}
       >
         <IconPointer size={15} aria-hidden />
+      </IconButton>
+      <IconButton label={strings.tree.isolate(name)} size={28} onClick={() => isolate(app, entities)}>
+        <IconFocusCentered size={15} aria-hidden />
       </IconButton>
       <IconButton
         label={isHidden ? texts.show(name) : texts.hide(name)}

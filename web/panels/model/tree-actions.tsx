@@ -1,11 +1,12 @@
 import { ActionIcon } from "@mantine/core";
-import { IconEye, IconEyeOff, IconPlus } from "@tabler/icons-react";
+import { IconEye, IconEyeOff, IconFocusCentered, IconPlus } from "@tabler/icons-react";
 import type { MouseEvent, ReactNode } from "react";
 import type { App } from "../../app/app";
 import { createOrHint, lineMakers, patchMakers } from "../../commands/create-menu";
+import { isolate } from "../../commands/selection-actions";
 import { commandNamed, runCommand } from "../../commands/registry";
 import { entityKey, type DrawnKind, type Entity } from "../../document/entities";
-import { entityWords, strings } from "../../strings";
+import { commandLabels, entityWords, strings } from "../../strings";
 import { useApp, useView } from "../shared/app-context";
 import styles from "./model-tree.module.css";
 
@@ -40,6 +41,32 @@ function RowAction({ label, isOff = false, testId, onRun, children }: RowActionP
   );
 }
 
+/** Shows a group and hides all other entities. */
+export function IsolateButton({
+  entities,
+  name,
+}: {
+  readonly entities: readonly Entity[];
+  readonly name: string;
+}) {
+  const app = useApp();
+  return (
+    <RowAction label={strings.tree.isolate(name)} onRun={() => isolate(app, entities)}>
+      <IconFocusCentered size={14} aria-hidden />
+    </RowAction>
+  );
+}
+
+/** Shows everything that was hidden. */
+export function ShowAllButton() {
+  const app = useApp();
+  return (
+    <RowAction label={commandLabels.showAll} testId="groups-show-all" onRun={() => app.view.showAll()}>
+      <IconEye size={14} aria-hidden />
+    </RowAction>
+  );
+}
+
 interface EyeProps {
   readonly isHidden: boolean;
   readonly name: string;
@@ -57,6 +84,19 @@ function Eye({ isHidden, name, onToggle }: EyeProps) {
       <Icon size={14} aria-hidden />
     </RowAction>
   );
+}
+
+interface EntitiesEyeProps {
+  readonly entities: readonly Entity[];
+  readonly name: string;
+}
+
+/** Hides and shows entities together. */
+export function EntitiesEye({ entities, name }: EntitiesEyeProps) {
+  const app = useApp();
+  const hidden = useView((state) => state.hidden);
+  const isHidden = entities.length > 0 && entities.every((entity) => hidden.has(entityKey(entity)));
+  return <Eye isHidden={isHidden} name={name} onToggle={() => app.view.setHidden(entities, !isHidden)} />;
 }
 
 /** Hides and shows one entity. */

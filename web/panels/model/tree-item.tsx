@@ -1,7 +1,8 @@
 import { IconAlertTriangle, IconChevronDown, IconChevronRight } from "@tabler/icons-react";
-import type { ComponentPropsWithoutRef, KeyboardEvent, MouseEvent } from "react";
+import type { KeyboardEvent, MouseEvent } from "react";
 import { rename } from "../../commands/selection-actions";
 import { entityKey } from "../../document/entities";
+import { groupTints } from "../../document/groups";
 import type { SelectMode } from "../../document/selection";
 import { formatCount } from "../../ui/format";
 import { entityWords, strings } from "../../strings";
@@ -9,6 +10,7 @@ import { useApp, useProblems, useProject, useView } from "../shared/app-context"
 import { EntityIcon } from "../shared/entity-icon";
 import styles from "./model-tree.module.css";
 import { AddButton, EntityEye, GroupEye } from "./tree-actions";
+import { MadeGroupItem, MadeGroupsItem, Swatch, type Common } from "./made-group-items";
 import { headings, rowElementId, rowKey, type TreeRow } from "./tree-rows";
 
 /** Returns how a click or a key changes the selection. */
@@ -39,17 +41,22 @@ export function TreeItem({ row, top, height, isFocusable, onActivate, onToggle }
     "data-testid": `tree-${key}`,
     onClick: (event: MouseEvent) => onActivate(selectModeOf(event)),
   } as const;
-  return row.type === "group" ? (
-    <GroupItem row={row} common={common} />
-  ) : (
-    <EntityItem row={row} common={common} onToggle={onToggle} />
-  );
+  switch (row.type) {
+    case "group":
+      return <GroupItem row={row} common={common} />;
+    case "entity":
+      return <EntityItem row={row} common={common} onToggle={onToggle} />;
+    case "made-groups":
+      return <MadeGroupsItem row={row} common={common} />;
+    case "made-group":
+      return <MadeGroupItem row={row} common={common} />;
+  }
 }
 
-type Common = Readonly<ComponentPropsWithoutRef<"div">>;
 type RowOf<Type extends TreeRow["type"]> = Extract<TreeRow, { type: Type }>;
 
 function GroupItem({ row, common }: { readonly row: RowOf<"group">; readonly common: Common }) {
+  const hasMade = (useProject().groups ?? []).length > 0;
   const Chevron = row.open ? IconChevronDown : IconChevronRight;
   return (
     <div
@@ -57,7 +64,7 @@ function GroupItem({ row, common }: { readonly row: RowOf<"group">; readonly com
       className={`${styles["row"]} ${styles["group"]}`}
       aria-level={1}
       aria-expanded={row.open}
-      aria-setsize={headings.length}
+      aria-setsize={headings.length + (hasMade ? 1 : 0)}
       aria-posinset={row.ordinal}
     >
       <Chevron size={14} aria-hidden />
@@ -79,6 +86,7 @@ function EntityItem({ row, common, onToggle }: EntityItemProps) {
   const app = useApp();
   const project = useProject();
   const key = rowKey(row);
+  const tint = groupTints(project).get(row.entity.kind === "body-patch" ? `patch-${row.entity.id}` : key);
   const isSelected = useView((state) => state.selection.some((entity) => entityKey(entity) === key));
   const isHovered = useView((state) => state.hover !== null && entityKey(state.hover) === key);
   const problemCount = useProblems((state) => state.byEntity.get(key)?.length ?? 0);
@@ -99,6 +107,7 @@ function EntityItem({ row, common, onToggle }: EntityItemProps) {
     >
       {row.open !== null && <Opener isOpen={row.open} onToggle={onToggle} />}
       <EntityIcon entity={row.entity} project={project} />
+      {tint && <Swatch color={tint} />}
       <span className={styles["title"]} title={row.title}>
         {row.title}
       </span>

@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project, ProjectGroup } from "tetrafront";
 import {
   bodiesOf,
   bodyOfPatch,
@@ -23,8 +23,20 @@ import {
 /** The kinds that have a heading; the patches of bodies are below their bodies. */
 export const headings = drawnKinds.filter((kind) => kind !== "body-patch");
 
-/** A row of the model tree: the heading of a kind, or an entity. */
+/** A row of the model tree: the heading of a kind, an entity, the heading of the groups that the user made, or one of them. */
 export type TreeRow =
+  | {
+      readonly type: "made-groups";
+      readonly total: number;
+      readonly open: boolean;
+      readonly ordinal: 1;
+    }
+  | {
+      readonly type: "made-group";
+      readonly group: ProjectGroup;
+      readonly ordinal: number;
+      readonly siblings: number;
+    }
   | {
       readonly type: "group";
       readonly kind: DrawnKind;
@@ -49,8 +61,24 @@ export type TreeRow =
       readonly siblings: number;
     };
 
-/** Returns the key of a row: that of its entity, or the name of the kind. */
-export const rowKey = (row: TreeRow): string => (row.type === "group" ? row.kind : entityKey(row.entity));
+/** Key of the heading of the groups that the user made. */
+export const madeGroupsKey = "groups";
+
+const madeGroupKey = (id: number): string => `group-${id}`;
+
+/** Returns the key of a row: that of its entity or group, or the name of the kind. */
+export function rowKey(row: TreeRow): string {
+  switch (row.type) {
+    case "group":
+      return row.kind;
+    case "entity":
+      return entityKey(row.entity);
+    case "made-groups":
+      return madeGroupsKey;
+    case "made-group":
+      return madeGroupKey(row.group.id);
+  }
+}
 
 /** Returns the id of the element that shows the row with a key. */
 export const rowElementId = (key: string): string => `row-${key}`;
@@ -133,19 +161,23 @@ export class TreeRows {
   readonly length: number;
   readonly #project: Project;
   readonly #groups: readonly Group[];
+  /** Rows of the groups that the user made, heading included: above all others. */
+  readonly #made: readonly TreeRow[];
 
   /** `closed`: keys of the headings and entities whose rows below are not shown. */
   constructor(project: Project, filter: string, closed: ReadonlySet<string>) {
     this.#project = project;
     const text = filter.trim().toLowerCase();
     const groups: Group[] = [];
-    let first = 0;
+    this.#made = madeGroupRows(project, text, closed);
+    const hasMade = project.groups !== undefined && project.groups.length > 0;
+    let first = this.#made.length;
     headings.forEach((kind, index) => {
       const total = recordsOf(project, kind).length;
       const open = text !== "" || !closed.has(kind);
       const entries = kind === "body" ? this.#bodyEntries(text, closed) : this.#flatEntries(kind, text);
       if (text !== "" && entries.count === 0) return;
-      const heading = { type: "group", kind, total, open, ordinal: index + 1 } as const;
+      const heading = { type: "group", kind, total, open, ordinal: index + (hasMade ? 2 : 1) } as const;
       const count = open ? entries.count : 0;
       groups.push({ heading, first, count, entries });
       first += 1 + count;
@@ -155,6 +187,7 @@ export class TreeRows {
   }
 
   at(index: number): TreeRow | undefined {
+    if (index < this.#made.length) return this.#made[index];
     const group = this.#groups.findLast(({ first }) => first <= index);
     if (!group || index > group.first + group.count || index < 0) return undefined;
     return index === group.first ? group.heading : group.entries.at(index - group.first - 1);
@@ -167,6 +200,8 @@ export class TreeRows {
 
   /** Returns the index of the row with a key; -1 if there is none. Linear in the number of entities of its kind. */
   indexOf(key: string | null): number {
+    const made = this.#made.findIndex((row) => rowKey(row) === key);
+    if (made >= 0) return made;
     const entity = key === null ? null : entityOfKey(key);
     for (const { heading, first, count, entries } of this.#groups) {
       if (key === heading.kind) return first;
@@ -255,6 +290,20 @@ export class TreeRows {
       detail().toLowerCase().includes(text)
     );
   }
+}
+
+function madeGroupRows(
+  { groups = [] }: Project,
+  text: string,
+  closed: ReadonlySet<string>,
+): readonly TreeRow[] {
+  const matching = groups.filter(({ name }) => name.toLowerCase().includes(text));
+  if (matching.length === 0) return [];
+  const open = text !== "" || !closed.has(madeGroupsKey);
+  const rows = matching.map((group, index) => {
+    return { type: "made-group", group, ordinal: index + 1, siblings: matching.length } as const;
+  });
+  return [{ type: "made-groups", total: groups.length, open, ordinal: 1 }, ...(open ? rows : [])];
 }
 
 /** Returns the kind of the heading above entities of a kind. */

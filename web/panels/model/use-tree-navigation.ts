@@ -8,10 +8,19 @@ import {
   type RefObject,
   type SetStateAction,
 } from "react";
-import { entityKey } from "../../document/entities";
+import { entityKey, type Entity } from "../../document/entities";
+import { groupEntities } from "../../document/groups";
 import type { SelectMode } from "../../document/selection";
 import { useApp, useProject, useView } from "../shared/app-context";
-import { headingOf, rowAbove, rowElementId, rowKey, type TreeRow, type TreeRows } from "./tree-rows";
+import {
+  headingOf,
+  madeGroupsKey,
+  rowAbove,
+  rowElementId,
+  rowKey,
+  type TreeRow,
+  type TreeRows,
+} from "./tree-rows";
 import { selectModeOf } from "./tree-item";
 
 export interface TreeNavigationOptions {
@@ -49,7 +58,8 @@ export function useTreeNavigation(options: TreeNavigationOptions): TreeNavigatio
   const { anchor, selectRange } = useRangeSelection(rows);
   const activate = (row: TreeRow, mode: SelectMode): void => {
     setFocusedKey(rowKey(row));
-    if (row.type === "group") setOpen(row, !row.open);
+    if (row.type === "group" || row.type === "made-groups") setOpen(row, !row.open);
+    else if (row.type === "made-group") app.view.selectMany(groupEntities(project, row.group), mode);
     else if (mode === "add") selectRange(row);
     else {
       anchor.current = rowKey(row);
@@ -65,6 +75,13 @@ export function useTreeNavigation(options: TreeNavigationOptions): TreeNavigatio
     anchor.current ??= rowKey(rows.at(focused) ?? row);
     selectRange(row);
   };
+  /** The entities of the row's kind, or those of a group. */
+  const entitiesBeside = (row: TreeRow): readonly Entity[] => {
+    if (row.type === "group") return rows.entitiesOf(row.kind);
+    if (row.type === "entity") return rows.entitiesOf(row.entity.kind);
+    const groups = row.type === "made-group" ? [row.group] : (project.groups ?? []);
+    return groups.flatMap((group) => groupEntities(project, group));
+  };
   const onKeyDown = (event: KeyboardEvent): void => {
     const row = rows.at(focused);
     if (!row) return;
@@ -74,16 +91,16 @@ export function useTreeNavigation(options: TreeNavigationOptions): TreeNavigatio
       ArrowUp: () => stepTo(focused - 1, event.shiftKey),
       Home: () => focusRow(0),
       End: () => focusRow(rows.length - 1),
-      ArrowRight: () => (row.open === false ? setOpen(row, true) : focusRow(focused + 1)),
+      ArrowRight: () => (openOf(row) === false ? setOpen(row, true) : focusRow(focused + 1)),
       ArrowLeft: () => {
-        if (row.type === "group" || row.open === true) setOpen(row, false);
-        else focusRow(rows.indexOf(rowAbove(project, row.entity)));
+        if (openOf(row) === true || row.type === "group") setOpen(row, false);
+        else if (row.type === "entity") focusRow(rows.indexOf(rowAbove(project, row.entity)));
+        else focusRow(rows.indexOf(madeGroupsKey));
       },
       Enter: () => activate(row, selectModeOf(event)),
       " ": () => activate(row, selectModeOf(event)),
     };
-    const selectKind = (): void =>
-      app.view.selectAll(rows.entitiesOf(row.type === "group" ? row.kind : row.entity.kind));
+    const selectKind = (): void => app.view.selectAll(entitiesBeside(row));
     const action = event.key === "a" && isModified ? selectKind : actions[event.key];
     // Ctrl Enter generates the mesh.
     if (!action || (event.key === "Enter" && isModified)) return;
@@ -92,9 +109,12 @@ export function useTreeNavigation(options: TreeNavigationOptions): TreeNavigatio
     if (action === selectKind) event.stopPropagation();
     action();
   };
-  const toggle = (row: TreeRow): void => setOpen(row, row.open === false);
+  const toggle = (row: TreeRow): void => setOpen(row, openOf(row) === false);
   return { focused, activate, toggle, onKeyDown };
 }
+
+/** Returns whether the rows below are shown; null if there are none. */
+const openOf = (row: TreeRow): boolean | null => (row.type === "made-group" ? null : row.open);
 
 /** Selects ranges of rows: from the anchor, which is the first row of a range, to another row. */
 function useRangeSelection(rows: TreeRows) {
