@@ -104,6 +104,27 @@ test("a cube with a hole through takes at most 25 actions", async ({ page }) => 
   expect(pieces.actions).toBeLessThanOrEqual(25);
 });
 
+test("a cylinder on a face of a box shares the face with it: one watertight mesh of two regions", async ({
+  page,
+}) => {
+  const pieces = new PiecesPage(page);
+  await pieces.open();
+  await pieces.start("Box…");
+  await pieces.accept();
+  await pieces.click(pieces.row("patch-2"));
+  await pieces.start("Cylinder…");
+  await pieces.type("0.25");
+  const note = page.getByTestId("operation-note");
+  await expect(note).toContainText("Overlaps 1 face");
+  await pieces.click(page.getByTestId("operation-share"));
+  await expect(note).toContainText("Shares 1 face");
+  await pieces.click(page.getByTestId("accept"));
+  const pin = (await pieces.mesh()) - 1;
+  const [radius, height] = [0.25, 0.5];
+  expect(pin / (Math.PI * radius ** 2 * height)).toBeGreaterThan(0.85);
+  expect(pin / (Math.PI * radius ** 2 * height)).toBeLessThan(1);
+});
+
 test("copies, a mirror image and an array are one step of undo each", async ({ page, context }) => {
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
   const pieces = new PiecesPage(page);

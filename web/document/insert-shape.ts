@@ -1,5 +1,4 @@
 import type { Project, ProjectLine, ProjectPatch, ProjectPoint } from "tetrafront";
-import type { Creation } from "./create";
 import { nextId } from "./create";
 import type { Entity } from "./entities";
 import { lineKey, loopsKey, sameCourse } from "./line-courses";
@@ -74,7 +73,7 @@ export function insertion(project: Project, shape: Shape, { join }: InsertOption
 }
 
 /** Returns a name that no patch has yet, by a number if necessary, and reserves it. */
-function freeName(name: string, taken: Set<string>): string {
+export function freeName(name: string, taken: Set<string>): string {
   let free = name;
   for (let count = 2; taken.has(free); ++count) free = `${name} (${count})`;
   taken.add(free);
@@ -180,13 +179,4 @@ export function mainEntities({ pointIds, lineIds, patchIds }: Insertion): Entity
   if (patchIds.length > 0) return patchIds.map((id) => ({ kind: "patch", id }));
   if (lineIds.length > 0) return lineIds.map((id) => ({ kind: "line", id: Math.abs(id) }));
   return pointIds.flatMap((id) => (id === undefined ? [] : [{ kind: "point", id }]));
-}
-
-/** Adds a shape to a project as one step of undo. */
-export function createShape(project: Project, shape: Shape, label: string, options: InsertOptions): Creation {
-  const made = insertion(project, shape, options);
-  return {
-    entities: mainEntities(made),
-    edit: { label, change: ({ project: draft }) => insertInto(draft, made) },
-  };
 }

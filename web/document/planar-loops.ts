@@ -14,6 +14,8 @@ interface HalfEdge {
   readonly path: LinePath;
   readonly from: number;
   readonly to: number;
+  /** 1 in the direction of the line, -1 against it. */
+  readonly sign: 1 | -1;
   readonly points: readonly Flat[];
   /** Direction at its start, in radians. */
   readonly angle: number;
@@ -119,11 +121,49 @@ function inPlane(paths: readonly LinePath[], frame: Frame, tolerance: number) {
 type FlatPath = ReturnType<typeof inPlane>[number];
 
 function loopsIn(frame: Frame, paths: readonly FlatPath[]): DrawnLoop[] {
+  const toSpace = ([x, y]: Flat): Position => fromFrame(frame, [x, y, 0]);
+  const idsOf = ({ edges }: Face): number[] => edges.map(({ path }) => path.line.id);
+  return facesWithHoles(paths).map(({ face, holes }) => ({
+    lines: idsOf(face),
+    holes: holes.map(idsOf),
+    polygon: face.polygon.map(toSpace),
+    holePolygons: holes.map(({ polygon }) => polygon.map(toSpace)),
+    normal: frame.z,
+  }));
+}
+
+/** A smallest area of a plane that lines enclose. */
+export interface PlaneFace {
+  /** Signed ids of the lines: counter-clockwise around the area, then clockwise around each hole. */
+  readonly loops: readonly (readonly number[])[];
+  /** Positions around each loop; the first one is not repeated. */
+  readonly polygons: readonly (readonly Flat[])[];
+  readonly area: number;
+  /** Whether a loop passes a point twice. */
+  readonly isPinched: boolean;
+}
+
+/** Returns the smallest areas that the lines in the plane of a frame enclose. */
+export function facesInPlane(
+  paths: readonly LinePath[],
+  frame: Frame,
+  tolerance: number,
+): readonly PlaneFace[] {
+  return facesWithHoles(inPlane(paths, frame, tolerance)).map(({ face, holes }) => {
+    const all = [face, ...holes];
+    return {
+      loops: all.map(({ edges }) => edges.map(({ path, sign }) => sign * path.line.id)),
+      polygons: all.map(({ polygon }) => polygon),
+      area: all.reduce((sum, { area }) => sum + area, 0) / 2,
+      isPinched: all.some(({ edges }) => new Set(edges.map(({ from }) => from)).size < edges.length),
+    };
+  });
+}
+
+function facesWithHoles(paths: readonly FlatPath[]) {
   const faces = facesOf(withoutBridges(withoutDangling(paths)));
   const inner = faces.filter(({ area }) => area > 0);
   const outlines = faces.filter(({ area }) => area < 0);
-  const toSpace = ([x, y]: Flat): Position => fromFrame(frame, [x, y, 0]);
-  const idsOf = ({ edges }: Face): number[] => edges.map(({ path }) => path.line.id);
   return inner.map((face) => {
     const points = new Set(face.edges.map(({ from }) => from));
     const holes = outlines.filter(
@@ -132,13 +172,7 @@ function loopsIn(frame: Frame, paths: readonly FlatPath[]): DrawnLoop[] {
         -outline.area < face.area &&
         isSmallestAround(outline, face, inner),
     );
-    return {
-      lines: idsOf(face),
-      holes: holes.map(idsOf),
-      polygon: face.polygon.map(toSpace),
-      holePolygons: holes.map(({ polygon }) => polygon.map(toSpace)),
-      normal: frame.z,
-    };
+    return { face, holes };
   });
 }
 
@@ -202,8 +236,8 @@ function facesOf(paths: readonly FlatPath[]): Face[] {
 function halfEdges(paths: readonly FlatPath[]): HalfEdge[] {
   const edges = paths.flatMap(({ path, points }) => {
     const [from, to] = [path.line.points.at(0) ?? 0, path.line.points.at(-1) ?? 0];
-    const forward = directed(path, from, to, points);
-    const backward = directed(path, to, from, points.toReversed());
+    const forward = directed(path, 1, [from, to], points);
+    const backward = directed(path, -1, [to, from], points.toReversed());
     forward.twin = backward;
     backward.twin = forward;
     return [forward, backward];
@@ -218,11 +252,16 @@ function halfEdges(paths: readonly FlatPath[]): HalfEdge[] {
   return edges;
 }
 
-function directed(path: LinePath, from: number, to: number, points: readonly Flat[]): HalfEdge {
+function directed(
+  path: LinePath,
+  sign: 1 | -1,
+  [from, to]: readonly [number, number],
+  points: readonly Flat[],
+): HalfEdge {
   const [start = [0, 0], ...rest] = points;
   const ahead = rest.find(([x, y]) => x !== start[0] || y !== start[1]) ?? start;
   const angle = Math.atan2(ahead[1] - start[1], ahead[0] - start[0]);
-  const edge = { path, from, to, points, angle } as HalfEdge;
+  const edge = { path, sign, from, to, points, angle } as HalfEdge;
   edge.next = edge;
   return edge;
 }

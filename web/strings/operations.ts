@@ -66,7 +66,16 @@ export const operationStrings = {
     base: "Centre of base",
     centre: "Centre",
     axis: "Axis",
-    join: "Join to what it touches",
+    join: "Join what coincides",
+    share: "Share touching faces",
+  },
+  imprint: {
+    overlaps: (count: number) =>
+      `Overlaps ${count === 1 ? "1 face" : `${count} faces`} of the model. Share touching faces for one watertight model with several regions, or use a Boolean operation afterwards.`,
+    shared: (count: number) =>
+      `Shares ${count === 1 ? "1 face" : `${count} faces`} with the model: the mesh keeps a boundary between two regions there.`,
+    incomplete:
+      "Overlaps a face of the model that cannot be shared, because of a curved line or patch. Move the piece, or use a Boolean operation afterwards.",
   },
   refusals: {
     nothingSelected: "Select points, lines, patches, bodies or sources.",

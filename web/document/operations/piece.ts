@@ -1,6 +1,9 @@
+import type { Project } from "tetrafront";
 import { operationStrings, stepNames } from "../../strings";
 import type { Offer } from "../create";
-import { createShape } from "../insert-shape";
+import type { DraftEdit } from "../edit";
+import { imprinted, type Imprint } from "../imprint/imprint";
+import { insertion, withInsertion } from "../insert-shape";
 import type { Position } from "../position";
 import { placedIn, type Shape } from "../shape";
 import { frameAlong, scale, unit } from "../vectors";
@@ -16,6 +19,8 @@ export type PiecePlacement = {
   readonly axis: Position;
   readonly anchor: "base" | "centre";
   readonly join: boolean;
+  /** Whether planar faces that overlap faces of the model are shared with it. */
+  readonly share: boolean;
 };
 
 /** What distinguishes a kind of solid piece. */
@@ -50,14 +55,19 @@ export function pieceOperation<Sizes extends FieldValues>(
       ...startOf(project, selection),
       anchor: "base" as const,
       join: true,
+      share: false,
     }),
-    fields: (values) => [
+    fields: (values, { project }) => [
       ...kind.fields,
       ...(kind.middle(values) > 0 ? [anchorField] : []),
       { kind: "position", key: "position", label: values.anchor === "base" ? texts.base : texts.centre },
       { kind: "direction", key: "axis", label: texts.axis },
       { kind: "switch", key: "join", label: texts.join },
+      ...(canShare(kind, project, values)
+        ? [{ kind: "switch", key: "share", label: texts.share } as const]
+        : []),
     ],
+    note: (values, subject) => noteOf(kind, values, subject),
     make: (subject, values) => makePiece(kind, subject, values),
   };
 }
@@ -72,14 +82,25 @@ const anchorField: FieldSpec = {
   ],
 };
 
-function makePiece<Sizes extends FieldValues>(
+/** A piece in a project: alone, and with shared faces. */
+interface Inserted {
+  readonly project: Project;
+  readonly alone: Pick<Imprint, "drawn" | "patches">;
+  readonly imprint: Imprint;
+}
+
+/** The piece that values gave last: its panel asks for it several times. */
+const known = new WeakMap<FieldValues, Inserted>();
+
+/** Adds a piece to the lists of a project. The values must be valid. */
+function insertPiece<Sizes extends FieldValues>(
   kind: PieceKind<Sizes>,
-  { project }: Subject,
+  project: Project,
   values: Sizes & PiecePlacement,
-): Offer {
+): Inserted {
+  const before = known.get(values);
+  if (before?.project === project) return before;
   const { position, axis, anchor, join } = values;
-  const reason = unit(axis) ? kind.refuse?.(values) : operationStrings.noDirection;
-  if (reason) return { possible: false, reason };
   const along = frameAlong(axis);
   const lift = anchor === "centre" ? -kind.middle(values) : 0;
   const origin = position.map((x, k) => x + (scale(along.z, lift)[k] ?? 0)) as unknown as Position;
@@ -92,9 +113,67 @@ function makePiece<Sizes extends FieldValues>(
     ...shape,
     patches: shape.patches.map((patch) => ({ ...patch, name: `${prefix} ${patch.name ?? ""}`.trim() })),
   };
-  const { edit, entities } = createShape(project, named, stepNames.add(kind.noun), { join });
-  if (!("change" in edit)) return { possible: false, reason: operationStrings.noDirection };
-  return { possible: true, creation: { entities, edit: { ...edit, ...withSizes(project, edit) } } };
+  const made = insertion(project, named, { join });
+  const drawn = withInsertion(project, made);
+  const imprint = imprinted({ ...project, ...drawn }, new Set(join ? made.patches.map(({ id }) => id) : []));
+  const patches = new Map(made.patchIds.map((id) => [id, imprint.patches.get(id) ?? [id]]));
+  const inserted = {
+    project,
+    alone: { drawn, patches: new Map(made.patchIds.map((id) => [id, [id]])) },
+    imprint: { ...imprint, patches },
+  };
+  known.set(values, inserted);
+  return inserted;
+}
+
+/** Returns whether a piece overlaps faces of the model that it can share. */
+function canShare<Sizes extends FieldValues>(
+  kind: PieceKind<Sizes>,
+  project: Project,
+  values: Sizes & PiecePlacement,
+): boolean {
+  return refusalOf(kind, values) === null && insertPiece(kind, project, values).imprint.shared > 0;
+}
+
+const refusalOf = <Sizes extends FieldValues>(
+  kind: PieceKind<Sizes>,
+  values: Sizes & PiecePlacement,
+): string | null => (unit(values.axis) ? (kind.refuse?.(values) ?? null) : operationStrings.noDirection);
+
+function makePiece<Sizes extends FieldValues>(
+  kind: PieceKind<Sizes>,
+  { project }: Subject,
+  values: Sizes & PiecePlacement,
+): Offer {
+  const reason = refusalOf(kind, values);
+  if (reason !== null) return { possible: false, reason };
+  const { alone, imprint } = insertPiece(kind, project, values);
+  const { drawn, patches } = values.share ? imprint : alone;
+  const ids = new Set([...patches.values()].flat());
+  const change: DraftEdit["change"] = (draft) => {
+    Object.assign(draft.project, drawn);
+  };
+  return {
+    possible: true,
+    creation: {
+      entities: [...ids].map((id) => ({ kind: "patch", id })),
+      edit: { label: stepNames.add(kind.noun), ...withSizes(project, { change }) },
+    },
+  };
+}
+
+/** Says which faces of the model a piece overlaps, and what becomes of them. */
+function noteOf<Sizes extends FieldValues>(
+  kind: PieceKind<Sizes>,
+  values: Sizes & PiecePlacement,
+  { project }: Subject,
+): string {
+  if (refusalOf(kind, values) !== null) return "";
+  const { shared, isIncomplete } = insertPiece(kind, project, values).imprint;
+  const { imprint } = operationStrings;
+  if (isIncomplete) return imprint.incomplete;
+  if (shared === 0) return "";
+  return values.share ? imprint.shared(shared) : imprint.overlaps(shared);
 }
 
 /** Returns the noun, with a number from 2 on if names begin with it: "box", "box 2". */

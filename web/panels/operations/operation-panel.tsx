@@ -20,6 +20,7 @@ export function OperationPanel() {
 function OperationForm({ open }: { readonly open: OpenOperation }) {
   const app = useApp();
   const { operation, values, subject, reason, entities } = open;
+  const note = operation.note?.(values, subject) ?? "";
   const box = useRef<HTMLElement>(null);
   useFirstFocus(box);
   const onKeyDown = (event: KeyboardEvent): void => {
@@ -43,9 +44,9 @@ function OperationForm({ open }: { readonly open: OpenOperation }) {
             <OperationField key={spec.key} spec={spec} open={open} />
           ))}
         </div>
-        {operation.note && (
+        {note !== "" && (
           <Text size="xs" c="dimmed" data-testid="operation-note">
-            {operation.note(values, subject)}
+            {note}
           </Text>
         )}
         <Text className={styles["result"]} role="status" data-refused={reason !== null || undefined}>
