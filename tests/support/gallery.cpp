@@ -151,16 +151,25 @@ GalleryModel modelOf(const Json& project) {
 
 }  // namespace
 
+GalleryModel readGalleryModel(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  GalleryModel read = modelOf(JsonReader(text.str()).value());
+  read.name = std::filesystem::path(path).stem().string();
+  return read;
+}
+
+#ifdef TETRAFRONT_GALLERY
+
 std::vector<GalleryModel> galleryModels() {
   std::vector<GalleryModel> models;
   for (const auto& entry : std::filesystem::directory_iterator(TETRAFRONT_GALLERY)) {
-    std::ostringstream text;
-    text << std::ifstream(entry.path()).rdbuf();
-    GalleryModel& read = models.emplace_back(modelOf(JsonReader(text.str()).value()));
-    read.name = entry.path().stem().string();
+    models.push_back(readGalleryModel(entry.path().string()));
   }
   std::ranges::sort(models, {}, &GalleryModel::name);
   return models;
 }
+
+#endif
 
 }  // namespace tetrafront::testing

@@ -15,6 +15,9 @@ struct GalleryModel {
   std::vector<std::string> patchNames;
 };
 
+/// Returns the drawn model of a project file, which must be valid. Throws std::exception if it cannot be read.
+GalleryModel readGalleryModel(const std::string& path);
+
 /// Returns all bundled models, sorted by name.
 std::vector<GalleryModel> galleryModels();
 

@@ -1,12 +1,19 @@
 import { execFileSync, spawnSync } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 
-import { createMesher, type SurfaceInput } from "tetrafront";
+import { createMesher, type Project, readProject, type SurfaceInput, writeProject } from "tetrafront";
 import { expect, test } from "vitest";
 
+import { cone } from "../../../web/document/pieces/cone.js";
+import { cylinder } from "../../../web/document/pieces/cylinder.js";
+import { sphere } from "../../../web/document/pieces/sphere.js";
+import { torus } from "../../../web/document/pieces/torus.js";
+import { placedIn } from "../../../web/document/shape.js";
+import { frameAlong } from "../../../web/document/vectors.js";
+import { projectOf } from "../../support/pieces.js";
 import { offFile } from "../../support/surface-files.js";
 import {
   boxSurface,
@@ -18,7 +25,10 @@ import {
   torusSurface,
 } from "../../support/surfaces.js";
 
-const fill = fileURLToPath(new URL("../../../build/release/fill", import.meta.url));
+const program = (name: string): string =>
+  fileURLToPath(new URL(`../../../build/release/${name}`, import.meta.url));
+const fill = program("fill");
+const meshModel = program("mesh_model");
 
 /** Returns the fingerprint of the mesh that the native program makes from a surface. */
 function nativeFingerprint(surface: SurfaceInput, ...options: string[]): string | undefined {
@@ -28,6 +38,20 @@ function nativeFingerprint(surface: SurfaceInput, ...options: string[]): string 
     writeFileSync(file, offFile(surface));
     return /fingerprint ([0-9a-f]{16})/i.exec(
       execFileSync(fill, [file, ...options], { encoding: "utf8" }),
+    )?.[1];
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+}
+
+/** Returns the fingerprint of the mesh that the native program makes from a drawn model, in a uniform size. */
+function nativeModelFingerprint(project: Project, size: number): string | undefined {
+  const folder = mkdtempSync(path.join(tmpdir(), "tetrafront-"));
+  try {
+    const file = path.join(folder, "model.json");
+    writeFileSync(file, writeProject(project));
+    return /fingerprint ([0-9a-f]{16})/.exec(
+      execFileSync(meshModel, [file, String(size)], { encoding: "utf8" }),
     )?.[1];
   } finally {
     rmSync(folder, { recursive: true, force: true });
@@ -112,4 +136,31 @@ test.each<[string, SurfaceInput, number]>([
   expect(report.status).toBe("done");
   const fingerprint = nativeFingerprint(surface, `--max-volume=${maxVolume}`);
   expect(fingerprint?.toLowerCase()).toBe(report.fingerprint);
+});
+
+function sampleModel(id: string): Project {
+  const read = readProject(
+    readFileSync(new URL(`../../../public/models/${id}.json`, import.meta.url), "utf8"),
+  );
+  if (!read.success) throw new Error(read.errors[0].message);
+  return read.value;
+}
+
+/** Positions that are no round numbers, along no axis. */
+const tilted = frameAlong([1, 2, 3], [0.1, -0.7, 1 / 3]);
+
+test.each<[string, Project, number]>([
+  ["a cylinder, of circles and tubes", projectOf([placedIn(cylinder(1, 0.7, 2), tilted)], 0.3), 0.3],
+  ["a cone, of arcs", projectOf([placedIn(cone(1, 2), tilted)], 0.3), 0.3],
+  ["a sphere, of arcs", projectOf([placedIn(sphere(1), tilted)], 0.3), 0.3],
+  ["a sector of a ring, of arcs", projectOf([placedIn(torus(2, 0.7, 100), tilted)], 0.35), 0.35],
+  ["the pipe flange of the gallery, of circles", sampleModel("pipe-flange"), 0.2],
+])("%s, gets the same mesh bit for bit from both", async (_, project, size) => {
+  const curved = project.lines.filter(({ type }) => type === "arc" || type === "circle");
+  expect(curved.length).toBeGreaterThan(0);
+  const mesher = await createMesher();
+  const { report } = await mesher.meshProject({ ...project, meshing: { size } });
+  mesher.dispose();
+  expect(report.status).toBe("done");
+  expect(nativeModelFingerprint(project, size)).toBe(report.fingerprint);
 });
