@@ -6,6 +6,17 @@
 namespace tetrafront::border {
 namespace {
 
+void record(MeshRun& run) { recordFront(run); }
+
+/// Before the first call of advance().
+void experimentOn(Run& run, bool relaxation, double tolerance, bool linearSearch) {
+  run.call(0, [&](MeshRun& mesh) {
+    recordFront(mesh,
+                {.relaxation = relaxation, .tolerance = tolerance, .linearSearch = linearSearch});
+    return 0;
+  });
+}
+
 std::string frontFingerprintOf(Run& run) {
   return run.call(std::string(), [](MeshRun& mesh) { return toHex(mesh.frontFingerprint()); });
 }
@@ -22,7 +33,8 @@ EMSCRIPTEN_BINDINGS(trace) {
   using namespace tetrafront::border;
 
   registerTypes<std::vector<std::uint8_t>>();
-  registerRuns<recordFront>()
+  registerRuns<record>()
+      .function("experiment", &experimentOn)
       .function("takeTrace", &Run::read<&MeshRun::takeTrace>)
       .function("frontFingerprint", &frontFingerprintOf)
       .function("recordedSteps", &recordedStepsOf);

@@ -2,6 +2,7 @@
 
 #include "mesh_run.h"
 
+#include "optimize/sweep_recorder.h"
 #include "tetrafront/trace.h"
 #include "volume/recorded_stage.h"
 
@@ -51,6 +52,8 @@ std::vector<std::uint8_t> MeshRun::takeTrace() { return impl_->takeTrace(); }
 std::uint64_t MeshRun::recordedSteps() const { return impl_->recordedSteps(); }
 std::uint64_t MeshRun::frontFingerprint() const { return impl_->frontFingerprint(); }
 
-void recordFront(MeshRun& run) { run.impl_->record(makeRecordedStage); }
+void recordFront(MeshRun& run, const FrontExperiment& experiment) {
+  run.impl_->record(makeRecordedStage, makeSweepRecorder, experiment);
+}
 
 }  // namespace tetrafront

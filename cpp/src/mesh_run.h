@@ -15,6 +15,7 @@
 #include "base/task.h"
 #include "field/size_field.h"
 #include "optimize/optimizer.h"
+#include "optimize/sweep_observer.h"
 #include "optimize/volume_limiter.h"
 #include "quality/metrics.h"
 #include "surface/surface_trace.h"
@@ -100,8 +101,10 @@ class MeshRun::Impl {
   }
 
   /// Records the steps of a run that has not begun. Only callers of this function need the code that records.
-  void record(MakeVolumeStage make) {
+  void record(MakeVolumeStage make, MakeSweepObserver observe, const FrontExperiment& experiment) {
+    experiment_ = experiment;
     makeFront_ = make;
+    makeObserver_ = observe;
     meshSurface_ = &Impl::meshSurface<RecordingSurfaceTrace>;
     records_ = true;
   }
@@ -182,12 +185,15 @@ class MeshRun::Impl {
   std::uint32_t expectedTetrahedra_ = 0;
   Task<bool> (Impl::*meshSurface_)(Work&) = &Impl::meshSurface<NullSurfaceTrace>;
   MakeVolumeStage makeFront_ = makeStage;
+  MakeSweepObserver makeObserver_ = nullptr;
   bool records_ = false;
   StepRecorder recorder_;
+  FrontExperiment experiment_;
   std::uint64_t frontFingerprint_ = 0;
-  std::unique_ptr<VolumeStage> front_;      ///< while it fills
-  std::optional<MeshOptimizer> optimizer_;  ///< while it optimizes
-  std::optional<VolumeLimiter> limiter_;    ///< while it splits large elements
+  std::unique_ptr<VolumeStage> front_;       ///< while it fills
+  std::unique_ptr<SweepObserver> observer_;  ///< of the optimizer, if the run is recorded
+  std::optional<MeshOptimizer> optimizer_;   ///< while it optimizes
+  std::optional<VolumeLimiter> limiter_;     ///< while it splits large elements
   bool hasFoundNothingBetter_ = false;
   VolumeMesh mesh_;  ///< at all other times
   RecoverySummary recovery_;

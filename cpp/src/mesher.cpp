@@ -227,7 +227,7 @@ bool MeshRun::Impl::limitElements() {
 
 Task<MeshStatus> MeshRun::Impl::fill(Work& work) {
   std::optional<std::uint32_t> section;
-  front_ = makeFront_(surface_, *field_, options_, recorder_);
+  front_ = makeFront_(surface_, *field_, options_, recorder_, experiment_);
   MeshStatus status = front_->advance(work.remaining());
   for (; status == MeshStatus::kRunning; status = front_->advance(work.remaining())) {
     followFront(work, section);
@@ -283,6 +283,10 @@ Task<> MeshRun::Impl::optimize(Work& work) {
   }
   work.beginPart(1.0);
   optimizer_.emplace(std::exchange(mesh_, {}), boundaryNodes(), *field_, options_.optimization);
+  if (makeObserver_ != nullptr) {
+    observer_ = makeObserver_(recorder_.bytes());
+    optimizer_->observe(*observer_);
+  }
   co_await work.finish(*optimizer_);
   hasFoundNothingBetter_ = optimizer_->hasFoundNothingBetter();
   keepUnfinished();

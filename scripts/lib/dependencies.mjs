@@ -30,6 +30,7 @@ const PUBLIC_HEADERS = {
   "diagnostic_values.h": "base",
   "mesh.h": "base",
   "options.h": "field",
+  "experiment.h": "volume",
   "background_grid.h": "field",
   "grid_from_mesh.h": "field",
   "model.h": "model",

@@ -381,7 +381,7 @@ TEST(VolumeMesher, TracingRecordsEveryStepAndChangesNothing) {
   const SizeField field = ownSizes(surface);
   StepRecorder recorder;
   const Outcome plain = fill(surface, field);
-  const Outcome traced = fill(surface, field, {}, 5000, RecordingTrace{&recorder});
+  const Outcome traced = fill(surface, field, {}, 5000, RecordingTrace{&recorder, {}});
   EXPECT_EQ(traced.fingerprint(), plain.fingerprint());
   const StepCounts& counts = recorder.counts();
   EXPECT_EQ(counts.steps, traced.counters.pops);

@@ -344,3 +344,56 @@ test("the reader chooses nodes of a patch, is judged, and sees what a wrong one 
   await page.getByTestId("game-toggle").click();
   await expect(page.getByTestId("plane-zoom")).toBeVisible();
 });
+
+test("after the last step come the sweeps of the optimizer, whose poor elements the view shows", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByTestId("tab-front").click();
+  await page.getByTestId("player-record").click();
+  await expect(app.viewport).toHaveAttribute("data-step", "0");
+  const sweeps = page.getByTestId("sweeps");
+  await expect(sweeps).toHaveCount(0);
+  await page.getByTestId("player-end").click();
+  const count = Number(await sweeps.getAttribute("data-sweeps"));
+  expect(count).toBeGreaterThan(10);
+  await expect(sweeps.getByRole("row")).toHaveCount(count + 2);
+  const poorAfter = async (sweep: number): Promise<number> => {
+    await page.getByTestId(`sweep-${sweep}`).click();
+    await expect(sweeps).toHaveAttribute("data-sweep", String(sweep));
+    const text = (await page.getByTestId("sweeps-hint").textContent()) ?? "";
+    return text.startsWith("No element") ? 0 : Number(text.replace(/ .*/, "").replaceAll(",", ""));
+  };
+  expect(await poorAfter(0)).toBeGreaterThan(20);
+  expect(await poorAfter(count)).toBe(0);
+  expect(await violations(page)).toEqual([]);
+  // The same row again, or another step, shows the front.
+  await page.getByTestId(`sweep-${count}`).click();
+  await expect(sweeps).toHaveAttribute("data-sweep", "");
+  await page.getByTestId("player-back").click();
+  await expect(sweeps).toHaveCount(0);
+  await expect(page.getByTestId("lens-sentence")).toBeVisible();
+});
+
+test("stepping back in the game of the volume leads to the question before", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByTestId("tab-front").click();
+  await page.getByTestId("player-record").click();
+  await expect(app.viewport).toHaveAttribute("data-step", "0");
+  await page.getByTestId("volume-game-toggle").click();
+  const step = async (): Promise<number> => Number(await app.viewport.getAttribute("data-step"));
+  await expect(page.getByTestId("volume-choice-new")).toBeVisible();
+  const seen = [await step()];
+  for (let question = 1; question < 8; question++) {
+    await page.getByTestId("player-forward").click();
+    await expect.poll(step).toBeGreaterThan(seen.at(-1) ?? 0);
+    seen.push(await step());
+  }
+  // Questions lie on some states only: the game goes back over the same ones.
+  for (const before of seen.slice(0, -1).reverse()) {
+    await page.getByTestId("player-back").click();
+    await expect(app.viewport).toHaveAttribute("data-step", String(before));
+  }
+});

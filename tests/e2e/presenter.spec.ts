@@ -37,6 +37,32 @@ test("presenter mode has larger type and a laser pointer that takes no clicks", 
   expect(await heightOf(page)).toBe(before);
 });
 
+test("presenter mode keeps the view and a game, and gives its room to the panels", async ({ page }) => {
+  await openLesson(page, 5);
+  await page.getByTestId("volume-game-toggle").click();
+  await page.getByTestId("volume-game").locator("[data-testid^=volume-choice-]").first().click();
+  const score = await page.getByTestId("volume-game-score").textContent();
+  const viewport = page.getByTestId("viewport");
+  const step = (await viewport.getAttribute("data-step")) ?? "";
+  const canvas = viewport.locator("canvas").first();
+  // A view that is made anew, with another camera, has another canvas.
+  await canvas.evaluate((element) => element.setAttribute("data-seen", "before"));
+  const width = (await page.getByTestId("lesson-page").boundingBox())?.width ?? 0;
+  await page.getByRole("menuitem", { name: "Help" }).click();
+  await page.getByRole("menuitemcheckbox", { name: "Presenter mode" }).click();
+  await expect(page.getByTestId("presenter")).toBeVisible();
+  await expect(canvas).toHaveAttribute("data-seen", "before");
+  await expect(page.getByTestId("volume-game-score")).toHaveText(score ?? "");
+  await expect(viewport).toHaveAttribute("data-step", step);
+  await expect(page.getByRole("complementary", { name: "Model", exact: true })).toBeHidden();
+  expect((await page.getByTestId("lesson-page").boundingBox())?.width).toBeGreaterThan(1.2 * width);
+  await page.getByTestId("presenter-end").click();
+  await expect(canvas).toHaveAttribute("data-seen", "before");
+  await expect(page.getByTestId("volume-game-score")).toHaveText(score ?? "");
+  await expect(page.getByRole("complementary", { name: "Model", exact: true })).toBeVisible();
+  expect((await page.getByTestId("lesson-page").boundingBox())?.width).toBeCloseTo(width, 0);
+});
+
 test("a lesson is printed with its text, the view, its figures and tasks, and nothing else", async ({
   page,
 }) => {
@@ -45,6 +71,7 @@ test("a lesson is printed with its text, the view, its figures and tasks, and no
     window.print = () => window.dispatchEvent(new Event("beforeprint"));
   });
   await openLesson(page, 8);
+  await expect(page.getByTestId("queue-figure")).toBeVisible();
   await page.getByTestId("lesson-print").click();
   const sheet = page.getByTestId("printed-lesson");
   await expect(sheet).toBeHidden();

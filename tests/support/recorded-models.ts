@@ -1,6 +1,16 @@
 /** Recorded runs of the models of the gallery. */
 import { readdirSync, readFileSync } from "node:fs";
-import { type Mesher, type MeshResult, readProject, readTrace, recordTrace, type Trace } from "tetrafront";
+import {
+  createMesher,
+  type Mesher,
+  type MeshResult,
+  type Project,
+  readProject,
+  readTrace,
+  recordTrace,
+  type RecordingOptions,
+  type Trace,
+} from "tetrafront";
 
 const models = new URL("../../public/models/", import.meta.url);
 
@@ -15,14 +25,37 @@ export interface RecordedModel {
   readonly result: MeshResult;
 }
 
-/** Records a model until the front of its volume begins. */
-export async function recordSurface(mesher: Mesher, id: string): Promise<RecordedModel> {
+/** Returns a model of the gallery. */
+export function galleryProject(id: string): Project {
   const project = readProject(readFileSync(new URL(`${id}.json`, models), "utf8"));
   if (!project.success) throw new Error(project.errors[0].message);
+  return project.value;
+}
+
+/** Reads a trace that was recorded, and fails if there is none. */
+export function tracedIn(bytes: Uint8Array | undefined): Trace {
+  const read = readTrace(bytes ?? new Uint8Array());
+  if (!read.success) throw new Error(read.errors[0].message);
+  return read.value;
+}
+
+/** Records the front of a project with a mesher of its own, by default without the optimizer. */
+export async function recordFront(project: Project, options: RecordingOptions = {}): Promise<Trace> {
+  const mesher = await createMesher();
+  try {
+    const { trace } = await recordTrace(mesher, project, { optimization: "none", ...options });
+    return tracedIn(trace);
+  } finally {
+    mesher.dispose();
+  }
+}
+
+/** Records a model until the front of its volume begins. */
+export async function recordSurface(mesher: Mesher, id: string): Promise<RecordedModel> {
   const stop = new AbortController();
   const { result, trace: bytes } = await recordTrace(
     mesher,
-    project.value,
+    galleryProject(id),
     { optimization: "none" },
     {
       signal: stop.signal,
@@ -32,7 +65,5 @@ export async function recordSurface(mesher: Mesher, id: string): Promise<Recorde
     },
   );
   if (bytes === undefined) throw new Error(`nothing was recorded of ${id}`);
-  const read = readTrace(bytes);
-  if (!read.success) throw new Error(read.errors[0].message);
-  return { bytes, trace: read.value, result };
+  return { bytes, trace: tracedIn(bytes), result };
 }

@@ -66,8 +66,11 @@ export type { SurfaceFile } from "./formats/surface-file.js";
 export { unusedData, volumeBackground } from "./api/volume-background.js";
 export type { VolumeFile } from "./formats/volume-file.js";
 export { loadTrace, readTrace, type LoadTraceOptions } from "./trace/read-trace.js";
-export type { Trace, TraceSummary } from "./trace/trace.js";
+export type { OptimizationSummary, Trace, TraceSummary } from "./trace/trace.js";
+export type { SweptMesh, TracedOptimization } from "./trace/optimization.js";
+export type { SweepMeasures, TracedSweep } from "./trace/sweep-events.js";
 export type { TraceHeader } from "./trace/header.js";
+export { FRONT_SEARCHES, type FrontExperiment, type FrontSearch } from "./trace/experiment.js";
 export type { LinesSummary, PatchesSummary, SurfaceTrace, TriedCandidates } from "./trace/surface-trace.js";
 export type { PlaneSample, Triple } from "./trace/surface-events.js";
 export type {
@@ -103,6 +106,8 @@ export {
   type Refusal,
   REFUSALS,
   STATION_ENDS,
+  SWEEP_KINDS,
+  type SweepKind,
   type StationEnd,
   TRACE_STATUSES,
   type TraceStatus,

@@ -11,7 +11,7 @@ const canRecord = (app: App): boolean =>
 /** Records the front of the present model; the tab shows the progress. */
 function recordFront(app: App): void {
   app.shell.setState({ bottomTab: "front", drawer: "bottom" });
-  void app.player.record();
+  void app.player.record({ optimizes: true });
 }
 
 /** The commands of the recorded front, in the menu of the mesh. */

@@ -141,7 +141,7 @@ export async function compareRun(app: App, order: FrontOrder): Promise<boolean> 
 /** Records the front of the model of a lesson in another order, and shows it. Returns whether this has succeeded. */
 async function addRun(app: App, lesson: Lesson, order: FrontOrder): Promise<boolean> {
   const store = lessonRuns(app);
-  const recorded = await app.player.record(order);
+  const recorded = await app.player.record({ order });
   if (store.getState().lesson !== lesson || recorded?.kind !== "recorded") return false;
   const others = store.getState().runs.filter((run) => run.order !== order);
   store.setState({ runs: [...others, runOf(order, recorded)] });

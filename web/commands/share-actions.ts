@@ -24,7 +24,7 @@ export async function showShared(app: App, shared: SharedFront): Promise<void> {
   app.shell.setState({ bottomTab: "front" });
   app.run.cancel();
   await runEnd(app);
-  const recorded = await app.player.record(shared.order ?? undefined);
+  const recorded = await app.player.record({ order: shared.order ?? undefined });
   if (recorded?.kind !== "recorded") return;
   const { player } = app;
   player.state.setState({ coloring: shared.coloring });

@@ -32,6 +32,9 @@ export interface QueueWork {
 /** Steps between two states that are kept, from which others are replayed. */
 const keptEvery = 1024;
 
+/** Faces or steps that are prepared between two looks at the clock. */
+const workPerCheck = 256;
+
 /** The heap after each step of a trace. */
 export class FrontQueue {
   /** Faces in the order of the heap: the children of entry i are entries 2 i + 1 and 2 i + 2. */
@@ -40,6 +43,9 @@ export class FrontQueue {
   /** Parts of the rank per face. */
   readonly #sizes: Float64Array;
   readonly #layers: Uint32Array;
+  /** Faces and steps that are prepared. */
+  #rankedFaces = 0;
+  #readSteps = 0;
   /** Rule classes of the few faces that have failed. */
   #ruleClasses = new Map<number, number>();
   /** States that were kept, by their step divided by `keptEvery`. */
@@ -56,21 +62,31 @@ export class FrontQueue {
 
   constructor(trace: Trace) {
     this.#trace = trace;
-    const { born } = trace.faces;
+    this.#sizes = new Float64Array(trace.faces.born.length);
+    this.#layers = new Uint32Array(trace.faces.born.length);
+  }
+
+  /** Ranks the next face, or notes the base of the next step; false when all are prepared. */
+  #prepare(): boolean {
+    const trace = this.#trace;
     const { order } = trace.header;
-    this.#sizes = Float64Array.from(born, (_, face) => {
+    const face = this.#rankedFaces;
+    if (face < this.#sizes.length) {
       const size = Math.fround(faceSize(trace, face));
-      if (order === "layered") return bucketOf(size, typicalSizeOf(trace, face));
-      return order === "smallest-first" ? size : 0;
-    });
-    this.#layers = Uint32Array.from(born, (_, face) => (order === "layered" ? layersOf(trace, face) : 0));
-    for (let step = 1; step <= trace.stepCount; step++) {
-      const face = trace.steps.bases[step] ?? born.length;
-      if (face >= born.length) continue;
-      const steps = this.#baseSteps.get(face);
-      if (steps) steps.push(step);
-      else this.#baseSteps.set(face, [step]);
+      const bucket = order === "layered" ? bucketOf(size, typicalSizeOf(trace, face)) : 0;
+      this.#sizes[face] = order === "smallest-first" ? size : bucket;
+      this.#layers[face] = order === "layered" ? layersOf(trace, face) : 0;
+      this.#rankedFaces++;
+      return true;
     }
+    if (this.#readSteps === trace.stepCount) return false;
+    const step = ++this.#readSteps;
+    const base = trace.steps.bases[step] ?? this.#sizes.length;
+    if (base >= this.#sizes.length) return true;
+    const steps = this.#baseSteps.get(base);
+    if (steps) steps.push(step);
+    else this.#baseSteps.set(base, [step]);
+    return true;
   }
 
   /** What the step shown has done; null in the first state, and in steps of recovery. */
@@ -80,11 +96,23 @@ export class FrontQueue {
 
   /** Shows the queue after a step. O((steps between + faces) log faces), with at most `keptEvery` steps if it was there before. */
   show(step: number): void {
+    this.showWithin(step, Infinity);
+  }
+
+  /** Works towards the queue after a step for about `milliseconds`; returns true once it is shown. */
+  showWithin(step: number, milliseconds: number): boolean {
+    const end = performance.now() + milliseconds;
+    const isLate = (): boolean => performance.now() > end;
+    for (let done = 1; this.#prepare(); done++) if (done % workPerCheck === 0 && isLate()) return false;
     // One step is replayed at least: a kept state does not know what its step has done.
     const kept = Math.max(0, Math.floor((step - 1) / keptEvery));
     if (step < this.#step || this.#step < 0 || (this.#kept.has(kept) && this.#step < kept * keptEvery))
       this.#restore(kept);
-    while (this.#step < step) this.#advance();
+    while (this.#step < step) {
+      this.#advance();
+      if (isLate()) return this.#step === step;
+    }
+    return true;
   }
 
   /** What a face is ordered by at present. */

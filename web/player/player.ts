@@ -1,4 +1,4 @@
-import { loadTrace, type FrontOrder, type Mesher, type Progress, type Trace } from "tetrafront";
+import { loadTrace, type Mesher, type Progress, type Trace } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { settledProject, type DocumentStore } from "../session/document-store";
 import { failureText } from "../session/failure-text";
@@ -7,7 +7,7 @@ import { entityLabels, type EntityLabels } from "./entity-labels";
 import type { FrontColoring } from "./front-values";
 import { firstState, phaseEnd, phaseStart } from "./phases";
 import { Playback } from "./playback";
-import { recordProject, type PreparedOf, type Recorded } from "./recording";
+import { recordProject, type PreparedOf, type Recorded, type RecordingChoices } from "./recording";
 import { nextStop, refusedIn, type Stop } from "./stops";
 import type { VolumeTask } from "./volume-game";
 
@@ -53,6 +53,10 @@ export interface PlayerState {
   readonly candidate: number | null;
   /** Whether the view shows the search region of the step. */
   readonly showsRegion: boolean;
+  /**
+   * The sweep of the optimizer whose mesh is shown, from 1; 0 for the mesh of the front; null if the front is shown.
+   */
+  readonly sweep: number | null;
   /** What "Be the mesher" asks in the volume; null if it is not played. */
   readonly task: VolumeTask | null;
   /** Whether the view follows the base face. */
@@ -90,6 +94,7 @@ const initialState: PlayerState = {
   elements: "recent",
   candidate: null,
   showsRegion: false,
+  sweep: null,
   task: null,
   follows: false,
 };
@@ -128,10 +133,10 @@ export class Player {
   }
 
   /**
-   * Meshes the present model with the options of Generate mesh, and shows the trace of its front. `order` replaces the
-   * order of the model. Returns null if a recording is under way, or if another document, run or trace has ended this one.
+   * Meshes the present model with the options of Generate mesh or those of `choices`, and shows the trace of its front.
+   * Returns null if a recording is under way, or if another document, run or trace has ended this one.
    */
-  async record(order?: FrontOrder): Promise<Recorded | null> {
+  async record(choices: RecordingChoices = {}): Promise<Recorded | null> {
     if (this.#abort) return null;
     const abort = (this.#abort = new AbortController());
     this.close();
@@ -141,12 +146,9 @@ export class Player {
       if (this.#abort !== abort) return;
       this.state.setState({ recording: { progress, isStopping: abort.signal.aborted } });
     };
-    const present = settledProject(documents.state.getState());
-    const project = order ? { ...present, meshing: { ...present.meshing, order } } : present;
-    const recorded = await recordProject(await mesher, project, preparedOf, {
-      signal: abort.signal,
-      onProgress,
-    });
+    const project = settledProject(documents.state.getState());
+    const control = { signal: abort.signal, onProgress };
+    const recorded = await recordProject(await mesher, project, preparedOf, choices, control);
     // Another document was opened, or a run was started.
     if (this.#abort !== abort) return null;
     this.#abort = null;
@@ -220,7 +222,7 @@ export class Player {
     this.#soughtAt = now;
     clearTimeout(this.#settling);
     if (isScrubbed) this.#settling = setTimeout(() => this.#settle(), settledMs);
-    this.state.setState({ step: to, candidate: null, ...(!isScrubbed && { lensStep: to }) });
+    this.state.setState({ step: to, candidate: null, sweep: null, ...(!isScrubbed && { lensStep: to }) });
   }
 
   /** Lets the lens show the present state. */
@@ -333,6 +335,7 @@ export class Player {
       lensStep: 0,
       loop: null,
       candidate: null,
+      sweep: null,
       failure: null,
     });
   }

@@ -1,5 +1,7 @@
 import {
   recordTrace,
+  type FrontExperiment,
+  type FrontOrder,
   type Mesher,
   type MeshReport,
   type PreparedBody,
@@ -14,6 +16,17 @@ import { remedyInApp } from "../strings";
 /** Returns the triangles of bodies that are already made. */
 export type PreparedOf = (project: Project) => readonly PreparedBody[];
 
+/** What is recorded instead of what the model says. */
+export interface RecordingChoices {
+  readonly order?: FrontOrder | undefined;
+  /** Changes to the rules of the front. */
+  readonly experiment?: FrontExperiment | undefined;
+  /** False skips cheap tests for crossings. */
+  readonly filters?: boolean | undefined;
+  /** Whether the optimizer's sweeps are recorded too, which takes longer. Default false. */
+  readonly optimizes?: boolean | undefined;
+}
+
 export interface FailedRecording {
   readonly kind: "failed";
   readonly reasons: readonly string[];
@@ -25,18 +38,19 @@ export type Recorded = (RecordedFile & { readonly trace: Trace }) | FailedRecord
 export interface RecordedFile {
   readonly kind: "recorded";
   readonly file: Uint8Array<ArrayBuffer>;
-  /** The mesh of the front, before any optimization. */
+  /** Of the mesh of the front, or of the optimized one if that was asked for. */
   readonly report: MeshReport;
 }
 
 /**
- * Meshes a project as Generate mesh does, but without the optimization, which is not part of a trace. Resolves in
+ * Meshes a project as Generate mesh does, or with other rules; without the optimization unless it is asked for. Resolves in
  * any case; a recording that was stopped has the steps made until then.
  */
 export async function recordProject(
   mesher: Mesher,
   project: Project,
   preparedOf: PreparedOf,
+  { order, experiment, filters, optimizes = false }: RecordingChoices,
   control: RunControl,
 ): Promise<RecordedFile | FailedRecording> {
   const [input, options] = engineInput(project);
@@ -45,7 +59,14 @@ export async function recordProject(
     const { result, trace: file } = await recordTrace(
       mesher,
       input,
-      { ...options, ...(preparedBodies.length > 0 && { preparedBodies }), optimization: "none" },
+      {
+        ...options,
+        ...(preparedBodies.length > 0 && { preparedBodies }),
+        ...(order && { order }),
+        ...(filters !== undefined && { filters }),
+        ...(!optimizes && { optimization: "none" }),
+        experiment,
+      },
       control,
     );
     if (!file) {

@@ -58,8 +58,8 @@ export class ReplayLayer implements Layer {
   }
 
   /** Shows a state of the player; nothing before the volume. The cost of a few steps is that of their faces. */
-  show({ step, coloring, faces, elements }: PlayerState): void {
-    this.root.visible = step >= 0;
+  show({ step, sweep, coloring, faces, elements }: PlayerState): void {
+    this.root.visible = step >= 0 && sweep === null;
     if (step < 0) return;
     if (coloring !== this.#coloring) {
       this.#coloring = coloring;

@@ -8,6 +8,7 @@ import { surfaceState } from "./phases";
 import { ReplayLayer } from "./replay-layer";
 import { searchRegionOf } from "./search-region";
 import { SurfaceLayer } from "./surface-layer";
+import { SweepLayer } from "./sweep-layer";
 import { chosenCandidate, type VolumeTask } from "./volume-game";
 import type { Viewer } from "../viewer/viewer";
 
@@ -41,15 +42,21 @@ export function showPlayer(player: StoreApi<PlayerState>, viewer: Viewer): () =>
 function drawTrace(trace: Trace, viewer: Viewer) {
   const replay = new ReplayLayer(trace);
   const lens = new LensLayer();
+  const sweeps = new SweepLayer(trace);
   const surface = new SurfaceLayer(trace);
-  const ends = [replay, surface, lens].map((layer) => viewer.addLayer(layer));
+  const ends = [replay, surface, sweeps, lens].map((layer) => viewer.addLayer(layer));
   return {
     show: (state: PlayerState): void => {
       replay.show(state);
       surface.show(surfaceState(trace, state.step));
+      sweeps.show(state.sweep);
       // While the front is played or scrubbed, only its faces change.
       const isMoving = state.isPlaying || state.step !== state.lensStep;
-      const scene = state.task ? taskScene(trace, state.task) : isMoving ? null : lensScene(trace, state);
+      const scene = state.task
+        ? taskScene(trace, state.task)
+        : isMoving || state.sweep !== null
+          ? null
+          : lensScene(trace, state);
       lens.show(scene);
       if (state.follows && scene) viewer.fitPosition(cornersOf(trace, scene.step.face)[0]);
       viewer.requestFrame();

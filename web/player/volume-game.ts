@@ -31,12 +31,17 @@ export interface VolumeTask {
 }
 
 /**
- * Returns the next base face after a state that suits a level, as `nextQuestion` of the patches. Local remeshing, which
- * fills a pocket again, is left out. O(steps between).
+ * Returns the next base face after a state that suits a level, as `nextQuestion` of the patches; with direction -1 the last
+ * one whose step begins in that state or before. Local remeshing, which fills a pocket again, is left out. O(steps between).
  */
-export function nextVolumeQuestion(trace: Trace, state: number, level: GameLevel): VolumeQuestion | null {
+export function nextVolumeQuestion(
+  trace: Trace,
+  state: number,
+  level: GameLevel,
+  direction: 1 | -1 = 1,
+): VolumeQuestion | null {
   const { outcomes, firstCandidates, candidateVerdicts } = trace.steps;
-  for (let at = Math.max(0, state) + 1; at <= trace.stepCount; at++) {
+  for (let at = Math.max(0, state) + 1; at >= 1 && at <= trace.stepCount; at += direction) {
     if (outcomes[at] !== 0) continue;
     const verdicts = candidateVerdicts.subarray(firstCandidates[at], firstCandidates[at + 1]);
     const hasRefused = verdicts.some((verdict) => verdict < REFUSALS.length);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tetrafront/background_grid.h"
+#include "tetrafront/experiment.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/model.h"
 #include "tetrafront/options.h"
@@ -100,7 +101,7 @@ class MeshRun {
 
  private:
   class Impl;
-  friend void recordFront(MeshRun& run);
+  friend void recordFront(MeshRun& run, const FrontExperiment& experiment);
   std::unique_ptr<Impl> impl_;
 };
 

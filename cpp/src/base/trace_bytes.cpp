@@ -54,6 +54,15 @@ void TraceBytes::offset(const Vec3& from, const Vec3& to) {
   for (int axis = 0; axis < 3; ++axis) shortNumber(to[axis] - from[axis]);
 }
 
+void TraceBytes::indices(std::span<const std::uint32_t> ascending) {
+  varint(ascending.size());
+  std::uint32_t before = 0;
+  for (const std::uint32_t index : ascending) {
+    varint(index - before);
+    before = index;
+  }
+}
+
 std::vector<std::uint8_t> TraceBytes::take() { return std::exchange(bytes_, {}); }
 
 }  // namespace tetrafront

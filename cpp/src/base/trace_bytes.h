@@ -3,6 +3,7 @@
 /// @file The numbers of a trace (docs/TRACE.md), for the recorders of surfaces and of volumes.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "tetrafront/vec3.h"
@@ -29,6 +30,8 @@ class TraceBytes {
   void score(double value);
   void position(const Vec3& at);
   void offset(const Vec3& from, const Vec3& to);
+  /// Writes a list of ascending indices: its length, then each minus the one before it.
+  void indices(std::span<const std::uint32_t> ascending);
   /// Returns what was written since the last call.
   std::vector<std::uint8_t> take();
 

@@ -8,6 +8,7 @@
 #include "optimize/mesh_score.h"
 #include "optimize/mesh_costs.h"
 #include "optimize/schedule.h"
+#include "optimize/sweep_observer.h"
 #include "optimize/sweeps.h"
 #include "optimize/tet_complex.h"
 
@@ -52,11 +53,15 @@ class MeshOptimizer::AnySpace {
   virtual ~AnySpace() = default;
 
   virtual bool advance(std::uint32_t budget) = 0;
+  void observe(SweepObserver& observer) { observer_ = &observer; }
   [[nodiscard]] virtual double fraction() const = 0;
   [[nodiscard]] virtual std::size_t elementCount() const = 0;
   [[nodiscard]] virtual VolumeMesh mesh() const = 0;
   [[nodiscard]] virtual std::size_t pointCount() const = 0;
   [[nodiscard]] virtual bool hasFoundNothingBetter() const = 0;
+
+ protected:
+  SweepObserver* observer_ = nullptr;
 };
 
 /// Executes the schedule. Each step queries the size field if necessary, recomputes the elements'
@@ -141,6 +146,7 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
     isBuilt_ = true;
     freeNodes_ = complex_.freeNodeCount();
     if (complex_.elementCount() == 0) schedule_.clear();
+    if (observer_ != nullptr && !isDone()) observer_->begun(complex_);
     turnToStep(0);
     return budget;
   }
@@ -157,7 +163,10 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
     while (!isDone() && isLeftOut()) ++step_;
     repeats_ = 0;
     isUnderWay_ = false;
-    if (isDone()) return;
+    if (isDone()) {
+      if (observer_ != nullptr && kept_) observer_->restored();
+      return;
+    }
     if (step().costBasis == CostBasis::kTargets) {
       if (improvementBegan_ == 0) improvementBegan_ = complex_.pass() + 1;
       sweeps_.improvements().begin(step());
@@ -255,6 +264,7 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
   std::size_t sweepSome(std::uint32_t budget) {
     const std::size_t done = sweeps_.advance(budget);
     if (!sweeps_.isDone()) return done;
+    if (observer_ != nullptr) observer_->swept(step().sweeps[sweep_], complex_);
     freeNodes_ = complex_.freeNodeCount();
     if (++sweep_ < step().sweeps.size()) {
       sweeps_.begin(step().sweeps[sweep_]);
@@ -313,6 +323,7 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
       case Purpose::kKeep:
         keptScore_ = sweeps_.score();
         kept_ = complex_.toMesh();
+        if (observer_ != nullptr) observer_->kept();
         return;
       case Purpose::kGiveUp:
         isHopeless_ = sweeps_.score().isHopelessBeside(keptScore_);
@@ -384,6 +395,7 @@ MeshOptimizer::MeshOptimizer(MeshOptimizer&&) noexcept = default;
 MeshOptimizer& MeshOptimizer::operator=(MeshOptimizer&&) noexcept = default;
 MeshOptimizer::~MeshOptimizer() = default;
 
+void MeshOptimizer::observe(SweepObserver& observer) { optimizer_->observe(observer); }
 bool MeshOptimizer::advance(std::uint32_t budget) { return optimizer_->advance(budget); }
 double MeshOptimizer::fraction() const { return optimizer_->fraction(); }
 std::uint32_t MeshOptimizer::pointCount() const {

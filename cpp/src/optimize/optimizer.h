@@ -16,6 +16,7 @@
 namespace tetrafront {
 
 struct Step;
+class SweepObserver;
 
 class MeshOptimizer {
  public:
@@ -28,6 +29,9 @@ class MeshOptimizer {
   MeshOptimizer(MeshOptimizer&&) noexcept;
   MeshOptimizer& operator=(MeshOptimizer&&) noexcept;
   ~MeshOptimizer();
+
+  /// Reports the sweeps from now on to an observer, which must outlive this. Call it before the first advance().
+  void observe(SweepObserver& observer);
 
   /// Visits about `budget` elements or nodes; returns true when finished.
   bool advance(std::uint32_t budget);

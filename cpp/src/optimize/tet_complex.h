@@ -77,6 +77,8 @@ class TetComplex {
   /// Returns whether any element uses the node.
   [[nodiscard]] bool isUsed(NodeId node) const { return !elementAt_[node.index()].isNone(); }
   [[nodiscard]] std::size_t boundaryNodeCount() const { return boundaryNodes_; }
+  /// Returns whether the targets of nodes are tensors.
+  [[nodiscard]] bool isStretched() const { return isStretched_; }
   [[nodiscard]] std::size_t freeNodeCount() const;
   template <class Space>
   NodeId addNode(const Vec3& position, const typename Space::Target& target) {

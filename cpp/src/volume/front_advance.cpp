@@ -17,10 +17,26 @@ std::uint16_t nextLayer(std::uint16_t layer) {
 /// triangles are well shaped.
 constexpr std::uint64_t kFacesPerUnit = 64;
 
+/// Returns the number of faces whose boxes overlap a box, by comparing all faces with it.
+std::uint64_t countFacesNear(const Front& front, const Box& box) {
+  std::uint64_t count = 0;
+  for (const FaceId face : IdRange<FaceId>(front.slotCount())) {
+    if (!front.face(face).active) continue;
+    const Box own = front.boxOf(face);
+    bool overlaps = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      overlaps = overlaps && own.low[axis] <= box.high[axis] && box.low[axis] <= own.high[axis];
+    }
+    count += overlaps ? 1 : 0;
+  }
+  return count;
+}
+
 }  // namespace
 
 template <class Trace>
 std::uint32_t FrontAdvance<Trace>::step(bool mayRelax) {
+  if constexpr (Trace::kOn) mayRelax = mayRelax && trace_.experiment.relaxation;
   const std::uint64_t before = facesVisited();
   const FaceId face = front_.popBase();
   const bool isRelaxed = front_.face(face).ruleClass > 0;
@@ -64,7 +80,9 @@ bool FrontAdvance<Trace>::complete(FaceId face) {
   for (std::uint32_t tries = 0; tries < rules.maxTries; ++tries) {
     const Candidate* candidate = candidates_.next();
     if (candidate == nullptr) return false;
-    if (tryCandidate(face, *candidate, space, rules.faceDistance * ideal.size)) {
+    double minFaceDistance = rules.faceDistance * ideal.size;
+    if constexpr (Trace::kOn) minFaceDistance *= trace_.experiment.tolerance;
+    if (tryCandidate(face, *candidate, space, minFaceDistance)) {
       counters_.relaxed += &rules == kRuleClasses.data() ? 0 : 1;
       return true;
     }
@@ -83,6 +101,10 @@ void FrontAdvance<Trace>::gatherAround(const NodeTriple& nodes, const UnitSpace&
   // the crossing test needs all faces that an element could cross. The region never shrinks, so the
   // loop ends.
   do {
+    if constexpr (Trace::kOn) {
+      if (trace_.experiment.linearSearch)
+        counters_.comparedFaces += countFacesNear(front_, region.box());
+    }
     around_.gather(front_, nodes, region, idealPosition);
     around_.mapTo(space);
     {

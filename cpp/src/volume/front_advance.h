@@ -26,7 +26,8 @@ class FrontAdvance {
     std::uint64_t pops = 0;
     std::uint64_t gatheredFaces = 0;
     std::uint64_t candidatesTried = 0;
-    std::uint64_t relaxed = 0;      ///< elements made under a class other than the strict one
+    std::uint64_t comparedFaces = 0;  ///< found by linear searches; only in experiments
+    std::uint64_t relaxed = 0;        ///< elements made under a class other than the strict one
     std::uint64_t relaxedCost = 0;  ///< cost of the steps under such classes, as step() returns it
   };
 

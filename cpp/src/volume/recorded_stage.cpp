@@ -5,9 +5,10 @@
 namespace tetrafront {
 
 std::unique_ptr<VolumeStage> makeRecordedStage(const SurfaceMesh& boundary, const SizeField& field,
-                                               const MeshOptions& options, StepRecorder& recorder) {
+                                               const MeshOptions& options, StepRecorder& recorder,
+                                               const FrontExperiment& experiment) {
   return std::make_unique<BasicRegionMesher<RecordingTrace>>(boundary, field, options,
-                                                             RecordingTrace{&recorder});
+                                                             RecordingTrace{&recorder, experiment});
 }
 
 }  // namespace tetrafront

@@ -9,6 +9,7 @@ namespace tetrafront {
 [[nodiscard]] std::unique_ptr<VolumeStage> makeRecordedStage(const SurfaceMesh& boundary,
                                                              const SizeField& field,
                                                              const MeshOptions& options,
-                                                             StepRecorder& recorder);
+                                                             StepRecorder& recorder,
+                                                             const FrontExperiment& experiment);
 
 }  // namespace tetrafront

@@ -252,7 +252,8 @@ template class BasicRegionMesher<NullTrace>;
 template class BasicRegionMesher<RecordingTrace>;
 
 std::unique_ptr<VolumeStage> makeStage(const SurfaceMesh& boundary, const SizeField& field,
-                                       const MeshOptions& options, StepRecorder& /*recorder*/) {
+                                       const MeshOptions& options, StepRecorder& /*recorder*/,
+                                       const FrontExperiment& /*experiment*/) {
   return std::make_unique<RegionMesher>(boundary, field, options);
 }
 

@@ -82,10 +82,11 @@ extern template class BasicRegionMesher<RecordingTrace>;
 
 using RegionMesher = BasicRegionMesher<NullTrace>;
 
-/// Makes a mesher of regions that records nothing.
+/// Makes a mesher of regions that records nothing and has the usual rules.
 [[nodiscard]] std::unique_ptr<VolumeStage> makeStage(const SurfaceMesh& boundary,
                                                      const SizeField& field,
                                                      const MeshOptions& options,
-                                                     StepRecorder& recorder);
+                                                     StepRecorder& recorder,
+                                                     const FrontExperiment& experiment);
 
 }  // namespace tetrafront

@@ -173,7 +173,7 @@ void StepRecorder::writeLeavingFaces(const Front& front) {
     if (faces_[slot.index()].isActive && !isSame(front, slot.index()))
       leaving.push_back(slot.value);
   }
-  writeIndices(leaving);
+  bytes_.indices(leaving);
   for (const std::uint32_t slot : leaving) removeFace(FaceId(slot));
 }
 
@@ -191,8 +191,8 @@ void StepRecorder::writeElements(const Elements& elements) {
     removed_[element.index()] = now;
   }
   bytes_.varint(kept);
-  writeIndices(gone);
-  writeIndices(restored);
+  bytes_.indices(gone);
+  bytes_.indices(restored);
   bytes_.varint(elements.size() - kept);
   std::uint32_t before = 0;
   for (std::size_t element = kept; element < elements.size(); ++element) {
@@ -220,15 +220,6 @@ void StepRecorder::writeJoiningFaces(const Front& front) {
     writeCorners(face.nodes, before);
     bytes_.varint(face.region);
     setFace(slot, face.nodes, face.region);
-  }
-}
-
-void StepRecorder::writeIndices(std::span<const std::uint32_t> ascending) {
-  bytes_.varint(ascending.size());
-  std::uint32_t before = 0;
-  for (const std::uint32_t index : ascending) {
-    bytes_.varint(index - before);
-    before = index;
   }
 }
 

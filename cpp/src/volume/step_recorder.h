@@ -87,7 +87,6 @@ class StepRecorder {
   void writeLeavingFaces(const Front& front);
   void writeElements(const Elements& elements);
   void writeJoiningFaces(const Front& front);
-  void writeIndices(std::span<const std::uint32_t> ascending);
   template <class Nodes>
   void writeCorners(const Nodes& nodes, std::uint32_t& before);
 

@@ -5,6 +5,7 @@
 
 #include <chrono>
 
+#include "tetrafront/experiment.h"
 #include "volume/step_recorder.h"
 
 namespace tetrafront {
@@ -41,13 +42,14 @@ struct ClockTrace {
   Clock::duration inCrossingTest{0};
 };
 
-/// Passes every step to a recorder, which must outlive the front.
+/// Passes every step to a recorder, which must outlive the front. Its rules can be changed.
 struct RecordingTrace {
   static constexpr bool kOn = true;
   struct CrossingScope {
     explicit CrossingScope(RecordingTrace& /*trace*/) {}
   };
   StepRecorder* recorder = nullptr;
+  FrontExperiment experiment;
 };
 
 }  // namespace tetrafront

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "field/size_field.h"
+#include "tetrafront/experiment.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/options.h"
 #include "tetrafront/status.h"
@@ -59,6 +60,7 @@ class VolumeStage {
 using MakeVolumeStage = std::unique_ptr<VolumeStage> (*)(const SurfaceMesh& boundary,
                                                          const SizeField& field,
                                                          const MeshOptions& options,
-                                                         StepRecorder& recorder);
+                                                         StepRecorder& recorder,
+                                                         const FrontExperiment& experiment);
 
 }  // namespace tetrafront

@@ -1,27 +1,15 @@
 /** Recorded runs: the mesh stays the same, and the trace replays to it. */
 import { readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
-import { createMesher, readProject, readTrace, recordTrace, type Project, type Trace } from "tetrafront";
+import { createMesher, recordTrace } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 import { tetrafront } from "../../support/command-line.js";
+import { galleryProject as gallery, tracedIn as read } from "../../support/recorded-models.js";
 import { boxSurface, needleGearSurface } from "../../support/surfaces.js";
 import { temporaryFolder } from "../../support/temporary-folder.js";
 
 const models = new URL("../../../public/models/", import.meta.url);
 const textOf = (id: string): string => readFileSync(new URL(`${id}.json`, models), "utf8");
-
-function gallery(id: string): Project {
-  const result = readProject(textOf(id));
-  if (!result.success) throw new Error(result.errors[0].message);
-  return result.value;
-}
-
-function read(bytes: Uint8Array | undefined): Trace {
-  if (bytes === undefined) throw new Error("nothing was recorded");
-  const result = readTrace(bytes);
-  if (!result.success) throw new Error(result.errors[0].message);
-  return result.value;
-}
 
 let mesher: Awaited<ReturnType<typeof createMesher>>;
 beforeAll(async () => {
@@ -70,15 +58,6 @@ describe("a trace replays to the mesh of an unrecorded run:", () => {
     expect(changes["exact-fill"] + changes.star + changes.reopened).toBeGreaterThan(0);
     expect(trace.finalMesh().fingerprint).toBe(plain.report.fingerprint);
   });
-});
-
-test("optimization follows the recorded front and changes nothing in the trace", async () => {
-  const project = gallery("unit-cube");
-  const front = await recordTrace(mesher, project, unoptimized);
-  const { result, trace } = await recordTrace(mesher, project);
-  expect(trace).toEqual(front.trace);
-  expect(result.report.fingerprint).toBe((await mesher.meshProject(project)).report.fingerprint);
-  expect(result.recording?.fingerprint).toBe(front.result.report.fingerprint);
 });
 
 test("a cancelled run has a trace up to there", async () => {

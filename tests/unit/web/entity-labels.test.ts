@@ -1,9 +1,10 @@
 /** The labels of lines and patches belong to those that the recorded front shows in space. */
-import { createMesher, readTrace, recordTrace, type Project } from "tetrafront";
+import type { Project } from "tetrafront";
 import { expect, test } from "vitest";
 import { entityLabels, labelAt } from "../../../web/player/entity-labels";
 import { inSpace } from "../../../web/player/surface-scene";
 import { cubeProject } from "../../support/projects";
+import { recordFront } from "../../support/recorded-models";
 
 /** A cube whose ids are not its indices; every other line has a name. */
 function cube(): Project {
@@ -30,11 +31,7 @@ const planes: Readonly<Record<string, readonly [number, number]>> = {
 test("labels are those of the lines and patches that are shown", async () => {
   const project = cube();
   const labels = entityLabels(project);
-  const mesher = await createMesher();
-  const { trace: bytes } = await recordTrace(mesher, project, { optimization: "none" });
-  mesher.dispose();
-  const read = readTrace(bytes ?? new Uint8Array());
-  const surface = read.success ? read.value.surface : null;
+  const { surface } = await recordFront(project);
   if (!surface) throw new Error("the trace has no lines and patches");
 
   expect(surface.fronts).toHaveLength(6);

@@ -1,22 +1,12 @@
 /** The heap of the front that a lesson draws, checked against the recorded steps. */
-import { createMesher, readProject, readTrace, recordTrace, type FrontOrder, type Trace } from "tetrafront";
-import { readFileSync } from "node:fs";
+import type { FrontOrder, Trace } from "tetrafront";
 import { describe, expect, it } from "vitest";
 import { FrontQueue } from "../../../web/lessons/front-queue";
 import { randomSource } from "../../support/random";
+import { galleryProject, recordFront } from "../../support/recorded-models";
 
-async function record(model: string, order: FrontOrder): Promise<Trace> {
-  const text = readFileSync(new URL(`../../../public/models/${model}.json`, import.meta.url), "utf8");
-  const project = readProject(text);
-  if (!project.success) throw new Error(project.errors[0].message);
-  const mesher = await createMesher();
-  const meshing = { ...project.value.meshing, order };
-  const { trace: bytes } = await recordTrace(mesher, { ...project.value, meshing }, { optimization: "none" });
-  mesher.dispose();
-  const read = readTrace(bytes ?? new Uint8Array());
-  if (!read.success) throw new Error(read.errors[0].message);
-  return read.value;
-}
+const record = (model: string, order: FrontOrder): Promise<Trace> =>
+  recordFront(galleryProject(model), { order });
 
 const comparable = (queue: FrontQueue, face: number): readonly number[] => {
   const { ruleClass, size, layers } = queue.rankOf(face);

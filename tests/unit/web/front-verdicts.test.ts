@@ -1,6 +1,4 @@
 /** The engine's verdicts on real models, against an independent check: the paper's test in doubles. */
-import { readFileSync } from "node:fs";
-import { createMesher, readProject, readTrace, recordTrace, type Trace } from "tetrafront";
 import { expect, test } from "vitest";
 import {
   crossedFaces,
@@ -12,23 +10,12 @@ import {
   touching,
 } from "../../../web/player/judge";
 import { testByLayers, tolerance } from "../../../web/player/layered-test";
-
-async function record(id: string): Promise<Trace> {
-  const file = new URL(`../../../public/models/${id}.json`, import.meta.url);
-  const project = readProject(readFileSync(file, "utf8"));
-  if (!project.success) throw new Error(project.errors[0].message);
-  const mesher = await createMesher();
-  const { trace: bytes } = await recordTrace(mesher, project.value, { optimization: "none" });
-  mesher.dispose();
-  const read = readTrace(bytes ?? new Uint8Array());
-  if (!read.success) throw new Error(read.errors[0].message);
-  return read.value;
-}
+import { galleryProject, recordFront } from "../../support/recorded-models";
 
 test.each(["unit-cube"])(
   "%s: accepted candidates cross nothing, and refused ones fail for the reason given",
   async (id) => {
-    const trace = await record(id);
+    const trace = await recordFront(galleryProject(id));
     let crossing = 0;
     let foundByLayers = 0;
     for (let i = 1; i <= trace.stepCount; i++) {

@@ -1,10 +1,11 @@
 /** The search region of the lens against the candidates that the engine has found, with and without stretching. */
 import { readFileSync } from "node:fs";
-import { createMesher, readTrace, recordTrace, type AdvanceStep, type Project, type Trace } from "tetrafront";
+import type { AdvanceStep, Project, Trace } from "tetrafront";
 import { expect, test } from "vitest";
 import { nodesOf } from "../../../web/player/judge";
 import { outlineOf, searchRegionOf, type SearchRegion } from "../../../web/player/search-region";
 import { cubeProject } from "../../support/projects";
+import { recordFront } from "../../support/recorded-models";
 
 function stretchedCube(): Project {
   const project = cubeProject(0.2);
@@ -14,15 +15,6 @@ function stretchedCube(): Project {
     direction: [1, 2, 0.5] as [number, number, number],
   }));
   return { ...project, background: { ...project.background, nodes } };
-}
-
-async function record(project: Project): Promise<Trace> {
-  const mesher = await createMesher();
-  const { trace: bytes } = await recordTrace(mesher, project, { optimization: "none" });
-  mesher.dispose();
-  const read = readTrace(bytes ?? new Uint8Array());
-  if (!read.success) throw new Error(read.errors[0].message);
-  return read.value;
 }
 
 type Vector = readonly [number, number, number];
@@ -57,7 +49,7 @@ test.each([
 ])(
   "it is %s that holds all candidates but the neighbours', and reaches the farthest ones",
   async (_, project) => {
-    const trace = await record(project);
+    const trace = await recordFront(project);
     let farthest = 0;
     let count = 0;
     for (let i = 1; i <= trace.stepCount; i++) {
@@ -80,7 +72,7 @@ test.each([
 );
 
 test("its outline is everywhere at the radius, and passes along all axes", async () => {
-  const trace = await record(stretchedCube());
+  const trace = await recordFront(stretchedCube());
   const step = trace.stepAt(1);
   if (step?.kind !== "advance") throw new Error("the first step is no advance");
   expect(step.tensor).not.toBeNull();
@@ -97,7 +89,7 @@ test("its radius grows with the rule class as in the engine", async () => {
   const rules = readFileSync(new URL("../../../cpp/src/volume/rules.h", import.meta.url), "utf8");
   const radii = Array.from(rules.matchAll(/\.searchRadius = ([\d.]+)/g), ([, radius]) => Number(radius));
   expect(radii.length).toBeGreaterThan(1);
-  const trace = await record(cubeProject(0.5));
+  const trace = await recordFront(cubeProject(0.5));
   const step = trace.stepAt(1);
   if (step?.kind !== "advance") throw new Error("the first step is no advance");
   const radiusAt = (ruleClass: number): number => searchRegionOf(trace, { ...step, ruleClass }).radius;

@@ -1,6 +1,5 @@
 /** "Be the mesher" in the volume: questions and verdicts of a recorded front. */
-import { createMesher, readProject, readTrace, recordTrace, type Trace } from "tetrafront";
-import { readFileSync } from "node:fs";
+import type { Trace } from "tetrafront";
 import { beforeAll, expect, it } from "vitest";
 import { nodesOf } from "../../../web/player/judge";
 import { levels, type GameLevel } from "../../../web/player/mesher-game";
@@ -11,18 +10,12 @@ import {
   nextVolumeQuestion,
   type VolumeQuestion,
 } from "../../../web/player/volume-game";
+import { expectFair } from "../../support/mesher-questions";
+import { galleryProject, recordFront } from "../../support/recorded-models";
 
 let trace: Trace;
 beforeAll(async () => {
-  const text = readFileSync(new URL("../../../public/models/unit-cube.json", import.meta.url), "utf8");
-  const project = readProject(text);
-  if (!project.success) throw new Error(project.errors[0].message);
-  const mesher = await createMesher();
-  const { trace: bytes } = await recordTrace(mesher, project.value, { optimization: "none" });
-  mesher.dispose();
-  const read = readTrace(bytes ?? new Uint8Array());
-  if (!read.success) throw new Error(read.errors[0].message);
-  trace = read.value;
+  trace = await recordFront(galleryProject("unit-cube"));
 });
 
 /** The first questions of a level. */
@@ -40,15 +33,10 @@ function questions(level: GameLevel): VolumeQuestion[] {
 it.each(levels)("asks %s questions whose answer is among the choices", (level) => {
   const all = questions(level);
   expect(all.length).toBeGreaterThan(5);
-  for (const { step, nodes, program } of all) {
-    const front = new Set(Array.from(trace.frontAt(step.step - 1)).flatMap((face) => nodesOf(trace, face)));
-    const base = nodesOf(trace, step.face);
-    expect(nodes.every((node) => front.has(node) && !base.includes(node))).toBe(true);
-    expect(new Set(nodes).size).toBe(nodes.length);
-    if (program !== null) expect(nodes).toContain(program);
-    const refused = step.candidates.filter(({ verdict }) => verdict !== "accepted").length;
-    if (level === "easy") expect(refused).toBe(0);
-    if (level === "hard") expect(refused).toBeGreaterThan(0);
+  for (const question of all) {
+    const { face, step } = question.step;
+    const front = new Set(Array.from(trace.frontAt(step - 1)).flatMap((other) => nodesOf(trace, other)));
+    expectFair(question, level, { base: nodesOf(trace, face), front });
   }
 });
 

@@ -4,6 +4,7 @@ import { type FrontOrder, MESH_DEFAULTS } from "../generated/constants.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
 import type { MeshResult } from "../mesh/report.js";
 import type { Project } from "../project/schema.js";
+import { changedRules, type FrontExperiment } from "../trace/experiment.js";
 import { traceFile } from "../trace/trace-file.js";
 import type { Mesher } from "./mesher-interface.js";
 import type { MeshOptions, ProjectMeshOptions } from "./option-types.js";
@@ -19,12 +20,15 @@ export interface RecordedMesh {
 export type RecordingOptions = (MeshOptions | ProjectMeshOptions) & {
   /** Name in the trace; by default that of the project, else "surface". */
   readonly name?: string | undefined;
+  /** Changes to the rules of the front; the mesh is then another one. */
+  readonly experiment?: FrontExperiment | undefined;
 };
 
 /**
- * Meshes a project or fills a surface, and records every step: of the lines, of the patches and of the front in the
- * volume. The mesh is that of `meshProject` or `fillSurface`, bit for bit; `optimization: "none"` saves the time of its
- * optimization, which is not part of the trace. A step takes about 40 bytes, in a stretched size field 60. Ends and
+ * Meshes a project or fills a surface, and records every step of the lines, of the patches and of the front in the
+ * volume, and every sweep of the optimizer. The mesh is that of `meshProject` or `fillSurface`, bit for bit, unless an
+ * `experiment` changes the rules. A step takes about 40 bytes, in a stretched size field 60; the sweeps over a mesh of up to
+ * 100 000 elements, with which every mesh between them can be shown, about 40 bytes per element. Ends and
  * rejects as these calls do.
  *
  *     const { trace } = await recordTrace(mesher, project, { optimization: "none" });
@@ -33,12 +37,13 @@ export type RecordingOptions = (MeshOptions | ProjectMeshOptions) & {
 export async function recordTrace(
   mesher: Mesher,
   input: Project | SurfaceInput,
-  { name, ...options }: RecordingOptions = {},
+  { name, experiment, ...options }: RecordingOptions = {},
   control: RunControl = {},
 ): Promise<RecordedMesh> {
   const events: Uint8Array[] = [];
   const recording: RunControl = {
     ...control,
+    experiment: experiment ?? control.experiment,
     onTrace: (piece) => {
       events.push(piece);
       return control.onTrace?.(piece);
@@ -49,19 +54,27 @@ export async function recordTrace(
     : await mesher.meshProject(input, options, recording);
   const project = isSurface(input) ? undefined : input;
   const order = options.order ?? project?.meshing?.order;
-  return { result, trace: recordedTrace(result, events, name ?? project?.name ?? "surface", order) };
+  const run = { name: name ?? project?.name ?? "surface", order, experiment: recording.experiment };
+  return { result, trace: recordedTrace(result, events, run) };
 }
 
 const isSurface = (input: Project | SurfaceInput): input is SurfaceInput => ArrayBuffer.isView(input.points);
+
+/** What the header of a trace says about its run. */
+interface RecordedRun {
+  readonly name: string;
+  readonly order?: FrontOrder | undefined;
+  readonly experiment?: FrontExperiment | undefined;
+}
 
 /** Returns the trace of a run with `onTrace` as a file; undefined if the front of the volume never began. */
 export function recordedTrace(
   { recording, report, surface }: MeshResult,
   events: readonly Uint8Array[],
-  name: string,
-  order: FrontOrder = MESH_DEFAULTS.order,
+  { name, order = MESH_DEFAULTS.order, experiment }: RecordedRun,
 ): Uint8Array<ArrayBuffer> | undefined {
   if (recording === undefined || recording.steps === 0) return undefined;
+  const rules = changedRules(experiment);
   const header = {
     name,
     nodes: surface.points.length / 3,
@@ -70,6 +83,7 @@ export function recordedTrace(
     // A front that exceeds the limit of elements ends as invalid input.
     status: report.status === "invalid-input" ? "stalled" : report.status,
     fingerprint: recording.fingerprint,
+    ...(rules && { experiment: rules }),
   } as const;
   return traceFile(header, surface.points, events);
 }

@@ -243,11 +243,12 @@ export const TRACE_HELP = `
 A trace (.tft) holds every decision while lines are divided, patches triangulated and volumes filled: the base edge or
 face, the ideal point, each candidate with the reason why it was refused, and what the step changed; docs/TRACE.md
 describes the file. Its fingerprint is that of \`tetrafront mesh --optimize none\` with the same options. A step takes
-about 50 bytes.
+about 50 bytes. With --optimize, it also holds what each sweep of the optimizer changed, in about 40 bytes per element.
 
 Examples
   tetrafront trace cube.json -o cube.tft
   tetrafront trace cube.tft --summary
+  tetrafront trace cube.json -o cube.tft --optimize default --summary | jq .optimization.sweeps
 `;
 
 export const COVER_HELP = `

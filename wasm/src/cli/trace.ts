@@ -54,14 +54,14 @@ async function record(
     await checkNoOverwrite(inputs, [{ words: "the trace", file: output }]);
   };
   const events: Uint8Array[] = [];
-  // The elements are improved after the front has ended, which no trace shows.
+  // The front is what most readers want to see; --optimize also records the sweeps of the optimizer.
   const made = await meshInput(input, { optimize: "none", ...options }, checkPaths, (piece) =>
     events.push(piece),
   );
   const { result, model } = made;
   const name = model.kind === "project" ? model.project.name : path.parse(input).name;
   const order = options.order ?? (model.kind === "project" ? model.project.meshing?.order : undefined);
-  const trace = recordedTrace(result, events, name, order);
+  const trace = recordedTrace(result, events, { name, order });
   const exitCode = EXIT_CODES[result.report.status];
   if (trace === undefined) return exitCode;
   await writeOutput(output, trace);

@@ -1,5 +1,6 @@
 /** How a caller follows and cancels a call. */
 import type { Progress } from "../base/progress.js";
+import type { FrontExperiment } from "../trace/experiment.js";
 import type { SurfaceMesh, VolumeMesh } from "../mesh/mesh.js";
 
 /** Callbacks and signal of a call. */
@@ -21,6 +22,8 @@ export interface RunControl {
    * bit. A failure of this function has the same effect as one of `onProgress`. `recordTrace` makes a file of them.
    */
   readonly onTrace?: ((events: Uint8Array) => void) | undefined;
+  /** Changes to the rules of the front, for a run with `onTrace`; other runs have the usual rules. */
+  readonly experiment?: FrontExperiment | undefined;
   /**
    * Called by `meshProject` and `fillSurface` at most once, with the mesh before or during optimization:
    * about 0.25 s after the front has closed, unless the run has ended by then. The caller owns the arrays.

@@ -53,7 +53,8 @@ export type EngineRemeshOptions = Readonly<Parameters<Tools["remeshSurface"]>[4]
 
 export type { Engine, Tools, TraceEngine };
 /** A run; those of the module "trace" record the steps of the front. */
-export type EngineRun = Run & Partial<Pick<TracedRun, "takeTrace" | "frontFingerprint" | "recordedSteps">>;
+export type EngineRun = Run &
+  Partial<Pick<TracedRun, "takeTrace" | "frontFingerprint" | "recordedSteps" | "experiment">>;
 /** A tool of the engine that works in slices and has one result. */
 export type EngineTool =
   | Cover

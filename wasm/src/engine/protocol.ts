@@ -1,4 +1,5 @@
 /** Messages between the page (or a Node program) and the worker. */
+import type { FrontExperiment } from "../trace/experiment.js";
 import type { Progress } from "../base/progress.js";
 import type { EngineFailure } from "../diagnostics/mesher-error.js";
 import type { GivenRegions, SurfaceMesh, VolumeMesh } from "../mesh/mesh.js";
@@ -182,8 +183,8 @@ export type Request =
       readonly showFront: boolean;
       /** True for an `unoptimized` reply. */
       readonly showUnoptimized: boolean;
-      /** True for `trace` replies. */
-      readonly recordTrace: boolean;
+      /** Present for `trace` replies: the rules of the front. */
+      readonly recordTrace: FrontExperiment | undefined;
       readonly model: ModelArrays;
       /** Surfaces to mesh together with the model; undefined without any. */
       readonly bodies: BodySurfaceArrays | undefined;
@@ -196,7 +197,7 @@ export type Request =
       readonly id: number;
       readonly showFront: boolean;
       readonly showUnoptimized: boolean;
-      readonly recordTrace: boolean;
+      readonly recordTrace: FrontExperiment | undefined;
       readonly points: Float64Array;
       readonly triangles: Uint32Array;
       /** Empty arrays if nothing is known. */

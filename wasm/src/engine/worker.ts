@@ -84,9 +84,13 @@ async function serve(request: Request): Promise<void> {
       if (running.has(request.id)) stopped.add(request.id);
       return;
     case "mesh-model":
-      return workIn(runModule(request), request.id, (engine) => mesh(request, modelRun(engine, request)));
+      return workIn(runModule(request), request.id, (engine) =>
+        mesh(request, withRules(modelRun(engine, request), request)),
+      );
     case "fill-surface":
-      return workIn(runModule(request), request.id, (engine) => mesh(request, surfaceRun(engine, request)));
+      return workIn(runModule(request), request.id, (engine) =>
+        mesh(request, withRules(surfaceRun(engine, request), request)),
+      );
     case "improve-mesh":
       return workIn(lazyEngine, request.id, (engine) =>
         answer(request, () => {
@@ -122,6 +126,13 @@ async function workIn<Instance extends RunEngine | Tools>(
     cancelled.delete(id);
     stopped.delete(id);
   }
+}
+
+/** Changes the rules of a run that is recorded. */
+function withRules(run: EngineRun | null, { recordTrace }: RunRequest): EngineRun | null {
+  const { relaxation = true, tolerance = 1, search = "grid" } = recordTrace ?? {};
+  run?.experiment?.(relaxation, tolerance, search === "linear");
+  return run;
 }
 
 function modelRun(engine: RunEngine, request: Extract<Request, { kind: "mesh-model" }>): EngineRun | null {

@@ -2,6 +2,7 @@
 import * as v from "valibot";
 import { objectWith, problemIn } from "../calls/schemas.js";
 import { FRONT_ORDERS, type FrontOrder } from "../generated/constants.js";
+import { experimentSchema, type FrontExperiment } from "./experiment.js";
 import { TRACE_STATUSES, type TraceStatus } from "./layout.js";
 
 const count = v.pipe(v.number(), v.safeInteger(), v.minValue(0), v.maxValue(0xffffffff));
@@ -13,6 +14,7 @@ const headerSchema = objectWith({
   order: v.picklist(FRONT_ORDERS),
   status: v.picklist(TRACE_STATUSES),
   fingerprint: v.pipe(v.string(), v.regex(/^[0-9a-f]{16}$/)),
+  experiment: v.optional(experimentSchema),
 });
 
 /** What a trace says about itself. */
@@ -27,6 +29,8 @@ export interface TraceHeader {
   readonly status: TraceStatus;
   /** 16 hexadecimal digits: hash of the mesh when the front and its recovery have ended. */
   readonly fingerprint: string;
+  /** Rules of the front that differ from the usual ones; absent if none does. */
+  readonly experiment?: FrontExperiment | undefined;
 }
 
 /** Returns the header, or a sentence about what is wrong with its text. */

@@ -2,7 +2,9 @@
 
 /** Before the version, the last of the first eight bytes. */
 export const MAGIC = "TFTRACE";
-export const TRACE_VERSION = 2;
+export const TRACE_VERSION = 3;
+/** Version without sweeps of the optimizer. */
+export const FRONT_ONLY_VERSION = 2;
 /** Version without events of lines and patches. */
 export const VOLUME_ONLY_VERSION = 1;
 
@@ -15,6 +17,7 @@ export const EVENT = {
   postponed: 4,
   change: 5,
   end: 6,
+  sweep: 7,
 } as const;
 
 export const KIND_BITS = 3;
@@ -39,6 +42,15 @@ export type Refusal = (typeof REFUSALS)[number];
 export const FRONT_CHANGES = ["star", "reopened", "closed", "undone", "exact-fill"] as const;
 /** What a step of recovery does; see docs/TRACE.md. */
 export type FrontChange = (typeof FRONT_CHANGES)[number];
+
+/** Kinds of sweeps, by their number in the file, from 1. */
+export const SWEEP_KINDS = ["swap", "move", "newton", "split", "collapse", "improve", "last-resort"] as const;
+/** What a sweep of the optimizer does; see docs/TRACE.md. */
+export type SweepKind = (typeof SWEEP_KINDS)[number];
+/** Detail of the event after which the mesh of an earlier sweep is the result. */
+export const SWEEP_RESTORED = 8;
+/** Bit of the detail of a `sweep` event: the changed nodes and elements follow. */
+export const SWEEP_GEOMETRY_BIT = 16;
 
 /** Ways in which a recorded front ends. */
 export const TRACE_STATUSES = ["done", "stalled", "cancelled"] as const;

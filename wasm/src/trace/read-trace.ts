@@ -9,10 +9,12 @@ import { inSteps } from "../calls/yielder.js";
 import type { ReadResult } from "../diagnostics/read-error.js";
 import { asTooLarge, ReadFailure, readSafely } from "../formats/read-result.js";
 import { parseHeader, type TraceHeader } from "./header.js";
-import { MAGIC, TRACE_VERSION, VOLUME_ONLY_VERSION } from "./layout.js";
+import { FRONT_ONLY_VERSION, MAGIC, TRACE_VERSION, VOLUME_ONLY_VERSION } from "./layout.js";
+import { TracedOptimization } from "./optimization.js";
 import { Replay } from "./replay.js";
 import { SurfaceReplay } from "./surface-replay.js";
 import { SurfaceTrace } from "./surface-trace.js";
+import { readSweeps } from "./sweep-events.js";
 import { Trace } from "./trace.js";
 import { TraceCursor } from "./trace-cursor.js";
 
@@ -102,6 +104,7 @@ function* traceIn(cursor: TraceCursor): Steps<Trace> {
   yield* replay.readNodes();
   const surface = version === VOLUME_ONLY_VERSION ? undefined : yield* new SurfaceReplay(cursor).readEvents();
   yield* replay.readEvents();
+  const sweeps = yield* readSweeps(cursor, header.nodes);
   if (replay.steps.count !== header.steps)
     cursor.fail(`the header has ${header.steps} steps, but the trace has ${replay.steps.count}`);
   const passes = replay.passes.map(({ nodeOf, elementOf }) => ({
@@ -118,7 +121,9 @@ function* traceIn(cursor: TraceCursor): Steps<Trace> {
   ] as const;
   const hasSurface = surface !== undefined && surface.divisions.length > 0;
   const traced = hasSurface ? new SurfaceTrace(cursor.file, surface, columns[0].positions) : null;
-  return new Trace(cursor.file, header, ...columns, replay.fronts, traced, lists);
+  const boundary = columns[0].positions.subarray(0, 3 * header.nodes);
+  const optimization = sweeps && new TracedOptimization(cursor.file, sweeps, boundary);
+  return new Trace(cursor.file, header, ...columns, replay.fronts, traced, optimization, lists);
 }
 
 function readHeader(cursor: TraceCursor): { readonly header: TraceHeader; readonly version: number } {
@@ -132,7 +137,7 @@ function readHeader(cursor: TraceCursor): { readonly header: TraceHeader; readon
     throw new ReadFailure({ message: "byte 0: this is no trace of a front", remedy, offset: 0 });
   }
   const version = cursor.byte();
-  if (version !== TRACE_VERSION && version !== VOLUME_ONLY_VERSION) {
+  if (![VOLUME_ONLY_VERSION, FRONT_ONLY_VERSION, TRACE_VERSION].includes(version)) {
     const remedy = "Use the version of Tetrafront that recorded the trace, or record it again.";
     const offset = MAGIC.length;
     const message = `byte ${offset}: version ${version} of the format is not known`;

@@ -85,7 +85,7 @@ export class Replay {
     this.#endStep(0);
   }
 
-  /** Reads all events of the volume. */
+  /** Reads all events of the volume, up to the sweeps of the optimizer. */
   *readEvents(): Steps<void> {
     for (let events = 1; this.#next(); events++) {
       if (this.#isFrontDue) yield* this.#readFirstFaces();
@@ -130,7 +130,7 @@ export class Replay {
         this.#change(readChange(cursor, detail), 2 + detail);
         return true;
       case EVENT.end:
-        return cursor.ahead > 0;
+        return cursor.ahead > 0 && cursor.peek() % (1 << KIND_BITS) !== EVENT.sweep;
       default:
         return this.#fail(`there is no event of kind ${kind}`);
     }

@@ -36,6 +36,11 @@ export class TraceCursor {
     return this.#bytes.length - this.at;
   }
 
+  /** Returns the next byte, which stays unread. */
+  peek(): number {
+    return this.#view.getUint8(this.at);
+  }
+
   byte(): number {
     return this.#view.getUint8(this.#advance(1));
   }

@@ -3,6 +3,7 @@ import { readAccepted, readBase, readPostponed, readRefused } from "./events.js"
 import { type FinalLists, finalMesh, type TracedMesh } from "./final-mesh.js";
 import type { TraceHeader } from "./header.js";
 import { EVENT, type FrontChange, KIND_BITS, NONE, type Refusal, REFUSALS } from "./layout.js";
+import type { TracedOptimization } from "./optimization.js";
 import { OUTCOMES, type TracedFront } from "./replay.js";
 import type { LinesSummary, PatchesSummary, SurfaceTrace } from "./surface-trace.js";
 import {
@@ -13,6 +14,7 @@ import {
   type TraceSteps,
 } from "./trace-columns.js";
 import { TraceCursor } from "./trace-cursor.js";
+import type { SweepMeasures, TracedSweep } from "./sweep-events.js";
 import type { StepChanges, TracedCandidate, TracePosition, TraceStep } from "./trace-step.js";
 
 /** Counts over the whole trace: of the volume, and of the lines and patches before it. */
@@ -31,8 +33,18 @@ export interface TraceSummary {
   /** Number of steps of recovery, by kind. */
   readonly changes: Readonly<Record<FrontChange, number>>;
   readonly status: TraceHeader["status"];
+  /** The mesh before the sweeps of the optimizer, and each sweep; null if they were not recorded. */
+  readonly optimization: OptimizationSummary | null;
   /** Fingerprint of the mesh when the front ended, as recorded. */
   readonly fingerprint: string;
+}
+
+/** What the sweeps of the optimizer have come to. */
+export interface OptimizationSummary {
+  readonly before: SweepMeasures;
+  readonly sweeps: readonly TracedSweep[];
+  /** Number of the sweep whose mesh is the result, from 1; 0 for the mesh before. */
+  readonly result: number;
 }
 
 /** Every state of a front and every step of it, as recorded. */
@@ -52,6 +64,8 @@ export class Trace {
     readonly fronts: readonly TracedFront[],
     /** The lines and patches; null if the boundary was given, or the trace is one of version 1. */
     readonly surface: SurfaceTrace | null,
+    /** The sweeps of the optimizer after the front; null if they were not recorded. */
+    readonly optimization: TracedOptimization | null,
     lists: FinalLists,
   ) {
     this.#bytes = bytes;
@@ -126,6 +140,7 @@ export class Trace {
       postponed,
       changes: { star, reopened, closed, undone, "exact-fill": exactFill },
       status: this.header.status,
+      optimization: this.optimization && summaryOf(this.optimization),
       fingerprint: this.header.fingerprint,
     };
   }
@@ -186,6 +201,12 @@ export class Trace {
     return [x, y, z];
   }
 }
+
+const summaryOf = ({ before, sweeps, result }: TracedOptimization): OptimizationSummary => ({
+  before,
+  sweeps,
+  result,
+});
 
 const noneAsNull = (index: number | undefined): number | null =>
   index === undefined || index === NONE ? null : index;

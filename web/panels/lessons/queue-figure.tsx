@@ -1,5 +1,6 @@
-import { useMemo } from "react";
-import { FrontQueue } from "../../lessons/front-queue";
+import { useEffect, useMemo, useState } from "react";
+import type { Trace } from "tetrafront";
+import { FrontQueue, type QueueWork } from "../../lessons/front-queue";
 import { lessonStrings } from "../../strings/lessons";
 import { usePlayer } from "../player/use-player";
 import styles from "./lessons.module.css";
@@ -18,22 +19,59 @@ interface Place {
   readonly y: number;
 }
 
+/** Milliseconds of work on the queue between two chances for the page to respond. */
+const sliceMs = 10;
+
+/** What is drawn of the queue of a trace after a step. */
+interface ShownQueue {
+  readonly queue: FrontQueue;
+  readonly step: number;
+  readonly top: readonly number[];
+  readonly count: number;
+  readonly work: QueueWork | null;
+}
+
+/** Returns the queue after a step, found in slices; until then, that of the state before. */
+function useQueue(trace: Trace | null, step: number): ShownQueue | null {
+  const queue = useMemo(() => trace && new FrontQueue(trace), [trace]);
+  const [shown, setShown] = useState<ShownQueue | null>(null);
+  useEffect(() => {
+    if (!queue || step < 0) return undefined;
+    let timer: ReturnType<typeof setTimeout> | undefined;
+    const work = (): void => {
+      if (!queue.showWithin(step, sliceMs)) timer = setTimeout(work);
+      else
+        setShown({
+          queue,
+          step,
+          top: queue.faces.slice(0, 2 ** levels - 1),
+          count: queue.faces.length,
+          work: queue.work,
+        });
+    };
+    work();
+    return () => clearTimeout(timer);
+  }, [queue, step]);
+  return step >= 0 && shown?.queue === queue ? shown : null;
+}
+
 /** The first levels of the queue of the front in the state that is shown, drawn as a tree. */
 export function QueueFigure() {
   const trace = usePlayer((state) => state.trace);
   const step = usePlayer((state) => state.step);
-  const queue = useMemo(() => trace && new FrontQueue(trace), [trace]);
-  const shown = useMemo(() => {
-    if (!queue || step < 0) return null;
-    queue.show(step);
-    return { top: queue.faces.slice(0, 2 ** levels - 1), count: queue.faces.length, work: queue.work };
-  }, [queue, step]);
+  const shown = useQueue(trace, step);
   if (!shown) return null;
   const { top, count, work } = shown;
   const [first] = top;
   const joined = new Set(work?.joined);
   return (
-    <figure className={styles["figure"]} data-testid="queue-figure" data-first={first} data-count={count}>
+    <figure
+      className={styles["figure"]}
+      data-testid="queue-figure"
+      data-first={first}
+      data-count={count}
+      aria-busy={shown.step !== step}
+    >
       <svg viewBox={`0 0 ${width} ${height}`} role="img" aria-label={texts.picture(count, first ?? null)}>
         {top.map((face, slot) => slot > 0 && <path key={face} className={styles["axis"]} d={edgeTo(slot)} />)}
         {top.map((face, slot) => {

@@ -1,6 +1,7 @@
 import { ActionIcon, Splitter, Tabs, Tooltip } from "@mantine/core";
+import type { SplitterPaneSize } from "@mantine/hooks";
 import { IconAdjustments, IconListDetails, IconMessage2 } from "@tabler/icons-react";
-import type { ReactNode, RefObject } from "react";
+import { useState, type ReactNode, type RefObject } from "react";
 import { FramedDrawer } from "../../ui/frames/framed-drawer";
 import { strings } from "../../strings";
 import { useApp, useShell } from "../shared/app-context";
@@ -30,35 +31,66 @@ export function PageLayout({ root }: { readonly root: RefObject<HTMLDivElement |
   );
 }
 
-/** Sizes of the panels. An audience sees larger type, and no model tree. */
-const usualSizes = { bottom: ["212px", "420px"], right: ["292px", "520px"] } as const;
-const presenterSizes = { bottom: ["300px", "540px"], right: ["440px", "720px"] } as const;
+type Sizes = readonly SplitterPaneSize[];
 
+/** Sizes of the panels, across and down. An audience sees larger type, and no model tree. */
+const usual = {
+  across: ["250px", 100, "292px"],
+  down: [100, "212px"],
+  limits: { left: ["180px", "480px"], right: "520px", bottom: "420px" },
+} as const;
+const presenting = {
+  across: ["0px", 100, "440px"],
+  down: [100, "300px"],
+  limits: { left: ["0px", "0px"], right: "720px", bottom: "540px" },
+} as const;
+
+/** Sizes that the user has chosen, with and without an audience. */
+function useSizes(direction: "across" | "down", isPresenting: boolean) {
+  const [own, setOwn] = useState<Sizes>(usual[direction]);
+  const [forAudience, setForAudience] = useState<Sizes>(presenting[direction]);
+  return isPresenting
+    ? { sizes: [...forAudience], onSizeChange: setForAudience }
+    : { sizes: [...own], onSizeChange: setOwn };
+}
+
+/** All panes stay where they are in the tree, so that the view keeps its camera in presenter mode. */
 function WideBody() {
   const isPresenting = useShell((state) => state.isPresenting);
-  const { bottom, right } = isPresenting ? presenterSizes : usualSizes;
+  const { limits } = isPresenting ? presenting : usual;
+  const [left, right] = [usual.across[0], usual.across[2]];
   return (
-    <Splitter key={String(isPresenting)} className={styles["body"]} withHandle={false} lineSize={1}>
-      {!isPresenting && (
-        <Splitter.Pane defaultSize="250px" min="180px" max="480px">
-          <aside className={styles["side"]} aria-label={strings.tree.model}>
-            <LeftPanel />
-          </aside>
-        </Splitter.Pane>
-      )}
+    <Splitter
+      className={styles["body"]}
+      withHandle={false}
+      lineSize={1}
+      data-presenting={isPresenting || undefined}
+      {...useSizes("across", isPresenting)}
+    >
+      <Splitter.Pane defaultSize={left} min={limits.left[0]} max={limits.left[1]}>
+        <aside className={styles["side"]} aria-label={strings.tree.model}>
+          {!isPresenting && <LeftPanel />}
+        </aside>
+      </Splitter.Pane>
       <Splitter.Pane defaultSize={100} min={20}>
-        <Splitter orientation="vertical" className={styles["side"]} withHandle={false} lineSize={1}>
+        <Splitter
+          orientation="vertical"
+          className={styles["side"]}
+          withHandle={false}
+          lineSize={1}
+          {...useSizes("down", isPresenting)}
+        >
           <Splitter.Pane defaultSize={100} min={20}>
             <ViewportPanel layout="wide" />
           </Splitter.Pane>
-          <Splitter.Pane defaultSize={bottom[0]} min="60px" max={bottom[1]}>
+          <Splitter.Pane defaultSize={usual.down[1]} min="60px" max={limits.bottom}>
             <aside className={styles["side"]} aria-label={strings.bottom.title}>
               <BottomPanel />
             </aside>
           </Splitter.Pane>
         </Splitter>
       </Splitter.Pane>
-      <Splitter.Pane defaultSize={right[0]} min="220px" max={right[1]}>
+      <Splitter.Pane defaultSize={right} min="220px" max={limits.right}>
         <aside className={styles["side"]} aria-label={strings.inspector.title}>
           <RightPanel />
         </aside>

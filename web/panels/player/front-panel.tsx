@@ -37,7 +37,7 @@ function NoTrace() {
         leftSection={<IconPlayerRecordFilled size={13} aria-hidden />}
         data-testid="player-record"
         disabled={busy}
-        onClick={() => void app.player.record()}
+        onClick={() => void app.player.record({ optimizes: true })}
       >
         {texts.record}
       </Button>{" "}

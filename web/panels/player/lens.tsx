@@ -15,6 +15,7 @@ import { SurfaceLens } from "./surface-lens";
 import { usePlayer, useTrace } from "./use-player";
 
 const texts = strings.player;
+const Sweeps = lazy(async () => ({ default: (await import("./sweeps")).Sweeps }));
 const VolumeGame = lazy(async () => ({ default: (await import("./volume-game")).VolumeGame }));
 const CrossingFormula = lazy(async () => ({ default: (await import("./crossing-formula")).CrossingFormula }));
 
@@ -23,6 +24,9 @@ export function Lens() {
   const { player } = useApp();
   const isPlaying = usePlayer((state) => state.isPlaying);
   const isVolume = usePlayer(({ step }) => step >= 0);
+  const sweeps = usePlayer(({ trace, lensStep }) =>
+    trace && lensStep === trace.stepCount ? trace.optimization : null,
+  );
   const [isGame, setIsGame] = useState(false);
   return (
     <ScrollPanel label={texts.lens} className={styles["lens"]} data-testid="lens">
@@ -32,6 +36,11 @@ export function Lens() {
         </Suspense>
       ) : (
         <>
+          {sweeps && (
+            <Suspense fallback={null}>
+              <Sweeps optimization={sweeps} />
+            </Suspense>
+          )}
           {isPlaying ? <Text size="sm">{texts.playing}</Text> : <Step />}
           {isVolume && (
             <Button

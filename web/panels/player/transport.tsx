@@ -132,7 +132,7 @@ function TraceButtons() {
         label={texts.recordAgain}
         data-testid="player-record"
         disabled={busy}
-        onClick={() => void app.player.record()}
+        onClick={() => void app.player.record({ optimizes: true })}
       >
         <IconPlayerRecordFilled {...icon} />
       </IconButton>

@@ -16,6 +16,18 @@ interface Answer {
   readonly verdict: VolumeVerdict;
 }
 
+/** Returns whether the last change of the state led forward or back. */
+function useDirection(state: number): 1 | -1 {
+  const [last, setLast] = useState<{ readonly state: number; readonly direction: 1 | -1 }>({
+    state,
+    direction: 1,
+  });
+  if (state === last.state) return last.direction;
+  const direction = state < last.state ? -1 : 1;
+  setLast({ state, direction });
+  return direction;
+}
+
 /** Asks for the fourth node of the next element, judges the choice, and keeps a score. The view shows the nodes to choose from. */
 export function VolumeGame({ onEnd }: { readonly onEnd: () => void }) {
   const { player } = useApp();
@@ -25,16 +37,18 @@ export function VolumeGame({ onEnd }: { readonly onEnd: () => void }) {
   const [level, setLevel] = useState<GameLevel>("easy");
   /** By step: each step counts once, whatever the level. */
   const [answers, addAnswer] = useAnswers<Answer>(trace);
-  const question = useMemo(
-    () => (isPlaying ? null : nextVolumeQuestion(trace, state, level)),
-    [trace, state, level, isPlaying],
-  );
+  const direction = useDirection(state);
+  const question = useMemo(() => {
+    if (isPlaying) return null;
+    const last = direction < 0 ? nextVolumeQuestion(trace, state, level, -1) : null;
+    return last ?? nextVolumeQuestion(trace, state, level);
+  }, [trace, state, level, direction, isPlaying]);
   const given = (question && answers.get(question.step.step)) ?? null;
   const points = [...answers.values()].reduce((sum, { verdict }) => sum + verdict.points, 0);
   useEffect(() => {
     if (!question || isPlaying) return undefined;
     const { step } = question.step;
-    // The view shows the front before the step.
+    // The view shows the front before the step. Going back leads to the question before, not to the same one again.
     player.seek(step - 1);
     const choose = (node: number | null): void => {
       if (given) return;

@@ -1,0 +1,55 @@
+/** Recorded fronts with changed rules. */
+import { createMesher, type FrontExperiment, type Mesher, recordTrace } from "tetrafront";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { galleryProject, tracedIn } from "../../support/recorded-models.js";
+
+let mesher: Mesher;
+beforeAll(async () => {
+  mesher = await createMesher();
+});
+afterAll(() => mesher.dispose());
+
+const project = galleryProject("unit-cube");
+const record = (experiment?: FrontExperiment) =>
+  recordTrace(mesher, project, { optimization: "none", experiment });
+
+test("the usual rules change nothing", async () => {
+  const usual = await record();
+  const { trace } = await record({ relaxation: true, tolerance: 1, search: "grid" });
+  expect(trace).toEqual(usual.trace);
+  expect(tracedIn(trace).header.experiment).toBeUndefined();
+});
+
+test("a linear search gives the same mesh", async () => {
+  const plain = await mesher.meshProject(project, { optimization: "none" });
+  const { result, trace } = await record({ search: "linear" });
+  expect(result.report.fingerprint).toBe(plain.report.fingerprint);
+  expect(tracedIn(trace).header.experiment).toEqual({ search: "linear" });
+});
+
+test("without relaxation no face is completed under lenient rules", async () => {
+  const { result, trace: bytes } = await record({ relaxation: false });
+  expect(result.report).toMatchObject({ status: "done", recovery: { relaxed: 0 } });
+  const trace = tracedIn(bytes);
+  for (let i = 1; i <= trace.stepCount; i++) {
+    const step = trace.stepAt(i);
+    if (step?.kind === "advance") expect(step.outcome === "accepted" && step.ruleClass > 0).toBe(false);
+  }
+});
+
+test("without tolerance no new node is too close to a face", async () => {
+  const usual = await record();
+  expect(tracedIn(usual.trace).summary().refused["too-close"]).toBeGreaterThan(0);
+  const { result, trace } = await record({ tolerance: 0 });
+  expect(result.report.status).toBe("done");
+  expect(tracedIn(trace).summary().refused["too-close"]).toBe(0);
+});
+
+test.each([{ tolerance: -1 }, { tolerance: 11 }, { tolerance: NaN }, { search: "octree" }, { speed: 1 }])(
+  "%j is refused",
+  async (experiment) => {
+    const { result, trace } = await record(experiment as FrontExperiment);
+    expect(trace).toBeUndefined();
+    expect(result.report.diagnostics).toMatchObject([{ code: "invalid-option" }]);
+  },
+);
