@@ -166,5 +166,5 @@ it("shows the step of an address only if its example is open and unchanged", asy
   cancel.mockClear();
   await showSharedIfOpen(app, { ...shared, order: "random" });
   expect(cancel).toHaveBeenCalledTimes(1);
-  expect(record).toHaveBeenCalledWith("random");
+  expect(record).toHaveBeenCalledWith({ order: "random" });
 });

@@ -19,7 +19,6 @@ import type { MeshInput, PatchedSurface, SurfaceInput, VolumeMesh } from "../mes
 import { type ProjectArrays, projectArrays } from "../project/arrays.js";
 import { checkedProject } from "../project/project.js";
 import type { Project } from "../project/schema.js";
-import { experimentSchema } from "../trace/experiment.js";
 
 export function checkProject(project: unknown): Diagnostic[] {
   const parsed = checkedProject(project);
@@ -33,7 +32,6 @@ const controlSchema = v.object({
   onFront: listener,
   onUnoptimized: listener,
   onTrace: listener,
-  experiment: v.optional(experimentSchema),
   partial: v.optional(v.boolean()),
 });
 
@@ -42,7 +40,7 @@ export function checkControl(control: RunControl): Diagnostic[] {
   if (problem === undefined) return [];
   const where = problem.path === "" ? "" : `.${problem.path}`;
   const remedy =
-    "Pass an object with any of: functions onProgress, onFront, onUnoptimized and onTrace, an experiment, an AbortSignal signal.";
+    "Pass an object with any of: functions onProgress, onFront, onUnoptimized and onTrace, an AbortSignal signal.";
   return [invalidOption("control", `the control${where} of the call is invalid: ${problem.message}`, remedy)];
 }
 

@@ -1,10 +1,12 @@
 /** Recording of a run as a trace file. */
+import { checkArgument } from "../calls/argument-checks.js";
 import type { RunControl } from "../engine/control.js";
 import { type FrontOrder, MESH_DEFAULTS } from "../generated/constants.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
-import type { MeshResult } from "../mesh/report.js";
+import type { MeshResult, MeshStatus } from "../mesh/report.js";
 import type { Project } from "../project/schema.js";
-import { changedRules, type FrontExperiment } from "../trace/experiment.js";
+import { experimentSchema, type FrontExperiment } from "../trace/experiment.js";
+import type { TraceStatus } from "../trace/layout.js";
 import { traceFile } from "../trace/trace-file.js";
 import type { Mesher } from "./mesher-interface.js";
 import type { MeshOptions, ProjectMeshOptions } from "./option-types.js";
@@ -40,10 +42,11 @@ export async function recordTrace(
   { name, experiment, ...options }: RecordingOptions = {},
   control: RunControl = {},
 ): Promise<RecordedMesh> {
+  if (experiment) checkArgument("experiment", experiment, experimentSchema);
   const events: Uint8Array[] = [];
   const recording: RunControl = {
     ...control,
-    experiment: experiment ?? control.experiment,
+    experiment,
     onTrace: (piece) => {
       events.push(piece);
       return control.onTrace?.(piece);
@@ -54,7 +57,7 @@ export async function recordTrace(
     : await mesher.meshProject(input, options, recording);
   const project = isSurface(input) ? undefined : input;
   const order = options.order ?? project?.meshing?.order;
-  const run = { name: name ?? project?.name ?? "surface", order, experiment: recording.experiment };
+  const run = { name: name ?? project?.name ?? "surface", order, experiment };
   return { result, trace: recordedTrace(result, events, run) };
 }
 
@@ -74,16 +77,21 @@ export function recordedTrace(
   { name, order = MESH_DEFAULTS.order, experiment }: RecordedRun,
 ): Uint8Array<ArrayBuffer> | undefined {
   if (recording === undefined || recording.steps === 0) return undefined;
-  const rules = changedRules(experiment);
   const header = {
     name,
     nodes: surface.points.length / 3,
     steps: recording.steps,
     order,
-    // A front that exceeds the limit of elements ends as invalid input.
-    status: report.status === "invalid-input" ? "stalled" : report.status,
+    status: frontStatus(report.status, recording.fingerprint),
     fingerprint: recording.fingerprint,
-    ...(rules && { experiment: rules }),
+    experiment,
   } as const;
   return traceFile(header, surface.points, events);
+}
+
+function frontStatus(status: MeshStatus, fingerprint: string): TraceStatus {
+  // A front that exceeds the limit of elements ends as invalid input.
+  if (status === "invalid-input") return "stalled";
+  // Cancelled while the mesh was optimized: the front has a fingerprint.
+  return status === "cancelled" && /[^0]/.test(fingerprint) ? "done" : status;
 }

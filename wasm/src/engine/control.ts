@@ -22,7 +22,7 @@ export interface RunControl {
    * bit. A failure of this function has the same effect as one of `onProgress`. `recordTrace` makes a file of them.
    */
   readonly onTrace?: ((events: Uint8Array) => void) | undefined;
-  /** Changes to the rules of the front, for a run with `onTrace`; other runs have the usual rules. */
+  /** Changes to the rules of the front, for a run with `onTrace`; `recordTrace` checks and sets them. */
   readonly experiment?: FrontExperiment | undefined;
   /**
    * Called by `meshProject` and `fillSurface` at most once, with the mesh before or during optimization:

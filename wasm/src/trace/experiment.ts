@@ -27,14 +27,3 @@ export const experimentSchema = objectWith({
   tolerance: v.optional(v.pipe(v.number(), v.minValue(0), v.maxValue(MAX_TOLERANCE))),
   search: v.optional(v.picklist(FRONT_SEARCHES)),
 });
-
-/** Returns the rules that differ from the usual ones; undefined if none does. */
-export function changedRules(experiment: FrontExperiment = {}): FrontExperiment | undefined {
-  const { relaxation = true, tolerance = 1, search = "grid" } = experiment;
-  const changed = {
-    ...(!relaxation && { relaxation }),
-    ...(tolerance !== 1 && { tolerance }),
-    ...(search !== "grid" && { search }),
-  };
-  return Object.keys(changed).length === 0 ? undefined : changed;
-}

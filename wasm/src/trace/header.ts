@@ -29,7 +29,7 @@ export interface TraceHeader {
   readonly status: TraceStatus;
   /** 16 hexadecimal digits: hash of the mesh when the front and its recovery have ended. */
   readonly fingerprint: string;
-  /** Rules of the front that differ from the usual ones; absent if none does. */
+  /** Rules of the front that were given; absent for the usual ones. */
   readonly experiment?: FrontExperiment | undefined;
 }
 

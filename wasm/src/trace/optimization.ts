@@ -1,7 +1,7 @@
 /** The optimization at the end of a trace, sweep by sweep. */
 import { GrowingArray } from "./growing-array.js";
 import { NONE } from "./layout.js";
-import { readSweepGeometry, type SweepEvents, type SweepMeasures, type TracedSweep } from "./sweep-events.js";
+import { type OptimizationSummary, readSweepGeometry } from "./sweep-events.js";
 import { TraceCursor } from "./trace-cursor.js";
 
 /** The mesh after a sweep. */
@@ -12,8 +12,6 @@ export interface SweptMesh {
   readonly tetrahedra: Uint32Array;
   /** Region per tetrahedron. */
   readonly regions: Uint32Array;
-  /** 1 for each tetrahedron that the sweep has made or replaced, or one of whose nodes it has moved. */
-  readonly isChanged: Uint8Array;
 }
 
 /** The sweeps of the optimizer after the front, as recorded. */
@@ -23,22 +21,18 @@ export class TracedOptimization {
   readonly #boundary: Float64Array;
   #state: SweepState;
 
-  constructor(bytes: Uint8Array, { before, sweeps, result, offsets }: SweepEvents, boundary: Float64Array) {
+  constructor(
+    bytes: Uint8Array,
+    /** Angles, counts and changes of all sweeps. */
+    readonly summary: OptimizationSummary,
+    offsets: readonly number[],
+    boundary: Float64Array,
+  ) {
     this.#bytes = bytes;
     this.#offsets = offsets;
     this.#boundary = boundary;
     this.#state = new SweepState(boundary);
-    this.before = before;
-    this.sweeps = sweeps;
-    this.result = result;
   }
-
-  /** The mesh of the front, before the first sweep. */
-  readonly before: SweepMeasures;
-  /** The sweeps, in their order. */
-  readonly sweeps: readonly TracedSweep[];
-  /** Number of the sweep whose mesh is the result, from 1: the last one, unless an earlier mesh was better; 0 for that before. */
-  readonly result: number;
 
   /** Whether `meshAfter` returns meshes: true for up to 100 000 elements. */
   get hasMeshes(): boolean {
@@ -67,8 +61,6 @@ class SweepState {
   readonly #positions = new GrowingArray(Float64Array);
   /** Per slot, four nodes and the region; the first node of an empty slot is NONE. */
   readonly #slots = new GrowingArray(Uint32Array);
-  #movedNodes: ReadonlySet<number> = new Set();
-  #changed: ReadonlySet<number> = new Set();
 
   constructor(boundary: Float64Array) {
     for (const coordinate of boundary) this.#positions.push(coordinate);
@@ -90,30 +82,20 @@ class SweepState {
     geometry.elements.forEach((slot, i) => {
       for (let k = 0; k < 5; k++) this.#slots.set(5 * slot + k, geometry.corners[5 * i + k] ?? 0);
     });
-    this.#movedNodes = new Set(geometry.movedNodes);
-    this.#changed = this.sweep === 0 ? new Set() : new Set(geometry.elements);
   }
 
   mesh(): SweptMesh {
-    const slots = this.#slots.copy();
-    const count = slots.length / 5;
-    const tetrahedra = new Uint32Array(4 * count);
-    const regions = new Uint32Array(count);
-    const isChanged = new Uint8Array(count);
-    let live = 0;
-    for (let slot = 0; slot < count; slot++) {
-      if (slots[5 * slot] === NONE) continue;
-      const nodes = slots.subarray(5 * slot, 5 * slot + 4);
-      tetrahedra.set(nodes, 4 * live);
-      regions[live] = slots[5 * slot + 4] ?? 0;
-      const isMoved = nodes.some((node) => this.#movedNodes.has(node));
-      isChanged[live++] = isMoved || this.#changed.has(slot) ? 1 : 0;
+    const tetrahedra: number[] = [];
+    const regions: number[] = [];
+    for (let at = 0; at < this.#slots.length; at += 5) {
+      if (this.#slots.at(at) === NONE) continue;
+      for (let k = 0; k < 4; k++) tetrahedra.push(this.#slots.at(at + k));
+      regions.push(this.#slots.at(at + 4));
     }
     return {
       points: this.#positions.copy(),
-      tetrahedra: tetrahedra.slice(0, 4 * live),
-      regions: regions.slice(0, live),
-      isChanged: isChanged.slice(0, live),
+      tetrahedra: Uint32Array.from(tetrahedra),
+      regions: Uint32Array.from(regions),
     };
   }
 }

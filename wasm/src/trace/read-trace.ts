@@ -122,7 +122,8 @@ function* traceIn(cursor: TraceCursor): Steps<Trace> {
   const hasSurface = surface !== undefined && surface.divisions.length > 0;
   const traced = hasSurface ? new SurfaceTrace(cursor.file, surface, columns[0].positions) : null;
   const boundary = columns[0].positions.subarray(0, 3 * header.nodes);
-  const optimization = sweeps && new TracedOptimization(cursor.file, sweeps, boundary);
+  const optimization =
+    sweeps && new TracedOptimization(cursor.file, sweeps.summary, sweeps.offsets, boundary);
   return new Trace(cursor.file, header, ...columns, replay.fronts, traced, optimization, lists);
 }
 

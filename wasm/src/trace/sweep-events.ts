@@ -1,7 +1,7 @@
 /** Reads the sweeps of the optimizer at the end of a trace, one event each (docs/TRACE.md). */
 import type { Steps } from "../base/steps.js";
 import { PAUSE } from "../base/steps.js";
-import { EVENT, KIND_BITS, NEVER, SWEEP_GEOMETRY_BIT, SWEEP_KINDS, SWEEP_RESTORED } from "./layout.js";
+import { EVENT, KIND_BITS, SWEEP_GEOMETRY_BIT, SWEEP_KINDS, SWEEP_RESTORED } from "./layout.js";
 import type { SweepKind } from "./layout.js";
 import type { TraceCursor } from "./trace-cursor.js";
 
@@ -28,13 +28,20 @@ export interface TracedSweep extends SweepMeasures {
   readonly changedElements: number;
 }
 
-/** What the events of the optimizer say; offsets of the geometry in the file, if it was recorded. */
-export interface SweepEvents {
+/** What the sweeps of the optimizer have come to. */
+export interface OptimizationSummary {
+  /** The mesh of the front, before the first sweep. */
   readonly before: SweepMeasures;
+  /** The sweeps, in their order. */
   readonly sweeps: readonly TracedSweep[];
-  /** Number of the sweep whose mesh is the result: the last one, unless an earlier mesh was better; 0 for that before. */
+  /** Number of the sweep whose mesh is the result, from 1: the last one, unless an earlier mesh was better; 0 for that before. */
   readonly result: number;
-  /** Of the first mesh, and of each sweep; empty without geometry. */
+}
+
+/** What the events of the optimizer say. */
+interface SweepEvents {
+  readonly summary: OptimizationSummary;
+  /** Where the geometry of the first mesh and of each sweep begins in the file; empty if it was not recorded. */
   readonly offsets: readonly number[];
 }
 
@@ -54,48 +61,47 @@ export interface SweepGeometry {
 /** Reads all sweeps; null if the optimizer has not begun. The cursor is behind the end of the last front. */
 export function* readSweeps(cursor: TraceCursor, boundaryNodes: number): Steps<SweepEvents | null> {
   if (cursor.ahead === 0) return null;
+  const known = { nodes: boundaryNodes, slots: 0 };
   const offsets: number[] = [];
-  const checker = new GeometryChecker(cursor, boundaryNodes);
-  const start = readHead(cursor);
-  if (start.detail !== 0) cursor.fail("the optimization does not begin with a mesh", cursor.at - 1);
-  const before = readMeasures(cursor);
-  const readGeometry = (hasMoves: boolean): void => {
-    offsets.push(cursor.at);
-    checker.check(readSweepGeometry(cursor, hasMoves));
+  const geometryBit = (cursor.peek() >> KIND_BITS) & SWEEP_GEOMETRY_BIT;
+  // The byte of an event without its kind and the bit for its geometry; that kind and bit must be right.
+  const detail = (): number => {
+    const first = cursor.byte() - EVENT.sweep;
+    const rest = (first >> KIND_BITS) - geometryBit;
+    if (first >> KIND_BITS === SWEEP_RESTORED) return SWEEP_RESTORED;
+    return first % (1 << KIND_BITS) === 0 && rest < SWEEP_RESTORED ? rest : fail(cursor);
   };
-  if (start.hasGeometry) readGeometry(false);
+  const readGeometry = (hasMoves: boolean): void => {
+    if (geometryBit === 0) return;
+    offsets.push(cursor.at);
+    check(readSweepGeometry(cursor, hasMoves), known, cursor);
+  };
+  if (detail() !== 0) fail(cursor);
+  const before = readMeasures(cursor);
+  readGeometry(false);
   const sweeps: TracedSweep[] = [];
-  let result: number | undefined;
   while (cursor.ahead > 0) {
     yield PAUSE;
-    const { detail, hasGeometry } = readHead(cursor);
-    if (result !== undefined) cursor.fail("a sweep follows the restored mesh", cursor.at - 1);
-    if (detail === SWEEP_RESTORED) {
-      result = cursor.varint();
-      if (result > sweeps.length) cursor.fail(`there is no sweep ${result}`);
-      continue;
+    const next = detail();
+    if (next === SWEEP_RESTORED) {
+      const result = cursor.varint();
+      return result > sweeps.length || cursor.ahead > 0
+        ? fail(cursor)
+        : { summary: { before, sweeps, result }, offsets };
     }
-    const kind = SWEEP_KINDS[detail - 1];
-    if (kind === undefined) return cursor.fail(`there is no sweep of kind ${detail}`, cursor.at - 1);
-    if (hasGeometry !== start.hasGeometry) cursor.fail("the mesh of a sweep is missing", cursor.at - 1);
-    const changes = {
-      movedNodes: cursor.varint(),
-      addedNodes: cursor.varint(),
-      removedNodes: cursor.varint(),
-      changedElements: cursor.varint(),
-    };
-    sweeps.push({ kind, ...changes, ...readMeasures(cursor) });
-    if (hasGeometry) readGeometry(true);
+    const kind = SWEEP_KINDS[next - 1] ?? fail(cursor);
+    const movedNodes = cursor.varint();
+    const addedNodes = cursor.varint();
+    const removedNodes = cursor.varint();
+    const changedElements = cursor.varint();
+    sweeps.push({ kind, movedNodes, addedNodes, removedNodes, changedElements, ...readMeasures(cursor) });
+    readGeometry(true);
   }
-  return { before, sweeps, result: result ?? sweeps.length, offsets };
+  return { summary: { before, sweeps, result: sweeps.length }, offsets };
 }
 
-function readHead(cursor: TraceCursor): { readonly detail: number; readonly hasGeometry: boolean } {
-  const first = cursor.byte();
-  if (first % (1 << KIND_BITS) !== EVENT.sweep)
-    cursor.fail("expected a sweep of the optimizer", cursor.at - 1);
-  const detail = first >> KIND_BITS;
-  return { detail: detail % SWEEP_GEOMETRY_BIT, hasGeometry: (detail & SWEEP_GEOMETRY_BIT) !== 0 };
+function fail(cursor: TraceCursor): never {
+  return cursor.fail("this is no sweep of the optimizer", cursor.at - 1);
 }
 
 function readMeasures(cursor: TraceCursor): SweepMeasures {
@@ -134,32 +140,18 @@ function readIndices(cursor: TraceCursor, what: string): readonly number[] {
   return Array.from({ length: count }, () => (last += cursor.varint()));
 }
 
-/** Checks that the geometry names only what exists. */
-class GeometryChecker {
-  #nodes: number;
-  #slots = 0;
-
-  constructor(
-    readonly cursor: TraceCursor,
-    boundaryNodes: number,
-  ) {
-    this.#nodes = boundaryNodes;
-  }
-
-  check({ movedNodes, newNodes, removedElements, elements, corners }: SweepGeometry): void {
-    const last = Math.min(movedNodes.at(-1) ?? 0, NEVER);
-    if (last >= this.#nodes) this.cursor.fail(`there is no node ${last} to move`);
-    this.#nodes += newNodes.length / 3;
-    if ((removedElements.at(-1) ?? -1) >= this.#slots)
-      this.cursor.fail("an element is removed that does not exist");
-    const highest = elements.at(-1) ?? -1;
-    // Slots are used one after the other.
-    if (highest >= this.#slots + elements.length)
-      this.cursor.fail(`element ${highest} cannot have this number`);
-    this.#slots = Math.max(this.#slots, highest + 1);
-    for (let i = 0; i < corners.length; i++) {
-      const node = corners[i] ?? 0;
-      if (i % 5 < 4 && (node < 0 || node >= this.#nodes)) this.cursor.fail(`there is no node ${node}`);
-    }
-  }
+/** Checks that the geometry names only what exists, and adds what it makes to the numbers of nodes and slots. */
+function check(
+  { movedNodes, newNodes, removedElements, elements, corners }: SweepGeometry,
+  known: { nodes: number; slots: number },
+  cursor: TraceCursor,
+): void {
+  const lastSlot = elements.at(-1) ?? -1;
+  const isKnown = (movedNodes.at(-1) ?? 0) < known.nodes && (removedElements.at(-1) ?? -1) < known.slots;
+  known.nodes += newNodes.length / 3;
+  // Slots are used one after the other.
+  const hasSlots = lastSlot < known.slots + elements.length;
+  known.slots = Math.max(known.slots, lastSlot + 1);
+  const hasNodes = corners.every((node, i) => i % 5 === 4 || (node >= 0 && node < known.nodes));
+  if (!isKnown || !hasSlots || !hasNodes) fail(cursor);
 }

@@ -14,7 +14,7 @@ import {
   type TraceSteps,
 } from "./trace-columns.js";
 import { TraceCursor } from "./trace-cursor.js";
-import type { SweepMeasures, TracedSweep } from "./sweep-events.js";
+import type { OptimizationSummary } from "./sweep-events.js";
 import type { StepChanges, TracedCandidate, TracePosition, TraceStep } from "./trace-step.js";
 
 /** Counts over the whole trace: of the volume, and of the lines and patches before it. */
@@ -37,14 +37,6 @@ export interface TraceSummary {
   readonly optimization: OptimizationSummary | null;
   /** Fingerprint of the mesh when the front ended, as recorded. */
   readonly fingerprint: string;
-}
-
-/** What the sweeps of the optimizer have come to. */
-export interface OptimizationSummary {
-  readonly before: SweepMeasures;
-  readonly sweeps: readonly TracedSweep[];
-  /** Number of the sweep whose mesh is the result, from 1; 0 for the mesh before. */
-  readonly result: number;
 }
 
 /** Every state of a front and every step of it, as recorded. */
@@ -140,7 +132,7 @@ export class Trace {
       postponed,
       changes: { star, reopened, closed, undone, "exact-fill": exactFill },
       status: this.header.status,
-      optimization: this.optimization && summaryOf(this.optimization),
+      optimization: this.optimization?.summary ?? null,
       fingerprint: this.header.fingerprint,
     };
   }
@@ -201,12 +193,6 @@ export class Trace {
     return [x, y, z];
   }
 }
-
-const summaryOf = ({ before, sweeps, result }: TracedOptimization): OptimizationSummary => ({
-  before,
-  sweeps,
-  result,
-});
 
 const noneAsNull = (index: number | undefined): number | null =>
   index === undefined || index === NONE ? null : index;

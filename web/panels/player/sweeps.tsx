@@ -16,7 +16,8 @@ export function Sweeps({ optimization }: { readonly optimization: TracedOptimiza
     return mesh ? poorElements(mesh).length : null;
   }, [optimization, shown]);
   useEffect(() => () => player.state.setState({ sweep: null }), [player]);
-  const { before, sweeps, result, hasMeshes } = optimization;
+  const { hasMeshes, summary } = optimization;
+  const { before, sweeps, result } = summary;
   return (
     <section
       aria-label={texts.title}
