@@ -1,6 +1,16 @@
 /** Small projects for tests. */
 import type { Project } from "tetrafront";
 
+/** Returns a project with one point moved. */
+export function movePoint(project: Project, id: number, offset: readonly [number, number, number]): Project {
+  const points = project.points.map((point) => {
+    const [x, y, z] = point.position;
+    const position: [number, number, number] = [x + offset[0], y + offset[1], z + offset[2]];
+    return point.id === id ? { ...point, position } : point;
+  });
+  return { ...project, points };
+}
+
 /** Returns the unit cube: six planar patches and a background grid of five tetrahedra with one size. */
 export function cubeProject(size = 0.25): Project {
   const corner = (i: number): [number, number, number] => [i & 1, (i >> 1) & 1, (i >> 2) & 1];

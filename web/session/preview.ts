@@ -2,6 +2,7 @@ import type { Mesher, Project, ProjectPreview } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { engineInput } from "../document/engine-input";
 import type { DocumentStore } from "./document-store";
+import { changedPart, withPart } from "./part-preview";
 import { failureText } from "./failure-text";
 
 export interface PreviewState {
@@ -9,19 +10,28 @@ export interface PreviewState {
   readonly preview: ProjectPreview | null;
   /** The project that `preview` belongs to: the latest one answered. */
   readonly project: Project | null;
+  /** The project that the diagnostics of `preview` belong to: the latest one that was checked as a whole. */
+  readonly checked: Project | null;
   /** The project whose request failed last, and why; null after an answer. */
   readonly failure: { readonly project: Project; readonly reason: string } | null;
 }
 
+/** A preview is slow if it takes longer than this, in milliseconds: continuous edits should be shown 30 times per second. */
+const slowMs = 25;
+/** Time without a newer project before one is checked of which only a part was sampled, in milliseconds. */
+const restMs = 80;
+
 /**
  * Keeps the samples of lines and patches and the diagnostics of the check up to date with the document. Makes one
  * request at a time. A newer project cancels the request, but never twice in a row, so that continuous edits still
- * get previews.
+ * get previews. If previews of the whole project are slow, only what an edit changes is sampled; the whole is checked as
+ * soon as the edits rest.
  */
 export class PreviewFeed {
   readonly state: StoreApi<PreviewState> = createStore<PreviewState>(() => ({
     preview: null,
     project: null,
+    checked: null,
     failure: null,
   }));
   readonly #documents: DocumentStore;
@@ -31,6 +41,10 @@ export class PreviewFeed {
   #abort: AbortController | null = null;
   /** Whether a request was cancelled since the last answer; the next request is then not cancelled. */
   #hasGivenUp = false;
+  /** Whether the last preview of a whole project was slow. */
+  #isSlow = false;
+  /** The project of which a part was sampled, and which is to be checked; null if the last one was checked. */
+  #unchecked: Project | null = null;
 
   constructor(documents: DocumentStore, mesher: Promise<Mesher>) {
     this.#documents = documents;
@@ -39,7 +53,7 @@ export class PreviewFeed {
     this.request(documents.project);
   }
 
-  /** Whether a request is active. */
+  /** Whether a request is active, or a check is to follow. */
   get busy(): boolean {
     return this.#abort !== null;
   }
@@ -47,7 +61,10 @@ export class PreviewFeed {
   request(project: Project): void {
     this.#next = project;
     if (this.#abort === null) void this.#ask();
-    else if (!this.#hasGivenUp) {
+    else if (this.#unchecked !== null) {
+      // The samples are shown already: the check can wait.
+      this.#abort.abort();
+    } else if (!this.#hasGivenUp) {
       this.#hasGivenUp = true;
       this.#abort.abort();
     }
@@ -76,23 +93,57 @@ export class PreviewFeed {
   }
 
   async #ask(): Promise<void> {
-    while (this.#next) {
-      const project = this.#next;
-      this.#next = null;
+    while (this.#next ?? this.#unchecked) {
       const abort = new AbortController();
       this.#abort = abort;
+      const isAborted = (): boolean => abort.signal.aborted;
+      const next = this.#next;
+      if (next === null) await this.#rest(abort.signal);
+      const project = next ?? this.#unchecked;
+      if (isAborted() || project === null) continue;
+      this.#next = null;
+      this.#unchecked = null;
       try {
-        const [drawn, options] = engineInput(project);
-        const control = { signal: abort.signal };
-        const preview = await (await this.#mesher).previewProject(drawn, options, control);
+        if (next !== null && (await this.#samplePart(project))) this.#unchecked = project;
+        else await this.#sample(project, abort.signal);
         this.#hasGivenUp = false;
-        this.state.setState({ preview, project, failure: null });
       } catch (error) {
-        if (abort.signal.aborted) continue;
+        if (isAborted()) continue;
         this.#hasGivenUp = false;
         this.state.setState({ failure: { project, reason: failureText(error) } });
       }
     }
     this.#abort = null;
+  }
+
+  async #sample(project: Project, signal: AbortSignal): Promise<void> {
+    const [drawn, options] = engineInput(project);
+    const mesher = await this.#mesher;
+    const begin = performance.now();
+    const preview = await mesher.previewProject(drawn, options, { signal });
+    this.#isSlow = performance.now() - begin > slowMs;
+    this.state.setState({ preview, project, checked: project, failure: null });
+  }
+
+  /** Samples only what an edit has changed. Returns false if the whole project must be sampled, or can be in time. */
+  async #samplePart(project: Project): Promise<boolean> {
+    const { preview, project: sampled, failure } = this.state.getState();
+    if (!this.#isSlow || !preview || !sampled || failure) return false;
+    const part = changedPart(sampled, project);
+    if (!part) return false;
+    const samples = await (await this.#mesher).previewProject(part.project);
+    this.state.setState({ preview: withPart(preview, samples, part), project, failure: null });
+    return true;
+  }
+
+  /** Resolves after a while without a newer project, or as soon as there is one. */
+  #rest(signal: AbortSignal): Promise<void> {
+    return new Promise((resolve) => {
+      const timer = setTimeout(resolve, restMs);
+      signal.addEventListener("abort", () => {
+        clearTimeout(timer);
+        resolve();
+      });
+    });
   }
 }

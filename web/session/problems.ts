@@ -5,7 +5,7 @@ import type { BodyCheck } from "./body-check";
 import type { PreviewFeed } from "./preview";
 import type { MeshRun } from "./run";
 import { meshKey, shownMeshKey } from "../document/content-keys";
-import { settledContent, type DocumentStore } from "./document-store";
+import { type DocumentStore } from "./document-store";
 import { bodiesOf, isEmptyProject, recordsOf } from "../document/entities";
 import { bodyProblems, problemsByEntity, sorted, toProblems, type Problem } from "../document/validate";
 
@@ -32,13 +32,14 @@ export class ProblemList {
     run: MeshRun,
   ) {
     const update = (): void => {
-      const content = settledContent(documents.state.getState());
+      // Also during a gesture: its problems are shown as soon as they are known.
+      const content = documents.state.getState().history.present;
       const { project } = content;
-      const { preview, project: previewed } = previews.state.getState();
+      const { preview, checked } = previews.state.getState();
       const { outcome } = run.state.getState();
       // Keep the old problems while the check of an edit runs, so that the list does not flicker.
-      const current = previewed === project;
-      if (!current && previewed !== null && previews.busy) return;
+      const current = checked === project;
+      if (!current && checked !== null && previews.busy) return;
       const areBodiesChecked = check.state.getState().key === meshKey(project);
       const ofDrawn = toProblems(project, [
         // An empty project lacks everything; only a run reports that. Bodies need no patches beside them.

@@ -9,6 +9,7 @@ import type { QualitySpace } from "../../document/mesh-quality";
 import type { ViewState } from "../../document/selection";
 import type { ShellState } from "../../session/shell";
 import type { Project, RegionQuality } from "tetrafront";
+import { calmDocuments } from "./calm-documents";
 
 export const AppContext = createContext<App | null>(null);
 
@@ -18,8 +19,9 @@ export function useApp(): App {
   return app;
 }
 
+/** Returns a part of the document's state, a little later during gestures. */
 export function useDocument<T>(select: (state: DocumentState) => T): T {
-  return useStore(useApp().documents.state, select);
+  return useStore(calmDocuments(useApp().documents.state), select);
 }
 
 export function useProject(): Project {

@@ -1,0 +1,122 @@
+import { createMesher, readProject, type Mesher, type Project, type ProjectPreview } from "tetrafront";
+import { readFileSync } from "node:fs";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { DocumentStore } from "../../../web/session/document-store";
+import { changedPart, withPart } from "../../../web/session/part-preview";
+import { PreviewFeed } from "../../../web/session/preview";
+import type { Position } from "../../../web/document/position";
+import { cross, length, subtract } from "../../../web/document/vectors";
+import { movePoint } from "../../support/projects";
+import { randomSource } from "../../support/random";
+
+let mesher: Mesher;
+beforeAll(async () => void (mesher = await createMesher()));
+afterAll(() => mesher.dispose());
+
+/** Returns the area of each sampled patch. */
+function areasOf({ patchOffsets, patchPoints, patchTriangles }: ProjectPreview): number[] {
+  return Array.from({ length: patchOffsets.length - 1 }, (_, patch) => {
+    let area = 0;
+    for (let t = patchOffsets[patch] ?? 0; t < (patchOffsets[patch + 1] ?? 0); ++t) {
+      const [a = 0, b = 0, c = 0] = patchTriangles.subarray(3 * t, 3 * t + 3);
+      const at = (node: number): Position => [
+        patchPoints[3 * node] ?? NaN,
+        patchPoints[3 * node + 1] ?? NaN,
+        patchPoints[3 * node + 2] ?? NaN,
+      ];
+      area += length(cross(subtract(at(b), at(a)), subtract(at(c), at(a)))) / 2;
+    }
+    return area;
+  });
+}
+
+function sampleModel(id: string): Project {
+  const read = readProject(
+    readFileSync(new URL(`../../../public/models/${id}.json`, import.meta.url), "utf8"),
+  );
+  if (!read.success) throw new Error(read.errors[0].message);
+  return read.value;
+}
+
+describe("the preview of the part that an edit changes", () => {
+  it.each(["chain", "engine-intake", "pipe-flange", "vault", "y-pipe", "wing-in-a-tunnel"])(
+    "gives the same samples as one of the whole project: %s",
+    async (id) => {
+      const before = sampleModel(id);
+      const sampled = await mesher.previewProject(before);
+      const random = randomSource(7);
+      for (let round = 0; round < 6; ++round) {
+        const { id: point } = before.points[random() % before.points.length] ?? { id: 0 };
+        const after = movePoint(before, point, [1e-3, -2e-3, 1e-3]);
+        const part = changedPart(before, after);
+        if (!part) continue;
+        const samples = withPart(sampled, await mesher.previewProject(part.project), part);
+        const expected = await mesher.previewProject(after);
+        // The density of the samples may depend on the whole model; the shape does not.
+        expect(samples.lineOffsets).toHaveLength(expected.lineOffsets.length);
+        const [areas, wanted] = [areasOf(samples), areasOf(expected)];
+        expect(areas).toHaveLength(wanted.length);
+        wanted.forEach((area, patch) => expect((areas[patch] ?? 0) / area).toBeCloseTo(1, 2));
+        part.patches.forEach((patch) => expect(areas[patch]).toBeGreaterThan(0));
+      }
+    },
+  );
+
+  it("is not made if nothing or too much has changed, or if there are other entities", () => {
+    const project = sampleModel("chain");
+    expect(changedPart(project, { ...project, name: "Copy" })).toBeNull();
+    const points = project.points.map((point) => ({ ...point }));
+    expect(changedPart(project, { ...project, points })).toBeNull();
+    expect(changedPart(project, { ...project, patches: project.patches.slice(1) })).toBeNull();
+    const one = changedPart(project, movePoint(project, project.points[0]?.id ?? 0, [0, 0, 1]));
+    expect(one?.patches.length).toBeGreaterThan(0);
+    expect(one?.patches.length).toBeLessThan(project.patches.length / 2);
+  });
+});
+
+it("a slow preview samples only what an edit changes, and checks the whole project when the edits rest", async () => {
+  const chain = sampleModel("chain");
+  const asked: number[] = [];
+  const slow: Pick<Mesher, "previewProject"> = {
+    previewProject: async (project, options, control) => {
+      asked.push(project.patches.length);
+      const preview = await mesher.previewProject(project, options, control);
+      if (project.patches.length === chain.patches.length) {
+        await new Promise((resolve) => setTimeout(resolve, 40));
+      }
+      return preview;
+    },
+  };
+  const documents = new DocumentStore(chain, () => 0);
+  const feed = new PreviewFeed(documents, Promise.resolve(slow as Mesher));
+  const until = (isReached: () => boolean): Promise<void> =>
+    new Promise((resolve) => {
+      const stop = feed.state.subscribe(() => {
+        if (!isReached()) return;
+        stop();
+        resolve();
+      });
+    });
+  const state = () => feed.state.getState();
+  await until(() => state().checked === chain);
+  const [point] = chain.points;
+  if (!point) throw new Error("the model has no points");
+  const gesture = documents.begin("Move");
+  for (let step = 1; step <= 5; ++step) {
+    gesture.update({
+      change: ({ project }) => {
+        const first = project.points[0];
+        if (first) first.position[0] = point.position[0] + step / 1000;
+      },
+    });
+    await until(() => state().project === documents.project);
+    expect(state().checked).toBe(chain);
+  }
+  expect(asked.slice(1).every((patches) => patches < chain.patches.length / 2)).toBe(true);
+  expect(feed.busy).toBe(true);
+  await until(() => state().checked === documents.project);
+  expect(asked.at(-1)).toBe(chain.patches.length);
+  gesture.commit();
+  await new Promise((resolve) => setTimeout(resolve, 0));
+  expect(feed.busy).toBe(false);
+});
