@@ -14,8 +14,8 @@ constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 /// Numbers of rounds of collapsing, splitting and smoothing, and of passes of smoothing. More of
 /// them change little.
 constexpr int kRounds = 3;
-constexpr int kSmoothingPassesAtLast = 3;
-constexpr int kFinalSmoothingPasses = 2;
+constexpr int kSmoothingPassesAtLast = 2;
+constexpr int kFinalSmoothingPasses = 1;
 /// Edges shorter than this are collapsed, in target lengths. In the first round only much shorter
 /// edges are collapsed: needles have short edges that splits will remove.
 constexpr double kShort = 0.75;

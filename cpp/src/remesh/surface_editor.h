@@ -28,6 +28,9 @@ struct CollapseRule {
   bool mustImprove = false;  ///< the smallest radius ratio must rise
 };
 
+/// kSmooth raises the mean radius ratio, or the poorest one; kImprove only the poorest one, also by a little.
+enum class MovePurpose : std::uint8_t { kSmooth, kImprove };
+
 class SurfaceEditor {
  public:
   /// Both must outlive this.
@@ -115,10 +118,10 @@ class SurfaceEditor {
   void beginMove(NodeId node);
   /// Ends a trial move: the measures use the node's own position again.
   bool endMove(bool wasMade);
-  bool moveOnPatch(NodeId node, const Vec3& target, bool forMean);
-  bool moveOnLine(NodeId node, double arc, bool forMean);
+  bool moveOnPatch(NodeId node, const Vec3& target, MovePurpose purpose);
+  bool moveOnLine(NodeId node, double arc, MovePurpose purpose);
   [[nodiscard]] bool projectMove(NodeId node);
-  [[nodiscard]] bool isBetter(const Ratios& before, bool forMean) const;
+  [[nodiscard]] bool isBetter(const Ratios& before, MovePurpose purpose) const;
   [[nodiscard]] Vec3 centreOf(NodeId node) const;
   bool improveOnLine(NodeId node);
   bool improveOnPatch(NodeId node);
