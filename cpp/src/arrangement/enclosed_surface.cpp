@@ -148,7 +148,12 @@ class Enclosing {
       } else {
         pairsBefore = arrangement.pairCount();
       }
-      if (countTriangles(result_.mesh) > kMaxGrowth * (countTriangles(given_) + 100)) co_return;
+      const std::size_t most = kMaxGrowth * (countTriangles(given_) + 100);
+      if (countTriangles(result_.mesh) > most) {
+        result_.reason = Unresolved::kTooMuchWork;
+        result_.limit = most;
+        co_return;
+      }
       co_await work.yield();
     }
   }

@@ -114,7 +114,8 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
     if (split !== undefined && !isQuiet) {
       print(`${input}: ${splitText(welded.treated.surface, welded.divided)}`);
     }
-    printDiagnostics(input, problemsOf(welded), { isQuiet });
+    const told = problemsOf(welded);
+    printDiagnostics(input, told, { isQuiet });
     const withSizes = await withGrid(mesher, sizes, grid);
     const hasExact = repair === undefined && hasWelded(given.surface, welded.treated);
     const { made, prepared, isExact } = await remeshedBest(
@@ -133,7 +134,11 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
       print(`repair: ${input}: ${EXACT_REPAIR}`);
       printChanges(input, prepared.treated);
     }
-    if (isExact) printDiagnostics(input, found, { isQuiet });
+    if (isExact) {
+      const isTold = ({ message }: Diagnostic): boolean => told.some((one) => one.message === message);
+      const others = found.filter((one) => !isTold(one));
+      printDiagnostics(input, others, { isQuiet });
+    }
     const files = await writeMesh(fileMesh(made.surface), name);
     const diagnostics = await problemsInFile(mesher, files, made.surface, { name, innerShells });
     await writeAll(files, { input, output, name, isQuiet });

@@ -75,7 +75,7 @@ function unresolved(reason: number, { triangle, at, count, limit }: UnresolvedPl
     case 2:
       return `more than half of its area encloses nothing, for example ${triangle}${at}`;
     case 3:
-      return `more than ${limit} pairs of triangles intersect, for example ${triangle}${at}`;
+      return `at least ${limit} pairs of triangles intersect, for example ${triangle}${at}`;
     case 4:
       return `${triangle}${at} still intersects others after as many attempts as are allowed, which is ${limit} triangles and pairs in all (${plural(count, "pair")} left)`;
     case 5:
