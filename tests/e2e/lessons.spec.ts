@@ -229,3 +229,33 @@ test("a lesson is completed on a phone", async ({ page }) => {
     await expect(task(page, i + 1)).toHaveAttribute("data-done", "true");
   }
 });
+
+test("experiments: runs by other rules stand side by side, and the link opens them again", async ({
+  page,
+}) => {
+  await page.goto("./?test=1&lesson=5");
+  await expect(page.getByTestId("lesson-front")).toHaveAttribute("data-shown", "true");
+  await page.getByTestId("experiments").locator("summary").click();
+  await page.getByTestId("experiment-tolerance").selectOption("0");
+  await page.getByTestId("experiment-run").click();
+  await expect(page.getByTestId("experiment-tolerance-0")).toBeVisible();
+  await page.getByTestId("experiment-search").selectOption("linear");
+  await page.getByTestId("experiment-run").click();
+  await expect(page.getByTestId("experiment-tolerance-0+linear")).toBeVisible();
+  // A linear search changes nothing but the time.
+  const cells = async (run: string): Promise<string[]> =>
+    (await page.getByTestId(`experiment-${run}`).getByRole("cell").allTextContents()).slice(1);
+  const changed = await cells("tolerance-0");
+  expect(await cells("tolerance-0+linear")).toEqual(changed);
+  expect(changed).not.toEqual(await cells("usual"));
+  await expect(page).toHaveURL(/runs=tolerance-0(%2C|,)tolerance-0%2Blinear/);
+  await page.reload();
+  await page.getByTestId("experiments").locator("summary").click();
+  await expect(page.getByTestId("experiment-tolerance-0+linear")).toBeVisible();
+  expect(await cells("tolerance-0+linear")).toEqual(changed);
+  await page.getByTestId("experiment-tolerance-0").getByRole("button").click();
+  await expect(page.getByTestId("experiment-tolerance-0").getByRole("button")).toHaveAttribute(
+    "aria-pressed",
+    "true",
+  );
+});

@@ -1,4 +1,4 @@
-/** Opens lessons, shows their models, and runs them in another order. Loaded with the lessons. */
+/** Opens lessons, shows their models, and runs them by other rules. Loaded with the lessons. */
 import type { FrontOrder, MeshReport, Trace } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { App } from "../app/app";
@@ -8,6 +8,7 @@ import { course, finishTask } from "../lessons/course";
 import type { Lesson } from "../lessons/lesson";
 import type { LessonAddress } from "../lessons/lesson-address";
 import { loadLessonModel } from "../lessons/lesson-files";
+import { rulesNamed } from "../lessons/run-rules";
 import type { PlayerState } from "../player/player";
 import type { Recorded } from "../player/recording";
 import { settledProject } from "../session/document-store";
@@ -18,6 +19,8 @@ import { runEnd } from "./run-end";
 
 /** A recorded front of the model of a lesson. */
 export interface LessonRun {
+  /** Name of the rules by which it differs from the lesson's own run; empty for that. */
+  readonly name: string;
   readonly order: FrontOrder;
   readonly trace: Trace;
   readonly file: Uint8Array<ArrayBuffer>;
@@ -75,7 +78,7 @@ export async function openLesson(
   app: App,
   lesson: Lesson,
   number: number,
-  runs: readonly FrontOrder[] = [],
+  runs: readonly string[] = [],
 ): Promise<void> {
   app.shell.setState({ rightTab: "lessons", lesson: number });
   await showLessonModel(app, lesson, runs);
@@ -83,15 +86,15 @@ export async function openLesson(
 
 /**
  * Shows the model of a lesson with its front, in the state where the lesson begins. The present document stays available, as
- * if an example were opened. `orders`: further orders in which the model is run, to be compared.
+ * if an example were opened. `names`: further rules by which the model is run, to be compared.
  */
 export async function showLessonModel(
   app: App,
   lesson: Lesson,
-  orders: readonly FrontOrder[] = [],
+  names: readonly string[] = [],
 ): Promise<void> {
   const store = lessonRuns(app);
-  const others = orders.filter((order) => order !== lesson.order);
+  const others = names.filter((name) => name !== lesson.order);
   app.shell.setState({ lessonRuns: others });
   store.setState({ lesson, model: null, runs: [], isPreparing: true });
   try {
@@ -106,9 +109,9 @@ export async function showLessonModel(
     if (store.getState().lesson !== lesson || !isShownModel(app, model)) return;
     const recorded = await app.player.record();
     if (store.getState().lesson !== lesson || recorded?.kind !== "recorded") return;
-    const own = runOf(lesson.order, recorded);
+    const own = runOf("", lesson.order, recorded);
     store.setState({ runs: [own] });
-    for (const order of others) if (!(await addRun(app, lesson, order))) return;
+    for (const name of others) if (!(await addRun(app, lesson, name))) return;
     if (others.length > 0) app.player.show(own.trace, own.file);
     showBeginning(app, lesson);
   } catch (error) {
@@ -126,27 +129,31 @@ export function showBeginning({ player }: App, { step, coloring }: Lesson): void
 }
 
 /**
- * Records the front of the present lesson in another order, and shows it. If another document is open, or the model was
- * changed, opens the model of the lesson first. Returns whether this has succeeded.
+ * Records the front of the present lesson in another order or by other rules, and shows it. If another document is open, or the
+ * model was changed, opens the model of the lesson first. Returns whether this has succeeded.
  */
-export async function compareRun(app: App, order: FrontOrder): Promise<boolean> {
+export async function compareRun(app: App, name: string): Promise<boolean> {
   const store = lessonRuns(app);
   const { lesson, model } = store.getState();
   if (!lesson) return false;
   if (!isShownModel(app, model)) await showLessonModel(app, lesson);
   if (store.getState().lesson !== lesson || !isShownModel(app, store.getState().model)) return false;
-  return addRun(app, lesson, order);
+  return addRun(app, lesson, name);
 }
 
-/** Records the front of the model of a lesson in another order, and shows it. Returns whether this has succeeded. */
-async function addRun(app: App, lesson: Lesson, order: FrontOrder): Promise<boolean> {
+/** Records the front of the model of a lesson by other rules, and shows it. Returns whether this has succeeded. */
+async function addRun(app: App, lesson: Lesson, name: string): Promise<boolean> {
   const store = lessonRuns(app);
-  const recorded = await app.player.record({ order });
+  const rules = rulesNamed(name);
+  if (!rules) return false;
+  const { order, filters, relaxation, tolerance, search } = rules;
+  const experiment = { relaxation, tolerance, search };
+  const recorded = await app.player.record({ order: order ?? undefined, filters, experiment });
   if (store.getState().lesson !== lesson || recorded?.kind !== "recorded") return false;
-  const others = store.getState().runs.filter((run) => run.order !== order);
-  store.setState({ runs: [...others, runOf(order, recorded)] });
+  const others = store.getState().runs.filter((run) => run.name !== name);
+  store.setState({ runs: [...others, runOf(name, order ?? lesson.order, recorded)] });
   const named = app.shell.getState().lessonRuns;
-  if (order !== lesson.order && !named.includes(order)) app.shell.setState({ lessonRuns: [...named, order] });
+  if (name !== "" && !named.includes(name)) app.shell.setState({ lessonRuns: [...named, name] });
   return true;
 }
 
@@ -169,6 +176,7 @@ export function showRun({ player }: App, { trace, file }: LessonRun): void {
 }
 
 const runOf = (
+  name: string,
   order: FrontOrder,
   { trace, file, report }: Extract<Recorded, { readonly kind: "recorded" }>,
-): LessonRun => ({ order, trace, file, report });
+): LessonRun => ({ name, order, trace, file, report });

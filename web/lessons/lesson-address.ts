@@ -1,20 +1,21 @@
-/** The open lesson in the address of the page: `lesson=7&runs=first-in,random`. */
-import { FRONT_ORDERS, type FrontOrder } from "tetrafront";
+/** The open lesson in the address of the page: `lesson=7&runs=first-in,strict`. */
+import { nameOfRules, rulesNamed } from "./run-rules";
 
 export interface LessonAddress {
   /** Place of the lesson in the course, from 1. */
   readonly number: number;
-  /** Orders in which the model of the lesson is run besides the lesson's own, in the order of the runs. */
-  readonly runs: readonly FrontOrder[];
+  /** Names of the rules by which the model is run besides the lesson's own, in the order of the runs (run-rules.ts). */
+  readonly runs: readonly string[];
 }
 
-/** Returns the lesson that an address names; null if it names none. Unknown orders are left out. */
+/** Returns the lesson that an address names; null if it names none. Unknown rules are left out. */
 export function lessonIn(query: URLSearchParams): LessonAddress | null {
   const number = query.get("lesson");
   if (number === null) return null;
   const runs = (query.get("runs") ?? "").split(",").flatMap((name) => {
-    const order = FRONT_ORDERS.find((known) => known === name.trim());
-    return order ? [order] : [];
+    const rules = rulesNamed(name);
+    const known = rules ? nameOfRules(rules) : "";
+    return known === "" ? [] : [known];
   });
   return { number: Number(number), runs: [...new Set(runs)] };
 }

@@ -2,9 +2,8 @@ import type { SweptMesh } from "tetrafront";
 import type { Position } from "../document/position";
 import { qualityOf } from "../document/mesh-quality";
 import { cornersPerElement, writeElement } from "./element-buffers";
+import { poorAngle } from "./poor-angle";
 
-/** Dihedral angle in degrees below which an element is drawn. */
-export const poorAngle = 30;
 /** Number of elements drawn at most, the worst first. */
 const drawnCount = 2000;
 

@@ -6,7 +6,8 @@ import { rampTexture } from "../viewer/materials/textures";
 import { setColor, setTexture } from "../viewer/materials/uniforms";
 import type { SceneChanges } from "../viewer/scene-state";
 import { createFrontMaterial } from "./front-material";
-import { poorAngle, SweepBuffers } from "./sweep-buffers";
+import { poorAngle } from "./poor-angle";
+import { SweepBuffers } from "./sweep-buffers";
 
 /** The poor elements of the mesh after a sweep of the optimizer. */
 export class SweepLayer implements Layer {

@@ -1,4 +1,3 @@
-import type { FrontOrder } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 
 export type DialogName = "help" | "new-point" | "new-node" | "cover" | "propose" | "recent" | "templates";
@@ -20,7 +19,7 @@ export interface ShellState {
   /** Number of the open lesson, from 1; null: the list of the lessons. */
   readonly lesson: number | null;
   /** Orders in which the model of the open lesson was run, or shall be run, besides the lesson's own. */
-  readonly lessonRuns: readonly FrontOrder[];
+  readonly lessonRuns: readonly string[];
   readonly bottomTab: "log" | "problems" | "patches" | "front" | "history";
   /** On small screens the panels are drawers. */
   readonly drawer: "left" | "right" | "bottom" | null;

@@ -22,6 +22,18 @@ const orders: Readonly<Record<FrontOrder, string>> = {
   random: "random",
 };
 
+/** Parts of names of runs, but orders. */
+const rules: Readonly<Record<string, string>> = {
+  strict: "never relaxed",
+  unfiltered: "no filters",
+  linear: "linear search",
+  "tolerance-0": "never too close",
+  "tolerance-0.5": "half the distance",
+  "tolerance-2": "twice the distance",
+};
+const orderName = (part: string): string =>
+  Object.entries(orders).find(([order]) => order === part)?.[1] ?? part;
+
 export const lessonStrings = {
   title: "Lessons",
   intro:
@@ -70,6 +82,28 @@ export const lessonStrings = {
     "Crosses: candidates refused because they cross a face; small: of these, a face less than half as large as the base face. Postp.: postponed faces. Flat: elements with a dihedral angle below 5° when the front has closed. Click an order to see its front.",
   showRun: (order: FrontOrder) => `Show the front in the order “${orders[order]}”`,
   orders,
+  experiments: {
+    title: "Experiments",
+    intro:
+      "Run the model of this lesson with other rules and compare. The link in the address bar opens the same runs again.",
+    hint: "Time in seconds for the volume. Postp.: postponed faces. Recov.: steps of recovery. Angle: smallest dihedral angle. Ratio: mean radius ratio. Angle and ratio are those before any optimization. Filters and search change the time only.",
+    order: "Order",
+    relaxation: "Relaxed rules",
+    filters: "Filters",
+    tolerance: "Too close",
+    search: "Search",
+    searches: { grid: "hash grid", linear: "linear" },
+    on: "on",
+    off: "off",
+    times: (factor: number) =>
+      factor === 0 ? "never" : factor === 1 ? "usual distance" : `${factor} × the distance`,
+    run: "Run with these rules",
+    columns: ["Rules", "Time", "Postp.", "Recov.", "Angle", "Ratio"],
+    name: (parts: readonly string[], order: FrontOrder) =>
+      parts.map((part) => (part === "" ? orders[order] : (rules[part] ?? orderName(part)))).join(", "),
+    show: (name: string) => `Show the front of the run: ${name}`,
+    degrees: (angle: number) => `${angle.toFixed(1)}°`,
+  },
   finished: "All tasks of this lesson are done.",
   restart: "Start this lesson again",
   costLinear: "linear search",

@@ -99,6 +99,7 @@ export const playerStrings = {
   coloring: "Colour",
   colorings: { age: "Age", size: "Size", layer: "Layer" },
   legend: { age: "age of the face", size: "size of the face", layer: "layer of the face" },
+  sweptLegend: "smallest angle",
   /** What the lower and the upper end of the colour scale mean. */
   legendEnds: (coloring: "age" | "size" | "layer", from: number, to: number): readonly [string, string] => {
     if (coloring === "age") return ["old", "new"];

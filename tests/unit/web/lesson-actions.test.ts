@@ -88,6 +88,18 @@ it("runs the model in the orders of an address, and shows the lesson's own run",
   expect(app.shell.getState().lessonRuns).toEqual([]);
 });
 
+it("runs the model by other rules, which the address names", async () => {
+  const name = "random+strict+unfiltered+tolerance-0.5+linear";
+  await showLessonModel(app, lesson, [name]);
+  expect(app.player.record).toHaveBeenLastCalledWith({
+    order: "random",
+    filters: false,
+    experiment: { relaxation: false, tolerance: 0.5, search: "linear" },
+  });
+  expect(app.shell.getState().lessonRuns).toEqual([name]);
+  expect(await compareRun(app, "strict+backwards")).toBe(false);
+});
+
 afterEach(() => {
   vi.restoreAllMocks();
   vi.unstubAllGlobals();

@@ -6,13 +6,18 @@ it.each([
   ["lesson=7", { number: 7, runs: [] }],
   ["lesson=7&runs=first-in,random", { number: 7, runs: ["first-in", "random"] }],
   ["lesson=7&runs=random, sideways,random,", { number: 7, runs: ["random"] }],
+  ["lesson=7&runs=strict,first-in%2Bstrict", { number: 7, runs: ["strict", "first-in+strict"] }],
+  [
+    "lesson=7&runs=linear+unfiltered,tolerance-0,tolerance-3",
+    { number: 7, runs: ["unfiltered+linear", "tolerance-0"] },
+  ],
   ["runs=random", null],
 ])("%s", (query, lesson) => {
   expect(lessonIn(new URLSearchParams(query))).toEqual(lesson);
 });
 
 it("comes back from the address, which keeps what is not about lessons", () => {
-  const lesson = { number: 3, runs: ["layered", "smallest-first"] } as const;
+  const lesson = { number: 3, runs: ["layered", "smallest-first", "random+strict+tolerance-2"] } as const;
   const address = withLesson("https://example.org/?model=cube&test=1&runs=random", lesson);
   expect(lessonIn(address.searchParams)).toEqual(lesson);
   expect(address.searchParams.get("test")).toBe("1");

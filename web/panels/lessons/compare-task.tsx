@@ -33,7 +33,7 @@ export function CompareTask({ task, number, onDone }: TaskProps<TaskOf<"compare"
       >
         {isRunning ? texts.running : texts.compare(task.order)}
       </Button>
-      {runs.some(({ order }) => order === task.order) && <RunTable other={task.order} number={number} />}
+      {runs.some(({ name }) => name === task.order) && <RunTable other={task.order} number={number} />}
     </div>
   );
 }
@@ -46,8 +46,8 @@ interface RunTableProps {
 /** The front of the lesson and one in another order. */
 function RunTable({ other, number }: RunTableProps) {
   const app = useApp();
-  const { lesson, runs: all } = useLessonRuns((state) => state);
-  const runs = all.filter(({ order }) => order === lesson?.order || order === other);
+  const all = useLessonRuns((state) => state.runs);
+  const runs = all.filter(({ name }) => name === "" || name === other);
   const shown = usePlayer((state) => state.trace);
   return (
     <>
@@ -63,7 +63,7 @@ function RunTable({ other, number }: RunTableProps) {
         </thead>
         <tbody>
           {runs.map((run) => (
-            <tr key={run.order} data-highlighted={run.trace === shown || undefined}>
+            <tr key={run.name} data-highlighted={run.trace === shown || undefined}>
               <th scope="row">
                 <button
                   type="button"

@@ -10,6 +10,7 @@ import { ScrollPanel } from "../../ui/frames/scroll-panel";
 import { IconButton } from "../../ui/icon-button";
 import { usePlayer } from "../player/use-player";
 import { useApp } from "../shared/app-context";
+import { Experiments } from "./experiments";
 import { LessonPlayer } from "./lesson-player";
 import { LessonText } from "./lesson-text";
 import styles from "./lessons.module.css";
@@ -57,6 +58,7 @@ export function LessonPage({ lesson, number, course }: LessonPageProps) {
       {lesson.figure.includes("queue") && <QueueFigure />}
       {lesson.figure.includes("search-cost") && <SearchChart />}
       <TaskList lesson={lesson} />
+      <Experiments key={lesson.id} lesson={lesson} />
       <Finished lesson={lesson} number={number} course={course} />
     </ScrollPanel>
   );

@@ -4,6 +4,7 @@ import type { App } from "../../app/app";
 import { frontSizeAt, phaseAt } from "../../player/phases";
 import { strings } from "../../strings";
 import { lessonStrings as texts } from "../../strings/lessons";
+import { viewerColors } from "../../ui/theme/theme";
 import styles from "./print.module.css";
 
 const schemeAttribute = "data-mantine-color-scheme";
@@ -53,7 +54,7 @@ function addSheet(app: App, page: HTMLElement): () => void {
     for (const field of copy.querySelectorAll("input")) field.replaceWith(line);
     sheet.append(...copy.childNodes);
   }
-  const picture = pictureOf(app);
+  const picture = pictureOf(app, scheme);
   if (picture) sheet.querySelector("p")?.after(picture);
   const address = new URL(window.location.href);
   address.searchParams.delete("test");
@@ -66,13 +67,16 @@ function addSheet(app: App, page: HTMLElement): () => void {
 }
 
 /** The view with a caption; null without a view or a front. */
-function pictureOf({ viewer: store, player }: App): HTMLElement | null {
+function pictureOf({ viewer: store, player }: App, scheme: string | null): HTMLElement | null {
   const { viewer } = store.getState();
   const { trace, step } = player.state.getState();
   const canvas = document.createElement("canvas");
   const context = canvas.getContext("2d");
   if (!viewer || !trace || !context) return null;
+  // The sheet has the colours of the light theme; the view keeps those of the page.
+  viewer.setColors(viewerColors.light);
   viewer.drawOn(canvas, context, "#ffffff");
+  viewer.setColors(viewerColors[scheme === "light" ? "light" : "dark"]);
   const { phase, from, to } = phaseAt(trace, step);
   const caption = document.createElement("figcaption");
   caption.textContent = strings.player.scrubText(phase, step - from, to - from, frontSizeAt(trace, step));

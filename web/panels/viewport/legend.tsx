@@ -1,6 +1,7 @@
 import { useMemo } from "react";
 import { useStore } from "zustand";
 import { frontValues } from "../../player/front-values";
+import { poorAngle } from "../../player/poor-angle";
 import { asksForStretching, bestValue, worstShown, type QualityMeasure } from "../../document/mesh-quality";
 import { measuredIn, measureNames, spaceNames, strings } from "../../strings";
 import type { RunState } from "../../session/run";
@@ -44,11 +45,13 @@ function FrontLegend() {
   const app = useApp();
   const trace = useStore(app.player.state, (state) => state.trace);
   const coloring = useStore(app.player.state, (state) => state.coloring);
+  const isSwept = useStore(app.player.state, ({ sweep }) => sweep !== null);
   const [low, high] = useMemo(() => {
+    if (isSwept) return ["0°", `${poorAngle}°`];
     const [from, to] = trace ? frontValues(trace, coloring).rangeAt(0) : [0, 0];
     return strings.player.legendEnds(coloring, from, to);
-  }, [trace, coloring]);
-  const name = strings.player.legend[coloring];
+  }, [trace, coloring, isSwept]);
+  const name = isSwept ? strings.player.sweptLegend : strings.player.legend[coloring];
   return (
     <figure
       className={styles["legend"]}

@@ -1,21 +1,32 @@
 import { useLayoutEffect, useRef, type RefObject } from "react";
 import type { Position } from "../../document/position";
 import type { Viewer } from "../../viewer/viewer";
+import { placedApart, type Label } from "./apart";
 
-/** Keeps the children of an element at positions in the view. They follow the camera without rendering again. */
+/**
+ * Keeps the children of an element at positions in the view. They follow the camera without rendering again. With `areApart`,
+ * none lies on another one.
+ */
 export function useMarkers(
   viewer: Viewer,
   positions: readonly (Position | null)[],
+  areApart = false,
 ): RefObject<HTMLDivElement | null> {
   const box = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => {
     const follow = (): void => {
+      const shown: (Label & { readonly marker: HTMLElement })[] = [];
       positions.forEach((position, index) => {
         const marker = box.current?.children[index];
         if (!(marker instanceof HTMLElement) || !position) return;
         const at = viewer.toScreen(position);
         marker.style.display = at ? "" : "none";
-        if (at) marker.style.transform = `translate(${at.x}px, ${at.y}px) translate(-50%, -50%)`;
+        if (at) shown.push({ ...at, width: marker.offsetWidth, height: marker.offsetHeight, marker });
+      });
+      const places = areApart ? placedApart(shown) : shown;
+      shown.forEach(({ marker }, i) => {
+        const { x = 0, y = 0 } = places[i] ?? {};
+        marker.style.transform = `translate(${x}px, ${y}px) translate(-50%, -50%)`;
       });
     };
     follow();

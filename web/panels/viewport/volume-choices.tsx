@@ -15,7 +15,7 @@ export function VolumeChoices({ viewer }: { readonly viewer: Viewer }) {
     () => (trace && nodes ? nodes.map((node) => positionOf(trace, node)) : []),
     [trace, nodes],
   );
-  const box = useMarkers(viewer, positions);
+  const box = useMarkers(viewer, positions, true);
   return (
     <div ref={box} aria-hidden data-testid="volume-choices">
       {task &&
