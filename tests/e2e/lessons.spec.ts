@@ -236,25 +236,25 @@ test("experiments: runs by other rules stand side by side, and the link opens th
   await page.goto("./?test=1&lesson=5");
   await expect(page.getByTestId("lesson-front")).toHaveAttribute("data-shown", "true");
   await page.getByTestId("experiments").locator("summary").click();
-  await page.getByTestId("experiment-tolerance").selectOption("0");
+  await page.getByTestId("experiment-tolerance").selectOption("2");
   await page.getByTestId("experiment-run").click();
-  await expect(page.getByTestId("experiment-tolerance-0")).toBeVisible();
+  await expect(page.getByTestId("experiment-tolerance-2")).toBeVisible();
   await page.getByTestId("experiment-search").selectOption("linear");
   await page.getByTestId("experiment-run").click();
-  await expect(page.getByTestId("experiment-tolerance-0+linear")).toBeVisible();
+  await expect(page.getByTestId("experiment-tolerance-2+linear")).toBeVisible();
   // A linear search changes nothing but the time.
   const cells = async (run: string): Promise<string[]> =>
     (await page.getByTestId(`experiment-${run}`).getByRole("cell").allTextContents()).slice(1);
-  const changed = await cells("tolerance-0");
-  expect(await cells("tolerance-0+linear")).toEqual(changed);
+  const changed = await cells("tolerance-2");
+  expect(await cells("tolerance-2+linear")).toEqual(changed);
   expect(changed).not.toEqual(await cells("usual"));
-  await expect(page).toHaveURL(/runs=tolerance-0(%2C|,)tolerance-0%2Blinear/);
+  await expect(page).toHaveURL(/runs=tolerance-2(%2C|,)tolerance-2%2Blinear/);
   await page.reload();
   await page.getByTestId("experiments").locator("summary").click();
-  await expect(page.getByTestId("experiment-tolerance-0+linear")).toBeVisible();
-  expect(await cells("tolerance-0+linear")).toEqual(changed);
-  await page.getByTestId("experiment-tolerance-0").getByRole("button").click();
-  await expect(page.getByTestId("experiment-tolerance-0").getByRole("button")).toHaveAttribute(
+  await expect(page.getByTestId("experiment-tolerance-2+linear")).toBeVisible();
+  expect(await cells("tolerance-2+linear")).toEqual(changed);
+  await page.getByTestId("experiment-tolerance-2").getByRole("button").click();
+  await expect(page.getByTestId("experiment-tolerance-2").getByRole("button")).toHaveAttribute(
     "aria-pressed",
     "true",
   );

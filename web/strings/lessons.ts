@@ -86,7 +86,7 @@ export const lessonStrings = {
     title: "Experiments",
     intro:
       "Run the model of this lesson with other rules and compare. The link in the address bar opens the same runs again.",
-    hint: "Time in seconds for the volume. Postp.: postponed faces. Recov.: steps of recovery. Angle: smallest dihedral angle. Ratio: mean radius ratio. Angle and ratio are those before any optimization. Filters and search change the time only.",
+    hint: "Time in seconds for the volume. Postp.: postponed faces. Recov.: steps of recovery. Angle: smallest dihedral angle. Ratio: mean radius ratio. Angle and ratio are those before any optimization. Filters and search change the time only; the first run is slower than the others.",
     order: "Order",
     relaxation: "Relaxed rules",
     filters: "Filters",

@@ -21,6 +21,7 @@ import { runMeasures } from "../../../web/lessons/run-measures";
 import { searchCost } from "../../../web/lessons/search-cost";
 import { firstState } from "../../../web/player/phases";
 import { hasStop } from "../../../web/player/stops";
+import { galleryProject, tracedIn } from "../../support/recorded-models";
 
 const inPublic = (file: string): string =>
   readFileSync(new URL(`../../../public/${file}`, import.meta.url), "utf8");
@@ -167,4 +168,22 @@ describe("the numbers of the lessons", () => {
     expect(trace.steps.frontSizes[4888]).toBe(42);
     expect(trace.summary().postponed).toBe(3354);
   });
+});
+
+it("the experiment of the lesson on candidates has the figures of its text", async () => {
+  const { text } = lessonNamed("candidates");
+  const project = galleryProject("unit-cube");
+  const [usual, changed] = await Promise.all(
+    [1, 2].map(async (tolerance) => {
+      const { result, trace } = await recordTrace(mesher, project, {
+        optimization: "none",
+        experiment: { tolerance },
+      });
+      return [tracedIn(trace).summary().postponed, result.report.radiusRatio.mean.toFixed(3)];
+    }),
+  );
+  expect(text.replaceAll("\n", " ")).toContain(
+    `${changed?.[0]} faces are postponed instead of ${usual?.[0]}`,
+  );
+  expect(text).toContain(`falls from ${usual?.[1]} to ${changed?.[1]}`);
 });
