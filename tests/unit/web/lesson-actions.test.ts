@@ -91,7 +91,7 @@ it("runs the model in the orders of an address, and shows the lesson's own run",
 it("runs the model by other rules, which the address names", async () => {
   const name = "random+strict+unfiltered+tolerance-0.5+linear";
   await showLessonModel(app, lesson, [name]);
-  expect(app.player.record).toHaveBeenLastCalledWith({
+  expect(vi.mocked(app.player).record.mock.lastCall?.[0]).toEqual({
     order: "random",
     filters: false,
     experiment: { relaxation: false, tolerance: 0.5, search: "linear" },
