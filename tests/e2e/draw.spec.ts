@@ -3,6 +3,7 @@ import { readFile } from "node:fs/promises";
 import { defectsOf, meshVolume, NO_DEFECTS } from "../support/check-mesh";
 import { parseVtu } from "../support/mesh-files";
 import { readProject } from "tetrafront";
+import { countActions, expectActions } from "./actions";
 import { AppPage } from "./app-page";
 import { downloaded } from "./downloads";
 
@@ -11,6 +12,7 @@ type Position = readonly [x: number, y: number, z: number];
 /** The view of a new project, drawn in with the pointer and the keyboard alone. */
 class DrawPage extends AppPage {
   async openNew(): Promise<void> {
+    await countActions(this.page);
     await this.page.goto("./?test=1&new=1");
     await expect(this.viewport).toHaveAttribute("data-points", "0");
     await expect(this.viewport).toHaveAttribute("data-frames", /./);
@@ -79,12 +81,13 @@ class DrawPage extends AppPage {
   }
 
   /** Sets a uniform size, meshes, and returns the downloaded mesh with its defects by an independent check. */
-  async downloadedMesh(size: string) {
+  async downloadedMesh(size: string, task: string) {
     await this.page.keyboard.press("Escape");
     await this.page.keyboard.press("Escape");
     await this.page.getByText("Uniform", { exact: true }).click();
     await this.type("uniform-size", size);
     await this.generate();
+    await expectActions(this.page, task);
     await this.page.getByTestId("download").click();
     const [download] = await Promise.all([
       this.page.waitForEvent("download"),
@@ -139,7 +142,7 @@ test("a unit cube drawn in the view, with pointer and keyboard alone, gives a va
     await draw.click(side);
     await draw.counts(8, 12, count + 1);
   }
-  const { mesh, defects } = await draw.downloadedMesh("0.3");
+  const { mesh, defects } = await draw.downloadedMesh("0.3", "Unit cube, line by line");
   expect(defects).toEqual(noDefects);
   expect(meshVolume(mesh)).toBeCloseTo(1, 9);
 });
@@ -178,7 +181,7 @@ test("a sphere of eight octants: three arcs, a patch and three mirror images giv
     await page.getByTestId("accept").click();
     await draw.counts(points, lines, patches);
   }
-  const { mesh, defects } = await draw.downloadedMesh("0.3");
+  const { mesh, defects } = await draw.downloadedMesh("0.3", "Sphere of eight octants, by arcs");
   expect(defects).toEqual(noDefects);
   // Larger than the octahedron of its corners, smaller than the ball.
   expect(meshVolume(mesh)).toBeGreaterThan(1.5 * (4 / 3));

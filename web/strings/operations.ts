@@ -63,7 +63,7 @@ export const operationStrings = {
     sides: "Sides",
     anchor: "Position of",
     anchors: { base: "Base", centre: "Centre" },
-    base: "Centre of base",
+    base: "Base centre",
     centre: "Centre",
     axis: "Axis",
     join: "Join what coincides",

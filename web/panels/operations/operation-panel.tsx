@@ -52,7 +52,7 @@ function OperationForm({ open }: { readonly open: OpenOperation }) {
         <Text className={styles["result"]} role="status" data-refused={reason !== null || undefined}>
           {reason ?? operationStrings.result(entities)}
         </Text>
-        <Group justify="flex-end" gap="xs">
+        <Group justify="flex-end" gap="xs" className={styles["actions"]}>
           <Button size="xs" variant="default" onClick={() => app.operations.cancel()}>
             {operationStrings.cancel}
           </Button>
