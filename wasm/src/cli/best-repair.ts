@@ -12,7 +12,7 @@ import type { RemeshReport } from "./remeshing.js";
 
 export { hasWelded } from "../api/best-repair.js";
 
-/** As the function of the package; input that the exact repair refuses counts as a failure of the second way. */
+/** As `remeshedBest` of the package; input that the exact repair refuses counts as a failure of the second way. */
 export function remeshedBest<Prepared, Made extends { readonly remesh?: RemeshReport }>(
   prepared: Prepared,
   exact: (() => Promise<Prepared>) | undefined,
