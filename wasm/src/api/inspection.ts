@@ -108,7 +108,9 @@ function deviationWarnings({
     code: "deviation-above-tolerance",
     severity: "warning",
     message: `The deviation from the given surface is at most ${found}, but the tolerance is ${asked}${cause}`,
-    remedy: isByDetails ? "Drop smaller details only." : "Use smaller triangles or a larger tolerance.",
+    remedy: isByDetails
+      ? "Drop smaller details only, or none."
+      : "Use smaller triangles or a larger tolerance.",
     entities: [],
     data: { deviation, tolerance },
   };

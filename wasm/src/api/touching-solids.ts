@@ -61,8 +61,8 @@ export function overlapWarning(
   given: SurfaceRegions | undefined,
   { regions, position }: TouchingPair,
 ): Diagnostic {
-  const message = `The solids ${namesOf(given, regions)} overlap; their regions are divided where the repaired surface encloses volumes`;
-  const remedy = "Subtract one solid from the other in the CAD program.";
+  const message = `The solids ${namesOf(given, regions)} overlap. The repair joins what overlaps, and a solid may lose its region`;
+  const remedy = "Move the solids apart, or subtract one from the other.";
   return {
     ...packageDiagnostic("touching-solids", message, remedy, "warning"),
     ...(position && { position }),

@@ -92,10 +92,11 @@ Surfaces with problems
 ${EXIT_CODES_HELP}
 
 Examples
-  tetrafront mesh part.stl -o part.vtu
-  tetrafront mesh part.step -o part.vtu
-  tetrafront mesh part.stl -o part.msh --size 0.05 --report report.json
   tetrafront mesh part.stl -o part.vtu --surface remesh
+  tetrafront mesh part.step -o part.vtu
+  tetrafront mesh base.step post.step -o assembly.msh --join
+  tetrafront mesh surface.ply -o mesh.vtu
+  tetrafront mesh part.stl -o part.msh --size 0.05 --report report.json
   tetrafront mesh part.stl -o part.msh --surface remesh --split-patches
   tetrafront mesh part.stl -o part.vtu --source 0,0,1,0.01,0.2
   tetrafront mesh scan.ply -o scan.vtu --weld 1e-6 --fill-holes 20

@@ -425,7 +425,8 @@ async function writeResult(
 ): Promise<boolean> {
   const { output, to, quiet: isQuiet = false } = options;
   const name = writableName(output, to, ["volume"]);
-  const mesh = fileMeshOf(result, { ...model, interfacePatches: isCadInput(input, options.from) });
+  const isAssembly = isCadInput(input, options.from) || (options.joined ?? []).length > 1;
+  const mesh = fileMeshOf(result, { ...model, interfacePatches: isAssembly });
   if (!isQuiet && model.kind === "surface") {
     for (const line of unmeshedLines(model.surface, mesh)) print(`note: ${input}: ${line}`);
   }

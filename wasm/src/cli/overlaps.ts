@@ -154,9 +154,28 @@ export function joinedBodies(given: SurfaceInput, repaired: SurfaceInput, volume
   const joined = groups.flatMap((group) => [...group].map((body) => Math.abs(volumes.get(body) ?? 0)));
   if (common <= SMALLEST_OVERLAP * smallestOf(joined)) return [];
   const bodies = groups.reduce((sum, { size }) => sum + size, 0);
-  const message = `${plural(bodies, "body")} that intersect became ${groups.length === 1 ? "one" : String(groups.length)}, without the parts inside; the volumes that they shared, ${short(common, DIGITS)} in all, count once`;
+  // The volume of an open body is not known.
+  const volumeText = isClosed(given) ? `, ${short(common, DIGITS)} in all,` : "";
+  const message = `${plural(bodies, "body")} that intersect became ${groups.length === 1 ? "one" : String(groups.length)}, without the parts inside; the volumes that they shared${volumeText} count once`;
   const remedy = "Move the bodies apart, or subtract one from the other, to keep them as regions.";
   return [packageDiagnostic("joined-bodies", message, remedy, "information")];
+}
+
+/** Returns whether every edge of a surface goes as often one way as the other. O(n log n) for n triangles. */
+function isClosed({ points, triangles }: SurfaceInput): boolean {
+  const count = points.length / 3;
+  // Twice a number of the edge, plus 1 for one of its directions.
+  const edges = Float64Array.from(triangles, (from, corner) => {
+    const to = triangles[corner % 3 === 2 ? corner - 2 : corner + 1] ?? 0;
+    return 2 * (Math.min(from, to) * count + Math.max(from, to)) + Number(from < to);
+  }).sort();
+  let balance = 0;
+  for (const [i, edge] of edges.entries()) {
+    balance += edge % 2 === 0 ? 1 : -1;
+    const isLast = Math.floor((edges[i + 1] ?? Infinity) / 2) !== Math.floor(edge / 2);
+    if (isLast && balance !== 0) return false;
+  }
+  return true;
 }
 
 /** Returns per triangle the first node of its connected component. */

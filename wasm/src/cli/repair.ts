@@ -176,7 +176,7 @@ export function sentenceOf(change: RepairChange): string {
         return `flipped triangle ${change.triangle}`;
       case "resolved-intersection":
         return change.parts === 0
-          ? `removed triangle ${change.triangle}, which intersected others and lies inside`
+          ? `removed triangle ${change.triangle}, which intersected others and is inside, or encloses nothing`
           : `cut triangle ${change.triangle}, which intersected others; ${plural(change.parts, "part")} of it remain${change.parts === 1 ? "s" : ""}`;
       case "removed-sheet":
         return `removed triangle ${change.triangle}, which enclosed nothing`;
