@@ -15,6 +15,8 @@ export default defineConfig({
   // Far more than any test takes: a machine under load must not fail one.
   timeout: 240_000,
   expect: { timeout: 60_000 },
+  // While the engine is compiled beside them, a test can miss a short moment in the page. `npm test` lists such tests.
+  retries: 1,
   reporter: [["list"]],
   use: {
     baseURL: `http://127.0.0.1:${port}/`,

@@ -71,13 +71,14 @@ function print(rows, all) {
     const time = `${(to - from).toFixed(1).padStart(8)} s`;
     return `${suite.title.padEnd(32)}${numbers} ${time}  from ${from.toFixed(0).padStart(4)} s`;
   });
-  const failures = rows.flatMap(({ suite, counts }) =>
-    counts.failures.map((name) => `FAILED ${suite.title}: ${name}`),
-  );
+  const listed = (word, names) =>
+    rows.flatMap(({ suite, counts }) => names(counts).map((name) => `${word} ${suite.title}: ${name}`));
+  const unstable = listed("FAILED ONCE, then passed,", (counts) => counts.unstable ?? []);
+  const failures = listed("FAILED", (counts) => counts.failures);
   const untested = rows.flatMap(({ suite }) => suite.untested?.() ?? []);
   const total = `${"all, with builds and setup".padEnd(57)}${seconds().toFixed(1).padStart(8)} s`;
   process.stdout.write(
-    `\n${[...lines, total, ...untested, ...failures, `${all.passed} passed, ${all.failed} failed`].join("\n")}\n`,
+    `\n${[...lines, total, ...untested, ...unstable, ...failures, `${all.passed} passed, ${all.failed} failed`].join("\n")}\n`,
   );
 }
 

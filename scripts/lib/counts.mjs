@@ -1,9 +1,13 @@
 import { existsSync, readFileSync } from "node:fs";
 import path from "node:path";
+import { stripVTControlCharacters } from "node:util";
 import { root } from "./paths.mjs";
 
 // Reads the reports of the test programs into `{ passed, failed, failures }`. A skipped test counts as failed,
 // because it proves nothing. A missing report, for example after a crash, counts as one failure.
+
+/** Characters of an error in the summary. */
+const LONGEST_ERROR = 300;
 
 const crashed = (what) => ({
   passed: 0,
@@ -50,21 +54,38 @@ export function countVitest(file) {
   return tally(tests);
 }
 
-/** Reads Playwright's JSON report; errors outside tests, for example of the web server, are failures too. */
+/**
+ * Reads Playwright's JSON report; errors outside tests, for example of the web server, are failures too. `unstable` lists
+ * the tests that failed first and passed when they were repeated.
+ */
 export function countPlaywright(file) {
   const report = read(file);
   if (!report) return crashed("Playwright");
   const specs = (suite) => [...(suite.specs ?? []), ...(suite.suites ?? []).flatMap(specs)];
-  const tests = report.suites
-    .flatMap(specs)
-    .flatMap((spec) =>
-      spec.tests.map((test) => ({ name: `${spec.file}: ${spec.title}`, ok: test.status === "expected" })),
-    );
+  const tests = report.suites.flatMap(specs).flatMap((spec) =>
+    spec.tests.map(({ status, results }) => ({
+      name: `${spec.file}: ${spec.title}${firstError(results)}`,
+      ok: status === "expected" || status === "flaky",
+      isUnstable: status === "flaky",
+    })),
+  );
   const outside = report.errors.map((error) => ({
     name: error.message ?? "an error outside the tests",
     ok: false,
   }));
-  return tally([...tests, ...outside]);
+  const unstable = tests.filter((test) => test.isUnstable).map((test) => test.name);
+  return { ...tally([...tests, ...outside]), unstable };
+}
+
+/** The first error of a test in one line, without the colours of a terminal. */
+function firstError(results) {
+  const message = results.find(({ error }) => error?.message !== undefined)?.error.message;
+  if (message === undefined) return "";
+  const lines = stripVTControlCharacters(message).split("\n");
+  return ` (${lines
+    .map((line) => line.trim())
+    .join(" ")
+    .slice(0, LONGEST_ERROR)})`;
 }
 
 export function sum(counts) {
@@ -73,7 +94,8 @@ export function sum(counts) {
       passed: all.passed + one.passed,
       failed: all.failed + one.failed,
       failures: [...all.failures, ...one.failures],
+      unstable: [...all.unstable, ...(one.unstable ?? [])],
     }),
-    { passed: 0, failed: 0, failures: [] },
+    { passed: 0, failed: 0, failures: [], unstable: [] },
   );
 }

@@ -45,7 +45,7 @@ test("presenter mode keeps the view and a game, and gives its room to the panels
   const viewport = page.getByTestId("viewport");
   const step = (await viewport.getAttribute("data-step")) ?? "";
   const canvas = viewport.locator("canvas").first();
-  // A view that is made anew, with another camera, has another canvas.
+  // If presenter mode made a new view, its canvas and camera would be others.
   await canvas.evaluate((element) => element.setAttribute("data-seen", "before"));
   const width = (await page.getByTestId("lesson-page").boundingBox())?.width ?? 0;
   await page.getByRole("menuitem", { name: "Help" }).click();

@@ -38,7 +38,7 @@ export type Recorded = (RecordedFile & { readonly trace: Trace }) | FailedRecord
 export interface RecordedFile {
   readonly kind: "recorded";
   readonly file: Uint8Array<ArrayBuffer>;
-  /** Of the mesh of the front, or of the optimized one if that was asked for. */
+  /** Report on the mesh of the front; on the optimized mesh if the sweeps are recorded. */
   readonly report: MeshReport;
 }
 

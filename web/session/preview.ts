@@ -18,7 +18,7 @@ export interface PreviewState {
 
 /** A preview is slow if it takes longer than this, in milliseconds: continuous edits should be shown 30 times per second. */
 const slowMs = 25;
-/** Time without a newer project before one is checked of which only a part was sampled, in milliseconds. */
+/** A project that was sampled only in part is checked as a whole if no newer one comes for this long, in milliseconds. */
 const restMs = 80;
 
 /**
@@ -43,7 +43,7 @@ export class PreviewFeed {
   #hasGivenUp = false;
   /** Whether the last preview of a whole project was slow. */
   #isSlow = false;
-  /** The project of which a part was sampled, and which is to be checked; null if the last one was checked. */
+  /** The latest project, if it was sampled only in part and still has to be checked; null otherwise. */
   #unchecked: Project | null = null;
 
   constructor(documents: DocumentStore, mesher: Promise<Mesher>) {

@@ -8,7 +8,7 @@ const known = new WeakMap<StoreApi<DocumentState>, StoreApi<DocumentState>>();
 
 /**
  * Returns the state of a document for the panels: the same, but during a gesture it changes at most ten times per second, so
- * that the page has the time to draw every frame of the view. The end of a gesture shows at once.
+ * that there is time to draw every frame of the view. The end of a gesture is shown at once.
  */
 export function calmDocuments(source: StoreApi<DocumentState>): StoreApi<DocumentState> {
   const before = known.get(source);
