@@ -172,7 +172,9 @@ describe("check", () => {
     save("apart.off", offFile(apart));
     const { code, stderr } = await tetrafront(folder.path, ["check", "apart.off"]);
     expect(code).toBe(2);
-    expect(stderr).toMatch(/: and 1150 more "open-edge"\.\n/);
+    expect(stderr).toMatch(/: and 1195 more "open-edge"\.\n/);
+    // The remedy is the same for all.
+    expect(stderr.match(/every edge needs at least two triangles/g)).toHaveLength(1);
     expect(stderr).toMatch(/: 1200 errors\n$/);
   });
 
@@ -180,7 +182,7 @@ describe("check", () => {
     const pairs = 1200;
     save("soup.off", offFile(crossingNeedles(pairs)));
     const listedIn = (text: string) => text.match(/error: soup\.off: The surface intersects itself/g)?.length;
-    expect(listedIn((await run("check", "soup.off")).stderr)).toBe(50);
+    expect(listedIn((await run("check", "soup.off")).stderr)).toBe(5);
     const some = await run("check", "soup.off", "--max-diagnostics", "70");
     expect(listedIn(some.stderr)).toBe(70);
     expect(some.stderr).toMatch(/: and 1130 more "self-intersection"\.\n/);

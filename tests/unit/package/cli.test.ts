@@ -268,9 +268,19 @@ describe("invalid input gives exit code 2 and one line:", () => {
 });
 
 test("--help of an unknown command is an error", async () => {
-  const result = await tetrafront(folder.path, ["repair", "--help"]);
+  const result = await tetrafront(folder.path, ["cut", "--help"]);
   expect(result).toMatchObject({ code: 2, stdout: "" });
-  expect(result.stderr).toBe("tetrafront: error: unknown command 'repair'. See: tetrafront --help\n");
+  expect(result.stderr).toBe("tetrafront: error: unknown command 'cut'. See: tetrafront --help\n");
+});
+
+test.each([
+  ["repair", "tetrafront convert IN -o OUT --repair"],
+  ["refine", "--surface refine"],
+  ["remsh", "remesh"],
+])("the unknown command %s is answered with what does its work", async (name, words) => {
+  const { code, stderr } = await tetrafront(folder.path, [name, "cube.off"]);
+  expect([code, stderr.split("\n")]).toEqual([2, [expect.stringContaining(words), ""]]);
+  expect(stderr).toMatch(/\(Did you mean .*\) See: tetrafront --help/);
 });
 
 test.each(["mesh", "check", "convert", "info", "stats", "cover", "propose"])(

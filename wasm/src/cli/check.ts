@@ -68,9 +68,6 @@ type CheckResult =
       /** The engine failed, not the input. */ readonly isEngine?: true;
     };
 
-/** Largest number of text lines per code, unless `--max-diagnostics` is given. */
-const MAX_PER_CODE = 50;
-
 /** Runs the command; resolves with the exit code. */
 export async function checkFile(input: string, options: CheckCommandOptions): Promise<number> {
   const result = await checked(input, options);
@@ -84,7 +81,7 @@ export async function checkFile(input: string, options: CheckCommandOptions): Pr
     if (!isQuiet) printStatistics(input, result);
     const subject = result.kind === "none" ? result.subject : input;
     const perCode = result.kind === "surface" ? maxDiagnosticsOf(options) : undefined;
-    printDiagnostics(subject, diagnostics, { isQuiet, perCode: perCode ?? MAX_PER_CODE });
+    printDiagnostics(subject, diagnostics, { isQuiet, perCode });
     if (!isQuiet) print(`${input}: ${counted(diagnostics)}`);
   }
   if (result.kind === "none" && result.isEngine === true) return ExitCode.notCompleted;

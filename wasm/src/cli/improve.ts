@@ -15,7 +15,7 @@ import type { UnitOptions } from "./units.js";
 import { ExitCode, failedOutcome, InvalidInput, jsonPieces, print, printDiagnostics } from "./messages.js";
 import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
 import { withRun } from "./run.js";
-import { mixedOrientationLines, readingLines } from "./tables.js";
+import { angleText, mixedOrientationLines, readingLines } from "./tables.js";
 
 /** Options as commander passes them. */
 export interface ImproveCommandOptions extends UnitOptions {
@@ -108,8 +108,8 @@ async function readVolumeMesh(input: string, options: InputOptions): Promise<Fil
 /** Describes the elements before and after. */
 function improvementText({ isImproved, before, after }: MeshImprovement): string {
   const shapes = [
-    changed("smallest dihedral angle", ({ dihedral }) => `${dihedral.min.toFixed(1)}°`),
-    changed("largest", ({ dihedral }) => `${dihedral.max.toFixed(1)}°`),
+    changed("smallest dihedral angle", ({ dihedral }) => angleText(dihedral.min, 1, Math.floor)),
+    changed("largest", ({ dihedral }) => angleText(dihedral.max, 1, Math.ceil)),
     changed("mean radius ratio", ({ radiusRatio }) => radiusRatio.mean.toFixed(3)),
     changed("outside 30° to 135°", ({ outOfRange }) => String(outOfRange)),
   ];

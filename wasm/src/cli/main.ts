@@ -376,7 +376,7 @@ function addCheck(program: Command, setExitCode: SetExitCode): void {
     .addOption(innerShellsOption())
     .option(
       "--max-diagnostics <count>",
-      `list at most this many problems of each kind for a surface, or all (default ${INSPECTION_DEFAULTS.maxDiagnostics}; without --json 50)`,
+      `list at most this many problems of each kind for a surface, or all (default ${INSPECTION_DEFAULTS.maxDiagnostics}; without --json 5)`,
     )
     .addOption(inputFormatOption())
     .addOption(fromOption());
@@ -389,9 +389,24 @@ function addCheck(program: Command, setExitCode: SetExitCode): void {
     );
 }
 
+/** What does the work of commands that a user may expect. Commander suggests only commands that are written alike. */
+const HINTS: ReadonlyMap<string, string> = new Map([
+  [
+    "repair",
+    "(Did you mean `tetrafront convert IN -o OUT --repair`? mesh, remesh and check have --repair too.)",
+  ],
+  ["refine", "(Did you mean `tetrafront mesh IN -o OUT --surface refine`?)"],
+  ["optimize", "(Did you mean improve?)"],
+  ["inspect", "(Did you mean check?)"],
+  ["validate", "(Did you mean check?)"],
+]);
+
 /** Formats commander's messages as one line with a remedy, like all others. */
 function oneLine(message: string, program: Command, args: readonly string[]): string {
-  const text = message.trim().replace(/\s*\n\s*/g, " ");
+  const [name = ""] = args;
+  const isUnknown = program.commands.every((known) => known.name() !== name);
+  const hint = isUnknown ? (HINTS.get(name) ?? "") : "";
+  const text = `${message.trim()} ${hint}`.trim().replace(/\s*\n\s*/g, " ");
   const command = program.commands.find((known) => known.name() === args[0]);
   const help = ["tetrafront", ...(command === undefined ? [] : [command.name()]), "--help"].join(" ");
   return `${text}${/[.)]$/.test(text) ? "" : "."} See: ${help}`;

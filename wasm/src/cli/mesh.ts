@@ -54,7 +54,7 @@ import {
   withGrid,
 } from "./sizes.js";
 import { refuseSplit, type SplitCommandOptions, splitOptions, splitText, withSplit } from "./splitting.js";
-import { readingLines, unmeshedLines } from "./tables.js";
+import { anglesText, readingLines, unmeshedLines } from "./tables.js";
 import { type TreatedSurface, treatedSurface } from "./treatment.js";
 
 /** Options as commander passes them: numbers are still text. */
@@ -463,7 +463,7 @@ function summary(
   const { status, tetrahedra, nodes, dihedral, radiusRatio, quality, seconds } = report;
   const { outOfRange, limitedByBoundary: limited } = quality;
   const shapes = [
-    `dihedral angles ${dihedral.min.toFixed(1)}° to ${dihedral.max.toFixed(1)}°`,
+    `dihedral angles ${anglesText(dihedral, 1)}`,
     `mean radius ratio ${radiusRatio.mean.toFixed(3)}`,
   ];
   const parts = [

@@ -87,13 +87,13 @@ export function unreadable(error: ReadError, readAs?: string): Diagnostic {
   return readDiagnostic({ ...error, message: `${other}${location}${message}` });
 }
 
-/** Largest number of lines per code: more of the same would hide the others. */
+/** Largest number of lines per code, unless the user asks for more: more of the same would hide the others. */
 const MAX_PER_CODE = 5;
 
 interface PrintOptions {
   /** Whether to print errors only. */
   readonly isQuiet: boolean;
-  readonly perCode?: number;
+  readonly perCode?: number | undefined;
 }
 
 /** Prints one line per diagnostic, grouped by code in the order in which the codes first appear. */
@@ -146,23 +146,26 @@ function isOfSurface({ entities }: Diagnostic): boolean {
 
 /**
  * Prints a group of diagnostics. Lines that name no entity or position and differ only in their numbers become one
- * line with a count.
+ * line with a count. A remedy is printed once for the lines that have it one after the other.
  */
 function printGroup(subject: string, group: readonly Diagnostic[], perCode: number): void {
-  const lines = new Map<string, { readonly line: string; count: number }>();
+  const lines = new Map<string, { readonly line: string; readonly remedy: string; count: number }>();
   for (const diagnostic of group) {
     const { severity, code, message, remedy, position } = diagnostic;
-    const line = `${WORDS[severity]}: ${subject}: ${message}. ${remedy}`.trimEnd();
+    const line = `${WORDS[severity]}: ${subject}: ${message}.`;
     // Coordinates that are not finite are not a position either.
     const isAlike = isOfSurface(diagnostic) && (position === undefined || code === "not-finite");
-    const key = isAlike ? message.replace(/[-+\d.e]*\d/g, "#") : line;
+    const key = isAlike ? message.replace(/[-+\d.e]*\d/g, "#") : `${line} ${remedy}`;
     const known = lines.get(key);
-    if (known === undefined) lines.set(key, { line, count: 1 });
+    if (known === undefined) lines.set(key, { line, remedy, count: 1 });
     else known.count++;
   }
   let rest = allOfAKind(group);
-  for (const { line, count } of [...lines.values()].slice(0, perCode)) {
-    print(count === 1 ? line : `${line} (and ${count - 1} similar)`);
+  let before = "";
+  for (const { line, remedy, count } of [...lines.values()].slice(0, perCode)) {
+    const text = remedy === "" || remedy === before ? line : `${line} ${remedy}`;
+    print(count === 1 ? text : `${text} (and ${count - 1} similar)`);
+    before = remedy;
     rest -= count;
   }
   const [first] = group;

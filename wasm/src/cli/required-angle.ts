@@ -5,6 +5,7 @@ import type { Optimization } from "../generated/constants.js";
 import type { MeshReport } from "../mesh/report.js";
 import { numberIn } from "./numbers.js";
 import { InvalidInput } from "./messages.js";
+import { angleText } from "./tables.js";
 
 /** Dihedral angle of the regular tetrahedron, in degrees, rounded down: the limit of any mesh. */
 const MAX_REQUIRED_ANGLE = 70;
@@ -34,7 +35,7 @@ export function requiredAngleError(
   const error: DiagnosticOf<"required-angle"> = {
     code: "required-angle",
     severity: "error",
-    message: `The smallest dihedral angle is ${angle.toFixed(2)}°, but --require-angle is ${required}°`,
+    message: `The smallest dihedral angle is ${angleText(angle, 2, Math.floor)}, but --require-angle is ${required}°`,
     remedy: `Use ${remedies.join(", or ")}.`,
     entities: [],
     data: { angle, required },

@@ -15,6 +15,25 @@ export function short(value: number, digits = DIGITS): string {
   return String(Number(value.toPrecision(digits)));
 }
 
+/**
+ * Returns "30.1° to 134.9°", rounded outward: an angle that is out of a range is never shown as its end. `digits`: those
+ * after the decimal point.
+ */
+export function anglesText({ min, max }: Range, digits: number): string {
+  return `${angleText(min, digits, Math.floor)} to ${angleText(max, digits, Math.ceil)}`;
+}
+
+/** `round`: Math.floor for a smallest angle, Math.ceil for a largest one. */
+export function angleText(degrees: number, digits: number, round: (value: number) => number): string {
+  const scale = 10 ** digits;
+  return `${(round(degrees * scale) / scale).toFixed(digits)}°`;
+}
+
+interface Range {
+  readonly min: number;
+  readonly max: number;
+}
+
 export function positionText(position: readonly number[]): string {
   return `(${position.map((value) => short(value)).join(", ")})`;
 }
@@ -148,7 +167,7 @@ export function meshLines(found: Omit<MeshInspection, "boundary" | "quality">): 
     `${plural(found.tetrahedra, "tetrahedron")}, ${plural(found.nodes, "node")}`,
     `volume ${short(found.volume)}`,
     edgesLine(found.edgeLengths),
-    `dihedral angles ${dihedral.min.toFixed(2)}° to ${dihedral.max.toFixed(2)}°`,
+    `dihedral angles ${anglesText(dihedral, 2)}`,
     `radius ratio: minimum ${radiusRatio.min.toFixed(3)}, mean ${radiusRatio.mean.toFixed(3)}`,
   ];
 }
@@ -179,7 +198,7 @@ export function qualityLines({ regions, worst, binWidths }: QualityReport): stri
       .slice(0, 5)
       .map(
         ({ tetrahedron, dihedral, centroid }) =>
-          `among the worst: tetrahedron ${tetrahedron}, ${dihedral.min.toFixed(2)}° to ${dihedral.max.toFixed(2)}°, at ${positionText(centroid)}`,
+          `among the worst: tetrahedron ${tetrahedron}, ${anglesText(dihedral, 2)}, at ${positionText(centroid)}`,
       ),
   ];
 }

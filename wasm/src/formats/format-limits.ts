@@ -53,10 +53,12 @@ export function fitToFormat(mesh: WrittenMesh, limits: FormatLimits, note: Note)
   };
 }
 
-/** Returns whether the groups have the names and tags of a mesh made by this program, to which nothing refers yet. */
+/** Returns whether this program chose all tags, to which nothing refers yet. */
 function isNumbered(word: "patches" | "regions", groups: readonly FileGroup[]): boolean {
   const own = numbered(word === "patches" ? "patch" : "region", groups.length);
-  return groups.every(({ name, tag }, g) => name === own[g]?.name && tag === own[g].tag);
+  return groups.every(
+    ({ name, tag, isTagChosen = false }, g) => isTagChosen || (name === own[g]?.name && tag === own[g].tag),
+  );
 }
 
 /** Tags that a format permits. */

@@ -46,7 +46,7 @@ export function carriedRegions(
   let added = 0;
   const indices = found.map((region, own) => {
     if (region !== NO_REGION) return regions.findIndex((group) => isSame(group, given.regions[region]));
-    regions.push({ name: `region ${own + 1}`, tag: lastTag + ++added });
+    regions.push({ name: `region ${own + 1}`, tag: lastTag + ++added, isTagChosen: true });
     return regions.length - 1;
   });
   return { regions, tetrahedronRegion: volume.regions.map((region) => indices[region] ?? 0) };

@@ -77,7 +77,10 @@ function* meshOf(joined: JoinedShapes, shapes: readonly Shape[]): Steps<FileMesh
     tetrahedra: new Uint32Array(),
     tetrahedronRegion: new Uint32Array(),
     regions: [],
-    surfaceRegions: { regions: names.map((name, s) => ({ name, tag: s + 1 })), triangleRegions },
+    surfaceRegions: {
+      regions: names.map((name, s) => ({ name, tag: s + 1, isTagChosen: true })),
+      triangleRegions,
+    },
     ...(allNotes.length > 0 && { notes: allNotes }),
     nodeData: new Map(),
   };

@@ -9,6 +9,8 @@ export interface FileGroup {
   readonly tag: number;
   /** Red, green and blue from 0 to 1. */
   readonly color?: readonly [number, number, number] | undefined;
+  /** Whether the tag was chosen while reading, because the file has no numbers: nothing refers to it. */
+  readonly isTagChosen?: true | undefined;
 }
 
 /**
