@@ -109,3 +109,100 @@ describe("files of an assembly", () => {
     expect(stderr).toContain("largest volumes of regions have no effect, because not all solids are closed");
   });
 });
+
+describe("solids of joined files", () => {
+  const left = offFile(boxSurface(2));
+  const volumeIn = (name: string) =>
+    (JSON.parse(readFileSync(inFolder(name), "utf8")) as { volume: number }).volume;
+
+  test("that share faces are named, and all files with them", async () => {
+    save("left.off", left);
+    save("right.off", offFile(boxSurface(2, [1, 0, 0], [2, 1, 1])));
+    const { code, stderr } = await run("mesh", "left.off", "right.off", "--join", "-o", "a.vtu");
+    expect([code, stderr]).toEqual([
+      0,
+      expect.stringContaining('note: left.off + right.off: 2 solids; shared faces: "left" and "right"'),
+    ]);
+    expect(stderr).toContain("left.off + right.off: done, ");
+    save("right.off", offFile(boxSurface(2, [2, 0, 0], [3, 1, 1])));
+    const apart = await run("check", "left.off", "right.off", "--join");
+    expect([apart.code, apart.stderr]).toEqual([0, expect.stringContaining("none of them share faces")]);
+    expect(apart.stderr).not.toContain("almost touch");
+  });
+
+  test("that almost touch are told, and joined by the weld of the remedy", async () => {
+    save("left.off", left);
+    save("right.off", offFile(boxSurface(2, [1.0001, 0, 0], [2, 1, 1])));
+    const inputs = ["left.off", "right.off", "--join"];
+    const checked = await run("check", ...inputs);
+    expect(checked.stderr).toMatch(/warning: .*"left" and "right" almost touch: a gap of 0\.0001 /);
+    const weld = /Use (--weld) (\S+)/.exec(checked.stderr)?.slice(1) ?? [];
+    const { code, stderr } = await run("mesh", ...inputs, "-o", "a.vtu", "--report", "r.json", ...weld);
+    expect([code, stderr]).toEqual([0, expect.stringContaining('shared faces: "left" and "right"')]);
+    expect(stderr).not.toContain("almost touch");
+  });
+
+  test("that overlap are an error with a remedy, after which the lost region is told", async () => {
+    save("left.off", left);
+    save("right.off", offFile(boxSurface(2, [0.99, 0, 0], [1.99, 1, 1])));
+    const args = ["mesh", "left.off", "right.off", "--join", "-o", "a.vtu", "--report", "r.json"];
+    const refused = await run(...args);
+    expect([refused.code, refused.stderr.split("\n")]).toEqual([
+      2,
+      [
+        expect.stringMatching(
+          /left\.off \+ right\.off: The solids "left" and "right" overlap, .*--surface remesh/,
+        ),
+        "",
+      ],
+    ]);
+    const { code, stderr } = await run(...args, "--surface", "remesh");
+    expect([code, stderr]).toEqual([
+      0,
+      expect.stringMatching(
+        /overlap by a volume of 0\.01, 1 % of the smaller one\. They became one region, "left"/,
+      ),
+    ]);
+    expect(stderr).toContain('not meshed: "right"\n');
+    expect(volumeIn("r.json")).toBeCloseTo(1.99, 4);
+  });
+
+  test("leave a closed gap between them empty, and do not make a region of it", async () => {
+    // The middle node of the face is moved away from the other solid, or into it.
+    const withMiddleAt = (n: number, x: number) => {
+      const surface = boxSurface(n, [1, 0, 0], [2, 1, 1]);
+      const { points } = surface;
+      for (let i = 0; i < points.length; i += 3) {
+        const isInside = [points[i + 1] ?? 0, points[i + 2] ?? 0].every((y) => y > 0 && y < 1);
+        if (points[i] === 1 && isInside) points[i] = x;
+      }
+      return offFile(surface);
+    };
+    save("left.off", left);
+    save("right.off", withMiddleAt(2, 1.05));
+    const args = ["left.off", "right.off", "--join", "-o", "a.msh"];
+    const report = ["--report", "r.json"];
+    const gap = await run("mesh", ...args, ...report);
+    expect([gap.code, gap.stderr]).toEqual([
+      0,
+      expect.stringMatching(/Between the solids "left", "right" is a closed gap with a volume of 0\.0/),
+    ]);
+    const regionsIn = async () => {
+      const read = await readMesh(readFileSync(inFolder("a.msh")), { fileName: "a.msh" });
+      return read.success ? read.value.regions.map(({ name }) => name) : [];
+    };
+    expect(await regionsIn()).toEqual(["left", "right"]);
+    // Triangulated differently, the solids are cut along each other first.
+    save("right.off", withMiddleAt(3, 1.05));
+    const cut = await run("mesh", ...args, ...report, "--surface", "remesh");
+    expect([cut.code, cut.stderr]).toEqual([0, expect.stringContaining("is a closed gap")]);
+    expect(await regionsIn()).toEqual(["left", "right"]);
+    save("right.off", withMiddleAt(2, 0.95));
+    const shared = await run("mesh", ...args, ...report);
+    expect([shared.code, shared.stderr]).toEqual([
+      0,
+      expect.stringContaining("It counts once, as a part of one of them"),
+    ]);
+    expect(volumeIn("r.json")).toBeCloseTo(2, 9);
+  });
+});

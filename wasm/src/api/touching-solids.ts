@@ -43,30 +43,56 @@ function sidesOf(triangleRegions: Uint32Array, triangle: number): number[] {
   );
 }
 
-/** Returns one error per pair of solids whose triangles intersect. The parameters are those of `touchingPairs`. */
+const IMPRINT =
+  "Divide the faces where the solids touch (an imprint or fragment operation of the CAD program), or mesh the solids one by one.";
+
+/**
+ * Returns one error per pair of solids whose triangles intersect. `given` and `diagnostics` are those of `touchingPairs`;
+ * `remedy` is what to do, if there is more than to divide the faces.
+ */
 export function touchingSolids(
   given: SurfaceRegions | undefined,
   diagnostics: readonly Diagnostic[],
+  remedy = IMPRINT,
 ): Diagnostic[] {
   return touchingPairs(given, diagnostics).map(({ regions, position }) => {
     const message = `The solids ${namesOf(given, regions)} overlap, or touch in faces with different boundaries`;
-    const remedy =
-      "Divide the faces where the solids touch (an imprint or fragment operation of the CAD program), or mesh the solids one by one.";
     return { ...packageDiagnostic("touching-solids", message, remedy), ...(position && { position }) };
   });
 }
 
-/** Returns a warning that two solids share a volume. */
+/** A volume that two solids share. */
+export interface Overlap extends TouchingPair {
+  readonly volume: number;
+  /** `volume` / volume of the smaller solid. */
+  readonly share: number;
+}
+
+/**
+ * Returns a warning that two solids share a volume. `isLeft`: whether a solid has a region in the surface that will be meshed;
+ * undefined if that is not known.
+ */
 export function overlapWarning(
   given: SurfaceRegions | undefined,
-  { regions, position }: TouchingPair,
+  { regions, position, volume, share }: Overlap,
+  isLeft?: (region: number) => boolean,
 ): Diagnostic {
-  const message = `The solids ${namesOf(given, regions)} overlap. The repair joins what overlaps, and a solid may lose its region`;
-  const remedy = "Move the solids apart, or subtract one from the other.";
+  const percent = 100 * share < 0.1 ? "less than 0.1" : String(Number((100 * share).toPrecision(2)));
+  const size = `${Number(volume.toPrecision(3))}, ${percent} % of the smaller one`;
+  const message = `The solids ${namesOf(given, regions)} overlap by a volume of ${size}${outcome()}`;
+  const remedy =
+    "To keep both as regions, subtract one from the other, or move them apart, before they are joined.";
   return {
     ...packageDiagnostic("touching-solids", message, remedy, "warning"),
     ...(position && { position }),
   };
+
+  function outcome(): string {
+    if (isLeft === undefined) return "";
+    const left = regions.filter(isLeft);
+    if (left.length === 2) return `. It counts once, as a part of one of them`;
+    return `. They became one region${left.length === 1 ? `, ${namesOf(given, left)}` : ""}`;
+  }
 }
 
 function namesOf(given: SurfaceRegions | undefined, regions: readonly number[]): string {

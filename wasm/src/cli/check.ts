@@ -1,7 +1,7 @@
 /** `tetrafront check`: lists all problems of a project, a surface or a mesh, without meshing it. */
 import { ofBody } from "../api/body-preparation.js";
 import type { Mesher } from "../api/mesher-interface.js";
-import type { PreviewOptions } from "../api/option-types.js";
+import type { PreviewOptions, RepairOptions } from "../api/option-types.js";
 import { touchingSolids } from "../api/touching-solids.js";
 import { checkInspectionOptions, checkPreviewOptions } from "../api/options.js";
 import { LIMITS } from "../base/limits.js";
@@ -20,7 +20,8 @@ import { bodySurface } from "../project/bodies.js";
 import type { Project } from "../project/schema.js";
 import { writeToStandardOutput } from "./files.js";
 import { withMesher } from "./grids.js";
-import { isProject, numberIn, readMeshFile, readProjectFile, refuseOptions } from "./input.js";
+import { isProject, numberIn, readMeshFile, readProjectFile, refuseOptions, surfaceIn } from "./input.js";
+import { readGiven, subjectOf } from "./joined-inputs.js";
 import {
   asInvalidInput,
   asEngineFailure,
@@ -34,6 +35,8 @@ import {
 import { printChanges, refuseRepair, type RepairCommandOptions, repaired, repairOptions } from "./repair.js";
 import type { UnitOptions } from "./units.js";
 import { located, type Located } from "./regions.js";
+import { hasSolids, withoutRegions } from "./solid-regions.js";
+import { withSolidRegions } from "./solids.js";
 import { meshLines, oppositeOrderLines, readingLines, surfaceLines } from "./tables.js";
 
 export interface CheckCommandOptions extends RepairCommandOptions, UnitOptions {
@@ -41,6 +44,8 @@ export interface CheckCommandOptions extends RepairCommandOptions, UnitOptions {
   /** Number or `all`. */
   readonly maxDiagnostics?: string;
   readonly from?: string;
+  /** All inputs, if they are joined. */
+  readonly joined?: readonly string[];
   readonly json?: boolean;
   readonly quiet?: boolean;
 }
@@ -72,17 +77,20 @@ type CheckResult =
 export async function checkFile(input: string, options: CheckCommandOptions): Promise<number> {
   const result = await checked(input, options);
   const { diagnostics } = result;
+  const named = subjectOf(input, options.joined);
   const errors = countOf(diagnostics, "error");
   const isQuiet = options.quiet === true;
   if (options.json === true) {
     const { subject: _, isEngine: __, ...printed } = { subject: "", isEngine: false, ...result };
-    for (const piece of jsonPieces({ input, errors, ...printed })) await writeToStandardOutput(piece);
+    const inputs = options.joined === undefined ? {} : { inputs: options.joined };
+    for (const piece of jsonPieces({ input, ...inputs, errors, ...printed }))
+      await writeToStandardOutput(piece);
   } else {
-    if (!isQuiet) printStatistics(input, result);
-    const subject = result.kind === "none" ? result.subject : input;
+    if (!isQuiet) printStatistics(named, result);
+    const subject = result.kind === "none" ? result.subject : named;
     const perCode = result.kind === "surface" ? maxDiagnosticsOf(options) : undefined;
     printDiagnostics(subject, diagnostics, { isQuiet, perCode });
-    if (!isQuiet) print(`${input}: ${counted(diagnostics)}`);
+    if (!isQuiet) print(`${named}: ${counted(diagnostics)}`);
   }
   if (result.kind === "none" && result.isEngine === true) return ExitCode.notCompleted;
   return errors > 0 ? ExitCode.invalidInput : ExitCode.meshed;
@@ -131,13 +139,17 @@ async function checked(input: string, options: CheckCommandOptions): Promise<Che
       ...checkPreviewOptions({ size, innerShells }),
       ...checkInspectionOptions({ maxDiagnostics: maxDiagnosticsOf(options) }),
     ]);
-    if (isProject(input, options.from)) {
+    if (isProject(input, options.from) && options.joined === undefined) {
       refuseOption("--max-diagnostics", options.maxDiagnostics, "surfaces", "a project");
       refuseRepair(repairOptions(options), "a project");
       const project = await readProjectFile(input, options.from);
       return await withMesher((mesher) => checkedProject(mesher, project, { size, innerShells }));
     }
-    return await withMesher((mesher) => inspected(mesher, input, options));
+    return await withMesher((mesher) =>
+      options.joined === undefined
+        ? inspected(mesher, input, options)
+        : inspectedTogether(mesher, input, options),
+    );
   } catch (failure) {
     const engine = asEngineFailure(failure);
     if (engine !== undefined) return { kind: "none", diagnostics: [engine], subject: input, isEngine: true };
@@ -179,15 +191,50 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
     throw new InvalidInput(input, [nothing]);
   }
   const given = await inSteps(surfaceOf(mesh));
+  return inspectedSurface(mesher, given, { options, repair, notes: notes(mesh) });
+}
+
+/** Checks the surfaces of several files as one, as `tetrafront mesh --join` meshes them. */
+async function inspectedTogether(
+  mesher: Mesher,
+  input: string,
+  options: CheckCommandOptions,
+): Promise<CheckResult> {
+  const repair = repairOptions(options);
+  refuseOption("--size", options.size, "projects", "several surfaces");
+  const { given, diagnostics } = await readGiven(input, options, undefined);
+  return inspectedSurface(mesher, surfaceIn(given), { options, repair, notes: diagnostics });
+}
+
+interface SurfaceCheck {
+  readonly options: CheckCommandOptions;
+  readonly repair: RepairOptions | undefined;
+  readonly notes: readonly Diagnostic[];
+}
+
+async function inspectedSurface(
+  mesher: Mesher,
+  given: SurfaceFile,
+  { options, repair, notes: others }: SurfaceCheck,
+): Promise<CheckResult> {
   const { surface: whole, changes, repairDeviation, warnings = [] } = await repaired(mesher, given, repair);
   const { surface, diagnostics: found } = await locatedOrNot(mesher, whole, options.innerShells);
   const { innerShells = whole.regionPoints && "regions" } = options;
   const inspectionOptions = { innerShells, maxDiagnostics: maxDiagnosticsOf(options) };
-  const { diagnostics, ...inspection } = await mesher.inspectSurface(surface, inspectionOptions);
+  const isAssembly = repair === undefined && hasSolids(surface);
+  const first = await mesher.inspectSurface(surface, inspectionOptions);
+  const isShared = isAssembly && first.diagnostics.some(({ code }) => code === "inconsistent-regions");
+  const { diagnostics, ...inspection } = isShared
+    ? await mesher.inspectSurface(withoutRegions(surface), inspectionOptions)
+    : first;
   const touching = touchingSolids(given.surfaceRegions, diagnostics);
+  const isWhole = isAssembly && inspection.isFillable;
+  const { warnings: ofSolids } = isWhole
+    ? await withSolidRegions(mesher, surface, surface)
+    : { warnings: [] };
   return {
     kind: "surface",
-    diagnostics: [...warnings, ...touching, ...found, ...diagnostics, ...notes(mesh)],
+    diagnostics: [...warnings, ...touching, ...ofSolids, ...found, ...diagnostics, ...others],
     changes,
     repairDeviation,
     inspection,

@@ -194,6 +194,7 @@ Examples
   tetrafront check scan.stl --max-diagnostics all --json  # every problem, not the first thousand of each kind
   tetrafront check part.stl --repair --fill-holes 10      # lists the repairs, and the problems that remain
   tetrafront check parts.stl --inner-shells regions       # shells inside regions bound regions too
+  tetrafront check base.step post.step --join             # which solids share faces, overlap or almost touch
   tetrafront check duct.json --size 0.1
   tetrafront check 'parts/*.stl' --jobs 4
 `;

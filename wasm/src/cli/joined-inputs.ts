@@ -1,4 +1,4 @@
-/** Reads the inputs of `tetrafront mesh --join`. */
+/** Reads the inputs of `--join`. */
 import path from "node:path";
 import { inSteps } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
@@ -15,6 +15,16 @@ interface GivenOptions extends InputOptions {
   /** All inputs, if they are joined to one model. */
   readonly joined?: readonly string[] | undefined;
   readonly innerShells?: InnerShells | undefined;
+}
+
+/** Number of files whose names a message lists. */
+const MAX_NAMES = 3;
+
+/** Returns the subject of messages: the input, or all inputs that are joined. */
+export function subjectOf(input: string, joined: readonly string[] = []): string {
+  if (joined.length < 2) return input;
+  const more = joined.length - MAX_NAMES;
+  return [...joined.slice(0, MAX_NAMES), ...(more > 0 ? [`${more} more`] : [])].join(" + ");
 }
 
 /**

@@ -148,7 +148,7 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
     )
     .option("-r, --report <file>", "write statistics and diagnostics as JSON; - for standard output")
     .addOption(elementOrderOption())
-    .option("--join", "mesh all inputs as one model: each solid a region, shared faces interfaces")
+    .option("--join", "mesh all surfaces as one model: each solid a region, shared faces interfaces")
     .option("-k, --keep-partial", "write the mesh even if it is partial")
     .option("-q, --quiet", "print errors only")
     .addHelpText("after", meshHelp)
@@ -381,6 +381,7 @@ function addCheck(program: Command, setExitCode: SetExitCode): void {
     .addOption(inputFormatOption())
     .addOption(fromOption());
   withUnits(withJobs(withRepair(command)))
+    .option("--join", "check all surfaces as one model, as mesh --join")
     .option("--json", "print problems and statistics as JSON")
     .option("-q, --quiet", "print errors only")
     .addHelpText("after", checkHelp)

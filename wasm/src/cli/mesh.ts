@@ -1,7 +1,7 @@
 /** `tetrafront mesh`: reads, meshes and writes; prints a summary. */
 import { fileMeshOf } from "../api/generated-mesh.js";
 import { writeMesh } from "../api/mesh-files.js";
-import type { MeshOptions, RepairOptions, SplitOptions } from "../api/option-types.js";
+import type { MeshOptions, SplitOptions } from "../api/option-types.js";
 import { checkOptions } from "../api/options.js";
 import { emptyReport, emptyResult } from "../api/report.js";
 import { plural } from "../base/plural.js";
@@ -9,7 +9,7 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import type { RunControl } from "../engine/control.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
-import type { FrontOrder, InnerShells, Optimization } from "../generated/constants.js";
+import type { FrontOrder, Optimization } from "../generated/constants.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
 import { writableName, writeAll } from "./convert.js";
@@ -17,7 +17,7 @@ import { elementOrderFor, type ElementOrderOption } from "./element-order.js";
 import { checkOutput, FileError, refuseFolder, writeOutput } from "./files.js";
 import { withMesher } from "./grids.js";
 import { type Input, isCadInput, numberIn, refuseOptions, surfaceIn } from "./input.js";
-import { readGiven } from "./joined-inputs.js";
+import { readGiven, subjectOf } from "./joined-inputs.js";
 import { asInvalidInput, asEngineFailure, ExitCode, print, printDiagnostics } from "./messages.js";
 import { checkNoOverwrite, checkWritable, givenFiles, outputFiles } from "./paths.js";
 import {
@@ -31,14 +31,15 @@ import {
   type SurfaceTreatment,
 } from "./remeshing.js";
 import {
-  madeFillable,
+  type Preparation,
+  preparedSurface,
   printChanges,
   refuseRepair,
   type RepairCommandOptions,
-  repaired,
   repairOptions,
 } from "./repair.js";
 import { located } from "./regions.js";
+import { hasSolids } from "./solid-regions.js";
 import { requiredAngleError, requiredAngleOf } from "./required-angle.js";
 import type { UnitOptions } from "./units.js";
 import { EXACT_REPAIR, filledBest, hasWelded, remeshedBest } from "./best-repair.js";
@@ -107,7 +108,8 @@ interface Outcome {
 
 /** Runs the command; resolves with the exit code. */
 export async function meshFile(input: string, options: MeshCommandOptions): Promise<number> {
-  const whereFailed = (failure: unknown) => failed(failure, input, options.background);
+  const { background, joined } = options;
+  const whereFailed = (failure: unknown) => failed(failure, subjectOf(input, joined), background);
   const failedCheck = await checkReportPath(input, options).catch(whereFailed);
   // If the report cannot be written, that failure is not reported in it either.
   if (failedCheck !== undefined) return failedCheck.exitCode;
@@ -118,7 +120,8 @@ export async function meshFile(input: string, options: MeshCommandOptions): Prom
     ...(refinement && { refinement }),
     ...(remesh && { remesh }),
   };
-  const report = { ...outcome.report, ...done, input, output: written };
+  const inputs = joined === undefined ? {} : { inputs: joined };
+  const report = { ...outcome.report, ...done, input, ...inputs, output: written };
   const isOut = options.report === undefined || (await writeReport(options.report, report));
   return isOut ? outcome.exitCode : ExitCode.notCompleted;
 }
@@ -137,6 +140,7 @@ const projectGrowth = invalidOption(
 
 async function meshAndWrite(input: string, options: MeshCommandOptions): Promise<Outcome> {
   const isQuiet = options.quiet === true;
+  const subject = subjectOf(input, options.joined);
   const requiredAngle = requiredAngleOf(options);
   const made = await meshInput(input, options, () => checkMeshPaths(input, options));
   const {
@@ -153,7 +157,7 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const { report } = result;
   const shouldWrite = mayWrite(result, options);
   const written = shouldWrite && (await writeResult(input, options, result, meshed)) ? options.output : null;
-  if (!isQuiet && report.status !== "invalid-input") print(summary(input, report, written, options));
+  if (!isQuiet && report.status !== "invalid-input") print(summary(subject, report, written, options));
   const isLost = shouldWrite && written === null;
   const poor = requiredAngleError(
     report,
@@ -161,7 +165,7 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
     options,
     given.kind === "project" || treatment === "remesh",
   );
-  printDiagnostics(input, poor, { isQuiet });
+  printDiagnostics(subject, poor, { isQuiet });
   const exitCode = isLost || poor.length > 0 ? ExitCode.notCompleted : EXIT_CODES[report.status];
   const diagnostics = [...found, ...report.diagnostics, ...poor];
   return {
@@ -204,6 +208,7 @@ export async function meshInput(
   if (treatment === "remesh") remeshOptions(options, meshOptions);
   else refuseRemeshing(options);
   await checkPaths();
+  const subject = subjectOf(input, options.joined);
   const { given, diagnostics: read } = await readGiven(input, options, meshOptions.size);
   if (given.kind === "project") {
     if (options.surface !== undefined) refuseOptions([projectSurface]);
@@ -216,32 +221,32 @@ export async function meshInput(
   const { innerShells } = options;
   const isRemeshed = treatment === "remesh";
   const isRepairImplied = repair === undefined && (isRemeshed || isCad);
-  const repairing = { input, repair, split, innerShells, isRepairImplied, isRemeshed };
+  const repairing = { input: subject, repair, split, innerShells, isRepairImplied, isRemeshed };
   const treated = await withRepair(given, repairing);
   const isWelded = isRepairImplied && isRemeshed && hasWelded(surfaceIn(given), treated);
   const exact = isWelded ? () => withRepair(given, { ...repairing, isExact: true }) : undefined;
   const { split: splitWords } = treated;
-  if (!isQuiet) printChanges(input, treated);
-  if (splitWords !== undefined && !isQuiet) print(`${input}: ${splitWords}`);
+  if (!isQuiet) printChanges(subject, treated);
+  if (splitWords !== undefined && !isQuiet) print(`${subject}: ${splitWords}`);
   if (given.kind === "surface" && !isQuiet) {
-    for (const line of readingLines(given.surface)) print(`note: ${input}: ${line}`);
+    for (const line of readingLines(given.surface)) print(`note: ${subject}: ${line}`);
   }
   const meshing = { isQuiet, treatment, remeshing: options, grid, onTrace };
   const made = await mesh(treated, exact, meshOptions, meshing).catch((failure: unknown) => {
     // Warnings of the repair say why the surface is invalid.
-    printWithGrid({ input, background: options.background }, treated.located ?? [], isQuiet);
+    printWithGrid({ input: subject, background: options.background }, treated.located ?? [], isQuiet);
     throw failure;
   });
   const { refinement, remesh, repaired: taken } = made;
   const { changes, repairDeviation, located: foundLater = [] } = taken;
   const found = [...read, ...foundLater];
-  if (taken !== treated && !isQuiet) print(`repair: ${input}: ${EXACT_REPAIR}`);
-  if (taken !== treated && !isQuiet) printChanges(input, taken);
-  if (refinement !== undefined && !isQuiet) print(`${input}: ${refinementText(refinement)}`);
-  if (remesh !== undefined && !isQuiet) print(`${input}: ${remeshText(remesh)}`);
-  if (remesh?.isPartial === true) print(`${input}: ${REMESHING_STOPPED}`);
+  if (taken !== treated && !isQuiet) print(`repair: ${subject}: ${EXACT_REPAIR}`);
+  if (taken !== treated && !isQuiet) printChanges(subject, taken);
+  if (refinement !== undefined && !isQuiet) print(`${subject}: ${refinementText(refinement)}`);
+  if (remesh !== undefined && !isQuiet) print(`${subject}: ${remeshText(remesh)}`);
+  if (remesh?.isPartial === true) print(`${subject}: ${REMESHING_STOPPED}`);
   const { diagnostics } = made.result.report;
-  printWithGrid({ input, background: options.background }, [...found, ...diagnostics], isQuiet);
+  printWithGrid({ input: subject, background: options.background }, [...found, ...diagnostics], isQuiet);
   return { ...made, given, treatment, found, changes, repairDeviation };
 }
 
@@ -259,34 +264,24 @@ interface Repaired {
   readonly located?: readonly Diagnostic[];
 }
 
-interface Repairing {
-  readonly input: string;
-  readonly repair: RepairOptions | undefined;
+interface Repairing extends Preparation {
   readonly split: SplitOptions | undefined;
-  readonly innerShells: InnerShells | undefined;
-  /** Whether the surface is repaired if it cannot be filled without. */
-  readonly isRepairImplied: boolean;
-  readonly isRemeshed: boolean;
-  /** Whether no nodes are welded before the remeshing. */
-  readonly isExact?: boolean;
 }
 
-async function withRepair(
-  given: Input,
-  { input, repair, split, innerShells, isRepairImplied, isRemeshed, isExact }: Repairing,
-): Promise<Repaired> {
+async function withRepair(given: Input, repairing: Repairing): Promise<Repaired> {
+  const { repair, split, innerShells, isRepairImplied } = repairing;
   if (given.kind === "project") return { model: given };
   const hasPoints = given.surface.regionPoints !== undefined;
-  if (repair === undefined && split === undefined && !isRepairImplied && !hasPoints) return { model: given };
+  const isAssembly = hasSolids(given.surface);
+  const isUnchanged = repair === undefined && split === undefined && !isRepairImplied && !hasPoints;
+  if (isUnchanged && !isAssembly) return { model: given };
   return withMesher(async (mesher) => {
     const {
       surface: whole,
       changes,
       repairDeviation,
       warnings = [],
-    } = isRepairImplied
-      ? await madeFillable(mesher, given.surface, input, { innerShells, isRemeshed, isExact })
-      : await repaired(mesher, given.surface, repair);
+    } = await preparedSurface(mesher, given.surface, repairing);
     const divided = await withSplit(mesher, whole, split);
     const words = split && splitText(whole, divided);
     const { surface, diagnostics } = await located(mesher, divided, innerShells);
@@ -424,14 +419,15 @@ async function writeResult(
   model: Input,
 ): Promise<boolean> {
   const { output, to, quiet: isQuiet = false } = options;
+  const subject = subjectOf(input, options.joined);
   const name = writableName(output, to, ["volume"]);
   const isAssembly = isCadInput(input, options.from) || (options.joined ?? []).length > 1;
   const mesh = fileMeshOf(result, { ...model, interfacePatches: isAssembly });
   if (!isQuiet && model.kind === "surface") {
-    for (const line of unmeshedLines(model.surface, mesh)) print(`note: ${input}: ${line}`);
+    for (const line of unmeshedLines(model.surface, mesh)) print(`note: ${subject}: ${line}`);
   }
   const files = await writeMesh(mesh, name, { elementOrder: elementOrderFor(options, name) });
-  return succeeds(() => writeAll(files, { input, output, name, isQuiet }));
+  return succeeds(() => writeAll(files, { input: subject, output, name, isQuiet }));
 }
 
 type CommandReport = MeshReport & { readonly input: string; readonly output: string | null };

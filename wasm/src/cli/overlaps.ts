@@ -1,6 +1,6 @@
 /** Finds solids of a surface whose volumes overlap, and bodies that a repair has joined. */
 import type { Mesher } from "../api/mesher-interface.js";
-import { overlapWarning, touchingPairs, type TouchingPair } from "../api/touching-solids.js";
+import type { Overlap, TouchingPair } from "../api/touching-solids.js";
 import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
@@ -22,51 +22,51 @@ export interface Whole {
 }
 
 /**
- * Returns one warning per pair of solids that share a volume, of those whose triangles intersect. `whole`: inspection of the
+ * Returns those of the pairs of solids that share a volume. `whole`: inspection of the
  * surface after its repair. If it encloses as much as all solids one by one, no pair is looked at; and of the others, only
  * those with boxes that share a volume, each with its own triangles alone.
  */
 export async function overlappingSolids(
   mesher: Mesher,
   given: SurfaceFile,
-  diagnostics: readonly Diagnostic[],
+  pairs: readonly TouchingPair[],
   whole: Whole,
-): Promise<Diagnostic[]> {
+): Promise<Overlap[]> {
   const { surfaceRegions } = given;
-  const pairs = touchingPairs(surfaceRegions, diagnostics);
   if (surfaceRegions === undefined || pairs.length === 0) return [];
   const solids = surfaceRegions.regions.map((_, region) => solidOf(given, region));
   const total = solids.reduce((sum, { volume }) => sum + volume, 0);
   const smallest = smallestOf(solids.map(({ volume }) => volume));
   if (whole.isFillable && total - whole.volume <= SMALLEST_OVERLAP * smallest) return [];
-  const warnings: Diagnostic[] = [];
-  for (const pair of pairs) {
-    if (await isOverlap(mesher, given, pair, solids)) warnings.push(overlapWarning(surfaceRegions, pair));
-  }
-  return warnings;
+  const overlaps: Overlap[] = [];
+  for (const pair of pairs) overlaps.push(...(await overlapOf(mesher, given, pair, solids)));
+  return overlaps;
 }
 
 /** Two solids share a volume if the repaired surface of both encloses less than they do one by one. */
-async function isOverlap(
+async function overlapOf(
   mesher: Mesher,
   given: SurfaceFile,
-  { regions }: TouchingPair,
+  pair: TouchingPair,
   solids: readonly Solid[],
-): Promise<boolean> {
+): Promise<Overlap[]> {
+  const { regions } = pair;
   const [one, other] = regions.map((region) => solids[region]);
-  if (one === undefined || other === undefined) return false;
-  const limit = SMALLEST_OVERLAP * Math.min(one.volume, other.volume);
-  if (commonBox(one, other) <= limit) return false;
+  if (one === undefined || other === undefined) return [];
+  const smaller = Math.min(one.volume, other.volume);
+  const limit = SMALLEST_OVERLAP * smaller;
+  if (commonBox(one, other) <= limit) return [];
   const { surface } = await mesher.repairSurface(partOf(given, new Set<number>(regions)));
   const { isFillable, volume } = await mesher.inspectSurface(surface);
-  return isFillable && one.volume + other.volume - volume > limit;
+  const common = one.volume + other.volume - volume;
+  return isFillable && common > limit ? [{ ...pair, volume: common, share: common / smaller }] : [];
 }
 
 /** Returns the smallest number. There may be more of them than arguments of a function. */
 const smallestOf = (numbers: readonly number[]): number =>
   numbers.reduce((least, one) => Math.min(least, one), Infinity);
 
-interface Solid {
+export interface Solid {
   readonly volume: number;
   readonly low: readonly number[];
   readonly high: readonly number[];
@@ -103,7 +103,7 @@ function partOf(
 }
 
 /** Returns the volume and the box of a solid, whose triangles face outward where it is on their first side. */
-function solidOf({ points, triangles, surfaceRegions }: SurfaceFile, region: number): Solid {
+export function solidOf({ points, triangles, surfaceRegions }: SurfaceFile, region: number): Solid {
   const sides = surfaceRegions?.triangleRegions ?? new Uint32Array();
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];

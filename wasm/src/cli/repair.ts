@@ -4,7 +4,7 @@ import type { RepairOptions } from "../api/option-types.js";
 import { withoutFilledPatch } from "../api/filled-holes.js";
 import { checkRepairOptions } from "../api/options.js";
 import { repairedSurface } from "../api/repaired-surface.js";
-import { touchingSolids } from "../api/touching-solids.js";
+import { overlapWarning, touchingPairs, touchingSolids } from "../api/touching-solids.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { STEP_HEIGHT } from "../base/limits.js";
 import { plural } from "../base/plural.js";
@@ -13,6 +13,8 @@ import type { SurfaceFile } from "../formats/surface-file.js";
 import type { InnerShells } from "../generated/constants.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import { joinedBodies, overlappingSolids } from "./overlaps.js";
+import { hasSolids, withoutRegions } from "./solid-regions.js";
+import { checkedSolids, withSolidRegions } from "./solids.js";
 import { numberIn, refuseOptions } from "./input.js";
 import { hasRegionVolumes } from "./regions.js";
 import { diagonalOf } from "../formats/near-points.js";
@@ -67,6 +69,21 @@ export async function repaired(
   const repair = await mesher.repairSurface(given, options);
   const { changes, deviation: repairDeviation, diagnostics } = repair;
   const surface = repairedSurface(given, repair);
+  if (hasSolids(given)) {
+    const before = await mesher.inspectSurface(withoutRegions(given));
+    const found = await mesher.inspectSurface(withoutRegions(surface));
+    if (found.isFillable) {
+      const touching = touchingPairs(given.surfaceRegions, before.diagnostics);
+      const overlaps = await overlappingSolids(mesher, given, touching, found);
+      const made = await withSolidRegions(mesher, given, surface, { touching, overlaps });
+      return {
+        surface: made.surface,
+        changes,
+        repairDeviation,
+        warnings: [...diagnostics, ...made.warnings],
+      };
+    }
+  }
   const isCut = changes.some(({ kind }) => kind === "resolved-intersection");
   const isOneRegion = (given.surfaceRegions?.regions.length ?? 0) < 2;
   const joined =
@@ -78,6 +95,32 @@ export async function repaired(
         )
       : [];
   return { surface, changes, repairDeviation, warnings: [...diagnostics, ...joined] };
+}
+
+/** How a surface is made ready for meshing. */
+export interface Preparation {
+  /** Subject of messages. */
+  readonly input: string;
+  /** The repair that is requested, if any. */
+  readonly repair: RepairOptions | undefined;
+  readonly innerShells: InnerShells | undefined;
+  /** Whether the surface is repaired if it cannot be filled without. */
+  readonly isRepairImplied: boolean;
+  readonly isRemeshed: boolean;
+  /** Whether no nodes are welded before the remeshing. */
+  readonly isExact?: boolean | undefined;
+}
+
+/** Returns the surface after the repair that is requested or implied. Throws an InvalidInput. */
+export async function preparedSurface(
+  mesher: Mesher,
+  given: SurfaceFile,
+  preparation: Preparation,
+): Promise<RepairedSurface> {
+  const { input, repair, innerShells, isRepairImplied } = preparation;
+  if (isRepairImplied) return madeFillable(mesher, given, input, preparation);
+  const isChecked = repair === undefined && hasSolids(given);
+  return isChecked ? checkedSolids(mesher, given, input, innerShells) : repaired(mesher, given, repair);
 }
 
 /**
@@ -100,21 +143,29 @@ export async function madeFillable(
   },
 ): Promise<RepairedSurface> {
   const before = await mesher.inspectSurface(given, { innerShells });
-  if (before.isFillable) return { surface: given };
+  if (before.isFillable)
+    return hasSolids(given) ? withSolidRegions(mesher, given, given) : { surface: given };
   const weldIntersections = isRemeshed && !isExact ? STEP_HEIGHT * diagonalOf(given.points) : 0;
-  const made = await repaired(mesher, given, { innerShells, weldIntersections });
-  // New triangles between solids do not know the regions on both sides.
-  const { givenRegions, ...surface } = withoutFilledPatch(made.surface);
+  const made = await repaired(mesher, withoutRegions(given), { innerShells, weldIntersections });
+  const surface = withoutFilledPatch(made.surface);
   const found = await mesher.inspectSurface(surface, { innerShells });
   const isChanged = made.changes?.length !== 0;
+  const pairs = touchingPairs(given.surfaceRegions, before.diagnostics);
+  const overlaps = await overlappingSolids(mesher, given, pairs, found);
+  const solids =
+    found.isFillable && hasSolids(given)
+      ? await withSolidRegions(mesher, given, surface, { touching: pairs, overlaps })
+      : undefined;
   const warnings = [
     ...(made.warnings ?? []),
-    ...(isChanged && hasRegionVolumes({ givenRegions }) ? [limitsLost()] : []),
-    ...(await overlappingSolids(mesher, given, before.diagnostics, found)),
+    ...(isChanged && solids === undefined && hasRegionVolumes(given) ? [limitsLost()] : []),
+    ...(solids?.warnings ?? overlaps.map((overlap) => overlapWarning(given.surfaceRegions, overlap))),
   ];
   const touching = found.isFillable ? [] : touchingSolids(given.surfaceRegions, found.diagnostics);
   if (touching.length > 0) throw new InvalidInput(input, touching);
-  return isChanged ? { ...made, surface, warnings } : { surface: given, warnings };
+  return isChanged || solids !== undefined
+    ? { ...made, surface: solids?.surface ?? surface, warnings }
+    : { surface: given, warnings };
 }
 
 function limitsLost(): Diagnostic {

@@ -112,7 +112,7 @@ function unlocatedLines({ unlocatedRegions = [] }: Pick<FileMesh, "unlocatedRegi
 
 /** Reports regions of the file that are not meshed. */
 export function unmeshedLines(
-  { surfaceRegions }: Pick<FileMesh, "surfaceRegions">,
+  { surfaceRegions, givenRegions }: Pick<FileMesh, "surfaceRegions" | "givenRegions">,
   { regions }: Pick<FileMesh, "regions">,
 ): string[] {
   const leftOut = (surfaceRegions?.regions ?? []).filter(({ tag }) =>
@@ -120,9 +120,9 @@ export function unmeshedLines(
   );
   if (leftOut.length === 0) return [];
   const names = leftOut.map(({ name }) => `"${name}"`).join(", ");
-  return [
-    `regions of the file that are not meshed: ${names}; --inner-shells regions also meshes inside inner shells`,
-  ];
+  // Given regions state what inner shells bound.
+  const hint = givenRegions === undefined ? "; --inner-shells regions also meshes inside inner shells" : "";
+  return [`regions of the file that are not meshed: ${names}${hint}`];
 }
 
 export function surfaceLines(found: Omit<SurfaceInspection, "diagnostics">): string[] {

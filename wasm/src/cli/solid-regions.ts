@@ -1,0 +1,191 @@
+/** Which solid each enclosed volume of a surface of several solids belongs to, also after a repair of the surface. */
+import type { Mesher } from "../api/mesher-interface.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import { sixfoldVolume } from "../formats/sixfold-volume.js";
+import type { SurfaceFile } from "../formats/surface-file.js";
+import { NO_ORIGIN, NO_REGION } from "../generated/constants.js";
+import { short } from "./tables.js";
+
+/** Number of significant digits of volumes. */
+const DIGITS = 3;
+
+/** An enclosed volume. */
+interface Cell {
+  volume: number;
+  area: number;
+  /** Centroid of one of its triangles. */
+  position: readonly [number, number, number];
+  /** Per solid: area of its triangles that have the cell inside. */
+  readonly inside: Map<number, number>;
+  /** Solids whose triangles have the cell outside. */
+  readonly beside: Set<number>;
+}
+
+export interface SolidRegions {
+  readonly surface: SurfaceFile;
+  /** Notes about closed gaps between solids, which stay empty. */
+  readonly gaps: readonly Diagnostic[];
+  /** Volumes inside several solids. */
+  readonly shared: readonly SharedVolume[];
+}
+
+export interface SharedVolume {
+  /** Indices of the solids, that of the one that gets the volume first. */
+  readonly regions: readonly number[];
+  readonly volume: number;
+  readonly position: readonly [number, number, number];
+}
+
+/** Returns whether a surface states the regions of several solids. */
+export const hasSolids = ({ surfaceRegions, givenRegions }: SurfaceFile): boolean =>
+  givenRegions !== undefined && (surfaceRegions?.regions.length ?? 0) > 1;
+
+/** Returns the surface alone: triangles of overlapping solids, and new ones between solids, contradict the given regions. */
+export function withoutRegions({ givenRegions: _, ...surface }: SurfaceFile): SurfaceFile {
+  return surface;
+}
+
+/**
+ * Assigns each volume that `made` encloses to the solid that has it inside, and leaves volumes outside of all solids empty. A
+ * volume inside several solids goes to the one with most area around it. `made`: the given surface, or the result of its
+ * repair, with the indices of the given triangles; it must be fillable.
+ */
+export async function solidRegions(
+  mesher: Mesher,
+  given: SurfaceFile,
+  made: SurfaceFile,
+): Promise<SolidRegions> {
+  const { regionPoints: _, givenRegions: __, surfaceRegions: ___, origin: ____, ...plain } = made;
+  const { surface: located } = await mesher.locateRegions(plain);
+  const cellOf = located.givenRegions?.triangleRegions ?? new Uint32Array();
+  const origins = Uint32Array.from(located.origin ?? [], (t) =>
+    made === given ? t : (made.origin?.[t] ?? NO_ORIGIN),
+  );
+  const cells = cellsOf(given, located, { cellOf, origins });
+  const regionOf = cells.map(({ inside }) => winnerOf(inside));
+  const triangleRegions = cellOf.map((cell) => regionOf[cell] ?? NO_REGION);
+  const shared = cells.flatMap(({ inside, volume, position }, c) => {
+    const first = regionOf[c] ?? NO_REGION;
+    const others = [...inside.keys()].filter((region) => region !== first);
+    return others.length === 0 ? [] : [{ regions: [first, ...others], volume, position }];
+  });
+  const gaps = cells.flatMap((cell) => gapNote(given, cell));
+  const regions = given.surfaceRegions?.regions ?? [];
+  const whole: SurfaceFile = {
+    ...located,
+    origin: origins,
+    surfaceRegions: { regions, triangleRegions },
+    givenRegions: {
+      triangleRegions: triangleRegions.slice(),
+      maxVolumes: given.givenRegions?.maxVolumes ?? new Float64Array(),
+    },
+  };
+  return { surface: withoutInnerTriangles(whole), gaps, shared };
+}
+
+interface Sides {
+  /** Two per triangle: the volume behind it and that in front. */
+  readonly cellOf: Uint32Array;
+  /** Per triangle: that of the given surface of which it is a part. */
+  readonly origins: Uint32Array;
+}
+
+function cellsOf(given: SurfaceFile, located: SurfaceFile, { cellOf, origins }: Sides): Cell[] {
+  const count = cellOf.reduce((most, cell) => (cell === NO_REGION ? most : Math.max(most, cell + 1)), 0);
+  const cells = Array.from({ length: count }, (): Cell => ({
+    volume: 0,
+    area: 0,
+    position: [0, 0, 0],
+    inside: new Map(),
+    beside: new Set(),
+  }));
+  const sides = given.surfaceRegions?.triangleRegions ?? new Uint32Array();
+  for (let t = 0; t < origins.length; t++) {
+    const [a = 0, b = 0, c = 0] = located.triangles.subarray(3 * t, 3 * t + 3);
+    const sixfold = sixfoldVolume(located.points, 0, a, b, c).volume;
+    const normal = normalOf(located, t);
+    const area = Math.sqrt(dot(normal, normal)) / 2;
+    const from = origins[t] ?? NO_ORIGIN;
+    const isFlipped = from !== NO_ORIGIN && dot(normal, normalOf(given, from)) < 0;
+    for (const k of [0, 1]) {
+      const cell = cells[cellOf[2 * t + k] ?? NO_REGION];
+      if (cell === undefined) continue;
+      cell.volume += ((k === 0 ? 1 : -1) * sixfold) / 6;
+      if (cell.area === 0) cell.position = centroidOf(located, t);
+      cell.area += area;
+      if (from === NO_ORIGIN) continue;
+      const [own = NO_REGION, other = NO_REGION] = [0, 1].map(
+        (s) => sides[2 * from + (isFlipped ? 1 - s : s)],
+      );
+      const [region, beyond] = k === 0 ? [own, other] : [other, own];
+      if (region !== NO_REGION) cell.inside.set(region, (cell.inside.get(region) ?? 0) + area);
+      else if (beyond !== NO_REGION) cell.beside.add(beyond);
+    }
+  }
+  return cells;
+}
+
+/** Returns the solid with the largest area around a volume, the first of equal ones; `NO_REGION` without any. */
+function winnerOf(inside: ReadonlyMap<number, number>): number {
+  return [...inside].reduce(
+    (best, [region, area]) =>
+      area > best.area || (area === best.area && region < best.region) ? { region, area } : best,
+    { region: NO_REGION, area: 0 },
+  ).region;
+}
+
+/** Two solids that enclose a volume outside of both have a gap between them. A solid alone has a cavity. */
+function gapNote({ surfaceRegions }: SurfaceFile, cell: Cell): Diagnostic[] {
+  const { inside, beside, volume, area, position } = cell;
+  if (inside.size > 0 || beside.size < 2) return [];
+  const names = [...beside].sort((a, b) => a - b).map((r) => `"${surfaceRegions?.regions[r]?.name ?? ""}"`);
+  const width = short((2 * volume) / area, DIGITS);
+  const message = `Between the solids ${names.join(", ")} is a closed gap with a volume of ${short(volume, DIGITS)}, about ${width} wide. It stays empty`;
+  const remedy = "If they are meant to touch there, give both the same face.";
+  return [{ ...packageDiagnostic("touching-solids", message, remedy, "information"), position }];
+}
+
+/** Leaves out triangles with the same region on both sides. */
+function withoutInnerTriangles(surface: SurfaceFile): SurfaceFile {
+  const { triangles, trianglePatch, origin, surfaceRegions, givenRegions } = surface;
+  const sides = surfaceRegions?.triangleRegions ?? new Uint32Array();
+  const kept = [...trianglePatch.keys()].filter((t) => sides[2 * t] !== sides[2 * t + 1]);
+  if (kept.length === trianglePatch.length) return surface;
+  const pick = (values: Uint32Array, width: number) =>
+    Uint32Array.from(kept.flatMap((t) => [...values.subarray(width * t, width * (t + 1))]));
+  const triangleRegions = pick(sides, 2);
+  return {
+    ...surface,
+    triangles: pick(triangles, 3),
+    trianglePatch: pick(trianglePatch, 1),
+    ...(origin && { origin: pick(origin, 1) }),
+    ...(surfaceRegions && { surfaceRegions: { ...surfaceRegions, triangleRegions } }),
+    ...(givenRegions && { givenRegions: { ...givenRegions, triangleRegions: triangleRegions.slice() } }),
+  };
+}
+
+type Vector = readonly [number, number, number];
+
+const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+
+function cornersOf({ points, triangles }: SurfaceFile, t: number): readonly Vector[] {
+  return [0, 1, 2].map((k) => {
+    const node = 3 * (triangles[3 * t + k] ?? 0);
+    return [points[node] ?? 0, points[node + 1] ?? 0, points[node + 2] ?? 0];
+  });
+}
+
+function centroidOf(surface: SurfaceFile, t: number): Vector {
+  const corners = cornersOf(surface, t);
+  const mean = (k: number) => corners.reduce((sum, corner) => sum + (corner[k] ?? 0), 0) / 3;
+  return [mean(0), mean(1), mean(2)];
+}
+
+/** Returns a vector across a triangle with twice its area as length. */
+function normalOf(surface: SurfaceFile, t: number): Vector {
+  const [a = [0, 0, 0], b = a, c = a] = cornersOf(surface, t);
+  const [ux, uy, uz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+  const [vx, vy, vz] = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
+  return [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+}

@@ -1,0 +1,112 @@
+/** What becomes of the solids of a surface: regions, overlaps, and gaps between them. */
+import type { Mesher } from "../api/mesher-interface.js";
+import { type Overlap, overlapWarning, type TouchingPair, touchingSolids } from "../api/touching-solids.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import type { SurfaceFile } from "../formats/surface-file.js";
+import { NO_REGION } from "../generated/constants.js";
+import type { InnerShells } from "../generated/constants.js";
+import { InvalidInput } from "./messages.js";
+import { almostTouching } from "./near-solids.js";
+import { solidOf } from "./overlaps.js";
+import { type SharedVolume, solidRegions, withoutRegions } from "./solid-regions.js";
+
+export interface Solids {
+  readonly surface: SurfaceFile;
+  readonly warnings: readonly Diagnostic[];
+}
+
+/** What is known about the solids before. */
+interface Known {
+  /** Pairs whose triangles intersect, and those of them that share a volume. */
+  readonly touching: readonly TouchingPair[];
+  readonly overlaps: readonly Overlap[];
+}
+
+/**
+ * Returns a surface that can be filled with the regions of its solids, and what the user should know: solids that overlap,
+ * almost touch, or share faces. `made`: the given surface, or the result of its repair.
+ */
+export async function withSolidRegions(
+  mesher: Mesher,
+  given: SurfaceFile,
+  made: SurfaceFile,
+  { touching, overlaps }: Known = { touching: [], overlaps: [] },
+): Promise<Solids> {
+  const { surface, gaps, shared } = await solidRegions(mesher, given, made);
+  // Includes NO_REGION, for the outside.
+  const left = new Set(surface.surfaceRegions?.triangleRegions);
+  const all = [...overlaps, ...shared.flatMap((volume) => overlapsIn(given, volume, overlaps))];
+  const isKept = made === given && shared.length === 0;
+  return {
+    surface: isKept ? given : surface,
+    warnings: [
+      ...all.map((overlap) => overlapWarning(given.surfaceRegions, overlap, (region) => left.has(region))),
+      ...gaps,
+      ...almostTouching(surface, [...touching, ...all]),
+      ...(left.size > 2 ? sharedFacesNote(surface) : []),
+    ],
+  };
+}
+
+/** Returns the overlaps of the solids of a shared volume that are not known yet. */
+function overlapsIn(
+  given: SurfaceFile,
+  { regions, volume, position }: SharedVolume,
+  known: readonly Overlap[],
+): Overlap[] {
+  const [first = 0, ...others] = regions;
+  return others.flatMap((other): Overlap[] => {
+    const pair = first < other ? ([first, other] as const) : ([other, first] as const);
+    if (known.some((one) => one.regions.join() === pair.join())) return [];
+    const [one, two] = pair.map((region) => solidOf(given, region).volume);
+    const smaller = Math.min(one ?? 0, two ?? 0);
+    // Solids that a repair has joined share less than the volume of both.
+    return volume < smaller ? [{ regions: pair, position, volume, share: volume / smaller }] : [];
+  });
+}
+
+const JOINED_REMEDY =
+  "Use --surface remesh, which cuts them where they touch; or divide their faces there in the CAD program.";
+
+/** As `withSolidRegions` for a surface that is not repaired. Throws an InvalidInput that names the solids that intersect. */
+export async function checkedSolids(
+  mesher: Mesher,
+  given: SurfaceFile,
+  input: string,
+  innerShells: InnerShells | undefined,
+): Promise<Solids> {
+  const { isFillable, diagnostics } = await mesher.inspectSurface(withoutRegions(given), { innerShells });
+  if (isFillable) return withSolidRegions(mesher, given, given);
+  const touching = touchingSolids(given.surfaceRegions, diagnostics, JOINED_REMEDY);
+  if (touching.length === 0) return { surface: given, warnings: [] };
+  const others = diagnostics.filter(
+    ({ code }) => code !== "self-intersection" && code !== "duplicate-triangle",
+  );
+  throw new InvalidInput(input, [...touching, ...others.filter(({ severity }) => severity === "error")]);
+}
+
+/** Returns a note on which solids share faces. */
+function sharedFacesNote({ surfaceRegions }: SurfaceFile): Diagnostic[] {
+  if (surfaceRegions === undefined || surfaceRegions.regions.length < 2) return [];
+  const { regions, triangleRegions } = surfaceRegions;
+  const pairs = new Set<string>();
+  for (let side = 0; side < triangleRegions.length; side += 2) {
+    const [one = NO_REGION, other = NO_REGION] = triangleRegions.subarray(side, side + 2);
+    if (one === NO_REGION || other === NO_REGION) continue;
+    pairs.add([one, other].sort((a, b) => a - b).join(" "));
+  }
+  const names = [...pairs].map((pair) =>
+    pair
+      .split(" ")
+      .map((region) => `"${regions[Number(region)]?.name ?? ""}"`)
+      .join(" and "),
+  );
+  const [first = "", ...more] = names;
+  const listed = more.length > MAX_PAIRS ? `${first} and ${more.length} more pairs` : names.join("; ");
+  const what = names.length === 0 ? "none of them share faces" : `shared faces: ${listed}`;
+  return [packageDiagnostic("touching-solids", `${regions.length} solids; ${what}`, "", "information")];
+}
+
+/** Largest number of pairs that are listed, after the first. */
+const MAX_PAIRS = 9;
