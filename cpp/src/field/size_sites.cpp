@@ -246,6 +246,11 @@ SizeSites::Value SizeSites::at(const Vec3& position, SiteId guess) const {
   return {best * extent_, site};
 }
 
+double SizeSites::coneAt(const Vec3& position, SiteId site) const {
+  const std::array<float, 3> p = inward(position);
+  return double{cone(site, {p, p})} * extent_;
+}
+
 SizeSites::Value SizeSites::at(const Vec3& position, SiteId guess,
                                std::span<const SiteId> list) const {
   const std::array<float, 3> p = inward(position);

@@ -53,6 +53,9 @@ class SizeSites {
   /// more.
   [[nodiscard]] Value at(const Vec3& position, SiteId guess) const;
 
+  /// Returns h_i + growth |x - x_i| of one site, an upper bound of the size at the position.
+  [[nodiscard]] double coneAt(const Vec3& position, SiteId site) const;
+
   /// The same over a list of sites, exactly. O(n) for n sites of the list.
   [[nodiscard]] Value at(const Vec3& position, SiteId guess, std::span<const SiteId> list) const;
 

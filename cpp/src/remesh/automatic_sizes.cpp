@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -181,15 +182,13 @@ std::vector<ShapeMeasure::Sample> ShapeMeasure::findSamples() const {
     std::uint32_t facing;
     std::array<Cell, kThicknessCells.size()> cells;
     double curvature;
-    std::uint32_t piece;
   };
   const double width = kSampleWidth * rules_.minSize;
   std::vector<Place> places;
   places.reserve(reference_.pieces().size());
-  for (std::size_t i = 0; i < reference_.pieces().size(); ++i) {
-    const ReferenceSurface::Piece& piece = reference_.pieces()[i];
+  for (const ReferenceSurface::Piece& piece : reference_.pieces()) {
     const Vec3& normal = reference_.normalOf(piece.triangle);
-    Place place{0, {}, curvatureOf(piece.triangle), static_cast<std::uint32_t>(i)};
+    Place place{0, {}, curvatureOf(piece.triangle)};
     for (int k = 0; k < 3; ++k) {
       for (std::size_t level = 0; level < kThicknessCells.size(); ++level) {
         const double step = static_cast<double>(kThicknessCells[level]) * width;
@@ -201,17 +200,24 @@ std::vector<ShapeMeasure::Sample> ShapeMeasure::findSamples() const {
     }
     places.push_back(place);
   }
-  stableSort(places, [](const Place& a, const Place& b) {
+  // Places are too long to be moved about.
+  std::vector<std::uint32_t> order(places.size());
+  std::iota(order.begin(), order.end(), 0U);
+  stableSort(order, [&](std::uint32_t i, std::uint32_t j) {
+    const Place& a = places[i];
+    const Place& b = places[j];
     return std::tie(a.facing, a.cells, b.curvature) < std::tie(b.facing, b.cells, a.curvature);
   });
   std::vector<Sample> samples;
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  const Place* before = nullptr;
+  for (const std::uint32_t piece : order) {
+    const Place& place = places[piece];
     std::size_t level = 0;
-    if (i > 0 && places[i].facing == places[i - 1].facing) {
-      while (level < kThicknessCells.size() && places[i].cells[level] == places[i - 1].cells[level])
-        ++level;
+    if (before != nullptr && place.facing == before->facing) {
+      while (level < kThicknessCells.size() && place.cells[level] == before->cells[level]) ++level;
     }
-    if (level < kThicknessCells.size()) samples.push_back({places[i].piece, level});
+    if (level < kThicknessCells.size()) samples.push_back({piece, level});
+    before = &place;
   }
   return samples;
 }

@@ -10,6 +10,13 @@ double RemeshSizes::sizeAt(const Vec3& position, Hint& hint) const {
   return cappedAt(position, given_.targetSizeAt(position, hint.field), hint);
 }
 
+double RemeshSizes::sizeNear(const Vec3& position, Hint& hint) const {
+  const double given = given_.targetSizeAt(position, hint.field);
+  if (!shape_) return given;
+  const double ofSite = shape_->coneAt(position, hint.site);
+  return std::min(given, std::max(ofSite, cusps_.leastAt(position)));
+}
+
 SymmetricTensor RemeshSizes::tensorAt(const Vec3& position, Hint& hint) const {
   const SymmetricTensor tensor = given_.targetTensorAt(position, hint.field);
   if (!shape_) return tensor;

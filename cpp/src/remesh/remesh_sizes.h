@@ -35,6 +35,10 @@ class RemeshSizes {
   };
   [[nodiscard]] bool isStretched() const { return given_.isStretched(); }
   [[nodiscard]] double sizeAt(const Vec3& position, Hint& hint) const;
+  /// As sizeAt(), for a position near the last query: of the sizes that the shape asks for, only those around the last site
+  /// count. The result exceeds sizeAt() by at most twice the growth times the distance from the last query. O(1) for
+  /// the shape.
+  [[nodiscard]] double sizeNear(const Vec3& position, Hint& hint) const;
   [[nodiscard]] SymmetricTensor tensorAt(const Vec3& position, Hint& hint) const;
 
  private:

@@ -91,6 +91,15 @@ void SurfaceEditor::measureSize(NodeId node) {
   view_[node.index()] = tensor.inverse();
 }
 
+/// Measures the size of a node that has moved less than about an edge.
+void SurfaceEditor::updateSize(NodeId node) {
+  if (isStretched_) {
+    measureSize(node);
+    return;
+  }
+  size_[node.index()] = sizes_.sizeNear(complex_.pointOf(node), sizeHint_[node.index()]);
+}
+
 /// Returns true if a node moves so far that its target size must be queried again.
 bool SurfaceEditor::isFarMove() const {
   if (change_.moved.isNone()) return false;
@@ -102,7 +111,7 @@ bool SurfaceEditor::isFarMove() const {
 bool SurfaceEditor::apply(bool coversSame) {
   const bool isFar = isFarMove();
   if (!surface_.apply(change_, coversSame)) return false;
-  if (isFar) measureSize(change_.moved);
+  if (isFar) updateSize(change_.moved);
   for (const SurfaceChange::Added& added : change_.added) {
     for (const NodeId node : added.nodes) changed_[node.index()] = time_;
   }

@@ -75,6 +75,7 @@ class SurfaceEditor {
   NodeId addNode(const Vec3& point, NodeKind kind, NodeId near);
   void removeLastNode();
   void measureSize(NodeId node);
+  void updateSize(NodeId node);
   [[nodiscard]] bool isFarMove() const;
   bool apply(bool coversSame = false);
 

@@ -10,9 +10,9 @@
 namespace tetrafront {
 namespace {
 
-/// Smallest gains of a radius ratio, which is at most 1, that justify a move; with any gain, rounding could move a node for ever. With a gain of
-/// .001 and all parts of the way, smoothing would raise the mean ratio by .004 and remeshing would take a quarter longer; the
-/// poorest triangles would not profit.
+/// Smallest gains of a radius ratio, which is at most 1, that justify a move; with any gain, rounding could move a node for
+/// ever. With a gain of .001 and all parts of the way, smoothing would raise the mean ratio by .004 and remeshing would take
+/// a quarter longer; the poorest triangles would not profit.
 constexpr double kLeastSmoothingGain = 5e-3;
 /// The few poorest triangles also profit from small steps.
 constexpr double kLeastImprovement = 1e-3;

@@ -111,14 +111,4 @@ std::uint32_t BoxTree::leafEnd(std::uint32_t node) const {
   return std::min(leafBegin(node) + kItemsPerLeaf, static_cast<std::uint32_t>(items_.size()));
 }
 
-double BoxTree::squaredDistance(const Box& box, const Vec3& position) {
-  double sum = 0.0;
-  for (int a = 0; a < 3; ++a) {
-    const auto k = static_cast<std::size_t>(a);
-    const double gap = std::max({box.low[k] - position[a], position[a] - box.high[k], 0.0});
-    sum += gap * gap;
-  }
-  return sum;
-}
-
 }  // namespace tetrafront

@@ -67,7 +67,18 @@ class BoxTree {
   /// At most one entry per level; 2^32 items make 32 levels.
   static constexpr std::size_t kStack = 40;
 
-  static double squaredDistance(const Box& box, const Vec3& position);
+  static double squaredDistance(const Box& box, const Vec3& position) {
+    double sum = 0.0;
+    for (int a = 0; a < 3; ++a) {
+      const auto k = static_cast<std::size_t>(a);
+      const double below = box.low[k] - position[a];
+      const double above = position[a] - box.high[k];
+      const double outside = below > above ? below : above;
+      const double gap = outside > 0.0 ? outside : 0.0;
+      sum += gap * gap;
+    }
+    return sum;
+  }
   [[nodiscard]] std::uint32_t leafBegin(std::uint32_t node) const {
     return std::min((node - firstLeaf_) * kItemsPerLeaf, static_cast<std::uint32_t>(items_.size()));
   }
