@@ -209,6 +209,7 @@ void RemeshSchedule::flipAround(NodeId node) {
     waiting_.pop_back();
     complex_.collectEdge(a, b, edge_);
     if (edge_.size() != 2) continue;
+    if (!editor_.mayFlip(edge_[0]) && !editor_.mayFlip(edge_[1])) continue;
     const NodeId c = complex_.nodesOf(edge_[0]).apex;
     const NodeId d = complex_.nodesOf(edge_[1]).apex;
     if (!editor_.flip(a, b)) continue;

@@ -46,14 +46,20 @@ class SeparationProof {
   [[nodiscard]] bool collectSpreads(std::uint32_t centre);
   [[nodiscard]] bool areTurning() const;
   [[nodiscard]] bool coversOnce() const;
-  [[nodiscard]] bool isBeyond(const NumberedTriangle& other, const std::array<bool, 3>& isShared,
+  /// For each corner of a triangle: its place in nodes_, or kNoIndex.
+  using Places = std::array<std::uint32_t, 3>;
+
+  [[nodiscard]] Places placesOf(const NumberedTriangle& other) const;
+  [[nodiscard]] bool isBeyond(const NumberedTriangle& other, const Places& places,
                               const Vec3& origin, const Vec3& normal, double margin) const;
   [[nodiscard]] bool isFarFrom(const NumberedTriangle& other) const;
 
   std::span<const NumberedTriangle> triangles_;
   std::vector<Node> nodes_;  ///< of the new triangles, each once
-  Vec3 centre_{0.0};         ///< mean of the nodes
-  Vec3 normal_{0.0};         ///< sum of the normals
+  std::vector<std::uint32_t>
+      placeOf_;       ///< per node of the surface: its place in nodes_, or kNoIndex
+  Vec3 centre_{0.0};  ///< mean of the nodes
+  Vec3 normal_{0.0};  ///< sum of the normals
   std::vector<Spread> spreads_;
 };
 
