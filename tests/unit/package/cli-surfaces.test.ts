@@ -249,6 +249,17 @@ describe("check", () => {
     expect(stderr).toContain("no problems");
     expect(new Uint8Array(readFileSync(inFolder("open.off")))).toEqual(new Uint8Array(file));
   });
+
+  test("fills no hole with more edges than --fill-holes permits", async () => {
+    save("open.off", offFile(without(box, 1)));
+    for (const limit of ["0", "2"]) {
+      const { code, stderr } = await tetrafront(folder.path, ["check", "open.off", "--fill-holes", limit]);
+      expect([code, stderr]).toEqual([2, expect.stringContaining("The surface is not closed")]);
+      expect(stderr).not.toContain("filled a hole");
+    }
+    const { code, stderr } = await tetrafront(folder.path, ["check", "open.off", "--repair"]);
+    expect([code, stderr]).toEqual([0, expect.stringContaining("filled a hole with 1 triangle")]);
+  });
 });
 
 describe("mesh", () => {

@@ -48,11 +48,16 @@ export async function remeshBest(
   const all = await remesh(options, partOf(control, 0, FIRST_SHARE));
   if (!isPoor(all)) return all;
   const dropDetails = DROPPED * diagonalOf(points);
-  const second = remesh({ ...options, dropDetails }, partOf(control, FIRST_SHARE, 1));
+  // The distances of both steps add up. Nobody has asked for more than the tolerance.
+  const tolerance = all.tolerance - dropDetails;
+  if (tolerance <= 0) return all;
+  const second = remesh({ ...options, dropDetails, tolerance }, partOf(control, FIRST_SHARE, 1));
   const merged = await unlessFailed(second);
   if (merged === undefined) return all;
   if (merged.isPartial) return { ...all, isPartial: true };
-  return isBetter(merged, all) ? merged : all;
+  if (merged.deviation > all.tolerance || !isBetter(merged, all)) return all;
+  const diagnostics = merged.diagnostics.filter(({ code }) => code !== "deviation-above-tolerance");
+  return { ...merged, tolerance: all.tolerance, diagnostics };
 }
 
 type Shapes = Pick<SurfaceRemesh, "isPartial" | "smallestAngle" | "meanRadiusRatio">;

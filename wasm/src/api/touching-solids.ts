@@ -68,31 +68,58 @@ export interface Overlap extends TouchingPair {
   readonly share: number;
 }
 
-/**
- * Returns a warning that two solids share a volume. `isLeft`: whether a solid has a region in the surface that will be meshed;
- * undefined if that is not known.
- */
+/** What became of solids that overlap. */
+export interface OverlapOutcome {
+  /** Whether a solid has a region in the surface that will be meshed. */
+  readonly isLeft: (region: number) => boolean;
+  /** The solid whose region got the volume. */
+  readonly into: number | undefined;
+}
+
+/** Returns a warning that two solids share a volume. `outcome`: undefined if it is not known. */
 export function overlapWarning(
   given: SurfaceRegions | undefined,
   { regions, position, volume, share }: Overlap,
-  isLeft?: (region: number) => boolean,
+  outcome?: OverlapOutcome,
 ): Diagnostic {
   const percent = 100 * share < 0.1 ? "less than 0.1" : String(Number((100 * share).toPrecision(2)));
   const size = `${Number(volume.toPrecision(3))}, ${percent} % of the smaller one`;
-  const message = `The solids ${namesOf(given, regions)} overlap by a volume of ${size}${outcome()}`;
+  return overlapping(
+    `The solids ${namesOf(given, regions)} overlap by a volume of ${size}${outcomeText(given, regions, outcome)}`,
+    position,
+  );
+}
+
+/** Returns a warning that solids became one region, because they intersect. */
+export function mergeWarning(
+  given: SurfaceRegions | undefined,
+  regions: readonly number[],
+  position: Diagnostic["position"],
+): Diagnostic {
+  const message = `The solids ${namesOf(given, regions)} intersect. They became one region, ${namesOf(given, regions.slice(0, 1))}`;
+  return overlapping(message, position);
+}
+
+function overlapping(message: string, position: Diagnostic["position"]): Diagnostic {
   const remedy =
     "To keep both as regions, subtract one from the other, or move them apart, before they are joined.";
   return {
     ...packageDiagnostic("touching-solids", message, remedy, "warning"),
     ...(position && { position }),
   };
+}
 
-  function outcome(): string {
-    if (isLeft === undefined) return "";
-    const left = regions.filter(isLeft);
-    if (left.length === 2) return `. It counts once, as a part of one of them`;
-    return `. They became one region${left.length === 1 ? `, ${namesOf(given, left)}` : ""}`;
-  }
+function outcomeText(
+  given: SurfaceRegions | undefined,
+  regions: readonly number[],
+  outcome: OverlapOutcome | undefined,
+): string {
+  if (outcome === undefined) return "";
+  const { isLeft, into } = outcome;
+  if (regions.every(isLeft)) return ". It counts once, as a part of one of them";
+  const left = into === undefined ? regions.filter(isLeft) : [into];
+  const name = left.length === 0 ? "" : `, ${namesOf(given, left)}`;
+  return `. They became one region${name}`;
 }
 
 function namesOf(given: SurfaceRegions | undefined, regions: readonly number[]): string {

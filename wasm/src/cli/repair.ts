@@ -11,7 +11,7 @@ import { plural } from "../base/plural.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { InnerShells } from "../generated/constants.js";
-import type { RepairChange } from "../mesh/inspection.js";
+import type { RepairChange, SurfaceRepair } from "../mesh/inspection.js";
 import { joinedBodies, overlappingSolids } from "./overlaps.js";
 import { hasSolids, withoutRegions } from "./solid-regions.js";
 import { checkedSolids, withSolidRegions } from "./solids.js";
@@ -66,7 +66,7 @@ export async function repaired(
   options: RepairOptions | undefined,
 ): Promise<RepairedSurface> {
   if (options === undefined) return { surface: given };
-  const repair = await mesher.repairSurface(given, options);
+  const repair = await withinLimit(mesher, given, options);
   const { changes, deviation: repairDeviation, diagnostics } = repair;
   const surface = repairedSurface(given, repair);
   if (hasSolids(given)) {
@@ -95,6 +95,25 @@ export async function repaired(
         )
       : [];
   return { surface, changes, repairDeviation, warnings: [...diagnostics, ...joined] };
+}
+
+/**
+ * Repairs a surface. A limit of holes that is given holds for all of them: if larger ones were closed to resolve the rest, they
+ * stay open, and nothing is resolved.
+ */
+async function withinLimit(
+  mesher: Mesher,
+  given: SurfaceFile,
+  options: RepairOptions,
+): Promise<SurfaceRepair> {
+  const repair = await mesher.repairSurface(given, options);
+  const { fillHoles } = options;
+  if (fillHoles === undefined) return repair;
+  // A hole of n edges is filled with n - 2 triangles.
+  const isBeyond = repair.changes.some(
+    (change) => change.kind === "filled-hole" && change.triangles + 2 > fillHoles,
+  );
+  return isBeyond ? mesher.repairSurface(given, { ...options, resolveIntersections: false }) : repair;
 }
 
 /** How a surface is made ready for meshing. */

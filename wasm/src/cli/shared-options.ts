@@ -27,7 +27,7 @@ export const withRepair = (command: Command): Command =>
       "weld coincident nodes, remove degenerate and duplicate triangles, flip triangles outward; resolve the rest",
     )
     .option("--weld <distance>", "repair, and weld nodes within this distance")
-    .option("--fill-holes <edges>", "repair, and fill holes of at most this many edges");
+    .option("--fill-holes <edges>", "repair, and fill holes of at most this many edges, no others");
 
 export const splitOption = (): Option =>
   new Option(

@@ -2,6 +2,7 @@
 import type { Mesher } from "../api/mesher-interface.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import { diagonalOf } from "../formats/near-points.js";
 import { sixfoldVolume } from "../formats/sixfold-volume.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import { NO_ORIGIN, NO_REGION } from "../generated/constants.js";
@@ -70,7 +71,8 @@ export async function solidRegions(
     const others = [...inside.keys()].filter((region) => region !== first);
     return others.length === 0 ? [] : [{ regions: [first, ...others], volume, position }];
   });
-  const gaps = cells.flatMap((cell) => gapNote(given, cell));
+  const smallest = SMALLEST_GAP * diagonalOf(given.points);
+  const gaps = cells.filter((cell) => widthOf(cell) > smallest).flatMap((cell) => gapNote(given, cell));
   const regions = given.surfaceRegions?.regions ?? [];
   const whole: SurfaceFile = {
     ...located,
@@ -135,12 +137,18 @@ function winnerOf(inside: ReadonlyMap<number, number>): number {
   ).region;
 }
 
+/** Width of a gap / diagonal up to which it is due to rounding. */
+const SMALLEST_GAP = 1e-6;
+
+/** Returns the mean width of a thin volume. */
+const widthOf = ({ volume, area }: Cell): number => (2 * volume) / area;
+
 /** Two solids that enclose a volume outside of both have a gap between them. A solid alone has a cavity. */
 function gapNote({ surfaceRegions }: SurfaceFile, cell: Cell): Diagnostic[] {
-  const { inside, beside, volume, area, position } = cell;
+  const { inside, beside, volume, position } = cell;
   if (inside.size > 0 || beside.size < 2) return [];
   const names = [...beside].sort((a, b) => a - b).map((r) => `"${surfaceRegions?.regions[r]?.name ?? ""}"`);
-  const width = short((2 * volume) / area, DIGITS);
+  const width = short(widthOf(cell), DIGITS);
   const message = `Between the solids ${names.join(", ")} is a closed gap with a volume of ${short(volume, DIGITS)}, about ${width} wide. It stays empty`;
   const remedy = "If they are meant to touch there, give both the same face.";
   return [{ ...packageDiagnostic("touching-solids", message, remedy, "information"), position }];

@@ -1,6 +1,12 @@
 /** What becomes of the solids of a surface: regions, overlaps, and gaps between them. */
 import type { Mesher } from "../api/mesher-interface.js";
-import { type Overlap, overlapWarning, type TouchingPair, touchingSolids } from "../api/touching-solids.js";
+import {
+  mergeWarning,
+  type Overlap,
+  overlapWarning,
+  type TouchingPair,
+  touchingSolids,
+} from "../api/touching-solids.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
@@ -37,11 +43,20 @@ export async function withSolidRegions(
   // Includes NO_REGION, for the outside.
   const left = new Set(surface.surfaceRegions?.triangleRegions);
   const all = [...overlaps, ...shared.flatMap((volume) => overlapsIn(given, volume, overlaps))];
+  const isLeft = (region: number) => left.has(region);
+  const intoOf = (pair: readonly number[]) =>
+    shared.find(({ regions }) => pair.every((region) => regions.includes(region)))?.regions[0];
+  // Solids that overlap by next to nothing lose their regions too.
+  const isTold = new Set(all.flatMap(({ regions }) => [...regions]));
+  const merged = shared.filter(({ regions }) => regions.some((one) => !isLeft(one) && !isTold.has(one)));
   const isKept = made === given && shared.length === 0;
   return {
     surface: isKept ? given : surface,
     warnings: [
-      ...all.map((overlap) => overlapWarning(given.surfaceRegions, overlap, (region) => left.has(region))),
+      ...all.map((overlap) =>
+        overlapWarning(given.surfaceRegions, overlap, { isLeft, into: intoOf(overlap.regions) }),
+      ),
+      ...merged.map(({ regions, position }) => mergeWarning(given.surfaceRegions, regions, position)),
       ...gaps,
       ...almostTouching(surface, [...touching, ...all]),
       ...(left.size > 2 ? sharedFacesNote(surface) : []),
