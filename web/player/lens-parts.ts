@@ -2,16 +2,12 @@
 import {
   BufferAttribute,
   BufferGeometry,
-  InstancedBufferAttribute,
-  InstancedInterleavedBuffer,
-  InterleavedBufferAttribute,
   LineBasicMaterial,
   LineSegments,
   Mesh,
   Points,
   PointsMaterial,
 } from "three";
-import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import type { Position } from "../document/position";
 import { subtract } from "../document/vectors";
 import type { ViewerColors } from "../viewer/colors";
@@ -19,6 +15,7 @@ import { setStateColors, stateCodes } from "../viewer/draw-state";
 import { createFacetMaterial } from "../viewer/materials/facet-material";
 import { createLineMaterial } from "../viewer/materials/line-material";
 import { setColor } from "../viewer/materials/uniforms";
+import { SegmentGeometry, segmentsInState } from "../viewer/segment-geometry";
 
 type ColorName = "selection" | "front" | "hover" | "source" | "point" | "line";
 
@@ -118,7 +115,7 @@ export class WideSegments {
     depthTest: boolean,
   ) {
     this.#material = createLineMaterial({ widths: { selected: width }, depthTest });
-    this.object = new Mesh(new LineSegmentsGeometry(), this.#material);
+    this.object = new Mesh(new SegmentGeometry(0), this.#material);
     this.object.frustumCulled = false;
   }
 
@@ -133,15 +130,8 @@ export class WideSegments {
   /** Shows segments: their ends, two after two. */
   set(ends: readonly Position[], origin: Position): void {
     const local = Float32Array.from(ends.flatMap((position) => subtract(position, origin)));
-    const buffer = new InstancedInterleavedBuffer(local, 6, 1);
-    const states = new Uint8Array(ends.length / 2).fill(stateCodes.selected);
-    const geometry = new LineSegmentsGeometry();
-    geometry.setAttribute("instanceStart", new InterleavedBufferAttribute(buffer, 3, 0));
-    geometry.setAttribute("instanceEnd", new InterleavedBufferAttribute(buffer, 3, 3));
-    geometry.setAttribute("state", new InstancedBufferAttribute(states, 1));
-    geometry.instanceCount = states.length;
     this.object.geometry.dispose();
-    this.object.geometry = geometry;
+    this.object.geometry = segmentsInState(local, stateCodes.selected);
     this.object.visible = ends.length > 0;
   }
 

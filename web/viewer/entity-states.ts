@@ -1,4 +1,4 @@
-import { BufferAttribute, InstancedBufferAttribute, type BufferGeometry } from "three";
+import { BufferAttribute, type BufferGeometry } from "three";
 import { entityKey, sameEntity, type DrawnKind, type Entity } from "../document/entities";
 import { stateCodes, type DrawState } from "./draw-state";
 import type { SceneState } from "./scene-state";
@@ -16,7 +16,6 @@ type Emphasis = Pick<SceneState, "selection" | "hover" | "hidden" | "defects" | 
  */
 export class EntityStates {
   readonly #kind: DrawnKind;
-  readonly #instanced: boolean;
   readonly #tinted: boolean;
   #records: readonly Identified[] = [];
   /** Record i owns the vertices from offsets[i] to before offsets[i + 1]. */
@@ -30,10 +29,9 @@ export class EntityStates {
   #shown: Emphasis | null = null;
   #selectedIds: ReadonlySet<number> = new Set();
 
-  /** If `instanced`, the attributes have one value per instance; if `tinted`, there are colours of groups. */
-  constructor(kind: DrawnKind, { instanced = false, tinted = false } = {}) {
+  /** If `tinted`, there are colours of groups. */
+  constructor(kind: DrawnKind, { tinted = false } = {}) {
     this.#kind = kind;
-    this.#instanced = instanced;
     this.#tinted = tinted;
     this.#attribute = this.#createAttribute(0);
     this.#tint = this.#createTint(0);
@@ -137,16 +135,13 @@ export class EntityStates {
   readonly #isOfKind = ({ kind }: Entity): boolean => kind === this.#kind;
 
   #createAttribute(vertices: number): BufferAttribute {
-    const codes = new Uint8Array(vertices);
-    return this.#instanced ? new InstancedBufferAttribute(codes, 1) : new BufferAttribute(codes, 1);
+    return new BufferAttribute(new Uint8Array(vertices), 1);
   }
 
   /** Red, green, blue and whether there is no tint, per vertex. */
   #createTint(vertices: number): BufferAttribute {
     const tints = new Uint8Array(this.#tinted ? 4 * vertices : 0).fill(255);
-    return this.#instanced
-      ? new InstancedBufferAttribute(tints, 4, true)
-      : new BufferAttribute(tints, 4, true);
+    return new BufferAttribute(tints, 4, true);
   }
 
   #writeTints({ tints }: Emphasis): void {

@@ -15,10 +15,13 @@ export class SceneRenderer {
   readonly scene = new Scene();
   readonly webgl: WebGLRenderer;
   readonly #listening = new AbortController();
+  /** Device pixels per CSS pixel in full resolution. */
+  readonly #fullRatio: number;
 
   constructor(canvas: HTMLCanvasElement, options: SceneRendererOptions) {
     this.webgl = new WebGLRenderer({ canvas, antialias: options.multisampling, alpha: true });
-    this.webgl.setPixelRatio(Math.min(window.devicePixelRatio, maxPixelRatio));
+    this.#fullRatio = Math.min(window.devicePixelRatio, maxPixelRatio);
+    this.webgl.setPixelRatio(this.#fullRatio);
     this.webgl.setClearColor(0x000000, 0);
     // Querying the status of a shader blocks until it is compiled, so do it in development builds only.
     this.webgl.debug.checkShaderErrors = import.meta.env.DEV;
@@ -40,6 +43,17 @@ export class SceneRenderer {
   resize(width: number, height: number): Viewport {
     this.webgl.setSize(width, height, false);
     return { width, height, pixelRatio: this.webgl.getPixelRatio() };
+  }
+
+  /** Sets the share of the full resolution. Returns the device pixels per CSS pixel; the canvas is blank if they change. */
+  setScale(scale: number): number {
+    const ratio = scale * this.#fullRatio;
+    if (ratio !== this.webgl.getPixelRatio()) this.webgl.setPixelRatio(ratio);
+    return ratio;
+  }
+
+  get isFull(): boolean {
+    return this.webgl.getPixelRatio() === this.#fullRatio;
   }
 
   get canvas(): HTMLCanvasElement {

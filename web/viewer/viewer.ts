@@ -7,6 +7,7 @@ import type { ViewerColors } from "./colors";
 import { FrameLoop } from "./frame-loop";
 import { elementCorners, selectedCorners } from "./highlight-corners";
 import type { Hit, Layer, Target } from "./layers/layer";
+import { MotionWatch } from "./motion-watch";
 import type { MeshQueryClient } from "./queries/mesh-query-client";
 import type { Position } from "../document/position";
 import { pointerView, type PointerView } from "./pointer-view";
@@ -32,6 +33,8 @@ export interface ViewerOptions {
   /** If false, the camera jumps instead of gliding. */
   readonly motion: boolean;
   readonly multisampling: boolean;
+  /** If true, a motion that is drawn too slowly is drawn in a lower resolution. */
+  readonly adaptiveResolution: boolean;
   /** Returns how many CSS pixels at the left are covered; asked when the size changes. */
   readonly coveredLeft: () => number;
   readonly meshQueries: MeshQueryClient;
@@ -53,6 +56,7 @@ export class Viewer {
   readonly #renderer: SceneRenderer;
   readonly #view: ViewCamera;
   readonly #loop: FrameLoop;
+  readonly #motion = new MotionWatch(() => this.#sharpen());
   /** Loaded after the first picture. */
   #cube: ViewCube | null = null;
   #isDisposed = false;
@@ -256,6 +260,7 @@ export class Viewer {
 
   /** Returns the picture as a PNG file, without the view cube and with a transparent background. */
   picture(): Promise<Blob> {
+    this.#setScale(1);
     return this.#renderer.picture(this.#view.camera);
   }
 
@@ -266,6 +271,7 @@ export class Viewer {
     background = getComputedStyle(document.body).backgroundColor,
   ): void {
     const { canvas } = this.#renderer;
+    this.#setScale(1);
     this.#renderer.render(this.#view.camera);
     if (paper.width !== canvas.width || paper.height !== canvas.height) {
       paper.width = canvas.width;
@@ -285,6 +291,7 @@ export class Viewer {
   dispose(): void {
     this.#isDisposed = true;
     this.#loop.stop();
+    this.#motion.stop();
     this.#observer.disconnect();
     this.#cube?.dispose();
     this.#layers.dispose();
@@ -376,6 +383,19 @@ export class Viewer {
     this.#loop.drawNow();
   }
 
+  #setScale(scale: number): void {
+    const before = this.#state;
+    const pixelRatio = this.#renderer.setScale(scale);
+    if (pixelRatio === before.viewport.pixelRatio) return;
+    this.#state = { ...before, viewport: { ...before.viewport, pixelRatio } };
+    this.#updateLayers(before);
+  }
+
+  /** After a motion, draws the last frame in full resolution. */
+  #sharpen(): void {
+    if (!this.#renderer.isFull) this.#loop.request();
+  }
+
   #meshChanged(): void {
     this.#options.events.onFaces(this.#layers.mesh.faceCount, this.#layers.mesh.isCurrent);
     this.#loop.request();
@@ -383,6 +403,7 @@ export class Viewer {
 
   #draw(seconds: number): boolean {
     this.#layers.mesh.queryFaces();
+    if (this.#options.adaptiveResolution) this.#setScale(this.#motion.nextFrame());
     const isMoving = this.#view.update(seconds);
     this.#renderer.render(this.#view.camera);
     this.#cube?.render();

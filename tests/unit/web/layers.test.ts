@@ -68,7 +68,12 @@ const stateBytes = (layer: Layer): number[] => [...(attributes(layer)["state"]?.
 
 describe.each([
   ["points", pointsLayer, { kind: "point", id: 2 }, [normal, hover]],
-  ["lines", () => new LinesLayer(), { kind: "line", id: 6 }, [normal, normal, hover]],
+  [
+    "lines",
+    () => new LinesLayer(),
+    { kind: "line", id: 6 },
+    [normal, normal, hover].flatMap((code) => [code, code, code, code]),
+  ],
   [
     "patches",
     () => new PatchesLayer(noTree),

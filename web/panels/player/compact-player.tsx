@@ -12,7 +12,7 @@ import { useApp } from "../shared/app-context";
 import { JumpControl } from "./jump-control";
 import styles from "./player.module.css";
 import { ScrubBar } from "./scrub-bar";
-import { usePlayer, useTrace } from "./use-player";
+import { usePlayer, useToldStep, useTrace } from "./use-player";
 
 const texts = strings.player;
 const icon = { size: 15, "aria-hidden": true } as const;
@@ -21,7 +21,7 @@ const icon = { size: 15, "aria-hidden": true } as const;
 export function CompactPlayer() {
   const { player } = useApp();
   const trace = useTrace();
-  const step = usePlayer((state) => state.step);
+  const step = useToldStep();
   const isPlaying = usePlayer((state) => state.isPlaying);
   const { phase, from, to } = phaseAt(trace, step);
   return (

@@ -5,7 +5,7 @@ import { jump } from "../../player/player";
 import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import styles from "./player.module.css";
-import { usePlayer, useTrace } from "./use-player";
+import { usePlayer, useToldStep, useTrace } from "./use-player";
 
 /** Number of points of the chart at most: more cannot be seen. */
 const maxPoints = 500;
@@ -24,7 +24,9 @@ export function ScrubBar() {
   const first = firstState(trace);
   const states = stepCount - first;
   const share = (steps: number): string => `${states === 0 ? 0 : (100 * steps) / states}%`;
-  const { phase, from, to } = phaseAt(trace, step);
+  const backOf = (state: number): string => `${states === 0 ? -100 : (100 * (state - stepCount)) / states}%`;
+  const told = useToldStep();
+  const { phase, from, to } = phaseAt(trace, told);
 
   const scrub = (event: PointerEvent<HTMLDivElement>): void => {
     if ((event.buttons & 1) === 0) return;
@@ -47,8 +49,8 @@ export function ScrubBar() {
       aria-label={strings.player.scrub}
       aria-valuemin={first}
       aria-valuemax={stepCount}
-      aria-valuenow={step}
-      aria-valuetext={strings.player.scrubText(phase, step - from, to - from, frontSizeAt(trace, step))}
+      aria-valuenow={told}
+      aria-valuetext={strings.player.scrubText(phase, told - from, to - from, frontSizeAt(trace, told))}
       data-testid="player-scrub"
       onKeyDown={onKeyDown}
       onPointerDown={(event) => {
@@ -76,7 +78,9 @@ export function ScrubBar() {
           style={{ left: share(loop.from - first), right: share(stepCount - loop.to) }}
         />
       )}
-      <span className={styles["handle"]} style={{ left: share(step - first) }} />
+      <span className={styles["track"]} style={{ transform: `translateX(${backOf(step)})` }}>
+        <span className={styles["handle"]} />
+      </span>
     </div>
   );
 }

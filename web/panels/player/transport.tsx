@@ -20,7 +20,7 @@ import { useApp, useRun } from "../shared/app-context";
 import { ShareMenu } from "./share-menu";
 import { OpenTrace } from "./trace-files";
 import styles from "./player.module.css";
-import { usePlayer, useTrace } from "./use-player";
+import { usePlayer, useToldStep, useTrace } from "./use-player";
 
 const texts = strings.player;
 const icon = { size: 15, "aria-hidden": true } as const;
@@ -67,7 +67,7 @@ export function Transport() {
 /** The phase with the number of its steps, and the size of its front. */
 function Counter() {
   const trace = useTrace();
-  const step = usePlayer((state) => state.step);
+  const step = useToldStep();
   const { phase, from, to } = phaseAt(trace, step);
   return (
     <span className={styles["counter"]} data-testid="player-counter">
@@ -98,12 +98,12 @@ function LoopButton() {
   const { player } = useApp();
   const trace = useTrace();
   const loop = usePlayer((state) => state.loop);
-  const step = usePlayer((state) => state.step);
-  const around = {
+  const around = (step: number) => ({
     from: Math.max(firstState(trace), step - loopReach),
     to: Math.min(trace.stepCount, step + loopReach),
-  };
-  const { from, to } = loop ?? around;
+  });
+  const told = useToldStep();
+  const { from, to } = loop ?? around(told);
   return (
     <IconButton
       label={texts.loopHint(from, to)}
@@ -111,7 +111,7 @@ function LoopButton() {
       aria-pressed={loop !== null}
       variant={loop ? "light" : "subtle"}
       color={loop ? "blue" : "gray"}
-      onClick={() => player.state.setState({ loop: loop ? null : around })}
+      onClick={() => player.state.setState(({ step }) => ({ loop: loop ? null : around(step) }))}
     >
       <IconRepeat {...icon} />
     </IconButton>

@@ -1,8 +1,12 @@
+import { useThrottledValue } from "@mantine/hooks";
 import { useStore } from "zustand";
 import type { Trace } from "tetrafront";
 import { phaseAt } from "../../player/phases";
 import type { PlayerState } from "../../player/player";
 import { useApp } from "../shared/app-context";
+
+/** Texts that follow the step change no more often, in milliseconds: they cannot be read faster, and painting them takes long. */
+const toldEveryMs = 100;
 
 export function usePlayer<T>(select: (state: PlayerState) => T): T {
   return useStore(useApp().player.state, select);
@@ -13,6 +17,14 @@ export function useTrace(): Trace {
   const trace = usePlayer((state) => state.trace);
   if (!trace) throw new Error("A panel of a trace was used without one");
   return trace;
+}
+
+/** The step that is shown, for texts: while it changes fast, some are left out. */
+export function useToldStep(): number {
+  return useThrottledValue(
+    usePlayer(({ step }) => step),
+    toldEveryMs,
+  );
 }
 
 /** Whether the front of a patch is shown, which advances in a plane. */

@@ -59,6 +59,7 @@ export function useViewer(
         colors: firstColors.current,
         motion: !app.still && !window.matchMedia("(prefers-reduced-motion: reduce)").matches,
         multisampling: !app.still,
+        adaptiveResolution: !app.still,
         coveredLeft: () => covered.current,
         meshQueries: app.meshQueries,
         events: viewerEvents(app, box, setTrouble),

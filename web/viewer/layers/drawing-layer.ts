@@ -1,14 +1,4 @@
-import {
-  BufferAttribute,
-  BufferGeometry,
-  Group,
-  InstancedBufferAttribute,
-  InstancedInterleavedBuffer,
-  InterleavedBufferAttribute,
-  Mesh,
-  Points,
-} from "three";
-import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
+import { BufferAttribute, BufferGeometry, Group, Mesh, Points } from "three";
 import type { Position } from "../../document/position";
 import { setStateColors, stateCodes } from "../draw-state";
 import { createDotMaterial } from "../materials/dot-material";
@@ -16,6 +6,7 @@ import { createLineMaterial } from "../materials/line-material";
 import { createPatchMaterial } from "../materials/patch-material";
 import { setColor, setNumber } from "../materials/uniforms";
 import type { SceneChanges } from "../scene-state";
+import { SegmentGeometry, segmentsInState } from "../segment-geometry";
 import type { Layer } from "./layer";
 
 /** What a tool is about to create, in model coordinates. */
@@ -36,7 +27,7 @@ export class DrawingLayer implements Layer {
   readonly #lineMaterial = createLineMaterial({ widths: { selected: width }, depthTest: false });
   readonly #dotMaterial = createDotMaterial("round");
   readonly #faceMaterial = createPatchMaterial({ opacities: { selected: 0.45 }, depthTest: false });
-  readonly #lines = new Mesh(new LineSegmentsGeometry(), this.#lineMaterial);
+  readonly #lines = new Mesh(new SegmentGeometry(0), this.#lineMaterial);
   readonly #dots = new Points(new BufferGeometry(), this.#dotMaterial);
   readonly #faces = new Mesh(new BufferGeometry(), this.#faceMaterial);
   #sketch: Sketch = emptySketch;
@@ -81,21 +72,10 @@ export class DrawingLayer implements Layer {
     const { paths, dots, triangles } = this.#sketch;
     const ends = paths.flatMap((path) => path.slice(1).flatMap((to, i) => [path[i] ?? to, to]));
     this.#lines.geometry.dispose();
-    this.#lines.geometry = this.#segments(this.#local(ends));
+    this.#lines.geometry = segmentsInState(this.#local(ends), stateCodes.selected);
     this.#lines.visible = ends.length > 0;
     this.#setPoints(this.#dots, dots);
     this.#setPoints(this.#faces, triangles);
-  }
-
-  #segments(ends: Float32Array): LineSegmentsGeometry {
-    const buffer = new InstancedInterleavedBuffer(ends, 6, 1);
-    const geometry = new LineSegmentsGeometry();
-    geometry.setAttribute("instanceStart", new InterleavedBufferAttribute(buffer, 3, 0));
-    geometry.setAttribute("instanceEnd", new InterleavedBufferAttribute(buffer, 3, 3));
-    const states = new Uint8Array(ends.length / 6).fill(stateCodes.selected);
-    geometry.setAttribute("state", new InstancedBufferAttribute(states, 1));
-    geometry.instanceCount = states.length;
-    return geometry;
   }
 
   #setPoints(drawn: Points | Mesh, positions: readonly Position[]): void {

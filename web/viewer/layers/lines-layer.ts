@@ -1,5 +1,4 @@
-import { Group, InstancedInterleavedBuffer, InterleavedBufferAttribute, Mesh, type Ray } from "three";
-import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
+import { Group, Mesh, type Ray } from "three";
 import { setStateColors } from "../draw-state";
 import { EntityStates } from "../entity-states";
 import { createLineMaterial } from "../materials/line-material";
@@ -7,6 +6,7 @@ import { nearestSegment, pointOnSegment } from "../nearest";
 import type { Position } from "../../document/position";
 import type { SampledProject, SceneChanges } from "../scene-state";
 import type { Screen } from "../screen";
+import { SegmentGeometry, segmentVertices } from "../segment-geometry";
 import { addOrigin, type Hit, type HittableLayer } from "./layer";
 
 /** Widths in CSS pixels. */
@@ -20,8 +20,8 @@ const dash = 7;
 /** The model's lines as sampled by the engine: one buffer of segments, drawn by four passes. */
 export class LinesLayer implements HittableLayer {
   readonly root = new Group();
-  readonly #states = new EntityStates("line", { instanced: true, tinted: true });
-  readonly #geometry = new LineSegmentsGeometry();
+  readonly #states = new EntityStates("line", { tinted: true });
+  #geometry = new SegmentGeometry(0);
   readonly #normal = createLineMaterial({ widths: { normal: normalWidth }, depthTest: true });
   /** Emphasized lines show through everything in front of them. */
   readonly #emphasized = createLineMaterial({
@@ -72,8 +72,10 @@ export class LinesLayer implements HittableLayer {
 
   hit(_ray: Ray, screen: Screen): Hit | null {
     if (!this.root.visible) return null;
-    const nearest = nearestSegment(this.#segments, screen, (segment) => this.#states.canHit(segment, screen));
-    const target = nearest && this.#states.entityAt(this.#states.recordOf(nearest.index));
+    const nearest = nearestSegment(this.#segments, screen, (segment) =>
+      this.#states.canHit(segmentVertices * segment, screen),
+    );
+    const target = nearest && this.#states.entityAt(this.#states.recordOf(segmentVertices * nearest.index));
     if (!target) return null;
     const position = addOrigin(pointOnSegment(this.#segments, nearest), this.#origin);
     return { target, position, depth: nearest.depth };
@@ -88,8 +90,8 @@ export class LinesLayer implements HittableLayer {
     const { lineOffsets, linePoints } = preview?.samples ?? { lineOffsets: [0], linePoints: [] };
     this.#origin = origin;
     // A line of n samples has n - 1 segments.
-    const offsets = Uint32Array.from(lineOffsets, (sample, line) => sample - line);
-    const count = offsets.at(-1) ?? 0;
+    const offsets = Uint32Array.from(lineOffsets, (sample, line) => segmentVertices * (sample - line));
+    const count = (offsets.at(-1) ?? 0) / segmentVertices;
     this.#states.assign(preview?.project.lines ?? [], offsets);
     if (6 * count !== this.#segments.length) this.#allocate(count);
     let at = 0;
@@ -101,17 +103,14 @@ export class LinesLayer implements HittableLayer {
         }
       }
     }
-    const start = this.#geometry.getAttribute("instanceStart");
-    if (start instanceof InterleavedBufferAttribute) start.data.needsUpdate = true;
+    this.#geometry.setEnds(this.#segments);
   }
 
   #allocate(segments: number): void {
     this.#geometry.dispose();
     this.#segments = new Float32Array(6 * segments);
-    const ends = new InstancedInterleavedBuffer(this.#segments, 6, 1);
-    this.#geometry.setAttribute("instanceStart", new InterleavedBufferAttribute(ends, 3, 0));
-    this.#geometry.setAttribute("instanceEnd", new InterleavedBufferAttribute(ends, 3, 3));
+    this.#geometry = new SegmentGeometry(segments);
     this.#states.attachTo(this.#geometry);
-    this.#geometry.instanceCount = segments;
+    for (const mesh of this.#meshes) mesh.geometry = this.#geometry;
   }
 }

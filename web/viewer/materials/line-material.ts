@@ -3,16 +3,17 @@ import { drawStateGlsl, drawStateUniforms, type DrawState, type StateMaterial } 
 import { culled } from "./glsl";
 
 /**
- * Segments as rectangles of a fixed width on the screen, one instance each. The vertices are those of three's
- * LineSegmentsGeometry: x is -1 or 1 across the segment, y is -1 to 2 along it, and the ends are rounded.
+ * Segments as rectangles of a fixed width on the screen, with the vertices of `SegmentGeometry`: two at each end. The ends
+ * are rounded.
  */
 const vertexShader = /* glsl */ `
-  attribute vec3 instanceStart;
-  attribute vec3 instanceEnd;
+  attribute vec3 end;
   uniform vec2 resolution;
   varying vec3 vColor;
-  varying vec2 vUv;
-  varying float vAlong;
+  // Across the segment from -1 to 1, along it in pixels, and 1; times w, so that they are linear on the screen.
+  varying vec3 vPlace;
+  // Length and half the width, in pixels.
+  flat varying vec2 vSize;
   ${drawStateGlsl}
   // Moves an end that lies behind the eye to the near plane.
   vec3 trimmed(vec3 visible, vec3 behind) {
@@ -21,22 +22,22 @@ const vertexShader = /* glsl */ `
   }
   void main() {
     vColor = stateColor();
-    vUv = uv;
-    vec3 start = (modelViewMatrix * vec4(instanceStart, 1.0)).xyz;
-    vec3 end = (modelViewMatrix * vec4(instanceEnd, 1.0)).xyz;
-    if (start.z < 0.0 && end.z >= 0.0) end = trimmed(start, end);
-    else if (end.z < 0.0 && start.z >= 0.0) start = trimmed(end, start);
-    vec4 clipStart = projectionMatrix * vec4(start, 1.0);
-    vec4 clipEnd = projectionMatrix * vec4(end, 1.0);
-    // From here to the offset, lengths are in pixels.
-    vec2 along = (clipEnd.xy / clipEnd.w - clipStart.xy / clipStart.w) * resolution;
-    vAlong = position.y < 0.5 ? 0.0 : 0.5 * length(along);
-    along = length(along) > 0.0 ? normalize(along) : vec2(1.0, 0.0);
-    vec2 offset = vec2(along.y, -along.x) * sign(position.x);
-    if (position.y < 0.0) offset -= along;
-    else if (position.y > 1.0) offset += along;
-    vec4 clip = position.y < 0.5 ? clipStart : clipEnd;
-    clip.xy += offset * stateScale() / resolution * clip.w;
+    vec3 first = (modelViewMatrix * vec4(position, 1.0)).xyz;
+    vec3 last = (modelViewMatrix * vec4(end, 1.0)).xyz;
+    if (first.z < 0.0 && last.z >= 0.0) last = trimmed(first, last);
+    else if (last.z < 0.0 && first.z >= 0.0) first = trimmed(last, first);
+    vec4 clipFirst = projectionMatrix * vec4(first, 1.0);
+    vec4 clipLast = projectionMatrix * vec4(last, 1.0);
+    vec2 along = 0.5 * (clipLast.xy / clipLast.w - clipFirst.xy / clipFirst.w) * resolution;
+    vSize = vec2(length(along), 0.5 * stateScale());
+    along = vSize.x > 0.0 ? along / vSize.x : vec2(1.0, 0.0);
+    int corner = gl_VertexID % 4;
+    bool isLast = corner > 1;
+    float side = corner % 2 == 0 ? -1.0 : 1.0;
+    vec4 clip = isLast ? clipLast : clipFirst;
+    vec2 offset = vec2(along.y, -along.x) * side + (isLast ? along : -along);
+    clip.xy += 2.0 * vSize.y * offset / resolution * clip.w;
+    vPlace = vec3(side, isLast ? vSize.x + vSize.y : -vSize.y, 1.0) * clip.w;
     gl_Position = isDrawn() ? clip : ${culled};
   }
 `;
@@ -44,12 +45,13 @@ const vertexShader = /* glsl */ `
 const fragmentShader = /* glsl */ `
   uniform float dash;
   varying vec3 vColor;
-  varying vec2 vUv;
-  varying float vAlong;
+  varying vec3 vPlace;
+  flat varying vec2 vSize;
   void main() {
-    if (dash > 0.0 && mod(vAlong, dash) > 0.6 * dash) discard;
-    float beyond = max(abs(vUv.y) - 1.0, 0.0);
-    if (beyond > 0.0 && vUv.x * vUv.x + beyond * beyond > 1.0) discard;
+    vec2 place = vPlace.xy / vPlace.z;
+    if (dash > 0.0 && mod(clamp(place.y, 0.0, vSize.x), dash) > 0.6 * dash) discard;
+    float beyond = max(max(-place.y, place.y - vSize.x), 0.0) / vSize.y;
+    if (beyond > 0.0 && place.x * place.x + beyond * beyond > 1.0) discard;
     gl_FragColor = vec4(vColor, 1.0);
   }
 `;
