@@ -135,6 +135,25 @@ test("bodies that become one are told, with the volume that they shared", async 
   expect((await meshedFile("apart.off", "--repair")).stderr).not.toContain("became");
 });
 
+test("bodies with holes that become one are told, with the volume that they shared after they are closed", async () => {
+  // Without the first two triangles of the second box: a whole side.
+  const open = (...offset: readonly [number, number, number]) => {
+    const { points, triangles } = boxSurface(1);
+    const second = points.map((x, i) => x + (offset[i % 3] ?? 0));
+    return offFile({
+      points: Float64Array.from([...points, ...second]),
+      triangles: Uint32Array.from([...triangles, ...triangles.subarray(6).map((n) => n + points.length / 3)]),
+    });
+  };
+  save("cross.off", open(-0.5, 0.5, 0.5));
+  const { stderr } = await meshedFile("cross.off", "--repair");
+  expect(stderr).toContain("filled a hole with 2 triangles");
+  expect(stderr).toContain("2 bodies that intersect became one, without the parts inside");
+  expect(stderr).toContain("0.125 in all, count once");
+  save("touch.off", open(-1, 0.25, 0.25));
+  expect((await meshedFile("touch.off", "--repair")).stderr).not.toContain("became");
+});
+
 test("six sheets in one plane are refused with the reason: nothing is enclosed", async () => {
   const sheet = (i: number) => [0.1 * i, 0, 0, 1 + 0.1 * i, 0, 0, 1 + 0.1 * i, 1, 0, 0.1 * i, 1, 0];
   const points = Float64Array.from([0, 1, 2, 3, 4, 5].flatMap(sheet));

@@ -86,20 +86,12 @@ function partOf(
   regions: ReadonlySet<number>,
 ): SurfaceInput {
   const sides = surfaceRegions?.triangleRegions ?? new Uint32Array();
-  const indexOf = new Map<number, number>();
-  const used: number[] = [];
   const corners: number[] = [];
   triangles.forEach((node, corner) => {
     const side = 2 * Math.floor(corner / 3);
-    if (!regions.has(sides[side] ?? -1) && !regions.has(sides[side + 1] ?? -1)) return;
-    const known = indexOf.get(node);
-    if (known === undefined) {
-      indexOf.set(node, indexOf.size);
-      used.push(points[3 * node] ?? 0, points[3 * node + 1] ?? 0, points[3 * node + 2] ?? 0);
-    }
-    corners.push(known ?? indexOf.size - 1);
+    if (regions.has(sides[side] ?? -1) || regions.has(sides[side + 1] ?? -1)) corners.push(node);
   });
-  return { points: Float64Array.from(used), triangles: Uint32Array.from(corners) };
+  return withOwnPoints(points, corners);
 }
 
 /** Returns the volume and the box of a solid, whose triangles face outward where it is on their first side. */
@@ -126,9 +118,15 @@ export function solidOf({ points, triangles, surfaceRegions }: SurfaceFile, regi
 
 /**
  * Returns a note if a repair has joined bodies that intersected. Bodies are the connected components of the given surface;
- * two of them are joined if they share a volume, which the repaired surface encloses once. `volume`: that of the latter.
+ * two of them are joined if they share a volume, which the repaired surface encloses once. `volume`: that of the latter. The
+ * volume of a body with holes is that of its own repair, which closes them.
  */
-export function joinedBodies(given: SurfaceInput, repaired: SurfaceInput, volume: number): Diagnostic[] {
+export async function joinedBodies(
+  mesher: Mesher,
+  given: SurfaceInput,
+  repaired: SurfaceInput,
+  volume: number,
+): Promise<Diagnostic[]> {
   const { origin } = repaired;
   if (origin === undefined) return [];
   const bodyOf = componentsOf(given);
@@ -142,23 +140,66 @@ export function joinedBodies(given: SurfaceInput, repaired: SurfaceInput, volume
   });
   const groups = [...bodiesIn.values()].filter(({ size }) => size > 1);
   if (groups.length === 0) return [];
-  const { points, triangles } = given;
   const volumes = new Map<number, number>();
-  for (let t = 0; t < triangles.length / 3; t++) {
-    const [a = 0, b = 0, c = 0] = triangles.subarray(3 * t, 3 * t + 3);
-    const body = bodyOf[t] ?? 0;
-    volumes.set(body, (volumes.get(body) ?? 0) + sixfoldVolume(points, 0, a, b, c).volume / 6);
+  let open = 0;
+  for (const [body, surface] of bodiesOf(given, bodyOf)) {
+    const hasHoles = !isClosed(surface);
+    // A soup of open pieces has no bodies to speak of.
+    if (hasHoles && ++open > MAX_OPEN_BODIES) return [];
+    volumes.set(body, await volumeOf(mesher, surface, hasHoles));
   }
   // A cavity counts as negative. Bodies that only touch keep their volumes, with an interface between them.
   const common = [...volumes.values()].reduce((sum, one) => sum + one, 0) - volume;
   const joined = groups.flatMap((group) => [...group].map((body) => Math.abs(volumes.get(body) ?? 0)));
   if (common <= SMALLEST_OVERLAP * smallestOf(joined)) return [];
   const bodies = groups.reduce((sum, { size }) => sum + size, 0);
-  // The volume of an open body is not known.
-  const volumeText = isClosed(given) ? `, ${short(common, DIGITS)} in all,` : "";
-  const message = `${plural(bodies, "body")} that intersect became ${groups.length === 1 ? "one" : String(groups.length)}, without the parts inside; the volumes that they shared${volumeText} count once`;
+  const message = `${plural(bodies, "body")} that intersect became ${groups.length === 1 ? "one" : String(groups.length)}, without the parts inside; the volumes that they shared, ${short(common, DIGITS)} in all, count once`;
   const remedy = "Move the bodies apart, or subtract one from the other, to keep them as regions.";
   return [packageDiagnostic("joined-bodies", message, remedy, "information")];
+}
+
+/** Largest number of bodies with holes that are closed one by one to know their volumes. */
+const MAX_OPEN_BODIES = 100;
+
+/** Returns the triangles of each body, with their own points. */
+function bodiesOf({ points, triangles }: SurfaceInput, bodyOf: Uint32Array): Map<number, SurfaceInput> {
+  const corners = new Map<number, number[]>();
+  bodyOf.forEach((body, t) => {
+    const own = corners.get(body) ?? [];
+    corners.set(body, own);
+    own.push(...triangles.subarray(3 * t, 3 * t + 3));
+  });
+  return new Map([...corners].map(([body, own]) => [body, withOwnPoints(points, own)]));
+}
+
+/** Returns triangles with the points that they use. */
+function withOwnPoints(points: Float64Array, corners: readonly number[]): SurfaceInput {
+  const indexOf = new Map<number, number>();
+  const used: number[] = [];
+  const triangles = Uint32Array.from(corners, (node) => {
+    const known = indexOf.get(node);
+    if (known !== undefined) return known;
+    used.push(points[3 * node] ?? 0, points[3 * node + 1] ?? 0, points[3 * node + 2] ?? 0);
+    indexOf.set(node, indexOf.size);
+    return indexOf.size - 1;
+  });
+  return { points: Float64Array.from(used), triangles };
+}
+
+/** Returns the volume of a body, negative if its triangles face inward; one with holes is closed first. */
+async function volumeOf(mesher: Mesher, body: SurfaceInput, hasHoles: boolean): Promise<number> {
+  if (hasHoles) {
+    const { surface } = await mesher.repairSurface(body);
+    const { isFillable, volume } = await mesher.inspectSurface(surface);
+    if (isFillable) return volume;
+  }
+  const { points, triangles } = body;
+  let sixfold = 0;
+  for (let t = 0; t < triangles.length; t += 3) {
+    const [a = 0, b = 0, c = 0] = triangles.subarray(t, t + 3);
+    sixfold += sixfoldVolume(points, 0, a, b, c).volume;
+  }
+  return sixfold / 6;
 }
 
 /** Returns whether every edge of a surface goes as often one way as the other. O(n log n) for n triangles. */

@@ -88,7 +88,8 @@ export async function repaired(
   const isOneRegion = (given.surfaceRegions?.regions.length ?? 0) < 2;
   const joined =
     isCut && isOneRegion
-      ? joinedBodies(
+      ? await joinedBodies(
+          mesher,
           given,
           repair.surface,
           (await mesher.inspectSurface(surface, { innerShells: options.innerShells })).volume,
