@@ -2,7 +2,7 @@ import { expect, test } from "@playwright/test";
 import { measured } from "../support/mesh-measures";
 import { parseMsh, parseVtu } from "../support/mesh-files";
 import { boxSolid, drilledSolid, stepFile } from "../support/step-files";
-import { AppPage, countOrange } from "./app-page";
+import { AppPage, countOrange, forEachPixel } from "./app-page";
 import { downloadMesh } from "./downloads";
 import { dropBytes } from "./drop-bytes";
 
@@ -53,6 +53,28 @@ test("the solids of an assembly are bodies with names, colours and previews", as
   const { volume, ...defects } = measured(parseVtu(await downloadMesh(page, /VTU/)));
   expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
   expect(volume).toBeCloseTo(32, 6);
+});
+
+test("a face has its colour in every pixel", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  // One less than this red, as a number of 24 bits, would be a light cyan.
+  const red = [192 / 255, 0, 0] as const;
+  const part = stepFile([{ ...drilledSolid("Part", [0, 0, 0], [20, 10, 8], [8, 5], 3), color: red }]);
+  await dropBytes(page, part, "part.step");
+  await expect(page.getByTestId("body-preview")).toHaveAttribute("data-current", "true");
+  await page.getByText("Given", { exact: true }).click();
+  const pixels = async () => {
+    const count = { red: 0, cyan: 0 };
+    forEachPixel(await page.getByTestId("viewport-canvas").screenshot(), (r, g, b) => {
+      if (r > g + 60 && r > b + 60) ++count.red;
+      if (Math.min(g, b) > Math.max(r + 40, 120)) ++count.cyan;
+    });
+    return count;
+  };
+  await expect.poll(async () => (await pixels()).red).toBeGreaterThan(5000);
+  // An icon over the view has a few such pixels.
+  expect((await pixels()).cyan).toBeLessThan(200);
 });
 
 test("a damaged STEP file gives an error, and the next file is opened", async ({ page }) => {

@@ -5,6 +5,7 @@ import { culled, edgeStrength, facetLight } from "./glsl";
 const vertexShader = /* glsl */ `
   attribute float value;
   varying float vValue;
+  flat varying float vOfTriangle;
   varying vec3 vViewPosition;
   varying vec3 vBarycentric;
   ${drawStateGlsl}
@@ -12,6 +13,7 @@ const vertexShader = /* glsl */ `
     int corner = gl_VertexID % 3;
     vBarycentric = vec3(corner == 0, corner == 1, corner == 2);
     vValue = value;
+    vOfTriangle = value;
     vec4 viewPosition = modelViewMatrix * vec4(position, 1.0);
     vViewPosition = viewPosition.xyz;
     gl_Position = isDrawn() ? projectionMatrix * viewPosition : ${culled};
@@ -27,15 +29,17 @@ const fragmentShader = /* glsl */ `
   uniform float isPacked;
   uniform float edges;
   varying float vValue;
+  // Interpolation would round a packed colour: one less than 0xc00000 is another colour.
+  flat varying float vOfTriangle;
   varying vec3 vViewPosition;
   varying vec3 vBarycentric;
   ${facetLight}
   ${edgeStrength}
   void main() {
-    bool isIndex = isPacked > 0.0 && vValue < -0.5;
-    float hue = isIndex ? -1.0 - vValue : vValue;
+    bool isIndex = isPacked > 0.0 && vOfTriangle < -0.5;
+    float hue = isIndex ? -1.0 - vOfTriangle : vValue;
     float texel = hues > 0.0 ? mod(hue + 0.5, hues) / hues : clamp(vValue, 0.002, 0.998);
-    float bits = floor(vValue + 0.5);
+    float bits = floor(vOfTriangle + 0.5);
     vec3 unpacked = mod(floor(bits / vec3(65536.0, 256.0, 1.0)), 256.0) / 255.0;
     vec3 given = isPacked > 0.0 && !isIndex ? unpacked : texture2D(ramp, vec2(texel, 0.5)).rgb;
     vec3 color = mix(plainColor, given, shaded);
