@@ -171,6 +171,21 @@ test("six sheets in one plane are refused with the reason: nothing is enclosed",
   }
 });
 
+test("large sheets through a small box are refused with the reason: most of the area encloses nothing", async () => {
+  const { points: box, triangles } = boxSurface(1);
+  const sheet = (z: number) => [-30, -30, z, 31, -30, z, 31, 31, z, -30, 31, z];
+  const heights = [0.3, 0.4, 0.5, 0.6];
+  const first = (i: number) => box.length / 3 + 4 * i;
+  const points = Float64Array.from([...box, ...heights.flatMap(sheet)]);
+  const corners = heights.flatMap((_, i) => [0, 1, 2, 0, 2, 3].map((n) => first(i) + n));
+  save("cut.off", offFile({ points, triangles: Uint32Array.from([...triangles, ...corners]) }));
+  const { code, stderr } = await run("mesh", "cut.off", "-o", "cut.vtu", "--repair");
+  expect(code).toBe(2);
+  expect(stderr).toMatch(
+    /stays as it is: more than half of its area encloses nothing(, for example triangle \d+.* at \(.*\))?\. Remove the triangles that enclose nothing/,
+  );
+});
+
 test("sizes are proposed for a surface that is repaired first, as remesh does", async () => {
   const { points, triangles } = boxSurface(1);
   const shifted = points.map((x) => x + 0.5);

@@ -73,7 +73,8 @@ function unresolved(reason: number, { triangle, at, count, limit }: UnresolvedPl
     case 1:
       return "its triangles enclose no volume, also after its holes are closed";
     case 2:
-      return `more than half of its area encloses nothing, for example ${triangle}${at}`;
+      // Without a position, no given triangle is left out: what closes the holes overlaps itself.
+      return `more than half of its area encloses nothing${at === "" ? "" : `, for example ${triangle}${at}`}`;
     case 3:
       return `at least ${limit} pairs of triangles intersect, for example ${triangle}${at}`;
     case 4:
