@@ -110,7 +110,35 @@ describe("tetrafront trace", () => {
     });
   });
 
+  test("changes the rules of the front as an experiment does, and says so in the trace", async () => {
+    writeFileSync(inFolder("cube.json"), textOf("unit-cube"));
+    const changes = [
+      "--no-relaxation",
+      "--front-tolerance",
+      "0.5",
+      "--search",
+      "linear",
+      "--order",
+      "random",
+    ];
+    expect(await run("trace", "cube.json", "-o", "changed.tft", ...changes)).toMatchObject({ code: 0 });
+    const { header } = read(readFileSync(inFolder("changed.tft")));
+    const experiment = { relaxation: false, tolerance: 0.5, search: "linear" } as const;
+    expect(header).toMatchObject({ order: "random", experiment });
+    const { trace } = await recordTrace(mesher, gallery("unit-cube"), {
+      ...unoptimized,
+      order: "random",
+      experiment,
+    });
+    expect(header.fingerprint).toBe(read(trace).header.fingerprint);
+    await run("trace", "cube.json", "-o", "plain.tft");
+    expect(read(readFileSync(inFolder("plain.tft"))).header.experiment).toBeUndefined();
+  });
+
   test.each([
+    [["trace", "cube.json", "-o", "a.tft", "--front-tolerance", "11"], /from 0 to 10/],
+    [["trace", "cube.json", "-o", "a.tft", "--front-tolerance", "wide"], /from 0 to 10/],
+    [["trace", "cube.json", "-o", "a.tft", "--search", "guess"], /Allowed choices are grid, linear/],
     [["trace", "cube.json"], /There is no output file for the trace/],
     [["trace", "cube.tft"], /Add --summary/],
     [["trace", "cube.tft", "--summary", "-o", "other.tft"], /Omit --output/],

@@ -248,8 +248,12 @@ face, the ideal point, each candidate with the reason why it was refused, and wh
 describes the file. Its fingerprint is that of \`tetrafront mesh --optimize none\` with the same options. A step takes
 about 50 bytes. With --optimize, it also holds what each sweep of the optimizer changed, in about 40 bytes per element.
 
+With --order, --no-relaxation, --front-tolerance or --search, the front follows other rules, to see what each rule is good
+for; the summaries of two traces show the difference.
+
 Examples
   tetrafront trace cube.json -o cube.tft
+  tetrafront trace cube.json -o random.tft --order random --no-relaxation --summary
   tetrafront trace cube.tft --summary
   tetrafront trace cube.json -o cube.tft --optimize default --summary | jq .optimization.sweeps
 `;

@@ -37,6 +37,7 @@ import { propose, type ProposeOptions } from "./propose.js";
 import { type RemeshFileOptions, remeshFile } from "./remesh.js";
 import { SURFACE_TREATMENTS } from "./remeshing.js";
 import { type TraceCommandOptions, traceFile } from "./trace.js";
+import { FRONT_SEARCHES, MAX_TOLERANCE } from "../trace/experiment.js";
 import { withUnits } from "./units.js";
 import {
   backgroundOption,
@@ -202,6 +203,17 @@ function addTrace(program: Command, setExitCode: SetExitCode): void {
     .addOption(inputFormatOption())
     .addOption(fromOption());
   withUnits(withRepair(withRemeshing(withFront(command), "remeshing: ")).addOption(splitOption()))
+    .option("--no-relaxation", "experiment: leave faces that cannot be completed to recovery at once")
+    .option(
+      "--front-tolerance <factor>",
+      `experiment: factor of the distance at which a node is too close to a face, 0 to ${MAX_TOLERANCE} (default 1)`,
+    )
+    .addOption(
+      new Option(
+        "--search <method>",
+        "experiment: how nearby faces are found; linear compares all, and makes the same mesh (default grid)",
+      ).choices(FRONT_SEARCHES),
+    )
     .option(
       "--summary",
       "print the counts of the trace as JSON: steps, accepted, refused by reason, postponed",

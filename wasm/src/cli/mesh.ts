@@ -189,15 +189,18 @@ export interface MeshedInput extends Meshed {
   readonly repairDeviation?: number | undefined;
 }
 
+/** What a recorded run does with the front. */
+export type FrontRecording = Pick<RunControl, "onTrace" | "experiment">;
+
 /**
- * Reads, repairs and meshes an input, and prints what was done. `checkPaths` is called before anything is read. `onTrace`
- * receives the steps of the front.
+ * Reads, repairs and meshes an input, and prints what was done. `checkPaths` is called before anything is read. `recording`
+ * receives the steps of the front, and may change its rules.
  */
 export async function meshInput(
   input: string,
   options: Omit<MeshCommandOptions, "output">,
   checkPaths: () => Promise<void>,
-  onTrace?: RunControl["onTrace"],
+  recording: FrontRecording = {},
 ): Promise<MeshedInput> {
   const isQuiet = options.quiet === true;
   const meshOptions = readOptions(options);
@@ -231,7 +234,7 @@ export async function meshInput(
   if (given.kind === "surface" && !isQuiet) {
     for (const line of readingLines(given.surface)) print(`note: ${subject}: ${line}`);
   }
-  const meshing = { isQuiet, treatment, remeshing: options, grid, onTrace };
+  const meshing = { isQuiet, treatment, remeshing: options, grid, recording };
   const made = await mesh(treated, exact, meshOptions, meshing).catch((failure: unknown) => {
     // Warnings of the repair say why the surface is invalid.
     printWithGrid({ input: subject, background: options.background }, treated.located ?? [], isQuiet);
@@ -355,7 +358,7 @@ interface MeshingOptions {
   readonly treatment: SurfaceTreatment | undefined;
   readonly remeshing: RemeshCommandOptions;
   readonly grid: GivenGrid | undefined;
-  readonly onTrace: RunControl["onTrace"];
+  readonly recording: FrontRecording;
 }
 
 /** Result, and the model that was meshed after repair, refinement or remeshing. */
@@ -377,7 +380,7 @@ async function mesh(
   try {
     return await withRun(meshing.isQuiet, async (mesher, controlOf) => {
       const all = await withGrid(mesher, options, meshing.grid);
-      const control = { ...controlOf(), onTrace: meshing.onTrace };
+      const control = { ...controlOf(), ...meshing.recording };
       if (control.signal.aborted) return { result: emptyResult("cancelled"), model, repaired: given };
       if (model.kind === "project") {
         return { result: await mesher.meshProject(model.project, all, control), model, repaired: given };
@@ -390,7 +393,7 @@ async function mesh(
           ? withDiagnostics(await mesher.fillSurface(surface, all, control), diagnostics)
           : emptyResult("invalid-input", invalid);
       // A trace shows one front, also one that stalls.
-      const tried = meshing.onTrace === undefined ? best : { ...best, welded: undefined };
+      const tried = meshing.recording.onTrace === undefined ? best : { ...best, welded: undefined };
       const { made, prepared, result } = await filledBest(tried, fill);
       const { surface, invalid, diagnostics: _, ...report } = made;
       if (invalid !== undefined) return { result, model, repaired: prepared };

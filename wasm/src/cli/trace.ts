@@ -1,13 +1,21 @@
 /** `tetrafront trace`: records the steps of the front as a file, or describes such a file. */
 import path from "node:path";
+import * as v from "valibot";
 import { recordedTrace } from "../api/trace-recording.js";
 import { plural } from "../base/plural.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import {
+  experimentSchema,
+  type FrontExperiment,
+  type FrontSearch,
+  MAX_TOLERANCE,
+} from "../trace/experiment.js";
 import { readTrace } from "../trace/read-trace.js";
 import { checkOutput, readInput, STANDARD_STREAM, writeOutput, writeToStandardOutput } from "./files.js";
 import { EXIT_CODES, type MeshCommandOptions, meshInput } from "./mesh.js";
 import { ExitCode, InvalidInput, print, reportFailure } from "./messages.js";
 import { refuseOptions } from "./input.js";
+import { numberIn } from "./numbers.js";
 import { checkNoOverwrite, inputFiles } from "./paths.js";
 import { gridFiles } from "./sizes.js";
 
@@ -15,6 +23,10 @@ import { gridFiles } from "./sizes.js";
 export interface TraceCommandOptions extends Omit<MeshCommandOptions, "output" | "report" | "keepPartial"> {
   readonly output?: string;
   readonly summary?: boolean;
+  /** False with `--no-relaxation`. */
+  readonly relaxation?: boolean;
+  readonly frontTolerance?: string;
+  readonly search?: FrontSearch;
 }
 
 /** Extension of trace files. */
@@ -53,15 +65,17 @@ async function record(
     const inputs = [...inputFiles(input, options.from), ...gridFiles(options)];
     await checkNoOverwrite(inputs, [{ words: "the trace", file: output }]);
   };
+  const experiment = experimentOf(options);
   const events: Uint8Array[] = [];
   // The front is what most readers want to see; --optimize also records the sweeps of the optimizer.
-  const made = await meshInput(input, { optimize: "none", ...options }, checkPaths, (piece) =>
-    events.push(piece),
-  );
+  const made = await meshInput(input, { optimize: "none", ...options }, checkPaths, {
+    onTrace: (piece) => void events.push(piece),
+    experiment,
+  });
   const { result, model } = made;
   const name = model.kind === "project" ? model.project.name : path.parse(input).name;
   const order = options.order ?? (model.kind === "project" ? model.project.meshing?.order : undefined);
-  const trace = recordedTrace(result, events, { name, order });
+  const trace = recordedTrace(result, events, { name, order, experiment });
   const exitCode = EXIT_CODES[result.report.status];
   if (trace === undefined) return exitCode;
   await writeOutput(output, trace);
@@ -74,6 +88,29 @@ async function record(
     );
   }
   return exitCode;
+}
+
+/** Returns the changed rules of the front; undefined if none is changed. */
+function experimentOf({
+  relaxation,
+  frontTolerance,
+  search,
+}: TraceCommandOptions): FrontExperiment | undefined {
+  const tolerance = numberIn(frontTolerance);
+  // Without --no-relaxation, it is true.
+  if (relaxation !== false && tolerance === undefined && search === undefined) return undefined;
+  const experiment = { ...(relaxation === false && { relaxation }), tolerance, search };
+  if (!v.is(experimentSchema, experiment)) {
+    const message = `"${frontTolerance ?? ""}" is not a factor from 0 to ${MAX_TOLERANCE}`;
+    refuseOptions([
+      invalidOption(
+        "--front-tolerance",
+        message,
+        "Use 1 for the usual rules, and 0 for exact crossings only.",
+      ),
+    ]);
+  }
+  return experiment;
 }
 
 async function summarize(input: string, { output, summary = false }: TraceCommandOptions): Promise<number> {

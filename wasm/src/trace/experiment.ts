@@ -20,7 +20,8 @@ export interface FrontExperiment {
   readonly search?: FrontSearch | undefined;
 }
 
-const MAX_TOLERANCE = 10;
+/** Largest factor of the distance at which a node is too close. */
+export const MAX_TOLERANCE = 10;
 
 export const experimentSchema = objectWith({
   relaxation: v.optional(v.boolean()),
