@@ -33,7 +33,8 @@ try {
   await page.goto(`${server.resolvedUrls.local[0]}?test=1&model=${id}`);
   await page.locator('[data-testid="viewport"][data-status="done"][data-busy="false"]').waitFor();
   // Software draws a mesh too slowly to measure anything else.
-  await page.keyboard.press("m");
+  await page.getByRole("tab", { name: "Display" }).click();
+  await page.getByRole("switch", { name: "Mesh", exact: true }).uncheck();
   await page.getByTestId("tool-move").click();
   for (const { what, prepare } of [
     { what: "one point", prepare: () => Promise.resolve() },

@@ -31,9 +31,9 @@ interface Gap {
 }
 
 /**
- * Returns one warning per pair of solids without a common node that are nearer to each other than a thousandth of the diagonal.
- * `touching`: pairs that intersect, which have no gap. Nodes and centroids of triangles are compared with the triangles of the other solid; edges that cross without them are not
- * found.
+ * Returns one warning per pair of solids without a common node that are nearer to each other than a thousandth of the
+ * diagonal. `touching`: pairs that intersect, which have no gap. Nodes and centroids of triangles are compared with the
+ * triangles of the other solid; edges that cross without them are not found.
  */
 export function almostTouching(
   given: SurfaceFile,
