@@ -1,5 +1,17 @@
 /** Finds solids of a surface that almost touch: between them stays a gap that is hardly meant. */
 import type { TouchingPair } from "../api/touching-solids.js";
+import {
+  centroidOf,
+  type Corners,
+  cornersOf,
+  dot,
+  lengthOf,
+  minus,
+  plus,
+  pointOf,
+  scaled,
+  type Vector,
+} from "../base/vectors.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { diagonalOf } from "../formats/near-points.js";
@@ -14,8 +26,6 @@ const CELLS = 32;
 
 /** Number of significant digits of a gap. */
 const DIGITS = 3;
-
-type Vector = readonly [number, number, number];
 
 interface Solid {
   readonly region: number;
@@ -146,25 +156,6 @@ function gapFrom(given: SurfaceFile, from: Solid, to: Solid, near: number): Gap 
   return best;
 }
 
-type Corners = readonly [Vector, Vector, Vector];
-
-function cornersOf({ points, triangles }: SurfaceFile, t: number): Corners {
-  const corner = (k: number) => pointOf(points, triangles[3 * t + k] ?? 0);
-  return [corner(0), corner(1), corner(2)];
-}
-
-const pointOf = (points: Float64Array, node: number): Vector => [
-  points[3 * node] ?? 0,
-  points[3 * node + 1] ?? 0,
-  points[3 * node + 2] ?? 0,
-];
-
-const centroidOf = ([a, b, c]: Corners): Vector => scaled(plus(plus(a, b), c), 1 / 3);
-const plus = (a: Vector, b: Vector): Vector => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
-const scaled = (a: Vector, factor: number): Vector => [a[0] * factor, a[1] * factor, a[2] * factor];
-const minus = (a: Vector, b: Vector): Vector => plus(a, scaled(b, -1));
-const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-
 /** Returns the distance of a position from a triangle: from its plane above its inside, else from the nearest edge. */
 function distanceFrom(p: Vector, [a, b, c]: Corners): number {
   const [u, v, w] = [minus(b, a), minus(c, a), minus(p, a)];
@@ -172,7 +163,7 @@ function distanceFrom(p: Vector, [a, b, c]: Corners): number {
   const determinant = uu * vv - uv * uv;
   const [s, t] = [(wu * vv - wv * uv) / determinant, (wv * uu - wu * uv) / determinant];
   if (determinant > 0 && s >= 0 && t >= 0 && s + t <= 1) {
-    return length(minus(w, plus(scaled(u, s), scaled(v, t))));
+    return lengthOf(minus(w, plus(scaled(u, s), scaled(v, t))));
   }
   return Math.min(distanceFromEdge(p, a, b), distanceFromEdge(p, b, c), distanceFromEdge(p, c, a));
 }
@@ -181,7 +172,5 @@ function distanceFromEdge(p: Vector, a: Vector, b: Vector): number {
   const [along, from] = [minus(b, a), minus(p, a)];
   const squared = dot(along, along);
   const share = squared > 0 ? Math.max(0, Math.min(1, dot(from, along) / squared)) : 0;
-  return length(minus(from, scaled(along, share)));
+  return lengthOf(minus(from, scaled(along, share)));
 }
-
-const length = (a: Vector): number => Math.sqrt(dot(a, a));

@@ -1,5 +1,6 @@
 /** Which solid each enclosed volume of a surface of several solids belongs to, also after a repair of the surface. */
 import type { Mesher } from "../api/mesher-interface.js";
+import { centroidOf, cornersOf, dot, lengthOf, normalOf, type Vector } from "../base/vectors.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { diagonalOf } from "../formats/near-points.js";
@@ -16,7 +17,7 @@ interface Cell {
   volume: number;
   area: number;
   /** Centroid of one of its triangles. */
-  position: readonly [number, number, number];
+  position: Vector;
   /** Per solid: area of its triangles that have the cell inside. */
   readonly inside: Map<number, number>;
   /** Solids whose triangles have the cell outside. */
@@ -35,7 +36,7 @@ export interface SharedVolume {
   /** Indices of the solids, that of the one that gets the volume first. */
   readonly regions: readonly number[];
   readonly volume: number;
-  readonly position: readonly [number, number, number];
+  readonly position: Vector;
 }
 
 /** Returns whether a surface states the regions of several solids. */
@@ -106,15 +107,16 @@ function cellsOf(given: SurfaceFile, located: SurfaceFile, { cellOf, origins }: 
   for (let t = 0; t < origins.length; t++) {
     const [a = 0, b = 0, c = 0] = located.triangles.subarray(3 * t, 3 * t + 3);
     const sixfold = sixfoldVolume(located.points, 0, a, b, c).volume;
-    const normal = normalOf(located, t);
-    const area = Math.sqrt(dot(normal, normal)) / 2;
+    const corners = cornersOf(located, t);
+    const normal = normalOf(corners);
+    const area = lengthOf(normal) / 2;
     const from = origins[t] ?? NO_ORIGIN;
-    const isFlipped = from !== NO_ORIGIN && dot(normal, normalOf(given, from)) < 0;
+    const isFlipped = from !== NO_ORIGIN && dot(normal, normalOf(cornersOf(given, from))) < 0;
     for (const k of [0, 1]) {
       const cell = cells[cellOf[2 * t + k] ?? NO_REGION];
       if (cell === undefined) continue;
       cell.volume += ((k === 0 ? 1 : -1) * sixfold) / 6;
-      if (cell.area === 0) cell.position = centroidOf(located, t);
+      if (cell.area === 0) cell.position = centroidOf(corners);
       cell.area += area;
       if (from === NO_ORIGIN) continue;
       const [own = NO_REGION, other = NO_REGION] = [0, 1].map(
@@ -171,29 +173,4 @@ function withoutInnerTriangles(surface: SurfaceFile): SurfaceFile {
     ...(surfaceRegions && { surfaceRegions: { ...surfaceRegions, triangleRegions } }),
     ...(givenRegions && { givenRegions: { ...givenRegions, triangleRegions: triangleRegions.slice() } }),
   };
-}
-
-type Vector = readonly [number, number, number];
-
-const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-
-function cornersOf({ points, triangles }: SurfaceFile, t: number): readonly Vector[] {
-  return [0, 1, 2].map((k) => {
-    const node = 3 * (triangles[3 * t + k] ?? 0);
-    return [points[node] ?? 0, points[node + 1] ?? 0, points[node + 2] ?? 0];
-  });
-}
-
-function centroidOf(surface: SurfaceFile, t: number): Vector {
-  const corners = cornersOf(surface, t);
-  const mean = (k: number) => corners.reduce((sum, corner) => sum + (corner[k] ?? 0), 0) / 3;
-  return [mean(0), mean(1), mean(2)];
-}
-
-/** Returns a vector across a triangle with twice its area as length. */
-function normalOf(surface: SurfaceFile, t: number): Vector {
-  const [a = [0, 0, 0], b = a, c = a] = cornersOf(surface, t);
-  const [ux, uy, uz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-  const [vx, vy, vz] = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
-  return [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
 }
