@@ -6,6 +6,7 @@ import { readdirSync, readFileSync } from "node:fs";
 import { chromium } from "@playwright/test";
 import { readProject } from "tetrafront";
 import { preview } from "vite";
+import config from "../../playwright.config.mjs";
 import { inRoot } from "../../scripts/lib/paths.mjs";
 
 const SECONDS = 5;
@@ -21,17 +22,21 @@ const { id, project } = models.reduce((best, one) =>
 console.log(`model                          ${id}, ${sizeOf(project)} entities`);
 
 const server = await preview({ root: inRoot("web"), preview: { port: 0, host: "127.0.0.1" } });
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM,
-  args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-});
+const browser = await chromium.launch(config.use.launchOptions);
 try {
-  const page = await browser.newPage({ viewport: { width: 1000, height: 640 } });
+  const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
   const session = await page.context().newCDPSession(page);
   await session.send("Performance.enable", { timeDomain: "threadTicks" });
   await page.addInitScript(countPreviews);
-  await page.goto(`${server.resolvedUrls.local[0]}?test=1&model=${id}`);
-  await page.locator('[data-testid="viewport"][data-status="done"][data-busy="false"]').waitFor();
+  const open = async (query) => {
+    await page.goto(`${server.resolvedUrls.local[0]}?${query}model=${id}`);
+    await page.locator('[data-testid="viewport"][data-status="done"][data-busy="false"]').waitFor();
+  };
+  await open("test=1&");
+  const at = await screenPlace(page, project.points[0].position);
+  // Without `test`, a slow motion is drawn in a lower resolution, as for users.
+  await open("");
+  await page.waitForTimeout(2000);
   // Software draws a mesh too slowly to measure anything else.
   await page.getByRole("tab", { name: "Display" }).click();
   await page.getByRole("switch", { name: "Mesh", exact: true }).uncheck();
@@ -41,7 +46,6 @@ try {
     { what: "all entities", prepare: () => page.keyboard.press("Control+a") },
   ]) {
     await prepare();
-    const at = await screenPlace(page, project.points[0].position);
     await page.mouse.move(at.x, at.y);
     await page.mouse.down();
     await page.mouse.move(at.x + 6, at.y + 2, { steps: 3 });

@@ -13,7 +13,7 @@ export interface PageOptions {
   readonly gallery: Gallery;
   /** Mesh every project that is opened. */
   readonly generate: boolean;
-  /** Turns off motion and multisampling, so that tests always get the same pictures. */
+  /** Turns off motion and smooth edges, so that tests always get the same pictures. */
   readonly still: boolean;
   /** A document with unsaved changes that the address has replaced. */
   readonly left?: LeftDocument | null;

@@ -33,7 +33,7 @@ export interface AppOptions {
   /** Mesh every project that is opened, the first one too. */
   readonly generate: boolean;
   readonly intent: Intent;
-  /** Turns off motion and multisampling, so that tests always get the same pictures. */
+  /** Turns off motion and smooth edges, so that tests always get the same pictures. */
   readonly still?: boolean;
 }
 

@@ -114,7 +114,7 @@ async function record(
       const state = player.state.getState();
       if (state.trace !== trace || !state.isPlaying) break;
       player.seek(from + ((to - from) * frame) / frames);
-      viewer.drawOn(paper, context);
+      viewer.drawOn(context);
       if (frame === 0) recorder.start();
       await new Promise((resolve) => setTimeout(resolve, 1000 / frameRate));
     }

@@ -29,14 +29,16 @@ export class Playback {
   }
 
   #request(): void {
-    this.#frame = requestAnimationFrame((now) => {
-      this.#request();
+    const frame = requestAnimationFrame((now) => {
       const seconds = this.#before === null ? 0 : (now - this.#before) / 1000;
       this.#before = now;
       this.#due += this.#speed * Math.min(seconds, maxFrame);
       const steps = Math.floor(this.#due);
       this.#due -= steps;
       if (steps > 0) this.#onSteps(steps);
+      // Not before the steps: the view, which they have asked to draw, would draw in every other frame only.
+      if (this.#frame === frame) this.#request();
     });
+    this.#frame = frame;
   }
 }

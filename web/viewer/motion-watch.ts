@@ -2,6 +2,8 @@ import { Resolution } from "./resolution";
 
 /** A view without a new frame for this time is at rest, in milliseconds. */
 const restMs = 150;
+/** And for this many frames of the page: they take longer than that where drawing is very slow. */
+const restTicks = 3;
 
 /** Watches whether the view moves, and how fast its frames follow each other; chooses its resolution accordingly. */
 export class MotionWatch {
@@ -10,6 +12,7 @@ export class MotionWatch {
   #handle = 0;
   #lastDrawn = 0;
   #lastTick = 0;
+  #ticksWithoutFrame = 0;
   #isMoving = false;
 
   /** @param onRest called when a motion has ended. */
@@ -23,6 +26,7 @@ export class MotionWatch {
    */
   nextFrame(): number {
     this.#lastDrawn = performance.now();
+    this.#ticksWithoutFrame = 0;
     if (this.#handle !== 0) {
       this.#isMoving = true;
       return this.#resolution.scale;
@@ -46,7 +50,7 @@ export class MotionWatch {
     const now = performance.now();
     if (this.#isMoving) this.#resolution.add(now - this.#lastTick);
     this.#lastTick = now;
-    if (now - this.#lastDrawn < restMs) return this.#request();
+    if (++this.#ticksWithoutFrame < restTicks || now - this.#lastDrawn < restMs) return this.#request();
     this.#handle = 0;
     this.#isMoving = false;
     this.#resolution.rest();

@@ -1,9 +1,10 @@
 import { Scene, WebGLRenderer, type PerspectiveCamera } from "three";
 import type { Viewport } from "./scene-state";
 import { prepareShaders } from "./shaders";
+import { drawsInSoftware } from "./software-drawing";
 
 export interface SceneRendererOptions {
-  readonly multisampling: boolean;
+  readonly smoothEdges: boolean;
   readonly onContextLost: () => void;
   readonly onContextRestored: () => void;
 }
@@ -17,10 +18,16 @@ export class SceneRenderer {
   readonly #listening = new AbortController();
   /** Device pixels per CSS pixel in full resolution. */
   readonly #fullRatio: number;
+  /** Share of the full resolution for a picture that stays: above 1, the browser averages pixels. */
+  readonly #sharpScale: number;
 
   constructor(canvas: HTMLCanvasElement, options: SceneRendererOptions) {
-    this.webgl = new WebGLRenderer({ canvas, antialias: options.multisampling, alpha: true });
+    // Without a graphics processor, several samples a pixel take several times as long in every frame. There, only pictures
+    // that stay have smooth edges: they are drawn in a higher resolution.
+    const multisampling = options.smoothEdges && !drawsInSoftware();
+    this.webgl = new WebGLRenderer({ canvas, antialias: multisampling, alpha: true });
     this.#fullRatio = Math.min(window.devicePixelRatio, maxPixelRatio);
+    this.#sharpScale = options.smoothEdges && !multisampling ? maxPixelRatio / this.#fullRatio : 1;
     this.webgl.setPixelRatio(this.#fullRatio);
     this.webgl.setClearColor(0x000000, 0);
     // Querying the status of a shader blocks until it is compiled, so do it in development builds only.
@@ -52,28 +59,40 @@ export class SceneRenderer {
     return ratio;
   }
 
-  get isFull(): boolean {
-    return this.webgl.getPixelRatio() === this.#fullRatio;
+  /** Share of the full resolution in which a picture that stays is drawn; at least 1. */
+  get sharpScale(): number {
+    return this.#sharpScale;
   }
 
-  get canvas(): HTMLCanvasElement {
-    return this.webgl.domElement;
-  }
-
-  /** Returns a new picture as a PNG file. */
-  picture(camera: PerspectiveCamera): Promise<Blob> {
-    this.render(camera);
-    return new Promise((resolve, reject) => {
-      // The picture is taken at once: the canvas is empty after the page is drawn.
-      this.canvas.toBlob((blob) => {
-        if (blob) resolve(blob);
-        else reject(new Error("The browser cannot write this picture"));
-      }, "image/png");
-    });
+  get isSharp(): boolean {
+    return this.webgl.getPixelRatio() === this.#sharpScale * this.#fullRatio;
   }
 
   render(camera: PerspectiveCamera): void {
     this.webgl.render(this.scene, camera);
+  }
+
+  /**
+   * Copies the last sharp picture in full resolution, and sets the size of the copy. The picture lasts until the page is
+   * drawn.
+   *
+   * @param background colour behind it; transparent if null.
+   */
+  copyTo(paper: CanvasRenderingContext2D, background: string | null): void {
+    const { domElement } = this.webgl;
+    const [width, height] = [domElement.width, domElement.height].map((size) =>
+      Math.round(size / this.#sharpScale),
+    ) as [number, number];
+    const { canvas } = paper;
+    if (canvas.width !== width || canvas.height !== height) {
+      canvas.width = width;
+      canvas.height = height;
+    }
+    if (background !== null) {
+      paper.fillStyle = background;
+      paper.fillRect(0, 0, width, height);
+    }
+    paper.drawImage(domElement, 0, 0, width, height);
   }
 
   dispose(): void {

@@ -1,8 +1,11 @@
 import type CameraControls from "camera-controls";
-import type { PerspectiveCamera, WebGLRenderer } from "three";
+import { Vector3, type Object3D, type PerspectiveCamera, type WebGLRenderer } from "three";
 import { ViewportGizmo, type GizmoOptions } from "three-viewport-gizmo";
 import type { ViewerColors } from "./colors";
 import { prepareShaders } from "./shaders";
+
+/** Where the library draws the cube from. */
+const eye = new Vector3(0, 0, 7);
 
 /** The clickable cube in the corner of the view. */
 export class ViewCube {
@@ -56,6 +59,7 @@ export class ViewCube {
   }
 
   setColors(colors: ViewerColors): void {
+    this.#clear();
     this.#gizmo.set({ ...styleOf(colors), ...this.#fixed });
   }
 
@@ -64,12 +68,25 @@ export class ViewCube {
   }
 
   render(): void {
+    for (const piece of this.#gizmo.children) piece.visible = this.#isFront(piece);
     this.#gizmo.render();
   }
 
   dispose(): void {
     this.#listening.abort();
-    this.#gizmo.dispose();
+    this.#clear();
+  }
+
+  /** The library removes every other piece only. */
+  #clear(): void {
+    do this.#gizmo.dispose();
+    while (this.#gizmo.children.length > 0);
+  }
+
+  /** Whether the outer side of a piece can be seen. Pieces are flat; each draw call takes time, even if it draws nothing. */
+  #isFront({ position }: Object3D): boolean {
+    const place = position.clone().applyQuaternion(this.#gizmo.quaternion);
+    return place.dot(eye.clone().sub(place)) > 0;
   }
 }
 

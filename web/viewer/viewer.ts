@@ -32,7 +32,7 @@ export interface ViewerOptions {
   readonly colors: ViewerColors;
   /** If false, the camera jumps instead of gliding. */
   readonly motion: boolean;
-  readonly multisampling: boolean;
+  readonly smoothEdges: boolean;
   /** If true, a motion that is drawn too slowly is drawn in a lower resolution. */
   readonly adaptiveResolution: boolean;
   /** Returns how many CSS pixels at the left are covered; asked when the size changes. */
@@ -60,6 +60,8 @@ export class Viewer {
   /** Loaded after the first picture. */
   #cube: ViewCube | null = null;
   #isDisposed = false;
+  /** Whether the next frame is the last one of a motion. */
+  #isResting = false;
   readonly #layers: SceneLayers;
   readonly #observer: ResizeObserver;
   /** Box of what is shown instead of the model; null for the model. */
@@ -73,7 +75,7 @@ export class Viewer {
     this.#container = container;
     this.#options = options;
     this.#renderer = new SceneRenderer(canvas, {
-      multisampling: options.multisampling,
+      smoothEdges: options.smoothEdges,
       onContextLost: events.onContextLost,
       onContextRestored: () => {
         events.onContextRestored();
@@ -260,27 +262,25 @@ export class Viewer {
 
   /** Returns the picture as a PNG file, without the view cube and with a transparent background. */
   picture(): Promise<Blob> {
-    this.#setScale(1);
-    return this.#renderer.picture(this.#view.camera);
+    const paper = document.createElement("canvas").getContext("2d");
+    if (!paper) throw new Error("The browser offers no canvas");
+    this.drawOn(paper, null);
+    return new Promise((resolve, reject) => {
+      paper.canvas.toBlob((blob) => {
+        if (blob) resolve(blob);
+        else reject(new Error("The browser cannot write this picture"));
+      }, "image/png");
+    });
   }
 
   /** Draws the picture now, on a canvas of the same size; by default on the background of the page. */
   drawOn(
-    paper: HTMLCanvasElement,
-    context: CanvasRenderingContext2D,
-    background = getComputedStyle(document.body).backgroundColor,
+    paper: CanvasRenderingContext2D,
+    background: string | null = getComputedStyle(document.body).backgroundColor,
   ): void {
-    const { canvas } = this.#renderer;
-    this.#setScale(1);
+    this.#setScale(this.#renderer.sharpScale);
     this.#renderer.render(this.#view.camera);
-    if (paper.width !== canvas.width || paper.height !== canvas.height) {
-      paper.width = canvas.width;
-      paper.height = canvas.height;
-    }
-    context.fillStyle = background;
-    context.fillRect(0, 0, paper.width, paper.height);
-    // The picture of the canvas lasts until the page is drawn.
-    context.drawImage(canvas, 0, 0);
+    this.#renderer.copyTo(paper, background);
   }
 
   /** Calls back after every frame. Returns a function that ends this. */
@@ -391,9 +391,11 @@ export class Viewer {
     this.#updateLayers(before);
   }
 
-  /** After a motion, draws the last frame in full resolution. */
+  /** After a motion, draws the last frame again as a picture that stays. */
   #sharpen(): void {
-    if (!this.#renderer.isFull) this.#loop.request();
+    if (this.#renderer.isSharp) return;
+    this.#isResting = true;
+    this.#loop.request();
   }
 
   #meshChanged(): void {
@@ -403,7 +405,9 @@ export class Viewer {
 
   #draw(seconds: number): boolean {
     this.#layers.mesh.queryFaces();
-    if (this.#options.adaptiveResolution) this.#setScale(this.#motion.nextFrame());
+    if (this.#options.adaptiveResolution)
+      this.#setScale(this.#isResting ? this.#renderer.sharpScale : this.#motion.nextFrame());
+    this.#isResting = false;
     const isMoving = this.#view.update(seconds);
     this.#renderer.render(this.#view.camera);
     this.#cube?.render();

@@ -75,7 +75,7 @@ function pictureOf({ viewer: store, player }: App, scheme: string | null): HTMLE
   if (!viewer || !trace || !context) return null;
   // The sheet has the colours of the light theme; the view keeps those of the page.
   viewer.setColors(viewerColors.light);
-  viewer.drawOn(canvas, context, "#ffffff");
+  viewer.drawOn(context, "#ffffff");
   viewer.setColors(viewerColors[scheme === "light" ? "light" : "dark"]);
   const { phase, from, to } = phaseAt(trace, step);
   const caption = document.createElement("figcaption");

@@ -6,7 +6,7 @@ import type { PlayerState } from "../../player/player";
 import { useApp } from "../shared/app-context";
 
 /** Texts that follow the step change no more often, in milliseconds: they cannot be read faster, and painting them takes long. */
-const toldEveryMs = 100;
+const toldEveryMs = 250;
 
 export function usePlayer<T>(select: (state: PlayerState) => T): T {
   return useStore(useApp().player.state, select);

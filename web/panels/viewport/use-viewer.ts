@@ -58,7 +58,7 @@ export function useViewer(
         state: shownState(app),
         colors: firstColors.current,
         motion: !app.still && !window.matchMedia("(prefers-reduced-motion: reduce)").matches,
-        multisampling: !app.still,
+        smoothEdges: !app.still,
         adaptiveResolution: !app.still,
         coveredLeft: () => covered.current,
         meshQueries: app.meshQueries,

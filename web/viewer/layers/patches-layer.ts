@@ -1,5 +1,5 @@
 import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, type Ray } from "three";
-import { setStateColors, setStateScale } from "../draw-state";
+import { setStateColors, setStateScale, stateCodes } from "../draw-state";
 import { EntityStates } from "../entity-states";
 import { createPatchMaterial } from "../materials/patch-material";
 import type { Position } from "../../document/position";
@@ -19,11 +19,20 @@ const opacityBehind = 0.16;
 
 type BuildTree = (corners: Float32Array<ArrayBuffer>) => Promise<SerializedTree>;
 
-/** The model's patches as sampled by the engine: one buffer of triangles, drawn by three passes. */
+/** States that the second and the third pass draw. */
+const emphasis = ["hover", "selected", "defective"] as const;
+const emphasisCodes: ReadonlySet<number> = new Set(emphasis.map((state) => stateCodes[state]));
+
+/**
+ * The model's patches as sampled by the engine, drawn by three passes. The nodes of a patch are vertices of its own, which
+ * carry its state.
+ */
 export class PatchesLayer implements HittableLayer {
   readonly root = new Group();
   readonly #states = new EntityStates("patch", { tinted: true });
   readonly #geometry = new BufferGeometry();
+  /** The same vertices, with the triangles of emphasized patches only. */
+  readonly #emphasizedGeometry = new BufferGeometry();
   /** All patches, behind the mesh if both lie in one plane. */
   readonly #plain = createPatchMaterial({
     opacities: {
@@ -45,18 +54,20 @@ export class PatchesLayer implements HittableLayer {
   });
   readonly #meshes = [
     new Mesh(this.#geometry, this.#plain),
-    new Mesh(this.#geometry, this.#emphasized),
-    new Mesh(this.#geometry, this.#behind),
+    new Mesh(this.#emphasizedGeometry, this.#emphasized),
+    new Mesh(this.#emphasizedGeometry, this.#behind),
   ] as const;
-  /** x y z of three corners per triangle, local. */
-  #corners = new Float32Array();
-  #tree = new TriangleTree(this.#corners);
+  #vertices: PatchVertices = noVertices;
+  /** First triangle of each patch, and the end. */
+  #offsets: ArrayLike<number> = [0];
+  #tree = new TriangleTree(new Float32Array());
   #origin: Position = [0, 0, 0];
   readonly #buildTree: BuildTree;
 
   /** @param buildTree builds trees for hit tests in a worker. */
   constructor(buildTree: BuildTree) {
     this.#buildTree = buildTree;
+    this.#allocate();
     this.#meshes.forEach((mesh, pass) => {
       mesh.frustumCulled = false;
       mesh.renderOrder = 1 + pass;
@@ -84,50 +95,129 @@ export class PatchesLayer implements HittableLayer {
     }
     if (changes.has("preview", "origin")) this.#setPositions(state.preview, state.origin);
     this.#states.update(state);
+    if (changes.has("preview", "origin", "hover", "selection", "hidden", "defects")) this.#setEmphasized();
     const [plain, emphasized, behind] = this.#meshes;
-    emphasized.visible = this.#states.hasAny("hover", "selected", "defective");
+    emphasized.visible = this.#states.hasAny(...emphasis);
     behind.visible = this.#states.hasAny("selected", "defective");
     plain.visible = emphasized.visible || this.#states.hasAny("normal");
   }
 
   hit(ray: Ray, screen: Screen): Hit | null {
     if (!this.root.visible) return null;
-    const hit = this.#tree.firstHit(ray, DoubleSide, (triangle) => this.#states.canHit(3 * triangle, screen));
-    const target = hit && this.#states.entityAt(this.#states.recordOf(3 * hit.triangle));
+    const { index } = this.#vertices;
+    const vertexOf = (triangle: number): number => index[3 * triangle] ?? 0;
+    const hit = this.#tree.firstHit(ray, DoubleSide, (triangle) =>
+      this.#states.canHit(vertexOf(triangle), screen),
+    );
+    const target = hit && this.#states.entityAt(this.#states.recordOf(vertexOf(hit.triangle)));
     if (!target || hit.distance > screen.maxDepth) return null;
     return { target, position: addOrigin(hit.point, this.#origin), depth: hit.distance };
   }
 
   dispose(): void {
     this.#geometry.dispose();
+    this.#emphasizedGeometry.dispose();
     for (const { material } of this.#meshes) material.dispose();
   }
 
   #setPositions(preview: SampledProject | null, origin: Position): void {
     const empty = { patchOffsets: [0], patchTriangles: [], patchPoints: [] };
     const { patchOffsets, patchTriangles, patchPoints } = preview?.samples ?? empty;
+    const before = this.#vertices;
     this.#origin = origin;
-    this.#states.assign(
-      preview?.project.patches ?? [],
-      Uint32Array.from(patchOffsets, (triangle) => 3 * triangle),
-    );
-    if (3 * patchTriangles.length !== this.#corners.length) this.#allocate(patchTriangles.length);
-    // Patches share nodes along lines. Each gets its own corners, which carry its state.
-    for (let corner = 0; corner < patchTriangles.length; ++corner) {
-      const node = 3 * (patchTriangles[corner] ?? 0);
+    this.#offsets = patchOffsets;
+    this.#vertices = verticesOf(patchOffsets, patchTriangles, patchPoints.length / 3);
+    const { nodes, index, offsets } = this.#vertices;
+    this.#states.assign(preview?.project.patches ?? [], offsets);
+    if (nodes.length !== before.nodes.length || index.length !== before.index.length) this.#allocate();
+    this.#copyIndex();
+    const positions = this.#geometry.getAttribute("position") as BufferAttribute;
+    nodes.forEach((node, vertex) => {
       for (let k = 0; k < 3; ++k)
-        this.#corners[3 * corner + k] = (patchPoints[node + k] ?? 0) - (origin[k] ?? 0);
-    }
-    this.#tree = new TriangleTree(this.#corners);
+        positions.array[3 * vertex + k] = (patchPoints[3 * node + k] ?? 0) - (origin[k] ?? 0);
+    });
+    positions.needsUpdate = true;
+    const corners = new Float32Array(3 * index.length);
+    index.forEach((vertex, corner) => {
+      for (let k = 0; k < 3; ++k) corners[3 * corner + k] = positions.array[3 * vertex + k] ?? 0;
+    });
+    this.#tree = new TriangleTree(corners);
     if (this.root.visible) void this.#tree.prepare(this.#buildTree);
-    const position = this.#geometry.getAttribute("position") as BufferAttribute | undefined;
-    if (position) position.needsUpdate = true;
   }
 
-  #allocate(corners: number): void {
-    this.#geometry.dispose();
-    this.#corners = new Float32Array(3 * corners);
-    this.#geometry.setAttribute("position", new BufferAttribute(this.#corners, 3));
-    this.#states.attachTo(this.#geometry);
+  /** Gives both geometries new attributes: the number of vertices or triangles has changed. */
+  #allocate(): void {
+    const { nodes, index } = this.#vertices;
+    const positions = new BufferAttribute(new Float32Array(3 * nodes.length), 3);
+    for (const geometry of [this.#geometry, this.#emphasizedGeometry]) {
+      geometry.dispose();
+      geometry.setAttribute("position", positions);
+      geometry.setIndex(new BufferAttribute(new Uint32Array(index.length), 1));
+      this.#states.attachTo(geometry);
+    }
   }
+
+  #copyIndex(): void {
+    const drawn = this.#geometry.getIndex();
+    if (!drawn || drawn.array.every((vertex, corner) => vertex === this.#vertices.index[corner])) return;
+    drawn.array.set(this.#vertices.index);
+    drawn.needsUpdate = true;
+  }
+
+  #setEmphasized(): void {
+    const drawn = this.#emphasizedGeometry.getIndex();
+    if (!drawn) return;
+    let count = 0;
+    for (let patch = 0; patch + 1 < this.#offsets.length; ++patch) {
+      if (!emphasisCodes.has(this.#states.codeAt(patch))) continue;
+      const corners = this.#vertices.index.subarray(
+        3 * (this.#offsets[patch] ?? 0),
+        3 * (this.#offsets[patch + 1] ?? 0),
+      );
+      drawn.array.set(corners, count);
+      count += corners.length;
+    }
+    this.#emphasizedGeometry.setDrawRange(0, count);
+    drawn.clearUpdateRanges();
+    drawn.addUpdateRange(0, count);
+    drawn.needsUpdate = true;
+  }
+}
+
+interface PatchVertices {
+  /** Node of each vertex. */
+  readonly nodes: readonly number[];
+  /** Three vertices per triangle. */
+  readonly index: Uint32Array;
+  /** First vertex of each patch, and the end. */
+  readonly offsets: Uint32Array;
+}
+
+const noVertices: PatchVertices = { nodes: [], index: new Uint32Array(), offsets: new Uint32Array(1) };
+
+/** Makes a vertex of each node of each patch: patches share the nodes along lines. */
+function verticesOf(
+  triangleOffsets: ArrayLike<number>,
+  triangles: ArrayLike<number>,
+  nodeCount: number,
+): PatchVertices {
+  const nodes: number[] = [];
+  const index = new Uint32Array(triangles.length);
+  const offsets = new Uint32Array(triangleOffsets.length);
+  const vertexOf = new Int32Array(nodeCount).fill(-1);
+  for (let patch = 0; patch + 1 < triangleOffsets.length; ++patch) {
+    const first = nodes.length;
+    for (
+      let corner = 3 * (triangleOffsets[patch] ?? 0);
+      corner < 3 * (triangleOffsets[patch + 1] ?? 0);
+      ++corner
+    ) {
+      const node = triangles[corner] ?? 0;
+      // A vertex from before is that of another patch.
+      if ((vertexOf[node] ?? -1) < first) vertexOf[node] = nodes.push(node) - 1;
+      index[corner] = vertexOf[node] ?? 0;
+    }
+    offsets[patch + 1] = nodes.length;
+  }
+  return { nodes, index, offsets };
 }
