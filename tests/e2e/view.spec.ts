@@ -293,6 +293,32 @@ test("the front is drawn while it advances", async ({ page }) => {
   await expect(app.viewport).toHaveAttribute("data-busy", "false");
 });
 
+test("without a graphics processor, a view at rest is drawn in a higher resolution than one that moves", async ({
+  page,
+}) => {
+  await page.goto("/?model=unit-cube");
+  const canvas = page.getByTestId("viewport-canvas");
+  const ratio = (): Promise<number> =>
+    canvas.evaluate((element) =>
+      element instanceof HTMLCanvasElement ? element.width / element.clientWidth : 0,
+    );
+  await expect.poll(ratio).toBe(2);
+  await canvas.evaluate((element) => {
+    let least = Infinity;
+    const note = (): void => {
+      if (!(element instanceof HTMLCanvasElement)) return;
+      least = Math.min(least, element.width / element.clientWidth);
+      element.dataset["least"] = String(least);
+    };
+    new MutationObserver(note).observe(element, { attributeFilter: ["width"] });
+  });
+  await canvas.focus();
+  for (let i = 0; i < 5; i++) await page.keyboard.press("ArrowLeft");
+  await expect.poll(async () => Number(await canvas.getAttribute("data-least"))).toBeGreaterThan(0);
+  expect(Number(await canvas.getAttribute("data-least"))).toBeLessThanOrEqual(1);
+  await expect.poll(ratio).toBe(2);
+});
+
 test("without WebGL the page reports it and still meshes", async ({ page }) => {
   await page.addInitScript(() => {
     HTMLCanvasElement.prototype.getContext = () => null;
