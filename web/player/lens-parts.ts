@@ -13,7 +13,8 @@ import { subtract } from "../document/vectors";
 import type { ViewerColors } from "../viewer/colors";
 import { setStateColors, stateCodes } from "../viewer/draw-state";
 import { createFacetMaterial } from "../viewer/materials/facet-material";
-import { createLineMaterial } from "../viewer/materials/line-material";
+import { createLineMaterial, fitLines } from "../viewer/materials/line-material";
+import type { Viewport } from "../viewer/scene-state";
 import { setColor } from "../viewer/materials/uniforms";
 import { SegmentGeometry, segmentsInState } from "../viewer/segment-geometry";
 
@@ -123,8 +124,8 @@ export class WideSegments {
     setStateColors(this.#material, { selected: colors[this.color] });
   }
 
-  setViewport(width: number, height: number): void {
-    this.#material.uniforms.resolution.value.set(width, height);
+  setViewport(viewport: Viewport): void {
+    fitLines(this.#material, viewport);
   }
 
   /** Shows segments: their ends, two after two. */

@@ -56,8 +56,7 @@ export class SurfaceLayer implements Layer {
       this.#done.setColors(colors.patch, colors.meshEdge);
       this.#made.setColors(colors.meshPlain, colors.meshEdge);
     }
-    if (changes.has("viewport"))
-      for (const part of this.#wide) part.setViewport(viewport.width, viewport.height);
+    if (changes.has("viewport")) for (const part of this.#wide) part.setViewport(viewport);
     if (!changes.has("origin")) return;
     this.#origin = origin;
     this.#hasTriangles = false;

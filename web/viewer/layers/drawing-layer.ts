@@ -2,7 +2,7 @@ import { BufferAttribute, BufferGeometry, Group, Mesh, Points } from "three";
 import type { Position } from "../../document/position";
 import { setStateColors, stateCodes } from "../draw-state";
 import { createDotMaterial } from "../materials/dot-material";
-import { createLineMaterial } from "../materials/line-material";
+import { createLineMaterial, fitLines } from "../materials/line-material";
 import { createPatchMaterial } from "../materials/patch-material";
 import { setColor, setNumber } from "../materials/uniforms";
 import type { SceneChanges } from "../scene-state";
@@ -55,7 +55,7 @@ export class DrawingLayer implements Layer {
       setColor(this.#dotMaterial, "rim", colors.faded);
     }
     if (changes.has("viewport")) {
-      this.#lineMaterial.uniforms.resolution.value.set(viewport.width, viewport.height);
+      fitLines(this.#lineMaterial, viewport);
       setNumber(this.#dotMaterial, "pixelRatio", viewport.pixelRatio);
     }
     if (!changes.has("origin")) return;

@@ -1,7 +1,7 @@
 import { Group, Mesh, type Ray } from "three";
 import { setStateColors } from "../draw-state";
 import { EntityStates } from "../entity-states";
-import { createLineMaterial } from "../materials/line-material";
+import { createLineMaterial, fitLines } from "../materials/line-material";
 import { nearestSegment, pointOnSegment } from "../nearest";
 import type { Position } from "../../document/position";
 import type { SampledProject, SceneChanges } from "../scene-state";
@@ -58,8 +58,7 @@ export class LinesLayer implements HittableLayer {
       for (const { material } of this.#meshes) setStateColors(material, colors);
     }
     if (changes.has("viewport")) {
-      const { width, height } = state.viewport;
-      for (const { material } of this.#meshes) material.uniforms.resolution.value.set(width, height);
+      for (const { material } of this.#meshes) fitLines(material, state.viewport);
     }
     if (changes.has("preview", "origin")) this.#setPositions(state.preview, state.origin);
     this.#states.update(state);

@@ -32,7 +32,8 @@ const fragmentShader = /* glsl */ `
   void main() {
     vec2 offset = 2.0 * gl_PointCoord - 1.0;
     float reach = mix(length(offset), max(abs(offset.x), abs(offset.y)), square);
-    float pixel = 2.0 / vDiameter;
+    // In a low resolution, a pixel is a large share of the dot, whose rim must not hide its colour.
+    float pixel = min(2.0 / vDiameter, 0.28);
     float alpha = 1.0 - smoothstep(1.0 - pixel, 1.0, reach);
     if (alpha <= 0.01) discard;
     vec3 color = mix(vColor, rim, smoothstep(1.0 - 2.0 * pixel, 1.0 - pixel, reach));

@@ -1,5 +1,6 @@
 import { ShaderMaterial, Vector2 } from "three";
 import { drawStateGlsl, drawStateUniforms, type DrawState, type StateMaterial } from "../draw-state";
+import type { Viewport } from "../scene-state";
 import { culled } from "./glsl";
 
 /**
@@ -9,6 +10,7 @@ import { culled } from "./glsl";
 const vertexShader = /* glsl */ `
   attribute vec3 end;
   uniform vec2 resolution;
+  uniform float leastWidth;
   varying vec3 vColor;
   // Across the segment from -1 to 1, along it in pixels, and 1; times w, so that they are linear on the screen.
   varying vec3 vPlace;
@@ -29,7 +31,7 @@ const vertexShader = /* glsl */ `
     vec4 clipFirst = projectionMatrix * vec4(first, 1.0);
     vec4 clipLast = projectionMatrix * vec4(last, 1.0);
     vec2 along = 0.5 * (clipLast.xy / clipLast.w - clipFirst.xy / clipFirst.w) * resolution;
-    vSize = vec2(length(along), 0.5 * stateScale());
+    vSize = vec2(length(along), 0.5 * max(stateScale(), leastWidth));
     along = vSize.x > 0.0 ? along / vSize.x : vec2(1.0, 0.0);
     int corner = gl_VertexID % 4;
     bool isLast = corner > 1;
@@ -65,14 +67,18 @@ export interface LinePass {
 }
 
 export type LineMaterial = StateMaterial & {
-  readonly uniforms: { readonly resolution: { readonly value: Vector2 } };
+  readonly uniforms: {
+    readonly resolution: { readonly value: Vector2 };
+    readonly leastWidth: { value: number };
+  };
 };
 
-/** Line segments, coloured by the state of their line. The uniform `resolution` is the size of the view in CSS pixels. */
+/** Line segments, coloured by the state of their line. Give it each new size of the view by `fitLines`. */
 export function createLineMaterial({ widths, depthTest, dash = 0 }: LinePass): LineMaterial {
   const uniforms = {
     ...drawStateUniforms(widths),
     resolution: { value: new Vector2(1, 1) },
+    leastWidth: { value: 0 },
     dash: { value: dash },
   };
   const material = new ShaderMaterial({
@@ -85,4 +91,10 @@ export function createLineMaterial({ widths, depthTest, dash = 0 }: LinePass): L
     uniforms,
   });
   return Object.assign(material, { uniforms });
+}
+
+/** Adapts lines to the size of the view. They are as wide as a device pixel at least: thinner ones would have gaps. */
+export function fitLines({ uniforms }: LineMaterial, { width, height, pixelRatio }: Viewport): void {
+  uniforms.resolution.value.set(width, height);
+  uniforms.leastWidth.value = 1 / pixelRatio;
 }
