@@ -47,6 +47,16 @@ export class Bounds {
   }
 }
 
+/** Largest difference of two boxes that may enclose the same body, as a share of their radius. */
+const alike = 0.2;
+
+/** Returns whether two boxes may enclose the same body: that of its points differs from that of its mesh a little. */
+export function areAlike(a: Bounds, b: Bounds): boolean {
+  if (a.empty || b.empty) return a.empty === b.empty;
+  const apart = (p: Position, q: Position): number => Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  return Math.max(apart(a.low, b.low), apart(a.high, b.high)) <= alike * Math.max(a.radius, b.radius);
+}
+
 /** Returns the bounds of the model's points and bodies; without any, those of the background grid. */
 export function projectBounds(project: Project, bodies: readonly ShownBody[] = []): Bounds {
   const bounds = new Bounds();

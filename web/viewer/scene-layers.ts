@@ -9,7 +9,7 @@ import { FrontLayer } from "./layers/front-layer";
 import { GridLayer } from "./layers/grid-layer";
 import { GroundLayer } from "./layers/ground-layer";
 import { HighlightLayer } from "./layers/highlight-layer";
-import type { Hit, Layer } from "./layers/layer";
+import type { Hit, HittableLayer, Layer } from "./layers/layer";
 import { LinesLayer } from "./layers/lines-layer";
 import { MeshLayer, type MeshLayerEvents } from "./layers/mesh-layer";
 import { PatchesLayer } from "./layers/patches-layer";
@@ -38,6 +38,7 @@ export class SceneLayers {
   readonly #sources = new SourcesLayer();
   /** What a recorded front and target sizes replace. Sizes replace only some bodies: their layer knows them. */
   readonly #replaced = new Group();
+  readonly #entities = new Group();
   #isReplaying = false;
   /** In the order in which they are added to the scene. */
   readonly #all: Layer[];
@@ -52,10 +53,11 @@ export class SceneLayers {
   }
 
   update(changes: SceneChanges): void {
-    const { isReplaying, shownSizes } = changes.state;
+    const { isReplaying, isOtherModel, shownSizes } = changes.state;
     this.#isReplaying = isReplaying;
     this.#replaced.visible = !isReplaying && shownSizes === null;
     this.#bodies.root.visible = !isReplaying;
+    this.#entities.visible = !isOtherModel;
     for (const layer of this.#all) layer.update(changes);
   }
 
@@ -73,7 +75,7 @@ export class SceneLayers {
 
   /** Returns what lies at a point of the view; null if nothing does. */
   hit(camera: PerspectiveCamera, viewport: Viewport, at: ScreenPoint): Hit | null {
-    const onSurfaces = [this.#points, this.#grid, this.#sources, this.#lines];
+    const onSurfaces = this.#shownEntities;
     const solid = [
       ...(this.#replaced.visible ? [this.mesh] : []),
       ...(this.#isReplaying ? [] : [this.#bodies]),
@@ -84,7 +86,7 @@ export class SceneLayers {
 
   /** Returns the entities at a point of the view, the uppermost first: those behind a mesh too. */
   entitiesAt(camera: PerspectiveCamera, viewport: Viewport, at: ScreenPoint): Entity[] {
-    const onSurfaces = [this.#points, this.#grid, this.#sources, this.#lines];
+    const onSurfaces = this.#shownEntities;
     const translucent = this.#isReplaying ? null : this.#patches;
     return entitiesUnder({ solid: [this.#bodies], onSurfaces, translucent }, camera, viewport, at);
   }
@@ -96,6 +98,11 @@ export class SceneLayers {
 
   dispose(): void {
     for (const layer of this.#all) layer.dispose();
+  }
+
+  /** In the order in which a hit test prefers them. */
+  get #shownEntities(): readonly HittableLayer[] {
+    return this.#entities.visible ? [this.#points, this.#grid, this.#sources, this.#lines] : [];
   }
 
   #inOrder(): Layer[] {
@@ -115,6 +122,8 @@ export class SceneLayers {
     for (const layer of surfaces) if (layer !== this.#bodies) this.#replaced.add(layer.root);
     this.#scene.add(this.#replaced);
     const entities = [this.#lines, this.#points, this.#grid, this.#sources];
+    this.#entities.add(...entities.map(({ root }) => root));
+    this.#scene.add(this.#entities);
     return [new GroundLayer(), new AxesLayer(), ...surfaces, new SizesLayer(), ...entities];
   }
 }

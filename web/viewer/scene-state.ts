@@ -50,6 +50,8 @@ export interface SceneState extends ShownState {
   /** Local coordinates are relative to this position, because single precision suffices near zero only. */
   readonly origin: Position;
   readonly viewport: Viewport;
+  /** A recorded front of another model is shown, instead of anything of this one. */
+  readonly isOtherModel: boolean;
 }
 
 /** A new state of the scene, and the state before it. */

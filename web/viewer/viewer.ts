@@ -1,6 +1,6 @@
 import type { PerspectiveCamera } from "three";
 import type { Entity } from "../document/entities";
-import { Bounds, boundsOf, entityBounds, projectBounds, roomyBounds } from "./bounds";
+import { areAlike, Bounds, boundsOf, entityBounds, projectBounds, roomyBounds } from "./bounds";
 import { ViewCamera, type CameraPose, type StandardView } from "./camera";
 import { closeUpBox } from "./close-up";
 import type { ViewerColors } from "./colors";
@@ -91,7 +91,7 @@ export class Viewer {
     });
     const viewport = { width: 1, height: 1, pixelRatio: 1 };
     const origin = roomyBounds(options.state.project, options.state.bodies).centre;
-    this.#state = { ...options.state, colors: options.colors, origin, viewport };
+    this.#state = { ...options.state, colors: options.colors, origin, viewport, isOtherModel: false };
     this.#updateLayers(null);
     this.#view.controls.addEventListener("control", () => this.#loop.request());
     this.#observer = new ResizeObserver(() => this.#resize());
@@ -161,6 +161,8 @@ export class Viewer {
   replaceModel(positions: Float64Array | null): void {
     if (positions === null && this.#replaced === null) return;
     this.#replaced = positions && boundsOf(positions);
+    const model = projectBounds(this.#state.project, this.#state.bodies);
+    this.#update({ isOtherModel: this.#replaced !== null && !areAlike(this.#replaced, model) });
     this.fit(null);
   }
 

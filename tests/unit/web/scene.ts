@@ -30,6 +30,7 @@ export function sceneState(change: Partial<SceneState> = {}): SceneState {
     shownSizes: null,
     tints: new Map(),
     isReplaying: false,
+    isOtherModel: false,
     colors: viewerColors.dark,
     origin: [0, 0, 0],
     viewport,
