@@ -230,6 +230,38 @@ test("a lesson is completed on a phone", async ({ page }) => {
   }
 });
 
+test("on a phone, a lesson has the lens and the colours of the front", async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await open(page, "&lesson=2");
+  await expect(front(page)).toHaveAttribute("data-shown", "true");
+  await page.getByTestId("lesson-lens").locator("summary").click();
+  await expect(page.getByTestId("lens")).toContainText("The front before the first step");
+  const overflow = await page
+    .getByTestId("lesson-page")
+    .evaluate((panel) => panel.scrollWidth - panel.clientWidth);
+  expect(overflow).toBeLessThanOrEqual(0);
+  expect(await violations(page)).toEqual([]);
+  for (const [i, asked] of (lessons[1]?.tasks ?? []).entries()) {
+    await complete(page, asked, i + 1);
+    await expect(task(page, i + 1)).toHaveAttribute("data-done", "true");
+  }
+  await expect(page.getByTestId("lens")).toContainText("It is divided into 3 sides");
+});
+
+test("a wrong answer after the right one is not marked as right", async ({ page }) => {
+  await open(page, "&lesson=2");
+  const verdict = page.getByTestId("lesson-verdict-2");
+  const answer = page.getByTestId("lesson-answer-2");
+  await answer.fill("9");
+  await answer.press("Enter");
+  await expect(verdict).toHaveAttribute("data-right", "true");
+  await answer.fill("8");
+  await answer.press("Enter");
+  await expect(verdict).toContainText("Divide the length by the size");
+  await expect(verdict).not.toHaveAttribute("data-right");
+  await expect(task(page, 2)).toHaveAttribute("data-done", "true");
+});
+
 test("experiments: runs by other rules stand side by side, and the link opens them again", async ({
   page,
 }) => {

@@ -36,6 +36,7 @@ const orderName = (part: string): string =>
 
 export const lessonStrings = {
   title: "Lessons",
+  lens: "Lens and colours",
   intro:
     "Lessons on the advancing-front method. Each opens a model, shows a state of its front, and sets tasks that the app checks.",
   loading: "Loading the lessons…",

@@ -25,6 +25,7 @@ export function AnswerTask({ task, isDone, number, labelledBy, onDone }: TaskPro
       onDone();
     } else setVerdict([texts.wrong, task.hint].filter(Boolean).join(" "));
   };
+  const shown = verdict ?? (isDone ? texts.right : "");
   return (
     <form className={styles["answer"]} onSubmit={check} noValidate>
       {task.kind === "number" ? (
@@ -54,8 +55,12 @@ export function AnswerTask({ task, isDone, number, labelledBy, onDone }: TaskPro
       <Button type="submit" size="compact-xs" variant="default" data-testid={`lesson-check-${number}`}>
         {texts.check}
       </Button>
-      <p role="status" data-testid={`lesson-verdict-${number}`} data-right={isDone || undefined}>
-        {verdict ?? (isDone ? texts.right : "")}
+      <p
+        role="status"
+        data-testid={`lesson-verdict-${number}`}
+        data-right={shown === texts.right || undefined}
+      >
+        {shown}
       </p>
     </form>
   );

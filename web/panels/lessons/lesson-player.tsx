@@ -1,22 +1,54 @@
+import { lazy, Suspense, useState } from "react";
 import { strings } from "../../strings";
+import { lessonStrings as texts } from "../../strings/lessons";
 import { CompactPlayer } from "../player/compact-player";
 import { usePlayer } from "../player/use-player";
+import { ViewChoices } from "../player/view-choices";
 import { useLayout } from "../shared/use-layout";
 import styles from "./lessons.module.css";
 
-/** The player in a lesson, where the panels are drawers of which only one is open. */
+const Lens = lazy(async () => ({ default: (await import("../player/lens")).Lens }));
+
+/** The player and the lens in a lesson, where the panels are drawers of which only one is open. */
 export function LessonPlayer() {
   const layout = useLayout();
   const hasTrace = usePlayer((state) => state.trace !== null);
   if (layout === "wide" || !hasTrace) return null;
   return (
-    <section
-      className={styles["player"]}
-      aria-label={strings.player.transport}
-      data-testid="lesson-player"
+    <>
+      <section
+        className={styles["player"]}
+        aria-label={strings.player.transport}
+        data-testid="lesson-player"
+        data-unprinted
+      >
+        <CompactPlayer />
+      </section>
+      <LessonLens />
+    </>
+  );
+}
+
+function LessonLens() {
+  const [isOpen, setIsOpen] = useState(false);
+  return (
+    <details
+      className={styles["lens"]}
+      data-testid="lesson-lens"
       data-unprinted
+      onToggle={(event) => setIsOpen(event.currentTarget.open)}
     >
-      <CompactPlayer />
-    </section>
+      <summary>{texts.lens}</summary>
+      {isOpen && (
+        <>
+          <div className={styles["choices"]}>
+            <ViewChoices />
+          </div>
+          <Suspense fallback={null}>
+            <Lens />
+          </Suspense>
+        </>
+      )}
+    </details>
   );
 }
