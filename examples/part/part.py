@@ -8,7 +8,7 @@ Poisson's ratio 0.35. Writes result.vtu with the displacement of each node, for 
     npm install tetrafront
     python part.py part.stl "patch 1" "patch 6"
 
-Without names of patches, it lists them: their number of triangles and the box around each of them.
+Without names of patches, it lists them: number of triangles, box, area, and normal if the patch is flat.
 """
 
 import subprocess

@@ -1,7 +1,8 @@
 /** Texts of the command line whose numbers must agree with each other. */
 import { describe, expect, test } from "vitest";
 
-import { angleText, anglesText } from "../../../wasm/src/cli/tables.js";
+import { patchShapes } from "../../../wasm/src/cli/patch-shapes.js";
+import { angleText, anglesText, boxText } from "../../../wasm/src/cli/tables.js";
 
 describe("angles as text", () => {
   test.each([
@@ -15,5 +16,42 @@ describe("angles as text", () => {
   test("have the digits asked for", () => {
     expect(angleText(12.3456, 2, Math.floor)).toBe("12.34°");
     expect(angleText(12, 2, Math.ceil)).toBe("12.00°");
+  });
+});
+
+describe("boxes as text", () => {
+  const whole = { low: [0, 0, 400], high: [30, 40, 404] };
+
+  test("print rounding errors as 0", () => {
+    const box = { low: [-3e-14, 8.9e-15, 0], high: [254, 254, 6.35] };
+    expect(boxText(box)).toBe("box (0, 0, 0) to (254, 254, 6.35)");
+    expect(boxText({ low: [0, 0, 0], high: [1e-14, 2e-14, 3e-14] })).toBe(
+      "box (0, 0, 0) to (1e-14, 2e-14, 3e-14)",
+    );
+  });
+
+  test("do not have more digits for a flat patch than for the mesh around it needs", () => {
+    const box = { low: [1, 2, 400.066924817], high: [3, 4, 400.067017289] };
+    expect(boxText(box, whole)).toBe("box (1, 2, 400.06692) to (3, 4, 400.06702)");
+    expect(boxText(box)).toContain("400.066924817");
+  });
+});
+
+describe("shapes of patches", () => {
+  test("have their area, and a normal if they are flat", () => {
+    const points = Float64Array.of(0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0, 0, 0, 2);
+    const group = (tag: number) => ({ name: `patch ${tag}`, tag });
+    const shapes = patchShapes({
+      points,
+      // A square that faces down, and a bent patch of two triangles.
+      triangles: Uint32Array.of(0, 2, 1, 0, 3, 2, 0, 1, 4, 0, 4, 3),
+      trianglePatch: Uint32Array.of(0, 0, 1, 1),
+      patches: [group(1), group(2), group(3)],
+    });
+    expect(shapes).toEqual([
+      { area: 4, normal: [0, 0, -1] },
+      { area: 4, normal: null },
+      { area: 0, normal: null },
+    ]);
   });
 });

@@ -1,5 +1,6 @@
 /** The example of a part, from an STL file to displacements, if Python has scikit-fem and meshio. */
 import { execFile, spawnSync } from "node:child_process";
+import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
 
@@ -10,6 +11,7 @@ import { temporaryFolder } from "../../support/temporary-folder.js";
 
 const python = process.env["TETRAFRONT_PYTHON"] ?? "python3";
 const example = fileURLToPath(new URL("../../../examples/part/part.py", import.meta.url));
+const readme = fileURLToPath(new URL("../../../README.md", import.meta.url));
 const program = fileURLToPath(new URL("../../../wasm/bin/tetrafront.mjs", import.meta.url));
 const isAvailable = spawnSync(python, ["-c", "import skfem, meshio"]).status === 0;
 
@@ -39,8 +41,20 @@ describe("the example of a part", () => {
       expect(Number(largest)).toBeLessThan(0.00205);
       // The lowest patch is the first.
       const { stdout } = await folder.run("info", "part.msh");
-      expect(stdout).toMatch(/patch 1 "patch 1": \d+, box \(0, 0, 0\) to \(1, 1, 0\)/);
+      expect(stdout).toMatch(
+        /patch 1 "patch 1": \d+, box \(0, 0, 0\) to \(1, 1, 0\), area 1, normal \(0, 0, -1\)/,
+      );
       expect(stdout).toMatch(/patch 6 "patch 6": \d+, box \(0, 0, 4\) to \(1, 1, 4\)/);
+    });
+
+    test("README: the temperature between the ends of a bar is linear", async () => {
+      folder.save("bar.stl", stlBinary(boxSurface(1, [0, 0, 0], [1, 1, 4])));
+      await folder.run("mesh", "bar.stl", "-o", "part.msh", "--surface", "remesh", "--split-patches");
+      const [, solving = ""] = /```python\n([^`]*)```/.exec(readFileSync(readme, "utf8")) ?? [];
+      const check = "print(len(u) > 8 and abs(u - mesh.p[2] / 4).max() < 1e-9)";
+      const options = { cwd: folder.path };
+      const { stdout } = await promisify(execFile)(python, ["-c", `${solving}${check}`], options);
+      expect(stdout.trim()).toMatch(/True$/);
     });
 
     test("lists the patches if a name is wrong", async () => {

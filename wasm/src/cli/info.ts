@@ -12,6 +12,7 @@ import type { BodySurface, Project, ProjectBody, ProjectGroup } from "../project
 import { writeToStandardOutput } from "./files.js";
 import { withMesher } from "./grids.js";
 import { formatName, isProject, readMeshFile, readProjectFile } from "./input.js";
+import { patchShapes } from "./patch-shapes.js";
 import type { UnitOptions } from "./units.js";
 import { InvalidInput, ExitCode, reportFailure } from "./messages.js";
 import {
@@ -22,6 +23,7 @@ import {
   oppositeOrderLines,
   qualityLines,
   readingLines,
+  short,
 } from "./tables.js";
 
 /** Options as commander passes them. */
@@ -186,6 +188,9 @@ interface HeldGroup {
 
 interface HeldPatch extends HeldGroup {
   readonly box: Box | null;
+  readonly area: number;
+  /** The unit normal, to the side from which the triangles are counter-clockwise; null if the patch is not flat. */
+  readonly normal: readonly number[] | null;
 }
 
 function meshContents(mesh: FileMesh) {
@@ -218,7 +223,9 @@ function heldSurfaceRegions({ regions, triangleRegions }: SurfaceRegions): HeldG
   );
 }
 
-function heldPatches({ patches, trianglePatch, triangles, points }: FileMesh): HeldPatch[] {
+function heldPatches(mesh: FileMesh): HeldPatch[] {
+  const { patches, trianglePatch, triangles, points } = mesh;
+  const shapes = patchShapes(mesh);
   const boxes = patches.map(() => emptyBox());
   triangles.forEach((node, corner) => {
     const box = boxes[trianglePatch[Math.floor(corner / 3)] ?? 0];
@@ -227,6 +234,8 @@ function heldPatches({ patches, trianglePatch, triangles, points }: FileMesh): H
   return heldGroups(patches, trianglePatch).map((group, i) => ({
     ...group,
     box: group.elements > 0 ? (boxes[i] ?? null) : null,
+    area: shapes[i]?.area ?? 0,
+    normal: shapes[i]?.normal ?? null,
   }));
 }
 
@@ -247,12 +256,16 @@ function extend({ low, high }: ReturnType<typeof emptyBox>, points: Float64Array
   }
 }
 
-/** One line per patch, by their numbers. */
-function patchLines(patches: readonly HeldPatch[]): string[] {
+/** One line per patch, by their numbers. `whole`: the box around the mesh. */
+function patchLines(patches: readonly HeldPatch[], whole: Box | null): string[] {
   return [...patches]
     .sort((a, b) => a.tag - b.tag)
-    .map(({ name, tag, elements, box }) =>
-      [`patch ${tag} "${name}": ${elements}`, ...(box === null ? [] : [boxText(box)])].join(", "),
+    .map(({ name, tag, elements, box, area, normal }) =>
+      [
+        `patch ${tag} "${name}": ${elements}`,
+        ...(box === null ? [] : [boxText(box, whole ?? box), `area ${short(area)}`]),
+        ...(normal === null ? [] : [`normal (${normal.map((x) => Number(x.toFixed(3)) + 0).join(", ")})`]),
+      ].join(", "),
     );
 }
 
@@ -264,7 +277,7 @@ function contentLines(held: { readonly format: string } & ReturnType<typeof mesh
     plural(held.points, "point"),
     ...(held.box === null ? [] : [boxText(held.box)]),
     plural(held.triangles, "triangle"),
-    ...patchLines(held.patches),
+    ...patchLines(held.patches, held.box),
     plural(held.tetrahedra, "tetrahedron"),
     ...groups("region", held.regions),
     ...(held.surfaceRegions ?? []).map(

@@ -40,17 +40,27 @@ export function positionText(position: readonly number[]): string {
 
 /**
  * Returns "box (0, 0, 0) to (1, 1, 1)", with enough digits to show six of each edge length, however far from the
- * origin the box is.
+ * origin the box is. Coordinates that are rounding errors, below 1e-12 of the diagonal, are printed as 0. `whole`: the
+ * box around everything, if this is the box of a part of it; edges below 1/100 of its diagonal have fewer digits.
  */
-export function boxText({ low, high }: Box): string {
+export function boxText(box: Box, whole: Box = box): string {
+  const diagonal = diagonalOf(whole);
+  const smallest = whole === box ? 0 : diagonal / 100;
+  const rounded = (corner: readonly number[]) =>
+    corner.map((value) => (Math.abs(value) < 1e-12 * diagonal ? 0 : value));
+  const [low, high] = [rounded(box.low), rounded(box.high)];
   const digits = low.map((from, axis) => {
     const to = high[axis] ?? from;
-    const beyond = Math.floor(Math.log10(Math.max(Math.abs(from), Math.abs(to)) / (to - from)));
-    return to > from ? Math.min(MAX_DIGITS, DIGITS + Math.max(0, beyond)) : DIGITS;
+    const length = Math.max(to - from, smallest);
+    const beyond = Math.floor(Math.log10(Math.max(Math.abs(from), Math.abs(to)) / length));
+    return length > 0 ? Math.min(MAX_DIGITS, DIGITS + Math.max(0, beyond)) : DIGITS;
   });
   const [from, to] = [low, high].map((corner) => corner.map((value, axis) => short(value, digits[axis])));
   return `box (${from?.join(", ")}) to (${to?.join(", ")})`;
 }
+
+const diagonalOf = ({ low, high }: Box): number =>
+  Math.hypot(...low.map((from, axis) => (high[axis] ?? from) - from));
 
 export interface Box {
   readonly low: readonly number[];
