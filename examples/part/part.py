@@ -1,4 +1,4 @@
-"""Pulls a part by linear elasticity, from its STL file to the displacements, with scikit-fem.
+"""Pulls a part by linear elasticity, from its STL or STEP file to the displacements, with scikit-fem.
 
 Meshes the part with well-shaped triangles and splits its surface into patches at sharp edges: "patch 1" is the
 lowest one. One patch is fixed, another is pulled up with a force of 1 per unit of area. Young's modulus is 2000,
