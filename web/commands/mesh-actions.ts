@@ -1,13 +1,51 @@
 import type { App } from "../app/app";
+import { canBeFilled, isFillable } from "../session/bodies";
 import { hideNotice, showNotice } from "../session/shell";
 import type { Improvement } from "../session/shown-mesh";
 import { improvementText, strings } from "../strings";
 import { showMessage } from "./messages";
+import { repairBody } from "./surface-actions";
 
-/** Meshes the project, and shows the mesh even if other triangles of a body were shown before. */
-export function generateMesh(app: App): void {
+/**
+ * Meshes the project, and shows the mesh even if other triangles of a body were shown before. Bodies that a proposed repair
+ * makes valid are repaired first, each as a step of undo.
+ */
+export async function generateMesh(app: App): Promise<void> {
   app.view.setLayer("mesh", true);
-  void app.run.generate();
+  for (const id of repairableBodies(app)) {
+    await comparedRepair(app, id);
+    await repairBody(app, id);
+  }
+  await app.run.generate();
+}
+
+/** Returns the bodies that cannot be filled before, but after the proposed repair. */
+function repairableBodies({ bodies }: App): number[] {
+  const { byId } = bodies.state.getState();
+  return [...byId.values()]
+    .filter((state) => !isFillable(state) && canBeFilled(state))
+    .map(({ body }) => body.id);
+}
+
+/** Resolves when it is known which of two repairs of a body is the better one, or that the user does not wait for it. */
+async function comparedRepair({ bodies, shell }: App, id: number): Promise<void> {
+  const isComparing = (): boolean => (bodies.state.getState().byId.get(id)?.comparing ?? null) !== null;
+  if (!isComparing()) return;
+  const key = "repair";
+  showNotice(shell, {
+    key,
+    tone: "information",
+    text: strings.notices.comparingRepairs,
+    action: { label: strings.notices.repairNow, run: () => bodies.cancelComparison(id) },
+  });
+  await new Promise<void>((resolve) => {
+    const stop = bodies.state.subscribe(() => {
+      if (isComparing()) return;
+      stop();
+      resolve();
+    });
+  });
+  hideNotice(shell, key);
 }
 
 /** Improves the elements of the shown mesh, and reports what was gained. */

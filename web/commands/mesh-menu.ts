@@ -15,7 +15,7 @@ const finer = 0.8;
 const coarser = 1.25;
 
 export const meshMenu: readonly Command[] = [
-  define("mesh", 0)("generate", commandLabels.generate, generateMesh, {
+  define("mesh", 0)("generate", commandLabels.generate, (app) => void generateMesh(app), {
     keys: ["mod+Enter"],
     inFields: true,
     enabled: (app) => !isBusy(app),

@@ -47,6 +47,13 @@ export interface BodyState {
   readonly failedKey: string | null;
 }
 
+/** Whether a body can be filled as it is. */
+export const isFillable = ({ inspection }: BodyState): boolean => inspection?.isFillable === true;
+
+/** Whether a body can be filled as it is, or after the proposed repair. */
+export const canBeFilled = (state: BodyState): boolean =>
+  isFillable(state) || state.repair?.after.isFillable === true;
+
 /** A proposed split of patches by angle. */
 export interface BodySplit {
   /** Id of the patch that is split; null for all. */

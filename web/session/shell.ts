@@ -6,7 +6,14 @@ export type DialogName = "help" | "new-point" | "new-node" | "cover" | "propose"
 export interface Notice {
   /** A notice replaces an earlier one with the same key. */
   readonly key:
-    "document-left" | "autosave-failed" | "file-notes" | "improvement" | "deleted" | "shared" | "animation";
+    | "document-left"
+    | "autosave-failed"
+    | "file-notes"
+    | "improvement"
+    | "repair"
+    | "deleted"
+    | "shared"
+    | "animation";
   readonly tone: "information" | "warning";
   readonly text: string;
   readonly action: { readonly label: string; readonly run: () => void };

@@ -52,6 +52,7 @@ export const bodyStrings = {
     title: "Repair",
     intro: "The repair makes these changes:",
     none: "The repair finds nothing that it can change.",
+    first: "“Generate mesh” makes this repair first.",
     changes: {
       "welded-node": (count: number) => `welds ${counted(count, "node", "nodes")}`,
       "removed-node": (count: number) => `removes ${counted(count, "unused node", "unused nodes")}`,

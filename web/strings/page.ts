@@ -116,6 +116,8 @@ export const pageStrings = {
     deleted: (step: string, others: readonly string[]) =>
       `${step}: ${others.slice(0, maxNamed).join(", ")}${others.length > maxNamed ? ` and ${others.length - maxNamed} more` : ""}.`,
     understood: "OK",
+    comparingRepairs: "Two repairs of the surface are compared. The better one is made, and then the mesh.",
+    repairNow: "Do not wait",
     improvementDiscarded: "The improvement was discarded, because the model has changed meanwhile.",
     showQuality: "Show quality",
   },

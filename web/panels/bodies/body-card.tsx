@@ -2,6 +2,7 @@ import { Button, Text } from "@mantine/core";
 import { IconPlayerPlayFilled } from "@tabler/icons-react";
 import type { ProjectBody, SurfaceInspection } from "tetrafront";
 import { commandNamed, runCommand } from "../../commands/registry";
+import { canBeFilled } from "../../session/bodies";
 import { Facts } from "../../ui/facts";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { formatCount, formatShort } from "../../ui/format";
@@ -46,7 +47,7 @@ export function BodyCard({ body }: { readonly body: ProjectBody }) {
       <BodyRepairs body={body} />
       <BodyTreatment body={body} />
       <BodyPreview body={body} />
-      <GenerateButton isPossible={state?.inspection?.isFillable === true} />
+      <GenerateButton isPossible={state !== undefined && canBeFilled(state)} />
       <SplitSection body={body} patch={null} />
       <BrushSection body={body} />
       <BodyPlacementFields body={body} />

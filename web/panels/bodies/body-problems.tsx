@@ -127,6 +127,11 @@ function RepairSection({ body, repair }: RepairSectionProps) {
       >
         {texts.repair.apply}
       </Button>
+      {after.isFillable && (
+        <Text size="xs" c="dimmed" mt={4}>
+          {texts.repair.first}
+        </Text>
+      )}
     </section>
   );
 }

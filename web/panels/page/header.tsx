@@ -185,7 +185,7 @@ function GenerateButton({ compact }: { readonly compact: boolean }) {
       miw={compact ? 104 : 144}
       data-testid="generate"
       disabled={busy}
-      onClick={() => generateMesh(app)}
+      onClick={() => void generateMesh(app)}
     >
       {busy ? strings.header.busy[task] : compact ? strings.header.generateShort : strings.header.generate}
     </Button>

@@ -71,7 +71,7 @@ export function MeshBadge() {
       <span>
         <b>{title}</b> <span className={styles["wide"]}>{hint}</span>
       </span>
-      <Button size="compact-xs" variant="default" onClick={() => generateMesh(app)}>
+      <Button size="compact-xs" variant="default" onClick={() => void generateMesh(app)}>
         {strings.viewport.update}
       </Button>
     </div>
