@@ -78,6 +78,21 @@ describe.each(lessons)("the lesson $title", (lesson) => {
   });
 });
 
+/** Returns the first step whose base face is a triangle of the given surface on the walls of the box from -1 to 1. */
+function firstOnWall(trace: Trace): number | undefined {
+  const { faces, nodes, steps } = trace;
+  const isOnWall = (face: number): boolean =>
+    [...faces.nodes.subarray(3 * face, 3 * face + 3)].every(
+      (node) => Math.max(...nodes.positions.subarray(3 * node, 3 * node + 3).map(Math.abs)) === 1,
+    );
+  for (let state = 1; state <= trace.stepCount; state++) {
+    const step = trace.stepAt(state);
+    if (step?.kind !== "advance" || step.face >= (steps.frontSizes[0] ?? 0)) continue;
+    if (isOnWall(step.face)) return state;
+  }
+  return undefined;
+}
+
 /** The numbers that lessons state, measured. */
 describe("the numbers of the lessons", () => {
   const answers = (id: string): readonly number[] =>
@@ -153,6 +168,19 @@ describe("the numbers of the lessons", () => {
     expect(await measured("smallest-first")).toEqual([1439, 20, 206, 59]);
     expect(await measured("first-in")).toEqual([2306, 146, 349, 81]);
     expect((await measured("layered")).filter((_, i) => i !== 1)).toEqual([315, 29, 31]);
+
+    const strict = await run(order);
+    expect(firstOnWall(strict.trace)).toBe(4255);
+    const crossings = async (other: FrontOrder) =>
+      runMeasures((await run(lessonNamed("search"), other)).trace).crossings;
+    expect([await crossings("first-in"), await crossings("smallest-first")]).toEqual([1955, 3908]);
+    expect(runMeasures(intake.trace).crossings).toBe(2270);
+
+    const wing = await run(lessonNamed("stretching"));
+    for (let state = 1; state <= wing.trace.stepCount; state++) {
+      const step = wing.trace.stepAt(state);
+      if (step?.kind === "advance") expect(step.targetEdge).toBe(1);
+    }
 
     const { trace } = await run(lessonNamed("stall"));
     const changes = Array.from({ length: trace.stepCount }, (_, i) => trace.stepAt(i + 1)).flatMap((step) =>
