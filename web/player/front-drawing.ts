@@ -3,7 +3,7 @@ import type { Trace } from "tetrafront";
 import type { Position } from "../document/position";
 import { cross, dot, subtract } from "../document/vectors";
 import { viridisAt } from "../ui/theme/viridis";
-import { type FrontColoring, frontValues } from "./front-values";
+import { type FrontColoring, frontValues, shadeOf } from "./front-values";
 import type { Triangle } from "./crossing";
 import { cornersOf } from "./judge";
 import type { FrontFaces } from "./player";
@@ -37,8 +37,7 @@ interface DrawnFace {
 
 /** Returns the drawing, with the faces far from the eye first and the base face of the step outlined. O(n log n). */
 export function frontDrawing(trace: Trace, { step, coloring, faces }: DrawnState, view: DrawingView): string {
-  const { valueOf, rangeAt } = frontValues(trace, coloring);
-  const [from, to] = rangeAt(step);
+  const values = frontValues(trace, coloring);
   const drawn: DrawnFace[] = [];
   for (const face of trace.frontAt(step)) {
     const corners = cornersOf(trace, face);
@@ -48,7 +47,7 @@ export function frontDrawing(trace: Trace, { step, coloring, faces }: DrawnState
     // Counter-clockwise seen from the empty side.
     if (points === null || (faces === "inside" && dot(normal, toEye) <= 0)) continue;
     const light = lightOf(normal, toEye);
-    const fill = shaded(viridisAt((valueOf(face) - from) / (to - from)), light);
+    const fill = shaded(viridisAt(shadeOf(values, values.valueOf(face), step)), light);
     drawn.push({ points, depth: depthOf(corners, view.eye), fill });
   }
   drawn.sort((a, b) => b.depth - a.depth);

@@ -4,13 +4,14 @@ import { edgeStrength, facetLight } from "../viewer/materials/glsl";
 const vertexShader = /* glsl */ `
   attribute float value;
   uniform vec2 range;
+  uniform float power;
   varying float vShade;
   varying vec3 vViewPosition;
   varying vec3 vBarycentric;
   void main() {
     int corner = gl_VertexID % 3;
     vBarycentric = vec3(corner == 0, corner == 1, corner == 2);
-    vShade = (value - range.x) / (range.y - range.x);
+    vShade = 1.0 - pow(clamp((range.y - value) / (range.y - range.x), 0.0, 1.0), power);
     vec4 viewPosition = modelViewMatrix * vec4(position, 1.0);
     vViewPosition = viewPosition.xyz;
     gl_Position = projectionMatrix * viewPosition;
@@ -32,7 +33,7 @@ const fragmentShader = /* glsl */ `
   }
 `;
 
-/** Triangles without an index, coloured by a value per corner; `range` has the values at both ends of the colour ramp. */
+/** Triangles without an index, coloured by a value per corner; `range` and `power` are those of `FrontValues`. */
 export function createFrontMaterial({ opacity }: { readonly opacity: number }): ShaderMaterial {
   return new ShaderMaterial({
     vertexShader,
@@ -45,6 +46,7 @@ export function createFrontMaterial({ opacity }: { readonly opacity: number }): 
     uniforms: {
       ramp: { value: null },
       range: { value: [0, 1] },
+      power: { value: 1 },
       edgeColor: { value: new Color() },
       opacity: { value: opacity },
     },

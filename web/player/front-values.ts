@@ -3,22 +3,33 @@ import type { Trace } from "tetrafront";
 /** What the colours of the front's faces mean. */
 export type FrontColoring = "age" | "size" | "layer";
 
-/** Number of steps in which the colour of a face changes from that of the youngest to that of the oldest. */
-export const agingSteps = 200;
-
 /** What the colours show: a value per face, and the values at both ends of the scale. */
 export interface FrontValues {
   readonly valueOf: (face: number) => number;
   /** Values at the beginning and at the end of the colour scale, in the state after a step. */
   readonly rangeAt: (step: number) => readonly [from: number, to: number];
+  /** Power of the distance from the end of the scale, as a share of the scale, that the colour shows: 1 is linear. */
+  readonly power: number;
 }
+
+/** Returns where a value is on the colour scale in the state after a step, 0 to 1. */
+export function shadeOf({ rangeAt, power }: FrontValues, value: number, step: number): number {
+  const [from, to] = rangeAt(step);
+  return 1 - Math.min(Math.max((to - value) / (to - from), 0), 1) ** power;
+}
+
+/**
+ * Most faces of a long run are thousands of steps old, those at work a few steps. On a linear scale, one of the two
+ * groups has a single colour. With the cube root, half of the scale shows the last eighth of the steps.
+ */
+const agePower = 1 / 3;
 
 export function frontValues(trace: Trace, coloring: FrontColoring): FrontValues {
   switch (coloring) {
     case "age": {
       // The triangles of the boundary are as old as can be.
-      const bornOf = (face: number): number => trace.faces.born[face] || -agingSteps;
-      return { valueOf: bornOf, rangeAt: (step) => [step - agingSteps, step] };
+      const bornOf = (face: number): number => trace.faces.born[face] ?? 0;
+      return { valueOf: bornOf, rangeAt: (step) => [Math.min(0, step - 1), step], power: agePower };
     }
     case "size":
       return fixedRange(trace, (face) => faceSize(trace, face));
@@ -55,5 +66,5 @@ function fixedRange(trace: Trace, valueOf: (face: number) => number): FrontValue
     high = Math.max(high, value);
   }
   const range = low < high ? ([low, high] as const) : ([low - 1, low + 1] as const);
-  return { valueOf, rangeAt: () => range };
+  return { valueOf, rangeAt: () => range, power: 1 };
 }

@@ -1,5 +1,5 @@
 /** Paths of the plane of a patch, in its own coordinates, for SVG. */
-import type { EdgeStep, PlanarFront } from "tetrafront";
+import type { EdgeStep, PlanarFront, PlanePosition } from "tetrafront";
 import { edgesAt, endsOf, planeOf, targetLength } from "./planar-judge";
 import { trianglesMadeAt } from "./surface-scene";
 
@@ -30,6 +30,37 @@ export function windowOf({ plane, boundaryNodes }: PlanarFront): PlaneWindow {
     (bottom + top) / 2,
     (1 + 2 * margin) * Math.max(right - left, top - bottom),
   );
+}
+
+/** Name and position of a corner of the quadrilateral that a curved patch is mapped to. */
+export interface PlaneCorner {
+  readonly name: "A" | "B" | "C" | "D";
+  readonly at: PlanePosition;
+}
+
+/**
+ * Returns the corners of the mapping of equation 16: A at the origin, B beside it, D and C above; of a triangle, A, B and D.
+ * Empty for flat patches, which are not mapped, and for tubes, whose plane has seams instead.
+ */
+export function cornersOfPlane({ plane, boundaryNodes, isCurved, seamNodes }: PlanarFront): PlaneCorner[] {
+  if (!isCurved || seamNodes > 0) return [];
+  const nodes = Array.from({ length: boundaryNodes }, (_, node): PlanePosition => {
+    const [x = 0, y = 0] = plane.subarray(2 * node, 2 * node + 2);
+    return [x, y];
+  });
+  const height = Math.max(...nodes.map(([, y]) => y));
+  const tolerance = 1e-9 * height;
+  const alongBottom = nodes.filter(([, y]) => Math.abs(y) <= tolerance).sort(([a], [b]) => a - b);
+  const alongTop = nodes.filter(([, y]) => Math.abs(y - height) <= tolerance).sort(([a], [b]) => a - b);
+  const [a, b] = [alongBottom[0], alongBottom.at(-1)];
+  const [d, c] = [alongTop[0], alongTop.at(-1)];
+  if (!a || !b || !c || !d || a === b || Math.abs(a[0]) > tolerance) return [];
+  return [
+    { name: "A", at: a },
+    { name: "B", at: b },
+    ...(c === d ? [] : [{ name: "C", at: c } as const]),
+    { name: "D", at: d },
+  ];
 }
 
 /** Returns the square around a base edge. */

@@ -31,6 +31,7 @@ export class ReplayLayer implements Layer {
     this.#front = new FrontBuffers(trace);
     this.#elements = new ElementBuffers(trace);
     this.#values = frontValues(trace, this.#coloring);
+    this.#setPower();
     const { positions, values } = this.#front;
     this.#frontGeometry
       .setAttribute("position", new BufferAttribute(positions, 3))
@@ -64,6 +65,7 @@ export class ReplayLayer implements Layer {
     if (coloring !== this.#coloring) {
       this.#coloring = coloring;
       this.#values = frontValues(this.#trace, coloring);
+      this.#setPower();
       this.#reset(this.#origin);
     }
     this.#frontMaterial.side = faces === "all" ? DoubleSide : FrontSide;
@@ -89,6 +91,11 @@ export class ReplayLayer implements Layer {
     ])
       owned.dispose();
     this.#ramp?.dispose();
+  }
+
+  #setPower(): void {
+    const power = this.#frontMaterial.uniforms["power"];
+    if (power) power.value = this.#values.power;
   }
 
   #reset(origin: Position): void {

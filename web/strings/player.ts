@@ -1,5 +1,5 @@
 /** Texts about the recorded fronts. */
-import type { FrontChange, Refusal } from "tetrafront";
+import type { FrontChange, FrontOrder, Refusal } from "tetrafront";
 import { conditionStrings } from "./condition";
 import { crossingTestStrings } from "./crossing-test";
 import { mesherGameStrings, volumeGameStrings } from "./mesher-game";
@@ -98,7 +98,7 @@ export const playerStrings = {
   loopHint: (from: number, to: number) => `Repeat steps ${number(from)} to ${number(to)}`,
   coloring: "Colour",
   colorings: { age: "Age", size: "Size", layer: "Layer" },
-  legend: { age: "age of the face", size: "size of the face", layer: "layer of the face" },
+  legend: { age: "age (cube root)", size: "size of the face", layer: "layer of the face" },
   sweptLegend: "smallest angle",
   /** What the lower and the upper end of the colour scale mean. */
   legendEnds: (coloring: "age" | "size" | "layer", from: number, to: number): readonly [string, string] => {
@@ -149,15 +149,44 @@ export const playerStrings = {
       ? "No candidate was accepted. The face is set aside for recovery."
       : `No candidate was accepted. The face comes again under rule class ${ruleClass}.`,
   base: (face: number) => `Base face ${number(face)}`,
-  bucket: "Size bucket",
-  layers: "Layers",
-  ruleClass: "Rule class",
+  meaningsTitle: "What these values mean",
+  bucket: {
+    name: "Size bucket",
+    meaning:
+      "Faces whose sizes differ by less than about a factor of four are in one bucket. A bucket of smaller faces has a lower number.",
+  },
+  layers: {
+    name: "Layers",
+    meaning:
+      "Sum of the layers of the three nodes: 0 on the boundary; a new node has 1 more than the lowest layer in its base face.",
+  },
+  ruleClass: {
+    name: "Rule class",
+    meaning:
+      "How strict the rules are for this face: class 0 is the strictest. Each time the face is postponed, the class grows by 1, up to 4.",
+  },
   strict: "0 (strict)",
-  targetEdge: "Target edge",
-  nearby: "Faces near",
-  ranked: "Candidates",
+  targetEdge: {
+    name: "Target edge",
+    meaning:
+      "Edge length that the background grid asks for at the base face. With stretching it is 1, measured in unit space.",
+  },
+  nearby: {
+    name: "Faces near",
+    meaning: "Number of faces of the front in the search region, which the new element could cross.",
+  },
+  ranked: {
+    name: "Candidates",
+    meaning:
+      "Number of nodes that could complete the element. They are tried by score until one is accepted.",
+  },
   region: "Part of local remeshing, which fills a pocket again after a stall.",
-  whyNow: "Smaller buckets come first, then lower layers (step F4).",
+  whyNow: {
+    layered: "Smaller buckets come first, then lower layers (step F4).",
+    "smallest-first": "The smallest face comes first (step F4).",
+    "first-in": "The face that joined the front first comes first.",
+    random: "The faces come in random order.",
+  } satisfies Readonly<Record<FrontOrder, string>>,
   candidates: "Candidates tried",
   candidate: "Node",
   candidateName: (rank: number, node: number | null) =>

@@ -76,13 +76,35 @@ export const surfaceLensStrings = {
         ? "No candidate was accepted, in the whole front: the patch folds over itself."
         : `No candidate was accepted. The edge comes again in pass ${pass}, with ${pass === 1 ? "a larger neighbourhood" : "the whole front"} to choose from.`,
     base: (edge: number) => `Base edge ${number(edge)}`,
-    size: "Target size",
-    metric: "Metric G",
-    sizeClass: "Size class",
-    layer: "Layer",
-    pass: "Pass",
-    nearby: "Edges near",
-    ranked: "Candidates",
+    size: { name: "Target size", meaning: "Edge length in space that the background grid asks for here." },
+    metric: {
+      name: "Metric G",
+      meaning:
+        "Matrix that gives the length in space, in target sizes, of a short step in the plane: its terms G₁₁, G₁₂ and G₂₂.",
+    },
+    sizeClass: {
+      name: "Size class",
+      meaning:
+        "Edges whose sizes differ by less than about a factor of √2 are in one class. A class of smaller edges has a lower number.",
+    },
+    layer: {
+      name: "Layer",
+      meaning: "0 on the boundary of the patch. The edges of a new triangle have 1 more than its base edge.",
+    },
+    pass: {
+      name: "Pass",
+      meaning:
+        "How often the edge was postponed: each time, candidates are looked for in a larger neighbourhood.",
+    },
+    nearby: {
+      name: "Edges near",
+      meaning: "Number of edges of the front that the new triangle could cross.",
+    },
+    ranked: {
+      name: "Candidates",
+      meaning:
+        "Number of nodes that could complete the triangle. They are tried by rank until one is accepted.",
+    },
     whyNow: "Lower size classes come first, then lower layers (step F4).",
     candidates: "Candidates tried",
     verdicts: edgeVerdicts,
@@ -101,7 +123,7 @@ export const surfaceLensStrings = {
     zoom: "Part of the plane",
     zooms: { patch: "Patch", edge: "Base edge" },
     curved:
-      "This plane is mapped to the curved patch. The dashed ellipse is a circle in space: it shows how the plane is stretched and sheared, and how large triangles shall be.",
+      "This plane is mapped to the curved patch; letters are the corners of equation 16. The dashed ellipse is a circle in space: it shows how the plane is stretched and sheared, and how large triangles shall be.",
     flat: "The patch is flat. The dashed ellipse shows how large triangles shall be, and in which direction.",
     picture: (triangles: number, edges: number) =>
       `${plural(triangles, "triangle")}, ${plural(edges, "edge")} of the front`,

@@ -1,10 +1,17 @@
+import { strings } from "../../strings";
 import styles from "./player.module.css";
 
 interface BaseFactsProps {
   readonly title: string;
-  /** Names and values. */
-  readonly facts: readonly (readonly [string, string])[];
+  readonly facts: readonly Fact[];
   readonly hint: string;
+}
+
+export interface Fact {
+  readonly name: string;
+  readonly value: string;
+  /** What the name means: one sentence. */
+  readonly meaning: string;
 }
 
 /** What is known about the base face or edge of a step. */
@@ -13,14 +20,25 @@ export function BaseFacts({ title, facts, hint }: BaseFactsProps) {
     <section aria-label={title}>
       <h2 className={styles["title"]}>{title}</h2>
       <dl className={styles["facts"]}>
-        {facts.map(([name, value]) => (
-          <div key={name}>
+        {facts.map(({ name, value, meaning }) => (
+          <div key={name} title={meaning}>
             <dt>{name}</dt>
             <dd>{value}</dd>
           </div>
         ))}
       </dl>
       <p className={styles["hint"]}>{hint}</p>
+      <details className={styles["meanings"]} data-testid="lens-meanings">
+        <summary>{strings.player.meaningsTitle}</summary>
+        <dl>
+          {facts.map(({ name, meaning }) => (
+            <div key={name}>
+              <dt>{name}</dt>
+              <dd>{meaning}</dd>
+            </div>
+          ))}
+        </dl>
+      </details>
     </section>
   );
 }

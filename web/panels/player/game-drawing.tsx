@@ -3,6 +3,7 @@ import type { GameQuestion, GameVerdict } from "../../player/mesher-game";
 import { planePaths, windowAround } from "../../player/plane-drawing";
 import { endsOf, planeOf } from "../../player/planar-judge";
 import { strings } from "../../strings";
+import { PlaneCorners } from "./plane-corners";
 import styles from "./plane-view.module.css";
 
 /** Radius of dots, as a share of the drawing. */
@@ -38,6 +39,7 @@ export function GameDrawing({ question, showsIdeal, chosen, verdict, onChoose }:
         <path className={styles["triangles"]} d={paths.triangles} />
         <path className={styles["boundary"]} d={paths.boundary} />
         <path className={styles["front"]} d={paths.front} />
+        <PlaneCorners front={front} size={size} />
         {apex !== null && (
           <path className={styles[isRight ? "accepted" : "refused"]} d={`M${at(a)}L${at(b)}L${apex}Z`} />
         )}

@@ -7,7 +7,7 @@ import { strings } from "../../strings";
 import { formatShort } from "../../ui/format";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
 import { useApp } from "../shared/app-context";
-import { BaseFacts } from "./base-facts";
+import { BaseFacts, type Fact } from "./base-facts";
 import { CandidateTable, type CandidateRow } from "./candidate-table";
 import { sentenceOf, whatIfOf } from "./lens-sentence";
 import styles from "./player.module.css";
@@ -116,14 +116,15 @@ function Sentence({ step, examined }: { readonly step: AdvanceStep; readonly exa
 }
 
 function FaceFacts({ step }: { readonly step: AdvanceStep }) {
-  const facts: readonly (readonly [string, string])[] = [
-    [texts.bucket, String(step.bucket)],
-    [texts.layers, String(step.layers)],
-    [texts.ruleClass, step.ruleClass === 0 ? texts.strict : String(step.ruleClass)],
-    [texts.targetEdge, formatShort(step.targetEdge)],
-    [texts.nearby, String(step.nearbyFaces)],
-    [texts.ranked, String(step.rankedCandidates)],
+  const { header } = useTrace();
+  const facts: readonly Fact[] = [
+    { ...texts.bucket, value: String(step.bucket) },
+    { ...texts.layers, value: String(step.layers) },
+    { ...texts.ruleClass, value: step.ruleClass === 0 ? texts.strict : String(step.ruleClass) },
+    { ...texts.targetEdge, value: formatShort(step.targetEdge) },
+    { ...texts.nearby, value: String(step.nearbyFaces) },
+    { ...texts.ranked, value: String(step.rankedCandidates) },
   ];
-  const hint = step.isRemeshing ? texts.region : texts.whyNow;
+  const hint = step.isRemeshing ? texts.region : texts.whyNow[header.order];
   return <BaseFacts title={texts.base(step.face)} facts={facts} hint={hint} />;
 }

@@ -8,6 +8,7 @@ import { endsOf, planeOf, targetLength } from "../../player/planar-judge";
 import { surfaceState } from "../../player/phases";
 import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";
+import { PlaneCorners } from "./plane-corners";
 import styles from "./plane-view.module.css";
 import { usePlayer } from "./use-player";
 
@@ -113,6 +114,7 @@ function Drawing({ front, step, state, box }: DrawingProps) {
         <path className={styles["triangles"]} d={paths.triangles} />
         <path className={styles["boundary"]} d={paths.boundary} />
         <path className={styles["front"]} d={paths.front} />
+        <PlaneCorners front={front} size={box.size} />
         {step.kind === "edge" && <Step front={front} step={step} size={box.size} />}
       </g>
     </svg>

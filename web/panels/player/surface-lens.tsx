@@ -5,7 +5,7 @@ import { labelAt, type EntityLabels } from "../../player/entity-labels";
 import { decisiveCandidate, examineCandidate, type PlanarLensCandidate } from "../../player/planar-lens";
 import { strings } from "../../strings";
 import { formatShort } from "../../ui/format";
-import { BaseFacts } from "./base-facts";
+import { BaseFacts, type Fact } from "./base-facts";
 import { CandidateTable } from "./candidate-table";
 import { usePlayer } from "./use-player";
 
@@ -74,14 +74,14 @@ function EdgeUnderLens({ front, step }: { readonly front: PlanarFront; readonly 
     const candidate = chosen === null ? undefined : step.candidates[chosen];
     return candidate ? examineCandidate(front, step, candidate) : null;
   }, [front, step, chosen]);
-  const facts: readonly (readonly [string, string])[] = [
-    [texts.patch.size, formatShort(step.size)],
-    [texts.patch.metric, step.metric.map((term) => Number(term.toPrecision(3))).join(" ")],
-    [texts.patch.sizeClass, String(step.sizeClass)],
-    [texts.patch.layer, String(step.layer)],
-    [texts.patch.pass, String(step.pass)],
-    [texts.patch.nearby, String(step.nearbyEdges)],
-    [texts.patch.ranked, String(step.rankedCandidates)],
+  const facts: readonly Fact[] = [
+    { ...texts.patch.size, value: formatShort(step.size) },
+    { ...texts.patch.metric, value: step.metric.map((term) => Number(term.toPrecision(3))).join(" ") },
+    { ...texts.patch.sizeClass, value: String(step.sizeClass) },
+    { ...texts.patch.layer, value: String(step.layer) },
+    { ...texts.patch.pass, value: String(step.pass) },
+    { ...texts.patch.nearby, value: String(step.nearbyEdges) },
+    { ...texts.patch.ranked, value: String(step.rankedCandidates) },
   ];
   const rows = step.candidates.map(({ node, isNew, verdict, culprit }) => ({
     name: isNew ? null : node,
