@@ -73,8 +73,8 @@ test("a mesh file is opened, improved, downloaded with its names, and restored b
 });
 
 /**
- * In the page: stops the next improvement as soon as it says that it runs. A click from outside can come too late. Then
- * `data-stopped` of the page tells whether Generate was disabled.
+ * Runs in the page: stops the next improvement as soon as the page shows that it runs. A click from outside can come too
+ * late. Sets the attribute `data-stopped` of the body to whether Generate mesh was disabled.
  */
 function stopAtOnce(): void {
   const find = (id: string): Element | null => document.querySelector(`[data-testid="${id}"]`);

@@ -9,7 +9,7 @@ export function drawsInSoftware(): boolean {
   return answer;
 }
 
-/** Returns what the browser tells about the renderer; empty without WebGL 2. */
+/** Returns the name of the renderer that the browser reports; empty without WebGL 2. */
 function rendererName(): string {
   const webgl = document.createElement("canvas").getContext("webgl2");
   if (!webgl) return "";

@@ -8,7 +8,7 @@ interface PatchShape {
   readonly normal: readonly number[] | null;
 }
 
-/** A patch is flat if the sum of its area vectors is as long as the sum of its areas, but for this fraction. */
+/** A patch is flat if its area vectors add up to a vector of the length of its area. Largest relative difference. */
 const FLAT = 1e-6;
 
 /** Returns the shape of each patch of the mesh, in their order. */

@@ -9,7 +9,7 @@ import styles from "./lessons.module.css";
 
 const Lens = lazy(async () => ({ default: (await import("../player/lens")).Lens }));
 
-/** The player and the lens in a lesson, where the panels are drawers of which only one is open. */
+/** The player and the lens in a lesson on a small screen, where only one panel is open at a time. */
 export function LessonPlayer() {
   const layout = useLayout();
   const hasTrace = usePlayer((state) => state.trace !== null);
