@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 
 #include "tetrafront/vec3.h"
@@ -47,6 +48,20 @@ struct Box {
       high[k] = std::max(high[k], to);
     }
     return grew;
+  }
+
+  /// Returns the squared distance of a position from the box; 0 inside.
+  [[nodiscard]] double squaredDistance(const Vec3& position) const {
+    double sum = 0.0;
+    for (int a = 0; a < 3; ++a) {
+      const auto k = static_cast<std::size_t>(a);
+      const double below = low[k] - position[a];
+      const double above = position[a] - high[k];
+      const double outside = below > above ? below : above;
+      const double gap = outside > 0.0 ? outside : 0.0;
+      sum += gap * gap;
+    }
+    return sum;
   }
 
   [[nodiscard]] float largestExtent() const {

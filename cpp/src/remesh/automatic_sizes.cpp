@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <numeric>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -41,9 +41,10 @@ constexpr double kEdgesPerGapStep = 2.0;
 constexpr double kEdgesPerLoop = 3.0;
 /// Distance between the positions where curvature is measured / smallest size.
 constexpr double kSampleWidth = 1.0;
-/// Widths of the cells in which thickness is measured once, in sample widths. The next smaller cells are used only where
-/// the thickness / width of the cell is below this: rays are expensive.
-constexpr std::array<std::int64_t, 3> kThicknessCells{4, 2, 1};
+/// Levels of the cells in which thickness is measured once: those of the last level are a sample wide, those of each other
+/// one twice as wide as those of the next. The next level is used only where the thickness / width of the cell is below
+/// this: rays are expensive.
+constexpr std::uint32_t kThicknessLevels = 3;
 constexpr double kThicknessPerCell = 1.5;
 /// Area / squared diagonal below which the curvature of a triangle is rounding.
 constexpr double kLeastArea = 1e-12;
@@ -83,7 +84,7 @@ class ShapeMeasure {
   /// A piece to measure.
   struct Sample {
     std::uint32_t piece;
-    std::size_t level;  ///< the first of kThicknessCells in which it is the first sample
+    std::uint32_t level;  ///< the first one at which it is the first sample of its cell
   };
   /// Returns the pieces to measure. Of pieces that are very close to each other and have similar normals, only the one
   /// with the largest curvature is returned.
@@ -133,7 +134,7 @@ class ShapeMeasure {
   const ReferenceSurface& reference_;
   ShapeSizeRules rules_;
   ShapeSizes sizes_;
-  std::array<bool, kThicknessCells.size()> isThin_{};  ///< the cells of the last sample
+  std::array<bool, kThicknessLevels> isThin_{};  ///< the cells of the last sample
   std::vector<Segment> segments_;
   BoxTree segmentTree_;
 };
@@ -177,46 +178,69 @@ Vec3 ShapeMeasure::axisOf(TriangleId triangle) const {
 }
 
 std::vector<ShapeMeasure::Sample> ShapeMeasure::findSamples() const {
-  using Cell = std::array<std::int64_t, 3>;
+  /// What a sample is chosen by, in few bytes, because sorting takes most of the time.
   struct Place {
-    std::uint32_t facing;
-    std::array<Cell, kThicknessCells.size()> cells;
+    std::uint64_t facingAndX;  ///< direction of the normal, and coordinate of the widest cell
+    std::uint64_t yAndZ;       ///< coordinates of the widest cell
+    std::uint32_t inner;       ///< the smaller cells in the widest one, three bits per level
+    std::uint32_t piece;
     double curvature;
   };
+  constexpr std::uint32_t kInnerLevels = kThicknessLevels - 1;
+  using Cell = std::array<std::int64_t, 3>;
   const double width = kSampleWidth * rules_.minSize;
-  std::vector<Place> places;
-  places.reserve(reference_.pieces().size());
-  for (const ReferenceSurface::Piece& piece : reference_.pieces()) {
-    const Vec3& normal = reference_.normalOf(piece.triangle);
-    Place place{0, {}, curvatureOf(piece.triangle)};
+  const auto cellOf = [&](const ReferenceSurface::Piece& piece) {
+    Cell cell{};
     for (int k = 0; k < 3; ++k) {
-      for (std::size_t level = 0; level < kThicknessCells.size(); ++level) {
-        const double step = static_cast<double>(kThicknessCells[level]) * width;
-        place.cells[level][static_cast<std::size_t>(k)] =
-            static_cast<std::int64_t>(std::floor(piece.centroid[k] / step));
-      }
-      // Five directions per axis.
-      place.facing = 5 * place.facing + static_cast<std::uint32_t>(2.5 + 2.49 * normal[k]);
+      cell[static_cast<std::size_t>(k)] =
+          static_cast<std::int64_t>(std::floor(piece.centroid[k] / width));
     }
-    places.push_back(place);
+    return cell;
+  };
+  const std::vector<ReferenceSurface::Piece>& pieces = reference_.pieces();
+  Cell lowest;
+  lowest.fill(std::numeric_limits<std::int64_t>::max());
+  for (const ReferenceSurface::Piece& piece : pieces) {
+    const Cell cell = cellOf(piece);
+    for (std::size_t k = 0; k < 3; ++k) lowest[k] = std::min(lowest[k], cell[k] >> kInnerLevels);
   }
-  // Places are too long to be moved about.
-  std::vector<std::uint32_t> order(places.size());
-  std::iota(order.begin(), order.end(), 0U);
-  stableSort(order, [&](std::uint32_t i, std::uint32_t j) {
-    const Place& a = places[i];
-    const Place& b = places[j];
-    return std::tie(a.facing, a.cells, b.curvature) < std::tie(b.facing, b.cells, a.curvature);
+  std::vector<Place> places;
+  places.reserve(pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const Cell cell = cellOf(pieces[i]);
+    const Vec3& normal = reference_.normalOf(pieces[i].triangle);
+    std::uint32_t facing = 0;
+    std::uint32_t inner = 0;
+    std::array<std::uint64_t, 3> widest{};
+    for (int k = 0; k < 3; ++k) {
+      const auto axis = static_cast<std::size_t>(k);
+      widest[axis] = static_cast<std::uint32_t>((cell[axis] >> kInnerLevels) - lowest[axis]);
+      // Five directions per axis.
+      facing = 5 * facing + static_cast<std::uint32_t>(2.5 + 2.49 * normal[k]);
+    }
+    for (std::uint32_t level = kInnerLevels; level-- > 0;) {
+      for (const std::int64_t coordinate : cell) {
+        inner = 2 * inner + static_cast<std::uint32_t>(coordinate >> level & 1);
+      }
+    }
+    places.push_back({std::uint64_t{facing} << 32 | widest[0], widest[1] << 32 | widest[2], inner,
+                      static_cast<std::uint32_t>(i), curvatureOf(pieces[i].triangle)});
+  }
+  stableSort(places, [](const Place& a, const Place& b) {
+    return std::tie(a.facingAndX, a.yAndZ, a.inner, b.curvature) <
+           std::tie(b.facingAndX, b.yAndZ, b.inner, a.curvature);
   });
   std::vector<Sample> samples;
   const Place* before = nullptr;
-  for (const std::uint32_t piece : order) {
-    const Place& place = places[piece];
-    std::size_t level = 0;
-    if (before != nullptr && place.facing == before->facing) {
-      while (level < kThicknessCells.size() && place.cells[level] == before->cells[level]) ++level;
+  for (const Place& place : places) {
+    std::uint32_t level = 0;
+    if (before != nullptr && place.facingAndX == before->facingAndX &&
+        place.yAndZ == before->yAndZ) {
+      // The first level at which the bits differ.
+      const auto differing = std::bit_width(place.inner ^ before->inner);
+      level = kThicknessLevels - (static_cast<std::uint32_t>(differing) + 2) / 3;
     }
-    if (level < kThicknessCells.size()) samples.push_back({piece, level});
+    if (level < kThicknessLevels) samples.push_back({place.piece, level});
     before = &place;
   }
   return samples;
@@ -236,9 +260,9 @@ void ShapeMeasure::measure(const Sample& sample) {
   if (rules_.layers > 0.0 && (sample.level == 0 || isThin_[sample.level - 1])) {
     const Vec3 inward = -reference_.normalOf(piece.triangle);
     const double ofThickness = thicknessAt(piece.centroid, inward) / rules_.layers;
-    for (std::size_t level = sample.level; level < kThicknessCells.size(); ++level) {
+    for (std::uint32_t level = sample.level; level < kThicknessLevels; ++level) {
       const double width =
-          static_cast<double>(kThicknessCells[level]) * kSampleWidth * rules_.minSize;
+          static_cast<double>(1U << (kThicknessLevels - 1 - level)) * kSampleWidth * rules_.minSize;
       isThin_[level] = ofThickness < kThicknessPerCell * width;
     }
     if (ofThickness < size) axis = Vec3(0.0);

@@ -278,6 +278,14 @@ bool GuardedSurface::isInEnvelope() {
 /// Finds an added triangle within the tolerance of every guest of a removed triangle.
 bool GuardedSurface::findHosts() {
   hosts_.clear();
+  const bool areThereGuests = std::ranges::any_of(
+      change_->removed, [&](TriangleId t) { return !firstGuest_[t.index()].isNone(); });
+  if (!areThereGuests) return true;
+  around_.clear();
+  for (const NumberedTriangle& added : numbered_) {
+    const auto& [a, b, c] = added.corners;
+    around_.push_back(Box::of(a, b, c));
+  }
   const double limit = limits_.tolerance * limits_.tolerance;
   for (const TriangleId t : change_->removed) {
     for (GuestId guest = firstGuest_[t.index()]; !guest.isNone();
@@ -287,6 +295,7 @@ bool GuardedSurface::findHosts() {
       double nearest = limit;
       for (std::size_t i = 0; i < numbered_.size(); ++i) {
         if (change_->added[i].patch != complex_.patchOf(t)) continue;
+        if (around_[i].squaredDistance(point) > nearest) continue;
         const auto& [a, b, c] = numbered_[i].corners;
         const double square = squaredDistanceToTriangle(point, a, b, c);
         if (square > nearest) continue;

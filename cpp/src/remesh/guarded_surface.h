@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/ids.h"
+#include "geom/box.h"
 #include "geom/intersect.h"
 #include "remesh/guests.h"
 #include "remesh/reference_surface.h"
@@ -125,6 +126,7 @@ class GuardedSurface {
   std::vector<NearestPoint> below_;  ///< of the centroid; in planar patches only the triangle
   std::vector<PatchFacetId> overNow_;
   std::vector<std::pair<GuestId, std::size_t>> hosts_;  ///< guest, index of the added triangle
+  std::vector<Box> around_;
   std::vector<TriangleId> slots_;
   std::vector<StretchId> carried_;  ///< per half-edge
   std::vector<HalfEdgeId> edge_;

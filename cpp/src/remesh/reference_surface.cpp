@@ -136,16 +136,17 @@ void ReferenceSurface::findFacets() {
     if (facetOf(seed.triangle).isNone()) growFacet(seed.triangle, members);
   }
   std::vector<Box> boxes;
-  for (const Facet& facet : facets_) {
+  for (Facet& facet : facets_) {
     if (facet.edgeCount <= kFewEdges) continue;
+    boxes.clear();
     for (std::uint32_t i = facet.firstEdge; i < facet.firstEdge + facet.edgeCount; ++i) {
       const HalfEdgeNodes nodes = nodesOf(mesh_.triangles, facetEdges_[i]);
       const Vec3 from = pointOf(mesh_, nodes.from);
       boxes.push_back(Box::of(from, pointOf(mesh_, nodes.to), from));
-      treeEdges_.push_back(i);
     }
+    facet.tree = static_cast<std::uint32_t>(facetTrees_.size());
+    facetTrees_.emplace_back(std::span<const Box>(boxes));
   }
-  if (!boxes.empty()) facetEdgeTree_ = BoxTree(std::span<const Box>(boxes));
 }
 
 void ReferenceSurface::growFacet(TriangleId seed, std::vector<TriangleId>& members) {

@@ -53,6 +53,7 @@ struct Facet {
   double area = 0.0;
   std::uint32_t firstEdge = 0;
   std::uint32_t edgeCount = 0;
+  std::uint32_t tree = 0;  ///< index of the tree of its edges, if they are many
 
   [[nodiscard]] Vec3 projected(const Vec3& position) const {
     return position - normal * glm::dot(position - origin, normal);
@@ -164,13 +165,12 @@ class ReferenceSurface {
   std::vector<Piece> pieces_;
   BoxTree tree_;
 
-  /// Facets with more edges than this search them in the tree.
+  /// Facets with more edges than this have a tree of them.
   static constexpr std::uint32_t kFewEdges = 8;
   std::vector<Facet> facets_;
   std::vector<PatchFacetId> facetOf_;  ///< per triangle; none in planar patches
   std::vector<HalfEdgeId> facetEdges_;
-  std::vector<std::uint32_t> treeEdges_;  ///< per item of the tree: index in facetEdges_
-  BoxTree facetEdgeTree_;
+  std::vector<BoxTree> facetTrees_;  ///< over the edges of a facet, numbered from its first one
 };
 
 template <class Visit>
@@ -180,16 +180,12 @@ bool ReferenceSurface::visitFacetEdges(const Facet& facet, const Box& box, Visit
     return visit(pointOf(mesh_, nodes.from), pointOf(mesh_, nodes.to));
   };
   bool goesOn = true;
-  if (facet.edgeCount <= kFewEdges) {
-    for (std::uint32_t i = 0; i < facet.edgeCount && goesOn; ++i) {
-      goesOn = visitEdge(facet.firstEdge + i);
-    }
-    return goesOn;
+  const auto visitNext = [&](std::uint32_t i) { return goesOn = visitEdge(facet.firstEdge + i); };
+  if (facet.edgeCount > kFewEdges) {
+    facetTrees_[facet.tree].visitOverlaps(box, visitNext);
+  } else {
+    for (std::uint32_t i = 0; i < facet.edgeCount && goesOn; ++i) visitNext(i);
   }
-  facetEdgeTree_.visitOverlaps(box, [&](std::uint32_t item) {
-    const std::uint32_t i = treeEdges_[item];
-    if (goesOn && i - facet.firstEdge < facet.edgeCount) goesOn = visitEdge(i);
-  });
   return goesOn;
 }
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -29,7 +30,7 @@ class BoxTree {
   explicit BoxTree(std::span<const Box> boxes);
 
   /// Calls visit(item) for every item whose box overlaps or touches `box`. The order depends on the
-  /// boxes only.
+  /// boxes only. A `visit` that returns a bool ends the search by returning false.
   template <class Visit>
   void visitOverlaps(const Box& box, Visit visit) const;
 
@@ -67,18 +68,6 @@ class BoxTree {
   /// At most one entry per level; 2^32 items make 32 levels.
   static constexpr std::size_t kStack = 40;
 
-  static double squaredDistance(const Box& box, const Vec3& position) {
-    double sum = 0.0;
-    for (int a = 0; a < 3; ++a) {
-      const auto k = static_cast<std::size_t>(a);
-      const double below = box.low[k] - position[a];
-      const double above = position[a] - box.high[k];
-      const double outside = below > above ? below : above;
-      const double gap = outside > 0.0 ? outside : 0.0;
-      sum += gap * gap;
-    }
-    return sum;
-  }
   [[nodiscard]] std::uint32_t leafBegin(std::uint32_t node) const {
     return std::min((node - firstLeaf_) * kItemsPerLeaf, static_cast<std::uint32_t>(items_.size()));
   }
@@ -141,7 +130,12 @@ void BoxTree::visitOverlaps(const Box& box, Visit visit) const {
       continue;
     }
     for (std::uint32_t i = leafBegin(node); i < leafEnd(node); ++i) {
-      if (overlaps(boxes_[i], box)) visit(items_[i]);
+      if (!overlaps(boxes_[i], box)) continue;
+      if constexpr (std::is_same_v<std::invoke_result_t<Visit&, std::uint32_t>, bool>) {
+        if (!visit(items_[i])) return;
+      } else {
+        visit(items_[i]);
+      }
     }
   }
 }
@@ -155,21 +149,21 @@ void BoxTree::visitNear(const Vec3& position, const double& squaredLimit, Visit 
   };
   std::array<Open, kStack> stack;
   std::size_t waiting = 0;
-  stack[waiting++] = {0, squaredDistance(nodes_[0], position)};
+  stack[waiting++] = {0, nodes_[0].squaredDistance(position)};
   while (waiting > 0) {
     const Open open = stack[--waiting];
     if (open.squared >= squaredLimit) continue;
     if (open.node < firstLeaf_) {
       const std::uint32_t child = 2 * open.node + 1;
-      const Open left{child, squaredDistance(nodes_[child], position)};
-      const Open right{child + 1, squaredDistance(nodes_[child + 1], position)};
+      const Open left{child, nodes_[child].squaredDistance(position)};
+      const Open right{child + 1, nodes_[child + 1].squaredDistance(position)};
       const bool leftFirst = left.squared <= right.squared;
       stack[waiting++] = leftFirst ? right : left;
       stack[waiting++] = leftFirst ? left : right;
       continue;
     }
     for (std::uint32_t i = leafBegin(open.node); i < leafEnd(open.node); ++i) {
-      if (squaredDistance(boxes_[i], position) < squaredLimit) visit(items_[i]);
+      if (boxes_[i].squaredDistance(position) < squaredLimit) visit(items_[i]);
     }
   }
 }
