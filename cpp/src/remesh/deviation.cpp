@@ -43,7 +43,25 @@ DeviationBound::DeviationBound(const GuardedSurface& surface, double least)
     if (!surface.beneath(t).isNone()) above_[surface.beneath(t).index()] = t;
   }
   if (!boxes.empty()) tree_ = BoxTree(std::span<const Box>(boxes));
+  spreadAbove();
   findNeighbours();
+}
+
+/// Gives a given triangle that no remeshed one was made above the one of a neighbour, to walk from.
+void DeviationBound::spreadAbove() {
+  std::vector<TriangleId> known;
+  for (const TriangleId t : IdRange<TriangleId>(above_.size())) {
+    if (!above_[t.index()].isNone()) known.push_back(t);
+  }
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    const TriangleId t = known[i];
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const TriangleId next = reference_.smoothNeighbour(halfEdgeOf(t, k));
+      if (next.isNone() || !above_[next.index()].isNone()) continue;
+      above_[next.index()] = above_[t.index()];
+      known.push_back(next);
+    }
+  }
 }
 
 /// Links the triangles of each curved patch across its edges.

@@ -35,6 +35,7 @@ class DeviationBound : public Resumable {
  private:
   using Corners = TriangleCorners;
 
+  void spreadAbove();
   void findNeighbours();
   [[nodiscard]] TriangleId walk(const Vec3& position, TriangleId from) const;
   [[nodiscard]] TriangleId nearest(const Vec3& position, SmoothPatchId patch,
@@ -49,7 +50,7 @@ class DeviationBound : public Resumable {
   double bound_;
   std::vector<TriangleFrame>
       frames_;  ///< per triangle of the remeshed surface; empty in planar patches
-  std::vector<TriangleId> above_;  ///< per given triangle: a remeshed one made above it, or none
+  std::vector<TriangleId> above_;  ///< per given triangle: a remeshed one above it or near, or none
   std::vector<TriangleId> items_;  ///< triangles of the remeshed surface in curved patches
   std::vector<TriangleId>
       neighbours_;  ///< per half-edge: across it in the same curved patch, or none
