@@ -20,15 +20,18 @@ const MesherGame = lazy(async () => ({ default: (await import("./mesher-game")).
 
 type Zoom = "patch" | "edge";
 
-/** The plane of a patch, in which its front advances; beside the view, in which the patch is in space. */
+/**
+ * The plane of a patch, in which its front advances; beside the view, in which the patch is in space. Empty for the moment
+ * until it closes.
+ */
 export function PlaneView() {
   const trace = usePlayer((state) => state.trace);
   const number = usePlayer((state) => state.step);
   const state = trace && surfaceState(trace, number);
   const surface = trace?.surface;
-  if (!surface || state === null) return null;
-  const index = surface.frontAt(state);
-  return index === undefined ? null : <Plane surface={surface} index={index} state={state} />;
+  const index = state === null ? undefined : surface?.frontAt(state);
+  if (!surface || state === null || index === undefined) return <section className={styles["pane"]} />;
+  return <Plane surface={surface} index={index} state={state} />;
 }
 
 interface PlaneProps {

@@ -1,4 +1,4 @@
-import { useThrottledValue } from "@mantine/hooks";
+import { useDebouncedValue, useThrottledValue } from "@mantine/hooks";
 import { useStore } from "zustand";
 import type { Trace } from "tetrafront";
 import { phaseAt } from "../../player/phases";
@@ -7,6 +7,8 @@ import { useApp } from "../shared/app-context";
 
 /** Texts that follow the step change no more often, in milliseconds: they cannot be read faster, and painting them takes long. */
 const toldEveryMs = 250;
+/** How long the front must have been in a patch or out of it until the plane opens or closes: this changes the size of the view. */
+const planeAfterMs = 200;
 
 export function usePlayer<T>(select: (state: PlayerState) => T): T {
   return useStore(useApp().player.state, select);
@@ -27,9 +29,12 @@ export function useToldStep(): number {
   );
 }
 
-/** Whether the front of a patch is shown, which advances in a plane. */
+/** Whether the plane is shown in which the front of a patch advances. While states are scrubbed, it neither opens nor closes. */
 export function useShowsPlane(): boolean {
-  return usePlayer(
+  const hasTrace = usePlayer(({ trace }) => trace !== null);
+  const isInPatch = usePlayer(
     ({ trace, step }) => trace !== null && step < 0 && phaseAt(trace, step).phase === "patches",
   );
+  const [showsPlane] = useDebouncedValue(isInPatch, planeAfterMs);
+  return hasTrace && showsPlane;
 }
