@@ -281,6 +281,50 @@ TEST(Arrangement, ReturnsTheResultWithWeldedPointsFirstAndTheExactOneNext) {
   EXPECT_EQ(results[1].mesh.triangles, enclose(mesh).mesh.triangles);
 }
 
+/// Crossing plates, `count` in each direction, 0.4 thick and 1 apart.
+SurfaceMesh latticeOf(int count) {
+  SurfaceMesh mesh;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (int i = 0; i < count; ++i) {
+      SurfaceMesh plate = gridCube(1);
+      for (std::size_t k = 0; k < plate.points.size(); ++k) {
+        double& x = plate.points[k];
+        x = k % 3 == axis ? i + 0.3 + 0.4 * x : count * x;
+      }
+      append(mesh, plate);
+    }
+  }
+  return mesh;
+}
+
+/// A few large triangles become many.
+TEST(Arrangement, UnitesALatticeOfPlates) {
+  const double empty = 0.6 * 0.6 * 0.6;
+  expectResolved(enclose(latticeOf(8)), 512.0 * (1.0 - empty), 1e-9);
+}
+
+TEST(Arrangement, SaysWhyASurfaceIsNotResolved) {
+  SurfaceMesh sphere = geodesicSphere(5);
+  rotateRandomly(sphere, 1);
+  const SurfaceMesh spheres = unite({geodesicSphere(6), moved(sphere, {1.0, 0.0, 0.0})});
+  const SurfaceMesh lattice = latticeOf(8);
+  const auto expectReason = [](const SurfaceMesh& mesh, const EnclosingLimits& limits,
+                               Unresolved reason, std::size_t limit) {
+    Job job([&](Work& work) { return encloseSurface(work, mesh, 0.0, limits); });
+    const EnclosedSurface result = std::move(job.finish().front());
+    EXPECT_FALSE(result.isResolved);
+    EXPECT_EQ(result.reason, reason);
+    EXPECT_EQ(result.limit, limit);
+    ASSERT_FALSE(result.where.isNone());
+    EXPECT_LT(result.where.index(), triangleCount(mesh));
+    EXPECT_GT(result.pairs, 0U);
+  };
+  expectReason(lattice, {.pairs = 100}, Unresolved::kTooManyPairs, 100);
+  expectReason(lattice, {.freeTriangles = 0}, Unresolved::kTooMuchWork,
+               20 * triangleCount(lattice));
+  expectReason(spheres, {.rounds = 0}, Unresolved::kRounding, 0);
+}
+
 TEST(Arrangement, DoesNotDependOnSlices) {
   const SurfaceMesh mesh = unite({geodesicSphere(3), moved(gridCube(2), {0.1, 0.2, 0.3})});
   const EnclosedSurface whole = enclose(mesh);

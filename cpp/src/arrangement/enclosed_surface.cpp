@@ -15,12 +15,9 @@
 namespace tetrafront {
 namespace {
 
-/// A surface with more pairs of intersecting triangles is not resolved.
-constexpr std::size_t kMaxPairs = 4'000'000;
 /// Distances within which points of intersecting triangles are welded / extent of the surface, one per attempt.
 constexpr std::array<double, 6> kWeldDistances{0.0, 0x1p-44, 0x1p-38, 0x1p-32, 0x1p-26, 0x1p-20};
-constexpr std::uint32_t kMaxRounds = 5;
-/// Largest number of triangles between two rounds / number at the beginning.
+/// Triangles after a round that are allowed per given one.
 constexpr std::size_t kMaxGrowth = 20;
 /// Largest number of triangles and pairs of all rounds / number of given triangles, for another attempt. 24 rounds of a part with
 /// 35 000 triangles count 29; a soup with hundreds of pairs per triangle gets one attempt.
@@ -57,7 +54,8 @@ double extentOf(const SurfaceMesh& mesh) {
 
 class Enclosing {
  public:
-  explicit Enclosing(const SurfaceMesh& given) : given_(given), extent_(extentOf(given)) {
+  Enclosing(const SurfaceMesh& given, const EnclosingLimits& limits)
+      : given_(given), limits_(limits), extent_(extentOf(given)) {
     result_.isCut.assign(countTriangles(given), 0);
   }
 
@@ -114,8 +112,8 @@ class Enclosing {
 
   Task<> resolve(Work& work) {
     begin();
-    std::size_t pairsBefore = kMaxPairs;
-    for (std::uint32_t round = 0; round <= kMaxRounds; ++round) {
+    std::size_t pairsBefore = limits_.pairs;
+    for (std::uint32_t round = 0; round <= limits_.rounds; ++round) {
       work.beginPart(1.0 - std::ldexp(0.5, -static_cast<int>(round)));
       co_await weld(work);
       removeDegenerateTriangles();
@@ -130,7 +128,7 @@ class Enclosing {
       isHopeless_ = !isDone && round == 0;
       if (!isDone) {
         if (isHopeless_)
-          fail(Unresolved::kTooManyPairs, arrangement.firstOfPair(), kMaxPairs);
+          fail(Unresolved::kTooManyPairs, arrangement.firstOfPair(), limits_.pairs);
         else
           fail(Unresolved::kRounding, arrangement.firstOfPair());
         co_return;
@@ -148,10 +146,11 @@ class Enclosing {
       } else {
         pairsBefore = arrangement.pairCount();
       }
-      const std::size_t most = kMaxGrowth * (countTriangles(given_) + 100);
+      const std::size_t most = kMaxGrowth * countTriangles(given_) + limits_.freeTriangles;
       if (countTriangles(result_.mesh) > most) {
         result_.reason = Unresolved::kTooMuchWork;
         result_.limit = most;
+        isHopeless_ = round == 0;
         co_return;
       }
       co_await work.yield();
@@ -265,10 +264,11 @@ class Enclosing {
   }
 
   const SurfaceMesh& given_;
+  EnclosingLimits limits_;
   double extent_;
   double weldDistance_ = 0.0;
-  bool isHopeless_ = false;
-  std::size_t spent_ = 0;  ///< triangles and pairs of all rounds
+  bool isHopeless_ = false;  ///< another attempt would fail alike
+  std::size_t spent_ = 0;    ///< triangles and pairs of all rounds
   EnclosedSurface result_;
   std::vector<std::uint8_t> isInterface_;    ///< per triangle
   std::vector<std::uint8_t> isWeldable_;     ///< per node
@@ -278,8 +278,9 @@ class Enclosing {
 }  // namespace
 
 Task<std::vector<EnclosedSurface>> encloseSurface(Work& work, const SurfaceMesh& mesh,
-                                                  double weldDistance) {
-  Enclosing enclosing(mesh);
+                                                  double weldDistance,
+                                                  const EnclosingLimits& limits) {
+  Enclosing enclosing(mesh, limits);
   std::vector<EnclosedSurface> results = co_await enclosing.run(work, weldDistance);
   co_return results;
 }

@@ -42,6 +42,14 @@ struct EnclosedSurface {
   std::size_t limit = 0;  ///< the number that was exceeded, or 0
 };
 
+/// Limits of the work, so that a surface that cannot be resolved is reported soon. Tests lower them.
+struct EnclosingLimits {
+  std::size_t pairs = 4'000'000;  ///< intersecting pairs of the given triangles
+  /// Triangles after a round, in addition to 20 per given one: few crossing plates make a large lattice.
+  std::size_t freeTriangles = 500'000;
+  std::uint32_t rounds = 5;  ///< after the first one of each attempt
+};
+
 /// Returns the boundary of the inside. `mesh`: triangles with valid indices and finite coordinates; it must outlive the task. They may
 /// intersect, coincide and be degenerate. They should be closed and agree in orientation; triangles that enclose nothing are left out. `weldDistance`: points of
 /// intersecting triangles are welded within it, in model units, if the volume stays the same; 0 for none. Faces that nearly
@@ -52,6 +60,7 @@ struct EnclosedSurface {
 /// Returns the results, the best first: with points welded, if that is wanted and possible, then without. If the first one is not
 /// resolved, it is the only one.
 Task<std::vector<EnclosedSurface>> encloseSurface(Work& work, const SurfaceMesh& mesh,
-                                                  double weldDistance = 0.0);
+                                                  double weldDistance = 0.0,
+                                                  const EnclosingLimits& limits = {});
 
 }  // namespace tetrafront

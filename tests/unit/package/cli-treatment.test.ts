@@ -110,24 +110,49 @@ test("cavities and region points together are told", async () => {
   expect((await meshedFile("part.smesh", "--inner-shells", "regions")).stderr).not.toContain("has no effect");
 });
 
-/** Boxes that do not share nodes. */
-const boxesFile = (...offsets: readonly (readonly [number, number, number])[]) => {
+type Triple = readonly [number, number, number];
+
+/** Boxes between two corners, which do not share nodes. */
+const boxesBetween = (...boxes: readonly { readonly low: Triple; readonly high: Triple }[]) => {
   const { points, triangles } = boxSurface(1);
   return offFile({
     points: Float64Array.from(
-      offsets.flatMap((offset) => [...points].map((x, i) => x + (offset[i % 3] ?? 0))),
+      boxes.flatMap(({ low, high }) => [...points].map((x, i) => (x === 0 ? low : high)[i % 3] ?? 0)),
     ),
     triangles: Uint32Array.from(
-      offsets.flatMap((_, b) => [...triangles].map((node) => node + (b * points.length) / 3)),
+      boxes.flatMap((_, b) => [...triangles].map((node) => node + (b * points.length) / 3)),
     ),
   });
 };
+
+/** Unit boxes that do not share nodes. */
+const boxesFile = (...offsets: readonly Triple[]) =>
+  boxesBetween(...offsets.map((low) => ({ low, high: [low[0] + 1, low[1] + 1, low[2] + 1] as const })));
 
 test("bodies that become one are told, with the volume that they shared", async () => {
   save("cross.off", boxesFile([0, 0, 0], [0.5, 0.5, 0.5]));
   const { stderr } = await meshedFile("cross.off", "--repair");
   expect(stderr).toContain("2 bodies that intersect became one, without the parts inside");
   expect(stderr).toContain("0.125 in all, count once");
+  // Two pairs: what each becomes counts once.
+  save("pairs.off", boxesFile([0, 0, 0], [0.5, 0.5, 0.5], [3, 0, 0], [3.5, 0.5, 0.5]));
+  expect((await meshedFile("pairs.off", "--repair")).stderr).toContain(
+    "4 bodies that intersect became 2, without the parts inside; the volumes that they shared, 0.25 in all",
+  );
+  // Two plates across each axis, half as thick as they are apart: the cavity between them is another piece of the same body.
+  const plates = [0, 1, 2].flatMap((axis) =>
+    [0.25, 1.25].map((from) => {
+      const corner = (of: (k: number) => number): Triple => [of(0), of(1), of(2)];
+      return {
+        low: corner((k) => (k === axis ? from : 0)),
+        high: corner((k) => (k === axis ? from + 0.5 : 2)),
+      };
+    }),
+  );
+  save("plates.off", boxesBetween(...plates));
+  expect((await meshedFile("plates.off", "--repair")).stderr).toContain(
+    "6 bodies that intersect became one, without the parts inside; the volumes that they shared, 5 in all",
+  );
   // Bodies that only touch stay two regions, and bodies apart are not repaired at all.
   save("touch.off", boxesFile([0, 0, 0], [1, 0.25, 0.25]));
   expect((await meshedFile("touch.off", "--repair")).stderr).not.toContain("became");

@@ -131,14 +131,23 @@ export async function joinedBodies(
   if (origin === undefined) return [];
   const bodyOf = componentsOf(given);
   const pieceOf = componentsOf(repaired);
-  const bodiesIn = new Map<number, Set<number>>();
+  // Joined bodies may have several pieces: their outside, and the cavities between them.
+  const sets = disjointSets(given.points.length / 3);
+  const bodyIn = new Map<number, number>();
   origin.forEach((from, t) => {
     const body = bodyOf[from];
     if (body === undefined) return;
     const piece = pieceOf[t] ?? 0;
-    bodiesIn.set(piece, (bodiesIn.get(piece) ?? new Set()).add(body));
+    const other = bodyIn.get(piece);
+    if (other === undefined) bodyIn.set(piece, body);
+    else sets.join(other, body);
   });
-  const groups = [...bodiesIn.values()].filter(({ size }) => size > 1);
+  const groupOf = new Map<number, number[]>();
+  for (const body of new Set(bodyOf)) {
+    const root = sets.rootOf(body);
+    groupOf.set(root, [...(groupOf.get(root) ?? []), body]);
+  }
+  const groups = [...groupOf.values()].filter(({ length }) => length > 1);
   if (groups.length === 0) return [];
   const volumes = new Map<number, number>();
   let open = 0;
@@ -150,10 +159,9 @@ export async function joinedBodies(
   }
   // A cavity counts as negative. Bodies that only touch keep their volumes, with an interface between them.
   const common = [...volumes.values()].reduce((sum, one) => sum + one, 0) - volume;
-  const joined = groups.flatMap((group) => [...group].map((body) => Math.abs(volumes.get(body) ?? 0)));
+  const joined = groups.flat().map((body) => Math.abs(volumes.get(body) ?? 0));
   if (common <= SMALLEST_OVERLAP * smallestOf(joined)) return [];
-  const bodies = groups.reduce((sum, { size }) => sum + size, 0);
-  const message = `${plural(bodies, "body")} that intersect became ${groups.length === 1 ? "one" : String(groups.length)}, without the parts inside; the volumes that they shared, ${short(common, DIGITS)} in all, count once`;
+  const message = `${plural(joined.length, "body")} that intersect became ${groups.length === 1 ? "one" : String(groups.length)}, without the parts inside; the volumes that they shared, ${short(common, DIGITS)} in all, count once`;
   const remedy = "Move the bodies apart, or subtract one from the other, to keep them as regions.";
   return [packageDiagnostic("joined-bodies", message, remedy, "information")];
 }
@@ -221,23 +229,35 @@ function isClosed({ points, triangles }: SurfaceInput): boolean {
 
 /** Returns per triangle the first node of its connected component. */
 function componentsOf({ points, triangles }: SurfaceInput): Uint32Array {
-  const parent = Uint32Array.from({ length: points.length / 3 }, (_, node) => node);
-  const rootOf = (node: number): number => {
-    let root = node;
+  const sets = disjointSets(points.length / 3);
+  for (let t = 0; t < triangles.length; t += 3) {
+    for (const corner of [t + 1, t + 2]) sets.join(triangles[t] ?? 0, triangles[corner] ?? 0);
+  }
+  return Uint32Array.from({ length: triangles.length / 3 }, (_, t) => sets.rootOf(triangles[3 * t] ?? 0));
+}
+
+interface DisjointSets {
+  /** The least number of the set. */
+  readonly rootOf: (number: number) => number;
+  readonly join: (one: number, other: number) => void;
+}
+
+/** Sets of the numbers from 0, at first one each. */
+function disjointSets(count: number): DisjointSets {
+  const parent = Uint32Array.from({ length: count }, (_, number) => number);
+  const rootOf = (number: number): number => {
+    let root = number;
     while (parent[root] !== root) root = parent[root] ?? root;
-    for (let at = node; at !== root;) {
+    for (let at = number; at !== root;) {
       const next = parent[at] ?? root;
       parent[at] = root;
       at = next;
     }
     return root;
   };
-  for (let t = 0; t < triangles.length; t += 3) {
-    const first = rootOf(triangles[t] ?? 0);
-    for (const corner of [t + 1, t + 2]) {
-      const other = rootOf(triangles[corner] ?? 0);
-      parent[Math.max(first, other)] = Math.min(first, other);
-    }
-  }
-  return Uint32Array.from({ length: triangles.length / 3 }, (_, t) => rootOf(triangles[3 * t] ?? 0));
+  const join = (one: number, other: number): void => {
+    const [a, b] = [rootOf(one), rootOf(other)];
+    parent[Math.max(a, b)] = Math.min(a, b);
+  };
+  return { rootOf, join };
 }

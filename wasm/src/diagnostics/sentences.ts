@@ -78,7 +78,7 @@ function unresolved(reason: number, { triangle, at, count, limit }: UnresolvedPl
     case 3:
       return `at least ${limit} pairs of triangles intersect, for example ${triangle}${at}`;
     case 4:
-      return `${triangle}${at} still intersects others after as many attempts as are allowed, which is ${limit} triangles and pairs in all (${plural(count, "pair")} left)`;
+      return `separating ${triangle}${at} and others takes more than the ${limit} triangles and pairs that are allowed (${plural(count, "pair")} left)`;
     case 5:
       return `${triangle}${at} intersects others again whenever its cuts are rounded (${plural(count, "pair")} left)`;
     default:
