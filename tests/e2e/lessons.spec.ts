@@ -97,6 +97,24 @@ lessons.forEach((lesson, index) => {
   });
 });
 
+test("a formula that its font makes too wide can be scrolled with the keys", async ({ page }) => {
+  let release = (): void => undefined;
+  const isReleased = new Promise<void>((resolve) => (release = resolve));
+  await page.route("**/*.woff2", async (route) => {
+    await isReleased;
+    await route.continue();
+  });
+  await open(page, "&lesson=10");
+  const formulas = page.getByTestId("lens-formula").locator("p");
+  await expect(formulas.first()).toBeVisible();
+  release();
+  const wide = () =>
+    formulas.evaluateAll((all) =>
+      all.filter((one) => one.scrollWidth > one.clientWidth).map((one) => (one as HTMLElement).tabIndex),
+    );
+  await expect.poll(wide).toEqual([0]);
+});
+
 test("the list opens lessons, the address follows, and the buttons lead to the next one", async ({
   page,
 }) => {

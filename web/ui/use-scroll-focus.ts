@@ -5,13 +5,19 @@ export function useScrollFocus(box: RefObject<HTMLElement | null>, selector: str
   useEffect(() => {
     const element = box.current;
     if (!element) return undefined;
-    const watch = new ResizeObserver(() => {
+    const check = (): void => {
       for (const scrolling of element.querySelectorAll<HTMLElement>(selector)) {
         if (scrolling.scrollWidth > scrolling.clientWidth) scrolling.tabIndex = 0;
         else scrolling.removeAttribute("tabindex");
       }
-    });
+    };
+    const watch = new ResizeObserver(check);
     watch.observe(element);
-    return () => watch.disconnect();
+    // A font that arrives later changes the width of the text, but not that of the box.
+    document.fonts.addEventListener("loadingdone", check);
+    return () => {
+      watch.disconnect();
+      document.fonts.removeEventListener("loadingdone", check);
+    };
   }, [box, selector, content]);
 }
