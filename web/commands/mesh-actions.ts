@@ -13,7 +13,7 @@ import { repairBody } from "./surface-actions";
 export async function generateMesh(app: App): Promise<void> {
   app.view.setLayer("mesh", true);
   for (const id of repairableBodies(app)) {
-    await comparedRepair(app, id);
+    await comparisonOfRepairs(app, id);
     await repairBody(app, id);
   }
   await app.run.generate();
@@ -28,7 +28,7 @@ function repairableBodies({ bodies }: App): number[] {
 }
 
 /** Resolves when it is known which of two repairs of a body is the better one, or that the user does not wait for it. */
-async function comparedRepair({ bodies, shell }: App, id: number): Promise<void> {
+async function comparisonOfRepairs({ bodies, shell }: App, id: number): Promise<void> {
   const isComparing = (): boolean => (bodies.state.getState().byId.get(id)?.comparing ?? null) !== null;
   if (!isComparing()) return;
   const key = "repair";
