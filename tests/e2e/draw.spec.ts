@@ -234,7 +234,16 @@ test("open edges are one quiet count until a mesh is asked for", async ({ page }
   await draw.counts(4, 4, 1);
   await expect(page.getByTestId("open-edges")).toHaveText("4 open edges");
   await expect(page.getByTestId("marker-0")).toBeHidden();
+  await page.getByRole("tab", { name: /^Problems/ }).click();
+  const list = page.getByTestId("problem-list");
+  const icon = page.getByTestId("tree-line-1").getByRole("img", { name: "1 problem" });
+  await expect(list.getByRole("img", { name: "To do" })).not.toHaveCount(0);
+  await expect(list.getByRole("img", { name: "Error" })).toHaveCount(0);
+  await expect(icon).toHaveAttribute("data-severity", "expected");
   await page.getByTestId("generate").click();
+  await expect(list.getByRole("img", { name: "Error" })).not.toHaveCount(0);
+  await expect(list.getByRole("img", { name: "To do" })).toHaveCount(0);
+  await expect(icon).not.toHaveAttribute("data-severity", "expected");
   await expect(page.getByTestId("marker-0")).toBeVisible();
   await expect(page.getByTestId("open-edges")).toBeHidden();
 });

@@ -340,7 +340,7 @@ export const panelStrings = {
     all: "Show all",
   },
   positions: { more: (count: number) => `and ${count.toLocaleString("en-US")} more` },
-  severities: { error: "Error", warning: "Warning" },
+  severities: { error: "Error", warning: "Warning", expected: "To do" },
   bottom: {
     title: "Log and problems",
     log: "Log",
@@ -350,7 +350,9 @@ export const panelStrings = {
     show: "Show",
     at: (position: string) => `at ${position}`,
     showPosition: (position: string) => `Go to ${position}`,
-    count: (count: number, severity: "error" | "warning") =>
-      count === 1 ? `1 ${severity}` : `${count} ${severity}s`,
+    count: (count: number, severity: "error" | "warning" | "expected") => {
+      if (severity === "expected") return `${count} to do`;
+      return count === 1 ? `1 ${severity}` : `${count} ${severity}s`;
+    },
   },
 } as const;

@@ -1,12 +1,14 @@
-import { IconAlertTriangle, IconChevronDown, IconChevronRight } from "@tabler/icons-react";
+import { IconAlertTriangle, IconChevronDown, IconChevronRight, IconCircleDashed } from "@tabler/icons-react";
 import type { KeyboardEvent, MouseEvent } from "react";
 import { rename } from "../../commands/selection-actions";
 import { entityKey } from "../../document/entities";
 import { groupTints } from "../../document/groups";
 import type { SelectMode } from "../../document/selection";
+import type { Problem } from "../../document/validate";
 import { formatCount } from "../../ui/format";
 import { entityWords, strings } from "../../strings";
 import { useApp, useProblems, useProject, useView } from "../shared/app-context";
+import { useShownSeverity } from "../shared/problem-severity";
 import { EntityIcon } from "../shared/entity-icon";
 import styles from "./model-tree.module.css";
 import { AddButton, EntityEye, GroupEye } from "./tree-actions";
@@ -89,7 +91,7 @@ function EntityItem({ row, common, onToggle }: EntityItemProps) {
   const tint = groupTints(project).get(row.entity.kind === "body-patch" ? `patch-${row.entity.id}` : key);
   const isSelected = useView((state) => state.selection.some((entity) => entityKey(entity) === key));
   const isHovered = useView((state) => state.hover !== null && entityKey(state.hover) === key);
-  const problemCount = useProblems((state) => state.byEntity.get(key)?.length ?? 0);
+  const problems = useProblems((state) => state.byEntity.get(key));
   return (
     <div
       {...common}
@@ -111,14 +113,26 @@ function EntityItem({ row, common, onToggle }: EntityItemProps) {
       <span className={styles["title"]} title={row.title}>
         {row.title}
       </span>
-      {problemCount > 0 && (
-        <span className={styles["problem"]} role="img" aria-label={strings.tree.problems(problemCount)}>
-          <IconAlertTriangle size={14} aria-hidden />
-        </span>
-      )}
+      {problems && <ProblemIcon problems={problems} />}
       <span className={styles["detail"]}>{row.detail()}</span>
       <EntityEye entity={row.entity} title={row.title} />
     </div>
+  );
+}
+
+function ProblemIcon({ problems }: { readonly problems: readonly Problem[] }) {
+  const severityOf = useShownSeverity();
+  const isCalm = problems.every((problem) => severityOf(problem) === "expected");
+  const Icon = isCalm ? IconCircleDashed : IconAlertTriangle;
+  return (
+    <span
+      className={styles["problem"]}
+      data-severity={isCalm ? "expected" : undefined}
+      role="img"
+      aria-label={strings.tree.problems(problems.length)}
+    >
+      <Icon size={14} aria-hidden />
+    </span>
   );
 }
 

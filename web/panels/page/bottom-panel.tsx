@@ -8,6 +8,7 @@ import { FrontPanel, HistoryList } from "../later/later";
 import { FixAllButton } from "../problems/fix-button";
 import { ProblemCard } from "../problems/problem-card";
 import { PanelBoundary } from "../shared/panel-boundary";
+import { useShownSeverity } from "../shared/problem-severity";
 import tabs from "../../ui/frames/panel-tabs.module.css";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
 import styles from "./bottom-panel.module.css";
@@ -18,7 +19,9 @@ const bottomTabs = ["log", "problems", "patches", "front", "history"] as const;
 export function BottomPanel() {
   const app = useApp();
   const tab = useShell((state) => state.bottomTab);
-  const problemCount = useProblems((state) => state.problems.length);
+  const problems = useProblems((state) => state.problems);
+  const severityOf = useShownSeverity();
+  const isCalm = problems.every((problem) => severityOf(problem) === "expected");
   return (
     <Tabs
       className={tabs["tabs"]}
@@ -34,9 +37,9 @@ export function BottomPanel() {
         <Tabs.Tab
           value="problems"
           rightSection={
-            problemCount > 0 && (
-              <Badge size="sm" circle color="red" variant="filled">
-                {problemCount}
+            problems.length > 0 && (
+              <Badge size="sm" circle color={isCalm ? "gray" : "red"} variant={isCalm ? "default" : "filled"}>
+                {problems.length}
               </Badge>
             )
           }
@@ -110,6 +113,7 @@ function ProblemPanel() {
   const problems = useProblems((state) => state.problems);
   const areBodiesChecked = useProblems((state) => state.areBodiesChecked);
   const groups = useMemo(() => groupProblems(problems), [problems]);
+  const severityOf = useShownSeverity();
   const indices = new Map(problems.map((problem, index) => [problem, index]));
   return (
     <ScrollPanel
@@ -124,10 +128,10 @@ function ProblemPanel() {
       )}
       {groups.map(({ code, severity, problems: members }) => (
         <section key={`${severity} ${code}`} data-testid={`problems-${code}`}>
-          <div className={styles["group"]} data-severity={severity}>
+          <div className={styles["group"]} data-severity={severityOf({ code, severity })}>
             <h2>
               {strings.problemTitle(code)}
-              <span>{strings.bottom.count(members.length, severity)}</span>
+              <span>{strings.bottom.count(members.length, severityOf({ code, severity }))}</span>
             </h2>
             <FixAllButton problems={members} />
           </div>

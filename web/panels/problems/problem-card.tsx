@@ -1,11 +1,12 @@
 import { Button, Text, UnstyledButton } from "@mantine/core";
-import { IconAlertTriangle, IconExclamationCircle } from "@tabler/icons-react";
+import { IconAlertTriangle, IconCircleDashed, IconExclamationCircle } from "@tabler/icons-react";
 import { showEntities, showProblem } from "../../commands/selection-actions";
 import type { Problem } from "../../document/validate";
 import { formatPosition } from "../../ui/format";
 import { strings } from "../../strings";
 import { useApp, useProject } from "../shared/app-context";
 import { EntityChips } from "../shared/entity-chips";
+import { useShownSeverity } from "../shared/problem-severity";
 import { FixButton } from "./fix-button";
 import { TriangleList } from "./triangle-list";
 import styles from "./problem-card.module.css";
@@ -13,6 +14,7 @@ import styles from "./problem-card.module.css";
 const icons = {
   error: IconExclamationCircle,
   warning: IconAlertTriangle,
+  expected: IconCircleDashed,
 } as const;
 
 export interface ProblemCardProps {
@@ -24,16 +26,12 @@ export interface ProblemCardProps {
 export function ProblemCard({ problem, testId }: ProblemCardProps) {
   const app = useApp();
   const project = useProject();
-  const Icon = icons[problem.severity];
+  const severity = useShownSeverity()(problem);
+  const Icon = icons[severity];
   const canShow = problem.entities.length > 0 || problem.position !== null;
   return (
-    <div
-      className={styles["card"]}
-      data-severity={problem.severity}
-      data-testid={testId}
-      data-code={problem.code}
-    >
-      <Icon size={16} role="img" aria-label={strings.severities[problem.severity]} />
+    <div className={styles["card"]} data-severity={severity} data-testid={testId} data-code={problem.code}>
+      <Icon size={16} role="img" aria-label={strings.severities[severity]} />
       <div className={styles["body"]}>
         <Text size="sm" fw={500}>
           {problem.message}

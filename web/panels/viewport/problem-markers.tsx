@@ -1,11 +1,11 @@
 import { IconAlertTriangleFilled } from "@tabler/icons-react";
-import { useMemo, type MouseEvent } from "react";
+import type { MouseEvent } from "react";
 import type { App } from "../../app/app";
-import { meshKey } from "../../document/content-keys";
 import { strings } from "../../strings";
 import { showProblem } from "../../commands/selection-actions";
 import type { Viewer } from "../../viewer/viewer";
-import { useApp, useProblems, useProject, useRun, useView } from "../shared/app-context";
+import { useApp, useProblems, useView } from "../shared/app-context";
+import { useIsMeshed, useShownSeverity } from "../shared/problem-severity";
 import { useMarkers } from "./use-markers";
 import styles from "./problem-markers.module.css";
 
@@ -16,10 +16,10 @@ const maxMarkers = 30;
 export function ProblemMarkers({ viewer }: { readonly viewer: Viewer }) {
   const app = useApp();
   const problems = useProblems((state) => state.problems);
-  const isMeshed = useIsMeshed();
+  const severityOf = useShownSeverity();
   const isDrawing = useView(({ tool }) => tool !== "select");
   const placed = problems
-    .filter(({ position, code }) => position !== null && (isMeshed || !expectedWhileDrawn.has(code)))
+    .filter((problem) => problem.position !== null && severityOf(problem) !== "expected")
     .slice(0, maxMarkers);
   const box = useMarkers(
     viewer,
@@ -50,15 +50,6 @@ export function ProblemMarkers({ viewer }: { readonly viewer: Viewer }) {
 }
 
 const openEdge = "open-edge";
-/** Before it is meshed, a model is not expected to be closed, nor its background grid to cover it. */
-const expectedWhileDrawn: ReadonlySet<string> = new Set([openEdge, "outside-background-grid"]);
-
-/** Returns whether the user has asked for a mesh of the present model. */
-function useIsMeshed(): boolean {
-  const project = useProject();
-  const key = useRun((state) => state.outcome?.key);
-  return useMemo(() => key === meshKey(project), [project, key]);
-}
 
 /** Adds what lies below a marker to the selection. */
 function selectBelow(app: App, viewer: Viewer, { currentTarget, clientX, clientY }: MouseEvent): void {
