@@ -188,6 +188,35 @@ test("a sphere of eight octants: three arcs, a patch and three mirror images giv
   expect(meshVolume(mesh)).toBeLessThan((4 / 3) * Math.PI);
 });
 
+test("the handles of a piece change its sizes and its place before it is created", async ({ page }) => {
+  const draw = new DrawPage(page);
+  await page.addInitScript(() => {
+    Reflect.deleteProperty(window, "showOpenFilePicker");
+    Reflect.deleteProperty(window, "showSaveFilePicker");
+  });
+  await draw.openNew();
+  await page.getByTestId("create-box").click();
+  const drag = async (from: Position, to: Position): Promise<void> => {
+    await draw.hover(from);
+    await page.mouse.down();
+    await draw.hover(to);
+    await page.mouse.up();
+  };
+  await drag([0, 0, 1], [0, 0, 1.5]);
+  await expect(page.getByTestId("operation-height")).toHaveValue("1.5");
+  await drag([0.5, 0, 0.75], [0.75, 0, 0.75]);
+  await expect(page.getByTestId("operation-width")).toHaveValue("1.5");
+  await drag([0, 0, 0], [0.5, -0.5, 0]);
+  await page.keyboard.press("Enter");
+  await expect(page.getByTestId("operation")).toBeHidden();
+  await draw.counts(8, 12, 6);
+  const positions = await draw.savedPositions();
+  expect(positions).toContainEqual([-0.25, -1, 0]);
+  expect(positions).toContainEqual([1.25, 0, 1.5]);
+  await page.keyboard.press("Control+z");
+  await draw.counts(0, 0, 0);
+});
+
 test("a drag selects in a box, Shift pans instead, and the right button has a menu", async ({ page }) => {
   const draw = new DrawPage(page);
   await draw.openCube();

@@ -37,7 +37,7 @@ export const sweepCommands: readonly Command[] = sweepOperations.map((operation)
   open("create", 11, operation),
 );
 
-/** Commands that copy the selection, or open the panel of an operation that transforms it. */
+/** Commands that copy the selection, accept the open operation, or open the panel of an operation that transforms it. */
 export const transformCommands: readonly Command[] = [
   define("edit", 5)("copy", operationStrings.copy, (app) => void copySelection(app), {
     keys: ["mod+C"],
@@ -60,5 +60,9 @@ export const transformCommands: readonly Command[] = [
       enabled: hasSelection,
     },
   ),
+  define("edit", 5)("accept-operation", operationStrings.accept, acceptOperation, {
+    keys: ["Enter"],
+    enabled: ({ operations }) => operations.state.getState().open !== null,
+  }),
   ...transformOperations.map((operation) => open("edit", 6, operation)),
 ];

@@ -90,6 +90,16 @@ export function onPlane(ray: Ray, { origin, z }: Frame): Position | null {
   return distance > 0 ? addScaled(ray.origin, direction, distance) : null;
 }
 
+/** Returns the place on a line that is nearest to a ray; null if they are nearly parallel. */
+export function onLine(ray: Ray, through: Position, along: Position): Position | null {
+  const [direction, axis] = [unit(ray.direction) ?? ray.direction, unit(along) ?? along];
+  const apart = subtract(through, ray.origin);
+  const cosine = dot(direction, axis);
+  const sineSquared = 1 - cosine * cosine;
+  if (sineSquared < grazing * grazing) return null;
+  return addScaled(through, axis, (cosine * dot(apart, direction) - dot(apart, axis)) / sineSquared);
+}
+
 /** Returns the smallest of 1, 2 and 5 times a power of ten that is at least `least`. */
 export function roundStep(least: number): number {
   const power = 10 ** Math.floor(Math.log10(least));

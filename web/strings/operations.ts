@@ -8,6 +8,7 @@ export const operationStrings = {
   create: "Create",
   cancel: "Cancel",
   copy: "Copy selection",
+  accept: "Accept what the panel makes",
   duplicate: "Duplicate…",
   apply: "Apply",
   aboveZero: "Must be above 0.",

@@ -1,18 +1,22 @@
 import { Group } from "three";
 import type { Position } from "../document/position";
 import type { ViewStore } from "../document/selection";
-import { subtract, unit, type Frame } from "../document/vectors";
-import { onPlane, roundStep, roundTo } from "../document/work-plane";
-import type { DocumentStore, Gesture } from "../session/document-store";
+import { unit } from "../document/vectors";
+import { onLine, onPlane, roundStep } from "../document/work-plane";
+import type { DocumentStore } from "../session/document-store";
+import type { Operations } from "../session/operations";
 import type { Layer } from "../viewer/layers/layer";
-import { SizeGlyphLayer, type Glyph } from "../viewer/layers/size-glyph-layer";
+import { SizeGlyphLayer } from "../viewer/layers/size-glyph-layer";
 import type { SceneChanges } from "../viewer/scene-state";
 import type { Viewer } from "../viewer/viewer";
-import { draggedTo, handledOf, handlesOf, radiiOf, type Handle, type Handled } from "./handles/size-handles";
+import type { Grip, GripDrag, Grips } from "./handles/grips";
+import { operationGrips } from "./handles/operation-grips";
+import { sizeGrips } from "./handles/size-handles";
 import type { Tool, ToolPointer } from "./tool";
 
 export interface HandleStores {
   readonly documents: DocumentStore;
+  readonly operations: Operations;
   readonly view: ViewStore;
   readonly viewer: Pick<Viewer, "seenFrom" | "pixelLength" | "requestFrame" | "onDrawn">;
 }
@@ -21,20 +25,18 @@ export interface HandleStores {
 const reach = 10;
 /** The handles are placed again if the view has been zoomed by this factor. */
 const zoomStep = 1.15;
-/** Smallest step of a corner of a source, in CSS pixels. */
+/** Smallest step of a coordinate or length, in CSS pixels. */
 const stepPixels = 10;
 
-interface Drag {
-  readonly handled: Handled;
-  readonly handle: Handle;
-  readonly gesture: Gesture;
-  /** Parallel to the view, through the handle. */
-  readonly plane: Frame;
+interface Drag extends GripDrag {
+  /** Returns where the pointer takes the grip; null for nowhere. */
+  readonly target: (pointer: ToolPointer) => Position | null;
 }
 
 /**
- * Shows the size of a selected node or source as a glyph, with handles for size, stretching, direction and distance. One
- * drag of a handle is one step of undo; Escape cancels it. Passes everything else to another tool.
+ * Shows the size of a selected node or source as a glyph, with handles for size, stretching, direction and distance, or the
+ * handles of the open operation. One drag of a handle is one step of undo, or changes a value of the operation; Escape
+ * cancels it. Passes everything else to another tool.
  */
 export class HandleTool implements Tool {
   readonly id: string;
@@ -44,7 +46,7 @@ export class HandleTool implements Tool {
   #drag: Drag | null = null;
   #hovered: number | null = null;
   /** As they are drawn. */
-  #handles: readonly Handle[] = [];
+  #grips: Grips | null = null;
   /** Length of a pixel when they were placed. */
   #pixel = 0;
 
@@ -73,12 +75,12 @@ export class HandleTool implements Tool {
     const drag = this.#drag;
     this.#drag = null;
     if (!drag) return this.#otherwise.up(pointer);
-    if (pointer.isDrag) drag.gesture.commit();
-    else drag.gesture.cancel();
+    if (pointer.isDrag) drag.commit();
+    else drag.cancel();
   }
 
   cancel(): void {
-    this.#drag?.gesture.cancel();
+    this.#drag?.cancel();
     this.#drag = null;
     this.#otherwise.cancel();
   }
@@ -90,19 +92,21 @@ export class HandleTool implements Tool {
   overlay(): Layer {
     const layer = new SizeGlyphLayer();
     this.#layer = layer;
-    const stop = this.#stores.viewer.onDrawn(() => this.#followZoom());
-    return new HandleOverlay(layer, this.#otherwise.overlay(), () => this.#show(), stop);
-  }
-
-  get #handled(): Handled | null {
-    const { documents, view } = this.#stores;
-    return handledOf(documents.project, view.state.getState().selection);
+    const { viewer, operations } = this.#stores;
+    const stops = [
+      viewer.onDrawn(() => this.#followZoom()),
+      operations.state.subscribe(() => {
+        this.#show();
+        viewer.requestFrame();
+      }),
+    ];
+    return new HandleOverlay(layer, this.#otherwise.overlay(), () => this.#show(), stops);
   }
 
   #indexAt(pointer: ToolPointer): number | null {
     const { toScreen } = this.#stores.viewer.seenFrom(pointer.at);
     let [nearest, least]: [number | null, number] = [null, reach];
-    for (const [index, { position }] of this.#handles.entries()) {
+    for (const [index, { position }] of (this.#grips?.grips ?? []).entries()) {
       const at = toScreen(position);
       const pixels = at ? Math.hypot(at.x - pointer.at.x, at.y - pointer.at.y) : Infinity;
       if (pixels < least) [nearest, least] = [index, pixels];
@@ -111,37 +115,27 @@ export class HandleTool implements Tool {
   }
 
   #begin(pointer: ToolPointer): Drag | null {
-    // A press must not end the preview of an operation.
-    if (this.#stores.documents.state.getState().gestureStart !== null) return null;
     const index = this.#indexAt(pointer);
-    const handled = this.#handled;
-    const handle = index === null ? undefined : this.#handles[index];
-    if (!handled || !handle) return null;
-    const { documents, view, viewer } = this.#stores;
-    const { direction } = viewer.seenFrom(pointer.at).ray;
-    const frame = view.state.getState().workPlane.frame;
-    const plane = { ...frame, origin: handle.position, z: unit(direction) ?? frame.z };
-    const { label } = draggedTo(handled, handle, handle.position);
-    return { handled, handle, plane, gesture: documents.begin(label) };
+    const grip = index === null ? undefined : this.#grips?.grips[index];
+    const drag = index === null ? null : this.#grips?.begin(index);
+    return grip && drag ? { ...drag, target: this.#targetOf(grip, pointer) } : null;
   }
 
-  #dragTo(pointer: ToolPointer, { handled, handle, gesture, plane }: Drag): void {
-    const to = onPlane(this.#stores.viewer.seenFrom(pointer.at).ray, plane);
-    if (!to) return;
-    const isCorner = typeof handle.role === "object";
-    gesture.update(draggedTo(handled, handle, isCorner && !pointer.mod ? this.#onGrid(to, handle) : to));
+  #targetOf({ position, moves }: Grip, { at }: ToolPointer): Drag["target"] {
+    const { view, viewer } = this.#stores;
+    if (typeof moves === "object")
+      return (pointer) => onLine(viewer.seenFrom(pointer.at).ray, position, moves);
+    const { frame } = view.state.getState().workPlane;
+    const z = moves === "view" ? (unit(viewer.seenFrom(at).ray.direction) ?? frame.z) : frame.z;
+    const plane = { ...frame, origin: position, z };
+    return (pointer) => onPlane(viewer.seenFrom(pointer.at).ray, plane);
   }
 
-  /** Rounds the coordinates of a corner that have changed. */
-  #onGrid(to: Position, { position }: Handle): Position {
-    const step = roundStep(stepPixels * this.#stores.viewer.pixelLength);
-    if (!this.#stores.view.state.getState().snapping.grid) return to;
-    const moved = subtract(to, position);
-    return to.map((x, k) => (Math.abs(moved[k] ?? 0) < step / 2 ? (position[k] ?? 0) : roundTo(x, step))) as [
-      number,
-      number,
-      number,
-    ];
+  #dragTo(pointer: ToolPointer, drag: Drag): void {
+    const to = drag.target(pointer);
+    const { view, viewer } = this.#stores;
+    const isFree = pointer.mod || !view.state.getState().snapping.grid;
+    if (to) drag.moveTo(to, isFree ? 0 : roundStep(stepPixels * viewer.pixelLength));
   }
 
   #hover(index: number | null): void {
@@ -153,36 +147,26 @@ export class HandleTool implements Tool {
 
   #followZoom(): void {
     const factor = this.#stores.viewer.pixelLength / this.#pixel;
-    if (this.#handles.length === 0 || this.#drag || (factor < zoomStep && factor > 1 / zoomStep)) return;
+    if (!this.#grips || this.#drag || (factor < zoomStep && factor > 1 / zoomStep)) return;
     this.#show();
     this.#stores.viewer.requestFrame();
   }
 
   #show(): void {
-    const handled = this.#handled;
-    this.#pixel = this.#stores.viewer.pixelLength;
-    const handles = handled ? handlesOf(handled, this.#pixel) : [];
-    this.#handles = handles;
+    const { documents, operations, view, viewer } = this.#stores;
+    this.#pixel = viewer.pixelLength;
+    const { selection } = view.state.getState();
+    this.#grips = operationGrips(operations, this.#pixel) ?? sizeGrips(documents, selection, this.#pixel);
+    const { glyphs, grips } = this.#grips ?? { glyphs: [], grips: [] };
     this.#layer?.show(
-      handled && {
-        glyphs: [glyphOf(handled)],
-        handles: handles.map(({ position }) => position),
-        stems: handles.flatMap(({ from, position }) => [from, position]),
+      this.#grips && {
+        glyphs,
+        handles: grips.map(({ position }) => position),
+        stems: grips.flatMap(({ from, position }) => [from, position]),
         hovered: this.#hovered,
       },
     );
   }
-}
-
-/** Returns the ellipsoid of a node, or the sphere of the size of a source at its first corner. */
-function glyphOf(handled: Handled): Glyph {
-  if (handled.kind === "source") {
-    const { positions, size } = handled.shape;
-    const [centre = [0, 0, 0] as const] = positions;
-    return { centre, axis: [0, 0, 1], across: size / 2, along: size / 2 };
-  }
-  const [across, along] = radiiOf(handled.shape);
-  return { centre: handled.centre, axis: handled.shape.direction, across, along };
 }
 
 /** The glyphs, with what the other tool draws. Each change of the scene may concern them. */
@@ -192,14 +176,14 @@ class HandleOverlay implements Layer {
   readonly #layer: SizeGlyphLayer;
   readonly #other: Layer | null;
   readonly #show: () => void;
-  readonly #stop: () => void;
+  readonly #stops: readonly (() => void)[];
 
-  constructor(layer: SizeGlyphLayer, other: Layer | null, show: () => void, stop: () => void) {
+  constructor(layer: SizeGlyphLayer, other: Layer | null, show: () => void, stops: readonly (() => void)[]) {
     this.root.add(layer.root);
     this.#layer = layer;
     this.#other = other;
     this.#show = show;
-    this.#stop = stop;
+    this.#stops = stops;
     if (other) this.root.add(other.root);
   }
 
@@ -210,7 +194,7 @@ class HandleOverlay implements Layer {
   }
 
   dispose(): void {
-    this.#stop();
+    for (const stop of this.#stops) stop();
     this.#layer.dispose();
     this.#other?.dispose();
   }

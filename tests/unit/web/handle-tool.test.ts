@@ -1,6 +1,7 @@
 import { expect, it } from "vitest";
 import { ViewStore } from "../../../web/document/selection";
 import { DocumentStore } from "../../../web/session/document-store";
+import { Operations } from "../../../web/session/operations";
 import { HandleTool } from "../../../web/tools/handle-tool";
 import type { Tool, ToolPointer } from "../../../web/tools/tool";
 import { SceneChanges } from "../../../web/viewer/scene-state";
@@ -50,7 +51,10 @@ it("takes hold of the handles of a node, unless an operation has a preview", () 
     requestFrame: () => undefined,
     onDrawn: () => () => undefined,
   };
-  const tool = new HandleTool({ documents, view, viewer }, otherwise);
+  const tool = new HandleTool(
+    { documents, operations: new Operations(documents, view), view, viewer },
+    otherwise,
+  );
   const state = sceneState({ ...view.state.getState(), project });
   tool.overlay().update(new SceneChanges(state, null));
   const [x, y] = [100 * node.position[0], 100 * node.position[1]];

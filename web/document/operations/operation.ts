@@ -47,6 +47,19 @@ export interface SwitchSpec extends FieldBase {
 
 export type FieldSpec = NumberSpec | PositionSpec | DirectionSpec | ChoiceSpec | SwitchSpec;
 
+/** A place in the view that the user can drag, instead of typing a value. */
+export interface OperationHandle {
+  /** The field that it changes: a number, or a position. */
+  readonly key: string;
+  readonly position: Position;
+  /** A line leads from here to the handle. */
+  readonly from: Position;
+  /** Unit vector along which it moves; null for a position. */
+  readonly along: Position | null;
+  /** Change of the number for a unit of length along the direction. */
+  readonly rate: number;
+}
+
 /** What the values of an operation apply to. */
 export interface Subject {
   readonly project: Project;
@@ -68,6 +81,8 @@ export interface Operation<Values extends FieldValues = FieldValues> {
   initial(subject: Subject): Values;
   /** The fields to show, which may depend on the values. */
   fields(values: Values, subject: Subject): readonly FieldSpec[];
+  /** The handles in the view. */
+  handles?(values: Values): readonly OperationHandle[];
   /** What the user should know about the result before accepting it. */
   note?(values: Values, subject: Subject): string;
   /** What the values give. */

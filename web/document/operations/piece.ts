@@ -6,8 +6,8 @@ import { imprinted, type Imprint } from "../imprint/imprint";
 import { insertion, withInsertion } from "../insert-shape";
 import type { Position } from "../position";
 import { placedIn, type Shape } from "../shape";
-import { frameAlong, scale, unit } from "../vectors";
-import type { FieldSpec, FieldValues, Operation, Subject } from "./operation";
+import { addScaled, dot, frameAlong, fromFrame, subtract, unit, zero, type Frame } from "../vectors";
+import type { FieldSpec, FieldValues, Operation, OperationHandle, Subject } from "./operation";
 import { pieceExtent, withSizes } from "./sizes";
 import { startOf } from "./start";
 
@@ -23,6 +23,16 @@ export type PiecePlacement = {
   readonly share: boolean;
 };
 
+/** A handle for a length of a piece whose axis is z and whose base is at the origin. */
+export interface LengthHandle<Sizes> {
+  readonly key: keyof Sizes & string;
+  readonly from: Position;
+  /** Unit vector. */
+  readonly along: Position;
+  /** Distance of the handle from the beginning of its line / the length; 1 if it is not stated. */
+  readonly share?: number;
+}
+
 /** What distinguishes a kind of solid piece. */
 export interface PieceKind<Sizes extends FieldValues> {
   readonly id: string;
@@ -36,6 +46,8 @@ export interface PieceKind<Sizes extends FieldValues> {
   readonly middle: (sizes: Sizes) => number;
   /** Returns why the sizes do not fit together; null if they do. */
   readonly refuse?: (sizes: Sizes) => string | null;
+  /** The handles of its lengths. */
+  readonly handles: (sizes: Sizes) => readonly LengthHandle<Sizes>[];
   /** The piece with its axis along z and its base at the origin. */
   readonly shape: (sizes: Sizes) => Shape;
 }
@@ -67,6 +79,7 @@ export function pieceOperation<Sizes extends FieldValues>(
         ? [{ kind: "switch", key: "share", label: texts.share } as const]
         : []),
     ],
+    handles: (values) => handlesOf(kind, values),
     note: (values, subject) => noteOf(kind, values, subject),
     make: (subject, values) => makePiece(kind, subject, values),
   };
@@ -100,11 +113,8 @@ function insertPiece<Sizes extends FieldValues>(
 ): Inserted {
   const before = known.get(values);
   if (before?.project === project) return before;
-  const { position, axis, anchor, join } = values;
-  const along = frameAlong(axis);
-  const lift = anchor === "centre" ? -kind.middle(values) : 0;
-  const origin = position.map((x, k) => x + (scale(along.z, lift)[k] ?? 0)) as unknown as Position;
-  const shape = placedIn(kind.shape(values), { ...along, origin });
+  const { join } = values;
+  const shape = placedIn(kind.shape(values), frameOf(kind, values));
   const prefix = freePrefix(
     kind.noun,
     project.patches.flatMap(({ name }) => (name === undefined ? [] : [name])),
@@ -124,6 +134,41 @@ function insertPiece<Sizes extends FieldValues>(
   };
   known.set(values, inserted);
   return inserted;
+}
+
+/** Returns the place of a piece: its axis is z, and its base at the origin. */
+function frameOf<Sizes extends FieldValues>(kind: PieceKind<Sizes>, values: Sizes & PiecePlacement): Frame {
+  const { position, axis, anchor } = values;
+  const along = frameAlong(axis);
+  const lift = anchor === "centre" ? -kind.middle(values) : 0;
+  return { ...along, origin: addScaled(position, along.z, lift) };
+}
+
+/** Returns the handles of the lengths and of the position of a piece. */
+function handlesOf<Sizes extends FieldValues>(
+  kind: PieceKind<Sizes>,
+  values: Sizes & PiecePlacement,
+): OperationHandle[] {
+  if (unit(values.axis) === null) return [];
+  const { position } = values;
+  const placed = placedHandles(kind, values);
+  const lengths = placed.map(({ key, along, ...at }, index) => {
+    // Of a piece that grows to both sides, a length grows by more than its handle moves.
+    const longer = { ...values, [key]: Number(values[key]) + 1 };
+    const moved = placedHandles(kind, longer)[index]?.position ?? at.position;
+    return { key, along, ...at, rate: 1 / dot(subtract(moved, at.position), along) };
+  });
+  return [...lengths, { key: "position", position, from: position, along: null, rate: 1 }];
+}
+
+function placedHandles<Sizes extends FieldValues>(kind: PieceKind<Sizes>, values: Sizes & PiecePlacement) {
+  const frame = frameOf(kind, values);
+  return kind.handles(values).map(({ key, from, along, share = 1 }) => ({
+    key,
+    from: fromFrame(frame, from),
+    along: fromFrame({ ...frame, origin: zero }, along),
+    position: fromFrame(frame, addScaled(from, along, share * Number(values[key]))),
+  }));
 }
 
 /** Returns whether a piece overlaps faces of the model that it can share. */

@@ -6,11 +6,13 @@ import { prism } from "../pieces/prism";
 import { sphere } from "../pieces/sphere";
 import { torus } from "../pieces/torus";
 import { wing } from "../pieces/wing";
+import { worldFrame, zero } from "../vectors";
 import { angleBetween, positiveLength, wholeNumber } from "./number-specs";
 import type { FieldSpec, Operation } from "./operation";
 import { pieceOperation } from "./piece";
 
 const { fields: texts, pieces, refusals } = operationStrings;
+const { x, y, z } = worldFrame;
 
 /** A length of 0 or more. */
 const length = (key: string, label: string): FieldSpec => ({
@@ -31,6 +33,11 @@ const createBox = pieceOperation({
     positiveLength("height", texts.height),
   ],
   middle: ({ height }) => height / 2,
+  handles: ({ height }) => [
+    { key: "width", from: [0, 0, height / 2], along: x, share: 0.5 },
+    { key: "depth", from: [0, 0, height / 2], along: y, share: 0.5 },
+    { key: "height", from: zero, along: z },
+  ],
   shape: ({ width, depth, height }) => box(width, depth, height),
 });
 
@@ -40,6 +47,10 @@ const createCylinder = pieceOperation({
   sizes: (extent) => ({ radius: extent / 2, height: extent }),
   fields: [positiveLength("radius", texts.radius), positiveLength("height", texts.height)],
   middle: ({ height }) => height / 2,
+  handles: ({ height }) => [
+    { key: "radius", from: [0, 0, height / 2], along: x },
+    { key: "height", from: zero, along: z },
+  ],
   shape: ({ radius, height }) => cylinder(radius, radius, height),
 });
 
@@ -49,6 +60,7 @@ const createSphere = pieceOperation({
   sizes: (extent) => ({ radius: extent / 2 }),
   fields: [positiveLength("radius", texts.radius)],
   middle: () => 0,
+  handles: () => [{ key: "radius", from: zero, along: x }],
   shape: ({ radius }) => sphere(radius),
 });
 
@@ -62,6 +74,11 @@ const createCone = pieceOperation({
     positiveLength("height", texts.height),
   ],
   middle: ({ height }) => height / 2,
+  handles: ({ height }) => [
+    { key: "radius", from: zero, along: x },
+    { key: "topRadius", from: [0, 0, height], along: x },
+    { key: "height", from: zero, along: z },
+  ],
   shape: ({ radius, topRadius, height }) =>
     topRadius === 0 ? cone(radius, height) : cylinder(radius, topRadius, height),
 });
@@ -77,6 +94,10 @@ const createTorus = pieceOperation({
   ],
   middle: () => 0,
   refuse: ({ radius, tubeRadius }) => (tubeRadius < radius ? null : refusals.tubeRadius),
+  handles: ({ radius }) => [
+    { key: "radius", from: zero, along: x },
+    { key: "tubeRadius", from: [radius, 0, 0], along: z },
+  ],
   shape: ({ radius, tubeRadius, angle }) => torus(radius, tubeRadius, angle),
 });
 
@@ -90,6 +111,10 @@ const createPrism = pieceOperation({
     positiveLength("height", texts.height),
   ],
   middle: ({ height }) => height / 2,
+  handles: ({ height }) => [
+    { key: "radius", from: [0, 0, height / 2], along: x },
+    { key: "height", from: zero, along: z },
+  ],
   shape: ({ sides, radius, height }) => prism(sides, radius, height),
 });
 
@@ -107,6 +132,11 @@ const createWing = pieceOperation({
   ],
   middle: ({ span }) => span / 2,
   refuse: ({ digits }) => (digits % 100 > 0 ? null : refusals.thickness),
+  handles: ({ span, sweep }) => [
+    { key: "chord", from: zero, along: x },
+    { key: "tipChord", from: [span * Math.tan((sweep * Math.PI) / 180), 0, span], along: x },
+    { key: "span", from: zero, along: z },
+  ],
   shape: wing,
 });
 

@@ -143,7 +143,7 @@ function connect(
   onHover: (hover: Hover | null) => void,
 ): () => void {
   const stop = followSession(app, viewer);
-  const { documents, previews, view, drawing } = app;
+  const { documents, operations, previews, view, drawing } = app;
   const select = new SelectTool(
     viewer,
     { documents, previews, view, drawing, bodies: () => shownBodies(documents.project, app.bodies) },
@@ -151,7 +151,7 @@ function connect(
   );
   const tools = new ToolController(canvas, viewer, select, (target) => pageApps.owns(app, target));
   const brush = new BrushTool(app.documents, app.view, viewer);
-  const stores = { documents, previews, view, drawing, viewer };
+  const stores = { documents, operations, previews, view, drawing, viewer };
   const byName: Readonly<Record<ToolName, Tool>> = {
     select: new HandleTool(stores, new DragTool(stores, select, "held-points")),
     move: new HandleTool(stores, new TransformTool(stores, new DragTool(stores, select))),

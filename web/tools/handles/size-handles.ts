@@ -12,6 +12,9 @@ import {
 import type { ProjectEdit } from "../../document/edit";
 import { findRecord, type Entity } from "../../document/entities";
 import type { Position } from "../../document/position";
+import type { DocumentStore } from "../../session/document-store";
+import type { Glyph } from "../../viewer/layers/size-glyph-layer";
+import { onGrid, type Grips } from "./grips";
 import { add, cross, distance, frameAlong, length, scale, subtract, unit } from "../../document/vectors";
 
 /** What a handle changes: a corner of a source by its index, or a length. */
@@ -49,7 +52,7 @@ export function handledOf(project: Project, selection: readonly Entity[]): Handl
 }
 
 /** Length of half a glyph: across and along its direction. */
-export const radiiOf = ({ size, stretching }: NodeShape): readonly [across: number, along: number] => [
+const radiiOf = ({ size, stretching }: NodeShape): readonly [across: number, along: number] => [
   size / 2,
   (size * stretching) / 2,
 ];
@@ -79,6 +82,45 @@ export function handlesOf(handled: Handled, pixel: number): readonly Handle[] {
 
 const axisX: Position = [1, 0, 0];
 const axisY: Position = [0, 1, 0];
+
+/** Returns the grips of the node or source that is the whole selection; null for any other selection. */
+export function sizeGrips(
+  documents: DocumentStore,
+  selection: readonly Entity[],
+  pixel: number,
+): Grips | null {
+  const handled = handledOf(documents.project, selection);
+  if (!handled) return null;
+  const handles = handlesOf(handled, pixel);
+  return {
+    glyphs: [glyphOf(handled)],
+    grips: handles.map(({ from, position }) => ({ from, position, moves: "view" })),
+    begin: (index) => {
+      const handle = handles[index];
+      // A press must not end the preview of an operation.
+      if (!handle || documents.state.getState().gestureStart !== null) return null;
+      const gesture = documents.begin(draggedTo(handled, handle, handle.position).label);
+      const isCorner = typeof handle.role === "object";
+      return {
+        moveTo: (to, step) =>
+          gesture.update(draggedTo(handled, handle, isCorner ? onGrid(to, handle.position, step) : to)),
+        commit: () => gesture.commit(),
+        cancel: () => gesture.cancel(),
+      };
+    },
+  };
+}
+
+/** Returns the ellipsoid of a node, or the sphere of the size of a source at its first corner. */
+function glyphOf(handled: Handled): Glyph {
+  if (handled.kind === "source") {
+    const { positions, size } = handled.shape;
+    const [centre = [0, 0, 0] as const] = positions;
+    return { centre, axis: [0, 0, 1], across: size / 2, along: size / 2 };
+  }
+  const [across, along] = radiiOf(handled.shape);
+  return { centre: handled.centre, axis: handled.shape.direction, across, along };
+}
 
 /** Returns the edit of a drag that moved a handle to a position. Lengths change by the same factor as their handle's. */
 export function draggedTo(handled: Handled, { role, position, from }: Handle, to: Position): ProjectEdit {

@@ -1,0 +1,80 @@
+import { describe, expect, it } from "vitest";
+import { emptyProject } from "../../../web/document/create";
+import { pieceOperations } from "../../../web/document/operations/pieces";
+import type { FieldValues, Operation } from "../../../web/document/operations/operation";
+import { ViewStore } from "../../../web/document/selection";
+import { addScaled, distance, dot } from "../../../web/document/vectors";
+import { onLine } from "../../../web/document/work-plane";
+import { DocumentStore } from "../../../web/session/document-store";
+import { Operations } from "../../../web/session/operations";
+import { operationGrips } from "../../../web/tools/handles/operation-grips";
+
+/** Small beside the pieces, so that each grip is where its length ends. */
+const pixel = 1e-12;
+
+function opened(operation: Operation, values: FieldValues = {}) {
+  const documents = new DocumentStore(emptyProject());
+  const operations = new Operations(documents, new ViewStore());
+  operations.start(operation);
+  for (const [key, value] of Object.entries(values)) operations.set(key, value);
+  const valuesNow = () => operations.state.getState().open?.values ?? {};
+  return { documents, operations, valuesNow, grips: () => operationGrips(operations, pixel) };
+}
+
+const placements: readonly FieldValues[] = [
+  {},
+  { position: [3, -1, 2], axis: [1, 2, -2] },
+  { position: [0.5, 0, 1], axis: [0, -1, 0], anchor: "centre" },
+];
+
+describe("the handles of a solid piece", () => {
+  const cases = pieceOperations.flatMap((operation) =>
+    placements.map((values) => [operation, values] as const),
+  );
+
+  it.each(cases)("follow the pointer (%#)", (operation, values) => {
+    const { grips, documents } = opened(operation, values);
+    const count = grips()?.grips.length ?? 0;
+    expect(count).toBeGreaterThan(1);
+    for (let index = 0; index < count; ++index) {
+      const grip = grips()?.grips[index];
+      if (!grip) throw new Error("there is no grip");
+      const step = typeof grip.moves === "object" ? grip.moves : ([1, 0, 0] as const);
+      const to = addScaled(grip.position, step, 0.0625);
+      const before = documents.project.points;
+      const drag = grips()?.begin(index);
+      drag?.moveTo(to, 0);
+      expect(distance(grips()?.grips[index]?.position ?? [9, 9, 9], to)).toBeLessThan(1e-9);
+      expect(documents.project.points).not.toEqual(before);
+      drag?.cancel();
+      expect(documents.project.points).toEqual(before);
+    }
+  });
+
+  it("round lengths to the step, and keep the last value that the field takes", () => {
+    const box = pieceOperations.find(({ id }) => id === "create-box");
+    if (!box) throw new Error("there is no box");
+    const { grips, valuesNow } = opened(box, { width: 2 });
+    const drag = grips()?.begin(0);
+    drag?.moveTo([1.43, 0, 0.5], 0.25);
+    expect(valuesNow()["width"]).toBe(2.75);
+    drag?.moveTo([-5, 0, 0.5], 0.25);
+    expect(valuesNow()["width"]).toBe(2.75);
+  });
+});
+
+it("the nearest place on a line to a ray: the distance is perpendicular to both", () => {
+  const ray = { origin: [4, 1, -2], direction: [-1, 0.3, 2] } as const;
+  const [through, along] = [
+    [1, 2, 3],
+    [2, 1, 0.5],
+  ] as const;
+  const found = onLine(ray, through, along);
+  if (!found) throw new Error("there is no place");
+  const back = addScaled(found, ray.origin, -1);
+  const share = dot(back, ray.direction) / dot(ray.direction, ray.direction);
+  const gap = addScaled(back, ray.direction, -share);
+  expect(dot(gap, along)).toBeCloseTo(0, 10);
+  expect(distance(addScaled(found, through, -1), [0, 0, 0])).toBeGreaterThan(0);
+  expect(onLine({ origin: [0, 0, 0], direction: along }, through, along)).toBeNull();
+});
