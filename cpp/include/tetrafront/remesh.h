@@ -43,6 +43,9 @@ struct RemeshOptions {
   /// Details below this are dropped first: where feature lines are nearer to each other, they become one. In model units;
   /// 0: all details are kept.
   double dropDetails = 0.0;
+  /// If an angle would be below 10 degrees, details across which the triangles are poor are dropped, and the tolerance is
+  /// kept; unless the result is not better.
+  bool dropPoorDetails = false;
   double growth = 0.3;  ///< growth of sizes per unit of distance, 0 to kMaxGrowth
   /// Largest volume of a tetrahedron of the future mesh, as in MeshOptions: it caps all sizes; 0 for no limit.
   double maxVolume = 0.0;
@@ -71,7 +74,7 @@ struct SurfaceRemesh {
   double tolerance = 0.0;  ///< tolerance used
   /// Upper bound of the distance between the surfaces, both ways; not below the tolerance.
   double deviation = 0.0;
-  std::vector<MergedDetail> mergedDetails;  ///< what RemeshOptions::dropDetails has changed
+  std::vector<MergedDetail> mergedDetails;  ///< what was dropped, in this order
   std::uint32_t patches = 0;                ///< smooth patches of the given surface
   std::uint32_t featureLines = 0;           ///< feature lines of the given surface
   double smallestAngle = 0.0;               ///< of all triangles, in degrees

@@ -32,6 +32,16 @@ constexpr double kOtherSideCosine = 0.2;
 /// Distance / diagonal within which a wall's other side is this side itself: a few thousand roundings of a coordinate.
 constexpr double kSameSide = 1e-12;
 
+/// Cosine of the smallest angle of triangles that are not poor: 15 degrees.
+constexpr double kPoorCosine = 0.9659258262890683;
+
+/// Returns true if the angle of a triangle at `apex` is small.
+bool isSharp(const Vec3& apex, const Vec3& a, const Vec3& b) {
+  const Vec3 u = a - apex;
+  const Vec3 v = b - apex;
+  return glm::dot(u, v) > kPoorCosine * glm::length(u) * glm::length(v);
+}
+
 /// Returns the distance at which a ray meets a triangle, or nothing. Negative distances are behind the start.
 std::optional<double> distanceAlongRay(const Vec3& from, const Vec3& direction,
                                        const std::array<Vec3, 3>& corners) {
@@ -48,9 +58,10 @@ std::optional<double> distanceAlongRay(const Vec3& from, const Vec3& direction,
 
 }  // namespace
 
-DetailMerger::DetailMerger(const ReferenceSurface& reference, double distance)
+DetailMerger::DetailMerger(const ReferenceSurface& reference, double distance, DetailChoice choice)
     : reference_(reference),
       distance_(distance),
+      choice_(choice),
       complex_(reference),
       grid_(complex_, distance, tetrafront::pointOf(reference.mesh(), NodeId(0U))),
       places_(complex_.nodeCount()),
@@ -136,10 +147,25 @@ bool DetailMerger::boundDetail(NodeId a, NodeId b, double width) const {
   return isOnLine(a) && isOnLine(b) && distanceAlongLines(a, b) >= kArcPerWidth * width;
 }
 
+/// Returns true if all details are chosen, or the angle opposite the edge is small in one of its triangles.
+bool DetailMerger::isChosen(NodeId a, NodeId b) const {
+  if (choice_ == DetailChoice::kAll) return true;
+  bool isPoor = false;
+  complex_.visitStar(a, [&](TriangleId triangle, std::uint32_t k) {
+    const NodeTriple& nodes = complex_.nodesOf(triangle);
+    const NodeId next = nodes[(k + 1) % 3];
+    const NodeId last = nodes[(k + 2) % 3];
+    if (next != b && last != b) return;
+    const NodeId apex = next == b ? last : next;
+    isPoor |= isSharp(complex_.pointOf(apex), complex_.pointOf(a), complex_.pointOf(b));
+  });
+  return isPoor;
+}
+
 /// Returns true if the edge is narrower than the distance and joins two feature lines, or is a short feature line.
 bool DetailMerger::isDetail(NodeId a, NodeId b) const {
   const double length = glm::length(complex_.pointOf(b) - complex_.pointOf(a));
-  if (length >= distance_) return false;
+  if (length >= distance_ || !isChosen(a, b)) return false;
   const StretchId stretch = complex_.stretchBetween(a, b);
   if (!stretch.isNone()) {
     const FeatureLine& line = reference_.line(complex_.stretch(stretch).line);
@@ -275,6 +301,7 @@ bool DetailMerger::splitUnderApex(TriangleId triangle) {
     const HalfEdgeId halfEdge = halfEdgeOf(triangle, k);
     const auto [a, b, apex] = complex_.nodesOf(halfEdge);
     if (complex_.stretchOf(halfEdge).isNone() || !isOnLine(apex)) continue;
+    if (!isChosen(apex, a) && !isChosen(apex, b)) continue;
     const Vec3& from = complex_.pointOf(a);
     const Vec3 edge = complex_.pointOf(b) - from;
     const Vec3 offset = complex_.pointOf(apex) - from;

@@ -17,13 +17,19 @@
 
 namespace tetrafront {
 
+/// Which details are dropped.
+enum class DetailChoice : std::uint8_t {
+  kAll,
+  kPoor,  ///< only those that a triangle with a small angle lies across or along
+};
+
 /// Moves nodes of feature lines onto each other. Every change keeps the surface closed, its topology, and by exact signs
 /// free of self-intersections; changes that would not are left out. No point of the surface moves farther than the
 /// distance, and none through half of a wall: thin parts stay.
 class DetailMerger {
  public:
   /// `reference` must outlive this. `distance` > 0: details below it are dropped.
-  DetailMerger(const ReferenceSurface& reference, double distance);
+  DetailMerger(const ReferenceSurface& reference, double distance, DetailChoice choice);
 
   Task<> run(Work& work);
 
@@ -55,6 +61,7 @@ class DetailMerger {
   [[nodiscard]] double distanceToEnd(const LinePlace& place, NodeId end) const;
   [[nodiscard]] double distanceAlongLines(NodeId a, NodeId b) const;
   [[nodiscard]] bool boundDetail(NodeId a, NodeId b, double width) const;
+  [[nodiscard]] bool isChosen(NodeId a, NodeId b) const;
   [[nodiscard]] bool isDetail(NodeId a, NodeId b) const;
   void collectCandidates();
   bool merge(const Candidate& candidate);
@@ -70,6 +77,7 @@ class DetailMerger {
 
   const ReferenceSurface& reference_;
   double distance_;
+  DetailChoice choice_;
   bool hasInterfaces_ = false;  ///< then both sides of a triangle may be filled
   SurfaceComplex complex_;
   TriangleGrid grid_;

@@ -24,6 +24,17 @@ constexpr double kLeastSampled = 0.02;
 /// Steps of a walk between neighbouring triangles, after which the tree is faster.
 constexpr int kMaxWalk = 24;
 
+/// Distance of a position from a patch, for display.
+float distanceFrom(const ReferenceSurface& reference, const Vec3& position, SmoothPatchId patch,
+                   TriangleId hint, double tolerance) {
+  // The walk from the hint ends near the nearest point, and so makes the search short.
+  const double near = reference.nearest(position, patch, tolerance, hint).squaredDistance;
+  const double least = kLeastSampled * tolerance;
+  if (near <= least * least) return static_cast<float>(std::sqrt(near));
+  return static_cast<float>(
+      std::sqrt(reference.nearest(position, patch, std::sqrt(near), {}).squaredDistance));
+}
+
 }  // namespace
 
 DeviationBound::DeviationBound(const GuardedSurface& surface, double least)
@@ -187,16 +198,8 @@ void DeviationBound::measure(const Corners& corners, SmoothPatchId patch, Triang
 }
 
 float SampledDeviation::distanceAt(const Vec3& position, TriangleId triangle) const {
-  const ReferenceSurface& reference = surface_.reference();
-  const SmoothPatchId patch = surface_.complex().patchOf(triangle);
-  // The walk from the triangle beneath ends near the nearest point, and so makes the search short.
-  const double near =
-      reference.nearest(position, patch, surface_.tolerance(), surface_.beneath(triangle))
-          .squaredDistance;
-  const double least = kLeastSampled * surface_.tolerance();
-  if (near <= least * least) return static_cast<float>(std::sqrt(near));
-  return static_cast<float>(
-      std::sqrt(reference.nearest(position, patch, std::sqrt(near), {}).squaredDistance));
+  return distanceFrom(surface_.reference(), position, surface_.complex().patchOf(triangle),
+                      surface_.beneath(triangle), surface_.tolerance());
 }
 
 /// Distance of the middle of an edge, which its two triangles share unless they are in different patches.
@@ -210,6 +213,22 @@ float SampledDeviation::ofEdge(HalfEdgeId halfEdge) {
   float& distance = ofEdge_[complex.halfEdgeBetween(std::min(a, b), std::max(a, b)).index()];
   if (distance < 0.0F) distance = measured();
   return distance;
+}
+
+float sampledDeviation(const ReferenceSurface& reference, const std::array<Vec3, 3>& corners,
+                       TriangleId near, double tolerance) {
+  const SmoothPatchId patch = reference.patchOf(near);
+  if (reference.patch(patch).isPlanar) return 0.0F;
+  const auto distanceAt = [&](const Vec3& position) {
+    return distanceFrom(reference, position, patch, near, tolerance);
+  };
+  const auto& [a, b, c] = corners;
+  float largest = distanceAt((a + b + c) / 3.0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    largest = std::max(largest, distanceAt(corners[k]));
+    largest = std::max(largest, distanceAt(0.5 * (corners[k] + corners[(k + 1) % 3])));
+  }
+  return largest;
 }
 
 float SampledDeviation::of(TriangleId triangle) {

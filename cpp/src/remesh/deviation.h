@@ -57,6 +57,12 @@ class DeviationBound : public Resumable {
   BoxTree tree_;
 };
 
+/// Returns the largest distance of the corners, of the middles of the edges and of the centroid of a triangle from the
+/// patch of a reference triangle near it. `tolerance`: distances far below it need not be exact. O(log n).
+[[nodiscard]] float sampledDeviation(const ReferenceSurface& reference,
+                                     const std::array<Vec3, 3>& corners, TriangleId near,
+                                     double tolerance);
+
 /// Samples the distance of remeshed triangles from the given surface.
 class SampledDeviation {
  public:

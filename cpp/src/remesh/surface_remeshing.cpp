@@ -3,28 +3,25 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <optional>
 #include <span>
 #include <utility>
 
 #include "base/diagnostics.h"
 #include "base/mesh_access.h"
-#include "base/resumable.h"
 #include "base/tool_job.h"
 #include "boundary/boundary.h"
 #include "boundary/surface_access.h"
 #include "field/size_octree_builder.h"
-#include "geom/angles.h"
 #include "geom/coordinates.h"
-#include "quality/metrics.h"
 #include "remesh/detail_merger.h"
 #include "remesh/deviation.h"
-#include "remesh/guarded_surface.h"
 #include "remesh/reference_surface.h"
-#include "remesh/remesh_schedule.h"
+#include "remesh/remesh_pass.h"
 #include "remesh/remesh_sizes.h"
 #include "remesh/remesh_targets.h"
-#include "remesh/surface_editor.h"
-#include "remesh/volume_correction.h"
 #include "sizing/check_options.h"
 #include "sizing/expected_count.h"
 #include "sizing/target_sizes.h"
@@ -32,12 +29,17 @@
 namespace tetrafront {
 namespace {
 
-/// Turn of a feature line, in degrees, at which it has a corner.
-constexpr double kCornerDegrees = 50.0;
-
-FeatureRules rulesOf(const RemeshOptions& options) {
-  return {cosineOfDegrees(options.featureAngle), cosineOfDegrees(kCornerDegrees)};
-}
+/// Smallest angle, in degrees, below which poor details are dropped.
+constexpr double kPoorAngle = 10.0;
+/// Difference of the mean radius ratio that does not matter.
+constexpr double kRatioNoise = 0.005;
+/// Merges of poor details, each followed by a remeshing: a merge brings other lines closer.
+constexpr int kMaxDetailPasses = 2;
+/// Shares of the tolerance: of the remeshing before the merges, of each merge, and of the remeshing after it. Their sum is
+/// at most 1.
+constexpr double kFirstShare = 0.4;
+constexpr double kDroppedShare = 0.1;
+constexpr double kNextShare = 0.2;
 
 SurfaceRemesh refused(std::vector<Diagnostic> diagnostics) {
   SurfaceRemesh result;
@@ -88,87 +90,127 @@ Task<std::vector<Diagnostic>> checkInput(Work& work, SurfaceMesh& mesh, const Ba
   co_return found;
 }
 
-/// Copies the triangles out of the complex, without unused nodes.
-void copyTriangles(const GuardedSurface& surface, SurfaceMesh& mesh, SurfaceRemesh& result) {
-  const SurfaceComplex& complex = surface.complex();
-  std::vector<std::uint32_t> number(complex.nodeCount(), kNoIndex);
-  for (const NodeId node : IdRange<NodeId>(complex.nodeCount())) {
-    if (!complex.isUsed(node)) continue;
-    number[node.index()] = static_cast<std::uint32_t>(mesh.points.size() / 3);
-    const Vec3& point = complex.pointOf(node);
-    mesh.points.insert(mesh.points.end(), {point.x, point.y, point.z});
-  }
-  SampledDeviation deviation(surface);
-  for (const TriangleId t : IdRange<TriangleId>(complex.triangleSlots())) {
-    if (!complex.isAlive(t)) continue;
-    for (const NodeId node : complex.nodesOf(t)) mesh.triangles.push_back(number[node.index()]);
-    result.origin.push_back(surface.beneath(t).value);
-    result.triangleDeviation.push_back(deviation.of(t));
-  }
-}
-
-void measureShapes(const SurfaceMesh& mesh, SurfaceRemesh& result) {
-  double sum = 0.0;
-  double largestCosine = 0.5;
-  for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh))) {
-    const std::array<Vec3, 3> corners = cornersOf(mesh, t);
-    sum += triangleRadiusRatio(corners[0], corners[1], corners[2]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 u = corners[(k + 1) % 3] - corners[k];
-      const Vec3 v = corners[(k + 2) % 3] - corners[k];
-      largestCosine = std::max(largestCosine, glm::dot(u, v) / (glm::length(u) * glm::length(v)));
-    }
-  }
-  result.smallestAngle = degreesOf(largestCosine);
-  result.meanRadiusRatio = sum / countTriangles(mesh);
-}
-
-/// What was dropped before the remeshing.
+/// Details that were dropped.
 struct DroppedDetails {
-  std::vector<TriangleId> origin;  ///< per triangle: the given one; empty if nothing was dropped
   std::vector<MergedDetail> merged;
   double deviation = 0.0;
 };
 
-/// Keeps all details if a region would be left without volume.
-Task<DroppedDetails> dropDetails(Work& work, SurfaceMesh& mesh, std::vector<std::uint32_t>& groups,
-                                 const FeatureRules& rules, const RemeshOptions& options) {
-  DroppedDetails dropped;
-  ReferenceSurface reference(mesh, groups, rules);
-  co_await reference.prepare(work);
-  DetailMerger merger(reference, options.dropDetails);
-  co_await merger.run(work);
-  if (merger.merged().empty()) co_return dropped;
-  SurfaceMesh made;
-  std::vector<TriangleId> origin;
-  merger.copyTo(made, origin);
-  SurfaceMesh checked = made;
-  for (const TriangleId given : origin) {
-    if (mesh.triangleRegions.empty()) break;
-    const auto first =
-        mesh.triangleRegions.begin() + static_cast<std::ptrdiff_t>(2 * given.index());
-    checked.triangleRegions.insert(checked.triangleRegions.end(), first, first + 2);
+/// Returns what is beside the triangles; nothing if that is not given.
+std::vector<std::uint32_t> regionsOf(const PassSurface& surface,
+                                     std::span<const std::uint32_t> given) {
+  std::vector<std::uint32_t> regions;
+  if (given.empty()) return regions;
+  for (const std::size_t triangle : surface.origin) {
+    regions.push_back(given[2 * triangle]);
+    regions.push_back(given[2 * triangle + 1]);
   }
+  return regions;
+}
+
+/// `regions`: beside the given triangles, or nothing. Keeps all details if a region would be left without volume.
+Task<DroppedDetails> dropDetails(Work& work, PassSurface& surface,
+                                 std::span<const std::uint32_t> regions,
+                                 const RemeshOptions& options, double distance,
+                                 DetailChoice choice) {
+  ReferenceSurface reference(surface.mesh, surface.groups, featureRulesOf(options));
+  co_await reference.prepare(work);
+  DetailMerger merger(reference, distance, choice);
+  co_await merger.run(work);
+  DroppedDetails dropped;
+  if (merger.merged().empty()) co_return dropped;
+  PassSurface made;
+  std::vector<TriangleId> parents;
+  merger.copyTo(made.mesh, parents);
+  for (const TriangleId parent : parents) {
+    made.origin.push_back(surface.origin[parent.index()]);
+    if (!surface.groups.empty()) made.groups.push_back(surface.groups[parent.index()]);
+  }
+  SurfaceMesh checked = made.mesh;
+  checked.triangleRegions = regionsOf(made, regions);
   BoundaryCheck boundary(checked, BoundarySource::kGivenSurface, options.innerShells);
   co_await work.finish(boundary);
   if (anyError(boundary.takeDiagnostics())) co_return dropped;
-  dropped.origin = std::move(origin);
+  surface = std::move(made);
   dropped.merged = merger.merged();
   dropped.deviation = merger.deviation();
-  mesh.points = std::move(made.points);
-  mesh.triangles = std::move(made.triangles);
-  if (groups.empty()) co_return dropped;
-  std::vector<std::uint32_t> ofMade;
-  for (const TriangleId given : dropped.origin) ofMade.push_back(groups[given.index()]);
-  groups = std::move(ofMade);
   co_return dropped;
 }
 
-Task<> makeChanges(Work& work, RemeshSchedule& schedule, VolumeCorrection& correction) {
-  work.beginPart(0.95);
-  co_await schedule.run(work);
+bool isPoor(const SurfaceRemesh& result) {
+  return result.diagnostics.empty() && !result.isPartial && result.smallestAngle < kPoorAngle;
+}
+
+/// Returns true if the smallest angle is larger, without poorer triangles on average.
+bool isBetter(const SurfaceRemesh& one, const SurfaceRemesh& other) {
+  return one.smallestAngle > other.smallestAngle &&
+         one.meanRadiusRatio > other.meanRadiusRatio - kRatioNoise;
+}
+
+/// Returns a remeshed surface as the next one to be remeshed, with the feature lines that it has.
+PassSurface nextSurface(RemeshPass& pass) {
+  PassSurface surface;
+  surface.mesh.points = std::move(pass.remesh.points);
+  surface.mesh.triangles = std::move(pass.remesh.triangles);
+  surface.groups = std::move(pass.patches);
+  surface.origin = std::move(pass.remesh.origin);
+  return surface;
+}
+
+/// Measures the distance of the triangles from the given surface.
+Task<> measureDeviation(Work& work, SurfaceRemesh& result, const PassSurface& given,
+                        const RemeshOptions& options) {
+  ReferenceSurface reference(given.mesh, given.groups, featureRulesOf(options));
+  co_await reference.prepare(work);
+  SurfaceMesh made;
+  made.points = result.points;
+  made.triangles = result.triangles;
+  co_await work.forEachBlock(result.origin.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) {
+      result.triangleDeviation[t] =
+          sampledDeviation(reference, cornersOf(made, TriangleId(t)), TriangleId(result.origin[t]),
+                           result.tolerance);
+    }
+  });
+}
+
+/// Remeshes a surface, drops the details at which triangles are poor, and remeshes it again, twice. Merges need
+/// well-shaped triangles: in needles along a strip, the nodes of both lines lie anywhere. The deviations of all steps add
+/// up to at most the tolerance of `plain`, the result with all details. Returns nothing if it is not better than `plain`.
+Task<std::optional<SurfaceRemesh>> remeshWithoutPoorDetails(
+    Work& work, const PassSurface& given, std::span<const std::uint32_t> regions,
+    const BackgroundGrid& grid, const RemeshOptions& options, const SurfaceRemesh& plain,
+    const bool& isStopped) {
+  work.beginPart(0.4);
+  RemeshOptions ofPass = options;
+  ofPass.tolerance = kFirstShare * plain.tolerance;
+  RemeshPass pass = co_await remeshOnce(work, given, grid, ofPass, isStopped);
+  double deviation = pass.remesh.deviation;
+  std::vector<MergedDetail> merged;
+  for (int i = 1; i <= kMaxDetailPasses && isPoor(pass.remesh); ++i) {
+    work.beginPart(0.4 + 0.55 * i / kMaxDetailPasses);
+    PassSurface surface = nextSurface(pass);
+    const DroppedDetails dropped =
+        co_await dropDetails(work, surface, regions, options, kDroppedShare * plain.tolerance,
+                             DetailChoice::kPoor);
+    ofPass.tolerance = kNextShare * plain.tolerance;
+    pass = co_await remeshOnce(work, surface, grid, ofPass, isStopped);
+    deviation += dropped.deviation + pass.remesh.deviation;
+    merged.insert(merged.end(), dropped.merged.begin(), dropped.merged.end());
+  }
   work.beginPart(1.0);
-  co_await correction.run(work);
+  SurfaceRemesh& result = pass.remesh;
+  const bool isUsable = result.diagnostics.empty() && !result.isPartial;
+  if (!isUsable || merged.empty() || !isBetter(result, plain)) co_return std::nullopt;
+  result.size = plain.size;
+  result.minSize = plain.minSize;
+  result.tolerance = plain.tolerance;
+  result.deviation = std::max(deviation, plain.tolerance);
+  result.mergedDetails = std::move(merged);
+  result.patches = plain.patches;
+  result.featureLines = plain.featureLines;
+  co_await measureDeviation(work, result, given, options);
+  co_return std::move(result);
 }
 
 }  // namespace
@@ -177,63 +219,34 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
                                   const BackgroundGrid& grid, const RemeshOptions& options,
                                   const bool& isStopped) {
   work.beginPart(0.05);
-  const bool areRegionsGiven = !mesh.triangleRegions.empty();
+  std::vector<std::uint32_t> regions = mesh.triangleRegions;
   std::vector<Diagnostic> problems = co_await checkInput(work, mesh, grid, options);
   if (anyError(problems)) co_return refused(std::move(problems));
 
-  work.beginPart(0.1);
-  const FeatureRules rules = rulesOf(options);
-  if (!areRegionsGiven) mesh.triangleRegions = {};
+  mesh.triangleRegions = {};
+  PassSurface surface{std::move(mesh), std::move(groups), {}};
+  surface.origin.resize(countTriangles(surface.mesh));
+  std::iota(surface.origin.begin(), surface.origin.end(), 0U);
   DroppedDetails dropped;
   if (options.dropDetails > 0.0) {
-    dropped = co_await dropDetails(work, mesh, groups, rules, options);
+    work.beginPart(0.1);
+    dropped = co_await dropDetails(work, surface, regions, options, options.dropDetails,
+                                   DetailChoice::kAll);
   }
-  ReferenceSurface reference(mesh, groups, rules);
-  co_await reference.prepare(work);
-  const bool hasTargets = options.size > 0.0 || usesGrid(grid, targetOptions(options));
-  const RemeshLengths lengths = remeshLengthsOf(options, hasTargets, reference.diagonal());
-
-  work.beginPart(0.15);
-  TargetField targets = co_await findTargetField(work, reference, grid, options, lengths);
-  if (!targets.diagnostics.empty()) co_return refused(std::move(targets.diagnostics));
-
-  work.beginPart(0.9);
-  SurfaceLimits limits;
-  limits.tolerance = lengths.testedTolerance;
-  GuardedSurface surface(reference, limits, lengths.maxSize);
-  SurfaceEditor editor(surface, *targets.sizes);
-  co_await work.yield();
-  RemeshSchedule schedule(editor);
-  VolumeCorrection correction(surface);
-  Job<> changes([&](Work& inner) { return makeChanges(inner, schedule, correction); });
-  bool isFinished = false;
-  while (!isFinished && !isStopped) {
-    isFinished = changes.advance(work.remaining());
-    work.setFraction(changes.fraction());
-    co_await work.yield();
+  work.beginPart(options.dropPoorDetails ? 0.5 : 1.0);
+  RemeshPass pass = co_await remeshOnce(work, surface, grid, options, isStopped);
+  SurfaceRemesh result = std::move(pass.remesh);
+  if (!result.diagnostics.empty()) co_return result;
+  if (options.dropPoorDetails && isPoor(result)) {
+    work.beginPart(1.0);
+    std::optional<SurfaceRemesh> better = co_await remeshWithoutPoorDetails(
+        work, surface, regions, grid, options, result, isStopped);
+    if (better) result = std::move(*better);
+    result.isPartial = isStopped;
   }
-
-  work.beginPart(1.0);
-  SurfaceRemesh result;
-  result.isPartial = !isFinished;
-  SurfaceMesh made;
-  copyTriangles(surface, made, result);
-  measureShapes(made, result);
-  result.size = lengths.maxSize;
-  result.minSize = lengths.minSize;
-  result.tolerance = lengths.tolerance;
-  result.patches = static_cast<std::uint32_t>(reference.patchCount());
-  result.featureLines = static_cast<std::uint32_t>(reference.lines().size());
-  // In the other direction, every change has kept the tolerance.
-  DeviationBound deviation(surface, lengths.tolerance);
-  co_await work.finish(deviation);
-  result.deviation = deviation.bound() + dropped.deviation;
-  result.mergedDetails = std::move(dropped.merged);
-  for (std::uint32_t& triangle : result.origin) {
-    if (!dropped.origin.empty()) triangle = dropped.origin[triangle].value;
-  }
-  result.points = std::move(made.points);
-  result.triangles = std::move(made.triangles);
+  result.deviation += dropped.deviation;
+  result.mergedDetails.insert(result.mergedDetails.begin(), dropped.merged.begin(),
+                              dropped.merged.end());
   result.diagnostics = std::move(problems);
   co_return result;
 }
@@ -247,7 +260,7 @@ Task<SurfaceSizeProposal> proposeSurfaceSizes(Work& work, SurfaceMesh& mesh,
   result.diagnostics = co_await checkInput(work, mesh, noGrid, options);
   if (!result.diagnostics.empty()) co_return result;
   work.beginPart(0.2);
-  ReferenceSurface reference(mesh, groups, rulesOf(options));
+  ReferenceSurface reference(mesh, groups, featureRulesOf(options));
   co_await reference.prepare(work);
   const RemeshLengths lengths = remeshLengthsOf(options, options.size > 0.0, reference.diagonal());
   work.beginPart(0.6);

@@ -3,10 +3,15 @@ import { MesherError } from "../diagnostics/mesher-error.js";
 import { diagonalOf } from "../formats/near-points.js";
 import type { SurfaceRemesh } from "../mesh/inspection.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
-import { isBetter, isPoor, unlessFailed } from "./best-remesh.js";
 
 /** Figures of a remeshing by which two are compared. */
 export type RemeshShapes = Pick<SurfaceRemesh, "isPartial" | "smallestAngle" | "meanRadiusRatio">;
+
+/** Smallest angle, in degrees, below which triangles are poor. */
+const POOR_ANGLE = 10;
+
+/** Difference of the mean radius ratio that does not matter. */
+const RATIO_NOISE = 0.005;
 
 /** Result of a remeshing, and the repaired surface of which it was made. */
 export interface BestRepair<Prepared, Made> {
@@ -89,3 +94,28 @@ async function unlessRefused<Result>(
     throw failure;
   }
 }
+
+/** Returns whether a finished remeshing has triangles so poor that another way is worth its time. */
+function isPoor({ isPartial, smallestAngle }: RemeshShapes): boolean {
+  return !isPartial && smallestAngle < POOR_ANGLE;
+}
+
+/** Returns whether a remeshing has a larger smallest angle than another, without poorer triangles on average. */
+function isBetter(one: RemeshShapes, other: RemeshShapes): boolean {
+  const isWorseOnAverage = one.meanRadiusRatio <= other.meanRadiusRatio - RATIO_NOISE;
+  return !one.isPartial && one.smallestAngle > other.smallestAngle && !isWorseOnAverage;
+}
+
+/** Resolves with undefined if a call fails. Rejects if it is cancelled, or the mesher is disposed of. */
+export async function unlessFailed<Result>(made: Promise<Result>): Promise<Result | undefined> {
+  try {
+    return await made;
+  } catch (failure) {
+    const isFailed = failure instanceof MesherError && !ended.includes(failure.code);
+    if (isFailed) return undefined;
+    throw failure;
+  }
+}
+
+/** Codes of errors that the caller has caused. */
+const ended: readonly MesherError["code"][] = ["cancelled", "disposed"];

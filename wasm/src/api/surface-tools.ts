@@ -13,7 +13,6 @@ import type {
 } from "../mesh/inspection.js";
 import type { PatchedSurface, SurfaceInput } from "../mesh/mesh.js";
 import { emptyGrid, withNodes } from "../project/grid-arrays.js";
-import { isAutomaticRemesh, remeshBest } from "./best-remesh.js";
 import { afterPause, beginCall } from "./call-checks.js";
 import {
   checkGroups,
@@ -130,7 +129,6 @@ export class SurfaceTools {
     return describedRefinement(refinement);
   }
 
-  /** Merges narrow details where they leave poor triangles, if all options are automatic. */
   async remesh(
     surface: PatchedSurface,
     options: RemeshOptions,
@@ -139,19 +137,6 @@ export class SurfaceTools {
   ): Promise<SurfaceRemesh> {
     beginCall(this.#client, control);
     refuse([...checkPatchedSurface(surface), ...checkRemeshOptions(options)]);
-    const once = (wanted: RemeshOptions, watched: PartialControl) =>
-      this.#remeshOnce(surface, wanted, watched, name);
-    return isAutomaticRemesh(options)
-      ? remeshBest(once, surface.points, options, control)
-      : once(options, control);
-  }
-
-  async #remeshOnce(
-    surface: PatchedSurface,
-    options: RemeshOptions,
-    control: PartialControl,
-    name?: EntityNamer,
-  ): Promise<SurfaceRemesh> {
     refuse(checkLocatedSurface(surface));
     const { background } = options;
     const [points, triangles] = [surface.points.slice(), surface.triangles.slice()];

@@ -4,7 +4,7 @@ import {
   remeshedBest as betterRemeshed,
   type BestRepairOptions,
 } from "../api/best-repair.js";
-import { unlessFailed } from "../api/best-remesh.js";
+import { unlessFailed } from "../api/best-repair.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import type { MeshResult } from "../mesh/report.js";
 import { InvalidInput } from "./messages.js";

@@ -1,0 +1,36 @@
+#pragma once
+
+/// @file One remeshing: finds features and sizes of a surface, changes its triangles, and bounds the distance between both
+/// surfaces. A remeshing that drops details takes several.
+
+#include <cstdint>
+#include <vector>
+
+#include "base/task.h"
+#include "remesh/reference_surface.h"
+#include "tetrafront/background_grid.h"
+#include "tetrafront/mesh.h"
+#include "tetrafront/remesh.h"
+
+namespace tetrafront {
+
+/// A valid boundary that is to be remeshed: the given surface, or what earlier steps made of it.
+struct PassSurface {
+  SurfaceMesh mesh;
+  std::vector<std::uint32_t> groups;  ///< per triangle: its patch; empty if there is only one
+  std::vector<std::uint32_t> origin;  ///< per triangle: the given one
+};
+
+struct RemeshPass {
+  SurfaceRemesh remesh;  ///< `origin` refers to the given triangles
+  std::vector<std::uint32_t> patches;  ///< per triangle: its smooth patch
+};
+
+[[nodiscard]] FeatureRules featureRulesOf(const RemeshOptions& options);
+
+/// Remeshes a surface. Details are kept. Everything must outlive the task. Once `isStopped` is true, the surface is returned
+/// as it is. Errors are in the diagnostics of the result.
+Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const BackgroundGrid& grid,
+                            const RemeshOptions& options, const bool& isStopped);
+
+}  // namespace tetrafront
