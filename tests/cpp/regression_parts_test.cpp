@@ -1,5 +1,5 @@
-/// @file Forty bodies as CAD programs export them, each hard for another reason. With automatic sizes, each must be
-/// remeshed and filled with the figures of its row. CPU time of all is below a minute without sanitizers;
+/// @file Forty bodies as CAD programs export them, each hard for another reason. With the options of the package, each
+/// must be remeshed and filled with the figures of its row. CPU time of all is below a minute without sanitizers;
 /// scripts/lib/suites.mjs leaves them out of the run with sanitizers.
 
 #include <gtest/gtest.h>
@@ -49,8 +49,6 @@ const PartFigures kRunOut{4.0, 0.75};
 
 /// Faces meet at this angle, in degrees.
 PartFigures atKnifeEdge(double angle) { return {0.4 * angle, 0.55}; }
-/// Strips between feature lines that are narrower than the smallest size; they may not be dropped unasked.
-const PartFigures kLowSteps{0.2, 0.65};
 
 struct Part {
   std::string name;
@@ -311,8 +309,8 @@ const std::vector<Part> kParts{
     {"cavities", boxWithCavities, {}},
     {"island", [] { return blockWithIsland(1); }, {}},
     // Steps.
-    {"step_1e5", [] { return staircase({1e-5}); }, kLowSteps},
-    {"steps_1e2_to_1e4", [] { return staircase({1e-2, 1e-3, 1e-4}); }, kLowSteps},
+    {"step_1e5", [] { return staircase({1e-5}); }, {}},
+    {"steps_1e2_to_1e4", [] { return staircase({1e-2, 1e-3, 1e-4}); }, {}},
     // Knife edges and tips.
     {"wedge", [] { return wedge(4.0, 1); }, atKnifeEdge(4.0)},
     {"lens",
@@ -342,7 +340,9 @@ TEST_P(RegressionParts, ReachesItsFigures) {
   const PartFigures& figures = GetParam().figures;
   ASSERT_GT(enclosedVolume(given), 0.0);
 
-  SurfaceRemesher remesher(given.points, given.triangles, {}, {}, {});
+  RemeshOptions automatic;
+  automatic.dropPoorDetails = true;
+  SurfaceRemesher remesher(given.points, given.triangles, {}, {}, automatic);
   while (!remesher.advance(1U << 16U)) {
   }
   const SurfaceRemesh& remeshed = remesher.result();

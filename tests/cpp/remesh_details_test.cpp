@@ -79,6 +79,59 @@ TEST(RemeshDetails, StepsAboveTheLengthStay) {
   EXPECT_TRUE(remesh(blockWithStep(0.004), options).mergedDetails.empty());
 }
 
+/// The triangles along the strip would have angles of .04 degrees.
+TEST(RemeshDetails, PoorOnesAreDroppedWithinTheTolerance) {
+  const SurfaceMesh given = blockWithStep(1e-5);
+  EXPECT_LT(remesh(given).smallestAngle, 1.0);
+  RemeshOptions options;
+  options.dropPoorDetails = true;
+  const SurfaceRemesh result = remesh(given, options);
+  const SurfaceMesh made = surfaceOf(result);
+  EXPECT_TRUE(errorsOf(made, InnerShells::kCavities).empty());
+  EXPECT_GT(result.smallestAngle, 20.0);
+  EXPECT_FALSE(result.mergedDetails.empty());
+  EXPECT_EQ(result.tolerance, remesh(given).tolerance);
+  EXPECT_LE(result.deviation, result.tolerance);
+  EXPECT_LE(sampledDistance(made, given, 500), result.deviation);
+  EXPECT_LE(sampledDistance(given, made, 500), result.deviation);
+  ASSERT_EQ(result.triangleDeviation.size(), result.origin.size());
+  for (const std::uint32_t origin : result.origin) EXPECT_LT(origin, countTriangles(given));
+}
+
+TEST(RemeshDetails, WellShapedOnesAreNotDropped) {
+  RemeshOptions options;
+  options.dropPoorDetails = true;
+  for (const SurfaceMesh& given : {blockWithStep(0.004), gridCube(4)}) {
+    const SurfaceRemesh plain = remesh(given);
+    const SurfaceRemesh result = remesh(given, options);
+    EXPECT_TRUE(result.mergedDetails.empty());
+    EXPECT_EQ(result.points, plain.points);
+    EXPECT_EQ(result.triangles, plain.triangles);
+  }
+}
+
+/// Whenever the work is stopped, the surface is a valid boundary near the given one.
+TEST(RemeshDetails, AreDroppedOrNotIfTheWorkIsStopped) {
+  const SurfaceMesh given = blockWithStep(1e-5);
+  RemeshOptions options;
+  options.dropPoorDetails = true;
+  bool isComplete = false;
+  for (int slices = 8; !isComplete; slices *= 2) {
+    SurfaceRemesher remesher(given.points, given.triangles, {}, {}, options);
+    isComplete = true;
+    for (int i = 0; !remesher.advance(500); ++i) {
+      if (i < slices) continue;
+      remesher.stop();
+      isComplete = false;
+    }
+    const SurfaceRemesh& result = remesher.result();
+    EXPECT_FALSE(result.isPartial && isComplete);
+    const SurfaceMesh made = surfaceOf(result);
+    EXPECT_TRUE(errorsOf(made, InnerShells::kCavities).empty()) << slices;
+    EXPECT_LE(sampledDistance(given, made, 100), result.deviation) << slices;
+  }
+}
+
 /// What is as thin as rounding after a merge would have no volume.
 TEST(RemeshDetails, RegionsDoNotDisappear) {
   SurfaceMesh plates = dividedBox({2, 1, 1}, 1);

@@ -80,7 +80,8 @@ FeatureRules featureRulesOf(const RemeshOptions& options) {
 }
 
 Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const BackgroundGrid& grid,
-                            const RemeshOptions& options, const bool& isStopped) {
+                            const RemeshOptions& options, double toleranceShare,
+                            const bool& isStopped) {
   work.beginPart(0.05);
   RemeshPass pass;
   SurfaceRemesh& result = pass.remesh;
@@ -96,7 +97,7 @@ Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const Backgr
 
   work.beginPart(0.9);
   SurfaceLimits limits;
-  limits.tolerance = lengths.testedTolerance;
+  limits.tolerance = toleranceShare * lengths.testedTolerance;
   GuardedSurface guarded(reference, limits, lengths.maxSize);
   SurfaceEditor editor(guarded, *targets.sizes);
   co_await work.yield();
@@ -116,11 +117,11 @@ Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const Backgr
   measureShapes(result);
   result.size = lengths.maxSize;
   result.minSize = lengths.minSize;
-  result.tolerance = lengths.tolerance;
+  result.tolerance = toleranceShare * lengths.tolerance;
   result.patches = static_cast<std::uint32_t>(reference.patchCount());
   result.featureLines = static_cast<std::uint32_t>(reference.lines().size());
   // In the other direction, every change has kept the tolerance.
-  DeviationBound deviation(guarded, lengths.tolerance);
+  DeviationBound deviation(guarded, result.tolerance);
   co_await work.finish(deviation);
   result.deviation = deviation.bound();
   co_return pass;

@@ -22,15 +22,17 @@ struct PassSurface {
 };
 
 struct RemeshPass {
-  SurfaceRemesh remesh;  ///< `origin` refers to the given triangles
+  SurfaceRemesh remesh;                ///< `origin` refers to the given triangles
   std::vector<std::uint32_t> patches;  ///< per triangle: its smooth patch
 };
 
 [[nodiscard]] FeatureRules featureRulesOf(const RemeshOptions& options);
 
-/// Remeshes a surface. Details are kept. Everything must outlive the task. Once `isStopped` is true, the surface is returned
-/// as it is. Errors are in the diagnostics of the result.
+/// Remeshes a surface, with all details. Its distance from the surface is at most a share of the tolerance; sizes are those of
+/// the whole tolerance. Everything must outlive the task. Once `isStopped` is true, the surface is returned as it is. Errors
+/// are in the diagnostics of the result.
 Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const BackgroundGrid& grid,
-                            const RemeshOptions& options, const bool& isStopped);
+                            const RemeshOptions& options, double toleranceShare,
+                            const bool& isStopped);
 
 }  // namespace tetrafront

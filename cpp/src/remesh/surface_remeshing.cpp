@@ -34,12 +34,12 @@ constexpr double kPoorAngle = 10.0;
 /// Difference of the mean radius ratio that does not matter.
 constexpr double kRatioNoise = 0.005;
 /// Merges of poor details, each followed by a remeshing: a merge brings other lines closer.
-constexpr int kMaxDetailPasses = 2;
-/// Shares of the tolerance: of the remeshing before the merges, of each merge, and of the remeshing after it. Their sum is
-/// at most 1.
-constexpr double kFirstShare = 0.4;
-constexpr double kDroppedShare = 0.1;
-constexpr double kNextShare = 0.2;
+constexpr int kMaxPoorMerges = 2;
+/// Shares of the tolerance: of the remeshing before the first merge, of the remeshing after each merge, and of each merge of
+/// poor details. The sum over all merges, of chosen details and of poor ones, is at most 1.
+constexpr double kFirstShare = 0.3;
+constexpr double kNextShare = 0.15;
+constexpr double kMergeShare = 0.1;
 
 SurfaceRemesh refused(std::vector<Diagnostic> diagnostics) {
   SurfaceRemesh result;
@@ -90,12 +90,6 @@ Task<std::vector<Diagnostic>> checkInput(Work& work, SurfaceMesh& mesh, const Ba
   co_return found;
 }
 
-/// Details that were dropped.
-struct DroppedDetails {
-  std::vector<MergedDetail> merged;
-  double deviation = 0.0;
-};
-
 /// Returns what is beside the triangles; nothing if that is not given.
 std::vector<std::uint32_t> regionsOf(const PassSurface& surface,
                                      std::span<const std::uint32_t> given) {
@@ -108,43 +102,32 @@ std::vector<std::uint32_t> regionsOf(const PassSurface& surface,
   return regions;
 }
 
-/// `regions`: beside the given triangles, or nothing. Keeps all details if a region would be left without volume.
-Task<DroppedDetails> dropDetails(Work& work, PassSurface& surface,
-                                 std::span<const std::uint32_t> regions,
-                                 const RemeshOptions& options, double distance,
-                                 DetailChoice choice) {
-  ReferenceSurface reference(surface.mesh, surface.groups, featureRulesOf(options));
-  co_await reference.prepare(work);
-  DetailMerger merger(reference, distance, choice);
-  co_await merger.run(work);
-  DroppedDetails dropped;
-  if (merger.merged().empty()) co_return dropped;
-  PassSurface made;
-  std::vector<TriangleId> parents;
-  merger.copyTo(made.mesh, parents);
-  for (const TriangleId parent : parents) {
-    made.origin.push_back(surface.origin[parent.index()]);
-    if (!surface.groups.empty()) made.groups.push_back(surface.groups[parent.index()]);
-  }
-  SurfaceMesh checked = made.mesh;
-  checked.triangleRegions = regionsOf(made, regions);
-  BoundaryCheck boundary(checked, BoundarySource::kGivenSurface, options.innerShells);
-  co_await work.finish(boundary);
-  if (anyError(boundary.takeDiagnostics())) co_return dropped;
-  surface = std::move(made);
-  dropped.merged = merger.merged();
-  dropped.deviation = merger.deviation();
-  co_return dropped;
+bool isComplete(const SurfaceRemesh& result) {
+  return result.diagnostics.empty() && !result.isPartial;
 }
 
 bool isPoor(const SurfaceRemesh& result) {
-  return result.diagnostics.empty() && !result.isPartial && result.smallestAngle < kPoorAngle;
+  return isComplete(result) && result.smallestAngle < kPoorAngle;
 }
 
 /// Returns true if the smallest angle is larger, without poorer triangles on average.
 bool isBetter(const SurfaceRemesh& one, const SurfaceRemesh& other) {
   return one.smallestAngle > other.smallestAngle &&
          one.meanRadiusRatio > other.meanRadiusRatio - kRatioNoise;
+}
+
+/// Returns the numbers of a result.
+SurfaceRemesh withoutArrays(const SurfaceRemesh& result) {
+  SurfaceRemesh numbers;
+  numbers.size = result.size;
+  numbers.minSize = result.minSize;
+  numbers.tolerance = result.tolerance;
+  numbers.deviation = result.deviation;
+  numbers.patches = result.patches;
+  numbers.featureLines = result.featureLines;
+  numbers.isPartial = result.isPartial;
+  numbers.diagnostics = result.diagnostics;
+  return numbers;
 }
 
 /// Returns a remeshed surface as the next one to be remeshed, with the feature lines that it has.
@@ -174,43 +157,106 @@ Task<> measureDeviation(Work& work, SurfaceRemesh& result, const PassSurface& gi
   });
 }
 
-/// Remeshes a surface, drops the details at which triangles are poor, and remeshes it again, twice. Merges need
-/// well-shaped triangles: in needles along a strip, the nodes of both lines lie anywhere. The deviations of all steps add
-/// up to at most the tolerance of `plain`, the result with all details. Returns nothing if it is not better than `plain`.
-Task<std::optional<SurfaceRemesh>> remeshWithoutPoorDetails(
-    Work& work, const PassSurface& given, std::span<const std::uint32_t> regions,
-    const BackgroundGrid& grid, const RemeshOptions& options, const SurfaceRemesh& plain,
-    const bool& isStopped) {
-  work.beginPart(0.4);
-  RemeshOptions ofPass = options;
-  ofPass.tolerance = kFirstShare * plain.tolerance;
-  RemeshPass pass = co_await remeshOnce(work, given, grid, ofPass, isStopped);
-  double deviation = pass.remesh.deviation;
+/// What all steps of a remeshing share; it must outlive them.
+struct Remeshing {
+  const PassSurface& given;
+  std::span<const std::uint32_t> regions;  ///< beside the given triangles, or nothing
+  const BackgroundGrid& grid;
+  const RemeshOptions& options;
+  const bool& isStopped;
+};
+
+/// A surface from which details have been dropped.
+struct SimplifiedSurface {
+  RemeshPass pass;
+  double deviation = 0.0;  ///< sum over all steps
   std::vector<MergedDetail> merged;
-  for (int i = 1; i <= kMaxDetailPasses && isPoor(pass.remesh); ++i) {
-    work.beginPart(0.4 + 0.55 * i / kMaxDetailPasses);
-    PassSurface surface = nextSurface(pass);
-    const DroppedDetails dropped =
-        co_await dropDetails(work, surface, regions, options, kDroppedShare * plain.tolerance,
-                             DetailChoice::kPoor);
-    ofPass.tolerance = kNextShare * plain.tolerance;
-    pass = co_await remeshOnce(work, surface, grid, ofPass, isStopped);
-    deviation += dropped.deviation + pass.remesh.deviation;
-    merged.insert(merged.end(), dropped.merged.begin(), dropped.merged.end());
+};
+
+/// Drops details of a remeshed surface, and remeshes it again. Keeps all details if a region would be left without volume.
+Task<> simplify(Work& work, const Remeshing& remeshing, double distance, DetailChoice choice,
+                SimplifiedSurface& simplified) {
+  work.beginPart(0.2);
+  const RemeshOptions& options = remeshing.options;
+  PassSurface surface = nextSurface(simplified.pass);
+  ReferenceSurface reference(surface.mesh, surface.groups, featureRulesOf(options));
+  co_await reference.prepare(work);
+  DetailMerger merger(reference, distance, choice);
+  co_await merger.run(work);
+  PassSurface made;
+  std::vector<TriangleId> parents;
+  merger.copyTo(made.mesh, parents);
+  for (const TriangleId parent : parents) {
+    made.origin.push_back(surface.origin[parent.index()]);
+    made.groups.push_back(surface.groups[parent.index()]);
+  }
+  SurfaceMesh checked = made.mesh;
+  checked.triangleRegions = regionsOf(made, remeshing.regions);
+  BoundaryCheck boundary(checked, BoundarySource::kGivenSurface, options.innerShells);
+  co_await work.finish(boundary);
+  const bool isDropped = !merger.merged().empty() && !anyError(boundary.takeDiagnostics());
+  if (isDropped) {
+    simplified.deviation += merger.deviation();
+    simplified.merged.insert(simplified.merged.end(), merger.merged().begin(),
+                             merger.merged().end());
   }
   work.beginPart(1.0);
-  SurfaceRemesh& result = pass.remesh;
-  const bool isUsable = result.diagnostics.empty() && !result.isPartial;
-  if (!isUsable || merged.empty() || !isBetter(result, plain)) co_return std::nullopt;
-  result.size = plain.size;
-  result.minSize = plain.minSize;
-  result.tolerance = plain.tolerance;
-  result.deviation = std::max(deviation, plain.tolerance);
-  result.mergedDetails = std::move(merged);
-  result.patches = plain.patches;
-  result.featureLines = plain.featureLines;
-  co_await measureDeviation(work, result, given, options);
-  co_return std::move(result);
+  simplified.pass = co_await remeshOnce(work, isDropped ? made : surface, remeshing.grid, options,
+                                        kNextShare, remeshing.isStopped);
+  simplified.deviation += simplified.pass.remesh.deviation;
+}
+
+/// Remeshes the given surface and drops details: all below RemeshOptions::dropDetails, then those across which triangles are
+/// poor. Merges need well-shaped triangles: in needles along a strip, the nodes of both lines lie anywhere. The deviations of all steps, except the one of chosen details, add up to at most that.
+Task<SurfaceRemesh> remeshWithoutDetails(Work& work, const Remeshing& remeshing) {
+  const RemeshOptions& options = remeshing.options;
+  work.beginPart(0.4);
+  SimplifiedSurface simplified;
+  simplified.pass = co_await remeshOnce(work, remeshing.given, remeshing.grid, options, kFirstShare,
+                                        remeshing.isStopped);
+  const SurfaceRemesh first = withoutArrays(simplified.pass.remesh);
+  const double tolerance = first.tolerance / kFirstShare;
+  simplified.deviation = first.deviation;
+  if (options.dropDetails > 0.0 && isComplete(first)) {
+    work.beginPart(0.6);
+    co_await simplify(work, remeshing, options.dropDetails, DetailChoice::kAll, simplified);
+  }
+  for (int i = 1; i <= kMaxPoorMerges && isPoor(simplified.pass.remesh); ++i) {
+    work.beginPart(0.6 + 0.35 * i / kMaxPoorMerges);
+    co_await simplify(work, remeshing, kMergeShare * tolerance, DetailChoice::kPoor, simplified);
+  }
+  work.beginPart(1.0);
+  SurfaceRemesh result = std::move(simplified.pass.remesh);
+  result.size = first.size;
+  result.minSize = first.minSize;
+  result.patches = first.patches;
+  result.featureLines = first.featureLines;
+  result.tolerance = tolerance;
+  result.deviation = std::max(simplified.deviation, tolerance);
+  result.mergedDetails = std::move(simplified.merged);
+  if (isComplete(result)) co_await measureDeviation(work, result, remeshing.given, options);
+  co_return result;
+}
+
+/// Remeshes a surface with all details, unless some are to be dropped.
+Task<SurfaceRemesh> remeshGiven(Work& work, const Remeshing& remeshing) {
+  const RemeshOptions& options = remeshing.options;
+  if (options.dropDetails > 0.0) {
+    SurfaceRemesh result = co_await remeshWithoutDetails(work, remeshing);
+    co_return result;
+  }
+  work.beginPart(options.dropPoorDetails ? 0.5 : 1.0);
+  RemeshPass plain =
+      co_await remeshOnce(work, remeshing.given, remeshing.grid, options, 1.0, remeshing.isStopped);
+  SurfaceRemesh result = std::move(plain.remesh);
+  if (!options.dropPoorDetails || !isPoor(result)) co_return result;
+  work.beginPart(1.0);
+  SurfaceRemesh other = co_await remeshWithoutDetails(work, remeshing);
+  if (isComplete(other) && !other.mergedDetails.empty() && isBetter(other, result)) {
+    co_return other;
+  }
+  result.isPartial = other.isPartial;
+  co_return result;
 }
 
 }  // namespace
@@ -219,35 +265,17 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
                                   const BackgroundGrid& grid, const RemeshOptions& options,
                                   const bool& isStopped) {
   work.beginPart(0.05);
-  std::vector<std::uint32_t> regions = mesh.triangleRegions;
+  const std::vector<std::uint32_t> regions = mesh.triangleRegions;
   std::vector<Diagnostic> problems = co_await checkInput(work, mesh, grid, options);
   if (anyError(problems)) co_return refused(std::move(problems));
-
+  work.beginPart(1.0);
   mesh.triangleRegions = {};
-  PassSurface surface{std::move(mesh), std::move(groups), {}};
-  surface.origin.resize(countTriangles(surface.mesh));
-  std::iota(surface.origin.begin(), surface.origin.end(), 0U);
-  DroppedDetails dropped;
-  if (options.dropDetails > 0.0) {
-    work.beginPart(0.1);
-    dropped = co_await dropDetails(work, surface, regions, options, options.dropDetails,
-                                   DetailChoice::kAll);
-  }
-  work.beginPart(options.dropPoorDetails ? 0.5 : 1.0);
-  RemeshPass pass = co_await remeshOnce(work, surface, grid, options, isStopped);
-  SurfaceRemesh result = std::move(pass.remesh);
-  if (!result.diagnostics.empty()) co_return result;
-  if (options.dropPoorDetails && isPoor(result)) {
-    work.beginPart(1.0);
-    std::optional<SurfaceRemesh> better = co_await remeshWithoutPoorDetails(
-        work, surface, regions, grid, options, result, isStopped);
-    if (better) result = std::move(*better);
-    result.isPartial = isStopped;
-  }
-  result.deviation += dropped.deviation;
-  result.mergedDetails.insert(result.mergedDetails.begin(), dropped.merged.begin(),
-                              dropped.merged.end());
-  result.diagnostics = std::move(problems);
+  PassSurface given{std::move(mesh), std::move(groups), {}};
+  given.origin.resize(countTriangles(given.mesh));
+  std::iota(given.origin.begin(), given.origin.end(), 0U);
+  const Remeshing remeshing{given, regions, grid, options, isStopped};
+  SurfaceRemesh result = co_await remeshGiven(work, remeshing);
+  if (result.diagnostics.empty()) result.diagnostics = std::move(problems);
   co_return result;
 }
 
