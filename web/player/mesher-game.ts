@@ -31,6 +31,8 @@ export interface GameQuestion {
   readonly nodes: readonly number[];
   /** The program's choice; null: a new node. */
   readonly program: number | null;
+  /** Candidates that the program tried before its choice, and refused. */
+  readonly refused: number;
 }
 
 export interface GameVerdict {
@@ -61,6 +63,7 @@ export function nextQuestion(surface: SurfaceTrace, state: number, level: GameLe
 function questionOf(front: PlanarFront, step: EdgeStep, level: GameLevel): GameQuestion {
   const accepted = step.candidates.find(({ verdict }) => verdict === "accepted");
   const program = accepted && !accepted.isNew ? accepted.node : null;
+  const refused = step.candidates.filter(({ verdict }) => verdict !== "accepted").length;
   const near = [...new Set(edgesAt(front, step.step - 1).flatMap((edge) => endsOf(front, edge)))]
     .filter((node) => !step.nodes.includes(node) && node !== program)
     .map((node) => ({ node, far: metricLength(step.metric, minus(planeOf(front, node), step.ideal)) }))
@@ -68,7 +71,7 @@ function questionOf(front: PlanarFront, step: EdgeStep, level: GameLevel): GameQ
     .map(({ node }) => node);
   const others = near.slice(0, maxChoices[level] - (program === null ? 0 : 1));
   const nodes = program === null ? others : [...others, program];
-  return { front, step, nodes: nodes.sort((a, b) => a - b), program };
+  return { front, step, nodes: nodes.sort((a, b) => a - b), program, refused };
 }
 
 /**

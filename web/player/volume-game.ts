@@ -10,6 +10,8 @@ export interface VolumeQuestion {
   readonly nodes: readonly number[];
   /** The program's choice; null: a new node. */
   readonly program: number | null;
+  /** Candidates that the program tried before its choice, and refused. */
+  readonly refused: number;
 }
 
 export interface VolumeVerdict {
@@ -55,6 +57,7 @@ export function nextVolumeQuestion(
 function questionOf(trace: Trace, step: AdvanceStep, level: GameLevel): VolumeQuestion {
   const accepted = step.candidates.find(({ verdict }) => verdict === "accepted");
   const program = accepted && !accepted.isNew ? accepted.node : null;
+  const refused = step.candidates.filter(({ verdict }) => verdict !== "accepted").length;
   const base = nodesOf(trace, step.face);
   const front = new Set(Array.from(trace.frontAt(step.step - 1)).flatMap((face) => nodesOf(trace, face)));
   const near = [...front]
@@ -64,7 +67,7 @@ function questionOf(trace: Trace, step: AdvanceStep, level: GameLevel): VolumeQu
     .map(({ node }) => node);
   const others = near.slice(0, maxChoices[level] - (program === null ? 0 : 1));
   const nodes = program === null ? others : [...others, program];
-  return { step, nodes: nodes.sort((a, b) => a - b), program };
+  return { step, nodes: nodes.sort((a, b) => a - b), program, refused };
 }
 
 /**

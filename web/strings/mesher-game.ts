@@ -3,6 +3,11 @@ const number = (value: number): string => value.toLocaleString("en-US");
 const edgesOf = (edges: readonly number[]): string =>
   `${edges.length === 1 ? "edge" : "edges"} ${edges.slice(0, 4).map(number).join(", ")}${edges.length > 4 ? " …" : ""}`;
 const nameOf = (node: number | null): string => (node === null ? "a new node" : `node ${number(node)}`);
+/** How the program came to its choice. `refused`: candidates that it tried first. */
+const choiceOf = (node: number | null, refused: number): string =>
+  refused === 0
+    ? `The program chose ${nameOf(node)}, which comes first in its ranking.`
+    : `The program chose ${nameOf(node)}: it tried ${refused === 1 ? "1 better-ranked candidate" : `${number(refused)} better-ranked candidates`} first and refused ${refused === 1 ? "it" : "them"}.`;
 
 export const mesherGameStrings = {
   start: "Be the mesher",
@@ -22,8 +27,8 @@ export const mesherGameStrings = {
   none: "No further edge of this level follows. Choose another level, or go back in the player.",
   verdict: {
     best: () => "The program chose the same. 2 points.",
-    possible: (_: readonly number[], program: number | null) =>
-      `Possible: the triangle would cross nothing. The program chose ${nameOf(program)}, which comes first in its ranking. 1 point.`,
+    possible: (_: readonly number[], program: number | null, refused: number) =>
+      `Possible: the triangle would cross nothing. ${choiceOf(program, refused)} 1 point.`,
     behind: (_: readonly number[], program: number | null) =>
       `No point. The node is behind the edge or in line with it: the triangle would have no area, or lie on triangles that exist. The program chose ${nameOf(program)}.`,
     crosses: (edges: readonly number[], program: number | null) =>
@@ -53,8 +58,8 @@ export const volumeGameStrings = {
   none: "No further face of this level follows. Choose another level, or go back in the player.",
   verdict: {
     best: () => "The program chose the same. 2 points.",
-    possible: (_: readonly number[], program: number | null) =>
-      `Possible: the element would cross nothing. The program chose ${nameOf(program)}, which comes first in its ranking. 1 point.`,
+    possible: (_: readonly number[], program: number | null, refused: number) =>
+      `Possible: the element would cross nothing. ${choiceOf(program, refused)} 1 point.`,
     behind: (_: readonly number[], program: number | null) =>
       `No point. The node is behind the face or in its plane: the element would have no volume, or lie in elements that exist. The program chose ${nameOf(program)}.`,
     crosses: (faces: readonly number[], program: number | null) =>

@@ -10,6 +10,7 @@ import {
   type GameQuestion,
 } from "../../../web/player/mesher-game";
 import { edgesAt, endsOf } from "../../../web/player/planar-judge";
+import { mesherGameStrings } from "../../../web/strings/mesher-game";
 import { expectFair } from "../../support/mesher-questions";
 import { recordSurface } from "../../support/recorded-models";
 
@@ -101,4 +102,18 @@ it("gives one point for another choice that breaks nothing", () => {
   expect(possible.length).toBeGreaterThan(0);
   expect(possible.every(({ points, edges }) => points === 1 && edges.length === 0)).toBe(true);
   expect(verdicts.some(({ kind }) => kind === "crosses")).toBe(true);
+});
+
+it("counts the candidates that the program refused before its choice", () => {
+  for (const { refused } of questions("easy")) expect(refused).toBe(0);
+  for (const { step, refused } of questions("hard")) {
+    expect(refused).toBe(step.candidates.length - 1);
+    expect(step.candidates.at(-1)?.verdict).toBe("accepted");
+  }
+  const { possible } = mesherGameStrings.verdict;
+  expect(possible([], 7, 0)).toContain("chose node 7, which comes first in its ranking.");
+  expect(possible([], 7, 1)).toContain("it tried 1 better-ranked candidate first and refused it.");
+  expect(possible([], null, 2)).toContain(
+    "a new node: it tried 2 better-ranked candidates first and refused them.",
+  );
 });

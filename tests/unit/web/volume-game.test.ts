@@ -10,6 +10,7 @@ import {
   nextVolumeQuestion,
   type VolumeQuestion,
 } from "../../../web/player/volume-game";
+import { volumeGameStrings } from "../../../web/strings/mesher-game";
 import { expectFair } from "../../support/mesher-questions";
 import { galleryProject, recordFront } from "../../support/recorded-models";
 
@@ -73,4 +74,18 @@ it("gives one point for another choice that breaks nothing, and draws each choic
       expect(chosenCandidate(trace, { ...task, answer: null })).toBeNull();
     }
   expect([...kinds]).toEqual(expect.arrayContaining(["best", "possible", "crosses"]));
+});
+
+it("counts the candidates that the program refused before its choice", () => {
+  for (const { refused } of questions("easy")) expect(refused).toBe(0);
+  for (const { step, refused } of questions("hard")) {
+    expect(refused).toBe(step.candidates.length - 1);
+    expect(step.candidates.at(-1)?.verdict).toBe("accepted");
+  }
+  const { possible } = volumeGameStrings.verdict;
+  expect(possible([], 7, 0)).toContain("chose node 7, which comes first in its ranking.");
+  expect(possible([], 7, 1)).toContain("it tried 1 better-ranked candidate first and refused it.");
+  expect(possible([], null, 2)).toContain(
+    "a new node: it tried 2 better-ranked candidates first and refused them.",
+  );
 });

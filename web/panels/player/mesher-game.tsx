@@ -81,7 +81,9 @@ export function MesherGame({ surface, state }: { readonly surface: SurfaceTrace;
         ))}
       </div>
       <p role="status" className={styles["verdict"]} data-testid="game-verdict">
-        {given && question && texts.verdict[given.verdict.kind](given.verdict.edges, question.program)}
+        {given &&
+          question &&
+          texts.verdict[given.verdict.kind](given.verdict.edges, question.program, question.refused)}
         {given?.verdict.isDisputed && ` ${texts.disputed}`}
       </p>
       {given && (

@@ -80,7 +80,9 @@ export function VolumeGame({ onEnd }: { readonly onEnd: () => void }) {
         {isPlaying ? strings.player.playing : question ? `${texts.task} ${texts.help[level]}` : texts.none}
       </p>
       <p role="status" className={styles["verdict"]} data-testid="volume-game-verdict">
-        {given && question && texts.verdict[given.verdict.kind](given.verdict.faces, question.program)}
+        {given &&
+          question &&
+          texts.verdict[given.verdict.kind](given.verdict.faces, question.program, question.refused)}
         {given?.verdict.isDisputed && ` ${game.disputed}`}
       </p>
       {given && question && (
