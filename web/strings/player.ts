@@ -1,8 +1,9 @@
 /** Texts about the recorded fronts. */
-import type { FrontChange, FrontOrder, Refusal } from "tetrafront";
+import type { FrontOrder, Refusal } from "tetrafront";
 import { conditionStrings } from "./condition";
 import { crossingTestStrings } from "./crossing-test";
 import { mesherGameStrings, volumeGameStrings } from "./mesher-game";
+import { recoverySentence } from "./recovery";
 import { otherwise, surfaceLensStrings } from "./surface-lens";
 
 const number = (value: number): string => value.toLocaleString("en-US");
@@ -10,14 +11,6 @@ const number = (value: number): string => value.toLocaleString("en-US");
 /** Words for what was tried: an existing node by its number. */
 const candidateName = (node: number | null): string =>
   node === null ? "A new node" : `Node ${number(node)}`;
-
-const changes: Readonly<Record<FrontChange, string>> = {
-  star: "A pocket that the front could not close is joined to one point.",
-  reopened: "The elements around a pocket are removed, so that the front can fill it in another way.",
-  closed: "The pocket that was reopened is closed.",
-  undone: "The attempt to fill the pocket in another way is undone.",
-  "exact-fill": "A pocket is filled exactly, with extra points where needed.",
-};
 
 /** Kinds of steps, in a front of faces or of edges. */
 const stopsOf = (unit: "face" | "edge", one: string) =>
@@ -117,7 +110,7 @@ export const playerStrings = {
   lens: "Lens",
   beforeFirst: "The front before the first step: the triangles of the boundary.",
   playing: "Pause to look into a step.",
-  changes,
+  recovery: recoverySentence,
   sentence: {
     accepted: (node: number | null, isNew: boolean, element: number) =>
       `${isNew ? "New node" : "Node"} ${number(node ?? 0)} was accepted: it makes element ${number(element)} over the base face.`,

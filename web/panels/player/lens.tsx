@@ -3,6 +3,7 @@ import { lazy, Suspense, useMemo, useState } from "react";
 import type { AdvanceStep } from "tetrafront";
 import { decisive, examine, type LensCandidate } from "../../player/lens";
 import { surfaceState } from "../../player/phases";
+import { recoveryCounts } from "../../player/recovery-counts";
 import { strings } from "../../strings";
 import { formatShort } from "../../ui/format";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
@@ -80,7 +81,8 @@ function StepUnderLens() {
     return candidate ? examine(trace, step, candidate) : null;
   }, [trace, step, chosen]);
   if (!step) return <Text size="sm">{texts.beforeFirst}</Text>;
-  if (step.kind === "recovery") return <Text size="sm">{texts.changes[step.change]}</Text>;
+  if (step.kind === "recovery")
+    return <p data-testid="lens-recovery">{texts.recovery(step.change, recoveryCounts(trace, step))}</p>;
   return (
     <>
       {examined && <Sentence step={step} examined={examined} />}

@@ -1,0 +1,51 @@
+/** Texts about the steps of recovery, with their numbers. */
+import type { FrontChange } from "tetrafront";
+
+const number = (value: number): string => value.toLocaleString("en-US");
+const counted = (count: number, one: string): string => `${number(count)} ${count === 1 ? one : `${one}s`}`;
+
+/** Numbers of a step of recovery, as `RecoveryCounts` of the player. */
+interface Counts {
+  readonly removedFaces: number;
+  readonly addedFaces: number;
+  readonly removedElements: number;
+  readonly addedElements: number;
+  /** New nodes, ascending. */
+  readonly nodes: readonly number[];
+  /** Faces of the front before the step and after it. */
+  readonly before: number;
+  readonly after: number;
+}
+
+const newNodes = (nodes: readonly number[]): string => {
+  const [first = 0, last = first] = [nodes[0], nodes.at(-1)];
+  if (nodes.length === 0) return "no new node";
+  return nodes.length === 1
+    ? `new node ${number(first)}`
+    : `${number(nodes.length)} new nodes, ${number(first)} to ${number(last)}`;
+};
+
+const frontOf = ({ before, after }: Counts): string => {
+  if (before === after) return `The front has ${counted(after, "face")}.`;
+  return after === 0
+    ? `The front goes from ${counted(before, "face")} to none: it is closed.`
+    : `The front goes from ${number(before)} to ${counted(after, "face")}.`;
+};
+
+const sentences: Readonly<Record<FrontChange, (counts: Counts) => string>> = {
+  star: ({ removedFaces, addedElements, nodes }) =>
+    `The pocket has ${counted(removedFaces, "face")}. It is closed by a star: ${counted(addedElements, "element")} around ${newNodes(nodes)}.`,
+  reopened: ({ removedElements, removedFaces, addedFaces }) =>
+    `The elements around a pocket are removed, so that the front can fill it in another way: ${counted(removedElements, "element")}. ${counted(removedFaces, "face")} ${removedFaces === 1 ? "leaves" : "leave"} the front, and ${number(addedFaces)} ${addedFaces === 1 ? "joins" : "join"} it.`,
+  closed: ({ removedFaces, addedElements, nodes }) =>
+    removedFaces === 0
+      ? "The pocket that was reopened is closed."
+      : `The pocket that was reopened is closed: the last ${counted(removedFaces, "face")} by ${nodes.length === 1 ? "a star" : "stars"} of ${counted(addedElements, "element")} around ${newNodes(nodes)}.`,
+  undone: ({ removedElements, addedElements }) =>
+    `The attempt to fill the pocket in another way is undone: ${counted(removedElements, "element")} made in it ${removedElements === 1 ? "is" : "are"} removed, and ${number(addedElements)} put back.`,
+  "exact-fill": ({ removedFaces, addedElements, nodes }) =>
+    `The pocket has ${counted(removedFaces, "face")}. It is filled exactly, with ${counted(addedElements, "element")} and ${newNodes(nodes)}.`,
+};
+
+export const recoverySentence = (change: FrontChange, counts: Counts): string =>
+  `${sentences[change](counts)} ${frontOf(counts)}`;
