@@ -68,7 +68,8 @@ class Parser {
   #next = 0;
 
   constructor(text: string) {
-    const pattern = /[a-z]+(?:-[a-z]+)*|[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?|<=|>=|\S/giu;
+    const pattern =
+      /[a-z]+(?:-[a-z]+)*|\d{1,3}(?:,\d{3})+(?![\d.,])|[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?|<=|>=|\S/giu;
     this.#words = Array.from(text.matchAll(pattern), (match) => ({
       text: match[0].toLowerCase(),
       at: match.index,
@@ -107,7 +108,8 @@ class Parser {
   }
 
   #number(expected: "index" | "number"): number {
-    const value = Number(this.#word.text);
+    // The app itself separates thousands by commas.
+    const value = Number(this.#word.text.replaceAll(/(?<=\d),(?=\d)/gu, ""));
     const isValid =
       this.#word.text !== "" && (expected === "number" ? Number.isFinite(value) : isIndex(value));
     if (!isValid) this.#fail(expected);

@@ -19,6 +19,8 @@ function conditionOf(text: string): Condition {
 describe("the text of a condition", () => {
   it.each<[string, Condition]>([
     ["face 214", { kind: "is", thing: "face", index: 214 }],
+    ["face 2,849", { kind: "is", thing: "face", index: 2849 }],
+    ["front > 1,234,567", { kind: "compare", quantity: "front", relation: ">", value: 1234567 }],
     ["size < 0.02", { kind: "compare", quantity: "size", relation: "<", value: 0.02 }],
     ["Size<=2e-3", { kind: "compare", quantity: "size", relation: "<=", value: 0.002 }],
     ["refused", { kind: "refused", reason: null }],
@@ -48,6 +50,8 @@ describe("the text of a condition", () => {
     ["size <", "number", "", 6],
     ["size < large", "number", "large", 7],
     ["face 2.5", "index", "2.5", 5],
+    ["face 2,84", "end", ",", 6],
+    ["face 2849,100", "end", ",", 9],
     ["face -1", "index", "-1", 5],
     ["refused: ugly", "reason", "ugly", 9],
     ["accepted recovery", "end", "recovery", 9],
