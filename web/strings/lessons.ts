@@ -122,7 +122,10 @@ export const lessonStrings = {
     below: (faces: number) => `${number(faces)} faces below`,
     work: (taken: number, left: number, joined: number, comparisons: number, faces: number) =>
       `This step took face ${number(taken)} from the top, ${left === 0 ? "" : `removed ${number(left)} more, `}and added ${number(joined)}. The heap compared faces ${number(comparisons)} times. To find the smallest of ${number(faces)} faces without a heap takes ${number(Math.max(0, faces - 1))} comparisons.`,
-    noWork: (faces: number) => `${number(faces)} faces wait. No parent comes after its two children.`,
+    noWork: (faces: number) =>
+      faces === 0
+        ? "No face waits."
+        : `${faces === 1 ? "1 face waits" : `${number(faces)} faces wait`}. No parent comes after its two children.`,
   },
   number,
 } as const;
