@@ -46,6 +46,12 @@ export function runCommand(app: App, command: Command): void {
   if (command.enabled(app)) command.run(app);
 }
 
+const hotkeys = new Set(commands.flatMap(({ keys }) => keys));
+
+/** Returns whether a letter, as typed without Ctrl and Alt, is the hotkey of a command. */
+export const isHotkey = (letter: string): boolean =>
+  hotkeys.has(letter.toUpperCase()) || (letter !== letter.toLowerCase() && hotkeys.has(`shift+${letter}`));
+
 /** Returns the names of a hotkey's keys as printed on a keyboard: "mod+shift+Z" becomes Ctrl, Shift, Z. */
 export function keyNames(key: string): readonly string[] {
   return key.split("+").map((part) => keyWords[part] ?? part);

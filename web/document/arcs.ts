@@ -46,3 +46,34 @@ export function onArc({ centre, normal, start, angle }: CircularArc, share: numb
   );
   return add(centre, turned);
 }
+
+/**
+ * Returns the middle of the shorter arc with a radius between two ends, on the side of a position; without one, on the left
+ * seen against the normal of the plane. Returns null if the radius is smaller than half the distance of the ends.
+ */
+export function middleOfArc(
+  [a, b]: readonly [Position, Position],
+  radius: number,
+  normal: Position,
+  side: Position | null,
+): Position | null {
+  const chord = subtract(b, a);
+  const half = length(chord) / 2;
+  if (!(half > 0) || radius < half * (1 - 1e-12)) return null;
+  const centre = add(a, scale(chord, 0.5));
+  const along = scale(chord, 0.5 / half);
+  const across = acrossChord(along, normal, side && subtract(side, centre));
+  return addScaled(centre, across, radius - Math.sqrt(Math.max(0, radius * radius - half * half)));
+}
+
+/** Returns the direction from a chord to its arc: in the plane, or towards a position if the chord is normal to the plane. */
+function acrossChord(along: Position, normal: Position, side: Position | null): Position {
+  const left = cross(normal, along);
+  if (length(left) > 1e-6) {
+    return scale(left, (side && dot(side, left) < 0 ? -1 : 1) / length(left));
+  }
+  const towards = side ? addScaled(side, along, -dot(side, along)) : left;
+  if (length(towards) > 0) return scale(towards, 1 / length(towards));
+  const other = cross(along, Math.abs(along[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0]);
+  return scale(other, 1 / length(other));
+}

@@ -51,6 +51,9 @@ export function namesIn(expression: string): ReadonlySet<string> {
 export const isReservedName = (name: string): boolean =>
   Object.hasOwn(functions, name.toLowerCase()) || Object.hasOwn(constants, name.toLowerCase());
 
+/** Returns the names of all functions and constants. */
+export const reservedNames = (): readonly string[] => [...Object.keys(functions), ...Object.keys(constants)];
+
 const degrees = Math.PI / 180;
 
 /** Returns the sine of an angle in degrees; exact for multiples of 30° with a rational sine. */

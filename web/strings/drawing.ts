@@ -31,11 +31,13 @@ export const drawingStrings = {
     plane: "work plane",
   },
   hints: {
-    point: "Click a place, or type coordinates.",
-    straight: "Click places for a chain of lines, or type coordinates. Enter ends the chain.",
+    point: "Click a place, or type coordinates. = opens the field for one that begins with a letter.",
+    straight:
+      "Click places for a chain of lines, or type coordinates (= opens the field). Enter ends the chain.",
     parabolic: "Click three places: start, middle, end.",
-    arc: "Click three places: start, a place on the arc, end.",
-    circle: "Click the centre, then a place on the circle. The circle lies in the work plane.",
+    arc: "Click three places: start, a place on the arc, end. Or click start and end, and type the radius.",
+    circle:
+      "Click the centre, then a place on the circle, or type the radius. The circle lies in the work plane.",
     circleThrough: "Click three places on the circle.",
     spline: "Click places, then Enter. The first place closes the spline.",
     patch: "Click into a loop of lines, or click its lines and press Enter.",
@@ -51,9 +53,12 @@ export const drawingStrings = {
   noCircle: "The three places lie on one straight line.",
   coordinates: "Coordinates",
   coordinatesHint: "1,2,0   @0.5,0,0   5<30",
+  coordinatesTitle: "Numbers may be expressions, such as sin(30)*2. Angles are in degrees.",
   mistakes: {
     syntax: "Type 1,2,0 or @0.5,0,0 or 5<30.",
     "no-last-place": "There is no place before this one.",
+    "no-radius": "Type a radius above 0.",
+    "short-radius": "Type a radius of at least half the distance between the two places.",
   },
   refusedLine: (line: string) =>
     `"${line.length > 80 ? `${line.slice(0, 80)}…` : line}" is no position. The lines before it were used; this one and those after it were not.`,

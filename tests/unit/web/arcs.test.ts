@@ -1,6 +1,6 @@
 /** Arcs and circles as the app draws them before the engine samples them. */
 import { describe, expect, it } from "vitest";
-import { arcThrough, circleThrough, onArc } from "../../../web/document/arcs";
+import { arcThrough, circleThrough, middleOfArc, onArc } from "../../../web/document/arcs";
 import { samplesAlong } from "../../../web/document/line-samples";
 import { distance } from "../../../web/document/vectors";
 
@@ -23,6 +23,35 @@ describe("an arc", () => {
     expect(arcThrough([0, 0, 0], [1, 1, 1], [3, 3, 3])).toBeNull();
     expect(circleThrough([0, 0, 0], [1, 0, 0], [1, 0, 0])).toBeNull();
     expect(samplesAlong("arc", [[0, 0, 0], [1, 1, 1], [3, 3, 3]])).toHaveLength(3); // prettier-ignore
+  });
+});
+
+describe("the arc between two ends with a radius", () => {
+  const ends = [[0, 0, 0], [2, 0, 0]] as const; // prettier-ignore
+
+  it.each([1, 1.5, 10])(
+    "has the radius %d, lies on the side of the pointer and is the shorter one",
+    (radius) => {
+      for (const side of [1, -1]) {
+        const middle = middleOfArc(ends, radius, [0, 0, 1], [0.3, side * 5, 0]);
+        const arc = middle && arcThrough(ends[0], middle, ends[1]);
+        if (!middle || !arc) throw new Error("no arc");
+        expect(Math.sign(middle[1])).toBe(side);
+        expect(middle[2]).toBe(0);
+        expect(distance(arc.centre, ends[0])).toBeCloseTo(radius, 9);
+        expect(arc.angle).toBeLessThanOrEqual(Math.PI + 1e-9);
+      }
+    },
+  );
+
+  it("does not exist for a radius below half the distance", () => {
+    expect(middleOfArc(ends, 0.99, [0, 0, 1], null)).toBeNull();
+  });
+
+  it("exists for a chord normal to the plane", () => {
+    const middle = middleOfArc([[0, 0, 0], [0, 0, 2]], 1, [0, 0, 1], [3, 0, 1]); // prettier-ignore
+    expect(middle?.map((x) => x + 0)).toEqual([1, 0, 1]);
+    expect(middleOfArc([[0, 0, 0], [0, 0, 2]], 1, [0, 0, 1], null)).not.toBeNull(); // prettier-ignore
   });
 });
 

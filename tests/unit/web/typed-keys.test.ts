@@ -5,12 +5,13 @@ import { emptyProject } from "../../../web/document/create";
 import { DocumentStore } from "../../../web/session/document-store";
 import type { PreviewFeed } from "../../../web/session/preview";
 import { Drawing } from "../../../web/tools/drawing/drawing";
+import { LineTool } from "../../../web/tools/drawing/line-tool";
 import { NodeTool } from "../../../web/tools/drawing/node-tool";
 
 const key = (name: string): KeyboardEvent =>
   ({ key: name, ctrlKey: false, metaKey: false, altKey: false }) as KeyboardEvent;
 
-it("keys that are pressed before the field has opened are not lost, and four typed nodes make a tetrahedron", () => {
+function makeStores() {
   const documents = new DocumentStore(emptyProject());
   const drawing = new Drawing();
   const previews = { state: createStore(() => ({ preview: null, project: null })) };
@@ -23,13 +24,18 @@ it("keys that are pressed before the field has opened are not lost, and four typ
     pixelLength: 0.01,
     requestFrame: () => undefined,
   };
-  const stores = {
+  return {
     documents,
     previews: previews as unknown as PreviewFeed,
     view: new ViewStore(),
     drawing,
     viewer,
   };
+}
+
+it("keys that are pressed before the field has opened are not lost, and four typed nodes make a tetrahedron", () => {
+  const stores = makeStores();
+  const { documents, drawing } = stores;
   const tool = new NodeTool(stores);
   tool.overlay();
   for (const text of ["5.2,0,0", "0,1,0", "0,0,1", "0,0,0"]) {
@@ -43,4 +49,27 @@ it("keys that are pressed before the field has opened are not lost, and four typ
   expect(tetrahedra).toEqual([[1, 2, 3, 4]]);
   documents.undo();
   expect(documents.project.background.tetrahedra).toEqual([]);
+});
+
+it.each(["circle", "arc"] as const)("a typed number is the radius of a %s", (lineType) => {
+  const stores = makeStores();
+  const { documents, drawing, view } = stores;
+  view.state.setState({ lineType });
+  const tool = new LineTool(stores);
+  tool.overlay();
+  expect(tool.take("2")).toBe("syntax");
+  expect(tool.take("1,0,0")).toBeNull();
+  if (lineType === "arc") expect(tool.take("3,0,0")).toBeNull();
+  expect(tool.take("-1")).toBe("no-radius");
+  if (lineType === "arc") expect(tool.take("0.5")).toBe("short-radius");
+  expect(documents.project.lines).toHaveLength(0);
+  expect(tool.take("sqrt(4)")).toBeNull();
+  expect(drawing.state.getState().mistake).toBeNull();
+  const { lines, points } = documents.project;
+  expect(lines.map(({ type }) => type)).toEqual([lineType]);
+  const centre = lineType === "circle" ? [1, 0, 0] : [2, -Math.sqrt(3), 0];
+  for (const { position } of points) {
+    expect(Math.hypot(...position.map((x, k) => x - (centre[k] ?? 0)))).toBeCloseTo(2, 12);
+    expect(position[2]).toBe(0);
+  }
 });

@@ -88,6 +88,7 @@ function CoordinateField({ typed }: { readonly typed: string }) {
         w={184}
         aria-label={words.coordinates}
         placeholder={words.coordinatesHint}
+        title={words.coordinatesTitle}
         data-testid="coordinates"
         autoComplete="off"
         spellCheck={false}

@@ -2,6 +2,7 @@ import { useComputedColorScheme } from "@mantine/core";
 import { useEffect, useRef, useState, type RefObject } from "react";
 import type { App } from "../../app/app";
 import type { Moving, ViewState } from "../../document/selection";
+import { isHotkey } from "../../commands/registry";
 import { editSelected } from "../../commands/selection-actions";
 import { isDrawingTool, type ToolName } from "../../document/tools";
 import { BrushTool } from "../../tools/brush-tool";
@@ -151,7 +152,7 @@ function connect(
   );
   const tools = new ToolController(canvas, viewer, select, (target) => pageApps.owns(app, target));
   const brush = new BrushTool(app.documents, app.view, viewer);
-  const stores = { documents, operations, previews, view, drawing, viewer };
+  const stores = { documents, operations, previews, view, drawing, viewer, isHotkey };
   const byName: Readonly<Record<ToolName, Tool>> = {
     select: new HandleTool(stores, new DragTool(stores, select, "held-points")),
     move: new HandleTool(stores, new TransformTool(stores, new DragTool(stores, select))),

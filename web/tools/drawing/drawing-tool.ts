@@ -8,6 +8,7 @@ import type { ViewStore } from "../../document/selection";
 import { fromFrame, toFrame, type Frame } from "../../document/vectors";
 import { planeOfPatch } from "../../document/patch-planes";
 import { onPlane, planeAlong, roundStep, roundTo, type Ray } from "../../document/work-plane";
+import { readNumber } from "../../expressions/expression";
 import { parameterValues } from "../../expressions/parameters";
 import type { DocumentStore } from "../../session/document-store";
 import type { PreviewFeed } from "../../session/preview";
@@ -20,6 +21,7 @@ import type { Tool, ToolPointer } from "../tool";
 import { readCoordinates } from "./coordinates";
 import type { Drawing, DrawingState, TypedInput } from "./drawing";
 import { snapToModel, type Snap, type SnapTargets } from "./snapping";
+import { lettersAfter, typedStart } from "./typed-start";
 
 /** The parts of the app that drawing tools use. */
 export interface DrawingStores {
@@ -28,19 +30,20 @@ export interface DrawingStores {
   readonly view: ViewStore;
   readonly drawing: Drawing;
   readonly viewer: Pick<Viewer, "seenFrom" | "pixelLength" | "requestFrame">;
+  /** Returns whether a key without Ctrl and Alt runs a command. */
+  readonly isHotkey?: (key: string) => boolean;
 }
 
 /** Smallest distance between lines of the work plane's grid, in CSS pixels. */
 const gridPixels = 20;
-
-/** First characters of coordinates. A space is none, because it presses buttons. */
-const opensField = /^[\d@.(+-]$/;
 
 /** What the drawing tools have in common: places under the pointer, typed coordinates, the sketch and the grid. */
 export abstract class DrawingTool implements Tool, TypedInput {
   abstract readonly id: string;
   protected readonly stores: DrawingStores;
   protected snap: Snap | null = null;
+  /** The last place under the pointer, which may have left the view since. */
+  protected seen: Position | null = null;
   #layer: DrawingLayer | null = null;
   #paths: { readonly key: readonly unknown[]; readonly paths: readonly LinePath[] } | null = null;
 
@@ -70,11 +73,13 @@ export abstract class DrawingTool implements Tool, TypedInput {
 
   move(pointer: ToolPointer | null): void {
     this.snap = pointer && this.snapAt(pointer);
+    this.seen = this.snap?.position ?? this.seen;
     this.refresh(pointer);
   }
 
   up(pointer: ToolPointer): void {
     this.stores.drawing.state.setState({ refused: null });
+    this.stores.drawing.letters = "";
     if (pointer.button === "right") this.finish();
     if (pointer.button === "left") {
       this.snap = this.snapAt(pointer);
@@ -100,6 +105,13 @@ export abstract class DrawingTool implements Tool, TypedInput {
 
   take(text: string): DrawingState["mistake"] {
     const named = parameterValues(this.stores.documents.project.parameters);
+    const number = readNumber(text, named);
+    const used = number === null ? undefined : this.takeNumber(number);
+    if (used !== undefined) {
+      if (used === null) this.snap = null;
+      this.refresh(null);
+      return used;
+    }
     const typed = readCoordinates(text, { last: this.last(), frame: this.frame, named });
     if (!typed.success) return typed.reason;
     this.snap = null;
@@ -113,6 +125,11 @@ export abstract class DrawingTool implements Tool, TypedInput {
     this.#layer = new DrawingLayer();
     const grid = new PlaneGridLayer(() => this.gridStep);
     return new DrawingOverlay([grid, this.#layer], () => this.end());
+  }
+
+  /** Uses a typed number. Returns why it cannot be used; null if it was; undefined if it has no meaning. */
+  protected takeNumber(_number: number): DrawingState["mistake"] | undefined {
+    return undefined;
   }
 
   /** The tool is put away. */
@@ -207,9 +224,15 @@ export abstract class DrawingTool implements Tool, TypedInput {
       drawing.submit();
       return true;
     }
-    if (this.takesCoordinates && opensField.test(key)) {
-      drawing.type(key);
-      return true;
+    if (this.takesCoordinates) {
+      const { letters } = drawing;
+      const named = parameterValues(this.project.parameters);
+      const start = typedStart(key, { letters, named, isHotkey: this.stores.isHotkey ?? (() => false) });
+      if (start !== null) {
+        drawing.type(start);
+        return true;
+      }
+      drawing.letters = lettersAfter(letters, key);
     }
     switch (key) {
       case "Enter":

@@ -15,7 +15,7 @@ export interface DrawingState {
   /** The text in the coordinate field; null while the field is closed. */
   readonly typed: string | null;
   /** Why the typed text is no position. */
-  readonly mistake: "syntax" | "no-last-place" | null;
+  readonly mistake: "syntax" | "no-last-place" | "no-radius" | "short-radius" | null;
   /** Number of places picked for what is being drawn. */
   readonly picked: number;
   /** The places of a measurement. */
@@ -56,6 +56,8 @@ export interface TypedInput {
 /** What the drawing tools show beside the pointer, and the field for coordinates. */
 export class Drawing {
   readonly state: StoreApi<DrawingState> = createStore<DrawingState>(() => idle);
+  /** Letters that were pressed in a row while the field was closed. They may have begun coordinates. */
+  letters = "";
   #input: TypedInput | null = null;
 
   /** Connects the active tool. */
@@ -71,6 +73,7 @@ export class Drawing {
   }
 
   type(typed: string | null): void {
+    this.letters = "";
     this.state.setState({ typed, mistake: null });
   }
 

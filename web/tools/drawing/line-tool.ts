@@ -1,13 +1,15 @@
 import type { LineType } from "tetrafront";
-import { circleThrough, onArc } from "../../document/arcs";
+import { circleThrough, middleOfArc, onArc } from "../../document/arcs";
 import { drawLine, placeAt, samePlace, type Place } from "../../document/draw";
 import { findRecord } from "../../document/entities";
 import { turned } from "../../document/circles";
 import type { Position } from "../../document/position";
+import { addScaled } from "../../document/vectors";
 import { sampledCurve } from "../../viewer/curves";
 import { emptySketch, type Sketch } from "../../viewer/layers/drawing-layer";
 import type { Layer } from "../../viewer/layers/layer";
 import { strings } from "../../strings";
+import type { DrawingState } from "./drawing";
 import { DrawingTool } from "./drawing-tool";
 
 /** Numbers of places of each type of line: with `max`, the line is complete. */
@@ -73,6 +75,26 @@ export class LineTool extends DrawingTool {
 
   protected last(): Position | null {
     return this.#places.at(-1)?.position ?? null;
+  }
+
+  /** A number is the radius of the circle around the picked centre, or of the arc between the two picked places. */
+  protected override takeNumber(radius: number): DrawingState["mistake"] | undefined {
+    const [first, second] = this.picked > 0 ? this.#places : [];
+    const isCircle = this.#type === "circle" && !this.#isThroughThree && this.picked === 1;
+    const isArc = this.#type === "arc" && this.picked === 2;
+    if (!first || (!isCircle && !isArc)) return undefined;
+    if (radius <= 0) return "no-radius";
+    if (isCircle) {
+      this.pick(placeAt(this.project, addScaled(first.position, this.frame.x, radius)));
+      return null;
+    }
+    if (!second) return undefined;
+    const ends = [first.position, second.position] as const;
+    const middle = middleOfArc(ends, radius, this.frame.z, this.seen);
+    if (!middle) return "short-radius";
+    this.#places = [first, placeAt(this.project, middle), second];
+    this.#add();
+    return null;
   }
 
   protected finish(): void {
