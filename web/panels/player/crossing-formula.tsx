@@ -7,7 +7,14 @@ import styles from "./player.module.css";
 
 const texts = strings.player.test;
 
-const meeting = String.raw`\mathbf{x}_\mathrm{f}+\alpha^1\mathbf{g}_1+\alpha^2\mathbf{g}_2=\mathbf{x}_\mathrm{s}+\alpha^3\mathbf{g}_3,\quad\alpha^4=1-\alpha^1-\alpha^2`;
+/** Lines of a formula, below each other: the panel may be as narrow as 270 pixels. */
+const linesOf = (...lines: readonly string[]): string =>
+  String.raw`\begin{aligned}&${lines.join(String.raw`\\&`)}\end{aligned}`;
+
+const meeting = linesOf(
+  String.raw`\mathbf{x}_\mathrm{f}+\alpha^1\mathbf{g}_1+\alpha^2\mathbf{g}_2=\mathbf{x}_\mathrm{s}+\alpha^3\mathbf{g}_3,`,
+  String.raw`\alpha^4=1-\alpha^1-\alpha^2`,
+);
 
 /** The three layers of the paper's test, with the numbers of a candidate and a face, and which of them decides. */
 export function CrossingFormula({ face, layers }: NonNullable<LensCandidate["test"]>) {
@@ -18,11 +25,17 @@ export function CrossingFormula({ face, layers }: NonNullable<LensCandidate["tes
       <p data-testid="lens-layer">{sentenceOf(face, layers)}</p>
       <Layer name={texts.layer.a} excess={boxGap} limit={minGap} />
       <Formula
-        text={String.raw`\max_i\mathrm{gap}^i=${digits(boxGap)}${relation(boxGap, minGap)}d=${digits(minGap)}`}
+        text={linesOf(
+          String.raw`\max_i\mathrm{gap}^i=${digits(boxGap)}`,
+          String.raw`\quad${relation(boxGap, minGap)}d=${digits(minGap)}`,
+        )}
       />
       <Layer name={texts.layer.b} excess={shapeExcess} limit={tolerance} />
       <Formula
-        text={String.raw`\max_i\max(-\!\max N^i,\ \min N^i\!-1)=${digits(shapeExcess)}${relation(shapeExcess, tolerance)}t`}
+        text={linesOf(
+          String.raw`\max_i\max(-\!\max N^i,\ \min N^i\!-1)`,
+          String.raw`\quad=${digits(shapeExcess)}${relation(shapeExcess, tolerance)}t`,
+        )}
       />
       {pair && <SidesAndFaces pair={pair} finds={layers.finds} />}
       <p className={styles["hint"]}>{texts.hint}</p>
@@ -33,7 +46,8 @@ export function CrossingFormula({ face, layers }: NonNullable<LensCandidate["tes
 function SidesAndFaces({ pair, finds }: { readonly pair: SideAndFace; readonly finds: boolean }) {
   const numbers = pair.alphas
     .map((alpha, i) => String.raw`\alpha^{${i + 1}}&=${digits(alpha)}`)
-    .join(String.raw`&\quad `);
+    // Two in a row: four would be wider than the panel.
+    .reduce((rows, one, i) => rows + (i % 2 === 0 ? String.raw`\\` : String.raw`&\quad `) + one);
   const { excess } = pair;
   return (
     <>
@@ -43,7 +57,10 @@ function SidesAndFaces({ pair, finds }: { readonly pair: SideAndFace; readonly f
       <Formula text={meeting} />
       <Formula text={String.raw`\begin{aligned}${numbers}\end{aligned}`} />
       <Formula
-        text={String.raw`\max_i\max(-\alpha^i,\alpha^i-1)=${digits(excess)}${relation(excess, tolerance)}t=${digits(tolerance)}`}
+        text={linesOf(
+          String.raw`\max_i\max(-\alpha^i,\alpha^i-1)`,
+          String.raw`\quad=${digits(excess)}${relation(excess, tolerance)}t=${digits(tolerance)}`,
+        )}
       />
     </>
   );
