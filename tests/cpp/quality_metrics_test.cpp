@@ -76,6 +76,20 @@ TEST(MetricsTest, DegenerateAndInvertedElementsHaveNoRadiusRatio) {
   EXPECT_EQ(inverted.radiusRatio, 0.0);
 }
 
+/// The volumes and circumcentres of these elements are rounding.
+TEST(MetricsTest, RadiusRatiosOfNearlyFlatElementsAreAtMostOne) {
+  Random random(602);
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 origin = random.inBox(1.0);
+    const Vec3 along = random.inBox(1.0);
+    Corners p;
+    for (Vec3& corner : p) corner = origin + along * random.inBox(1.0).x;
+    const double ratio = measure(p).radiusRatio;
+    EXPECT_GE(ratio, 0.0);
+    EXPECT_LE(ratio, 1.0 + 1e-9);
+  }
+}
+
 TEST(MetricsTest, AgreesWithSlowFormulas) {
   Random random(601);
   for (int i = 0; i < 2000; ++i) {

@@ -90,7 +90,7 @@ TEST(RemeshDetails, PoorOnesAreDroppedWithinTheTolerance) {
   EXPECT_TRUE(errorsOf(made, InnerShells::kCavities).empty());
   EXPECT_GT(result.smallestAngle, 20.0);
   EXPECT_FALSE(result.mergedDetails.empty());
-  EXPECT_EQ(result.tolerance, remesh(given).tolerance);
+  EXPECT_DOUBLE_EQ(result.tolerance, remesh(given).tolerance);
   EXPECT_LE(result.deviation, result.tolerance);
   EXPECT_LE(sampledDistance(made, given, 500), result.deviation);
   EXPECT_LE(sampledDistance(given, made, 500), result.deviation);

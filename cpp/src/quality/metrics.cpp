@@ -11,6 +11,9 @@
 namespace tetrafront {
 namespace {
 
+/// No radius ratio exceeds 1 by more than rounding.
+constexpr double kMaxRoundedRatio = 1.0 + 1e-9;
+
 double length(const Vec3& v) { return std::sqrt(glm::dot(v, v)); }
 
 }  // namespace
@@ -60,6 +63,8 @@ TetrahedronMeasures measureTetrahedron(const Vec3& a, const Vec3& b, const Vec3&
   const Vec3 k = glm::dot(u, u) * vw + glm::dot(v, v) * wu + glm::dot(w, w) * uv;
   const double denominator = (lengths[0] + lengths[1] + lengths[2] + lengths[3]) * length(k);
   if (det > 0.0 && denominator > 0.0) measures.radiusRatio = 6.0 * det * det / denominator;
+  // If an element is nearly flat, its volume, or the vector to its circumcentre, may be nothing but rounding.
+  if (measures.radiusRatio > kMaxRoundedRatio) measures.radiusRatio = 0.0;
   return measures;
 }
 

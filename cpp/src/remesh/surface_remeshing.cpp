@@ -38,8 +38,8 @@ constexpr int kMaxPoorMerges = 2;
 /// Shares of the tolerance: of the remeshing before the first merge, of the remeshing after each merge, and of each merge of
 /// poor details. The sum over all merges, of chosen details and of poor ones, is at most 1.
 constexpr double kFirstShare = 0.3;
-constexpr double kNextShare = 0.15;
-constexpr double kMergeShare = 0.1;
+constexpr double kNextShare = 0.1;
+constexpr double kMergeShare = 0.2;
 
 SurfaceRemesh refused(std::vector<Diagnostic> diagnostics) {
   SurfaceRemesh result;
@@ -112,31 +112,17 @@ bool isPoor(const SurfaceRemesh& result) {
 
 /// Returns true if the smallest angle is larger, without poorer triangles on average.
 bool isBetter(const SurfaceRemesh& one, const SurfaceRemesh& other) {
-  return one.smallestAngle > other.smallestAngle &&
+  return isComplete(one) && one.smallestAngle > other.smallestAngle &&
          one.meanRadiusRatio > other.meanRadiusRatio - kRatioNoise;
 }
 
-/// Returns the numbers of a result.
-SurfaceRemesh withoutArrays(const SurfaceRemesh& result) {
-  SurfaceRemesh numbers;
-  numbers.size = result.size;
-  numbers.minSize = result.minSize;
-  numbers.tolerance = result.tolerance;
-  numbers.deviation = result.deviation;
-  numbers.patches = result.patches;
-  numbers.featureLines = result.featureLines;
-  numbers.isPartial = result.isPartial;
-  numbers.diagnostics = result.diagnostics;
-  return numbers;
-}
-
 /// Returns a remeshed surface as the next one to be remeshed, with the feature lines that it has.
-PassSurface nextSurface(RemeshPass& pass) {
+PassSurface nextSurface(const RemeshPass& pass) {
   PassSurface surface;
-  surface.mesh.points = std::move(pass.remesh.points);
-  surface.mesh.triangles = std::move(pass.remesh.triangles);
-  surface.groups = std::move(pass.patches);
-  surface.origin = std::move(pass.remesh.origin);
+  surface.mesh.points = pass.remesh.points;
+  surface.mesh.triangles = pass.remesh.triangles;
+  surface.groups = pass.patches;
+  surface.origin = pass.remesh.origin;
   return surface;
 }
 
@@ -166,6 +152,13 @@ struct Remeshing {
   const bool& isStopped;
 };
 
+/// Details to drop, and the share of the tolerance of the remeshing after that.
+struct DetailRule {
+  double distance;
+  DetailChoice choice;
+  double toleranceShare;
+};
+
 /// A surface from which details have been dropped.
 struct SimplifiedSurface {
   RemeshPass pass;
@@ -173,90 +166,130 @@ struct SimplifiedSurface {
   std::vector<MergedDetail> merged;
 };
 
-/// Drops details of a remeshed surface, and remeshes it again. Keeps all details if a region would be left without volume.
-Task<> simplify(Work& work, const Remeshing& remeshing, double distance, DetailChoice choice,
-                SimplifiedSurface& simplified) {
+/// Drops details of the given or a remeshed surface, and remeshes it. Returns false if there are none. Keeps all details if
+/// a region would be left without volume.
+Task<bool> simplify(Work& work, const Remeshing& remeshing, const PassSurface& surface,
+                    const DetailRule& rule, SimplifiedSurface& simplified) {
   work.beginPart(0.2);
   const RemeshOptions& options = remeshing.options;
-  PassSurface surface = nextSurface(simplified.pass);
   ReferenceSurface reference(surface.mesh, surface.groups, featureRulesOf(options));
   co_await reference.prepare(work);
-  DetailMerger merger(reference, distance, choice);
+  DetailMerger merger(reference, rule.distance, rule.choice);
   co_await merger.run(work);
+  if (merger.merged().empty()) co_return false;
   PassSurface made;
   std::vector<TriangleId> parents;
   merger.copyTo(made.mesh, parents);
   for (const TriangleId parent : parents) {
     made.origin.push_back(surface.origin[parent.index()]);
-    made.groups.push_back(surface.groups[parent.index()]);
+    if (!surface.groups.empty()) made.groups.push_back(surface.groups[parent.index()]);
   }
   SurfaceMesh checked = made.mesh;
   checked.triangleRegions = regionsOf(made, remeshing.regions);
   BoundaryCheck boundary(checked, BoundarySource::kGivenSurface, options.innerShells);
   co_await work.finish(boundary);
-  const bool isDropped = !merger.merged().empty() && !anyError(boundary.takeDiagnostics());
-  if (isDropped) {
-    simplified.deviation += merger.deviation();
-    simplified.merged.insert(simplified.merged.end(), merger.merged().begin(),
-                             merger.merged().end());
-  }
+  if (anyError(boundary.takeDiagnostics())) co_return false;
+  simplified.deviation += merger.deviation();
+  simplified.merged.insert(simplified.merged.end(), merger.merged().begin(), merger.merged().end());
   work.beginPart(1.0);
-  simplified.pass = co_await remeshOnce(work, isDropped ? made : surface, remeshing.grid, options,
-                                        kNextShare, remeshing.isStopped);
+  simplified.pass = co_await remeshOnce(work, made, remeshing.grid, options, rule.toleranceShare,
+                                        remeshing.isStopped);
   simplified.deviation += simplified.pass.remesh.deviation;
+  co_return true;
 }
 
-/// Remeshes the given surface and drops details: all below RemeshOptions::dropDetails, then those across which triangles are
-/// poor. Merges need well-shaped triangles: in needles along a strip, the nodes of both lines lie anywhere. The deviations of all steps, except the one of chosen details, add up to at most that.
-Task<SurfaceRemesh> remeshWithoutDetails(Work& work, const Remeshing& remeshing) {
+/// Returns the result of several steps. `tolerance`: of all of them.
+Task<SurfaceRemesh> finish(Work& work, const Remeshing& remeshing, SimplifiedSurface& simplified,
+                           double tolerance) {
+  SurfaceRemesh result = std::move(simplified.pass.remesh);
+  result.tolerance = tolerance;
+  result.deviation = std::max(simplified.deviation, tolerance);
+  result.mergedDetails = std::move(simplified.merged);
+  if (isComplete(result)) {
+    co_await measureDeviation(work, result, remeshing.given, remeshing.options);
+  }
+  co_return result;
+}
+
+/// Drops the details of the given surface below a distance, and remeshes it. Needs few triangles at a detail: if they are
+/// needles along a strip, the nodes of both lines lie anywhere, and a merged line is ragged.
+Task<SurfaceRemesh> remeshSimplified(Work& work, const Remeshing& remeshing,
+                                     const DetailRule& rule) {
+  SimplifiedSurface simplified;
+  work.beginPart(0.95);
+  const bool isDropped = co_await simplify(work, remeshing, remeshing.given, rule, simplified);
+  work.beginPart(1.0);
+  if (!isDropped) co_return SurfaceRemesh{};
+  const double tolerance = simplified.pass.remesh.tolerance / rule.toleranceShare;
+  SurfaceRemesh result = co_await finish(work, remeshing, simplified, tolerance);
+  co_return result;
+}
+
+/// Remeshes the given surface first, which makes its triangles well-shaped, and then drops details: all below
+/// RemeshOptions::dropDetails, then those across which triangles are poor. The deviations of all steps, except the one of
+/// chosen details, add up to at most the tolerance.
+Task<SurfaceRemesh> remeshInSteps(Work& work, const Remeshing& remeshing) {
   const RemeshOptions& options = remeshing.options;
   work.beginPart(0.4);
   SimplifiedSurface simplified;
   simplified.pass = co_await remeshOnce(work, remeshing.given, remeshing.grid, options, kFirstShare,
                                         remeshing.isStopped);
-  const SurfaceRemesh first = withoutArrays(simplified.pass.remesh);
-  const double tolerance = first.tolerance / kFirstShare;
-  simplified.deviation = first.deviation;
-  if (options.dropDetails > 0.0 && isComplete(first)) {
+  const double tolerance = simplified.pass.remesh.tolerance / kFirstShare;
+  simplified.deviation = simplified.pass.remesh.deviation;
+  const std::uint32_t patches = simplified.pass.remesh.patches;
+  const std::uint32_t featureLines = simplified.pass.remesh.featureLines;
+  bool isDropped = true;
+  if (options.dropDetails > 0.0 && isComplete(simplified.pass.remesh)) {
     work.beginPart(0.6);
-    co_await simplify(work, remeshing, options.dropDetails, DetailChoice::kAll, simplified);
+    const PassSurface surface = nextSurface(simplified.pass);
+    const DetailRule rule{options.dropDetails, DetailChoice::kAll, kNextShare};
+    isDropped = co_await simplify(work, remeshing, surface, rule, simplified);
   }
-  for (int i = 1; i <= kMaxPoorMerges && isPoor(simplified.pass.remesh); ++i) {
+  for (int i = 1; i <= kMaxPoorMerges && isDropped && isPoor(simplified.pass.remesh); ++i) {
     work.beginPart(0.6 + 0.35 * i / kMaxPoorMerges);
-    co_await simplify(work, remeshing, kMergeShare * tolerance, DetailChoice::kPoor, simplified);
+    const PassSurface surface = nextSurface(simplified.pass);
+    const DetailRule rule{kMergeShare * tolerance, DetailChoice::kPoor, kNextShare};
+    isDropped = co_await simplify(work, remeshing, surface, rule, simplified);
   }
   work.beginPart(1.0);
-  SurfaceRemesh result = std::move(simplified.pass.remesh);
-  result.size = first.size;
-  result.minSize = first.minSize;
-  result.patches = first.patches;
-  result.featureLines = first.featureLines;
-  result.tolerance = tolerance;
-  result.deviation = std::max(simplified.deviation, tolerance);
-  result.mergedDetails = std::move(simplified.merged);
-  if (isComplete(result)) co_await measureDeviation(work, result, remeshing.given, options);
+  SurfaceRemesh result = co_await finish(work, remeshing, simplified, tolerance);
+  result.patches = patches;
+  result.featureLines = featureLines;
   co_return result;
 }
 
-/// Remeshes a surface with all details, unless some are to be dropped.
+/// Remeshes a surface with all details, unless some are dropped.
 Task<SurfaceRemesh> remeshGiven(Work& work, const Remeshing& remeshing) {
   const RemeshOptions& options = remeshing.options;
-  if (options.dropDetails > 0.0) {
-    SurfaceRemesh result = co_await remeshWithoutDetails(work, remeshing);
-    co_return result;
+  const bool areChosen = options.dropDetails > 0.0;
+  SurfaceRemesh best;
+  DetailRule rule{options.dropDetails, DetailChoice::kAll, 1.0};
+  if (!areChosen) {
+    work.beginPart(options.dropPoorDetails ? 0.4 : 1.0);
+    RemeshPass plain = co_await remeshOnce(work, remeshing.given, remeshing.grid, options, 1.0,
+                                           remeshing.isStopped);
+    best = std::move(plain.remesh);
+    if (!options.dropPoorDetails || !isPoor(best)) co_return best;
+    rule.distance = kMergeShare * best.tolerance;
+    rule.toleranceShare = 1.0 - kMergeShare;
   }
-  work.beginPart(options.dropPoorDetails ? 0.5 : 1.0);
-  RemeshPass plain =
-      co_await remeshOnce(work, remeshing.given, remeshing.grid, options, 1.0, remeshing.isStopped);
-  SurfaceRemesh result = std::move(plain.remesh);
-  if (!options.dropPoorDetails || !isPoor(result)) co_return result;
+  work.beginPart(0.6);
+  SurfaceRemesh simplified = co_await remeshSimplified(work, remeshing, rule);
+  const bool isDropped = !simplified.mergedDetails.empty();
+  if (areChosen && !isDropped) {
+    work.beginPart(1.0);
+    RemeshPass plain = co_await remeshOnce(work, remeshing.given, remeshing.grid, options, 1.0,
+                                           remeshing.isStopped);
+    co_return std::move(plain.remesh);
+  }
+  if (areChosen || isBetter(simplified, best)) best = std::move(simplified);
+  if (remeshing.isStopped) best.isPartial = true;
+  if (!isPoor(best)) co_return best;
   work.beginPart(1.0);
-  SurfaceRemesh other = co_await remeshWithoutDetails(work, remeshing);
-  if (isComplete(other) && !other.mergedDetails.empty() && isBetter(other, result)) {
-    co_return other;
-  }
-  result.isPartial = other.isPartial;
-  co_return result;
+  SurfaceRemesh other = co_await remeshInSteps(work, remeshing);
+  if (isBetter(other, best) && !other.mergedDetails.empty()) co_return other;
+  best.isPartial = other.isPartial;
+  co_return best;
 }
 
 }  // namespace

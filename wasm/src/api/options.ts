@@ -456,28 +456,14 @@ export function levelOfImprovement(options: ImproveOptions): number {
   return OPTIMIZATION_NUMBERS[v.parse(improveSchema, options).optimization];
 }
 
-/** Options by which a remeshing is not automatic. */
-const CHOSEN = [
-  "size",
-  "minSize",
-  "maxSize",
-  "tolerance",
-  "featureAngle",
-  "anglePerEdge",
-  "layers",
-  "dropDetails",
-  "maxVolume",
-  "background",
-] as const satisfies readonly (keyof RemeshOptions)[];
-
-/** Converts valid options; the engine chooses what is omitted. A remeshing without options drops poor details. */
+/** Converts valid options; the engine chooses what is omitted. Poor details are dropped, unless a length is chosen. */
 export function engineRemeshOptions(options: RemeshOptions): EngineRemeshOptions {
   const { background: _, ...parsed } = v.parse(remeshSchema, options);
   const chosen = Object.fromEntries(Object.entries(parsed).filter(([, value]) => value !== undefined));
   return {
     ...REMESH_DEFAULTS,
     ...chosen,
-    dropPoorDetails: CHOSEN.every((name) => options[name] === undefined),
+    dropPoorDetails: parsed.dropDetails === undefined,
     innerShells: INNER_SHELL_NUMBERS[parsed.innerShells],
   };
 }

@@ -130,10 +130,9 @@ Sizes
 
 Small details
   Strips and steps that are much narrower than the sizes leave triangles with small angles. --drop-details merges
-  sharp edges that are nearer to each other than a length, and --json lists every merge. If no option of sizes or
-  shapes is given and an angle is below 10 degrees, details narrower than 1/2500 of the diagonal are merged,
-  provided that the triangles get better and the surface stays within the tolerance; --drop-details 0 keeps them
-  all.
+  sharp edges that are nearer to each other than a length, and --json lists every merge. Without this option, if an
+  angle is below 10 degrees, details across which triangles are poor are merged, provided that the triangles get
+  better and the surface stays within the tolerance. --drop-details 0 keeps all details.
 
 Rounding
   STL files have single precision. The program reads the written surface again. If the rounding made it invalid,

@@ -147,15 +147,6 @@ function mergedText(merged: RemeshReport["mergedDetails"]): string {
   return `${plural(merged.length, "detail")} dropped, at ${positions.join(", ")}${more}`;
 }
 
-/** Smallest angle, in degrees, below which the program suggests dropping details. */
-const SMALL_ANGLE = 15;
-
-/** Details narrower than half the tolerance cause most small angles. */
-function dropHint({ smallestAngle, mergedDetails, tolerance }: RemeshReport): string {
-  if (smallestAngle >= SMALL_ANGLE || mergedDetails.length > 0) return "";
-  return ` (--drop-details ${short(tolerance / 2, DIGITS)} may raise it)`;
-}
-
 /** Describes a remeshing: triangles, chosen sizes, shapes, and the distance from the given surface. */
 export function remeshText(remesh: RemeshReport): string {
   const { given, triangles, size, minSize, tolerance, deviation, patches, featureLines } = remesh;
@@ -163,7 +154,7 @@ export function remeshText(remesh: RemeshReport): string {
     `remeshed: ${plural(given, "triangle")} before, ${triangles} after`,
     `target sizes ${short(minSize, DIGITS)} to ${short(size, DIGITS)}`,
     `${plural(patches, "smooth patch")}, ${plural(featureLines, "feature line")}`,
-    `smallest angle ${remesh.smallestAngle.toFixed(1)}°${dropHint(remesh)}, mean radius ratio ${remesh.meanRadiusRatio.toFixed(3)}`,
+    `smallest angle ${remesh.smallestAngle.toFixed(1)}°, mean radius ratio ${remesh.meanRadiusRatio.toFixed(3)}`,
     `deviation at most ${short(deviation, DIGITS)} (tolerance ${short(tolerance, DIGITS)})`,
     ...(remesh.mergedDetails.length === 0 ? [] : [mergedText(remesh.mergedDetails)]),
   ].join("; ");
