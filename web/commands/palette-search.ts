@@ -12,9 +12,26 @@ const wordsOf = (query: string): string[] => query.toLowerCase().split(/\s+/).fi
 const hasWords = (text: string, words: readonly string[]): boolean =>
   words.every((word) => text.toLowerCase().includes(word));
 
+/** Returns whether words of a text begin with all words of a query. */
+const beginsWords = (text: string, words: readonly string[]): boolean => {
+  const starts = text.toLowerCase().split(/[^\p{L}\p{N}]+/u);
+  return words.every(
+    (word) => starts.some((start) => start.startsWith(word)) || ` ${text.toLowerCase()}`.includes(` ${word}`),
+  );
+};
+
+/** Returns how well an entry fits a query: 0 is best, 4 is not at all. */
+function rankOf({ label, words: others }: PaletteItem, words: readonly string[]): number {
+  const both = `${label} ${others}`;
+  if (beginsWords(label, words)) return 0;
+  if (beginsWords(both, words)) return 1;
+  if (hasWords(label, words)) return 2;
+  return hasWords(both, words) ? 3 : 4;
+}
+
 /**
- * Returns the entries that a query finds, the best first: those whose label contains all words, then those with other words
- * for them; only without any, those that are spelled similarly. O(entries).
+ * Returns the entries that a query finds, the best first: those with a label whose words begin with those of the query, then
+ * those with other words for them, then those that contain them within words; only without any, those that are spelled similarly. O(entries).
  */
 export function searchPalette(
   query: string,
@@ -24,11 +41,8 @@ export function searchPalette(
   const words = wordsOf(query);
   if (words.length === 0) return listed;
   const all = [...listed, ...found];
-  const byLabel = all.filter(({ label }) => hasWords(label, words));
-  const byWords = all.filter(
-    (item) => !byLabel.includes(item) && hasWords(`${item.label} ${item.words}`, words),
-  );
-  const exact = [...byLabel, ...byWords];
+  const ranked = all.map((item) => ({ item, rank: rankOf(item, words) })).filter(({ rank }) => rank < 4);
+  const exact = ranked.toSorted((a, b) => a.rank - b.rank).map(({ item }) => item);
   return limited(exact.length > 0 ? exact : similar(words, all), new Set(listed));
 }
 

@@ -114,7 +114,7 @@ export const pageStrings = {
     dismiss: "Dismiss",
     undo: "Undo",
     deleted: (step: string, others: readonly string[]) =>
-      `${step}: ${others.slice(0, maxNamed).join(", ")}${others.length > maxNamed ? ` and ${others.length - maxNamed} more` : ""}.`,
+      `${step.replace(/^Delete /, "Deleted ")}: ${others.slice(0, maxNamed).join(", ")}${others.length > maxNamed ? ` and ${others.length - maxNamed} more` : ""}.`,
     understood: "OK",
     comparingRepairs: "Two repairs of the surface are compared. The better one is made, and then the mesh.",
     repairNow: "Do not wait",
@@ -155,7 +155,7 @@ export const pageStrings = {
     title: "Keyboard and mouse",
     mouse: [
       ["Click", "select; Shift adds (in the tree: extends to here), Ctrl toggles"],
-      ["Double click", "fit the entity under the pointer"],
+      ["Double click", "edit the entity under the pointer; elsewhere, and by a finger, fit the view"],
       [
         "Left drag",
         "select in a box: to the right what lies inside, to the left what is touched; with Alt a lasso",

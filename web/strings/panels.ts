@@ -81,7 +81,7 @@ export const panelStrings = {
   },
   parameters: {
     title: "Parameters",
-    hint: "A named number. Coordinates and sizes may use its name, such as 2*r.",
+    hint: "A named number. Coordinates and sizes may use its name, such as 2*r. Angles are in degrees: sin(30) is 0.5.",
     name: "Name",
     expression: "Expression",
     value: "Value",

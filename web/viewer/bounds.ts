@@ -80,6 +80,32 @@ export function roomyBounds(project: Project, bodies: readonly ShownBody[] = [])
   return bounds.add(x - 1, y - 1, z - 1).add(x + 1, y + 1, z + 1);
 }
 
+/** What `shownBounds` reads of the state. */
+interface Shown {
+  readonly project: Project;
+  readonly preview: SampledProject | null;
+  readonly bodies: readonly ShownBody[];
+  readonly layers: { readonly background: boolean };
+}
+
+/**
+ * Returns the bounds of a project with its sampled lines and patches, which may leave the box of their points, and with the
+ * background grid if it is shown. Samples of an earlier state of the project are not used.
+ */
+export function shownBounds({ project, preview, bodies, layers }: Shown): Bounds {
+  const bounds = roomyBounds(project, bodies);
+  const isCurrent =
+    preview?.project.points === project.points &&
+    preview.project.lines === project.lines &&
+    preview.project.patches === project.patches;
+  if (isCurrent) {
+    const { linePoints, patchPoints } = preview.samples;
+    bounds.addAll(linePoints).addAll(patchPoints);
+  }
+  if (layers.background) for (const { position } of project.background.nodes) bounds.add(...position);
+  return bounds;
+}
+
 /** Returns the bounds of an entity; empty if it does not exist or has not been sampled. */
 export function entityBounds(
   entity: Entity,

@@ -1,6 +1,6 @@
 import type { PerspectiveCamera } from "three";
 import type { Entity } from "../document/entities";
-import { areAlike, Bounds, boundsOf, entityBounds, projectBounds, roomyBounds } from "./bounds";
+import { areAlike, Bounds, boundsOf, entityBounds, projectBounds, shownBounds, roomyBounds } from "./bounds";
 import { ViewCamera, type CameraPose, type StandardView } from "./camera";
 import { closeUpBox } from "./close-up";
 import type { ViewerColors } from "./colors";
@@ -339,7 +339,7 @@ export class Viewer {
 
   /** If the target is much smaller than the model, moves to the part of the model around it. */
   #fitBounds(target: Bounds, animate = this.#options.motion): void {
-    const whole = roomyBounds(this.#state.project, this.#state.bodies);
+    const whole = shownBounds(this.#state);
     const [from, to] = closeUpBox(target.empty ? whole : target, whole.radius, this.#state.origin);
     this.#view.fit(from, to, animate);
     this.#loop.request();

@@ -1,5 +1,7 @@
+import type { ProjectPreview } from "tetrafront";
 import { describe, expect, it } from "vitest";
-import { areAlike, Bounds, boundsOf } from "../../../web/viewer/bounds";
+import { emptyProject } from "../../../web/document/create";
+import { areAlike, Bounds, boundsOf, shownBounds } from "../../../web/viewer/bounds";
 
 const cube = boundsOf([0, 0, 0, 1, 1, 1]);
 
@@ -22,5 +24,29 @@ describe("areAlike", () => {
     expect(areAlike(new Bounds(), new Bounds())).toBe(true);
     expect(areAlike(new Bounds(), cube)).toBe(false);
     expect(areAlike(cube, new Bounds())).toBe(false);
+  });
+});
+
+describe("shownBounds", () => {
+  const points = [0, 1].map((id) => ({ id: id + 1, position: [id, 0, 0] as const }));
+  const nodes = [
+    { id: 1, position: [0, 9, 0] as const, size: 1, stretching: 1, direction: [1, 0, 0] as const },
+  ];
+  const empty = emptyProject();
+  const project = { ...empty, points, background: { ...empty.background, nodes } };
+  const samples = {
+    linePoints: Float64Array.of(0, -2, 0),
+    patchPoints: Float64Array.of(0, 0, 3),
+  } as unknown as ProjectPreview;
+  const shown = { project, preview: { samples, project }, bodies: [], layers: { background: false } };
+
+  it("include sampled lines and patches, and the background grid if it is shown", () => {
+    expect(shownBounds(shown)).toEqual(boundsOf([0, -2, 0, 1, 0, 3]));
+    expect(shownBounds({ ...shown, layers: { background: true } }).high).toEqual([1, 9, 3]);
+  });
+
+  it("do not include samples of another state", () => {
+    const other = { ...project, points: points.slice() };
+    expect(shownBounds({ ...shown, project: other }).low).toEqual([0, 0, 0]);
   });
 });

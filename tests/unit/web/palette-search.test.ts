@@ -53,6 +53,25 @@ it("shows a few entities of many, in groups by their best entry", () => {
   ]);
 });
 
+it("prefers other words to parts of labels", () => {
+  const items = [item("a", "Remove all"), item("b", "Translate", "move")];
+  expect(searchPalette("move", items, []).map(({ id }) => id)).toEqual(["b", "a"]);
+});
+
+it.each([
+  ["subtract", "boolean-difference"],
+  ["merge bodies", "boolean-union"],
+  ["fuse", "boolean-union"],
+  ["pattern", "array-linear"],
+  ["reflect", "transform-mirror"],
+  ["translate", "tool-move"],
+  ["lasso", "tool-select"],
+  ["snap", "tool-point"],
+])("finds a command by %s", (query, id) => {
+  const known = commands.map((command) => item(command.id, command.id, synonyms[command.id]));
+  expect(searchPalette(query, known, [])[0]?.id).toBe(id);
+});
+
 it("knows synonyms of existing commands only", () => {
   const known = new Set(commands.map(({ id }) => id));
   expect(Object.keys(synonyms).filter((id) => !known.has(id))).toEqual([]);

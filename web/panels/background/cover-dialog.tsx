@@ -58,6 +58,7 @@ function CoverForm({ onClose }: { readonly onClose: () => void }) {
         value={size}
         step={sizeStep(size)}
         refuse={aboveZero}
+        first
         testId="cover-size"
         onCommit={setSize}
       />

@@ -34,7 +34,9 @@ export function ParameterTable() {
         <thead>
           <tr>
             <th scope="col">{texts.name}</th>
-            <th scope="col">{texts.expression}</th>
+            <th scope="col" title={texts.hint}>
+              {texts.expression}
+            </th>
             <th scope="col">{texts.value}</th>
             <td />
           </tr>
