@@ -5,6 +5,7 @@ import { failureText } from "../session/failure-text";
 import type { MeshRun } from "../session/run";
 import { entityLabels, type EntityLabels } from "./entity-labels";
 import type { FrontColoring } from "./front-values";
+import type { Loop } from "./loop";
 import { firstState, phaseEnd, phaseStart } from "./phases";
 import { Playback } from "./playback";
 import { recordProject, type PreparedOf, type Recorded, type RecordingChoices } from "./recording";
@@ -39,7 +40,7 @@ export interface PlayerState {
   /** Steps per second. */
   readonly speed: number;
   /** Playing repeats the steps from `from` to `to`; null: it ends with the trace. */
-  readonly loop: { readonly from: number; readonly to: number } | null;
+  readonly loop: Loop | null;
   /** Whether the user wants playing to pause at steps of the chosen kind. */
   readonly pausesThere: boolean;
   /** Playing pauses at these steps; null also while the condition has an error. */

@@ -11,10 +11,13 @@ import {
   IconX,
 } from "@tabler/icons-react";
 import { NativeSelect, Toolbar } from "@mantine/core";
-import { firstState, frontSizeAt, phaseAt } from "../../player/phases";
+import type { Trace } from "tetrafront";
+import { loopAround, loopLimits, shownLoop, withLoopEnd, type Loop } from "../../player/loop";
+import { frontSizeAt, phaseAt } from "../../player/phases";
 import { speeds } from "../../player/player";
 import { download, fileStem } from "../../session/files";
 import { strings } from "../../strings";
+import { NumberField } from "../../ui/fields/number-field";
 import { IconButton } from "../../ui/icon-button";
 import { useApp, useRun } from "../shared/app-context";
 import { ShareMenu } from "./share-menu";
@@ -24,8 +27,6 @@ import { usePlayer, useToldStep, useTrace } from "./use-player";
 
 const texts = strings.player;
 const icon = { size: 15, "aria-hidden": true } as const;
-/** Half the number of steps that a new loop repeats. */
-const loopReach = 50;
 
 /** Buttons that move through the steps, the step shown, and the speed. */
 export function Transport() {
@@ -57,6 +58,7 @@ export function Transport() {
         </IconButton>
         <LoopButton />
       </Toolbar>
+      <LoopFields />
       <Counter />
       <SpeedSelect />
       <TraceButtons />
@@ -98,12 +100,8 @@ function LoopButton() {
   const { player } = useApp();
   const trace = useTrace();
   const loop = usePlayer((state) => state.loop);
-  const around = (step: number) => ({
-    from: Math.max(firstState(trace), step - loopReach),
-    to: Math.min(trace.stepCount, step + loopReach),
-  });
   const told = useToldStep();
-  const { from, to } = loop ?? around(told);
+  const { from, to } = shownLoop(trace, loop ?? loopAround(trace, told));
   return (
     <IconButton
       label={texts.loopHint(from, to)}
@@ -111,10 +109,51 @@ function LoopButton() {
       aria-pressed={loop !== null}
       variant={loop ? "light" : "subtle"}
       color={loop ? "blue" : "gray"}
-      onClick={() => player.state.setState(({ step }) => ({ loop: loop ? null : around(step) }))}
+      onClick={() => player.state.setState(({ step }) => ({ loop: loop ? null : loopAround(trace, step) }))}
     >
       <IconRepeat {...icon} />
     </IconButton>
+  );
+}
+
+/** The first and the last step that are repeated. */
+function LoopFields() {
+  const trace = useTrace();
+  const loop = usePlayer((state) => state.loop);
+  if (!loop) return null;
+  return (
+    <span className={styles["loop-fields"]} role="group" aria-label={texts.loopSteps}>
+      {(["from", "to"] as const).map((end) => (
+        <LoopField key={end} trace={trace} loop={loop} end={end} />
+      ))}
+    </span>
+  );
+}
+
+function LoopField({
+  trace,
+  loop,
+  end,
+}: {
+  readonly trace: Trace;
+  readonly loop: Loop;
+  readonly end: keyof Loop;
+}) {
+  const { player } = useApp();
+  const [least, most] = loopLimits(trace, loop, end);
+  return (
+    <NumberField
+      label={texts.loopEnds[end]}
+      value={shownLoop(trace, loop)[end]}
+      step={1}
+      refuse={(value) =>
+        Number.isInteger(value) && value >= least && value <= most ? null : texts.loopRange(least, most)
+      }
+      testId={`player-loop-${end}`}
+      leftSection={texts.loopShort[end]}
+      leftSectionWidth={36}
+      onCommit={(value) => player.state.setState({ loop: withLoopEnd(trace, loop, end, value) })}
+    />
   );
 }
 
