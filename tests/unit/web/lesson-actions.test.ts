@@ -5,6 +5,7 @@ import { App } from "../../../web/app/app";
 import { compareRun, lessonRuns, showLessonModel } from "../../../web/commands/lesson-actions";
 import { moveEntity } from "../../../web/document/edits";
 import type { Lesson } from "../../../web/lessons/lesson";
+import { showOwnRun } from "../../../web/lessons/own-run";
 import { newDocument } from "../../../web/session/document-store";
 import { cubeProject } from "../../support/projects";
 import { boxSurface } from "../../support/surfaces";
@@ -86,6 +87,21 @@ it("runs the model in the orders of an address, and shows the lesson's own run",
   expect(app.shell.getState().lessonRuns).toEqual(["random", "first-in", "smallest-first"]);
   await showLessonModel(app, lesson);
   expect(app.shell.getState().lessonRuns).toEqual([]);
+});
+
+it("shows the lesson's own run again after another one", async () => {
+  await showLessonModel(app, lesson);
+  await compareRun(app, "random");
+  const { runs } = lessonRuns(app).getState();
+  const [own, random] = runs;
+  const shown = () => app.player.state.getState().trace;
+  expect(shown()).toBe(random?.trace);
+  showOwnRun(app.player, runs);
+  expect(shown()).toBe(own?.trace);
+  // What is not a run of the lesson stays.
+  if (random) app.player.show(random.trace, random.file);
+  showOwnRun(app.player, runs.slice(0, 1));
+  expect(shown()).toBe(random?.trace);
 });
 
 it("runs the model by other rules, which the address names", async () => {

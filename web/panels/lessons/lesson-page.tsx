@@ -1,10 +1,12 @@
 import { Button } from "@mantine/core";
 import { IconChevronLeft, IconChevronRight, IconList, IconPrinter } from "@tabler/icons-react";
 import { useEffect, useRef } from "react";
-import { openLesson, showBeginning, showLessonModel } from "../../commands/lesson-actions";
+import type { App } from "../../app/app";
+import { lessonRuns, openLesson, showBeginning, showLessonModel } from "../../commands/lesson-actions";
 import { isFinished, restart } from "../../lessons/course";
 import type { Lesson } from "../../lessons/lesson";
 import { lessonBeside, type Course } from "../../lessons/lesson-files";
+import { showOwnRun } from "../../lessons/own-run";
 import { lessonStrings as texts } from "../../strings/lessons";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
 import { IconButton } from "../../ui/icon-button";
@@ -108,6 +110,12 @@ function LessonBar({ number, course }: Omit<LessonPageProps, "lesson">) {
   );
 }
 
+/** Shows the state in which a lesson begins, in its own run. */
+function goToBeginning(app: App, lesson: Lesson): void {
+  showOwnRun(app.player, lessonRuns(app).getState().runs);
+  showBeginning(app, lesson);
+}
+
 /** Says if the view shows something else than the front of the lesson, and brings it back. */
 function FrontState({ lesson }: { readonly lesson: Lesson }) {
   const app = useApp();
@@ -122,7 +130,7 @@ function FrontState({ lesson }: { readonly lesson: Lesson }) {
         size="compact-xs"
         variant="default"
         data-testid="lesson-show"
-        onClick={() => (isShown ? showBeginning(app, lesson) : void showLessonModel(app, lesson))}
+        onClick={() => (isShown ? goToBeginning(app, lesson) : void showLessonModel(app, lesson))}
       >
         {isShown ? texts.goTo : texts.show}
       </Button>
@@ -155,7 +163,7 @@ function Finished({ lesson, number, course }: LessonPageProps) {
             data-testid="lesson-restart"
             onClick={() => {
               restart(lesson);
-              showBeginning(app, lesson);
+              goToBeginning(app, lesson);
             }}
           >
             {texts.restart}
