@@ -286,6 +286,30 @@ test("who prefers no motion sees the end at once", async ({ page }) => {
   await expect(viewport).toHaveAttribute("data-step", steps ?? "");
 });
 
+test("the steps that are repeated are typed, and a number that does not fit is refused", async ({ page }) => {
+  const { viewport } = await openTrace(page, star);
+  const steps = Number(await viewport.getAttribute("data-steps"));
+  const from = page.getByTestId("player-loop-from");
+  const to = page.getByTestId("player-loop-to");
+  await expect(from).toHaveCount(0);
+  await page.getByTestId("player-loop").click();
+  await expect(from).toHaveValue("0");
+  await expect(to).toHaveValue(String(Math.min(50, steps)));
+  await from.fill("2");
+  await from.press("Enter");
+  await to.fill(String(steps + 1));
+  await to.press("Enter");
+  await expect(to).toHaveAttribute("aria-invalid", "true");
+  await to.fill("3");
+  await to.press("Enter");
+  await to.press("ArrowUp");
+  await expect(to).toHaveValue("4");
+  await expect(page.getByTestId("player-loop")).toHaveAccessibleName("Repeat steps 2 to 4");
+  expect(await violations(page)).toEqual([]);
+  await page.getByTestId("player-loop").click();
+  await expect(from).toHaveCount(0);
+});
+
 test("a condition is typed, corrected, jumped to and paused at, by keyboard", async ({ page }) => {
   const { viewport } = await openTrace(page, star);
   await page.getByTestId("player-kind").selectOption("condition");
