@@ -1,18 +1,6 @@
 import type { RecoveryStep, Trace } from "tetrafront";
+import type { RecoveryCounts } from "../strings/recovery";
 import { frontSizeAt } from "./phases";
-
-/** What a step of recovery does to the front and the mesh, in numbers. */
-export interface RecoveryCounts {
-  readonly removedFaces: number;
-  readonly addedFaces: number;
-  readonly removedElements: number;
-  readonly addedElements: number;
-  /** New nodes, ascending. */
-  readonly nodes: readonly number[];
-  /** Faces of the front before the step and after it. */
-  readonly before: number;
-  readonly after: number;
-}
 
 /** Counts what a step of recovery changes. O(changes). */
 export function recoveryCounts(trace: Trace, step: RecoveryStep): RecoveryCounts {

@@ -4,8 +4,8 @@ import type { FrontChange } from "tetrafront";
 const number = (value: number): string => value.toLocaleString("en-US");
 const counted = (count: number, one: string): string => `${number(count)} ${count === 1 ? one : `${one}s`}`;
 
-/** Numbers of a step of recovery, as `RecoveryCounts` of the player. */
-interface Counts {
+/** What a step of recovery does to the front and the mesh, in numbers. */
+export interface RecoveryCounts {
   readonly removedFaces: number;
   readonly addedFaces: number;
   readonly removedElements: number;
@@ -25,14 +25,14 @@ const newNodes = (nodes: readonly number[]): string => {
     : `${number(nodes.length)} new nodes, ${number(first)} to ${number(last)}`;
 };
 
-const frontOf = ({ before, after }: Counts): string => {
+const frontOf = ({ before, after }: RecoveryCounts): string => {
   if (before === after) return `The front has ${counted(after, "face")}.`;
   return after === 0
     ? `The front goes from ${counted(before, "face")} to none: it is closed.`
     : `The front goes from ${number(before)} to ${counted(after, "face")}.`;
 };
 
-const sentences: Readonly<Record<FrontChange, (counts: Counts) => string>> = {
+const sentences: Readonly<Record<FrontChange, (counts: RecoveryCounts) => string>> = {
   star: ({ removedFaces, addedElements, nodes }) =>
     `The pocket has ${counted(removedFaces, "face")}. It is closed by a star: ${counted(addedElements, "element")} around ${newNodes(nodes)}.`,
   reopened: ({ removedElements, removedFaces, addedFaces }) =>
@@ -47,5 +47,5 @@ const sentences: Readonly<Record<FrontChange, (counts: Counts) => string>> = {
     `The pocket has ${counted(removedFaces, "face")}. It is filled exactly, with ${counted(addedElements, "element")} and ${newNodes(nodes)}.`,
 };
 
-export const recoverySentence = (change: FrontChange, counts: Counts): string =>
+export const recoverySentence = (change: FrontChange, counts: RecoveryCounts): string =>
   `${sentences[change](counts)} ${frontOf(counts)}`;
