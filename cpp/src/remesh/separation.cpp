@@ -33,6 +33,8 @@ void SeparationProof::begin(std::span<const NumberedTriangle> triangles) {
     }
   }
   centre_ = sum / static_cast<double>(nodes_.size());
+  reach_ = 0.0;
+  for (const Node& node : nodes_) reach_ = std::max(reach_, glm::length(node.position - centre_));
 }
 
 // ---- the new triangles among themselves ---------------------------------------------------------
@@ -127,23 +129,38 @@ bool SeparationProof::isBeyond(const NumberedTriangle& other, const Places& plac
   return true;
 }
 
-/// For a triangle that shares no node.
+/// Returns true if a plane across the direction has all nodes of the new triangles on one side and the corners on the other.
+bool SeparationProof::isApartAlong(const Vec3& direction,
+                                   const std::array<Vec3, 3>& corners) const {
+  double most = 0.0;
+  double least = 0.0;
+  for (const Node& node : nodes_) {
+    const double height = glm::dot(direction, node.position - centre_);
+    most = std::max(most, height);
+    least = std::min(least, height);
+  }
+  // The centre is among the nodes, and each corner has a margin of its own.
+  const double margin = kRounding * glm::length(direction);
+  const auto all = [&](auto isOutside) {
+    return std::ranges::all_of(corners, [&](const Vec3& corner) {
+      const Vec3 offset = corner - centre_;
+      return isOutside(glm::dot(direction, offset), margin * (reach_ + glm::length(offset)));
+    });
+  };
+  return all([&](double height, double error) { return height > most + error; }) ||
+         all([&](double height, double error) { return height < least - error; });
+}
+
+/// For a triangle that shares no node. Most are separated along the line between the centres. Near a crowd of long triangles, many are in
+/// one plane, or at an angle.
 bool SeparationProof::isFarFrom(const NumberedTriangle& other) const {
   const auto& [a, b, c] = other.corners;
-  const Vec3 normal = (a + b + c) / 3.0 - centre_;
-  const double length = glm::length(normal);
-  double most = 0.0;
-  double reach = 0.0;
-  for (const Node& node : nodes_) {
-    const Vec3 offset = node.position - centre_;
-    most = std::max(most, glm::dot(normal, offset));
-    reach = std::max(reach, glm::dot(offset, offset));
-  }
-  const double margin = kRounding * length * std::sqrt(reach);
-  return std::ranges::all_of(other.corners, [&](const Vec3& corner) {
-    const Vec3 offset = corner - centre_;
-    return glm::dot(normal, offset) > most + margin + kRounding * length * glm::length(offset);
-  });
+  const Vec3 cross = crossOf(other.corners);
+  return isApartAlong((a + b + c) / 3.0 - centre_, other.corners) ||
+         isApartAlong(cross, other.corners) || isApartAlong(normal_, other.corners) ||
+         isApartAlong(glm::cross(cross, b - a), other.corners) ||
+         isApartAlong(glm::cross(cross, c - b), other.corners) ||
+         isApartAlong(glm::cross(cross, a - c), other.corners);
 }
 
 SeparationProof::Places SeparationProof::placesOf(const NumberedTriangle& other) const {

@@ -52,14 +52,16 @@ class SeparationProof {
   [[nodiscard]] Places placesOf(const NumberedTriangle& other) const;
   [[nodiscard]] bool isBeyond(const NumberedTriangle& other, const Places& places,
                               const Vec3& origin, const Vec3& normal, double margin) const;
+  [[nodiscard]] bool isApartAlong(const Vec3& direction, const std::array<Vec3, 3>& corners) const;
   [[nodiscard]] bool isFarFrom(const NumberedTriangle& other) const;
 
   std::span<const NumberedTriangle> triangles_;
   std::vector<Node> nodes_;  ///< of the new triangles, each once
   std::vector<std::uint32_t>
-      placeOf_;       ///< per node of the surface: its place in nodes_, or kNoIndex
-  Vec3 centre_{0.0};  ///< mean of the nodes
-  Vec3 normal_{0.0};  ///< sum of the normals
+      placeOf_;         ///< per node of the surface: its place in nodes_, or kNoIndex
+  Vec3 centre_{0.0};    ///< mean of the nodes
+  double reach_ = 0.0;  ///< largest distance of a node from the centre
+  Vec3 normal_{0.0};    ///< sum of the normals
   std::vector<Spread> spreads_;
 };
 

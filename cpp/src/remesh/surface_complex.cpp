@@ -1,6 +1,7 @@
 #include "remesh/surface_complex.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/mesh_access.h"
 
@@ -33,6 +34,7 @@ NodeId SurfaceComplex::addNode(const Vec3& point, NodeKind kind) {
   points_.push_back(point);
   kinds_.push_back(kind);
   firstCorner_.emplace_back();
+  cornerCount_.push_back(0);
   return NodeId(points_.size() - 1);
 }
 
@@ -40,6 +42,7 @@ void SurfaceComplex::removeLastNode() {
   points_.pop_back();
   kinds_.pop_back();
   firstCorner_.pop_back();
+  cornerCount_.pop_back();
 }
 
 TriangleId SurfaceComplex::addTriangle(const NodeTriple& nodes, SmoothPatchId patch) {
@@ -60,6 +63,7 @@ TriangleId SurfaceComplex::addTriangle(const NodeTriple& nodes, SmoothPatchId pa
     HalfEdgeId& first = firstCorner_[nodes[k].index()];
     nextCorner_[corner.index()] = first;
     first = corner;
+    ++cornerCount_[nodes[k].index()];
     stretchOf_[corner.index()] = StretchId{};
   }
   return t;
@@ -72,6 +76,7 @@ void SurfaceComplex::removeTriangle(TriangleId triangle) {
     HalfEdgeId* link = &firstCorner_[nodes[k].index()];
     while (*link != corner) link = &nextCorner_[link->index()];
     *link = nextCorner_[corner.index()];
+    --cornerCount_[nodes[k].index()];
   }
   patches_[triangle.index()] = SmoothPatchId{};
   free_.push_back(triangle);
@@ -93,8 +98,13 @@ void SurfaceComplex::collectRing(NodeId node, std::vector<NodeId>& ring) const {
   });
 }
 
+void SurfaceComplex::preferFewCorners(NodeId& a, NodeId& b) const {
+  if (cornerCount_[b.index()] < cornerCount_[a.index()]) std::swap(a, b);
+}
+
 void SurfaceComplex::collectEdge(NodeId a, NodeId b, std::vector<HalfEdgeId>& edges) const {
   edges.clear();
+  preferFewCorners(a, b);
   visitStar(a, [&](TriangleId t, std::uint32_t k) {
     const NodeTriple& nodes = nodesOf(t);
     if (nodes[(k + 1) % 3] == b) edges.push_back(halfEdgeOf(t, k));
@@ -103,6 +113,7 @@ void SurfaceComplex::collectEdge(NodeId a, NodeId b, std::vector<HalfEdgeId>& ed
 }
 
 HalfEdgeId SurfaceComplex::halfEdgeBetween(NodeId a, NodeId b) const {
+  preferFewCorners(a, b);
   for (HalfEdgeId at = firstCorner_[a.index()]; !at.isNone(); at = nextCorner_[at.index()]) {
     const TriangleId t = triangleOf(at);
     const std::uint32_t k = at.value % 3;
@@ -130,6 +141,7 @@ StretchId SurfaceComplex::addStretch(const Stretch& stretch) {
 }
 
 void SurfaceComplex::setStretchBetween(NodeId a, NodeId b, StretchId id) {
+  preferFewCorners(a, b);
   visitStar(a, [&](TriangleId t, std::uint32_t k) {
     const NodeTriple& nodes = nodesOf(t);
     if (nodes[(k + 1) % 3] == b) setStretch(halfEdgeOf(t, k), id);

@@ -123,9 +123,14 @@ class SurfaceComplex {
   [[nodiscard]] LineNeighbours lineNeighbours(NodeId node) const;
 
  private:
+  /// Swaps the ends of an edge if there are fewer corners at `b`: a hub can have thousands. The triangles of the edge are in the same order in
+  /// both lists, the last added first.
+  void preferFewCorners(NodeId& a, NodeId& b) const;
+
   std::vector<Vec3> points_;
   std::vector<NodeKind> kinds_;
-  std::vector<HalfEdgeId> firstCorner_;  ///< per node
+  std::vector<HalfEdgeId> firstCorner_;     ///< per node
+  std::vector<std::uint32_t> cornerCount_;  ///< per node
   std::vector<NodeTriple> triangles_;
   std::vector<SmoothPatchId> patches_;  ///< none in empty slots
   std::vector<HalfEdgeId> nextCorner_;  ///< per corner: the next at the same node

@@ -31,6 +31,8 @@ namespace {
 
 /// Smallest angle, in degrees, below which poor details are dropped.
 constexpr double kPoorAngle = 10.0;
+/// Mean radius ratio below which triangles are poor everywhere, not across a few details: dropping those is of no use.
+constexpr double kPoorRatio = 0.8;
 /// Difference of the mean radius ratio that does not matter.
 constexpr double kRatioNoise = 0.005;
 /// Merges of poor details, each followed by a remeshing: a merge brings other lines closer.
@@ -269,7 +271,8 @@ Task<SurfaceRemesh> remeshGiven(Work& work, const Remeshing& remeshing) {
     RemeshPass plain = co_await remeshOnce(work, remeshing.given, remeshing.grid, options, 1.0,
                                            remeshing.isStopped);
     best = std::move(plain.remesh);
-    if (!options.dropPoorDetails || !isPoor(best)) co_return best;
+    if (!options.dropPoorDetails || !isPoor(best) || best.meanRadiusRatio < kPoorRatio)
+      co_return best;
     rule.distance = kMergeShare * best.tolerance;
     rule.toleranceShare = 1.0 - kMergeShare;
   }
