@@ -13,26 +13,40 @@ export interface Brush {
 
 export const strokeLabel = stepNames.paintSize;
 
-/** Returns the sources of a stroke: a point, or segments from each position to the next. */
+/** A position of a stroke. */
+export interface StrokePosition {
+  readonly position: Position;
+  /** The body there; null on a drawn patch. */
+  readonly body: number | null;
+}
+
+/**
+ * Returns the sources of a stroke: a point, or segments from each position to the next. A source belongs to the body at
+ * its last position.
+ */
 export function strokeSources(
-  stroke: readonly Position[],
+  stroke: readonly StrokePosition[],
   { size, radius: distance }: Brush,
   firstId: number,
 ): ProjectSource[] {
   const [first, ...rest] = stroke;
   if (!first) return [];
-  if (rest.length === 0) return [{ id: firstId, type: "point", positions: [first], size, distance }];
+  const bodyAt = ({ body }: StrokePosition) => body !== null && { body };
+  if (rest.length === 0) {
+    return [{ id: firstId, type: "point", positions: [first.position], size, distance, ...bodyAt(first) }];
+  }
   return rest.map((to, index) => ({
     id: firstId + index,
     type: "segment",
-    positions: [stroke[index] ?? first, to],
+    positions: [(stroke[index] ?? first).position, to.position],
     size,
     distance,
+    ...bodyAt(to),
   }));
 }
 
 /** Adds the sources of a stroke to the project. */
-export function addStroke(stroke: readonly Position[], brush: Brush): Change<DocumentContent> {
+export function addStroke(stroke: readonly StrokePosition[], brush: Brush): Change<DocumentContent> {
   return {
     change: ({ project }) => {
       project.background.sources ??= [];

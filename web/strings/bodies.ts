@@ -204,7 +204,7 @@ export const bodyStrings = {
     title: "Paint size",
     size: "Size",
     radius: "Radius",
-    hint: "Drag over the surface: the stroke becomes sources that limit the size within the radius. Paint or Esc ends it.",
+    hint: "Drag over the surface: the stroke becomes sources that limit the size within the radius. They move with the body. Paint or Esc ends it.",
     paint: "Paint",
   },
   placement: {
