@@ -3,12 +3,12 @@ import { canBeFilled, isFillable } from "../session/bodies";
 import { hideNotice, showNotice } from "../session/shell";
 import type { Improvement } from "../session/shown-mesh";
 import { improvementText, strings } from "../strings";
-import { showMessage } from "./messages";
-import { repairBody } from "./surface-actions";
+import { showFailure, showMessage } from "./messages";
+import { joinTouchingBodies, repairBody } from "./surface-actions";
 
 /**
  * Meshes the project, and shows the mesh even if other triangles of a body were shown before. Bodies that a proposed repair
- * makes valid are repaired first, each as a step of undo.
+ * makes valid are repaired first, and bodies that touch are joined, each as a step of undo.
  */
 export async function generateMesh(app: App): Promise<void> {
   app.view.setLayer("mesh", true);
@@ -16,8 +16,38 @@ export async function generateMesh(app: App): Promise<void> {
     await comparisonOfRepairs(app, id);
     await repairBody(app, id);
   }
-  await app.run.generate();
+  const notes = await joinedBodies(app);
+  if (notes) await app.run.generate("user", notes);
 }
+
+/** Joins bodies that touch. Returns what was done; null if the user has stopped it. */
+async function joinedBodies(app: App): Promise<string[] | null> {
+  const abort = new AbortController();
+  const key = "repair";
+  const wait = setTimeout(
+    () =>
+      showNotice(app.shell, {
+        key,
+        tone: "warning",
+        text: strings.bodies.touching.joining,
+        action: { label: strings.notices.stop, run: () => abort.abort() },
+      }),
+    noticeDelayMs,
+  );
+  try {
+    return await joinTouchingBodies(app, abort.signal);
+  } catch (error) {
+    if (abort.signal.aborted) return null;
+    showFailure(app, strings.bodies.touching.joining, error);
+    return [];
+  } finally {
+    clearTimeout(wait);
+    hideNotice(app.shell, key);
+  }
+}
+
+/** Time in milliseconds after which a notice says what the user waits for. */
+const noticeDelayMs = 500;
 
 /** Returns the bodies that cannot be filled before, but after the proposed repair. */
 function repairableBodies({ bodies }: App): number[] {

@@ -74,6 +74,9 @@ export function bodyOfEntity(project: Project, { kind, id }: Entity): number | n
   return kind === "body-patch" ? (bodyOfPatch(project, id)?.id ?? null) : null;
 }
 
+/** Returns how sentences name a body. */
+export const bodyLabel = ({ id, name }: ProjectBody): string => name ?? `body ${id}`;
+
 /** Returns the body that a patch belongs to. */
 export function bodyOfPatch(project: Project, patch: number): ProjectBody | undefined {
   return bodiesOf(project).find(({ patches }) => patches.some(({ id }) => id === patch));

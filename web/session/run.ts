@@ -123,19 +123,23 @@ export class MeshRun {
     documents.onSettled((content) => this.#showCached(shownMeshKey(content)));
   }
 
-  /** Meshes the current project, unless a run is active. Resolves when the run has ended. */
-  generate(by: RunOrigin = "user"): Promise<void> {
-    if (!this.#abort) this.#running = this.#mesh(by);
+  /**
+   * Meshes the current project, unless a run is active. Resolves when the run has ended. `notes`: what was done to the
+   * project before, for the log.
+   */
+  generate(by: RunOrigin = "user", notes: readonly string[] = []): Promise<void> {
+    if (!this.#abort) this.#running = this.#mesh(by, notes);
     return this.#running;
   }
 
-  async #mesh(by: RunOrigin): Promise<void> {
+  async #mesh(by: RunOrigin, notes: readonly string[]): Promise<void> {
     const abort = this.#begin("mesh");
     const project = settledProject(this.#documents.state.getState());
     // Use the time that the run reports: a busy page receives progress messages late.
     let elapsedSeconds = 0;
     const log = (level: LogLevel, text: string): void => this.#log(elapsedSeconds, level, text);
     log("information", logStrings.meshing(project.name));
+    for (const note of notes) log("information", note);
     try {
       const [input, options] = engineInput(project);
       const preparedBodies = this.#preparedOf(project);

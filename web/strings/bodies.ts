@@ -3,6 +3,15 @@ import type { RepairChange } from "tetrafront";
 
 type ChangeOf<Kind extends RepairChange["kind"]> = Extract<RepairChange, { readonly kind: Kind }>;
 
+/** Largest number of names in a sentence. */
+const maxNames = 4;
+
+function listed(names: readonly string[]): string {
+  if (names.length > maxNames) return `${names.length} bodies`;
+  const last = names.at(-1) ?? "";
+  return names.length < 2 ? last : `${names.slice(0, -1).join(", ")} and ${last}`;
+}
+
 /** Names of the steps of undo. */
 export const bodyStepNames = {
   setUnit: (id: number) => `Set unit of body ${id}`,
@@ -21,6 +30,7 @@ export const bodyStepNames = {
     growth: "Set growth of remeshing",
   },
   repair: (body: string) => `Repair ${body}`,
+  join: (bodies: readonly string[]) => `Join ${listed(bodies)}`,
   merge: (count: number) => `Merge ${count} patches`,
   split: (what: string) => `Split ${what}`,
 } as const;
@@ -197,6 +207,18 @@ export const bodyStrings = {
     apply: "Split",
     cancel: "Cancel",
     merge: "Merge patches",
+  },
+  touching: {
+    message: (names: readonly string[]) => `${listed(names)} touch or intersect`,
+    remedy:
+      "“Generate mesh” joins them into one body with common triangles where they touch. To keep them apart, move one under Placement.",
+    joining: "Joining bodies that touch",
+    /** `shared`: the volume that several bodies enclose. */
+    joined: (names: readonly string[], regions: number, shared: string) =>
+      [
+        `${listed(names)} touch or intersect: they became one body with ${counted(regions, "region", "regions")}.`,
+        ...(shared === "0" ? [] : [`They share a volume of ${shared}, which counts once.`]),
+      ].join(" "),
   },
   conflict: "Move the body under Placement, or change the patches, so that they neither touch nor intersect.",
   generate: "Generate mesh",
