@@ -1,8 +1,11 @@
 import type { App } from "../app/app";
+import { placedVolume, repairGroups } from "../document/body-repair";
+import { bodyLabel } from "../document/entities";
 import { canBeFilled, isFillable } from "../session/bodies";
 import { hideNotice, showNotice } from "../session/shell";
 import type { Improvement } from "../session/shown-mesh";
 import { improvementText, strings } from "../strings";
+import { formatShort } from "../ui/format";
 import { showFailure, showMessage } from "./messages";
 import { joinTouchingBodies, repairBody } from "./surface-actions";
 
@@ -12,12 +15,27 @@ import { joinTouchingBodies, repairBody } from "./surface-actions";
  */
 export async function generateMesh(app: App): Promise<void> {
   app.view.setLayer("mesh", true);
+  const notes: string[] = [];
   for (const id of repairableBodies(app)) {
     await comparisonOfRepairs(app, id);
+    notes.push(...repairNotes(app, id));
     await repairBody(app, id);
   }
-  const notes = await joinedBodies(app);
-  if (notes) await app.run.generate("user", notes);
+  const joined = await joinedBodies(app);
+  if (joined) await app.run.generate("user", [...notes, ...joined]);
+}
+
+/** Returns what the proposed repair of a body will do, for the log. */
+function repairNotes({ bodies }: App, id: number): string[] {
+  const { body, repair } = bodies.state.getState().byId.get(id) ?? {};
+  if (!body || !repair) return [];
+  const changes = repairGroups(repair.changes).map(([kind, { length }]) =>
+    strings.bodies.repair.made[kind](length),
+  );
+  const notes = changes.length > 0 ? [strings.bodies.repair.log(bodyLabel(body), changes)] : [];
+  const { shared } = repair;
+  const volume = formatShort(placedVolume(shared, body));
+  return shared > 0 ? [...notes, strings.bodies.repair.shared(volume)] : notes;
 }
 
 /** Joins bodies that touch. Returns what was done; null if the user has stopped it. */

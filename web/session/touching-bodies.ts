@@ -1,6 +1,6 @@
 import { type Mesher, type Project, type ProjectBody, repairedSurface } from "tetrafront";
 import { nextBodyIds, usedPatches } from "../document/body-edits";
-import { placedLength, weldBeforeRemeshing, withRepairs } from "../document/body-repair";
+import { placedVolume, weldBeforeRemeshing, withRepairs } from "../document/body-repair";
 import { boxOf } from "../document/drawn-surface";
 import {
   connectedGroups,
@@ -26,7 +26,7 @@ export interface GivenBody {
 export function fillableBodies(states: Iterable<BodyState>): GivenBody[] {
   return [...states].flatMap(({ body, loaded, inspection }) =>
     loaded && inspection?.isFillable === true
-      ? [{ body, surface: loaded.surface, volume: inspection.volume * placedLength(1, body) ** 3 }]
+      ? [{ body, surface: loaded.surface, volume: placedVolume(inspection.volume, body) }]
       : [],
   );
 }

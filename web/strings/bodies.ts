@@ -1,5 +1,5 @@
 /** Texts about bodies. */
-import type { RepairChange } from "tetrafront";
+import type { PreparedBody, RepairChange } from "tetrafront";
 
 type ChangeOf<Kind extends RepairChange["kind"]> = Extract<RepairChange, { readonly kind: Kind }>;
 
@@ -78,7 +78,10 @@ export const bodyStrings = {
       "removed-sheet": (count: number) =>
         `removes ${counted(count, "triangle that encloses nothing", "triangles that enclose nothing")}`,
     },
+    shared: (volume: string) =>
+      `Parts that intersect become one: the volume that they share, ${volume}, counts once.`,
     done: "Repaired",
+    log: (body: string, changes: readonly string[]) => `${body}, repaired: ${changes.join(", ")}`,
     made: {
       "welded-node": (count: number) => `${counted(count, "node", "nodes")} welded`,
       "removed-node": (count: number) => `${counted(count, "unused node", "unused nodes")} removed`,
@@ -242,3 +245,27 @@ export const bodyStrings = {
   patchOf: "Body",
   cardList: "Bodies",
 } as const;
+
+const short = (value: number): string => String(Number(value.toPrecision(3)));
+
+/** Returns what became of the triangles of a body: how many there are, their sizes and shapes, and how near they are. */
+export function preparedText(body: string, prepared: PreparedBody): string {
+  const { triangles, size, minSize, tolerance, deviation, smallestAngle, meanRadiusRatio } = prepared;
+  const { mergedDetails = [] } = prepared;
+  const isRemeshed = deviation !== undefined;
+  const parts = [
+    `${isRemeshed ? "remeshed to " : ""}${counted(triangles.length / 3, "triangle", "triangles")}`,
+    ...(size === undefined
+      ? []
+      : [minSize === undefined ? `size ${short(size)}` : `sizes ${short(minSize)} to ${short(size)}`]),
+    ...(smallestAngle === undefined ? [] : [`smallest angle ${smallestAngle.toFixed(1)}°`]),
+    ...(meanRadiusRatio === undefined ? [] : [`mean 2r/R ${meanRadiusRatio.toFixed(3)}`]),
+    ...(deviation === undefined
+      ? []
+      : [
+          `deviation at most ${short(deviation)}${tolerance === undefined ? "" : ` (tolerance ${short(tolerance)})`}`,
+        ]),
+    ...(mergedDetails.length > 0 ? [`${counted(mergedDetails.length, "detail", "details")} dropped`] : []),
+  ];
+  return `${body}: ${parts.join(", ")}`;
+}
