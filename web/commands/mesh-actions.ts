@@ -21,7 +21,9 @@ export async function generateMesh(app: App): Promise<void> {
     notes.push(...repairNotes(app, id));
     await repairBody(app, id);
   }
-  const joined = await joinedBodies(app);
+  if (joining.has(app)) return;
+  // Without bodies that could touch, the run begins at once.
+  const joined = app.bodies.state.getState().byId.size < 2 ? [] : await joinedBodies(app);
   if (joined) await app.run.generate("user", [...notes, ...joined]);
 }
 
@@ -38,6 +40,9 @@ function repairNotes({ bodies }: App, id: number): string[] {
   return shared > 0 ? [...notes, strings.bodies.repair.shared(volume)] : notes;
 }
 
+/** The apps that join bodies: a second command must not begin meanwhile. */
+const joining = new WeakSet<App>();
+
 /** Joins bodies that touch. Returns what was done; null if the user has stopped it. */
 async function joinedBodies(app: App): Promise<string[] | null> {
   const abort = new AbortController();
@@ -52,6 +57,7 @@ async function joinedBodies(app: App): Promise<string[] | null> {
       }),
     noticeDelayMs,
   );
+  joining.add(app);
   try {
     return await joinTouchingBodies(app, abort.signal);
   } catch (error) {
@@ -59,6 +65,7 @@ async function joinedBodies(app: App): Promise<string[] | null> {
     showFailure(app, strings.bodies.touching.joining, error);
     return [];
   } finally {
+    joining.delete(app);
     clearTimeout(wait);
     hideNotice(app.shell, key);
   }

@@ -23,10 +23,18 @@ export async function importSurface(app: App): Promise<void> {
       showMessage(app, strings.messages.openFailed(result.fileName), result.reasons);
     }
     if (result.kind !== "surface" && result.kind !== "mesh") return;
-    showNewBodies(app, await addSurfaces(app, [result]));
+    const added = await addSurfaces(app, [result]);
+    showNewBodies(app, added);
+    fitToBodies(app, added.bodies);
   } catch (error) {
     showFailure(app, strings.bodies.import, error);
   }
+}
+
+/** Shows the whole model unless new bodies are in view. */
+export function fitToBodies(app: App, bodies: readonly Pick<NewBody, "body">[]): void {
+  const { viewer } = app.viewer.getState();
+  viewer?.fitUnlessShown(bodies.map(({ body }) => ({ kind: "body", id: body.id })));
 }
 
 /** Adds the bodies of files to the open document, as one step of undo. Returns them, and notes about the files. */

@@ -1,4 +1,4 @@
-import type { ProjectSource } from "tetrafront";
+import type { ProjectBody, ProjectSource, SurfaceInspection } from "tetrafront";
 import { stepNames } from "../strings";
 import type { Change, DocumentContent } from "./edit";
 import type { Position } from "./position";
@@ -9,6 +9,22 @@ export interface Brush {
   readonly size: number;
   /** Distance from the stroke within which the size applies. */
   readonly radius: number;
+}
+
+/** Size and radius of a new brush, as shares of the largest automatic size and of the extent. */
+const sizeShare = 0.25;
+const extentShare = 0.05;
+
+const rounded = (value: number): number => Number(value.toPrecision(2));
+
+/**
+ * Returns a brush that refines a body. `box`: that of its given triangles; `largest`: the largest automatic size, if it is
+ * known.
+ */
+export function newBrush({ placement }: ProjectBody, box: SurfaceInspection["box"], largest?: number): Brush {
+  const extent = box ? Math.max(...box.high.map((high, k) => high - (box.low[k] ?? 0))) : 1;
+  const placed = extent * (placement?.scale ?? 1);
+  return { size: rounded(sizeShare * (largest ?? placed / 20)), radius: rounded(extentShare * placed) };
 }
 
 export const strokeLabel = stepNames.paintSize;

@@ -243,6 +243,9 @@ export const bodyStrings = {
     modes: { off: "None", translate: "Move", rotate: "Rotate" },
   },
   patchOf: "Body",
+  given: "Given triangles",
+  normal: "Normal",
+  notPlanar: "not planar",
   cardList: "Bodies",
 } as const;
 
