@@ -404,6 +404,30 @@ test("a stroke of the brush paints sources that refine the preview, as one step 
   await previewed(page);
 });
 
+test("the palette splits patches, takes the brush, and the card of a patch has its area and normal", async ({
+  page,
+}) => {
+  const app = await openPlate(page);
+  await previewed(page);
+  const choose = async (command: string) => {
+    await page.keyboard.press("Control+k");
+    await page.keyboard.type(command);
+    await expect(page.getByRole("dialog").getByText(command)).toBeVisible();
+    await page.keyboard.press("Enter");
+  };
+  await choose("Paint size on the body");
+  await expect(page.getByTestId("brush-toggle")).toHaveAttribute("aria-pressed", "true");
+  await choose("Paint size on the body");
+  await expect(page.getByTestId("brush-toggle")).toHaveAttribute("aria-pressed", "false");
+  await choose("Split patches of the body by angle");
+  await expect(page.getByTestId("split-result")).toBeVisible();
+  await page.getByTestId("split-apply").click();
+  await app.viewport.click({ position: await screenPosition(page, [3, -4, 1]) });
+  const facts = page.getByTestId("body-patch-facts");
+  await expect(facts).toContainText("Normal");
+  await expect(facts).toContainText("0, 0, 1");
+});
+
 test("a box that touches a body selects it", async ({ page }) => {
   const app = await openPlate(page);
   await page.getByTestId("viewport-canvas").focus();

@@ -55,6 +55,27 @@ test("the solids of an assembly are bodies with names, colours and previews", as
   expect(volume).toBeCloseTo(32, 6);
 });
 
+test("solids that touch in a part of a face are joined by Generate mesh, as a step of undo", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const assembly = stepFile([boxSolid("base", [0, 0, 0], [4, 4, 1]), boxSolid("pin", [1, 1, 1], [2, 2, 3])]);
+  await dropBytes(page, assembly, "assembly.step");
+  await expect(page.getByTestId("tree-body-2")).toContainText("pin");
+  await expect(page.getByTestId("problem-list")).toBeHidden();
+  await expect(page.getByTestId("body-card")).toContainText("base and pin touch or intersect");
+  const { tets } = await app.generate();
+  expect(tets).toBeGreaterThan(100);
+  await expect(page.getByTestId("entity-name")).toHaveValue("base + pin");
+  await expect(page.getByTestId("log")).toContainText("they became one body with 2 regions");
+  const { volume, ...defects } = measured(parseVtu(await downloadMesh(page, /VTU/)));
+  expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
+  expect(volume).toBeCloseTo(18, 6);
+  await page.getByRole("button", { name: "Undo: Join base and pin" }).click();
+  await expect(page.getByTestId("tree-body-2")).toContainText("pin");
+});
+
 test("a face has its colour in every pixel", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();

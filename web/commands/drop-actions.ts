@@ -3,7 +3,7 @@ import { readDroppedFiles, type OpenResult } from "../session/files";
 import { strings } from "../strings";
 import { showMessage } from "./messages";
 import { noteReading, showNotes, takeOpened } from "./project-actions";
-import { addSurfaces } from "./surface-actions";
+import { addSurfaces, fitToBodies } from "./surface-actions";
 
 type Failure = Pick<Extract<OpenResult, { readonly kind: "failed" }>, "fileName" | "reasons">;
 
@@ -22,6 +22,7 @@ export async function openDropped(app: App, files: readonly File[]): Promise<voi
     const { bodies, notes } = await addSurfaces(app, surfaces);
     for (const { body } of bodies) app.bodies.prepareWhenValid(body.id);
     app.view.setLayer("bodies", true);
+    fitToBodies(app, bodies);
     showNotes(app, [...notesOf(first), ...notes]);
   }
   const failures = [

@@ -1,6 +1,7 @@
 import type { App } from "../app/app";
 import { commandLabels, downloadFormats, secondOrderFormats } from "../strings";
 import { define, type Command } from "./command";
+import { hasTetrahedra } from "./conditions";
 import { downloadMesh, downloadReport } from "./download-actions";
 import { newProject, openFromDialog, save } from "./project-actions";
 import { importSurface } from "./surface-actions";
@@ -49,7 +50,7 @@ export const fileMenu: readonly Command[] = [
       `download-${extension}`,
       commandLabels.download(format),
       (app) => void downloadMesh(app, extension),
-      { enabled: hasMesh },
+      { enabled: (app) => hasTetrahedra(app.run.state.getState()) },
     ),
   ),
   ...secondOrder.map(([extension, format]) =>
@@ -57,7 +58,7 @@ export const fileMenu: readonly Command[] = [
       `download-second-order-${extension}`,
       commandLabels.download(format),
       (app) => void downloadMesh(app, extension, 2),
-      { enabled: hasMesh },
+      { enabled: (app) => hasTetrahedra(app.run.state.getState()) },
     ),
   ),
   define("file", 2)("download-report", commandLabels.downloadReport, downloadReport, { enabled: hasMesh }),

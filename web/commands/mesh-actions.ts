@@ -1,23 +1,78 @@
 import type { App } from "../app/app";
+import { placedVolume, repairGroups } from "../document/body-repair";
+import { bodyLabel } from "../document/entities";
 import { canBeFilled, isFillable } from "../session/bodies";
 import { hideNotice, showNotice } from "../session/shell";
 import type { Improvement } from "../session/shown-mesh";
 import { improvementText, strings } from "../strings";
-import { showMessage } from "./messages";
-import { repairBody } from "./surface-actions";
+import { formatShort } from "../ui/format";
+import { showFailure, showMessage } from "./messages";
+import { joinTouchingBodies, repairBody } from "./surface-actions";
 
 /**
  * Meshes the project, and shows the mesh even if other triangles of a body were shown before. Bodies that a proposed repair
- * makes valid are repaired first, each as a step of undo.
+ * makes valid are repaired first, and bodies that touch are joined, each as a step of undo.
  */
 export async function generateMesh(app: App): Promise<void> {
   app.view.setLayer("mesh", true);
+  const notes: string[] = [];
   for (const id of repairableBodies(app)) {
     await comparisonOfRepairs(app, id);
+    notes.push(...repairNotes(app, id));
     await repairBody(app, id);
   }
-  await app.run.generate();
+  if (joining.has(app)) return;
+  // Without bodies that could touch, the run begins at once.
+  const joined = app.bodies.state.getState().byId.size < 2 ? [] : await joinedBodies(app);
+  if (joined) await app.run.generate("user", [...notes, ...joined]);
 }
+
+/** Returns what the proposed repair of a body will do, for the log. */
+function repairNotes({ bodies }: App, id: number): string[] {
+  const { body, repair } = bodies.state.getState().byId.get(id) ?? {};
+  if (!body || !repair) return [];
+  const changes = repairGroups(repair.changes).map(([kind, { length }]) =>
+    strings.bodies.repair.made[kind](length),
+  );
+  const notes = changes.length > 0 ? [strings.bodies.repair.log(bodyLabel(body), changes)] : [];
+  const { shared } = repair;
+  const volume = formatShort(placedVolume(shared, body));
+  return shared > 0 ? [...notes, strings.bodies.repair.shared(volume)] : notes;
+}
+
+/** The apps that join bodies: a second command must not begin meanwhile. */
+const joining = new WeakSet<App>();
+
+/** Joins bodies that touch. Returns what was done; null if the user has stopped it. */
+async function joinedBodies(app: App): Promise<string[] | null> {
+  const abort = new AbortController();
+  const key = "repair";
+  const wait = setTimeout(
+    () =>
+      showNotice(app.shell, {
+        key,
+        tone: "warning",
+        text: strings.bodies.touching.joining,
+        action: { label: strings.notices.stop, run: () => abort.abort() },
+      }),
+    noticeDelayMs,
+  );
+  joining.add(app);
+  try {
+    return await joinTouchingBodies(app, abort.signal);
+  } catch (error) {
+    if (abort.signal.aborted) return null;
+    showFailure(app, strings.bodies.touching.joining, error);
+    return [];
+  } finally {
+    joining.delete(app);
+    clearTimeout(wait);
+    hideNotice(app.shell, key);
+  }
+}
+
+/** Time in milliseconds after which a notice says what the user waits for. */
+const noticeDelayMs = 500;
 
 /** Returns the bodies that cannot be filled before, but after the proposed repair. */
 function repairableBodies({ bodies }: App): number[] {

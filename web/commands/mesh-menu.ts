@@ -3,6 +3,7 @@ import { scaleSizes } from "../document/size-edits";
 import { canImprove } from "../session/run";
 import { commandLabels } from "../strings";
 import { takeBackgroundFromMesh, toggleUniformSize } from "./background-actions";
+import { bodyCommands } from "./body-commands";
 import { define, type Command } from "./command";
 import { splitCommand } from "./create-menu";
 import { generateMesh, improveMesh } from "./mesh-actions";
@@ -59,4 +60,5 @@ export const meshMenu: readonly Command[] = [
   define("mesh", 3)("problems", commandLabels.problems, (app) =>
     app.shell.setState({ bottomTab: "problems", drawer: "bottom" }),
   ),
+  ...bodyCommands,
 ];

@@ -2,10 +2,13 @@ import type { Project, ProjectBody } from "tetrafront";
 import type { App } from "../app/app";
 import { addBodies, nextBodyIds, replaceBody, usedPatches } from "../document/body-edits";
 import { withRepairs } from "../document/body-repair";
+import { replaceByJoined } from "../document/touching-bodies";
 import { inProjectUnit, unitOf } from "../document/length-units";
-import { bodiesOf, bodyOfPatch, findRecord, type Entity } from "../document/entities";
+import { bodiesOf, bodyLabel, bodyOfPatch, findRecord, type Entity } from "../document/entities";
 import { openDocumentFile } from "../session/files";
+import { fillableBodies, joinedBody, touchingBodies } from "../session/touching-bodies";
 import { bodyStepNames, strings } from "../strings";
+import { formatShort } from "../ui/format";
 import { showFailure, showMessage } from "./messages";
 import type { NewBody, ReadSurface } from "../workers/surface-files";
 import { noteReading, showNewBodies } from "./project-actions";
@@ -20,10 +23,18 @@ export async function importSurface(app: App): Promise<void> {
       showMessage(app, strings.messages.openFailed(result.fileName), result.reasons);
     }
     if (result.kind !== "surface" && result.kind !== "mesh") return;
-    showNewBodies(app, await addSurfaces(app, [result]));
+    const added = await addSurfaces(app, [result]);
+    showNewBodies(app, added);
+    fitToBodies(app, added.bodies);
   } catch (error) {
     showFailure(app, strings.bodies.import, error);
   }
+}
+
+/** Shows the whole model unless new bodies are in view. */
+export function fitToBodies(app: App, bodies: readonly Pick<NewBody, "body">[]): void {
+  const { viewer } = app.viewer.getState();
+  viewer?.fitUnlessShown(bodies.map(({ body }) => ({ kind: "body", id: body.id })));
 }
 
 /** Adds the bodies of files to the open document, as one step of undo. Returns them, and notes about the files. */
@@ -78,14 +89,38 @@ export async function repairBody(app: App, id: number): Promise<void> {
   const used = usedPatches(patches, surface.trianglePatch);
   const { trianglePatch } = used;
   const repaired = { ...body, ...withRepairs(body, state.repair) };
-  await changeBody(app, body, bodyStepNames.repair(nameOf(body)), () =>
+  await changeBody(app, body, bodyStepNames.repair(bodyLabel(body)), () =>
     app.bodies.replaced(repaired, { ...surface, trianglePatch }, used.patches),
   );
   app.view.unmark();
   app.bodies.prepareWhenValid(id);
 }
 
-const nameOf = ({ id, name }: ProjectBody): string => name ?? `body ${id}`;
+/**
+ * Joins bodies that touch or intersect, each group as one step of undo, so that they have common triangles there. Returns a
+ * sentence for each group. Bodies that cannot be joined stay as they are: a run reports why.
+ */
+export async function joinTouchingBodies(app: App, signal: AbortSignal): Promise<string[]> {
+  const { byId } = app.bodies.state.getState();
+  if (byId.size < 2) return [];
+  const mesher = await app.mesher;
+  const sentences: string[] = [];
+  for (const group of await touchingBodies(mesher, fillableBodies(byId.values()), signal)) {
+    const { project } = app.documents;
+    const joined = await joinedBody(mesher, project, group, signal);
+    if (!joined) continue;
+    const { surface, regions, shared } = joined;
+    const body = await app.bodies.replaced(joined.body, surface, joined.body.patches);
+    await app.documents.afterGesture();
+    if (app.documents.project.bodies !== project.bodies) return sentences;
+    const bodies = group.map((one) => one.body);
+    const ids = bodies.map(({ id }) => id);
+    app.documents.edit(replaceByJoined(project, bodyStepNames.join(bodies.map(bodyLabel)), body, ids));
+    app.view.selectAll([{ kind: "body", id: body.id }]);
+    sentences.push(strings.bodies.touching.joined(bodies.map(bodyLabel), regions, formatShort(shared)));
+  }
+  return sentences;
+}
 
 /** Replaces a body as one step of undo, unless it has changed meanwhile. Returns whether it was replaced. */
 async function changeBody(
@@ -127,7 +162,7 @@ export async function splitPatches(app: App, id: number): Promise<void> {
   const body = findRecord(app.documents.project, "body", id);
   if (!state?.split || !body) return;
   const { split, patch } = state.split;
-  const subject = patch === null ? nameOf(body) : `patch ${patch}`;
+  const subject = patch === null ? bodyLabel(body) : `patch ${patch}`;
   app.bodies.dropSplit(id);
   await changeBody(app, body, bodyStepNames.split(subject), () => app.bodies.withSplit(body, split));
 }

@@ -9,7 +9,9 @@ import {
   type SurfaceInspection,
 } from "tetrafront";
 import type { DrawnSurface } from "./drawn-surface";
-import { distance } from "./vectors";
+import type { Position } from "./position";
+import { cross, distance, dot, subtract } from "./vectors";
+import { cornerOf, type Triangles } from "./winding-number";
 
 /** What the user asks of a repair. Distances are in units of the body's own coordinates: its placement does not apply. */
 export type RepairWishes = Pick<RepairOptions, "weld" | "fillHoles">;
@@ -35,6 +37,8 @@ export interface RepairProposal {
   readonly deviation: number;
   /** Why triangles could not be resolved, if that was tried and failed. */
   readonly unresolved: readonly Diagnostic[];
+  /** Volume that parts of the surface shared, which became one; 0 if none did. As `deviation`. */
+  readonly shared: number;
   /** Whether no nodes of intersecting triangles are welded. */
   readonly isExact: boolean;
   /** Whether the repair moved nodes so far that an exact one, which does not, may remesh better. */
@@ -56,6 +60,11 @@ export type RepairKind = RepairChange["kind"];
 /** Returns a length of the body's own coordinates in model units. */
 export function placedLength(length: number, { placement }: Pick<ProjectBody, "placement">): number {
   return length * (placement?.scale ?? 1);
+}
+
+/** Returns a volume in the body's own coordinates in cubed model units. */
+export function placedVolume(volume: number, body: Pick<ProjectBody, "placement">): number {
+  return volume * placedLength(1, body) ** 3;
 }
 
 /** Returns a length in model units in those of the body's own coordinates. */
@@ -98,4 +107,22 @@ export function withRepairs(
   const moved = repairDeviation + deviation;
   // Both describe the same triangles: an operation that makes others must replace both.
   return { repairs: [...known.values()], ...(moved > 0 && { repairDeviation: moved }) };
+}
+
+/** Smallest shared volume / volume that is not due to rounding, or to curved faces that touch. */
+const smallestShare = 1e-4;
+
+/**
+ * Returns the volume that parts of a closed surface share, if all face outward: what they enclose one by one beyond `volume`,
+ * that of the repaired surface.
+ */
+export function sharedVolume({ points, triangles }: Triangles, volume: number): number {
+  const origin = cornerOf(points, triangles[0] ?? 0);
+  const corner = (index: number): Position => subtract(cornerOf(points, triangles[index] ?? 0), origin);
+  let sixfold = 0;
+  for (let t = 0; t < triangles.length; t += 3) {
+    sixfold += dot(corner(t), cross(corner(t + 1), corner(t + 2)));
+  }
+  const shared = sixfold / 6 - volume;
+  return shared > smallestShare * volume ? shared : 0;
 }

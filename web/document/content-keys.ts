@@ -81,6 +81,7 @@ const sourceFields = fieldsOf<ProjectSource>({
   size: true,
   distance: true,
   growth: true,
+  body: true,
 });
 const meshingFields = fieldsOf<ProjectMeshing>({
   size: true,

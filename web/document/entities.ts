@@ -68,6 +68,15 @@ function bodyPatchesOf(project: Project): readonly ProjectBodyPatch[] {
   return patches;
 }
 
+/** Returns the id of the body that an entity is or belongs to; null if there is none. */
+export function bodyOfEntity(project: Project, { kind, id }: Entity): number | null {
+  if (kind === "body") return id;
+  return kind === "body-patch" ? (bodyOfPatch(project, id)?.id ?? null) : null;
+}
+
+/** Returns how sentences name a body. */
+export const bodyLabel = ({ id, name }: ProjectBody): string => name ?? `body ${id}`;
+
 /** Returns the body that a patch belongs to. */
 export function bodyOfPatch(project: Project, patch: number): ProjectBody | undefined {
   return bodiesOf(project).find(({ patches }) => patches.some(({ id }) => id === patch));
@@ -125,11 +134,12 @@ export function indexById(project: Project, kind: DrawnKind): ReadonlyMap<number
   return new Map(recordsOf(project, kind).map((record, index) => [record.id, index]));
 }
 
-/** As `dependentsOf`, for many entities: indexes lines and patches once, when the first point or line is asked for. */
+/** As `dependentsOf`, for many entities: indexes lists once, when the first entity that needs them is asked for. */
 export function dependentFinder(project: Project): (entity: Entity) => readonly Entity[] {
   let lines: ReadonlyMap<number, readonly Entity[]> | undefined;
   let patches: ReadonlyMap<number, readonly Entity[]> | undefined;
   return ({ kind, id }) => {
+    if (kind === "body") return paintedOn(project, id);
     if (kind === "point")
       return (lines ??= dependentsBy(project.lines, "line", (line) => line.points)).get(id) ?? [];
     if (kind !== "line") return [];
@@ -155,7 +165,16 @@ function dependentsBy<Item extends { readonly id: number }>(
   return found;
 }
 
-/** The entities built directly on this one: lines of a point, patches of a line. O(lines + patches). */
+/** The sources painted on a body. */
+function paintedOn({ background }: Project, body: number): Entity[] {
+  const sources = background.sources ?? [];
+  return sources.filter((source) => source.body === body).map(({ id }) => ({ kind: "source", id }));
+}
+
+/**
+ * The entities built directly on this one: lines of a point, patches of a line, sizes painted on a body.
+ * O(lines + patches + sources).
+ */
 export function dependentsOf(project: Project, entity: Entity): Entity[] {
   switch (entity.kind) {
     case "point":
@@ -167,6 +186,7 @@ export function dependentsOf(project: Project, entity: Entity): Entity[] {
         .filter((patch) => patch.loops.some((loop) => loop.some((step) => Math.abs(step) === entity.id)))
         .map(({ id }) => ({ kind: "patch", id }));
     case "body":
+      return paintedOn(project, entity.id);
     case "patch":
     case "body-patch":
     case "background-node":

@@ -14,6 +14,13 @@ export function placed([x, y, z]: Position, placement: BodyPlacement = {}): Posi
   return [a + position[0], b + position[1], c + position[2]];
 }
 
+/** Returns where a point goes that moves with a body from one placement to another. */
+export function carried(point: Position, from: BodyPlacement = {}, to: BodyPlacement = {}): Position {
+  const { position = [0, 0, 0], rotation: [x, y, z, w] = noRotation, scale = 1 } = from;
+  const offset = point.map((value, k) => (value - (position[k] ?? 0)) / scale) as [number, number, number];
+  return placed(rotated(offset, [-x, -y, -z, w]), to);
+}
+
 /** v + 2 q × (q × v + w v) for the vector part q and the scalar part w. */
 function rotated(v: Position, [x, y, z, w]: Quaternion): Position {
   const q: Position = [x, y, z];

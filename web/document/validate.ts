@@ -1,5 +1,6 @@
 import type { Diagnostic, EntityRef, Project, ProjectBody, SurfaceInspection } from "tetrafront";
 import {
+  bodyLabel,
   drawnKinds,
   entityKey,
   patchAt,
@@ -8,7 +9,7 @@ import {
   type DrawnKind,
   type Entity,
 } from "./entities";
-import { remedyInApp } from "../strings";
+import { remedyInApp, strings } from "../strings";
 import { placed } from "./placement";
 import type { Position } from "./position";
 
@@ -108,6 +109,23 @@ export function bodyProblems(
           },
         ];
   });
+}
+
+/** Warns that bodies touch, and says what “Generate mesh” will do. */
+export function touchingProblem(bodies: readonly ProjectBody[]): Problem {
+  const { message, remedy } = strings.bodies.touching;
+  const text = message(bodies.map(bodyLabel));
+  return {
+    key: `touching-bodies: ${text}`,
+    severity: "warning",
+    code: "touching-bodies",
+    message: text,
+    remedy,
+    entities: bodies.map(({ id }) => ({ kind: "body", id })),
+    triangles: [],
+    body: null,
+    position: null,
+  };
 }
 
 /** Entities and triangles to emphasize in the view. */

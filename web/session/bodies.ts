@@ -3,6 +3,7 @@ import {
   MesherError,
   type Diagnostic,
   type Mesher,
+  type PreparedBody,
   type Project,
   type ProjectBody,
   type SplitSurface,
@@ -147,6 +148,14 @@ export class BodyFeed {
         this.#set(id, { preparing: null });
       }
     }
+  }
+
+  /** Keeps the triangles of a body that a run of the project has made, as its preview. */
+  async keepPrepared(project: Project, prepared: PreparedBody): Promise<void> {
+    const body = bodiesOf(project).find(({ id }) => id === prepared.body);
+    if (!body) return;
+    const preparation = await this.preparations.keep(project, body, prepared);
+    this.#setFor(body, { preparation });
   }
 
   /** Makes a preview as soon as the surface is known to be valid, unless it is large. */

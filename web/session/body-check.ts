@@ -1,4 +1,4 @@
-import type { Diagnostic, Mesher, Project } from "tetrafront";
+import type { Diagnostic, Mesher, Project, ProjectBody } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { meshKey } from "../document/content-keys";
 import { engineInput } from "../document/engine-input";
@@ -6,23 +6,31 @@ import { bodiesOf, recordsOf } from "../document/entities";
 import { strings } from "../strings";
 import type { BodyFeed } from "./bodies";
 import { settledProject, type DocumentStore } from "./document-store";
+import { fillableBodies, touchingBodies } from "./touching-bodies";
 
 export interface BodyCheckState {
   /** Key of the project that was checked last; null before the first check. */
   readonly key: string | null;
-  /** The errors that a run of this project would find before it makes tetrahedra. */
+  /** The errors that a run of this project would find before it makes tetrahedra; empty if bodies touch. */
   readonly errors: readonly Diagnostic[];
+  /** Groups of bodies that touch or intersect, which “Generate mesh” joins. */
+  readonly touching: readonly (readonly ProjectBody[])[];
 }
+
+type Found = Omit<BodyCheckState, "key">;
+
+const nothing: Found = { errors: [], touching: [] };
 
 /** Largest number of triangles of all bodies that are checked unasked. */
 const maxTriangles = 300_000;
 
 /**
- * Finds what a run would refuse: bodies that intersect drawn patches or each other, or lie outside the background grid.
+ * Finds what a run would refuse: bodies that intersect drawn patches or each other, or lie outside the background grid;
+ * and bodies that would be joined.
  * Begins a run as soon as all bodies have up-to-date previews, and ends it when the front has made tetrahedra.
  */
 export class BodyCheck {
-  readonly state: StoreApi<BodyCheckState> = createStore<BodyCheckState>(() => ({ key: null, errors: [] }));
+  readonly state: StoreApi<BodyCheckState> = createStore<BodyCheckState>(() => ({ key: null, ...nothing }));
   readonly #mesher: Promise<Mesher>;
   readonly #bodies: BodyFeed;
   /** The check that is being made. */
@@ -50,9 +58,9 @@ export class BodyCheck {
     if (preparedBodies.length < bodiesOf(project).length || triangles > maxTriangles) return;
     const abort = new AbortController();
     this.#active = { key, abort };
-    this.#errorsOf(project, preparedBodies, abort)
-      .then((errors) => {
-        if (this.#active?.abort === abort) this.state.setState({ key, errors });
+    this.#found(project, preparedBodies, abort)
+      .then((found) => {
+        if (this.#active?.abort === abort) this.state.setState({ key, ...found });
       })
       // A run will report what has failed.
       .catch(() => undefined)
@@ -66,13 +74,18 @@ export class BodyCheck {
     this.#active = null;
   }
 
-  async #errorsOf(
+  async #found(
     project: Project,
     preparedBodies: ReturnType<BodyFeed["preparations"]["allOf"]>,
     abort: AbortController,
-  ): Promise<readonly Diagnostic[]> {
+  ): Promise<Found> {
     const [input, options] = engineInput(project);
     const mesher = await this.#mesher;
+    const given = fillableBodies(this.#bodies.state.getState().byId.values());
+    const groups = await touchingBodies(mesher, given, abort.signal);
+    if (groups.length > 0) {
+      return { errors: [], touching: groups.map((group) => group.map(({ body }) => body)) };
+    }
     const { report } = await mesher.meshProject(
       input,
       { ...options, preparedBodies },
@@ -83,8 +96,9 @@ export class BodyCheck {
         },
       },
     );
-    if (report.status !== "invalid-input") return [];
-    return report.diagnostics.filter(({ severity }) => severity === "error").map(withoutTriangles);
+    if (report.status !== "invalid-input") return nothing;
+    const errors = report.diagnostics.filter(({ severity }) => severity === "error").map(withoutTriangles);
+    return { errors, touching: [] };
   }
 }
 

@@ -56,8 +56,22 @@ export class BodyPreparations {
       signal,
       onProgress: ({ fraction }) => onProgress(fraction),
     });
+    return this.#drawn(project, body, { key, prepared }, signal);
+  }
+
+  /** Keeps the triangles of a body that a run of the project has made. */
+  keep(project: Project, body: ProjectBody, prepared: PreparedBody): Promise<Preparation> {
+    return this.#drawn(project, body, { key: preparedKey(project, body), prepared });
+  }
+
+  async #drawn(
+    project: Project,
+    body: ProjectBody,
+    { key, prepared }: Pick<Preparation, "key" | "prepared">,
+    signal?: AbortSignal,
+  ): Promise<Preparation> {
     const drawn = await this.#surfaces.draw(surfaceOf(prepared), body.patches.length, sharesOf(prepared));
-    signal.throwIfAborted();
+    signal?.throwIfAborted();
     const made = { key, prepared, drawn };
     this.#keep(project, made);
     return made;

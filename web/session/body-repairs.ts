@@ -8,6 +8,7 @@ import {
 } from "tetrafront";
 import {
   placedLength,
+  sharedVolume,
   weldBeforeRemeshing,
   type RepairProposal,
   type RepairWishes,
@@ -28,11 +29,14 @@ export async function proposedRepair(
   const repaired = repairedSurface({ ...surface, patches }, repair);
   const after = await mesher.inspectSurface(repaired, {}, { signal });
   const { points, triangles, trianglePatch } = repaired;
+  const isCut = repair.changes.some(({ kind }) => kind === "resolved-intersection");
+  const isUnited = isCut && after.isFillable;
   return {
     wishes,
     changes: repair.changes,
     deviation: repair.deviation,
     unresolved: repair.diagnostics,
+    shared: isUnited ? sharedVolume(surface, after.volume) : 0,
     isExact,
     hasWelded: !isExact && hasWelded(repaired, { repairDeviation: repair.deviation }),
     comparison: null,

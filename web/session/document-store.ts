@@ -4,6 +4,7 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import { documentKey, shownMeshKey } from "../document/content-keys";
 import type { Change, DocumentContent, ProjectEdit } from "../document/edit";
 import { agreement } from "../document/expression-edits";
+import { paintedSizes } from "../document/painted-sizes";
 import { addStep, commit, redo, startHistory, stepFrom, undo, type History, type Step } from "./history";
 
 /** The file that Save writes to. */
@@ -60,16 +61,22 @@ export function newDocumentId(): string {
 }
 
 /**
- * Makes the step of a change. It also removes what groups and expressions note about entities that are gone, and makes
- * numbers and their expressions agree.
+ * Makes the step of a change. It also removes what groups and expressions note about entities that are gone, makes
+ * numbers and their expressions agree, and keeps painted sizes on their bodies.
  */
 function stepOfProject(content: DocumentContent, change: Change<DocumentContent>): Step<DocumentContent> {
   const step = stepFrom(content, change);
   const notes = Object.entries(liveNotes(step.present.project));
   const tidy = followedBy(step, { replace: notes.map(([key, list]) => [["project", key], list] as const) });
-  const agreed = agreement(content.project, tidy.present.project);
-  const last = agreed ? followedBy(tidy, agreed) : tidy;
+  const agreed = agreeing(content, tidy);
+  const painted = paintedSizes(content.project, agreed.present.project);
+  const last = painted ? agreeing(content, followedBy(agreed, painted)) : agreed;
   return last.present.project.expressions?.length === 0 ? followedBy(last, { change: withoutList }) : last;
+}
+
+function agreeing({ project }: DocumentContent, step: Step<DocumentContent>): Step<DocumentContent> {
+  const change = agreement(project, step.present.project);
+  return change ? followedBy(step, change) : step;
 }
 
 /** An empty list of expressions says nothing. */

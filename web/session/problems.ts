@@ -7,7 +7,14 @@ import type { MeshRun } from "./run";
 import { meshKey, shownMeshKey } from "../document/content-keys";
 import { type DocumentStore } from "./document-store";
 import { bodiesOf, isEmptyProject, recordsOf } from "../document/entities";
-import { bodyProblems, problemsByEntity, sorted, toProblems, type Problem } from "../document/validate";
+import {
+  bodyProblems,
+  problemsByEntity,
+  sorted,
+  toProblems,
+  touchingProblem,
+  type Problem,
+} from "../document/validate";
 
 export interface ProblemState {
   readonly problems: readonly Problem[];
@@ -56,11 +63,13 @@ export class ProblemList {
           : []),
       ]);
       const { byId } = bodies.state.getState();
+      const touching = areBodiesChecked ? check.state.getState().touching.map(touchingProblem) : [];
       const ofBodies = bodiesOf(project).flatMap((body) => {
         const inspection = byId.get(body.id)?.inspection;
         return inspection ? bodyProblems(body, inspection) : [];
       });
-      const problems = ofBodies.length > 0 ? sorted([...ofDrawn, ...ofBodies]) : ofDrawn;
+      const others = [...touching, ...ofBodies];
+      const problems = others.length > 0 ? sorted([...ofDrawn, ...others]) : ofDrawn;
       this.state.setState({ problems, byEntity: problemsByEntity(problems), areBodiesChecked });
     };
     documents.onSettled(update);

@@ -2,7 +2,8 @@ import type { Mesher, MeshResult, PreparedBody, Progress, Project, UnoptimizedMe
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { meshKey, shownMeshKey, versionedKey } from "../document/content-keys";
 import { engineInput } from "../document/engine-input";
-import { logStrings, phaseNames, remedyInApp, stepNames } from "../strings";
+import { bodiesOf, bodyLabel } from "../document/entities";
+import { logStrings, phaseNames, preparedText, remedyInApp, stepNames } from "../strings";
 import {
   newDocumentId,
   settledContent,
@@ -60,6 +61,13 @@ export type ImprovementEnd =
   | { readonly kind: "discarded" }
   | { readonly kind: "failed"; readonly reasons: readonly string[] };
 
+/** The triangles of bodies that are known, and where a run leaves those that it makes. */
+export interface PreparedBodies {
+  /** Returns those that a run of the project can use. */
+  readonly allOf: (project: Project) => readonly PreparedBody[];
+  readonly keep: (project: Project, prepared: PreparedBody) => void;
+}
+
 /** Who has asked for a run. Only the runs of the user are steps of undo. */
 export type RunOrigin = "user" | "app";
 
@@ -94,6 +102,11 @@ const progressWait = { share: 0.04, min: 0.1, max: 1 };
 
 const madeByRun = { origin: null, improvement: null, edgeReference: "target", isValid: null } as const;
 
+const nameOfBody = (project: Project, id: number): string => {
+  const body = bodiesOf(project).find((one) => one.id === id);
+  return body ? bodyLabel(body) : "";
+};
+
 const isShowable = ({ volume, surface }: MeshResult): boolean =>
   volume.tetrahedra.length > 0 || surface.triangles.length > 0;
 
@@ -109,36 +122,42 @@ export class MeshRun {
   #running: Promise<void> = Promise.resolve();
   #lastLogId = 0;
 
-  /** Returns the triangles of bodies that are already made. */
-  readonly #preparedOf: (project: Project) => readonly PreparedBody[];
+  readonly #preparations: PreparedBodies;
 
   constructor(
     documents: DocumentStore,
     mesher: Promise<Mesher>,
-    preparedOf: (project: Project) => readonly PreparedBody[] = () => [],
+    preparations: PreparedBodies = { allOf: () => [], keep: () => undefined },
   ) {
     this.#documents = documents;
     this.#mesher = mesher;
-    this.#preparedOf = preparedOf;
+    this.#preparations = preparations;
     documents.onSettled((content) => this.#showCached(shownMeshKey(content)));
   }
 
-  /** Meshes the current project, unless a run is active. Resolves when the run has ended. */
-  generate(by: RunOrigin = "user"): Promise<void> {
-    if (!this.#abort) this.#running = this.#mesh(by);
+  /**
+   * Meshes the current project, unless a run is active. Resolves when the run has ended. `notes`: what was done to the
+   * project before, for the log.
+   */
+  generate(by: RunOrigin = "user", notes: readonly string[] = []): Promise<void> {
+    if (!this.#abort) this.#running = this.#mesh(by, notes);
     return this.#running;
   }
 
-  async #mesh(by: RunOrigin): Promise<void> {
+  async #mesh(by: RunOrigin, notes: readonly string[]): Promise<void> {
     const abort = this.#begin("mesh");
     const project = settledProject(this.#documents.state.getState());
     // Use the time that the run reports: a busy page receives progress messages late.
     let elapsedSeconds = 0;
     const log = (level: LogLevel, text: string): void => this.#log(elapsedSeconds, level, text);
     log("information", logStrings.meshing(project.name));
+    for (const note of notes) log("information", note);
     try {
       const [input, options] = engineInput(project);
-      const preparedBodies = this.#preparedOf(project);
+      const preparedBodies = this.#preparations.allOf(project);
+      const logBody = (prepared: PreparedBody): void =>
+        log("information", preparedText(nameOfBody(project, prepared.body), prepared));
+      preparedBodies.forEach(logBody);
       const mesher = await this.#mesher;
       const result = await mesher.meshProject(
         input,
@@ -148,6 +167,10 @@ export class MeshRun {
           onProgress: (progress) => {
             elapsedSeconds = progress.elapsedSeconds;
             this.#report(progress, log);
+          },
+          onBody: (prepared) => {
+            logBody(prepared);
+            this.#preparations.keep(project, prepared);
           },
           onFront: (front) => this.state.setState({ front }),
           onUnoptimized: (unoptimized) => this.state.setState({ unoptimized, front: null }),

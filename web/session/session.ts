@@ -49,7 +49,10 @@ export class Session {
     library?.keepOpen(document.id, release);
     this.operations = new Operations(this.documents, this.view);
     this.bodies = new BodyFeed(this.documents, previewMesher);
-    this.run = new MeshRun(this.documents, mesher, (project) => this.bodies.preparations.allOf(project));
+    this.run = new MeshRun(this.documents, mesher, {
+      allOf: (project) => this.bodies.preparations.allOf(project),
+      keep: (project, prepared) => void this.bodies.keepPrepared(project, prepared),
+    });
     this.previews = new PreviewFeed(this.documents, previewMesher);
     const check = new BodyCheck(this.documents, previewMesher, this.bodies);
     this.problems = new ProblemList(this.documents, this.previews, this.bodies, check, this.run);

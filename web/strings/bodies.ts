@@ -1,7 +1,16 @@
 /** Texts about bodies. */
-import type { RepairChange } from "tetrafront";
+import type { PreparedBody, RepairChange } from "tetrafront";
 
 type ChangeOf<Kind extends RepairChange["kind"]> = Extract<RepairChange, { readonly kind: Kind }>;
+
+/** Largest number of names in a sentence. */
+const maxNames = 4;
+
+function listed(names: readonly string[]): string {
+  if (names.length > maxNames) return `${names.length} bodies`;
+  const last = names.at(-1) ?? "";
+  return names.length < 2 ? last : `${names.slice(0, -1).join(", ")} and ${last}`;
+}
 
 /** Names of the steps of undo. */
 export const bodyStepNames = {
@@ -21,6 +30,7 @@ export const bodyStepNames = {
     growth: "Set growth of remeshing",
   },
   repair: (body: string) => `Repair ${body}`,
+  join: (bodies: readonly string[]) => `Join ${listed(bodies)}`,
   merge: (count: number) => `Merge ${count} patches`,
   split: (what: string) => `Split ${what}`,
 } as const;
@@ -68,7 +78,10 @@ export const bodyStrings = {
       "removed-sheet": (count: number) =>
         `removes ${counted(count, "triangle that encloses nothing", "triangles that enclose nothing")}`,
     },
+    shared: (volume: string) =>
+      `Parts that intersect become one: the volume that they share, ${volume}, counts once.`,
     done: "Repaired",
+    log: (body: string, changes: readonly string[]) => `${body}, repaired: ${changes.join(", ")}`,
     made: {
       "welded-node": (count: number) => `${counted(count, "node", "nodes")} welded`,
       "removed-node": (count: number) => `${counted(count, "unused node", "unused nodes")} removed`,
@@ -198,13 +211,25 @@ export const bodyStrings = {
     cancel: "Cancel",
     merge: "Merge patches",
   },
+  touching: {
+    message: (names: readonly string[]) => `${listed(names)} touch or intersect`,
+    remedy:
+      "“Generate mesh” joins them into one body with common triangles where they touch. To keep them apart, move one under Placement.",
+    joining: "Joining bodies that touch",
+    /** `shared`: the volume that several bodies enclose. */
+    joined: (names: readonly string[], regions: number, shared: string) =>
+      [
+        `${listed(names)} touch or intersect: they became one body with ${counted(regions, "region", "regions")}.`,
+        ...(shared === "0" ? [] : [`They share a volume of ${shared}, which counts once.`]),
+      ].join(" "),
+  },
   conflict: "Move the body under Placement, or change the patches, so that they neither touch nor intersect.",
   generate: "Generate mesh",
   brush: {
     title: "Paint size",
     size: "Size",
     radius: "Radius",
-    hint: "Drag over the surface: the stroke becomes sources that limit the size within the radius. Paint or Esc ends it.",
+    hint: "Drag over the surface: the stroke becomes sources that limit the size within the radius. They move with the body. Paint or Esc ends it.",
     paint: "Paint",
   },
   placement: {
@@ -218,5 +243,32 @@ export const bodyStrings = {
     modes: { off: "None", translate: "Move", rotate: "Rotate" },
   },
   patchOf: "Body",
+  given: "Given triangles",
+  normal: "Normal",
+  notPlanar: "not planar",
   cardList: "Bodies",
 } as const;
+
+const short = (value: number): string => String(Number(value.toPrecision(3)));
+
+/** Returns what became of the triangles of a body: how many there are, their sizes and shapes, and how near they are. */
+export function preparedText(body: string, prepared: PreparedBody): string {
+  const { triangles, size, minSize, tolerance, deviation, smallestAngle, meanRadiusRatio } = prepared;
+  const { mergedDetails = [] } = prepared;
+  const isRemeshed = deviation !== undefined;
+  const parts = [
+    `${isRemeshed ? "remeshed to " : ""}${counted(triangles.length / 3, "triangle", "triangles")}`,
+    ...(size === undefined
+      ? []
+      : [minSize === undefined ? `size ${short(size)}` : `sizes ${short(minSize)} to ${short(size)}`]),
+    ...(smallestAngle === undefined ? [] : [`smallest angle ${smallestAngle.toFixed(1)}°`]),
+    ...(meanRadiusRatio === undefined ? [] : [`mean 2r/R ${meanRadiusRatio.toFixed(3)}`]),
+    ...(deviation === undefined
+      ? []
+      : [
+          `deviation at most ${short(deviation)}${tolerance === undefined ? "" : ` (tolerance ${short(tolerance)})`}`,
+        ]),
+    ...(mergedDetails.length > 0 ? [`${counted(mergedDetails.length, "detail", "details")} dropped`] : []),
+  ];
+  return `${body}: ${parts.join(", ")}`;
+}

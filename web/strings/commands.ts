@@ -30,6 +30,9 @@ export const commandLabels = {
     loop: "Select loop",
   },
   mergePatches: "Merge selected patches of a body",
+  splitPatches: "Split patches of the body by angle",
+  paintSize: "Paint size on the body",
+  repairBody: "Repair the body",
 
   tools: {
     select: "Select",

@@ -19,7 +19,7 @@ export const strings = {
   problemTitle,
 } as const;
 
-export { bodyStepNames } from "./bodies";
+export { bodyStepNames, preparedText } from "./bodies";
 export * from "./commands";
 export * from "./edits";
 export * from "./entities";

@@ -30,10 +30,15 @@ const ofBodies: Readonly<Partial<Record<Diagnostic["code"], string>>> = {
   "coincident-nodes": "Repair the surface: the repair welds nodes.",
 };
 
+/** For other problems whose remedy names an option of the command line or a call. */
+const general = "Move or change the parts there, so that they neither touch nor intersect.";
+const optionOrCall = /--[a-z]|[a-z]\(\)/;
+
 /** Returns what to do about a problem in the app. `isOfBody`: it is about the given surface of a body. */
 export function remedyInApp(
   { code, remedy, body }: Pick<Diagnostic, "code" | "remedy" | "body">,
   isOfBody = body !== undefined,
 ): string {
-  return (isOfBody ? ofBodies[code] : undefined) ?? remedies[code] ?? remedy;
+  const inApp = (isOfBody ? ofBodies[code] : undefined) ?? remedies[code];
+  return inApp ?? (optionOrCall.test(remedy) ? general : remedy);
 }

@@ -1,9 +1,9 @@
-import { addStroke, strokeLabel, type Brush } from "../document/brush";
-import type { Position } from "../document/position";
+import { addStroke, strokeLabel, type Brush, type StrokePosition } from "../document/brush";
+import { bodyOfEntity } from "../document/entities";
 import type { ViewStore } from "../document/selection";
 import type { DocumentStore, Gesture } from "../session/document-store";
 import { BrushLayer } from "../viewer/layers/brush-layer";
-import type { Layer } from "../viewer/layers/layer";
+import type { Hit, Layer } from "../viewer/layers/layer";
 import type { Viewer } from "../viewer/viewer";
 import type { Tool, ToolPointer } from "./tool";
 
@@ -20,7 +20,7 @@ export class BrushTool implements Tool {
   readonly #view: ViewStore;
   readonly #viewer: Pick<Viewer, "requestFrame">;
   #layer: BrushLayer | null = null;
-  #stroke: readonly Position[] = [];
+  #stroke: readonly StrokePosition[] = [];
   #gesture: Gesture | null = null;
 
   constructor(documents: DocumentStore, view: ViewStore, viewer: Pick<Viewer, "requestFrame">) {
@@ -33,20 +33,20 @@ export class BrushTool implements Tool {
     const hit = pointer.button === "left" ? pointer.hit() : null;
     if (!hit || !this.#brush) return false;
     this.#gesture = this.#documents.begin(strokeLabel);
-    this.#paint(hit.position, this.#brush);
+    this.#paint(hit, this.#brush);
     return true;
   }
 
   move(pointer: ToolPointer | null): void {
     const brush = this.#brush;
     if (!brush) return;
-    const position = pointer?.hit()?.position;
-    this.#layer?.show(position ?? null, brush.radius);
+    const hit = pointer?.hit();
+    this.#layer?.show(hit?.position ?? null, brush.radius);
     this.#viewer.requestFrame();
-    if (!position || !this.#gesture) return;
-    const last = this.#stroke.at(-1);
-    const distance = last ? Math.hypot(...position.map((x, k) => x - (last[k] ?? 0))) : Infinity;
-    if (distance >= spacing * brush.radius) this.#paint(position, brush);
+    if (!hit || !this.#gesture) return;
+    const last = this.#stroke.at(-1)?.position;
+    const distance = last ? Math.hypot(...hit.position.map((x, k) => x - (last[k] ?? 0))) : Infinity;
+    if (distance >= spacing * brush.radius) this.#paint(hit, brush);
   }
 
   up(): void {
@@ -75,8 +75,9 @@ export class BrushTool implements Tool {
     return this.#view.state.getState().brush;
   }
 
-  #paint(position: Position, brush: Brush): void {
-    this.#stroke = [...this.#stroke, position];
+  #paint({ position, target }: Hit, brush: Brush): void {
+    const body = target.kind === "element" ? null : bodyOfEntity(this.#documents.project, target);
+    this.#stroke = [...this.#stroke, { position, body }];
     this.#gesture?.update(addStroke(this.#stroke, brush));
   }
 

@@ -140,6 +140,16 @@ export class Viewer {
     this.#fitBounds(target, animate);
   }
 
+  /** Moves to the whole model unless the given entities are in view. */
+  fitUnlessShown(entities: readonly Entity[]): void {
+    const { project, preview, bodies } = this.#state;
+    const isShown = entities.every((entity) => {
+      const { low, high, empty } = entityBounds(entity, project, preview, bodies);
+      return empty || this.#showsAll(low, high);
+    });
+    if (!isShown) this.fit(null);
+  }
+
   /** Moves to what the pointer has hit, or to the whole model. */
   fitTarget(target: Target | null): void {
     if (target?.kind !== "element") return this.fit(target && [target]);

@@ -7,6 +7,7 @@ import {
   fileMeshOf,
   type Mesher,
   type MeshResult,
+  type PreparedBody,
   parseProject,
   patchNames,
   type Progress,
@@ -389,6 +390,21 @@ describe("meshProject with bodies", () => {
     expect(phases).not.toContain("bodies");
     // The arrays still belong to the caller.
     expect(prepared.points.length).toBeGreaterThan(0);
+  });
+
+  test("hands over each body that it prepares, but none that it was given", async () => {
+    const other = createBody(sphereSurface(5), { id: 4, firstPatchId: 30, name: "ball" });
+    const project = withBodies(boxBody(), { ...other, placement: { position: [4, 0, 0] } });
+    const known = await mesher.prepareBody(project, 3, { size: 0.5 });
+    const made: PreparedBody[] = [];
+    const options = { size: 0.5, preparedBodies: [known] };
+    await mesher.meshProject(project, options, { onBody: (prepared) => void made.push(prepared) });
+    expect(made).toEqual([await mesher.prepareBody(project, 4, { size: 0.5 })]);
+    const failure = new Error("stop");
+    const onBody = (): void => {
+      throw failure;
+    };
+    await expect(mesher.meshProject(project, options, { onBody })).rejects.toBe(failure);
   });
 
   test("reports the body that is prepared, and progress that never decreases", async () => {

@@ -17,6 +17,7 @@ import {
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test, vi } from "vitest";
 
 import { askForCad, secondsFor } from "../../../wasm/dist/cad/cad-client.js";
+import { stepNotes, stepText } from "../../../wasm/dist/formats/step-text.js";
 import { mutated, randomSource } from "../../support/random.js";
 import { boxSolid, drilledSolid, pinSolid, stepFile } from "../../support/step-files.js";
 import { temporaryFolder } from "../../support/temporary-folder.js";
@@ -463,5 +464,54 @@ describe("cancelling", () => {
     });
     await new Promise((resolve) => setImmediate(resolve));
     expect(started).toEqual([]);
+  });
+});
+
+describe("a damaged STEP file", () => {
+  const text = new TextDecoder().decode(
+    stepFile([boxSolid("one", [0, 0, 0], [1, 1, 1]), boxSolid("two", [3, 0, 0], [1, 1, 1])]),
+  );
+  const notesOf = async (damage: (whole: string) => string) => {
+    const damaged = damage(text);
+    expect(damaged).not.toBe(text);
+    return (await surfaceIn(new TextEncoder().encode(damaged), "a.step")).notes ?? [];
+  };
+
+  test("is read without a note if it is whole", async () => {
+    expect((await surfaceIn(new TextEncoder().encode(text), "a.step")).notes ?? []).toEqual([]);
+  });
+
+  test("says how many of its solids could be read", async () => {
+    const notes = await notesOf((whole) =>
+      whole.replace("PRODUCT_DEFINITION_SHAPE", "PRODUCT_DEFINITOON_SHAPE"),
+    );
+    expect(notes).toContain("the file defines 2 solids, but only 1 could be read; the rest is damaged");
+  });
+
+  test.each([
+    ["its unit", (whole: string) => whole.replace(".METRE.", ".'ETRE.")],
+    [
+      "the reference to its unit",
+      (whole: string) => whole.replace("UNIT_ASSIGNED_CONTEXT((#", "UNIT_ASSIGNED_CONTEXT((#99"),
+    ],
+  ])("says that %s is not valid", async (_, damage) => {
+    expect((await notesOf(damage)).join()).toMatch(
+      /^the file gives no valid unit of length for #\d+; the scale of parts may be wrong/,
+    );
+  });
+
+  test("says that its head or its end is missing", async () => {
+    expect(await notesOf((whole) => whole.replace(/FILE_SCHEMA.*\n/, ""))).toEqual([
+      "the head of the file is damaged: it names no schema",
+    ]);
+    const cut = stepText(new TextEncoder().encode(text.replace(/END-ISO.*\n/, "")));
+    expect(stepNotes(cut, 2)).toEqual(["the file does not end with END-ISO-10303-21; parts may be missing"]);
+  });
+
+  test("does not count solids that an assembly uses several times", () => {
+    const whole = stepText(new TextEncoder().encode(text));
+    expect(whole).toEqual({ solids: 2, withoutUnit: [], hasSchema: true, isComplete: true });
+    expect(stepNotes(whole, 5)).toEqual([]);
+    expect(stepText(new Uint8Array())).toMatchObject({ solids: 0, hasSchema: false, isComplete: false });
   });
 });

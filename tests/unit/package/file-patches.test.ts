@@ -24,13 +24,15 @@ test.each([
   ],
   ["materials only", ["usemtl red", "", "usemtl blue", ""], "red red blue blue"],
   ["materials in one group", ["g all\nusemtl red", "", "usemtl blue", ""], "red red blue blue"],
-  ["one material per group", ["g a\nusemtl red", "", "g b\nusemtl blue", ""], "red red blue blue"],
+  ["one material per group", ["g a\nusemtl red", "", "g b\nusemtl blue", ""], "a a b b"],
+  ["one group and one material", ["g a\nusemtl red", "", "", ""], "a a a a"],
+  ["materials, and groups of some faces", ["usemtl red", "", "g b", ""], "red red b b"],
   ["groups only", ["g a", "g b", "g a", ""], "a b a a"],
 ])("OBJ: reads the patches of a file with %s", async (_, heads, names) => {
   expect(await patchesOf(faces(...heads))).toEqual(names.split(" "));
 });
 
-test("OBJ: splits a group by material if other groups use these materials too", async () => {
+test("OBJ: splits a group by material", async () => {
   const names = await patchesOf(faces("g a\nusemtl red", "usemtl blue", "g b\nusemtl red", ""));
   expect(names).toEqual(["a red", "a blue", "b", "b"]);
 });
@@ -42,12 +44,12 @@ test("OBJ: keeps pairs of group and material apart if their names join to the sa
 });
 
 test("OBJ: merges a group and a material of the same name into one patch", async () => {
-  const obj = faces("g m", "g a\nusemtl m", "usemtl n", "usemtl m");
-  expect(await patchesOf(obj)).toEqual(["m", "m", "n", "m"]);
+  const obj = faces("usemtl m", "g m\nusemtl k", "g a", "g m");
+  expect(await patchesOf(obj)).toEqual(["m", "m", "a", "m"]);
   const read = await readSurface(new TextEncoder().encode(obj), { fileName: "a.obj" });
   expect(read.success && read.value.patches.map(({ name, tag }) => [name, tag])).toEqual([
     ["m", 1],
-    ["n", 2],
+    ["a", 2],
   ]);
 });
 

@@ -51,3 +51,22 @@ test("STL: reports patches with numbers above 32767", async () => {
   const read = await readMesh(file?.bytes ?? new Uint8Array(), { fileName: "a.stl" });
   expect(read.success && read.value.patches).toHaveLength(2);
 });
+
+test.each(["a.stl", "a.obj", "a.ply", "a.off", "a.glb"])(
+  "%s: reports the named regions of tetrahedra, which it cannot store",
+  async (fileName) => {
+    const volume = (name: string): FileMesh => ({
+      ...surfaceMesh(2),
+      tetrahedra: Uint32Array.of(0, 1, 2, 4),
+      tetrahedronRegion: Uint32Array.of(0),
+      regions: [
+        { name, tag: 1 },
+        { name: "unused", tag: 2 },
+      ],
+    });
+    expect(await notesOf(volume("region 1"), fileName)).toBe("");
+    expect(await notesOf(volume("steel"), fileName)).toBe(
+      'Names of regions are left out with the tetrahedra, because the format stores triangles only: "steel"',
+    );
+  },
+);

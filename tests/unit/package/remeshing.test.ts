@@ -303,7 +303,7 @@ describe("tetrafront remesh", () => {
     expect(kept.stderr).not.toContain("dropped");
     const dropped = await run("remesh", "step.off", "-o", "made.off", "--drop-details", "0.01");
     expect([kept.code, dropped.code]).toEqual([0, 0]);
-    expect(dropped.stderr).toMatch(/\d+ details dropped, at \(2, 1/);
+    expect(dropped.stderr).toMatch(/\d+ details dropped: \([^()]+\) onto \(2, 1[^()]*\)/);
     expect(dropped.stderr).toMatch(
       /warning: step\.off: The deviation from the given surface is at most [\d.]+, but the tolerance is [\d.]+, because details were dropped\. Drop smaller/,
     );

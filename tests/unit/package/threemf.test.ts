@@ -1,6 +1,13 @@
 /** 3MF files: units, objects at their positions, components, colours, materials, errors. */
 import { zipSync } from "fflate";
-import { bodySurface, createBodies, createMesher, readSurface, type SurfaceFile } from "tetrafront";
+import {
+  bodySurface,
+  createBodies,
+  createMesher,
+  NO_REGION,
+  readSurface,
+  type SurfaceFile,
+} from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { boxSurface, joined, turned } from "../../support/surfaces.js";
@@ -44,6 +51,28 @@ test.each([
 });
 
 describe("objects", () => {
+  test.each([
+    ["the same mesh beside it", box, "1 0 0"],
+    ["another triangulation of the common side", boxSurface(1, [1, 0, 0], [3, 1, 1]), "0 0 0"],
+    ["a mesh with a node within the common side", boxSurface(2, [1, 0, 0], [3, 1, 1]), null],
+  ])("with a whole side in common get an interface there: %s", async (_, second, move) => {
+    const first = move === null ? boxSurface(2) : box;
+    const resources = `<object id="1" name="a">${meshTags(first)}</object><object id="2" name="b">${meshTags(second)}</object>`;
+    const items = `<item objectid="1"/><item objectid="2" transform="1 0 0 0 1 0 0 0 1 ${move ?? "0 0 0"}"/>`;
+    const surface = await surfaceIn(threeMfFile(resources, items));
+    const sides = surface.surfaceRegions?.triangleRegions ?? new Uint32Array();
+    const between = surface.trianglePatch.filter(
+      (_patch, t) => sides[2 * t] !== NO_REGION && sides[2 * t + 1] !== NO_REGION,
+    );
+    expect(between).toHaveLength(move === null ? 8 : 2);
+    expect(namesIn(surface)).toContain("a / b");
+    const mesher = await createMesher();
+    const { isFillable, regions, volume } = await mesher.inspectSurface(surface);
+    expect([isFillable, regions]).toEqual([true, 2]);
+    expect(volume).toBeCloseTo(move === "1 0 0" ? 2 : 3, 9);
+    mesher.dispose();
+  });
+
   test("are built where their items and components say, each a region and a body", async () => {
     const turn = "0 1 0 -1 0 0 0 0 1";
     const resources = `<object id="1" name="part">${boxTags}</object><object id="2" name="unused">${boxTags}</object>

@@ -236,7 +236,7 @@ describe("the brush", () => {
       ["segment", [0, 0.5]],
       ["segment", [0.5, 1.2]],
     ]);
-    expect(sources(documents)[0]).toMatchObject({ size: 0.1, distance: 1 });
+    expect(sources(documents)[0]).toMatchObject({ size: 0.1, distance: 1, body: 3 });
     expect(tool.down(pointer(3))).toBe(true);
     tool.up();
     expect(sources(documents).map(({ id, type }) => [id, type])).toEqual([

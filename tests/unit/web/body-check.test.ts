@@ -37,7 +37,7 @@ it("a check that an edit has ended says nothing of the project, even if undo res
   } as unknown as Mesher;
   const documents = new DocumentStore(withBodies(1));
   const bodies = {
-    state: { subscribe: () => () => undefined },
+    state: { subscribe: () => () => undefined, getState: () => ({ byId: new Map() }) },
     preparations: { allOf: () => [prepared] },
   } as unknown as BodyFeed;
   const check = new BodyCheck(documents, Promise.resolve(mesher), bodies);
@@ -53,7 +53,7 @@ it("a check that an edit has ended says nothing of the project, even if undo res
   ends[0]?.();
   ends[1]?.();
   await new Promise((resolve) => setTimeout(resolve));
-  expect(check.state.getState()).toEqual({ key: null, errors: [] });
+  expect(check.state.getState()).toEqual({ key: null, errors: [], touching: [] });
   ends[2]?.();
   await vi.waitFor(() => expect(check.state.getState().errors).toMatchObject([{ number: 2 }]));
 });

@@ -8,10 +8,12 @@ import {
 } from "tetrafront";
 import { expect, it } from "vitest";
 import { setPlacement } from "../../../web/document/body-edits";
-import { ownLength, placedLength, withRepairs } from "../../../web/document/body-repair";
+import { ownLength, placedLength, sharedVolume, withRepairs } from "../../../web/document/body-repair";
+import { joinedSurface } from "../../../web/document/touching-bodies";
 import { DocumentStore } from "../../../web/session/document-store";
 import { replacedBody } from "../../../web/workers/replaced-body";
 import { cubeProject } from "../../support/projects";
+import { boxSurface } from "../../support/surfaces";
 
 const arrayText = ({ buffer }: Float64Array | Uint32Array) => Buffer.from(buffer).toString("base64");
 
@@ -95,4 +97,28 @@ it("repairs and their deviation stay together when a body is changed", () => {
   expect(replaced).toMatchObject({ repairDeviation: 0.75, repairs: known.repairs });
   expect(replaced).not.toHaveProperty("trianglePatch");
   expect(readProject(writeProject({ ...cubeProject(), bodies: [replaced] })).success).toBe(true);
+});
+
+it("parts of a surface share what they enclose beyond the repaired surface, wherever it lies", async () => {
+  const mesher = await createMesher();
+  const far = 1000;
+  const parts = [
+    boxSurface(1, [far, 0, 0], [far + 1, 1, 1]),
+    boxSurface(2, [far + 0.75, 0.25, 0.25], [far + 1.75, 0.5, 0.75]),
+  ];
+  const [one, other] = parts.map(({ points, triangles }) => ({
+    points,
+    triangles,
+    trianglePatch: new Uint32Array(triangles.length / 3),
+  }));
+  if (!one || !other) throw new Error("no parts");
+  const given = joinedSurface([
+    [one, 1],
+    [other, 1],
+  ]);
+  const { surface } = await mesher.repairSurface(given);
+  const { volume } = await mesher.inspectSurface(surface);
+  expect(sharedVolume(given, volume)).toBeCloseTo(0.25 * 0.25 * 0.5, 9);
+  expect(sharedVolume(surface, volume)).toBe(0);
+  mesher.dispose();
 });

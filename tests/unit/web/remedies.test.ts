@@ -40,6 +40,10 @@ test.each(codes)("the app has a remedy of its own for %s", (code) => {
   expect(remedy).not.toMatch(OPTION_OR_CALL);
 });
 
+test.each(codes)("the app names no option for %s if it is not about one body", (code) => {
+  expect(remedyInApp({ code, remedy: "Use --option or call()." })).not.toMatch(OPTION_OR_CALL);
+});
+
 test("problems of runs and of bodies have these remedies", () => {
   const coarse = {
     code: "coarse-surface",

@@ -1,10 +1,19 @@
 import { describe, expect, it, vi } from "vitest";
-import { createMesher, type Mesher, type Phase, type Progress, type RunControl } from "tetrafront";
+import {
+  createBody,
+  createMesher,
+  type Mesher,
+  type Phase,
+  type PreparedBody,
+  type Progress,
+  type RunControl,
+} from "tetrafront";
 import { emptyProject } from "../../../web/document/create";
 import { meshKey, versionedKey } from "../../../web/document/content-keys";
 import { DocumentStore, newDocument } from "../../../web/session/document-store";
 import { canImprove, isStale, MeshRun, type LogLine } from "../../../web/session/run";
 import { cubeProject } from "../../support/projects";
+import { boxSurface } from "../../support/surfaces";
 
 const report = (phase: Phase, elapsedSeconds: number): Progress => ({
   phase,
@@ -248,4 +257,31 @@ describe("a run of a project whose own mesh is no longer kept", () => {
     expect([documents.project.name, stale()]).toEqual(["second", false]);
     dispose();
   });
+});
+
+it("a run says what became of each body, and leaves it as its preview", async () => {
+  const mesher = await createMesher();
+  const project = {
+    ...emptyProject("a"),
+    bodies: [createBody(boxSurface(2), { id: 1, firstPatchId: 1, name: "box" })],
+  };
+  const kept: PreparedBody[] = [];
+  let known: readonly PreparedBody[] = [];
+  const run = new MeshRun(new DocumentStore(project), Promise.resolve(mesher), {
+    allOf: () => known,
+    keep: (_, prepared) => void kept.push(prepared),
+  });
+  const texts = () => run.state.getState().log.map(({ text }) => text);
+  await run.generate("user", ["box, repaired"]);
+  expect(kept).toHaveLength(1);
+  const count = ((kept[0]?.triangles.length ?? 0) / 3).toLocaleString("en-US");
+  const line = texts().find((text) => text.startsWith("box: remeshed"));
+  expect(line).toContain(`remeshed to ${count} triangles, sizes`);
+  expect(line).toMatch(/smallest angle \d+\.\d°, mean 2r\/R 0\.\d+, deviation at most/);
+  expect(texts()[1]).toBe("box, repaired");
+  known = kept.slice();
+  await run.generate();
+  expect(kept).toHaveLength(1);
+  expect(texts()).toContain(line);
+  mesher.dispose();
 });

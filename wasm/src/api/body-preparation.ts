@@ -223,6 +223,8 @@ export async function preparedBodies(
       if (!(failure instanceof MesherError && failure.code === "invalid-input")) throw failure;
       diagnostics.push(...failure.data.diagnostics);
     }
+    const made = ready.get(body.id);
+    if (made !== undefined) control.onBody?.(made);
   }
   const prepared = bodies.flatMap(({ id }) => ready.get(id) ?? []);
   return { bodies: prepared, diagnostics: [...diagnostics, ...prepared.flatMap((one) => one.diagnostics)] };

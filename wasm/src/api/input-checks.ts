@@ -32,6 +32,7 @@ const controlSchema = v.object({
   onFront: listener,
   onUnoptimized: listener,
   onTrace: listener,
+  onBody: listener,
   partial: v.optional(v.boolean()),
 });
 
@@ -40,7 +41,7 @@ export function checkControl(control: RunControl): Diagnostic[] {
   if (problem === undefined) return [];
   const where = problem.path === "" ? "" : `.${problem.path}`;
   const remedy =
-    "Pass an object with any of: functions onProgress, onFront, onUnoptimized and onTrace, an AbortSignal signal.";
+    "Pass an object with any of: functions onProgress, onFront, onUnoptimized, onTrace and onBody, an AbortSignal signal.";
   return [invalidOption("control", `the control${where} of the call is invalid: ${problem.message}`, remedy)];
 }
 

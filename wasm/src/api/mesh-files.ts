@@ -14,6 +14,7 @@ import { type ByteSource, checkSource, watcher } from "../formats/byte-source.js
 import { joined, piecesIn } from "../formats/bytes.js";
 import type { Contents, FileFormat, FileParts, OpenOther, WrittenFile } from "../formats/file-format.js";
 import { extensionsFor, FILE_FORMATS, formatOf } from "../formats/file-formats.js";
+import { noteLostRegions } from "../formats/format-limits.js";
 import { asTooLarge, failureIn, ReadFailure, readSafely } from "../formats/read-result.js";
 import { withMidNodes } from "../formats/second-order.js";
 import { type SurfaceFile, surfaceOf } from "../formats/surface-file.js";
@@ -127,9 +128,9 @@ export async function writeMesh(
   refuse(await inSteps(checkFileMesh(mesh), signal));
   const written = elementOrder === 2 ? await inSteps(withMidNodes(mesh), signal) : mesh;
   const notes: Diagnostic[] = [];
-  const files = write(written, fileName, (message) =>
-    notes.push(packageDiagnostic("left-out", message, "", "information")),
-  );
+  const note = (message: string) => notes.push(packageDiagnostic("left-out", message, "", "information"));
+  if (format?.writable.includes("volume") === false) noteLostRegions(mesh, note);
+  const files = write(written, fileName, note);
   const rows = (written.points.length + mesh.triangles.length) / 3 + mesh.tetrahedra.length / 4;
   const contents = await generated(files, options, (passes * rows) / STEP);
   return contents.map((content, f) => ({ ...content, notes: f === 0 ? notes : [] }));

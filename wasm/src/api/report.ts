@@ -38,7 +38,7 @@ export function describedResult(result: EngineResult, name: EntityNamer): MeshRe
 
 function nothingBetter(): Diagnostic {
   const message =
-    "thorough optimization found no better mesh, so the mesh is that of the default optimization";
+    "thorough optimization found no mesh that is better in one measure and worse in none, so the mesh is that of the default optimization";
   return packageDiagnostic("no-improvement", message, "", "information");
 }
 

@@ -105,13 +105,18 @@ async function readVolumeMesh(input: string, options: InputOptions): Promise<Fil
   throw new InvalidInput(input, [none]);
 }
 
+/** Returns the share of elements outside 30 to 135 degrees: it never grows, but their number may, with that of all elements. */
+function shareText({ outOfRange, tetrahedra }: MeshShapes): string {
+  return `${Number(((100 * outOfRange) / tetrahedra).toPrecision(3))} %`;
+}
+
 /** Describes the elements before and after. */
 function improvementText({ isImproved, before, after }: MeshImprovement): string {
   const shapes = [
     changed("smallest dihedral angle", ({ dihedral }) => angleText(dihedral.min, 1, Math.floor)),
     changed("largest", ({ dihedral }) => angleText(dihedral.max, 1, Math.ceil)),
     changed("mean radius ratio", ({ radiusRatio }) => radiusRatio.mean.toFixed(3)),
-    changed("outside 30° to 135°", ({ outOfRange }) => String(outOfRange)),
+    changed("outside 30° to 135°", (of) => `${of.outOfRange} (${shareText(of)})`),
   ];
   const changes = [
     `${plural(before.tetrahedra, "tetrahedron")} before, ${after.tetrahedra} after`,

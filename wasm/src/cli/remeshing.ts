@@ -140,11 +140,12 @@ const POSITION_DIGITS = 5;
 const LISTED_DETAILS = 5;
 
 function mergedText(merged: RemeshReport["mergedDetails"]): string {
-  const positions = merged
-    .slice(0, LISTED_DETAILS)
-    .map(({ onto }) => `(${onto.map((coordinate) => short(coordinate, POSITION_DIGITS)).join(", ")})`);
-  const more = merged.length > LISTED_DETAILS ? ` and ${merged.length - LISTED_DETAILS} more` : "";
-  return `${plural(merged.length, "detail")} dropped, at ${positions.join(", ")}${more}`;
+  const at = (position: readonly number[]) =>
+    `(${position.map((coordinate) => short(coordinate, POSITION_DIGITS)).join(", ")})`;
+  const moves = merged.slice(0, LISTED_DETAILS).map(({ from, onto }) => `${at(from)} onto ${at(onto)}`);
+  const left = merged.length - LISTED_DETAILS;
+  const more = left > 0 ? ` and ${left} more (--report FILE lists all)` : "";
+  return `${plural(merged.length, "detail")} dropped: ${moves.join(", ")}${more}`;
 }
 
 /** Describes a remeshing: triangles, chosen sizes, shapes, and the distance from the given surface. */

@@ -13,6 +13,7 @@ import type { SurfaceFile } from "../formats/surface-file.js";
 import type { InnerShells } from "../generated/constants.js";
 import type { RepairChange, SurfaceRepair } from "../mesh/inspection.js";
 import { joinedBodies, overlappingSolids } from "./overlaps.js";
+import { crackWarning } from "./cracks.js";
 import { hasSolids, withoutRegions } from "./solid-regions.js";
 import { checkedSolids, withSolidRegions } from "./solids.js";
 import { numberIn, refuseOptions } from "./input.js";
@@ -176,8 +177,11 @@ export async function madeFillable(
     found.isFillable && hasSolids(given)
       ? await withSolidRegions(mesher, given, surface, { touching: pairs, overlaps })
       : undefined;
+  const hasHoles = made.changes?.some(({ kind }) => kind === "filled-hole") === true || before.openEdges > 0;
+  const cracks = hasHoles && !hasSolids(given) ? await crackWarning(mesher, given, found) : [];
   const warnings = [
     ...(made.warnings ?? []),
+    ...cracks,
     ...(isChanged && solids === undefined && hasRegionVolumes(given) ? [limitsLost()] : []),
     ...(solids?.warnings ?? overlaps.map((overlap) => overlapWarning(given.surfaceRegions, overlap))),
   ];

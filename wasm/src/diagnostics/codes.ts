@@ -17,6 +17,8 @@ export type PackageCode =
   | "touching-solids"
   /** Bodies of a surface intersected, and a repair made them one. */
   | "joined-bodies"
+  /** Open boundaries of a surface face each other across a gap. */
+  | "cracked-surface"
   /** Triangles of a surface were far larger than the sizes, and were split or replaced. */
   | "divided-surface"
   /** A surface was valid, but is not after the rounding of its file format. */

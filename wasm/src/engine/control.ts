@@ -1,6 +1,7 @@
 /** How a caller follows and cancels a call. */
 import type { Progress } from "../base/progress.js";
 import type { FrontExperiment } from "../trace/experiment.js";
+import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { SurfaceMesh, VolumeMesh } from "../mesh/mesh.js";
 
 /** Callbacks and signal of a call. */
@@ -30,6 +31,11 @@ export interface RunControl {
    * Costs a copy of the mesh. A failure of this function has the same effect as one of `onProgress`.
    */
   readonly onUnoptimized?: ((mesh: UnoptimizedMesh) => void) | undefined;
+  /**
+   * Called by `meshProject` with each body that it has prepared, before the front begins. The caller must not change its
+   * arrays. A failure of this function has the same effect as one of `onProgress`.
+   */
+  readonly onBody?: ((prepared: PreparedBody) => void) | undefined;
   /**
    * Aborting it ends `meshProject` and `fillSurface` with status `cancelled`, usually within 100 ms; the result holds the
    * mesh made so far. If the engine does not answer within 0.5 s, its worker is terminated and the mesh is empty. Other

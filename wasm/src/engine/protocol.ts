@@ -225,7 +225,7 @@ export interface EngineResult {
   readonly statistics: Omit<MeshReport, "diagnostics" | "status">;
   /** Of a run that records its steps. */
   readonly recording?: FrontRecording;
-  /** Whether thorough optimization found no better mesh. */
+  /** Whether thorough optimization found no mesh that is better in one measure and worse in none. */
   readonly hasFoundNothingBetter: boolean;
   readonly diagnostics: EngineDiagnostics;
 }

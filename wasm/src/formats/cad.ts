@@ -11,6 +11,7 @@ import type { MeshReader } from "./file-format.js";
 import { diagonalOf } from "./near-points.js";
 import { ReadFailure } from "./read-result.js";
 import { surfaceOfShapes } from "./shape-surface.js";
+import { stepNotes, stepText } from "./step-text.js";
 
 /**
  * The distance is at most 1/5000 of the diagonal of each part, far below the remesher's tolerance of 1/700; the mean
@@ -39,7 +40,10 @@ function readerOf(format: CadFormat): MeshReader {
     const isFine = size === undefined || shapes.every(({ points }) => isFineFor(size, points));
     const used = isFine ? shapes : await finer(shapes, { format, bytes, size }, signal);
     const made = await inSteps(surfaceOfShapes(used), signal);
-    const mesh = isFine || used !== shapes ? made : { ...made, notes: [...(made.notes ?? []), TOO_SMALL] };
+    const damage = format === "step" ? stepNotes(stepText(bytes), shapes.length) : [];
+    const tooSmall = isFine || used !== shapes ? [] : [TOO_SMALL];
+    const notes = [...damage, ...(made.notes ?? []), ...tooSmall];
+    const mesh = notes.length > 0 ? { ...made, notes } : made;
     onWork?.(1);
     return format === "brep" ? mesh : { ...mesh, unit: "mm" };
   };

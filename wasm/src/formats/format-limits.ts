@@ -110,3 +110,14 @@ function noteUnwrittenRegions({ tetrahedra, surfaceRegions }: FileMesh, note: No
     `regions between the triangles are left out, because the format cannot store them: ${listed(named.map(({ name }) => `"${name}"`))}`,
   );
 }
+
+/** Reports the named regions of a mesh that is written in a format for surfaces, which has no place for its tetrahedra. */
+export function noteLostRegions({ tetrahedronRegion, regions }: FileMesh, note: Note): void {
+  const used = usedGroups(tetrahedronRegion, regions);
+  const named = regions.filter((region, r) => used.has(r) && !hasGenericName(region));
+  if (named.length === 0) return;
+  const names = listed(named.map(({ name }) => `"${name}"`));
+  note(
+    `names of regions are left out with the tetrahedra, because the format stores triangles only: ${names}`,
+  );
+}

@@ -1,7 +1,7 @@
 /**
- * Reads OBJ (Wavefront, text): `v`, and the first index of each corner in `f`. The patch of a face is its material.
- * If groups (or objects) divide a material, they are the patches; a group with several materials becomes one patch
- * per material. Normals, texture coordinates, lines and points are skipped. A backslash at the end of a line
+ * Reads OBJ (Wavefront, text): `v`, and the first index of each corner in `f`. The patch of a face is its group (or
+ * object); a group with several materials becomes one patch per material. If there are no groups, or one for all faces,
+ * the materials are the patches. Normals, texture coordinates, lines and points are skipped. A backslash at the end of a line
  * continues it. Polygons are cut into triangles. Free-form curves and surfaces are rejected.
  */
 import { plural } from "../base/plural.js";
@@ -67,18 +67,14 @@ class Kinds {
 
   /** Merges combinations that end up with the same name, as a group and a material may. */
   named({ trianglePatch }: FileMesh): Pick<FileMesh, "trianglePatch" | "patches"> {
-    const [materials, names] = [new Map<string, number>(), new Map<string, number>()];
-    for (const { material, name } of this.#kinds) {
-      materials.set(material, (materials.get(material) ?? 0) + 1);
-      names.set(name, (names.get(name) ?? 0) + 1);
-    }
-    // If a material occurs in several groups, the groups are the patches.
-    const isByGroup = [...materials].some(([material, count]) => material !== "" && count > 1);
+    const names = new Map<string, number>();
+    for (const { name } of this.#kinds) names.set(name, (names.get(name) ?? 0) + 1);
+    const hasGroups = names.size > 1 || this.#kinds.length === 1;
     const patches = new GroupList("patch");
     const taken = new Set<string>();
     const indices = this.#kinds.map(({ material, name }) => {
-      const isPair = isByGroup && material !== "" && name !== "" && (names.get(name) ?? 0) > 1;
-      const single = (isByGroup && name) || material || name || "surface";
+      const isPair = hasGroups && material !== "" && name !== "" && (names.get(name) ?? 0) > 1;
+      const single = (hasGroups && name) || material || name || "surface";
       // Joining group and material by a space could give two pairs the same key.
       const key = isPair ? `${name}\n${material}` : single;
       return patches.of(key, () => {

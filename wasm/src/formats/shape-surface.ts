@@ -15,7 +15,7 @@ import {
   type ShapeFace,
   weldShapes,
 } from "./joined-shapes.js";
-import { shareFaces, shareTriangles } from "./shared-faces.js";
+import { shareFaces, sharePlanarPieces, shareTriangles } from "./shared-faces.js";
 
 /** Returns the surface of all shapes. Its notes list what was changed, open shapes and faces without triangles. */
 export function* surfaceOfShapes(shapes: readonly Shape[]): Steps<FileMesh> {
@@ -26,6 +26,7 @@ export function* surfaceOfShapes(shapes: readonly Shape[]): Steps<FileMesh> {
   if (shapes.length > 1) {
     yield* shareFaces(joined);
     yield* shareTriangles(joined);
+    yield* sharePlanarPieces(joined);
   }
   const isLimited = shapes.some(({ maxVolume = 0 }) => maxVolume > 0);
   if (isLimited && open.size > 0) joined.notes.push(LIMITS_LOST);

@@ -1,5 +1,6 @@
 /** Finds faces that two shapes share, so that the surface has them once: interfaces between the shapes. */
 import { PAUSE, type Steps, stepwise } from "../base/steps.js";
+import { cornersOf, cross, dot, lengthOf, normalOf } from "../base/vectors.js";
 import { doubledAreaOf, type JoinedShapes, sixfoldVolumeBelow } from "./joined-shapes.js";
 import { diagonalOf } from "./near-points.js";
 import { PointWelder } from "./weld.js";
@@ -25,7 +26,7 @@ export function* shareFaces(joined: JoinedShapes): Steps<void> {
   const tolerance = SAME * diagonalOf(joined.points);
   const known = new Map<string, FaceRange>();
   for (const face of facesOf(joined)) {
-    const own = boundaryKeys(joined, face);
+    const own = boundaryKeys(joined, trianglesIn(face));
     if (own.forward === "") continue;
     const other = known.get(own.backward);
     const isShared =
@@ -41,6 +42,10 @@ export function* shareFaces(joined: JoinedShapes): Steps<void> {
   }
 }
 
+function* trianglesIn({ begin, end }: FaceRange): Generator<number> {
+  for (let t = begin; t < end; t++) yield t;
+}
+
 function* facesOf({ faceOf }: JoinedShapes): Generator<FaceRange> {
   for (let begin = 0; begin < faceOf.length;) {
     let end = begin;
@@ -50,13 +55,17 @@ function* facesOf({ faceOf }: JoinedShapes): Generator<FaceRange> {
   }
 }
 
-/** Returns the boundary edges of a face as text, along its boundary and against it; empty if there are none. */
+/**
+ * Returns the boundary edges of triangles as text, along their boundary and against it; empty if there are none. If
+ * `isCommon` is given, also empty if a node of the boundary is not.
+ */
 function boundaryKeys(
   { triangles, isDropped }: JoinedShapes,
-  { begin, end }: FaceRange,
+  piece: Iterable<number>,
+  isCommon?: Uint8Array,
 ): { readonly forward: string; readonly backward: string } {
   const edges = new Map<string, readonly [number, number]>();
-  for (let t = begin; t < end; t++) {
+  for (const t of piece) {
     if (isDropped[t] === 1) continue;
     for (let k = 0; k < 3; k++) {
       const [a = 0, b = 0] = [triangles[3 * t + k], triangles[3 * t + ((k + 1) % 3)]];
@@ -64,6 +73,7 @@ function boundaryKeys(
     }
   }
   const all = [...edges.values()];
+  if (isCommon !== undefined && all.some(([a]) => isCommon[a] === 0)) return { forward: "", backward: "" };
   const joined = (keys: readonly string[]) => [...keys].sort().join();
   return {
     forward: joined(all.map(([a, b]) => `${a} ${b}`)),
@@ -105,4 +115,81 @@ export function* shareTriangles({ triangles, shapeOf, twin, isDropped }: JoinedS
     twin[first] = t;
     isDropped[t] = 1;
   });
+}
+
+/**
+ * Finds planar pieces of two shapes with the same boundary, which may be triangulated differently, and treats them as
+ * `shareFaces` does: a file of triangles has no faces, or one for a whole shape. O(triangles).
+ */
+export function* sharePlanarPieces(joined: JoinedShapes): Steps<void> {
+  const { shapeOf, twin, isDropped } = joined;
+  const isCommon = commonNodes(joined);
+  const known = new Map<string, readonly number[]>();
+  for (const piece of yield* planarPieces(joined, isCommon)) {
+    const own = boundaryKeys(joined, piece, isCommon);
+    if (own.forward === "") continue;
+    const [first = 0] = piece;
+    const other = known.get(own.backward);
+    const [otherFirst = first] = other ?? [];
+    if (other !== undefined && shapeOf[otherFirst] !== shapeOf[first]) {
+      for (const t of other) twin[t] = first;
+      for (const t of piece) isDropped[t] = 1;
+      known.delete(own.backward);
+    } else known.set(own.forward, piece);
+    yield PAUSE;
+  }
+}
+
+/** Returns per node: 1 if several shapes use it. */
+function commonNodes({ points, triangles, shapeOf, isDropped }: JoinedShapes): Uint8Array {
+  const user = new Uint32Array(points.length / 3).fill(NO_SHAPE);
+  const isCommon = new Uint8Array(user.length);
+  triangles.forEach((node, corner) => {
+    const t = Math.floor(corner / 3);
+    if (isDropped[t] === 1) return;
+    const shape = shapeOf[t] ?? NO_SHAPE;
+    if (user[node] === NO_SHAPE) user[node] = shape;
+    else if (user[node] !== shape) isCommon[node] = 1;
+  });
+  return isCommon;
+}
+
+const NO_SHAPE = 0xffffffff;
+
+/** Largest sine of the angle between two triangles of a planar piece. */
+const PLANAR = 1e-9;
+
+/** Returns the triangles that no other shape has yet, in connected planar pieces of faces that use common nodes. */
+function* planarPieces(joined: JoinedShapes, isCommon: Uint8Array): Steps<number[][]> {
+  const { triangles, shapeOf, faceOf, twin, isDropped } = joined;
+  const firstAt = new Map<string, number>();
+  const pieceOf = new Map<number, number[]>();
+  yield* stepwise(shapeOf.length, (t) => {
+    const corners = triangles.subarray(3 * t, 3 * t + 3);
+    if (isDropped[t] === 1 || twin[t] !== t || corners.every((node) => isCommon[node] === 0)) return;
+    let piece = [t];
+    pieceOf.set(t, piece);
+    for (let k = 0; k < 3; k++) {
+      const [a = 0, b = 0] = [corners[k], corners[(k + 1) % 3]];
+      const face = faceOf[t] ?? 0;
+      firstAt.set(`${face} ${a} ${b}`, t);
+      const other = firstAt.get(`${face} ${b} ${a}`);
+      const its = other === undefined ? undefined : pieceOf.get(other);
+      if (other === undefined || its === undefined || its === piece || !areCoplanar(joined, t, other))
+        continue;
+      const [large, small] = its.length < piece.length ? [piece, its] : [its, piece];
+      for (const one of small) {
+        large.push(one);
+        pieceOf.set(one, large);
+      }
+      piece = large;
+    }
+  });
+  return [...new Set(pieceOf.values())].map((piece) => piece.sort((a, b) => a - b));
+}
+
+function areCoplanar(joined: JoinedShapes, one: number, other: number): boolean {
+  const [a, b] = [normalOf(cornersOf(joined, one)), normalOf(cornersOf(joined, other))];
+  const sine = lengthOf(cross(a, b));
+  return dot(a, b) > 0 && sine <= PLANAR * lengthOf(a) * lengthOf(b);
 }

@@ -170,6 +170,7 @@ const sourceSchema = v.pipe(
     size: described(WORDS.sourceSize, upTo(LIMITS.length)),
     distance: v.optional(described(WORDS.distance, upTo(LIMITS.length))),
     growth: v.optional(described(WORDS.growth, upTo(LIMITS.growth))),
+    body: v.optional(described(WORDS.sourceBody, id)),
   }),
   v.readonly(),
 );

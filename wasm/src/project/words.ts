@@ -27,6 +27,7 @@ export const WORDS = {
   sourceSize: `Target edge length at the source, in model units, above 0, up to ${LENGTH}`,
   distance: `Distance from the source up to which \`size\` applies; 0 to ${LENGTH}, default 0`,
   growth: `Growth of the size per unit of distance beyond \`distance\`; 0 to ${LIMITS.growth}, default ${SOURCE_GROWTH}`,
+  sourceBody: "Id of the body that the source was painted on; the app moves the source with it",
   tetrahedra: "Four node ids per tetrahedron, in either orientation",
   sources: "Points, segments and triangles that limit the element size around them",
   coverageMargin:

@@ -1,7 +1,7 @@
-import type { Project } from "tetrafront";
+import type { Project, ProjectBody, ProjectSource } from "tetrafront";
 import { operationStrings } from "../../strings";
 import { emptyProject, nextId, type Offer } from "../create";
-import { entityKey, type Entity } from "../entities";
+import { bodiesOf, entityKey, type Entity } from "../entities";
 import { insertion, withInsertion, type Insertion } from "../insert-shape";
 import { mapPoints, type Shape } from "../shape";
 import { determinant, mapPosition, type Affine } from "./affine";
@@ -103,12 +103,14 @@ function copiedEntities(selection: readonly Entity[], parts: SelectedParts, made
 /** Copies of bodies and sources. */
 function copiedOthers(project: Project, from: Project, parts: SelectedParts, map: Affine) {
   const bodies = copiedBodies(project, from, parts, map);
-  const sources = copiedSources(project, from, parts, map);
+  const sources = copiedSources(project, from, parts, map, bodies);
+  const copies = new Set(bodies.map(({ id }) => id));
+  const ownSources = sources.filter(({ body }) => body === undefined || !copies.has(body));
   const { background } = project;
   return {
     entities: [
       ...bodies.map(({ id }): Entity => ({ kind: "body", id })),
-      ...sources.map(({ id }): Entity => ({ kind: "source", id })),
+      ...ownSources.map(({ id }): Entity => ({ kind: "source", id })),
     ],
     lists: {
       ...(bodies.length > 0 && { bodies: [...(project.bodies ?? []), ...bodies] }),
@@ -132,10 +134,26 @@ function copiedBodies(project: Project, from: Project, { bodies }: SelectedParts
     }));
 }
 
-function copiedSources(project: Project, from: Project, { sources }: SelectedParts, map: Affine) {
+/** Sizes painted on a copied body belong to its copy. Pasted into another project without the body, to none. */
+function copiedSources(
+  project: Project,
+  from: Project,
+  parts: SelectedParts,
+  map: Affine,
+  copies: readonly ProjectBody[],
+): ProjectSource[] {
+  const { sources } = parts;
   const first = nextId(project, "source");
+  const originals = bodiesOf(from).filter(({ id }) => parts.bodies.has(id));
+  const copyOf = new Map(originals.map(({ id }, i) => [id, copies[i]?.id]));
   const moved = movedSizes(from.background, { ...emptyParts, sources }, map).sources ?? [];
-  return moved.filter(({ id }) => sources.has(id)).map((source, i) => ({ ...source, id: first + i }));
+  return moved
+    .filter(({ id }) => sources.has(id))
+    .map(({ body: painted, ...source }, i) => {
+      const body = painted === undefined ? undefined : (copyOf.get(painted) ?? painted);
+      const isKept = body !== undefined && (from === project || body !== painted);
+      return { ...source, id: first + i, ...(isKept && { body }) };
+    });
 }
 
 const emptyParts: SelectedParts = selectedParts(emptyProject(), []);

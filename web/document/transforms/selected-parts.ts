@@ -2,7 +2,10 @@ import type { Project, ProjectLine, ProjectPatch, ProjectPoint } from "tetrafron
 import type { DrawnKind, Entity } from "../entities";
 import type { Shape } from "../shape";
 
-/** The records of a selection, with all that they are built on: the lines of patches and the points of lines. */
+/**
+ * The records of a selection, with all that they are built on: the lines of patches, the points of lines, and the sizes
+ * painted on bodies.
+ */
 export interface SelectedParts {
   readonly points: readonly ProjectPoint[];
   readonly lines: readonly ProjectLine[];
@@ -22,14 +25,12 @@ export function selectedParts(project: Project, selection: readonly Entity[]): S
   const lines = project.lines.filter(({ id }) => lineIds.has(id));
   for (const point of lines.flatMap((line) => line.points)) pointIds.add(point);
   const points = project.points.filter(({ id }) => pointIds.has(id));
-  return {
-    points,
-    lines,
-    patches,
-    bodies: idsOf("body"),
-    nodes: idsOf("background-node"),
-    sources: idsOf("source"),
-  };
+  const bodies = idsOf("body");
+  const sources = idsOf("source");
+  for (const { id, body } of project.background.sources ?? []) {
+    if (body !== undefined && bodies.has(body)) sources.add(id);
+  }
+  return { points, lines, patches, bodies, nodes: idsOf("background-node"), sources };
 }
 
 /** Returns whether there is something to transform. */

@@ -2,6 +2,7 @@ import { Button, Text } from "@mantine/core";
 import { IconBrush } from "@tabler/icons-react";
 import { useState } from "react";
 import type { ProjectBody } from "tetrafront";
+import { newBrush } from "../../document/brush";
 import { NumberRow } from "../../ui/fields/number-row";
 import { strings } from "../../strings";
 import { useApp, useView } from "../shared/app-context";
@@ -11,30 +12,28 @@ import { useBody, usePreparation } from "./use-body";
 
 const texts = strings.bodies.brush;
 
-/** Size and radius of a new brush, as shares of the largest automatic size and of the extent. */
-const sizeShare = 0.25;
-const extentShare = 0.05;
-
-const rounded = (value: number): number => Number(value.toPrecision(2));
-
 /** The brush that paints an element size on the surface. */
 export function BrushSection({ body }: { readonly body: ProjectBody }) {
   const app = useApp();
-  const box = useBody(body.id)?.inspection?.box;
+  const state = useBody(body.id);
   const { preparation } = usePreparation(body);
   const brush = useView((state) => state.brush);
+  const [isOpen, setOpen] = useState(false);
   const [chosen, setChosen] = useState<{ readonly size?: number; readonly radius?: number }>({});
-  const extent = box ? Math.max(...box.high.map((high, k) => high - (box.low[k] ?? 0))) : 1;
-  const scale = body.placement?.scale ?? 1;
-  const largest = preparation?.prepared.size ?? (scale * extent) / 20;
-  const size = brush?.size ?? chosen.size ?? rounded(sizeShare * largest);
-  const radius = brush?.radius ?? chosen.radius ?? rounded(extentShare * scale * extent);
+  const automatic = newBrush(body, state?.inspection?.box ?? null, preparation?.prepared.size);
+  const size = brush?.size ?? chosen.size ?? automatic.size;
+  const radius = brush?.radius ?? chosen.radius ?? automatic.radius;
   const set = (change: { readonly size?: number; readonly radius?: number }): void => {
     setChosen((before) => ({ ...before, ...change }));
     if (brush) app.view.setBrush({ ...brush, ...change });
   };
   return (
-    <details className={styles["options"]} data-testid="body-brush">
+    <details
+      className={styles["options"]}
+      data-testid="body-brush"
+      open={isOpen || brush !== null}
+      onToggle={({ currentTarget }) => setOpen(currentTarget.open)}
+    >
       <summary>{texts.title}</summary>
       <NumberRow
         label={texts.size}

@@ -21,11 +21,17 @@ interface SplitSectionProps {
 export function SplitSection({ body, patch }: SplitSectionProps) {
   const app = useApp();
   const [angle, setAngle] = useState<number>(REMESH_DEFAULTS.featureAngle);
+  const [isOpen, setOpen] = useState(false);
   const split = useBody(body.id)?.split;
   const proposed = split?.patch === patch ? split : null;
   const propose = (next: number): void => void previewSplit(app, body, next, patch);
   return (
-    <details className={styles["options"]} data-testid="split-patches">
+    <details
+      className={styles["options"]}
+      data-testid="split-patches"
+      open={isOpen || proposed !== null}
+      onToggle={({ currentTarget }) => setOpen(currentTarget.open)}
+    >
       <summary>{texts.title}</summary>
       <NumberRow
         label={texts.angle}

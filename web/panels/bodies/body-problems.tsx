@@ -2,7 +2,13 @@ import { Button, Text } from "@mantine/core";
 import { IconTool } from "@tabler/icons-react";
 import type { ProjectBody, RepairChange, SurfaceInspection } from "tetrafront";
 import { repairBody } from "../../commands/surface-actions";
-import { ownLength, placedLength, repairGroups, type RepairProposal } from "../../document/body-repair";
+import {
+  ownLength,
+  placedLength,
+  placedVolume,
+  repairGroups,
+  type RepairProposal,
+} from "../../document/body-repair";
 import { entityKey } from "../../document/entities";
 import { groupProblems } from "../../document/validate";
 import { placed } from "../../document/placement";
@@ -99,6 +105,11 @@ function RepairSection({ body, repair }: RepairSectionProps) {
             {`${found.message}. ${remedyInApp(found)}`}
           </Text>
         ))}
+      {repair.shared > 0 && (
+        <Text size="sm" c="dimmed" mb={6} data-testid="repair-shared">
+          {texts.repair.shared(formatShort(placedVolume(repair.shared, body)))}
+        </Text>
+      )}
       <RepairComparison body={body} repair={repair} />
       <NumberRow
         label={texts.repair.weld}

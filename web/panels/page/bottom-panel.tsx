@@ -38,7 +38,7 @@ export function BottomPanel() {
           value="problems"
           rightSection={
             problems.length > 0 && (
-              <Badge size="sm" circle color={isCalm ? "gray" : "red"} variant={isCalm ? "default" : "filled"}>
+              <Badge size="sm" color={isCalm ? "gray" : "red"} variant={isCalm ? "default" : "filled"}>
                 {problems.length}
               </Badge>
             )

@@ -24,6 +24,7 @@ import {
 import { Fragment, useState } from "react";
 import type { MenuName } from "../../commands/command";
 import { commandNamed, runCommand } from "../../commands/registry";
+import { hasTetrahedra } from "../../commands/conditions";
 import { generateMesh } from "../../commands/mesh-actions";
 import { DOWNLOADS } from "../../commands/file-menu";
 import { IconButton } from "../../ui/icon-button";
@@ -125,7 +126,7 @@ function PhoneMenu() {
 
 function DownloadMenu() {
   const app = useApp();
-  const hasMesh = useRun((state) => state.mesh !== null);
+  const hasMesh = useRun(hasTetrahedra);
   return (
     <Menu position="bottom-end">
       <Menu.Target>

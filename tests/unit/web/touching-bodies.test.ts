@@ -1,0 +1,132 @@
+import { createBody, createMesher, type Mesher, type Project, type ProjectBody } from "tetrafront";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import {
+  connectedGroups,
+  joinedHead,
+  nearPairs,
+  replaceByJoined,
+} from "../../../web/document/touching-bodies";
+import { DocumentStore } from "../../../web/session/document-store";
+import { joinedBody, touchingBodies, type GivenBody } from "../../../web/session/touching-bodies";
+import { emptyProject } from "../../../web/document/create";
+import { boxSurface } from "../../support/surfaces";
+
+let mesher: Mesher;
+beforeAll(async () => void (mesher = await createMesher()));
+afterAll(() => mesher.dispose());
+
+const { signal } = new AbortController();
+
+/** A unit cube, scaled and moved by its placement. */
+function cube(id: number, edge: number, position: [number, number, number]): GivenBody {
+  const surface = boxSurface(1);
+  const trianglePatch = new Uint32Array(surface.triangles.length / 3);
+  const made = createBody(surface, { id, firstPatchId: 10 * id, name: `cube ${id}` });
+  const body: ProjectBody = { ...made, placement: { position, scale: edge } };
+  return { body, surface: { ...surface, trianglePatch }, volume: edge ** 3 };
+}
+
+const projectOf = (given: readonly GivenBody[]): Project => ({
+  ...emptyProject("a"),
+  bodies: given.map(({ body }) => body),
+});
+
+describe("bodies that touch", () => {
+  it("are found in groups: in a part of a face, an edge, or by a common volume", async () => {
+    const bodies = [
+      cube(1, 2, [0, 0, 0]),
+      cube(2, 1, [2, 0.5, 0.5]),
+      cube(3, 1, [9, 0, 0]),
+      cube(4, 1, [9.5, 0.5, 0.5]),
+      cube(5, 1, [20, 0, 0]),
+      // Beside the first one, with a gap.
+      cube(6, 1, [0.5, 0.5, 2.1]),
+      cube(7, 2, [2, -2, 0]),
+    ];
+    const groups = await touchingBodies(mesher, bodies, signal);
+    expect(groups.map((group) => group.map(({ body }) => body.id))).toEqual([
+      [1, 2, 7],
+      [3, 4],
+    ]);
+  });
+
+  it("become one body with a region each, in the patches of both", async () => {
+    const group = [cube(1, 2, [0, 0, 0]), cube(2, 1, [2, 0.5, 0.5])];
+    const project = projectOf(group);
+    const joined = await joinedBody(mesher, project, group, signal);
+    expect(joined).toMatchObject({ regions: 2, shared: 0 });
+    expect(joined?.body).toMatchObject({ id: 3, name: "cube 1 + cube 2" });
+    expect(joined?.body.patches).toEqual([
+      { id: 10, name: "cube 1" },
+      { id: 20, name: "cube 2" },
+    ]);
+    if (!joined) throw new Error("not joined");
+    const { isFillable, volume } = await mesher.inspectSurface(joined.surface);
+    expect([isFillable, volume]).toEqual([true, 9]);
+  });
+
+  it("that share a volume count it once", async () => {
+    const group = [cube(1, 2, [0, 0, 0]), cube(2, 1, [1.5, 0.5, 0.5])];
+    const joined = await joinedBody(mesher, projectOf(group), group, signal);
+    expect(joined?.regions).toBe(1);
+    expect(joined?.shared).toBeCloseTo(0.5, 12);
+  });
+
+  it("are replaced in one step of undo, with the sizes painted on them", () => {
+    const given = [cube(1, 2, [0, 0, 0]), cube(2, 1, [2, 0, 0]), cube(3, 1, [5, 0, 0])];
+    const source = { id: 1, type: "point", positions: [[2, 1, 1]], size: 0.1 } as const;
+    const project: Project = {
+      ...projectOf(given),
+      background: {
+        nodes: [],
+        tetrahedra: [],
+        sources: [
+          { ...source, body: 2 },
+          { ...source, id: 2 },
+        ],
+      },
+    };
+    const documents = new DocumentStore(project, () => 0);
+    const joined = { ...(given[0]?.body as ProjectBody), id: 4 };
+    documents.edit(replaceByJoined(project, "Join", joined, [1, 2]));
+    expect(documents.project.bodies?.map(({ id }) => id)).toEqual([4, 3]);
+    expect(documents.project.background.sources).toEqual([
+      { ...source, body: 4 },
+      { ...source, id: 2 },
+    ]);
+    documents.undo();
+    expect(documents.project).toEqual(project);
+  });
+
+  it("keep the finest of the options that all have", () => {
+    const [first, second] = [cube(1, 1, [0, 0, 0]).body, cube(2, 1, [0, 0, 0]).body];
+    const bodies: ProjectBody[] = [
+      { ...first, surface: "keep", remeshing: { size: 0.3, layers: 1, tolerance: 0.1 } },
+      { ...second, surface: "refine", remeshing: { size: 0.2, layers: 3 } },
+    ];
+    const head = joinedHead({ ...emptyProject("a"), bodies }, bodies);
+    expect(head).toEqual({ id: 3, name: "cube 1 + cube 2", remeshing: { size: 0.2, layers: 3 } });
+  });
+});
+
+describe("pairs and groups", () => {
+  it("take boxes that share a corner as near", () => {
+    const box = (low: number, high: number) => ({ low: [low, low, low], high: [high, high, high] }) as const;
+    expect(nearPairs([box(0, 1), box(1, 2), box(1.1, 1.2), box(5, 6)])).toEqual([
+      [0, 1],
+      [1, 2],
+    ]);
+  });
+
+  it("connect through others", () => {
+    const pairs = [
+      [0, 4],
+      [2, 3],
+      [4, 1],
+    ] as const;
+    expect(connectedGroups(6, pairs)).toEqual([
+      [0, 1, 4],
+      [2, 3],
+    ]);
+  });
+});

@@ -1,0 +1,66 @@
+/**
+ * Compares the text of a STEP file (ISO 10303-21) with what OpenCascade has read of it: it skips damaged entities, and
+ * assumes a unit where none is given, without a word.
+ */
+import { plural } from "../base/plural.js";
+import { listed } from "./groups.js";
+
+/** Entities that are solids. */
+const SOLID = /^(MANIFOLD_SOLID_BREP|BREP_WITH_VOIDS|FACETED_BREP|FACETED_BREP_AND_BREP_WITH_VOIDS)\b/;
+const INSTANCE = /#(\d+)\s*=\s*([^;]*);/g;
+/** A length unit is a multiple of the metre, or of another unit. */
+const SCALE =
+  /\bSI_UNIT\s*\(\s*(\$|\.[A-Z]+\.)\s*,\s*\.METRE\.\s*\)|\b(CONVERSION_BASED|CONTEXT_DEPENDENT)_UNIT\b/;
+const UNITS_OF_CONTEXT = /GLOBAL_UNIT_ASSIGNED_CONTEXT\s*\(\s*\(([^)]*)\)/;
+
+/** What the text of a STEP file states. */
+export interface StepText {
+  /** Number of solids that it defines. */
+  readonly solids: number;
+  /** Numbers of contexts, such as "#21", whose lengths have no unit that is defined. */
+  readonly withoutUnit: readonly string[];
+  /** Whether the head names a schema. */
+  readonly hasSchema: boolean;
+  /** Whether it ends as it must. */
+  readonly isComplete: boolean;
+}
+
+/** Reads what the text of a STEP file states. O(bytes). */
+export function stepText(bytes: Uint8Array): StepText {
+  const text = new TextDecoder("latin1").decode(bytes);
+  const lengthUnits = new Set<string>();
+  const contexts: { readonly id: string; readonly units: readonly string[] }[] = [];
+  let solids = 0;
+  for (const [, id = "", definition = ""] of text.matchAll(INSTANCE)) {
+    if (SOLID.test(definition)) solids++;
+    else if (definition.includes("LENGTH_UNIT")) {
+      if (SCALE.test(definition)) lengthUnits.add(`#${id}`);
+    } else {
+      const units = UNITS_OF_CONTEXT.exec(definition)?.[1];
+      if (units !== undefined)
+        contexts.push({ id: `#${id}`, units: units.split(",").map((one) => one.trim()) });
+    }
+  }
+  const withoutUnit = contexts.filter(({ units }) => !units.some((unit) => lengthUnits.has(unit)));
+  return {
+    solids,
+    withoutUnit: withoutUnit.map(({ id }) => id),
+    hasSchema: /FILE_SCHEMA\s*\(\s*\(\s*'[^']+'/.test(text.slice(0, text.indexOf("DATA;"))),
+    isComplete: /END-ISO-10303-21\s*;\s*$/.test(text.slice(-END_LENGTH)),
+  };
+}
+
+/** Number of bytes at the end among which the last statement is. */
+const END_LENGTH = 1000;
+
+/** Returns what is damaged in a STEP file of which `read` solids were read. An assembly may use a solid several times. */
+export function stepNotes({ solids, withoutUnit, hasSchema, isComplete }: StepText, read: number): string[] {
+  const lost = `the file defines ${plural(solids, "solid")}, but only ${read} could be read; the rest is damaged`;
+  const unit = `the file gives no valid unit of length for ${listed(withoutUnit)}; the scale of parts may be wrong`;
+  return [
+    ...(read < solids ? [lost] : []),
+    ...(withoutUnit.length > 0 ? [unit] : []),
+    ...(hasSchema ? [] : ["the head of the file is damaged: it names no schema"]),
+    ...(isComplete ? [] : ["the file does not end with END-ISO-10303-21; parts may be missing"]),
+  ];
+}

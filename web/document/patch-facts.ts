@@ -1,0 +1,42 @@
+import type { BodyPlacement } from "tetrafront";
+import type { PatchArrays } from "../workers/surface-files";
+import { placed } from "./placement";
+import type { Position } from "./position";
+import { add, cross, length, subtract, unit, zero } from "./vectors";
+import { cornerOf } from "./winding-number";
+
+/** The given triangles of a patch of a body. */
+export interface PatchFacts {
+  readonly triangles: number;
+  /** In squared model units. */
+  readonly area: number;
+  /** Unit vector in the model; null if the triangles do not face one way. */
+  readonly normal: Position | null;
+}
+
+/** Largest part of the area by which the projection of a planar patch along its normal is smaller. */
+const flatness = 1e-9;
+
+/** Returns the facts of the patch with an index, at the placement of its body. O(triangles). */
+export function patchFacts(
+  { points, triangles, trianglePatch }: PatchArrays,
+  patch: number,
+  placement: BodyPlacement = {},
+): PatchFacts {
+  let [count, area, sum] = [0, 0, zero];
+  trianglePatch.forEach((owner, t) => {
+    if (owner !== patch) return;
+    const corner = (k: number): Position => cornerOf(points, triangles[3 * t + k] ?? 0);
+    const normal = cross(subtract(corner(1), corner(0)), subtract(corner(2), corner(0)));
+    ++count;
+    area += length(normal) / 2;
+    sum = add(sum, normal);
+  });
+  const { scale = 1, ...turned } = placement;
+  const normal = length(sum) / 2 >= (1 - flatness) * area ? unit(sum) : null;
+  return {
+    triangles: count,
+    area: area * scale ** 2,
+    normal: normal && placed(normal, { ...turned, position: [0, 0, 0] }),
+  };
+}

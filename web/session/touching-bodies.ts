@@ -1,0 +1,106 @@
+import { type Mesher, type Project, type ProjectBody, repairedSurface } from "tetrafront";
+import { nextBodyIds, usedPatches } from "../document/body-edits";
+import { placedVolume, weldBeforeRemeshing, withRepairs } from "../document/body-repair";
+import { boxOf } from "../document/drawn-surface";
+import {
+  connectedGroups,
+  joinedHead,
+  joinedPatches,
+  joinedSurface,
+  nearPairs,
+  placedSurface,
+} from "../document/touching-bodies";
+import { strings } from "../strings";
+import type { PatchArrays } from "../workers/surface-files";
+import type { BodyState } from "./bodies";
+
+/** A body and its given triangles, which are not placed. */
+export interface GivenBody {
+  readonly body: ProjectBody;
+  readonly surface: PatchArrays;
+  /** What it encloses at its placement. */
+  readonly volume: number;
+}
+
+/** Returns the bodies that can be filled as they are. */
+export function fillableBodies(states: Iterable<BodyState>): GivenBody[] {
+  return [...states].flatMap(({ body, loaded, inspection }) =>
+    loaded && inspection?.isFillable === true
+      ? [{ body, surface: loaded.surface, volume: placedVolume(inspection.volume, body) }]
+      : [],
+  );
+}
+
+/** Bodies that touch or intersect, directly or through others. */
+export type TouchingBodies = readonly GivenBody[];
+
+/**
+ * Returns the groups of bodies that touch or intersect: two bodies that can be filled alone, but not together. Bodies that
+ * cannot be filled alone are ignored. O(n log n) per pair of bodies whose boxes are not apart.
+ */
+export async function touchingBodies(
+  mesher: Mesher,
+  bodies: readonly GivenBody[],
+  signal: AbortSignal,
+): Promise<TouchingBodies[]> {
+  const surfaces = bodies.map(({ body, surface }) => placedSurface(surface, body));
+  const pairs = nearPairs(surfaces.map(({ points }) => boxOf(points)));
+  const touching: (readonly [number, number])[] = [];
+  for (const pair of pairs) {
+    const parts = pair.map((index) => [surfaces[index], bodies[index]?.body.patches.length ?? 0] as const);
+    const known = parts.flatMap(([surface, patches]) => (surface ? [[surface, patches] as const] : []));
+    const { isFillable } = await mesher.inspectSurface(joinedSurface(known), {}, { signal });
+    if (!isFillable) touching.push(pair);
+  }
+  const groups = connectedGroups(bodies.length, touching);
+  return groups.map((group) => group.flatMap((index) => bodies[index] ?? []));
+}
+
+/** A body that consists of several that touch. */
+export interface JoinedBody {
+  readonly body: ProjectBody;
+  readonly surface: PatchArrays;
+  /** Number of regions that it encloses. */
+  readonly regions: number;
+  /** Volume that several of the bodies enclose; 0 if they only touch. */
+  readonly shared: number;
+}
+
+/** Smallest shared volume / volume of all bodies that is not due to rounding. */
+const smallestShare = 1e-6;
+
+/**
+ * Returns bodies that touch as one body: their triangles are cut where they intersect and common where they touch, which
+ * leaves what each body encloses as a region. A volume that they share counts once. Null if they cannot be joined.
+ */
+export async function joinedBody(
+  mesher: Mesher,
+  project: Project,
+  group: TouchingBodies,
+  signal: AbortSignal,
+): Promise<JoinedBody | null> {
+  const bodies = group.map(({ body }) => body);
+  const parts = group.map(
+    ({ body, surface }) => [placedSurface(surface, body), body.patches.length] as const,
+  );
+  const given = joinedSurface(parts);
+  const head = joinedHead(project, bodies);
+  const own = joinedPatches(bodies);
+  const empty = { ...head, points: "", triangles: "", patches: own };
+  const weldIntersections = weldBeforeRemeshing(empty, boxOf(given.points));
+  const repair = await mesher.repairSurface(given, { weldIntersections }, { signal });
+  const patches = own.map(({ id, name = "" }) => ({ name, tag: id }));
+  const { points, triangles, trianglePatch } = repairedSurface({ ...given, patches }, repair);
+  const after = await mesher.inspectSurface({ points, triangles }, {}, { signal });
+  if (!after.isFillable) return null;
+  const filled = { id: nextBodyIds(project).firstPatchId, name: strings.bodies.repair.filledPatch };
+  const used = usedPatches([...own, filled], trianglePatch);
+  const volume = group.reduce((sum, one) => sum + one.volume, 0);
+  const shared = volume - after.volume;
+  return {
+    body: { ...empty, ...withRepairs(empty, repair), patches: used.patches },
+    surface: { points, triangles, trianglePatch: used.trianglePatch },
+    regions: after.regions,
+    shared: shared > smallestShare * volume ? shared : 0,
+  };
+}
