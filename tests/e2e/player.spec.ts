@@ -131,8 +131,8 @@ test("lines and patches are played before the volume, with the plane beside spac
   await expect(phase).toHaveText("Lines");
   await expect(page.getByTestId("lens")).toContainText("the lines are not divided yet");
   await expect(plane).toHaveCount(0);
-  const wide = (await page.getByTestId("viewport-canvas").boundingBox())?.width ?? 0;
-  expect(wide).toBeGreaterThan(1.8 * width);
+  const canvas = page.getByTestId("viewport-canvas");
+  await expect.poll(async () => (await canvas.boundingBox())?.width ?? 0).toBeGreaterThan(1.8 * width);
   await page.getByTestId("player-kind").selectOption("line");
   await page.getByTestId("player-next").click();
   await expect(sentence).toContainText(/Line 1 is .* target sizes long/);
@@ -189,6 +189,13 @@ test("the lens says why a candidate was refused, with the numbers of the crossin
   await expect.poll(async () => (await canvas.screenshot()).equals(before)).toBe(false);
   await page.getByTestId("player-region").uncheck();
   await expect.poll(async () => (await canvas.screenshot()).equals(before)).toBe(true);
+  // What fails is named in the view by the numbers of the sentence, and the rest is faded.
+  const face = /face ([\d,]+)/.exec((await page.getByTestId("lens-sentence").textContent()) ?? "")?.[0];
+  await expect(page.getByTestId("lens-labels")).toContainText(face ?? "no face");
+  await expect(page.getByTestId("lens-legend")).toContainText("why refused");
+  await page.getByTestId("player-fade").uncheck();
+  await expect.poll(async () => (await canvas.screenshot()).equals(before)).toBe(false);
+  await page.getByTestId("player-fade").check();
   await page.getByTestId("player-kind").selectOption("recovery");
   await page.getByTestId("player-next").click();
   await expect(lens).toContainText("elements around a pocket are removed");

@@ -60,6 +60,8 @@ export interface PlayerState {
   readonly sweep: number | null;
   /** What "Be the mesher" asks in the volume; null if it is not played. */
   readonly task: VolumeTask | null;
+  /** Whether the front is faded while the lens shows a step. */
+  readonly fades: boolean;
   /** Whether the view follows the base face. */
   readonly follows: boolean;
 }
@@ -74,7 +76,7 @@ const scrubbedMs = 250;
 /** Time after the last state until the lens shows it. */
 const settledMs = 100;
 
-const initialState: PlayerState = {
+export const initialPlayerState: PlayerState = {
   recording: null,
   reading: null,
   failure: null,
@@ -97,6 +99,7 @@ const initialState: PlayerState = {
   showsRegion: false,
   sweep: null,
   task: null,
+  fades: true,
   follows: false,
 };
 
@@ -109,7 +112,7 @@ export interface PlayerOptions {
 
 /** Records the front of the present model, and plays it. */
 export class Player {
-  readonly state: StoreApi<PlayerState> = createStore<PlayerState>(() => initialState);
+  readonly state: StoreApi<PlayerState> = createStore<PlayerState>(() => initialPlayerState);
   readonly #options: PlayerOptions;
   readonly #playback = new Playback((steps) => this.#advance(steps));
   /** Labels of the recorded traces. */
@@ -196,10 +199,10 @@ export class Player {
   /** Shows the model again. */
   close(): void {
     this.#playback.stop();
-    const { recording, reading, speed, coloring, faces, elements, showsRegion, follows, condition } =
+    const { recording, reading, speed, coloring, faces, elements, showsRegion, fades, follows, condition } =
       this.state.getState();
     this.state.setState({
-      ...initialState,
+      ...initialPlayerState,
       recording,
       reading,
       speed,
@@ -207,6 +210,7 @@ export class Player {
       faces,
       elements,
       showsRegion,
+      fades,
       follows,
       condition,
     });

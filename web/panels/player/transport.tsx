@@ -61,6 +61,7 @@ export function Transport() {
       <LoopFields />
       <Counter />
       <SpeedSelect />
+      <FollowCheck />
       <TraceButtons />
     </div>
   );
@@ -92,6 +93,23 @@ function SpeedSelect() {
       data={speeds.map((value) => ({ value: String(value), label: texts.speedOf(value) }))}
       onChange={(event) => player.setSpeed(Number(event.currentTarget.value))}
     />
+  );
+}
+
+/** Whether the view follows the base face. */
+function FollowCheck() {
+  const { player } = useApp();
+  const follows = usePlayer((state) => state.follows);
+  return (
+    <label className={styles["check"]} title={texts.followHint}>
+      <input
+        type="checkbox"
+        data-testid="player-follow"
+        checked={follows}
+        onChange={(event) => player.state.setState({ follows: event.currentTarget.checked })}
+      />
+      {texts.follow}
+    </label>
   );
 }
 
