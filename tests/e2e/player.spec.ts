@@ -285,12 +285,35 @@ test("a large trace is read with progress, and reading it can be cancelled: what
   await expect(viewport).toHaveAttribute("data-step", "0");
 });
 
-test("who prefers no motion sees the end at once", async ({ page }) => {
+test("who prefers no motion sees one picture per second, and is told so", async ({ page }) => {
   await page.emulateMedia({ reducedMotion: "reduce" });
   const { viewport } = await openTrace(page, star);
+  await expect(viewport).toHaveAttribute("data-steps", /[1-9]/);
+  await expect(page.getByTestId("player-stills")).toBeEmpty();
+  const shown = page.evaluate(
+    () =>
+      new Promise<readonly { readonly step: number; readonly at: number }[]>((resolve) => {
+        const view = document.querySelector<HTMLElement>('[data-testid="viewport"]');
+        const seen: { step: number; at: number }[] = [];
+        new MutationObserver((_, observer) => {
+          seen.push({ step: Number(view?.dataset["step"]), at: performance.now() });
+          if (seen.length < 3) return;
+          observer.disconnect();
+          resolve(seen);
+        }).observe(view ?? document.body, { attributeFilter: ["data-step"] });
+      }),
+  );
   await page.getByTestId("player-play").click();
-  const steps = await viewport.getAttribute("data-steps");
-  await expect(viewport).toHaveAttribute("data-step", steps ?? "");
+  await expect(page.getByTestId("player-stills")).toHaveText("Reduced motion: one picture per second");
+  const pictures = await shown;
+  pictures.forEach(({ step, at }, i) => {
+    const before = pictures[i - 1];
+    if (!before) return;
+    expect(step - before.step).toBeGreaterThanOrEqual(20);
+    expect(at - before.at).toBeGreaterThan(900);
+  });
+  await page.getByTestId("player-forward").click();
+  await expect(page.getByTestId("player-stills")).toBeEmpty();
 });
 
 test("the steps that are repeated are typed, and a number that does not fit is refused", async ({ page }) => {

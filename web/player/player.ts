@@ -37,6 +37,8 @@ export interface PlayerState {
   /** The state that the lens shows: the same, or the one before while the user scrubs. */
   readonly lensStep: number;
   readonly isPlaying: boolean;
+  /** Whether playing shows one picture per second, because the user prefers no motion. */
+  readonly playsStills: boolean;
   /** Steps per second. */
   readonly speed: number;
   /** Playing repeats the steps from `from` to `to`; null: it ends with the trace. */
@@ -76,6 +78,10 @@ const scrubbedMs = 250;
 /** Time after the last state until the lens shows it. */
 const settledMs = 100;
 
+/** Seconds between two pictures of who prefers no motion: each has the steps that have become due. */
+const stillSeconds = 1;
+const prefersStills = (): boolean => matchMedia("(prefers-reduced-motion: reduce)").matches;
+
 export const initialPlayerState: PlayerState = {
   recording: null,
   reading: null,
@@ -87,6 +93,7 @@ export const initialPlayerState: PlayerState = {
   step: 0,
   lensStep: 0,
   isPlaying: false,
+  playsStills: false,
   speed: 25,
   loop: null,
   pausesThere: false,
@@ -265,13 +272,8 @@ export class Player {
     if (!trace || trace.stepCount === firstState(trace)) return;
     const last = loop?.to ?? trace.stepCount;
     if (step >= last || (loop && step < loop.from)) this.seek(loop?.from ?? 0);
-    // Who prefers no motion sees where playing would end.
-    if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
-      this.#advance(Infinity);
-      return;
-    }
-    this.state.setState({ isPlaying: true });
-    this.#playback.start(speed);
+    this.state.setState({ isPlaying: true, playsStills: prefersStills() });
+    this.#start(speed);
   }
 
   pause(): void {
@@ -287,7 +289,11 @@ export class Player {
 
   setSpeed(speed: number): void {
     this.state.setState({ speed });
-    if (this.state.getState().isPlaying) this.#playback.start(speed);
+    if (this.state.getState().isPlaying) this.#start(speed);
+  }
+
+  #start(speed: number): void {
+    this.#playback.start(speed, this.state.getState().playsStills ? stillSeconds : 0);
   }
 
   /** Ends a recording or the reading of a trace without a result, and shows the model again. */

@@ -70,6 +70,7 @@ export const playerStrings = {
   pause: "Pause",
   forward: "Step forward",
   end: "Last state of the phase",
+  stills: "Reduced motion: one picture per second",
   speed: "Speed",
   speedOf: (speed: number) => (speed === 1 ? "1 step/s" : `${number(speed)} steps/s`),
   scrub: "Step of the front",
@@ -212,6 +213,8 @@ export const playerStrings = {
   candidateName: (rank: number, node: number | null) =>
     `${rank}: ${node === null ? "new node" : number(node)}`,
   score: "Score",
+  scoreHint:
+    "The highest score is tried first. It grows with the quality of the element, and with the faces of the front that the element closes.",
   verdict: "Verdict",
   verdicts,
   verdictAt: (verdict: string, face: number | null) =>

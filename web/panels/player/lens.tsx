@@ -91,7 +91,12 @@ function StepUnderLens() {
     <>
       {examined && <Sentence step={step} examined={examined} />}
       {step.outcome === "postponed" && <p>{texts.postponed(step.nextRuleClass)}</p>}
-      <CandidateTable label={texts.candidates} rows={rowsOf(step)} chosen={chosen ?? decisive(step)} />
+      <CandidateTable
+        label={texts.candidates}
+        rows={rowsOf(step)}
+        chosen={chosen ?? decisive(step)}
+        scoreHint={texts.scoreHint}
+      />
       {examined?.test && (
         <Suspense fallback={null}>
           <CrossingFormula {...examined.test} />

@@ -61,6 +61,7 @@ export function Transport() {
       <LoopFields />
       <Counter />
       <SpeedSelect />
+      <StillsHint />
       <FollowCheck />
       <TraceButtons />
     </div>
@@ -93,6 +94,16 @@ function SpeedSelect() {
       data={speeds.map((value) => ({ value: String(value), label: texts.speedOf(value) }))}
       onChange={(event) => player.setSpeed(Number(event.currentTarget.value))}
     />
+  );
+}
+
+/** Says that the front is played without motion. */
+export function StillsHint() {
+  const isShown = usePlayer(({ isPlaying, playsStills }) => isPlaying && playsStills);
+  return (
+    <span role="status" className={styles["hint"]} data-testid="player-stills">
+      {isShown && texts.stills}
+    </span>
   );
 }
 
