@@ -232,10 +232,22 @@ test("the reader chooses nodes of the volume in the view and by keyboard, and is
   await expect(verdict).toBeEmpty();
   await expect(viewport).not.toHaveAttribute("data-step", asked ?? "");
   const choices = page.getByTestId("volume-game").getByRole("group", { name: "Nodes to choose from" });
+  // The focus is on the first choice already: the keyboard alone suffices, also for the next question.
   await choices.getByRole("button").first().focus();
   await page.keyboard.press("Enter");
   await expect(verdict).toContainText("point");
   await expect(page.getByTestId("volume-game-score")).toContainText("of 4 points");
+  // The reader's choice and the program's are marked in the view and in the panel.
+  const view = page.getByTestId("volume-choices");
+  await expect(view.locator("[data-chosen]")).toContainText("you");
+  await expect(view.locator("[data-program]")).toContainText("program");
+  await expect(choices.locator('[aria-pressed="true"]')).toContainText("you");
+  await expect(page.getByTestId("volume-game-next")).toBeFocused();
+  await page.keyboard.press("Enter");
+  await expect(verdict).toBeEmpty();
+  await expect(choices.getByRole("button").first()).toBeFocused();
+  await page.keyboard.press("Enter");
+  await expect(page.getByTestId("volume-game-score")).toContainText("of 6 points");
   expect(await violations(page)).toEqual([]);
   await page.getByTestId("volume-game-end").click();
   await expect(inView).toHaveCount(0);

@@ -51,7 +51,7 @@ export interface LensMarks {
 }
 
 /** Returns what is drawn of a scene. */
-export function lensMarks({ trace, step, examined, others: all, showsIdeal }: LensScene): LensMarks {
+export function lensMarks({ trace, step, examined, others: all, showsIdeal, isGame }: LensScene): LensMarks {
   const others = all.slice(0, maxOthers);
   const base = cornersOf(trace, step.face);
   const apex = examined?.candidate.position ?? null;
@@ -70,9 +70,11 @@ export function lensMarks({ trace, step, examined, others: all, showsIdeal }: Le
     ...failing,
     labels: [
       ...failing.labels,
-      ...candidateLabel(examined),
+      ...(isGame ? [] : candidateLabel(examined)),
       { kind: "base", position: mean(base), text: texts.base(step.face) },
-      ...(showsIdeal ? [{ kind: "ideal", position: step.idealPoint, text: texts.ideal } as const] : []),
+      ...(showsIdeal && !isGame
+        ? [{ kind: "ideal", position: step.idealPoint, text: texts.ideal } as const]
+        : []),
       { kind: "base", position: tip[1] ?? base[0], text: texts.normal },
       ...others.flatMap(({ node, isNew, position }) =>
         isNew ? [] : [{ kind: "candidate" as const, position, text: texts.node(node) }],

@@ -14,6 +14,8 @@ export interface LensScene {
   readonly others: readonly TracedCandidate[];
   readonly region: SearchRegion | null;
   readonly showsIdeal: boolean;
+  /** Whether nodes have labels of another kind: those to choose from. */
+  readonly isGame: boolean;
 }
 
 type Examined = Pick<
@@ -65,6 +67,7 @@ function sceneOf(trace: Trace, state: Examined): LensScene | null {
     others: step.candidates.filter((candidate) => candidate !== chosen),
     region: state.showsRegion ? searchRegionOf(trace, step) : null,
     showsIdeal: true,
+    isGame: false,
   };
 }
 
@@ -79,5 +82,6 @@ function taskScene(trace: Trace, task: VolumeTask): LensScene {
     others: [],
     region: null,
     showsIdeal: task.showsIdeal,
+    isGame: true,
   };
 }

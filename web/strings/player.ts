@@ -119,9 +119,6 @@ export const playerStrings = {
     ideal: "ideal",
     crossing: "crossing",
     tooClose: "too close",
-    program: "program",
-    own: "you",
-    both: "you and program",
     legend: {
       base: "base face, normal",
       ideal: "ideal point",
