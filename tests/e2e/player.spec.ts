@@ -330,6 +330,7 @@ test("who prefers no motion sees one picture per second, and is told so", async 
 
 test("the steps that are repeated are typed, and a number that does not fit is refused", async ({ page }) => {
   const { viewport } = await openTrace(page, star);
+  await expect(viewport).toHaveAttribute("data-steps", /[1-9]/);
   const steps = Number(await viewport.getAttribute("data-steps"));
   const from = page.getByTestId("player-loop-from");
   const to = page.getByTestId("player-loop-to");

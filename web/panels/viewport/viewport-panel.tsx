@@ -88,14 +88,17 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
 
 /** Fits the model to the view again when the plane of a patch takes half of its width, or gives it back. */
 function useFitBeside(viewer: Viewer | null, showsPlane: boolean): void {
+  const { player } = useApp();
   const before = useRef(showsPlane);
   useEffect(() => {
     if (before.current === showsPlane) return;
     before.current = showsPlane;
+    // The view is at the base edge.
+    if (player.state.getState().follows) return;
     // The canvas gets its new size in the next frame.
     let frame = requestAnimationFrame(() => {
       frame = requestAnimationFrame(() => viewer?.fit(null));
     });
     return () => cancelAnimationFrame(frame);
-  }, [viewer, showsPlane]);
+  }, [viewer, player, showsPlane]);
 }
