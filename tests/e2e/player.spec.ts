@@ -131,8 +131,8 @@ test("lines and patches are played before the volume, with the plane beside spac
   await expect(phase).toHaveText("Lines");
   await expect(page.getByTestId("lens")).toContainText("the lines are not divided yet");
   await expect(plane).toHaveCount(0);
-  const wide = (await page.getByTestId("viewport-canvas").boundingBox())?.width ?? 0;
-  expect(wide).toBeGreaterThan(1.8 * width);
+  const canvas = page.getByTestId("viewport-canvas");
+  await expect.poll(async () => (await canvas.boundingBox())?.width ?? 0).toBeGreaterThan(1.8 * width);
   await page.getByTestId("player-kind").selectOption("line");
   await page.getByTestId("player-next").click();
   await expect(sentence).toContainText(/Line 1 is .* target sizes long/);
@@ -189,6 +189,13 @@ test("the lens says why a candidate was refused, with the numbers of the crossin
   await expect.poll(async () => (await canvas.screenshot()).equals(before)).toBe(false);
   await page.getByTestId("player-region").uncheck();
   await expect.poll(async () => (await canvas.screenshot()).equals(before)).toBe(true);
+  // What fails is named in the view by the numbers of the sentence, and the rest is faded.
+  const face = /face ([\d,]+)/.exec((await page.getByTestId("lens-sentence").textContent()) ?? "")?.[0];
+  await expect(page.getByTestId("lens-labels")).toContainText(face ?? "no face");
+  await expect(page.getByTestId("lens-legend")).toContainText("why refused");
+  await page.getByTestId("player-fade").uncheck();
+  await expect.poll(async () => (await canvas.screenshot()).equals(before)).toBe(false);
+  await page.getByTestId("player-fade").check();
   await page.getByTestId("player-kind").selectOption("recovery");
   await page.getByTestId("player-next").click();
   await expect(lens).toContainText("elements around a pocket are removed");
@@ -225,10 +232,22 @@ test("the reader chooses nodes of the volume in the view and by keyboard, and is
   await expect(verdict).toBeEmpty();
   await expect(viewport).not.toHaveAttribute("data-step", asked ?? "");
   const choices = page.getByTestId("volume-game").getByRole("group", { name: "Nodes to choose from" });
+  // The focus is on the first choice already: the keyboard alone suffices, also for the next question.
   await choices.getByRole("button").first().focus();
   await page.keyboard.press("Enter");
   await expect(verdict).toContainText("point");
   await expect(page.getByTestId("volume-game-score")).toContainText("of 4 points");
+  // The reader's choice and the program's are marked in the view and in the panel.
+  const view = page.getByTestId("volume-choices");
+  await expect(view.locator("[data-chosen]")).toContainText("you");
+  await expect(view.locator("[data-program]")).toContainText("program");
+  await expect(choices.locator('[aria-pressed="true"]')).toContainText("you");
+  await expect(page.getByTestId("volume-game-next")).toBeFocused();
+  await page.keyboard.press("Enter");
+  await expect(verdict).toBeEmpty();
+  await expect(choices.getByRole("button").first()).toBeFocused();
+  await page.keyboard.press("Enter");
+  await expect(page.getByTestId("volume-game-score")).toContainText("of 6 points");
   expect(await violations(page)).toEqual([]);
   await page.getByTestId("volume-game-end").click();
   await expect(inView).toHaveCount(0);
@@ -278,16 +297,40 @@ test("a large trace is read with progress, and reading it can be cancelled: what
   await expect(viewport).toHaveAttribute("data-step", "0");
 });
 
-test("who prefers no motion sees the end at once", async ({ page }) => {
+test("who prefers no motion sees one picture per second, and is told so", async ({ page }) => {
   await page.emulateMedia({ reducedMotion: "reduce" });
   const { viewport } = await openTrace(page, star);
+  await expect(viewport).toHaveAttribute("data-steps", /[1-9]/);
+  await expect(page.getByTestId("player-stills")).toBeEmpty();
+  const shown = page.evaluate(
+    () =>
+      new Promise<readonly { readonly step: number; readonly at: number }[]>((resolve) => {
+        const view = document.querySelector<HTMLElement>('[data-testid="viewport"]');
+        const seen: { step: number; at: number }[] = [];
+        new MutationObserver((_, observer) => {
+          seen.push({ step: Number(view?.dataset["step"]), at: performance.now() });
+          if (seen.length < 3) return;
+          observer.disconnect();
+          resolve(seen);
+        }).observe(view ?? document.body, { attributeFilter: ["data-step"] });
+      }),
+  );
   await page.getByTestId("player-play").click();
-  const steps = await viewport.getAttribute("data-steps");
-  await expect(viewport).toHaveAttribute("data-step", steps ?? "");
+  await expect(page.getByTestId("player-stills")).toHaveText("Reduced motion: one picture per second");
+  const pictures = await shown;
+  pictures.forEach(({ step, at }, i) => {
+    const before = pictures[i - 1];
+    if (!before) return;
+    expect(step - before.step).toBeGreaterThanOrEqual(20);
+    expect(at - before.at).toBeGreaterThan(900);
+  });
+  await page.getByTestId("player-forward").click();
+  await expect(page.getByTestId("player-stills")).toBeEmpty();
 });
 
 test("the steps that are repeated are typed, and a number that does not fit is refused", async ({ page }) => {
   const { viewport } = await openTrace(page, star);
+  await expect(viewport).toHaveAttribute("data-steps", /[1-9]/);
   const steps = Number(await viewport.getAttribute("data-steps"));
   const from = page.getByTestId("player-loop-from");
   const to = page.getByTestId("player-loop-to");

@@ -15,6 +15,7 @@ test("presenter mode has larger type and a laser pointer that takes no clicks", 
   const before = await heightOf(page);
   await page.getByRole("menuitem", { name: "Help" }).click();
   await page.getByRole("menuitemcheckbox", { name: "Presenter mode" }).click();
+  await expect(page.getByRole("menuitemcheckbox")).toHaveCount(0);
   await expect(page.getByTestId("presenter")).toBeVisible();
   expect(await heightOf(page)).toBeGreaterThan(1.3 * before);
   await page.getByTestId("presenter-laser").click();

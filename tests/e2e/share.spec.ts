@@ -86,6 +86,29 @@ test("a link leads to the same model, step, candidate, colours and camera", asyn
   expect(await violations(page)).toEqual([]);
 });
 
+test("on a phone, a link shows its step and the lens, and the view follows the step", async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.goto("./?test=1&model=unit-cube&step=258&candidate=0");
+  await expect(page.getByTestId("viewport")).toHaveAttribute("data-step", "258");
+  await expect(page.getByTestId("lens-sentence")).toBeInViewport({ ratio: 1 });
+  await expect(page.getByTestId("player-follow")).toBeInViewport({ ratio: 1 });
+  await expect(page.getByTestId("player-follow")).toBeChecked();
+  // Labels in the view have the numbers of the sentence, and are above the drawer.
+  const labels = page.getByTestId("lens-labels");
+  const drawer = await page.getByRole("dialog").boundingBox();
+  for (const text of ["face 810", "node 286", "base"]) {
+    const label = labels.getByText(text);
+    await expect(label).toBeVisible();
+    const box = await label.boundingBox();
+    expect((box?.y ?? Infinity) + (box?.height ?? 0)).toBeLessThanOrEqual(drawer?.y ?? 0);
+  }
+  expect(await violations(page)).toEqual([]);
+  // In patches, the plane is beside space.
+  await page.getByTestId("player-start").click();
+  await page.getByTestId("player-start").click();
+  await expect(page.getByTestId("plane-view")).toBeInViewport({ ratio: 0.9 });
+});
+
 test("a changed model has no link, and the app says why", async ({ page }) => {
   await page.goto("./?test=1&model=unit-cube&step=10");
   await expect(page.getByTestId("viewport")).toHaveAttribute("data-step", "10");
@@ -136,6 +159,12 @@ test("a step is saved as a picture and a drawing, the front as a film", async ({
   const polygons = svg.content.toString().match(/<polygon/g)?.length ?? 0;
   expect(polygons).toBeGreaterThan(faces / 4);
   expect(polygons).toBeLessThanOrEqual(faces + 1);
+
+  // What the lens shows is in the drawing, with the numbers of its sentence.
+  const drawing = svg.content.toString();
+  const [, base = ""] = /Base face ([\d,]+)/.exec((await page.getByTestId("lens").textContent()) ?? "") ?? [];
+  for (const label of [`base ${base}`, "normal", "ideal", "node 231"])
+    expect(drawing).toContain(`>${label}</text>`);
 
   // The film of a short range, which the notice ends early.
   const download = page.waitForEvent("download");

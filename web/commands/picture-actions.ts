@@ -1,6 +1,14 @@
 /** Pictures of a step and animations of the front, as files. Loaded when they are used. */
 import type { App } from "../app/app";
-import { frontDrawing } from "../player/front-drawing";
+import {
+  frontDrawing,
+  labelColors,
+  labelFont,
+  placedLabels,
+  type DrawingView,
+} from "../player/front-drawing";
+import { lensMarks } from "../player/lens-marks";
+import { lensSceneOf } from "../player/lens-scene";
 import { download, fileStem } from "../session/files";
 import { hideNotice, showNotice } from "../session/shell";
 import { shareStrings as texts } from "../strings/share";
@@ -21,11 +29,55 @@ export async function savePicture(app: App): Promise<void> {
   const viewer = viewerOf(app);
   if (!viewer) return;
   try {
-    const picture = await viewer.picture();
+    const picture = await viewer.picture((paper) => drawLabels(app, viewer, paper));
     download([picture], `${nameOf(app)}.png`, "image/png");
   } catch (error) {
     showFailure(app, texts.noPicture, error);
   }
+}
+
+const drawingView = (viewer: Viewer): DrawingView => ({
+  ...viewer.size,
+  eye: viewer.pose.eye,
+  toScreen: (position) => viewer.toScreen(position),
+});
+
+/** Draws the labels of what the lens shows, which are not in the canvas of the view. */
+function drawLabels({ player }: App, viewer: Viewer, paper: CanvasRenderingContext2D): void {
+  const scene = lensSceneOf(player.state.getState());
+  if (!scene) return;
+  const labels = placedLabels(lensMarks(scene), drawingView(viewer));
+  const scale = paper.canvas.width / viewer.size.width;
+  paper.save();
+  paper.scale(scale, scale);
+  paper.font = `${labelFont}px sans-serif`;
+  paper.textAlign = "center";
+  paper.textBaseline = "middle";
+  for (const { kind, from, middle } of labels) {
+    paper.beginPath();
+    paper.moveTo(from.x, from.y);
+    paper.lineTo(middle.x, middle.y);
+    // On dark and on bright faces.
+    for (const [color, width] of [
+      ["#ffffff", 3],
+      [labelColors[kind], 1],
+    ] as const) {
+      paper.strokeStyle = color;
+      paper.lineWidth = width;
+      paper.stroke();
+    }
+  }
+  for (const { kind, text, middle, width, height } of labels) {
+    paper.beginPath();
+    paper.roundRect(middle.x - width / 2, middle.y - height / 2, width, height, 3);
+    paper.fillStyle = "#ffffff";
+    paper.fill();
+    paper.strokeStyle = labelColors[kind];
+    paper.stroke();
+    paper.fillStyle = labelColors[kind];
+    paper.fillText(text, middle.x, middle.y);
+  }
+  paper.restore();
 }
 
 /** Saves the front as a drawing that can be scaled. */
@@ -33,11 +85,7 @@ export function saveDrawing(app: App): void {
   const viewer = viewerOf(app);
   const state = app.player.state.getState();
   if (!viewer || !state.trace) return;
-  const drawing = frontDrawing(state.trace, state, {
-    ...viewer.size,
-    eye: viewer.pose.eye,
-    toScreen: (position) => viewer.toScreen(position),
-  });
+  const drawing = frontDrawing(state.trace, { ...state, scene: lensSceneOf(state) }, drawingView(viewer));
   download([drawing], `${nameOf(app)}.svg`, "image/svg+xml");
 }
 

@@ -7,6 +7,7 @@ import { isUntouched } from "../session/document-store";
 import { loadModel } from "../session/gallery";
 import { showNotice } from "../session/shell";
 import { shareStrings as texts } from "../strings/share";
+import { breakpoints } from "../ui/theme/theme";
 import type { Viewer } from "../viewer/viewer";
 import { showFailure, showMessage } from "./messages";
 import { runEnd } from "./run-end";
@@ -21,7 +22,7 @@ export async function showSharedIfOpen(app: App, shared: SharedFront): Promise<v
 
 /** Records the front of the present model, and shows the state that an address names. */
 export async function showShared(app: App, shared: SharedFront): Promise<void> {
-  app.shell.setState({ bottomTab: "front" });
+  app.shell.setState({ bottomTab: "front", drawer: "bottom" });
   app.run.cancel();
   await runEnd(app);
   const recorded = await app.player.record({ order: shared.order ?? undefined });
@@ -32,6 +33,8 @@ export async function showShared(app: App, shared: SharedFront): Promise<void> {
   const { step } = player.state.getState();
   player.state.setState({ candidate: knownCandidate(recorded.trace, step, shared.candidate) });
   if (shared.camera) (await viewerOf(app)).setPose(shared.camera);
+  // In a small view, the step could not be seen beside the rest of the model.
+  else if (window.innerWidth < breakpoints.phone) player.state.setState({ follows: true });
 }
 
 /** Resolves when the view is there; never without WebGL. */

@@ -2,10 +2,14 @@
 import type { Trace } from "tetrafront";
 import type { Position } from "../document/position";
 import { cross, dot, subtract } from "../document/vectors";
+import { viewerColors } from "../ui/theme/theme";
 import { viridisAt } from "../ui/theme/viridis";
 import { type FrontColoring, frontValues, shadeOf } from "./front-values";
+import { placedAround } from "../viewer/apart";
 import type { Triangle } from "./crossing";
 import { cornersOf } from "./judge";
+import { drawnMarks, lensMarks, type DrawnMark, type LensMarks, type MarkKind } from "./lens-marks";
+import type { LensScene } from "./lens-scene";
 import type { FrontFaces } from "./player";
 
 /** A view of the model on a plane. */
@@ -22,10 +26,27 @@ export interface DrawnState {
   readonly step: number;
   readonly coloring: FrontColoring;
   readonly faces: FrontFaces;
+  /** What the lens shows; null for the front alone, with the base face of the step outlined. */
+  readonly scene: LensScene | null;
+  /** Whether the front is faded behind what the lens shows. */
+  readonly fades: boolean;
 }
 
 const edgeColor = "#10141a";
 const baseColor = "#e8590c";
+/** Share of white in the colours of a faded front. */
+const fading = 0.68;
+/** Colours of labels, for a white page. */
+export const labelColors: Readonly<Record<MarkKind, string>> = {
+  base: "#1864ab",
+  ideal: "#1f7a33",
+  candidate: "#1b232d",
+  failing: "#c92a2a",
+};
+/** Size of the type of labels, the height of their boxes and the average width of a letter, in pixels. */
+export const labelFont = 11;
+const labelHeight = 17;
+const letterWidth = 6.3;
 /** Digits after the point of the drawing's coordinates. */
 const digits = 2;
 
@@ -36,7 +57,9 @@ interface DrawnFace {
 }
 
 /** Returns the drawing, with the faces far from the eye first and the base face of the step outlined. O(n log n). */
-export function frontDrawing(trace: Trace, { step, coloring, faces }: DrawnState, view: DrawingView): string {
+export function frontDrawing(trace: Trace, state: DrawnState, view: DrawingView): string {
+  const { step, coloring, faces, scene } = state;
+  const isFaded = scene !== null && state.fades;
   const values = frontValues(trace, coloring);
   const drawn: DrawnFace[] = [];
   for (const face of trace.frontAt(step)) {
@@ -47,7 +70,8 @@ export function frontDrawing(trace: Trace, { step, coloring, faces }: DrawnState
     // Counter-clockwise seen from the empty side.
     if (points === null || (faces === "inside" && dot(normal, toEye) <= 0)) continue;
     const light = lightOf(normal, toEye);
-    const fill = shaded(viridisAt(shadeOf(values, values.valueOf(face), step)), light);
+    const color = shaded(viridisAt(shadeOf(values, values.valueOf(face), step)), light);
+    const fill = isFaded ? faded(color) : color;
     drawn.push({ points, depth: depthOf(corners, view.eye), fill });
   }
   drawn.sort((a, b) => b.depth - a.depth);
@@ -56,10 +80,10 @@ export function frontDrawing(trace: Trace, { step, coloring, faces }: DrawnState
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" width="${width}" height="${height}">`,
     `<title>${escaped(trace.header.name)}, step ${step} of ${trace.stepCount}</title>`,
-    `<g stroke="${edgeColor}" stroke-width="0.6" stroke-linejoin="round">`,
+    `<g stroke="${isFaded ? faded(edgeColor) : edgeColor}" stroke-width="0.6" stroke-linejoin="round">`,
     ...areas,
     "</g>",
-    ...baseOutline(trace, step, view),
+    ...(scene ? drawnScene(lensMarks(scene), view) : baseOutline(trace, step, view)),
     "</svg>",
     "",
   ].join("\n");
@@ -90,9 +114,91 @@ function lightOf(normal: Position, toEye: Position): number {
   return scale === 0 ? 1 : 0.55 + 0.45 * Math.abs(dot(normal, toEye) / scale);
 }
 
-function shaded(color: string, light: number): string {
-  const channels = [1, 3, 5].map((at) => Math.round(light * parseInt(color.slice(at, at + 2), 16)));
+const shaded = (color: string, light: number): string => mixed(color, (channel) => light * channel);
+
+/** Returns a colour with other values of its channels, 0 to 255. */
+function mixed(color: string, change: (channel: number) => number): string {
+  const channels = [1, 3, 5].map((at) => Math.round(change(parseInt(color.slice(at, at + 2), 16))));
   return `#${channels.map((channel) => channel.toString(16).padStart(2, "0")).join("")}`;
+}
+
+const faded = (color: string): string => mixed(color, (channel) => channel + fading * (255 - channel));
+
+/** The marks of what the lens shows, and their labels. */
+function drawnScene(marks: LensMarks, view: DrawingView): readonly string[] {
+  return [
+    ...drawnMarks.flatMap((mark) => drawnMark(mark, mark.of(marks), view)),
+    ...drawnLabels(marks, view),
+  ];
+}
+
+function drawnMark(mark: DrawnMark, positions: readonly Position[], view: DrawingView): readonly string[] {
+  const color = viewerColors.light[mark.color];
+  const points = positions.map(view.toScreen);
+  if (mark.form === "dots")
+    return points.flatMap((at) =>
+      at
+        ? [
+            `<circle cx="${at.x.toFixed(digits)}" cy="${at.y.toFixed(digits)}" r="${mark.size / 2}" fill="${color}" stroke="#ffffff"/>`,
+          ]
+        : [],
+    );
+  const perPiece = mark.form === "faces" ? 3 : 2;
+  const pieces: string[] = [];
+  for (let i = 0; i + perPiece <= points.length; i += perPiece) {
+    const ends = points.slice(i, i + perPiece).flatMap((at) => (at ? [at] : []));
+    if (ends.length === perPiece)
+      pieces.push(`M${ends.map(({ x, y }) => `${x.toFixed(digits)} ${y.toFixed(digits)}`).join("L")}`);
+  }
+  if (pieces.length === 0) return [];
+  const path = pieces.join("");
+  if (mark.form === "faces") return [`<path d="${path}" fill="${color}" fill-opacity="${mark.opacity}"/>`];
+  const dash = mark.dash === undefined ? "" : ` stroke-dasharray="${0.6 * mark.dash} ${0.4 * mark.dash}"`;
+  return [
+    `<path d="${path}" fill="none" stroke="${color}" stroke-width="${mark.width}" stroke-linecap="round"${dash}/>`,
+  ];
+}
+
+/** A label of the marks beside what it names, in pixels. */
+export interface PlacedLabel {
+  readonly kind: MarkKind;
+  readonly text: string;
+  readonly from: { readonly x: number; readonly y: number };
+  readonly middle: { readonly x: number; readonly y: number };
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Returns the labels of marks where a picture shows them. */
+export function placedLabels({ labels }: LensMarks, view: DrawingView): readonly PlacedLabel[] {
+  const shown = labels.flatMap(({ kind, text, position }) => {
+    const at = view.toScreen(position);
+    return at ? [{ ...at, kind, text, width: letterWidth * text.length + 8, height: labelHeight }] : [];
+  });
+  const places = placedAround(shown, view);
+  return shown.map(({ x, y, ...label }, i) => ({
+    ...label,
+    from: { x, y },
+    middle: places[i] ?? { x, y },
+  }));
+}
+
+function drawnLabels(marks: LensMarks, view: DrawingView): readonly string[] {
+  const labels = placedLabels(marks, view);
+  const round = (value: number): string => value.toFixed(digits);
+  const lines = labels.map(
+    ({ kind, from, middle }) =>
+      `<path d="M${round(from.x)} ${round(from.y)}L${round(middle.x)} ${round(middle.y)}" stroke="${labelColors[kind]}"/>`,
+  );
+  const plates = labels.map(({ kind, text, middle, width, height }) => {
+    const color = labelColors[kind];
+    const [left, top] = [middle.x - width / 2, middle.y - height / 2].map(round);
+    return [
+      `<rect x="${left}" y="${top}" width="${round(width)}" height="${height}" rx="3" fill="#ffffff" stroke="${color}"/>`,
+      `<text x="${round(middle.x)}" y="${round(middle.y + 0.35 * labelFont)}" fill="${color}" font-family="sans-serif" font-size="${labelFont}" text-anchor="middle">${escaped(text)}</text>`,
+    ].join("");
+  });
+  return [...lines, ...plates];
 }
 
 const escaped = (text: string): string =>

@@ -21,6 +21,8 @@ const vertexShader = /* glsl */ `
 const fragmentShader = /* glsl */ `
   uniform sampler2D ramp;
   uniform vec3 edgeColor;
+  uniform vec3 faded;
+  uniform float fading;
   uniform float opacity;
   varying float vShade;
   varying vec3 vViewPosition;
@@ -29,11 +31,12 @@ const fragmentShader = /* glsl */ `
   ${edgeStrength}
   void main() {
     vec3 color = texture2D(ramp, vec2(clamp(vShade, 0.002, 0.998), 0.5)).rgb * facetLight(vViewPosition);
-    gl_FragColor = vec4(mix(color, edgeColor, edgeStrength(vBarycentric, 0.6)), opacity);
+    color = mix(color, edgeColor, edgeStrength(vBarycentric, 0.6));
+    gl_FragColor = vec4(mix(color, faded, fading), opacity);
   }
 `;
 
-/** Triangles without an index, coloured by a value per corner; `range` and `power` are those of `FrontValues`. */
+/** Triangles without an index, coloured by a value per corner; `range` and `power` are those of `FrontValues`. `fading` is the share of `faded`. */
 export function createFrontMaterial({ opacity }: { readonly opacity: number }): ShaderMaterial {
   return new ShaderMaterial({
     vertexShader,
@@ -48,6 +51,8 @@ export function createFrontMaterial({ opacity }: { readonly opacity: number }): 
       range: { value: [0, 1] },
       power: { value: 1 },
       edgeColor: { value: new Color() },
+      faded: { value: new Color() },
+      fading: { value: 0 },
       opacity: { value: opacity },
     },
   });

@@ -1,24 +1,17 @@
 /** What the layers of the player are made of: facets, segments and dots in a colour of the theme. */
-import {
-  BufferAttribute,
-  BufferGeometry,
-  LineBasicMaterial,
-  LineSegments,
-  Mesh,
-  Points,
-  PointsMaterial,
-} from "three";
+import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments, Mesh, Points } from "three";
 import type { Position } from "../document/position";
 import { subtract } from "../document/vectors";
 import type { ViewerColors } from "../viewer/colors";
-import { setStateColors, stateCodes } from "../viewer/draw-state";
+import { setStateColors, setStateScale, stateCodes } from "../viewer/draw-state";
+import { createDotMaterial } from "../viewer/materials/dot-material";
 import { createFacetMaterial } from "../viewer/materials/facet-material";
 import { createLineMaterial, fitLines } from "../viewer/materials/line-material";
 import type { Viewport } from "../viewer/scene-state";
-import { setColor } from "../viewer/materials/uniforms";
+import { setColor, setNumber } from "../viewer/materials/uniforms";
 import { SegmentGeometry, segmentsInState } from "../viewer/segment-geometry";
 
-type ColorName = "selection" | "front" | "hover" | "source" | "point" | "line";
+type ColorName = "selection" | "front" | "failing" | "source" | "point" | "line";
 
 /** Positions drawn in one colour. */
 export abstract class Part<Drawn extends Mesh | LineSegments | Points> {
@@ -79,23 +72,32 @@ export class Segments extends Part<LineSegments> {
   }
 }
 
+/** Round dots with a rim, which show through everything. */
 export class Dots extends Part<Points> {
   readonly #material;
 
-  /** `size`: in pixels. */
+  /** `size`: diameter in pixels. */
   constructor(color: ColorName, size: number) {
-    const material = new PointsMaterial({
-      transparent: true,
-      depthTest: false,
-      sizeAttenuation: false,
-      size,
-    });
+    const material = createDotMaterial("round");
+    material.depthTest = false;
+    setStateScale(material, "selected", size);
     super(new Points(new BufferGeometry(), material), color);
     this.#material = material;
   }
 
+  override set(positions: readonly Position[], origin: Position): void {
+    super.set(positions, origin);
+    const states = new Uint8Array(positions.length).fill(stateCodes.selected);
+    this.object.geometry.setAttribute("state", new BufferAttribute(states, 1));
+  }
+
   setColors(colors: ViewerColors): void {
-    this.#material.color.set(colors[this.color]);
+    setStateColors(this.#material, { selected: colors[this.color] });
+    setColor(this.#material, "rim", colors.faded);
+  }
+
+  setViewport({ pixelRatio }: Viewport): void {
+    setNumber(this.#material, "pixelRatio", pixelRatio);
   }
 
   override dispose(): void {
@@ -109,13 +111,16 @@ export class WideSegments {
   readonly #material;
   readonly object: Mesh;
 
-  /** `width`: in pixels. */
+  /** `width`: in pixels; `dash`: length of a dash and the gap after it, 0 for solid segments. */
   constructor(
     readonly color: ColorName,
     width: number,
     depthTest: boolean,
+    dash = 0,
   ) {
-    this.#material = createLineMaterial({ widths: { selected: width }, depthTest });
+    this.#material = createLineMaterial({ widths: { selected: width }, depthTest, dash });
+    // What shows through everything is drawn after it, also after what is transparent.
+    this.#material.transparent = !depthTest;
     this.object = new Mesh(new SegmentGeometry(0), this.#material);
     this.object.frustumCulled = false;
   }

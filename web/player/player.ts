@@ -37,6 +37,8 @@ export interface PlayerState {
   /** The state that the lens shows: the same, or the one before while the user scrubs. */
   readonly lensStep: number;
   readonly isPlaying: boolean;
+  /** Whether playing shows one picture per second, because the user prefers no motion. */
+  readonly playsStills: boolean;
   /** Steps per second. */
   readonly speed: number;
   /** Playing repeats the steps from `from` to `to`; null: it ends with the trace. */
@@ -60,6 +62,8 @@ export interface PlayerState {
   readonly sweep: number | null;
   /** What "Be the mesher" asks in the volume; null if it is not played. */
   readonly task: VolumeTask | null;
+  /** Whether the front is faded while the lens shows a step. */
+  readonly fades: boolean;
   /** Whether the view follows the base face. */
   readonly follows: boolean;
 }
@@ -74,7 +78,11 @@ const scrubbedMs = 250;
 /** Time after the last state until the lens shows it. */
 const settledMs = 100;
 
-const initialState: PlayerState = {
+/** Seconds between two pictures of who prefers no motion: each has the steps that have become due. */
+const stillSeconds = 1;
+const prefersStills = (): boolean => matchMedia("(prefers-reduced-motion: reduce)").matches;
+
+export const initialPlayerState: PlayerState = {
   recording: null,
   reading: null,
   failure: null,
@@ -85,6 +93,7 @@ const initialState: PlayerState = {
   step: 0,
   lensStep: 0,
   isPlaying: false,
+  playsStills: false,
   speed: 25,
   loop: null,
   pausesThere: false,
@@ -97,6 +106,7 @@ const initialState: PlayerState = {
   showsRegion: false,
   sweep: null,
   task: null,
+  fades: true,
   follows: false,
 };
 
@@ -109,7 +119,7 @@ export interface PlayerOptions {
 
 /** Records the front of the present model, and plays it. */
 export class Player {
-  readonly state: StoreApi<PlayerState> = createStore<PlayerState>(() => initialState);
+  readonly state: StoreApi<PlayerState> = createStore<PlayerState>(() => initialPlayerState);
   readonly #options: PlayerOptions;
   readonly #playback = new Playback((steps) => this.#advance(steps));
   /** Labels of the recorded traces. */
@@ -196,10 +206,10 @@ export class Player {
   /** Shows the model again. */
   close(): void {
     this.#playback.stop();
-    const { recording, reading, speed, coloring, faces, elements, showsRegion, follows, condition } =
+    const { recording, reading, speed, coloring, faces, elements, showsRegion, fades, follows, condition } =
       this.state.getState();
     this.state.setState({
-      ...initialState,
+      ...initialPlayerState,
       recording,
       reading,
       speed,
@@ -207,6 +217,7 @@ export class Player {
       faces,
       elements,
       showsRegion,
+      fades,
       follows,
       condition,
     });
@@ -261,13 +272,8 @@ export class Player {
     if (!trace || trace.stepCount === firstState(trace)) return;
     const last = loop?.to ?? trace.stepCount;
     if (step >= last || (loop && step < loop.from)) this.seek(loop?.from ?? 0);
-    // Who prefers no motion sees where playing would end.
-    if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
-      this.#advance(Infinity);
-      return;
-    }
-    this.state.setState({ isPlaying: true });
-    this.#playback.start(speed);
+    this.state.setState({ isPlaying: true, playsStills: prefersStills() });
+    this.#start(speed);
   }
 
   pause(): void {
@@ -283,7 +289,11 @@ export class Player {
 
   setSpeed(speed: number): void {
     this.state.setState({ speed });
-    if (this.state.getState().isPlaying) this.#playback.start(speed);
+    if (this.state.getState().isPlaying) this.#start(speed);
+  }
+
+  #start(speed: number): void {
+    this.#playback.start(speed, this.state.getState().playsStills ? stillSeconds : 0);
   }
 
   /** Ends a recording or the reading of a trace without a result, and shows the model again. */

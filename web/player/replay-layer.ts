@@ -3,13 +3,16 @@ import { BufferAttribute, BufferGeometry, DoubleSide, FrontSide, Group, Mesh, ty
 import type { Position } from "../document/position";
 import type { Layer } from "../viewer/layers/layer";
 import { rampTexture } from "../viewer/materials/textures";
-import { setColor, setTexture } from "../viewer/materials/uniforms";
+import { setColor, setNumber, setTexture } from "../viewer/materials/uniforms";
 import type { SceneChanges } from "../viewer/scene-state";
 import { ElementBuffers } from "./element-buffers";
 import { FrontBuffers } from "./front-buffers";
 import { createFrontMaterial } from "./front-material";
 import { type FrontColoring, frontValues, type FrontValues } from "./front-values";
 import type { PlayerState } from "./player";
+
+/** Share of the background in the colour of a front that is faded. */
+const fading = 0.68;
 
 /** The front of a trace after a step, and the elements made last. */
 export class ReplayLayer implements Layer {
@@ -53,13 +56,17 @@ export class ReplayLayer implements Layer {
       for (const material of [this.#frontMaterial, this.#elementMaterial]) {
         setTexture(material, "ramp", this.#ramp);
         setColor(material, "edgeColor", colors.meshEdge);
+        setColor(material, "faded", colors.faded);
       }
     }
     if (changes.has("origin")) this.#reset(origin);
   }
 
-  /** Shows a state of the player; nothing before the volume. The cost of a few steps is that of their faces. */
-  show({ step, sweep, coloring, faces, elements }: PlayerState): void {
+  /**
+   * Shows a state of the player; nothing before the volume. The cost of a few steps is that of their faces. `isFaded`: the
+   * front stays behind what the lens shows.
+   */
+  show({ step, sweep, coloring, faces, elements }: PlayerState, isFaded: boolean): void {
     this.root.visible = step >= 0 && sweep === null;
     if (step < 0) return;
     if (coloring !== this.#coloring) {
@@ -68,6 +75,8 @@ export class ReplayLayer implements Layer {
       this.#setPower();
       this.#reset(this.#origin);
     }
+    for (const material of [this.#frontMaterial, this.#elementMaterial])
+      setNumber(material, "fading", isFaded ? fading : 0);
     this.#frontMaterial.side = faces === "all" ? DoubleSide : FrontSide;
     this.#front.show(step);
     this.#frontGeometry.setDrawRange(0, 3 * this.#front.slotCount);

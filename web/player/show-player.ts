@@ -1,16 +1,21 @@
 import type { Trace } from "tetrafront";
 import type { StoreApi } from "zustand/vanilla";
+import type { Position } from "../document/position";
 import { cornersOf } from "./judge";
-import { decisive, examine } from "./lens";
-import { LensLayer, type LensScene } from "./lens-layer";
+import { LensLayer } from "./lens-layer";
+import { lensMarks } from "./lens-marks";
+import { lensSceneOf, type LensScene } from "./lens-scene";
+import { endsOf } from "./planar-judge";
 import type { PlayerState } from "./player";
 import { surfaceState } from "./phases";
 import { ReplayLayer } from "./replay-layer";
-import { searchRegionOf } from "./search-region";
 import { SurfaceLayer } from "./surface-layer";
+import { inSpace } from "./surface-scene";
 import { SweepLayer } from "./sweep-layer";
-import { chosenCandidate, type VolumeTask } from "./volume-game";
 import type { Viewer } from "../viewer/viewer";
+
+/** Speed in steps per second up to which the view follows while the front is played: faster, it would jerk. */
+const maxFollowedSpeed = 5;
 
 /** Draws the trace of a player in a view, instead of the model's surfaces and mesh. Returns a function that ends this. */
 export function showPlayer(player: StoreApi<PlayerState>, viewer: Viewer): () => void {
@@ -44,45 +49,47 @@ function drawTrace(trace: Trace, viewer: Viewer) {
   const lens = new LensLayer();
   const sweeps = new SweepLayer(trace);
   const surface = new SurfaceLayer(trace);
+  /** What the view has moved to last. */
+  let followed: { readonly step: number; readonly scene: LensScene | null } | null = null;
+  const follow = (state: PlayerState, scene: LensScene | null): void => {
+    if (followed?.step === state.step && followed.scene === scene) return;
+    followed = { step: state.step, scene };
+    const positions = positionsToFollow(trace, state, scene);
+    if (positions) viewer.fitPositions(positions);
+  };
   const ends = [replay, surface, sweeps, lens].map((layer) => viewer.addLayer(layer));
   return {
     show: (state: PlayerState): void => {
-      replay.show(state);
+      const scene = lensSceneOf(state);
+      replay.show(state, scene !== null && state.fades);
       surface.show(surfaceState(trace, state.step));
       sweeps.show(state.sweep);
-      // While the front is played or scrubbed, only its faces change.
-      const isMoving = state.isPlaying || state.step !== state.lensStep;
-      const scene = state.task
-        ? taskScene(trace, state.task)
-        : isMoving || state.sweep !== null
-          ? null
-          : lensScene(trace, state);
       lens.show(scene);
-      if (state.follows && scene) viewer.fitPosition(cornersOf(trace, scene.step.face)[0]);
+      if (state.follows) follow(state, scene);
+      else followed = null;
       viewer.requestFrame();
     },
     end: (): void => ends.forEach((end) => end()),
   };
 }
 
-/** The base face that is asked for, and what the choice would make. */
-function taskScene(trace: Trace, task: VolumeTask): LensScene {
-  const { step } = task.question;
-  const chosen = chosenCandidate(trace, task);
-  const examined = chosen && examine(trace, step, chosen);
-  return { trace, step, examined, region: null, showsIdeal: task.showsIdeal };
-}
-
-function lensScene(trace: Trace, { step: number, candidate, showsRegion }: PlayerState): LensScene | null {
+/** Returns what the step of a state is about; null if it is not about a face or an edge, or if steps follow each other too fast. */
+function positionsToFollow(
+  trace: Trace,
+  { step: number, isPlaying, speed, lensStep }: PlayerState,
+  scene: LensScene | null,
+): readonly Position[] | null {
+  if (scene) {
+    const { base, ideal, candidate, culprit } = lensMarks(scene);
+    return [...base, ...ideal, ...candidate, ...culprit];
+  }
+  if (isPlaying ? speed > maxFollowedSpeed : number !== lensStep) return null;
   const step = trace.stepAt(number);
-  if (step?.kind !== "advance") return null;
-  const index = candidate ?? decisive(step);
-  const chosen = index === null ? undefined : step.candidates[index];
-  return {
-    trace,
-    step,
-    examined: chosen ? examine(trace, step, chosen) : null,
-    region: showsRegion ? searchRegionOf(trace, step) : null,
-    showsIdeal: true,
-  };
+  if (step?.kind === "advance") return cornersOf(trace, step.face);
+  const state = surfaceState(trace, number);
+  const edgeStep = state === null ? undefined : trace.surface?.stepAt(state);
+  const front = edgeStep?.kind === "edge" ? trace.surface?.fronts[edgeStep.front] : undefined;
+  return edgeStep?.kind === "edge" && front
+    ? endsOf(front, edgeStep.edge).map((node) => inSpace(front, node))
+    : null;
 }

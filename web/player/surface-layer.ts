@@ -19,7 +19,7 @@ export class SurfaceLayer implements Layer {
   readonly #front = new WideSegments("front", 2.4, false);
   readonly #walk = new WideSegments("selection", 2.4, false);
   readonly #base = new WideSegments("selection", 4, false);
-  readonly #nodes = new Dots("point", 4);
+  readonly #nodes = new Dots("point", 6);
   readonly #triangle = new Facets("selection", 0.5);
   readonly #wide = [this.#sides, this.#front, this.#walk, this.#base];
   /** Triangles before those of each front, of the finished patches and of the fronts. */
@@ -56,7 +56,7 @@ export class SurfaceLayer implements Layer {
       this.#done.setColors(colors.patch, colors.meshEdge);
       this.#made.setColors(colors.meshPlain, colors.meshEdge);
     }
-    if (changes.has("viewport")) for (const part of this.#wide) part.setViewport(viewport);
+    if (changes.has("viewport")) for (const part of [...this.#wide, this.#nodes]) part.setViewport(viewport);
     if (!changes.has("origin")) return;
     this.#origin = origin;
     this.#hasTriangles = false;

@@ -25,6 +25,7 @@ export * from "./edits";
 export * from "./entities";
 export * from "./mesh";
 export { fixStrings } from "./fixes";
+export { pickText } from "./mesher-game";
 export * from "./palette";
 export { templateStrings } from "./templates";
 export { operationStrings } from "./operations";

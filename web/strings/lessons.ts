@@ -72,22 +72,22 @@ export const lessonStrings = {
   compare: (order: FrontOrder) => `Run in the order “${orders[order]}”`,
   running: "Running…",
   runs: "Runs to compare",
+  runMeasure: "Number of",
   run: {
-    order: "Order",
-    crossings: "Crosses",
-    smallCrossings: "small",
-    postponed: "Postp.",
-    flat: "Flat",
+    crossings: "candidates that cross",
+    smallCrossings: "– a small face",
+    postponed: "postponed faces",
+    flat: "flat elements",
   },
   runHint:
-    "Crosses: candidates refused because they cross a face; small: of these, a face less than half as large as the base face. Postp.: postponed faces. Flat: elements with a dihedral angle below 5° when the front has closed. Click an order to see its front.",
+    "Small: less than half as large as the base face. Flat: with a dihedral angle below 5° when the front has closed. Click an order to see its front.",
   showRun: (order: FrontOrder) => `Show the front in the order “${orders[order]}”`,
   orders,
   experiments: {
     title: "Experiments",
     intro:
       "Run the model of this lesson with other rules and compare. The link in the address bar opens the same runs again.",
-    hint: "Time in seconds for the volume. Postp.: postponed faces. Recov.: steps of recovery. Angle: smallest dihedral angle. Ratio: mean radius ratio. Angle and ratio are those before any optimization. Filters and search change the time only; the first run is slower than the others.",
+    hint: "Time: seconds for the front of the volume, with its recording. Each is measured once, after the engine has meshed this model a first time, because the browser still compiles the engine during the first run. Postp.: postponed faces. Recov.: steps of recovery. Angle: smallest dihedral angle. Ratio: mean radius ratio. Angle and ratio are those before any optimization. Filters and search change the time only.",
     order: "Order",
     relaxation: "Relaxed rules",
     filters: "Filters",
@@ -111,7 +111,10 @@ export const lessonStrings = {
   costNear: "search in space",
   costText: (elements: number, linear: number, near: number) =>
     `For ${number(elements)} elements, a linear search compares ${number(linear)} faces; the search in space returns ${number(near)}.`,
-  costAxis: (elements: number) => `${number(elements)} elements`,
+  costAxes: { across: "elements made", up: "faces compared" },
+  /** A number on an axis. */
+  axisNumber: (value: number) =>
+    value.toLocaleString("en-US", { notation: "compact", maximumFractionDigits: 1 }),
   queue: {
     picture: (faces: number, first: number | null) =>
       first === null
@@ -119,6 +122,15 @@ export const lessonStrings = {
         : `The queue of the front: ${number(faces)} faces in a heap, face ${number(first)} on top.`,
     first: "comes next",
     joined: "joined in this step",
+    ruleClass: (ruleClass: number) => `class ${ruleClass}`,
+    rankHint: {
+      layered:
+        "Below each face: its size bucket and its layers. The lower bucket comes first, in a bucket the lower layers.",
+      "smallest-first": "Below each face: its size. The smaller face comes first.",
+      "first-in": "The face that joined first comes first.",
+      random: "The order was drawn at random.",
+    } satisfies Readonly<Record<FrontOrder, string>>,
+    failedHint: "Faces that have failed come after all others; they show their rule class.",
     below: (faces: number) => `${number(faces)} faces below`,
     work: (taken: number, left: number, joined: number, comparisons: number, faces: number) =>
       `This step took face ${number(taken)} from the top, ${left === 0 ? "" : `removed ${number(left)} more, `}and added ${number(joined)}. The heap compared faces ${number(comparisons)} times. To find the smallest of ${number(faces)} faces without a heap takes ${number(Math.max(0, faces - 1))} comparisons.`,

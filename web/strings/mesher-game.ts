@@ -9,6 +9,12 @@ const choiceOf = (node: number | null, refused: number): string =>
     ? `The program chose ${nameOf(node)}, which comes first in its ranking.`
     : `The program chose ${nameOf(node)}: it tried ${refused === 1 ? "1 better-ranked candidate" : `${number(refused)} better-ranked candidates`} first and refused ${refused === 1 ? "it" : "them"}.`;
 
+/** Whose choice a node is, after the verdict. */
+export function pickText(isOwn: boolean, isProgram: boolean): string | null {
+  if (isOwn) return isProgram ? "you and program" : "you";
+  return isProgram ? "program" : null;
+}
+
 export const mesherGameStrings = {
   start: "Be the mesher",
   end: "End the game",
@@ -21,6 +27,7 @@ export const mesherGameStrings = {
     hard: "Without the ideal point, and only where the program refused a candidate first.",
   },
   choices: "Nodes to choose from",
+  newNode: "new",
   node: (node: number | null) => (node === null ? "New node" : `Node ${number(node)}`),
   score: (points: number, rounds: number) => `${number(points)} of ${number(2 * rounds)} points`,
   next: "Next edge",

@@ -70,6 +70,7 @@ export const playerStrings = {
   pause: "Pause",
   forward: "Step forward",
   end: "Last state of the phase",
+  stills: "Reduced motion: one picture per second",
   speed: "Speed",
   speedOf: (speed: number) => (speed === 1 ? "1 step/s" : `${number(speed)} steps/s`),
   scrub: "Step of the front",
@@ -109,7 +110,27 @@ export const playerStrings = {
   elementChoices: { none: "None", last: "Last", recent: "Last 60" },
   searchRegion: "Search region",
   regionHint: "The nodes in it are candidates for the base face. It lies around the ideal point.",
+  /** Labels of what the lens shows in the view, beside it and in the legend. */
+  marks: {
+    base: (face: number) => `base ${number(face)}`,
+    face: (face: number) => `face ${number(face)}`,
+    node: (node: number | null) => (node === null ? "new node" : `node ${number(node)}`),
+    normal: "normal",
+    ideal: "ideal",
+    crossing: "crossing",
+    tooClose: "too close",
+    legend: {
+      base: "base face, normal",
+      ideal: "ideal point",
+      candidate: "candidate",
+      failing: "why refused",
+    },
+  },
+  fade: "Fade the rest",
+  fadeHint: "While the lens shows a step, the front is faded.",
   follow: "Follow",
+  followHint: "The view moves to the base face of each step.",
+  moreControls: "Jumps, colours and what is drawn",
 
   lens: "Lens",
   beforeFirst: "The front before the first step: the triangles of the boundary.",
@@ -189,6 +210,8 @@ export const playerStrings = {
   candidateName: (rank: number, node: number | null) =>
     `${rank}: ${node === null ? "new node" : number(node)}`,
   score: "Score",
+  scoreHint:
+    "The highest score is tried first. It grows with the quality of the element, and with the faces of the front that the element closes.",
   verdict: "Verdict",
   verdicts,
   verdictAt: (verdict: string, face: number | null) =>

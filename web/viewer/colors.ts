@@ -10,6 +10,8 @@ export interface ViewerColors {
   readonly hover: string;
   /** The front, and defects. */
   readonly front: string;
+  /** What a candidate of the front was refused for. */
+  readonly failing: string;
   /** Element edges. */
   readonly meshEdge: string;
   /** The mesh with plain shading. */

@@ -164,7 +164,13 @@ export class Viewer {
   }
 
   fitPosition(position: Position): void {
-    this.#fitBounds(new Bounds().add(...position));
+    this.fitPositions([position]);
+  }
+
+  fitPositions(positions: readonly Position[]): void {
+    const target = new Bounds();
+    for (const position of positions) target.add(...position);
+    this.#fitBounds(target);
   }
 
   /** Fits the positions, x y z each, of what is shown instead of the model, now and whenever all is fitted; null: the model. */
@@ -272,11 +278,15 @@ export class Viewer {
     this.#loop.request();
   }
 
-  /** Returns the picture as a PNG file, without the view cube and with a transparent background. */
-  picture(): Promise<Blob> {
+  /**
+   * Returns the picture as a PNG file, without the view cube and with a transparent background. `add` draws on it; its pixels
+   * are those of the screen.
+   */
+  picture(add: (paper: CanvasRenderingContext2D) => void = () => undefined): Promise<Blob> {
     const paper = document.createElement("canvas").getContext("2d");
     if (!paper) throw new Error("The browser offers no canvas");
     this.drawOn(paper, null);
+    add(paper);
     return new Promise((resolve, reject) => {
       paper.canvas.toBlob((blob) => {
         if (blob) resolve(blob);

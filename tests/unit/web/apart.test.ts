@@ -1,6 +1,6 @@
 /** Labels in the view that are moved apart. */
-import { expect, it } from "vitest";
-import { placedApart, type Label } from "../../../web/panels/viewport/apart";
+import { describe, expect, it } from "vitest";
+import { placedApart, placedAround, type Label } from "../../../web/viewer/apart";
 import { randomSource } from "../../support/random";
 
 const size = { width: 40, height: 24 } as const;
@@ -19,5 +19,37 @@ it("lets none of sixteen crowded labels lie on another one, and moves none far",
     for (const b of placed.slice(i + 1))
       expect(Math.abs(a.x - b.x) >= size.width || Math.abs(a.y - b.y) >= size.height).toBe(true);
     expect(Math.hypot(a.x - (labels[i]?.x ?? 0), a.y - (labels[i]?.y ?? 0))).toBeLessThan(8 * size.height);
+  });
+});
+
+describe("labels around a drawing", () => {
+  const view = { width: 400, height: 300 };
+  const flat = { width: 40, height: 16 };
+
+  it("are outside of a small drawing, in the direction of what they name, and apart", () => {
+    const anchors = [
+      { x: 190, y: 150 },
+      { x: 210, y: 150 },
+      { x: 200, y: 140 },
+    ].map((at) => ({ ...at, ...flat }));
+    const places = placedAround(anchors, view);
+    expect(places[0]?.x).toBeLessThan(190 - flat.width / 2);
+    expect(places[1]?.x).toBeGreaterThan(210 + flat.width / 2);
+    expect(places[2]?.y).toBeLessThan(140 - flat.height / 2);
+  });
+
+  it("stay in the view, and near what they name", () => {
+    const anchors = [
+      { x: 2, y: 2, ...flat },
+      { x: 398, y: 298, ...flat },
+    ];
+    for (const [i, { x, y }] of placedAround(anchors, view).entries()) {
+      expect(x).toBeGreaterThanOrEqual(flat.width / 2);
+      expect(x).toBeLessThanOrEqual(view.width - flat.width / 2);
+      expect(y).toBeGreaterThanOrEqual(flat.height / 2);
+      expect(y).toBeLessThanOrEqual(view.height - flat.height / 2);
+      const { x: ax = 0, y: ay = 0 } = anchors[i] ?? {};
+      expect(Math.hypot(x - ax, y - ay)).toBeLessThan(100);
+    }
   });
 });

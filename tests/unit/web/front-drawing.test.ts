@@ -28,13 +28,17 @@ const fromAbove: DrawingView = {
   toScreen: ([x, y]) => ({ x: 100 + 40 * x, y: 50 - 40 * y }),
 };
 
+const alone = { scene: null, fades: true } as const;
+
 const polygonsIn = (drawing: string): readonly string[] =>
   [...drawing.matchAll(/<polygon points="([^"]*)" fill="#/g)].map(([, points = ""]) => points);
 
 it("show every face of the front once, or those that look at the eye", () => {
-  const all = frontDrawing(trace, { step: 0, coloring: "size", faces: "all" }, fromAbove);
+  const all = frontDrawing(trace, { step: 0, coloring: "size", faces: "all", ...alone }, fromAbove);
   expect(polygonsIn(all)).toHaveLength(trace.frontAt(0).length);
-  const inside = polygonsIn(frontDrawing(trace, { step: 0, coloring: "size", faces: "inside" }, fromAbove));
+  const inside = polygonsIn(
+    frontDrawing(trace, { step: 0, coloring: "size", faces: "inside", ...alone }, fromAbove),
+  );
   // From inside, the bottom of the box looks up; its top looks down, and its walls are seen from the side.
   const bottom = Array.from(trace.frontAt(0)).filter((face) =>
     cornersOf(trace, face).every(([, , z]) => z === -1),
@@ -45,7 +49,7 @@ it("show every face of the front once, or those that look at the eye", () => {
 });
 
 it("begin with what is far, and outline the base face of the step", () => {
-  const drawing = frontDrawing(trace, { step: 0, coloring: "age", faces: "all" }, fromAbove);
+  const drawing = frontDrawing(trace, { step: 0, coloring: "age", faces: "all", ...alone }, fromAbove);
   const top = Array.from(trace.frontAt(0)).filter((face) =>
     cornersOf(trace, face).every(([, , z]) => z === 1),
   );
@@ -56,7 +60,7 @@ it("begin with what is far, and outline the base face of the step", () => {
   expect(new Set(polygonsIn(drawing).slice(-top.length))).toEqual(new Set(top.map(points)));
   expect(drawing).not.toContain('stroke-width="2"');
   const first = trace.stepAt(1);
-  const later = frontDrawing(trace, { step: 1, coloring: "age", faces: "all" }, fromAbove);
+  const later = frontDrawing(trace, { step: 1, coloring: "age", faces: "all", ...alone }, fromAbove);
   expect(first?.kind === "advance" && later).toContain(
     `<polygon points="${points(first?.kind === "advance" ? first.face : 0)}" fill="none"`,
   );
@@ -67,7 +71,7 @@ it("leave out what is out of view, and are well formed", () => {
     ...fromAbove,
     toScreen: (position) => (position[0] > 0 ? null : fromAbove.toScreen(position)),
   };
-  const drawing = frontDrawing(trace, { step: 3, coloring: "layer", faces: "all" }, half);
+  const drawing = frontDrawing(trace, { step: 3, coloring: "layer", faces: "all", ...alone }, half);
   expect(polygonsIn(drawing).length).toBeLessThan(trace.frontAt(3).length);
   expect(drawing).toMatch(/^<svg xmlns="http:\/\/www.w3.org\/2000\/svg" viewBox="0 0 200 100"/);
   expect(drawing).not.toMatch(/NaN|undefined|null/);

@@ -132,15 +132,27 @@ it("are compared without opening the model again", async () => {
   const { id } = app.documents.state.getState();
   expect(await compareRun(app, "first-in")).toBe(true);
   expect(app.documents.state.getState().id).toBe(id);
-  expect(recorded).toEqual([own, own]);
+  expect(recorded).toEqual([own, own, own]);
   expect(orders()).toEqual(["layered", "first-in"]);
+});
+
+it("are timed after the engine has meshed the model: the lesson's own run is repeated before the first other one", async () => {
+  await showLessonModel(app, lesson);
+  const [cold] = lessonRuns(app).getState().runs;
+  await compareRun(app, "first-in");
+  const [timed] = lessonRuns(app).getState().runs;
+  expect(timed?.trace).not.toBe(cold?.trace);
+  expect(vi.mocked(app.player).record.mock.calls[1]).toEqual([]);
+  await compareRun(app, "random");
+  expect(lessonRuns(app).getState().runs[0]).toBe(timed);
+  expect(recorded).toHaveLength(4);
 });
 
 it("are of the lesson's model if another document was opened", async () => {
   await showLessonModel(app, lesson);
   app.showProject({ ...cubeProject(), name: "Mine" });
   expect(await compareRun(app, "first-in")).toBe(true);
-  expect(recorded).toEqual([own, own, own]);
+  expect(recorded).toEqual([own, own, own, own]);
   expect(app.documents.project.name).toBe("Cube");
   expect(orders()).toEqual(["layered", "first-in"]);
 });
@@ -149,7 +161,7 @@ it("are of the lesson's model if it was changed", async () => {
   await showLessonModel(app, lesson);
   app.documents.edit(moveEntity("point", 1, 0, -2));
   expect(await compareRun(app, "first-in")).toBe(true);
-  expect(recorded).toEqual([own, own, own]);
+  expect(recorded).toEqual([own, own, own, own]);
 });
 
 it("are not compared if the lesson's model cannot be opened", async () => {

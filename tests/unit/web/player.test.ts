@@ -185,12 +185,22 @@ describe("the player", () => {
     expect(player.state.getState()).toMatchObject({ step: 2, isPlaying: false });
   });
 
-  it("shows the end at once if the user prefers no motion", async () => {
+  it("shows one picture per second if the user prefers no motion, at the chosen speed", async () => {
     vi.stubGlobal("matchMedia", () => ({ matches: true }));
     const { player } = newApp();
     await player.open(bytes);
     player.play();
-    expect(player.state.getState()).toMatchObject({ step: trace.stepCount, isPlaying: false });
+    expect(player.state.getState()).toMatchObject({ step: 0, isPlaying: true, playsStills: true });
+    const pictures = new Set<number>();
+    for (let frame = 0; frame <= 18; frame++) {
+      // Exact in binary, so that eight of them are a second.
+      drawFrame(125);
+      pictures.add(player.state.getState().step);
+    }
+    expect([...pictures]).toEqual([0, 25, 50]);
+    player.pause();
+    drawFrame(1000);
+    expect(player.state.getState()).toMatchObject({ step: 50, isPlaying: false });
   });
 
   it("jumps to every kind of step and back", async () => {

@@ -1,6 +1,5 @@
 import { Button } from "@mantine/core";
 import { useMemo, useState } from "react";
-import type { FrontOrder, Trace } from "tetrafront";
 import { compareRun, showRun } from "../../commands/lesson-actions";
 import type { TaskOf } from "../../lessons/lesson";
 import { runMeasures } from "../../lessons/run-measures";
@@ -12,7 +11,7 @@ import styles from "./lessons.module.css";
 import type { TaskProps } from "./task-props";
 import { useLessonRuns } from "./use-lessons";
 
-/** Records the front in another order, and shows both runs side by side in a table. */
+/** Records the front in another order, and shows all orders side by side in a table. */
 export function CompareTask({ task, number, onDone }: TaskProps<TaskOf<"compare">>) {
   const app = useApp();
   const [isRunning, setRunning] = useState(false);
@@ -33,38 +32,34 @@ export function CompareTask({ task, number, onDone }: TaskProps<TaskOf<"compare"
       >
         {isRunning ? texts.running : texts.compare(task.order)}
       </Button>
-      {runs.some(({ name }) => name === task.order) && <RunTable other={task.order} number={number} />}
+      {runs.some(({ name }) => name === task.order) && <RunTable number={number} />}
     </div>
   );
 }
 
-interface RunTableProps {
-  readonly other: FrontOrder;
-  readonly number: number;
-}
-
-/** The front of the lesson and one in another order. */
-function RunTable({ other, number }: RunTableProps) {
+/** The fronts in all orders in which the lesson was run, side by side: a column each, the lesson's own first. */
+function RunTable({ number }: { readonly number: number }) {
   const app = useApp();
   const all = useLessonRuns((state) => state.runs);
-  const runs = all.filter(({ name }) => name === "" || name === other);
+  const columns = useMemo(
+    () =>
+      all
+        .filter(({ name, order }) => name === "" || name === order)
+        .map((run) => ({ run, measures: runMeasures(run.trace) })),
+    [all],
+  );
   const shown = usePlayer((state) => state.trace);
   return (
     <>
-      <table className={`${tables["table"]} ${tables["compact"]}`} aria-label={texts.runs}>
+      <table
+        className={`${tables["table"]} ${tables["compact"]} ${styles["orders"]}`}
+        aria-label={texts.runs}
+      >
         <thead>
           <tr>
-            <th scope="col">{texts.run.order}</th>
-            <th scope="col">{texts.run.crossings}</th>
-            <th scope="col">{texts.run.smallCrossings}</th>
-            <th scope="col">{texts.run.postponed}</th>
-            <th scope="col">{texts.run.flat}</th>
-          </tr>
-        </thead>
-        <tbody>
-          {runs.map((run) => (
-            <tr key={run.name} data-highlighted={run.trace === shown || undefined}>
-              <th scope="row">
+            <th scope="col">{texts.runMeasure}</th>
+            {columns.map(({ run }) => (
+              <th key={run.name} scope="col" data-highlighted={run.trace === shown || undefined}>
                 <button
                   type="button"
                   className={styles["run"]}
@@ -76,7 +71,18 @@ function RunTable({ other, number }: RunTableProps) {
                   {texts.orders[run.order]}
                 </button>
               </th>
-              <Measures trace={run.trace} />
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {measureNames.map((name) => (
+            <tr key={name}>
+              <th scope="row">{texts.run[name]}</th>
+              {columns.map(({ run, measures }) => (
+                <td key={run.name} data-highlighted={run.trace === shown || undefined}>
+                  {texts.number(measures[name])}
+                </td>
+              ))}
             </tr>
           ))}
         </tbody>
@@ -86,10 +92,4 @@ function RunTable({ other, number }: RunTableProps) {
   );
 }
 
-function Measures({ trace }: { readonly trace: Trace }) {
-  const { crossings, smallCrossings, postponed, flat } = useMemo(() => runMeasures(trace), [trace]);
-  return [crossings, smallCrossings, postponed, flat].map((value, column) => (
-    // The columns are fixed.
-    <td key={column}>{texts.number(value)}</td>
-  ));
-}
+const measureNames = ["crossings", "smallCrossings", "postponed", "flat"] as const;

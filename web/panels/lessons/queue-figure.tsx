@@ -1,6 +1,6 @@
 import { useEffect, useMemo, useState } from "react";
-import type { Trace } from "tetrafront";
-import { FrontQueue, type QueueWork } from "../../lessons/front-queue";
+import type { FrontOrder, Trace } from "tetrafront";
+import { FrontQueue, type QueueRank, type QueueWork } from "../../lessons/front-queue";
 import { lessonStrings } from "../../strings/lessons";
 import { usePlayer } from "../player/use-player";
 import styles from "./lessons.module.css";
@@ -10,9 +10,11 @@ const texts = lessonStrings.queue;
 const levels = 4;
 /** Units of the drawing, which is scaled to the width of the panel. */
 const width = 320;
-const levelHeight = 34;
+const levelHeight = 42;
 const height = levels * levelHeight;
-const radius = { x: 19, y: 10 } as const;
+const radius = { x: 19.5, y: 15 } as const;
+
+const shownFaces = 2 ** levels - 1;
 
 interface Place {
   readonly x: number;
@@ -27,6 +29,8 @@ interface ShownQueue {
   readonly queue: FrontQueue;
   readonly step: number;
   readonly top: readonly number[];
+  /** What the faces of `top` are ordered by. */
+  readonly ranks: readonly QueueRank[];
   readonly count: number;
   readonly work: QueueWork | null;
 }
@@ -44,7 +48,8 @@ function useQueue(trace: Trace | null, step: number): ShownQueue | null {
         setShown({
           queue,
           step,
-          top: queue.faces.slice(0, 2 ** levels - 1),
+          top: queue.faces.slice(0, shownFaces),
+          ranks: queue.faces.slice(0, shownFaces).map((face) => queue.rankOf(face)),
           count: queue.faces.length,
           work: queue.work,
         });
@@ -60,8 +65,9 @@ export function QueueFigure() {
   const trace = usePlayer((state) => state.trace);
   const step = usePlayer((state) => state.step);
   const shown = useQueue(trace, step);
-  if (!shown) return null;
-  const { top, count, work } = shown;
+  if (!shown || !trace) return null;
+  const { top, ranks, count, work } = shown;
+  const { order } = trace.header;
   const [first] = top;
   const joined = new Set(work?.joined);
   return (
@@ -76,12 +82,16 @@ export function QueueFigure() {
         {top.map((face, slot) => slot > 0 && <path key={face} className={styles["axis"]} d={edgeTo(slot)} />)}
         {top.map((face, slot) => {
           const { x, y } = placeOf(slot);
+          const rank = rankText(order, ranks[slot]);
           const kind = slot === 0 ? "first" : joined.has(face) ? "joined" : undefined;
           return (
             <g key={face} className={styles["queued"]} data-kind={kind}>
               <ellipse cx={x} cy={y} rx={radius.x} ry={radius.y} />
-              <text x={x} y={y}>
+              <text x={x} y={rank === "" ? y : y - 4.5}>
                 {face}
+              </text>
+              <text x={x} y={y + 6} data-rank>
+                {rank}
               </text>
             </g>
           );
@@ -93,12 +103,21 @@ export function QueueFigure() {
         {count > top.length && <li>{texts.below(count - top.length)}</li>}
       </ul>
       <figcaption>
+        {texts.rankHint[order]} {ranks.some(({ ruleClass }) => ruleClass > 0) && `${texts.failedHint} `}
         {work
           ? texts.work(work.taken, work.left, work.joined.length, work.comparisons, count)
           : texts.noWork(count)}
       </figcaption>
     </figure>
   );
+}
+
+/** What a face is ordered by, in the order of the front; its rule class if it has failed. */
+function rankText(order: FrontOrder, rank: QueueRank | undefined): string {
+  if (!rank) return "";
+  if (rank.ruleClass > 0) return texts.ruleClass(rank.ruleClass);
+  if (order === "layered") return `${rank.size} · ${rank.layers}`;
+  return order === "smallest-first" ? String(Number(rank.size.toPrecision(2))) : "";
 }
 
 function placeOf(slot: number): Place {

@@ -90,7 +90,15 @@ function CommandItem({ command }: { readonly command: Command }) {
   const common = { disabled: !command.enabled(app), rightSection: keys, children: command.label(app) };
   const run = (): void => runCommand(app, command);
   if (command.checked) {
-    return <Menu.CheckboxItem {...common} checked={command.checked(app)} onChange={run} />;
+    return (
+      <Menu.CheckboxItem
+        {...common}
+        checked={command.checked(app)}
+        // Layers of the view are often switched one after the other; what changes the whole page ends the choice.
+        closeMenuOnClick={command.menu === "help"}
+        onChange={run}
+      />
+    );
   }
   return <Menu.Item {...common} leftSection={<span className={styles["check"]} />} onClick={run} />;
 }

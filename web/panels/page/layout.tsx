@@ -134,6 +134,7 @@ function NarrowBody({ layout }: { readonly layout: Layout }) {
   const app = useApp();
   const open = useShell((state) => state.drawer);
   const phone = layout === "phone";
+  const isBelow = (drawer: (typeof drawers)[number]["key"]): boolean => phone || drawer === "bottom";
   const panels: Readonly<Record<"left" | "right" | "bottom", ReactNode>> = {
     left: <LeftPanel />,
     right: <RightPanel />,
@@ -141,7 +142,10 @@ function NarrowBody({ layout }: { readonly layout: Layout }) {
   };
   return (
     <>
-      <div className={`${styles["body"]} ${styles["narrow"]}`} data-drawer={(phone && open) || undefined}>
+      <div
+        className={`${styles["body"]} ${styles["narrow"]}`}
+        data-drawer={(open !== null && isBelow(open) && open) || undefined}
+      >
         <Rail phone={phone} />
         <ViewportPanel layout={layout} />
       </div>
@@ -150,9 +154,9 @@ function NarrowBody({ layout }: { readonly layout: Layout }) {
           key={key}
           opened={open === key}
           position={phone ? "bottom" : key}
-          size={phone || key === "bottom" ? "62%" : 320}
+          size={isBelow(key) ? "62%" : 320}
           title={label}
-          dimmed={!phone}
+          dimmed={!isBelow(key)}
           onClose={() => app.shell.setState({ drawer: null })}
         >
           {panels[key]}

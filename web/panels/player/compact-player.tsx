@@ -12,6 +12,7 @@ import { useApp } from "../shared/app-context";
 import { JumpControl } from "./jump-control";
 import styles from "./player.module.css";
 import { ScrubBar } from "./scrub-bar";
+import { StillsHint } from "./transport";
 import { usePlayer, useToldStep, useTrace } from "./use-player";
 
 const texts = strings.player;
@@ -49,6 +50,7 @@ export function CompactPlayer() {
         <span>
           {texts.counter(step - from, to - from)}, {texts.faces(phase, frontSizeAt(trace, step))}
         </span>
+        <StillsHint />
         <JumpControl />
       </div>
     </>

@@ -3,6 +3,7 @@ import { IconPlayerRecordFilled } from "@tabler/icons-react";
 import { strings } from "../../strings";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
 import { useApp, useRun } from "../shared/app-context";
+import { useLayout } from "../shared/use-layout";
 import { JumpControl } from "./jump-control";
 import { Lens } from "./lens";
 import { OpenTrace } from "./trace-files";
@@ -125,16 +126,29 @@ function Reading() {
   );
 }
 
+function Choices() {
+  return (
+    <div className={styles["row"]}>
+      <JumpControl />
+      <ViewChoices />
+    </div>
+  );
+}
+
 function Player() {
   return (
     <div className={styles["player"]} data-testid="player">
       <section className={styles["controls"]} aria-label={texts.transport}>
         <Transport />
         <ScrubBar />
-        <div className={styles["row"]}>
-          <JumpControl />
-          <ViewChoices />
-        </div>
+        {useLayout() === "phone" ? (
+          <details className={styles["more"]} data-testid="player-more">
+            <summary>{texts.moreControls}</summary>
+            <Choices />
+          </details>
+        ) : (
+          <Choices />
+        )}
         <Failure />
       </section>
       <Lens />

@@ -1,8 +1,9 @@
 import { useMemo } from "react";
+import type { PlanePosition } from "tetrafront";
 import type { GameQuestion, GameVerdict } from "../../player/mesher-game";
 import { planePaths, windowAround } from "../../player/plane-drawing";
 import { endsOf, planeOf } from "../../player/planar-judge";
-import { strings } from "../../strings";
+import { pickText, strings } from "../../strings";
 import { PlaneCorners } from "./plane-corners";
 import styles from "./plane-view.module.css";
 
@@ -72,7 +73,55 @@ export function GameDrawing({ question, showsIdeal, chosen, verdict, onChoose }:
             </g>
           );
         })}
+        {verdict && <Picks question={question} chosen={chosen ?? null} size={size} />}
       </g>
     </svg>
+  );
+}
+
+interface PicksProps {
+  readonly question: GameQuestion;
+  readonly chosen: number | null;
+  readonly size: number;
+}
+
+/** The reader's choice in a ring, the program's in a square, with words beside them. */
+function Picks({ question, chosen, size }: PicksProps) {
+  const { front, step, program } = question;
+  const made = step.candidates.find(({ verdict }) => verdict === "accepted");
+  const own = chosen === null ? step.ideal : planeOf(front, chosen);
+  const theirs = program === null ? (made?.plane ?? step.ideal) : planeOf(front, program);
+  const isSame = chosen === program;
+  const half = 2.6 * dot * size;
+  const word = ([x, y]: PlanePosition, text: string | null) => (
+    <text
+      className={styles["pickWord"]}
+      transform={`translate(${x} ${y}) scale(1 -1)`}
+      fontSize={0.034 * size}
+      dy={-1.3 * half}
+    >
+      {text}
+    </text>
+  );
+  return (
+    <>
+      <rect
+        className={styles["programPick"]}
+        x={theirs[0] - half}
+        y={theirs[1] - half}
+        width={2 * half}
+        height={2 * half}
+        data-testid="pick-program"
+      />
+      <circle
+        className={styles["ownPick"]}
+        cx={own[0]}
+        cy={own[1]}
+        r={isSame ? 0.7 * half : half}
+        data-testid="pick-own"
+      />
+      {word(own, pickText(true, isSame))}
+      {!isSame && word(theirs, pickText(false, true))}
+    </>
   );
 }

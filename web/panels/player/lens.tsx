@@ -2,6 +2,7 @@ import { Button, Text } from "@mantine/core";
 import { lazy, Suspense, useMemo, useState } from "react";
 import type { AdvanceStep } from "tetrafront";
 import { decisive, examine, type LensCandidate } from "../../player/lens";
+import { lensSceneOf } from "../../player/lens-scene";
 import { surfaceState } from "../../player/phases";
 import { recoveryCounts } from "../../player/recovery-counts";
 import { strings } from "../../strings";
@@ -74,12 +75,15 @@ function StepUnderLens() {
   const trace = useTrace();
   const number = usePlayer((state) => state.lensStep);
   const chosen = usePlayer((state) => state.candidate);
+  const scene = usePlayer(lensSceneOf);
   const step = useMemo(() => trace.stepAt(number), [trace, number]);
   const examined = useMemo(() => {
     if (step?.kind !== "advance") return null;
+    // The view shows the same, unless it waits for the last of scrubbed states.
+    if (scene?.step.step === step.step) return scene.examined;
     const candidate = step.candidates[chosen ?? decisive(step) ?? 0];
     return candidate ? examine(trace, step, candidate) : null;
-  }, [trace, step, chosen]);
+  }, [trace, step, chosen, scene]);
   if (!step) return <Text size="sm">{texts.beforeFirst}</Text>;
   if (step.kind === "recovery")
     return <p data-testid="lens-recovery">{texts.recovery(step.change, recoveryCounts(trace, step))}</p>;
@@ -87,7 +91,12 @@ function StepUnderLens() {
     <>
       {examined && <Sentence step={step} examined={examined} />}
       {step.outcome === "postponed" && <p>{texts.postponed(step.nextRuleClass)}</p>}
-      <CandidateTable label={texts.candidates} rows={rowsOf(step)} chosen={chosen ?? decisive(step)} />
+      <CandidateTable
+        label={texts.candidates}
+        rows={rowsOf(step)}
+        chosen={chosen ?? decisive(step)}
+        scoreHint={texts.scoreHint}
+      />
       {examined?.test && (
         <Suspense fallback={null}>
           <CrossingFormula {...examined.test} />

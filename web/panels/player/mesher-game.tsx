@@ -9,11 +9,12 @@ import {
   type GameLevel,
   type GameVerdict,
 } from "../../player/mesher-game";
-import { strings } from "../../strings";
+import { pickText, strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import { GameDrawing } from "./game-drawing";
 import styles from "./plane-view.module.css";
 import { useAnswers } from "./use-answers";
+import { useGameFocus } from "./use-game-focus";
 import { useTrace } from "./use-player";
 
 const texts = strings.player.game;
@@ -32,6 +33,7 @@ export function MesherGame({ surface, state }: { readonly surface: SurfaceTrace;
   const [answers, addAnswer] = useAnswers<Answer>(trace);
   const question = useMemo(() => nextQuestion(surface, state, level), [surface, state, level]);
   const given = (question && answers.get(question.step.step)) ?? null;
+  const box = useGameFocus(question?.step.step ?? null, given !== null);
   const points = [...answers.values()].reduce((sum, { verdict }) => sum + verdict.points, 0);
   const choose = (node: number | null): void => {
     if (!question || given) return;
@@ -43,7 +45,7 @@ export function MesherGame({ surface, state }: { readonly surface: SurfaceTrace;
   };
   const nodes = question ? [...question.nodes, null] : [];
   return (
-    <div className={styles["game"]} data-testid="mesher-game">
+    <div ref={box} className={styles["game"]} data-testid="mesher-game">
       <div className={styles["header"]}>
         <SegmentedControl
           size="xs"
@@ -71,8 +73,10 @@ export function MesherGame({ surface, state }: { readonly surface: SurfaceTrace;
             key={node ?? "new"}
             size="compact-xs"
             variant={given && node === question?.program ? "filled" : "default"}
+            rightSection={given && pickText(node === given.node, node === question?.program)}
             data-testid={`game-choice-${node ?? "new"}`}
             aria-pressed={given?.node === node}
+            data-choice
             aria-disabled={given !== null}
             onClick={() => choose(node)}
           >
@@ -87,7 +91,7 @@ export function MesherGame({ surface, state }: { readonly surface: SurfaceTrace;
         {given?.verdict.isDisputed && ` ${texts.disputed}`}
       </p>
       {given && (
-        <Button size="compact-sm" className={styles["next"]} data-testid="game-next" onClick={next}>
+        <Button size="compact-sm" className={styles["next"]} data-next data-testid="game-next" onClick={next}>
           {texts.next}
         </Button>
       )}

@@ -2,6 +2,7 @@ import { Text } from "@mantine/core";
 import { lazy, Suspense, useMemo } from "react";
 import type { EdgeStep, PlanarFront, StationStep, SurfaceStep, SurfaceTrace } from "tetrafront";
 import { labelAt, type EntityLabels } from "../../player/entity-labels";
+import { scoreOf } from "../../player/planar-judge";
 import { decisiveCandidate, examineCandidate, type PlanarLensCandidate } from "../../player/planar-lens";
 import { strings } from "../../strings";
 import { formatShort } from "../../ui/format";
@@ -83,15 +84,21 @@ function EdgeUnderLens({ front, step }: { readonly front: PlanarFront; readonly 
     { ...texts.patch.nearby, value: String(step.nearbyEdges) },
     { ...texts.patch.ranked, value: String(step.rankedCandidates) },
   ];
-  const rows = step.candidates.map(({ node, isNew, verdict, culprit }) => ({
-    name: isNew ? null : node,
-    verdict: texts.verdictAt(texts.patch.verdicts[verdict], culprit),
+  const rows = step.candidates.map((candidate) => ({
+    name: candidate.isNew ? null : candidate.node,
+    score: scoreOf(front, step, candidate),
+    verdict: texts.verdictAt(texts.patch.verdicts[candidate.verdict], candidate.culprit),
   }));
   return (
     <>
       {examined && <Sentence examined={examined} />}
       {step.outcome === "postponed" && <p>{texts.patch.postponed(step.nextPass)}</p>}
-      <CandidateTable label={texts.patch.candidates} rows={rows} chosen={chosen} />
+      <CandidateTable
+        label={texts.patch.candidates}
+        rows={rows}
+        chosen={chosen}
+        scoreHint={texts.patch.scoreHint}
+      />
       {examined && (
         <Suspense fallback={null}>
           <PlanarFormula front={front} step={step} examined={examined} />

@@ -61,6 +61,8 @@ export function Transport() {
       <LoopFields />
       <Counter />
       <SpeedSelect />
+      <StillsHint />
+      <FollowCheck />
       <TraceButtons />
     </div>
   );
@@ -92,6 +94,33 @@ function SpeedSelect() {
       data={speeds.map((value) => ({ value: String(value), label: texts.speedOf(value) }))}
       onChange={(event) => player.setSpeed(Number(event.currentTarget.value))}
     />
+  );
+}
+
+/** Says that the front is played without motion. */
+export function StillsHint() {
+  const isShown = usePlayer(({ isPlaying, playsStills }) => isPlaying && playsStills);
+  return (
+    <span role="status" className={styles["hint"]} data-testid="player-stills">
+      {isShown && texts.stills}
+    </span>
+  );
+}
+
+/** Whether the view follows the base face. */
+function FollowCheck() {
+  const { player } = useApp();
+  const follows = usePlayer((state) => state.follows);
+  return (
+    <label className={styles["check"]} title={texts.followHint}>
+      <input
+        type="checkbox"
+        data-testid="player-follow"
+        checked={follows}
+        onChange={(event) => player.state.setState({ follows: event.currentTarget.checked })}
+      />
+      {texts.follow}
+    </label>
   );
 }
 

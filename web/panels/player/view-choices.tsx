@@ -9,7 +9,7 @@ const texts = strings.player;
 /** What the view shows of the front, and its colours. */
 export function ViewChoices() {
   const { player } = useApp();
-  const { coloring, faces, elements, showsRegion, follows } = usePlayer((state) => state);
+  const { coloring, faces, elements, showsRegion, fades } = usePlayer((state) => state);
   return (
     <>
       <Choice
@@ -42,14 +42,14 @@ export function ViewChoices() {
         />
         {texts.searchRegion}
       </label>
-      <label className={styles["check"]}>
+      <label className={styles["check"]} title={texts.fadeHint}>
         <input
           type="checkbox"
-          data-testid="player-follow"
-          checked={follows}
-          onChange={(event) => player.state.setState({ follows: event.currentTarget.checked })}
+          data-testid="player-fade"
+          checked={fades}
+          onChange={(event) => player.state.setState({ fades: event.currentTarget.checked })}
         />
-        {texts.follow}
+        {texts.fade}
       </label>
     </>
   );

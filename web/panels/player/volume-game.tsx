@@ -2,10 +2,11 @@ import { Button, SegmentedControl } from "@mantine/core";
 import { useEffect, useMemo, useState } from "react";
 import { levels, type GameLevel } from "../../player/mesher-game";
 import { judgeVolumeChoice, nextVolumeQuestion, type VolumeVerdict } from "../../player/volume-game";
-import { strings } from "../../strings";
+import { pickText, strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import styles from "./plane-view.module.css";
 import { useAnswers } from "./use-answers";
+import { useGameFocus } from "./use-game-focus";
 import { usePlayer, useTrace } from "./use-player";
 
 const texts = strings.player.volumeGame;
@@ -44,6 +45,7 @@ export function VolumeGame({ onEnd }: { readonly onEnd: () => void }) {
     return last ?? nextVolumeQuestion(trace, state, level);
   }, [trace, state, level, direction, isPlaying]);
   const given = (question && answers.get(question.step.step)) ?? null;
+  const box = useGameFocus(question?.step.step ?? null, given !== null);
   const points = [...answers.values()].reduce((sum, { verdict }) => sum + verdict.points, 0);
   useEffect(() => {
     if (!question || isPlaying) return undefined;
@@ -61,7 +63,7 @@ export function VolumeGame({ onEnd }: { readonly onEnd: () => void }) {
   }, [player, trace, question, given, level, isPlaying, addAnswer]);
   const choose = (node: number | null): void => player.state.getState().task?.choose(node);
   return (
-    <div className={styles["game"]} data-testid="volume-game">
+    <div ref={box} className={styles["game"]} data-testid="volume-game">
       <div className={styles["header"]}>
         <SegmentedControl
           size="xs"
@@ -89,6 +91,7 @@ export function VolumeGame({ onEnd }: { readonly onEnd: () => void }) {
         <Button
           size="compact-sm"
           className={styles["next"]}
+          data-next
           data-testid="volume-game-next"
           onClick={() => player.seek(question.step.step)}
         >
@@ -101,8 +104,10 @@ export function VolumeGame({ onEnd }: { readonly onEnd: () => void }) {
             key={node ?? "new"}
             size="compact-xs"
             variant={given && node === question?.program ? "filled" : "default"}
+            rightSection={given && pickText(node === given.node, node === question?.program)}
             data-testid={`volume-choice-${node ?? "new"}`}
             aria-pressed={given?.node === node}
+            data-choice
             aria-disabled={given !== null}
             onClick={() => choose(node)}
           >

@@ -1,10 +1,13 @@
-import { useRef } from "react";
+import { lazy, Suspense, useRef } from "react";
+import { usePlayer } from "../player/use-player";
 import { Legend } from "./legend";
 import { useViewer } from "./use-viewer";
 import { ViewCanvas } from "./view-canvas";
 import { ViewNotice } from "./viewport-overlays";
 import { ViewState } from "./view-state";
 import styles from "./viewport-panel.module.css";
+
+const LensLabels = lazy(async () => ({ default: (await import("./lens-labels")).LensLabels }));
 
 const noHover = (): void => undefined;
 
@@ -13,11 +16,17 @@ export function FrontView() {
   const container = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
   const { viewer, trouble } = useViewer(container, canvas, noHover);
+  const isReplaying = usePlayer(({ trace }) => trace !== null);
   return (
     <main className={styles["view"]}>
       <ViewState container={container} />
       <div ref={container} className={styles["canvasBox"]} data-testid="viewport">
         <ViewCanvas canvas={canvas} viewer={viewer} />
+        {viewer && isReplaying && (
+          <Suspense fallback={null}>
+            <LensLabels viewer={viewer} />
+          </Suspense>
+        )}
       </div>
       {trouble ? <ViewNotice trouble={trouble} /> : <Legend />}
     </main>

@@ -1,7 +1,7 @@
 import { useLayoutEffect, useRef, type RefObject } from "react";
 import type { Position } from "../../document/position";
 import type { Viewer } from "../../viewer/viewer";
-import { placedApart, type Label } from "./apart";
+import { placedApart, type Label } from "../../viewer/apart";
 
 /**
  * Keeps the children of an element at positions in the view. They follow the camera without rendering again. With `areApart`,

@@ -23,6 +23,7 @@ import { ViewState } from "./view-state";
 import { useShowsPlane } from "../player/use-player";
 import styles from "./viewport-panel.module.css";
 
+const LensLabels = lazy(async () => ({ default: (await import("./lens-labels")).LensLabels }));
 const PlaneView = lazy(async () => ({ default: (await import("../player/plane-view")).PlaneView }));
 
 /** Width that the column of tools covers on phones, in CSS pixels. On larger screens the model has room beside it. */
@@ -35,7 +36,9 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const [hover, setHover] = useState<Hover | null>(null);
   const hasChoices = useView((state) => state.tool !== "select");
   const showsSizes = useView((state) => state.sizes.enabled);
-  const { viewer, trouble } = useViewer(container, canvas, setHover, layout === "phone" ? phoneColumn : 0);
+  const isReplaying = useStore(useApp().player.state, ({ trace }) => trace !== null);
+  const hasColumn = layout === "phone" && !isReplaying;
+  const { viewer, trouble } = useViewer(container, canvas, setHover, hasColumn ? phoneColumn : 0);
   const hasOperation = useStore(useApp().operations.state, ({ open }) => open !== null);
   const showsPlane = useShowsPlane();
   useFitBeside(viewer, showsPlane);
@@ -44,6 +47,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
       className={styles["view"]}
       data-operation={hasOperation || undefined}
       data-split={showsPlane || undefined}
+      data-replaying={isReplaying || undefined}
     >
       <ViewState container={container} />
       <div ref={container} className={styles["canvasBox"]} data-testid="viewport">
@@ -54,6 +58,11 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
         {viewer && <PointNumbers viewer={viewer} />}
         {hover && <HoverLabel hover={hover} />}
         {viewer && <VolumeChoices viewer={viewer} />}
+        {viewer && isReplaying && (
+          <Suspense fallback={null}>
+            <LensLabels viewer={viewer} />
+          </Suspense>
+        )}
         {viewer && <DrawingMarks viewer={viewer} />}
         <SelectionOutline />
       </div>
@@ -79,14 +88,17 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
 
 /** Fits the model to the view again when the plane of a patch takes half of its width, or gives it back. */
 function useFitBeside(viewer: Viewer | null, showsPlane: boolean): void {
+  const { player } = useApp();
   const before = useRef(showsPlane);
   useEffect(() => {
     if (before.current === showsPlane) return;
     before.current = showsPlane;
+    // The view is at the base edge.
+    if (player.state.getState().follows) return;
     // The canvas gets its new size in the next frame.
     let frame = requestAnimationFrame(() => {
       frame = requestAnimationFrame(() => viewer?.fit(null));
     });
     return () => cancelAnimationFrame(frame);
-  }, [viewer, showsPlane]);
+  }, [viewer, player, showsPlane]);
 }

@@ -1,0 +1,165 @@
+/** What the lens marks in the view: the part of a face in a new element, and the labels. */
+import { describe, expect, it } from "vitest";
+import { readTrace, type AdvanceStep, type Trace } from "tetrafront";
+import type { Position } from "../../../web/document/position";
+import { areaVector, distance } from "../../../web/document/vectors";
+import type { Triangle } from "../../../web/player/crossing";
+import { frontDrawing } from "../../../web/player/front-drawing";
+import { cornersOf, weightsOf, type NewElement } from "../../../web/player/judge";
+import { lensMarks } from "../../../web/player/lens-marks";
+import { lensSceneOf } from "../../../web/player/lens-scene";
+import { initialPlayerState, type PlayerState } from "../../../web/player/player";
+import { nearestOnFace, partInElement } from "../../../web/player/overlap";
+import { randomSource } from "../../support/random";
+import { boxSurface } from "../../support/surfaces";
+import { starSurface, starTrace } from "../../support/traces";
+
+const random = randomSource(2027);
+const unit = (): number => random() / 2 ** 32;
+const anywhere = (): Position => [unit(), unit(), unit()];
+
+function readStar(): Trace {
+  const { bytes } = starTrace({
+    ...starSurface(boxSurface(3, [-1, -1, -1], [1, 1, 1])),
+    postponeEvery: 6,
+    reopenAfter: 20,
+  });
+  const read = readTrace(bytes);
+  if (!read.success) throw new Error(read.errors[0].message);
+  return read.value;
+}
+
+describe("the part of a face in an element", () => {
+  it("has the area that random positions of the face find in the element", () => {
+    for (let round = 0; round < 20; round++) {
+      const corners: NewElement["corners"] = [anywhere(), anywhere(), anywhere(), anywhere()];
+      const face: Triangle = [anywhere(), anywhere(), anywhere()];
+      const whole = Math.hypot(...areaVector(face));
+      const part = partInElement(corners, face);
+      const share = part.length < 3 ? 0 : Math.hypot(...areaVector(part)) / whole;
+      let inside = 0;
+      const samples = 4000;
+      for (let i = 0; i < samples; i++) {
+        const [r, s] = [Math.sqrt(unit()), unit()];
+        const weights = [1 - r, r * (1 - s), r * s];
+        const position = [0, 1, 2].map((axis) =>
+          face.reduce((sum, corner, k) => sum + (weights[k] ?? 0) * (corner[axis] ?? 0), 0),
+        );
+        const [x = 0, y = 0, z = 0] = position;
+        if (weightsOf(corners, [x, y, z]).every((weight) => weight >= 0)) inside++;
+      }
+      expect(Math.abs(share - inside / samples), `round ${round}`).toBeLessThan(0.04);
+    }
+  });
+
+  it("is the whole face inside, and nothing apart from it", () => {
+    const corners: NewElement["corners"] = [
+      [0, 0, 0],
+      [3, 0, 0],
+      [0, 3, 0],
+      [0, 0, 3],
+    ];
+    const inside: Triangle = [
+      [0.1, 0.1, 0.1],
+      [0.5, 0.1, 0.1],
+      [0.1, 0.5, 0.2],
+    ];
+    const beyond = inside.map(([x, y, z]): Position => [x + 9, y, z]) as unknown as Triangle;
+    expect(partInElement(corners, inside)).toEqual(inside);
+    expect(partInElement(corners, beyond)).toEqual([]);
+  });
+});
+
+it("no position of a face is nearer than the nearest one", () => {
+  for (let round = 0; round < 50; round++) {
+    const face: Triangle = [anywhere(), anywhere(), anywhere()];
+    const from = anywhere();
+    const nearest = distance(from, nearestOnFace(face, from));
+    for (let i = 0; i < 50; i++) {
+      const [r, s] = [Math.sqrt(unit()), unit()];
+      const at = [0, 1, 2].map(
+        (axis) =>
+          (1 - r) * (face[0][axis] ?? 0) + r * (1 - s) * (face[1][axis] ?? 0) + r * s * (face[2][axis] ?? 0),
+      );
+      const [x = 0, y = 0, z = 0] = at;
+      expect(distance(from, [x, y, z])).toBeGreaterThanOrEqual(nearest - 1e-12);
+    }
+  }
+});
+
+describe("the marks of a step", () => {
+  const trace = readStar();
+  const stateAt = (step: number, change: Partial<PlayerState> = {}): PlayerState => ({
+    ...initialPlayerState,
+    trace,
+    step,
+    lensStep: step,
+    ...change,
+  });
+  const stepWith = (verdict: string): readonly [AdvanceStep, number] => {
+    for (let number = 1; number <= trace.stepCount; number++) {
+      const step = trace.stepAt(number);
+      const index = step?.kind === "advance" ? step.candidates.findIndex((c) => c.verdict === verdict) : -1;
+      if (step?.kind === "advance" && index >= 0) return [step, index];
+    }
+    throw new Error(`No candidate is ${verdict}`);
+  };
+
+  it("name the base face, the candidate and the face it would cross by the numbers of the sentence", () => {
+    const [step, candidate] = stepWith("crosses");
+    const scene = lensSceneOf(stateAt(step.step, { candidate }));
+    if (!scene) throw new Error("The lens shows nothing");
+    const marks = lensMarks(scene);
+    const { node, culprit } = step.candidates[candidate] ?? {};
+    const texts = marks.labels.map(({ text }) => text.replace(/,/g, ""));
+    expect(texts).toContain(`base ${step.face}`);
+    expect(texts).toContain(`node ${node}`);
+    expect(texts).toContain(`face ${culprit}`);
+    expect(marks.base).toEqual(cornersOf(trace, step.face));
+    expect(marks.culprit).toEqual(cornersOf(trace, culprit ?? 0));
+    expect(marks.isAccepted).toBe(false);
+    expect(marks.ideal).toEqual([step.idealPoint]);
+    expect(marks.others).toHaveLength(step.candidates.length - 1);
+  });
+
+  it("of an accepted candidate show the element, and nothing that fails", () => {
+    const [step, candidate] = stepWith("accepted");
+    const scene = lensSceneOf(stateAt(step.step, { candidate }));
+    if (!scene) throw new Error("The lens shows nothing");
+    const marks = lensMarks(scene);
+    expect(marks.isAccepted).toBe(true);
+    expect(marks.newFaces).toHaveLength(9);
+    expect(marks.labels.filter(({ kind }) => kind === "failing")).toEqual([]);
+    for (const nothing of [marks.culprit, marks.failingSide, marks.overlap, marks.crossing])
+      expect(nothing).toEqual([]);
+  });
+
+  it("are the same object for the same state, and none while the front is played", () => {
+    const [step] = stepWith("accepted");
+    const scene = lensSceneOf(stateAt(step.step));
+    expect(lensSceneOf(stateAt(step.step))).toBe(scene);
+    expect(lensSceneOf(stateAt(step.step, { isPlaying: true }))).toBeNull();
+    expect(lensSceneOf(stateAt(step.step, { lensStep: step.step - 1 }))).toBeNull();
+  });
+
+  it("are in drawings with their labels, and fade the front if that is chosen", () => {
+    const [step, candidate] = stepWith("crosses");
+    const state = stateAt(step.step, { candidate, faces: "all" });
+    const scene = lensSceneOf(state);
+    const view = {
+      width: 300,
+      height: 300,
+      eye: [0, 0, 1000] as Position,
+      toScreen: ([x, y]: Position) => ({ x: 150 + 80 * x, y: 150 - 80 * y }),
+    };
+    const drawing = frontDrawing(trace, { ...state, scene, fades: true }, view);
+    for (const { text } of scene ? lensMarks(scene).labels : []) expect(drawing).toContain(`>${text}</text>`);
+    expect(drawing).not.toMatch(/NaN|undefined|null/);
+    const fills = (text: string) => [...text.matchAll(/" fill="(#\w{6})"\/>/g)].map(([, color]) => color);
+    const plain = frontDrawing(trace, { ...state, scene, fades: false }, view);
+    expect(fills(drawing)).not.toEqual(fills(plain));
+    expect(fills(plain).slice(0, 5)).toEqual(
+      fills(frontDrawing(trace, { ...state, scene: null, fades: true }, view)).slice(0, 5),
+    );
+  });
+});

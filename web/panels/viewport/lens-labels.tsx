@@ -1,0 +1,74 @@
+import { useLayoutEffect, useMemo, useRef } from "react";
+import { lensMarks } from "../../player/lens-marks";
+import { lensSceneOf } from "../../player/lens-scene";
+import { strings } from "../../strings";
+import type { Viewer } from "../../viewer/viewer";
+import { usePlayer } from "../player/use-player";
+import { placedAround, type Label } from "../../viewer/apart";
+import styles from "./lens-labels.module.css";
+
+/** What the lens shows in the view, by name and number, with lines to it. The panel says the same for screen readers. */
+export function LensLabels({ viewer }: { readonly viewer: Viewer }) {
+  const scene = usePlayer(lensSceneOf);
+  const labels = useMemo(() => (scene ? lensMarks(scene).labels : []), [scene]);
+  const box = useRef<HTMLDivElement>(null);
+  const lines = useRef<SVGSVGElement>(null);
+  useLayoutEffect(() => {
+    const follow = (): void => {
+      const shown: (Label & { readonly marker: HTMLElement; readonly line: Element | undefined })[] = [];
+      labels.forEach(({ position }, i) => {
+        const marker = box.current?.children[i];
+        const line = lines.current?.children[i];
+        if (!(marker instanceof HTMLElement)) return;
+        const at = viewer.toScreen(position);
+        marker.style.display = at ? "" : "none";
+        line?.setAttribute("display", at ? "inline" : "none");
+        if (at) shown.push({ ...at, width: marker.offsetWidth, height: marker.offsetHeight, marker, line });
+      });
+      const places = placedAround(shown, viewer.size);
+      shown.forEach(({ x, y, marker, line }, i) => {
+        const place = places[i] ?? { x, y };
+        marker.style.transform = `translate(${place.x}px, ${place.y}px) translate(-50%, -50%)`;
+        const ends = { x1: x, y1: y, x2: place.x, y2: place.y };
+        for (const [name, value] of Object.entries(ends)) line?.setAttribute(name, value.toFixed(1));
+      });
+    };
+    follow();
+    return viewer.onDrawn(follow);
+  }, [viewer, labels]);
+  return (
+    <>
+      <div aria-hidden data-testid="lens-labels">
+        <svg ref={lines} className={styles["lines"]}>
+          {labels.map(({ kind }, i) => (
+            // Labels have no identity beside their order.
+            <line key={i} data-kind={kind} />
+          ))}
+        </svg>
+        <div ref={box}>
+          {labels.map(({ kind, text }, i) => (
+            // As above.
+            <span key={i} className={styles["label"]} data-kind={kind}>
+              {text}
+            </span>
+          ))}
+        </div>
+      </div>
+      {scene && <MarkLegend />}
+    </>
+  );
+}
+
+/** What the colours of the marks mean. */
+function MarkLegend() {
+  const names = strings.player.marks.legend;
+  return (
+    <ul className={styles["legend"]} aria-label={strings.player.lens} data-testid="lens-legend">
+      {(["base", "ideal", "candidate", "failing"] as const).map((kind) => (
+        <li key={kind} data-kind={kind}>
+          {names[kind]}
+        </li>
+      ))}
+    </ul>
+  );
+}

@@ -1,0 +1,87 @@
+/** What the lens examines in a state of the player: for the view, the panel and drawings. */
+import type { AdvanceStep, Trace, TracedCandidate } from "tetrafront";
+import { decisive, examine, type LensCandidate } from "./lens";
+import type { PlayerState } from "./player";
+import { searchRegionOf, type SearchRegion } from "./search-region";
+import { chosenCandidate, type VolumeTask } from "./volume-game";
+
+/** A step of the volume with the examined candidate. */
+export interface LensScene {
+  readonly trace: Trace;
+  readonly step: AdvanceStep;
+  readonly examined: LensCandidate | null;
+  /** The other candidates of the step. */
+  readonly others: readonly TracedCandidate[];
+  readonly region: SearchRegion | null;
+  readonly showsIdeal: boolean;
+  /** Whether nodes have labels of another kind: those to choose from. */
+  readonly isGame: boolean;
+}
+
+type Examined = Pick<
+  PlayerState,
+  "step" | "lensStep" | "isPlaying" | "sweep" | "candidate" | "showsRegion" | "task"
+>;
+
+/** What was examined last in each trace: the view and the panels ask for the same. */
+const known = new WeakMap<Trace, { readonly state: Examined; readonly scene: LensScene | null }>();
+
+/**
+ * Returns the scene of a state; null while the front is played or scrubbed, and in steps that complete no face. It is the same
+ * object as long as the state shows the same. O(faces of the front) for a new one.
+ */
+export function lensSceneOf(state: PlayerState): LensScene | null {
+  const { trace } = state;
+  if (!trace) return null;
+  const before = known.get(trace);
+  if (before && isSame(before.state, state)) return before.scene;
+  const scene = sceneOf(trace, state);
+  known.set(trace, { state, scene });
+  return scene;
+}
+
+function isSame(a: Examined, b: Examined): boolean {
+  return (
+    a.step === b.step &&
+    a.lensStep === b.lensStep &&
+    a.isPlaying === b.isPlaying &&
+    a.sweep === b.sweep &&
+    a.candidate === b.candidate &&
+    a.showsRegion === b.showsRegion &&
+    a.task === b.task
+  );
+}
+
+function sceneOf(trace: Trace, state: Examined): LensScene | null {
+  if (state.task) return taskScene(trace, state.task);
+  // While the front is played or scrubbed, only its faces change.
+  if (state.isPlaying || state.step !== state.lensStep || state.sweep !== null) return null;
+  const step = trace.stepAt(state.lensStep);
+  if (step?.kind !== "advance") return null;
+  const index = state.candidate ?? decisive(step);
+  const chosen = index === null ? undefined : step.candidates[index];
+  return {
+    trace,
+    step,
+    examined: chosen ? examine(trace, step, chosen) : null,
+    others: step.candidates.filter((candidate) => candidate !== chosen),
+    region: state.showsRegion ? searchRegionOf(trace, step) : null,
+    showsIdeal: true,
+    isGame: false,
+  };
+}
+
+/** The base face that is asked for, and what the choice would make. */
+function taskScene(trace: Trace, task: VolumeTask): LensScene {
+  const { step } = task.question;
+  const chosen = chosenCandidate(trace, task);
+  return {
+    trace,
+    step,
+    examined: chosen && examine(trace, step, chosen),
+    others: [],
+    region: null,
+    showsIdeal: task.showsIdeal,
+    isGame: true,
+  };
+}
