@@ -2,9 +2,10 @@ import type { LineType, Project, ProjectLine } from "tetrafront";
 import { entityNouns, stepNames } from "../strings";
 import { addPoint, nextId, type Creation } from "./create";
 import type { Entity } from "./entities";
-import { keepCoordinates } from "./expression-edits";
+import { coordinatesOf, keepCoordinates } from "./expression-edits";
 import { diagonalOf } from "./extent";
 import type { Position } from "./position";
+import { quantityPosition, type QuantityPosition } from "./quantity-positions";
 import { distance } from "./vectors";
 
 /** A place that the user has picked: a point of the project, or a position at which to create one. */
@@ -15,6 +16,10 @@ export interface Place {
   /** What the coordinates were typed as; null for plain numbers. */
   readonly expressions?: readonly (string | null)[];
 }
+
+/** Returns the coordinates of a place with the expressions from which they are computed. */
+export const quantitiesAt = (project: Project, { point, position, expressions }: Place): QuantityPosition =>
+  quantityPosition(position, point === null ? expressions : coordinatesOf(project, point));
 
 /** Positions closer than this are one point, relative to the extent of the model: as in the engine. */
 const coincidence = 1e-9;
@@ -79,7 +84,7 @@ export function drawLine(project: Project, type: LineType, places: readonly Plac
             position: [...point.position] as [number, number, number],
           })),
         );
-        for (const point of created) keepCoordinates(draft, point.id, point.expressions);
+        keepCoordinates(draft, created);
         draft.lines.push({ id, type, points: [...ids] });
       },
     },

@@ -45,21 +45,29 @@ export function keepingExpressions(edit: DraftEdit, kept: readonly KeptExpressio
   };
 }
 
-/** Keeps the expressions of the coordinates of a new point; null for a coordinate without one. */
-export function keepCoordinates(
-  project: ProjectDraft,
-  point: number,
-  expressions: readonly (string | null)[] = [],
-): void {
-  const kept = expressions.map((expression, axis): KeptExpression => ({
-    path: { kind: "point", id: point, field: `position.${axis}` },
-    expression,
-  }));
+/** A new point with the expressions of its coordinates; null for a coordinate without one. */
+export interface TypedPoint {
+  readonly id: number;
+  readonly expressions?: readonly (string | null)[] | undefined;
+}
+
+/** Keeps the expressions of the coordinates of new points. O(points + expressions of the project). */
+export function keepCoordinates(project: ProjectDraft, points: readonly TypedPoint[]): void {
+  const kept = points.flatMap(({ id, expressions = [] }) =>
+    expressions.map((expression, axis): KeptExpression => ({
+      path: { kind: "point", id, field: `position.${axis}` },
+      expression,
+    })),
+  );
   keep(
     project,
     kept.filter(({ expression }) => expression !== null),
   );
 }
+
+/** Returns the expressions of the coordinates of a point; null for a coordinate without one. */
+export const coordinatesOf = (project: Project, id: number): readonly (string | null)[] =>
+  [0, 1, 2].map((axis) => expressionOf(project, { kind: "point", id, field: `position.${axis}` }) ?? null);
 
 function keep(project: ProjectDraft, kept: readonly KeptExpression[]): void {
   if (kept.length === 0) return;

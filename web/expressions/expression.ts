@@ -49,7 +49,7 @@ export function namesIn(expression: string): ReadonlySet<string> {
 
 /** Returns whether a name is that of a function or constant. */
 export const isReservedName = (name: string): boolean =>
-  Object.hasOwn(functions, name.toLowerCase()) || Object.hasOwn(constants, name.toLowerCase());
+  isFunction(name.toLowerCase()) || Object.hasOwn(constants, name.toLowerCase());
 
 /** Returns the names of all functions and constants. */
 export const reservedNames = (): readonly string[] => [...Object.keys(functions), ...Object.keys(constants)];
@@ -64,16 +64,23 @@ function sine(angle: number): number {
   return exact ?? Math.sin(angle * degrees);
 }
 
-const functions: Readonly<Record<string, (x: number) => number>> = {
+const functions = {
   sqrt: Math.sqrt,
   abs: Math.abs,
   sin: sine,
-  cos: (angle) => sine(angle + 90),
-  tan: (angle) => Math.tan(angle * degrees),
-  asin: (x) => Math.asin(x) / degrees,
-  acos: (x) => Math.acos(x) / degrees,
-  atan: (x) => Math.atan(x) / degrees,
+  cos: (angle: number) => sine(angle + 90),
+  tan: (angle: number) => Math.tan(angle * degrees),
+  asin: (x: number) => Math.asin(x) / degrees,
+  acos: (x: number) => Math.acos(x) / degrees,
+  atan: (x: number) => Math.atan(x) / degrees,
 };
+
+export type FunctionName = keyof typeof functions;
+
+const isFunction = (name: string): name is FunctionName => Object.hasOwn(functions, name);
+
+/** Returns the value of a function. Angles are in degrees. */
+export const applied = (name: FunctionName, x: number): number => functions[name](x);
 
 const constants: Readonly<Record<string, number>> = { pi: Math.PI };
 
@@ -140,10 +147,9 @@ class ExpressionReader {
     if (token === undefined) return null;
     if (token === "(") return this.#closed();
     const lowerCase = token.toLowerCase();
-    const apply = Object.hasOwn(functions, lowerCase) ? functions[lowerCase] : undefined;
-    if (apply && this.#take("(")) {
+    if (isFunction(lowerCase) && this.#take("(")) {
       const value = this.#closed();
-      return value === null ? null : apply(value);
+      return value === null ? null : applied(lowerCase, value);
     }
     const constant = Object.hasOwn(constants, lowerCase) ? constants[lowerCase] : undefined;
     return constant ?? this.#named.get(token) ?? (/^[\d.]/.test(token) ? Number(token) : null);

@@ -13,6 +13,8 @@ import { aboveZero, stepFor } from "../shared/size-fields";
 
 type PositionedKind = "point" | "background-node";
 type Position = readonly [number, number, number];
+/** What the coordinates were typed as; null for plain numbers. */
+type Expressions = readonly [string | null, string | null, string | null];
 
 const dialogOf = { point: "new-point", "background-node": "new-node" } as const;
 
@@ -37,24 +39,31 @@ function useNewEntity(kind: PositionedKind) {
   const project = useProject();
   const last = recordsOf(project, kind).at(-1);
   const [position, setPosition] = useState<Position>(() => last?.position ?? [0, 0, 0]);
+  const [expressions, setExpressions] = useState<Expressions>([null, null, null]);
   const [size, setSize] = useState(() => recordsOf(project, "background-node").at(-1)?.size ?? 0.1);
   const [added, setAdded] = useState<string | null>(null);
   const add = (): void => {
     const current = app.documents.project;
     const creation =
-      kind === "point" ? addPoint(current, position) : addBackgroundNode(current, position, size);
+      kind === "point"
+        ? addPoint(current, position, expressions)
+        : addBackgroundNode(current, position, size);
     create(app, creation);
     const [entity] = creation.entities;
     setAdded(entity ? `${entityWords[kind].one.toLowerCase()} ${entity.id}` : null);
   };
-  return { position, setPosition, size, setSize, added, add };
+  const setCoordinate = (axis: 0 | 1 | 2, value: number, expression: string | null): void => {
+    setPosition(([x, y, z]) => with3([x, y, z], axis, value));
+    setExpressions(([x, y, z]) => with3([x, y, z], axis, expression));
+  };
+  return { position, expressions, setCoordinate, size, setSize, added, add };
 }
 
 /** Keeps the coordinates for the next point, because points often share some. */
 function PositionForm({ kind }: { readonly kind: PositionedKind }) {
   const app = useApp();
   const project = useProject();
-  const { position, setPosition, size, setSize, added, add } = useNewEntity(kind);
+  const { position, expressions, setCoordinate, size, setSize, added, add } = useNewEntity(kind);
   const fields = useRef<HTMLDivElement>(null);
   const apply = (action: string): void => {
     add();
@@ -70,7 +79,8 @@ function PositionForm({ kind }: { readonly kind: PositionedKind }) {
           step={stepFor(project)}
           testId="new"
           first
-          onCommit={(axis, value) => setPosition(([x, y, z]) => withCoordinate([x, y, z], axis, value))}
+          {...(kind === "point" && { expressions: expressions.map((text) => text ?? undefined) })}
+          onCommit={setCoordinate}
         />
       </div>
       {kind === "background-node" && <SizeRow size={size} onCommit={setSize} />}
@@ -110,6 +120,10 @@ function SizeRow({ size, onCommit }: SizeRowProps) {
   );
 }
 
-function withCoordinate([x, y, z]: Position, axis: 0 | 1 | 2, value: number): Position {
+function with3<Item>(
+  [x, y, z]: readonly [Item, Item, Item],
+  axis: 0 | 1 | 2,
+  value: Item,
+): readonly [Item, Item, Item] {
   return [axis === 0 ? value : x, axis === 1 ? value : y, axis === 2 ? value : z];
 }

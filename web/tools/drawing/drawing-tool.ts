@@ -2,14 +2,17 @@ import { Group } from "three";
 import type { Creation } from "../../document/create";
 import { placeAt, type Place } from "../../document/draw";
 import { entityKey } from "../../document/entities";
+import { expressionFrom } from "../../document/expression-edits";
 import { linePaths, type LinePath } from "../../document/line-paths";
 import type { Position } from "../../document/position";
+import type { QuantityPosition } from "../../document/quantity-positions";
 import type { ViewStore } from "../../document/selection";
 import { fromFrame, toFrame, type Frame } from "../../document/vectors";
 import { planeOfPatch } from "../../document/patch-planes";
 import { onPlane, planeAlong, roundStep, roundTo, type Ray } from "../../document/work-plane";
 import { readNumber } from "../../expressions/expression";
 import { parameterValues } from "../../expressions/parameters";
+import { quantity, type Quantity } from "../../expressions/quantity";
 import type { DocumentStore } from "../../session/document-store";
 import type { PreviewFeed } from "../../session/preview";
 import { DrawingLayer, type Sketch } from "../../viewer/layers/drawing-layer";
@@ -54,7 +57,7 @@ export abstract class DrawingTool implements Tool, TypedInput {
   /** Uses a place that was clicked or typed. */
   protected abstract pick(place: Place, pointer: ToolPointer | null): void;
   /** The place picked last, to which typed coordinates refer. */
-  protected abstract last(): Position | null;
+  protected abstract last(): QuantityPosition | null;
   /** Ends what is being drawn, by Enter or a double click. */
   protected abstract finish(): void;
   /** Removes the place picked last. Returns false if there is none. */
@@ -106,7 +109,7 @@ export abstract class DrawingTool implements Tool, TypedInput {
   take(text: string): DrawingState["mistake"] {
     const named = parameterValues(this.stores.documents.project.parameters);
     const number = readNumber(text, named);
-    const used = number === null ? undefined : this.takeNumber(number);
+    const used = number === null ? undefined : this.takeNumber(quantity(number, expressionFrom(text)));
     if (used !== undefined) {
       if (used === null) this.snap = null;
       this.refresh(null);
@@ -128,7 +131,7 @@ export abstract class DrawingTool implements Tool, TypedInput {
   }
 
   /** Uses a typed number. Returns why it cannot be used; null if it was; undefined if it has no meaning. */
-  protected takeNumber(_number: number): DrawingState["mistake"] | undefined {
+  protected takeNumber(_number: Quantity): DrawingState["mistake"] | undefined {
     return undefined;
   }
 

@@ -1,10 +1,18 @@
-import type { LineType } from "tetrafront";
-import { circleThrough, middleOfArc, onArc } from "../../document/arcs";
-import { drawLine, placeAt, samePlace, type Place } from "../../document/draw";
+import { LIMITS, type LineType } from "tetrafront";
+import { circleThrough, onArc, quantityMiddleOfArc } from "../../document/arcs";
+import { drawLine, placeAt, quantitiesAt, samePlace, type Place } from "../../document/draw";
 import { findRecord } from "../../document/entities";
 import { turned } from "../../document/circles";
 import type { Position } from "../../document/position";
-import { addScaled } from "../../document/vectors";
+import {
+  addQuantities,
+  formulaTexts,
+  scaleQuantities,
+  turnedQuantities,
+  valuesOf,
+  type QuantityPosition,
+} from "../../document/quantity-positions";
+import { valueOf, type Quantity } from "../../expressions/quantity";
 import { sampledCurve } from "../../viewer/curves";
 import { emptySketch, type Sketch } from "../../viewer/layers/drawing-layer";
 import type { Layer } from "../../viewer/layers/layer";
@@ -73,26 +81,28 @@ export class LineTool extends DrawingTool {
     } else if (closes || this.#places.length >= this.#placeCount) this.#add();
   }
 
-  protected last(): Position | null {
-    return this.#places.at(-1)?.position ?? null;
+  protected last(): QuantityPosition | null {
+    const last = this.#places.at(-1);
+    return last ? quantitiesAt(this.project, last) : null;
   }
 
   /** A number is the radius of the circle around the picked centre, or of the arc between the two picked places. */
-  protected override takeNumber(radius: number): DrawingState["mistake"] | undefined {
+  protected override takeNumber(radius: Quantity): DrawingState["mistake"] | undefined {
     const [first, second] = this.picked > 0 ? this.#places : [];
     const isCircle = this.#type === "circle" && !this.#isThroughThree && this.picked === 1;
     const isArc = this.#type === "arc" && this.picked === 2;
     if (!first || (!isCircle && !isArc)) return undefined;
-    if (radius <= 0) return "no-radius";
+    if (valueOf(radius) <= 0) return "no-radius";
+    const centre = quantitiesAt(this.project, first);
     if (isCircle) {
-      this.pick(placeAt(this.project, addScaled(first.position, this.frame.x, radius)));
+      this.pick(this.#computed(addQuantities(centre, scaleQuantities(this.frame.x, radius))));
       return null;
     }
     if (!second) return undefined;
-    const ends = [first.position, second.position] as const;
-    const middle = middleOfArc(ends, radius, this.frame.z, this.seen);
+    const ends = [centre, quantitiesAt(this.project, second)] as const;
+    const middle = quantityMiddleOfArc(ends, radius, this.frame.z, this.seen);
     if (!middle) return "short-radius";
-    this.#places = [first, placeAt(this.project, middle), second];
+    this.#places = [first, this.#computed(middle), second];
     this.#add();
     return null;
   }
@@ -187,9 +197,17 @@ export class LineTool extends DrawingTool {
     const [centre, on] = this.#places;
     if (!centre || !on) return [];
     if (this.#isThroughThree) return [...this.#places, centre];
+    const [middle, from] = [quantitiesAt(this.project, centre), quantitiesAt(this.project, on)];
     const third = (turns: number): Place =>
-      placeAt(this.project, turned(on.position, centre.position, this.frame.z, turns / 3));
+      this.#computed(turnedQuantities(from, middle, this.frame.z, turns / 3));
     return [on, third(1), third(2), on];
+  }
+
+  /** Returns the place at a computed position, with the expressions of its coordinates unless they are too long. */
+  #computed(position: QuantityPosition): Place {
+    const texts = formulaTexts(position);
+    const isTooLong = texts.some((text) => (text ?? "").length > LIMITS.expression);
+    return placeAt(this.project, valuesOf(position), isTooLong ? [] : texts);
   }
 
   /** Returns positions along the circle around the first of two positions, or through three. */

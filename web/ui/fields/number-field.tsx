@@ -42,6 +42,9 @@ function stepOf(event: KeyboardEvent, step: number): number {
 /** Returns the text of a number that is not being typed. */
 const textOf = (value: number | null): string => (value === null ? "" : formatNumber(value));
 
+/** Returns a typed text if it is an expression; null for a plain number. */
+const keptFrom = (text: string): string | null => (text === "" || isPlainNumber(text) ? null : text);
+
 /** The text that is being typed into a number field; null if the field shows its value. */
 function useNumberDraft(
   { value, expression, refuse, live = false, onCommit }: NumberFieldProps,
@@ -61,7 +64,7 @@ function useNumberDraft(
     setError(reason);
     if (next === null || reason !== null) return false;
     setDraft(null);
-    const kept = text === "" || isPlainNumber(text) ? null : text;
+    const kept = keptFrom(text);
     if (next !== value || kept !== (expression ?? null)) onCommit(next, kept);
     return true;
   };
@@ -75,7 +78,9 @@ function useNumberDraft(
   const type = (text: string): void => {
     setDraft(text);
     const typed = live ? readNumber(text, named) : null;
-    if (typed !== null && typed !== value && (refuse?.(typed) ?? null) === null) onCommit(typed, null);
+    const kept = keptFrom(text.trim());
+    const isNew = typed !== value || kept !== (expression ?? null);
+    if (typed !== null && isNew && (refuse?.(typed) ?? null) === null) onCommit(typed, kept);
   };
   const step = (change: number): boolean =>
     take(
