@@ -140,6 +140,10 @@ test("bodies are edited together; their sizes use parameters, and the estimate n
 
 test("pieces and circles made from expressions follow their parameters", async ({ page }) => {
   const app = new AppPage(page);
+  await page.addInitScript(() => {
+    Reflect.deleteProperty(window, "showOpenFilePicker");
+    Reflect.deleteProperty(window, "showSaveFilePicker");
+  });
   await page.goto("./?new=1&test=1");
   await expect(app.viewport).toHaveAttribute("data-status", "none");
   await page.getByTestId("new-parameter-name").fill("r");
