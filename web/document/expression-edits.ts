@@ -52,7 +52,10 @@ export interface TypedPoint {
 }
 
 /** Keeps the expressions of the coordinates of new points. O(points + expressions of the project). */
-export function keepCoordinates(project: ProjectDraft, points: readonly TypedPoint[]): void {
+export function keepCoordinates(
+  project: Pick<ProjectDraft, "expressions">,
+  points: readonly TypedPoint[],
+): void {
   const kept = points.flatMap(({ id, expressions = [] }) =>
     expressions.map((expression, axis): KeptExpression => ({
       path: { kind: "point", id, field: `position.${axis}` },
@@ -69,7 +72,7 @@ export function keepCoordinates(project: ProjectDraft, points: readonly TypedPoi
 export const coordinatesOf = (project: Project, id: number): readonly (string | null)[] =>
   [0, 1, 2].map((axis) => expressionOf(project, { kind: "point", id, field: `position.${axis}` }) ?? null);
 
-function keep(project: ProjectDraft, kept: readonly KeptExpression[]): void {
+function keep(project: Pick<ProjectDraft, "expressions">, kept: readonly KeptExpression[]): void {
   if (kept.length === 0) return;
   const { expressions = [] } = project;
   // A search in the draft would make a draft of every expression.

@@ -47,6 +47,7 @@ export const synonyms: Readonly<Record<string, string>> = {
   "boolean-difference": "boolean subtract cut minus bodies",
   "boolean-intersection": "boolean common intersect bodies",
   hole: "cut opening drill",
+  "split-line": "divide break cut insert point vertex trim",
   fit: "zoom all extents home",
   "fit-selection": "zoom to focus",
   cut: "section clip slice plane",

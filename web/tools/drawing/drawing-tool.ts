@@ -1,6 +1,6 @@
 import { Group } from "three";
 import type { Creation } from "../../document/create";
-import { placeAt, type Place } from "../../document/draw";
+import { placeAt, placeOnLines, type Place } from "../../document/draw";
 import { entityKey } from "../../document/entities";
 import { expressionFrom } from "../../document/expression-edits";
 import { linePaths, type LinePath } from "../../document/line-paths";
@@ -169,7 +169,8 @@ export abstract class DrawingTool implements Tool, TypedInput {
     this.stores.view.selectAll(entities);
   }
 
-  protected placeOf({ kind, id, position }: Snap): Place {
+  protected placeOf({ kind, id, position, lines }: Snap): Place {
+    if (lines) return placeOnLines(this.project, lines, position);
     return kind === "point" ? { point: id, position } : placeAt(this.project, position);
   }
 
