@@ -554,3 +554,35 @@ test("typed lines that cross bound four loops; a line is split where its menu is
   expect(positions.at(-1)?.[0]).toBeCloseTo(0.8, 1);
   expect(positions.at(-1)?.[1]).toBeCloseTo(0.4, 12);
 });
+
+test("a circle drawn on a face of a box lies in its plane, by clicks and by a typed radius", async ({
+  page,
+}) => {
+  const draw = new DrawPage(page);
+  await page.addInitScript(() => {
+    Reflect.deleteProperty(window, "showOpenFilePicker");
+    Reflect.deleteProperty(window, "showSaveFilePicker");
+  });
+  await draw.openNew();
+  await page.getByTestId("create-box").click();
+  await page.getByTestId("accept").click();
+  await draw.counts(8, 12, 6);
+  await page.getByTestId("tool-line").click();
+  await page.getByTestId("drawing-bar").getByText("circle", { exact: true }).click();
+  await draw.click([0.5, 0, 0.5]);
+  await draw.hover([0.5, 0.2, 0.5]);
+  await draw.click([0.5, 0.2, 0.5]);
+  await draw.counts(11, 13, 6);
+  await draw.click([0, -0.5, 0.5]);
+  await draw.typeCoordinates("0.25");
+  await draw.counts(14, 14, 6);
+  const positions = await draw.savedPositions();
+  for (const [x, y, z] of positions.slice(8, 11)) {
+    expect(x).toBeCloseTo(0.5, 12);
+    expect(Math.hypot(y, z - 0.5)).toBeGreaterThan(0.1);
+  }
+  for (const [x, y, z] of positions.slice(11)) {
+    expect(y).toBeCloseTo(-0.5, 12);
+    expect(Math.hypot(x, z - 0.5)).toBeCloseTo(0.25, 2);
+  }
+});

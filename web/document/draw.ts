@@ -21,6 +21,8 @@ export interface Place {
   readonly expressions?: readonly (string | null)[];
   /** Ids of the lines on which it was found: a line that ends there splits them. */
   readonly lines?: readonly number[];
+  /** Id of the patch on which it was found. */
+  readonly patch?: number;
 }
 
 /** Returns the coordinates of a place with the expressions from which they are computed. */

@@ -171,7 +171,8 @@ export abstract class DrawingTool implements Tool, TypedInput {
 
   protected placeOf({ kind, id, position, lines }: Snap): Place {
     if (lines) return placeOnLines(this.project, lines, position);
-    return kind === "point" ? { point: id, position } : placeAt(this.project, position);
+    if (kind === "point") return { point: id, position };
+    return { ...placeAt(this.project, position), ...(kind === "patch" && id !== null && { patch: id }) };
   }
 
   /** Returns the place under the pointer; null if the pointer sees neither the model nor the work plane. */
