@@ -21,8 +21,9 @@ import {
 } from "../../../web/document/transforms/affine";
 import { joinPoints } from "../../../web/document/transforms/join-points";
 import { offerCopies } from "../../../web/document/transforms/copies";
+import { worldFrame } from "../../../web/document/vectors";
 import { offerTransform } from "../../../web/document/transforms/transform";
-import { ShapeBuilder, type Shape } from "../../../web/document/shape";
+import { placedIn, ShapeBuilder, type Shape } from "../../../web/document/shape";
 import { pasteOperation } from "../../../web/document/operations/paste";
 import { offerExtrusion } from "../../../web/document/transforms/extrude";
 import { fragmentText, readFragment } from "../../../web/document/transforms/fragment";
@@ -100,6 +101,64 @@ describe("affine maps", () => {
   it("four quarter turns are exact", () => {
     const [, , , full] = repeated(rotationAbout([1, 0, 0], [0, 0, 1], 90), 4);
     expect(full && mapPosition(full, [3, 4, 5])).toEqual([3, 4, 5]);
+  });
+});
+
+describe("what a mirror or a rotation leaves in its place", () => {
+  const round = projectOf(
+    [cylinder(1, 1, 2), placedIn(cylinder(1, 1, 2), { ...worldFrame, origin: [4, 0, 0] })],
+    0.6,
+  );
+  const first = allPatches(round).slice(0, 3);
+
+  it("circles and tubes on the plane of a mirror image are not doubled", async () => {
+    const mirrored = applied(
+      round,
+      offerCopies(round, allPatches(round), [reflectionAt([0, 0, 0], [1, 0, 0])], options),
+    );
+    expect([mirrored.lines, mirrored.patches].map(({ length }) => length)).toEqual([6, 9]);
+    expect(mirrored.points).toHaveLength(18);
+    const volumes = await volumesOf(mirrored);
+    expect(volumes).toHaveLength(3);
+    // Circles that begin elsewhere are the same ones.
+    const slanted = offerCopies(round, first, [reflectionAt([0, 0, 0], [1, 0.3, 0])], options);
+    expect(slanted).toMatchObject({ possible: false });
+    const turned = offerCopies(round, first, [rotationAbout([0, 0, 0], [0, 0, 1], 50)], options);
+    expect(turned).toMatchObject({ possible: false });
+    // The tube is turned upside down: its circles change places.
+    const flipped = offerCopies(round, first, [reflectionAt([0, 0, 1], [0, 0, 1])], options);
+    expect(flipped).toMatchObject({ possible: false });
+    const separate = applied(
+      round,
+      offerCopies(round, first, [rotationAbout([0, 0, 0], [0, 0, 1], 50)], { ...options, join: false }),
+    );
+    expect(separate.patches).toHaveLength(9);
+  });
+
+  it("a cylinder moved into another one joins it, without loose points", () => {
+    const onto = rotationAbout([2, 0, 0], [0, 0, 1], 180);
+    const turned = applied(round, offerTransform(round, allPatches(round).slice(3), onto, options));
+    expect([turned.points, turned.lines, turned.patches].map(({ length }) => length)).toEqual([6, 2, 3]);
+    const used = new Set(turned.lines.flatMap(({ points }) => points));
+    expect(turned.points.every(({ id }) => used.has(id))).toBe(true);
+  });
+
+  it("a closed spline is the same one wherever it begins", () => {
+    const builder = new ShapeBuilder();
+    const ring = [0, 1, 2, 3, 4, 5].map((i) =>
+      builder.point([Math.cos((i * Math.PI) / 3), Math.sin((i * Math.PI) / 3), 0]),
+    );
+    builder.line("spline", [...ring, 0]);
+    const project = projectOf([builder.shape], 0.3);
+    for (const map of [rotationAbout([0, 0, 0], [0, 0, 1], 120), reflectionAt([0, 0, 0], [1, 0, 0])]) {
+      expect(offerCopies(project, [{ kind: "line", id: 1 }], [map], options)).toMatchObject({
+        possible: false,
+      });
+    }
+    const between = rotationAbout([0, 0, 0], [0, 0, 1], 30);
+    expect(offerCopies(project, [{ kind: "line", id: 1 }], [between], options)).toMatchObject({
+      possible: true,
+    });
   });
 });
 
