@@ -188,3 +188,50 @@ test("pieces and circles made from expressions follow their parameters", async (
     expect(z).toBe(0);
   }
 });
+
+test("lengths are typed in any unit, and another unit of the project converts or keeps the numbers", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const unit = page.getByTestId("project-unit");
+  const choose = async (name: string): Promise<void> => {
+    await unit.click();
+    await page.getByRole("option", { name, exact: true }).click();
+  };
+  await choose("not stated");
+  await app.select("point-5");
+  const z = page.getByTestId("position-z");
+  await app.type("position-z", "1 in");
+  await expect(page.getByText("Choose the length unit of the project first")).toBeVisible();
+  await z.press("Escape");
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Escape");
+  await choose("mm");
+  await app.select("point-5");
+  await app.type("position-z", "1/2 in");
+  await z.blur();
+  await expect(z).toHaveValue("12.7");
+  await expect(z).toHaveAttribute("data-expression", "1/2 in");
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Escape");
+
+  await choose("inch");
+  await expect(page.getByTestId("unit-question")).toContainText("1 mm becomes");
+  await page.getByTestId("unit-convert").click();
+  await expect(unit).toHaveValue("inch");
+  await app.select("point-5");
+  await expect(z).toHaveValue("0.5");
+  await expect(z).toHaveAttribute("data-expression", "1/2 in");
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Escape");
+  await choose("mm");
+  await page.getByTestId("unit-relabel").click();
+  await expect(unit).toHaveValue("mm");
+  await app.select("point-5");
+  await expect(z).toHaveValue("0.5");
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  await expect(z).toHaveValue("12.7");
+});

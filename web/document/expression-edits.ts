@@ -1,9 +1,9 @@
 import { current, isDraft } from "mutative";
 import type { Project, ProjectExpression } from "tetrafront";
-import { parameterValues } from "../expressions/parameters";
 import { isPlainNumber, readNumber } from "../expressions/expression";
 import { draftFinder, type ProjectDraft } from "./draft-records";
 import type { DocumentContent, DraftChange, DraftEdit } from "./edit";
+import { projectNumbers } from "./length-units";
 import { holderFinder, isAllowed, numberAt, pathKey, setNumberAt, type NumberPath } from "./number-paths";
 
 /** Expressions that the project keeps for its numbers. */
@@ -99,7 +99,7 @@ function keep(project: Pick<ProjectDraft, "expressions">, kept: readonly KeptExp
 export function agreement(before: Project, after: Project): DraftChange<DocumentContent> | undefined {
   const { expressions = [] } = after;
   if (expressions.length === 0) return undefined;
-  const [oldValues, values] = [parameterValues(before.parameters), parameterValues(after.parameters)];
+  const [oldValues, values] = [projectNumbers(before), projectNumbers(after)];
   const oldTexts = new Map((before.expressions ?? []).map((kept) => [pathKey(kept), kept.expression]));
   const [oldRecord, record] = [holderFinder(before), holderFinder(after)];
   const set: (readonly [ProjectExpression, number])[] = [];

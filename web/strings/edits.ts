@@ -25,6 +25,7 @@ export const stepNames = {
     optimization: "Set optimization",
   },
   setUnits: "Set length unit",
+  convertUnits: (from: string, to: string) => `Convert lengths from ${from} to ${to}`,
   removeUniformSize: "Use sizes of background grid",
   refineSizes: "Make all sizes finer",
   coarsenSizes: "Make all sizes coarser",

@@ -97,6 +97,7 @@ export const panelStrings = {
   },
   fields: {
     notANumber: "Enter a number, such as 0.25 or 1/3",
+    noProjectUnit: "Choose the length unit of the project first",
     different: "mixed",
     aboveZero: "Must be above 0",
     atLeastOne: "Must be at least 1",

@@ -1,8 +1,10 @@
 import { Text } from "@mantine/core";
+import { useState } from "react";
+import type { Unit } from "tetrafront";
 import { renameProject } from "../../document/edits";
 import { findRecord } from "../../document/entities";
 import { qualityIn } from "../../document/mesh-quality";
-import { setProjectUnit, unitOf } from "../../document/length-units";
+import { hasLengths, setProjectUnit, unitOf } from "../../document/length-units";
 import { FieldRow } from "../../ui/fields/field-row";
 import { formatAngle } from "../../ui/format";
 import { NameField } from "../../ui/fields/name-field";
@@ -12,6 +14,7 @@ import { ElementSize } from "../background/element-size";
 import { EntityCard, GroupList, SelectionCard } from "../later/later";
 import { MeshSettings } from "./mesh-settings";
 import { ParameterTable } from "./parameter-table";
+import { UnitDialog } from "./unit-dialog";
 import { UnitSelect } from "../shared/unit-select";
 import { PanelBoundary } from "../shared/panel-boundary";
 import { QualityPanel } from "../quality/quality-panel";
@@ -49,6 +52,12 @@ export function Inspector() {
 function ProjectCard() {
   const app = useApp();
   const project = useProject();
+  const [pending, setPending] = useState<Unit | null>(null);
+  const changeUnit = (unit: Unit | null): void => {
+    const from = unitOf(project.units);
+    if (from && unit && from !== unit && hasLengths(project)) setPending(unit);
+    else app.documents.edit(setProjectUnit(unit));
+  };
   return (
     <>
       <SectionTitle>{strings.inspector.project}</SectionTitle>
@@ -66,8 +75,9 @@ function ProjectCard() {
         value={unitOf(project.units) ?? null}
         without={strings.units.unknown}
         testId="project-unit"
-        onChange={(unit) => app.documents.edit(setProjectUnit(unit))}
+        onChange={changeUnit}
       />
+      <UnitDialog to={pending} onClose={() => setPending(null)} />
       {project.description !== undefined && (
         <Text size="sm" c="dimmed" my={6}>
           {project.description}

@@ -3,6 +3,7 @@ import type { Creation } from "../../document/create";
 import { placeAt, placeOnLines, type Place } from "../../document/draw";
 import { entityKey } from "../../document/entities";
 import { expressionFrom } from "../../document/expression-edits";
+import { projectNumbers } from "../../document/length-units";
 import { linePaths, type LinePath } from "../../document/line-paths";
 import type { Position } from "../../document/position";
 import type { QuantityPosition } from "../../document/quantity-positions";
@@ -11,7 +12,6 @@ import { fromFrame, toFrame, type Frame } from "../../document/vectors";
 import { planeOfPatch } from "../../document/patch-planes";
 import { onPlane, planeAlong, roundStep, roundTo, type Ray } from "../../document/work-plane";
 import { readNumber } from "../../expressions/expression";
-import { parameterValues } from "../../expressions/parameters";
 import { quantity, type Quantity } from "../../expressions/quantity";
 import type { DocumentStore } from "../../session/document-store";
 import type { PreviewFeed } from "../../session/preview";
@@ -107,7 +107,7 @@ export abstract class DrawingTool implements Tool, TypedInput {
   }
 
   take(text: string): DrawingState["mistake"] {
-    const named = parameterValues(this.stores.documents.project.parameters);
+    const named = projectNumbers(this.project);
     const number = readNumber(text, named);
     const used = number === null ? undefined : this.takeNumber(quantity(number, expressionFrom(text)));
     if (used !== undefined) {
@@ -231,7 +231,7 @@ export abstract class DrawingTool implements Tool, TypedInput {
     }
     if (this.takesCoordinates) {
       const { letters } = drawing;
-      const named = parameterValues(this.project.parameters);
+      const named = projectNumbers(this.project);
       const start = typedStart(key, { letters, named, isHotkey: this.stores.isHotkey ?? (() => false) });
       if (start !== null) {
         drawing.type(start);
