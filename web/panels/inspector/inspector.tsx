@@ -1,5 +1,4 @@
 import { Text } from "@mantine/core";
-import { useState } from "react";
 import type { Unit } from "tetrafront";
 import { renameProject } from "../../document/edits";
 import { findRecord } from "../../document/entities";
@@ -14,7 +13,6 @@ import { ElementSize } from "../background/element-size";
 import { EntityCard, GroupList, SelectionCard } from "../later/later";
 import { MeshSettings } from "./mesh-settings";
 import { ParameterTable } from "./parameter-table";
-import { UnitDialog } from "./unit-dialog";
 import { UnitSelect } from "../shared/unit-select";
 import { PanelBoundary } from "../shared/panel-boundary";
 import { QualityPanel } from "../quality/quality-panel";
@@ -52,10 +50,9 @@ export function Inspector() {
 function ProjectCard() {
   const app = useApp();
   const project = useProject();
-  const [pending, setPending] = useState<Unit | null>(null);
   const changeUnit = (unit: Unit | null): void => {
     const from = unitOf(project.units);
-    if (from && unit && from !== unit && hasLengths(project)) setPending(unit);
+    if (from && unit && from !== unit && hasLengths(project)) app.shell.setState({ chosenUnit: unit });
     else app.documents.edit(setProjectUnit(unit));
   };
   return (
@@ -77,7 +74,6 @@ function ProjectCard() {
         testId="project-unit"
         onChange={changeUnit}
       />
-      <UnitDialog to={pending} onClose={() => setPending(null)} />
       {project.description !== undefined && (
         <Text size="sm" c="dimmed" my={6}>
           {project.description}

@@ -1,20 +1,15 @@
 import { Button, Group, Text } from "@mantine/core";
-import type { Unit } from "tetrafront";
 import { convertProject, setProjectUnit, unitFactor, unitOf } from "../../document/length-units";
 import { strings } from "../../strings";
 import { formatNumber } from "../../ui/format";
 import { FramedDialog } from "../../ui/frames/framed-dialog";
-import { useApp, useProject } from "../shared/app-context";
-
-interface UnitDialogProps {
-  /** The unit that the user has chosen; null while the dialog is closed. */
-  readonly to: Unit | null;
-  readonly onClose: () => void;
-}
+import { useApp, useProject, useShell } from "../shared/app-context";
 
 /** Asks what becomes of the numbers of the project in another unit. */
-export function UnitDialog({ to, onClose }: UnitDialogProps) {
+export function UnitDialog() {
   const app = useApp();
+  const to = useShell((state) => state.chosenUnit);
+  const onClose = (): void => app.shell.setState({ chosenUnit: null });
   const from = unitOf(useProject().units);
   const texts = strings.units;
   const convert = (): void => {
