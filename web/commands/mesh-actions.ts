@@ -1,4 +1,6 @@
 import type { App } from "../app/app";
+import { hasSizes, proposedSize } from "../document/operations/sizes";
+import { setMeshing } from "../document/size-edits";
 import { canBeFilled, isFillable } from "../session/bodies";
 import { hideNotice, showNotice } from "../session/shell";
 import type { Improvement } from "../session/shown-mesh";
@@ -16,7 +18,17 @@ export async function generateMesh(app: App): Promise<void> {
     await comparisonOfRepairs(app, id);
     await repairBody(app, id);
   }
+  proposeSize(app);
   await app.run.generate();
+}
+
+/** Gives a drawn model that lacks nothing else a uniform size that fits it, as a step of undo. */
+function proposeSize({ documents, problems }: App): void {
+  const errors = problems.state.getState().problems.filter(({ severity }) => severity === "error");
+  const size = proposedSize(documents.project.points);
+  const isComplete = errors.length > 0 && errors.every(({ code }) => code === "empty-background-grid");
+  if (isComplete && size !== undefined && !hasSizes(documents.project))
+    documents.edit(setMeshing("size", size));
 }
 
 /** Returns the bodies that cannot be filled before, but after the proposed repair. */

@@ -235,6 +235,8 @@ export const panelStrings = {
     addClose: "Add and close",
     addNext: "Add and next",
     added: (what: string) => `Added ${what}.`,
+    points: (count: number) => `${count} points`,
+    pasteHint: "Paste a list of coordinates to add all its points at once.",
     nodeHint:
       "A node sets sizes only as a corner of a background tetrahedron. To add one, select four nodes and press T.",
     line: "New line",

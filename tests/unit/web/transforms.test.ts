@@ -3,6 +3,7 @@ import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { documentKey } from "../../../web/document/content-keys";
 import type { Offer } from "../../../web/document/create";
 import type { Entity } from "../../../web/document/entities";
+import { sweepOperations } from "../../../web/document/operations/sweeps";
 import { transformOperations } from "../../../web/document/operations/transforms";
 import type { Operation, FieldValues } from "../../../web/document/operations/operation";
 import { box } from "../../../web/document/pieces/box";
@@ -313,5 +314,34 @@ describe("the clipboard", () => {
     expect(await volumesOf(into(cube))).toHaveLength(2);
     expect("reason" in readFragment("{}")).toBe(true);
     expect(fragmentText(cube, [])).toBeNull();
+  });
+});
+
+describe("sizes of a drawn model", () => {
+  it("come with an extrusion or a revolution, unless the project has some", () => {
+    const builder = new ShapeBuilder();
+    const corners = ([[0, 0, 0], [2, 0, 0], [2, 1, 0], [0, 1, 0]] as const).map((corner) => builder.point(corner)); // prettier-ignore
+    builder.patch("planar", [builder.polygon(corners)]);
+    const { meshing: _, ...flat } = projectOf([builder.shape], 1);
+    for (const operation of sweepOperations.slice(0, 2)) {
+      const made = (project: Project): Project => {
+        const subject = { project, selection: allPatches(project) };
+        const values = {
+          ...operation.initial(subject),
+          axis: [0, 1, 0],
+          point: [-1, 0, 0],
+          angle: 90,
+        } as const;
+        return applied(project, operation.make(subject, values));
+      };
+      const extents = [0, 1, 2].map((axis) => {
+        const values = made(flat).points.map(({ position }) => position[axis] ?? 0);
+        return Math.max(...values) - Math.min(...values);
+      });
+      const size = made(flat).meshing?.size ?? NaN;
+      expect(size / Math.max(...extents)).toBeGreaterThan(0.03);
+      expect(size / Math.max(...extents)).toBeLessThanOrEqual(0.1);
+      expect(made({ ...flat, meshing: { size: 7 } }).meshing?.size).toBe(7);
+    }
   });
 });

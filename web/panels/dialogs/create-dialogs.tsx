@@ -2,6 +2,7 @@ import { Group, Text } from "@mantine/core";
 import { useRef, useState } from "react";
 import { create } from "../../commands/creation-actions";
 import { addBackgroundNode, addPoint } from "../../document/create";
+import { addPoints, readPositionList } from "../../document/position-list";
 import { recordsOf } from "../../document/entities";
 import { ApplyButton, DialogForm } from "../../ui/frames/dialog-form";
 import { FramedDialog } from "../../ui/frames/framed-dialog";
@@ -56,14 +57,26 @@ function useNewEntity(kind: PositionedKind) {
     setPosition(([x, y, z]) => with3([x, y, z], axis, value));
     setExpressions(([x, y, z]) => with3([x, y, z], axis, expression));
   };
-  return { position, expressions, setCoordinate, size, setSize, added, add };
+  /** Takes a pasted list: one position fills the fields, several become points at once. Returns false for other texts. */
+  const paste = (text: string): boolean => {
+    const positions = readPositionList(text) ?? [];
+    const [first] = positions;
+    if (!first || (positions.length > 1 && kind !== "point")) return false;
+    setPosition(positions.at(-1) ?? first);
+    setExpressions([null, null, null]);
+    if (positions.length === 1) return true;
+    create(app, addPoints(app.documents.project, positions));
+    setAdded(strings.create.points(positions.length));
+    return true;
+  };
+  return { position, expressions, setCoordinate, size, setSize, added, add, paste };
 }
 
 /** Keeps the coordinates for the next point, because points often share some. */
 function PositionForm({ kind }: { readonly kind: PositionedKind }) {
   const app = useApp();
   const project = useProject();
-  const { position, expressions, setCoordinate, size, setSize, added, add } = useNewEntity(kind);
+  const { position, expressions, setCoordinate, size, setSize, added, add, paste } = useNewEntity(kind);
   const fields = useRef<HTMLDivElement>(null);
   const apply = (action: string): void => {
     add();
@@ -72,7 +85,12 @@ function PositionForm({ kind }: { readonly kind: PositionedKind }) {
   };
   return (
     <DialogForm onApply={apply}>
-      <div ref={fields}>
+      <div
+        ref={fields}
+        onPaste={(event) => {
+          if (paste(event.clipboardData.getData("text/plain"))) event.preventDefault();
+        }}
+      >
         <PositionRow
           label={strings.create.position}
           value={position}
@@ -83,6 +101,11 @@ function PositionForm({ kind }: { readonly kind: PositionedKind }) {
           onCommit={setCoordinate}
         />
       </div>
+      {kind === "point" && (
+        <Text size="xs" c="dimmed">
+          {strings.create.pasteHint}
+        </Text>
+      )}
       {kind === "background-node" && <SizeRow size={size} onCommit={setSize} />}
       <Text size="sm" c="dimmed" role="status" mih={20} mt={6}>
         {added !== null && strings.create.added(added)}

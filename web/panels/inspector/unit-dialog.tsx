@@ -28,13 +28,13 @@ export function UnitDialog() {
         </Text>
       )}
       <Group justify="flex-end" gap="xs" mt="md">
-        <Button variant="default" onClick={onClose}>
+        <Button size="xs" variant="default" onClick={onClose}>
           {texts.cancel}
         </Button>
-        <Button variant="default" onClick={relabel} data-testid="unit-relabel">
+        <Button size="xs" variant="default" onClick={relabel} data-testid="unit-relabel">
           {texts.relabel}
         </Button>
-        <Button onClick={convert} data-testid="unit-convert" data-autofocus>
+        <Button size="xs" onClick={convert} data-testid="unit-convert" data-autofocus>
           {texts.convert}
         </Button>
       </Group>
