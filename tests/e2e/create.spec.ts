@@ -442,3 +442,71 @@ test("two circles are joined by a tube, and a circle becomes an arc", async ({ p
   await page.getByRole("option", { name: "arc" }).click();
   await expect(page.getByTestId("line-points")).toHaveValue("1, 2, 4");
 });
+
+test("a pasted list becomes points; a drawn and extruded solid needs no size by hand", async ({ page }) => {
+  const app = new AppPage(page);
+  await page.goto("./?new=1&test=1");
+  await expect(app.viewport).toHaveAttribute("data-status", "none");
+  await page.keyboard.press("Shift+P");
+  const dialog = page.getByRole("dialog", { name: "New point" });
+  await expect(dialog.getByTestId("new-x")).toBeFocused();
+  await dialog.getByTestId("new-x").evaluate((field) => {
+    const clipboardData = new DataTransfer();
+    clipboardData.setData("text/plain", "x;y;z\n0;0;0\n1;0;0\n1;1;0\n0;1;0\n");
+    field.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
+  });
+  await expect(dialog.getByRole("status")).toHaveText("Added 4 points.");
+  await expect(app.viewport).toHaveAttribute("data-points", "4");
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("Control+z");
+  await expect(app.viewport).toHaveAttribute("data-points", "0");
+  await page.keyboard.press("Control+Shift+z");
+
+  await choose(page, "point", [1, 2, 3, 4]);
+  await page.keyboard.press("l");
+  await choose(page, "point", [4, 1]);
+  await page.keyboard.press("l");
+  await choose(page, "line", [1, 2, 3, 4]);
+  await page.getByTestId("create-patch-planar").click();
+  // Without a closed surface, the run reports errors, and the status says so until they are mended.
+  await page.getByTestId("generate").click();
+  const status = page.getByTestId("status").getByRole("status").first();
+  await expect(status).toHaveText("The model has errors");
+  await choose(page, "patch", [1]);
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Control+k");
+  await page.getByRole("dialog").getByRole("textbox", { name: "Search commands" }).fill("extrude");
+  await page.keyboard.press("Enter");
+  await page.getByTestId("accept").click();
+  await expect(app.viewport).toHaveAttribute("data-patches", "6");
+  await expect(status).not.toHaveText("The model has errors");
+  await page.getByTestId("generate").click();
+  await app.meshed();
+});
+
+test("the view shows the lines and directions of a Coons patch", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByTestId("tree-patch-1").click();
+  await expect(page.getByTestId("role-label-F2")).toBeHidden();
+  await page.getByTestId("patch-type").click();
+  await page.getByRole("option", { name: /Coons/ }).click();
+  for (const name of ["F1", "F2", "F3", "F4"]) {
+    await expect(page.getByTestId(`role-label-${name}`)).toBeVisible();
+    await expect(page.getByTestId(`role-label-${name}`)).toContainText("→");
+  }
+});
+
+test("a complete model without sizes is meshed with a size that fits it, as a step of undo", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const { background: _, ...cube } = sampleProject("unit-cube");
+  await app.openFile("sizeless.json", JSON.stringify({ ...cube, name: "Sizeless" }));
+  await expect(page.getByTestId("project-name")).toHaveValue("Sizeless");
+  await expect(app.viewport).toHaveAttribute("data-problems", /[1-9]/);
+  await page.getByTestId("generate").click();
+  await app.meshed();
+  await expect(page.getByTestId("undo")).toHaveAccessibleName(/Set uniform size/);
+});

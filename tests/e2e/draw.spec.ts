@@ -496,3 +496,93 @@ test("the move tool drags a point as one step of undo, joins what coincides, and
   await page.keyboard.press("Escape");
   await expect(app.viewport).toHaveAttribute("data-tool", "select");
 });
+
+test("a line between the middles of two sides splits them, and each half is a loop", async ({ page }) => {
+  const draw = new DrawPage(page);
+  await draw.openNew();
+  await page.keyboard.press("l");
+  for (const corner of square(0)) await draw.click(corner);
+  await draw.counts(4, 4, 0);
+  for (const middle of [[0.5, 0, 0], [0.5, 1, 0]] as const) await draw.click(middle); // prettier-ignore
+  await draw.counts(6, 7, 0);
+  await page.getByTestId("tool-patch").click();
+  for (const inside of [
+    [0.25, 0.5, 0],
+    [0.75, 0.5, 0],
+  ] as const) {
+    await draw.hover(inside);
+    await draw.click(inside);
+  }
+  await draw.counts(6, 7, 2);
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  await draw.counts(4, 4, 0);
+});
+
+test("typed lines that cross bound four loops; a line is split where its menu is opened", async ({
+  page,
+}) => {
+  const draw = new DrawPage(page);
+  await page.addInitScript(() => {
+    Reflect.deleteProperty(window, "showOpenFilePicker");
+    Reflect.deleteProperty(window, "showSaveFilePicker");
+  });
+  await draw.openNew();
+  await page.keyboard.press("l");
+  for (const corner of square(0)) await draw.click(corner);
+  await draw.typeCoordinates("0,0.4,0", "1,0.4,0");
+  await page.keyboard.press("Escape");
+  await draw.typeCoordinates("0.6,0,0", "0.6,1,0");
+  await draw.counts(8, 6, 0);
+  await page.getByTestId("tool-patch").click();
+  await draw.hover([0.3, 0.2, 0]);
+  await draw.click([0.3, 0.2, 0]);
+  // The point where the lines cross, and a further part of each of the four lines.
+  await draw.counts(9, 10, 1);
+  await draw.hover([0.8, 0.7, 0]);
+  await draw.click([0.8, 0.7, 0]);
+  await draw.counts(9, 12, 2);
+  await page.keyboard.press("v");
+  await expect(draw.viewport).toHaveAttribute("data-tool", "select");
+  const { x, y } = await draw.at([0.8, 0.4, 0]);
+  await page.mouse.click(x, y, { button: "right" });
+  await page.getByTestId("context-menu").getByRole("menuitem", { name: "Split line here" }).click();
+  await draw.counts(10, 13, 2);
+  const positions = await draw.savedPositions();
+  expect(positions.at(-2)?.map((value) => Math.round(value * 1e9) / 1e9)).toEqual([0.6, 0.4, 0]);
+  expect(positions.at(-1)?.[0]).toBeCloseTo(0.8, 1);
+  expect(positions.at(-1)?.[1]).toBeCloseTo(0.4, 12);
+});
+
+test("a circle drawn on a face of a box lies in its plane, by clicks and by a typed radius", async ({
+  page,
+}) => {
+  const draw = new DrawPage(page);
+  await page.addInitScript(() => {
+    Reflect.deleteProperty(window, "showOpenFilePicker");
+    Reflect.deleteProperty(window, "showSaveFilePicker");
+  });
+  await draw.openNew();
+  await page.getByTestId("create-box").click();
+  await page.getByTestId("accept").click();
+  await draw.counts(8, 12, 6);
+  await page.getByTestId("tool-line").click();
+  await page.getByTestId("drawing-bar").getByText("circle", { exact: true }).click();
+  await draw.click([0.5, 0, 0.5]);
+  await draw.hover([0.5, 0.2, 0.5]);
+  await draw.click([0.5, 0.2, 0.5]);
+  await draw.counts(11, 13, 6);
+  await draw.click([0, -0.5, 0.5]);
+  await draw.typeCoordinates("0.25");
+  await draw.counts(14, 14, 6);
+  const positions = await draw.savedPositions();
+  for (const [x, y, z] of positions.slice(8, 11)) {
+    expect(x).toBeCloseTo(0.5, 12);
+    expect(Math.hypot(y, z - 0.5)).toBeGreaterThan(0.1);
+  }
+  for (const [x, y, z] of positions.slice(11)) {
+    expect(y).toBeCloseTo(-0.5, 12);
+    expect(Math.hypot(x, z - 0.5)).toBeCloseTo(0.25, 2);
+  }
+});

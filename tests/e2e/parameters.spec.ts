@@ -137,3 +137,101 @@ test("bodies are edited together; their sizes use parameters, and the estimate n
   await expect(page.getByTestId("remeshing-size")).toHaveValue("1");
   await expect(page.getByTestId("placement-position-x")).toHaveValue("2");
 });
+
+test("pieces and circles made from expressions follow their parameters", async ({ page }) => {
+  const app = new AppPage(page);
+  await page.addInitScript(() => {
+    Reflect.deleteProperty(window, "showOpenFilePicker");
+    Reflect.deleteProperty(window, "showSaveFilePicker");
+  });
+  await page.goto("./?new=1&test=1");
+  await expect(app.viewport).toHaveAttribute("data-status", "none");
+  await page.getByTestId("new-parameter-name").fill("r");
+  await page.getByTestId("new-parameter-expression").fill("1");
+  await page.keyboard.press("Enter");
+  await page.getByTestId("create-cylinder").click();
+  const radius = page.getByTestId("operation-radius");
+  await radius.fill("2*r");
+  await page.getByTestId("operation-position-x").fill("-r");
+  await expect(radius).toHaveAttribute("data-expression", "2*r");
+  await radius.focus();
+  await expect(radius).toHaveValue("2*r");
+  await page.getByTestId("accept").click();
+  await expect(app.viewport).toHaveAttribute("data-points", "6");
+
+  await page.getByTestId("tool-line").click();
+  await page.getByTestId("drawing-bar").getByText("circle", { exact: true }).click();
+  const canvas = page.getByTestId("viewport-canvas");
+  await canvas.focus();
+  for (const typed of ["(r),9,0", "(r)/2"]) {
+    await page.keyboard.type(typed);
+    await page.keyboard.press("Enter");
+  }
+  await expect(app.viewport).toHaveAttribute("data-points", "9");
+
+  await canvas.focus();
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("Escape");
+  await app.type("parameter-r", "2");
+  await canvas.focus();
+  const saved = readProject(
+    new TextDecoder().decode(await downloaded(page, () => page.keyboard.press("Control+s"))),
+  );
+  if (!saved.success) throw new Error(saved.errors[0].message);
+  const positions = saved.value.points.map(({ position }) => position);
+  for (const [x, y, z] of positions.slice(0, 6)) {
+    expect(Math.hypot(x + 2, y)).toBeCloseTo(4, 12);
+    expect(z).toBeCloseTo(z > 0 ? 1 : 0, 12);
+  }
+  for (const [x, y, z] of positions.slice(6)) {
+    expect(Math.hypot(x - 2, y - 9)).toBeCloseTo(1, 12);
+    expect(z).toBe(0);
+  }
+});
+
+test("lengths are typed in any unit, and another unit of the project converts or keeps the numbers", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const unit = page.getByTestId("project-unit");
+  const choose = async (name: string): Promise<void> => {
+    await unit.click();
+    await page.getByRole("option", { name, exact: true }).click();
+  };
+  await choose("not stated");
+  await app.select("point-5");
+  const z = page.getByTestId("position-z");
+  await app.type("position-z", "1 in");
+  await expect(page.getByText("Choose the length unit of the project first")).toBeVisible();
+  await z.press("Escape");
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Escape");
+  await choose("mm");
+  await app.select("point-5");
+  await app.type("position-z", "1/2 in");
+  await z.blur();
+  await expect(z).toHaveValue("12.7");
+  await expect(z).toHaveAttribute("data-expression", "1/2 in");
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Escape");
+
+  await choose("inch");
+  await expect(page.getByTestId("unit-question")).toContainText("1 mm becomes");
+  await page.getByTestId("unit-convert").click();
+  await expect(unit).toHaveValue("inch");
+  await app.select("point-5");
+  await expect(z).toHaveValue("0.5");
+  await expect(z).toHaveAttribute("data-expression", "1/2 in");
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Escape");
+  await choose("mm");
+  await page.getByTestId("unit-relabel").click();
+  await expect(unit).toHaveValue("mm");
+  await app.select("point-5");
+  await expect(z).toHaveValue("0.5");
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  await expect(z).toHaveValue("12.7");
+});

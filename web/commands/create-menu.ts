@@ -15,6 +15,7 @@ import {
 } from "../document/create";
 import { offerSplit } from "../document/grid-edits";
 import type { Entity } from "../document/entities";
+import { offerLineSplit } from "../document/splits/split-line";
 
 /** Creates something from the selection. Each maker is a command and a button in the inspector. */
 export interface Maker {
@@ -141,6 +142,13 @@ export function createOrHint(
   else app.shell.setState({ message: { title, lines: hint } });
 }
 
+/** Splits the selected line at the selected point, where the context menu was opened, or in its middle. */
+function splitSelectedLine(app: App): void {
+  const { selection } = app.view.state.getState();
+  const { menuPosition } = app.drawing.state.getState();
+  takeOffer(app, commandLabels.splitLine, offerLineSplit(app.documents.project, selection, menuPosition));
+}
+
 const sourceMaker = (type: SourceType): Maker => ({
   id: `source-${type}`,
   label: commandLabels.sources[type],
@@ -167,6 +175,9 @@ export const createMenu: readonly Command[] = [
     },
   ),
   ...lineMakers.map((maker) => commandOf(maker, 2)),
+  define("create", 2)("split-line", commandLabels.splitLine, splitSelectedLine, {
+    enabled: (app) => app.view.state.getState().selection.some(({ kind }) => kind === "line"),
+  }),
   ...patchMakers.map((maker) => commandOf(maker, 3)),
   commandOf(holeMaker, 3),
   define("create", 4)("new-node", commandLabels.newNode, (app) => app.shell.setState({ dialog: "new-node" })),

@@ -1,6 +1,8 @@
 import type { App } from "../app/app";
 import { placedVolume, repairGroups } from "../document/body-repair";
 import { bodyLabel } from "../document/entities";
+import { hasSizes, proposedSize } from "../document/operations/sizes";
+import { setMeshing } from "../document/size-edits";
 import { canBeFilled, isFillable } from "../session/bodies";
 import { hideNotice, showNotice } from "../session/shell";
 import type { Improvement } from "../session/shown-mesh";
@@ -22,6 +24,7 @@ export async function generateMesh(app: App): Promise<void> {
     await repairBody(app, id);
   }
   if (joining.has(app)) return;
+  proposeSize(app);
   // Without bodies that could touch, the run begins at once.
   const joined = app.bodies.state.getState().byId.size < 2 ? [] : await joinedBodies(app);
   if (joined) await app.run.generate("user", [...notes, ...joined]);
@@ -73,6 +76,15 @@ async function joinedBodies(app: App): Promise<string[] | null> {
 
 /** Time in milliseconds after which a notice says what the user waits for. */
 const noticeDelayMs = 500;
+
+/** Gives a drawn model that lacks nothing else a uniform size that fits it, as a step of undo. */
+function proposeSize({ documents, problems }: App): void {
+  const errors = problems.state.getState().problems.filter(({ severity }) => severity === "error");
+  const size = proposedSize(documents.project.points);
+  const isComplete = errors.length > 0 && errors.every(({ code }) => code === "empty-background-grid");
+  if (isComplete && size !== undefined && !hasSizes(documents.project))
+    documents.edit(setMeshing("size", size));
+}
 
 /** Returns the bodies that cannot be filled before, but after the proposed repair. */
 function repairableBodies({ bodies }: App): number[] {

@@ -1,4 +1,14 @@
+import { call, minus, over, times, valueOf, type Quantity } from "../expressions/quantity";
 import type { Position } from "./position";
+import {
+  addQuantities,
+  crossQuantities,
+  dotQuantities,
+  scaleQuantities,
+  subtractQuantities,
+  valuesOf,
+  type QuantityPosition,
+} from "./quantity-positions";
 import { add, addScaled, cross, dot, length, scale, subtract } from "./vectors";
 
 /** The part of a circle from `start` counter-clockwise around `normal`. */
@@ -64,6 +74,31 @@ export function middleOfArc(
   const along = scale(chord, 0.5 / half);
   const across = acrossChord(along, normal, side && subtract(side, centre));
   return addScaled(centre, across, radius - Math.sqrt(Math.max(0, radius * radius - half * half)));
+}
+
+/** As `middleOfArc`, with the expressions that follow from those of the ends and of the radius. */
+export function quantityMiddleOfArc(
+  [a, b]: readonly [QuantityPosition, QuantityPosition],
+  radius: Quantity,
+  normal: Position,
+  side: Position | null,
+): QuantityPosition | null {
+  const plain = middleOfArc([valuesOf(a), valuesOf(b)], valueOf(radius), normal, side);
+  if (!plain || [...a, ...b, radius].every((one) => typeof one === "number")) return plain;
+  const chord = subtractQuantities(b, a);
+  const centre = addQuantities(a, scaleQuantities(chord, 0.5));
+  const bulge = subtract(plain, valuesOf(centre));
+  const left = crossQuantities(normal, chord);
+  const norm = length(valuesOf(left));
+  // The plane of an arc whose chord is normal to the work plane was chosen by the pointer.
+  const isNormal = norm <= 1e-6 * length(valuesOf(chord));
+  const across = isNormal
+    ? scale(bulge, 1 / length(bulge))
+    : left.map((part) => over(part, call("sqrt", dotQuantities(left, left))));
+  const quarter = times(0.25, dotQuantities(chord, chord));
+  const depth = call("sqrt", call("abs", minus(times(radius, radius), quarter)));
+  const height = times(!isNormal && dot(bulge, valuesOf(left)) < 0 ? -1 : 1, minus(radius, depth));
+  return addQuantities(centre, scaleQuantities(across as QuantityPosition, height));
 }
 
 /** Returns the direction from a chord to its arc: in the plane, or towards a position if the chord is normal to the plane. */

@@ -54,7 +54,7 @@ export function addPoint(
       label: stepNames.add(`${entityNouns.point} ${id}`),
       change: (draft) => {
         draft.project.points.push({ id, position: [...position] });
-        keepCoordinates(draft.project, id, expressions);
+        keepCoordinates(draft.project, [{ id, expressions }]);
       },
     },
   };

@@ -1,10 +1,15 @@
-import type { LineType, Project, ProjectLine } from "tetrafront";
+import type { LineType, Project, ProjectLine, ProjectPoint } from "tetrafront";
 import { entityNouns, stepNames } from "../strings";
 import { addPoint, nextId, type Creation } from "./create";
-import type { Entity } from "./entities";
-import { keepCoordinates } from "./expression-edits";
+import { findRecord, type Entity } from "./entities";
+import { coordinatesOf, keepCoordinates } from "./expression-edits";
 import { diagonalOf } from "./extent";
+import { coincidenceLength } from "./insert-shape";
+import { linePositions } from "./line-samples";
 import type { Position } from "./position";
+import { quantityPosition, type QuantityPosition } from "./quantity-positions";
+import { crossingNear, lineCurve, nearestParameter } from "./splits/line-curve";
+import { changedLists, splitLines, type Cut } from "./splits/split-line";
 import { distance } from "./vectors";
 
 /** A place that the user has picked: a point of the project, or a position at which to create one. */
@@ -14,7 +19,15 @@ export interface Place {
   readonly position: Position;
   /** What the coordinates were typed as; null for plain numbers. */
   readonly expressions?: readonly (string | null)[];
+  /** Ids of the lines on which it was found: a line that ends there splits them. */
+  readonly lines?: readonly number[];
+  /** Id of the patch on which it was found. */
+  readonly patch?: number;
 }
+
+/** Returns the coordinates of a place with the expressions from which they are computed. */
+export const quantitiesAt = (project: Project, { point, position, expressions }: Place): QuantityPosition =>
+  quantityPosition(position, point === null ? expressions : coordinatesOf(project, point));
 
 /** Positions closer than this are one point, relative to the extent of the model: as in the engine. */
 const coincidence = 1e-9;
@@ -34,6 +47,18 @@ export const samePlace = (a: Place, b: Place): boolean =>
   a.point === null
     ? a === b || (b.point === null && distance(a.position, b.position) === 0)
     : a.point === b.point;
+
+/** Returns the place on lines that is nearest to a position found on their samples: where two of them cross, if they do. */
+export function placeOnLines(project: Project, lines: readonly number[], position: Position): Place {
+  const curves = lines.flatMap((id) => {
+    const line = findRecord(project, "line", id);
+    return (line && lineCurve(line.type, linePositions(project, line))) ?? [];
+  });
+  const [a, b] = curves;
+  const crossing = a && b ? crossingNear(a, b, position, coincidenceLength(project)) : null;
+  const exact = a ? a.at(crossing?.[0] ?? nearestParameter(a, position)) : position;
+  return { ...placeAt(project, exact), lines };
+}
 
 /** Returns the point at a place, which is created if it does not exist. */
 export function drawPoint(project: Project, place: Place): Creation | Entity {
@@ -68,23 +93,44 @@ export function drawLine(project: Project, type: LineType, places: readonly Plac
   const same = created.length === 0 ? project.lines.find((line) => isSame(line, type, ids)) : undefined;
   if (same) return { creation: null, line: same.id, points: ids };
   const id = nextId(project, "line");
+  const points = created.map(({ id: point, position: [x, y, z] }): ProjectPoint => ({
+    id: point,
+    position: [x, y, z],
+  }));
+  const drawn: Project = {
+    ...project,
+    points: [...project.points, ...points],
+    lines: [...project.lines, { id, type, points: ids }],
+  };
+  const divided = splitLines(drawn, cutsAtEnds(places, ids)).project;
   const creation: Creation = {
     entities: [{ kind: "line", id }],
     edit: {
       label: stepNames.add(`${entityNouns.line} ${id}`),
       change: ({ project: draft }) => {
-        draft.points.push(
-          ...created.map((point) => ({
-            id: point.id,
-            position: [...point.position] as [number, number, number],
-          })),
-        );
-        for (const point of created) keepCoordinates(draft, point.id, point.expressions);
-        draft.lines.push({ id, type, points: [...ids] });
+        if (divided === drawn) {
+          draft.points.push(
+            ...points.map(({ position: [x, y, z], ...point }) => ({
+              ...point,
+              position: [x, y, z] as [number, number, number],
+            })),
+          );
+          draft.lines.push({ id, type, points: [...ids] });
+        } else Object.assign(draft, changedLists(project, divided));
+        keepCoordinates(draft, created);
       },
     },
   };
   return { creation, line: id, points: ids };
+}
+
+/** Returns the splits of the lines on which a line ends. */
+function cutsAtEnds(places: readonly Place[], ids: readonly number[]): readonly Cut[] {
+  const ends = new Set([0, places.length - 1]);
+  return [...ends].flatMap((index) => {
+    const { lines = [], position } = places[index] ?? {};
+    return position ? lines.map((line): Cut => ({ line, position, point: ids[index] })) : [];
+  });
 }
 
 function isSame(line: ProjectLine, type: LineType, points: readonly number[]): boolean {

@@ -1,9 +1,9 @@
 import { current, isDraft } from "mutative";
 import type { Project, ProjectExpression } from "tetrafront";
-import { parameterValues } from "../expressions/parameters";
 import { isPlainNumber, readNumber } from "../expressions/expression";
 import { draftFinder, type ProjectDraft } from "./draft-records";
 import type { DocumentContent, DraftChange, DraftEdit } from "./edit";
+import { projectNumbers } from "./length-units";
 import { holderFinder, isAllowed, numberAt, pathKey, setNumberAt, type NumberPath } from "./number-paths";
 
 /** Expressions that the project keeps for its numbers. */
@@ -45,23 +45,34 @@ export function keepingExpressions(edit: DraftEdit, kept: readonly KeptExpressio
   };
 }
 
-/** Keeps the expressions of the coordinates of a new point; null for a coordinate without one. */
+/** A new point with the expressions of its coordinates; null for a coordinate without one. */
+export interface TypedPoint {
+  readonly id: number;
+  readonly expressions?: readonly (string | null)[] | undefined;
+}
+
+/** Keeps the expressions of the coordinates of new points. O(points + expressions of the project). */
 export function keepCoordinates(
-  project: ProjectDraft,
-  point: number,
-  expressions: readonly (string | null)[] = [],
+  project: Pick<ProjectDraft, "expressions">,
+  points: readonly TypedPoint[],
 ): void {
-  const kept = expressions.map((expression, axis): KeptExpression => ({
-    path: { kind: "point", id: point, field: `position.${axis}` },
-    expression,
-  }));
+  const kept = points.flatMap(({ id, expressions = [] }) =>
+    expressions.map((expression, axis): KeptExpression => ({
+      path: { kind: "point", id, field: `position.${axis}` },
+      expression,
+    })),
+  );
   keep(
     project,
     kept.filter(({ expression }) => expression !== null),
   );
 }
 
-function keep(project: ProjectDraft, kept: readonly KeptExpression[]): void {
+/** Returns the expressions of the coordinates of a point; null for a coordinate without one. */
+export const coordinatesOf = (project: Project, id: number): readonly (string | null)[] =>
+  [0, 1, 2].map((axis) => expressionOf(project, { kind: "point", id, field: `position.${axis}` }) ?? null);
+
+function keep(project: Pick<ProjectDraft, "expressions">, kept: readonly KeptExpression[]): void {
   if (kept.length === 0) return;
   const { expressions = [] } = project;
   // A search in the draft would make a draft of every expression.
@@ -88,7 +99,7 @@ function keep(project: ProjectDraft, kept: readonly KeptExpression[]): void {
 export function agreement(before: Project, after: Project): DraftChange<DocumentContent> | undefined {
   const { expressions = [] } = after;
   if (expressions.length === 0) return undefined;
-  const [oldValues, values] = [parameterValues(before.parameters), parameterValues(after.parameters)];
+  const [oldValues, values] = [projectNumbers(before), projectNumbers(after)];
   const oldTexts = new Map((before.expressions ?? []).map((kept) => [pathKey(kept), kept.expression]));
   const [oldRecord, record] = [holderFinder(before), holderFinder(after)];
   const set: (readonly [ProjectExpression, number])[] = [];

@@ -1,7 +1,7 @@
 import type { Project, ProjectLine, ProjectPatch, ProjectPoint } from "tetrafront";
 import { nextId } from "./create";
 import type { Entity } from "./entities";
-import { lineKey, loopsKey, sameCourse } from "./line-courses";
+import { closedDirection, isClosed, lineKey, loopsKey, sameCourse } from "./line-courses";
 import { PointIndex } from "./point-index";
 import type { Position } from "./position";
 import type { Shape, ShapeLine } from "./shape";
@@ -90,6 +90,8 @@ class LineInsertion {
   readonly #positions: ReadonlyMap<number, Position>;
   /** Lines of the project, by type and ends. */
   readonly #candidates = new Map<string, ProjectLine[]>();
+  /** Lines of the project that end where they begin. */
+  readonly #closed: readonly ProjectLine[] = [];
   readonly #ids = new Map<number, number>();
   #nextPoint: number;
   #nextLine: number;
@@ -103,6 +105,7 @@ class LineInsertion {
     this.#nextLine = nextId(project, "line");
     if (!join) return;
     for (const { id, position } of project.points) this.#existing.add(position, id);
+    this.#closed = project.lines.filter(isClosed);
     for (const line of project.lines) {
       const key = lineKey(line);
       const same = this.#candidates.get(key);
@@ -139,18 +142,36 @@ class LineInsertion {
   }
 
   #sharedLine({ type, points }: ShapeLine): number | undefined {
+    if (isClosed({ points })) return this.#sharedClosedLine({ type, points });
     const [from, to] = [points.at(0), points.at(-1)].map((end) => this.knownId(end ?? 0));
     if (from === undefined || to === undefined) return undefined;
-    const course = points.map((point) => this.#shape.points[point] ?? ([0, 0, 0] as const));
+    const course = this.#courseOf(points);
     for (const line of this.#candidates.get(lineKey({ type, points: [from, to] })) ?? []) {
       const other = line.points.map((point) => this.#positions.get(point) ?? ([0, 0, 0] as const));
-      const isSame = (a: Position, b: Position) => distance(a, b) <= this.#tolerance;
-      // Forwards first: a closed line has the same ends in both directions.
-      if (line.points[0] === from && sameCourse(type, course, other, isSame)) return line.id;
-      if (line.points[0] === to && sameCourse(type, course, other.toReversed(), isSame)) return -line.id;
+      if (line.points[0] === from && sameCourse(type, course, other, this.#isSame)) return line.id;
+      if (line.points[0] === to && sameCourse(type, course, other.toReversed(), this.#isSame))
+        return -line.id;
     }
     return undefined;
   }
+
+  /** A closed line of the project with the same course, wherever it begins. */
+  #sharedClosedLine({ type, points }: ShapeLine): number | undefined {
+    const course = this.#courseOf(points);
+    for (const line of this.#closed) {
+      if (line.type !== type) continue;
+      const other = line.points.map((point) => this.#positions.get(point) ?? ([0, 0, 0] as const));
+      const direction = closedDirection(type, course, other, this.#isSame);
+      if (direction !== 0) return direction * line.id;
+    }
+    return undefined;
+  }
+
+  #courseOf(points: readonly number[]): readonly Position[] {
+    return points.map((point) => this.#shape.points[point] ?? ([0, 0, 0] as const));
+  }
+
+  readonly #isSame = (a: Position, b: Position): boolean => distance(a, b) <= this.#tolerance;
 }
 
 /** Returns lists with the records of an insertion; unchanged lists stay the same. */

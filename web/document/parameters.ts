@@ -6,7 +6,8 @@ import {
   readNumber,
   withNameReplaced,
 } from "../expressions/expression";
-import { dependentParameters, parameterValues } from "../expressions/parameters";
+import { dependentParameters } from "../expressions/parameters";
+import { projectNumbers } from "./length-units";
 import { parameterProblems, stepNames } from "../strings";
 import type { ProjectDraft } from "./draft-records";
 import type { ProjectEdit } from "./edit";
@@ -33,14 +34,11 @@ export function renameProblem(project: Project, name: string, next: string): str
 }
 
 /** Returns why a parameter cannot have an expression; null if it can. */
-export function expressionProblem(
-  { parameters = [] }: Project,
-  name: string,
-  expression: string,
-): string | null {
+export function expressionProblem(project: Project, name: string, expression: string): string | null {
+  const { parameters = [] } = project;
   const dependents = dependentParameters(parameters, name);
   if ([...namesIn(expression)].some((used) => dependents.has(used))) return parameterProblems.cycle(name);
-  return readNumber(expression, parameterValues(parameters)) === null ? parameterProblems.expression : null;
+  return readNumber(expression, projectNumbers(project)) === null ? parameterProblems.expression : null;
 }
 
 /** Returns a name that no parameter has: `p1`, `p2` and so on. */
@@ -78,7 +76,7 @@ export function renameParameter(name: string, next: string): ProjectEdit {
   return {
     label: stepNames.renameParameter(name),
     change: ({ project }) => {
-      const values = parameterValues([...(project.parameters ?? [])]);
+      const values = projectNumbers({ units: project.units, parameters: [...(project.parameters ?? [])] });
       const parameter = project.parameters?.find((one) => one.name === name);
       if (parameter) parameter.name = next;
       replaceName(project, name, next, values);
@@ -88,7 +86,7 @@ export function renameParameter(name: string, next: string): ProjectEdit {
 
 /** Removes a parameter. Expressions that use it get its value, so that the model stays as it is. */
 export function removeParameter(project: Project, name: string): ProjectEdit {
-  const values = parameterValues(project.parameters);
+  const values = projectNumbers(project);
   const value = values.get(name);
   return {
     label: stepNames.removeParameter(name),

@@ -9,7 +9,10 @@ import { linePaths } from "./line-paths";
 import { drawnLoops, keyOf } from "./loop-search";
 import { orderLoops } from "./loops";
 import { loopsToFill } from "./loops-to-fill";
-import { joinLinePair, joinPair, replacing } from "./transforms/join-points";
+import { cutsAtCrossings } from "./splits/line-crossings";
+import { sampledPath } from "./splits/loops-across";
+import { replacingLists, splitLines, type Cut } from "./splits/split-line";
+import { joinLinePair, joinPair } from "./transforms/join-points";
 import type { Problem } from "./validate";
 
 /** Changes that solve problems without a decision of the user. Each says what it does; one fix is one step of undo. */
@@ -55,7 +58,7 @@ export function quickFixOf(problem: Problem, context: FixContext): QuickFix | nu
     case "empty-background-grid":
       return covering(fixStrings.cover, { kind: "replace", size: likelySize(context.project) });
     case "open-edge":
-      return closePatch(problem, context);
+      return splitOpenLine(problem, context) ?? closePatch(problem, context);
     default:
       return null;
   }
@@ -65,7 +68,7 @@ export function quickFixOf(problem: Problem, context: FixContext): QuickFix | nu
 export function fixEdit(project: Project, label: string, fixes: readonly QuickFix[]): ProjectEdit | null {
   const fixed = fixes.reduce((current, { apply }) => apply(current), project);
   const replace = [
-    ...replacing(project, fixed),
+    ...replacingLists(project, fixed),
     ...(fixed.background === project.background
       ? []
       : [[["project", "background"], fixed.background] as const]),
@@ -181,6 +184,34 @@ function openLoops(project: Project, problems: readonly Problem[]): ReadonlyMap<
   const loops = loopsToFill(drawnLoops(paths).filter(({ normal }) => normal !== null));
   foundLoops.set(problems, loops);
   return loops;
+}
+
+/** The places at which each open line would have to be split, by list of problems. */
+const foundCuts = new WeakMap<readonly Problem[], readonly Cut[]>();
+
+function openCuts(project: Project, problems: readonly Problem[]): readonly Cut[] {
+  const known = foundCuts.get(problems);
+  if (known) return known;
+  const open = new Set(
+    problems.filter(({ code }) => code === "open-edge").flatMap((one) => idsOf(one, "line")),
+  );
+  const lines = project.lines.filter(({ id }) => open.has(id));
+  const cuts = cutsAtCrossings(
+    project,
+    lines.map((line) => sampledPath(project, line)),
+  );
+  foundCuts.set(problems, cuts);
+  return cuts;
+}
+
+/** An open line on which another open line ends. */
+function splitOpenLine(problem: Problem, { project, problems }: FixContext): QuickFix | null {
+  const [line] = idsOf(problem, "line");
+  const cuts = openCuts(project, problems).filter((cut) => cut.line === line && cut.point !== undefined);
+  const points = cuts.flatMap(({ point }) => point ?? []);
+  if (line === undefined || points.length === 0) return null;
+  if (splitLines(project, cuts).wholes.size === 0) return null;
+  return simple(fixStrings.splitLine(line, points), (current) => splitLines(current, cuts).project);
 }
 
 /** Open lines that lie in one plane and form a loop, without the holes within it. */

@@ -6,8 +6,8 @@ import { fromFrame, type Frame } from "./vectors";
  * Points, lines and patches that are not part of a project yet. They refer to each other by number instead of by id:
  * points by their index; the lines of loops by their index + 1, negative if a line is traversed backwards.
  */
-export interface Shape {
-  readonly points: readonly Position[];
+export interface Shape<P = Position> {
+  readonly points: readonly P[];
   readonly lines: readonly ShapeLine[];
   readonly patches: readonly ShapePatch[];
 }
@@ -35,13 +35,13 @@ export function placedIn(shape: Shape, frame: Frame): Shape {
 }
 
 /** Builds a shape step by step, from nothing or from a shape to extend. Straight lines with the same ends are made once. */
-export class ShapeBuilder implements Shape {
-  readonly points: Position[];
+export class ShapeBuilder<P = Position> implements Shape<P> {
+  readonly points: P[];
   readonly lines: ShapeLine[];
   readonly patches: ShapePatch[];
   readonly #straight = new Map<string, number>();
 
-  constructor({ points, lines, patches }: Shape = { points: [], lines: [], patches: [] }) {
+  constructor({ points, lines, patches }: Shape<P> = { points: [], lines: [], patches: [] }) {
     this.points = [...points];
     this.lines = [...lines];
     this.patches = [...patches];
@@ -51,7 +51,7 @@ export class ShapeBuilder implements Shape {
   }
 
   /** Adds a point. Returns its index. */
-  point(position: Position): number {
+  point(position: P): number {
     this.points.push(position);
     return this.points.length - 1;
   }
@@ -83,7 +83,7 @@ export class ShapeBuilder implements Shape {
   }
 
   /** Returns what was built. */
-  get shape(): Shape {
+  get shape(): Shape<P> {
     const { points, lines, patches } = this;
     return { points, lines, patches };
   }

@@ -49,11 +49,11 @@ export function unit(a: Position): Position | null {
 }
 
 /** Three perpendicular directions of length 1, right-handed, at an origin. */
-export interface Frame {
-  readonly origin: Position;
-  readonly x: Position;
-  readonly y: Position;
-  readonly z: Position;
+export interface Frame<P = Position> {
+  readonly origin: P;
+  readonly x: P;
+  readonly y: P;
+  readonly z: P;
 }
 
 /** The axes of coordinates. */
@@ -65,14 +65,19 @@ export const worldFrame: Frame = { origin: zero, x: [1, 0, 0], y: [0, 1, 0], z: 
  */
 export function frameAlong(direction: Position, origin: Position = zero): Frame {
   const z = unit(direction) ?? worldFrame.z;
+  const helper = axisBeside(z);
+  const x = unit(addScaled(helper, z, -dot(helper, z))) ?? worldFrame.x;
+  return { origin, x, y: cross(z, x), z };
+}
+
+/** Returns the axis of coordinates that lies in the plane of z and x of the frame along a direction of length 1. */
+export function axisBeside(z: Position): Position {
   const smallest = [0, 1, 2].reduce((best, axis) =>
     Math.abs(z[axis] ?? 0) < Math.abs(z[best] ?? 0) ? axis : best,
   );
   const axis = [0, 1, 2].find((k) => Math.abs(z[k] ?? 0) === 1);
   const basis = [worldFrame.x, worldFrame.y, worldFrame.z] as const;
-  const helper = basis[axis === undefined ? smallest : (axis + 1) % 3] ?? worldFrame.x;
-  const x = unit(addScaled(helper, z, -dot(helper, z))) ?? worldFrame.x;
-  return { origin, x, y: cross(z, x), z };
+  return basis[axis === undefined ? smallest : (axis + 1) % 3] ?? worldFrame.x;
 }
 
 /** Returns the position whose coordinates in a frame are given. */

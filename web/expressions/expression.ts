@@ -1,7 +1,9 @@
 import { LIMITS } from "tetrafront";
 
-/** Named numbers that an expression may use. */
+/** Named numbers that an expression may use. Those of units have the keys `1 mm`, `1 in` and so on. */
 export type NamedNumbers = ReadonlyMap<string, number>;
+
+export const unitKey = (unit: string): string => `1 ${unit}`;
 
 const noNames: NamedNumbers = new Map();
 
@@ -10,7 +12,8 @@ const namePattern = /^[A-Za-z_]/;
 
 /**
  * Reads a number the way people type it: `0.25`, `1/3`, `2*pi`, `(1+2)/4`, `1e-3`, `-sqrt(2)/2`, `3^2`, `sin(30)`, `2*r`
- * with a number named `r`. Angles are in degrees. Names are case-sensitive; functions and constants are not.
+ * with a number named `r`. Angles are in degrees. Names are case-sensitive; functions and constants are not. A unit after a
+ * number or a product multiplies it: `1/2 in`, `2*r mm`, `1 ft + 3 in`.
  * Returns null for anything else, for a text that is too long or nested more than 200 deep, and for results that are not
  * finite.
  */
@@ -29,8 +32,22 @@ export const isPlainNumber = (text: string): boolean =>
 /** Returns the expression with each number of one name replaced by a text. */
 export function withNameReplaced(expression: string, name: string, replacement: string): string {
   return expression.replace(tokenPattern, (token: string, offset: number) =>
-    token === name && !isCall(expression.slice(offset + token.length)) ? replacement : token,
+    token === name && !isCall(expression.slice(offset + token.length)) && !isUnitAt(expression, offset)
+      ? replacement
+      : token,
   );
+}
+
+/** Returns whether the word at an offset is in the place of a unit: a number comes before it. */
+const isUnitAt = (expression: string, offset: number): boolean =>
+  /[\w.)]\s*$/.test(expression.slice(0, offset));
+
+/** Returns the words of an expression in the place of units. */
+export function unitsIn(expression: string): ReadonlySet<string> {
+  const words = [...expression.matchAll(tokenPattern)].filter(
+    ({ 0: token, index }) => namePattern.test(token) && isUnitAt(expression, index),
+  );
+  return new Set(words.map(([token]) => token));
 }
 
 /** Returns whether the text after a name makes it the name of a function. */
@@ -42,6 +59,7 @@ export function namesIn(expression: string): ReadonlySet<string> {
     ({ 0: token, index }) =>
       namePattern.test(token) &&
       !Object.hasOwn(constants, token.toLowerCase()) &&
+      !isUnitAt(expression, index) &&
       !isCall(expression.slice(index + token.length)),
   );
   return new Set(names.map(([token]) => token));
@@ -49,7 +67,7 @@ export function namesIn(expression: string): ReadonlySet<string> {
 
 /** Returns whether a name is that of a function or constant. */
 export const isReservedName = (name: string): boolean =>
-  Object.hasOwn(functions, name.toLowerCase()) || Object.hasOwn(constants, name.toLowerCase());
+  isFunction(name.toLowerCase()) || Object.hasOwn(constants, name.toLowerCase());
 
 /** Returns the names of all functions and constants. */
 export const reservedNames = (): readonly string[] => [...Object.keys(functions), ...Object.keys(constants)];
@@ -64,16 +82,23 @@ function sine(angle: number): number {
   return exact ?? Math.sin(angle * degrees);
 }
 
-const functions: Readonly<Record<string, (x: number) => number>> = {
+const functions = {
   sqrt: Math.sqrt,
   abs: Math.abs,
   sin: sine,
-  cos: (angle) => sine(angle + 90),
-  tan: (angle) => Math.tan(angle * degrees),
-  asin: (x) => Math.asin(x) / degrees,
-  acos: (x) => Math.acos(x) / degrees,
-  atan: (x) => Math.atan(x) / degrees,
+  cos: (angle: number) => sine(angle + 90),
+  tan: (angle: number) => Math.tan(angle * degrees),
+  asin: (x: number) => Math.asin(x) / degrees,
+  acos: (x: number) => Math.acos(x) / degrees,
+  atan: (x: number) => Math.atan(x) / degrees,
 };
+
+export type FunctionName = keyof typeof functions;
+
+const isFunction = (name: string): name is FunctionName => Object.hasOwn(functions, name);
+
+/** Returns the value of a function. Angles are in degrees. */
+export const applied = (name: FunctionName, x: number): number => functions[name](x);
 
 const constants: Readonly<Record<string, number>> = { pi: Math.PI };
 
@@ -106,12 +131,20 @@ class ExpressionReader {
   }
 
   #product(): number | null {
-    let value = this.#factor();
+    let value = this.#inUnit(this.#factor());
     for (let sign = this.#take("*", "/"); value !== null && sign; sign = this.#take("*", "/")) {
       const factor = this.#factor();
-      value = factor === null ? null : sign === "*" ? value * factor : value / factor;
+      value = factor === null ? null : this.#inUnit(sign === "*" ? value * factor : value / factor);
     }
     return value;
+  }
+
+  /** Multiplies a value by the unit after it, if there is one. */
+  #inUnit(value: number | null): number | null {
+    const unit = this.#named.get(unitKey(this.#tokens[this.#next] ?? ""));
+    if (value === null || unit === undefined) return value;
+    ++this.#next;
+    return value * unit;
   }
 
   /** Every recursion passes through here. */
@@ -140,10 +173,9 @@ class ExpressionReader {
     if (token === undefined) return null;
     if (token === "(") return this.#closed();
     const lowerCase = token.toLowerCase();
-    const apply = Object.hasOwn(functions, lowerCase) ? functions[lowerCase] : undefined;
-    if (apply && this.#take("(")) {
+    if (isFunction(lowerCase) && this.#take("(")) {
       const value = this.#closed();
-      return value === null ? null : apply(value);
+      return value === null ? null : applied(lowerCase, value);
     }
     const constant = Object.hasOwn(constants, lowerCase) ? constants[lowerCase] : undefined;
     return constant ?? this.#named.get(token) ?? (/^[\d.]/.test(token) ? Number(token) : null);

@@ -1,5 +1,5 @@
 /** The values of named parameters whose expressions may use each other. */
-import { namesIn, readNumber, type NamedNumbers } from "./expression";
+import { namesIn, readNumber, unitKey, type NamedNumbers } from "./expression";
 
 /** A named number. */
 export interface Parameter {
@@ -7,23 +7,32 @@ export interface Parameter {
   readonly expression: string;
 }
 
-const known = new WeakMap<readonly Parameter[], NamedNumbers>();
-const none: NamedNumbers = new Map();
+/** The values of units, by name. */
+export type UnitValues = ReadonlyMap<string, number>;
+
+/** By units and parameters. */
+const known = new WeakMap<UnitValues, WeakMap<readonly Parameter[], NamedNumbers>>();
+const noParameters: readonly Parameter[] = [];
+const noUnits: UnitValues = new Map();
 
 /**
- * Returns the values of all parameters that have one. A parameter has none if its expression is invalid, or uses a
- * parameter without a value or, directly or indirectly, itself. The same list gives the same object.
+ * Returns the values of all parameters that have one, and those of units. A parameter has none if its expression is invalid,
+ * or uses a parameter without a value or, directly or indirectly, itself. The same list and units give the same object.
  */
-export function parameterValues(parameters: readonly Parameter[] | undefined): NamedNumbers {
-  if (!parameters || parameters.length === 0) return none;
-  let values = known.get(parameters);
-  if (!values) known.set(parameters, (values = evaluated(parameters)));
+export function parameterValues(
+  parameters: readonly Parameter[] = noParameters,
+  units: UnitValues = noUnits,
+): NamedNumbers {
+  const inUnits = known.get(units) ?? new WeakMap<readonly Parameter[], NamedNumbers>();
+  known.set(units, inUnits);
+  let values = inUnits.get(parameters);
+  if (!values) inUnits.set(parameters, (values = evaluated(parameters, units)));
   return values;
 }
 
-function evaluated(parameters: readonly Parameter[]): NamedNumbers {
+function evaluated(parameters: readonly Parameter[], units: UnitValues): NamedNumbers {
   const expressions = new Map(parameters.map(({ name, expression }) => [name, expression]));
-  const values = new Map<string, number>();
+  const values = new Map([...units].map(([unit, value]) => [unitKey(unit), value]));
   const visited = new Set<string>();
   // Not by recursion: a chain of parameters may be longer than the stack is deep.
   const stack: { readonly name: string; readonly expression: string; readonly uses: Iterator<string> }[] = [];

@@ -1,6 +1,14 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { findRecord, type Entity } from "../document/entities";
-import type { FieldValue, FieldValues, Operation, Subject } from "../document/operations/operation";
+import {
+  changedExpressions,
+  type FieldExpressions,
+  type FieldValue,
+  type FieldValues,
+  type Operation,
+  type Subject,
+  type TypedNumber,
+} from "../document/operations/operation";
 import type { ViewStore } from "../document/selection";
 import { settledProject, type DocumentStore, type Gesture } from "./document-store";
 
@@ -8,6 +16,8 @@ import { settledProject, type DocumentStore, type Gesture } from "./document-sto
 export interface OpenOperation {
   readonly operation: Operation;
   readonly values: FieldValues;
+  /** What the numbers of the values were typed as. */
+  readonly expressions: FieldExpressions;
   /** The project without the operation, and the selection in it. */
   readonly subject: Subject;
   /** Why the values give nothing; null if the view shows what they give. */
@@ -50,13 +60,16 @@ export class Operations {
     const subject = { project: this.#documents.project, selection };
     this.#gesture = this.#documents.begin(operation.step);
     const project = settledProject(this.#documents.state.getState());
-    this.#show(operation, operation.initial({ ...subject, project }), { ...subject, project });
+    const values = operation.initial({ ...subject, project });
+    this.#show({ operation, values, expressions: {}, subject: { ...subject, project } });
   }
 
-  /** Changes a value of the open operation. */
-  set(key: string, value: FieldValue): void {
+  /** Changes a value of the open operation. `typed`: the number of it that was typed. */
+  set(key: string, value: FieldValue, typed?: TypedNumber): void {
     const { open } = this.state.getState();
-    if (open) this.#show(open.operation, { ...open.values, [key]: value }, open.subject);
+    if (!open) return;
+    const expressions = changedExpressions(open.expressions, key, [open.values[key], value], typed);
+    this.#show({ ...open, values: { ...open.values, [key]: value }, expressions });
   }
 
   /** Accepts what the open operation gives, and selects it. Returns false if it gives nothing. */
@@ -82,17 +95,18 @@ export class Operations {
     if (this.state.getState().open) this.state.setState({ open: null });
   }
 
-  #follow({ operation, values, subject }: OpenOperation, selection: readonly Entity[]): void {
+  #follow(open: OpenOperation, selection: readonly Entity[]): void {
     // The view also shows what the operation adds.
+    const { subject } = open;
     const existing = selection.filter(({ kind, id }) => findRecord(subject.project, kind, id) !== undefined);
-    this.#show(operation, values, { ...subject, selection: existing });
+    this.#show({ ...open, subject: { ...subject, selection: existing } });
   }
 
-  #show(operation: Operation, values: FieldValues, subject: Subject): void {
-    const offer = operation.make(subject, values);
+  #show({ operation, values, expressions, subject }: Omit<OpenOperation, "reason" | "entities">): void {
+    const offer = operation.make(subject, values, expressions);
     const entities = offer.possible ? offer.creation.entities : [];
     const reason = offer.possible ? null : offer.reason;
-    this.state.setState({ open: { operation, values, subject, reason, entities } });
+    this.state.setState({ open: { operation, values, expressions, subject, reason, entities } });
     this.#gesture?.update(offer.possible ? offer.creation.edit : { change: () => undefined });
   }
 }

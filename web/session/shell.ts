@@ -1,3 +1,4 @@
+import type { Unit } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 
 export type DialogName = "help" | "new-point" | "new-node" | "cover" | "propose" | "recent" | "templates";
@@ -31,6 +32,8 @@ export interface ShellState {
   /** On small screens the panels are drawers. */
   readonly drawer: "left" | "right" | "bottom" | null;
   readonly dialog: DialogName | null;
+  /** The length unit that the user has chosen for a project with numbers, until the use of the numbers is decided. */
+  readonly chosenUnit: Unit | null;
   /** Field of the selected entity that gets the focus as soon as the inspector shows it; null if none. */
   readonly editing: EditedField | null;
   /** Whether the page has large type for an audience. */
@@ -56,6 +59,7 @@ export function createShell(): Shell {
     bottomTab: "log",
     drawer: null,
     dialog: null,
+    chosenUnit: null,
     editing: null,
     isPresenting: false,
     message: null,

@@ -52,6 +52,7 @@ export const commandLabels = {
   },
   newPoint: "Point by coordinates…",
   newNode: "Background node…",
+  splitLine: "Split line here",
   lines: {
     straight: "Straight line through points",
     parabolic: "Parabola through points",

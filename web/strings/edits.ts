@@ -7,6 +7,7 @@ export const stepNames = {
   renameProject: "Rename project",
   setLineType: (id: number) => `Change type of line ${id}`,
   setLinePoints: (id: number) => `Change points of line ${id}`,
+  splitLine: (id: number) => `Split line ${id}`,
   setPatchType: (id: number) => `Change type of patch ${id}`,
   setPatchLoops: (id: number) => `Change loops of patch ${id}`,
   setNode: (field: "size" | "stretching" | "direction", id: number) =>
@@ -24,6 +25,7 @@ export const stepNames = {
     optimization: "Set optimization",
   },
   setUnits: "Set length unit",
+  convertUnits: (from: string, to: string) => `Convert lengths from ${from} to ${to}`,
   removeUniformSize: "Use sizes of background grid",
   refineSizes: "Make all sizes finer",
   coarsenSizes: "Make all sizes coarser",
@@ -82,6 +84,14 @@ export const selectionHints = {
     positions === 1
       ? "Select one point or background node."
       : `Select ${positions} points or background nodes, or lines that have ${positions} ends together.`,
+} as const;
+
+/** Why a line cannot be split. */
+export const lineSplitStrings = {
+  noLine: "Select one line, or one line and a point on it.",
+  atEnd: "The line ends there already.",
+  pointAway: "The selected point does not lie on the line.",
+  misfit: (patch: string, misfit: string) => `${patch} needs the line as it is. ${misfit}`,
 } as const;
 
 /** Why lines do not form loops. */

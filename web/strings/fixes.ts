@@ -21,6 +21,10 @@ export const fixStrings = {
     label: "Join lines",
     effect: `Uses line ${keep} in all patches in place of line ${drop}.`,
   }),
+  splitLine: (line: number, points: readonly number[]) => ({
+    label: "Split the line",
+    effect: `Splits line ${line} at ${points.length === 1 ? "point" : "the points"} ${points.join(", ")}, where other lines end on it.`,
+  }),
   orderLoop: (patch: number) => ({
     label: "Order the loop",
     effect: `Puts the lines of patch ${patch} in order and reverses those that run the wrong way.`,

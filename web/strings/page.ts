@@ -35,7 +35,7 @@ export const pageStrings = {
     tools: "Tools",
     menu: "Selection",
     openEdges: (count: number) => (count === 1 ? "1 open edge" : `${count} open edges`),
-    roles: "Roles of the selected patch's lines in equation (14) of the paper",
+    roles: "Roles and directions of the selected patch's lines in the paper's equation",
     stale: "Out of date",
     staleHint: "The model has changed since this mesh was made.",
     update: "Remesh",

@@ -50,6 +50,7 @@ export const synonyms: Readonly<Record<string, string>> = {
   "split-patches": "divide faces sharp edges feature angle boundary names surface",
   "paint-size": "brush refine local density stroke source",
   "repair-body": "heal fix weld fill holes self-intersection surface",
+  "split-line": "divide break cut insert point vertex trim",
   fit: "zoom all extents home",
   "fit-selection": "zoom to focus",
   cut: "section clip slice plane",

@@ -97,6 +97,7 @@ export const panelStrings = {
   },
   fields: {
     notANumber: "Enter a number, such as 0.25 or 1/3",
+    noProjectUnit: "Choose the length unit of the project first",
     different: "mixed",
     aboveZero: "Must be above 0",
     atLeastOne: "Must be at least 1",
@@ -234,6 +235,8 @@ export const panelStrings = {
     addClose: "Add and close",
     addNext: "Add and next",
     added: (what: string) => `Added ${what}.`,
+    points: (count: number) => `${count} points`,
+    pasteHint: "Paste a list of coordinates to add all its points at once.",
     nodeHint:
       "A node sets sizes only as a corner of a background tetrahedron. To add one, select four nodes and press T.",
     line: "New line",

@@ -10,4 +10,10 @@ export const unitStrings = {
   other: "other scale",
   ofProject: "Length unit",
   ofFile: "File unit",
+  changeTitle: "Change the length unit",
+  question: (from: string, to: string, factor: string) =>
+    `Convert the numbers, so that the model stays as large as it is: 1 ${from} becomes ${factor} ${to}. Or keep the numbers and change their unit only: the model then has another size.`,
+  convert: "Convert the numbers",
+  relabel: "Keep the numbers",
+  cancel: "Cancel",
 } as const;

@@ -152,11 +152,12 @@ export class SelectTool implements Tool {
 
   /** The menu is about the entity under the pointer, and the selection if the entity belongs to it. */
   #openMenu(pointer: ToolPointer): void {
-    const target = pointer.hit()?.target ?? null;
+    const hit = pointer.hit();
+    const target = hit?.target ?? null;
     const { selection } = this.#view.state.getState();
     const isSelected = target?.kind !== "element" && selection.some((entity) => sameEntity(entity, target));
     if (target && target.kind !== "element" && !isSelected) this.#view.select(target);
-    this.#stores.drawing.state.setState({ menu: pointer.at });
+    this.#stores.drawing.state.setState({ menu: pointer.at, menuPosition: hit?.position ?? null });
   }
 
   #rest(pointer: ToolPointer): void {

@@ -1,13 +1,19 @@
 import { createBody, UNITS, type Project } from "tetrafront";
-import { expect, it } from "vitest";
+import { describe, expect, it } from "vitest";
 import { emptyProject } from "../../../web/document/create";
 import {
+  convertProject,
+  hasLengths,
   inProjectUnit,
+  projectNumbers,
   setBodyUnit,
   setProjectUnit,
   unitFactor,
   unitOfBody,
 } from "../../../web/document/length-units";
+import { setParameter } from "../../../web/document/parameters";
+import { namesIn, readNumber, unitsIn, withNameReplaced } from "../../../web/expressions/expression";
+import { cubeProject } from "../../support/projects";
 import { DocumentStore } from "../../../web/session/document-store";
 import { boxSurface } from "../../support/surfaces";
 
@@ -55,4 +61,97 @@ it("sets and removes the unit of the project", () => {
   expect(documents.project.units).toBe("mm");
   documents.edit(setProjectUnit(null));
   expect(documents.project).not.toHaveProperty("units");
+});
+
+describe("expressions with units", () => {
+  const named = projectNumbers({ units: "mm", parameters: [{ name: "r", expression: "2 in" }, { name: "m", expression: "7" }] }); // prettier-ignore
+
+  it.each([
+    ["1 in", 25.4],
+    ["2.5 mm", 2.5],
+    ["3ft", 914.4],
+    ["1e-3 m", 1],
+    ["1/2 in", 12.7],
+    ["1 ft + 3 in", 381],
+    ["(1 + 1/4) in", 31.75],
+    ["2*3 cm - 1 mm", 59],
+    ["r", 50.8],
+    ["2*m", 14],
+    ["m m", 7000],
+    ["sqrt(4) cm", 20],
+  ])("%s in millimetres", (text, value) => expect(readNumber(text, named)).toBeCloseTo(value, 11));
+
+  it.each(["1 furlong", "in", "1 in in", "mm 1", "1 In"])("rejects %s", (text) =>
+    expect(readNumber(text, named)).toBeNull(),
+  );
+
+  it("need a unit of the project, and parameters may have the names of units", () => {
+    expect(readNumber("1 in", projectNumbers({}))).toBeNull();
+    expect([...namesIn("2 m + m*r in")]).toEqual(["m", "r"]);
+    expect([...unitsIn("2 m + m*r in")]).toEqual(["m", "in"]);
+    expect(withNameReplaced("2 m + m", "m", "q")).toBe("2 m + q");
+  });
+});
+
+describe("another unit for a project with numbers", () => {
+  const project: Project = {
+    ...cubeProject(0.5),
+    units: "in",
+    meshing: { size: 0.25 },
+    parameters: [
+      { name: "count", expression: "3" },
+      { name: "wide", expression: "5.08 cm" },
+    ],
+    bodies: [{ ...body, placement: { position: [1, 2, 3] }, remeshing: { size: 0.5, featureAngle: 30 } }],
+    expressions: [
+      { kind: "point", id: 8, field: "position.0", expression: "count/3" },
+      { kind: "point", id: 8, field: "position.1", expression: "wide/2" },
+      { kind: "point", id: 8, field: "position.2", expression: "25.4 mm" },
+      { kind: "meshing", field: "size", expression: "wide/8" },
+    ],
+  };
+
+  it("converts all lengths and nothing else, and expressions follow", () => {
+    const documents = new DocumentStore(project, () => 0);
+    const before = documents.project;
+    documents.edit(convertProject(documents.project, "in", "mm"));
+    const { points, background, meshing, bodies, parameters, units } = documents.project;
+    expect(units).toBe("mm");
+    points.forEach(({ position }, i) =>
+      position.forEach((x, k) => expect(x).toBeCloseTo(25.4 * (project.points[i]?.position[k] ?? 0), 12)),
+    );
+    expect(background.nodes.every(({ size }) => size === 12.7)).toBe(true);
+    expect(meshing?.size).toBeCloseTo(6.35, 12);
+    expect(bodies?.[0]?.placement).toEqual({ position: [25.4, 50.8, 76.2], scale: 25.4 });
+    expect(bodies?.[0]?.remeshing).toEqual({ size: 12.7, featureAngle: 30 });
+    expect(parameters).toEqual(project.parameters);
+    expect(documents.project.expressions?.map(({ expression }) => expression)).toEqual([
+      "(count/3)*25.4",
+      "wide/2",
+      "25.4 mm",
+      "wide/8",
+    ]);
+    documents.edit(setParameter("wide", "4 in"));
+    expect(documents.project.points.at(-1)?.position[1]).toBeCloseTo(50.8, 12);
+    documents.undo();
+    documents.undo();
+    expect(documents.project).toEqual(before);
+  });
+
+  it("keeps the numbers if it is only relabelled, also those with units", () => {
+    const documents = new DocumentStore(project, () => 0);
+    documents.edit(setProjectUnit("mm"));
+    const after = documents.project;
+    expect(after.units).toBe("mm");
+    expect(after.points).toEqual(project.points);
+    expect(after.meshing?.size).toBeCloseTo(0.25, 12);
+    expect(after.parameters?.map(({ expression }) => Number(expression))).toEqual([3, 2]);
+    expect(after.expressions?.map(({ expression }) => expression)).toEqual(["count/3", "wide/2", "wide/8"]);
+  });
+
+  it("is asked about only if there are lengths", () => {
+    expect(hasLengths(emptyProject())).toBe(false);
+    expect(hasLengths({ ...emptyProject(), meshing: { size: 1 } })).toBe(true);
+    expect(hasLengths(project)).toBe(true);
+  });
 });

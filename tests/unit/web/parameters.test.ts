@@ -16,6 +16,7 @@ import { scaleSizes, setMeshing, setSourceField } from "../../../web/document/si
 import { namesIn, readNumber, withNameReplaced } from "../../../web/expressions/expression";
 import { parameterValues } from "../../../web/expressions/parameters";
 import { drawLine, placeAt } from "../../../web/document/draw";
+import { quantityPosition } from "../../../web/document/quantity-positions";
 import { worldFrame } from "../../../web/document/vectors";
 import { readCoordinates } from "../../../web/tools/drawing/coordinates";
 import { DocumentStore } from "../../../web/session/document-store";
@@ -202,11 +203,26 @@ describe("typed coordinates", () => {
     expect(documents.project.expressions).toHaveLength(2);
   });
 
-  it("keep no expressions if they are relative or in the work plane", () => {
-    for (const text of ["@1/2, 0, 0", "1/2, 1/3", "1/2 < 30"]) {
-      const typed = readCoordinates(text, { last: [0, 0, 0], frame: worldFrame });
-      expect(typed).toMatchObject({ success: true, expressions: [] });
-    }
+  it("keep what they are relative to, in the work plane too", () => {
+    const named = new Map([["r", 2]]);
+    const last = quantityPosition([5, 1, 3], ["r + 3", null, null]);
+    const frame = { ...worldFrame, origin: [0, 0, 7] } as const;
+    const expressionsOf = (text: string): readonly (string | null)[] => {
+      const typed = readCoordinates(text, { last, frame, named });
+      if (!typed.success) throw new Error(typed.reason);
+      typed.expressions.forEach((expression, axis) => {
+        if (expression !== null)
+          expect(readNumber(expression, named)).toBeCloseTo(typed.position[axis] ?? 0, 12);
+      });
+      return typed.expressions;
+    };
+    expect(expressionsOf("@r, 0, 0")).toEqual(["r + 3+r", null, null]);
+    expect(expressionsOf("@0, -r, 0")).toEqual(["r + 3", "1-r", null]);
+    expect(expressionsOf("r, 1/3")).toEqual(["r", "1/3", null]);
+    expect(expressionsOf("2*r < 30")).toHaveLength(3);
+    // Plain numbers stay plain numbers.
+    expect(expressionsOf("@1, 0, 0")).toEqual([]);
+    expect(expressionsOf("5 < 30")).toEqual([]);
   });
 });
 

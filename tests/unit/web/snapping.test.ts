@@ -41,7 +41,7 @@ describe("snapToModel", () => {
     expect(snap(0.05, 0.05)).toEqual({ kind: "point", position: [0, 0, 0], id: 7 });
     expect(snap(1.05, 0.04)).toMatchObject({ kind: "intersection" });
     expect(snap(1.05, 0.04)?.position[2]).toBeCloseTo(0.25, 12);
-    expect(snap(2.04, 0.05)).toEqual({ kind: "middle", position: [2, 0, 0.5], id: 1 });
+    expect(snap(2.04, 0.05)).toEqual({ kind: "middle", position: [2, 0, 0.5], id: 1, lines: [1] });
     const on = snap(1.5, 0.04);
     expect(on).toMatchObject({ kind: "line", id: 1 });
     expect(on?.position[0]).toBeCloseTo(1.5, 12);

@@ -3,6 +3,7 @@ import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { documentKey } from "../../../web/document/content-keys";
 import type { Offer } from "../../../web/document/create";
 import type { Entity } from "../../../web/document/entities";
+import { sweepOperations } from "../../../web/document/operations/sweeps";
 import { transformOperations } from "../../../web/document/operations/transforms";
 import type { Operation, FieldValues } from "../../../web/document/operations/operation";
 import { box } from "../../../web/document/pieces/box";
@@ -21,8 +22,9 @@ import {
 } from "../../../web/document/transforms/affine";
 import { joinPoints } from "../../../web/document/transforms/join-points";
 import { offerCopies } from "../../../web/document/transforms/copies";
+import { worldFrame } from "../../../web/document/vectors";
 import { offerTransform } from "../../../web/document/transforms/transform";
-import { ShapeBuilder, type Shape } from "../../../web/document/shape";
+import { placedIn, ShapeBuilder, type Shape } from "../../../web/document/shape";
 import { pasteOperation } from "../../../web/document/operations/paste";
 import { offerExtrusion } from "../../../web/document/transforms/extrude";
 import { fragmentText, readFragment } from "../../../web/document/transforms/fragment";
@@ -100,6 +102,64 @@ describe("affine maps", () => {
   it("four quarter turns are exact", () => {
     const [, , , full] = repeated(rotationAbout([1, 0, 0], [0, 0, 1], 90), 4);
     expect(full && mapPosition(full, [3, 4, 5])).toEqual([3, 4, 5]);
+  });
+});
+
+describe("what a mirror or a rotation leaves in its place", () => {
+  const round = projectOf(
+    [cylinder(1, 1, 2), placedIn(cylinder(1, 1, 2), { ...worldFrame, origin: [4, 0, 0] })],
+    0.6,
+  );
+  const first = allPatches(round).slice(0, 3);
+
+  it("circles and tubes on the plane of a mirror image are not doubled", async () => {
+    const mirrored = applied(
+      round,
+      offerCopies(round, allPatches(round), [reflectionAt([0, 0, 0], [1, 0, 0])], options),
+    );
+    expect([mirrored.lines, mirrored.patches].map(({ length }) => length)).toEqual([6, 9]);
+    expect(mirrored.points).toHaveLength(18);
+    const volumes = await volumesOf(mirrored);
+    expect(volumes).toHaveLength(3);
+    // Circles that begin elsewhere are the same ones.
+    const slanted = offerCopies(round, first, [reflectionAt([0, 0, 0], [1, 0.3, 0])], options);
+    expect(slanted).toMatchObject({ possible: false });
+    const turned = offerCopies(round, first, [rotationAbout([0, 0, 0], [0, 0, 1], 50)], options);
+    expect(turned).toMatchObject({ possible: false });
+    // The tube is turned upside down: its circles change places.
+    const flipped = offerCopies(round, first, [reflectionAt([0, 0, 1], [0, 0, 1])], options);
+    expect(flipped).toMatchObject({ possible: false });
+    const separate = applied(
+      round,
+      offerCopies(round, first, [rotationAbout([0, 0, 0], [0, 0, 1], 50)], { ...options, join: false }),
+    );
+    expect(separate.patches).toHaveLength(9);
+  });
+
+  it("a cylinder moved into another one joins it, without loose points", () => {
+    const onto = rotationAbout([2, 0, 0], [0, 0, 1], 180);
+    const turned = applied(round, offerTransform(round, allPatches(round).slice(3), onto, options));
+    expect([turned.points, turned.lines, turned.patches].map(({ length }) => length)).toEqual([6, 2, 3]);
+    const used = new Set(turned.lines.flatMap(({ points }) => points));
+    expect(turned.points.every(({ id }) => used.has(id))).toBe(true);
+  });
+
+  it("a closed spline is the same one wherever it begins", () => {
+    const builder = new ShapeBuilder();
+    const ring = [0, 1, 2, 3, 4, 5].map((i) =>
+      builder.point([Math.cos((i * Math.PI) / 3), Math.sin((i * Math.PI) / 3), 0]),
+    );
+    builder.line("spline", [...ring, 0]);
+    const project = projectOf([builder.shape], 0.3);
+    for (const map of [rotationAbout([0, 0, 0], [0, 0, 1], 120), reflectionAt([0, 0, 0], [1, 0, 0])]) {
+      expect(offerCopies(project, [{ kind: "line", id: 1 }], [map], options)).toMatchObject({
+        possible: false,
+      });
+    }
+    const between = rotationAbout([0, 0, 0], [0, 0, 1], 30);
+    expect(offerCopies(project, [{ kind: "line", id: 1 }], [between], options)).toMatchObject({
+      possible: true,
+    });
   });
 });
 
@@ -254,5 +314,34 @@ describe("the clipboard", () => {
     expect(await volumesOf(into(cube))).toHaveLength(2);
     expect("reason" in readFragment("{}")).toBe(true);
     expect(fragmentText(cube, [])).toBeNull();
+  });
+});
+
+describe("sizes of a drawn model", () => {
+  it("come with an extrusion or a revolution, unless the project has some", () => {
+    const builder = new ShapeBuilder();
+    const corners = ([[0, 0, 0], [2, 0, 0], [2, 1, 0], [0, 1, 0]] as const).map((corner) => builder.point(corner)); // prettier-ignore
+    builder.patch("planar", [builder.polygon(corners)]);
+    const { meshing: _, ...flat } = projectOf([builder.shape], 1);
+    for (const operation of sweepOperations.slice(0, 2)) {
+      const made = (project: Project): Project => {
+        const subject = { project, selection: allPatches(project) };
+        const values = {
+          ...operation.initial(subject),
+          axis: [0, 1, 0],
+          point: [-1, 0, 0],
+          angle: 90,
+        } as const;
+        return applied(project, operation.make(subject, values));
+      };
+      const extents = [0, 1, 2].map((axis) => {
+        const values = made(flat).points.map(({ position }) => position[axis] ?? 0);
+        return Math.max(...values) - Math.min(...values);
+      });
+      const size = made(flat).meshing?.size ?? NaN;
+      expect(size / Math.max(...extents)).toBeGreaterThan(0.03);
+      expect(size / Math.max(...extents)).toBeLessThanOrEqual(0.1);
+      expect(made({ ...flat, meshing: { size: 7 } }).meshing?.size).toBe(7);
+    }
   });
 });

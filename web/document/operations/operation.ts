@@ -13,6 +13,36 @@ export type FieldValue = number | string | boolean | Position;
 /** The values of the fields, by key. */
 export type FieldValues = Readonly<Record<string, FieldValue>>;
 
+/** What numbers were typed as: by the key of the field, with `.0` to `.2` for a coordinate. Plain numbers have none. */
+export type FieldExpressions = Readonly<Record<string, string>>;
+
+/** The number of a field that was typed: `field` is its key in `FieldExpressions`. */
+export interface TypedNumber {
+  readonly field: string;
+  /** Null for a plain number. */
+  readonly expression: string | null;
+}
+
+/**
+ * Returns the expressions of the fields after the value of one was changed: numbers that did not change keep theirs, and the
+ * number that was typed gets its own.
+ */
+export function changedExpressions(
+  expressions: FieldExpressions,
+  key: string,
+  [before, value]: readonly [FieldValue | undefined, FieldValue],
+  typed?: TypedNumber,
+): FieldExpressions {
+  const kept = Object.entries(expressions).filter(([field]) => {
+    const [name, axis] = field.split(".");
+    const numberIn = (of: FieldValue | undefined): unknown =>
+      axis !== undefined && typeof of === "object" ? of[Number(axis)] : of;
+    return field !== typed?.field && (name !== key || numberIn(before) === numberIn(value));
+  });
+  const own = typed && typed.expression !== null ? [[typed.field, typed.expression] as const] : [];
+  return Object.fromEntries([...kept, ...own]);
+}
+
 interface FieldBase {
   readonly key: string;
   readonly label: string;
@@ -84,7 +114,7 @@ export interface Operation<Values extends FieldValues = FieldValues> {
   /** The handles in the view. */
   handles?(values: Values): readonly OperationHandle[];
   /** What the user should know about the result before accepting it. */
-  note?(values: Values, subject: Subject): string;
-  /** What the values give. */
-  make(subject: Subject, values: Values): Offer;
+  note?(values: Values, subject: Subject, expressions?: FieldExpressions): string;
+  /** What the values give. The project keeps the expressions, if the numbers that they give can be computed from them. */
+  make(subject: Subject, values: Values, expressions?: FieldExpressions): Offer;
 }

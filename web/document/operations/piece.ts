@@ -1,13 +1,32 @@
-import type { Project } from "tetrafront";
+import { LIMITS, type Project } from "tetrafront";
+import { negative, quantity, valueOf, type Quantities, type Quantity } from "../../expressions/quantity";
 import { operationStrings, stepNames } from "../../strings";
 import type { Offer } from "../create";
 import type { DraftEdit } from "../edit";
+import { keepCoordinates } from "../expression-edits";
 import { imprinted, type Imprint } from "../imprint/imprint";
-import { insertion, withInsertion } from "../insert-shape";
+import { insertion, withInsertion, type Insertion } from "../insert-shape";
 import type { Position } from "../position";
+import {
+  addQuantities,
+  formulaTexts,
+  quantitiesFromFrame,
+  quantityFrameAlong,
+  quantityPosition,
+  scaleQuantities,
+  valuesOf,
+  type QuantityPosition,
+} from "../quantity-positions";
 import { placedIn, type Shape } from "../shape";
 import { addScaled, dot, frameAlong, fromFrame, subtract, unit, zero, type Frame } from "../vectors";
-import type { FieldSpec, FieldValues, Operation, OperationHandle, Subject } from "./operation";
+import type {
+  FieldExpressions,
+  FieldSpec,
+  FieldValues,
+  Operation,
+  OperationHandle,
+  Subject,
+} from "./operation";
 import { pieceExtent, withSizes } from "./sizes";
 import { startOf } from "./start";
 
@@ -43,13 +62,13 @@ export interface PieceKind<Sizes extends FieldValues> {
   readonly sizes: (extent: number) => Sizes;
   readonly fields: readonly FieldSpec[];
   /** Distance from the base to the centre along the axis; 0 if the position is always that of the centre. */
-  readonly middle: (sizes: Sizes) => number;
+  readonly middle: (sizes: Quantities<Sizes>) => Quantity;
   /** Returns why the sizes do not fit together; null if they do. */
   readonly refuse?: (sizes: Sizes) => string | null;
   /** The handles of its lengths. */
   readonly handles: (sizes: Sizes) => readonly LengthHandle<Sizes>[];
   /** The piece with its axis along z and its base at the origin. */
-  readonly shape: (sizes: Sizes) => Shape;
+  readonly shape: (sizes: Quantities<Sizes>) => Shape<QuantityPosition>;
 }
 
 /** Defines the operation that creates a kind of solid piece. */
@@ -71,7 +90,7 @@ export function pieceOperation<Sizes extends FieldValues>(
     }),
     fields: (values, { project }) => [
       ...kind.fields,
-      ...(kind.middle(values) > 0 ? [anchorField] : []),
+      ...(valueOf(kind.middle(sizesOf(values))) > 0 ? [anchorField] : []),
       { kind: "position", key: "position", label: values.anchor === "base" ? texts.base : texts.centre },
       { kind: "direction", key: "axis", label: texts.axis },
       { kind: "switch", key: "join", label: texts.join },
@@ -80,8 +99,8 @@ export function pieceOperation<Sizes extends FieldValues>(
         : []),
     ],
     handles: (values) => handlesOf(kind, values),
-    note: (values, subject) => noteOf(kind, values, subject),
-    make: (subject, values) => makePiece(kind, subject, values),
+    note: (values, subject, expressions = {}) => noteOf(kind, values, subject, expressions),
+    make: (subject, values, expressions = {}) => makePiece(kind, subject, values, expressions),
   };
 }
 
@@ -98,6 +117,8 @@ const anchorField: FieldSpec = {
 /** A piece in a project: alone, and with shared faces. */
 interface Inserted {
   readonly project: Project;
+  /** The id of each point of the shape; undefined for points that only lines shared with the project use. */
+  readonly pointIds: Insertion["pointIds"];
   readonly alone: Pick<Imprint, "drawn" | "patches">;
   readonly imprint: Imprint;
 }
@@ -114,7 +135,8 @@ function insertPiece<Sizes extends FieldValues>(
   const before = known.get(values);
   if (before?.project === project) return before;
   const { join } = values;
-  const shape = placedIn(kind.shape(values), frameOf(kind, values));
+  const plain = kind.shape(sizesOf(values));
+  const shape = placedIn({ ...plain, points: plain.points.map(valuesOf) }, frameOf(kind, values));
   const prefix = freePrefix(
     kind.noun,
     project.patches.flatMap(({ name }) => (name === undefined ? [] : [name])),
@@ -129,6 +151,7 @@ function insertPiece<Sizes extends FieldValues>(
   const patches = new Map(made.patchIds.map((id) => [id, imprint.patches.get(id) ?? [id]]));
   const inserted = {
     project,
+    pointIds: made.pointIds,
     alone: { drawn, patches: new Map(made.patchIds.map((id) => [id, [id]])) },
     imprint: { ...imprint, patches },
   };
@@ -140,7 +163,7 @@ function insertPiece<Sizes extends FieldValues>(
 function frameOf<Sizes extends FieldValues>(kind: PieceKind<Sizes>, values: Sizes & PiecePlacement): Frame {
   const { position, axis, anchor } = values;
   const along = frameAlong(axis);
-  const lift = anchor === "centre" ? -kind.middle(values) : 0;
+  const lift = anchor === "centre" ? -valueOf(kind.middle(sizesOf(values))) : 0;
   return { ...along, origin: addScaled(position, along.z, lift) };
 }
 
@@ -189,14 +212,22 @@ function makePiece<Sizes extends FieldValues>(
   kind: PieceKind<Sizes>,
   { project }: Subject,
   values: Sizes & PiecePlacement,
+  expressions: FieldExpressions,
 ): Offer {
   const reason = refusalOf(kind, values);
   if (reason !== null) return { possible: false, reason };
-  const { alone, imprint } = insertPiece(kind, project, values);
+  const { alone, imprint, pointIds } = insertPiece(kind, project, values);
   const { drawn, patches } = values.share ? imprint : alone;
   const ids = new Set([...patches.values()].flat());
+  const formulas = pieceFormulas(kind, values, expressions) ?? [];
+  // Points that the model had keep their own expressions.
+  const before = new Set(project.points.map(({ id }) => id));
+  const typed = pointIds.flatMap((id, index) =>
+    id === undefined || before.has(id) ? [] : [{ id, expressions: formulas[index] }],
+  );
   const change: DraftEdit["change"] = (draft) => {
     Object.assign(draft.project, drawn);
+    keepCoordinates(draft.project, typed);
   };
   return {
     possible: true,
@@ -207,13 +238,54 @@ function makePiece<Sizes extends FieldValues>(
   };
 }
 
-/** Says which faces of the model a piece overlaps, and what becomes of them. */
+/**
+ * Returns the expressions of the coordinates of each point of a piece: none if no field has one. Returns null if one of them
+ * would be too long for the file: a piece of which only some points follow a parameter would be distorted.
+ */
+function pieceFormulas<Sizes extends FieldValues>(
+  kind: PieceKind<Sizes>,
+  values: Sizes & PiecePlacement,
+  expressions: FieldExpressions,
+): readonly (readonly (string | null)[])[] | null {
+  if (Object.keys(expressions).length === 0) return [];
+  const sizes = sizesOf(values, expressions);
+  const typed = (key: "position" | "axis"): QuantityPosition =>
+    quantityPosition(
+      values[key],
+      [0, 1, 2].map((axis) => expressions[`${key}.${axis}`]),
+    );
+  const frame = quantityFrameAlong(typed("axis"));
+  const lift = values.anchor === "centre" ? negative(kind.middle(sizes)) : 0;
+  const origin = addQuantities(typed("position"), scaleQuantities(frame.z, lift));
+  const texts = kind
+    .shape(sizes)
+    .points.map((position) => formulaTexts(quantitiesFromFrame({ ...frame, origin }, position)));
+  const isTooLong = texts.some((three) => three.some((text) => (text ?? "").length > LIMITS.expression));
+  return isTooLong ? null : texts;
+}
+
+/** Returns the values of a piece, with the expressions of its numbers. */
+function sizesOf<Sizes extends FieldValues>(
+  values: Sizes & PiecePlacement,
+  expressions: FieldExpressions = {},
+) {
+  return Object.fromEntries(
+    Object.entries(values).map(([key, value]) => [
+      key,
+      typeof value === "number" ? quantity(value, expressions[key]) : value,
+    ]),
+  ) as Quantities<Sizes>;
+}
+
+/** Says which faces of the model a piece overlaps, and what becomes of them and of the expressions. */
 function noteOf<Sizes extends FieldValues>(
   kind: PieceKind<Sizes>,
   values: Sizes & PiecePlacement,
   { project }: Subject,
+  expressions: FieldExpressions,
 ): string {
   if (refusalOf(kind, values) !== null) return "";
+  if (!pieceFormulas(kind, values, expressions)) return operationStrings.longExpressions;
   const { shared, isIncomplete } = insertPiece(kind, project, values).imprint;
   const { imprint } = operationStrings;
   if (isIncomplete) return imprint.incomplete;

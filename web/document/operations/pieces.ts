@@ -1,3 +1,4 @@
+import { over, valueOf } from "../../expressions/quantity";
 import { operationStrings } from "../../strings";
 import { box } from "../pieces/box";
 import { cone } from "../pieces/cone";
@@ -32,7 +33,7 @@ const createBox = pieceOperation({
     positiveLength("depth", texts.depth),
     positiveLength("height", texts.height),
   ],
-  middle: ({ height }) => height / 2,
+  middle: ({ height }) => over(height, 2),
   handles: ({ height }) => [
     { key: "width", from: [0, 0, height / 2], along: x, share: 0.5 },
     { key: "depth", from: [0, 0, height / 2], along: y, share: 0.5 },
@@ -46,7 +47,7 @@ const createCylinder = pieceOperation({
   ...pieces.cylinder,
   sizes: (extent) => ({ radius: extent / 2, height: extent }),
   fields: [positiveLength("radius", texts.radius), positiveLength("height", texts.height)],
-  middle: ({ height }) => height / 2,
+  middle: ({ height }) => over(height, 2),
   handles: ({ height }) => [
     { key: "radius", from: [0, 0, height / 2], along: x },
     { key: "height", from: zero, along: z },
@@ -73,7 +74,7 @@ const createCone = pieceOperation({
     length("topRadius", texts.topRadius),
     positiveLength("height", texts.height),
   ],
-  middle: ({ height }) => height / 2,
+  middle: ({ height }) => over(height, 2),
   handles: ({ height }) => [
     { key: "radius", from: zero, along: x },
     { key: "topRadius", from: [0, 0, height], along: x },
@@ -110,12 +111,12 @@ const createPrism = pieceOperation({
     positiveLength("radius", texts.cornerRadius),
     positiveLength("height", texts.height),
   ],
-  middle: ({ height }) => height / 2,
+  middle: ({ height }) => over(height, 2),
   handles: ({ height }) => [
     { key: "radius", from: [0, 0, height / 2], along: x },
     { key: "height", from: zero, along: z },
   ],
-  shape: ({ sides, radius, height }) => prism(sides, radius, height),
+  shape: ({ sides, radius, height }) => prism(valueOf(sides), radius, height),
 });
 
 const createWing = pieceOperation({
@@ -130,7 +131,7 @@ const createWing = pieceOperation({
     angleBetween("sweep", texts.sweep, -80, 80),
     angleBetween("twist", texts.twist, -45, 45),
   ],
-  middle: ({ span }) => span / 2,
+  middle: ({ span }) => over(span, 2),
   refuse: ({ digits }) => (digits % 100 > 0 ? null : refusals.thickness),
   handles: ({ span, sweep }) => [
     { key: "chord", from: zero, along: x },

@@ -1,4 +1,5 @@
 import type { Project } from "tetrafront";
+import type { Offer } from "../create";
 import type { DocumentContent } from "../edit";
 import type { DraftChange } from "../edit";
 import { rangeAlong } from "../extent";
@@ -39,6 +40,25 @@ export function hasSizes({ meshing, background }: Project): boolean {
   return meshing?.size !== undefined || background.tetrahedra.length > 0;
 }
 
+/** Returns the uniform size of the elements that fits drawn points; undefined if they have no extent. */
+export function proposedSize(points: Project["points"]): number | undefined {
+  const extent = extentOf(points);
+  return extent > 0 ? roundNumber(elementShare * extent) : undefined;
+}
+
+/** Returns an offer that also gives the project a uniform size if it has no sizes and the offer replaces its points. */
+export function sizedOffer(project: Project, offer: Offer): Offer {
+  if (!offer.possible || hasSizes(project)) return offer;
+  const { creation } = offer;
+  const { edit } = creation;
+  if (!("replace" in edit)) return offer;
+  const points = edit.replace.find(([path]) => path.join(".") === "project.points")?.[1];
+  const size = points === undefined ? undefined : proposedSize(points as Project["points"]);
+  if (size === undefined) return offer;
+  const meshing = [["project", "meshing"], { ...project.meshing, size }] as const;
+  return { ...offer, creation: { ...creation, edit: { ...edit, replace: [...edit.replace, meshing] } } };
+}
+
 /** Returns a change that also gives the project a uniform size if it has no sizes, so that it can be meshed at once. */
 export function withSizes(
   project: Project,
@@ -48,9 +68,8 @@ export function withSizes(
   return {
     change: (draft) => {
       change(draft);
-      const extent = extentOf(draft.project.points);
-      if (extent > 0)
-        draft.project.meshing = { ...draft.project.meshing, size: roundNumber(elementShare * extent) };
+      const size = proposedSize(draft.project.points);
+      if (size !== undefined) draft.project.meshing = { ...draft.project.meshing, size };
     },
   };
 }

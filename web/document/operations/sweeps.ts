@@ -13,7 +13,7 @@ import { offerRevolution } from "../transforms/revolve";
 import { scale, unit, worldFrame, zero } from "../vectors";
 import { angleBetween, positiveLength } from "./number-specs";
 import type { Operation } from "./operation";
-import { pieceExtent } from "./sizes";
+import { pieceExtent, sizedOffer } from "./sizes";
 
 const { sweeps: texts, refusals } = operationStrings;
 const labels = texts.fields;
@@ -53,7 +53,7 @@ const extrude: Operation<Extrusion> = {
     const along = unit(direction);
     if (!along) return { possible: false, reason: operationStrings.noDirection };
     const options = { label: texts.extrude.step, keepBase };
-    return offerExtrusion(project, selection, scale(along, distance), options);
+    return sizedOffer(project, offerExtrusion(project, selection, scale(along, distance), options));
   },
 };
 
@@ -96,7 +96,10 @@ const revolve: Operation<Revolution> = {
     const direction = unit(axis);
     if (!direction) return { possible: false, reason: operationStrings.noDirection };
     const options = { label: texts.revolve.step, keepBase };
-    return offerRevolution(project, selection, { point, axis: direction, angle }, options);
+    return sizedOffer(
+      project,
+      offerRevolution(project, selection, { point, axis: direction, angle }, options),
+    );
   },
 };
 

@@ -1,4 +1,6 @@
+import { negative, over, type Quantity } from "../../expressions/quantity";
 import { strings } from "../../strings";
+import type { QuantityPosition } from "../quantity-positions";
 import { ShapeBuilder, type Shape } from "../shape";
 
 const names = strings.pieces.patches;
@@ -14,14 +16,17 @@ const names = strings.pieces.patches;
  *    |/  |/       +---x
  *    0---1
  */
-export function box(width: number, depth: number, height: number): Shape {
-  const builder = new ShapeBuilder();
-  const [x, y] = [width / 2, depth / 2];
+export function box(width: number, depth: number, height: number): Shape;
+export function box(width: Quantity, depth: Quantity, height: Quantity): Shape<QuantityPosition>;
+export function box(width: Quantity, depth: Quantity, height: Quantity): Shape<QuantityPosition> {
+  const builder = new ShapeBuilder<QuantityPosition>();
+  const [x, y] = [over(width, 2), over(depth, 2)];
+  const [left, front] = [negative(x), negative(y)];
   for (const z of [0, height]) {
-    builder.point([-x, -y, z]);
-    builder.point([x, -y, z]);
+    builder.point([left, front, z]);
+    builder.point([x, front, z]);
     builder.point([x, y, z]);
-    builder.point([-x, y, z]);
+    builder.point([left, y, z]);
   }
   const faces: readonly (readonly [string, readonly number[]])[] = [
     [names.bottom, [0, 3, 2, 1]],

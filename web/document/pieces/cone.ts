@@ -1,4 +1,6 @@
+import { times, type Quantity } from "../../expressions/quantity";
 import { strings } from "../../strings";
+import type { QuantityPosition } from "../quantity-positions";
 import { ShapeBuilder, type Shape } from "../shape";
 import { addCircle, addRing } from "./rings";
 
@@ -13,10 +15,12 @@ const tipShare = 0.25;
  * Returns a cone around the z axis, with its base at z = 0. A tube represents its lower part exactly. Around the apex, where
  * a tube cannot end, eight Barnhill–Gregory–Nielson triangles lie inside the cone by at most 0.29 % of the radius.
  */
-export function cone(radius: number, height: number): Shape {
-  const builder = new ShapeBuilder();
+export function cone(radius: number, height: number): Shape;
+export function cone(radius: Quantity, height: Quantity): Shape<QuantityPosition>;
+export function cone(radius: Quantity, height: Quantity): Shape<QuantityPosition> {
+  const builder = new ShapeBuilder<QuantityPosition>();
   const base = addCircle(builder, radius, 0);
-  const ring = addRing(builder, tipShare * radius, (1 - tipShare) * height, tipTriangles);
+  const ring = addRing(builder, times(tipShare, radius), times(1 - tipShare, height), tipTriangles);
   const apex = builder.point([0, 0, height]);
   builder.patch("planar", [[-base]], names.bottom);
   builder.patch("tube", [[base], ring.arcs], names.side);

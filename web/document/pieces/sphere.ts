@@ -1,5 +1,7 @@
+import type { Quantity } from "../../expressions/quantity";
 import { strings } from "../../strings";
 import type { Position } from "../position";
+import { scaleQuantities, type QuantityPosition } from "../quantity-positions";
 import { ShapeBuilder, type Shape } from "../shape";
 import { add, cross, scale, unit, zero } from "../vectors";
 
@@ -23,17 +25,19 @@ const normals: readonly Position[] = [
  * within arcs of great circles. Eight octants would be simpler, but their middles would lie 14 % of the radius inside the
  * sphere; the 54 patches lie inside by at most 0.34 % of it.
  */
-export function sphere(radius: number): Shape {
-  const builder = new ShapeBuilder();
+export function sphere(radius: number): Shape;
+export function sphere(radius: Quantity): Shape<QuantityPosition>;
+export function sphere(radius: Quantity): Shape<QuantityPosition> {
+  const builder = new ShapeBuilder<QuantityPosition>();
   const nodes = new Map<string, number>();
   const arcs = new Map<string, number>();
   /** Returns the point of the sphere in a direction, which is made once. */
   const pointTowards = (direction: Position): number => {
-    const position = scale(unit(direction) ?? zero, radius);
-    const key = position.map((x) => Math.round((x / radius) * 1e6) + 0).join(" ");
+    const along = unit(direction) ?? zero;
+    const key = along.map((x) => Math.round(x * 1e6) + 0).join(" ");
     const known = nodes.get(key);
     if (known !== undefined) return known;
-    const made = builder.point(position);
+    const made = builder.point(scaleQuantities(along, radius));
     nodes.set(key, made);
     return made;
   };

@@ -1,5 +1,6 @@
+import { plus, times, valueOf, type Quantity } from "../../expressions/quantity";
 import { strings } from "../../strings";
-import type { Position } from "../position";
+import { turnBy, type QuantityPosition } from "../quantity-positions";
 import { ShapeBuilder, type Shape } from "../shape";
 import { turn } from "../vectors";
 
@@ -16,15 +17,17 @@ const maxAngle = 30;
  * patches around the tube, each along at most 30°, lie inside the ring by at most 0.37 % of the radius of the tube; the ends
  * of a sector are planar and exact.
  */
-export function torus(radius: number, tubeRadius: number, angle: number): Shape {
-  const builder = new ShapeBuilder();
-  const isClosed = angle >= 360;
-  const steps = Math.max(isClosed ? 3 : 1, Math.ceil(angle / maxAngle - 1e-9));
-  const at = (station: number, corner: number): Position => {
-    const [alongX, alongY] = turn(((station / steps) * (isClosed ? 360 : angle)) / 360);
+export function torus(radius: number, tubeRadius: number, angle: number): Shape;
+export function torus(radius: Quantity, tubeRadius: Quantity, angle: Quantity): Shape<QuantityPosition>;
+export function torus(radius: Quantity, tubeRadius: Quantity, angle: Quantity): Shape<QuantityPosition> {
+  const builder = new ShapeBuilder<QuantityPosition>();
+  const isClosed = valueOf(angle) >= 360;
+  const steps = Math.max(isClosed ? 3 : 1, Math.ceil(valueOf(angle) / maxAngle - 1e-9));
+  const at = (station: number, corner: number): QuantityPosition => {
+    const [alongX, alongY] = turnBy(times(station / steps, isClosed ? 360 : angle));
     const [out, up] = turn(corner / around);
-    const reach = radius + tubeRadius * out;
-    return [reach * alongX, reach * alongY, tubeRadius * up];
+    const reach = plus(radius, times(tubeRadius, out));
+    return [times(reach, alongX), times(reach, alongY), times(tubeRadius, up)];
   };
   const corners = Array.from({ length: around }, (_, corner) => corner);
   const stations = Array.from({ length: isClosed ? steps : steps + 1 }, (_, station) => station);

@@ -1,5 +1,6 @@
+import { call, minus, plus, times, valueOf, type Quantities } from "../../expressions/quantity";
 import { strings } from "../../strings";
-import type { Position } from "../position";
+import { turnBy, type QuantityPosition } from "../quantity-positions";
 import { ShapeBuilder, type Shape } from "../shape";
 
 const names = strings.pieces.patches;
@@ -26,20 +27,30 @@ export type WingSizes = {
  * 0.1036 instead of 0.1015; Jacobs, Ward & Pinkerton, NACA report 460, 1933). The splines pass through 24 points per side,
  * closer together at the edges, and deviate from the section by less than 0.05 % of the chord.
  */
-export function wing({ digits, chord, tipChord, span, sweep, twist }: WingSizes): Shape {
-  const builder = new ShapeBuilder();
-  const back = span * Math.tan((sweep * Math.PI) / 180);
-  const root = addSection(builder, (x, y) => [chord * x, chord * y, 0], digits);
-  const angle = (twist * Math.PI) / 180;
-  const [cosine, sine] = [Math.cos(angle), Math.sin(angle)];
+export function wing(sizes: WingSizes): Shape;
+export function wing(sizes: Quantities<WingSizes>): Shape<QuantityPosition>;
+export function wing({
+  digits,
+  chord,
+  tipChord,
+  span,
+  sweep,
+  twist,
+}: Quantities<WingSizes>): Shape<QuantityPosition> {
+  const builder = new ShapeBuilder<QuantityPosition>();
+  const section = valueOf(digits);
+  const back = times(span, call("tan", sweep));
+  const root = addSection(builder, (x, y) => [times(chord, x), times(chord, y), 0], section);
+  const [cosine, sine] = turnBy(twist);
   const tip = addSection(
     builder,
     (x, y) => {
       const [along, up] = [x - 0.25, y];
-      const [a, b] = [0.25 + cosine * along + sine * up, cosine * up - sine * along];
-      return [back + tipChord * a, tipChord * b, span];
+      const a = plus(plus(0.25, times(cosine, along)), times(sine, up));
+      const b = minus(times(cosine, up), times(sine, along));
+      return [plus(back, times(tipChord, a)), times(tipChord, b), span];
     },
-    digits,
+    section,
   );
   const nose = builder.straight(root.nose, tip.nose);
   const tail = builder.straight(root.tail, tip.tail);
@@ -59,8 +70,8 @@ interface Section {
 }
 
 function addSection(
-  builder: ShapeBuilder,
-  place: (x: number, y: number) => Position,
+  builder: ShapeBuilder<QuantityPosition>,
+  place: (x: number, y: number) => QuantityPosition,
   digits: number,
 ): Section {
   const nose = builder.point(place(0, 0));

@@ -1,6 +1,6 @@
 import type { Project, ProjectLine, ProjectPatch, ProjectPoint } from "tetrafront";
 import { coincidenceLength } from "../insert-shape";
-import { lineKey, loopsKey, sameCourse } from "../line-courses";
+import { closedDirection, isClosed, lineKey, loopsKey, sameCourse } from "../line-courses";
 import { PointIndex } from "../point-index";
 import type { Position } from "../position";
 import { distance, zero } from "../vectors";
@@ -27,7 +27,7 @@ export function joinPoints(project: Project): Joined {
     if (same === undefined) index.add(position, id);
     else pointIds.set(id, same);
   }
-  return pointIds.size === 0 ? project : withPoints(project, pointIds);
+  return withPoints(project, pointIds);
 }
 
 /** Joins two points into the first of them, then lines and patches that coincide. */
@@ -55,7 +55,24 @@ function withPoints(project: Project, pointIds: ReadonlyMap<number, number>): Jo
       : line,
   );
   const { lines, lineIds } = joinLines(moved, points, tolerance);
-  return { points, lines, patches: joinPatches(project.patches, lineIds) };
+  if (pointIds.size === 0 && lineIds.size === 0) return project;
+  return {
+    points: withoutUnused(points, moved, lines),
+    lines,
+    patches: joinPatches(project.patches, lineIds),
+  };
+}
+
+/** Returns points without those of which all lines were joined into others that begin elsewhere. */
+function withoutUnused(
+  points: readonly ProjectPoint[],
+  before: readonly ProjectLine[],
+  lines: readonly ProjectLine[],
+): readonly ProjectPoint[] {
+  if (before.length === lines.length) return points;
+  const used = new Set(lines.flatMap((line) => line.points));
+  const unused = new Set(before.flatMap((line) => line.points).filter((id) => !used.has(id)));
+  return unused.size === 0 ? points : points.filter(({ id }) => !unused.has(id));
 }
 
 /** Signed ids of the lines that stay, for the lines that go. */
@@ -72,11 +89,13 @@ function joinLines(
   const known = new Map<string, ProjectLine[]>();
   const lineIds = new Map<number, number>();
   for (const line of all) {
-    const key = lineKey(line);
+    // A closed line may begin anywhere.
+    const key = isClosed(line) ? line.type : lineKey(line);
     const candidates = known.get(key) ?? [];
     const course = courseOf(line);
     const directionTo = (other: ProjectLine): 1 | -1 | 0 => {
       const its = courseOf(other);
+      if (isClosed(line)) return closedDirection(line.type, course, its, isSame);
       if (other.points[0] === line.points[0] && sameCourse(line.type, course, its, isSame)) return 1;
       const isBack = other.points.at(-1) === line.points[0];
       return isBack && sameCourse(line.type, course, its.toReversed(), isSame) ? -1 : 0;

@@ -2,6 +2,7 @@ import { Group, Text } from "@mantine/core";
 import { useRef, useState } from "react";
 import { create } from "../../commands/creation-actions";
 import { addBackgroundNode, addPoint } from "../../document/create";
+import { addPoints, readPositionList } from "../../document/position-list";
 import { recordsOf } from "../../document/entities";
 import { ApplyButton, DialogForm } from "../../ui/frames/dialog-form";
 import { FramedDialog } from "../../ui/frames/framed-dialog";
@@ -13,6 +14,8 @@ import { aboveZero, stepFor } from "../shared/size-fields";
 
 type PositionedKind = "point" | "background-node";
 type Position = readonly [number, number, number];
+/** What the coordinates were typed as; null for plain numbers. */
+type Expressions = readonly [string | null, string | null, string | null];
 
 const dialogOf = { point: "new-point", "background-node": "new-node" } as const;
 
@@ -37,24 +40,43 @@ function useNewEntity(kind: PositionedKind) {
   const project = useProject();
   const last = recordsOf(project, kind).at(-1);
   const [position, setPosition] = useState<Position>(() => last?.position ?? [0, 0, 0]);
+  const [expressions, setExpressions] = useState<Expressions>([null, null, null]);
   const [size, setSize] = useState(() => recordsOf(project, "background-node").at(-1)?.size ?? 0.1);
   const [added, setAdded] = useState<string | null>(null);
   const add = (): void => {
     const current = app.documents.project;
     const creation =
-      kind === "point" ? addPoint(current, position) : addBackgroundNode(current, position, size);
+      kind === "point"
+        ? addPoint(current, position, expressions)
+        : addBackgroundNode(current, position, size);
     create(app, creation);
     const [entity] = creation.entities;
     setAdded(entity ? `${entityWords[kind].one.toLowerCase()} ${entity.id}` : null);
   };
-  return { position, setPosition, size, setSize, added, add };
+  const setCoordinate = (axis: 0 | 1 | 2, value: number, expression: string | null): void => {
+    setPosition(([x, y, z]) => with3([x, y, z], axis, value));
+    setExpressions(([x, y, z]) => with3([x, y, z], axis, expression));
+  };
+  /** Takes a pasted list: one position fills the fields, several become points at once. Returns false for other texts. */
+  const paste = (text: string): boolean => {
+    const positions = readPositionList(text) ?? [];
+    const [first] = positions;
+    if (!first || (positions.length > 1 && kind !== "point")) return false;
+    setPosition(positions.at(-1) ?? first);
+    setExpressions([null, null, null]);
+    if (positions.length === 1) return true;
+    create(app, addPoints(app.documents.project, positions));
+    setAdded(strings.create.points(positions.length));
+    return true;
+  };
+  return { position, expressions, setCoordinate, size, setSize, added, add, paste };
 }
 
 /** Keeps the coordinates for the next point, because points often share some. */
 function PositionForm({ kind }: { readonly kind: PositionedKind }) {
   const app = useApp();
   const project = useProject();
-  const { position, setPosition, size, setSize, added, add } = useNewEntity(kind);
+  const { position, expressions, setCoordinate, size, setSize, added, add, paste } = useNewEntity(kind);
   const fields = useRef<HTMLDivElement>(null);
   const apply = (action: string): void => {
     add();
@@ -63,16 +85,27 @@ function PositionForm({ kind }: { readonly kind: PositionedKind }) {
   };
   return (
     <DialogForm onApply={apply}>
-      <div ref={fields}>
+      <div
+        ref={fields}
+        onPaste={(event) => {
+          if (paste(event.clipboardData.getData("text/plain"))) event.preventDefault();
+        }}
+      >
         <PositionRow
           label={strings.create.position}
           value={position}
           step={stepFor(project)}
           testId="new"
           first
-          onCommit={(axis, value) => setPosition(([x, y, z]) => withCoordinate([x, y, z], axis, value))}
+          {...(kind === "point" && { expressions: expressions.map((text) => text ?? undefined) })}
+          onCommit={setCoordinate}
         />
       </div>
+      {kind === "point" && (
+        <Text size="xs" c="dimmed">
+          {strings.create.pasteHint}
+        </Text>
+      )}
       {kind === "background-node" && <SizeRow size={size} onCommit={setSize} />}
       <Text size="sm" c="dimmed" role="status" mih={20} mt={6}>
         {added !== null && strings.create.added(added)}
@@ -110,6 +143,10 @@ function SizeRow({ size, onCommit }: SizeRowProps) {
   );
 }
 
-function withCoordinate([x, y, z]: Position, axis: 0 | 1 | 2, value: number): Position {
+function with3<Item>(
+  [x, y, z]: readonly [Item, Item, Item],
+  axis: 0 | 1 | 2,
+  value: Item,
+): readonly [Item, Item, Item] {
   return [axis === 0 ? value : x, axis === 1 ? value : y, axis === 2 ? value : z];
 }

@@ -1,8 +1,9 @@
 import { Text } from "@mantine/core";
+import type { Unit } from "tetrafront";
 import { renameProject } from "../../document/edits";
 import { findRecord } from "../../document/entities";
 import { qualityIn } from "../../document/mesh-quality";
-import { setProjectUnit, unitOf } from "../../document/length-units";
+import { hasLengths, setProjectUnit, unitOf } from "../../document/length-units";
 import { FieldRow } from "../../ui/fields/field-row";
 import { formatAngle } from "../../ui/format";
 import { NameField } from "../../ui/fields/name-field";
@@ -49,6 +50,11 @@ export function Inspector() {
 function ProjectCard() {
   const app = useApp();
   const project = useProject();
+  const changeUnit = (unit: Unit | null): void => {
+    const from = unitOf(project.units);
+    if (from && unit && from !== unit && hasLengths(project)) app.shell.setState({ chosenUnit: unit });
+    else app.documents.edit(setProjectUnit(unit));
+  };
   return (
     <>
       <SectionTitle>{strings.inspector.project}</SectionTitle>
@@ -66,7 +72,7 @@ function ProjectCard() {
         value={unitOf(project.units) ?? null}
         without={strings.units.unknown}
         testId="project-unit"
-        onChange={(unit) => app.documents.edit(setProjectUnit(unit))}
+        onChange={changeUnit}
       />
       {project.description !== undefined && (
         <Text size="sm" c="dimmed" my={6}>

@@ -1,6 +1,6 @@
 import { SegmentedControl, Switch } from "@mantine/core";
 import { useState } from "react";
-import type { FieldSpec, NumberSpec } from "../../document/operations/operation";
+import type { FieldSpec, FieldValue, NumberSpec, TypedNumber } from "../../document/operations/operation";
 import type { Position } from "../../document/position";
 import type { OpenOperation } from "../../session/operations";
 import { operationStrings } from "../../strings";
@@ -23,7 +23,10 @@ export function OperationField({ spec, open }: OperationFieldProps) {
   const app = useApp();
   const { key, label } = spec;
   const value = open.values[key];
-  const set = (next: number | string | boolean | Position): void => app.operations.set(key, next);
+  const set = (next: FieldValue, typed?: TypedNumber): void => app.operations.set(key, next, typed);
+  const setCoordinate = (before: Position, axis: 0 | 1 | 2, x: number, expression: string | null): void =>
+    set(withCoordinate(before, axis, x), { field: `${key}.${axis}`, expression });
+  const expressions = [0, 1, 2].map((axis) => open.expressions[`${key}.${axis}`]);
   const testId = `operation-${key}`;
   switch (spec.kind) {
     case "number":
@@ -37,12 +40,24 @@ export function OperationField({ spec, open }: OperationFieldProps) {
             step={coordinateStep(open)}
             live
             testId={testId}
-            onCommit={(axis, coordinate) => set(withCoordinate(value, axis, coordinate))}
+            expressions={expressions}
+            onCommit={(...typed) => setCoordinate(value, ...typed)}
           />
         )
       );
     case "direction":
-      return isPosition(value) && <DirectionField label={label} value={value} testId={testId} onSet={set} />;
+      return (
+        isPosition(value) && (
+          <DirectionField
+            label={label}
+            value={value}
+            expressions={expressions}
+            testId={testId}
+            onSet={set}
+            onCommit={(...typed) => setCoordinate(value, ...typed)}
+          />
+        )
+      );
     case "choice":
       return (
         typeof value === "string" && (
@@ -77,7 +92,7 @@ interface NumberValueProps {
   readonly spec: NumberSpec;
   readonly value: number;
   readonly open: OpenOperation;
-  readonly onSet: (value: number) => void;
+  readonly onSet: (value: number, typed: TypedNumber) => void;
 }
 
 function NumberValue({ spec: { key, label, unit, whole, refuse }, value, open, onSet }: NumberValueProps) {
@@ -93,7 +108,11 @@ function NumberValue({ spec: { key, label, unit, whole, refuse }, value, open, o
       {...(refuse && { refuse })}
       {...(unit === "length" && unitsOf(project))}
       {...(unit === "degrees" && { rightSection: <Unit>°</Unit> })}
-      onCommit={onSet}
+      expression={open.expressions[key]}
+      // The number of sides and the like decide which points there are, so they do not follow a parameter.
+      onCommit={(next, expression) =>
+        onSet(next, { field: key, expression: whole === true ? null : expression })
+      }
     />
   );
 }
@@ -107,12 +126,14 @@ const axes: readonly (readonly [name: "x" | "y" | "z", direction: Position])[] =
 interface DirectionFieldProps {
   readonly label: string;
   readonly value: Position;
+  readonly expressions: readonly (string | undefined)[];
   readonly testId: string;
   readonly onSet: (direction: Position) => void;
+  readonly onCommit: (axis: 0 | 1 | 2, value: number, expression: string | null) => void;
 }
 
 /** A choice between the axes of coordinates and a direction of three numbers. */
-function DirectionField({ label, value, testId, onSet }: DirectionFieldProps) {
+function DirectionField({ label, value, expressions, testId, onSet, onCommit }: DirectionFieldProps) {
   const axis = axes.find(([, direction]) => direction.every((x, k) => x === value[k]));
   const [isOther, setOther] = useState(axis === undefined);
   const names = operationStrings.directions;
@@ -141,7 +162,8 @@ function DirectionField({ label, value, testId, onSet }: DirectionFieldProps) {
           step={0.1}
           live
           testId={testId}
-          onCommit={(index, x) => onSet(withCoordinate(value, index, x))}
+          expressions={expressions}
+          onCommit={onCommit}
         />
       )}
     </FieldRow>

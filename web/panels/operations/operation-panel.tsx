@@ -19,8 +19,8 @@ export function OperationPanel() {
 
 function OperationForm({ open }: { readonly open: OpenOperation }) {
   const app = useApp();
-  const { operation, values, subject, reason, entities } = open;
-  const note = operation.note?.(values, subject) ?? "";
+  const { operation, values, expressions, subject, reason, entities } = open;
+  const note = operation.note?.(values, subject, expressions) ?? "";
   const box = useRef<HTMLElement>(null);
   useFirstFocus(box);
   const onKeyDown = (event: KeyboardEvent): void => {

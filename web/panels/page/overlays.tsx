@@ -9,6 +9,7 @@ import { useIsLastUsed } from "../shared/page-apps";
 import { Presenter } from "../dialogs/presenter";
 import { ProposeDialog } from "../background/propose-dialog";
 import { RecentDialog } from "../files/recent-dialog";
+import { UnitDialog } from "../inspector/unit-dialog";
 import { TemplateDialog } from "../files/template-dialog";
 
 /** Everything that opens above the page. Loaded after it. */
@@ -25,6 +26,7 @@ export default function Overlays() {
       <ProposeDialog />
       <RecentDialog />
       <TemplateDialog />
+      <UnitDialog />
       <MessageDialog />
       <Notices />
       <Presenter />

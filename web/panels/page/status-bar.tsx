@@ -32,14 +32,12 @@ import styles from "./status-bar.module.css";
 /** Time between two announcements to screen readers, in milliseconds. */
 const announceEveryMs = 5000;
 
-function outcomeText(run: RunState, stale: boolean): string {
+function outcomeText(run: RunState, stale: boolean, hasErrors: boolean): string {
   if (run.failure !== null) return strings.messages.engineFailed;
-  if (run.outcome?.result.report.status === "invalid-input" && stale) return strings.status.invalid;
-  if (!run.mesh) {
-    return run.outcome?.result.report.status === "invalid-input"
-      ? strings.status.invalid
-      : strings.status.ready;
-  }
+  // Once the errors are mended, the model waits for another run.
+  const isInvalid = run.outcome?.result.report.status === "invalid-input" && hasErrors;
+  if (isInvalid && stale) return strings.status.invalid;
+  if (!run.mesh) return isInvalid ? strings.status.invalid : strings.status.ready;
   if (stale) return strings.status.stale;
   switch (run.mesh.report.status) {
     case "done":
@@ -112,7 +110,11 @@ function Reading({ fileName, abort }: { readonly fileName: string; readonly abor
 function Outcome() {
   const run = useRun((state) => state);
   const stale = useStale();
-  return <span role="status">{outcomeText(run, stale)}</span>;
+  const app = useApp();
+  const hasErrors = useStore(app.problems.state, ({ problems }) =>
+    problems.some(({ severity }) => severity === "error"),
+  );
+  return <span role="status">{outcomeText(run, stale, hasErrors)}</span>;
 }
 
 function RunProgress() {

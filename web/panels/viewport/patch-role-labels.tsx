@@ -1,9 +1,10 @@
 import { useLayoutEffect, useRef } from "react";
 import { useStore } from "zustand";
-import type { Project, ProjectPreview } from "tetrafront";
+import type { PatchType, Project, ProjectPatch, ProjectPreview } from "tetrafront";
 import { findRecord, indexById } from "../../document/entities";
 import { strings } from "../../strings";
 import type { Position } from "../../document/position";
+import { between } from "../../document/vectors";
 import type { Viewer } from "../../viewer/viewer";
 import { useApp, useView } from "../shared/app-context";
 import styles from "../shared/patch-roles.module.css";
@@ -13,26 +14,47 @@ interface RoleLabel {
   /** Id of the line. */
   readonly line: number;
   readonly position: Position;
+  /** A position a little further in the direction in which the equation traverses the line. */
+  readonly ahead: Position;
 }
 
-/** Returns a label at the middle of each line of a loop. */
-function labelsOf(project: Project, preview: ProjectPreview, loop: readonly number[]): RoleLabel[] {
+/** Patch types whose equations name their lines, and the roles that run against the direction of the loop. */
+const namedLines: Partial<
+  Record<PatchType, { readonly lines: number; readonly reversed: readonly number[] }>
+> = {
+  "barnhill-gregory-nielson": { lines: 3, reversed: [] },
+  // F1 and F3 run along ξ, F2 and F4 along η.
+  coons: { lines: 4, reversed: [2, 3] },
+};
+
+/** Returns a label at the middle of each line of a patch. */
+function labelsOf(project: Project, preview: ProjectPreview, { type, loops }: ProjectPatch): RoleLabel[] {
+  const rule = namedLines[type];
+  const [loop = []] = loops;
+  if (!rule || loop.length !== rule.lines) return [];
   const indices = indexById(project, "line");
   return loop.flatMap((step, role) => {
     const line = Math.abs(step);
     const index = indices.get(line) ?? -1;
     const first = preview.lineOffsets[index] ?? 0;
-    const end = preview.lineOffsets[index + 1] ?? first;
-    const middle = 3 * Math.floor((first + end) / 2);
-    const [x, y, z] = preview.linePoints.subarray(middle, middle + 3);
-    if (x === undefined || y === undefined || z === undefined) return [];
-    return [{ name: `F${role + 1}`, line, position: [x, y, z] }];
+    const last = (preview.lineOffsets[index + 1] ?? first) - 1;
+    if (last <= first) return [];
+    const sampleAt = (i: number): Position => {
+      const [x = 0, y = 0, z = 0] = preview.linePoints.subarray(3 * i, 3 * i + 3);
+      return [x, y, z];
+    };
+    // The middle sample, or the middle between two samples.
+    const [from, to] = [Math.floor((first + last - 1) / 2), Math.ceil((first + last + 1) / 2)];
+    const [before, after] = [sampleAt(from), sampleAt(to)];
+    const position = to - from === 2 ? sampleAt(from + 1) : between(before, after, 0.5);
+    const isForward = step > 0 !== rule.reversed.includes(role);
+    return [{ name: `F${role + 1}`, line, position, ahead: isForward ? after : before }];
   });
 }
 
 /**
- * The names F1, F2 and F3 at the lines of a selected Barnhill–Gregory–Nielson patch. They follow the camera without
- * rendering again.
+ * The names F1, F2 and so on at the lines of a selected patch of Barnhill, Gregory and Nielson or of Coons, with arrows in
+ * the directions of the equation. They follow the camera without rendering again.
  */
 export function PatchRoleLabels({ viewer }: { readonly viewer: Viewer }) {
   const app = useApp();
@@ -42,17 +64,22 @@ export function PatchRoleLabels({ viewer }: { readonly viewer: Viewer }) {
     only?.kind === "patch" && others.length === 0 && project
       ? findRecord(project, "patch", only.id)
       : undefined;
-  const [loop = []] = patch?.type === "barnhill-gregory-nielson" ? patch.loops : [];
-  const labels = project && preview && loop.length === 3 ? labelsOf(project, preview, loop) : [];
+  const labels = project && preview && patch ? labelsOf(project, preview, patch) : [];
+  const isTriangle = patch?.type === "barnhill-gregory-nielson";
   const box = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => {
     const follow = (): void => {
-      labels.forEach(({ position }, index) => {
+      labels.forEach(({ position, ahead }, index) => {
         const label = box.current?.children[index];
         if (!(label instanceof HTMLElement)) return;
         const at = viewer.toScreen(position);
         label.style.display = at ? "" : "none";
         if (at) label.style.transform = `translate(${at.x}px, ${at.y}px) translate(-50%, -50%)`;
+        const to = viewer.toScreen(ahead);
+        const arrow = label.querySelector<HTMLElement>("[data-arrow]");
+        if (at && to && arrow) {
+          arrow.style.transform = `rotate(${Math.atan2(to.y - at.y, to.x - at.x)}rad)`;
+        }
       });
     };
     follow();
@@ -64,11 +91,14 @@ export function PatchRoleLabels({ viewer }: { readonly viewer: Viewer }) {
         <span
           key={name}
           className={`${styles["role"]} ${styles["inView"]}`}
-          data-second={name === "F2" || undefined}
+          data-second={(isTriangle && name === "F2") || undefined}
           data-line={line}
           data-testid={`role-label-${name}`}
         >
           {name}
+          <span className={styles["arrow"]} data-arrow aria-hidden>
+            →
+          </span>
         </span>
       ))}
     </div>

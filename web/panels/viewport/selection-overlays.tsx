@@ -24,7 +24,7 @@ export function SelectionOutline() {
 const sections = [
   ["fit-selection", "hide", "isolate", "show-all"],
   ["select-all", "select-inverse", "select-same-kind", "select-connected", "select-boundary"],
-  ["plane-selection", "delete"],
+  ["plane-selection", "split-line", "delete"],
 ] as const;
 
 /** The menu of the selection, where the right button was clicked. */
@@ -33,7 +33,11 @@ export function ContextMenu() {
   const at = useStore(app.drawing.state, (state) => state.menu);
   if (!at) return null;
   return (
-    <Menu opened position="right-start" onClose={() => app.drawing.state.setState({ menu: null })}>
+    <Menu
+      opened
+      position="right-start"
+      onClose={() => app.drawing.state.setState({ menu: null, menuPosition: null })}
+    >
       <Menu.Target>
         <span className={styles["anchor"]} style={{ left: at.x, top: at.y }} />
       </Menu.Target>

@@ -1,12 +1,22 @@
+import { LIMITS } from "tetrafront";
 import { expressionFrom } from "../../document/expression-edits";
 import type { Position } from "../../document/position";
-import { add, fromFrame, type Frame } from "../../document/vectors";
+import {
+  addQuantities,
+  formulaTexts,
+  quantitiesFromFrame,
+  turnBy,
+  valuesOf,
+  type QuantityPosition,
+} from "../../document/quantity-positions";
+import { zero, type Frame } from "../../document/vectors";
 import { readNumber, type NamedNumbers } from "../../expressions/expression";
+import { quantity, times, type Quantity } from "../../expressions/quantity";
 
 /** What typed coordinates refer to. */
 export interface CoordinateContext {
-  /** The place picked last; null if there is none. */
-  readonly last: Position | null;
+  /** The place picked last, with the expressions of its coordinates; null if there is none. */
+  readonly last: QuantityPosition | null;
   /** The work plane. */
   readonly frame: Frame;
   /** The parameters of the project. */
@@ -17,13 +27,12 @@ export type TypedPosition =
   | {
       readonly success: true;
       readonly position: Position;
-      /** What x, y and z were typed as; null for plain numbers. Empty if they were not typed as such. */
+      /** What x, y and z are computed from; null for plain numbers. Empty if only plain numbers were typed. */
       readonly expressions: readonly (string | null)[];
     }
   | { readonly success: false; readonly reason: "syntax" | "no-last-place" };
 
 const syntax = { success: false, reason: "syntax" } as const;
-const degrees = Math.PI / 180;
 
 /**
  * Reads coordinates as people type them. Each number may be an expression, such as `sqrt(2)/2`:
@@ -34,7 +43,10 @@ const degrees = Math.PI / 180;
  *   plane's origin.
  */
 export function readCoordinates(text: string, { last, frame, named }: CoordinateContext): TypedPosition {
-  const read = (part: string): number | null => readNumber(part, named);
+  const read = (part: string): Quantity | null => {
+    const value = readNumber(part, named);
+    return value === null ? null : quantity(value, expressionFrom(part));
+  };
   const trimmed = text.trim();
   const isRelative = trimmed.startsWith("@");
   if (isRelative && !last) return { success: false, reason: "no-last-place" };
@@ -45,41 +57,35 @@ export function readCoordinates(text: string, { last, frame, named }: Coordinate
   const [a, b, c] = numbers;
   if (a == null || b == null || c === null || numbers.length > 3) return syntax;
   const inPlane = c === undefined;
-  const offset: Position = inPlane ? inDirections(frame, a, b) : [a, b, c];
-  const origin = base ?? (inPlane ? frame.origin : [0, 0, 0]);
-  const isAbsolute = base === null && !inPlane;
-  const expressions = isAbsolute ? parts(body).map(expressionFrom) : [];
-  return { success: true, position: add(origin, offset), expressions };
+  const offset: QuantityPosition = inPlane ? inDirections(frame, a, b) : [a, b, c];
+  const origin = base ?? (inPlane ? frame.origin : zero);
+  return typedPosition(addQuantities(origin, offset), numbers);
 }
 
 function polar(
-  [length, angle, ...more]: readonly (number | null)[],
-  from: Position,
+  [length, angle, ...more]: readonly (Quantity | null)[],
+  from: QuantityPosition,
   frame: Frame,
 ): TypedPosition {
   if (length == null || angle == null || more.length > 0) return syntax;
-  const [cosine, sine] = circle(angle);
-  return {
-    success: true,
-    position: add(from, inDirections(frame, length * cosine, length * sine)),
-    expressions: [],
-  };
+  const [cosine, sine] = turnBy(angle);
+  const offset = inDirections(frame, times(length, cosine), times(length, sine));
+  return typedPosition(addQuantities(from, offset), [length, angle]);
 }
 
-/** Cosine and sine of an angle in degrees; exact for right angles. */
-function circle(angle: number): readonly [cosine: number, sine: number] {
-  const quarter = [
-    [1, 0],
-    [0, 1],
-    [-1, 0],
-    [0, -1],
-  ] as const;
-  const right = ((angle % 360) + 360) % 360;
-  return quarter[right / 90] ?? [Math.cos(angle * degrees), Math.sin(angle * degrees)];
+/** The coordinates follow expressions if one was typed, unless the texts would be too long for the file. */
+function typedPosition(
+  position: QuantityPosition,
+  typed: readonly (Quantity | null | undefined)[],
+): TypedPosition {
+  const texts = formulaTexts(position);
+  const isPlain = typed.every((one) => typeof one !== "object" || one === null);
+  const isTooLong = texts.some((text) => (text ?? "").length > LIMITS.expression);
+  return { success: true, position: valuesOf(position), expressions: isPlain || isTooLong ? [] : texts };
 }
 
-const inDirections = (frame: Frame, x: number, y: number): Position =>
-  fromFrame({ ...frame, origin: [0, 0, 0] }, [x, y, 0]);
+const inDirections = (frame: Frame, x: Quantity, y: Quantity): QuantityPosition =>
+  quantitiesFromFrame({ ...frame, origin: zero }, [x, y, 0]);
 
 /** Splits at commas and semicolons; without any, at spaces. No function takes more than one number. */
 function parts(text: string): readonly string[] {

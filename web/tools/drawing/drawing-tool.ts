@@ -1,15 +1,18 @@
 import { Group } from "three";
 import type { Creation } from "../../document/create";
-import { placeAt, type Place } from "../../document/draw";
+import { placeAt, placeOnLines, type Place } from "../../document/draw";
 import { entityKey } from "../../document/entities";
+import { expressionFrom } from "../../document/expression-edits";
+import { projectNumbers } from "../../document/length-units";
 import { linePaths, type LinePath } from "../../document/line-paths";
 import type { Position } from "../../document/position";
+import type { QuantityPosition } from "../../document/quantity-positions";
 import type { ViewStore } from "../../document/selection";
 import { fromFrame, toFrame, type Frame } from "../../document/vectors";
 import { planeOfPatch } from "../../document/patch-planes";
 import { onPlane, planeAlong, roundStep, roundTo, type Ray } from "../../document/work-plane";
 import { readNumber } from "../../expressions/expression";
-import { parameterValues } from "../../expressions/parameters";
+import { quantity, type Quantity } from "../../expressions/quantity";
 import type { DocumentStore } from "../../session/document-store";
 import type { PreviewFeed } from "../../session/preview";
 import { DrawingLayer, type Sketch } from "../../viewer/layers/drawing-layer";
@@ -54,7 +57,7 @@ export abstract class DrawingTool implements Tool, TypedInput {
   /** Uses a place that was clicked or typed. */
   protected abstract pick(place: Place, pointer: ToolPointer | null): void;
   /** The place picked last, to which typed coordinates refer. */
-  protected abstract last(): Position | null;
+  protected abstract last(): QuantityPosition | null;
   /** Ends what is being drawn, by Enter or a double click. */
   protected abstract finish(): void;
   /** Removes the place picked last. Returns false if there is none. */
@@ -104,9 +107,9 @@ export abstract class DrawingTool implements Tool, TypedInput {
   }
 
   take(text: string): DrawingState["mistake"] {
-    const named = parameterValues(this.stores.documents.project.parameters);
+    const named = projectNumbers(this.project);
     const number = readNumber(text, named);
-    const used = number === null ? undefined : this.takeNumber(number);
+    const used = number === null ? undefined : this.takeNumber(quantity(number, expressionFrom(text)));
     if (used !== undefined) {
       if (used === null) this.snap = null;
       this.refresh(null);
@@ -128,7 +131,7 @@ export abstract class DrawingTool implements Tool, TypedInput {
   }
 
   /** Uses a typed number. Returns why it cannot be used; null if it was; undefined if it has no meaning. */
-  protected takeNumber(_number: number): DrawingState["mistake"] | undefined {
+  protected takeNumber(_number: Quantity): DrawingState["mistake"] | undefined {
     return undefined;
   }
 
@@ -166,8 +169,10 @@ export abstract class DrawingTool implements Tool, TypedInput {
     this.stores.view.selectAll(entities);
   }
 
-  protected placeOf({ kind, id, position }: Snap): Place {
-    return kind === "point" ? { point: id, position } : placeAt(this.project, position);
+  protected placeOf({ kind, id, position, lines }: Snap): Place {
+    if (lines) return placeOnLines(this.project, lines, position);
+    if (kind === "point") return { point: id, position };
+    return { ...placeAt(this.project, position), ...(kind === "patch" && id !== null && { patch: id }) };
   }
 
   /** Returns the place under the pointer; null if the pointer sees neither the model nor the work plane. */
@@ -226,7 +231,7 @@ export abstract class DrawingTool implements Tool, TypedInput {
     }
     if (this.takesCoordinates) {
       const { letters } = drawing;
-      const named = parameterValues(this.project.parameters);
+      const named = projectNumbers(this.project);
       const start = typedStart(key, { letters, named, isHotkey: this.stores.isHotkey ?? (() => false) });
       if (start !== null) {
         drawing.type(start);

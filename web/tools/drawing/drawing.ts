@@ -24,6 +24,8 @@ export interface DrawingState {
   readonly outline: { readonly points: readonly ScreenPoint[]; readonly touching: boolean } | null;
   /** Where the context menu is open. */
   readonly menu: ScreenPoint | null;
+  /** The position on the model under the context menu; null if it is not about an entity. */
+  readonly menuPosition: Position | null;
   /** By how much a drag moves, rotates or scales, shown at the pointer; null without a drag. */
   readonly amount: string | null;
   /** Why the last action created nothing. */
@@ -41,6 +43,7 @@ const idle: DrawingState = {
   measured: [],
   outline: null,
   menu: null,
+  menuPosition: null,
   amount: null,
   refused: null,
 };

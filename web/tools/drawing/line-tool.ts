@@ -1,16 +1,29 @@
-import type { LineType } from "tetrafront";
-import { circleThrough, middleOfArc, onArc } from "../../document/arcs";
-import { drawLine, placeAt, samePlace, type Place } from "../../document/draw";
+import { LIMITS, type LineType } from "tetrafront";
+import { circleThrough, onArc, quantityMiddleOfArc } from "../../document/arcs";
+import { drawLine, placeAt, quantitiesAt, samePlace, type Place } from "../../document/draw";
 import { findRecord } from "../../document/entities";
 import { turned } from "../../document/circles";
+import { planeOfPatch } from "../../document/patch-planes";
 import type { Position } from "../../document/position";
-import { addScaled } from "../../document/vectors";
+import {
+  addQuantities,
+  formulaTexts,
+  scaleQuantities,
+  turnedQuantities,
+  valuesOf,
+  type QuantityPosition,
+} from "../../document/quantity-positions";
+import { addScaled, dot, length, subtract, unit, type Frame } from "../../document/vectors";
+import { onPlane, planeAlong } from "../../document/work-plane";
+import { valueOf, type Quantity } from "../../expressions/quantity";
 import { sampledCurve } from "../../viewer/curves";
 import { emptySketch, type Sketch } from "../../viewer/layers/drawing-layer";
 import type { Layer } from "../../viewer/layers/layer";
 import { strings } from "../../strings";
 import type { DrawingState } from "./drawing";
+import type { ToolPointer } from "../tool";
 import { DrawingTool } from "./drawing-tool";
+import type { Snap } from "./snapping";
 
 /** Numbers of places of each type of line: with `max`, the line is complete. */
 const counts: { readonly [T in LineType]: { readonly min: number; readonly max: number } } = {
@@ -27,6 +40,11 @@ const placesOfCircle = 3;
 
 /** Segments with which a circle is drawn before it exists. */
 const circleSamples = 64;
+
+const isRound = (type: LineType): boolean => type === "circle" || type === "arc";
+
+/** Sine of the angle at which a line still lies in a plane. */
+const planarity = 1e-9;
 
 /** A straight line of the present chain, with what it added to the undo steps. */
 interface Link {
@@ -55,6 +73,20 @@ export class LineTool extends DrawingTool {
     return super.overlay();
   }
 
+  /** A circle or an arc that begins on a planar patch stays in the plane of the patch. */
+  protected override get frame(): Frame {
+    const patch = isRound(this.#type) ? this.#places[0]?.patch : undefined;
+    return (patch === undefined ? null : this.#planeOf(patch)) ?? super.frame;
+  }
+
+  protected override snapAt(pointer: ToolPointer): Snap | null {
+    const snap = super.snapAt(pointer);
+    const patch = isRound(this.#type) ? this.#places[0]?.patch : undefined;
+    if (patch === undefined || snap?.kind !== "patch" || snap.id === patch) return snap;
+    const position = onPlane(this.stores.viewer.seenFrom(pointer.at).ray, this.frame);
+    return position ? { kind: "plane", id: null, position } : snap;
+  }
+
   get picked(): number {
     this.#forgetDeleted();
     return this.#places.length;
@@ -73,26 +105,28 @@ export class LineTool extends DrawingTool {
     } else if (closes || this.#places.length >= this.#placeCount) this.#add();
   }
 
-  protected last(): Position | null {
-    return this.#places.at(-1)?.position ?? null;
+  protected last(): QuantityPosition | null {
+    const last = this.#places.at(-1);
+    return last ? quantitiesAt(this.project, last) : null;
   }
 
   /** A number is the radius of the circle around the picked centre, or of the arc between the two picked places. */
-  protected override takeNumber(radius: number): DrawingState["mistake"] | undefined {
+  protected override takeNumber(radius: Quantity): DrawingState["mistake"] | undefined {
     const [first, second] = this.picked > 0 ? this.#places : [];
     const isCircle = this.#type === "circle" && !this.#isThroughThree && this.picked === 1;
     const isArc = this.#type === "arc" && this.picked === 2;
     if (!first || (!isCircle && !isArc)) return undefined;
-    if (radius <= 0) return "no-radius";
+    if (valueOf(radius) <= 0) return "no-radius";
+    const centre = quantitiesAt(this.project, first);
     if (isCircle) {
-      this.pick(placeAt(this.project, addScaled(first.position, this.frame.x, radius)));
+      this.pick(this.#computed(addQuantities(centre, scaleQuantities(this.frame.x, radius))));
       return null;
     }
     if (!second) return undefined;
-    const ends = [first.position, second.position] as const;
-    const middle = middleOfArc(ends, radius, this.frame.z, this.seen);
+    const ends = [centre, quantitiesAt(this.project, second)] as const;
+    const middle = quantityMiddleOfArc(ends, radius, this.frame.z, this.seen);
     if (!middle) return "short-radius";
-    this.#places = [first, placeAt(this.project, middle), second];
+    this.#places = [first, this.#computed(middle), second];
     this.#add();
     return null;
   }
@@ -187,9 +221,41 @@ export class LineTool extends DrawingTool {
     const [centre, on] = this.#places;
     if (!centre || !on) return [];
     if (this.#isThroughThree) return [...this.#places, centre];
-    const third = (turns: number): Place =>
-      placeAt(this.project, turned(on.position, centre.position, this.frame.z, turns / 3));
+    const [middle, from] = [quantitiesAt(this.project, centre), quantitiesAt(this.project, on)];
+    const normal = this.#normalOfCircle(centre.position, on.position, on.patch);
+    const third = (turns: number): Place => this.#computed(turnedQuantities(from, middle, normal, turns / 3));
     return [on, third(1), third(2), on];
+  }
+
+  /** Returns the place at a computed position, with the expressions of its coordinates unless they are too long. */
+  #computed(position: QuantityPosition): Place {
+    const texts = formulaTexts(position);
+    const isTooLong = texts.some((text) => (text ?? "").length > LIMITS.expression);
+    return placeAt(this.project, valuesOf(position), isTooLong ? [] : texts);
+  }
+
+  /**
+   * Returns the normal of the plane of a circle around a centre through a place: that of the patch on which the place lies,
+   * if the plane contains both; otherwise that of the plane through both which is nearest to the work plane.
+   */
+  #normalOfCircle(centre: Position, on: Position, patch: number | undefined): Position {
+    const arm = unit(subtract(on, centre));
+    const ofPatch = patch === undefined ? null : this.#planeOf(patch);
+    const frames = [...(ofPatch ? [ofPatch] : []), this.frame];
+    if (!arm) return this.frame.z;
+    const flat = frames.find(({ z }) => Math.abs(dot(z, arm)) <= planarity);
+    const { z, x } = this.frame;
+    const nearest = (axis: Position): Position | null => {
+      const across = addScaled(axis, arm, -dot(axis, arm));
+      return length(across) > planarity ? unit(across) : null;
+    };
+    return flat?.z ?? nearest(z) ?? nearest(x) ?? z;
+  }
+
+  /** Returns the plane of a planar patch; null for any other patch. */
+  #planeOf(patch: number): Frame | null {
+    const plane = planeOfPatch(this.project, patch);
+    return plane ? planeAlong(plane.normal, plane.corner).frame : null;
   }
 
   /** Returns positions along the circle around the first of two positions, or through three. */
@@ -201,9 +267,9 @@ export class LineTool extends DrawingTool {
       if (!circle) return through;
       return Array.from({ length: circleSamples + 1 }, (_, i) => onArc(circle, i / circleSamples));
     }
-    return Array.from({ length: circleSamples + 1 }, (_, i) =>
-      turned(on, centre, this.frame.z, i / circleSamples),
-    );
+    const patch = this.snap?.kind === "patch" ? this.snap.id : null;
+    const normal = this.#normalOfCircle(centre, on, patch ?? undefined);
+    return Array.from({ length: circleSamples + 1 }, (_, i) => turned(on, centre, normal, i / circleSamples));
   }
 
   #placeOfPoint(id: number): Place | undefined {

@@ -1,9 +1,9 @@
-import { offerHole, offerPatch, type Offer } from "../../document/create";
+import { offerPatch, type Offer } from "../../document/create";
 import type { Entity } from "../../document/entities";
-import { firstLoop, freeLoops, type LoopUse } from "../../document/loop-hits";
+import { firstLoop, type LoopUse } from "../../document/loop-hits";
 import type { LinePath } from "../../document/line-paths";
-import type { DrawnLoop } from "../../document/drawn-loop";
-import { drawnLoops, fanOf } from "../../document/loop-search";
+import { fanOf } from "../../document/loop-search";
+import { fillableLoops, offerFill, type FillableLoops } from "../../document/splits/loops-across";
 import type { Position } from "../../document/position";
 import { frameAlong, fromFrame, toFrame } from "../../document/vectors";
 import { emptySketch, type Sketch } from "../../viewer/layers/drawing-layer";
@@ -19,7 +19,7 @@ import type { Snap } from "./snapping";
 export class PatchTool extends DrawingTool {
   readonly id = "patch";
   override readonly takesCoordinates = false;
-  #loops: { readonly paths: readonly LinePath[]; readonly loops: readonly DrawnLoop[] } | null = null;
+  #loops: { readonly paths: readonly LinePath[]; readonly loops: FillableLoops } | null = null;
   #hovered: LoopUse | null = null;
 
   /** The picked lines are the selected ones. */
@@ -43,7 +43,7 @@ export class PatchTool extends DrawingTool {
   protected override snapAt(pointer: ToolPointer): Snap | null {
     const target = pointer.hit()?.target;
     const { ray } = this.stores.viewer.seenFrom(pointer.at);
-    const uses = freeLoops(this.project, this.#drawnLoops);
+    const { uses } = this.#fillable;
     const found = firstLoop(
       uses.map(({ loop }) => loop),
       ray,
@@ -94,9 +94,9 @@ export class PatchTool extends DrawingTool {
     return this.stores.view.state.getState().selection.filter(({ kind }) => kind === "line");
   }
 
-  get #drawnLoops(): readonly DrawnLoop[] {
+  get #fillable(): FillableLoops {
     const { paths } = this;
-    if (this.#loops?.paths !== paths) this.#loops = { paths, loops: drawnLoops(paths) };
+    if (this.#loops?.paths !== paths) this.#loops = { paths, loops: fillableLoops(this.project, paths) };
     return this.#loops.loops;
   }
 
@@ -108,13 +108,7 @@ export class PatchTool extends DrawingTool {
   }
 
   #fill(use: LoopUse): void {
-    const lines = use.loop.lines.map((id): Entity => ({ kind: "line", id: Math.abs(id) }));
-    if (use.kind === "hole") {
-      this.#take(offerHole(this.project, [{ kind: "patch", id: use.patch }, ...lines]));
-      return;
-    }
-    const holes = use.loop.holes.flat().map((id): Entity => ({ kind: "line", id: Math.abs(id) }));
-    this.#take(offerPatch(this.project, [...lines, ...holes], null));
+    this.#take(offerFill(this.project, this.#fillable, use));
   }
 
   #take(offer: Offer): void {

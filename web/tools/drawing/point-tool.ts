@@ -1,6 +1,6 @@
 import { addPoint } from "../../document/create";
-import type { Place } from "../../document/draw";
-import type { Position } from "../../document/position";
+import { quantitiesAt, type Place } from "../../document/draw";
+import type { QuantityPosition } from "../../document/quantity-positions";
 import { emptySketch, type Sketch } from "../../viewer/layers/drawing-layer";
 import { DrawingTool } from "./drawing-tool";
 
@@ -8,15 +8,16 @@ import { DrawingTool } from "./drawing-tool";
 export class PointTool extends DrawingTool {
   readonly id = "point";
   readonly picked = 0;
-  #last: Position | null = null;
+  #last: QuantityPosition | null = null;
 
-  protected pick({ point, position, expressions }: Place): void {
-    this.#last = position;
+  protected pick(place: Place): void {
+    const { point, position, expressions } = place;
+    this.#last = quantitiesAt(this.project, place);
     if (point === null) this.create(addPoint(this.project, position, expressions));
     else this.stores.view.select({ kind: "point", id: point });
   }
 
-  protected last(): Position | null {
+  protected last(): QuantityPosition | null {
     return this.#last;
   }
 

@@ -13,6 +13,8 @@ export interface Snap {
   readonly position: Position;
   /** Id of the point, line or patch; null for other kinds. */
   readonly id: number | null;
+  /** Ids of the lines on which the place lies, if it was found there. */
+  readonly lines?: readonly number[];
 }
 
 /** How near the pointer must be, in CSS pixels. */
@@ -42,13 +44,15 @@ export function snapToModel({ points, lines }: SnapTargets, view: PointerView): 
   const point = nearest(points, reaches.point, view, ({ position }) => position);
   if (point) return { kind: "point", position: point.position, id: point.id };
   const near = linesNear(lines, view, reaches.intersection);
-  const crossed = nearest(intersections(near), reaches.intersection, view, (position) => position);
-  if (crossed) return { kind: "intersection", position: crossed, id: null };
+  const crossed = nearest(intersections(near), reaches.intersection, view, ({ position }) => position);
+  if (crossed) return { kind: "intersection", id: null, ...crossed };
   const middles = near.map(({ path }) => ({ id: path.line.id, position: middleOf(path.positions) }));
   const middle = nearest(middles, reaches.middle, view, ({ position }) => position);
-  if (middle) return { kind: "middle", ...middle };
+  if (middle) return { kind: "middle", ...middle, lines: [middle.id] };
   const [line] = near.filter(({ pixels }) => pixels <= reaches.line).toSorted((a, b) => a.pixels - b.pixels);
-  return line ? { kind: "line", position: line.position, id: line.path.line.id } : null;
+  if (!line) return null;
+  const { id } = line.path.line;
+  return { kind: "line", position: line.position, id, lines: [id] };
 }
 
 function nearest<Item>(
@@ -107,13 +111,13 @@ export function nearestToRay({ origin, direction }: Ray, a: Position, b: Positio
 }
 
 /** Returns where lines near the pointer intersect. */
-function intersections(near: readonly NearLine[]): Position[] {
+function intersections(near: readonly NearLine[]) {
   return near.flatMap((one, i) =>
     near.slice(i + 1).flatMap((other) => {
       const [a, b] = [one.path.positions[one.segment], one.path.positions[one.segment + 1]];
       const [c, d] = [other.path.positions[other.segment], other.path.positions[other.segment + 1]];
       const found = a && b && c && d ? crossingOf(a, b, c, d) : null;
-      return found ? [found] : [];
+      return found ? [{ position: found, lines: [one.path.line.id, other.path.line.id] }] : [];
     }),
   );
 }

@@ -1,6 +1,7 @@
 import { TextInput } from "@mantine/core";
 import { useContext, useLayoutEffect, useRef, useState, type KeyboardEvent, type ReactNode } from "react";
-import { isPlainNumber, readNumber } from "../../expressions/expression";
+import { UNITS } from "tetrafront";
+import { isPlainNumber, readNumber, unitKey, unitsIn, type NamedNumbers } from "../../expressions/expression";
 import { useFormField } from "../frames/dialog-form";
 import { NamedNumbersContext } from "./named-numbers";
 import { formatNumber } from "../format";
@@ -42,6 +43,17 @@ function stepOf(event: KeyboardEvent, step: number): number {
 /** Returns the text of a number that is not being typed. */
 const textOf = (value: number | null): string => (value === null ? "" : formatNumber(value));
 
+/** Returns why a text is no number. */
+function problemOf(text: string, named: NamedNumbers): string {
+  const lacksUnit = [...unitsIn(text)].some(
+    (word) => UNITS.some((unit) => unit === word) && !named.has(unitKey(word)),
+  );
+  return lacksUnit ? strings.fields.noProjectUnit : strings.fields.notANumber;
+}
+
+/** Returns a typed text if it is an expression; null for a plain number. */
+const keptFrom = (text: string): string | null => (text === "" || isPlainNumber(text) ? null : text);
+
 /** The text that is being typed into a number field; null if the field shows its value. */
 function useNumberDraft(
   { value, expression, refuse, live = false, onCommit }: NumberFieldProps,
@@ -57,11 +69,11 @@ function useNumberDraft(
   };
   /** Commits a number, unless it is invalid: then returns false and keeps the text, with the reason. */
   const take = (next: number | null, text = ""): boolean => {
-    const reason = next === null ? strings.fields.notANumber : (refuse?.(next) ?? null);
+    const reason = next === null ? problemOf(text, named) : (refuse?.(next) ?? null);
     setError(reason);
     if (next === null || reason !== null) return false;
     setDraft(null);
-    const kept = text === "" || isPlainNumber(text) ? null : text;
+    const kept = keptFrom(text);
     if (next !== value || kept !== (expression ?? null)) onCommit(next, kept);
     return true;
   };
@@ -75,7 +87,9 @@ function useNumberDraft(
   const type = (text: string): void => {
     setDraft(text);
     const typed = live ? readNumber(text, named) : null;
-    if (typed !== null && typed !== value && (refuse?.(typed) ?? null) === null) onCommit(typed, null);
+    const kept = keptFrom(text.trim());
+    const isNew = typed !== value || kept !== (expression ?? null);
+    if (typed !== null && isNew && (refuse?.(typed) ?? null) === null) onCommit(typed, kept);
   };
   const step = (change: number): boolean =>
     take(
