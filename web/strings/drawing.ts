@@ -31,9 +31,8 @@ export const drawingStrings = {
     plane: "work plane",
   },
   hints: {
-    point: "Click a place, or type coordinates. = opens the field for one that begins with a letter.",
-    straight:
-      "Click places for a chain of lines, or type coordinates (= opens the field). Enter ends the chain.",
+    point: "Click a place, or type coordinates: 1,2,0 or @0.5,0,0 or 5<30.",
+    straight: "Click places for a chain of lines, or type coordinates. Enter ends the chain.",
     parabolic: "Click three places: start, middle, end.",
     arc: "Click three places: start, a place on the arc, end. Or click start and end, and type the radius.",
     circle:
@@ -51,6 +50,8 @@ export const drawingStrings = {
     measure: "Click two places for a distance, a third one for an angle.",
   },
   noCircle: "The three places lie on one straight line.",
+  /** A letter that may begin a name in coordinates, or be the hotkey of a command. */
+  waiting: (letter: string, command: string) => `${letter}…  Enter: ${command}`,
   coordinates: "Coordinates",
   coordinatesHint: "1,2,0   @0.5,0,0   5<30",
   coordinatesTitle: "Numbers may be expressions, such as sin(30)*2. Angles are in degrees.",

@@ -169,6 +169,10 @@ export const pageStrings = {
     fields: [
       ["↑ ↓", "step a number; Shift × 10, Alt ÷ 10"],
       ["Enter, Esc", "apply or discard a typed value"],
+      [
+        "0–9 @ ( + − =",
+        "while drawing: open the field for coordinates. So does a letter that begins a parameter or function; if it is a hotkey, too, its command runs after a moment or by Enter",
+      ],
       ["Arrow keys", "in the view: orbit; Shift pans; + − zoom"],
     ],
     about:

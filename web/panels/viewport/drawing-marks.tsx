@@ -24,6 +24,7 @@ export function DrawingMarks({ viewer }: { readonly viewer: Viewer }) {
     <>
       <SnapMark viewer={viewer} />
       <DragAmount />
+      <WaitingLetter />
       {typed !== null && <CoordinateField typed={typed} />}
       {measured.length > 1 && <MeasurementCard places={measured} viewer={viewer} />}
     </>
@@ -58,6 +59,24 @@ function DragAmount() {
   return (
     <span className={styles["amount"]} style={{ left: pointer.x, top: pointer.y }} data-testid="amount">
       {amount}
+    </span>
+  );
+}
+
+/** A letter that may begin coordinates, and the command that it runs unless more is typed. */
+function WaitingLetter() {
+  const app = useApp();
+  const waiting = useStore(app.drawing.state, (state) => state.waiting);
+  const pointer = useStore(app.drawing.state, (state) => state.pointer);
+  if (!waiting) return null;
+  return (
+    <span
+      className={styles["amount"]}
+      style={{ left: pointer.x, top: pointer.y }}
+      role="status"
+      data-testid="waiting-letter"
+    >
+      {words.waiting(waiting.letter, waiting.command)}
     </span>
   );
 }

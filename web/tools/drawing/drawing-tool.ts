@@ -21,7 +21,7 @@ import type { Tool, ToolPointer } from "../tool";
 import { readCoordinates } from "./coordinates";
 import type { Drawing, DrawingState, TypedInput } from "./drawing";
 import { snapToModel, type Snap, type SnapTargets } from "./snapping";
-import { lettersAfter, typedStart } from "./typed-start";
+import { TypedKeys } from "./typed-keys";
 
 /** The parts of the app that drawing tools use. */
 export interface DrawingStores {
@@ -30,8 +30,8 @@ export interface DrawingStores {
   readonly view: ViewStore;
   readonly drawing: Drawing;
   readonly viewer: Pick<Viewer, "seenFrom" | "pixelLength" | "requestFrame">;
-  /** Returns whether a key without Ctrl and Alt runs a command. */
-  readonly isHotkey?: (key: string) => boolean;
+  /** Receives the keys that may begin coordinates. All tools of a view share it. Without it, letters run no commands. */
+  readonly keys?: TypedKeys;
 }
 
 /** Smallest distance between lines of the work plane's grid, in CSS pixels. */
@@ -44,11 +44,15 @@ export abstract class DrawingTool implements Tool, TypedInput {
   protected snap: Snap | null = null;
   /** The last place under the pointer, which may have left the view since. */
   protected seen: Position | null = null;
+  readonly #keys: TypedKeys;
   #layer: DrawingLayer | null = null;
   #paths: { readonly key: readonly unknown[]; readonly paths: readonly LinePath[] } | null = null;
 
   constructor(stores: DrawingStores) {
     this.stores = stores;
+    const { drawing, documents } = stores;
+    const named = () => parameterValues(documents.project.parameters);
+    this.#keys = stores.keys ?? new TypedKeys({ drawing, named, hotkeyOf: () => null });
   }
 
   /** Uses a place that was clicked or typed. */
@@ -68,10 +72,13 @@ export abstract class DrawingTool implements Tool, TypedInput {
   protected abstract get picked(): number;
 
   down(): boolean {
+    // The press may already belong to another tool.
+    this.#keys.flush();
     return false;
   }
 
   move(pointer: ToolPointer | null): void {
+    if (pointer && this.#keys.flushAt(pointer.at)) return;
     this.snap = pointer && this.snapAt(pointer);
     this.seen = this.snap?.position ?? this.seen;
     this.refresh(pointer);
@@ -96,9 +103,13 @@ export abstract class DrawingTool implements Tool, TypedInput {
   }
 
   key(event: KeyboardEvent): boolean {
-    if (event.ctrlKey || event.metaKey || event.altKey) return false;
+    // Many keyboards type @ with AltGr, which counts as Ctrl and Alt.
+    if ((event.ctrlKey || event.metaKey || event.altKey) && event.key !== "@") {
+      this.#keys.flush();
+      return false;
+    }
     this.stores.drawing.state.setState({ refused: null });
-    const isUsed = this.#useKey(event.key);
+    const isUsed = this.#useKey(event);
     if (isUsed) this.refresh(null);
     return isUsed;
   }
@@ -134,6 +145,8 @@ export abstract class DrawingTool implements Tool, TypedInput {
 
   /** The tool is put away. */
   protected end(): void {
+    this.#keys.drop();
+    this.#layer = null;
     this.stores.drawing.end();
   }
 
@@ -201,6 +214,8 @@ export abstract class DrawingTool implements Tool, TypedInput {
 
   /** Shows what a click would create. */
   protected refresh(pointer: ToolPointer | null): void {
+    // A key may have taken another tool.
+    if (!this.#layer) return;
     const { drawing, viewer } = this.stores;
     drawing.state.setState({
       snap: this.snap,
@@ -208,33 +223,13 @@ export abstract class DrawingTool implements Tool, TypedInput {
       gridStep: this.gridStep,
       ...(pointer && { pointer: pointer.at }),
     });
-    this.#layer?.show(this.sketch());
+    this.#layer.show(this.sketch());
     viewer.requestFrame();
   }
 
-  #useKey(key: string): boolean {
-    const { drawing } = this.stores;
-    const { typed } = drawing.state.getState();
-    // The field opens with the next picture; keys pressed before belong to it.
-    if (typed !== null && key.length === 1) {
-      drawing.type(typed + key);
-      return true;
-    }
-    if (typed !== null && key === "Enter") {
-      drawing.submit();
-      return true;
-    }
-    if (this.takesCoordinates) {
-      const { letters } = drawing;
-      const named = parameterValues(this.project.parameters);
-      const start = typedStart(key, { letters, named, isHotkey: this.stores.isHotkey ?? (() => false) });
-      if (start !== null) {
-        drawing.type(start);
-        return true;
-      }
-      drawing.letters = lettersAfter(letters, key);
-    }
-    switch (key) {
+  #useKey(event: KeyboardEvent): boolean {
+    if (this.takesCoordinates && this.#keys.use(event)) return true;
+    switch (event.key) {
       case "Enter":
         this.finish();
         return true;

@@ -14,6 +14,8 @@ export interface DrawingState {
   readonly gridStep: number | null;
   /** The text in the coordinate field; null while the field is closed. */
   readonly typed: string | null;
+  /** A letter that may begin coordinates, and the command that it runs otherwise; null without one. */
+  readonly waiting: { readonly letter: string; readonly command: string } | null;
   /** Why the typed text is no position. */
   readonly mistake: "syntax" | "no-last-place" | "no-radius" | "short-radius" | null;
   /** Number of places picked for what is being drawn. */
@@ -36,6 +38,7 @@ const idle: DrawingState = {
   cursor: null,
   gridStep: null,
   typed: null,
+  waiting: null,
   mistake: null,
   picked: 0,
   measured: [],
@@ -56,9 +59,14 @@ export interface TypedInput {
 /** What the drawing tools show beside the pointer, and the field for coordinates. */
 export class Drawing {
   readonly state: StoreApi<DrawingState> = createStore<DrawingState>(() => idle);
-  /** Letters that were pressed in a row while the field was closed. They may have begun coordinates. */
+  /** Hotkeys that were pressed in a row while the field was closed. They may have been meant as coordinates. */
   letters = "";
   #input: TypedInput | null = null;
+
+  /** Whether typed coordinates have a meaning for the active tool. */
+  get takesCoordinates(): boolean {
+    return this.#input?.takesCoordinates === true;
+  }
 
   /** Connects the active tool. */
   begin(input: TypedInput): void {
