@@ -496,3 +496,38 @@ test("the move tool drags a point as one step of undo, joins what coincides, and
   await page.keyboard.press("Escape");
   await expect(app.viewport).toHaveAttribute("data-tool", "select");
 });
+
+test("an expression may begin with a hotkey; undo takes back the last line of a chain, which goes on", async ({
+  page,
+}) => {
+  const draw = new DrawPage(page);
+  await page.addInitScript(() => {
+    Reflect.deleteProperty(window, "showOpenFilePicker");
+    Reflect.deleteProperty(window, "showSaveFilePicker");
+  });
+  await draw.openNew();
+  await page.keyboard.press("l");
+  await expect(draw.viewport).toHaveAttribute("data-tool", "line");
+  await draw.typeCoordinates("sin(0),0,0", "pi/pi,0,0", "1,cos(0),0", "5,5,0");
+  await draw.counts(4, 3, 0);
+  await page.keyboard.press("Control+z");
+  await draw.counts(3, 2, 0);
+  await draw.typeCoordinates("abs(0),1,0", "0,0,0");
+  await draw.counts(4, 4, 0);
+  expect(await draw.savedPositions()).toEqual([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]); // prettier-ignore
+  // Without more letters, A is the hotkey of patches.
+  await page.keyboard.press("a");
+  await expect(page.getByTestId("waiting-letter")).toHaveText(/^a… {2}Enter: /);
+  await page.keyboard.press("Enter");
+  await expect(draw.viewport).toHaveAttribute("data-tool", "patch");
+  await page.keyboard.press("p");
+  await expect(draw.viewport).toHaveAttribute("data-tool", "point");
+  // A place that is no step of undo yet is taken back first.
+  await page.keyboard.press("l");
+  await draw.typeCoordinates("3,3,3");
+  await expect(page.getByRole("button", { name: "Undo: last place" })).toBeEnabled();
+  await page.keyboard.press("Control+z");
+  await draw.counts(4, 4, 0);
+  await page.keyboard.press("Control+z");
+  await draw.counts(4, 3, 0);
+});

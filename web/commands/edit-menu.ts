@@ -19,6 +19,8 @@ import { mergeableBody, mergeSelectedPatches } from "./surface-actions";
 const past = (app: App) => app.documents.state.getState().history.past;
 const future = (app: App) => app.documents.state.getState().history.future;
 
+const canTakeBack = (app: App): boolean => app.drawing.state.getState().canTakeBack;
+
 const hasTool = (app: App): boolean => app.view.state.getState().tool !== "select";
 const hasOperation = (app: App): boolean => app.operations.state.getState().open !== null;
 
@@ -46,9 +48,11 @@ const select = (
 export const editMenu: readonly Command[] = [
   define("edit", 0)(
     "undo",
-    (app) => commandLabels.undo(past(app).at(-1)?.label),
-    (app) => app.documents.undo(),
-    { keys: ["mod+Z"], enabled: (app) => past(app).length > 0 },
+    (app) => (canTakeBack(app) ? commandLabels.undoPlace : commandLabels.undo(past(app).at(-1)?.label)),
+    (app) => {
+      if (!app.drawing.takeBack()) app.documents.undo();
+    },
+    { keys: ["mod+Z"], enabled: (app) => canTakeBack(app) || past(app).length > 0 },
   ),
   define("edit", 0)(
     "redo",

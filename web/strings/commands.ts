@@ -14,6 +14,7 @@ export const commandLabels = {
   downloadReport: "Download mesh report (JSON)",
 
   undo: (step: string | undefined) => (step === undefined ? "Undo" : `Undo: ${step}`),
+  undoPlace: "Undo: last place",
   redo: (step: string | undefined) => (step === undefined ? "Redo" : `Redo: ${step}`),
   delete: "Delete selection",
   history: "Show history",

@@ -46,6 +46,7 @@ export abstract class DrawingTool implements Tool, TypedInput {
   protected seen: Position | null = null;
   readonly #keys: TypedKeys;
   #layer: DrawingLayer | null = null;
+  #stopListening: (() => void) | null = null;
   #paths: { readonly key: readonly unknown[]; readonly paths: readonly LinePath[] } | null = null;
 
   constructor(stores: DrawingStores) {
@@ -68,6 +69,11 @@ export abstract class DrawingTool implements Tool, TypedInput {
   /** Returns what a click at the snapped place would create. */
   protected abstract sketch(): Sketch;
   readonly takesCoordinates: boolean = true;
+  /** Whether there are picked places that belong to no step of undo. */
+  get canTakeBack(): boolean {
+    return false;
+  }
+
   /** Number of places picked for what is being drawn. */
   protected abstract get picked(): number;
 
@@ -131,8 +137,14 @@ export abstract class DrawingTool implements Tool, TypedInput {
     return null;
   }
 
+  takeBack(): void {
+    if (this.canTakeBack) this.removeLast();
+    this.refresh(null);
+  }
+
   overlay(): Layer {
     this.stores.drawing.begin(this);
+    this.#stopListening = this.stores.documents.onProject(() => this.refresh(null));
     this.#layer = new DrawingLayer();
     const grid = new PlaneGridLayer(() => this.gridStep);
     return new DrawingOverlay([grid, this.#layer], () => this.end());
@@ -147,6 +159,7 @@ export abstract class DrawingTool implements Tool, TypedInput {
   protected end(): void {
     this.#keys.drop();
     this.#layer = null;
+    this.#stopListening?.();
     this.stores.drawing.end();
   }
 
@@ -220,6 +233,7 @@ export abstract class DrawingTool implements Tool, TypedInput {
     drawing.state.setState({
       snap: this.snap,
       picked: this.picked,
+      canTakeBack: this.canTakeBack,
       gridStep: this.gridStep,
       ...(pointer && { pointer: pointer.at }),
     });

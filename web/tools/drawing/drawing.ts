@@ -20,6 +20,8 @@ export interface DrawingState {
   readonly mistake: "syntax" | "no-last-place" | "no-radius" | "short-radius" | null;
   /** Number of places picked for what is being drawn. */
   readonly picked: number;
+  /** Whether undo first takes back the place picked last. */
+  readonly canTakeBack: boolean;
   /** The places of a measurement. */
   readonly measured: readonly Position[];
   /** The box or lasso that is being drawn around entities. */
@@ -41,6 +43,7 @@ const idle: DrawingState = {
   waiting: null,
   mistake: null,
   picked: 0,
+  canTakeBack: false,
   measured: [],
   outline: null,
   menu: null,
@@ -54,6 +57,8 @@ export interface TypedInput {
   readonly takesCoordinates: boolean;
   /** Uses typed coordinates. Returns why they cannot be used; null if they were. */
   take(text: string): DrawingState["mistake"];
+  /** Removes the place picked last if no step of undo has it. */
+  takeBack?(): void;
 }
 
 /** What the drawing tools show beside the pointer, and the field for coordinates. */
@@ -66,6 +71,13 @@ export class Drawing {
   /** Whether typed coordinates have a meaning for the active tool. */
   get takesCoordinates(): boolean {
     return this.#input?.takesCoordinates === true;
+  }
+
+  /** Takes back the place picked last, if no step of undo has it. Returns whether there was one. */
+  takeBack(): boolean {
+    const { canTakeBack } = this.state.getState();
+    if (canTakeBack) this.#input?.takeBack?.();
+    return canTakeBack;
   }
 
   /** Connects the active tool. */
