@@ -531,3 +531,50 @@ test("an expression may begin with a hotkey; undo takes back the last line of a 
   await page.keyboard.press("Control+z");
   await draw.counts(4, 3, 0);
 });
+
+test("typed numbers move the selection, before and during a drag: each is one step of undo", async ({
+  page,
+}) => {
+  const draw = new DrawPage(page);
+  await page.addInitScript(() => {
+    Reflect.deleteProperty(window, "showOpenFilePicker");
+    Reflect.deleteProperty(window, "showSaveFilePicker");
+  });
+  await draw.openNew();
+  await page.keyboard.press("p");
+  await expect(draw.viewport).toHaveAttribute("data-tool", "point");
+  await draw.typeCoordinates("0,0,0", "1,0,0");
+  await page.keyboard.press("Control+a");
+  await page.keyboard.press("g");
+  await expect(draw.viewport).toHaveAttribute("data-tool", "move");
+  const field = page.getByTestId("coordinates");
+  await page.keyboard.type("z0.5");
+  await expect(page.getByRole("textbox", { name: "Distance, axis Z" })).toHaveValue("0.5");
+  await page.keyboard.press("Enter");
+  await expect(field).toBeHidden();
+  expect(await draw.savedPositions()).toEqual([[0, 0, 0.5], [1, 0, 0.5]]); // prettier-ignore
+  await page.keyboard.type("0.5");
+  await page.keyboard.press("Tab");
+  await page.keyboard.type("sqrt(4)");
+  await expect(field).toHaveValue("@0.5,sqrt(4)");
+  await page.keyboard.press("Enter");
+  await expect(field).toBeHidden();
+  expect(await draw.savedPositions()).toEqual([[0.5, 2, 0.5], [1.5, 2, 0.5]]); // prettier-ignore
+  await page.keyboard.type("7");
+  await page.keyboard.press("Escape");
+  await expect(field).toBeHidden();
+  await page.keyboard.press("f");
+  const { x, y } = await draw.at([1.5, 2, 0.5]);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 30, y + 20);
+  await expect(page.getByTestId("amount")).toBeVisible();
+  await page.keyboard.type("@0,0,-0.5");
+  await expect(field).toHaveValue("@0,0,-0.5");
+  await page.mouse.up();
+  await page.keyboard.press("Enter");
+  await expect(field).toBeHidden();
+  expect(await draw.savedPositions()).toEqual([[0.5, 2, 0], [1.5, 2, 0]]); // prettier-ignore
+  for (let step = 0; step < 3; ++step) await page.keyboard.press("Control+z");
+  expect(await draw.savedPositions()).toEqual([[0, 0, 0], [1, 0, 0]]); // prettier-ignore
+});

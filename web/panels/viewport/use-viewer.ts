@@ -17,6 +17,7 @@ import { SourceTool } from "../../tools/drawing/source-tool";
 import { TypedKeys } from "../../tools/drawing/typed-keys";
 import { followPointer } from "../../tools/follow-pointer";
 import { HandleTool } from "../../tools/handle-tool";
+import { Motion } from "../../tools/motion";
 import { TransformTool } from "../../tools/transform-tool";
 import { SelectTool, type Hover } from "../../tools/select-tool";
 import type { Tool } from "../../tools/tool";
@@ -167,7 +168,8 @@ function connect(
   const tools = new ToolController(canvas, viewer, select, (target) => pageApps.owns(app, target));
   const brush = new BrushTool(app.documents, app.view, viewer);
   const keys = typedKeys(app);
-  const stores = { documents, operations, previews, view, drawing, viewer, keys };
+  const motion = new Motion({ documents, view, drawing, keys, viewer });
+  const stores = { documents, operations, previews, view, drawing, viewer, keys, motion };
   const byName: Readonly<Record<ToolName, Tool>> = {
     select: new HandleTool(stores, new DragTool(stores, select, "held-points")),
     move: new HandleTool(stores, new TransformTool(stores, new DragTool(stores, select))),

@@ -36,7 +36,9 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const hasChoices = useView((state) => state.tool !== "select");
   const showsSizes = useView((state) => state.sizes.enabled);
   const { viewer, trouble } = useViewer(container, canvas, setHover, layout === "phone" ? phoneColumn : 0);
-  const hasOperation = useStore(useApp().operations.state, ({ open }) => open !== null);
+  const app = useApp();
+  const isMoving = useStore(app.drawing.state, ({ amount, typed }) => amount !== null || typed !== null);
+  const hasOperation = useStore(app.operations.state, ({ open }) => open !== null);
   const showsPlane = useShowsPlane();
   useFitBeside(viewer, showsPlane);
   return (
@@ -52,7 +54,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
         {viewer && <PositionMarker viewer={viewer} />}
         {viewer && <PatchRoleLabels viewer={viewer} />}
         {viewer && <PointNumbers viewer={viewer} />}
-        {hover && <HoverLabel hover={hover} />}
+        {hover && !isMoving && <HoverLabel hover={hover} />}
         {viewer && <VolumeChoices viewer={viewer} />}
         {viewer && <DrawingMarks viewer={viewer} />}
         <SelectionOutline />

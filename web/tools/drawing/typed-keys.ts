@@ -31,7 +31,7 @@ const stillness = 4;
  */
 export class TypedKeys {
   readonly #options: TypedKeysOptions;
-  #waiting: { readonly letter: string; readonly hotkey: Hotkey } | null = null;
+  #waiting: { readonly letter: string; readonly hotkey: Hotkey; readonly pointer: ScreenPoint } | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(options: TypedKeysOptions) {
@@ -57,8 +57,8 @@ export class TypedKeys {
 
   /** Runs the command of the waiting letter if the pointer has moved since. Returns whether it did. */
   flushAt(at: ScreenPoint): boolean {
-    const { pointer } = this.#options.drawing.state.getState();
-    return Math.hypot(at.x - pointer.x, at.y - pointer.y) > stillness && this.flush();
+    const from = this.#waiting?.pointer ?? at;
+    return Math.hypot(at.x - from.x, at.y - from.y) > stillness && this.flush();
   }
 
   /** Forgets the waiting letter. Returns whether there was one. */
@@ -77,6 +77,7 @@ export class TypedKeys {
     else if (key === "Backspace") drawing.type(typed.slice(0, -1));
     else if (key === "Escape") drawing.type(null);
     else if (key === "Enter") drawing.submit();
+    else if (key === "Tab") drawing.next();
     else return false;
     return true;
   }
@@ -105,8 +106,9 @@ export class TypedKeys {
   }
 
   #wait(letter: string, hotkey: Hotkey): void {
-    this.#waiting = { letter, hotkey };
-    this.#options.drawing.state.setState({ waiting: { letter, command: hotkey.label } });
+    const { state } = this.#options.drawing;
+    this.#waiting = { letter, hotkey, pointer: state.getState().pointer };
+    state.setState({ waiting: { letter, command: hotkey.label } });
     this.#timer = setTimeout(() => this.flush(), waitingTime);
   }
 }
