@@ -13,7 +13,7 @@ import { commandLabels } from "../strings";
 import { define, type Command } from "./command";
 import { hasHighlight, hasSelection } from "./conditions";
 import { canGroup, groupSelection } from "./group-actions";
-import { deleteSelection, rename } from "./selection-actions";
+import { canRename, deleteSelection, rename } from "./selection-actions";
 import { mergeableBody, mergeSelectedPatches } from "./surface-actions";
 
 const past = (app: App) => app.documents.state.getState().history.past;
@@ -75,7 +75,7 @@ export const editMenu: readonly Command[] = [
   ),
   define("edit", 1)("rename", commandLabels.rename, rename, {
     keys: ["F2"],
-    enabled: (app) => app.view.state.getState().selection.length === 1,
+    enabled: canRename,
   }),
   define("edit", 1)("group", commandLabels.group, groupSelection, { enabled: canGroup }),
   define("edit", 1)("merge-patches", commandLabels.mergePatches, (app) => void mergeSelectedPatches(app), {

@@ -1,5 +1,6 @@
 import type { App } from "../app/app";
 import type { CutAxis, Layer, Shading } from "../document/selection";
+import { schemes } from "../session/shell";
 import type { StandardView } from "../viewer/camera";
 import { commandLabels } from "../strings";
 import { define, type Command } from "./command";
@@ -79,6 +80,14 @@ export const viewMenu: readonly Command[] = [
       checked: (app) => viewState(app).layers[layer],
     }),
   ),
+  define("view", 3)(
+    "numbers",
+    commandLabels.numbers,
+    ({ view }) => view.state.setState(({ numbers }) => ({ numbers: !numbers })),
+    {
+      checked: (app) => viewState(app).numbers,
+    },
+  ),
   define("view", 4)("hide", commandLabels.hide, (app) => app.view.setHidden(viewState(app).selection, true), {
     keys: ["H"],
     enabled: hasSelection,
@@ -106,5 +115,22 @@ export const viewMenu: readonly Command[] = [
       keys: ["E"],
       checked: (app) => viewState(app).edges,
     },
+  ),
+  define("view", 6)(
+    "left-orbits",
+    commandLabels.leftOrbits,
+    ({ view }) =>
+      view.state.setState(({ leftDrag }) => ({ leftDrag: leftDrag === "orbit" ? "select" : "orbit" })),
+    { checked: (app) => viewState(app).leftDrag === "orbit" },
+  ),
+  ...schemes.map((scheme) =>
+    define("view", 7)(
+      `scheme-${scheme}`,
+      commandLabels.schemes[scheme],
+      (app) => app.shell.setState({ scheme }),
+      {
+        checked: (app) => app.shell.getState().scheme === scheme,
+      },
+    ),
   ),
 ];

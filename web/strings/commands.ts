@@ -48,6 +48,14 @@ export const commandLabels = {
     yz: "Work plane YZ",
     selection: "Work plane from selection",
   },
+  snaps: {
+    grid: "Snap to the grid",
+    model: "Snap to points and lines",
+    patches: "Snap to patches",
+  },
+  numbers: "Point numbers",
+  leftOrbits: "Left drag orbits",
+  schemes: { light: "Light colours", dark: "Dark colours", auto: "Colours of the system" },
   newPoint: "Point by coordinates…",
   newNode: "Background node…",
   lines: {

@@ -154,7 +154,8 @@ export const pageStrings = {
   help: {
     title: "Keyboard and mouse",
     mouse: [
-      ["Click", "select; Shift adds (in the tree: extends to here), Ctrl toggles"],
+      ["Click", "select, in the view and in the tree; Shift adds, Ctrl toggles"],
+      ["Ctrl Shift click, Shift ↑ ↓", "in the tree: select all rows between"],
       ["Double click", "edit the entity under the pointer; elsewhere, and by a finger, fit the view"],
       [
         "Left drag",
