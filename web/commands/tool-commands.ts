@@ -69,14 +69,14 @@ export const toolCommands: readonly Command[] = [
       { checked: (app) => app.view.state.getState().workPlane.kind === plane },
     ),
   ),
+  define("edit", 4)("plane-selection", commandLabels.planes.selection, takePlane, { keys: ["W"] }),
   ...(["grid", "model", "patches"] as const).map((target) =>
     define("edit", 5)(
-      `snap-to-${target}`,
+      `magnet-${target}`,
       commandLabels.snaps[target],
       ({ view }) =>
         view.state.setState(({ snapping }) => ({ snapping: { ...snapping, [target]: !snapping[target] } })),
       { checked: (app) => app.view.state.getState().snapping[target] },
     ),
   ),
-  define("edit", 4)("plane-selection", commandLabels.planes.selection, takePlane, { keys: ["W"] }),
 ];

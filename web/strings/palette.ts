@@ -69,9 +69,9 @@ export const synonyms: Readonly<Record<string, string>> = {
   "scheme-light": "theme mode bright settings preferences appearance",
   "scheme-dark": "theme mode night settings preferences appearance",
   "scheme-auto": "theme mode automatic settings preferences appearance",
-  "snap-to-grid": "snapping magnet settings",
-  "snap-to-model": "snapping magnet settings",
-  "snap-to-patches": "snapping magnet settings surface",
+  "magnet-grid": "snapping magnet settings",
+  "magnet-model": "snapping magnet settings",
+  "magnet-patches": "snapping magnet settings surface",
   problems: "errors warnings check",
   help: "keys shortcuts manual mouse",
 };
