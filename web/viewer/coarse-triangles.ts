@@ -36,7 +36,10 @@ export function coarseTriangles({ positions, index, offsets }: PatchTriangles, a
   return coarse.slice(0, count);
 }
 
-/** Returns a function from a vertex to the one that stands for all near it: the first one in its cell of a grid. */
+/**
+ * Returns a function from a vertex to the one that stands for all near it: of those that are nearest to the same node of a
+ * grid, the one nearest to it. The grid reaches from end to end, so that the edges of patches stay where they are.
+ */
 function clusters(
   positions: ArrayLike<number>,
   corners: Uint32Array,
@@ -50,21 +53,24 @@ function clusters(
       high[k] = Math.max(high[k] ?? x, x);
     }
   }
-  const diagonal = Math.hypot(...low.map((x, k) => (high[k] ?? x) - x));
-  // A square whose diagonal is divided into n parts has about n² triangles. Two cells keep a patch from vanishing.
+  const extents = low.map((x, k) => (high[k] ?? x) - x);
+  // A square whose diagonal is divided into n parts has about n² triangles. Two parts keep a patch from vanishing.
   const parts = Math.max(2, Math.round(Math.sqrt((share * corners.length) / 3)));
-  const cell = diagonal / parts;
-  const first = new Map<number, number>();
-  const known = new Map<number, number>();
-  return (vertex) => {
-    const before = known.get(vertex);
-    if (before !== undefined) return before;
-    const at = (k: number): number =>
-      Math.floor(((positions[3 * vertex + k] ?? 0) - (low[k] ?? 0)) / cell) || 0;
-    const key = (at(0) * (parts + 1) + at(1)) * (parts + 1) + at(2);
-    const found = first.get(key) ?? vertex;
-    first.set(key, found);
-    known.set(vertex, found);
-    return found;
-  };
+  const cell = Math.hypot(...extents) / parts;
+  const counts = extents.map((extent) => Math.max(1, Math.round(extent / cell) || 1));
+  const nearest = new Map<number, { readonly vertex: number; readonly square: number }>();
+  const nodeOf = new Map<number, number>();
+  for (const vertex of corners) {
+    if (nodeOf.has(vertex)) continue;
+    let [node, square] = [0, 0];
+    for (const [k, count] of counts.entries()) {
+      const extent = extents[k] ?? 0;
+      const at = extent > 0 ? (((positions[3 * vertex + k] ?? 0) - (low[k] ?? 0)) / extent) * count : 0;
+      node = node * (parts + 2) + Math.round(at);
+      square += ((at - Math.round(at)) * (extent / count)) ** 2;
+    }
+    nodeOf.set(vertex, node);
+    if (square < (nearest.get(node)?.square ?? Infinity)) nearest.set(node, { vertex, square });
+  }
+  return (vertex) => nearest.get(nodeOf.get(vertex) ?? 0)?.vertex ?? vertex;
 }
