@@ -578,3 +578,25 @@ test("typed numbers move the selection, before and during a drag: each is one st
   for (let step = 0; step < 3; ++step) await page.keyboard.press("Control+z");
   expect(await draw.savedPositions()).toEqual([[0, 0, 0], [1, 0, 0]]); // prettier-ignore
 });
+
+test("on a phone, a button opens the field for coordinates, beside the place picked last", async ({
+  page,
+}) => {
+  const draw = new DrawPage(page);
+  await page.setViewportSize({ width: 390, height: 844 });
+  await draw.openNew();
+  await page.getByTestId("tool-line").click();
+  const field = page.getByTestId("coordinates");
+  for (const place of ["0,0,0", "1,0,0"]) {
+    await page.getByTestId("type-coordinates").click();
+    await expect(field).toBeFocused();
+    await page.keyboard.type(place);
+    await page.keyboard.press("Enter");
+    await expect(field).toBeHidden();
+  }
+  await draw.counts(2, 1, 0);
+  await page.getByTestId("type-coordinates").click();
+  await expect(field).toBeInViewport({ ratio: 1 });
+  const [box, bar] = [await field.boundingBox(), await page.getByTestId("drawing-bar").boundingBox()];
+  expect(box?.y ?? 0).toBeGreaterThan((bar?.y ?? Infinity) + (bar?.height ?? 0));
+});

@@ -133,6 +133,13 @@ export class Motion implements TypedInput {
     if (this.#run?.isHeld === false && typed === null && !waiting) this.cancel();
   }
 
+  /** Without the pointer, beside the middle of the selection. */
+  placeOfField(): ScreenPoint | null {
+    const run = this.#run;
+    if (!run || run.isHeld) return null;
+    return this.#stores.viewer.seenFrom({ x: 0, y: 0 }).toScreen(run.base);
+  }
+
   edited(text: string): string {
     const axis = axisOfKey(text.trim());
     if (axis !== null) this.#axis = this.#axis === axis ? null : axis;
@@ -171,11 +178,6 @@ export class Motion implements TypedInput {
   }
 
   #preview(run: Run, text: string): void {
-    const { drawing, viewer } = this.#stores;
-    if (!run.isHeld) {
-      const at = viewer.seenFrom({ x: 0, y: 0 }).toScreen(run.base);
-      if (at) drawing.state.setState({ pointer: at });
-    }
     if (text.trim() === "") {
       if (run.gesture) this.#show(run, translation(zero), false);
       return;

@@ -68,7 +68,7 @@ function DragAmount() {
 /** Beside the pointer, but neither outside the view nor under the tools at its edges, where the pointer may be at first. */
 const besidePointer = ({ x, y }: ScreenPoint) => ({
   left: `clamp(58px, ${x + 16}px, 100% - 200px)`,
-  top: `clamp(64px, ${y + 16}px, 100% - 60px)`,
+  top: `clamp(118px, ${y + 16}px, 100% - 60px)`,
 });
 
 /** A letter that may begin coordinates, and the command that it runs unless more is typed. */

@@ -15,6 +15,7 @@ import type { PreviewFeed } from "../../session/preview";
 import { DrawingLayer, type Sketch } from "../../viewer/layers/drawing-layer";
 import type { Layer } from "../../viewer/layers/layer";
 import { PlaneGridLayer } from "../../viewer/layers/plane-grid-layer";
+import type { ScreenPoint } from "../../viewer/screen";
 import type { SceneChanges } from "../../viewer/scene-state";
 import type { Viewer } from "../../viewer/viewer";
 import type { Tool, ToolPointer } from "../tool";
@@ -140,6 +141,13 @@ export abstract class DrawingTool implements Tool, TypedInput {
   takeBack(): void {
     if (this.canTakeBack) this.removeLast();
     this.refresh(null);
+  }
+
+  /** If the pointer is not over the view, beside the place picked last, or the origin of the work plane. */
+  placeOfField(): ScreenPoint | null {
+    const { drawing, viewer } = this.stores;
+    if (drawing.state.getState().cursor) return null;
+    return viewer.seenFrom({ x: 0, y: 0 }).toScreen(this.last() ?? this.frame.origin);
   }
 
   overlay(): Layer {

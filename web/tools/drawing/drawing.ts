@@ -78,6 +78,8 @@ export interface TypedInput {
   take(text: string): DrawingState["mistake"];
   /** Removes the place picked last if no step of undo has it. */
   takeBack?(): void;
+  /** Returns where in the view the field opens; null for beside the pointer. */
+  placeOfField?(): ScreenPoint | null;
   /** The text was changed. Returns the text to show. */
   edited?(text: string): string;
   /** Returns the text after Tab, with room for the next number. */
@@ -133,8 +135,10 @@ export class Drawing {
   /** Sets the text in the field; null closes the field. */
   type(typed: string | null): void {
     this.letters = "";
-    const shown = typed === null ? null : (this.#input?.edited?.(typed) ?? typed);
     const wasOpen = this.state.getState().typed !== null;
+    const place = typed === null || wasOpen ? null : this.#input?.placeOfField?.();
+    if (place) this.state.setState({ pointer: place });
+    const shown = typed === null ? null : (this.#input?.edited?.(typed) ?? typed);
     this.state.setState({ typed: shown, mistake: null });
     if (typed === null && wasOpen) this.#input?.closed?.();
   }
