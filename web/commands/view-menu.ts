@@ -80,14 +80,6 @@ export const viewMenu: readonly Command[] = [
       checked: (app) => viewState(app).layers[layer],
     }),
   ),
-  define("view", 3)(
-    "numbers",
-    commandLabels.numbers,
-    ({ view }) => view.state.setState(({ numbers }) => ({ numbers: !numbers })),
-    {
-      checked: (app) => viewState(app).numbers,
-    },
-  ),
   define("view", 4)("hide", commandLabels.hide, (app) => app.view.setHidden(viewState(app).selection, true), {
     keys: ["H"],
     enabled: hasSelection,
@@ -117,6 +109,14 @@ export const viewMenu: readonly Command[] = [
     },
   ),
   define("view", 6)(
+    "numbers",
+    commandLabels.numbers,
+    ({ view }) => view.state.setState(({ numbers }) => ({ numbers: !numbers })),
+    {
+      checked: (app) => viewState(app).numbers,
+    },
+  ),
+  define("view", 6)(
     "left-orbits",
     commandLabels.leftOrbits,
     ({ view }) =>
@@ -124,7 +124,7 @@ export const viewMenu: readonly Command[] = [
     { checked: (app) => viewState(app).leftDrag === "orbit" },
   ),
   ...schemes.map((scheme) =>
-    define("view", 7)(
+    define("view", 6)(
       `scheme-${scheme}`,
       commandLabels.schemes[scheme],
       (app) => app.shell.setState({ scheme }),

@@ -132,10 +132,11 @@ function CoordinateField({ typed }: { readonly typed: string }) {
         }}
         onBlur={() => app.drawing.type(null)}
         onKeyDown={(event) => {
-          if (event.key === "Tab" && !event.shiftKey) {
-            event.preventDefault();
-            app.drawing.next();
-          } else if (event.key === "Enter") app.drawing.submit();
+          const isTab = event.key === "Tab" && !event.shiftKey;
+          // Enter would press the button that gets the focus back.
+          if (isTab || event.key === "Enter") event.preventDefault();
+          if (isTab) app.drawing.next();
+          else if (event.key === "Enter") app.drawing.submit();
           else if (event.key === "Escape") app.drawing.type(null);
         }}
       />
