@@ -1,6 +1,7 @@
 // Measures moving in a browser: a point of the largest model of the gallery, and all its points, are dragged in the view.
 // Prints frames per second, how many of the frames show a new preview of lines, patches and problems, and the longest time
-// for which the page did not answer. The goals are 30 frames/s and 50 ms. CHROMIUM is the path of a browser; without it,
+// for which the page did not answer, and the processor time of the page and of the process that draws, which depend less on
+// other work. The goals are 30 frames/s and 50 ms. CHROMIUM is the path of a browser; without it,
 // the one of Playwright is used. The site must be built.
 import { readdirSync, readFileSync } from "node:fs";
 import { chromium } from "@playwright/test";
@@ -26,6 +27,7 @@ const browser = await chromium.launch(config.use.launchOptions);
 try {
   const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
   const session = await page.context().newCDPSession(page);
+  const system = await browser.newBrowserCDPSession();
   await session.send("Performance.enable", { timeDomain: "threadTicks" });
   await page.addInitScript(countPreviews);
   const open = async (query) => {
@@ -50,12 +52,14 @@ try {
     await page.mouse.down();
     await page.mouse.move(at.x + 6, at.y + 2, { steps: 3 });
     const before = await workOf(session);
+    const drawnBefore = await drawingOf(system);
     const { frames, rate, previews, longest } = await page.evaluate(drag, { ...at, seconds: SECONDS });
     const work = (1000 * ((await workOf(session)) - before)) / frames;
+    const drawing = (1000 * ((await drawingOf(system)) - drawnBefore)) / frames;
     await page.mouse.up();
     const changed = await page.getByTestId("undo").getAttribute("aria-label");
     console.log(
-      `${what.padEnd(14)} frames/s ${rate.toFixed(1)}, work of the page per frame ${work.toFixed(1)} ms, previews/s ${previews.toFixed(1)}, longest pause ${longest.toFixed(0)} ms (${changed})`,
+      `${what.padEnd(14)} frames/s ${rate.toFixed(1)}, work per frame: page ${work.toFixed(1)} ms, drawing ${drawing.toFixed(1)} ms; previews/s ${previews.toFixed(1)}, longest pause ${longest.toFixed(0)} ms (${changed})`,
     );
     await page.keyboard.press("Control+z");
   }
@@ -78,6 +82,12 @@ async function screenPlace(page, position) {
 async function workOf(session) {
   const { metrics } = await session.send("Performance.getMetrics");
   return metrics.find(({ name }) => name === "TaskDuration").value;
+}
+
+/** Returns for how long the process that draws has worked so far, in seconds of processor time. */
+async function drawingOf(system) {
+  const { processInfo } = await system.send("SystemInfo.getProcessInfo");
+  return processInfo.find(({ type }) => type === "GPU").cpuTime;
 }
 
 /** In the page: counts the answers to questions for previews. */

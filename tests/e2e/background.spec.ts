@@ -38,7 +38,7 @@ test("sources of each type can be created from selected points", async ({ page }
   await app.openCube();
   await page.getByTestId("tree-point").click();
   await page.getByTestId("tree-point-1").click();
-  await page.getByTestId("tree-point-3").click({ modifiers: ["Shift"] });
+  await page.getByTestId("tree-point-3").click({ modifiers: ["ControlOrMeta", "Shift"] });
   await page.getByTestId("create-source-triangle").click();
   await expect(page.getByTestId("position-2-z")).toBeVisible();
   await page.getByTestId("tree-line-1").click();

@@ -239,13 +239,18 @@ test("a patch with a hole can be created from lines in any order, and a hole can
   );
 });
 
-test("the tree selects ranges with Shift, by mouse and keyboard, and all entities of a kind with Ctrl A", async ({
+test("in the tree, Shift adds and Ctrl toggles as in the view; both select ranges, and Ctrl A all of a kind", async ({
   page,
 }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByTestId("tree-line-2").click();
-  await page.getByTestId("tree-line-5").click({ modifiers: ["Shift"] });
+  for (let click = 0; click < 2; ++click) {
+    await page.getByTestId("tree-line-12").click({ modifiers: ["Shift"] });
+    await expect(page.locator(selected)).toHaveCount(2);
+  }
+  await page.getByTestId("tree-line-2").click();
+  await page.getByTestId("tree-line-5").click({ modifiers: ["ControlOrMeta", "Shift"] });
   await expect(page.locator(selected)).toHaveCount(4);
   await expect(page.getByTestId("inspector")).toContainText("4 entities selected");
   await page.keyboard.press("Shift+ArrowDown");

@@ -125,3 +125,45 @@ test("the palette finds a command by words in any order", async ({ page }) => {
   await page.getByRole("tab", { name: "Display" }).click();
   await expect(page.getByRole("radio", { name: "Plain" })).toBeChecked();
 });
+
+test("the palette sets the theme, snapping and the mouse; F2 renames the project and a selected group", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const root = page.locator("html");
+  const run = async (words: string): Promise<void> => {
+    await page.keyboard.press("Control+k");
+    await page.getByRole("textbox", { name: "Search commands" }).fill(words);
+    await page.keyboard.press("Enter");
+    await expect(page.getByRole("textbox", { name: "Search commands" })).toBeHidden();
+  };
+  await run("light theme");
+  await expect(root).toHaveAttribute("data-mantine-color-scheme", "light");
+  await run("night");
+  await expect(root).toHaveAttribute("data-mantine-color-scheme", "dark");
+  // The button and the commands agree.
+  await page.getByTestId("theme").click();
+  await expect(root).toHaveAttribute("data-mantine-color-scheme", "light");
+  await run("dark colours");
+  await expect(root).toHaveAttribute("data-mantine-color-scheme", "dark");
+  await page.keyboard.press("p");
+  await expect(page.getByTestId("snap-grid")).toHaveAttribute("aria-pressed", "true");
+  await run("snap grid");
+  await expect(page.getByTestId("snap-grid")).toHaveAttribute("aria-pressed", "false");
+  await page.keyboard.press("Escape");
+
+  await page.keyboard.press("F2");
+  await expect(page.getByTestId("project-name")).toBeFocused();
+  await page.keyboard.type("Renamed cube");
+  await page.keyboard.press("Enter");
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Control+a");
+  await page.getByTestId("group-selection").click();
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("F2");
+  await expect(page.getByTestId("group-name")).toBeFocused();
+  await page.keyboard.type("everything");
+  await page.keyboard.press("Enter");
+  await expect(page.getByTestId("tree-group-1")).toContainText("everything");
+});

@@ -13,11 +13,13 @@ import { commandLabels } from "../strings";
 import { define, type Command } from "./command";
 import { hasHighlight, hasSelection } from "./conditions";
 import { canGroup, groupSelection } from "./group-actions";
-import { deleteSelection, rename } from "./selection-actions";
+import { canRename, deleteSelection, rename } from "./selection-actions";
 import { mergeableBody, mergeSelectedPatches } from "./surface-actions";
 
 const past = (app: App) => app.documents.state.getState().history.past;
 const future = (app: App) => app.documents.state.getState().history.future;
+
+const canTakeBack = (app: App): boolean => app.drawing.state.getState().canTakeBack;
 
 const hasTool = (app: App): boolean => app.view.state.getState().tool !== "select";
 const hasOperation = (app: App): boolean => app.operations.state.getState().open !== null;
@@ -46,9 +48,11 @@ const select = (
 export const editMenu: readonly Command[] = [
   define("edit", 0)(
     "undo",
-    (app) => commandLabels.undo(past(app).at(-1)?.label),
-    (app) => app.documents.undo(),
-    { keys: ["mod+Z"], enabled: (app) => past(app).length > 0 },
+    (app) => (canTakeBack(app) ? commandLabels.undoPlace : commandLabels.undo(past(app).at(-1)?.label)),
+    (app) => {
+      if (!app.drawing.takeBack()) app.documents.undo();
+    },
+    { keys: ["mod+Z"], enabled: (app) => canTakeBack(app) || past(app).length > 0 },
   ),
   define("edit", 0)(
     "redo",
@@ -71,7 +75,7 @@ export const editMenu: readonly Command[] = [
   ),
   define("edit", 1)("rename", commandLabels.rename, rename, {
     keys: ["F2"],
-    enabled: (app) => app.view.state.getState().selection.length === 1,
+    enabled: canRename,
   }),
   define("edit", 1)("group", commandLabels.group, groupSelection, { enabled: canGroup }),
   define("edit", 1)("merge-patches", commandLabels.mergePatches, (app) => void mergeSelectedPatches(app), {

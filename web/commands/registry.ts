@@ -46,11 +46,14 @@ export function runCommand(app: App, command: Command): void {
   if (command.enabled(app)) command.run(app);
 }
 
-const hotkeys = new Set(commands.flatMap(({ keys }) => keys));
+const byHotkey = new Map(commands.flatMap((command) => command.keys.map((key) => [key, command] as const)));
 
-/** Returns whether a letter, as typed without Ctrl and Alt, is the hotkey of a command. */
-export const isHotkey = (letter: string): boolean =>
-  hotkeys.has(letter.toUpperCase()) || (letter !== letter.toLowerCase() && hotkeys.has(`shift+${letter}`));
+/** Returns the command that a key runs without Ctrl and Alt; undefined if there is none. */
+export const commandOfKey = ({
+  key,
+  shiftKey,
+}: Pick<KeyboardEvent, "key" | "shiftKey">): Command | undefined =>
+  byHotkey.get(shiftKey ? `shift+${key.toUpperCase()}` : key.toUpperCase());
 
 /** Returns the names of a hotkey's keys as printed on a keyboard: "mod+shift+Z" becomes Ctrl, Shift, Z. */
 export function keyNames(key: string): readonly string[] {

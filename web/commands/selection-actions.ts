@@ -1,6 +1,7 @@
 import type { App } from "../app/app";
 import { deleteEntities, withDependents } from "../document/edits";
 import { entityKey, type Entity } from "../document/entities";
+import { groupOfSelection } from "../document/groups";
 import { allEntities, withParts } from "../document/select-related";
 import type { Problem } from "../document/validate";
 import { showNotice, type EditedField } from "../session/shell";
@@ -88,4 +89,13 @@ export function editSelected(app: Pick<App, "shell" | "view">, editing: EditedFi
   app.shell.setState({ rightTab: "inspector", drawer: "right", editing: hasOne ? editing : null });
 }
 
-export const rename = (app: App): void => editSelected(app, "name");
+/** Returns whether the inspector shows a name: of the project, of one entity, or of the group that is selected. */
+export function canRename({ documents, view }: App): boolean {
+  const { selection, element } = view.state.getState();
+  if (selection.length > 1) return groupOfSelection(documents.project, selection) !== undefined;
+  return element === null;
+}
+
+/** Moves the focus to the name of what is selected; without a selection, of the project. */
+export const rename = (app: App): void =>
+  app.shell.setState({ rightTab: "inspector", drawer: "right", editing: "name" });

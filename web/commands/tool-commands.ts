@@ -70,4 +70,13 @@ export const toolCommands: readonly Command[] = [
     ),
   ),
   define("edit", 4)("plane-selection", commandLabels.planes.selection, takePlane, { keys: ["W"] }),
+  ...(["grid", "model", "patches"] as const).map((target) =>
+    define("edit", 5)(
+      `magnet-${target}`,
+      commandLabels.snaps[target],
+      ({ view }) =>
+        view.state.setState(({ snapping }) => ({ snapping: { ...snapping, [target]: !snapping[target] } })),
+      { checked: (app) => app.view.state.getState().snapping[target] },
+    ),
+  ),
 ];

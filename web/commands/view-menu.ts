@@ -1,5 +1,6 @@
 import type { App } from "../app/app";
 import type { CutAxis, Layer, Shading } from "../document/selection";
+import { schemes } from "../session/shell";
 import type { StandardView } from "../viewer/camera";
 import { commandLabels } from "../strings";
 import { define, type Command } from "./command";
@@ -106,5 +107,30 @@ export const viewMenu: readonly Command[] = [
       keys: ["E"],
       checked: (app) => viewState(app).edges,
     },
+  ),
+  define("view", 6)(
+    "numbers",
+    commandLabels.numbers,
+    ({ view }) => view.state.setState(({ numbers }) => ({ numbers: !numbers })),
+    {
+      checked: (app) => viewState(app).numbers,
+    },
+  ),
+  define("view", 6)(
+    "left-orbits",
+    commandLabels.leftOrbits,
+    ({ view }) =>
+      view.state.setState(({ leftDrag }) => ({ leftDrag: leftDrag === "orbit" ? "select" : "orbit" })),
+    { checked: (app) => viewState(app).leftDrag === "orbit" },
+  ),
+  ...schemes.map((scheme) =>
+    define("view", 6)(
+      `scheme-${scheme}`,
+      commandLabels.schemes[scheme],
+      (app) => app.shell.setState({ scheme }),
+      {
+        checked: (app) => app.shell.getState().scheme === scheme,
+      },
+    ),
   ),
 ];

@@ -45,6 +45,15 @@ function groupableMembers(entities: readonly Entity[]): Member[] {
 }
 
 /** Makes a group of entities, with the next free id and the next colour. */
+/** Returns the group that has exactly the selected members; undefined if there is none. */
+export function groupOfSelection(project: Project, selection: readonly Entity[]): ProjectGroup | undefined {
+  const selected = new Set(selection.map(entityKey));
+  return project.groups?.find((group) => {
+    const members = groupEntities(project, group);
+    return members.length === selected.size && members.every((member) => selected.has(entityKey(member)));
+  });
+}
+
 export function addGroup({ groups = [] }: Project, entities: readonly Entity[]): ProjectEdit {
   const id = groups.reduce((highest, group) => Math.max(highest, group.id), 0) + 1;
   const color = palette[(id - 1) % palette.length];

@@ -48,6 +48,13 @@ export function unit(a: Position): Position | null {
   return norm > 0 && Number.isFinite(norm) ? scale(a, 1 / norm) : null;
 }
 
+/** The directions of x, y and z. */
+export const axisDirections: readonly [Position, Position, Position] = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+
 /** Three perpendicular directions of length 1, right-handed, at an origin. */
 export interface Frame<P = Position> {
   readonly origin: P;

@@ -1,6 +1,10 @@
 import type { Unit } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 
+/** Colours of the page, in the order of their commands. */
+export const schemes = ["light", "dark", "auto"] as const;
+export type Scheme = (typeof schemes)[number];
+
 export type DialogName = "help" | "new-point" | "new-node" | "cover" | "propose" | "recent" | "templates";
 
 /** A message that does not interrupt the work and needs no answer. */
@@ -36,6 +40,8 @@ export interface ShellState {
   readonly chosenUnit: Unit | null;
   /** Field of the selected entity that gets the focus as soon as the inspector shows it; null if none. */
   readonly editing: EditedField | null;
+  /** Colours of the page: light, dark, or as the system has them. */
+  readonly scheme: Scheme;
   /** Whether the page has large type for an audience. */
   readonly isPresenting: boolean;
   /** A failure that the user must read before continuing. */
@@ -61,6 +67,7 @@ export function createShell(): Shell {
     dialog: null,
     chosenUnit: null,
     editing: null,
+    scheme: "auto",
     isPresenting: false,
     message: null,
     notices: [],

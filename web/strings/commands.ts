@@ -14,6 +14,7 @@ export const commandLabels = {
   downloadReport: "Download mesh report (JSON)",
 
   undo: (step: string | undefined) => (step === undefined ? "Undo" : `Undo: ${step}`),
+  undoPlace: "Undo: last place",
   redo: (step: string | undefined) => (step === undefined ? "Redo" : `Redo: ${step}`),
   delete: "Delete selection",
   history: "Show history",
@@ -50,6 +51,14 @@ export const commandLabels = {
     yz: "Work plane YZ",
     selection: "Work plane from selection",
   },
+  snaps: {
+    grid: "Snap to the grid",
+    model: "Snap to points and lines",
+    patches: "Snap to patches",
+  },
+  numbers: "Point numbers",
+  leftOrbits: "Left drag orbits",
+  schemes: { light: "Light colours", dark: "Dark colours", auto: "Colours of the system" },
   newPoint: "Point by coordinates…",
   newNode: "Background node…",
   splitLine: "Split line here",

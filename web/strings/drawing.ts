@@ -31,9 +31,8 @@ export const drawingStrings = {
     plane: "work plane",
   },
   hints: {
-    point: "Click a place, or type coordinates. = opens the field for one that begins with a letter.",
-    straight:
-      "Click places for a chain of lines, or type coordinates (= opens the field). Enter ends the chain.",
+    point: "Click a place, or type coordinates: 1,2,0 or @0.5,0,0 or 5<30.",
+    straight: "Click places for a chain of lines, or type coordinates. Enter ends the chain.",
     parabolic: "Click three places: start, middle, end.",
     arc: "Click three places: start, a place on the arc, end. Or click start and end, and type the radius.",
     circle:
@@ -47,17 +46,43 @@ export const drawingStrings = {
       segment: "Click both ends of the source. Enter after the first one makes a point source.",
       triangle: "Click the three corners of the source.",
     },
-    move: "Drag a handle, or the selection itself. Ctrl turns steps off, G changes the handles, arrow keys nudge.",
+    move: "Drag a handle or the selection, or type a number; X, Y, Z choose an axis. Ctrl turns steps off, G changes the handles.",
     measure: "Click two places for a distance, a third one for an angle.",
   },
   noCircle: "The three places lie on one straight line.",
+  /** A letter that may begin a name in coordinates, or be the hotkey of a command. */
+  waiting: (letter: string, command: string) => `${letter}…  Enter: ${command}`,
+  typeCoordinates: "Type coordinates",
   coordinates: "Coordinates",
   coordinatesHint: "1,2,0   @0.5,0,0   5<30",
   coordinatesTitle: "Numbers may be expressions, such as sin(30)*2. Angles are in degrees.",
+  /** The field for the amount of a motion. */
+  motions: {
+    translate: {
+      coordinates: "Distance",
+      coordinatesHint: "0.5   @0.5,0,0   5<30",
+      coordinatesTitle:
+        "0.5 is a distance, @0.5,0,0 and 5<30 are offsets, 1,2,0 is the new place. X, Y and Z choose an axis, Tab goes to the next number.",
+    },
+    rotate: {
+      coordinates: "Angle",
+      coordinatesHint: "30   X, Y, Z: axis",
+      coordinatesTitle: "The angle in degrees. X, Y and Z choose an axis.",
+    },
+    scale: {
+      coordinates: "Factor",
+      coordinatesHint: "2   2,1,1   X, Y, Z: axis",
+      coordinatesTitle: "One factor, or three of them along x, y and z. X, Y and Z choose an axis.",
+    },
+  },
+  alongAxis: (name: string, axis: string) => `${name}, axis ${axis}`,
   mistakes: {
     syntax: "Type 1,2,0 or @0.5,0,0 or 5<30.",
     "no-last-place": "There is no place before this one.",
     "no-radius": "Type a radius above 0.",
+    "no-motion": "Type 0.5 or @0.5,0,0 or 5<30.",
+    "no-angle": "Type an angle in degrees.",
+    "no-factor": "Type one or three factors above 0.",
     "short-radius": "Type a radius of at least half the distance between the two places.",
   },
   refusedLine: (line: string) =>

@@ -7,7 +7,8 @@ export const pageStrings = {
   menus: { file: "File", edit: "Edit", create: "Create", view: "View", mesh: "Mesh", help: "Help" },
   /** Sections of menus that are menus of their own, by their number. */
   submenus: {
-    edit: { 2: "Select related", 4: "Work plane", 6: "Transform", 7: "Combine bodies" },
+    edit: { 2: "Select related", 4: "Work plane", 5: "Snapping", 6: "Transform", 7: "Combine bodies" },
+    view: { 6: "Settings" },
     create: { 2: "Line from points", 3: "Patch from lines", 5: "Source", 10: "Solid piece", 11: "Sweep" },
   } as Readonly<
     Partial<Record<"file" | "edit" | "create" | "view" | "mesh" | "help", Readonly<Record<number, string>>>>
@@ -155,7 +156,8 @@ export const pageStrings = {
   help: {
     title: "Keyboard and mouse",
     mouse: [
-      ["Click", "select; Shift adds (in the tree: extends to here), Ctrl toggles"],
+      ["Click", "select, in the view and in the tree; Shift adds, Ctrl toggles"],
+      ["Ctrl Shift click, Shift ↑ ↓", "in the tree: select all rows between"],
       ["Double click", "edit the entity under the pointer; elsewhere, and by a finger, fit the view"],
       [
         "Left drag",
@@ -170,6 +172,10 @@ export const pageStrings = {
     fields: [
       ["↑ ↓", "step a number; Shift × 10, Alt ÷ 10"],
       ["Enter, Esc", "apply or discard a typed value"],
+      [
+        "0–9 @ ( + − =",
+        "while drawing: open the field for coordinates. So does a letter that begins a parameter or function; if it is a hotkey, too, its command runs after a moment or by Enter",
+      ],
       ["Arrow keys", "in the view: orbit; Shift pans; + − zoom"],
     ],
     about:

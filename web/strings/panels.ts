@@ -65,6 +65,7 @@ export const panelStrings = {
   },
   groups: {
     title: "Groups",
+    one: "Group",
     make: "Group selection",
     add: (name: string) => `Add selection to ${name}`,
     name: (name: string) => `Name of group ${name}`,

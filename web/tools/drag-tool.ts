@@ -6,21 +6,31 @@ import type { ViewStore } from "../document/selection";
 import { translation } from "../document/transforms/affine";
 import { selectedParts } from "../document/transforms/selected-parts";
 import { offerTransform } from "../document/transforms/transform";
-import { dot, fromFrame, scale, subtract, toFrame, unit, zero, type Frame } from "../document/vectors";
-import { onPlane, roundStep, roundTo } from "../document/work-plane";
-import type { DocumentStore, Gesture } from "../session/document-store";
+import {
+  axisDirections,
+  dot,
+  fromFrame,
+  scale,
+  subtract,
+  toFrame,
+  unit,
+  zero,
+  type Frame,
+} from "../document/vectors";
+import { onLine, onPlane, roundStep, roundTo } from "../document/work-plane";
+import type { DocumentStore } from "../session/document-store";
 import { operationStrings, strings } from "../strings";
 import { formatPosition } from "../ui/format";
 import type { Layer } from "../viewer/layers/layer";
 import type { Viewer } from "../viewer/viewer";
-import type { Drawing } from "./drawing/drawing";
 import { snapToModel, type SnapTargets } from "./drawing/snapping";
+import type { Motion } from "./motion";
 import type { Tool, ToolPointer } from "./tool";
 
 export interface DragStores {
   readonly documents: DocumentStore;
   readonly view: ViewStore;
-  readonly drawing: Drawing;
+  readonly motion: Motion;
   readonly viewer: Pick<Viewer, "seenFrom" | "pixelLength">;
 }
 
@@ -31,16 +41,12 @@ const flattest = 0.2;
 
 /** A press on something selected. */
 interface Drag {
-  readonly project: Project;
-  readonly selection: readonly Entity[];
-  readonly gesture: Gesture;
   /** Where the pointer took hold: the point itself, or a place on a line or patch. */
   readonly start: Position;
   /** The plane of the drag, through `start`. */
   readonly plane: Frame;
   /** What does not move, to snap to. */
   readonly targets: SnapTargets;
-  offset: Position;
 }
 
 const label = operationStrings.transforms.move.step;
@@ -61,7 +67,7 @@ export type Draggable = "all" | "held-points";
 /**
  * Drags the selection in the work plane, or parallel to the view if that plane is seen from its edge; a press on anything
  * else selects it first. With `held-points`, only selected points and the points of selected lines are dragged, and all else
- * is left to the other tool. Shift keeps to one axis, Ctrl turns snapping off. What coincides after the drag is joined. Arrow
+ * is left to the other tool. Shift keeps to one axis, Ctrl turns snapping off. Numbers may be typed. What coincides after the drag is joined. Arrow
  * keys move by a step of the grid.
  */
 export class DragTool implements Tool {
@@ -89,33 +95,29 @@ export class DragTool implements Tool {
     if (!pointer.isDrag) return;
     const offset = this.#offsetAt(pointer, this.#drag);
     if (!offset) return;
-    this.#drag.offset = offset;
-    this.#show(this.#drag, false);
     const amount = strings.drawing.amounts.translate(formatPosition(offset));
-    this.#stores.drawing.state.setState({ pointer: pointer.at, amount });
+    this.#stores.motion.drag(translation(offset), amount, pointer.at);
   }
 
   up(pointer: ToolPointer): void {
+    const { motion } = this.#stores;
     const drag = this.#drag;
     this.#drag = null;
-    if (drag) this.#stores.drawing.state.setState({ amount: null });
-    if (drag && pointer.isDrag) {
-      this.#show(drag, true);
-      drag.gesture.commit();
-    } else {
-      drag?.gesture.cancel();
-      this.#otherwise.up(pointer);
-    }
+    // Enter may have ended the motion before.
+    if (drag && (pointer.isDrag || motion.isTyping || !motion.isRunning)) return motion.release();
+    if (drag) motion.cancel();
+    this.#otherwise.up(pointer);
   }
 
   cancel(): void {
-    if (this.#drag) this.#stores.drawing.state.setState({ amount: null });
-    this.#drag?.gesture.cancel();
+    if (this.#drag) this.#stores.motion.cancel();
     this.#drag = null;
     this.#otherwise.cancel();
   }
 
   key(event: KeyboardEvent): boolean {
+    const { motion } = this.#stores;
+    if (motion.isRunning && motion.key(event, () => null)) return true;
     if (this.#draggable !== "all") return this.#otherwise.key(event);
     if (event.key === "Escape") {
       this.#stores.view.setTool("select");
@@ -153,7 +155,7 @@ export class DragTool implements Tool {
   }
 
   #begin(pointer: ToolPointer): Drag | null {
-    const { documents, viewer } = this.#stores;
+    const { documents, viewer, motion } = this.#stores;
     // A press must not end the preview of an operation.
     if (documents.state.getState().gestureStart !== null) return null;
     const hit = pointer.hit();
@@ -169,16 +171,8 @@ export class DragTool implements Tool {
     const sight = unit(ray.direction) ?? ray.direction;
     const isFlat = Math.abs(dot(sight, this.#frame.z)) < flattest;
     const plane = { ...this.#frame, origin: start, ...(isFlat && { z: sight }) };
-    const gesture = documents.begin(label);
-    return {
-      project,
-      selection,
-      gesture,
-      start,
-      plane,
-      targets: targetsBeside(project, selection),
-      offset: zero,
-    };
+    motion.start({ mode: "translate", selection, base: start, axis: null, isHeld: true });
+    return { start, plane, targets: targetsBeside(project, selection) };
   }
 
   /** Returns what a drag of an entity moves, and selects it with the move tool; null if it moves nothing. */
@@ -199,23 +193,22 @@ export class DragTool implements Tool {
   }
 
   #offsetAt(pointer: ToolPointer, { start, plane, targets }: Drag): Position | null {
-    const { view, viewer } = this.#stores;
+    const { view, viewer, motion } = this.#stores;
     const { snapping } = view.state.getState();
     const seen = viewer.seenFrom(pointer.at);
+    const step = snapping.grid && !pointer.mod ? this.#step : 0;
+    if (motion.axis !== null) {
+      const at = onLine(seen.ray, start, axisDirections[motion.axis]);
+      return at && (at.map((x, k) => stepped(x, start[k] ?? 0, step)) as [number, number, number]);
+    }
     const snap = snapping.model && !pointer.mod ? snapToModel(targets, seen) : null;
     if (snap) return subtract(snap.position, start);
     const at = onPlane(seen.ray, plane);
     if (!at) return null;
     const moved = toFrame(this.#frame, at);
     const from = toFrame(this.#frame, start);
-    const step = snapping.grid && !pointer.mod ? this.#step : 0;
     const offset = moved.map((x, k) => stepped(x, from[k] ?? 0, step)) as [number, number, number];
     return this.#fromPlane(pointer.shift ? alongOneAxis(offset) : offset);
-  }
-
-  #show({ project, selection, gesture, offset }: Drag, join: boolean): void {
-    const offer = offerTransform(project, selection, translation(offset), { label, join });
-    if (offer.possible) gesture.update(offer.creation.edit);
   }
 }
 

@@ -2,6 +2,7 @@ import type { Position } from "../document/position";
 import type { ViewStore } from "../document/selection";
 import { isDrawingTool } from "../document/tools";
 import { onPlane, roundStep, roundTo } from "../document/work-plane";
+import type { ScreenPoint } from "../viewer/screen";
 import type { Viewer } from "../viewer/viewer";
 import type { Drawing } from "./drawing/drawing";
 
@@ -19,11 +20,11 @@ export function followPointer(canvas: HTMLElement, { view, drawing, viewer }: St
   const listening = new AbortController();
   const { signal } = listening;
   let frame: number | null = null;
-  const placeAt = (x: number, y: number): Position | null => {
+  const placeAt = (pointer: ScreenPoint): Position | null => {
     const { tool, workPlane } = view.state.getState();
     const { snap } = drawing.state.getState();
     if (isDrawingTool(tool) && snap) return snap.position;
-    const at = onPlane(viewer.seenFrom({ x, y }).ray, workPlane.frame);
+    const at = onPlane(viewer.seenFrom(pointer).ray, workPlane.frame);
     const step = roundStep(viewer.pixelLength);
     return at && (at.map((value) => roundTo(value, step)) as [number, number, number]);
   };
@@ -32,7 +33,8 @@ export function followPointer(canvas: HTMLElement, { view, drawing, viewer }: St
     frame = requestAnimationFrame(() => {
       frame = null;
       const box = canvas.getBoundingClientRect();
-      drawing.state.setState({ cursor: placeAt(clientX - box.left, clientY - box.top) });
+      const pointer = { x: clientX - box.left, y: clientY - box.top };
+      drawing.state.setState({ pointer, cursor: placeAt(pointer) });
     });
   };
   const leave = (): void => {

@@ -1,29 +1,32 @@
 import { Group } from "three";
-import type { Project } from "tetrafront";
-import type { Entity } from "../document/entities";
 import type { ViewStore } from "../document/selection";
-import type { HandleMode } from "../document/tools";
-import { translation, type Affine } from "../document/transforms/affine";
+import type { Position } from "../document/position";
+import { translation } from "../document/transforms/affine";
 import { middleOf } from "../document/transforms/middle";
 import { hasParts, selectedParts } from "../document/transforms/selected-parts";
-import { offerTransform } from "../document/transforms/transform";
-import { roundStep } from "../document/work-plane";
-import type { DocumentStore, Gesture } from "../session/document-store";
-import { operationStrings, strings } from "../strings";
+import { axisDirections, subtract } from "../document/vectors";
+import { onLine, roundStep, roundTo } from "../document/work-plane";
+import type { DocumentStore } from "../session/document-store";
+import { strings } from "../strings";
 import { formatPosition } from "../ui/format";
 import type { Layer } from "../viewer/layers/layer";
 import type { SceneChanges, SceneState } from "../viewer/scene-state";
 import type { ScreenPoint } from "../viewer/screen";
 import type { Viewer } from "../viewer/viewer";
-import type { Drawing } from "./drawing/drawing";
-import type { HandleSteps, NormalizedPointer, TransformHandles } from "./handles/transform-handles";
+import type {
+  HandleMotion,
+  HandleSteps,
+  NormalizedPointer,
+  TransformHandles,
+} from "./handles/transform-handles";
+import type { Motion, MotionStart } from "./motion";
 import type { Tool, ToolPointer } from "./tool";
 
 export interface TransformStores {
   readonly documents: DocumentStore;
   readonly view: ViewStore;
-  readonly drawing: Drawing;
-  readonly viewer: Pick<Viewer, "camera" | "size" | "pixelLength" | "requestFrame">;
+  readonly motion: Motion;
+  readonly viewer: Pick<Viewer, "camera" | "seenFrom" | "size" | "pixelLength" | "requestFrame">;
 }
 
 /** Steps of a drag; Ctrl turns them off. */
@@ -31,25 +34,11 @@ const angleStep = 15;
 const factorStep = 0.1;
 const stepPixels = 10;
 
-const steps: { readonly [M in HandleMode]: string } = {
-  translate: operationStrings.transforms.move.step,
-  rotate: operationStrings.transforms.rotate.step,
-  scale: operationStrings.transforms.scale.step,
-};
-
 const { amounts } = strings.drawing;
-
-interface Drag {
-  readonly gesture: Gesture;
-  readonly project: Project;
-  readonly selection: readonly Entity[];
-  readonly mode: HandleMode;
-  map: Affine;
-}
 
 /**
  * Shows handles at the middle of the selection that move, rotate or scale it, with steps unless Ctrl is held. One drag is
- * one step of undo; Escape cancels it. What coincides after the drag is joined. Passes everything else to another tool.
+ * one step of undo; Escape cancels it. Numbers may be typed instead. What coincides after the drag is joined. Passes everything else to another tool.
  * The code of the handles is loaded when they are first shown.
  */
 export class TransformTool implements Tool {
@@ -59,7 +48,8 @@ export class TransformTool implements Tool {
   #handles: TransformHandles | null = null;
   /** What the handles are placed by. */
   #placed: Placed | null = null;
-  #drag: Drag | null = null;
+  /** Where a handle was pressed, and the middle of the selection then; null if none is. */
+  #pressed: { readonly at: ScreenPoint; readonly middle: Position } | null = null;
 
   constructor(stores: TransformStores, otherwise: Tool) {
     this.id = otherwise.id;
@@ -69,27 +59,21 @@ export class TransformTool implements Tool {
 
   down(pointer: ToolPointer): boolean {
     const at = this.#normalized(pointer.at);
-    const isHandle = pointer.button === "left" && this.#isShown && this.#handles?.hover(at) === true;
-    const { documents, view } = this.#stores;
+    const handles = this.#handles;
+    const isHandle = pointer.button === "left" && this.#isShown && handles?.hover(at) === true;
     // A press must not end the preview of an operation.
-    const isFree = documents.state.getState().gestureStart === null;
-    if (!isHandle || !isFree) return this.#otherwise.down(pointer);
-    const { selection, handleMode } = view.state.getState();
-    const { project } = documents;
-    const gesture = documents.begin(steps[handleMode]);
-    this.#drag = { gesture, project, selection, mode: handleMode, map: translation([0, 0, 0]) };
-    this.#handles?.press(at);
+    const isFree = this.#stores.documents.state.getState().gestureStart === null;
+    const start = isHandle && isFree ? this.#motion(true) : null;
+    if (!start) return this.#otherwise.down(pointer);
+    this.#pressed = { at: pointer.at, middle: start.base };
+    this.#stores.motion.start({ ...start, axis: handles?.axis ?? null });
+    handles?.press(at);
     return true;
   }
 
   move(pointer: ToolPointer | null): void {
-    if (pointer && this.#drag && this.#handles) {
-      if (!pointer.isDrag) return;
-      const { map, numbers } = this.#handles.drag(this.#normalized(pointer.at), this.#steps(pointer));
-      this.#drag.map = map;
-      this.#show(this.#drag, false);
-      const amount = amounts[this.#drag.mode](formatPosition(numbers));
-      this.#stores.drawing.state.setState({ pointer: pointer.at, amount });
+    if (pointer && this.#pressed) {
+      if (pointer.isDrag) this.#dragTo(pointer);
     } else {
       this.#otherwise.move(pointer && this.#isOverHandle(pointer) ? null : pointer);
     }
@@ -97,32 +81,29 @@ export class TransformTool implements Tool {
   }
 
   up(pointer: ToolPointer): void {
-    const drag = this.#drag;
-    if (!drag) return this.#otherwise.up(pointer);
-    this.#drag = null;
+    if (!this.#pressed) return this.#otherwise.up(pointer);
+    this.#pressed = null;
     this.#handles?.release(this.#normalized(pointer.at));
-    if (pointer.isDrag && this.#show(drag, true)) drag.gesture.commit();
-    else drag.gesture.cancel();
-    this.#stores.drawing.state.setState({ amount: null, refused: null });
+    this.#stores.motion.release();
   }
 
   cancel(): void {
-    const drag = this.#drag;
-    if (!drag) return this.#otherwise.cancel();
-    this.#drag = null;
+    if (!this.#pressed) return this.#otherwise.cancel();
+    this.#pressed = null;
     this.#handles?.release({ x: 0, y: 0 });
-    drag.gesture.cancel();
-    this.#stores.drawing.state.setState({ amount: null, refused: null });
+    this.#stores.motion.cancel();
   }
 
+  /** Numbers and axes that are typed move the selection, also without a drag. */
   key(event: KeyboardEvent): boolean {
-    return this.#otherwise.key(event);
+    return this.#stores.motion.key(event, () => this.#motion(false)) || this.#otherwise.key(event);
   }
 
   overlay(): Layer {
     return new TransformOverlay(this.#otherwise.overlay(), (root, isOver) => void this.#load(root, isOver), {
       place: (state) => this.#place(state),
       dispose: () => {
+        this.#stores.motion.cancel();
         this.#handles?.dispose();
         this.#handles = null;
       },
@@ -164,18 +145,37 @@ export class TransformTool implements Tool {
     return { length: roundStep(stepPixels * viewer.pixelLength), angle: angleStep, factor: factorStep };
   }
 
-  /** Returns whether the drag so far is possible. */
-  #show({ project, selection, gesture, mode, map }: Drag, join: boolean): boolean {
-    const offer = offerTransform(project, selection, map, { label: steps[mode], join });
-    if (offer.possible) gesture.update(offer.creation.edit);
-    this.#refuse(offer.possible ? null : offer.reason);
-    return offer.possible;
+  /** Returns what moves the selection; null if nothing can be moved now. */
+  #motion(isHeld: boolean): MotionStart | null {
+    const { documents, view } = this.#stores;
+    const { selection, handleMode: mode } = view.state.getState();
+    const { project } = documents;
+    if (documents.state.getState().gestureStart !== null) return null;
+    if (!hasParts(selectedParts(project, selection))) return null;
+    return { mode, selection, base: middleOf(project, selection), axis: null, isHeld };
   }
 
-  /** Says why the drag does nothing. */
-  #refuse(refused: string | null): void {
-    const { state } = this.#stores.drawing;
-    if (state.getState().refused !== refused) state.setState({ refused });
+  #dragTo(pointer: ToolPointer): void {
+    const { motion, view } = this.#stores;
+    const { handleMode } = view.state.getState();
+    const moved = this.#handles?.drag(this.#normalized(pointer.at), this.#steps(pointer));
+    const { map, numbers } = this.#alongAxis(pointer) ?? moved ?? { map: null, numbers: [] };
+    if (map) motion.drag(map, amounts[handleMode](formatPosition(numbers)), pointer.at);
+  }
+
+  /** Moves along the axis that a key has chosen, whatever the handle; null without one. */
+  #alongAxis(pointer: ToolPointer): HandleMotion | null {
+    const { motion, view, viewer } = this.#stores;
+    if (motion.axis === null || !this.#pressed || view.state.getState().handleMode !== "translate")
+      return null;
+    const { at: pressed, middle } = this.#pressed;
+    const along = axisDirections[motion.axis];
+    const from = onLine(viewer.seenFrom(pressed).ray, middle, along);
+    const to = onLine(viewer.seenFrom(pointer.at).ray, middle, along);
+    if (!from || !to) return null;
+    const { length } = this.#steps(pointer);
+    const numbers = subtract(to, from).map((x) => (length > 0 ? roundTo(x, length) : x));
+    return { map: translation(numbers as [number, number, number]), numbers };
   }
 
   #normalized({ x, y }: ScreenPoint): NormalizedPointer {

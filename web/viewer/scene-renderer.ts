@@ -49,7 +49,7 @@ export class SceneRenderer {
   /** Returns the new viewport. */
   resize(width: number, height: number): Viewport {
     this.webgl.setSize(width, height, false);
-    return { width, height, pixelRatio: this.webgl.getPixelRatio() };
+    return { width, height, pixelRatio: this.webgl.getPixelRatio(), isHurried: false };
   }
 
   /** Sets the share of the full resolution. Returns the device pixels per CSS pixel; the canvas is blank if they change. */

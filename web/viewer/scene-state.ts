@@ -19,6 +19,8 @@ export interface Viewport {
   readonly height: number;
   /** Device pixels per CSS pixel. */
   readonly pixelRatio: number;
+  /** The frames of a motion follow each other slowly: they are drawn with less detail. */
+  readonly isHurried: boolean;
 }
 
 /** What the viewer shows. Immutable: parts that are equal by identity have not changed. */

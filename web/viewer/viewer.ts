@@ -89,7 +89,7 @@ export class Viewer {
       onChange: () => this.#meshChanged(),
       onFailure: events.onFailure,
     });
-    const viewport = { width: 1, height: 1, pixelRatio: 1 };
+    const viewport = { width: 1, height: 1, pixelRatio: 1, isHurried: false };
     const origin = roomyBounds(options.state.project, options.state.bodies).centre;
     this.#state = { ...options.state, colors: options.colors, origin, viewport, isOtherModel: false };
     this.#updateLayers(null);
@@ -409,7 +409,7 @@ export class Viewer {
     const before = this.#state;
     const pixelRatio = this.#renderer.setScale(scale);
     if (pixelRatio === before.viewport.pixelRatio) return;
-    this.#state = { ...before, viewport: { ...before.viewport, pixelRatio } };
+    this.#state = { ...before, viewport: { ...before.viewport, pixelRatio, isHurried: scale < 1 } };
     this.#updateLayers(before);
   }
 

@@ -7,10 +7,12 @@ import { DragTool } from "../../../web/tools/drag-tool";
 import type { Tool, ToolPointer } from "../../../web/tools/tool";
 import type { Target } from "../../../web/viewer/layers/layer";
 import type { Viewer } from "../../../web/viewer/viewer";
+import { makeMotion, pressKeys } from "../../support/motion";
 import { cubeProject } from "../../support/projects";
 
 let documents: DocumentStore;
 let view: ViewStore;
+let drawing: Drawing;
 let tool: DragTool;
 let passed: string[];
 let other: Tool;
@@ -28,11 +30,14 @@ beforeEach(() => {
     key: () => false,
     overlay: () => null,
   };
-  tool = new DragTool(
-    { documents, view, drawing: new Drawing(), viewer: { seenFrom: fromAbove, pixelLength: 0.01 } },
-    other,
-  );
+  drawing = new Drawing();
+  tool = new DragTool(stores(), other);
 });
+
+function stores() {
+  const motion = makeMotion({ documents, view, drawing, seenFrom: fromAbove });
+  return { documents, view, motion, viewer: { seenFrom: fromAbove, pixelLength: 0.01 } };
+}
 
 /** A view of the unit cube from above, without perspective: 100 pixels per unit. */
 const fromAbove: Viewer["seenFrom"] = (at) => ({
@@ -135,11 +140,7 @@ it("moves the selection by arrow keys, ten steps with Shift; without a selection
 it("drags only held points in the mode of the select tool: selected ones, and those of selected lines", () => {
   const line = documents.project.lines.find(({ points }) => points.includes(first().id));
   if (!line) throw new Error("the point has no line");
-  const held = new DragTool(
-    { documents, view, drawing: new Drawing(), viewer: { seenFrom: fromAbove, pixelLength: 0.01 } },
-    other,
-    "held-points",
-  );
+  const held = new DragTool(stores(), other, "held-points");
   const target = { kind: "point", id: first().id } as const;
   const [x = 0, y = 0, z = 0] = first().position;
   expect(held.down(pointer(x, y, target))).toBe(false);
@@ -165,4 +166,65 @@ it("does not end the preview of an operation by a press", () => {
   expect(view.state.getState().selection).toEqual([]);
   preview.update(moveEntity("point", first().id, 2, 7));
   expect(first().position[2]).toBe(7);
+});
+
+/** Drags the first point without releasing it. */
+function beginDrag(dx: number, dy: number): { readonly x: number; readonly y: number; readonly z: number } {
+  const { id, position } = first();
+  const [x = 0, y = 0, z = 0] = position;
+  expect(tool.down(pointer(x, y, { kind: "point", id }))).toBe(true);
+  tool.move(pointer(x + dx, y + dy, null));
+  return { x, y, z };
+}
+
+it("takes typed numbers during a drag: offsets, an angle, a new place, or the distance dragged", () => {
+  for (const [text, dx, dy, dz] of [
+    ["@0.25,0.5,-1", 0.25, 0.5, -1],
+    ["2<90", 0, 2, 0],
+    ["7,8,9", 7, 8, 9],
+    // The pointer has moved it along y.
+    ["0.75", 0, -0.75, 0],
+  ] as const) {
+    const { x, y, z } = beginDrag(0, -0.4);
+    const base = text === "7,8,9" ? [0, 0, 0] : [x, y, z];
+    expect(pressKeys(tool, ...text)).toBe(true);
+    expect(drawing.state.getState()).toMatchObject({ typed: text, motion: "translate" });
+    const typed = first().position;
+    // The pointer no longer decides, and the button may be released.
+    tool.move(pointer(x + 3, y + 3, null));
+    tool.up(pointer(x + 3, y + 3, null));
+    expect(first().position).toEqual(typed);
+    expect(pressKeys(tool, "Enter")).toBe(true);
+    [dx, dy, dz].forEach((d, k) => expect(first().position[k]).toBeCloseTo((base[k] ?? 0) + d, 12));
+    expect(drawing.state.getState()).toMatchObject({ typed: null, motion: null, amount: null });
+    expect(past()).toBe(1);
+    documents.undo();
+    expect(first().position).toEqual([x, y, z]);
+  }
+});
+
+it("cancels typed numbers by Escape, and leaves the pointer to decide while the button is held", () => {
+  const { x, y, z } = beginDrag(0, -0.4);
+  pressKeys(tool, "2", "Escape");
+  tool.move(pointer(x + 0.3, y - 0.2, null));
+  expect(first().position).toEqual([x + 0.3, y - 0.2, z]);
+  pressKeys(tool, "2");
+  tool.up(pointer(x + 0.3, y, null));
+  pressKeys(tool, "Escape");
+  expect(first().position).toEqual([x, y, z]);
+  expect(past()).toBe(0);
+  expect(documents.state.getState().gestureStart).toBeNull();
+});
+
+it("keeps to the axis of a key, for the pointer and for numbers", () => {
+  const { x, y, z } = beginDrag(0.3, -0.4);
+  expect(pressKeys(tool, "y")).toBe(true);
+  tool.move(pointer(x + 0.3, y - 0.4, null));
+  expect(first().position).toEqual([x, y - 0.4, z]);
+  pressKeys(tool, "z", "-", "2", "Enter");
+  tool.up(pointer(x + 0.3, y + 0.4, null));
+  expect(first().position).toEqual([x, y, z - 2]);
+  expect(past()).toBe(1);
+  // The release after Enter is no click.
+  expect(passed).toEqual([]);
 });

@@ -196,6 +196,21 @@ describe("the layer of patches", () => {
     show(layer, { ...start, hidden: new Set(["patch-8", "patch-9"]) });
     expect(visible()).toEqual([false, false, false]);
   });
+
+  it("draws all in one pass while a motion must hurry, on vertices that follow the samples", () => {
+    const layer = new PatchesLayer(noTree);
+    const selected = { ...start, selection: [{ kind: "patch", id: 8 } as const] };
+    show(layer, selected);
+    const hurried = { ...selected, viewport: { ...selected.viewport, isHurried: true } };
+    change(layer, selected, hurried);
+    const visible = (): boolean[] => layer.root.children.map((pass) => pass.visible);
+    expect(visible()).toEqual([false, false, false, true]);
+    const [full, , , coarse] = layer.root.children as Mesh[];
+    expect(coarse?.geometry.getAttribute("position")).toBe(full?.geometry.getAttribute("position"));
+    expect(coarse?.geometry.getIndex()?.count).toBeGreaterThan(0);
+    change(layer, hurried, selected);
+    expect(visible()).toEqual([true, true, true, false]);
+  });
 });
 
 describe("the layer of the front", () => {

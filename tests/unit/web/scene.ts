@@ -6,7 +6,7 @@ import { viewerColors } from "../../../web/ui/theme/theme";
 import type { Layer } from "../../../web/viewer/layers/layer";
 import { SceneChanges, type SceneState } from "../../../web/viewer/scene-state";
 
-export const viewport = { width: 200, height: 100, pixelRatio: 1 };
+export const viewport = { width: 200, height: 100, pixelRatio: 1, isHurried: false };
 
 /** Returns the state of a scene with an empty project. */
 export function sceneState(change: Partial<SceneState> = {}): SceneState {

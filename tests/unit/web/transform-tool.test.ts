@@ -6,7 +6,9 @@ import { DocumentStore } from "../../../web/session/document-store";
 import { Drawing } from "../../../web/tools/drawing/drawing";
 import type { Tool, ToolPointer } from "../../../web/tools/tool";
 import { TransformTool } from "../../../web/tools/transform-tool";
+import { pointerView } from "../../../web/viewer/pointer-view";
 import { SceneChanges } from "../../../web/viewer/scene-state";
+import { makeMotion, pressKeys } from "../../support/motion";
 import { cubeProject } from "../../support/projects";
 import { frontCamera, sceneState, viewport } from "./scene";
 
@@ -38,8 +40,10 @@ async function shown(project: Project, handleMode: HandleMode): Promise<void> {
   ]);
   view.state.setState({ handleMode });
   const camera = frontCamera();
-  const viewer = { camera, size: viewport, pixelLength: 0.01, requestFrame: () => undefined };
-  tool = new TransformTool({ documents, view, drawing, viewer }, otherwise);
+  const seenFrom = (at: ToolPointer["at"]) => pointerView(camera, viewport, [0, 0, 0], at);
+  const viewer = { camera, seenFrom, size: viewport, pixelLength: 0.01, requestFrame: () => undefined };
+  const motion = makeMotion({ documents, view, drawing, seenFrom });
+  tool = new TransformTool({ documents, view, motion, viewer }, otherwise);
   const overlay = tool.overlay();
   const state = sceneState({ ...view.state.getState(), project });
   overlay.update(new SceneChanges(state, null));
@@ -175,5 +179,48 @@ describe("the handles of a selection", () => {
     tool.up(pointer(1, 1));
     tool.cancel();
     expect(passed).toEqual(["down", "up", "cancel"]);
+  });
+
+  it("take a typed distance along their axis, or along the axis of a key", async () => {
+    await shown(centred(), "translate");
+    const x = pressRight();
+    tool.move(pointer(x + 20, 50));
+    expect(pressKeys(tool, "0", ".", "3", "7", "Enter")).toBe(true);
+    tool.up(pointer(x + 20, 50));
+    positions().forEach(([px, ...others], i) => {
+      expect(px - (before[i]?.[0] ?? 0)).toBeCloseTo(0.37, 12);
+      expect(others).toEqual(before[i]?.slice(1));
+    });
+    expect(pressKeys(tool, "Z", "2", "Enter")).toBe(true);
+    positions().forEach(([, , z], i) => expect(z - (before[i]?.[2] ?? 0)).toBe(2));
+    expect(documents.state.getState().history.past).toHaveLength(2);
+    expect(passed).toEqual([]);
+  });
+
+  it("take typed numbers without a drag: one step of undo by Enter, none by Escape", async () => {
+    await shown(centred(), "translate");
+    expect(pressKeys(tool, "1", "Tab", "2")).toBe(true);
+    expect(drawing.state.getState().typed).toBe("@1,2");
+    positions().forEach((p, i) => expect(p).toEqual([(before[i]?.[0] ?? 0) + 1, (before[i]?.[1] ?? 0) + 2, before[i]?.[2]])); // prettier-ignore
+    pressKeys(tool, "Escape");
+    expect(positions()).toEqual(before);
+    expect(documents.state.getState()).toMatchObject({ gestureStart: null, history: { past: [] } });
+    // Other keys keep their meaning.
+    expect(pressKeys(tool, "f")).toBe(false);
+    expect(drawing.state.getState().motion).toBeNull();
+  });
+
+  it.each([
+    ["rotate", "90", [0.5, -0.5]],
+    ["scale", "3", [-1.5, -1.5]],
+  ] as const)("%s by a typed number", async (mode, text, [x, y]) => {
+    await shown(centred(), mode);
+    const at = before.findIndex(([bx, by]) => bx === -0.5 && by === -0.5);
+    pressKeys(tool, ...text, "Enter");
+    expect(positions()[at]?.[0]).toBeCloseTo(x, 12);
+    expect(positions()[at]?.[1]).toBeCloseTo(y, 12);
+    expect(documents.state.getState().history.past).toHaveLength(1);
+    pressKeys(tool, "-", "<", "Enter");
+    expect(drawing.state.getState().mistake).toBe(mode === "rotate" ? "no-angle" : "no-factor");
   });
 });

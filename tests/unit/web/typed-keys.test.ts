@@ -73,3 +73,58 @@ it.each(["circle", "arc"] as const)("a typed number is the radius of a %s", (lin
     expect(position[2]).toBe(0);
   }
 });
+
+/** The line tool, drawing a chain of straight lines. */
+function startChain(...places: readonly string[]) {
+  const stores = makeStores();
+  const tool = new LineTool(stores);
+  tool.overlay();
+  for (const place of places) expect(tool.take(place)).toBeNull();
+  const ends = () => stores.documents.project.lines.map(({ points }) => points.join());
+  return { ...stores, tool, ends };
+}
+
+it("undo takes back the last line of a chain, which goes on from the point before", () => {
+  const { documents, drawing, tool, ends } = startChain("0,0,0", "1,0,0", "1,1,0", "5,5,0");
+  expect(ends()).toEqual(["1,2", "2,3", "3,4"]);
+  documents.undo();
+  expect(drawing.state.getState().picked).toBe(1);
+  expect(tool.take("0,1,0")).toBeNull();
+  expect(ends()).toEqual(["1,2", "2,3", "3,4"]);
+  expect(documents.project.points.at(-1)?.position).toEqual([0, 1, 0]);
+  // The first place closes the chain; without its last line, it is open again.
+  expect(tool.take("0,0,0")).toBeNull();
+  expect(drawing.state.getState().picked).toBe(0);
+  documents.undo();
+  expect(drawing.state.getState().picked).toBe(1);
+  expect(tool.take("0,2,0")).toBeNull();
+  expect(ends().at(-1)).toBe("4,5");
+});
+
+it("redo goes on at the end of the chain, and undo of all its lines at its first place", () => {
+  const { documents, tool, ends } = startChain("0,0,0", "1,0,0", "1,1,0");
+  documents.undo();
+  documents.redo();
+  expect(tool.take("0,1,0")).toBeNull();
+  expect(ends()).toEqual(["1,2", "2,3", "3,4"]);
+  for (let count = ends().length; count > 0; --count) documents.undo();
+  expect(documents.project.points).toEqual([]);
+  expect(tool.take("0,0,1")).toBeNull();
+  expect(documents.project.points.map(({ position }) => position.join())).toEqual(["0,0,0", "0,0,1"]);
+});
+
+it.each(["straight", "parabolic", "spline"] as const)(
+  "places of a %s line that does not exist yet are taken back before steps are undone",
+  (lineType) => {
+    const { documents, drawing, view, tool, ends } = startChain();
+    view.state.setState({ lineType });
+    const places = lineType === "straight" ? ["0,0,0"] : ["0,0,0", "1,0,0"];
+    for (const place of places) expect(tool.take(place)).toBeNull();
+    for (let count = places.length; count > 0; --count) expect(drawing.takeBack()).toBe(true);
+    expect(drawing.takeBack()).toBe(false);
+    expect(documents.state.getState().history.past).toEqual([]);
+    for (const place of ["5,0,0", "6,1,0", "7,0,0"]) expect(tool.take(place)).toBeNull();
+    expect(drawing.takeBack()).toBe(lineType === "spline");
+    expect(ends()).toEqual({ straight: ["1,2", "2,3"], parabolic: ["1,2,3"], spline: [] }[lineType]);
+  },
+);

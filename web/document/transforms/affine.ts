@@ -1,6 +1,6 @@
 import { combined, noRotation, type Quaternion } from "../placement";
 import type { Position } from "../position";
-import { add, addScaled, cross, dot, scale, subtract, turn, unit, zero } from "../vectors";
+import { add, addScaled, axisDirections, cross, dot, scale, subtract, turn, unit, zero } from "../vectors";
 
 /** A map of space that keeps straight lines straight: p becomes its linear part times p, plus an offset. */
 export interface Affine {
@@ -10,12 +10,6 @@ export interface Affine {
   /** Rotation and factor of a map that keeps all angles and does not mirror; null for other maps. */
   readonly similarity: { readonly rotation: Quaternion; readonly factor: number } | null;
 }
-
-const axes: readonly [Position, Position, Position] = [
-  [1, 0, 0],
-  [0, 1, 0],
-  [0, 0, 1],
-];
 
 /** Returns the image of a direction: without the offset. */
 export function mapDirection({ columns: [x, y, z] }: Affine, direction: Position): Position {
@@ -52,7 +46,7 @@ export function keepsCircles({ columns: [x, y, z] }: Affine): boolean {
 export const meanFactor = (map: Affine): number => Math.cbrt(Math.abs(determinant(map)));
 
 export function translation(offset: Position): Affine {
-  return { columns: axes, offset, similarity: { rotation: noRotation, factor: 1 } };
+  return { columns: axisDirections, offset, similarity: { rotation: noRotation, factor: 1 } };
 }
 
 /** Returns the map with a linear part that leaves a centre where it is. */
@@ -66,8 +60,8 @@ export function rotationAbout(centre: Position, axis: Position, degrees: number)
   const direction = unit(axis) ?? [0, 0, 1];
   const [cosine, sine] = turn(degrees / 360);
   const column = (k: 0 | 1 | 2): Position => {
-    const along = scale(direction, (1 - cosine) * dot(direction, axes[k]));
-    return addScaled(addScaled(along, axes[k], cosine), cross(direction, axes[k]), sine);
+    const along = scale(direction, (1 - cosine) * dot(direction, axisDirections[k]));
+    return addScaled(addScaled(along, axisDirections[k], cosine), cross(direction, axisDirections[k]), sine);
   };
   const half = (degrees * Math.PI) / 360;
   const [x, y, z] = scale(direction, Math.sin(half));
@@ -78,14 +72,18 @@ export function rotationAbout(centre: Position, axis: Position, degrees: number)
 /** Returns the map that multiplies distances from a centre along each axis by a factor. */
 export function scalingAbout(centre: Position, [x, y, z]: Position): Affine {
   const isSimilar = x === y && y === z && x > 0;
-  const columns = [scale(axes[0], x), scale(axes[1], y), scale(axes[2], z)] as const;
+  const columns = [
+    scale(axisDirections[0], x),
+    scale(axisDirections[1], y),
+    scale(axisDirections[2], z),
+  ] as const;
   return about(centre, columns, isSimilar ? { rotation: noRotation, factor: x } : null);
 }
 
 /** Returns the reflection in the plane through a point with a normal. */
 export function reflectionAt(point: Position, normal: Position): Affine {
   const n = unit(normal) ?? [0, 0, 1];
-  const column = (k: 0 | 1 | 2): Position => addScaled(axes[k], n, -2 * dot(axes[k], n));
+  const column = (k: 0 | 1 | 2): Position => addScaled(axisDirections[k], n, -2 * dot(axisDirections[k], n));
   return about(point, [column(0), column(1), column(2)], null);
 }
 

@@ -2,7 +2,10 @@ import { Button, Text } from "@mantine/core";
 import { createFrom, makers, sourceMakers } from "../../commands/create-menu";
 import { mergeableBody, mergeSelectedPatches } from "../../commands/surface-actions";
 import type { Entity } from "../../document/entities";
+import { groupOfSelection, renameGroup } from "../../document/groups";
 import { isClosedChain } from "../../document/selection";
+import { FieldRow } from "../../ui/fields/field-row";
+import { NameField } from "../../ui/fields/name-field";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { strings } from "../../strings";
 import { useApp, useProject } from "../shared/app-context";
@@ -10,6 +13,7 @@ import { EntityChips } from "../shared/entity-chips";
 import { CommonFields } from "./common-fields";
 import { DeleteSection } from "./delete-section";
 import { GroupButtons } from "./group-list";
+import { useEditedField } from "./use-edited-field";
 import styles from "./selection-card.module.css";
 
 /** Several selected entities, and what can be created from them. */
@@ -17,6 +21,8 @@ export function SelectionCard({ selection }: { readonly selection: readonly Enti
   const app = useApp();
   const project = useProject();
   const closed = isClosedChain(selection);
+  const group = groupOfSelection(project, selection);
+  const { name: nameField } = useEditedField();
   const unique = closed ? selection.slice(0, -1) : selection;
   return (
     <>
@@ -25,6 +31,20 @@ export function SelectionCard({ selection }: { readonly selection: readonly Enti
           ? strings.inspector.closedChain(selection.length - 1)
           : strings.inspector.several(selection.length)}
       </SectionTitle>
+      {group && (
+        <div ref={nameField}>
+          <FieldRow label={strings.groups.one}>
+            <NameField
+              key={group.id}
+              label={strings.groups.name(group.name)}
+              value={group.name}
+              placeholder={group.name}
+              testId="group-name"
+              onCommit={(next) => app.documents.edit(renameGroup(project, group.id, next))}
+            />
+          </FieldRow>
+        </div>
+      )}
       <EntityChips entities={selection} project={project} />
       <CommonFields entities={unique} project={project} />
       <CreateFromSelection selection={selection} explain />
@@ -52,6 +72,9 @@ interface CreateFromSelectionProps {
   readonly explain?: boolean;
 }
 
+/** Number of selected entities of several kinds for which the reasons are shown. */
+const maxExplained = 8;
+
 /** Buttons for everything that can be created from the selection. */
 export function CreateFromSelection({ selection, explain = false }: CreateFromSelectionProps) {
   const app = useApp();
@@ -61,10 +84,12 @@ export function CreateFromSelection({ selection, explain = false }: CreateFromSe
     .filter(({ from }) => kinds.has(from))
     .map((maker) => ({ maker, offer: maker.offer(project, selection) }));
   const possible = offers.filter(({ offer }) => offer.possible);
+  // Of a large selection of all kinds, the reasons say nothing new.
+  const isExplained = explain && (kinds.size === 1 || selection.length <= maxExplained);
   const refused = offers.flatMap(({ maker, offer }) =>
-    offer.possible || maker.quiet ? [] : [`${maker.label}: ${offer.reason}`],
+    offer.possible || maker.quiet || !isExplained ? [] : [`${maker.label}: ${offer.reason}`],
   );
-  if (possible.length === 0 && !(explain && refused.length > 0)) return null;
+  if (possible.length === 0 && refused.length === 0) return null;
   return (
     <section data-testid="create-from-selection">
       <SectionTitle>{strings.inspector.createFrom}</SectionTitle>
@@ -81,12 +106,11 @@ export function CreateFromSelection({ selection, explain = false }: CreateFromSe
           </Button>
         ))}
       </div>
-      {explain &&
-        refused.map((text) => (
-          <Text key={text} size="xs" c="dimmed" mt={3}>
-            {text}
-          </Text>
-        ))}
+      {refused.map((text) => (
+        <Text key={text} size="xs" c="dimmed" mt={3}>
+          {text}
+        </Text>
+      ))}
     </section>
   );
 }

@@ -11,6 +11,7 @@ import { measuredIn, measureNames, strings } from "../../strings";
 import { useApp, useProject, useQualitySpace, useRun, useView } from "../shared/app-context";
 import { ElementSize } from "../background/element-size";
 import { EntityCard, GroupList, SelectionCard } from "../later/later";
+import { useEditedField } from "../entities/use-edited-field";
 import { MeshSettings } from "./mesh-settings";
 import { ParameterTable } from "./parameter-table";
 import { UnitSelect } from "../shared/unit-select";
@@ -55,18 +56,21 @@ function ProjectCard() {
     if (from && unit && from !== unit && hasLengths(project)) app.shell.setState({ chosenUnit: unit });
     else app.documents.edit(setProjectUnit(unit));
   };
+  const { name: nameField } = useEditedField();
   return (
     <>
       <SectionTitle>{strings.inspector.project}</SectionTitle>
-      <FieldRow label={strings.inspector.name}>
-        <NameField
-          label={strings.inspector.name}
-          value={project.name}
-          placeholder={strings.inspector.project}
-          testId="project-name"
-          onCommit={(name) => app.documents.edit(renameProject(name))}
-        />
-      </FieldRow>
+      <div ref={nameField}>
+        <FieldRow label={strings.inspector.name}>
+          <NameField
+            label={strings.inspector.name}
+            value={project.name}
+            placeholder={strings.inspector.project}
+            testId="project-name"
+            onCommit={(name) => app.documents.edit(renameProject(name))}
+          />
+        </FieldRow>
+      </div>
       <UnitSelect
         label={strings.units.ofProject}
         value={unitOf(project.units) ?? null}

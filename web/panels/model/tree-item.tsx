@@ -15,10 +15,13 @@ import { AddButton, EntityEye, GroupEye } from "./tree-actions";
 import { MadeGroupItem, MadeGroupsItem, Swatch, type Common } from "./made-group-items";
 import { headings, rowElementId, rowKey, type TreeRow } from "./tree-rows";
 
-/** Returns how a click or a key changes the selection. */
-export function selectModeOf(event: MouseEvent | KeyboardEvent): SelectMode {
-  if (event.ctrlKey || event.metaKey) return "toggle";
-  return event.shiftKey ? "add" : "replace";
+/** How a click or a key changes the selection: as in the view, or by all rows from the one chosen before. */
+export type TreeSelectMode = SelectMode | "add-range";
+
+export function selectModeOf(event: MouseEvent | KeyboardEvent): TreeSelectMode {
+  const hasMod = event.ctrlKey || event.metaKey;
+  if (event.shiftKey) return hasMod ? "add-range" : "add";
+  return hasMod ? "toggle" : "replace";
 }
 
 export interface TreeItemProps {
@@ -27,7 +30,7 @@ export interface TreeItemProps {
   readonly top: number;
   readonly height: number;
   readonly isFocusable: boolean;
-  readonly onActivate: (mode: SelectMode) => void;
+  readonly onActivate: (mode: TreeSelectMode) => void;
   /** Opens or closes the rows below. */
   readonly onToggle: () => void;
 }

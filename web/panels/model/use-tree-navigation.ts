@@ -10,7 +10,6 @@ import {
 } from "react";
 import { entityKey, type Entity } from "../../document/entities";
 import { groupEntities } from "../../document/groups";
-import type { SelectMode } from "../../document/selection";
 import { useApp, useProject, useView } from "../shared/app-context";
 import {
   headingOf,
@@ -21,7 +20,7 @@ import {
   type TreeRow,
   type TreeRows,
 } from "./tree-rows";
-import { selectModeOf } from "./tree-item";
+import { selectModeOf, type TreeSelectMode } from "./tree-item";
 
 export interface TreeNavigationOptions {
   readonly rows: TreeRows;
@@ -35,7 +34,7 @@ export interface TreeNavigation {
   /** Index of the row that Tab reaches. */
   readonly focused: number;
   /** Selects the entity of a row, or opens or closes a group. */
-  readonly activate: (row: TreeRow, mode: SelectMode) => void;
+  readonly activate: (row: TreeRow, mode: TreeSelectMode) => void;
   /** Opens or closes the rows below a row. */
   readonly toggle: (row: TreeRow) => void;
   readonly onKeyDown: (event: KeyboardEvent) => void;
@@ -55,25 +54,26 @@ export function useTreeNavigation(options: TreeNavigationOptions): TreeNavigatio
       else next.add(rowKey(row));
       return next;
     });
-  const { anchor, selectRange } = useRangeSelection(rows);
-  const activate = (row: TreeRow, mode: SelectMode): void => {
+  const { anchor, rangeTo } = useRange(rows);
+  const activate = (row: TreeRow, mode: TreeSelectMode): void => {
     setFocusedKey(rowKey(row));
     if (row.type === "group" || row.type === "made-groups") setOpen(row, !row.open);
-    else if (row.type === "made-group") app.view.selectMany(groupEntities(project, row.group), mode);
-    else if (mode === "add") selectRange(row);
+    else if (row.type === "made-group") {
+      app.view.selectMany(groupEntities(project, row.group), mode === "add-range" ? "add" : mode);
+    } else if (mode === "add-range") app.view.selectMany(rangeTo(row), "add");
     else {
       anchor.current = rowKey(row);
       app.view.select(row.entity, mode);
       app.view.reveal(row.entity.kind);
     }
   };
-  /** Moves the focus by one row, and extends the selection if Shift is held. */
+  /** Moves the focus by one row, and selects the range to it if Shift is held. */
   const stepTo = (index: number, extend: boolean): void => {
     focusRow(index);
     const row = rows.at(Math.min(rows.length - 1, Math.max(0, index)));
     if (!extend || !row) return;
     anchor.current ??= rowKey(rows.at(focused) ?? row);
-    selectRange(row);
+    app.view.selectAll(rangeTo(row));
   };
   /** The entities of the row's kind, or those of a group. */
   const entitiesBeside = (row: TreeRow): readonly Entity[] => {
@@ -116,18 +116,17 @@ export function useTreeNavigation(options: TreeNavigationOptions): TreeNavigatio
 /** Returns whether the rows below are shown; null if there are none. */
 const openOf = (row: TreeRow): boolean | null => (row.type === "made-group" ? null : row.open);
 
-/** Selects ranges of rows: from the anchor, which is the first row of a range, to another row. */
-function useRangeSelection(rows: TreeRows) {
-  const app = useApp();
+/** Ranges of rows: from the anchor, which is the row that was chosen last without a range, to another row. */
+function useRange(rows: TreeRows) {
   const anchor = useRef<string | null>(null);
-  const selectRange = (row: TreeRow): void => {
+  const rangeTo = (row: TreeRow): readonly Entity[] => {
     const from = rows.indexOf(anchor.current);
     const to = rows.indexOf(rowKey(row));
     const range = from < 0 ? [row] : rows.slice(Math.min(from, to), Math.max(from, to) + 1);
     const entities = range.flatMap((other) => (other.type === "entity" ? [other.entity] : []));
-    app.view.selectAll(from > to ? entities.reverse() : entities);
+    return from > to ? entities.reverse() : entities;
   };
-  return { anchor, selectRange };
+  return { anchor, rangeTo };
 }
 
 /** Tracks the row that has the focus. A row that is out of sight gets it after scrolling. */

@@ -22,6 +22,7 @@ import {
   IconSun,
 } from "@tabler/icons-react";
 import { Fragment, useState } from "react";
+import { useStore } from "zustand";
 import type { MenuName } from "../../commands/command";
 import { commandNamed, runCommand } from "../../commands/registry";
 import { hasTetrahedra } from "../../commands/conditions";
@@ -43,7 +44,9 @@ const icon = { size: 17, "aria-hidden": true } as const;
 /** Name, menus, frequent commands, palette, download, theme, and the primary button. */
 export function Header({ layout }: { readonly layout: Layout }) {
   const phone = layout === "phone";
-  const canUndo = useDocument((state) => state.history.past.length > 0);
+  const hasPast = useDocument((state) => state.history.past.length > 0);
+  const canTakeBack = useStore(useApp().drawing.state, (state) => state.canTakeBack);
+  const canUndo = hasPast || canTakeBack;
   const canRedo = useDocument((state) => state.history.future.length > 0);
   const cut = useView((state) => state.cut.enabled);
   return (

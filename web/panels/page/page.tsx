@@ -10,6 +10,7 @@ import { useCommandHotkeys } from "./hotkeys";
 import { fetchAhead } from "../later/later";
 import { pageApps, usePageApp } from "../shared/page-apps";
 import { losePalette } from "../shared/palette";
+import { useScheme } from "./use-scheme";
 import styles from "./page.module.css";
 
 const Overlays = lazy(() => import("./overlays"));
@@ -20,6 +21,7 @@ export function Page({ app }: { readonly app: App }) {
   usePageApp(app, root);
   useCommandHotkeys(app);
   useHeldKeys(app);
+  useScheme(app);
   useEffect(fetchAhead, []);
   const dropping = useFileDrop(app);
   return (

@@ -1,10 +1,24 @@
 import { SegmentedControl } from "@mantine/core";
-import { IconGridDots, IconMagnet, IconPlaneDeparture, IconTriangle, type Icon } from "@tabler/icons-react";
+import {
+  IconGridDots,
+  IconKeyboard,
+  IconMagnet,
+  IconPlaneDeparture,
+  IconTriangle,
+  type Icon,
+} from "@tabler/icons-react";
 import { useStore } from "zustand";
 import type { LineType, SourceType } from "tetrafront";
 import { commandNamed, runCommand } from "../../commands/registry";
 import { lineTypes } from "../../document/line-types";
-import { circleWays, handleModes, type CircleBy, type Snapping, type ToolName } from "../../document/tools";
+import {
+  circleWays,
+  handleModes,
+  isDrawingTool,
+  type CircleBy,
+  type Snapping,
+  type ToolName,
+} from "../../document/tools";
 import { principalPlane, principalPlanes } from "../../document/work-plane";
 import { lineTypeNames, strings } from "../../strings";
 import { IconButton } from "../../ui/icon-button";
@@ -32,6 +46,7 @@ export function DrawingBar() {
         {tool === "move" && <HandleChoice />}
         {tool !== "patch" && <PlaneChoice />}
         {tool !== "patch" && <SnapSwitches />}
+        {isDrawingTool(tool) && tool !== "patch" && <CoordinatesButton />}
       </div>
       <Hint text={hint} />
     </div>
@@ -153,6 +168,21 @@ function SnapSwitches() {
         );
       })}
     </span>
+  );
+}
+
+/** Opens the field for coordinates: on touch screens, no key does. */
+function CoordinatesButton() {
+  const app = useApp();
+  return (
+    <IconButton
+      label={words.typeCoordinates}
+      size={26}
+      data-testid="type-coordinates"
+      onClick={() => app.drawing.type("")}
+    >
+      <IconKeyboard size={16} aria-hidden />
+    </IconButton>
   );
 }
 

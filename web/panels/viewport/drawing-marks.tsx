@@ -8,12 +8,14 @@ import type { Position } from "../../document/position";
 import { formatShort, formatPosition } from "../../ui/format";
 import { IconButton } from "../../ui/icon-button";
 import { strings } from "../../strings";
+import type { ScreenPoint } from "../../viewer/screen";
 import type { Viewer } from "../../viewer/viewer";
 import { useApp } from "../shared/app-context";
 import { useMarkers } from "./use-markers";
 import styles from "./drawing.module.css";
 
 const words = strings.drawing;
+const axisNames = ["X", "Y", "Z"] as const;
 
 /** What the drawing tools show in the view: the place under the pointer, typed coordinates, a measurement. */
 export function DrawingMarks({ viewer }: { readonly viewer: Viewer }) {
@@ -24,6 +26,7 @@ export function DrawingMarks({ viewer }: { readonly viewer: Viewer }) {
     <>
       <SnapMark viewer={viewer} />
       <DragAmount />
+      <WaitingLetter />
       {typed !== null && <CoordinateField typed={typed} />}
       {measured.length > 1 && <MeasurementCard places={measured} viewer={viewer} />}
     </>
@@ -52,7 +55,7 @@ function SnapMark({ viewer }: { readonly viewer: Viewer }) {
 /** By how much a drag changes the selection, beside the pointer. */
 function DragAmount() {
   const app = useApp();
-  const amount = useStore(app.drawing.state, (state) => state.amount);
+  const amount = useStore(app.drawing.state, (state) => (state.typed === null ? state.amount : null));
   const pointer = useStore(app.drawing.state, (state) => state.pointer);
   if (amount === null) return null;
   return (
@@ -62,11 +65,38 @@ function DragAmount() {
   );
 }
 
+/** Beside the pointer, but neither outside the view nor under the tools at its edges, where the pointer may be at first. */
+const besidePointer = ({ x, y }: ScreenPoint) => ({
+  left: `clamp(58px, ${x + 16}px, 100% - 200px)`,
+  top: `clamp(118px, ${y + 16}px, 100% - 60px)`,
+});
+
+/** A letter that may begin coordinates, and the command that it runs unless more is typed. */
+function WaitingLetter() {
+  const app = useApp();
+  const waiting = useStore(app.drawing.state, (state) => state.waiting);
+  const pointer = useStore(app.drawing.state, (state) => state.pointer);
+  if (!waiting) return null;
+  return (
+    <span
+      className={styles["waiting"]}
+      style={besidePointer(pointer)}
+      role="status"
+      data-testid="waiting-letter"
+    >
+      {words.waiting(waiting.letter, waiting.command)}
+    </span>
+  );
+}
+
 /** The field for coordinates beside the pointer. It opens when the user begins to type. */
 function CoordinateField({ typed }: { readonly typed: string }) {
   const app = useApp();
   const pointer = useStore(app.drawing.state, (state) => state.pointer);
   const mistake = useStore(app.drawing.state, (state) => state.mistake);
+  const motion = useStore(app.drawing.state, (state) => state.motion);
+  const axis = useStore(app.drawing.state, (state) => state.axis);
+  const texts = motion ? words.motions[motion] : words;
   const field = useRef<HTMLInputElement>(null);
   useEffect(() => {
     const input = field.current;
@@ -78,17 +108,15 @@ function CoordinateField({ typed }: { readonly typed: string }) {
     };
   }, []);
   return (
-    <div
-      className={styles["field"]}
-      style={{ left: `min(${pointer.x + 16}px, 100% - 200px)`, top: `min(${pointer.y + 16}px, 100% - 60px)` }}
-    >
+    <div className={styles["field"]} style={besidePointer(pointer)}>
       <TextInput
         ref={field}
         size="xs"
         w={184}
-        aria-label={words.coordinates}
-        placeholder={words.coordinatesHint}
-        title={words.coordinatesTitle}
+        aria-label={axis === null ? texts.coordinates : words.alongAxis(texts.coordinates, axisNames[axis])}
+        placeholder={texts.coordinatesHint}
+        title={texts.coordinatesTitle}
+        leftSection={axis === null ? undefined : <b aria-hidden>{axisNames[axis]}</b>}
         data-testid="coordinates"
         autoComplete="off"
         spellCheck={false}
@@ -104,7 +132,11 @@ function CoordinateField({ typed }: { readonly typed: string }) {
         }}
         onBlur={() => app.drawing.type(null)}
         onKeyDown={(event) => {
-          if (event.key === "Enter") app.drawing.submit();
+          const isTab = event.key === "Tab" && !event.shiftKey;
+          // Enter would press the button that gets the focus back.
+          if (isTab || event.key === "Enter") event.preventDefault();
+          if (isTab) app.drawing.next();
+          else if (event.key === "Enter") app.drawing.submit();
           else if (event.key === "Escape") app.drawing.type(null);
         }}
       />

@@ -2,9 +2,10 @@ import { useComputedColorScheme } from "@mantine/core";
 import { useEffect, useRef, useState, type RefObject } from "react";
 import type { App } from "../../app/app";
 import type { Moving, ViewState } from "../../document/selection";
-import { isHotkey } from "../../commands/registry";
+import { commandOfKey, runCommand } from "../../commands/registry";
 import { editSelected } from "../../commands/selection-actions";
 import { isDrawingTool, type ToolName } from "../../document/tools";
+import { projectNumbers } from "../../document/length-units";
 import { BrushTool } from "../../tools/brush-tool";
 import { DragTool } from "../../tools/drag-tool";
 import { LineTool } from "../../tools/drawing/line-tool";
@@ -13,8 +14,10 @@ import { NodeTool } from "../../tools/drawing/node-tool";
 import { PatchTool } from "../../tools/drawing/patch-tool";
 import { PointTool } from "../../tools/drawing/point-tool";
 import { SourceTool } from "../../tools/drawing/source-tool";
+import { TypedKeys } from "../../tools/drawing/typed-keys";
 import { followPointer } from "../../tools/follow-pointer";
 import { HandleTool } from "../../tools/handle-tool";
+import { Motion } from "../../tools/motion";
 import { TransformTool } from "../../tools/transform-tool";
 import { SelectTool, type Hover } from "../../tools/select-tool";
 import type { Tool } from "../../tools/tool";
@@ -136,6 +139,18 @@ function followPlayer({ player }: App, viewer: Viewer): () => void {
   };
 }
 
+/** Makes the receiver of keys that may begin coordinates or be hotkeys. */
+const typedKeys = (app: App): TypedKeys =>
+  new TypedKeys({
+    drawing: app.drawing,
+    named: () => projectNumbers(app.documents.project),
+    hotkeyOf: (key) => {
+      const command = commandOfKey(key);
+      if (!command?.enabled(app)) return null;
+      return { label: command.label(app), run: () => runCommand(app, command) };
+    },
+  });
+
 /** Connects a viewer with its app: what it shows, and what the pointer does in it. Returns a function that ends this. */
 function connect(
   app: App,
@@ -152,7 +167,9 @@ function connect(
   );
   const tools = new ToolController(canvas, viewer, select, (target) => pageApps.owns(app, target));
   const brush = new BrushTool(app.documents, app.view, viewer);
-  const stores = { documents, operations, previews, view, drawing, viewer, isHotkey };
+  const keys = typedKeys(app);
+  const motion = new Motion({ documents, view, drawing, keys, viewer });
+  const stores = { documents, operations, previews, view, drawing, viewer, keys, motion };
   const byName: Readonly<Record<ToolName, Tool>> = {
     select: new HandleTool(stores, new DragTool(stores, select, "held-points")),
     move: new HandleTool(stores, new TransformTool(stores, new DragTool(stores, select))),
@@ -180,6 +197,7 @@ function connect(
   const stopReplay = followPlayer(app, viewer);
   app.viewer.setState({ viewer });
   return () => {
+    keys.drop();
     stopReplay();
     stopPointer();
     stop();

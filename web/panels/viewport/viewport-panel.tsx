@@ -36,10 +36,12 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const [hover, setHover] = useState<Hover | null>(null);
   const hasChoices = useView((state) => state.tool !== "select");
   const showsSizes = useView((state) => state.sizes.enabled);
-  const isReplaying = useStore(useApp().player.state, ({ trace }) => trace !== null);
+  const app = useApp();
+  const isReplaying = useStore(app.player.state, ({ trace }) => trace !== null);
+  const isMoving = useStore(app.drawing.state, ({ amount, typed }) => amount !== null || typed !== null);
   const hasColumn = layout === "phone" && !isReplaying;
   const { viewer, trouble } = useViewer(container, canvas, setHover, hasColumn ? phoneColumn : 0);
-  const hasOperation = useStore(useApp().operations.state, ({ open }) => open !== null);
+  const hasOperation = useStore(app.operations.state, ({ open }) => open !== null);
   const showsPlane = useShowsPlane();
   useFitBeside(viewer, showsPlane);
   return (
@@ -56,7 +58,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
         {viewer && <PositionMarker viewer={viewer} />}
         {viewer && <PatchRoleLabels viewer={viewer} />}
         {viewer && <PointNumbers viewer={viewer} />}
-        {hover && <HoverLabel hover={hover} />}
+        {hover && !isMoving && <HoverLabel hover={hover} />}
         {viewer && <VolumeChoices viewer={viewer} />}
         {viewer && isReplaying && (
           <Suspense fallback={null}>

@@ -6,7 +6,7 @@ import { expressionFrom } from "../../document/expression-edits";
 import { projectNumbers } from "../../document/length-units";
 import { linePaths, type LinePath } from "../../document/line-paths";
 import type { Position } from "../../document/position";
-import type { QuantityPosition } from "../../document/quantity-positions";
+import { valuesOf, type QuantityPosition } from "../../document/quantity-positions";
 import type { ViewStore } from "../../document/selection";
 import { fromFrame, toFrame, type Frame } from "../../document/vectors";
 import { planeOfPatch } from "../../document/patch-planes";
@@ -18,13 +18,14 @@ import type { PreviewFeed } from "../../session/preview";
 import { DrawingLayer, type Sketch } from "../../viewer/layers/drawing-layer";
 import type { Layer } from "../../viewer/layers/layer";
 import { PlaneGridLayer } from "../../viewer/layers/plane-grid-layer";
+import type { ScreenPoint } from "../../viewer/screen";
 import type { SceneChanges } from "../../viewer/scene-state";
 import type { Viewer } from "../../viewer/viewer";
 import type { Tool, ToolPointer } from "../tool";
 import { readCoordinates } from "./coordinates";
 import type { Drawing, DrawingState, TypedInput } from "./drawing";
 import { snapToModel, type Snap, type SnapTargets } from "./snapping";
-import { lettersAfter, typedStart } from "./typed-start";
+import { TypedKeys } from "./typed-keys";
 
 /** The parts of the app that drawing tools use. */
 export interface DrawingStores {
@@ -33,8 +34,8 @@ export interface DrawingStores {
   readonly view: ViewStore;
   readonly drawing: Drawing;
   readonly viewer: Pick<Viewer, "seenFrom" | "pixelLength" | "requestFrame">;
-  /** Returns whether a key without Ctrl and Alt runs a command. */
-  readonly isHotkey?: (key: string) => boolean;
+  /** Receives the keys that may begin coordinates. All tools of a view share it. Without it, letters run no commands. */
+  readonly keys?: TypedKeys;
 }
 
 /** Smallest distance between lines of the work plane's grid, in CSS pixels. */
@@ -47,11 +48,16 @@ export abstract class DrawingTool implements Tool, TypedInput {
   protected snap: Snap | null = null;
   /** The last place under the pointer, which may have left the view since. */
   protected seen: Position | null = null;
+  readonly #keys: TypedKeys;
   #layer: DrawingLayer | null = null;
+  #stopListening: (() => void) | null = null;
   #paths: { readonly key: readonly unknown[]; readonly paths: readonly LinePath[] } | null = null;
 
   constructor(stores: DrawingStores) {
     this.stores = stores;
+    const { drawing, documents } = stores;
+    const named = () => projectNumbers(documents.project);
+    this.#keys = stores.keys ?? new TypedKeys({ drawing, named, hotkeyOf: () => null });
   }
 
   /** Uses a place that was clicked or typed. */
@@ -67,14 +73,22 @@ export abstract class DrawingTool implements Tool, TypedInput {
   /** Returns what a click at the snapped place would create. */
   protected abstract sketch(): Sketch;
   readonly takesCoordinates: boolean = true;
+  /** Whether there are picked places that belong to no step of undo. */
+  get canTakeBack(): boolean {
+    return false;
+  }
+
   /** Number of places picked for what is being drawn. */
   protected abstract get picked(): number;
 
   down(): boolean {
+    // The press may already belong to another tool.
+    this.#keys.flush();
     return false;
   }
 
   move(pointer: ToolPointer | null): void {
+    if (pointer && this.#keys.flushAt(pointer.at)) return;
     this.snap = pointer && this.snapAt(pointer);
     this.seen = this.snap?.position ?? this.seen;
     this.refresh(pointer);
@@ -99,9 +113,13 @@ export abstract class DrawingTool implements Tool, TypedInput {
   }
 
   key(event: KeyboardEvent): boolean {
-    if (event.ctrlKey || event.metaKey || event.altKey) return false;
+    // Many keyboards type @ with AltGr, which counts as Ctrl and Alt.
+    if ((event.ctrlKey || event.metaKey || event.altKey) && event.key !== "@") {
+      this.#keys.flush();
+      return false;
+    }
     this.stores.drawing.state.setState({ refused: null });
-    const isUsed = this.#useKey(event.key);
+    const isUsed = this.#useKey(event);
     if (isUsed) this.refresh(null);
     return isUsed;
   }
@@ -123,8 +141,22 @@ export abstract class DrawingTool implements Tool, TypedInput {
     return null;
   }
 
+  takeBack(): void {
+    if (this.canTakeBack) this.removeLast();
+    this.refresh(null);
+  }
+
+  /** If the pointer is not over the view, beside the place picked last, or the origin of the work plane. */
+  placeOfField(): ScreenPoint | null {
+    const { drawing, viewer } = this.stores;
+    if (drawing.state.getState().cursor) return null;
+    const last = this.last();
+    return viewer.seenFrom({ x: 0, y: 0 }).toScreen(last ? valuesOf(last) : this.frame.origin);
+  }
+
   overlay(): Layer {
     this.stores.drawing.begin(this);
+    this.#stopListening = this.stores.documents.onProject(() => this.refresh(null));
     this.#layer = new DrawingLayer();
     const grid = new PlaneGridLayer(() => this.gridStep);
     return new DrawingOverlay([grid, this.#layer], () => this.end());
@@ -137,6 +169,9 @@ export abstract class DrawingTool implements Tool, TypedInput {
 
   /** The tool is put away. */
   protected end(): void {
+    this.#keys.drop();
+    this.#layer = null;
+    this.#stopListening?.();
     this.stores.drawing.end();
   }
 
@@ -206,40 +241,23 @@ export abstract class DrawingTool implements Tool, TypedInput {
 
   /** Shows what a click would create. */
   protected refresh(pointer: ToolPointer | null): void {
+    // A key may have taken another tool.
+    if (!this.#layer) return;
     const { drawing, viewer } = this.stores;
     drawing.state.setState({
       snap: this.snap,
       picked: this.picked,
+      canTakeBack: this.canTakeBack,
       gridStep: this.gridStep,
       ...(pointer && { pointer: pointer.at }),
     });
-    this.#layer?.show(this.sketch());
+    this.#layer.show(this.sketch());
     viewer.requestFrame();
   }
 
-  #useKey(key: string): boolean {
-    const { drawing } = this.stores;
-    const { typed } = drawing.state.getState();
-    // The field opens with the next picture; keys pressed before belong to it.
-    if (typed !== null && key.length === 1) {
-      drawing.type(typed + key);
-      return true;
-    }
-    if (typed !== null && key === "Enter") {
-      drawing.submit();
-      return true;
-    }
-    if (this.takesCoordinates) {
-      const { letters } = drawing;
-      const named = projectNumbers(this.project);
-      const start = typedStart(key, { letters, named, isHotkey: this.stores.isHotkey ?? (() => false) });
-      if (start !== null) {
-        drawing.type(start);
-        return true;
-      }
-      drawing.letters = lettersAfter(letters, key);
-    }
-    switch (key) {
+  #useKey(event: KeyboardEvent): boolean {
+    if (this.takesCoordinates && this.#keys.use(event)) return true;
+    switch (event.key) {
       case "Enter":
         this.finish();
         return true;

@@ -1,6 +1,7 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { isHeading, linesOf } from "../../document/position-list";
 import type { Position } from "../../document/position";
+import type { HandleMode } from "../../document/tools";
 import type { ScreenPoint } from "../../viewer/screen";
 import type { Snap } from "./snapping";
 
@@ -14,10 +15,19 @@ export interface DrawingState {
   readonly gridStep: number | null;
   /** The text in the coordinate field; null while the field is closed. */
   readonly typed: string | null;
+  /** A letter that may begin coordinates, and the command that it runs otherwise; null without one. */
+  readonly waiting: { readonly letter: string; readonly command: string } | null;
   /** Why the typed text is no position. */
-  readonly mistake: "syntax" | "no-last-place" | "no-radius" | "short-radius" | null;
+  readonly mistake:
+    "syntax" | "no-last-place" | "no-radius" | "short-radius" | "no-motion" | "no-angle" | "no-factor" | null;
+  /** What is moved, rotated or scaled by what is typed; null for coordinates. */
+  readonly motion: HandleMode | null;
+  /** The axis along which or about which it is moved; null without a chosen one. */
+  readonly axis: 0 | 1 | 2 | null;
   /** Number of places picked for what is being drawn. */
   readonly picked: number;
+  /** Whether undo first takes back the place picked last. */
+  readonly canTakeBack: boolean;
   /** The places of a measurement. */
   readonly measured: readonly Position[];
   /** The box or lasso that is being drawn around entities. */
@@ -38,12 +48,27 @@ const idle: DrawingState = {
   cursor: null,
   gridStep: null,
   typed: null,
+  waiting: null,
   mistake: null,
+  motion: null,
+  axis: null,
   picked: 0,
+  canTakeBack: false,
   measured: [],
   outline: null,
   menu: null,
   menuPosition: null,
+  amount: null,
+  refused: null,
+};
+
+/** The field is closed, and nothing is moved. */
+const closed = {
+  typed: null,
+  waiting: null,
+  mistake: null,
+  motion: null,
+  axis: null,
   amount: null,
   refused: null,
 };
@@ -54,30 +79,79 @@ export interface TypedInput {
   readonly takesCoordinates: boolean;
   /** Uses typed coordinates. Returns why they cannot be used; null if they were. */
   take(text: string): DrawingState["mistake"];
+  /** Removes the place picked last if no step of undo has it. */
+  takeBack?(): void;
+  /** Returns where in the view the field opens; null for beside the pointer. */
+  placeOfField?(): ScreenPoint | null;
+  /** The text was changed. Returns the text to show. */
+  edited?(text: string): string;
+  /** Returns the text after Tab, with room for the next number. */
+  next?(text: string): string;
+  /** The field was closed, and nothing was taken. */
+  closed?(): void;
 }
 
 /** What the drawing tools show beside the pointer, and the field for coordinates. */
 export class Drawing {
   readonly state: StoreApi<DrawingState> = createStore<DrawingState>(() => idle);
-  /** Letters that were pressed in a row while the field was closed. They may have begun coordinates. */
+  /** Hotkeys that were pressed in a row while the field was closed. They may have been meant as coordinates. */
   letters = "";
   #input: TypedInput | null = null;
+
+  /** Whether typed coordinates have a meaning for the active tool. */
+  get takesCoordinates(): boolean {
+    return this.#input?.takesCoordinates === true;
+  }
+
+  /** Takes back the place picked last, if no step of undo has it. Returns whether there was one. */
+  takeBack(): boolean {
+    const { canTakeBack } = this.state.getState();
+    if (canTakeBack) this.#input?.takeBack?.();
+    return canTakeBack;
+  }
 
   /** Connects the active tool. */
   begin(input: TypedInput): void {
     this.#input = input;
-    this.state.setState(idle);
+    this.#reset();
   }
 
   /** Disconnects the active tool. */
   end(): void {
     this.#input = null;
-    this.state.setState(idle);
+    this.#reset();
   }
 
+  /** Connects a motion with the field. */
+  beginMotion(input: TypedInput, motion: HandleMode): void {
+    this.#input = input;
+    this.state.setState({ ...closed, motion });
+  }
+
+  /** Disconnects a motion, unless another input has taken its place. */
+  endMotion(input: TypedInput): void {
+    if (this.#input !== input) return;
+    this.#input = null;
+    this.state.setState(closed);
+  }
+
+  /** Sets the text in the field; null closes the field. */
   type(typed: string | null): void {
     this.letters = "";
-    this.state.setState({ typed, mistake: null });
+    const wasOpen = this.state.getState().typed !== null;
+    const place = typed === null || wasOpen ? null : this.#input?.placeOfField?.();
+    if (place) this.state.setState({ pointer: place });
+    const shown = typed === null ? null : (this.#input?.edited?.(typed) ?? typed);
+    this.state.setState({ typed: shown, mistake: null });
+    if (typed === null && wasOpen) this.#input?.closed?.();
+  }
+
+  /** Goes on to the next number of the text. */
+  next(): void {
+    const { typed } = this.state.getState();
+    if (typed === null) return;
+    const isFull = typed.trim() === "" || /,\s*$|</.test(typed) || typed.split(",").length > 2;
+    this.type(this.#input?.next ? this.#input.next(typed) : isFull ? typed : `${typed},`);
   }
 
   /**
@@ -102,5 +176,10 @@ export class Drawing {
     const mistake = this.#input?.take(typed) ?? null;
     if (mistake) this.state.setState({ mistake });
     else this.type(null);
+  }
+
+  /** The pointer stays where it is. */
+  #reset(): void {
+    this.state.setState(({ pointer, cursor }) => ({ ...idle, pointer, cursor }));
   }
 }

@@ -46,9 +46,16 @@ const isRound = (type: LineType): boolean => type === "circle" || type === "arc"
 /** Sine of the angle at which a line still lies in a plane. */
 const planarity = 1e-9;
 
-/** A straight line of the present chain, with what it added to the undo steps. */
+/** A straight line of the present chain. */
 interface Link {
-  readonly from: Place;
+  readonly line: number;
+  /** Its first place as it was picked: a point that the line has created is gone without the line. */
+  readonly picked: Place;
+  /** Ids of its points. */
+  readonly from: number;
+  readonly to: number;
+  readonly closes: boolean;
+  /** Label of the step that added it; null if the project had the line already. */
   readonly label: string | null;
 }
 
@@ -60,9 +67,10 @@ export class LineTool extends DrawingTool {
   readonly id = "line";
   /** Places of the line that is being drawn. */
   #places: readonly Place[] = [];
-  /** Where the chain began, to close it. */
-  #start: Place | null = null;
+  /** The lines of the chain, with those at its end that undo has taken back: redo may bring them again. */
   #links: readonly Link[] = [];
+  /** Number of links that the project had when it was last looked at. */
+  #drawn = 0;
 
   #stopListening: (() => void) | null = null;
 
@@ -88,12 +96,12 @@ export class LineTool extends DrawingTool {
   }
 
   get picked(): number {
-    this.#forgetDeleted();
+    this.#follow();
     return this.#places.length;
   }
 
   protected pick(place: Place): void {
-    this.#forgetDeleted();
+    this.#follow();
     const before = this.#places.at(-1);
     if (before && samePlace(before, place)) return;
     const [first] = this.#places;
@@ -137,18 +145,23 @@ export class LineTool extends DrawingTool {
   }
 
   protected removeLast(): boolean {
-    this.#forgetDeleted();
-    const link = this.#links.at(-1);
-    if (this.#type === "straight" && link) {
+    this.#follow();
+    const link = this.#links[this.#drawn - 1];
+    if (link) {
       const { history } = this.stores.documents.state.getState();
       if (link.label !== null && history.past.at(-1)?.label === link.label) this.stores.documents.undo();
-      this.#links = this.#links.slice(0, -1);
-      this.#places = [placeAt(this.project, link.from.position)];
+      else this.#links = this.#links.slice(0, this.#drawn - 1);
+      this.#follow();
       return true;
     }
     const hadPlaces = this.#places.length > 0;
     this.#places = this.#places.slice(0, -1);
     return hadPlaces;
+  }
+
+  /** Places of a line that does not exist yet are no steps of undo. */
+  override get canTakeBack(): boolean {
+    return this.picked > 0 && this.#drawn === 0;
   }
 
   protected leave(): boolean {
@@ -203,14 +216,13 @@ export class LineTool extends DrawingTool {
     const { creation, line, points } = drawLine(this.project, type, places);
     if (creation) this.create(creation);
     else this.stores.view.select({ kind: "line", id: line });
-    const end = points.at(-1);
-    const place = end === undefined ? undefined : this.#placeOfPoint(end);
-    if (type !== "straight" || !first || !place) return this.#drop();
-    const start = this.#start ?? this.#placeOfPoint(points[0] ?? 0) ?? first;
-    if (samePlace(start, place)) return this.#drop();
-    this.#start = start;
-    this.#links = [...this.#links, { from: first, label: creation?.edit.label ?? null }];
-    this.#places = [place];
+    const [from, to] = points;
+    if (type !== "straight" || !first || from === undefined || to === undefined) return this.#drop();
+    const links = this.#links.slice(0, this.#drawn);
+    const closes = to === links[0]?.from;
+    const label = creation?.edit.label ?? null;
+    this.#links = [...links, { line, picked: first, from, to, closes, label }];
+    this.#follow();
   }
 
   /**
@@ -277,17 +289,26 @@ export class LineTool extends DrawingTool {
     return point && { point: id, position: point.position };
   }
 
-  /** Undo or an edit in a panel may have removed points of the chain. */
-  #forgetDeleted(): void {
-    const exists = ({ point }: Place): boolean =>
-      point === null || findRecord(this.project, "point", point) !== undefined;
-    if (this.#places.every(exists)) return;
-    this.#drop();
+  /** Undo and redo move the end of the chain. An edit in a panel may have removed points. */
+  #follow(): void {
+    const drawn = this.#links.findLastIndex(({ line }) => findRecord(this.project, "line", line)) + 1;
+    if (drawn !== this.#drawn) {
+      this.#drawn = drawn;
+      this.#places = this.#endOfChain();
+    } else if (!this.#places.every(({ point }) => point === null || this.#placeOfPoint(point))) this.#drop();
+  }
+
+  /** Returns the place from which the chain goes on; none if it is closed. */
+  #endOfChain(): readonly Place[] {
+    const [last, next] = [this.#links[this.#drawn - 1], this.#links[this.#drawn]];
+    if (last?.closes === true) return [];
+    const place = last ? this.#placeOfPoint(last.to) : next && (this.#placeOfPoint(next.from) ?? next.picked);
+    return place ? [place] : [];
   }
 
   #drop(): void {
     this.#places = [];
     this.#links = [];
-    this.#start = null;
+    this.#drawn = 0;
   }
 }

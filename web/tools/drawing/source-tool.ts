@@ -45,6 +45,10 @@ export class SourceTool extends DrawingTool {
     return hadPlaces;
   }
 
+  override get canTakeBack(): boolean {
+    return this.#places.length > 0;
+  }
+
   protected leave(): boolean {
     const hadPlaces = this.#places.length > 0;
     this.#places = [];

@@ -8,7 +8,9 @@ const continues = /^[,;*/^<)]$/;
 const isLetter = (key: string): boolean => /^[A-Za-z_]$/.test(key);
 
 export interface TypedStart {
-  /** The letters pressed before, which may have run commands. */
+  /** A letter that is a hotkey and begins a name; empty without one. The next key decides what it was. */
+  readonly waiting: string;
+  /** The letters that were pressed in a row before and ran commands. */
   readonly letters: string;
   /** The parameters of the project. */
   readonly named: NamedNumbers;
@@ -16,32 +18,53 @@ export interface TypedStart {
   readonly isHotkey: (key: string) => boolean;
 }
 
+/** What a key does while the field is closed. */
+export type StartingKey =
+  /** It opens the field with a text. */
+  | { readonly kind: "text"; readonly text: string }
+  /** It is a hotkey and begins a name: it waits for the next key. */
+  | { readonly kind: "wait" }
+  /** It has no meaning for coordinates. */
+  | { readonly kind: "none" };
+
+const none: StartingKey = { kind: "none" };
+const text = (opening: string): StartingKey => ({ kind: "text", text: opening });
+
 /**
- * Returns the text with which a key opens the field; null if the key does not open it. `=` opens an empty field. A letter
- * that begins a name opens it if it is no hotkey. Letters that were hotkeys but form a name come into the text. Without a
- * name, a comma or operator after letters stands alone, so that the coordinates are refused rather than misread.
+ * Returns what a key does while the field is closed. `=` opens an empty field. A letter that begins a name opens it, unless
+ * the letter is a hotkey, too: then it waits, and comes into the text if the next key continues the name. Otherwise, the
+ * waiting letter was a hotkey. After hotkeys, a comma or operator stands alone, so that the coordinates are refused rather
+ * than misread.
  */
-export function typedStart(key: string, { letters, named, isHotkey }: TypedStart): string | null {
-  if (key === "=") return "";
-  if (isLetter(key)) return beginsName(letters + key, named) && !isHotkey(key) ? letters + key : null;
-  const isName = named.has(letters) || isReservedName(letters);
-  if (opensField.test(key)) {
-    // One letter is more likely the hotkey of the tool.
-    const isExpression = isName && letters.length > 1 && /^[(+-]$/.test(key);
-    return isExpression ? letters + key : key;
+export function startingKey(key: string, { waiting, letters, named, isHotkey }: TypedStart): StartingKey {
+  if (waiting !== "" && continuesName(waiting, key, named)) return text(waiting + key);
+  if (key === "=") return text("");
+  if (isLetter(key)) {
+    if (!beginsName(key, named)) return none;
+    return isHotkey(key) ? { kind: "wait" } : text(key);
   }
-  if (letters === "" || !continues.test(key)) return null;
-  return isName ? letters + key : key;
+  const hadLetters = letters !== "" || waiting !== "";
+  return opensField.test(key) || (hadLetters && continues.test(key)) ? text(key) : none;
 }
 
-/** Returns the letters in a row after a key. */
+/** Returns the letters in a row after a key that was not used. */
 export const lettersAfter = (letters: string, key: string): string => {
   if (isLetter(key)) return letters + key;
-  // Shift and the like are no interruption.
-  return key === "Shift" ? letters : "";
+  return isModifier(key) ? letters : "";
 };
 
+/** Shift and the like are no interruption. */
+export const isModifier = (key: string): boolean =>
+  /^(?:Shift|Control|Alt|AltGraph|Meta|CapsLock)$/.test(key);
+
+/** Returns whether a key makes a letter the beginning of an expression: of a longer name, or after a complete one. */
+function continuesName(letter: string, key: string, named: NamedNumbers): boolean {
+  if (/^\w$/.test(key)) return beginsName(letter + key, named);
+  const isName = named.has(letter) || isReservedName(letter);
+  return isName && (continues.test(key) || /^[(+-]$/.test(key));
+}
+
 /** Returns whether a text begins the name of a parameter, function or constant. */
-const beginsName = (text: string, named: NamedNumbers): boolean =>
-  [...named.keys()].some((name) => name.startsWith(text)) ||
-  reservedNames().some((name) => name.startsWith(text.toLowerCase()));
+const beginsName = (start: string, named: NamedNumbers): boolean =>
+  [...named.keys()].some((name) => name.startsWith(start)) ||
+  reservedNames().some((name) => name.startsWith(start.toLowerCase()));

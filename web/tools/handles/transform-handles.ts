@@ -15,7 +15,7 @@ export interface HandleSteps {
 }
 
 /** What a drag does: an offset, an angle in degrees, or factors. */
-export interface Motion {
+export interface HandleMotion {
   readonly map: Affine;
   readonly numbers: readonly number[];
 }
@@ -30,6 +30,8 @@ export interface NormalizedPointer {
 const minFactor = 0.05;
 /** Rounding errors of the handles: what is smaller counts as no change. */
 const precision = 1e-9;
+
+const axisIndices: Readonly<Record<string, 0 | 1 | 2>> = { X: 0, Y: 1, Z: 2 };
 
 /**
  * Arrows, rings or boxes at a middle, by which a selection is moved, rotated or scaled. They know nothing of the selection:
@@ -52,6 +54,11 @@ export class TransformHandles {
 
   get isDragging(): boolean {
     return this.#controls.dragging;
+  }
+
+  /** The axis of the handle under the pointer; null if it has more than one, or none. */
+  get axis(): 0 | 1 | 2 | null {
+    return axisIndices[this.#controls.axis ?? ""] ?? null;
   }
 
   setMode(mode: HandleMode): void {
@@ -82,7 +89,7 @@ export class TransformHandles {
   }
 
   /** Returns the map from the beginning of the drag to the pointer, with its numbers. */
-  drag(pointer: NormalizedPointer, steps: HandleSteps): Motion {
+  drag(pointer: NormalizedPointer, steps: HandleSteps): HandleMotion {
     this.#controls.pointerMove(asEvent(pointer, -1));
     const { mode } = this.#controls;
     if (mode === "rotate") return this.#rotation(steps.angle);
@@ -98,7 +105,7 @@ export class TransformHandles {
     this.#controls.getHelper().dispose();
   }
 
-  #translation(step: number): Motion {
+  #translation(step: number): HandleMotion {
     const { x, y, z } = this.#target.position;
     const at = [x, y, z].map((local, k) => local + (this.#origin[k] ?? 0));
     const offset = at.map((to, k) => {
@@ -109,7 +116,7 @@ export class TransformHandles {
     return { map: translation(offset as [number, number, number]), numbers: offset };
   }
 
-  #rotation(step: number): Motion {
+  #rotation(step: number): HandleMotion {
     const { x, y, z, w } = this.#target.quaternion;
     const length = Math.hypot(x, y, z);
     if (length <= precision) return { map: translation([0, 0, 0]), numbers: [0] };
@@ -119,7 +126,7 @@ export class TransformHandles {
     return { map: rotationAbout(this.#middle, axis, angle), numbers: [angle] };
   }
 
-  #scaling(step: number): Motion {
+  #scaling(step: number): HandleMotion {
     const { x, y, z } = this.#target.scale;
     const factors = [x, y, z].map((factor) => {
       const positive = Math.max(minFactor, factor);

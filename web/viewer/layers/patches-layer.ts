@@ -5,6 +5,7 @@ import { createPatchMaterial } from "../materials/patch-material";
 import type { Position } from "../../document/position";
 import type { SampledProject, SceneChanges } from "../scene-state";
 import type { Screen } from "../screen";
+import { coarseTriangles, hurriedTriangles } from "../coarse-triangles";
 import { TriangleTree, type SerializedTree } from "../triangle-tree";
 import { addOrigin, type Hit, type HittableLayer } from "./layer";
 
@@ -52,6 +53,15 @@ export class PatchesLayer implements HittableLayer {
     opacities: { selected: opacityBehind, defective: opacityBehind },
     depthTest: false,
   });
+  /** All patches in one pass, with fewer triangles, while a motion must hurry. */
+  readonly #hurried = createPatchMaterial({
+    opacities: { normal: opacityAlone, hover: 0.6, selected: 0.65, defective: 0.85 },
+    polygonOffset: 2,
+  });
+  readonly #coarseGeometry = new BufferGeometry();
+  /** Whether the coarse triangles belong to these vertices. */
+  #isCoarse = false;
+  readonly #coarse = new Mesh(this.#coarseGeometry, this.#hurried);
   readonly #meshes = [
     new Mesh(this.#geometry, this.#plain),
     new Mesh(this.#emphasizedGeometry, this.#emphasized),
@@ -68,6 +78,8 @@ export class PatchesLayer implements HittableLayer {
   constructor(buildTree: BuildTree) {
     this.#buildTree = buildTree;
     this.#allocate();
+    this.#coarse.frustumCulled = false;
+    this.#coarse.renderOrder = 1;
     this.#meshes.forEach((mesh, pass) => {
       mesh.frustumCulled = false;
       mesh.renderOrder = 1 + pass;
@@ -84,6 +96,7 @@ export class PatchesLayer implements HittableLayer {
       for (const material of [this.#emphasized, this.#behind]) {
         setStateColors(material, { hover, selected, defective });
       }
+      setStateColors(this.#hurried, { normal: patch, hover, selected, defective });
     }
     if (changes.has("layers", "mesh", "front")) {
       // A closed front has no faces; only the patches are then drawn.
@@ -92,6 +105,7 @@ export class PatchesLayer implements HittableLayer {
       for (const drawn of ["normal", "hover", "selected", "defective"] as const) {
         setStateScale(this.#plain, drawn, opacity);
       }
+      setStateScale(this.#hurried, "normal", opacity);
     }
     if (changes.has("preview", "origin")) this.#setPositions(state.preview, state.origin);
     this.#states.update(state);
@@ -100,6 +114,10 @@ export class PatchesLayer implements HittableLayer {
     emphasized.visible = this.#states.hasAny(...emphasis);
     behind.visible = this.#states.hasAny("selected", "defective");
     plain.visible = emphasized.visible || this.#states.hasAny("normal");
+    this.#coarse.visible = state.viewport.isHurried && plain.visible;
+    if (!this.#coarse.visible) return;
+    this.#makeCoarse();
+    for (const mesh of this.#meshes) mesh.visible = false;
   }
 
   hit(ray: Ray, screen: Screen): Hit | null {
@@ -117,7 +135,8 @@ export class PatchesLayer implements HittableLayer {
   dispose(): void {
     this.#geometry.dispose();
     this.#emphasizedGeometry.dispose();
-    for (const { material } of this.#meshes) material.dispose();
+    this.#coarseGeometry.dispose();
+    for (const { material } of [...this.#meshes, this.#coarse]) material.dispose();
   }
 
   #setPositions(preview: SampledProject | null, origin: Position): void {
@@ -149,12 +168,25 @@ export class PatchesLayer implements HittableLayer {
   #allocate(): void {
     const { nodes, index } = this.#vertices;
     const positions = new BufferAttribute(new Float32Array(3 * nodes.length), 3);
-    for (const geometry of [this.#geometry, this.#emphasizedGeometry]) {
+    for (const geometry of [this.#geometry, this.#emphasizedGeometry, this.#coarseGeometry]) {
       geometry.dispose();
       geometry.setAttribute("position", positions);
-      geometry.setIndex(new BufferAttribute(new Uint32Array(index.length), 1));
+      if (geometry !== this.#coarseGeometry)
+        geometry.setIndex(new BufferAttribute(new Uint32Array(index.length), 1));
       this.#states.attachTo(geometry);
     }
+    this.#isCoarse = false;
+  }
+
+  #makeCoarse(): void {
+    if (this.#isCoarse) return;
+    this.#isCoarse = true;
+    this.root.add(this.#coarse);
+    const { array: positions } = this.#geometry.getAttribute("position");
+    const { index } = this.#vertices;
+    const coarse = coarseTriangles({ positions, index, offsets: this.#offsets }, hurriedTriangles);
+    this.#coarseGeometry.dispose();
+    this.#coarseGeometry.setIndex(new BufferAttribute(coarse, 1));
   }
 
   #copyIndex(): void {
@@ -162,6 +194,7 @@ export class PatchesLayer implements HittableLayer {
     if (!drawn || drawn.array.every((vertex, corner) => vertex === this.#vertices.index[corner])) return;
     drawn.array.set(this.#vertices.index);
     drawn.needsUpdate = true;
+    this.#isCoarse = false;
   }
 
   #setEmphasized(): void {
