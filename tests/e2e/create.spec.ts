@@ -492,14 +492,23 @@ test("a pasted list becomes points; a drawn and extruded solid needs no size by 
 test("the view shows the lines and directions of a Coons patch", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
-  await page.getByTestId("tree-patch-1").click();
+  await page.getByTestId("tree-patch-2").click();
   await expect(page.getByTestId("role-label-F2")).toBeHidden();
   await page.getByTestId("patch-type").click();
   await page.getByRole("option", { name: /Coons/ }).click();
+  const angles: number[] = [];
   for (const name of ["F1", "F2", "F3", "F4"]) {
-    await expect(page.getByTestId(`role-label-${name}`)).toBeVisible();
-    await expect(page.getByTestId(`role-label-${name}`)).toContainText("→");
+    const label = page.getByTestId(`role-label-${name}`);
+    await expect(label).toBeVisible();
+    const arrow = label.locator("[data-arrow]");
+    angles.push(
+      await arrow.evaluate((element) => parseFloat(element.style.transform.replace("rotate(", ""))),
+    );
   }
+  // F1 and F3 run side by side, and so do F2 and F4.
+  const [first = NaN, second = NaN, third = NaN, fourth = NaN] = angles;
+  expect(Math.cos(first - third)).toBeGreaterThan(0.5);
+  expect(Math.cos(second - fourth)).toBeGreaterThan(0.5);
 });
 
 test("a complete model without sizes is meshed with a size that fits it, as a step of undo", async ({

@@ -1,5 +1,6 @@
 import type { Project, ProjectLine, ProjectPreview } from "tetrafront";
 import type { Position } from "./position";
+import { distance } from "./vectors";
 
 /** The course of a line: its positions from start to end. */
 export interface LinePath {
@@ -30,6 +31,13 @@ export function linePaths(project: Project, sampled: Sampled | null): readonly L
       positions.push([linePoints[3 * i] ?? 0, linePoints[3 * i + 1] ?? 0, linePoints[3 * i + 2] ?? 0]);
     }
     // The preview of a line that the engine rejects is empty.
-    return { line, positions: positions.length > 1 ? positions : ofPoints };
+    return { line, positions: positions.length > 1 ? fromStart(positions, ofPoints) : ofPoints };
   });
+}
+
+/** Returns samples in the direction of their line: the engine samples a line from the end with the lower id. */
+function fromStart(samples: readonly Position[], points: readonly Position[]): readonly Position[] {
+  const [start, first, last] = [points[0], samples[0], samples.at(-1)];
+  if (!start || !first || !last) return samples;
+  return distance(last, start) < distance(first, start) ? samples.toReversed() : samples;
 }

@@ -195,6 +195,19 @@ async function filledAt(project: Project, x: number, y: number): Promise<Project
   return filled;
 }
 
+it("the course of a line begins at its first point, whichever way the engine samples it", async () => {
+  const arc: readonly Position[] = [[0, 0, 0], [1, 1, 0], [2, 0, 0]]; // prettier-ignore
+  for (const points of [
+    [0, 1, 2],
+    [2, 1, 0],
+  ]) {
+    const [path] = await pathsOf(projectWith(arc, [["arc", points]]));
+    expect(path?.positions.length).toBeGreaterThan(3);
+    expect(path?.positions[0]).toEqual(arc[points[0] ?? 0]);
+    expect(path?.positions.at(-1)).toEqual(arc[points[2] ?? 0]);
+  }
+});
+
 describe("lines that end on others or cross them", () => {
   it("a line across a square bounds two loops", async () => {
     const project = projectWith([...square, [1, 0, 0], [1, 2, 0]], [...sides, ["straight", [4, 5]]]);

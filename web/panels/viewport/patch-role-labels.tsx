@@ -4,7 +4,8 @@ import type { PatchType, Project, ProjectPatch, ProjectPreview } from "tetrafron
 import { findRecord, indexById } from "../../document/entities";
 import { strings } from "../../strings";
 import type { Position } from "../../document/position";
-import { between } from "../../document/vectors";
+import { linePositions } from "../../document/line-samples";
+import { between, distance } from "../../document/vectors";
 import type { Viewer } from "../../viewer/viewer";
 import { useApp, useView } from "../shared/app-context";
 import styles from "../shared/patch-roles.module.css";
@@ -47,7 +48,12 @@ function labelsOf(project: Project, preview: ProjectPreview, { type, loops }: Pr
     const [from, to] = [Math.floor((first + last - 1) / 2), Math.ceil((first + last + 1) / 2)];
     const [before, after] = [sampleAt(from), sampleAt(to)];
     const position = to - from === 2 ? sampleAt(from + 1) : between(before, after, 0.5);
-    const isForward = step > 0 !== rule.reversed.includes(role);
+    // The engine samples a line from the end with the lower id.
+    const start =
+      linePositions(project, { points: project.lines[index]?.points.slice(0, 1) ?? [] })[0] ?? before;
+    const isSampledBackwards = distance(sampleAt(last), start) < distance(sampleAt(first), start);
+    const runsForward = step > 0 !== rule.reversed.includes(role);
+    const isForward = runsForward !== isSampledBackwards;
     return [{ name: `F${role + 1}`, line, position, ahead: isForward ? after : before }];
   });
 }
