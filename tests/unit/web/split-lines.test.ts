@@ -67,7 +67,7 @@ const kinds: readonly (readonly [string, LineType, readonly Position[], readonly
   ["circle", "circle", [[1, 0, 2], [0, 1, 2], [-1, 0, 2]], [0, 1, 2, 0], 1e-13],
   ["parabola", "parabolic", [[0, 0, 0], [1, 1, 0], [3, 0, 1]], [0, 1, 2], 1e-13],
   ["spline", "spline", wave, [0, 1, 2, 3, 4], 3e-3],
-  ["closed spline", "spline", wave, [0, 1, 2, 3, 4, 0], 3e-3],
+  ["closed spline", "spline", wave, [0, 1, 2, 3, 4, 0], 5e-3],
 ]; // prettier-ignore
 
 describe("splitting a line", () => {
@@ -116,7 +116,7 @@ describe("splitting a line", () => {
         whole[0]?.positions ?? [],
         parts.flatMap(({ positions: course }) => course),
       );
-      expect(missed).toBeLessThan(0.02);
+      expect(missed).toBeLessThan(0.04);
     }
   });
 

@@ -114,13 +114,16 @@ export function nearestParameter({ at, knots }: LineCurve, position: Position): 
     }
   }
   // Newton's method for a distance vector normal to the curve; halved where it would leave the neighbourhood.
+  const isClosed = distance(at(0), at(1)) <= 1e-12 * distance(at(0), at(0.5));
   let t = best;
   for (let round = 0; round < 40; ++round) {
     const h = 1e-5 * reach;
     const [low, high] = [Math.max(0, t - h), Math.min(1, t + h)];
     const tangent = scale(subtract(at(high), at(low)), 1 / (high - low));
     const change = dot(subtract(position, at(t)), tangent) / dot(tangent, tangent);
-    const next = Math.min(1, Math.max(0, t + Math.max(-reach / 2, Math.min(reach / 2, change))));
+    const moved = t + Math.max(-reach / 2, Math.min(reach / 2, change));
+    // A closed curve goes on at its seam.
+    const next = isClosed ? moved - Math.floor(moved) : Math.min(1, Math.max(0, moved));
     if (Math.abs(next - t) <= 1e-15) break;
     t = next;
   }

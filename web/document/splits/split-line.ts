@@ -48,8 +48,8 @@ const refuse = (reason: string) => ({ success: false, reason }) as const;
  * course, each span is divided until its chords are as long as the curve up to this share, by at most so many parts, and
  * further points lie close to a new end, at these shares of the first part.
  */
-const chordDefect = 1e-3;
-const maxParts = 6;
+const chordDefect = 2e-4;
+const maxParts = 12;
 const endShares = [1 / 32, 1 / 8, 3 / 8] as const;
 
 /**
