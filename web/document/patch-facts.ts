@@ -1,5 +1,5 @@
 import type { BodyPlacement } from "tetrafront";
-import type { PatchArrays } from "../workers/surface-files";
+import type { PatchArrays } from "./patch-arrays";
 import { placed } from "./placement";
 import type { Position } from "./position";
 import { add, cross, length, subtract, unit, zero } from "./vectors";

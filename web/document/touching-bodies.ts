@@ -1,5 +1,5 @@
 import type { BodyRemeshing, Project, ProjectBody, ProjectBodyPatch } from "tetrafront";
-import type { PatchArrays } from "../workers/surface-files";
+import type { PatchArrays } from "./patch-arrays";
 import { nextBodyIds } from "./body-edits";
 import type { ProjectEdit } from "./edit";
 import { bodiesOf, bodyLabel } from "./entities";

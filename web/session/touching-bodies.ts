@@ -11,7 +11,7 @@ import {
   placedSurface,
 } from "../document/touching-bodies";
 import { strings } from "../strings";
-import type { PatchArrays } from "../workers/surface-files";
+import type { PatchArrays } from "../document/patch-arrays";
 import type { BodyState } from "./bodies";
 
 /** A body and its given triangles, which are not placed. */

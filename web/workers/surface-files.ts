@@ -1,15 +1,9 @@
 import type { FileGroup, MeshWithBoundary, PatchedSurface, ProjectBody, SplitSurface } from "tetrafront";
 import type { DrawnSurface } from "../document/drawn-surface";
+import type { PatchArrays } from "../document/patch-arrays";
 import { unpackedBody, type PackedBody } from "./packed-bodies";
 import { copyForTransfer } from "./transfer";
 import { WorkerClient } from "./worker-client";
-
-/** Triangles whose patches are known. */
-export interface PatchArrays {
-  readonly points: Float64Array;
-  readonly triangles: Uint32Array;
-  readonly trianglePatch: Uint32Array;
-}
 
 /** The given triangles of a body, as arrays. */
 export interface LoadedSurface {

@@ -23,7 +23,8 @@ import "./cad-library";
 import { buffersOfPacked, packedBody } from "./packed-bodies";
 import { replacedBody } from "./replaced-body";
 import { serveCalls, type Answer } from "./serve-calls";
-import type { LoadedSurface, PackedNewBody, PatchArrays, SurfaceProtocol } from "./surface-files";
+import type { PatchArrays } from "../document/patch-arrays";
+import type { LoadedSurface, PackedNewBody, SurfaceProtocol } from "./surface-files";
 
 serveCalls<SurfaceProtocol>({
   read: async ({ file, others, head }) => {
