@@ -48,6 +48,23 @@ test("a crack between two halves is closed by the proposed weld", async () => {
   expect(await crackWarning(mesher, halves(0.01), { isFillable: true, regions: 1 })).toEqual([]);
 });
 
+test("the proposed weld is tried with the inner shells that are asked for", async () => {
+  const asked: unknown[] = [];
+  const watched: Pick<Mesher, "repairSurface" | "inspectSurface"> = {
+    repairSurface: (surface, options) => {
+      asked.push(options?.innerShells);
+      return mesher.repairSurface(surface, options);
+    },
+    inspectSurface: (surface, options) => {
+      asked.push(options?.innerShells);
+      return mesher.inspectSurface(surface, options);
+    },
+  };
+  const repaired = { isFillable: true, regions: 2 };
+  expect(await crackWarning(watched, halves(0.01), repaired, "regions")).toHaveLength(1);
+  expect(asked).toEqual(["regions", "regions"]);
+});
+
 test("loose triangles are joined by the proposed weld", async () => {
   const loose = apart(sphereSurface(4), (corners) => {
     const middle = [0, 1, 2].map((k) => corners.reduce((sum, corner) => sum + (corner[k] ?? 0), 0) / 3);

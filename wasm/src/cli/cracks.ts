@@ -2,7 +2,8 @@
 import type { Mesher } from "../api/mesher-interface.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
-import { diagonalOf } from "../formats/near-points.js";
+import { diagonalOf, distanceAlong } from "../formats/near-points.js";
+import type { InnerShells } from "../generated/constants.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
 
 /** Largest gap / diagonal of a crack. */
@@ -19,19 +20,20 @@ const MARGINS = [1.01, 2, 3];
 
 /**
  * Returns a warning that names the distance of a weld, if that closes a surface which has a crack: one that cannot be filled,
- * or whose repair has filled holes and left more regions. `repaired`: what the repair without a weld has made.
+ * or whose repair has filled holes and left more regions. `repaired`: what the repair without a weld has made, with the same `innerShells`.
  */
 export async function crackWarning(
-  mesher: Mesher,
+  mesher: Pick<Mesher, "repairSurface" | "inspectSurface">,
   given: SurfaceInput,
   repaired: { readonly isFillable: boolean; readonly regions: number },
+  innerShells?: InnerShells,
 ): Promise<Diagnostic[]> {
   const gap = crackWidth(given);
   if (gap === undefined) return [];
   for (const margin of MARGINS) {
     const weld = roundedUp(margin * gap);
-    const { surface } = await mesher.repairSurface(given, { weld });
-    const welded = await mesher.inspectSurface(surface);
+    const { surface } = await mesher.repairSurface(given, { weld, innerShells });
+    const welded = await mesher.inspectSurface(surface, { innerShells });
     const isBetter = welded.isFillable && (!repaired.isFillable || welded.regions < repaired.regions);
     if (!isBetter) continue;
     const effect = repaired.isFillable
@@ -56,52 +58,77 @@ function roundedUp(value: number): number {
  * if the parts are not near each other everywhere.
  */
 function crackWidth({ points, triangles }: SurfaceInput): number | undefined {
-  const { nodes, partOf } = openNodes(triangles, points.length / 3);
-  if (nodes.length === 0 || nodes.length > MAX_NODES) return undefined;
+  const nodes = openNodes(triangles, points.length / 3);
+  if (nodes.size === 0 || nodes.size > MAX_NODES) return undefined;
   const limit = LARGEST_GAP * diagonalOf(points);
-  // Sorted by x, so that only near nodes are compared.
-  const xOf = (node: number) => points[3 * node] ?? 0;
-  const sorted = nodes.toSorted((a, b) => xOf(a) - xOf(b));
+  // Sorted along one direction, so that only near nodes are compared.
+  const sorted = [...nodes]
+    .map((node) => ({ node, along: distanceAlong(points, node) }))
+    .sort((a, b) => a.along - b.along);
+  const along = Float64Array.from(sorted, (one) => one.along);
+  const order = Uint32Array.from(sorted, ({ node }) => node);
+  const parts = partsOf(triangles, points.length / 3);
+  const partOf = order.map((node) => parts[node] ?? 0);
   let width = 0;
-  for (const [i, node] of sorted.entries()) {
-    let nearest = Infinity;
+  for (const [i, node] of order.entries()) {
+    let nearest = limit * limit;
+    let isNear = false;
     for (const step of [-1, 1]) {
-      for (let k = i + step; k >= 0 && k < sorted.length; k += step) {
-        const other = sorted[k] ?? 0;
-        if (Math.abs(xOf(other) - xOf(node)) > Math.min(nearest, limit)) break;
-        if (partOf(other) !== partOf(node)) nearest = Math.min(nearest, distance(points, node, other));
+      for (let k = i + step; k >= 0 && k < order.length; k += step) {
+        const ahead = (along[k] ?? 0) - (along[i] ?? 0);
+        if (ahead * ahead > nearest) break;
+        if (partOf[k] === partOf[i]) continue;
+        const square = squaredDistance(points, node, order[k] ?? 0);
+        if (square > nearest) continue;
+        nearest = square;
+        isNear = true;
       }
     }
-    if (nearest > limit) return undefined;
+    if (!isNear) return undefined;
     width = Math.max(width, nearest);
   }
-  return width > 0 ? width : undefined;
+  return width > 0 ? Math.sqrt(width) : undefined;
 }
 
-function distance(points: Float64Array, one: number, other: number): number {
-  const squares = [0, 1, 2].map((k) => ((points[3 * one + k] ?? 0) - (points[3 * other + k] ?? 0)) ** 2);
-  return Math.sqrt(squares.reduce((sum, square) => sum + square, 0));
+function squaredDistance(points: Float64Array, one: number, other: number): number {
+  const x = (points[3 * one] ?? 0) - (points[3 * other] ?? 0);
+  const y = (points[3 * one + 1] ?? 0) - (points[3 * other + 1] ?? 0);
+  const z = (points[3 * one + 2] ?? 0) - (points[3 * other + 2] ?? 0);
+  return x * x + y * y + z * z;
 }
 
-/** Returns the nodes of edges with one triangle, and which connected part a node belongs to. O(triangles). */
-function openNodes(triangles: Uint32Array, count: number) {
-  const parent = Uint32Array.from({ length: count }, (_, node) => node);
-  const partOf = (node: number): number => {
-    let root = node;
-    while (parent[root] !== root) root = parent[root] ?? root;
-    parent[node] = root;
-    return root;
-  };
-  const edges = new Map<number, number>();
+/** Returns the nodes of edges with one triangle. O(n log n) for n triangles. */
+function openNodes(triangles: Uint32Array, count: number): ReadonlySet<number> {
+  // Sorted numbers, because a Map holds 2^24 keys at most.
+  const edges = new Float64Array(triangles.length);
   triangles.forEach((from, corner) => {
     const to = triangles[corner % 3 === 2 ? corner - 2 : corner + 1] ?? 0;
-    const edge = Math.min(from, to) * count + Math.max(from, to);
-    edges.set(edge, (edges.get(edge) ?? 0) + 1);
-    parent[Math.max(partOf(from), partOf(to))] = Math.min(partOf(from), partOf(to));
+    edges[corner] = Math.min(from, to) * count + Math.max(from, to);
   });
+  edges.sort();
   const open = new Set<number>();
-  for (const [edge, uses] of edges) {
-    if (uses === 1) open.add(Math.floor(edge / count)).add(edge % count);
-  }
-  return { nodes: [...open], partOf };
+  edges.forEach((edge, i) => {
+    if (edge !== edges[i - 1] && edge !== edges[i + 1]) open.add(Math.floor(edge / count)).add(edge % count);
+  });
+  return open;
+}
+
+/** Returns per node which connected part it belongs to. O(triangles). */
+function partsOf(triangles: Uint32Array, count: number): Uint32Array {
+  const parent = Uint32Array.from({ length: count }, (_, node) => node);
+  const partOf = (given: number): number => {
+    let node = given;
+    for (let above = parent[node] ?? node; above !== node; above = parent[node] ?? node) {
+      const next = parent[above] ?? above;
+      parent[node] = next;
+      node = next;
+    }
+    return node;
+  };
+  triangles.forEach((from, corner) => {
+    const to = triangles[corner % 3 === 2 ? corner - 2 : corner + 1] ?? 0;
+    const [one, other] = [partOf(from), partOf(to)];
+    parent[Math.max(one, other)] = Math.min(one, other);
+  });
+  return parent.map((_, node) => partOf(node));
 }

@@ -178,7 +178,7 @@ export async function madeFillable(
       ? await withSolidRegions(mesher, given, surface, { touching: pairs, overlaps })
       : undefined;
   const hasHoles = made.changes?.some(({ kind }) => kind === "filled-hole") === true || before.openEdges > 0;
-  const cracks = hasHoles && !hasSolids(given) ? await crackWarning(mesher, given, found) : [];
+  const cracks = hasHoles && !hasSolids(given) ? await crackWarning(mesher, given, found, innerShells) : [];
   const warnings = [
     ...(made.warnings ?? []),
     ...cracks,

@@ -5,6 +5,11 @@ import type { WeldedPoints } from "./weld.js";
 /** Direction along which points are sorted: no plane or line that is common in parts is perpendicular to it. */
 const DIRECTION = [0.7360221, 0.5408271, 0.4072913] as const;
 
+/** Returns how far a point is along a direction in which few points are near each other. */
+export function distanceAlong(points: Float64Array, p: number): number {
+  return DIRECTION.reduce((sum, part, axis) => sum + part * (points[3 * p + axis] ?? 0), 0);
+}
+
 /**
  * Welds each point to the first kept point, in their order, within the distance; no point moves further. O(n log n) if
  * few points are near each other along one direction.
@@ -13,7 +18,7 @@ export function* weldWithin(given: Float64Array, distance: number): Steps<Welded
   const count = given.length / 3;
   const along = new Float64Array(count);
   yield* stepwise(count, (p) => {
-    along[p] = DIRECTION.reduce((sum, part, axis) => sum + part * (given[3 * p + axis] ?? 0), 0);
+    along[p] = distanceAlong(given, p);
   });
   const order = Uint32Array.from(along.keys()).sort((a, b) => (along[a] ?? 0) - (along[b] ?? 0) || a - b);
   const rank = new Uint32Array(count);
