@@ -61,12 +61,14 @@ async function joinedBodies(app: App): Promise<string[] | null> {
     noticeDelayMs,
   );
   joining.add(app);
+  const sentences: string[] = [];
   try {
-    return await joinTouchingBodies(app, abort.signal);
+    await joinTouchingBodies(app, abort.signal, (sentence) => sentences.push(sentence));
+    return sentences;
   } catch (error) {
     if (abort.signal.aborted) return null;
     showFailure(app, strings.bodies.touching.joining, error);
-    return [];
+    return sentences;
   } finally {
     joining.delete(app);
     clearTimeout(wait);

@@ -97,29 +97,33 @@ export async function repairBody(app: App, id: number): Promise<void> {
 }
 
 /**
- * Joins bodies that touch or intersect, each group as one step of undo, so that they have common triangles there. Returns a
- * sentence for each group. Bodies that cannot be joined stay as they are: a run reports why.
+ * Joins bodies that touch or intersect, each group as one step of undo, so that they have common triangles there. Calls
+ * `onJoined` with a sentence for each group. Bodies that cannot be joined stay as they are: a run reports why. So do those
+ * that were changed meanwhile.
  */
-export async function joinTouchingBodies(app: App, signal: AbortSignal): Promise<string[]> {
+export async function joinTouchingBodies(
+  app: App,
+  signal: AbortSignal,
+  onJoined: (sentence: string) => void,
+): Promise<void> {
   const { byId } = app.bodies.state.getState();
-  if (byId.size < 2) return [];
+  if (byId.size < 2) return;
   const mesher = await app.mesher;
-  const sentences: string[] = [];
   for (const group of await touchingBodies(mesher, fillableBodies(byId.values()), signal)) {
-    const { project } = app.documents;
-    const joined = await joinedBody(mesher, project, group, signal);
+    const joined = await joinedBody(mesher, app.documents.project, group, signal);
     if (!joined) continue;
     const { surface, regions, shared } = joined;
     const body = await app.bodies.replaced(joined.body, surface, joined.body.patches);
     await app.documents.afterGesture();
-    if (app.documents.project.bodies !== project.bodies) return sentences;
+    const { project } = app.documents;
     const bodies = group.map((one) => one.body);
+    const areThere = bodies.every((one) => findRecord(project, "body", one.id) === one);
+    if (!areThere || nextBodyIds(project).id !== body.id) return;
     const ids = bodies.map(({ id }) => id);
     app.documents.edit(replaceByJoined(project, bodyStepNames.join(bodies.map(bodyLabel)), body, ids));
     app.view.selectAll([{ kind: "body", id: body.id }]);
-    sentences.push(strings.bodies.touching.joined(bodies.map(bodyLabel), regions, formatShort(shared)));
+    onJoined(strings.bodies.touching.joined(bodies.map(bodyLabel), regions, formatShort(shared)));
   }
-  return sentences;
 }
 
 /** Replaces a body as one step of undo, unless it has changed meanwhile. Returns whether it was replaced. */

@@ -9,6 +9,7 @@ import {
   type SurfaceInspection,
 } from "tetrafront";
 import type { DrawnSurface } from "./drawn-surface";
+import { placed } from "./placement";
 import type { Position } from "./position";
 import { cross, distance, dot, subtract } from "./vectors";
 import { cornerOf, type Triangles } from "./winding-number";
@@ -109,8 +110,35 @@ export function withRepairs(
   return { repairs: [...known.values()], ...(moved > 0 && { repairDeviation: moved }) };
 }
 
+/** Returns the repairs of bodies that become one without a placement; their deviation is the largest one. */
+export function joinedRepairs(
+  bodies: readonly ProjectBody[],
+): Pick<ProjectBody, "repairs" | "repairDeviation"> {
+  const known = new Map<RepairKind, BodyRepair>();
+  for (const body of bodies) {
+    for (const { kind, count, positions } of body.repairs ?? []) {
+      const before = known.get(kind) ?? { kind, count: 0, positions: [] };
+      const moved = positions.map((position) => placed(position, body.placement ?? {}));
+      known.set(kind, {
+        kind,
+        count: before.count + count,
+        positions: [...before.positions, ...moved].slice(0, maxPositions),
+      });
+    }
+  }
+  const deviation = Math.max(0, ...bodies.map((body) => placedLength(body.repairDeviation ?? 0, body)));
+  return {
+    ...(known.size > 0 && { repairs: [...known.values()] }),
+    ...(deviation > 0 && { repairDeviation: deviation }),
+  };
+}
+
 /** Smallest shared volume / volume that is not due to rounding, or to curved faces that touch. */
 const smallestShare = 1e-4;
+
+/** Returns a volume that parts share; 0 if it is too small beside the volume of all. */
+export const sharedAbove = (shared: number, volume: number): number =>
+  shared > smallestShare * volume ? shared : 0;
 
 /**
  * Returns the volume that parts of a closed surface share, if all face outward: what they enclose one by one beyond `volume`,
@@ -123,6 +151,5 @@ export function sharedVolume({ points, triangles }: Triangles, volume: number): 
   for (let t = 0; t < triangles.length; t += 3) {
     sixfold += dot(corner(t), cross(corner(t + 1), corner(t + 2)));
   }
-  const shared = sixfold / 6 - volume;
-  return shared > smallestShare * volume ? shared : 0;
+  return sharedAbove(sixfold / 6 - volume, volume);
 }

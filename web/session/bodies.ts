@@ -107,7 +107,7 @@ export class BodyFeed {
   constructor(documents: DocumentStore, mesher: Promise<Mesher>) {
     this.#documents = documents;
     this.#mesher = mesher;
-    this.preparations = new BodyPreparations(mesher, this.#client);
+    this.preparations = new BodyPreparations(mesher, this.#client, () => documents.project);
     documents.onProject((project) => this.#follow(project));
     this.#follow(documents.project);
   }
@@ -151,12 +151,18 @@ export class BodyFeed {
     }
   }
 
-  /** Keeps the triangles of a body that a run of the project has made, as its preview. */
+  /**
+   * Keeps the triangles of a body that a run of the project has made. They are its preview if nothing that they depend on has
+   * changed since. If they cannot be drawn, there is none.
+   */
   async keepPrepared(project: Project, prepared: PreparedBody): Promise<void> {
     const body = bodiesOf(project).find(({ id }) => id === prepared.body);
     if (!body) return;
-    const preparation = await this.preparations.keep(project, body, prepared);
-    this.#setFor(body, { preparation });
+    const preparation = await this.preparations.keep(project, body, prepared).catch(() => null);
+    const present = this.#documents.project;
+    const same = bodiesOf(present).find(({ id }) => id === body.id);
+    if (!preparation || !same || preparedKey(present, same) !== preparation.key) return;
+    this.#setFor(same, { preparation, ...noFailure });
   }
 
   /** Makes a preview as soon as the surface is known to be valid, unless it is large. */

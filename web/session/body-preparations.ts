@@ -24,12 +24,14 @@ const maxOthers = 3;
 export class BodyPreparations {
   readonly #mesher: Promise<Mesher>;
   readonly #surfaces: SurfaceClient;
+  readonly #present: () => Project;
   /** The result made last is the last one. */
   readonly #kept = new Map<string, Preparation>();
 
-  constructor(mesher: Promise<Mesher>, surfaces: SurfaceClient) {
+  constructor(mesher: Promise<Mesher>, surfaces: SurfaceClient, present: () => Project) {
     this.#mesher = mesher;
     this.#surfaces = surfaces;
+    this.#present = present;
   }
 
   /** Returns the result for the present content of a body, if it is known. */
@@ -56,16 +58,15 @@ export class BodyPreparations {
       signal,
       onProgress: ({ fraction }) => onProgress(fraction),
     });
-    return this.#drawn(project, body, { key, prepared }, signal);
+    return this.#drawn(body, { key, prepared }, signal);
   }
 
   /** Keeps the triangles of a body that a run of the project has made. */
   keep(project: Project, body: ProjectBody, prepared: PreparedBody): Promise<Preparation> {
-    return this.#drawn(project, body, { key: preparedKey(project, body), prepared });
+    return this.#drawn(body, { key: preparedKey(project, body), prepared });
   }
 
   async #drawn(
-    project: Project,
     body: ProjectBody,
     { key, prepared }: Pick<Preparation, "key" | "prepared">,
     signal?: AbortSignal,
@@ -73,11 +74,12 @@ export class BodyPreparations {
     const drawn = await this.#surfaces.draw(surfaceOf(prepared), body.patches.length, sharesOf(prepared));
     signal?.throwIfAborted();
     const made = { key, prepared, drawn };
-    this.#keep(project, made);
+    this.#keep(made);
     return made;
   }
 
-  #keep(project: Project, made: Preparation): void {
+  #keep(made: Preparation): void {
+    const project = this.#present();
     this.#kept.delete(made.key);
     this.#kept.set(made.key, made);
     const present = new Set(bodiesOf(project).map((body) => preparedKey(project, body)));

@@ -1,6 +1,12 @@
 import { type Mesher, type Project, type ProjectBody, repairedSurface } from "tetrafront";
 import { nextBodyIds, usedPatches } from "../document/body-edits";
-import { placedVolume, weldBeforeRemeshing, withRepairs } from "../document/body-repair";
+import {
+  joinedRepairs,
+  placedVolume,
+  sharedAbove,
+  weldBeforeRemeshing,
+  withRepairs,
+} from "../document/body-repair";
 import { boxOf } from "../document/drawn-surface";
 import {
   connectedGroups,
@@ -66,9 +72,6 @@ export interface JoinedBody {
   readonly shared: number;
 }
 
-/** Smallest shared volume / volume of all bodies that is not due to rounding. */
-const smallestShare = 1e-6;
-
 /**
  * Returns bodies that touch as one body: their triangles are cut where they intersect and common where they touch, which
  * leaves what each body encloses as a region. A volume that they share counts once. Null if they cannot be joined.
@@ -86,7 +89,7 @@ export async function joinedBody(
   const given = joinedSurface(parts);
   const head = joinedHead(project, bodies);
   const own = joinedPatches(bodies);
-  const empty = { ...head, points: "", triangles: "", patches: own };
+  const empty = { ...head, ...joinedRepairs(bodies), points: "", triangles: "", patches: own };
   const weldIntersections = weldBeforeRemeshing(empty, boxOf(given.points));
   const repair = await mesher.repairSurface(given, { weldIntersections }, { signal });
   const patches = own.map(({ id, name = "" }) => ({ name, tag: id }));
@@ -96,11 +99,10 @@ export async function joinedBody(
   const filled = { id: nextBodyIds(project).firstPatchId, name: strings.bodies.repair.filledPatch };
   const used = usedPatches([...own, filled], trianglePatch);
   const volume = group.reduce((sum, one) => sum + one.volume, 0);
-  const shared = volume - after.volume;
   return {
     body: { ...empty, ...withRepairs(empty, repair), patches: used.patches },
     surface: { points, triangles, trianglePatch: used.trianglePatch },
     regions: after.regions,
-    shared: shared > smallestShare * volume ? shared : 0,
+    shared: sharedAbove(volume - after.volume, after.volume),
   };
 }

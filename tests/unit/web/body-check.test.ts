@@ -61,12 +61,12 @@ it("a check that an edit has ended says nothing of the project, even if undo res
 it("the triangles of all bodies are kept, however many there are, and however often one of them changes", async () => {
   const mesher = { prepareBody: () => Promise.resolve(prepared) } as unknown as Mesher;
   const surfaces = { draw: () => Promise.resolve({}) } as unknown as SurfaceClient;
-  const preparations = new BodyPreparations(Promise.resolve(mesher), surfaces);
+  let project = withBodies(6);
+  const preparations = new BodyPreparations(Promise.resolve(mesher), surfaces, () => project);
   const make = async (project: Project, index: number): Promise<void> => {
     const body = project.bodies?.[index];
     if (body) await preparations.make(project, body, new AbortController().signal, () => undefined);
   };
-  let project = withBodies(6);
   for (let k = 0; k < 6; ++k) await make(project, k);
   const [first, ...others] = project.bodies ?? [];
   const given = project;
