@@ -7,6 +7,7 @@ import {
   NO_REGION,
   readSurface,
   type SurfaceFile,
+  type SurfaceInput,
 } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
@@ -32,6 +33,25 @@ function boxOf({ points }: { readonly points: Float64Array }): number[][] {
     const along = points.filter((_, i) => i % 3 === axis);
     return [Math.min(...along), Math.max(...along)];
   });
+}
+
+/** Replaces the triangles of a side of a box by a fan around its centre, with the same boundary. */
+function withFan({ points, triangles }: SurfaceInput, x: number): SurfaceInput {
+  const positionOf = (node: number) => [...points.subarray(3 * node, 3 * node + 3)].join();
+  const centre = [...points.keys()].find((node) => positionOf(node) === `${x},0.5,0.5`) ?? 0;
+  const kept: number[] = [];
+  const edges = new Map<string, readonly [number, number]>();
+  for (let t = 0; t < triangles.length; t += 3) {
+    const corners = [...triangles.subarray(t, t + 3)];
+    if (corners.every((node) => points[3 * node] === x)) {
+      for (const [k, from] of corners.entries()) {
+        const to = corners[(k + 1) % 3] ?? 0;
+        if (!edges.delete(`${to} ${from}`)) edges.set(`${from} ${to}`, [from, to]);
+      }
+    } else kept.push(...corners);
+  }
+  const fan = [...edges.values()].flatMap(([from, to]) => [from, to, centre]);
+  return { points, triangles: Uint32Array.of(...kept, ...fan) };
 }
 
 const namesIn = ({ patches }: SurfaceFile) => patches.map(({ name }) => name);
@@ -72,6 +92,36 @@ describe("objects", () => {
     expect(volume).toBeCloseTo(move === "1 0 0" ? 2 : 3, 9);
     mesher.dispose();
   });
+
+  test.each([
+    ["as they are", (value: number) => value],
+    ["rounded as in binary STL", Math.fround],
+    ["rounded to six digits", (value: number) => Number(value.toPrecision(6))],
+  ])(
+    "with an oblique side in common, finely divided in one, get an interface there: nodes %s",
+    async (_, rounded) => {
+      const meshes = [boxSurface(4), withFan(boxSurface(4, [1, 0, 0], [3, 1, 1]), 1)].map((mesh) => {
+        const points = mesh.points.slice();
+        for (let i = 0; i < points.length; i += 3) {
+          const [x = 0, y = 0, z = 0] = mesh.points.subarray(i, i + 3);
+          const [u, v] = [0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y];
+          points.set([u, 0.28 * v - 0.96 * z, 0.96 * v + 0.28 * z].map(rounded), i);
+        }
+        return meshTags({ ...mesh, points });
+      });
+      const resources = meshes.map(
+        (mesh, m) => `<object id="${m + 1}" name="${"ab"[m] ?? ""}">${mesh}</object>`,
+      );
+      const surface = await surfaceIn(
+        threeMfFile(resources.join(""), `<item objectid="1"/><item objectid="2"/>`),
+      );
+      expect(namesIn(surface)).toEqual(["a", "a / b", "b"]);
+      const mesher = await createMesher();
+      const { isFillable, regions, volume } = await mesher.inspectSurface(surface);
+      expect([isFillable, regions, volume]).toEqual([true, 2, expect.closeTo(3, 4)]);
+      mesher.dispose();
+    },
+  );
 
   test("are built where their items and components say, each a region and a body", async () => {
     const turn = "0 1 0 -1 0 0 0 0 1";

@@ -1,6 +1,16 @@
 /** Finds faces that two shapes share, so that the surface has them once: interfaces between the shapes. */
-import { PAUSE, type Steps, stepwise } from "../base/steps.js";
-import { cornersOf, cross, dot, lengthOf, normalOf } from "../base/vectors.js";
+import { PAUSE, STEP, type Steps, stepwise } from "../base/steps.js";
+import {
+  centroidOf,
+  type Corners,
+  cornersOf,
+  dot,
+  lengthOf,
+  normalOf,
+  plus,
+  scaled,
+  type Vector,
+} from "../base/vectors.js";
 import { doubledAreaOf, type JoinedShapes, sixfoldVolumeBelow } from "./joined-shapes.js";
 import { diagonalOf } from "./near-points.js";
 import { PointWelder } from "./weld.js";
@@ -33,7 +43,7 @@ export function* shareFaces(joined: JoinedShapes): Steps<void> {
       other !== undefined &&
       shapeOf[other.begin] !== shapeOf[face.begin] &&
       twin[other.begin] === other.begin &&
-      areNear(joined, other, face, tolerance);
+      areNear(joined, [other, face].map(trianglesIn), tolerance);
     if (isShared) {
       twin.fill(face.begin, other.begin, other.end);
       isDropped.fill(1, face.begin, face.end);
@@ -82,10 +92,10 @@ function boundaryKeys(
 }
 
 /** Returns whether the volume between two faces with the same boundary is as small as that between triangulations. */
-function areNear(joined: JoinedShapes, one: FaceRange, other: FaceRange, tolerance: number): boolean {
+function areNear(joined: JoinedShapes, faces: readonly Iterable<number>[], tolerance: number): boolean {
   let [volume, area] = [0, 0];
-  for (const { begin, end } of [one, other]) {
-    for (let t = begin; t < end; t++) {
+  for (const face of faces) {
+    for (const t of face) {
       volume += sixfoldVolumeBelow(joined, t) / 6;
       area += doubledAreaOf(joined, t) / 4;
     }
@@ -119,19 +129,20 @@ export function* shareTriangles({ triangles, shapeOf, twin, isDropped }: JoinedS
 
 /**
  * Finds planar pieces of two shapes with the same boundary, which may be triangulated differently, and treats them as
- * `shareFaces` does: a file of triangles has no faces, or one for a whole shape. O(triangles).
+ * `shareFaces` does: a file of triangles has no faces, or one for a whole shape. O(n log n) for n triangles.
  */
 export function* sharePlanarPieces(joined: JoinedShapes): Steps<void> {
   const { shapeOf, twin, isDropped } = joined;
+  const tolerance = SAME * diagonalOf(joined.points);
   const isCommon = commonNodes(joined);
   const known = new Map<string, readonly number[]>();
   for (const piece of yield* planarPieces(joined, isCommon)) {
     const own = boundaryKeys(joined, piece, isCommon);
     if (own.forward === "") continue;
     const [first = 0] = piece;
-    const other = known.get(own.backward);
-    const [otherFirst = first] = other ?? [];
-    if (other !== undefined && shapeOf[otherFirst] !== shapeOf[first]) {
+    const other = known.get(own.backward) ?? [];
+    const [otherFirst = first] = other;
+    if (shapeOf[otherFirst] !== shapeOf[first] && areNear(joined, [other, piece], tolerance)) {
       for (const t of other) twin[t] = first;
       for (const t of piece) isDropped[t] = 1;
       known.delete(own.backward);
@@ -156,40 +167,131 @@ function commonNodes({ points, triangles, shapeOf, isDropped }: JoinedShapes): U
 
 const NO_SHAPE = 0xffffffff;
 
-/** Largest sine of the angle between two triangles of a planar piece. */
-const PLANAR = 1e-9;
+/**
+ * Largest distance of a node from the plane of its piece, relative to the diagonal: above the welding and the rounding of
+ * files with six digits, far below any detail.
+ */
+const PLANAR = 2e-6;
 
-/** Returns the triangles that no other shape has yet, in connected planar pieces of faces that use common nodes. */
+/**
+ * Returns the triangles that no other shape has yet, in connected planar pieces of faces. Each piece has a common node, and
+ * grows from its largest triangle with one.
+ */
 function* planarPieces(joined: JoinedShapes, isCommon: Uint8Array): Steps<number[][]> {
-  const { triangles, shapeOf, faceOf, twin, isDropped } = joined;
-  const firstAt = new Map<string, number>();
-  const pieceOf = new Map<number, number[]>();
+  const { triangles, shapeOf, twin, isDropped } = joined;
+  const seeds: number[] = [];
+  const isFree = new Uint8Array(shapeOf.length);
   yield* stepwise(shapeOf.length, (t) => {
-    const corners = triangles.subarray(3 * t, 3 * t + 3);
-    if (isDropped[t] === 1 || twin[t] !== t || corners.every((node) => isCommon[node] === 0)) return;
-    let piece = [t];
-    pieceOf.set(t, piece);
-    for (let k = 0; k < 3; k++) {
-      const [a = 0, b = 0] = [corners[k], corners[(k + 1) % 3]];
-      const face = faceOf[t] ?? 0;
-      firstAt.set(`${face} ${a} ${b}`, t);
-      const other = firstAt.get(`${face} ${b} ${a}`);
-      const its = other === undefined ? undefined : pieceOf.get(other);
-      if (other === undefined || its === undefined || its === piece || !areCoplanar(joined, t, other))
-        continue;
-      const [large, small] = its.length < piece.length ? [piece, its] : [its, piece];
-      for (const one of small) {
-        large.push(one);
-        pieceOf.set(one, large);
-      }
-      piece = large;
-    }
+    if (isDropped[t] === 1 || twin[t] !== t) return;
+    isFree[t] = 1;
+    if (triangles.subarray(3 * t, 3 * t + 3).some((node) => isCommon[node] === 1)) seeds.push(t);
   });
-  return [...new Set(pieceOf.values())].map((piece) => piece.sort((a, b) => a - b));
+  if (seeds.length === 0) return [];
+  const areas = new Map(seeds.map((t) => [t, doubledAreaOf(joined, t)]));
+  seeds.sort((a, b) => (areas.get(b) ?? 0) - (areas.get(a) ?? 0) || a - b);
+  const neighbors = yield* trianglesAtNodes(joined, isFree);
+  const tolerance = PLANAR * diagonalOf(joined.points);
+  const pieces: number[][] = [];
+  for (const seed of seeds) {
+    if (isFree[seed] === 0) continue;
+    const piece = yield* planarPiece(joined, seed, isFree, neighbors, tolerance);
+    pieces.push(piece.sort((a, b) => a - b));
+  }
+  return pieces.sort(([a = 0], [b = 0]) => a - b);
 }
 
-function areCoplanar(joined: JoinedShapes, one: number, other: number): boolean {
-  const [a, b] = [normalOf(cornersOf(joined, one)), normalOf(cornersOf(joined, other))];
-  const sine = lengthOf(cross(a, b));
-  return dot(a, b) > 0 && sine <= PLANAR * lengthOf(a) * lengthOf(b);
+/** Triangles per node: those of node n are `all` from `firsts[n]` to `firsts[n + 1]`, exclusive. */
+interface TrianglesAtNodes {
+  readonly firsts: Uint32Array;
+  readonly all: Uint32Array;
+}
+
+function* trianglesAtNodes({ points, triangles }: JoinedShapes, isFree: Uint8Array): Steps<TrianglesAtNodes> {
+  const nodes = points.length / 3;
+  const firsts = new Uint32Array(nodes + 1);
+  yield* stepwise(triangles.length, (corner) => {
+    const after = (triangles[corner] ?? 0) + 1;
+    if (isFree[Math.floor(corner / 3)] === 1) firsts[after] = (firsts[after] ?? 0) + 1;
+  });
+  for (let n = 0; n < nodes; n++) firsts[n + 1] = (firsts[n + 1] ?? 0) + (firsts[n] ?? 0);
+  const next = firsts.slice();
+  const all = new Uint32Array(firsts[nodes] ?? 0);
+  yield* stepwise(triangles.length, (corner) => {
+    const t = Math.floor(corner / 3);
+    if (isFree[t] === 0) return;
+    const node = triangles[corner] ?? 0;
+    const at = next[node] ?? 0;
+    all[at] = t;
+    next[node] = at + 1;
+  });
+  return { firsts, all };
+}
+
+/** Returns the planar piece of a face around a triangle; its triangles are no longer free. */
+function* planarPiece(
+  joined: JoinedShapes,
+  seed: number,
+  isFree: Uint8Array,
+  { firsts, all }: TrianglesAtNodes,
+  tolerance: number,
+): Steps<number[]> {
+  const { triangles, faceOf, shapeOf } = joined;
+  const plane = new MeanPlane(cornersOf(joined, seed));
+  const valence = (node: number) => (firsts[node + 1] ?? 0) - (firsts[node] ?? 0);
+  const piece = [seed];
+  isFree[seed] = 0;
+  for (let i = 0; i < piece.length; i++) {
+    const t = piece[i] ?? 0;
+    for (let k = 0; k < 3; k++) {
+      const [a = 0, b = 0] = [triangles[3 * t + k], triangles[3 * t + ((k + 1) % 3)]];
+      // A fan has many triangles at one end of its edges.
+      const node = valence(a) < valence(b) ? a : b;
+      for (let at = firsts[node] ?? 0; at < (firsts[node + 1] ?? 0); at++) {
+        const other = all[at] ?? 0;
+        if (isFree[other] === 0 || faceOf[other] !== faceOf[t] || shapeOf[other] !== shapeOf[t]) continue;
+        if (!hasEdge(triangles, other, b, a)) continue;
+        const corners = cornersOf(joined, other);
+        if (!plane.isNear(corners, tolerance)) continue;
+        plane.add(corners);
+        isFree[other] = 0;
+        piece.push(other);
+      }
+    }
+    if (i % STEP === 0) yield PAUSE;
+  }
+  return piece;
+}
+
+/** Returns whether a triangle has an edge in this direction. */
+function hasEdge(triangles: Uint32Array, t: number, from: number, to: number): boolean {
+  const [a, b, c] = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]];
+  return (a === from && b === to) || (b === from && c === to) || (c === from && a === to);
+}
+
+/** Plane of triangles: the sum of their normals depends on their boundary only, so that small triangles do not tilt it. */
+class MeanPlane {
+  #normal: Vector = [0, 0, 0];
+  /** Sum of the centroids, each times the length of its normal. */
+  #moment: Vector = [0, 0, 0];
+  #weight = 0;
+
+  constructor(first: Corners) {
+    this.add(first);
+  }
+
+  add(corners: Corners): void {
+    const normal = normalOf(corners);
+    const weight = lengthOf(normal);
+    this.#normal = plus(this.#normal, normal);
+    this.#moment = plus(this.#moment, scaled(centroidOf(corners), weight));
+    this.#weight += weight;
+  }
+
+  /** Returns whether the corners are in the plane, and the triangle is not folded over. */
+  isNear(corners: Corners, tolerance: number): boolean {
+    const length = lengthOf(this.#normal);
+    if (!(length > 0) || dot(normalOf(corners), this.#normal) < 0) return false;
+    const height = dot(this.#moment, this.#normal) / this.#weight;
+    return corners.every((corner) => Math.abs(dot(corner, this.#normal) - height) <= tolerance * length);
+  }
 }
