@@ -46,8 +46,10 @@ function repairNotes({ bodies }: App, id: number): string[] {
 /** The apps that join bodies: a second command must not begin meanwhile. */
 const joining = new WeakSet<App>();
 
-/** Joins bodies that touch. Returns what was done; null if the user has stopped it. */
+/** Joins bodies that touch. Returns what was done; null if the user has stopped it, or opened another document. */
 async function joinedBodies(app: App): Promise<string[] | null> {
+  const documentId = (): string => app.documents.state.getState().id;
+  const id = documentId();
   const abort = new AbortController();
   const key = "repair";
   const wait = setTimeout(
@@ -64,7 +66,7 @@ async function joinedBodies(app: App): Promise<string[] | null> {
   const sentences: string[] = [];
   try {
     await joinTouchingBodies(app, abort.signal, (sentence) => sentences.push(sentence));
-    return sentences;
+    return documentId() === id ? sentences : null;
   } catch (error) {
     if (abort.signal.aborted) return null;
     showFailure(app, strings.bodies.touching.joining, error);

@@ -125,7 +125,10 @@ function finestRemeshing(all: readonly BodyRemeshing[]): BodyRemeshing {
   );
 }
 
-/** Puts a joined body in the place of the first of those it was made from. Sizes painted on them are then painted on it. */
+/**
+ * Puts a joined body in the place of the first of those it was made from. It has the sizes painted on them, and is in their
+ * groups.
+ */
 export function replaceByJoined(
   project: Project,
   label: string,
@@ -139,10 +142,17 @@ export function replaceByJoined(
   const { sources } = project.background;
   const isPainted = sources?.some(({ body }) => isJoined(body)) === true;
   const painted = sources?.map((source) => (isJoined(source.body) ? { ...source, body: joined.id } : source));
+  const groups = project.groups?.map((group) => {
+    const others = group.members.filter(({ kind, id }) => kind !== "body" || !isJoined(id));
+    if (others.length === group.members.length) return group;
+    return { ...group, members: [...others, { kind: "body", id: joined.id } as const] };
+  });
+  const isGrouped = groups?.some((group, index) => group !== project.groups?.[index]) === true;
   return {
     label,
     replace: [
       [["project", "bodies"], bodies],
+      ...(isGrouped ? [[["project", "groups"], groups] as const] : []),
       ...(isPainted ? [[["project", "background", "sources"], painted] as const] : []),
     ],
   };

@@ -72,11 +72,15 @@ describe("bodies that touch", () => {
     expect(joined?.shared).toBeCloseTo(0.5, 12);
   });
 
-  it("are replaced in one step of undo, with the sizes painted on them", () => {
+  it("are replaced in one step of undo, with the sizes painted on them, in their groups", () => {
     const given = [cube(1, 2, [0, 0, 0]), cube(2, 1, [2, 0, 0]), cube(3, 1, [5, 0, 0])];
     const source = { id: 1, type: "point", positions: [[2, 1, 1]], size: 0.1 } as const;
     const project: Project = {
       ...projectOf(given),
+      groups: [
+        { id: 1, name: "both", members: [1, 2].map((id) => ({ kind: "body", id })) },
+        { id: 2, name: "other", members: [{ kind: "body", id: 3 }] },
+      ],
       background: {
         nodes: [],
         tetrahedra: [],
@@ -93,6 +97,10 @@ describe("bodies that touch", () => {
     expect(documents.project.background.sources).toEqual([
       { ...source, body: 4 },
       { ...source, id: 2 },
+    ]);
+    expect(documents.project.groups?.map(({ members }) => members)).toEqual([
+      [{ kind: "body", id: 4 }],
+      [{ kind: "body", id: 3 }],
     ]);
     documents.undo();
     expect(documents.project).toEqual(project);
