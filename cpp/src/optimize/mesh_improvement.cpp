@@ -96,7 +96,7 @@ Gains gainsBetween(const MeshShapes& before, const MeshShapes& after) {
 
 bool isBetter(const MeshShapes& before, const MeshShapes& after) {
   const Gains gains = gainsBetween(before, after);
-  return after.outOfRange <= before.outOfRange && gains.least > -kLeastDifference &&
+  return gains.least > -kLeastDifference &&
          gains.largest > kLeastDifference;
 }
 
