@@ -96,8 +96,7 @@ Gains gainsBetween(const MeshShapes& before, const MeshShapes& after) {
 
 bool isBetter(const MeshShapes& before, const MeshShapes& after) {
   const Gains gains = gainsBetween(before, after);
-  return gains.least > -kLeastDifference &&
-         gains.largest > kLeastDifference;
+  return gains.least > -kLeastDifference && gains.largest > kLeastDifference;
 }
 
 /// Proves that the mesh is valid and has the kept faces. A defect is a mistake of the engine.
