@@ -16,6 +16,7 @@ import {
 } from "tetrafront";
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test, vi } from "vitest";
 
+import { withoutPause } from "../../../wasm/dist/base/steps.js";
 import { askForCad, secondsFor } from "../../../wasm/dist/cad/cad-client.js";
 import { stepNotes, stepText } from "../../../wasm/dist/formats/step-text.js";
 import { mutated, randomSource } from "../../support/random.js";
@@ -471,6 +472,7 @@ describe("a damaged STEP file", () => {
   const text = new TextDecoder().decode(
     stepFile([boxSolid("one", [0, 0, 0], [1, 1, 1]), boxSolid("two", [3, 0, 0], [1, 1, 1])]),
   );
+  const textOf = (whole: string) => withoutPause(stepText(new TextEncoder().encode(whole)));
   const notesOf = async (damage: (whole: string) => string) => {
     const damaged = damage(text);
     expect(damaged).not.toBe(text);
@@ -485,7 +487,17 @@ describe("a damaged STEP file", () => {
     const notes = await notesOf((whole) =>
       whole.replace("PRODUCT_DEFINITION_SHAPE", "PRODUCT_DEFINITOON_SHAPE"),
     );
-    expect(notes).toContain("the file defines 2 solids, but only 1 could be read; the rest is damaged");
+    expect(notes).toContain(
+      "the file defines 2 solids, of which at most 1 was read completely; the others could not be read, or are not used",
+    );
+  });
+
+  test("does not count a solid of which only some faces could be read", async () => {
+    const notes = await notesOf((whole) => whole.replace("ADVANCED_FACE", "ADVANCED_FAXE"));
+    expect(notes.map((note) => note.split(",")[0])).toEqual([
+      "the file defines 2 solids",
+      'not closed: "one"',
+    ]);
   });
 
   test.each([
@@ -504,14 +516,14 @@ describe("a damaged STEP file", () => {
     expect(await notesOf((whole) => whole.replace(/FILE_SCHEMA.*\n/, ""))).toEqual([
       "the head of the file is damaged: it names no schema",
     ]);
-    const cut = stepText(new TextEncoder().encode(text.replace(/END-ISO.*\n/, "")));
+    const cut = textOf(text.replace(/END-ISO.*\n/, ""));
     expect(stepNotes(cut, 2)).toEqual(["the file does not end with END-ISO-10303-21; parts may be missing"]);
   });
 
   test("does not count solids that an assembly uses several times", () => {
-    const whole = stepText(new TextEncoder().encode(text));
+    const whole = textOf(text);
     expect(whole).toEqual({ solids: 2, withoutUnit: [], hasSchema: true, isComplete: true });
     expect(stepNotes(whole, 5)).toEqual([]);
-    expect(stepText(new Uint8Array())).toMatchObject({ solids: 0, hasSchema: false, isComplete: false });
+    expect(textOf("")).toMatchObject({ solids: 0, hasSchema: false, isComplete: false });
   });
 });

@@ -10,7 +10,7 @@ import { allBytes, type ByteSource } from "./byte-source.js";
 import type { MeshReader } from "./file-format.js";
 import { diagonalOf } from "./near-points.js";
 import { ReadFailure } from "./read-result.js";
-import { surfaceOfShapes } from "./shape-surface.js";
+import { joinedSurface } from "./shape-surface.js";
 import { stepNotes, stepText } from "./step-text.js";
 
 /**
@@ -39,8 +39,8 @@ function readerOf(format: CadFormat): MeshReader {
     const shapes = await shapesIn({ format, bytes, deflection: DEFLECTION }, signal);
     const isFine = size === undefined || shapes.every(({ points }) => isFineFor(size, points));
     const used = isFine ? shapes : await finer(shapes, { format, bytes, size }, signal);
-    const made = await inSteps(surfaceOfShapes(used), signal);
-    const damage = format === "step" ? stepNotes(stepText(bytes), shapes.length) : [];
+    const { mesh: made, closedShapes } = await inSteps(joinedSurface(used), signal);
+    const damage = format === "step" ? stepNotes(await inSteps(stepText(bytes), signal), closedShapes) : [];
     const tooSmall = isFine || used !== shapes ? [] : [TOO_SMALL];
     const notes = [...damage, ...(made.notes ?? []), ...tooSmall];
     const mesh = notes.length > 0 ? { ...made, notes } : made;

@@ -19,6 +19,13 @@ import { shareFaces, sharePlanarPieces, shareTriangles } from "./shared-faces.js
 
 /** Returns the surface of all shapes. Its notes list what was changed, open shapes and faces without triangles. */
 export function* surfaceOfShapes(shapes: readonly Shape[]): Steps<FileMesh> {
+  return (yield* joinedSurface(shapes)).mesh;
+}
+
+/** Like `surfaceOfShapes`; also returns how many of the shapes are closed. */
+export function* joinedSurface(
+  shapes: readonly Shape[],
+): Steps<{ readonly mesh: FileMesh; readonly closedShapes: number }> {
   const joined = joinedShapes(shapes);
   const open = yield* weldShapes(joined);
   yield* orientShapes(joined, open);
@@ -32,7 +39,10 @@ export function* surfaceOfShapes(shapes: readonly Shape[]): Steps<FileMesh> {
   if (isLimited && open.size > 0) joined.notes.push(LIMITS_LOST);
   const mesh = yield* meshOf(joined, shapes);
   const hasRegions = (shapes.length > 1 || isLimited) && open.size === 0;
-  return hasRegions ? withGivenRegions(mesh, shapes) : mesh;
+  return {
+    mesh: hasRegions ? withGivenRegions(mesh, shapes) : mesh,
+    closedShapes: shapes.length - open.size,
+  };
 }
 
 /** Without closed solids it is unknown where a largest volume holds. */

@@ -3,6 +3,7 @@
  * assumes a unit where none is given, without a word.
  */
 import { plural } from "../base/plural.js";
+import { PAUSE, STEP, type Steps } from "../base/steps.js";
 import { listed } from "./groups.js";
 
 /** Entities that are solids. */
@@ -26,12 +27,13 @@ export interface StepText {
 }
 
 /** Reads what the text of a STEP file states. O(bytes). */
-export function stepText(bytes: Uint8Array): StepText {
+export function* stepText(bytes: Uint8Array): Steps<StepText> {
   const text = new TextDecoder("latin1").decode(bytes);
   const lengthUnits = new Set<string>();
   const contexts: { readonly id: string; readonly units: readonly string[] }[] = [];
-  let solids = 0;
+  let [solids, instances] = [0, 0];
   for (const [, id = "", definition = ""] of text.matchAll(INSTANCE)) {
+    if (++instances % STEP === 0) yield PAUSE;
     if (SOLID.test(definition)) solids++;
     else if (definition.includes("LENGTH_UNIT")) {
       if (SCALE.test(definition)) lengthUnits.add(`#${id}`);
@@ -53,9 +55,13 @@ export function stepText(bytes: Uint8Array): StepText {
 /** Number of bytes at the end among which the last statement is. */
 const END_LENGTH = 1000;
 
-/** Returns what is damaged in a STEP file of which `read` solids were read. An assembly may use a solid several times. */
+/**
+ * Returns what is damaged in a STEP file of which `read` closed solids were read: this many at most, because an assembly may
+ * use a solid several times.
+ */
 export function stepNotes({ solids, withoutUnit, hasSchema, isComplete }: StepText, read: number): string[] {
-  const lost = `the file defines ${plural(solids, "solid")}, but only ${read} could be read; the rest is damaged`;
+  const known = read === 0 ? "none was" : `at most ${read} ${read === 1 ? "was" : "were"}`;
+  const lost = `the file defines ${plural(solids, "solid")}, of which ${known} read completely; the others could not be read, or are not used`;
   const unit = `the file gives no valid unit of length for ${listed(withoutUnit)}; the scale of parts may be wrong`;
   return [
     ...(read < solids ? [lost] : []),
