@@ -211,6 +211,32 @@ describe("the layer of patches", () => {
     change(layer, hurried, selected);
     expect(visible()).toEqual([true, true, true, false]);
   });
+
+  it("keeps the vertices on the graphics card if other triangles are drawn while a motion must hurry", () => {
+    const layer = new PatchesLayer(noTree);
+    const square = preview([], [[0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0]]);
+    const one = { ...project, patches: project.patches.slice(0, 1) };
+    const hurriedWith = (...triangles: readonly number[]): SceneState => ({
+      ...start,
+      preview: { samples: { ...square, patchTriangles: Uint32Array.from(triangles) }, project: one },
+      viewport: { ...start.viewport, isHurried: true },
+    });
+    const hurried = hurriedWith(0, 1, 2, 2, 1, 3);
+    show(layer, hurried);
+    const [full, , , coarse] = layer.root.children as Mesh[];
+    const disposed = vi.fn();
+    for (const mesh of [full, coarse]) mesh?.geometry.addEventListener("dispose", disposed);
+    const drawn = (mesh: Mesh | undefined): number[] => {
+      const { count = 0 } = mesh?.geometry.drawRange ?? {};
+      return [...(mesh?.geometry.getIndex()?.array ?? [])].slice(0, count);
+    };
+    const before = coarse?.geometry.getIndex()?.version ?? 0;
+    // The other diagonal: as many triangles of as many vertices.
+    change(layer, hurried, hurriedWith(0, 1, 3, 0, 3, 2));
+    expect(disposed).not.toHaveBeenCalled();
+    expect(drawn(coarse)).toEqual(drawn(full));
+    expect(coarse?.geometry.getIndex()?.version).toBeGreaterThan(before);
+  });
 });
 
 describe("the layer of the front", () => {

@@ -164,20 +164,25 @@ export class PatchesLayer implements HittableLayer {
     if (this.root.visible) void this.#tree.prepare(this.#buildTree);
   }
 
-  /** Gives both geometries new attributes: the number of vertices or triangles has changed. */
+  /** Gives all geometries new attributes: the number of vertices or triangles has changed. */
   #allocate(): void {
     const { nodes, index } = this.#vertices;
     const positions = new BufferAttribute(new Float32Array(3 * nodes.length), 3);
     for (const geometry of [this.#geometry, this.#emphasizedGeometry, this.#coarseGeometry]) {
       geometry.dispose();
       geometry.setAttribute("position", positions);
-      if (geometry !== this.#coarseGeometry)
-        geometry.setIndex(new BufferAttribute(new Uint32Array(index.length), 1));
+      // The coarse triangles are made when they are needed.
+      const hasIndex = geometry !== this.#coarseGeometry;
+      geometry.setIndex(hasIndex ? new BufferAttribute(new Uint32Array(index.length), 1) : null);
       this.#states.attachTo(geometry);
     }
     this.#isCoarse = false;
   }
 
+  /**
+   * Writes the coarse triangles if they have changed. Their geometry is not disposed: this would delete the attributes that it
+   * shares with the others.
+   */
   #makeCoarse(): void {
     if (this.#isCoarse) return;
     this.#isCoarse = true;
@@ -185,8 +190,10 @@ export class PatchesLayer implements HittableLayer {
     const { array: positions } = this.#geometry.getAttribute("position");
     const { index } = this.#vertices;
     const coarse = coarseTriangles({ positions, index, offsets: this.#offsets }, hurriedTriangles);
-    this.#coarseGeometry.dispose();
-    this.#coarseGeometry.setIndex(new BufferAttribute(coarse, 1));
+    const drawn = this.#coarseGeometry.getIndex() ?? new BufferAttribute(new Uint32Array(index.length), 1);
+    this.#coarseGeometry.setIndex(drawn);
+    drawn.array.set(coarse);
+    drawFirst(this.#coarseGeometry, drawn, coarse.length);
   }
 
   #copyIndex(): void {
@@ -210,11 +217,16 @@ export class PatchesLayer implements HittableLayer {
       drawn.array.set(corners, count);
       count += corners.length;
     }
-    this.#emphasizedGeometry.setDrawRange(0, count);
-    drawn.clearUpdateRanges();
-    drawn.addUpdateRange(0, count);
-    drawn.needsUpdate = true;
+    drawFirst(this.#emphasizedGeometry, drawn, count);
   }
+}
+
+/** Draws the first entries of an index, which have changed. */
+function drawFirst(geometry: BufferGeometry, index: BufferAttribute, count: number): void {
+  geometry.setDrawRange(0, count);
+  index.clearUpdateRanges();
+  index.addUpdateRange(0, count);
+  index.needsUpdate = true;
 }
 
 interface PatchVertices {
