@@ -49,12 +49,12 @@ function drawTrace(trace: Trace, viewer: Viewer) {
   const lens = new LensLayer();
   const sweeps = new SweepLayer(trace);
   const surface = new SurfaceLayer(trace);
-  /** What the view has moved to last. */
+  /** What the view has moved to last; null if the last state was about no face or edge, or was shown too briefly. */
   let followed: { readonly step: number; readonly scene: LensScene | null } | null = null;
   const follow = (state: PlayerState, scene: LensScene | null): void => {
     if (followed?.step === state.step && followed.scene === scene) return;
-    followed = { step: state.step, scene };
     const positions = positionsToFollow(trace, state, scene);
+    followed = positions && { step: state.step, scene };
     if (positions) viewer.fitPositions(positions);
   };
   const ends = [replay, surface, sweeps, lens].map((layer) => viewer.addLayer(layer));

@@ -1,0 +1,79 @@
+/** The view of a player: when it follows what a step is about. */
+import { createMesher, type Trace } from "tetrafront";
+import { beforeAll, beforeEach, expect, it, vi } from "vitest";
+import { createStore, type StoreApi } from "zustand/vanilla";
+import { firstState, phasesOf } from "../../../web/player/phases";
+import { initialPlayerState, type PlayerState } from "../../../web/player/player";
+import { showPlayer } from "../../../web/player/show-player";
+import type { Viewer } from "../../../web/viewer/viewer";
+import { recordSurface } from "../../support/recorded-models";
+
+let trace: Trace;
+beforeAll(async () => {
+  const mesher = await createMesher();
+  ({ trace } = await recordSurface(mesher, "unit-cube"));
+  mesher.dispose();
+});
+
+const fitPositions = vi.fn();
+const viewer = {
+  addLayer: () => vi.fn(),
+  show: vi.fn(),
+  replaceModel: vi.fn(),
+  requestFrame: vi.fn(),
+  fitPositions,
+} as unknown as Viewer;
+beforeEach(() => fitPositions.mockReset());
+
+/** Shows a player that follows the front, in the first state. */
+function following(): StoreApi<PlayerState> {
+  const first = firstState(trace);
+  const player = createStore<PlayerState>(() => ({
+    ...initialPlayerState,
+    trace,
+    step: first,
+    lensStep: first,
+    follows: true,
+  }));
+  showPlayer(player, viewer);
+  fitPositions.mockReset();
+  return player;
+}
+
+/** Numbers of two states of patches that are about an edge. */
+function edgeSteps(): readonly [number, number] {
+  const patches = phasesOf(trace).find(({ phase }) => phase === "patches");
+  const [a, b] = Array.from(
+    { length: trace.surface?.stepCount ?? 0 },
+    (_, i) => firstState(trace) + i,
+  ).filter(
+    (step) =>
+      step >= (patches?.from ?? 0) && trace.surface?.stepAt(step - firstState(trace))?.kind === "edge",
+  );
+  if (a === undefined || b === undefined) throw new Error("no patch was meshed");
+  return [a, b];
+}
+
+it("moves to the edge of a patch once its state has settled after fast steps", () => {
+  const player = following();
+  const [step, next] = edgeSteps();
+  player.setState({ step });
+  expect(fitPositions).not.toHaveBeenCalled();
+  player.setState({ lensStep: step });
+  expect(fitPositions).toHaveBeenCalledTimes(1);
+  // The user may turn the view then.
+  player.setState({ coloring: "size" });
+  expect(fitPositions).toHaveBeenCalledTimes(1);
+  player.setState({ step: next, lensStep: next });
+  expect(fitPositions).toHaveBeenCalledTimes(2);
+});
+
+it("moves to the edge of a patch when fast playing is paused", () => {
+  const player = following();
+  const [step] = edgeSteps();
+  player.setState({ isPlaying: true, speed: 500 });
+  player.setState({ step, lensStep: step });
+  expect(fitPositions).not.toHaveBeenCalled();
+  player.setState({ isPlaying: false });
+  expect(fitPositions).toHaveBeenCalledTimes(1);
+});
