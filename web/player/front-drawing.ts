@@ -4,7 +4,7 @@ import type { Position } from "../document/position";
 import { cross, dot, subtract } from "../document/vectors";
 import { viewerColors } from "../ui/theme/theme";
 import { viridisAt } from "../ui/theme/viridis";
-import { type FrontColoring, frontValues, shadeOf } from "./front-values";
+import { fading, type FrontColoring, frontValues, shadeOf } from "./front-values";
 import { placedAround } from "../viewer/apart";
 import type { Triangle } from "./crossing";
 import { cornersOf } from "./judge";
@@ -18,7 +18,7 @@ export interface DrawingView {
   readonly width: number;
   readonly height: number;
   readonly eye: Position;
-  /** Returns where a position appears, y downwards; null if it is out of view. */
+  /** Returns where a position appears, y downwards, also beside the drawing; null if it lies behind the eye or too far away. */
   readonly toScreen: (position: Position) => { readonly x: number; readonly y: number } | null;
 }
 
@@ -34,8 +34,6 @@ export interface DrawnState {
 
 const edgeColor = "#10141a";
 const baseColor = "#e8590c";
-/** Share of white in the colours of a faded front. */
-const fading = 0.68;
 /** Colours of labels, for a white page. */
 export const labelColors: Readonly<Record<MarkKind, string>> = {
   base: "#1864ab",
@@ -122,6 +120,7 @@ function mixed(color: string, change: (channel: number) => number): string {
   return `#${channels.map((channel) => channel.toString(16).padStart(2, "0")).join("")}`;
 }
 
+/** Returns a colour of a faded front, on white. */
 const faded = (color: string): string => mixed(color, (channel) => channel + fading * (255 - channel));
 
 /** The marks of what the lens shows, and their labels. */
@@ -169,18 +168,17 @@ export interface PlacedLabel {
   readonly height: number;
 }
 
-/** Returns the labels of marks where a picture shows them. */
+/** Returns the labels of marks where a picture shows them, without those of what is out of view. */
 export function placedLabels({ labels }: LensMarks, view: DrawingView): readonly PlacedLabel[] {
   const shown = labels.flatMap(({ kind, text, position }) => {
     const at = view.toScreen(position);
     return at ? [{ ...at, kind, text, width: letterWidth * text.length + 8, height: labelHeight }] : [];
   });
   const places = placedAround(shown, view);
-  return shown.map(({ x, y, ...label }, i) => ({
-    ...label,
-    from: { x, y },
-    middle: places[i] ?? { x, y },
-  }));
+  return shown.flatMap(({ x, y, ...label }, i) => {
+    const middle = places[i];
+    return middle ? [{ ...label, from: { x, y }, middle }] : [];
+  });
 }
 
 function drawnLabels(marks: LensMarks, view: DrawingView): readonly string[] {

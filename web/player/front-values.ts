@@ -3,6 +3,9 @@ import type { Trace } from "tetrafront";
 /** What the colours of the front's faces mean. */
 export type FrontColoring = "age" | "size" | "layer";
 
+/** Share of the background in the colour of a front that is faded behind what the lens shows. */
+export const fading = 0.68;
+
 /** What the colours show: a value per face, and the values at both ends of the scale. */
 export interface FrontValues {
   readonly valueOf: (face: number) => number;

@@ -8,11 +8,8 @@ import type { SceneChanges } from "../viewer/scene-state";
 import { ElementBuffers } from "./element-buffers";
 import { FrontBuffers } from "./front-buffers";
 import { createFrontMaterial } from "./front-material";
-import { type FrontColoring, frontValues, type FrontValues } from "./front-values";
+import { fading, type FrontColoring, frontValues, type FrontValues } from "./front-values";
 import type { PlayerState } from "./player";
-
-/** Share of the background in the colour of a front that is faded. */
-const fading = 0.68;
 
 /** The front of a trace after a step, and the elements made last. */
 export class ReplayLayer implements Layer {

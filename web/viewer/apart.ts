@@ -19,21 +19,26 @@ const gap = 2;
 export function placedApart(labels: readonly Label[]): readonly { readonly x: number; readonly y: number }[] {
   const placed: Label[] = [];
   for (const label of labels) {
-    const free = placesAround(label).find((place) => placed.every((other) => !overlap(place, other)));
-    placed.push(free ?? label);
+    placed.push(freePlace(label, placed));
   }
   return placed;
 }
 
-function placesAround(label: Label): readonly Label[] {
-  const places = [label];
+/** Returns the nearest place of a label where it lies on none of others; its own place if there is none. */
+function freePlace(label: Label, others: readonly Label[]): Label {
+  for (const place of placesAround(label)) if (others.every((other) => !overlap(place, other))) return place;
+  return label;
+}
+
+/** Returns the places that are tried for a label, nearest first. */
+function* placesAround(label: Label): Generator<Label> {
+  yield label;
   for (let ring = 1; ring <= rings; ring++)
     for (let i = 0; i < directions; i++) {
       const angle = (2 * Math.PI * i) / directions;
       const far = (ring * label.height) / 2;
-      places.push({ ...label, x: label.x + far * Math.cos(angle), y: label.y + far * Math.sin(angle) });
+      yield { ...label, x: label.x + far * Math.cos(angle), y: label.y + far * Math.sin(angle) };
     }
-  return places;
 }
 
 const overlap = (a: Label, b: Label): boolean =>
@@ -47,19 +52,21 @@ const reach = 14;
 
 /**
  * Returns the middles of labels of a drawing, given by what they name: outside of the drawing if it is small, otherwise at some
- * distance from what they name, away from the middle of the drawing. None lies on another one if there is room, and they are moved into the view.
+ * distance from what they name, away from the middle of the drawing. None lies on another one if there is room, and they are
+ * moved into the view. The place of a label is null if what it names is out of view; the others are placed without it.
  */
 export function placedAround(
   labels: readonly Label[],
   view: { readonly width: number; readonly height: number },
-): readonly { readonly x: number; readonly y: number }[] {
-  if (labels.length === 0) return [];
+): readonly ({ readonly x: number; readonly y: number } | null)[] {
+  const shown = labels.filter(({ x, y }) => x >= 0 && y >= 0 && x <= view.width && y <= view.height);
+  if (shown.length === 0) return labels.map(() => null);
   const centre = {
-    x: labels.reduce((sum, { x }) => sum + x, 0) / labels.length,
-    y: labels.reduce((sum, { y }) => sum + y, 0) / labels.length,
+    x: shown.reduce((sum, { x }) => sum + x, 0) / shown.length,
+    y: shown.reduce((sum, { y }) => sum + y, 0) / shown.length,
   };
-  const radius = Math.max(...labels.map(({ x, y }) => Math.hypot(x - centre.x, y - centre.y)));
-  const outside = labels.map((label) => {
+  const radius = Math.max(...shown.map(({ x, y }) => Math.hypot(x - centre.x, y - centre.y)));
+  const outside = shown.map((label) => {
     const far = Math.hypot(label.x - centre.x, label.y - centre.y);
     const [dx, dy] = far === 0 ? [0, -1] : [(label.x - centre.x) / far, (label.y - centre.y) / far];
     const half = (Math.abs(dx) * label.width + Math.abs(dy) * label.height) / 2;
@@ -70,7 +77,9 @@ export function placedAround(
       y: within(label.y + by * dy, label.height / 2, view.height),
     };
   });
-  return placedApart(outside);
+  const placed = placedApart(outside);
+  const places = new Map(shown.map((label, i) => [label, placed[i]]));
+  return labels.map((label) => places.get(label) ?? null);
 }
 
 /** Moves a coordinate so that the half extent around it lies in a view. */

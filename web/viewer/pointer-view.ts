@@ -10,7 +10,7 @@ export interface PointerView {
   readonly pointer: ScreenPoint;
   /** From the eye through the pointer. */
   readonly ray: Ray;
-  /** Returns where a position appears; null if it is out of view. */
+  /** Returns where a position appears, also beside the view; null if it lies behind the eye or too far away. */
   readonly toScreen: (position: Position) => ScreenPoint | null;
 }
 

@@ -237,7 +237,7 @@ export class Viewer {
     return this.#view.heightAtTarget / this.#state.viewport.height;
   }
 
-  /** Returns where a position appears; null if it is out of view. */
+  /** Returns where a position appears, also beside the view; null if it lies behind the eye or too far away. */
   toScreen([x, y, z]: Position): ScreenPoint | null {
     const { origin, viewport } = this.#state;
     const point = { x: 0, y: 0, depth: 0 };
@@ -247,7 +247,10 @@ export class Viewer {
       : null;
   }
 
-  /** Returns where the middle of an entity appears; null if it is out of view or does not exist. */
+  /**
+   * Returns where the middle of an entity appears, also beside the view; null if it lies behind the eye or too far away, or does
+   * not exist.
+   */
   entityOnScreen(entity: Entity): ScreenPoint | null {
     const { project, preview, bodies } = this.#state;
     const bounds = entityBounds(entity, project, preview, bodies);

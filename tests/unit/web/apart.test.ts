@@ -43,7 +43,8 @@ describe("labels around a drawing", () => {
       { x: 2, y: 2, ...flat },
       { x: 398, y: 298, ...flat },
     ];
-    for (const [i, { x, y }] of placedAround(anchors, view).entries()) {
+    for (const [i, place] of placedAround(anchors, view).entries()) {
+      const { x, y } = place ?? { x: NaN, y: NaN };
       expect(x).toBeGreaterThanOrEqual(flat.width / 2);
       expect(x).toBeLessThanOrEqual(view.width - flat.width / 2);
       expect(y).toBeGreaterThanOrEqual(flat.height / 2);
@@ -51,5 +52,22 @@ describe("labels around a drawing", () => {
       const { x: ax = 0, y: ay = 0 } = anchors[i] ?? {};
       expect(Math.hypot(x - ax, y - ay)).toBeLessThan(100);
     }
+  });
+
+  it("have no place if what they name is out of view, and then move no others", () => {
+    const [left, right] = [
+      { x: 190, y: 150, ...flat },
+      { x: 210, y: 150, ...flat },
+    ];
+    const outside = [
+      { x: -1, y: 150, ...flat },
+      { x: 200, y: 301, ...flat },
+    ];
+    expect(placedAround([...outside, left, right], view)).toEqual([
+      null,
+      null,
+      ...placedAround([left, right], view),
+    ]);
+    expect(placedAround(outside, view)).toEqual([null, null]);
   });
 });

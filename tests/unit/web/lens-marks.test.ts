@@ -154,6 +154,8 @@ describe("the marks of a step", () => {
     };
     const drawing = frontDrawing(trace, { ...state, scene, fades: true }, view);
     for (const { text } of scene ? lensMarks(scene).labels : []) expect(drawing).toContain(`>${text}</text>`);
+    const beside = { ...view, toScreen: ([x, y]: Position) => ({ x: 900 + 80 * x, y: 150 - 80 * y }) };
+    expect(frontDrawing(trace, { ...state, scene, fades: true }, beside)).not.toContain("<text");
     expect(drawing).not.toMatch(/NaN|undefined|null/);
     const fills = (text: string) => [...text.matchAll(/" fill="(#\w{6})"\/>/g)].map(([, color]) => color);
     const plain = frontDrawing(trace, { ...state, scene, fades: false }, view);

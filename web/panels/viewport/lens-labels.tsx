@@ -21,13 +21,13 @@ export function LensLabels({ viewer }: { readonly viewer: Viewer }) {
         const line = lines.current?.children[i];
         if (!(marker instanceof HTMLElement)) return;
         const at = viewer.toScreen(position);
-        marker.style.display = at ? "" : "none";
-        line?.setAttribute("display", at ? "inline" : "none");
+        setShown(marker, line, at !== null);
         if (at) shown.push({ ...at, width: marker.offsetWidth, height: marker.offsetHeight, marker, line });
       });
       const places = placedAround(shown, viewer.size);
       shown.forEach(({ x, y, marker, line }, i) => {
-        const place = places[i] ?? { x, y };
+        const place = places[i];
+        if (!place) return setShown(marker, line, false);
         marker.style.transform = `translate(${place.x}px, ${place.y}px) translate(-50%, -50%)`;
         const ends = { x1: x, y1: y, x2: place.x, y2: place.y };
         for (const [name, value] of Object.entries(ends)) line?.setAttribute(name, value.toFixed(1));
@@ -57,6 +57,11 @@ export function LensLabels({ viewer }: { readonly viewer: Viewer }) {
       {scene && <MarkLegend />}
     </>
   );
+}
+
+function setShown(marker: HTMLElement, line: Element | undefined, isShown: boolean): void {
+  marker.style.display = isShown ? "" : "none";
+  line?.setAttribute("display", isShown ? "inline" : "none");
 }
 
 /** What the colours of the marks mean. */
