@@ -1,5 +1,6 @@
-import { ActionIcon, Tooltip, type ActionIconProps } from "@mantine/core";
+import { ActionIcon, type ActionIconProps } from "@mantine/core";
 import type { ComponentPropsWithoutRef } from "react";
+import { ButtonTooltip } from "./button-tooltip";
 
 export interface IconButtonProps
   extends ActionIconProps, Omit<ComponentPropsWithoutRef<"button">, keyof ActionIconProps> {
@@ -11,8 +12,8 @@ export interface IconButtonProps
 /** A quiet button with an icon only. */
 export function IconButton({ label, ...rest }: IconButtonProps) {
   return (
-    <Tooltip label={label} openDelay={400}>
+    <ButtonTooltip label={label}>
       <ActionIcon variant="subtle" color="gray" aria-label={label} {...rest} />
-    </Tooltip>
+    </ButtonTooltip>
   );
 }

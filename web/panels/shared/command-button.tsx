@@ -1,6 +1,7 @@
-import { ActionIcon, Tooltip } from "@mantine/core";
+import { ActionIcon } from "@mantine/core";
 import type { ReactNode } from "react";
 import { commandNamed, keyNames, runCommand } from "../../commands/registry";
+import { ButtonTooltip } from "../../ui/button-tooltip";
 import { useApp, useDocument } from "./app-context";
 
 export interface CommandButtonProps {
@@ -22,7 +23,7 @@ export function CommandButton({ command: id, disabled, pressed, testId, children
   const label = command.label(app);
   const [key] = command.keys;
   return (
-    <Tooltip label={key === undefined ? label : `${label} (${keyNames(key).join(" ")})`} openDelay={400}>
+    <ButtonTooltip label={key === undefined ? label : `${label} (${keyNames(key).join(" ")})`}>
       <ActionIcon
         size={28}
         variant={pressed ? "light" : "subtle"}
@@ -35,6 +36,6 @@ export function CommandButton({ command: id, disabled, pressed, testId, children
       >
         {children}
       </ActionIcon>
-    </Tooltip>
+    </ButtonTooltip>
   );
 }

@@ -1,4 +1,4 @@
-import { ActionIcon, Toolbar, Tooltip } from "@mantine/core";
+import { ActionIcon, Toolbar } from "@mantine/core";
 import {
   IconArrowsMove,
   IconCube,
@@ -17,6 +17,7 @@ import { commandNamed, hasCommand, keyNames, runCommand } from "../../commands/r
 import type { Command } from "../../commands/command";
 import { toolNames, type ToolName } from "../../document/tools";
 import { strings } from "../../strings";
+import { ButtonTooltip } from "../../ui/button-tooltip";
 import { useApp, useView } from "../shared/app-context";
 import styles from "./tool-column.module.css";
 
@@ -80,10 +81,9 @@ function ToolButton({ command, Icon, pressed, onClick }: ToolButtonProps) {
   const label = command.label(app);
   const [key] = command.keys;
   return (
-    <Tooltip
+    <ButtonTooltip
       label={key === undefined ? label : `${label} (${keyNames(key).join(" ")})`}
       position="right"
-      openDelay={400}
     >
       <ActionIcon
         className={styles["button"]}
@@ -96,6 +96,6 @@ function ToolButton({ command, Icon, pressed, onClick }: ToolButtonProps) {
       >
         <Icon size={18} aria-hidden />
       </ActionIcon>
-    </Tooltip>
+    </ButtonTooltip>
   );
 }
