@@ -405,6 +405,11 @@ describe("meshProject with bodies", () => {
       throw failure;
     };
     await expect(mesher.meshProject(project, options, { onBody })).rejects.toBe(failure);
+    const rejecting = { onBody: () => Promise.reject(failure) };
+    await expect(mesher.meshProject(project, options, rejecting)).rejects.toBe(failure);
+    const abort = new AbortController();
+    const endless = { onBody: () => (abort.abort(), new Promise(() => undefined)), signal: abort.signal };
+    expect((await mesher.meshProject(project, options, endless)).report.status).toBe("cancelled");
   });
 
   test("reports the body that is prepared, and progress that never decreases", async () => {

@@ -1,6 +1,7 @@
 /** Prepares the surfaces of a project's bodies: their options, their progress and their diagnostics. */
 import type { Progress } from "../base/progress.js";
 import { shown } from "../base/values.js";
+import { untilCancelled } from "../calls/cancelling.js";
 import { pauseAfterCopy } from "../calls/yielder.js";
 import type { Diagnostic, EntityRef } from "../diagnostics/diagnostic.js";
 import { entityLabel, type EntityNamer, nameByIndex } from "../diagnostics/entity-names.js";
@@ -224,7 +225,7 @@ export async function preparedBodies(
       diagnostics.push(...failure.data.diagnostics);
     }
     const made = ready.get(body.id);
-    if (made !== undefined) control.onBody?.(made);
+    if (made !== undefined) await untilCancelled<unknown>(() => control.onBody?.(made), control.signal);
   }
   const prepared = bodies.flatMap(({ id }) => ready.get(id) ?? []);
   return { bodies: prepared, diagnostics: [...diagnostics, ...prepared.flatMap((one) => one.diagnostics)] };

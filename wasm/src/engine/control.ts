@@ -33,7 +33,8 @@ export interface RunControl {
   readonly onUnoptimized?: ((mesh: UnoptimizedMesh) => void) | undefined;
   /**
    * Called by `meshProject` with each body that it has prepared, before the front begins. The caller must not change its
-   * arrays. A failure of this function has the same effect as one of `onProgress`.
+   * arrays. If it returns a promise, the run goes on when that is settled. A failure of this function has the same effect as
+   * one of `onProgress`.
    */
   readonly onBody?: ((prepared: PreparedBody) => void) | undefined;
   /**
