@@ -1,3 +1,4 @@
+import { LIMITS } from "tetrafront";
 import {
   call,
   formulaText,
@@ -28,6 +29,17 @@ export const valuesOf = ([x, y, z]: QuantityPosition): Position => [valueOf(x), 
 /** Returns the expressions of coordinates; null for a coordinate without one. */
 export const formulaTexts = (position: QuantityPosition): readonly (string | null)[] =>
   position.map(formulaText);
+
+/**
+ * Returns the expressions of the coordinates of positions that belong together. Returns null if one of them is too long for
+ * the file: what follows a parameter with some of its points only would be distorted.
+ */
+export function storableTexts(
+  positions: readonly QuantityPosition[],
+): readonly (readonly (string | null)[])[] | null {
+  const texts = positions.map(formulaTexts);
+  return texts.some((three) => three.some((text) => (text ?? "").length > LIMITS.expression)) ? null : texts;
+}
 
 export function addQuantities(a: QuantityPosition, b: QuantityPosition): QuantityPosition {
   return [plus(a[0], b[0]), plus(a[1], b[1]), plus(a[2], b[2])];

@@ -1,4 +1,4 @@
-import { LIMITS, type Project } from "tetrafront";
+import type { Project } from "tetrafront";
 import { negative, quantity, valueOf, type Quantities, type Quantity } from "../../expressions/quantity";
 import { operationStrings, stepNames } from "../../strings";
 import type { Offer } from "../create";
@@ -9,11 +9,11 @@ import { insertion, withInsertion, type Insertion } from "../insert-shape";
 import type { Position } from "../position";
 import {
   addQuantities,
-  formulaTexts,
   quantitiesFromFrame,
   quantityFrameAlong,
   quantityPosition,
   scaleQuantities,
+  storableTexts,
   valuesOf,
   type QuantityPosition,
 } from "../quantity-positions";
@@ -240,7 +240,7 @@ function makePiece<Sizes extends FieldValues>(
 
 /**
  * Returns the expressions of the coordinates of each point of a piece: none if no field has one. Returns null if one of them
- * would be too long for the file: a piece of which only some points follow a parameter would be distorted.
+ * would be too long for the file.
  */
 function pieceFormulas<Sizes extends FieldValues>(
   kind: PieceKind<Sizes>,
@@ -257,11 +257,8 @@ function pieceFormulas<Sizes extends FieldValues>(
   const frame = quantityFrameAlong(typed("axis"));
   const lift = values.anchor === "centre" ? negative(kind.middle(sizes)) : 0;
   const origin = addQuantities(typed("position"), scaleQuantities(frame.z, lift));
-  const texts = kind
-    .shape(sizes)
-    .points.map((position) => formulaTexts(quantitiesFromFrame({ ...frame, origin }, position)));
-  const isTooLong = texts.some((three) => three.some((text) => (text ?? "").length > LIMITS.expression));
-  return isTooLong ? null : texts;
+  const { points } = kind.shape(sizes);
+  return storableTexts(points.map((position) => quantitiesFromFrame({ ...frame, origin }, position)));
 }
 
 /** Returns the values of a piece, with the expressions of its numbers. */

@@ -1,10 +1,9 @@
-import { LIMITS } from "tetrafront";
 import { expressionFrom } from "../../document/expression-edits";
 import type { Position } from "../../document/position";
 import {
   addQuantities,
-  formulaTexts,
   quantitiesFromFrame,
+  storableTexts,
   turnBy,
   valuesOf,
   type QuantityPosition,
@@ -78,10 +77,9 @@ function typedPosition(
   position: QuantityPosition,
   typed: readonly (Quantity | null | undefined)[],
 ): TypedPosition {
-  const texts = formulaTexts(position);
   const isPlain = typed.every((one) => typeof one !== "object" || one === null);
-  const isTooLong = texts.some((text) => (text ?? "").length > LIMITS.expression);
-  return { success: true, position: valuesOf(position), expressions: isPlain || isTooLong ? [] : texts };
+  const [texts = []] = isPlain ? [] : (storableTexts([position]) ?? []);
+  return { success: true, position: valuesOf(position), expressions: texts };
 }
 
 const inDirections = (frame: Frame, x: Quantity, y: Quantity): QuantityPosition =>

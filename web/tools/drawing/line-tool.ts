@@ -1,4 +1,4 @@
-import { LIMITS, type LineType } from "tetrafront";
+import type { LineType } from "tetrafront";
 import { circleThrough, onArc, quantityMiddleOfArc } from "../../document/arcs";
 import { drawLine, placeAt, quantitiesAt, samePlace, type Place } from "../../document/draw";
 import { findRecord } from "../../document/entities";
@@ -7,8 +7,8 @@ import { planeOfPatch } from "../../document/patch-planes";
 import type { Position } from "../../document/position";
 import {
   addQuantities,
-  formulaTexts,
   scaleQuantities,
+  storableTexts,
   turnedQuantities,
   valuesOf,
   type QuantityPosition,
@@ -127,14 +127,17 @@ export class LineTool extends DrawingTool {
     if (valueOf(radius) <= 0) return "no-radius";
     const centre = quantitiesAt(this.project, first);
     if (isCircle) {
-      this.pick(this.#computed(addQuantities(centre, scaleQuantities(this.frame.x, radius))));
+      const [on] = this.#together([], [addQuantities(centre, scaleQuantities(this.frame.x, radius))]);
+      if (on) this.pick(on);
       return null;
     }
     if (!second) return undefined;
     const ends = [centre, quantitiesAt(this.project, second)] as const;
     const middle = quantityMiddleOfArc(ends, radius, this.frame.z, this.seen);
     if (!middle) return "short-radius";
-    this.#places = [first, this.#computed(middle), second];
+    const [from, to, through] = this.#together([first, second], [middle]);
+    if (!from || !to || !through) return undefined;
+    this.#places = [from, through, to];
     this.#add();
     return null;
   }
@@ -235,15 +238,20 @@ export class LineTool extends DrawingTool {
     if (this.#isThroughThree) return [...this.#places, centre];
     const [middle, from] = [quantitiesAt(this.project, centre), quantitiesAt(this.project, on)];
     const normal = this.#normalOfCircle(centre.position, on.position, on.patch);
-    const third = (turns: number): Place => this.#computed(turnedQuantities(from, middle, normal, turns / 3));
-    return [on, third(1), third(2), on];
+    const third = (turns: number) => turnedQuantities(from, middle, normal, turns / 3);
+    const [start, ...others] = this.#together([on], [third(1), third(2)]);
+    return start ? [start, ...others, start] : [];
   }
 
-  /** Returns the place at a computed position, with the expressions of its coordinates unless they are too long. */
-  #computed(position: QuantityPosition): Place {
-    const texts = formulaTexts(position);
-    const isTooLong = texts.some((text) => (text ?? "").length > LIMITS.expression);
-    return placeAt(this.project, valuesOf(position), isTooLong ? [] : texts);
+  /**
+   * Returns picked and computed places of a line. Computed ones have the expressions of their coordinates; if one of these
+   * is too long, no place has any.
+   */
+  #together(picked: readonly Place[], computed: readonly QuantityPosition[]): readonly Place[] {
+    const texts = storableTexts(computed);
+    const plain = ({ expressions: _, ...place }: Place): Place => place;
+    const places = computed.map((position, i) => placeAt(this.project, valuesOf(position), texts?.[i]));
+    return [...(texts ? picked : picked.map(plain)), ...places];
   }
 
   /**
