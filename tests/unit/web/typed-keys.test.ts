@@ -2,7 +2,9 @@ import { expect, it } from "vitest";
 import { createStore } from "zustand/vanilla";
 import { ViewStore } from "../../../web/document/selection";
 import { emptyProject } from "../../../web/document/create";
-import { DocumentStore } from "../../../web/session/document-store";
+import type { DraftEdit } from "../../../web/document/edit";
+import { offerLineSplit } from "../../../web/document/splits/split-line";
+import { DocumentStore, newDocument } from "../../../web/session/document-store";
 import type { PreviewFeed } from "../../../web/session/preview";
 import { Drawing } from "../../../web/tools/drawing/drawing";
 import { LineTool } from "../../../web/tools/drawing/line-tool";
@@ -111,6 +113,64 @@ it("redo goes on at the end of the chain, and undo of all its lines at its first
   expect(documents.project.points).toEqual([]);
   expect(tool.take("0,0,1")).toBeNull();
   expect(documents.project.points.map(({ position }) => position.join())).toEqual(["0,0,0", "0,0,1"]);
+});
+
+it("a closed chain ends: the next place begins another one", () => {
+  const { documents, drawing, tool, ends } = startChain("0,0,0", "1,0,0", "0,1,0", "0,0,0");
+  for (const place of ["5,0,0", "6,0,0", "5,1,0", "5,0,0"]) expect(tool.take(place)).toBeNull();
+  expect(ends()).toEqual(["1,2", "2,3", "3,1", "4,5", "5,6", "6,4"]);
+  expect(drawing.state.getState().picked).toBe(0);
+  // A line to the first place of the chain before closes nothing.
+  for (const place of ["9,0,0", "0,0,0", "9,9,0"]) expect(tool.take(place)).toBeNull();
+  expect(ends().slice(6)).toEqual(["7,1", "1,8"]);
+  documents.undo();
+  documents.undo();
+  // The place before the first line belongs to no step.
+  expect(drawing.takeBack()).toBe(true);
+  expect(drawing.state.getState().picked).toBe(0);
+  expect(ends()).toHaveLength(6);
+});
+
+it("after undo, a line of another step that has the same id is no line of the chain", () => {
+  const { documents, drawing, tool, ends } = startChain("0,0,0", "1,0,0", "2,0,0");
+  const add = (...points: readonly [number, number]): void => {
+    const change: DraftEdit["change"] = ({ project }) => {
+      for (const id of points) {
+        if (!project.points.some((point) => point.id === id))
+          project.points.push({ id, position: [id, 7, 0] });
+      }
+      project.lines.push({ id: project.lines.length + 1, type: "straight", points: [...points] });
+    };
+    documents.edit({ label: "Paste", change });
+  };
+  documents.undo();
+  add(3, 4);
+  expect(drawing.state.getState().picked).toBe(1);
+  expect(tool.take("1,1,0")).toBeNull();
+  expect(ends()).toEqual(["1,2", "3,4", "2,5"]);
+  while (ends().length > 0) documents.undo();
+  // Even if its points have the same ids.
+  add(1, 2);
+  expect(tool.take("1,1,0")).toBeNull();
+  expect(documents.project.points.at(-2)?.position).toEqual([0, 0, 0]);
+  expect(ends()).toEqual(["1,2", "3,4"]);
+});
+
+it("a chain goes on after its last line was split", () => {
+  const { documents, tool, ends } = startChain("0,0,0", "1,0,0", "3,0,0");
+  const offer = offerLineSplit(documents.project, [{ kind: "line", id: 2 }], [2, 0, 0]);
+  if (!offer.possible) throw new Error(offer.reason);
+  documents.edit(offer.creation.edit);
+  expect(tool.take("3,1,0")).toBeNull();
+  expect(ends().at(-1)).toBe("3,5");
+});
+
+it("another document ends the chain", () => {
+  const { documents, drawing, tool, ends } = startChain("0,0,0", "1,0,0", "2,0,0");
+  documents.show(newDocument(structuredClone(documents.project)));
+  expect(drawing.state.getState().picked).toBe(0);
+  expect(tool.take("5,0,0")).toBeNull();
+  expect(ends()).toHaveLength(2);
 });
 
 it.each(["straight", "parabolic", "spline"] as const)(

@@ -19,6 +19,7 @@ import { valueOf, type Quantity } from "../../expressions/quantity";
 import { sampledCurve } from "../../viewer/curves";
 import { emptySketch, type Sketch } from "../../viewer/layers/drawing-layer";
 import type { Layer } from "../../viewer/layers/layer";
+import type { HistoryEntry } from "../../session/history";
 import { strings } from "../../strings";
 import type { DrawingState } from "./drawing";
 import type { ToolPointer } from "../tool";
@@ -49,14 +50,16 @@ const planarity = 1e-9;
 /** A straight line of the present chain. */
 interface Link {
   readonly line: number;
+  /** Id of the first point of the line, which a split keeps. */
+  readonly first: number | undefined;
   /** Its first place as it was picked: a point that the line has created is gone without the line. */
   readonly picked: Place;
   /** Ids of its points. */
   readonly from: number;
   readonly to: number;
   readonly closes: boolean;
-  /** Label of the step that added it; null if the project had the line already. */
-  readonly label: string | null;
+  /** The patches of the step that added it; null if the project had the line already. */
+  readonly step: HistoryEntry["forward"] | null;
 }
 
 /**
@@ -72,12 +75,19 @@ export class LineTool extends DrawingTool {
   /** Number of links that the project had when it was last looked at. */
   #drawn = 0;
 
-  #stopListening: (() => void) | null = null;
+  #stopListening: readonly (() => void)[] = [];
 
   override overlay(): Layer {
-    this.#stopListening = this.stores.view.state.subscribe((state, before) => {
-      if (state.lineType !== before.lineType || state.circleBy !== before.circleBy) this.#drop();
-    });
+    const { documents, view } = this.stores;
+    this.#stopListening = [
+      view.state.subscribe((state, before) => {
+        if (state.lineType !== before.lineType || state.circleBy !== before.circleBy) this.#drop();
+      }),
+      // The ids of another document mean other lines.
+      documents.state.subscribe(({ id }, before) => {
+        if (id !== before.id) this.#drop();
+      }),
+    ];
     return super.overlay();
   }
 
@@ -102,6 +112,8 @@ export class LineTool extends DrawingTool {
 
   protected pick(place: Place): void {
     this.#follow();
+    // Undo may open a closed chain again, until the next place begins another one.
+    if (this.#links[this.#drawn - 1]?.closes === true) this.#drop();
     const before = this.#places.at(-1);
     if (before && samePlace(before, place)) return;
     const [first] = this.#places;
@@ -151,8 +163,8 @@ export class LineTool extends DrawingTool {
     this.#follow();
     const link = this.#links[this.#drawn - 1];
     if (link) {
-      const { history } = this.stores.documents.state.getState();
-      if (link.label !== null && history.past.at(-1)?.label === link.label) this.stores.documents.undo();
+      const { past } = this.stores.documents.state.getState().history;
+      if (link.step !== null && past.at(-1)?.forward === link.step) this.stores.documents.undo();
       else this.#links = this.#links.slice(0, this.#drawn - 1);
       this.#follow();
       return true;
@@ -187,7 +199,7 @@ export class LineTool extends DrawingTool {
   }
 
   protected override end(): void {
-    this.#stopListening?.();
+    for (const stop of this.#stopListening) stop();
     this.#drop();
     super.end();
   }
@@ -223,8 +235,10 @@ export class LineTool extends DrawingTool {
     if (type !== "straight" || !first || from === undefined || to === undefined) return this.#drop();
     const links = this.#links.slice(0, this.#drawn);
     const closes = to === links[0]?.from;
-    const label = creation?.edit.label ?? null;
-    this.#links = [...links, { line, picked: first, from, to, closes, label }];
+    const { past } = this.stores.documents.state.getState().history;
+    const step = creation ? (past.at(-1)?.forward ?? null) : null;
+    const begin = findRecord(this.project, "line", line)?.points[0];
+    this.#links = [...links, { line, first: begin, picked: first, from, to, closes, step }];
     this.#follow();
   }
 
@@ -299,11 +313,23 @@ export class LineTool extends DrawingTool {
 
   /** Undo and redo move the end of the chain. An edit in a panel may have removed points. */
   #follow(): void {
-    const drawn = this.#links.findLastIndex(({ line }) => findRecord(this.project, "line", line)) + 1;
+    const drawn = this.#links.findLastIndex((link, index) => this.#exists(link, index)) + 1;
     if (drawn !== this.#drawn) {
       this.#drawn = drawn;
       this.#places = this.#endOfChain();
     } else if (!this.#places.every(({ point }) => point === null || this.#placeOfPoint(point))) this.#drop();
+  }
+
+  /**
+   * Returns whether the project has the line of a link. Its id does not suffice: once the line is gone, another one may get
+   * it. Only redo, or undo of a deletion, brings the line back.
+   */
+  #exists({ line, first, step }: Link, index: number): boolean {
+    const found = findRecord(this.project, "line", line);
+    if (first === undefined || !found?.points.includes(first)) return false;
+    if (index < this.#drawn || step === null) return true;
+    const { past } = this.stores.documents.state.getState().history;
+    return past.some(({ forward }) => forward === step);
   }
 
   /** Returns the place from which the chain goes on; none if it is closed. */
