@@ -1,7 +1,7 @@
 import type { ViewStore } from "../../web/document/selection";
 import type { DocumentStore } from "../../web/session/document-store";
 import type { Drawing } from "../../web/tools/drawing/drawing";
-import { TypedKeys } from "../../web/tools/drawing/typed-keys";
+import { TypedKeys, type TypedKeysOptions } from "../../web/tools/drawing/typed-keys";
 import { Motion } from "../../web/tools/motion";
 import type { Viewer } from "../../web/viewer/viewer";
 
@@ -10,11 +10,12 @@ interface MotionParts {
   readonly view: ViewStore;
   readonly drawing: Drawing;
   readonly seenFrom: Viewer["seenFrom"];
+  readonly hotkeyOf?: TypedKeysOptions["hotkeyOf"];
 }
 
-/** Makes the motion that the tools of a view share, without hotkeys. */
-export function makeMotion({ documents, view, drawing, seenFrom }: MotionParts): Motion {
-  const keys = new TypedKeys({ drawing, named: () => new Map(), hotkeyOf: () => null });
+/** Makes the motion that the tools of a view share. */
+export function makeMotion({ documents, view, drawing, seenFrom, hotkeyOf }: MotionParts): Motion {
+  const keys = new TypedKeys({ drawing, named: () => new Map(), hotkeyOf: hotkeyOf ?? (() => null) });
   return new Motion({ documents, view, drawing, keys, viewer: { seenFrom } });
 }
 

@@ -79,6 +79,8 @@ export class Motion implements TypedInput {
   /** Ends what runs, and begins. */
   start(start: MotionStart): void {
     this.cancel();
+    // The command of a waiting letter must not run during a drag.
+    if (start.isHeld) this.#stores.keys.drop();
     this.#run = { ...start, project: this.#stores.documents.project, gesture: null, dragged: null };
     this.#stores.drawing.beginMotion(this, start.mode);
   }
@@ -121,16 +123,16 @@ export class Motion implements TypedInput {
       return true;
     }
     const axis = this.isTyping ? null : axisOfKey(event.key);
-    const isUsed = axis !== null || keys.use(event);
+    // During a drag, no key runs a command.
+    const isUsed = axis !== null || keys.use(event, !this.#run.isHeld);
     if (axis !== null) this.#choose(axis);
     this.#forgetIdle();
     return isUsed;
   }
 
-  /** A key that opened no field began nothing. */
+  /** A key that opened no field began nothing, nor did a letter that waits: it may become a command that changes all. */
   #forgetIdle(): void {
-    const { typed, waiting } = this.#stores.drawing.state.getState();
-    if (this.#run?.isHeld === false && typed === null && !waiting) this.cancel();
+    if (this.#run?.isHeld === false && !this.isTyping) this.cancel();
   }
 
   /** Without the pointer, beside the middle of the selection. */

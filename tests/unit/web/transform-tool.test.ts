@@ -1,5 +1,6 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import type { Project } from "tetrafront";
+import { moveEntity } from "../../../web/document/edits";
 import { ViewStore } from "../../../web/document/selection";
 import type { HandleMode } from "../../../web/document/tools";
 import { DocumentStore } from "../../../web/session/document-store";
@@ -17,6 +18,7 @@ let view: ViewStore;
 let drawing: Drawing;
 let tool: TransformTool;
 let passed: string[];
+let commands: string[];
 
 const otherwise: Tool = {
   id: "other",
@@ -34,6 +36,7 @@ async function shown(project: Project, handleMode: HandleMode): Promise<void> {
   view = new ViewStore();
   drawing = new Drawing();
   passed = [];
+  commands = [];
   view.selectAll([
     ...project.points.map(({ id }) => ({ kind: "point", id }) as const),
     ...project.lines.map(({ id }) => ({ kind: "line", id }) as const),
@@ -42,7 +45,9 @@ async function shown(project: Project, handleMode: HandleMode): Promise<void> {
   const camera = frontCamera();
   const seenFrom = (at: ToolPointer["at"]) => pointerView(camera, viewport, [0, 0, 0], at);
   const viewer = { camera, seenFrom, size: viewport, pixelLength: 0.01, requestFrame: () => undefined };
-  const motion = makeMotion({ documents, view, drawing, seenFrom });
+  const hotkeyOf = ({ key }: { readonly key: string }) =>
+    key === "c" ? { label: key, run: () => void commands.push(key) } : null;
+  const motion = makeMotion({ documents, view, drawing, seenFrom, hotkeyOf });
   tool = new TransformTool({ documents, view, motion, viewer }, otherwise);
   const overlay = tool.overlay();
   const state = sceneState({ ...view.state.getState(), project });
@@ -208,6 +213,53 @@ describe("the handles of a selection", () => {
     // Other keys keep their meaning.
     expect(pressKeys(tool, "f")).toBe(false);
     expect(drawing.state.getState().motion).toBeNull();
+  });
+
+  it("move what is selected when a number is typed, after a waiting letter became a command", async () => {
+    await shown(centred(), "translate");
+    vi.useFakeTimers();
+    try {
+      const [a, b] = documents.project.points;
+      if (!a || !b) throw new Error("there are no points");
+      view.select({ kind: "point", id: a.id });
+      expect(pressKeys(tool, "c")).toBe(true);
+      expect(drawing.state.getState().waiting?.letter).toBe("c");
+      expect(pressKeys(tool, "Shift")).toBe(false);
+      expect(drawing.state.getState()).toMatchObject({ waiting: { letter: "c" }, motion: null });
+      vi.runAllTimers();
+      expect(commands).toEqual(["c"]);
+      documents.edit(moveEntity("point", a.id, 1, 7));
+      view.select({ kind: "point", id: b.id });
+      pressKeys(tool, "5", "Enter");
+      expect(positions()[0]?.[1]).toBe(7);
+      expect(positions()[0]?.[0]).toBe(a.position[0]);
+      expect(positions()[1]?.[0]).toBe(b.position[0] + 5);
+      // The letter may also begin what is typed.
+      expect(pressKeys(tool, "c", "o", "s", "(", "0", ")", "Enter")).toBe(true);
+      expect(positions()[1]?.[0]).toBe(b.position[0] + 6);
+      expect(commands).toEqual(["c"]);
+    } finally {
+      vi.useRealTimers();
+    }
+  });
+
+  it("run no command during a drag", async () => {
+    await shown(centred(), "translate");
+    vi.useFakeTimers();
+    try {
+      pressKeys(tool, "c");
+      const x = pressRight();
+      expect(drawing.state.getState().waiting).toBeNull();
+      tool.move(pointer(x + 20, 50));
+      pressKeys(tool, "c");
+      vi.runAllTimers();
+      expect(commands).toEqual([]);
+      expect(drawing.state.getState().typed).toBe("c");
+      tool.cancel();
+      expect(drawing.state.getState().typed).toBeNull();
+    } finally {
+      vi.useRealTimers();
+    }
   });
 
   it.each([

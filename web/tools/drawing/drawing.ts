@@ -62,10 +62,9 @@ const idle: DrawingState = {
   refused: null,
 };
 
-/** The field is closed, and nothing is moved. */
+/** The field is closed, and nothing is moved. A letter may wait. */
 const closed = {
   typed: null,
-  waiting: null,
   mistake: null,
   motion: null,
   axis: null,

@@ -38,11 +38,14 @@ export class TypedKeys {
     this.#options = options;
   }
 
-  /** Returns whether coordinates use a key. Keys with Ctrl, Alt or Command must not be given. */
-  use(event: Key): boolean {
+  /**
+   * Returns whether coordinates use a key. Keys with Ctrl, Alt or Command must not be given. Without hotkeys, a letter that
+   * begins a name opens the field at once.
+   */
+  use(event: Key, hasHotkeys = true): boolean {
     const { drawing } = this.#options;
     const { typed } = drawing.state.getState();
-    return typed === null ? this.#start(event) : this.#continue(typed, event.key);
+    return typed === null ? this.#start(event, hasHotkeys) : this.#continue(typed, event.key);
   }
 
   /** Runs the command of the waiting letter. Returns whether there was one. */
@@ -82,13 +85,13 @@ export class TypedKeys {
     return true;
   }
 
-  #start(event: Key): boolean {
+  #start(event: Key, hasHotkeys = true): boolean {
     const { key } = event;
     if (this.#waiting && isModifier(key)) return false;
     if (this.#waiting && (key === "Escape" || key === "Backspace")) return this.drop();
     if (this.#waiting && key === "Enter") return this.flush();
     const { drawing, named, hotkeyOf } = this.#options;
-    const hotkey = hotkeyOf(event);
+    const hotkey = hasHotkeys ? hotkeyOf(event) : null;
     const start = startingKey(key, {
       waiting: this.#waiting?.letter ?? "",
       letters: drawing.letters,
