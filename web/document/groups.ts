@@ -44,7 +44,6 @@ function groupableMembers(entities: readonly Entity[]): Member[] {
   return [...new Map(members.map((member) => [memberKey(member), member])).values()];
 }
 
-/** Makes a group of entities, with the next free id and the next colour. */
 /** Returns the group that has exactly the selected members; undefined if there is none. */
 export function groupOfSelection(project: Project, selection: readonly Entity[]): ProjectGroup | undefined {
   const selected = new Set(selection.map(entityKey));
@@ -54,6 +53,7 @@ export function groupOfSelection(project: Project, selection: readonly Entity[])
   });
 }
 
+/** Makes a group of entities, with the next free id and the next colour. */
 export function addGroup({ groups = [] }: Project, entities: readonly Entity[]): ProjectEdit {
   const id = groups.reduce((highest, group) => Math.max(highest, group.id), 0) + 1;
   const color = palette[(id - 1) % palette.length];
