@@ -1,6 +1,6 @@
 import { LIMITS, UNITS, type BodyPlacement, type Project, type ProjectBody, type Unit } from "tetrafront";
-import { readNumber, unitsIn, type NamedNumbers } from "../expressions/expression";
-import { parameterValues } from "../expressions/parameters";
+import { namesIn, readNumber, unitsIn, type NamedNumbers } from "../expressions/expression";
+import { dependentParameters, parameterValues } from "../expressions/parameters";
 import { bodyStepNames, stepNames } from "../strings";
 import { setPlacement } from "./body-edits";
 import type { ProjectEdit } from "./edit";
@@ -150,6 +150,14 @@ function convertedExpressions(
   factor: number,
 ): NonNullable<Project["expressions"]> {
   const [before, after] = [projectNumbers(project), projectNumbers({ ...project, units: to })];
+  const { parameters = [] } = project;
+  const inUnits = new Set(
+    parameters
+      .filter(({ expression }) => hasUnits(expression))
+      .flatMap(({ name }) => [...dependentParameters(parameters, name)]),
+  );
+  const followsUnit = (text: string): boolean =>
+    hasUnits(text) || [...namesIn(text)].some((name) => inUnits.has(name));
   return (project.expressions ?? []).flatMap((kept) => {
     const value = readNumber(kept.expression, before);
     if (value === null || !isLength(kept.field)) return [kept];
@@ -159,7 +167,9 @@ function convertedExpressions(
       return next !== null && Math.abs(next - expected) <= agreementTolerance * Math.abs(expected);
     };
     const scaled = `(${kept.expression})*${factor}`;
-    const text = [kept.expression, scaled].find((one) => one.length <= LIMITS.expression && fits(one));
+    // A value of 0 fits without a factor too, until a parameter changes.
+    const texts = followsUnit(kept.expression) || factor === 1 ? [kept.expression, scaled] : [scaled];
+    const text = texts.find((one) => one.length <= LIMITS.expression && fits(one));
     return text === undefined ? [] : [{ ...kept, expression: text }];
   });
 }

@@ -138,6 +138,33 @@ describe("another unit for a project with numbers", () => {
     expect(documents.project).toEqual(before);
   });
 
+  it("scales expressions whose value is 0, so that they follow their parameters", () => {
+    const documents = new DocumentStore(
+      {
+        ...project,
+        parameters: [
+          { name: "w", expression: "10" },
+          { name: "wide", expression: "5.08 cm" },
+          { name: "half", expression: "wide/2" },
+        ],
+        expressions: [
+          { kind: "point", id: 1, field: "position.0", expression: "(w-10)/2" },
+          { kind: "point", id: 1, field: "position.1", expression: "half-1 in" },
+          { kind: "point", id: 1, field: "position.2", expression: "wide-2*half" },
+        ],
+      },
+      () => 0,
+    );
+    documents.edit(convertProject(documents.project, "in", "mm"));
+    expect(documents.project.expressions?.map(({ expression }) => expression)).toEqual([
+      "((w-10)/2)*25.4",
+      "half-1 in",
+      "wide-2*half",
+    ]);
+    documents.edit(setParameter("w", "12"));
+    expect(documents.project.points[0]?.position[0]).toBeCloseTo(25.4, 12);
+  });
+
   it("keeps the numbers if it is only relabelled, also those with units", () => {
     const documents = new DocumentStore(project, () => 0);
     documents.edit(setProjectUnit("mm"));
