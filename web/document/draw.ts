@@ -8,6 +8,7 @@ import { coincidenceLength } from "./insert-shape";
 import { linePositions } from "./line-samples";
 import type { Position } from "./position";
 import { quantityPosition, type QuantityPosition } from "./quantity-positions";
+import { expressionsOnLine } from "./splits/following";
 import { crossingNear, lineCurve, nearestParameter } from "./splits/line-curve";
 import { changedLists, splitLines, type Cut } from "./splits/split-line";
 import { distance } from "./vectors";
@@ -48,16 +49,26 @@ export const samePlace = (a: Place, b: Place): boolean =>
     ? a === b || (b.point === null && distance(a.position, b.position) === 0)
     : a.point === b.point;
 
-/** Returns the place on lines that is nearest to a position found on their samples: where two of them cross, if they do. */
+/**
+ * Returns the place on lines that is nearest to a position found on their samples: where two of them cross, if they do, or
+ * else on the first one. A new point there follows the expressions of a line.
+ */
 export function placeOnLines(project: Project, lines: readonly number[], position: Position): Place {
-  const curves = lines.flatMap((id) => {
+  const courses = lines.flatMap((id) => {
     const line = findRecord(project, "line", id);
-    return (line && lineCurve(line.type, linePositions(project, line))) ?? [];
+    const points = line ? linePositions(project, line) : [];
+    const curve = line && lineCurve(line.type, points);
+    return curve ? [{ line, points, curve }] : [];
   });
-  const [a, b] = curves;
-  const crossing = a && b ? crossingNear(a, b, position, coincidenceLength(project)) : null;
-  const exact = a ? a.at(crossing?.[0] ?? nearestParameter(a, position)) : position;
-  return { ...placeAt(project, exact), lines };
+  const [a, b] = courses;
+  if (!a) return { ...placeAt(project, position), lines };
+  const crossing = b ? crossingNear(a.curve, b.curve, position, coincidenceLength(project)) : null;
+  const exact = a.curve.at(crossing?.[0] ?? nearestParameter(a.curve, position));
+  const through = crossing ? courses : [a];
+  const [expressions] = through.flatMap(({ line, points }) =>
+    expressionsOnLine(project, line, points, [exact]),
+  );
+  return { ...placeAt(project, exact, expressions), lines: through.map(({ line }) => line.id) };
 }
 
 /** Returns the point at a place, which is created if it does not exist. */

@@ -1,4 +1,4 @@
-import { createMesher, type LineType, type Mesher, type Project } from "tetrafront";
+import { createMesher, LIMITS, parseProject, type LineType, type Mesher, type Project } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { emptyProject } from "../../../web/document/create";
 import { drawLine, placeAt, placeOnLines } from "../../../web/document/draw";
@@ -176,6 +176,54 @@ describe("splitting a line", () => {
   });
 });
 
+/** A project with a line from the origin to a point whose x is an expression in r, which is 2. */
+function following(expression: string): DocumentStore {
+  const documents = new DocumentStore(projectWith([[0, 0, 0], [2, 0, 0]], [["straight", [0, 1]]]), () => 0); // prettier-ignore
+  documents.edit(addParameter("r", "2"));
+  const x = { kind: "point", id: 2, field: "position.0" } as const;
+  documents.edit(keepingExpression({ label: "", change: () => undefined }, x, expression));
+  return documents;
+}
+
+/** Splits the last part of the line in its middle, again and again. */
+function splitOften(documents: DocumentStore, times: number): void {
+  for (let count = 0; count < times; ++count) {
+    const id = documents.project.lines.at(-1)?.id ?? 0;
+    const offer = offerLineSplit(documents.project, [{ kind: "line", id }], null);
+    if (!offer.possible) throw new Error(offer.reason);
+    documents.edit(offer.creation.edit);
+  }
+}
+
+describe("expressions of the points of a line that is split", () => {
+  it("follow the parameter after many splits, and the file can be read", () => {
+    const documents = following("r");
+    splitOften(documents, 10);
+    expect(parseProject(documents.project).success).toBe(true);
+    documents.edit(setParameter("r", "4"));
+    const xs = documents.project.points.map(({ position }) => position[0]);
+    expect(xs).toHaveLength(12);
+    xs.slice(2).forEach((x, i) => expect(x).toBeCloseTo(4 * (1 - 0.5 ** (i + 1)), 12));
+  });
+
+  it("are none if they would be too long for the file", () => {
+    const documents = following(`r${"+0".repeat(LIMITS.expression / 2 - 1)}`);
+    splitOften(documents, 2);
+    expect(parseProject(documents.project).success).toBe(true);
+    expect(documents.project.expressions).toHaveLength(1);
+  });
+
+  it("give some to the end of a line that is drawn onto it", () => {
+    const documents = following("r");
+    const { project } = documents;
+    const { creation } = drawLine(project, "straight", [placeOnLines(project, [1], [1, 0, 0]), placeAt(project, [1, 1, 0])]); // prettier-ignore
+    if (!creation) throw new Error("no line");
+    documents.edit(creation.edit);
+    documents.edit(setParameter("r", "4"));
+    expect(documents.project.points.map(({ position }) => position)).toEqual([[0, 0, 0], [4, 0, 0], [2, 0, 0], [1, 1, 0]]); // prettier-ignore
+  });
+});
+
 const square: readonly Position[] = [[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]]; // prettier-ignore
 const sides = [[0, 1], [1, 2], [2, 3], [3, 0]].map((ends) => ["straight", ends] as const); // prettier-ignore
 
@@ -237,6 +285,23 @@ describe("lines that end on others or cross them", () => {
     );
     // Lines that bound none of the filled loops stay whole.
     expect(outside.lines.filter(({ id }) => id <= 4).every(({ points }) => points.length === 2)).toBe(true);
+  });
+
+  it("a line through the seam of a circle bounds half a disc", async () => {
+    const project = projectWith(
+      [[-2, 0, 0], [2, 0, 0], [1, 0, 0], [0, 1, 0], [-0.6, -0.8, 0]],
+      [["straight", [0, 1]], ["circle", [2, 3, 4, 2]]],
+    ); // prettier-ignore
+    const half = await filledAt(project, 0, 0.5);
+    expect(half.patches.map(({ loops }) => loops.map((loop) => loop.length))).toEqual([[2]]);
+    expect((await filledAt(half, 0, -0.5)).patches).toHaveLength(2);
+  });
+
+  it("where two lines only nearly meet, a line is drawn onto one of them", () => {
+    const project = projectWith([[0, 0, 0], [2, 0, 0], [1, -1, 1e-7], [1, 1, 1e-7]], [["straight", [0, 1]], ["straight", [2, 3]]]); // prettier-ignore
+    expect(placeOnLines(project, [1, 2], [1, 0, 0]).lines).toEqual([1]);
+    const meeting = { ...project, points: project.points.map(({ id, position: [x, y] }) => ({ id, position: [x, y, 0] as const })) }; // prettier-ignore
+    expect(placeOnLines(meeting, [1, 2], [1, 0, 0]).lines).toEqual([1, 2]);
   });
 
   it("meeting at ends, they need no split", async () => {

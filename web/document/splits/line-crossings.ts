@@ -57,11 +57,11 @@ const areNear = (a: Course, b: Course, margin: number): boolean =>
 
 const endsOf = ({ curve }: Course): readonly Position[] => [curve.at(0), curve.at(1)];
 
-/** Returns where a line ends within another one. */
+/** Returns where a line ends within another one; a closed line ends at its seam. */
 function endsOn(one: Course, other: Course, tolerance: number): readonly Cut[] {
   const { line } = one.path;
   const isClosed = line.points[0] === line.points.at(-1);
-  const ends = isClosed ? [] : [line.points[0], line.points.at(-1)];
+  const ends = isClosed ? [line.points[0]] : [line.points[0], line.points.at(-1)];
   return ends.flatMap((point, i) => {
     const position = one.curve.at(i);
     if (endsOf(other).some((end) => distance(end, position) <= tolerance)) return [];

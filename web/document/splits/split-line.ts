@@ -3,21 +3,13 @@ import { lineSplitStrings, stepNames } from "../../strings";
 import type { Offer } from "../create";
 import { nextId } from "../create";
 import { entityName, findRecord, type Entity } from "../entities";
-import { coordinatesOf, keepCoordinates } from "../expression-edits";
+import { keepCoordinates, type TypedPoint } from "../expression-edits";
 import { coincidenceLength } from "../insert-shape";
 import { linePositions } from "../line-samples";
 import { patchMisfit } from "../patch-rules";
 import type { Position } from "../position";
-import {
-  addQuantities,
-  formulaTexts,
-  quantityPosition,
-  scaleQuantities,
-  subtractQuantities,
-  valuesOf,
-  type QuantityPosition,
-} from "../quantity-positions";
-import { cross, distance, dot, subtract } from "../vectors";
+import { distance } from "../vectors";
+import { expressionsOnLine } from "./following";
 import { lineCurve, nearestParameter, type LineCurve } from "./line-curve";
 
 /** The lists of a project that a split changes. */
@@ -199,10 +191,7 @@ function withMember(groups: NonNullable<Project["groups"]>, first: number, secon
   );
 }
 
-function withCoordinates(
-  project: Project,
-  points: readonly { readonly id: number; readonly expressions: readonly (string | null)[] }[],
-): Project {
+function withCoordinates(project: Project, points: readonly TypedPoint[]): Project {
   const draft = { expressions: [...(project.expressions ?? [])] };
   keepCoordinates(draft, points);
   return { ...project, ...draft };
@@ -265,16 +254,10 @@ class LineSplit {
   }
 
   /** New points with the expressions that follow from those of the points of the line. */
-  get typedPoints() {
-    const isCoplanar = this.#line.type !== "spline";
-    if (!isCoplanar || !this.#project.expressions) return [];
-    const corners = this.#line.points
-      .slice(0, 3)
-      .map((id, i) => quantityPosition(this.#positions[i] ?? [0, 0, 0], coordinatesOf(this.#project, id)));
-    return this.points.flatMap(({ id, position }) => {
-      const expressions = formulaTexts(combined(corners, position));
-      return expressions.some((text) => text !== null) ? [{ id, expressions }] : [];
-    });
+  get typedPoints(): readonly TypedPoint[] {
+    const places = this.points.map(({ position }) => position);
+    const texts = expressionsOnLine(this.#project, this.#line, this.#positions, places);
+    return texts.map((expressions, i) => ({ id: this.points[i]?.id ?? 0, expressions }));
   }
 
   #add(position: Position): number {
@@ -329,20 +312,4 @@ class LineSplit {
     const count = Math.min(maxParts, Math.ceil(Math.sqrt(Math.max(0, defect) / chordDefect)));
     return Array.from({ length: Math.max(0, count - 1) }, (_, k) => from + ((to - from) * (k + 1)) / count);
   }
-}
-
-/** Returns a position in the plane, or on the line, of three or two positions as a combination of them. */
-function combined([a, b, c]: readonly QuantityPosition[], position: Position): QuantityPosition {
-  if (!a || !b) return position;
-  const arm = subtract(position, valuesOf(a));
-  const u = subtract(valuesOf(b), valuesOf(a));
-  const along = (share: number, to: QuantityPosition) => scaleQuantities(subtractQuantities(to, a), share);
-  const v = c && subtract(valuesOf(c), valuesOf(a));
-  const normal = v && cross(u, v);
-  const square = normal ? dot(normal, normal) : 0;
-  if (!c || !v || !normal || square <= 1e-18 * dot(u, u) * dot(v, v)) {
-    return addQuantities(a, along(dot(arm, u) / dot(u, u), b));
-  }
-  const [s, t] = [dot(cross(arm, v), normal) / square, dot(cross(u, arm), normal) / square];
-  return addQuantities(addQuantities(a, along(s, b)), along(t, c));
 }
