@@ -42,11 +42,10 @@ struct MeshImprovement {
 };
 
 /// Improves a mesh in slices: swaps, moves, splits and collapses, as after a run, with the sizes of the mesh's own
-/// edges. The result is at least as good in its smallest dihedral angle and its mean radius ratio. Neither the number nor
-/// the share of elements outside 30 to 135 degrees grows; the largest dihedral angle is at most 135 degrees or that of the
-/// given mesh. A mesh whose elements have no volume, overlap, or share a face with two others gives a diagnostic that names
-/// them; a part inside another is not recognized if an edge joins their boundaries. A unit of work is about one element.
-/// O(n log n) per sweep. After stop(), the result is the mesh as it then was.
+/// edges. The result is at least as good in its smallest dihedral angle, its mean radius ratio, and the share of elements
+/// outside 30 to 135 degrees; its largest dihedral angle is at most 135 degrees or that of the given mesh. A mesh whose elements have no volume, overlap, or share a face with
+/// two others gives a diagnostic that names them; a part inside another is not recognized if an edge joins their boundaries. A unit of work is about one element. O(n log n) per sweep. After
+/// stop(), the result is the mesh as it then was.
 class MeshImprover : public SlicedTool<MeshImprovement> {
  public:
   /// `points`: x y z per node. `tetrahedra`: nodes a b c d of element t at [4t..4t+3], in any orientation. `regions`: one

@@ -105,7 +105,7 @@ async function readVolumeMesh(input: string, options: InputOptions): Promise<Fil
   throw new InvalidInput(input, [none]);
 }
 
-/** Returns the share of elements outside 30 to 135 degrees; neither it nor their number ever grows. */
+/** Returns the share of elements outside 30 to 135 degrees: it never grows, but their number may, with that of all elements. */
 function shareText({ outOfRange, tetrahedra }: MeshShapes): string {
   return `${Number(((100 * outOfRange) / tetrahedra).toPrecision(3))} %`;
 }
