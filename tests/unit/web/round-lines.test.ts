@@ -53,7 +53,7 @@ it.each([
 it.each([
   ["circle", ["0,0,0", `${long("r")},r/9,0`]],
   ["arc", ["0,0,0", `${long("r")},r/9,0`, "r"]],
-] as const)("a %s has no expressions if some of them would be too long", (type, texts) => {
+] as const)("no point of a drawn %s has expressions if some of them would be too long", (type, texts) => {
   const documents = drawn(type, texts);
   expect(documents.project.expressions ?? []).toEqual([]);
   const before = documents.project.points;

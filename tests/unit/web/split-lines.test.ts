@@ -293,8 +293,13 @@ describe("lines that end on others or cross them", () => {
       [["straight", [0, 1]], ["circle", [2, 3, 4, 2]]],
     ); // prettier-ignore
     const half = await filledAt(project, 0, 0.5);
-    expect(half.patches.map(({ loops }) => loops.map((loop) => loop.length))).toEqual([[2]]);
-    expect((await filledAt(half, 0, -0.5)).patches).toHaveLength(2);
+    const both = await filledAt(half, 0, -0.5);
+    const typeOf = (step: number) => both.lines.find(({ id }) => id === Math.abs(step))?.type;
+    expect(both.patches.map(({ loops }) => loops.map((loop) => loop.map(typeOf).toSorted()))).toEqual([
+      [["arc", "straight"]],
+      [["arc", "straight"]],
+    ]);
+    expect(both.lines).toHaveLength(5);
   });
 
   it("where two lines only nearly meet, a line is drawn onto one of them", () => {
