@@ -44,7 +44,7 @@ struct RemeshOptions {
   /// 0: all details are kept.
   double dropDetails = 0.0;
   /// If an angle would be below 10 degrees, details across which the triangles are poor are dropped, and the tolerance is
-  /// kept; unless the result is not better.
+  /// kept; unless the result is not better, or triangles are poor everywhere (mean radius ratio below 0.8).
   bool dropPoorDetails = false;
   double growth = 0.3;  ///< growth of sizes per unit of distance, 0 to kMaxGrowth
   /// Largest volume of a tetrahedron of the future mesh, as in MeshOptions: it caps all sizes; 0 for no limit.
