@@ -9,6 +9,8 @@ export interface MeshState {
   readonly fingerprint: string;
 }
 
+export type Position = readonly [x: number, y: number, z: number];
+
 const modelsFolder = new URL("../../public/models/", import.meta.url);
 
 export function sampleProject(id: string): Project {
@@ -49,6 +51,24 @@ export class AppPage {
   /** Opens the app with the smallest model. */
   async openCube(): Promise<MeshState> {
     return this.open("dark", "unit-cube");
+  }
+
+  /** Where a position appears on the page. */
+  async at(position: Position): Promise<{ readonly x: number; readonly y: number }> {
+    const box = await this.viewport.boundingBox();
+    const found = await this.page.evaluate((position) => {
+      const { tetrafrontPosition } = window as unknown as {
+        tetrafrontPosition: (position: Position) => { x: number; y: number } | null;
+      };
+      return tetrafrontPosition(position);
+    }, position);
+    if (!box || !found) throw new Error(`${position.join()} is not in view`);
+    return { x: box.x + found.x, y: box.y + found.y };
+  }
+
+  async click(position: Position): Promise<void> {
+    const { x, y } = await this.at(position);
+    await this.page.mouse.click(x, y);
   }
 
   /** Waits until the mesh shown is that of the present model. */

@@ -4,36 +4,20 @@ import { defectsOf } from "../support/check-mesh";
 import { parseVtu } from "../support/mesh-files";
 import { readProject } from "tetrafront";
 import { countActions, expectActions } from "./actions";
-import { AppPage } from "./app-page";
+import { AppPage, type Position } from "./app-page";
 import { downloaded } from "./downloads";
-
-export type Position = readonly [x: number, y: number, z: number];
 
 /** The view of a new project, drawn in with the pointer and the keyboard alone. */
 export class DrawPage extends AppPage {
   async openNew(): Promise<void> {
     await countActions(this.page);
+    await this.page.addInitScript(() => {
+      Reflect.deleteProperty(window, "showOpenFilePicker");
+      Reflect.deleteProperty(window, "showSaveFilePicker");
+    });
     await this.page.goto("./?test=1&new=1");
     await expect(this.viewport).toHaveAttribute("data-points", "0");
     await expect(this.viewport).toHaveAttribute("data-frames", /./);
-  }
-
-  /** Where a position appears on the page. */
-  async at(position: Position): Promise<{ readonly x: number; readonly y: number }> {
-    const box = await this.viewport.boundingBox();
-    const found = await this.page.evaluate((position) => {
-      const { tetrafrontPosition } = window as unknown as {
-        tetrafrontPosition: (position: Position) => { x: number; y: number } | null;
-      };
-      return tetrafrontPosition(position);
-    }, position);
-    if (!box || !found) throw new Error(`${position.join()} is not in view`);
-    return { x: box.x + found.x, y: box.y + found.y };
-  }
-
-  async click(position: Position): Promise<void> {
-    const { x, y } = await this.at(position);
-    await this.page.mouse.click(x, y);
   }
 
   async hover(position: Position): Promise<void> {

@@ -1,6 +1,7 @@
 import { expect, test } from "@playwright/test";
 import { meshVolume, NO_DEFECTS } from "../support/check-mesh";
-import { DrawPage, type Position } from "./draw-page";
+import { DrawPage } from "./draw-page";
+import type { Position } from "./app-page";
 
 const { extraFaces: _, ...noDefects } = NO_DEFECTS;
 
@@ -84,10 +85,6 @@ test("a sphere of eight octants: three arcs, a patch and three mirror images giv
 
 test("the handles of a piece change its sizes and its place before it is created", async ({ page }) => {
   const draw = new DrawPage(page);
-  await page.addInitScript(() => {
-    Reflect.deleteProperty(window, "showOpenFilePicker");
-    Reflect.deleteProperty(window, "showSaveFilePicker");
-  });
   await draw.openNew();
   await page.getByTestId("create-box").click();
   const drag = async (from: Position, to: Position): Promise<void> => {
@@ -265,10 +262,6 @@ test("handles move, turn and scale the selection: each drag is one step of undo,
   page,
 }) => {
   const app = new DrawPage(page);
-  await page.addInitScript(() => {
-    Reflect.deleteProperty(window, "showOpenFilePicker");
-    Reflect.deleteProperty(window, "showSaveFilePicker");
-  });
   await app.openNew();
   await page.getByTestId("tool-line").click();
   for (const corner of square(0)) await app.click(corner);
@@ -347,10 +340,6 @@ test("the move tool drags a point as one step of undo, joins what coincides, and
 }) => {
   const app = new DrawPage(page);
   // Without file dialogs, saving downloads the project.
-  await page.addInitScript(() => {
-    Reflect.deleteProperty(window, "showOpenFilePicker");
-    Reflect.deleteProperty(window, "showSaveFilePicker");
-  });
   await app.openNew();
   const positions = () => app.savedPositions();
   const drag = async (from: Position, to: Position): Promise<void> => {
@@ -418,10 +407,6 @@ test("typed lines that cross bound four loops; a line is split where its menu is
   page,
 }) => {
   const draw = new DrawPage(page);
-  await page.addInitScript(() => {
-    Reflect.deleteProperty(window, "showOpenFilePicker");
-    Reflect.deleteProperty(window, "showSaveFilePicker");
-  });
   await draw.openNew();
   await page.keyboard.press("l");
   for (const corner of square(0)) await draw.click(corner);
@@ -453,10 +438,6 @@ test("a circle drawn on a face of a box lies in its plane, by clicks and by a ty
   page,
 }) => {
   const draw = new DrawPage(page);
-  await page.addInitScript(() => {
-    Reflect.deleteProperty(window, "showOpenFilePicker");
-    Reflect.deleteProperty(window, "showSaveFilePicker");
-  });
   await draw.openNew();
   await page.getByTestId("create-box").click();
   await page.getByTestId("accept").click();

@@ -4,33 +4,14 @@ import { NO_DEFECTS, defectsOf, meshVolume } from "../support/check-mesh";
 import { parseVtu } from "../support/mesh-files";
 import { stlBinary } from "../support/surface-files";
 import { sphereSurface } from "../support/surfaces";
-import { AppPage, forEachPixel, nextFrame, sampleProject } from "./app-page";
+import { AppPage, forEachPixel, nextFrame, sampleProject, type Position } from "./app-page";
 import { downloaded, downloadMesh } from "./downloads";
 import { dropBytes } from "./drop-bytes";
 
-type Position = readonly [x: number, y: number, z: number];
 type Colour = readonly [red: number, green: number, blue: number];
 
 /** The app with the background grid of its model drawn in the view. */
 class SizesPage extends AppPage {
-  /** Where a position appears on the page. */
-  async at(position: Position): Promise<{ readonly x: number; readonly y: number }> {
-    const box = await this.viewport.boundingBox();
-    const found = await this.page.evaluate((position) => {
-      const { tetrafrontPosition } = window as unknown as {
-        tetrafrontPosition: (position: Position) => { x: number; y: number } | null;
-      };
-      return tetrafrontPosition(position);
-    }, position);
-    if (!box || !found) throw new Error(`${position.join()} is not in view`);
-    return { x: box.x + found.x, y: box.y + found.y };
-  }
-
-  async click(position: Position): Promise<void> {
-    const { x, y } = await this.at(position);
-    await this.page.mouse.click(x, y);
-  }
-
   /** Zooms out until positions are in view. */
   async show(...positions: readonly Position[]): Promise<void> {
     const box = await this.viewport.boundingBox();

@@ -5,10 +5,6 @@ test("an expression may begin with a hotkey; undo takes back the last line of a 
   page,
 }) => {
   const draw = new DrawPage(page);
-  await page.addInitScript(() => {
-    Reflect.deleteProperty(window, "showOpenFilePicker");
-    Reflect.deleteProperty(window, "showSaveFilePicker");
-  });
   await draw.openNew();
   await page.keyboard.press("l");
   await expect(draw.viewport).toHaveAttribute("data-tool", "line");
@@ -40,10 +36,6 @@ test("typed numbers move the selection, before and during a drag: each is one st
   page,
 }) => {
   const draw = new DrawPage(page);
-  await page.addInitScript(() => {
-    Reflect.deleteProperty(window, "showOpenFilePicker");
-    Reflect.deleteProperty(window, "showSaveFilePicker");
-  });
   await draw.openNew();
   await page.keyboard.press("p");
   await expect(draw.viewport).toHaveAttribute("data-tool", "point");

@@ -126,8 +126,8 @@ function finestRemeshing(all: readonly BodyRemeshing[]): BodyRemeshing {
 }
 
 /**
- * Puts a joined body in the place of the first of those it was made from. It has the sizes painted on them, and is in their
- * groups.
+ * Puts a joined body in the place of the first body that it was made from. It takes over the painted sizes and the groups of
+ * all of them.
  */
 export function replaceByJoined(
   project: Project,

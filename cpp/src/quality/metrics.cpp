@@ -11,7 +11,8 @@
 namespace tetrafront {
 namespace {
 
-/// No radius ratio exceeds 1 by more than rounding.
+/// A radius ratio is at most 1, and rounding adds a few 1e-16 to that of a well-shaped element. A value above this is
+/// nothing but rounding.
 constexpr double kMaxRoundedRatio = 1.0 + 1e-9;
 
 double length(const Vec3& v) { return std::sqrt(glm::dot(v, v)); }

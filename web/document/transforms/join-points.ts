@@ -63,7 +63,7 @@ function withPoints(project: Project, pointIds: ReadonlyMap<number, number>): Jo
   };
 }
 
-/** Returns points without those of which all lines were joined into others that begin elsewhere. */
+/** Returns the points without those that only joined lines used; the line that replaces them may begin elsewhere. */
 function withoutUnused(
   points: readonly ProjectPoint[],
   before: readonly ProjectLine[],
