@@ -33,10 +33,12 @@ namespace {
 constexpr double kPoorAngle = 10.0;
 /// Mean radius ratio below which triangles are poor everywhere, not across a few details: dropping those is of no use.
 constexpr double kPoorRatio = 0.8;
-/// Difference of the mean radius ratio that does not matter.
-constexpr double kRatioNoise = 0.005;
+/// Mean radius ratio that a larger smallest angle may cost.
+constexpr double kRatioCost = 0.015;
 /// Merges of poor details, each followed by a remeshing: a merge brings other lines closer.
 constexpr int kMaxPoorMerges = 2;
+/// Share of the given triangles at which poor details to drop are strips of needles, whose merged lines would be ragged.
+constexpr double kNeedleShare = 0.05;
 /// Shares of the tolerance: of the remeshing before the first merge, of the remeshing after each merge, and of each merge of
 /// poor details. The sum over all merges, of chosen details and of poor ones, is at most 1.
 constexpr double kFirstShare = 0.3;
@@ -112,10 +114,10 @@ bool isPoor(const SurfaceRemesh& result) {
   return isComplete(result) && result.smallestAngle < kPoorAngle;
 }
 
-/// Returns true if the smallest angle is larger, without poorer triangles on average.
+/// Returns true if the smallest angle is larger, without much poorer triangles on average.
 bool isBetter(const SurfaceRemesh& one, const SurfaceRemesh& other) {
   return isComplete(one) && one.smallestAngle > other.smallestAngle &&
-         one.meanRadiusRatio > other.meanRadiusRatio - kRatioNoise;
+         one.meanRadiusRatio > other.meanRadiusRatio - kRatioCost;
 }
 
 /// Returns a remeshed surface as the next one to be remeshed, with the feature lines that it has.
@@ -159,6 +161,7 @@ struct DetailRule {
   double distance;
   DetailChoice choice;
   double toleranceShare;
+  double largestShare = 1.0;  ///< of the triangles: number of details
 };
 
 /// A surface from which details have been dropped.
@@ -168,8 +171,19 @@ struct SimplifiedSurface {
   std::vector<MergedDetail> merged;
 };
 
-/// Drops details of the given or a remeshed surface, and remeshes it. Returns false if there are none. Keeps all details if
-/// a region would be left without volume.
+/// Returns true if a remeshed surface has details across which triangles are poor.
+Task<bool> hasPoorDetails(Work& work, const Remeshing& remeshing, const RemeshPass& pass,
+                          double distance) {
+  const PassSurface surface = nextSurface(pass);
+  ReferenceSurface reference(surface.mesh, surface.groups, featureRulesOf(remeshing.options));
+  co_await reference.prepare(work);
+  DetailMerger merger(reference, distance, DetailChoice::kPoor);
+  co_await merger.run(work);
+  co_return !merger.merged().empty();
+}
+
+/// Drops details of the given or a remeshed surface, and remeshes it. Returns false if there are none, or more than a share
+/// of the triangles. Keeps all details if a region would be left without volume.
 Task<bool> simplify(Work& work, const Remeshing& remeshing, const PassSurface& surface,
                     const DetailRule& rule, SimplifiedSurface& simplified) {
   work.beginPart(0.2);
@@ -178,7 +192,9 @@ Task<bool> simplify(Work& work, const Remeshing& remeshing, const PassSurface& s
   co_await reference.prepare(work);
   DetailMerger merger(reference, rule.distance, rule.choice);
   co_await merger.run(work);
-  if (merger.merged().empty()) co_return false;
+  const auto largest = rule.largestShare * static_cast<double>(surface.origin.size());
+  const auto count = static_cast<double>(merger.merged().size());
+  if (count == 0.0 || count > largest) co_return false;
   PassSurface made;
   std::vector<TriangleId> parents;
   merger.copyTo(made.mesh, parents);
@@ -260,39 +276,52 @@ Task<SurfaceRemesh> remeshInSteps(Work& work, const Remeshing& remeshing) {
   co_return result;
 }
 
-/// Remeshes a surface with all details, unless some are dropped.
-Task<SurfaceRemesh> remeshGiven(Work& work, const Remeshing& remeshing) {
+/// Remeshes a surface in steps if the best result so far has poor triangles. Keeps the better of both.
+Task<> improveInSteps(Work& work, const Remeshing& remeshing, SurfaceRemesh& best) {
+  if (remeshing.isStopped) best.isPartial = true;
+  if (!isPoor(best)) co_return;
+  work.beginPart(1.0);
+  SurfaceRemesh other = co_await remeshInSteps(work, remeshing);
+  best.isPartial = other.isPartial;
+  if (isBetter(other, best) && !other.mergedDetails.empty()) best = std::move(other);
+}
+
+/// Remeshes a surface without the chosen details.
+Task<> remeshWithoutChosen(Work& work, const Remeshing& remeshing, SurfaceRemesh& result) {
   const RemeshOptions& options = remeshing.options;
-  const bool areChosen = options.dropDetails > 0.0;
-  SurfaceRemesh best;
-  DetailRule rule{options.dropDetails, DetailChoice::kAll, 1.0};
-  if (!areChosen) {
-    work.beginPart(options.dropPoorDetails ? 0.4 : 1.0);
-    RemeshPass plain = co_await remeshOnce(work, remeshing.given, remeshing.grid, options, 1.0,
-                                           remeshing.isStopped);
-    best = std::move(plain.remesh);
-    if (!options.dropPoorDetails || !isPoor(best) || best.meanRadiusRatio < kPoorRatio)
-      co_return best;
-    rule.distance = kMergeShare * best.tolerance;
-    rule.toleranceShare = 1.0 - kMergeShare;
-  }
+  const DetailRule rule{options.dropDetails, DetailChoice::kAll, 1.0};
   work.beginPart(0.6);
   SurfaceRemesh simplified = co_await remeshSimplified(work, remeshing, rule);
-  const bool isDropped = !simplified.mergedDetails.empty();
-  if (areChosen && !isDropped) {
+  if (simplified.mergedDetails.empty()) {
     work.beginPart(1.0);
     RemeshPass plain = co_await remeshOnce(work, remeshing.given, remeshing.grid, options, 1.0,
                                            remeshing.isStopped);
-    co_return std::move(plain.remesh);
+    result = std::move(plain.remesh);
+  } else {
+    result = std::move(simplified);
+    co_await improveInSteps(work, remeshing, result);
   }
-  if (areChosen || isBetter(simplified, best)) best = std::move(simplified);
-  if (remeshing.isStopped) best.isPartial = true;
-  if (!isPoor(best)) co_return best;
-  work.beginPart(1.0);
-  SurfaceRemesh other = co_await remeshInSteps(work, remeshing);
-  if (isBetter(other, best) && !other.mergedDetails.empty()) co_return other;
-  best.isPartial = other.isPartial;
-  co_return best;
+}
+
+/// Remeshes a surface with all details. If triangles are poor, drops details where that makes them better.
+Task<> remeshWithoutPoor(Work& work, const Remeshing& remeshing, SurfaceRemesh& result) {
+  const RemeshOptions& options = remeshing.options;
+  work.beginPart(options.dropPoorDetails ? 0.4 : 1.0);
+  RemeshPass plain =
+      co_await remeshOnce(work, remeshing.given, remeshing.grid, options, 1.0, remeshing.isStopped);
+  const bool isPoorInPlaces = isPoor(plain.remesh) && plain.remesh.meanRadiusRatio >= kPoorRatio;
+  const double distance = kMergeShare * plain.remesh.tolerance;
+  const bool mayDrop = options.dropPoorDetails && isPoorInPlaces;
+  bool hasSteps = false;
+  if (mayDrop) hasSteps = co_await hasPoorDetails(work, remeshing, plain, distance);
+  result = std::move(plain.remesh);
+  if (!mayDrop) co_return;
+  const DetailRule rule{distance, DetailChoice::kAll, 1.0 - kMergeShare, kNeedleShare};
+  work.beginPart(0.6);
+  SurfaceRemesh simplified = co_await remeshSimplified(work, remeshing, rule);
+  if (isBetter(simplified, result)) result = std::move(simplified);
+  if (remeshing.isStopped) result.isPartial = true;
+  if (hasSteps) co_await improveInSteps(work, remeshing, result);
 }
 
 }  // namespace
@@ -310,7 +339,12 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
   given.origin.resize(countTriangles(given.mesh));
   std::iota(given.origin.begin(), given.origin.end(), 0U);
   const Remeshing remeshing{given, regions, grid, options, isStopped};
-  SurfaceRemesh result = co_await remeshGiven(work, remeshing);
+  SurfaceRemesh result;
+  if (options.dropDetails > 0.0) {
+    co_await remeshWithoutChosen(work, remeshing, result);
+  } else {
+    co_await remeshWithoutPoor(work, remeshing, result);
+  }
   if (result.diagnostics.empty()) result.diagnostics = std::move(problems);
   co_return result;
 }
