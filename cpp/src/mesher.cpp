@@ -52,6 +52,10 @@ constexpr double kMeasureEnd = 0.98;
 /// Elements per unit of budget: copying one in the order of a list costs far less than a step of the front.
 constexpr std::size_t kReorderedPerUnit = 32;
 
+bool isAboutRegions(DiagnosticCode code) {
+  return code == DiagnosticCode::kNestedRegions || code == DiagnosticCode::kSurfaceContact;
+}
+
 bool hasVolumeLimits(const std::vector<double>& volumes) {
   return std::ranges::any_of(volumes, [](double volume) { return volume > 0.0; });
 }
@@ -115,8 +119,8 @@ Task<bool> MeshRun::Impl::checkInput(Work& work) {
   }
   CheckedInput input = co_await tetrafront::checkInput(work, *model_, grid_, options_);
   for (const Diagnostic& found : input.preview.diagnostics) {
-    // Bodies change how regions are nested; the boundary check reports it.
-    if (!bodies_ || found.code != DiagnosticCode::kNestedRegions) report({found});
+    // Bodies change how regions are nested and touch; the boundary check reports it.
+    if (!bodies_ || !isAboutRegions(found.code)) report({found});
   }
   field_ = std::move(input.field);
   co_return field_.has_value() && !anyError(diagnostics_);
@@ -149,8 +153,8 @@ Task<bool> MeshRun::Impl::checkBoundary(Work& work) {
   BoundaryCheck check(surface_, source, options_.innerShells, MixedOrientation::kRefuse);
   co_await work.finish(check);
   for (const Diagnostic& found : check.diagnostics()) {
-    // The input check has already reported how the regions of a model are nested.
-    if (found.code != DiagnosticCode::kNestedRegions || !hasReported(found.code)) report({found});
+    // The input check has already reported how the regions of a model are nested and touch.
+    if (!isAboutRegions(found.code) || !hasReported(found.code)) report({found});
   }
   std::vector<double> ofRegions;
   for (const std::uint32_t given : check.result().givenRegionOf) {

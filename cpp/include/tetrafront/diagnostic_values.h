@@ -135,6 +135,9 @@ constexpr DiagnosticValues valuesOf(DiagnosticCode code) {
     case DiagnosticCode::kNestedRegions:
       return {{"regions", "Number of regions in the future mesh."},
               {"cavities", "Number of cavities in the future mesh."}};
+    case DiagnosticCode::kSurfaceContact:
+      return {{"edges", "Number of edges at which the surface touches itself."},
+              {"nodes", "Number of nodes at which it does, other than those of such edges."}};
     case DiagnosticCode::kFlippedTriangle:
       return {{"isBetweenRegions",
                "Whether the triangle would be an interface with `innerShells: \"regions\"`.",

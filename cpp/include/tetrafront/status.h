@@ -108,6 +108,8 @@ enum class DiagnosticCode : std::uint16_t {
   kInconsistentRegions = 52,
   /// Warning: triangle of a given surface that an exact repair could not resolve, position. Nothing was cut or removed.
   kUnresolvedSurface = 53,
+  /// Information: triangle (or patch) at the first edge or node where the surface touches itself, position.
+  kSurfaceContact = 54,
   // Volume
   kStalled = 60,
   /// One node, tetrahedron or triangle per kind of defect. A mistake of the engine, not of the input.

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
+#include "boundary/corner_fans.h"
 #include "boundary/edge_table.h"
 #include "boundary/half_faces.h"
 #include "boundary/self_intersection.h"
@@ -75,6 +77,7 @@ Task<> BoundaryCheck::closeBoundary(Work& work) {
   work.beginPart(0.95);
   RegionMap regions = findRegions(mesh_, edges, tree, innerShells_, givenRegions_, report_);
   if (report_.hasErrors()) co_return;
+  reportContacts(regions, edges);
   co_await work.yield();
 
   orientOutward(regions);
@@ -146,6 +149,43 @@ void BoundaryCheck::reportFlippedComponents(const RegionMap& regions,
                            centroidOf(cornersOf(mesh_, count.firstFlipped)),
                            {static_cast<double>(count.flipped), static_cast<double>(count.all)});
   }
+}
+
+void BoundaryCheck::reportContacts(const RegionMap& regions, const EdgeTable& edges) {
+  struct Contact {
+    TriangleId triangle;
+    Vec3 position;
+  };
+  std::optional<Contact> first;
+  std::vector<std::uint8_t> isAtEdge(countNodes(mesh_), 0);
+  std::size_t edgeCount = 0;
+  for (const EdgeId edge : IdRange<EdgeId>(edges.edgeCount())) {
+    const std::span<const HalfEdgeId> halfEdges = edges.halfEdgesOf(edge);
+    if (halfEdges.size() == 2) continue;
+    const HalfEdgeNodes nodes = nodesOf(mesh_.triangles, halfEdges[0]);
+    isAtEdge[nodes.from.index()] = isAtEdge[nodes.to.index()] = 1;
+    const auto isInterface = [&](HalfEdgeId h) { return regions.isInterface(triangleOf(h)); };
+    if (std::ranges::any_of(halfEdges, isInterface)) continue;
+    ++edgeCount;
+    if (first) continue;
+    first = {triangleOf(halfEdges[0]),
+             0.5 * (pointOf(mesh_, nodes.from) + pointOf(mesh_, nodes.to))};
+  }
+  std::vector<HalfEdgeId> fanOf(countNodes(mesh_));
+  std::vector<std::uint8_t> isCounted(countNodes(mesh_), 0);
+  std::size_t nodeCount = 0;
+  const std::vector<HalfEdgeId> fans = cornerFans(mesh_.triangles, edges);
+  for (std::size_t corner = 0; corner < fans.size(); ++corner) {
+    const std::uint32_t node = mesh_.triangles[corner];
+    if (isAtEdge[node] != 0 || isCounted[node] != 0) continue;
+    if (fanOf[node].isNone()) fanOf[node] = fans[corner];
+    if (fanOf[node] == fans[corner]) continue;
+    isCounted[node] = 1;
+    ++nodeCount;
+    if (!first) first = {triangleOf(HalfEdgeId(corner)), pointOf(mesh_, NodeId(node))};
+  }
+  if (!first) return;
+  report_.addContact(first->triangle, first->position, edgeCount, nodeCount);
 }
 
 void BoundaryCheck::numberRegions(const RegionMap& regions) {

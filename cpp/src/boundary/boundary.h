@@ -90,6 +90,8 @@ class BoundaryCheck {
   void reportFlippedPatches(const std::vector<std::uint8_t>& isFlipped);
   void reportFlippedComponents(const RegionMap& regions,
                                const std::vector<std::uint8_t>& isFlipped);
+  /// Reports the edges and nodes at which the surface touches itself, except those of interfaces.
+  void reportContacts(const RegionMap& regions, const EdgeTable& edges);
   /// Numbers the regions in the order of the first triangles of their outer shells.
   void numberRegions(const RegionMap& regions);
 

@@ -146,6 +146,13 @@ void BoundaryReport::addNesting(TriangleId triangle, std::uint32_t regions,
                  {static_cast<double>(regions), static_cast<double>(cavities)});
 }
 
+void BoundaryReport::addContact(TriangleId triangle, const Vec3& position, std::size_t edges,
+                                std::size_t nodes) {
+  addInformation(DiagnosticCode::kSurfaceContact,
+                 {isDrawn() ? patchOf(triangle) : entityOf(triangle)}, position,
+                 {static_cast<double>(edges), static_cast<double>(nodes)});
+}
+
 void BoundaryReport::addEmpty() {
   ++errors_;
   Entry entry;

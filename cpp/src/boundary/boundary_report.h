@@ -44,6 +44,8 @@ class BoundaryReport {
                       std::vector<double> values);
   /// Reports the numbers of regions and cavities; `triangle` belongs to the second shell.
   void addNesting(TriangleId triangle, std::uint32_t regions, std::uint32_t cavities);
+  /// Reports the numbers of edges and nodes at which the surface touches itself; `triangle` is at the first one.
+  void addContact(TriangleId triangle, const Vec3& position, std::size_t edges, std::size_t nodes);
   void addEmpty();
   /// Reports that the last node or triangle has fewer than three numbers; `index` is its index.
   void addIncomplete(EntityKind kind, std::size_t index);

@@ -39,6 +39,8 @@ constexpr double kRatioCost = 0.015;
 constexpr int kMaxPoorMerges = 2;
 /// Share of the given triangles at which poor details to drop are strips of needles, whose merged lines would be ragged.
 constexpr double kNeedleShare = 0.05;
+/// Details that are dropped at any share: surfaces of a few triangles have steps, too.
+constexpr double kFewDetails = 50.0;
 /// Shares of the tolerance: of the remeshing before the first merge, of the remeshing after each merge, and of each merge of
 /// poor details. The sum over all merges, of chosen details and of poor ones, is at most 1.
 constexpr double kFirstShare = 0.3;
@@ -192,7 +194,8 @@ Task<bool> simplify(Work& work, const Remeshing& remeshing, const PassSurface& s
   co_await reference.prepare(work);
   DetailMerger merger(reference, rule.distance, rule.choice);
   co_await merger.run(work);
-  const auto largest = rule.largestShare * static_cast<double>(surface.origin.size());
+  const double largest =
+      std::max(kFewDetails, rule.largestShare * static_cast<double>(surface.origin.size()));
   const auto count = static_cast<double>(merger.merged().size());
   if (count == 0.0 || count > largest) co_return false;
   PassSurface made;

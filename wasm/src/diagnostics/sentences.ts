@@ -221,6 +221,14 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
       `The model has ${plural(regions, "region")}${cavities === 0 ? "" : ` and ${plural(cavities, "cavity")}`}`,
     remedy: "",
   },
+  "surface-contact": {
+    message: ({ at, data: { edges, nodes } }) =>
+      `The surface touches itself at ${[
+        ...(edges > 0 ? [plural(edges, "edge")] : []),
+        ...(nodes > 0 ? [plural(nodes, "node")] : []),
+      ].join(" and ")}${at}: the tetrahedra on both sides share only these`,
+    remedy: "If what touches should be one body, let it overlap, and use --repair or repairSurface().",
+  },
   "empty-background-grid": {
     message: () => "The project has no background grid, so the element sizes are unknown",
     remedy:
