@@ -75,6 +75,8 @@ export const playerStrings = {
   speedOf: (speed: number) => (speed === 1 ? "1 step/s" : `${number(speed)} steps/s`),
   scrub: "Step of the front",
   phases: phaseNames,
+  phaseSteps: (phase: keyof typeof phaseNames, steps: number) =>
+    `${phaseNames[phase]}: ${number(steps)} ${steps === 1 ? "step" : "steps"}`,
   counter: (step: number, steps: number) => `${number(step)} / ${number(steps)}`,
   scrubText: (phase: keyof typeof faceNames, step: number, steps: number, faces: number) =>
     `${phaseNames[phase]}: step ${number(step)} of ${number(steps)}, ${number(faces)} ${faceNames[phase]}`,
