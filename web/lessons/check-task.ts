@@ -23,7 +23,10 @@ export function isShown(task: LessonTask, { coloring, ...steps }: ShownFront): b
   return task.kind === "step" && isReached(task, steps);
 }
 
-function isReached({ reach }: TaskOf<"step">, { trace, step, after = step - 1 }: Omit<ShownFront, "coloring">): boolean {
+function isReached(
+  { reach }: TaskOf<"step">,
+  { trace, step, after = step - 1 }: Omit<ShownFront, "coloring">,
+): boolean {
   if (reach === "end") return step === trace.stepCount;
   return step > firstState(trace) && nextStop(trace, after, 1, reach, step) !== null;
 }

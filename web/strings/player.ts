@@ -116,6 +116,7 @@ export const playerStrings = {
   marks: {
     base: (face: number) => `base ${number(face)}`,
     face: (face: number) => `face ${number(face)}`,
+    edge: (edge: number) => `edge ${number(edge)}`,
     node: (node: number | null) => (node === null ? "new node" : `node ${number(node)}`),
     normal: "normal",
     ideal: "ideal",
