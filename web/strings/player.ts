@@ -220,5 +220,19 @@ export const playerStrings = {
   verdictAt: (verdict: string, face: number | null) =>
     face === null ? verdict : `${verdict}: ${number(face)}`,
   test: crossingTestStrings,
+  ideal: {
+    title: "Ideal point",
+    hint: "Step F5.1 of the paper. δ is the target edge, b the size of the base face (root mean square of its edges), R the radius of the circle through its corners. The ideal point is this high above the centroid.",
+    stretchedHint:
+      "Step F5.1 of the paper, in unit space: δ is the target edge, b the size of the base face (root mean square of its edges), R the radius of the circle through its corners. The ideal point is this high above the centroid.",
+  },
+  refusal: {
+    tooClose: "Distance from the face",
+    tooCloseHint:
+      "h is the element size of the ideal point. The factor is that of the rule class. An experiment with another distance multiplies it.",
+    behind: "Volume of the element",
+    behindHint:
+      "The volume must be positive. If it is 0 within rounding errors, exact numbers decide its sign.",
+  },
   ...surfaceLensStrings,
 } as const;
