@@ -24,7 +24,8 @@ import { useShowsPlane } from "../player/use-player";
 import styles from "./viewport-panel.module.css";
 
 const LensLabels = lazy(async () => ({ default: (await import("./lens-labels")).LensLabels }));
-const PlaneView = lazy(async () => ({ default: (await import("../player/plane-view")).PlaneView }));
+const importPlane = () => import("../player/plane-view");
+const PlaneView = lazy(async () => ({ default: (await importPlane()).PlaneView }));
 
 /** Width that the column of tools covers, in CSS pixels. In a wide view the model has room beside it. */
 const columnWidth = 58;
@@ -44,6 +45,10 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const { viewer, trouble } = useViewer(container, canvas, setHover, isNarrow ? columnWidth : 0);
   const hasOperation = useStore(app.operations.state, ({ open }) => open !== null);
   useFitBeside(viewer, showsPlane);
+  useEffect(() => {
+    // So that the plane of a patch is there when one is first shown.
+    if (isReplaying) void importPlane();
+  }, [isReplaying]);
   return (
     <main
       className={styles["view"]}
