@@ -119,6 +119,10 @@ test("lines and patches are played before the volume, with the plane beside spac
   await page.getByTestId("player-kind").selectOption({ label: "new node too close to an edge" });
   await page.getByTestId("player-next").click();
   await expect(sentence).toContainText(/would be too close to edge \d+/);
+  // The view names the same edges in space.
+  const failing = /edge \d+/.exec((await sentence.textContent()) ?? "")?.[0] ?? "no edge";
+  await expect(page.getByTestId("lens-labels")).toContainText(failing);
+  await expect(page.getByTestId("lens-labels")).toContainText(/base \d+/);
   await page.getByTestId("plane-zoom").getByText("Base edge").click();
   expect(await violations(page)).toEqual([]);
 
@@ -184,6 +188,7 @@ test("the lens says why a candidate was refused, with the numbers of the crossin
   await page.getByTestId("player-next").click();
   await expect(page.getByTestId("lens-sentence")).toContainText(/was refused: .*face/);
   const canvas = page.getByTestId("viewport-canvas");
+  await expect(page.getByTestId("lens-legend")).toBeVisible();
   const before = await canvas.screenshot();
   await page.getByTestId("player-region").check();
   await expect.poll(async () => (await canvas.screenshot()).equals(before)).toBe(false);

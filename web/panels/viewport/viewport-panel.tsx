@@ -23,7 +23,8 @@ import { ViewState } from "./view-state";
 import { useShowsPlane } from "../player/use-player";
 import styles from "./viewport-panel.module.css";
 
-const LensLabels = lazy(async () => ({ default: (await import("./lens-labels")).LensLabels }));
+const importLabels = () => import("./lens-labels");
+const LensLabels = lazy(async () => ({ default: (await importLabels()).LensLabels }));
 const importPlane = () => import("../player/plane-view");
 const PlaneView = lazy(async () => ({ default: (await importPlane()).PlaneView }));
 
@@ -46,8 +47,8 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const hasOperation = useStore(app.operations.state, ({ open }) => open !== null);
   useFitBeside(viewer, showsPlane);
   useEffect(() => {
-    // So that the plane of a patch is there when one is first shown.
-    if (isReplaying) void importPlane();
+    // So that the plane of a patch is there when one is first shown. The labels are needed before.
+    if (isReplaying) void importLabels().then(importPlane);
   }, [isReplaying]);
   return (
     <main
