@@ -181,6 +181,26 @@ test("lesson 8 draws the heap of the front at every step, with the next base fac
   await expect(queue.locator("figcaption")).toContainText("compared faces");
 });
 
+test("the lens has the numbers of the ideal point and of a distance that is too short", async ({ page }) => {
+  await open(page, "&lesson=4");
+  await expect(front(page)).toHaveAttribute("data-shown", "true");
+  await page.getByTestId("player-forward").click();
+  // Those that the lesson states for step 100.
+  await expect(page.getByTestId("lens-ideal")).toContainText("R=0.091");
+  await expect(page.getByTestId("lens-ideal")).toContainText("=0.126");
+  await page.getByTestId("player-kind").selectOption("too-close");
+  await page.getByTestId("player-next").click();
+  await expect(page.getByTestId("lens-refusal")).toContainText("<0.35");
+});
+
+test("a task is done by a step that a fast player has passed", async ({ page }) => {
+  await open(page, "&lesson=6");
+  await expect(front(page)).toHaveAttribute("data-shown", "true");
+  await page.getByTestId("player-speed").selectOption("10000");
+  await page.getByTestId("player-play").click();
+  await expect(task(page, 1)).toHaveAttribute("data-done", "true");
+});
+
 test("wrong answers get a hint, and the right one counts after them", async ({ page }) => {
   await open(page, "&lesson=1");
   await expect(front(page)).toHaveAttribute("data-shown", "true");

@@ -59,3 +59,14 @@ export function cubeProject(size = 0.25): Project {
     },
   };
 }
+
+/** The unit cube in a background grid that asks for elements three times as long along an oblique direction. */
+export function stretchedCube(size: number): Project {
+  const project = cubeProject(size);
+  const nodes = project.background.nodes.map((node) => ({
+    ...node,
+    stretching: 3,
+    direction: [1, 2, 0.5] as [number, number, number],
+  }));
+  return { ...project, background: { ...project.background, nodes } };
+}

@@ -58,15 +58,18 @@ export function lessonRuns(app: App): StoreApi<LessonRuns> {
     isTimed: false,
   }));
   stores.set(app, made);
-  app.player.state.subscribe((state) => noteShown(made.getState(), state));
+  app.player.state.subscribe((state, before) => noteShown(made.getState(), state, before));
   return made;
 }
 
-/** Marks the tasks that are done by what the player shows. */
-function noteShown({ lesson, runs }: LessonRuns, { trace, step, coloring }: PlayerState): void {
+/** Marks the tasks that are done by what the player shows, or by a step that it has played over since the state before. */
+function noteShown({ lesson, runs }: LessonRuns, state: PlayerState, before: PlayerState): void {
+  const { trace, step, coloring, isPlaying } = state;
   if (!lesson || !trace || !runs.some((run) => run.trace === trace)) return;
+  const isPlayed = isPlaying && before.isPlaying && before.trace === trace;
+  const after = isPlayed ? Math.min(before.step, step - 1) : step - 1;
   lesson.tasks.forEach((task, index) => {
-    if (isShown(task, { trace, step, coloring })) finishTask(lesson, index);
+    if (isShown(task, { trace, step, coloring, after })) finishTask(lesson, index);
   });
 }
 
@@ -147,7 +150,10 @@ export async function compareRun(app: App, name: string): Promise<boolean> {
   if (!lesson) return false;
   if (!isShownModel(app, model)) await showLessonModel(app, lesson);
   if (store.getState().lesson !== lesson || !isShownModel(app, store.getState().model)) return false;
-  return addRun(app, lesson, name);
+  const share = shownShare(app);
+  if (!(await addRun(app, lesson, name))) return false;
+  seekShare(app, share);
+  return true;
 }
 
 /** Records the front of the model of a lesson by other rules, and shows it. Returns whether this has succeeded. */
@@ -192,11 +198,20 @@ function isShownModel(app: App, model: ShownModel | null): boolean {
 }
 
 /** Shows the front of a run, and keeps its share of the steps. */
-export function showRun({ player }: App, { trace, file }: LessonRun): void {
-  const before = player.state.getState();
-  const share = before.trace ? before.step / Math.max(1, before.trace.stepCount) : 0;
-  player.show(trace, file);
-  player.seek(share * trace.stepCount);
+export function showRun(app: App, { trace, file }: LessonRun): void {
+  const share = shownShare(app);
+  app.player.show(trace, file);
+  seekShare(app, share);
+}
+
+/** Returns the step that is shown, as a share of all steps; negative in lines and patches, 0 if no trace is shown. */
+function shownShare({ player }: App): number {
+  const { trace, step } = player.state.getState();
+  return trace ? step / Math.max(1, trace.stepCount) : 0;
+}
+
+function seekShare({ player }: App, share: number): void {
+  player.seek(share * (player.state.getState().trace?.stepCount ?? 0));
 }
 
 const runOf = (

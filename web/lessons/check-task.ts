@@ -13,17 +13,22 @@ export interface ShownFront {
   readonly trace: Trace;
   readonly step: number;
   readonly coloring: FrontColoring;
+  /** The step that was shown before, if the steps since then were played: many of them are shown at once. Default: one step before. */
+  readonly after?: number;
 }
 
 /** Returns whether what is shown completes a task of the kinds `step` and `color`; false for the others. */
-export function isShown(task: LessonTask, { trace, step, coloring }: ShownFront): boolean {
+export function isShown(task: LessonTask, { coloring, ...steps }: ShownFront): boolean {
   if (task.kind === "color") return coloring === task.coloring;
-  return task.kind === "step" && isReached(task, trace, step);
+  return task.kind === "step" && isReached(task, steps);
 }
 
-function isReached({ reach }: TaskOf<"step">, trace: Trace, step: number): boolean {
+function isReached(
+  { reach }: TaskOf<"step">,
+  { trace, step, after = step - 1 }: Omit<ShownFront, "coloring">,
+): boolean {
   if (reach === "end") return step === trace.stepCount;
-  return step > firstState(trace) && nextStop(trace, step - 1, 1, reach) === step;
+  return step > firstState(trace) && nextStop(trace, after, 1, reach, step) !== null;
 }
 
 /** Returns whether an answer is right. Numbers may have a decimal comma and spaces between groups of digits. */

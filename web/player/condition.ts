@@ -100,7 +100,8 @@ class Parser {
     if (this.#takes("refused"))
       return { kind: "refused", reason: this.#takes(":") ? (this.#reason() ?? this.#fail("reason")) : null };
     const what = happenings.find((words) => this.#takesAll(words));
-    return what ? { kind: "happens", what } : this.#fail("condition");
+    if (what) return { kind: "happens", what };
+    return { kind: "refused", reason: this.#reason() ?? this.#fail("condition") };
   }
 
   #reason(): EdgeRefusal | undefined {

@@ -32,6 +32,11 @@ export function decisiveCandidate({ candidates }: EdgeStep): number | null {
   return candidates.length === 0 ? null : candidates.length - 1;
 }
 
+/** Returns the candidate of a rank; null stands for the one that decides the step. */
+export function examinedCandidate(step: EdgeStep, rank: number | null): EdgeCandidate | null {
+  return step.candidates[rank ?? decisiveCandidate(step) ?? -1] ?? null;
+}
+
 /** Checks a candidate against the front before the step. O(edges of the patch). */
 export function examineCandidate(
   front: PlanarFront,

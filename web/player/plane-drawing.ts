@@ -32,10 +32,11 @@ export function windowOf({ plane, boundaryNodes }: PlanarFront): PlaneWindow {
   );
 }
 
-/** Name and position of a corner of the quadrilateral that a curved patch is mapped to. */
+/** Name, position and node of a corner of the quadrilateral that a curved patch is mapped to. */
 export interface PlaneCorner {
   readonly name: "A" | "B" | "C" | "D";
   readonly at: PlanePosition;
+  readonly node: number;
 }
 
 /**
@@ -44,22 +45,23 @@ export interface PlaneCorner {
  */
 export function cornersOfPlane({ plane, boundaryNodes, isCurved, seamNodes }: PlanarFront): PlaneCorner[] {
   if (!isCurved || seamNodes > 0) return [];
-  const nodes = Array.from({ length: boundaryNodes }, (_, node): PlanePosition => {
+  const nodes = Array.from({ length: boundaryNodes }, (_, node) => {
     const [x = 0, y = 0] = plane.subarray(2 * node, 2 * node + 2);
-    return [x, y];
+    return { at: [x, y] as const, node };
   });
-  const height = Math.max(...nodes.map(([, y]) => y));
+  const height = Math.max(...nodes.map(({ at: [, y] }) => y));
   const tolerance = 1e-9 * height;
-  const alongBottom = nodes.filter(([, y]) => Math.abs(y) <= tolerance).sort(([a], [b]) => a - b);
-  const alongTop = nodes.filter(([, y]) => Math.abs(y - height) <= tolerance).sort(([a], [b]) => a - b);
+  const alongLine = (level: number) =>
+    nodes.filter(({ at: [, y] }) => Math.abs(y - level) <= tolerance).sort((a, b) => a.at[0] - b.at[0]);
+  const [alongBottom, alongTop] = [alongLine(0), alongLine(height)];
   const [a, b] = [alongBottom[0], alongBottom.at(-1)];
   const [d, c] = [alongTop[0], alongTop.at(-1)];
-  if (!a || !b || !c || !d || a === b || Math.abs(a[0]) > tolerance) return [];
+  if (!a || !b || !c || !d || a === b || Math.abs(a.at[0]) > tolerance) return [];
   return [
-    { name: "A", at: a },
-    { name: "B", at: b },
-    ...(c === d ? [] : [{ name: "C", at: c } as const]),
-    { name: "D", at: d },
+    { name: "A", ...a },
+    { name: "B", ...b },
+    ...(c === d ? [] : [{ name: "C", ...c } as const]),
+    { name: "D", ...d },
   ];
 }
 
@@ -94,6 +96,8 @@ export interface PlanePaths {
   readonly triangles: string;
   readonly boundary: string;
   readonly front: string;
+  /** A point at each end of an edge of the front: a line without length, to be drawn with round ends. */
+  readonly nodes: string;
   readonly triangleCount: number;
   readonly edgeCount: number;
 }
@@ -114,6 +118,7 @@ export function planePaths(front: PlanarFront, state: number): PlanePaths {
     triangles: path,
     boundary: segments(front, edgesAt(front, front.firstStep)),
     front: segments(front, edges),
+    nodes: edges.map((edge) => `M${planeOf(front, endsOf(front, edge)[0]).join(" ")}h0`).join(""),
     triangleCount: count,
     edgeCount: edges.length,
   };

@@ -356,11 +356,14 @@ export class Player {
     const { trace, step, loop, stopAt } = this.state.getState();
     if (!trace) return;
     const last = loop?.to ?? trace.stepCount;
+    // The last step of the loop has been shown.
+    if (loop && step >= last) return this.seek(loop.from);
     const stop = stopAt && nextStop(trace, step, 1, stopAt, Math.min(last, step + steps));
-    const end = Math.min(last, stop ?? last);
+    const end = stop ?? last;
     if (step + steps < end) return this.seek(step + steps);
     this.seek(end);
-    if (loop && end === loop.to && this.state.getState().isPlaying) this.seek(loop.from);
-    else this.pause();
+    if (loop && stop === null) return;
+    this.pause();
+    if (stopAt && stop !== null) this.state.setState({ candidate: refusedIn(trace, stop, stopAt) });
   }
 }

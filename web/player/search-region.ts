@@ -5,15 +5,11 @@
  */
 import type { AdvanceStep, Trace } from "tetrafront";
 import type { Position } from "../document/position";
-import { add, addScaled, cross, dot, scale, subtract } from "../document/vectors";
-import { cornersOf } from "./judge";
+import { add, addScaled, scale } from "../document/vectors";
+import { idealNumbers, unitAxes, type Axes } from "./unit-space";
 
-/** Radius per rule class, in element sizes (cpp/src/volume/rules.h, as are the next three). */
+/** Radius per rule class, in element sizes (cpp/src/volume/rules.h). */
 const radii = [0.9, 2, 3, 5, 8] as const;
-const edgePerTarget = 0.97;
-/** Limits of the element size, in sizes of the base face. */
-const minSizePerBase = 0.55;
-const maxSizePerBase = 2;
 
 /** Segments of each drawn circle. */
 const segmentCount = 48;
@@ -21,23 +17,14 @@ const segmentCount = 48;
 /** All positions `centre` + u₁ `axes[0]` + u₂ `axes[1]` + u₃ `axes[2]` with |u| at most `radius`. */
 export interface SearchRegion {
   readonly centre: Position;
-  readonly axes: readonly [Position, Position, Position];
+  readonly axes: Axes;
   /** In units of `axes`: of the model without stretching, else in target edge lengths. */
   readonly radius: number;
 }
 
 export function searchRegionOf(trace: Trace, step: AdvanceStep): SearchRegion {
-  const axes = axesOf(step);
-  const [a, b, c] = cornersOf(trace, step.face);
-  const squares = [subtract(b, a), subtract(c, b), subtract(a, c)].map((edge) => {
-    const unit = coordinatesOf(edge, axes);
-    return dot(unit, unit);
-  });
-  const base = Math.sqrt(squares.reduce((sum, square) => sum + square, 0) / 3);
-  const size = Math.min(
-    Math.max(edgePerTarget * step.targetEdge, minSizePerBase * base),
-    maxSizePerBase * base,
-  );
+  const axes = unitAxes(step);
+  const { size } = idealNumbers(trace, step);
   return { centre: step.idealPoint, axes, radius: (radii[step.ruleClass] ?? radii[0]) * size };
 }
 
@@ -56,24 +43,4 @@ export function outlineOf({ centre, axes, radius }: SearchRegion): Position[] {
     };
     return Array.from({ length: segmentCount }, (_, i) => [at(i), at(i + 1)]).flat();
   });
-}
-
-/** The columns of the tensor that maps the space of regular elements to space. */
-function axesOf({ tensor }: AdvanceStep): SearchRegion["axes"] {
-  const [xx, yy, zz, xy, xz, yz] = tensor ?? [1, 1, 1, 0, 0, 0];
-  return [
-    [xx, xy, xz],
-    [xy, yy, yz],
-    [xz, yz, zz],
-  ];
-}
-
-/** Returns the coordinates of a step of space along axes that need not be perpendicular. */
-function coordinatesOf(step: Position, [first, second, third]: SearchRegion["axes"]): Position {
-  const volume = dot(first, cross(second, third));
-  return [
-    dot(step, cross(second, third)) / volume,
-    dot(step, cross(third, first)) / volume,
-    dot(step, cross(first, second)) / volume,
-  ];
 }

@@ -62,7 +62,7 @@ function drawTrace(trace: Trace, viewer: Viewer) {
     show: (state: PlayerState): void => {
       const scene = lensSceneOf(state);
       replay.show(state, scene !== null && state.fades);
-      surface.show(surfaceState(trace, state.step));
+      surface.show(surfaceState(trace, state.step), state.candidate);
       sweeps.show(state.sweep);
       lens.show(scene);
       if (state.follows) follow(state, scene);

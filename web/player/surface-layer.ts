@@ -7,9 +7,10 @@ import { setColor } from "../viewer/materials/uniforms";
 import type { SceneChanges } from "../viewer/scene-state";
 import { Dots, Facets, WideSegments } from "./lens-parts";
 import { endsOf } from "./planar-judge";
+import { examinedCandidate } from "./planar-lens";
 import { inSpace, surfaceScene } from "./surface-scene";
 
-/** The lines and patches of a trace after a step, in space, with the base edge and its new triangle. */
+/** The lines and patches of a trace after a step, in space, with the base edge, its new triangle, and what refuses a candidate. */
 export class SurfaceLayer implements Layer {
   readonly root = new Group();
   readonly #trace: Trace;
@@ -19,13 +20,15 @@ export class SurfaceLayer implements Layer {
   readonly #front = new WideSegments("front", 2.4, false);
   readonly #walk = new WideSegments("selection", 2.4, false);
   readonly #base = new WideSegments("selection", 4, false);
+  readonly #culprit = new WideSegments("failing", 4, false);
   readonly #nodes = new Dots("point", 6);
   readonly #triangle = new Facets("selection", 0.5);
-  readonly #wide = [this.#sides, this.#front, this.#walk, this.#base];
+  readonly #wide = [this.#sides, this.#front, this.#walk, this.#base, this.#culprit];
   /** Triangles before those of each front, of the finished patches and of the fronts. */
   #doneBefore: readonly number[] = [0];
   #madeBefore: readonly number[] = [0];
   #state: number | null = null;
+  #candidate: number | null = null;
   /** Whether the triangles are there, relative to the present origin. They are made when a state is first shown. */
   #hasTriangles = false;
   #origin: Position = [0, 0, 0];
@@ -60,12 +63,13 @@ export class SurfaceLayer implements Layer {
     if (!changes.has("origin")) return;
     this.#origin = origin;
     this.#hasTriangles = false;
-    this.show(this.#state);
+    this.show(this.#state, this.#candidate);
   }
 
-  /** Shows a state of the lines and patches, from 0; null to show nothing. */
-  show(state: number | null): void {
+  /** Shows a state of the lines and patches, from 0; null to show nothing. `candidate`: as for `examinedCandidate`. */
+  show(state: number | null, candidate: number | null = null): void {
     this.#state = state;
+    this.#candidate = candidate;
     this.root.visible = state !== null;
     if (state === null) return;
     if (!this.#hasTriangles) this.#writeTriangles();
@@ -83,17 +87,23 @@ export class SurfaceLayer implements Layer {
     for (const part of [...this.#wide, this.#nodes, this.#triangle, this.#done, this.#made]) part.dispose();
   }
 
-  /** Draws the base edge of a step, and the triangle over it. */
+  /** Draws the base edge of a step, the triangle over it, and the edge because of which its candidate was refused. */
   #showStep(state: number): void {
     const step = this.#trace.surface?.stepAt(state);
     const front = step?.kind === "edge" ? this.#trace.surface?.fronts[step.front] : undefined;
     if (step?.kind !== "edge" || !front) {
       this.#base.set([], this.#origin);
+      this.#culprit.set([], this.#origin);
       this.#triangle.set([], this.#origin);
       return;
     }
     this.#base.set(
       endsOf(front, step.edge).map((node) => inSpace(front, node)),
+      this.#origin,
+    );
+    const culprit = examinedCandidate(step, this.#candidate)?.culprit ?? null;
+    this.#culprit.set(
+      culprit === null ? [] : endsOf(front, culprit).map((node) => inSpace(front, node)),
       this.#origin,
     );
     const corners =

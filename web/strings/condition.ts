@@ -9,7 +9,7 @@ interface Mismatch {
 
 const expected: Readonly<Record<Mismatch["expected"], string>> = {
   condition:
-    "a condition: size, layer, candidates, front, face, edge, node, element, patch, line, refused, accepted, postponed, new node or recovery",
+    "a condition: size, layer, candidates, front, face, edge, node, element, patch, line, refused, behind, crosses, too close, same node, outside, accepted, postponed, new node or recovery",
   number: "a number",
   index: "a number such as 214",
   relation: "<, <=, >, >= or =",

@@ -18,7 +18,7 @@ export function pickText(isOwn: boolean, isProgram: boolean): string | null {
 export const mesherGameStrings = {
   start: "Be the mesher",
   end: "End the game",
-  task: "The thick blue edge comes next. Which node shall make a triangle over it? Choose in the drawing or below.",
+  task: "The thick blue edge comes next. Which node should make a triangle over it? Choose in the drawing or below.",
   levelLabel: "Level",
   levels: { easy: "Easy", medium: "Medium", hard: "Hard" },
   help: {
@@ -55,7 +55,7 @@ const facesOf = (faces: readonly number[]): string =>
 
 /** Texts of "Be the mesher" in the volume. */
 export const volumeGameStrings = {
-  task: "The blue face comes next. Which node shall make an element over it? Choose in the view or here.",
+  task: "The blue face comes next. Which node should make an element over it? Choose in the view or here.",
   help: {
     easy: "The dot in front of the face is the ideal point. A node of the front is chosen if one is near it, else a new node is made.",
     medium: "The dot is the ideal point. Some near nodes would make the element cross the front.",

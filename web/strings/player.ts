@@ -75,6 +75,8 @@ export const playerStrings = {
   speedOf: (speed: number) => (speed === 1 ? "1 step/s" : `${number(speed)} steps/s`),
   scrub: "Step of the front",
   phases: phaseNames,
+  phaseSteps: (phase: keyof typeof phaseNames, steps: number) =>
+    `${phaseNames[phase]}: ${number(steps)} ${steps === 1 ? "step" : "steps"}`,
   counter: (step: number, steps: number) => `${number(step)} / ${number(steps)}`,
   scrubText: (phase: keyof typeof faceNames, step: number, steps: number, faces: number) =>
     `${phaseNames[phase]}: step ${number(step)} of ${number(steps)}, ${number(faces)} ${faceNames[phase]}`,
@@ -114,6 +116,7 @@ export const playerStrings = {
   marks: {
     base: (face: number) => `base ${number(face)}`,
     face: (face: number) => `face ${number(face)}`,
+    edge: (edge: number) => `edge ${number(edge)}`,
     node: (node: number | null) => (node === null ? "new node" : `node ${number(node)}`),
     normal: "normal",
     ideal: "ideal",
@@ -217,5 +220,19 @@ export const playerStrings = {
   verdictAt: (verdict: string, face: number | null) =>
     face === null ? verdict : `${verdict}: ${number(face)}`,
   test: crossingTestStrings,
+  ideal: {
+    title: "Ideal point",
+    hint: "Step F5.1 of the paper. δ is the target edge, b the size of the base face (root mean square of its edges), R the radius of the circle through its corners. The ideal point is this high above the centroid.",
+    stretchedHint:
+      "Step F5.1 of the paper, in unit space: δ is the target edge, b the size of the base face (root mean square of its edges), R the radius of the circle through its corners. The ideal point is this high above the centroid.",
+  },
+  refusal: {
+    tooClose: "Distance from the face",
+    tooCloseHint:
+      "h is the element size of the ideal point. The factor is that of the rule class. An experiment with another distance multiplies it.",
+    behind: "Volume of the element",
+    behindHint:
+      "The volume must be positive. If it is 0 within rounding errors, exact numbers decide its sign.",
+  },
   ...surfaceLensStrings,
 } as const;

@@ -124,9 +124,11 @@ export const surfaceLensStrings = {
     title: (patch: string) => `Plane of patch ${patch}`,
     zoom: "Part of the plane",
     zooms: { patch: "Patch", edge: "Base edge" },
-    curved:
-      "This plane is mapped to the curved patch; letters are the corners of equation 16. The dashed ellipse is a circle in space: it shows how the plane is stretched and sheared, and how large triangles shall be.",
-    flat: "The patch is flat. The dashed ellipse shows how large triangles shall be, and in which direction.",
+    curved: "This plane is mapped to the curved patch; letters are the corners of equation 16.",
+    flat: "The patch is flat.",
+    ellipse:
+      "The dashed ellipse is a circle in space: it shows how the plane is stretched and sheared, and how large triangles should be.",
+    size: "The dashed ellipse shows how large triangles should be, and in which direction.",
     picture: (triangles: number, edges: number) =>
       `${plural(triangles, "triangle")}, ${plural(edges, "edge")} of the front`,
   },

@@ -19,6 +19,7 @@ import { parseLesson, type Lesson } from "../../../web/lessons/lesson";
 import { listOf } from "../../../web/lessons/lesson-files";
 import { runMeasures } from "../../../web/lessons/run-measures";
 import { searchCost } from "../../../web/lessons/search-cost";
+import { faceSize } from "../../../web/player/front-values";
 import { firstState } from "../../../web/player/phases";
 import { hasStop } from "../../../web/player/stops";
 import { galleryProject, tracedIn } from "../../support/recorded-models";
@@ -171,6 +172,15 @@ describe("the numbers of the lessons", () => {
 
     const strict = await run(order);
     expect(firstOnWall(strict.trace)).toBe(4255);
+    // The large face that small ones stop, which the first task leads to.
+    const { trace: firstIn } = await run(order, "first-in");
+    const large = firstIn.stepAt(5148);
+    expect(large?.kind === "advance" && [large.face, large.outcome]).toEqual([9792, "postponed"]);
+    expect(large?.kind === "advance" && large.candidates.map(({ culprit }) => culprit)).toEqual(
+      [1, 2, 3].map(() => 10955),
+    );
+    expect(faceSize(firstIn, 9792)).toBeCloseTo(0.3, 1);
+    expect(faceSize(firstIn, 10955) / faceSize(firstIn, 9792)).toBeLessThan(0.5);
     const crossings = async (other: FrontOrder) =>
       runMeasures((await run(lessonNamed("search"), other)).trace).crossings;
     expect([await crossings("first-in"), await crossings("smallest-first")]).toEqual([1955, 3908]);

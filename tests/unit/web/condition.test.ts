@@ -25,6 +25,8 @@ describe("the text of a condition", () => {
     ["Size<=2e-3", { kind: "compare", quantity: "size", relation: "<=", value: 0.002 }],
     ["refused", { kind: "refused", reason: null }],
     ["refused: crosses", { kind: "refused", reason: "crosses" }],
+    ["crosses", { kind: "refused", reason: "crosses" }],
+    ["too close", { kind: "refused", reason: "too-close" }],
     ["refused:too close", { kind: "refused", reason: "too-close" }],
     ["refused: too-close", { kind: "refused", reason: "too-close" }],
     ["  new   node ", { kind: "happens", what: "new node" }],

@@ -160,6 +160,17 @@ describe("a task", () => {
     }
   });
 
+  it("of the kind step is done if a fast player shows a step of its kind together with later ones", () => {
+    const task = taskOf("  - {kind: step, ask: Go, reach: recovery}");
+    const steps = Array.from({ length: trace.stepCount }, (_, i) => i + 1);
+    const recoveries = steps.filter((step) => trace.stepAt(step)?.kind === "recovery");
+    for (const step of steps)
+      for (const after of [0, step - 3, step - 1].filter((from) => from >= 0)) {
+        const expected = recoveries.some((one) => one > after && one <= step);
+        expect(isShown(task, { trace, step, coloring: "age", after }), `${after} to ${step}`).toBe(expected);
+      }
+  });
+
   it("may ask for the last state, or for a colour", () => {
     const end = taskOf("  - {kind: step, ask: Go, reach: end}");
     expect(isShown(end, { trace, step: trace.stepCount, coloring: "age" })).toBe(true);

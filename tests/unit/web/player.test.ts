@@ -179,10 +179,26 @@ describe("the player", () => {
     player.play();
     drawFrame(10);
     drawFrame(200);
+    // The last step is shown before the first one comes again.
+    expect(player.state.getState()).toMatchObject({ step: 8, isPlaying: true });
+    drawFrame(10);
     expect(player.state.getState()).toMatchObject({ step: 2, isPlaying: true });
     player.toggle();
     drawFrame(200);
     expect(player.state.getState()).toMatchObject({ step: 2, isPlaying: false });
+  });
+
+  it("chooses the candidate because of which it pauses", async () => {
+    const { player } = newApp();
+    await player.open(bytes);
+    player.setSpeed(100);
+    player.state.setState({ stopAt: "crosses" });
+    player.play();
+    for (let frame = 0; frame < 100 && player.state.getState().isPlaying; frame++) drawFrame(200);
+    const { step, candidate, lensStep } = player.state.getState();
+    const reached = trace.stepAt(step);
+    expect(reached?.kind === "advance" && reached.candidates[candidate ?? -1]?.verdict).toBe("crosses");
+    expect(lensStep).toBe(step);
   });
 
   it("shows one picture per second if the user prefers no motion, at the chosen speed", async () => {

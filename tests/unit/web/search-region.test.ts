@@ -1,21 +1,11 @@
 /** The search region of the lens against the candidates that the engine has found, with and without stretching. */
 import { readFileSync } from "node:fs";
-import type { AdvanceStep, Project, Trace } from "tetrafront";
+import type { AdvanceStep, Trace } from "tetrafront";
 import { expect, test } from "vitest";
 import { nodesOf } from "../../../web/player/judge";
 import { outlineOf, searchRegionOf, type SearchRegion } from "../../../web/player/search-region";
-import { cubeProject } from "../../support/projects";
+import { cubeProject, stretchedCube } from "../../support/projects";
 import { recordFront } from "../../support/recorded-models";
-
-function stretchedCube(): Project {
-  const project = cubeProject(0.2);
-  const nodes = project.background.nodes.map((node) => ({
-    ...node,
-    stretching: 3,
-    direction: [1, 2, 0.5] as [number, number, number],
-  }));
-  return { ...project, background: { ...project.background, nodes } };
-}
 
 type Vector = readonly [number, number, number];
 
@@ -45,7 +35,7 @@ function neighboursOf(trace: Trace, { step, face }: AdvanceStep): Set<number> {
 
 test.each([
   ["a ball", cubeProject(0.2)],
-  ["an ellipsoid", stretchedCube()],
+  ["an ellipsoid", stretchedCube(0.2)],
 ])(
   "it is %s that holds all candidates but the neighbours', and reaches the farthest ones",
   async (_, project) => {
@@ -72,7 +62,7 @@ test.each([
 );
 
 test("its outline is everywhere at the radius, and passes along all axes", async () => {
-  const trace = await recordFront(stretchedCube());
+  const trace = await recordFront(stretchedCube(0.2));
   const step = trace.stepAt(1);
   if (step?.kind !== "advance") throw new Error("the first step is no advance");
   expect(step.tensor).not.toBeNull();

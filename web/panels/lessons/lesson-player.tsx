@@ -3,7 +3,7 @@ import { strings } from "../../strings";
 import { lessonStrings as texts } from "../../strings/lessons";
 import { CompactPlayer } from "../player/compact-player";
 import { usePlayer } from "../player/use-player";
-import { ViewChoices } from "../player/view-choices";
+import { ViewChecks, ViewChoices } from "../player/view-choices";
 import { useLayout } from "../shared/use-layout";
 import styles from "./lessons.module.css";
 
@@ -43,6 +43,7 @@ function LessonLens() {
         <>
           <div className={styles["choices"]}>
             <ViewChoices />
+            <ViewChecks />
           </div>
           <Suspense fallback={null}>
             <Lens />

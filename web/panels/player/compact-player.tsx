@@ -48,6 +48,7 @@ export function CompactPlayer() {
           </IconButton>
         </span>
         <span>
+          {trace.surface && `${texts.phases[phase]} `}
           {texts.counter(step - from, to - from)}, {texts.faces(phase, frontSizeAt(trace, step))}
         </span>
         <StillsHint />

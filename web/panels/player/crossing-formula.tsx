@@ -3,13 +3,10 @@ import { tolerance, type LayeredTest } from "../../player/layered-test";
 import type { SideAndFace } from "../../player/crossing";
 import { strings } from "../../strings";
 import { Formula } from "./formula";
+import { digits, linesOf } from "./latex";
 import styles from "./player.module.css";
 
 const texts = strings.player.test;
-
-/** Lines of a formula, below each other: the panel may be as narrow as 270 pixels. */
-const linesOf = (...lines: readonly string[]): string =>
-  String.raw`\begin{aligned}&${lines.join(String.raw`\\&`)}\end{aligned}`;
 
 const meeting = linesOf(
   String.raw`\mathbf{x}_\mathrm{f}+\alpha^1\mathbf{g}_1+\alpha^2\mathbf{g}_2=\mathbf{x}_\mathrm{s}+\alpha^3\mathbf{g}_3,`,
@@ -88,11 +85,3 @@ function sentenceOf(face: number, { pair, finds }: LayeredTest): string {
 }
 
 const relation = (excess: number, limit: number): string => (excess > limit ? ">" : String.raw`\le `);
-
-/** Returns a number in LaTeX, with three digits. */
-function digits(value: number): string {
-  const [mantissa = "", exponent] = String(Number(value.toPrecision(3))).split("e");
-  if (exponent === undefined) return mantissa;
-  const power = `10^{${Number(exponent)}}`;
-  return mantissa === "1" ? power : String.raw`${mantissa}\cdot${power}`;
-}

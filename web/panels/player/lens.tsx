@@ -19,6 +19,8 @@ import { usePlayer, useTrace } from "./use-player";
 const texts = strings.player;
 const Sweeps = lazy(async () => ({ default: (await import("./sweeps")).Sweeps }));
 const VolumeGame = lazy(async () => ({ default: (await import("./volume-game")).VolumeGame }));
+const IdealFormula = lazy(async () => ({ default: (await import("./step-formula")).IdealFormula }));
+const RefusalFormula = lazy(async () => ({ default: (await import("./step-formula")).RefusalFormula }));
 const CrossingFormula = lazy(async () => ({ default: (await import("./crossing-formula")).CrossingFormula }));
 
 /** Why a step ended as it did. */
@@ -97,12 +99,20 @@ function StepUnderLens() {
         chosen={chosen ?? decisive(step)}
         scoreHint={texts.scoreHint}
       />
+      {examined && (
+        <Suspense fallback={null}>
+          <RefusalFormula step={step} candidate={examined.candidate} />
+        </Suspense>
+      )}
       {examined?.test && (
         <Suspense fallback={null}>
           <CrossingFormula {...examined.test} />
         </Suspense>
       )}
       <FaceFacts step={step} />
+      <Suspense fallback={null}>
+        <IdealFormula step={step} />
+      </Suspense>
     </>
   );
 }

@@ -88,11 +88,17 @@ function Plane({ surface, index, state }: PlaneProps) {
       ) : (
         <>
           <Drawing front={front} step={step} state={state} box={box} />
-          <p className={styles["hint"]}>{front.isCurved ? texts.curved : texts.flat}</p>
+          <p className={styles["hint"]}>{hintOf(front, step)}</p>
         </>
       )}
     </section>
   );
+}
+
+/** What the drawing shows. */
+function hintOf({ isCurved }: PlanarFront, { kind }: SurfaceStep): string {
+  const plane = isCurved ? texts.curved : texts.flat;
+  return kind === "edge" ? `${plane} ${isCurved ? texts.ellipse : texts.size}` : plane;
 }
 
 interface DrawingProps {
@@ -117,6 +123,7 @@ function Drawing({ front, step, state, box }: DrawingProps) {
         <path className={styles["triangles"]} d={paths.triangles} />
         <path className={styles["boundary"]} d={paths.boundary} />
         <path className={styles["front"]} d={paths.front} />
+        <path className={styles["nodes"]} d={paths.nodes} />
         <PlaneCorners front={front} size={box.size} />
         {step.kind === "edge" && <Step front={front} step={step} size={box.size} />}
       </g>

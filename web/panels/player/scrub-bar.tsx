@@ -1,6 +1,6 @@
 import { useMemo, type KeyboardEvent, type PointerEvent } from "react";
 import type { Trace } from "tetrafront";
-import { firstState, frontSizeAt, phaseAt, phasesOf } from "../../player/phases";
+import { firstState, frontSizeAt, phaseAt, phasesOf, type Phase } from "../../player/phases";
 import { jump } from "../../player/player";
 import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";
@@ -62,16 +62,7 @@ export function ScrubBar() {
       <svg viewBox={`0 0 ${width} ${height}`} preserveAspectRatio="none" aria-hidden>
         <path d={outline} />
       </svg>
-      {trace.surface &&
-        phasesOf(trace).map((range) => (
-          <span
-            key={range.phase}
-            className={styles["phase"]}
-            style={{ left: share(range.from - first), right: share(stepCount - range.to) }}
-          >
-            {strings.player.phases[range.phase]}
-          </span>
-        ))}
+      {trace.surface && <Phases trace={trace} current={phase} />}
       {loop && (
         <span
           className={styles["loop"]}
@@ -82,6 +73,39 @@ export function ScrubBar() {
         <span className={styles["handle"]} />
       </span>
     </div>
+  );
+}
+
+/**
+ * The names of the phases, each where its phase begins or as near to it as the names before it allow, and a border at each
+ * beginning. The value of the slider says the same to screen readers.
+ */
+function Phases({ trace, current }: { readonly trace: Trace; readonly current: Phase }) {
+  const first = firstState(trace);
+  const states = Math.max(1, trace.stepCount - first);
+  const phases = phasesOf(trace);
+  return (
+    <>
+      {phases.map(({ phase, from }) => (
+        <span
+          key={phase}
+          className={styles["border"]}
+          style={{ left: `${(100 * (from - first)) / states}%` }}
+        />
+      ))}
+      <span className={styles["phases"]}>
+        {phases.map(({ phase, from, to }) => (
+          <span
+            key={phase}
+            style={{ flexGrow: to - from + 1 }}
+            data-current={phase === current || undefined}
+            title={strings.player.phaseSteps(phase, to - from)}
+          >
+            {strings.player.phases[phase]}
+          </span>
+        ))}
+      </span>
+    </>
   );
 }
 

@@ -24,6 +24,7 @@ import { ShareMenu } from "./share-menu";
 import { OpenTrace } from "./trace-files";
 import styles from "./player.module.css";
 import { usePlayer, useToldStep, useTrace } from "./use-player";
+import { ViewChecks } from "./view-choices";
 
 const texts = strings.player;
 const icon = { size: 15, "aria-hidden": true } as const;
@@ -62,7 +63,7 @@ export function Transport() {
       <Counter />
       <SpeedSelect />
       <StillsHint />
-      <FollowCheck />
+      <ViewChecks />
       <TraceButtons />
     </div>
   );
@@ -104,23 +105,6 @@ export function StillsHint() {
     <span role="status" className={styles["hint"]} data-testid="player-stills">
       {isShown && texts.stills}
     </span>
-  );
-}
-
-/** Whether the view follows the base face. */
-function FollowCheck() {
-  const { player } = useApp();
-  const follows = usePlayer((state) => state.follows);
-  return (
-    <label className={styles["check"]} title={texts.followHint}>
-      <input
-        type="checkbox"
-        data-testid="player-follow"
-        checked={follows}
-        onChange={(event) => player.state.setState({ follows: event.currentTarget.checked })}
-      />
-      {texts.follow}
-    </label>
   );
 }
 

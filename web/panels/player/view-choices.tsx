@@ -9,7 +9,10 @@ const texts = strings.player;
 /** What the view shows of the front, and its colours. */
 export function ViewChoices() {
   const { player } = useApp();
-  const { coloring, faces, elements, showsRegion, fades } = usePlayer((state) => state);
+  const coloring = usePlayer((state) => state.coloring);
+  const faces = usePlayer((state) => state.faces);
+  const elements = usePlayer((state) => state.elements);
+  const showsRegion = usePlayer((state) => state.showsRegion);
   return (
     <>
       <Choice
@@ -41,6 +44,26 @@ export function ViewChoices() {
           onChange={(event) => player.state.setState({ showsRegion: event.currentTarget.checked })}
         />
         {texts.searchRegion}
+      </label>
+    </>
+  );
+}
+
+/** Whether the view follows the base face, and whether the front is faded while the lens shows a step. */
+export function ViewChecks() {
+  const { player } = useApp();
+  const follows = usePlayer((state) => state.follows);
+  const fades = usePlayer((state) => state.fades);
+  return (
+    <>
+      <label className={styles["check"]} title={texts.followHint}>
+        <input
+          type="checkbox"
+          data-testid="player-follow"
+          checked={follows}
+          onChange={(event) => player.state.setState({ follows: event.currentTarget.checked })}
+        />
+        {texts.follow}
       </label>
       <label className={styles["check"]} title={texts.fadeHint}>
         <input

@@ -1,6 +1,8 @@
 import { useLayoutEffect, useMemo, useRef } from "react";
-import { lensMarks } from "../../player/lens-marks";
+import { lensMarks, type LensLabel } from "../../player/lens-marks";
 import { lensSceneOf } from "../../player/lens-scene";
+import { surfaceState } from "../../player/phases";
+import { surfaceLabels } from "../../player/surface-labels";
 import { strings } from "../../strings";
 import type { Viewer } from "../../viewer/viewer";
 import { usePlayer } from "../player/use-player";
@@ -10,7 +12,8 @@ import styles from "./lens-labels.module.css";
 /** What the lens shows in the view, by name and number, with lines to it. The panel says the same for screen readers. */
 export function LensLabels({ viewer }: { readonly viewer: Viewer }) {
   const scene = usePlayer(lensSceneOf);
-  const labels = useMemo(() => (scene ? lensMarks(scene).labels : []), [scene]);
+  const surface = useSurfaceLabels();
+  const labels = useMemo(() => (scene ? lensMarks(scene).labels : surface), [scene, surface]);
   const box = useRef<HTMLDivElement>(null);
   const lines = useRef<SVGSVGElement>(null);
   useLayoutEffect(() => {
@@ -57,6 +60,19 @@ export function LensLabels({ viewer }: { readonly viewer: Viewer }) {
       {scene && <MarkLegend />}
     </>
   );
+}
+
+const noLabels: readonly LensLabel[] = [];
+
+/** The labels of the patch whose front is shown; none while it is played or scrubbed. */
+function useSurfaceLabels(): readonly LensLabel[] {
+  const trace = usePlayer((state) => state.trace);
+  const candidate = usePlayer((state) => state.candidate);
+  const step = usePlayer((state) => (state.isPlaying || state.step !== state.lensStep ? null : state.step));
+  return useMemo(() => {
+    const state = trace && step !== null ? surfaceState(trace, step) : null;
+    return trace?.surface && state !== null ? surfaceLabels(trace.surface, state, candidate) : noLabels;
+  }, [trace, step, candidate]);
 }
 
 function setShown(marker: HTMLElement, line: Element | undefined, isShown: boolean): void {

@@ -1,5 +1,5 @@
 import { useComputedColorScheme } from "@mantine/core";
-import { useEffect, useRef, useState, type RefObject } from "react";
+import { useEffect, useLayoutEffect, useRef, useState, type RefObject } from "react";
 import type { App } from "../../app/app";
 import type { Moving, ViewState } from "../../document/selection";
 import { commandOfKey, runCommand } from "../../commands/registry";
@@ -48,7 +48,8 @@ export function useViewer(
 ): UsedViewer {
   const app = useApp();
   const covered = useRef(coveredLeft);
-  useEffect(() => void (covered.current = coveredLeft), [coveredLeft]);
+  // Before the change of the view's size is noticed, which fits the model beside what covers it.
+  useLayoutEffect(() => void (covered.current = coveredLeft), [coveredLeft]);
   const [viewer, setViewer] = useState<Viewer | null>(null);
   const [trouble, setTrouble] = useState<Trouble | null>(null);
   const scheme = useComputedColorScheme("dark", { getInitialValueInEffect: false });

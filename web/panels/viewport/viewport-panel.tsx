@@ -23,11 +23,13 @@ import { ViewState } from "./view-state";
 import { useShowsPlane } from "../player/use-player";
 import styles from "./viewport-panel.module.css";
 
-const LensLabels = lazy(async () => ({ default: (await import("./lens-labels")).LensLabels }));
-const PlaneView = lazy(async () => ({ default: (await import("../player/plane-view")).PlaneView }));
+const importLabels = () => import("./lens-labels");
+const LensLabels = lazy(async () => ({ default: (await importLabels()).LensLabels }));
+const importPlane = () => import("../player/plane-view");
+const PlaneView = lazy(async () => ({ default: (await importPlane()).PlaneView }));
 
-/** Width that the column of tools covers on phones, in CSS pixels. On larger screens the model has room beside it. */
-const phoneColumn = 58;
+/** Width that the column of tools covers, in CSS pixels. In a wide view the model has room beside it. */
+const columnWidth = 58;
 
 /** The canvas with the labels, markers and controls above it. */
 export function ViewportPanel({ layout }: { readonly layout: Layout }) {
@@ -39,11 +41,15 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const app = useApp();
   const isReplaying = useStore(app.player.state, ({ trace }) => trace !== null);
   const isMoving = useStore(app.drawing.state, ({ amount, typed }) => amount !== null || typed !== null);
-  const hasColumn = layout === "phone" && !isReplaying;
-  const { viewer, trouble } = useViewer(container, canvas, setHover, hasColumn ? phoneColumn : 0);
-  const hasOperation = useStore(app.operations.state, ({ open }) => open !== null);
   const showsPlane = useShowsPlane();
+  const isNarrow = layout === "phone" ? !isReplaying : showsPlane;
+  const { viewer, trouble } = useViewer(container, canvas, setHover, isNarrow ? columnWidth : 0);
+  const hasOperation = useStore(app.operations.state, ({ open }) => open !== null);
   useFitBeside(viewer, showsPlane);
+  useEffect(() => {
+    // So that the plane of a patch is there when one is first shown. The labels are needed before.
+    if (isReplaying) void importLabels().then(importPlane);
+  }, [isReplaying]);
   return (
     <main
       className={styles["view"]}
@@ -82,7 +88,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
       <OpenEdges />
       <ContextMenu />
       {!trouble && <Legend />}
-      {layout !== "phone" && <MouseHint />}
+      {layout !== "phone" && !showsPlane && <MouseHint />}
       <OperationPanel />
     </main>
   );
