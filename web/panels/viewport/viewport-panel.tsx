@@ -26,8 +26,8 @@ import styles from "./viewport-panel.module.css";
 const LensLabels = lazy(async () => ({ default: (await import("./lens-labels")).LensLabels }));
 const PlaneView = lazy(async () => ({ default: (await import("../player/plane-view")).PlaneView }));
 
-/** Width that the column of tools covers on phones, in CSS pixels. On larger screens the model has room beside it. */
-const phoneColumn = 58;
+/** Width that the column of tools covers, in CSS pixels. */
+const columnWidth = 58;
 
 /** The canvas with the labels, markers and controls above it. */
 export function ViewportPanel({ layout }: { readonly layout: Layout }) {
@@ -39,8 +39,8 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const app = useApp();
   const isReplaying = useStore(app.player.state, ({ trace }) => trace !== null);
   const isMoving = useStore(app.drawing.state, ({ amount, typed }) => amount !== null || typed !== null);
-  const hasColumn = layout === "phone" && !isReplaying;
-  const { viewer, trouble } = useViewer(container, canvas, setHover, hasColumn ? phoneColumn : 0);
+  const hasColumn = layout !== "phone" || !isReplaying;
+  const { viewer, trouble } = useViewer(container, canvas, setHover, hasColumn ? columnWidth : 0);
   const hasOperation = useStore(app.operations.state, ({ open }) => open !== null);
   const showsPlane = useShowsPlane();
   useFitBeside(viewer, showsPlane);
