@@ -170,6 +170,33 @@ test("what to draw next is never under the notice that the mesh is out of date",
   }
 });
 
+test("on a phone the palette opens from the menu, and the buttons of a long panel lie above its fields", async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByRole("button", { name: "Menu" }).click();
+  await page.getByRole("menuitem", { name: "Search commands" }).click();
+  await page.getByRole("textbox", { name: "Search commands" }).fill("NACA");
+  await page.keyboard.press("Enter");
+  const panel = page.getByTestId("operation");
+  await expect(panel).toContainText("NACA");
+  for (const button of [panel.getByRole("button", { name: "Cancel" }), page.getByTestId("accept")]) {
+    await expect(button).toBeInViewport({ ratio: 1 });
+    const isOnTop = await button.evaluate((element) => {
+      const { x, y, width, height } = element.getBoundingClientRect();
+      const parts = [0.1, 0.3, 0.5, 0.7, 0.9];
+      return parts.every((part) =>
+        element.contains(document.elementFromPoint(x + part * width, y + height / 2)),
+      );
+    });
+    expect(isOnTop).toBe(true);
+  }
+  await panel.getByRole("button", { name: "Cancel" }).click();
+  await expect(panel).toBeHidden();
+});
+
 test("on a phone every menu opens in place, and all its items can be reached", async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   const app = new AppPage(page);
