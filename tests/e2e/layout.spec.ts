@@ -197,6 +197,44 @@ test("on a phone the palette opens from the menu, and the buttons of a long pane
   await expect(panel).toBeHidden();
 });
 
+test("on a phone several entities are selected by taps, in one go from the menu to the view", async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByRole("button", { name: "Menu" }).click();
+  await page.getByRole("menuitem", { name: "Edit", exact: true }).click();
+  await page.getByRole("menuitemcheckbox", { name: /Select several/ }).click();
+  await expect(page.getByRole("menu")).toBeHidden();
+  for (const corner of [[0, 0, 0], [1, 0, 0], [1, 1, 1]] as const) await app.click(corner); // prettier-ignore
+  await page.getByTestId("drawer-right").click();
+  await expect(page.getByTestId("inspector")).toContainText("3 entities selected");
+});
+
+test("on a phone the number of problems is beside the button of their list, and a marker opens what is wrong", async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  const app = new AppPage(page);
+  await app.openCube();
+  const button = page.getByTestId("drawer-bottom");
+  await expect(button).toHaveAccessibleName("Log and problems");
+  await button.click();
+  const drawer = page.getByRole("dialog");
+  await drawer.getByRole("button", { name: "Close" }).click();
+  await app.click([0.9, 0, 0.1]);
+  await page.keyboard.press("Delete");
+  await expect(button).toHaveAccessibleName("Log and problems: 4");
+  await expect(button).toContainText("4");
+  await page.getByTestId("generate").click();
+  await page.getByTestId("marker-0").click();
+  await expect(drawer).toContainText("The surface is not closed");
+  // The view with the problem is above the drawer.
+  const [view, cover] = [await app.viewport.boundingBox(), await drawer.boundingBox()];
+  expect((view?.y ?? 0) + (view?.height ?? 0)).toBeLessThanOrEqual((cover?.y ?? 0) + 1);
+});
+
 test("on a phone every menu opens in place, and all its items can be reached", async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   const app = new AppPage(page);
