@@ -180,6 +180,7 @@ test("a notice names what a delete has taken along, and undoes it; F2 renames", 
   await draw.counts(7, 9, 3);
   const notice = page.getByTestId("notice-deleted");
   await expect(notice).toContainText("Deleted point 1 and 6 dependent entities: line");
+  await expect(notice).toContainText("bottom");
   await notice.getByRole("button", { name: "Undo" }).click();
   await draw.counts(8, 12, 6);
   await expect(page.getByTestId("tree-point-1")).toContainText("origin");

@@ -1,5 +1,6 @@
 import { expect, test } from "@playwright/test";
 import { AppPage } from "./app-page";
+import { DrawPage } from "./draw-page";
 
 test("on a phone the panels are drawers, and everything needed can be reached", async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
@@ -73,6 +74,84 @@ test("on a phone a new piece is in view as a whole, beside the column of tools",
   expect(right - left).toBeGreaterThan(200);
 });
 
+test.describe("by touch", () => {
+  test.use({ hasTouch: true });
+
+  test("on a phone lines and a circle are drawn with the fingers, and every choice is large enough and in view", async ({
+    page,
+  }) => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    const draw = new DrawPage(page);
+    await draw.openNew();
+    const tap = async (position: readonly [number, number, number]): Promise<void> => {
+      const { x, y } = await draw.at(position);
+      await page.touchscreen.tap(x, y);
+    };
+    await expect(page.getByTestId("grid-unit")).toBeVisible();
+    await page.getByTestId("tool-line").click();
+    const [bar, hint] = [page.getByTestId("drawing-bar"), page.getByTestId("drawing-hint")];
+    await expect(hint).toContainText("Enter ends the chain");
+    for (const place of [[0, 0, 0], [1, 0, 0], [1, 1, 0]] as const) await tap(place); // prettier-ignore
+    await draw.counts(3, 2, 0);
+    const choices = bar.locator("button, label");
+    // Types of lines, work planes and what they snap to, typed coordinates, the end of the chain.
+    expect(await choices.count()).toBe(14);
+    for (const choice of await choices.all()) {
+      await expect(choice).toBeInViewport({ ratio: 1 });
+      const { width = 0, height = 0 } = (await choice.boundingBox()) ?? {};
+      expect(Math.min(width, height), (await choice.textContent()) ?? "").toBeGreaterThanOrEqual(24);
+    }
+    const corner = await draw.at([1, 1, 0]);
+    await page.getByRole("button", { name: "Finish" }).click();
+    await expect(page.getByTestId("finish-drawing")).toBeHidden();
+    expect(await draw.at([1, 1, 0])).toEqual(corner);
+    // Without the end, this place would be joined to the last one.
+    await tap([0, 1, 0]);
+    await expect(page.getByTestId("finish-drawing")).toBeVisible();
+    await draw.counts(3, 2, 0);
+    await page.getByTestId("finish-drawing").click();
+    await bar.getByText("circle", { exact: true }).click();
+    await tap([0.5, 0.5, 0]);
+    await page.getByTestId("type-coordinates").click();
+    await page.getByTestId("coordinates").fill("0.3");
+    await page.getByTestId("coordinates").press("Enter");
+    await draw.counts(6, 3, 0);
+  });
+});
+
+test("the view stays while lines are drawn within it, and a model that outgrows it is fitted beside the tools", async ({
+  page,
+}) => {
+  const draw = new DrawPage(page);
+  await draw.openNew();
+  await page.getByTestId("tool-line").click();
+  await draw.click([0, 0, 0]);
+  await draw.click([2, 0, 0]);
+  const before = await draw.at([0, 0, 0]);
+  // The fourth corner of the box of these points is outside.
+  await draw.click([0, 2, 0]);
+  await draw.counts(3, 2, 0);
+  expect(await draw.at([0, 0, 0])).toEqual(before);
+  await draw.typeCoordinates("0,2,9");
+  await draw.counts(4, 3, 0);
+  await expect.poll(() => draw.at([0, 0, 0])).not.toEqual(before);
+  const column = await page.getByRole("toolbar", { name: "Tools" }).last().boundingBox();
+  const view = await draw.viewport.boundingBox();
+  for (const point of [
+    [0, 0, 0],
+    [2, 0, 0],
+    [0, 2, 0],
+    [0, 2, 9],
+  ] as const) {
+    // prettier-ignore
+    const { x, y } = await draw.at(point);
+    expect(x).toBeGreaterThan((column?.x ?? Infinity) + (column?.width ?? 0));
+    expect(x).toBeLessThan((view?.x ?? 0) + (view?.width ?? 0));
+    expect(y).toBeGreaterThan(view?.y ?? Infinity);
+    expect(y).toBeLessThan((view?.y ?? 0) + (view?.height ?? 0));
+  }
+});
+
 test("what to draw next is never under the notice that the mesh is out of date", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
@@ -89,6 +168,71 @@ test("what to draw next is never under the notice that the mesh is out of date",
     const [above, below] = [await hint.boundingBox(), await badge.boundingBox()];
     expect((above?.y ?? 0) + (above?.height ?? 0)).toBeLessThanOrEqual(below?.y ?? 0);
   }
+});
+
+test("on a phone the palette opens from the menu, and the buttons of a long panel lie above its fields", async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByRole("button", { name: "Menu" }).click();
+  await page.getByRole("menuitem", { name: "Search commands" }).click();
+  await page.getByRole("textbox", { name: "Search commands" }).fill("NACA");
+  await page.keyboard.press("Enter");
+  const panel = page.getByTestId("operation");
+  await expect(panel).toContainText("NACA");
+  for (const button of [panel.getByRole("button", { name: "Cancel" }), page.getByTestId("accept")]) {
+    await expect(button).toBeInViewport({ ratio: 1 });
+    const isOnTop = await button.evaluate((element) => {
+      const { x, y, width, height } = element.getBoundingClientRect();
+      const parts = [0.1, 0.3, 0.5, 0.7, 0.9];
+      return parts.every((part) =>
+        element.contains(document.elementFromPoint(x + part * width, y + height / 2)),
+      );
+    });
+    expect(isOnTop).toBe(true);
+  }
+  await panel.getByRole("button", { name: "Cancel" }).click();
+  await expect(panel).toBeHidden();
+});
+
+test("on a phone several entities are selected by taps, in one go from the menu to the view", async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByRole("button", { name: "Menu" }).click();
+  await page.getByRole("menuitem", { name: "Edit", exact: true }).click();
+  await page.getByRole("menuitemcheckbox", { name: /Select several/ }).click();
+  await expect(page.getByRole("menu")).toBeHidden();
+  for (const corner of [[0, 0, 0], [1, 0, 0], [1, 1, 1]] as const) await app.click(corner); // prettier-ignore
+  await page.getByTestId("drawer-right").click();
+  await expect(page.getByTestId("inspector")).toContainText("3 entities selected");
+});
+
+test("on a phone the number of problems is beside the button of their list, and a marker opens what is wrong", async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  const app = new AppPage(page);
+  await app.openCube();
+  const button = page.getByTestId("drawer-bottom");
+  await expect(button).toHaveAccessibleName("Log and problems");
+  await button.click();
+  const drawer = page.getByRole("dialog");
+  await drawer.getByRole("button", { name: "Close" }).click();
+  await app.click([0.9, 0, 0.1]);
+  await page.keyboard.press("Delete");
+  await expect(button).toHaveAccessibleName("Log and problems: 4");
+  await expect(button).toContainText("4");
+  await page.getByTestId("generate").click();
+  await page.getByTestId("marker-0").click();
+  await expect(drawer).toContainText("The surface is not closed");
+  // The view with the problem is above the drawer.
+  const [view, cover] = [await app.viewport.boundingBox(), await drawer.boundingBox()];
+  expect((view?.y ?? 0) + (view?.height ?? 0)).toBeLessThanOrEqual((cover?.y ?? 0) + 1);
 });
 
 test("on a phone every menu opens in place, and all its items can be reached", async ({ page }) => {

@@ -1,6 +1,6 @@
 import type { App } from "../app/app";
 import { deleteEntities, withDependents } from "../document/edits";
-import { entityKey, type Entity } from "../document/entities";
+import { entityKey, entityName, type Entity } from "../document/entities";
 import { groupOfSelection } from "../document/groups";
 import { allEntities, withParts } from "../document/select-related";
 import type { Problem } from "../document/validate";
@@ -23,7 +23,7 @@ export function deleteSelection(app: App): void {
     tone: "information",
     text: strings.notices.deleted(
       edit.label,
-      others.map(({ kind, id }) => `${entityNouns[kind]} ${id}`),
+      others.map((entity) => entityName(project, entity) ?? `${entityNouns[entity.kind]} ${entity.id}`),
     ),
     action: {
       label: strings.notices.undo,

@@ -1,3 +1,4 @@
+import type { Project } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { findRecord, type Entity } from "../document/entities";
 import {
@@ -56,6 +57,7 @@ export class Operations {
   /** Opens an operation with its first values, instead of the one that is open. */
   start(operation: Operation): void {
     this.cancel();
+    this.#forgetRemoved();
     const { selection } = this.#view.state.getState();
     const subject = { project: this.#documents.project, selection };
     this.#gesture = this.#documents.begin(operation.step);
@@ -90,6 +92,13 @@ export class Operations {
     gesture?.cancel();
   }
 
+  /** Entities that undo has removed are no longer selected: what the operation adds may get their ids. */
+  #forgetRemoved(): void {
+    const { selection } = this.#view.state.getState();
+    const existing = existingIn(this.#documents.project, selection);
+    if (existing.length < selection.length) this.#view.selectAll(existing);
+  }
+
   #close(): void {
     this.#gesture = null;
     if (this.state.getState().open) this.state.setState({ open: null });
@@ -98,8 +107,7 @@ export class Operations {
   #follow(open: OpenOperation, selection: readonly Entity[]): void {
     // The view also shows what the operation adds.
     const { subject } = open;
-    const existing = selection.filter(({ kind, id }) => findRecord(subject.project, kind, id) !== undefined);
-    this.#show({ ...open, subject: { ...subject, selection: existing } });
+    this.#show({ ...open, subject: { ...subject, selection: existingIn(subject.project, selection) } });
   }
 
   #show({ operation, values, expressions, subject }: Omit<OpenOperation, "reason" | "entities">): void {
@@ -109,4 +117,9 @@ export class Operations {
     this.state.setState({ open: { operation, values, expressions, subject, reason, entities } });
     this.#gesture?.update(offer.possible ? offer.creation.edit : { change: () => undefined });
   }
+}
+
+/** Returns those of the entities that a project has. */
+function existingIn(project: Project, entities: readonly Entity[]): readonly Entity[] {
+  return entities.filter(({ kind, id }) => findRecord(project, kind, id) !== undefined);
 }

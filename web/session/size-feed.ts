@@ -27,6 +27,9 @@ export interface SizeState {
   readonly shown: ShownSizes | null;
 }
 
+/** Relative difference up to which sizes are equal: interpolation rounds them. */
+const equalSizes = 1e-6;
+
 /** Time without a change before sizes are asked for, in milliseconds: an edit by dragging makes many. */
 const restMs = 120;
 
@@ -165,11 +168,12 @@ function sameQuestion(a: Question, b: Question): boolean {
   return a.project === b.project && a.plane === b.plane && a.enabled === b.enabled && sameBodies;
 }
 
-function rangeOf(sizes: Float64Array): readonly [number, number] {
+export function rangeOf(sizes: Float64Array): readonly [low: number, high: number] {
   let [low, high] = [Infinity, 0];
   for (const size of sizes) {
     if (size < low) low = size;
     if (size > high) high = size;
   }
-  return [low, high];
+  // Colours would show the rounding of equal sizes.
+  return high <= low * (1 + equalSizes) ? [high, high] : [low, high];
 }

@@ -53,6 +53,8 @@ export const drawingStrings = {
   /** A letter that may begin a name in coordinates, or be the hotkey of a command. */
   waiting: (letter: string, command: string) => `${letter}…  Enter: ${command}`,
   typeCoordinates: "Type coordinates",
+  /** Ends what is being drawn. */
+  finish: "Finish",
   coordinates: "Coordinates",
   coordinatesHint: "1,2,0   @0.5,0,0   5<30",
   coordinatesTitle: "Numbers may be expressions, such as sin(30)*2. Angles are in degrees.",

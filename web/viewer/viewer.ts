@@ -337,22 +337,42 @@ export class Viewer {
 
   /** Returns whether a box, given by two corners, is in view and large enough to see. */
   #showsAll(low: Position, high: Position): boolean {
-    const corners = Array.from({ length: 8 }, (_, i) =>
-      this.toScreen([i & 1 ? high[0] : low[0], i & 2 ? high[1] : low[1], i & 4 ? high[2] : low[2]]),
-    );
+    const corner = (i: number): Position => [
+      i & 1 ? high[0] : low[0],
+      i & 2 ? high[1] : low[1],
+      i & 4 ? high[2] : low[2],
+    ];
+    return this.#shows([0, 1, 2, 3, 4, 5, 6, 7].map(corner));
+  }
+
+  /** Returns whether positions are in view, and far enough apart to see. */
+  #shows(positions: readonly Position[]): boolean {
     const { width, height } = this.#state.viewport;
-    const isInView = corners.every((at) => at && at.x >= 0 && at.y >= 0 && at.x <= width && at.y <= height);
-    const extentOf = (values: readonly number[]): number => Math.max(...values) - Math.min(...values);
-    const [xs, ys] = [corners.map((at) => at?.x ?? 0), corners.map((at) => at?.y ?? 0)];
-    return isInView && Math.max(extentOf(xs), extentOf(ys)) >= minPixels;
+    const seen = positions.map((position) => this.toScreen(position));
+    const isInView = seen.every((at) => at && at.x >= 0 && at.y >= 0 && at.x <= width && at.y <= height);
+    if (!isInView) return false;
+    const shown = new Bounds();
+    for (const at of seen) if (at) shown.add(at.x, at.y, 0);
+    return Math.max(shown.high[0] - shown.low[0], shown.high[1] - shown.low[1]) >= minPixels;
+  }
+
+  /**
+   * Returns whether the whole model is in view. Corners of its box where there is no point may be outside: the view must
+   * not change while the user draws within it.
+   */
+  #showsModel({ low, high }: Bounds): boolean {
+    const { project, bodies } = this.#state;
+    if (bodies.length > 0 || project.points.length === 0) return this.#showsAll(low, high);
+    return this.#shows(project.points.map(({ position }) => position));
   }
 
   /** Keeps local coordinates small, and fits the model if it has outgrown the view. */
   #followModel(): void {
     const { project, bodies, origin } = this.#state;
-    const { empty, radius, low, high } = projectBounds(project, bodies);
+    const bounds = projectBounds(project, bodies);
+    const { empty, radius } = bounds;
     const roomy = roomyBounds(project, bodies);
-    const isOutgrown = !empty && radius > outgrowth * this.#fittedRadius && !this.#showsAll(low, high);
+    const isOutgrown = !empty && radius > outgrowth * this.#fittedRadius && !this.#showsModel(bounds);
     if (isOutgrown || empty) this.#fittedRadius = empty ? 0 : radius;
     const drift = Math.hypot(...roomy.centre.map((x, k) => x - (origin[k] ?? 0)));
     if (isOutgrown || drift > 2 * roomy.radius) this.#update({ origin: roomy.centre });

@@ -78,3 +78,21 @@ it("the nearest place on a line to a ray: the distance is perpendicular to both"
   expect(distance(addScaled(found, through, -1), [0, 0, 0])).toBeGreaterThan(0);
   expect(onLine({ origin: [0, 0, 0], direction: along }, through, along)).toBeNull();
 });
+
+it("what an operation adds is not selected because undo has removed selected entities of the same ids", () => {
+  const documents = new DocumentStore(emptyProject());
+  const view = new ViewStore();
+  const operations = new Operations(documents, view);
+  const [box] = pieceOperations;
+  if (!box) throw new Error("there is no piece");
+  operations.start(box);
+  operations.accept();
+  const made = view.state.getState().selection;
+  expect(made.length).toBeGreaterThan(0);
+  documents.undo();
+  operations.start(box);
+  expect(documents.project.patches.length).toBeGreaterThan(0);
+  expect(view.state.getState().selection).toEqual([]);
+  operations.accept();
+  expect(view.state.getState().selection).toEqual(made);
+});

@@ -35,7 +35,7 @@ export function ModelTree() {
         leftSection={<IconSearch size={14} aria-hidden />}
         rightSection={
           filter === "" ? null : (
-            <CloseButton size="xs" aria-label={strings.tree.clearFilter} onClick={() => setFilter("")} />
+            <CloseButton size={24} aria-label={strings.tree.clearFilter} onClick={() => setFilter("")} />
           )
         }
         value={filter}

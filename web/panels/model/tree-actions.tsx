@@ -23,7 +23,7 @@ function RowAction({ label, isOff = false, testId, onRun, children }: RowActionP
   return (
     <ActionIcon
       className={styles["action"]}
-      size={22}
+      size={24}
       variant="subtle"
       color="gray"
       tabIndex={-1}

@@ -1,4 +1,4 @@
-import { Badge, Tabs, Text } from "@mantine/core";
+import { Tabs, Text } from "@mantine/core";
 import { useEffect, useMemo, useRef } from "react";
 import { groupProblems } from "../../document/validate";
 import { strings } from "../../strings";
@@ -6,6 +6,7 @@ import { useApp, useProblems, useRun, useShell } from "../shared/app-context";
 import { PatchTable } from "../quality/patch-quality";
 import { FrontPanel, HistoryList } from "../later/later";
 import { FixAllButton } from "../problems/fix-button";
+import { ProblemBadge } from "../problems/problem-badge";
 import { ProblemCard } from "../problems/problem-card";
 import { PanelBoundary } from "../shared/panel-boundary";
 import { useShownSeverity } from "../shared/problem-severity";
@@ -19,9 +20,7 @@ const bottomTabs = ["log", "problems", "patches", "front", "history"] as const;
 export function BottomPanel() {
   const app = useApp();
   const tab = useShell((state) => state.bottomTab);
-  const problems = useProblems((state) => state.problems);
-  const severityOf = useShownSeverity();
-  const isCalm = problems.every((problem) => severityOf(problem) === "expected");
+  const hasProblems = useProblems((state) => state.problems.length > 0);
   return (
     <Tabs
       className={tabs["tabs"]}
@@ -34,16 +33,7 @@ export function BottomPanel() {
     >
       <Tabs.List>
         <Tabs.Tab value="log">{strings.bottom.log}</Tabs.Tab>
-        <Tabs.Tab
-          value="problems"
-          rightSection={
-            problems.length > 0 && (
-              <Badge size="sm" color={isCalm ? "gray" : "red"} variant={isCalm ? "default" : "filled"}>
-                {problems.length}
-              </Badge>
-            )
-          }
-        >
+        <Tabs.Tab value="problems" rightSection={hasProblems && <ProblemBadge />}>
           {strings.bottom.problems}
         </Tabs.Tab>
         <Tabs.Tab value="patches" data-testid="tab-patches">

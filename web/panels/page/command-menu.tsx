@@ -94,8 +94,8 @@ function CommandItem({ command }: { readonly command: Command }) {
       <Menu.CheckboxItem
         {...common}
         checked={command.checked(app)}
-        // Layers of the view are often switched one after the other; what changes the whole page ends the choice.
-        closeMenuOnClick={command.menu === "help"}
+        // Layers of the view are often switched one after the other. A tool or a mode is used in the view, below the menu.
+        closeMenuOnClick={command.menu !== "view"}
         onChange={run}
       />
     );

@@ -94,7 +94,7 @@ function PaletteBox() {
   );
 }
 
-/** All menus in one. They unfold in place, one at a time, because a phone has no room beside them. */
+/** The palette and all menus in one. Menus unfold in place, one at a time, because a phone has no room beside them. */
 function PhoneMenu() {
   const [open, setOpen] = useState<MenuName | null>(null);
   return (
@@ -105,6 +105,9 @@ function PhoneMenu() {
         </ActionIcon>
       </Menu.Target>
       <Menu.Dropdown className={menuStyles["phone"]}>
+        <Menu.Item rightSection={<IconSearch {...icon} />} onClick={() => palette.open()}>
+          {strings.header.palette}
+        </Menu.Item>
         {menuNames.map((menu) => (
           <Fragment key={menu}>
             <Menu.Item

@@ -4,12 +4,13 @@ import { IconAdjustments, IconListDetails, IconMessage2 } from "@tabler/icons-re
 import { useState, type ReactNode, type RefObject } from "react";
 import { FramedDrawer } from "../../ui/frames/framed-drawer";
 import { strings } from "../../strings";
-import { useApp, useShell } from "../shared/app-context";
+import { useApp, useProblems, useShell } from "../shared/app-context";
 import { BottomPanel } from "./bottom-panel";
 import { Header } from "./header";
 import { Inspector } from "../inspector/inspector";
 import { DisplayPanel, GalleryPanel, LessonsPanel, QualityReport } from "../later/later";
 import { ModelTree } from "../model/model-tree";
+import { ProblemBadge } from "../problems/problem-badge";
 import { PanelBoundary } from "../shared/panel-boundary";
 import { StatusBar } from "./status-bar";
 import { useLayout, type Layout } from "../shared/use-layout";
@@ -108,6 +109,7 @@ const drawers = [
 /** Buttons that open the drawers. */
 function Rail({ phone }: { readonly phone: boolean }) {
   const app = useApp();
+  const count = useProblems((state) => state.problems.length);
   return (
     <nav className={styles["rail"]} aria-label={strings.header.panels}>
       {drawers.map(({ key, label, Icon }) => (
@@ -116,12 +118,17 @@ function Rail({ phone }: { readonly phone: boolean }) {
             size={phone ? 44 : 32}
             variant="subtle"
             color="gray"
-            aria-label={label}
+            aria-label={key === "bottom" && count > 0 ? `${label}: ${count}` : label}
             aria-haspopup="dialog"
             data-testid={`drawer-${key}`}
             onClick={() => app.shell.setState({ drawer: key })}
           >
             <Icon size={18} aria-hidden />
+            {key === "bottom" && (
+              <span className={styles["count"]}>
+                <ProblemBadge />
+              </span>
+            )}
             {phone && <span className={styles["railLabel"]}>{label}</span>}
           </ActionIcon>
         </Tooltip>

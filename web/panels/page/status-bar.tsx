@@ -76,12 +76,14 @@ export function StatusBar() {
 function PointerPlace() {
   const app = useApp();
   const project = useProject();
+  const busy = useRun((state) => state.busy);
   const cursor = useStore(app.drawing.state, (state) => state.cursor);
   const step = useStore(app.drawing.state, (state) => state.gridStep);
   const ground = useMemo(() => groundSpacing(roomyBounds(project).radius), [project]);
   return (
     <>
-      <span className={styles["wide"]} data-testid="grid-unit">
+      {/* On phones, the progress of a run needs the room. */}
+      <span className={busy ? styles["wide"] : undefined} data-testid="grid-unit">
         {strings.drawing.gridUnit(formatShort(step ?? ground))}
       </span>
       {cursor && (
@@ -100,7 +102,7 @@ function Reading({ fileName, abort }: { readonly fileName: string; readonly abor
       <span role="status" data-testid="reading">
         {strings.bodies.opening(fileName)}
       </span>
-      <IconButton label={strings.bodies.cancelOpening} size={22} onClick={() => abort.abort()}>
+      <IconButton label={strings.bodies.cancelOpening} size={24} onClick={() => abort.abort()}>
         <IconX size={14} aria-hidden />
       </IconButton>
     </>
@@ -147,7 +149,7 @@ function RunProgress() {
       <VisuallyHidden role="status">{announced}</VisuallyHidden>
       <IconButton
         label={strings.status.cancel[task]}
-        size={22}
+        size={24}
         data-testid="cancel"
         disabled={cancelling}
         onClick={() => app.run.cancel()}

@@ -1,5 +1,6 @@
 import { SegmentedControl } from "@mantine/core";
 import {
+  IconCheck,
   IconGridDots,
   IconKeyboard,
   IconMagnet,
@@ -47,6 +48,7 @@ export function DrawingBar() {
         {tool !== "patch" && <PlaneChoice />}
         {tool !== "patch" && <SnapSwitches />}
         {isDrawingTool(tool) && tool !== "patch" && <CoordinatesButton />}
+        {tool !== "measure" && <FinishButton />}
       </div>
       <Hint text={hint} />
     </div>
@@ -182,6 +184,25 @@ function CoordinatesButton() {
       onClick={() => app.drawing.type("")}
     >
       <IconKeyboard size={16} aria-hidden />
+    </IconButton>
+  );
+}
+
+/** Ends what is being drawn, as Enter does: touch screens have no keys. */
+function FinishButton() {
+  const app = useApp();
+  const picked = useStore(app.drawing.state, (state) => state.picked);
+  if (picked === 0) return null;
+  return (
+    <IconButton
+      label={words.finish}
+      size={26}
+      variant="light"
+      color="blue"
+      data-testid="finish-drawing"
+      onClick={() => app.drawing.complete()}
+    >
+      <IconCheck size={16} aria-hidden />
     </IconButton>
   );
 }

@@ -59,7 +59,11 @@ function DragAmount() {
   const pointer = useStore(app.drawing.state, (state) => state.pointer);
   if (amount === null) return null;
   return (
-    <span className={styles["amount"]} style={{ left: pointer.x, top: pointer.y }} data-testid="amount">
+    <span
+      className={styles["amount"]}
+      style={{ left: `min(${pointer.x}px, 100% - 150px)`, top: pointer.y }}
+      data-testid="amount"
+    >
       {amount}
     </span>
   );
@@ -166,7 +170,7 @@ function MeasurementCard({ places, viewer }: MeasurementProps) {
           ))}
           <IconButton
             label={words.copy}
-            size={22}
+            size={24}
             onClick={() => void navigator.clipboard.writeText(text).catch(() => undefined)}
           >
             <IconCopy size={13} aria-hidden />

@@ -77,7 +77,12 @@ const sizeTicks = [1, 0.75, 0.5, 0.25, 0];
 /** The colour scale of the target sizes. */
 function SizeLegend({ range: [low, high] }: { readonly range: readonly [number, number] }) {
   const name = strings.background.sizeLegend;
-  const values = low < high ? sizeTicks.map((share) => low * (high / low) ** share) : [low];
+  const isOneSize = low === high;
+  const values = isOneSize ? [low] : sizeTicks.map((share) => low * (high / low) ** share);
+  // As many digits as tell neighbouring ticks apart.
+  const digits =
+    [2, 3].find((n) => new Set(values.map((value) => value.toPrecision(n))).size === values.length) ?? 4;
+  const middle = viridis[(viridis.length - 1) / 2] ?? "";
   return (
     <figure
       className={styles["legend"]}
@@ -86,11 +91,11 @@ function SizeLegend({ range: [low, high] }: { readonly range: readonly [number, 
     >
       <div
         className={styles["bar"]}
-        style={{ background: `linear-gradient(to top, ${viridis.join(", ")})` }}
+        style={{ background: isOneSize ? middle : `linear-gradient(to top, ${viridis.join(", ")})` }}
       />
       <div className={styles["ticks"]}>
         {values.map((value) => (
-          <span key={value}>{formatShort(Number(value.toPrecision(2)))}</span>
+          <span key={value}>{formatShort(Number(value.toPrecision(digits)))}</span>
         ))}
       </div>
       <figcaption>{name}</figcaption>

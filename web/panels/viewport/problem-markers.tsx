@@ -39,7 +39,11 @@ export function ProblemMarkers({ viewer }: { readonly viewer: Viewer }) {
           title={problem.message}
           onClick={(event) => {
             if (event.shiftKey) selectBelow(app, viewer, event);
-            else showProblem(app, problem);
+            else {
+              showProblem(app, problem);
+              // Without panels beside the view, the inspector, which tells about the problem, is in a drawer.
+              app.shell.setState({ drawer: "right" });
+            }
           }}
         >
           <IconAlertTriangleFilled size={16} aria-hidden />

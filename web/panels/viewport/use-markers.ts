@@ -3,9 +3,13 @@ import type { Position } from "../../document/position";
 import type { Viewer } from "../../viewer/viewer";
 import { placedApart, type Label } from "../../viewer/apart";
 
+/** Room that the text beside a marker needs at the right and below, in CSS pixels. */
+const room = { right: 170, below: 110 };
+
 /**
  * Keeps the children of an element at positions in the view. They follow the camera without rendering again. With `areApart`,
- * none lies on another one.
+ * none lies on another one. At the right and lower edges of the view they have `data-at-right` and `data-at-bottom`: their texts
+ * have room at the other side.
  */
 export function useMarkers(
   viewer: Viewer,
@@ -16,11 +20,16 @@ export function useMarkers(
   useLayoutEffect(() => {
     const follow = (): void => {
       const shown: (Label & { readonly marker: HTMLElement })[] = [];
+      const view = box.current?.parentElement?.getBoundingClientRect();
       positions.forEach((position, index) => {
         const marker = box.current?.children[index];
         if (!(marker instanceof HTMLElement) || !position) return;
         const at = viewer.toScreen(position);
         marker.style.display = at ? "" : "none";
+        if (at && view) {
+          marker.toggleAttribute("data-at-right", at.x > view.width - room.right);
+          marker.toggleAttribute("data-at-bottom", at.y > view.height - room.below);
+        }
         if (at) shown.push({ ...at, width: marker.offsetWidth, height: marker.offsetHeight, marker });
       });
       const places = areApart ? placedApart(shown) : shown;

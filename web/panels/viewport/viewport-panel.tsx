@@ -28,7 +28,7 @@ const LensLabels = lazy(async () => ({ default: (await importLabels()).LensLabel
 const importPlane = () => import("../player/plane-view");
 const PlaneView = lazy(async () => ({ default: (await importPlane()).PlaneView }));
 
-/** Width that the column of tools covers, in CSS pixels. In a wide view the model has room beside it. */
+/** Width that the column of tools covers, in CSS pixels. */
 const columnWidth = 58;
 
 /** The canvas with the labels, markers and controls above it. */
@@ -42,8 +42,8 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const isReplaying = useStore(app.player.state, ({ trace }) => trace !== null);
   const isMoving = useStore(app.drawing.state, ({ amount, typed }) => amount !== null || typed !== null);
   const showsPlane = useShowsPlane();
-  const isNarrow = layout === "phone" ? !isReplaying : showsPlane;
-  const { viewer, trouble } = useViewer(container, canvas, setHover, isNarrow ? columnWidth : 0);
+  const hasColumn = layout !== "phone" || !isReplaying;
+  const { viewer, trouble } = useViewer(container, canvas, setHover, hasColumn ? columnWidth : 0);
   const hasOperation = useStore(app.operations.state, ({ open }) => open !== null);
   useFitBeside(viewer, showsPlane);
   useEffect(() => {

@@ -146,6 +146,11 @@ export abstract class DrawingTool implements Tool, TypedInput {
     this.refresh(null);
   }
 
+  complete(): void {
+    this.finish();
+    this.refresh(null);
+  }
+
   /** If the pointer is not over the view, beside the place picked last, or the origin of the work plane. */
   placeOfField(): ScreenPoint | null {
     const { drawing, viewer } = this.stores;

@@ -80,6 +80,8 @@ export interface TypedInput {
   take(text: string): DrawingState["mistake"];
   /** Removes the place picked last if no step of undo has it. */
   takeBack?(): void;
+  /** Ends what is being drawn, as Enter does. */
+  complete?(): void;
   /** Returns where in the view the field opens; null for beside the pointer. */
   placeOfField?(): ScreenPoint | null;
   /** The text was changed. Returns the text to show. */
@@ -107,6 +109,12 @@ export class Drawing {
     const { canTakeBack } = this.state.getState();
     if (canTakeBack) this.#input?.takeBack?.();
     return canTakeBack;
+  }
+
+  /** Ends what is being drawn, as Enter does in the view. */
+  complete(): void {
+    this.type(null);
+    this.#input?.complete?.();
   }
 
   /** Connects the active tool. */
