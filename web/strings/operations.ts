@@ -71,6 +71,8 @@ export const operationStrings = {
     share: "Share touching faces",
   },
   longExpressions: "The expressions are too long to be kept: the piece will not follow its parameters.",
+  numbersKept:
+    "The expressions are too long to be kept, or bodies cannot follow them: what this makes will not follow its parameters.",
   imprint: {
     overlaps: (count: number) =>
       `Overlaps ${count === 1 ? "1 face" : `${count} faces`} of the model. Share touching faces for one watertight model with several regions, or use a Boolean operation afterwards.`,
