@@ -4,12 +4,7 @@ import { documentKey } from "../../../web/document/content-keys";
 import { emptyProject } from "../../../web/document/create";
 import type { Entity } from "../../../web/document/entities";
 import { keepingExpressions } from "../../../web/document/expression-edits";
-import type {
-  FieldExpressions,
-  FieldValue,
-  FieldValues,
-  Operation,
-} from "../../../web/document/operations/operation";
+import type { FieldValue, FieldValues, Operation } from "../../../web/document/operations/operation";
 import { pieceOperations } from "../../../web/document/operations/pieces";
 import { sweepOperations } from "../../../web/document/operations/sweeps";
 import { transformOperations } from "../../../web/document/operations/transforms";

@@ -1,6 +1,5 @@
 import type { Project, ProjectExpression } from "tetrafront";
 import { formulaText, quantity, times, type Quantity } from "../../expressions/quantity";
-import type { Entity } from "../entities";
 import { expressionFinder, withKept, type KeptExpression } from "../expression-edits";
 import { numberAt, recordFinder, type EntityNumber } from "../number-paths";
 import { isTooLong, type QuantityPosition } from "../quantity-positions";
