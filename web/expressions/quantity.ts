@@ -42,10 +42,10 @@ export function plus(a: Quantity, b: Quantity): Quantity {
   if (typeof a === "number" && typeof b === "number") return a + b;
   if (a === 0) return b;
   if (b === 0) return a;
-  if (typeof a === "object" && typeof b === "number") {
-    const merged = withConstant(a, b);
-    if (merged) return merged;
-  }
+  const [formula, number] = typeof a === "number" ? [b, a] : [a, b];
+  const merged =
+    typeof formula === "object" && typeof number === "number" ? withConstant(formula, number) : null;
+  if (merged) return merged;
   return joined(a, b);
 }
 

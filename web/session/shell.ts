@@ -17,6 +17,7 @@ export interface Notice {
     | "improvement"
     | "repair"
     | "deleted"
+    | "numbers-kept"
     | "shared"
     | "animation";
   readonly tone: "information" | "warning";

@@ -72,7 +72,7 @@ export const operationStrings = {
   },
   longExpressions: "The expressions are too long to be kept: the piece will not follow its parameters.",
   numbersKept:
-    "The expressions are too long to be kept, or bodies cannot follow them: what this makes will not follow its parameters.",
+    "The expressions are too long to be kept, or bodies or planes cannot follow them. The numbers are kept: they will not follow parameters.",
   imprint: {
     overlaps: (count: number) =>
       `Overlaps ${count === 1 ? "1 face" : `${count} faces`} of the model. Share touching faces for one watertight model with several regions, or use a Boolean operation afterwards.`,

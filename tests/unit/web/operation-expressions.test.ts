@@ -259,7 +259,7 @@ describe("operations with values that are typed as expressions", () => {
         axis === undefined || typeof before !== "object"
           ? number
           : (before.map((x, k) => (k === Number(axis) ? number : x)) as unknown as Position);
-      const long = { [field]: `${text}${"+0".repeat((LIMITS.expression - text.length) / 2)}` };
+      const long = { [field]: `${text}${"*1".repeat((LIMITS.expression - text.length) / 2)}` };
       const offer = operationOf(operation).make(subject, { ...values, [key]: value }, long);
       if (!offer.possible) throw new Error(offer.reason);
       expect(offer.creation.note, operation).toContain("too long");

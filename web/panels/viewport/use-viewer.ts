@@ -23,6 +23,7 @@ import { SelectTool, type Hover } from "../../tools/select-tool";
 import type { Tool } from "../../tools/tool";
 import { ToolController } from "../../tools/tool-controller";
 import { viewerColors } from "../../ui/theme/theme";
+import { showNotice } from "../../session/shell";
 import { strings } from "../../strings";
 import { followSession, shownState } from "../../viewer/follow-session";
 import { shownBodies } from "../../viewer/shown-bodies";
@@ -168,8 +169,12 @@ function connect(
   const tools = new ToolController(canvas, viewer, select, (target) => pageApps.owns(app, target));
   const brush = new BrushTool(app.documents, app.view, viewer);
   const keys = typedKeys(app);
-  const motion = new Motion({ documents, view, drawing, keys, viewer });
-  const stores = { documents, operations, previews, view, drawing, viewer, keys, motion };
+  const inform = (text: string): void => {
+    const action = { label: strings.notices.understood, run: () => undefined };
+    showNotice(app.shell, { key: "numbers-kept", tone: "information", text, action });
+  };
+  const motion = new Motion({ documents, view, drawing, keys, viewer, inform });
+  const stores = { documents, operations, previews, view, drawing, viewer, keys, motion, inform };
   const byName: Readonly<Record<ToolName, Tool>> = {
     select: new HandleTool(stores, new DragTool(stores, select, "held-points")),
     move: new HandleTool(stores, new TransformTool(stores, new DragTool(stores, select))),
