@@ -79,7 +79,7 @@ export const operationStrings = {
     shared: (count: number) =>
       `Shares ${count === 1 ? "1 face" : `${count} faces`} with the model: the mesh keeps a boundary between two regions there.`,
     incomplete:
-      "Overlaps a face of the model that cannot be shared, because of a curved line or patch. Move the piece, or use a Boolean operation afterwards.",
+      "Overlaps a face of the model that cannot be shared, because lines only touch there, or a curved patch needs its lines. Move the piece, or use a Boolean operation afterwards.",
   },
   refusals: {
     nothingSelected: "Select points, lines, patches, bodies or sources.",

@@ -153,7 +153,7 @@ function insertPiece<Sizes extends FieldValues>(
     project,
     pointIds: made.pointIds,
     alone: { drawn, patches: new Map(made.patchIds.map((id) => [id, [id]])) },
-    imprint: { ...imprint, patches },
+    imprint: { ...imprint, drawn: { ...drawn, ...imprint.drawn }, patches },
   };
   known.set(values, inserted);
   return inserted;
