@@ -33,7 +33,7 @@ export function offerTransform(
   const images = hasExpressions(project, map) ? movedImages(project, parts) : [];
   const kept = mappedExpressions(project, images, map);
   const moved = movedProject(project, parts, map);
-  const drawn = join ? joinPoints(moved) : moved;
+  const drawn = join && parts.points.length > 0 ? joinPoints(moved) : moved;
   const patches = new Set(drawn.patches.map(({ id }) => id));
   return {
     possible: true,
