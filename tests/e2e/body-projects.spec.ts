@@ -63,6 +63,46 @@ test("the outer ring of the handles rotates a body about the view's direction, a
   await expect(page.getByTestId("body-placement")).toBeVisible();
 });
 
+test("typed numbers move and rotate a body at its middle: Tab goes to the next number, each is one step of undo", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await dropBytes(page, stlBinary(boxSurface(1, [4, 4, 0], [6, 8, 2])), "block.stl");
+  await previewed(page);
+  await page.getByTestId("body-placement").locator("summary").click();
+  const handles = page.getByTestId("body-placement").getByRole("radiogroup", { name: "Handles" });
+  const numbers = (field: string): Promise<number[]> =>
+    Promise.all(
+      ["x", "y", "z"].map(async (axis) =>
+        Number(await page.getByTestId(`placement-${field}-${axis}`).inputValue()),
+      ),
+    );
+  const field = page.getByTestId("coordinates");
+  await handles.getByText("Move", { exact: true }).click();
+  await app.viewport.focus();
+  await page.keyboard.type("0.5");
+  await page.keyboard.press("Tab");
+  await page.keyboard.type("2");
+  await expect(field).toHaveValue("@0.5,2");
+  await page.keyboard.press("Enter");
+  await expect(field).toBeHidden();
+  await expect.poll(() => numbers("position")).toEqual([0.5, 2, 0]);
+  await handles.getByText("Rotate", { exact: true }).click();
+  await app.viewport.focus();
+  await page.keyboard.type("z90");
+  await page.keyboard.press("Enter");
+  await expect(field).toBeHidden();
+  await expect.poll(() => numbers("rotation")).toEqual([0, 0, 90]);
+  // The middle, which was at (5.5, 8, 1), stays there.
+  await expect.poll(() => numbers("position")).toEqual([11.5, 3, 0]);
+  await page.keyboard.press("Escape");
+  await expect(handles.getByRole("radio", { name: "None" })).toBeChecked();
+  await page.getByTestId("undo").click();
+  await page.getByTestId("undo").click();
+  await expect.poll(() => numbers("position")).toEqual([0, 0, 0]);
+});
+
 test("a project with a large body is saved and opened again without a change", async ({ page }) => {
   const sphere = sphereSurface(90);
   const triangles = sphere.triangles.length / 3;

@@ -126,6 +126,28 @@ test("the palette finds a command by words in any order", async ({ page }) => {
   await expect(page.getByRole("radio", { name: "Plain" })).toBeChecked();
 });
 
+test("a numeric setting that is chosen in the palette has its field focused", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const choose = async (words: string): Promise<void> => {
+    await page.keyboard.press("Control+k");
+    await page.getByRole("textbox", { name: "Search commands" }).fill(words);
+    await page.keyboard.press("Enter");
+    await expect(page.getByRole("textbox", { name: "Search commands" })).toBeHidden();
+  };
+  await choose("Gradation");
+  await expect(page.getByTestId("gradation")).toBeFocused();
+  await page.keyboard.type("1.2");
+  await page.keyboard.press("Enter");
+  await expect(page.getByTestId("gradation")).toHaveValue("1.2");
+  const sizes = page.getByTestId("element-size");
+  await sizes.getByText("Uniform", { exact: false }).first().click();
+  await page.keyboard.press("Control+k");
+  await page.getByRole("textbox", { name: "Search commands" }).fill("Element size");
+  await page.getByRole("dialog").getByRole("button", { name: "Element size", exact: true }).click();
+  await expect(page.getByTestId("uniform-size")).toBeFocused();
+});
+
 test("the palette sets the theme, snapping and the mouse; F2 renames the project and a selected group", async ({
   page,
 }) => {

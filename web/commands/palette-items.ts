@@ -16,6 +16,8 @@ export interface PaletteItem {
   /** Its hotkey, in Mantine's notation. */
   readonly hotkey: string | null;
   readonly run: () => void;
+  /** Whether it moves the focus; otherwise the focus returns to where it was before the palette. */
+  readonly takesFocus?: boolean;
 }
 
 /** Returns every command that is enabled, in the order of the menus. */
@@ -32,7 +34,7 @@ function commandItems(app: App): PaletteItem[] {
     }));
 }
 
-/** Returns the settings: each opens the panel that has it. */
+/** Returns the settings: each opens the panel that has it. The field of a number gets the focus. */
 function settingItems(app: App): PaletteItem[] {
   return Object.entries(settingNames).map(([id, { label, words }]) => ({
     id: `setting-${id}`,
@@ -40,9 +42,14 @@ function settingItems(app: App): PaletteItem[] {
     label,
     words,
     hotkey: null,
+    takesFocus: id === "uniform-size" || id === "gradation",
     run: () => {
       if (id !== "display") app.view.clear();
-      app.shell.setState({ rightTab: id === "display" ? "display" : "inspector", drawer: "right" });
+      app.shell.setState({
+        rightTab: id === "display" ? "display" : "inspector",
+        drawer: "right",
+        editedSetting: id === "uniform-size" || id === "gradation" ? id : null,
+      });
     },
   }));
 }

@@ -6,7 +6,7 @@ import { replaceByJoined } from "../document/touching-bodies";
 import { inProjectUnit, unitOf } from "../document/length-units";
 import { bodiesOf, bodyLabel, bodyOfPatch, findRecord, type Entity } from "../document/entities";
 import { openDocumentFile } from "../session/files";
-import { fillableBodies, joinedBody, touchingBodies } from "../session/touching-bodies";
+import { fillableBodies, joinedBody } from "../session/touching-bodies";
 import { bodyStepNames, strings } from "../strings";
 import { formatShort } from "../ui/format";
 import { showFailure, showMessage } from "./messages";
@@ -109,7 +109,7 @@ export async function joinTouchingBodies(
   const { byId } = app.bodies.state.getState();
   if (byId.size < 2) return;
   const mesher = await app.mesher;
-  for (const group of await touchingBodies(mesher, fillableBodies(byId.values()), signal)) {
+  for (const group of await app.bodies.pairs.touching(mesher, fillableBodies(byId.values()), signal)) {
     const joined = await joinedBody(mesher, app.documents.project, group, signal);
     if (!joined) continue;
     const { surface, regions, shared } = joined;

@@ -182,6 +182,12 @@ export const namelessBodyKey = remembering((body: ProjectBody): string => {
   return [...head, hashRecords(patches, withoutName(bodyPatchFields)), givenSurfaceKey(body)].join(" ");
 });
 
+/** Returns the key of where the given triangles of a body are. */
+export const placedSurfaceKey = remembering(
+  (body: ProjectBody): string =>
+    `${JSON.stringify(body.placement ?? {}, placementFields)} ${givenSurfaceKey(body)}`,
+);
+
 const bodyKey = remembering((body: ProjectBody): string =>
   [
     namelessBodyKey(body),
@@ -265,6 +271,15 @@ export function shownMeshKey({ project, meshVersion }: DocumentContent): string 
 
 /** Returns the key of another mesh of the project with this key. */
 export const versionedKey = (key: string, version: string): string => `${key}#${version}`;
+
+/** Returns the key of the names that messages about bodies use. */
+export const namesKey = ({ patches, bodies = [] }: Project): string =>
+  hashText(
+    JSON.stringify([
+      ...patches.map(({ name }) => name),
+      ...bodies.map(({ name, patches: own }) => [name, own.map((patch) => patch.name)]),
+    ]),
+  );
 
 /** Returns the key of everything that the treated triangles of a body depend on. */
 export function preparedKey(project: Project, body: ProjectBody): string {

@@ -13,6 +13,8 @@ import { cross, dot, length, subtract, zero } from "./vectors";
 export interface Creation {
   readonly edit: ProjectEdit;
   readonly entities: readonly Entity[];
+  /** What the user should know about the result. */
+  readonly note?: string;
 }
 
 /** What can be created from a selection, or why nothing can. */

@@ -21,7 +21,7 @@ export function expressionFinder({ expressions = [] }: Project): (path: NumberPa
 }
 
 /** What an expression is kept for; null to forget it. */
-interface KeptExpression {
+export interface KeptExpression {
   readonly path: NumberPath;
   readonly expression: string | null;
 }
@@ -77,6 +77,18 @@ function keep(project: Pick<ProjectDraft, "expressions">, kept: readonly KeptExp
   const { expressions = [] } = project;
   // A search in the draft would make a draft of every expression.
   const before = isDraft(expressions) ? current(expressions) : expressions;
+  const after = withKept(before, kept);
+  if (after === before) return;
+  if (after.length > 0) project.expressions = [...after];
+  else delete project.expressions;
+}
+
+/** Returns a list of expressions with those to keep, and without those to forget; the same list if nothing changes. */
+export function withKept(
+  before: readonly ProjectExpression[],
+  kept: readonly KeptExpression[],
+): readonly ProjectExpression[] {
+  if (kept.length === 0) return before;
   const texts = new Map(before.map((one) => [pathKey(one), one]));
   let isChanged = false;
   for (const { path, expression } of kept) {
@@ -86,9 +98,7 @@ function keep(project: Pick<ProjectDraft, "expressions">, kept: readonly KeptExp
     else texts.set(key, { ...path, expression });
     isChanged = true;
   }
-  if (!isChanged) return;
-  if (texts.size > 0) project.expressions = [...texts.values()];
-  else delete project.expressions;
+  return isChanged ? [...texts.values()] : before;
 }
 
 /**

@@ -30,6 +30,13 @@ export const valuesOf = ([x, y, z]: QuantityPosition): Position => [valueOf(x), 
 export const formulaTexts = (position: QuantityPosition): readonly (string | null)[] =>
   position.map(formulaText);
 
+/** Returns whether no coordinate has an expression. */
+export const isPlain = (position: QuantityPosition): position is Position =>
+  position.every((part) => typeof part === "number");
+
+/** Returns whether a text is too long for the file. */
+export const isTooLong = (text: string | null): boolean => (text ?? "").length > LIMITS.expression;
+
 /**
  * Returns the expressions of the coordinates of positions that belong together. Returns null if one of them is too long for
  * the file: what follows a parameter with some of its points only would be distorted.
@@ -38,7 +45,7 @@ export function storableTexts(
   positions: readonly QuantityPosition[],
 ): readonly (readonly (string | null)[])[] | null {
   const texts = positions.map(formulaTexts);
-  return texts.some((three) => three.some((text) => (text ?? "").length > LIMITS.expression)) ? null : texts;
+  return texts.some((three) => three.some(isTooLong)) ? null : texts;
 }
 
 export function addQuantities(a: QuantityPosition, b: QuantityPosition): QuantityPosition {
@@ -92,7 +99,7 @@ export function turnBy(angle: Quantity): readonly [cosine: Quantity, sine: Quant
 /** As `frameAlong`: the axes follow from the direction. */
 export function quantityFrameAlong(direction: QuantityPosition): Frame<QuantityPosition> {
   const plain = frameAlong(valuesOf(direction));
-  if (formulaTexts(direction).every((text) => text === null)) return plain;
+  if (isPlain(direction)) return plain;
   const norm = call("sqrt", dotQuantities(direction, direction));
   const z = direction.map((part) => over(part, norm)) as [Quantity, Quantity, Quantity];
   const helper = axisBeside(plain.z);

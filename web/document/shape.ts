@@ -25,7 +25,7 @@ export interface ShapePatch {
 }
 
 /** Returns a shape with every point moved. */
-export function mapPoints<S extends Shape>(shape: S, move: (position: Position) => Position): S {
+export function mapPoints<P, Q>(shape: Shape<P>, move: (point: P) => Q): Shape<Q> {
   return { ...shape, points: shape.points.map(move) };
 }
 

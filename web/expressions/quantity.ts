@@ -42,10 +42,36 @@ export function plus(a: Quantity, b: Quantity): Quantity {
   if (typeof a === "number" && typeof b === "number") return a + b;
   if (a === 0) return b;
   if (b === 0) return a;
+  const [formula, number] = typeof a === "number" ? [b, a] : [a, b];
+  const merged =
+    typeof formula === "object" && typeof number === "number" ? withConstant(formula, number) : null;
+  if (merged) return merged;
+  return joined(a, b);
+}
+
+/** Returns a sum, with the texts of both. */
+function joined(a: Quantity, b: Quantity): Formula {
   const [left, right] = [textOf(a, "sum"), textOf(b, "product")];
   const value = valueOf(a) + valueOf(b);
   return { value, text: right.startsWith("-") ? left + right : `${left}+${right}`, form: "sum" };
 }
+
+const trailingConstant = /^(.*[\w.)])\s*([+-])\s*((?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)$/;
+
+/**
+ * Returns a sum that ends with a number, with another one added to it: many small moves do not make the text longer. Null if
+ * the formula is no such sum.
+ */
+function withConstant({ value, text, form }: Formula, more: number): Quantity | null {
+  const [, before = "", sign, digits] = (form === "sum" && trailingConstant.exec(text)) || [];
+  // The sign may be that of an exponent, or within parentheses.
+  if (digits === undefined || /(?:^|\W)[\d.]+[eE]$/.test(before) || !isBalanced(before)) return null;
+  const constant = Number(`${sign}${digits}`) + more;
+  const rest = quantity(value + more - constant, before);
+  return constant === 0 ? rest : { ...joined(rest, constant), value: value + more };
+}
+
+const isBalanced = (text: string): boolean => text.split("(").length === text.split(")").length;
 
 export function negative(a: Quantity): Quantity {
   if (typeof a === "number") return -a;
@@ -76,6 +102,16 @@ export function over(a: Quantity, b: Quantity): Quantity {
   return {
     value: valueOf(a) / valueOf(b),
     text: `${textOf(a, "product")}/${textOf(b, "atom")}`,
+    form: "product",
+  };
+}
+
+/** Returns a number above 0 to the power of a plain number. */
+export function power(a: Quantity, exponent: number): Quantity {
+  if (typeof a === "number") return a ** exponent;
+  return {
+    value: a.value ** exponent,
+    text: `${textOf(a, "atom")}^${textOf(exponent, "atom")}`,
     form: "product",
   };
 }

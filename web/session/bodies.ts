@@ -17,6 +17,7 @@ import { bodiesOf } from "../document/entities";
 import { nextTurn } from "../document/slices";
 import type { PatchArrays } from "../document/patch-arrays";
 import { SurfaceClient, type LoadedSurface, type NewBody } from "../workers/surface-files";
+import { BodyPairs } from "./touching-bodies";
 import { BodyPreparations, type Preparation } from "./body-preparations";
 import { canCompare, comparedRepair, proposedRepair } from "./body-repairs";
 import { BodySurfaces } from "./body-surfaces";
@@ -92,6 +93,8 @@ const unknownBody = (body: ProjectBody): BodyState => ({
 export class BodyFeed {
   readonly state: StoreApi<BodiesState> = createStore<BodiesState>(() => ({ byId: new Map() }));
   readonly preparations: BodyPreparations;
+  /** Which bodies touch. */
+  readonly pairs = new BodyPairs();
   readonly #documents: DocumentStore;
   readonly #mesher: Promise<Mesher>;
   readonly #client = new SurfaceClient();

@@ -1,20 +1,20 @@
-import type { Diagnostic, Mesher, Project, ProjectBody } from "tetrafront";
+import type { Diagnostic, Mesher, PreparedBody, Project } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { meshKey } from "../document/content-keys";
+import { meshKey, namesKey } from "../document/content-keys";
 import { engineInput } from "../document/engine-input";
 import { bodiesOf, recordsOf } from "../document/entities";
 import { strings } from "../strings";
 import type { BodyFeed } from "./bodies";
 import { settledProject, type DocumentStore } from "./document-store";
-import { fillableBodies, touchingBodies } from "./touching-bodies";
+import { fillableBodies } from "./touching-bodies";
 
 export interface BodyCheckState {
   /** Key of the project that was checked last; null before the first check. */
   readonly key: string | null;
-  /** The errors that a run of this project would find before it makes tetrahedra; empty if bodies touch. */
+  /** The errors that a run of this project would find before it makes tetrahedra, apart from bodies that touch. */
   readonly errors: readonly Diagnostic[];
-  /** Groups of bodies that touch or intersect, which “Generate mesh” joins. */
-  readonly touching: readonly (readonly ProjectBody[])[];
+  /** Ids of the bodies in each group of bodies that touch or intersect, which “Generate mesh” joins. */
+  readonly touching: readonly (readonly number[])[];
 }
 
 type Found = Omit<BodyCheckState, "key">;
@@ -34,7 +34,9 @@ export class BodyCheck {
   readonly #mesher: Promise<Mesher>;
   readonly #bodies: BodyFeed;
   /** The check that is being made. */
-  #active: { readonly key: string; readonly abort: AbortController } | null = null;
+  #active: { readonly key: string; readonly names: string; readonly abort: AbortController } | null = null;
+  /** Key of the names in the errors. */
+  #names = "";
 
   constructor(documents: DocumentStore, mesher: Promise<Mesher>, bodies: BodyFeed) {
     this.#mesher = mesher;
@@ -51,16 +53,22 @@ export class BodyCheck {
   #update(project: Project): void {
     if (!canFail(project)) return this.#stop();
     const key = meshKey(project);
-    if (key === this.#active?.key || key === this.state.getState().key) return;
+    const names = namesKey(project);
+    if (key === this.#active?.key && names === this.#active.names) return;
+    const { key: checked, errors } = this.state.getState();
+    const isChecked = key === checked && (errors.length === 0 || names === this.#names);
     this.#stop();
+    if (isChecked) return;
     const preparedBodies = this.#bodies.preparations.allOf(project);
     const triangles = preparedBodies.reduce((sum, body) => sum + body.triangles.length / 3, 0);
     if (preparedBodies.length < bodiesOf(project).length || triangles > maxTriangles) return;
     const abort = new AbortController();
-    this.#active = { key, abort };
+    this.#active = { key, names, abort };
     this.#found(project, preparedBodies, abort)
       .then((found) => {
-        if (this.#active?.abort === abort) this.state.setState({ key, ...found });
+        if (this.#active?.abort !== abort) return;
+        this.#names = names;
+        this.state.setState({ key, ...found });
       })
       // A run will report what has failed.
       .catch(() => undefined)
@@ -76,30 +84,73 @@ export class BodyCheck {
 
   async #found(
     project: Project,
-    preparedBodies: ReturnType<BodyFeed["preparations"]["allOf"]>,
+    preparedBodies: readonly PreparedBody[],
     abort: AbortController,
   ): Promise<Found> {
-    const [input, options] = engineInput(project);
     const mesher = await this.#mesher;
     const given = fillableBodies(this.#bodies.state.getState().byId.values());
-    const groups = await touchingBodies(mesher, given, abort.signal);
-    if (groups.length > 0) {
-      return { errors: [], touching: groups.map((group) => group.map(({ body }) => body)) };
+    const groups = await this.#bodies.pairs.touching(mesher, given, abort.signal);
+    const touching = groups.map((group) => group.map(({ body }) => body.id));
+    const errors: Diagnostic[] = [];
+    for (const others of leftOut(touching)) {
+      const found = await errorsOf(mesher, project, preparedBodies, others, abort.signal);
+      errors.push(...found);
     }
-    const { report } = await mesher.meshProject(
-      input,
-      { ...options, preparedBodies },
-      {
-        signal: abort.signal,
-        onProgress: ({ tetrahedra }) => {
-          if (tetrahedra > 0) abort.abort();
-        },
-      },
-    );
-    if (report.status !== "invalid-input") return nothing;
-    const errors = report.diagnostics.filter(({ severity }) => severity === "error").map(withoutTriangles);
-    return { errors, touching: [] };
+    return { errors, touching };
   }
+}
+
+/**
+ * Returns ids of bodies to leave out of a project, one set for each check of it: no two bodies of a group are in it then, and
+ * each body is in it once at least.
+ */
+function leftOut(groups: readonly (readonly number[])[]): readonly ReadonlySet<number>[] {
+  const checks = Math.max(1, ...groups.map(({ length }) => length));
+  return Array.from(
+    { length: checks },
+    (_, check) =>
+      new Set(
+        groups.flatMap((group) => group.filter((id) => id !== group[Math.min(check, group.length - 1)])),
+      ),
+  );
+}
+
+/** Returns the errors that a run of a project without some of its bodies finds before it makes tetrahedra. */
+async function errorsOf(
+  mesher: Mesher,
+  project: Project,
+  preparedBodies: readonly PreparedBody[],
+  others: ReadonlySet<number>,
+  signal: AbortSignal,
+): Promise<readonly Diagnostic[]> {
+  const [input, options] = engineInput(others.size === 0 ? project : withoutBodies(project, others));
+  const stop = new AbortController();
+  const { report } = await mesher.meshProject(
+    input,
+    { ...options, preparedBodies: preparedBodies.filter(({ body }) => !others.has(body)) },
+    {
+      signal: AbortSignal.any([signal, stop.signal]),
+      onProgress: ({ tetrahedra }) => {
+        if (tetrahedra > 0) stop.abort();
+      },
+    },
+  );
+  signal.throwIfAborted();
+  if (report.status !== "invalid-input") return [];
+  return report.diagnostics.filter(({ severity }) => severity === "error").map(withoutTriangles);
+}
+
+/** Returns a project without some of its bodies. Sizes that were painted on them stay. */
+function withoutBodies(project: Project, ids: ReadonlySet<number>): Project {
+  const { groups: _, expressions: __, background, ...rest } = project;
+  const sources = background.sources?.map(({ body, ...source }) =>
+    body === undefined || ids.has(body) ? source : { ...source, body },
+  );
+  return {
+    ...rest,
+    bodies: bodiesOf(project).filter(({ id }) => !ids.has(id)),
+    background: { ...background, ...(sources && { sources }) },
+  };
 }
 
 /** Leaves out triangles and nodes of a surface that the page does not have. */

@@ -23,6 +23,8 @@ export interface OpenOperation {
   readonly subject: Subject;
   /** Why the values give nothing; null if the view shows what they give. */
   readonly reason: string | null;
+  /** What the user should know about what the values give; empty if there is nothing to know. */
+  readonly note: string;
   /** What the values give. */
   readonly entities: readonly Entity[];
 }
@@ -110,11 +112,17 @@ export class Operations {
     this.#show({ ...open, subject: { ...subject, selection: existingIn(subject.project, selection) } });
   }
 
-  #show({ operation, values, expressions, subject }: Omit<OpenOperation, "reason" | "entities">): void {
+  #show({
+    operation,
+    values,
+    expressions,
+    subject,
+  }: Omit<OpenOperation, "reason" | "note" | "entities">): void {
     const offer = operation.make(subject, values, expressions);
     const entities = offer.possible ? offer.creation.entities : [];
     const reason = offer.possible ? null : offer.reason;
-    this.state.setState({ open: { operation, values, expressions, subject, reason, entities } });
+    const note = (offer.possible && offer.creation.note) || "";
+    this.state.setState({ open: { operation, values, expressions, subject, reason, note, entities } });
     this.#gesture?.update(offer.possible ? offer.creation.edit : { change: () => undefined });
   }
 }

@@ -63,7 +63,9 @@ export class ProblemList {
           : []),
       ]);
       const { byId } = bodies.state.getState();
-      const touching = areBodiesChecked ? check.state.getState().touching.map(touchingProblem) : [];
+      const touching = (areBodiesChecked ? check.state.getState().touching : []).map((ids) =>
+        touchingProblem(bodiesOf(project).filter(({ id }) => ids.includes(id))),
+      );
       const ofBodies = bodiesOf(project).flatMap((body) => {
         const inspection = byId.get(body.id)?.inspection;
         return inspection ? bodyProblems(body, inspection) : [];

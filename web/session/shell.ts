@@ -17,6 +17,7 @@ export interface Notice {
     | "improvement"
     | "repair"
     | "deleted"
+    | "numbers-kept"
     | "shared"
     | "animation";
   readonly tone: "information" | "warning";
@@ -40,6 +41,8 @@ export interface ShellState {
   readonly chosenUnit: Unit | null;
   /** Field of the selected entity that gets the focus as soon as the inspector shows it; null if none. */
   readonly editing: EditedField | null;
+  /** Setting of the project whose field gets the focus as soon as the inspector shows it; null if none. */
+  readonly editedSetting: EditedSetting | null;
   /** Colours of the page: light, dark, or as the system has them. */
   readonly scheme: Scheme;
   /** Whether the page has large type for an audience. */
@@ -54,6 +57,9 @@ export interface ShellState {
 /** The name of an entity, or the first of its other fields. */
 export type EditedField = "name" | "values";
 
+/** A setting that is a number. */
+export type EditedSetting = "uniform-size" | "gradation";
+
 export type Shell = StoreApi<ShellState>;
 
 export function createShell(): Shell {
@@ -67,6 +73,7 @@ export function createShell(): Shell {
     dialog: null,
     chosenUnit: null,
     editing: null,
+    editedSetting: null,
     scheme: "auto",
     isPresenting: false,
     message: null,

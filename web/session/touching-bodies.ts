@@ -7,6 +7,7 @@ import {
   weldBeforeRemeshing,
   withRepairs,
 } from "../document/body-repair";
+import { placedSurfaceKey } from "../document/content-keys";
 import { boxOf } from "../document/drawn-surface";
 import {
   connectedGroups,
@@ -40,26 +41,58 @@ export function fillableBodies(states: Iterable<BodyState>): GivenBody[] {
 /** Bodies that touch or intersect, directly or through others. */
 export type TouchingBodies = readonly GivenBody[];
 
+/** Number of results that are kept beside those of the present pairs, so that undo needs no inspection. */
+const maxOtherPairs = 1000;
+
 /**
- * Returns the groups of bodies that touch or intersect: two bodies that can be filled alone, but not together. Bodies that
- * cannot be filled alone are ignored. O(n log n) per pair of bodies whose boxes are not apart.
+ * Inspects pairs of bodies, and remembers the results: a pair is inspected again only after the given triangles or the
+ * placement of one of its bodies have changed.
  */
-export async function touchingBodies(
+export class BodyPairs {
+  /** Whether two bodies touch, by the keys of both. The results used last are at the end. */
+  readonly #known = new Map<string, boolean>();
+
+  /**
+   * Returns the groups of bodies that touch or intersect: two bodies that can be filled alone, but not together. Bodies that
+   * cannot be filled alone are ignored. O(n log n) per pair to inspect: one whose boxes are not apart.
+   */
+  async touching(
+    mesher: Mesher,
+    bodies: readonly GivenBody[],
+    signal: AbortSignal,
+  ): Promise<TouchingBodies[]> {
+    const surfaces = bodies.map(({ body, surface }) => placedSurface(surface, body));
+    const pairs = nearPairs(surfaces.map(({ points }) => boxOf(points)));
+    const touching: (readonly [number, number])[] = [];
+    for (const pair of pairs) {
+      const given = pair.flatMap((index) => bodies[index] ?? []);
+      const key = given.map(({ body }) => placedSurfaceKey(body)).join(" | ");
+      const isTouching = this.#known.get(key) ?? (await isOverlap(mesher, given, signal));
+      signal.throwIfAborted();
+      this.#known.delete(key);
+      this.#known.set(key, isTouching);
+      if (isTouching) touching.push(pair);
+    }
+    const others = this.#known.size - pairs.length;
+    for (const key of [...this.#known.keys()].slice(0, Math.max(0, others - maxOtherPairs))) {
+      this.#known.delete(key);
+    }
+    const groups = connectedGroups(bodies.length, touching);
+    return groups.map((group) => group.flatMap((index) => bodies[index] ?? []));
+  }
+}
+
+/** Returns whether bodies cannot be filled together. */
+async function isOverlap(
   mesher: Mesher,
   bodies: readonly GivenBody[],
   signal: AbortSignal,
-): Promise<TouchingBodies[]> {
-  const surfaces = bodies.map(({ body, surface }) => placedSurface(surface, body));
-  const pairs = nearPairs(surfaces.map(({ points }) => boxOf(points)));
-  const touching: (readonly [number, number])[] = [];
-  for (const pair of pairs) {
-    const parts = pair.map((index) => [surfaces[index], bodies[index]?.body.patches.length ?? 0] as const);
-    const known = parts.flatMap(([surface, patches]) => (surface ? [[surface, patches] as const] : []));
-    const { isFillable } = await mesher.inspectSurface(joinedSurface(known), {}, { signal });
-    if (!isFillable) touching.push(pair);
-  }
-  const groups = connectedGroups(bodies.length, touching);
-  return groups.map((group) => group.flatMap((index) => bodies[index] ?? []));
+): Promise<boolean> {
+  const parts = bodies.map(
+    ({ body, surface }) => [placedSurface(surface, body), body.patches.length] as const,
+  );
+  const { isFillable } = await mesher.inspectSurface(joinedSurface(parts), {}, { signal });
+  return !isFillable;
 }
 
 /** A body that consists of several that touch. */

@@ -71,13 +71,15 @@ export const operationStrings = {
     share: "Share touching faces",
   },
   longExpressions: "The expressions are too long to be kept: the piece will not follow its parameters.",
+  numbersKept:
+    "The expressions are too long to be kept, or bodies or planes cannot follow them. The numbers are kept: they will not follow parameters.",
   imprint: {
     overlaps: (count: number) =>
       `Overlaps ${count === 1 ? "1 face" : `${count} faces`} of the model. Share touching faces for one watertight model with several regions, or use a Boolean operation afterwards.`,
     shared: (count: number) =>
       `Shares ${count === 1 ? "1 face" : `${count} faces`} with the model: the mesh keeps a boundary between two regions there.`,
     incomplete:
-      "Overlaps a face of the model that cannot be shared, because of a curved line or patch. Move the piece, or use a Boolean operation afterwards.",
+      "Overlaps a face of the model that cannot be shared, because lines only touch there, or a curved patch needs its lines. Move the piece, or use a Boolean operation afterwards.",
   },
   refusals: {
     nothingSelected: "Select points, lines, patches, bodies or sources.",

@@ -1,6 +1,9 @@
 import type { Project } from "tetrafront";
+import type { Offer } from "../document/create";
 import type { Entity } from "../document/entities";
+import { coordinatesOf } from "../document/expression-edits";
 import type { Position } from "../document/position";
+import { quantityPosition } from "../document/quantity-positions";
 import type { ViewStore } from "../document/selection";
 import type { HandleMode } from "../document/tools";
 import { translation, type Affine } from "../document/transforms/affine";
@@ -21,6 +24,8 @@ export interface MotionStores {
   readonly drawing: Drawing;
   readonly keys: TypedKeys;
   readonly viewer: Pick<Viewer, "seenFrom">;
+  /** Tells the user something about what was made. */
+  readonly inform?: (text: string) => void;
 }
 
 export interface MotionStart {
@@ -189,11 +194,14 @@ export class Motion implements TypedInput {
     if (read.success) this.#show(run, read.map, false);
   }
 
-  #read({ mode, base, axis, dragged }: Run, text: string) {
+  #read({ mode, base, axis, dragged, project, selection }: Run, text: string) {
     const { documents, view } = this.#stores;
+    const [only, ...others] = selection;
+    const isPoint = only?.kind === "point" && others.length === 0;
     return readMotion(text, {
       mode,
       base,
+      point: isPoint ? quantityPosition(base, coordinatesOf(project, only.id)) : null,
       axis: this.#axis ?? axis,
       direction: dragged && directionOf(dragged, mode),
       frame: view.state.getState().workPlane.frame,
@@ -202,14 +210,15 @@ export class Motion implements TypedInput {
   }
 
   #accept(run: Run, map: Affine): void {
-    const isPossible = this.#show(run, map, true);
+    const offer = this.#show(run, map, true);
     this.#end();
-    if (isPossible) run.gesture?.commit();
-    else run.gesture?.cancel();
+    if (!offer.possible) return run.gesture?.cancel();
+    run.gesture?.commit();
+    if (offer.creation.note !== undefined) this.#stores.inform?.(offer.creation.note);
   }
 
-  /** Returns whether the motion is possible; otherwise, says why not. */
-  #show(run: Run, map: Affine, join: boolean): boolean {
+  /** Shows what a motion gives, or says why it is not possible. */
+  #show(run: Run, map: Affine, join: boolean): Offer {
     const { documents, drawing } = this.#stores;
     const label = labels[run.mode];
     const offer = offerTransform(run.project, run.selection, map, { label, join });
@@ -219,7 +228,7 @@ export class Motion implements TypedInput {
     }
     const refused = offer.possible ? null : offer.reason;
     if (drawing.state.getState().refused !== refused) drawing.state.setState({ refused });
-    return offer.possible;
+    return offer;
   }
 
   #end(): void {

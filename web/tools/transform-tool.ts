@@ -1,5 +1,7 @@
+import type { Project, ProjectBody } from "tetrafront";
 import { Group } from "three";
-import type { ViewStore } from "../document/selection";
+import { findRecord, type Entity } from "../document/entities";
+import type { Moving, ViewState, ViewStore } from "../document/selection";
 import type { Position } from "../document/position";
 import { translation } from "../document/transforms/affine";
 import { middleOf } from "../document/transforms/middle";
@@ -26,6 +28,8 @@ export interface TransformStores {
   readonly documents: DocumentStore;
   readonly view: ViewStore;
   readonly motion: Motion;
+  /** Returns the middle of the triangles of a body where it is placed; null while they are not loaded. */
+  readonly centreOf?: (body: ProjectBody) => Position | null;
   readonly viewer: Pick<Viewer, "camera" | "seenFrom" | "size" | "pixelLength" | "requestFrame">;
 }
 
@@ -36,23 +40,29 @@ const stepPixels = 10;
 
 const { amounts } = strings.drawing;
 
+/** What the handles move, and how. */
+type Subject = Pick<ViewState, "selection" | "handleMode">;
+
 /**
  * Shows handles at the middle of the selection that move, rotate or scale it, with steps unless Ctrl is held. One drag is
- * one step of undo; Escape cancels it. Numbers may be typed instead. What coincides after the drag is joined. Passes everything else to another tool.
- * The code of the handles is loaded when they are first shown.
+ * one step of undo; Escape cancels it. Numbers may be typed instead. What coincides after the drag is joined. Passes
+ * everything else to another tool. The code of the handles is loaded when they are first shown. If `moving` is given, the
+ * handles are those of its body, whatever is selected; Escape hides them.
  */
 export class TransformTool implements Tool {
   readonly id: string;
   readonly #stores: TransformStores;
   readonly #otherwise: Tool;
+  readonly #moving: Moving | null;
   #handles: TransformHandles | null = null;
   /** What the handles are placed by. */
   #placed: Placed | null = null;
   /** Where a handle was pressed, and the middle of the selection then; null if none is. */
   #pressed: { readonly at: ScreenPoint; readonly middle: Position } | null = null;
 
-  constructor(stores: TransformStores, otherwise: Tool) {
-    this.id = otherwise.id;
+  constructor(stores: TransformStores, otherwise: Tool, moving: Moving | null = null) {
+    this.id = moving ? "move" : otherwise.id;
+    this.#moving = moving;
     this.#stores = stores;
     this.#otherwise = otherwise;
   }
@@ -96,7 +106,11 @@ export class TransformTool implements Tool {
 
   /** Numbers and axes that are typed move the selection, also without a drag. */
   key(event: KeyboardEvent): boolean {
-    return this.#stores.motion.key(event, () => this.#motion(false)) || this.#otherwise.key(event);
+    if (this.#stores.motion.key(event, () => this.#motion(false))) return true;
+    if (!this.#moving) return this.#otherwise.key(event);
+    if (event.key !== "Escape") return false;
+    this.#stores.view.setMoving(null);
+    return true;
   }
 
   overlay(): Layer {
@@ -131,12 +145,26 @@ export class TransformTool implements Tool {
 
   #place(placed: Placed): void {
     this.#placed = placed;
-    const { project, selection, origin, handleMode } = placed;
+    const { project, origin } = placed;
+    const { selection, handleMode } = this.#subjectOf(placed);
     const handles = this.#handles;
     if (!handles || handles.isDragging) return;
-    handles.root.visible = hasParts(selectedParts(project, selection));
+    handles.root.visible = this.#isMovable(project, selection);
     handles.setMode(handleMode);
-    if (handles.root.visible) handles.place(middleOf(project, selection), origin);
+    if (handles.root.visible) handles.place(middleOf(project, selection, this.#stores.centreOf), origin);
+  }
+
+  #subjectOf({ selection, handleMode }: Subject): Subject {
+    if (!this.#moving) return { selection, handleMode };
+    const { body, mode } = this.#moving;
+    return { selection: [{ kind: "body", id: body }], handleMode: mode };
+  }
+
+  /** Returns whether there is something to move. The handles of a body are at its middle, which must be known. */
+  #isMovable(project: Project, selection: readonly Entity[]): boolean {
+    if (!this.#moving) return hasParts(selectedParts(project, selection));
+    const body = findRecord(project, "body", this.#moving.body);
+    return body !== undefined && this.#stores.centreOf?.(body) != null;
   }
 
   #steps({ mod }: ToolPointer): HandleSteps {
@@ -148,16 +176,16 @@ export class TransformTool implements Tool {
   /** Returns what moves the selection; null if nothing can be moved now. */
   #motion(isHeld: boolean): MotionStart | null {
     const { documents, view } = this.#stores;
-    const { selection, handleMode: mode } = view.state.getState();
+    const { selection, handleMode: mode } = this.#subjectOf(view.state.getState());
     const { project } = documents;
-    if (documents.state.getState().gestureStart !== null) return null;
-    if (!hasParts(selectedParts(project, selection))) return null;
-    return { mode, selection, base: middleOf(project, selection), axis: null, isHeld };
+    if (documents.state.getState().gestureStart !== null || !this.#isMovable(project, selection)) return null;
+    const base = middleOf(project, selection, this.#stores.centreOf);
+    return { mode, selection, base, axis: null, isHeld };
   }
 
   #dragTo(pointer: ToolPointer): void {
     const { motion, view } = this.#stores;
-    const { handleMode } = view.state.getState();
+    const { handleMode } = this.#subjectOf(view.state.getState());
     const moved = this.#handles?.drag(this.#normalized(pointer.at), this.#steps(pointer));
     const { map, numbers } = this.#alongAxis(pointer) ?? moved ?? { map: null, numbers: [] };
     if (map) motion.drag(map, amounts[handleMode](formatPosition(numbers)), pointer.at);
@@ -166,8 +194,8 @@ export class TransformTool implements Tool {
   /** Moves along the axis that a key has chosen, whatever the handle; null without one. */
   #alongAxis(pointer: ToolPointer): HandleMotion | null {
     const { motion, view, viewer } = this.#stores;
-    if (motion.axis === null || !this.#pressed || view.state.getState().handleMode !== "translate")
-      return null;
+    const { handleMode } = this.#subjectOf(view.state.getState());
+    if (motion.axis === null || !this.#pressed || handleMode !== "translate") return null;
     const { at: pressed, middle } = this.#pressed;
     const along = axisDirections[motion.axis];
     const from = onLine(viewer.seenFrom(pressed).ray, middle, along);
@@ -206,7 +234,8 @@ class TransformOverlay implements Layer {
 
   update(changes: SceneChanges): void {
     this.#other?.update(changes);
-    if (changes.has("project", "selection", "origin", "handleMode")) this.#events.place(changes.state);
+    if (changes.has("project", "selection", "origin", "handleMode", "bodies"))
+      this.#events.place(changes.state);
   }
 
   dispose(): void {

@@ -1,9 +1,18 @@
 /** Reads by how much something is to be moved, rotated or scaled, as people type it. */
 import type { Position } from "../document/position";
 import type { HandleMode } from "../document/tools";
-import { rotationAbout, scalingAbout, translation, type Affine } from "../document/transforms/affine";
-import { axisDirections, scale, subtract, type Frame } from "../document/vectors";
+import { expressionFrom } from "../document/expression-edits";
+import {
+  quantityPosition,
+  scaleQuantities,
+  subtractQuantities,
+  type QuantityPosition,
+} from "../document/quantity-positions";
+import type { Affine } from "../document/transforms/affine";
+import { typedRotation, typedScaling, typedTranslation } from "../document/transforms/typed-maps";
+import { axisDirections, zero, type Frame } from "../document/vectors";
 import { readNumber, type NamedNumbers } from "../expressions/expression";
+import { quantity, valueOf, type Quantity } from "../expressions/quantity";
 import { readCoordinates } from "./drawing/coordinates";
 
 export type Axis = 0 | 1 | 2;
@@ -12,6 +21,8 @@ export interface MotionContext {
   readonly mode: HandleMode;
   /** The point that was taken hold of, or the middle of what moves. */
   readonly base: Position;
+  /** If a single point moves, its coordinates with their expressions; otherwise null. */
+  readonly point: QuantityPosition | null;
   /** The chosen axis; null without one. */
   readonly axis: Axis | null;
   /** The direction in which the pointer has moved it, or about which it has rotated it; null without a drag. */
@@ -32,33 +43,44 @@ export type TypedMotion =
  *   `@0.5,0,0` and `5<30` are offsets; `1,2,0` is where the base goes;
  * - rotating: `30` are degrees about the axis, or about the normal of the work plane;
  * - scaling: `2` is the factor along the axis, or along all; `2,1,1` are those along x, y and z.
+ *
+ * The map has the expressions that were typed. Those of a place where the base goes apply to a single point only: the middle
+ * of several entities is a number.
  */
 export function readMotion(text: string, context: MotionContext): TypedMotion {
-  const { mode, base, axis, direction, frame, named } = context;
+  const { mode, base, point, axis, direction, frame, named } = context;
   const body = text.trim().replace(/[,\s]+$/, "");
-  const number = readNumber(mode === "translate" ? body.replace(/^@/, "") : body, named);
+  const read = (part: string): Quantity | null => {
+    const value = readNumber(part, named);
+    return value === null ? null : quantity(value, expressionFrom(part));
+  };
+  const number = read(mode === "translate" ? body.replace(/^@/, "") : body);
   switch (mode) {
     case "translate": {
       if (number !== null) {
         const along = axis === null ? (direction ?? frame.x) : axisDirections[axis];
-        return { success: true, map: translation(scale(along, number)) };
+        return { success: true, map: typedTranslation(scaleQuantities(along, number)) };
       }
-      const typed = readCoordinates(body, { last: base, frame, named });
+      const isOffset = body.startsWith("@") || body.includes("<");
+      const typed = readCoordinates(body, { last: isOffset ? zero : base, frame, named });
       if (!typed.success) return { success: false, reason: "no-motion" };
-      return { success: true, map: translation(subtract(typed.position, base)) };
+      const keepsTexts = isOffset || point !== null;
+      const to = quantityPosition(typed.position, keepsTexts ? typed.expressions : []);
+      const offset = isOffset ? to : subtractQuantities(to, point ?? base);
+      return { success: true, map: typedTranslation(offset) };
     }
     case "rotate": {
       const about = axis === null ? (direction ?? frame.z) : axisDirections[axis];
       if (number === null) return { success: false, reason: "no-angle" };
-      return { success: true, map: rotationAbout(base, about, number) };
+      return { success: true, map: typedRotation(base, about, number) };
     }
     case "scale": {
-      const factors = number === null ? body.split(/[,;]/).map((part) => readNumber(part, named)) : null;
+      const factors = number === null ? body.split(/[,;]/).map(read) : null;
       const all = factors ?? [0, 1, 2].map((k) => (axis === null || axis === k ? number : 1));
       const [x, y, z] = all;
-      if (x == null || y == null || z == null || all.length > 3 || Math.min(x, y, z) <= 0)
+      if (x == null || y == null || z == null || all.length > 3 || Math.min(...[x, y, z].map(valueOf)) <= 0)
         return { success: false, reason: "no-factor" };
-      return { success: true, map: scalingAbout(base, [x, y, z]) };
+      return { success: true, map: typedScaling(base, [x, y, z]) };
     }
   }
 }

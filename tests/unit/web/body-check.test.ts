@@ -1,9 +1,20 @@
-import { createBody, type Mesher, type PreparedBody, type Project, type RunControl } from "tetrafront";
-import { expect, it, vi } from "vitest";
+import {
+  createBody,
+  createMesher,
+  type Mesher,
+  type PreparedBody,
+  type Project,
+  type RunControl,
+} from "tetrafront";
+import { afterAll, beforeAll, describe, expect, it, vi } from "vitest";
 import type { BodyFeed } from "../../../web/session/bodies";
 import { BodyCheck } from "../../../web/session/body-check";
 import { BodyPreparations } from "../../../web/session/body-preparations";
 import { DocumentStore } from "../../../web/session/document-store";
+import type { PreviewFeed } from "../../../web/session/preview";
+import { ProblemList } from "../../../web/session/problems";
+import type { MeshRun } from "../../../web/session/run";
+import { BodyPairs } from "../../../web/session/touching-bodies";
 import type { SurfaceClient } from "../../../web/workers/surface-files";
 import { cubeProject } from "../../support/projects";
 import { boxSurface } from "../../support/surfaces";
@@ -38,6 +49,7 @@ it("a check that an edit has ended says nothing of the project, even if undo res
   const documents = new DocumentStore(withBodies(1));
   const bodies = {
     state: { subscribe: () => () => undefined, getState: () => ({ byId: new Map() }) },
+    pairs: new BodyPairs(),
     preparations: { allOf: () => [prepared] },
   } as unknown as BodyFeed;
   const check = new BodyCheck(documents, Promise.resolve(mesher), bodies);
@@ -76,4 +88,86 @@ it("the triangles of all bodies are kept, however many there are, and however of
   }
   expect(preparations.allOf(project)).toHaveLength(6);
   expect(preparations.allOf(given)).toHaveLength(5);
+});
+
+describe("bodies that touch", () => {
+  let mesher: Mesher;
+  beforeAll(async () => void (mesher = await createMesher()));
+  afterAll(() => mesher.dispose());
+
+  /** Two bodies that touch, and a third one that intersects the drawn cube. */
+  const project = (): Project => {
+    const at = (x: number) => ({ position: [x, 0.25, 0.25] as const, scale: 0.5 });
+    return {
+      ...withBodies(3),
+      meshing: { size: 0.5 },
+      bodies: (withBodies(3).bodies ?? []).map((body, k) => ({
+        ...body,
+        surface: "keep" as const,
+        placement: at([5, 5.5, 0.75][k] ?? 0),
+      })),
+    };
+  };
+
+  const opened = async (): Promise<{ documents: DocumentStore; check: BodyCheck; problems: ProblemList }> => {
+    const preparedBodies = await Promise.all([1, 2, 3].map((id) => mesher.prepareBody(project(), id)));
+    const documents = new DocumentStore(project(), () => 0);
+    const bodies = {
+      state: {
+        subscribe: () => () => undefined,
+        getState: () => ({
+          byId: new Map(
+            (documents.project.bodies ?? []).map((body) => {
+              const surface = { ...boxSurface(1), trianglePatch: new Uint32Array(12) };
+              const inspection = { isFillable: true, volume: 1, diagnostics: [] };
+              return [body.id, { body, loaded: { surface }, inspection, preparationErrors: [] }];
+            }),
+          ),
+        }),
+      },
+      pairs: new BodyPairs(),
+      preparations: { allOf: () => preparedBodies },
+    } as unknown as BodyFeed;
+    const check = new BodyCheck(documents, Promise.resolve(mesher), bodies);
+    const none = {
+      state: { getState: () => ({ preview: null, checked: null }), subscribe: () => () => undefined },
+    };
+    const run = { state: { getState: () => ({ outcome: null }), subscribe: () => () => undefined } };
+    const problems = new ProblemList(
+      documents,
+      none as unknown as PreviewFeed,
+      bodies,
+      check,
+      run as unknown as MeshRun,
+    );
+    return { documents, check, problems };
+  };
+
+  it("do not hide other errors, and messages have the present names", async () => {
+    const { documents, check, problems } = await opened();
+    const messages = (code: string): readonly string[] =>
+      problems.state.getState().problems.flatMap((problem) => (problem.code === code ? problem.message : []));
+    documents.edit({ label: "Size", replace: [[["project", "meshing"], { size: 0.4 }]] });
+    await vi.waitFor(() => expect(check.state.getState().key).not.toBeNull(), { timeout: 20_000 });
+    expect(check.state.getState().touching).toEqual([[1, 2]]);
+    expect(messages("touching-bodies")).toEqual([expect.stringMatching(/box 1.*box 2/)]);
+    const found = messages("self-intersection");
+    expect(found.length).toBeGreaterThan(0);
+    for (const message of found) expect(message).not.toMatch(/box [12]/);
+    expect(found.join()).toContain("box 3");
+    const rename = (index: number, name: string): void =>
+      documents.edit({
+        label: "Rename",
+        change: ({ project: draft }) => {
+          const body = draft.bodies?.[index];
+          if (body) body.name = name;
+        },
+      });
+    rename(0, "left");
+    expect(messages("touching-bodies")).toEqual([expect.stringMatching(/left.*box 2/)]);
+    rename(2, "right");
+    await vi.waitFor(() => expect(messages("self-intersection").join()).toContain("right"), {
+      timeout: 20_000,
+    });
+  });
 });

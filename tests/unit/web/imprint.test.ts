@@ -23,11 +23,9 @@ function stacked(shapes: readonly Shape[], size = 0.4): { project: Project; last
   let last: Imprint | null = null;
   for (const shape of shapes) {
     const made = insertion(project, shape, { join: true });
-    last = imprinted(
-      { ...project, ...withInsertion(project, made) },
-      new Set(made.patches.map(({ id }) => id)),
-    );
-    project = { ...project, ...last.drawn };
+    const together = { ...project, ...withInsertion(project, made) };
+    last = imprinted(together, new Set(made.patches.map(({ id }) => id)));
+    project = { ...together, ...last.drawn };
   }
   if (!last) throw new Error("there are no shapes");
   return { project, last };
@@ -94,6 +92,29 @@ describe("a piece that touches faces shares them", () => {
     expect(holes.map(({ type }) => type).sort()).toEqual(["planar", "tube"]);
   });
 
+  it.each([
+    ["the border of a face", [cube, moved(cylinder(0.3, 0.3, 0.5), [0.4, 0, 1])], [Math.PI * 0.045, 1]],
+    ["a corner of a face", [cube, moved(cylinder(0.3, 0.3, 0.5), [0.4, 0.45, 1])], [Math.PI * 0.045, 1]],
+    [
+      "another circle",
+      [cylinder(0.4, 0.4, 1), moved(cylinder(0.4, 0.4, 0.5), [0.3, 0.2, 1])],
+      [Math.PI * 0.08, Math.PI * 0.16],
+    ],
+  ] as const)("also round ones whose circle crosses %s", async (_, shapes, volumes) => {
+    for (const place of [(shape: Shape) => shape, tilted]) {
+      const { project, last } = stacked(shapes.map(place), 0.1);
+      expect(last).toMatchObject({ shared: 1, isIncomplete: false });
+      const found = await volumesOf(project);
+      expect(found).toHaveLength(2);
+      volumes.forEach((volume, i) => expect((found[i] ?? 0) / volume).toBeGreaterThan(0.95));
+      volumes.forEach((volume, i) => expect((found[i] ?? 0) / volume).toBeLessThan(1 + 1e-9));
+      const lines = new Set(project.patches.flatMap(({ loops }) => loops.flat().map(Math.abs)));
+      expect(project.lines.filter(({ id }) => !lines.has(id))).toEqual([]);
+      const points = new Set(project.lines.flatMap((line) => line.points));
+      expect(project.points.filter(({ id }) => !points.has(id))).toEqual([]);
+    }
+  });
+
   it("and says where its patches are then", () => {
     const { project, last } = stacked([moved(box(0.4, 0.4, 0.5), [0, 0, 1]), cube]);
     const ids = [...last.patches.values()].flat();
@@ -121,7 +142,6 @@ describe("a piece leaves the model as it is", () => {
   });
 
   it.each([
-    ["if a circle crosses the border of a face", [cube, moved(cylinder(0.3, 0.3, 1), [0.4, 0, 1])]],
     ["if a circle touches the border of a face", [cube, moved(cylinder(0.5, 0.5, 1), [0, 0, 1])]],
     [
       "if a section crosses a face",

@@ -16,8 +16,12 @@ const seenFrom: Viewer["seenFrom"] = (at) => ({
   toScreen: ([x, y]) => ({ x: 100 * x, y: 100 * y }),
 });
 
-/** Draws a line of typed places in a project with a parameter r of 2. */
-function drawn(lineType: "circle" | "arc", texts: readonly string[]): DocumentStore {
+/** Draws a line of typed places in a project with a parameter r of 2. `inform` receives what the user is told. */
+function drawn(
+  lineType: "circle" | "arc",
+  texts: readonly string[],
+  inform: (text: string) => void = () => expect.unreachable(),
+): DocumentStore {
   const documents = new DocumentStore(emptyProject(), () => 0);
   documents.edit(addParameter("r", "2"));
   const view = new ViewStore();
@@ -26,7 +30,7 @@ function drawn(lineType: "circle" | "arc", texts: readonly string[]): DocumentSt
   const previews = {
     state: { getState: () => ({ preview: null, project: null }) },
   } as unknown as PreviewFeed;
-  const tool = new LineTool({ documents, previews, view, drawing: new Drawing(), viewer });
+  const tool = new LineTool({ documents, previews, view, drawing: new Drawing(), viewer, inform });
   for (const text of texts) expect(tool.take(text)).toBeNull();
   expect(documents.project.lines).toHaveLength(1);
   return documents;
@@ -54,7 +58,9 @@ it.each([
   ["circle", ["0,0,0", `${long("r")},r/9,0`]],
   ["arc", ["0,0,0", `${long("r")},r/9,0`, "r"]],
 ] as const)("no point of a drawn %s has expressions if some of them would be too long", (type, texts) => {
-  const documents = drawn(type, texts);
+  const told: string[] = [];
+  const documents = drawn(type, texts, (text) => told.push(text));
+  expect(told).toEqual([expect.stringContaining("too long")]);
   expect(documents.project.expressions ?? []).toEqual([]);
   const before = documents.project.points;
   documents.edit(setParameter("r", "4"));

@@ -95,6 +95,8 @@ describe("splitting a line", () => {
       const split = splitLine(project, { line: 1, position: curve.at(t) });
       if (!split.success) throw new Error(split.reason);
       expect(split.project.lines).toHaveLength(2);
+      const used = new Set(split.project.lines.flatMap((line) => line.points));
+      expect(split.project.points.filter(({ id }) => !used.has(id))).toEqual([]);
       const [first, second] = split.project.lines;
       expect([first?.points[0], second?.points.at(-1)]).toEqual([1, (points.at(-1) ?? 0) + 1]);
       expect([first?.points.at(-1), second?.points[0]]).toEqual([split.point, split.point]);

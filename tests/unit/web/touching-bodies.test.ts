@@ -1,5 +1,5 @@
 import { createBody, createMesher, type Mesher, type Project, type ProjectBody } from "tetrafront";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { afterAll, beforeAll, describe, expect, it, vi } from "vitest";
 import {
   connectedGroups,
   joinedHead,
@@ -7,7 +7,7 @@ import {
   replaceByJoined,
 } from "../../../web/document/touching-bodies";
 import { DocumentStore } from "../../../web/session/document-store";
-import { joinedBody, touchingBodies, type GivenBody } from "../../../web/session/touching-bodies";
+import { BodyPairs, joinedBody, type GivenBody } from "../../../web/session/touching-bodies";
 import { emptyProject } from "../../../web/document/create";
 import { boxSurface } from "../../support/surfaces";
 
@@ -43,11 +43,34 @@ describe("bodies that touch", () => {
       cube(6, 1, [0.5, 0.5, 2.1]),
       cube(7, 2, [2, -2, 0]),
     ];
-    const groups = await touchingBodies(mesher, bodies, signal);
+    const groups = await new BodyPairs().touching(mesher, bodies, signal);
     expect(groups.map((group) => group.map(({ body }) => body.id))).toEqual([
       [1, 2, 7],
       [3, 4],
     ]);
+  });
+
+  it("are inspected again only if the triangles or the placement of one of them have changed", async () => {
+    const inspected = vi.spyOn(mesher, "inspectSurface");
+    const pairs = new BodyPairs();
+    const bodies = [cube(1, 1, [0, 0, 0]), cube(2, 1, [0.5, 0, 0]), cube(3, 1, [1, 0, 0])];
+    const countAfter = async (given: readonly GivenBody[], groups: number[][]): Promise<number> => {
+      inspected.mockClear();
+      const found = await pairs.touching(mesher, given, signal);
+      expect(found.map((group) => group.map(({ body }) => body.id))).toEqual(groups);
+      return inspected.mock.calls.length;
+    };
+    const all = [[1, 2, 3]];
+    expect(await countAfter(bodies, all)).toBe(3);
+    expect(await countAfter(bodies, all)).toBe(0);
+    const renamed = bodies.map((one) => ({ ...one, body: { ...one.body, name: "new" } }));
+    expect(await countAfter(renamed, all)).toBe(0);
+    const [first, second, third] = bodies;
+    if (!first || !second || !third) throw new Error("no bodies");
+    expect(await countAfter([first, second, cube(3, 1, [1.25, 0, 0])], all)).toBe(1);
+    expect(await countAfter([first, second, cube(3, 1, [9, 0, 0])], [[1, 2]])).toBe(0);
+    expect(await countAfter(bodies, all)).toBe(0);
+    inspected.mockRestore();
   });
 
   it("become one body with a region each, in the patches of both", async () => {

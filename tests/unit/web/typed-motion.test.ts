@@ -1,12 +1,15 @@
 /** What typed numbers of a motion mean. */
 import { describe, expect, it } from "vitest";
 import { mapPosition } from "../../../web/document/transforms/affine";
+import { formulaTexts, quantityPosition } from "../../../web/document/quantity-positions";
+import { mapQuantities } from "../../../web/document/transforms/typed-maps";
 import { principalPlane } from "../../../web/document/work-plane";
 import { nextNumber, readMotion, type MotionContext } from "../../../web/tools/typed-motion";
 
 const context: MotionContext = {
   mode: "translate",
   base: [1, 2, 3],
+  point: null,
   axis: null,
   direction: null,
   frame: principalPlane("xy").frame,
@@ -42,6 +45,27 @@ describe("typed motions", () => {
     expect(image("3", { mode: "scale" })).toEqual([4, 2, 3]);
     expect(image("3", { mode: "scale", axis: 1 })).toEqual([2, 2, 3]);
     expect(image("0.5,1,1", { mode: "scale" })).toEqual([1.5, 2, 3]);
+  });
+
+  it("keep the expressions that were typed; those of a place, for a single point only", () => {
+    const texts = (text: string, change: Partial<MotionContext> = {}): readonly (string | null)[] | null => {
+      const read = readMotion(text, { ...context, ...change });
+      if (!read.success) throw new Error(read.reason);
+      const from = quantityPosition([1, 2, 3], ["2*r", null, null]);
+      return read.map.typed ? formulaTexts(mapQuantities(read.map.typed, from)) : null;
+    };
+    expect(texts("0.5")).toBeNull();
+    expect(texts("4*r")).toEqual(["2*r+4*r", null, null]);
+    expect(texts("@0,r,1")).toEqual(["2*r", "2+r", null]);
+    expect(texts("r<90")).toEqual(["2*r", "2+r", null]);
+    expect(texts("1,r,0")).toBeNull();
+    expect(texts("1,r,0", { point: [1, 2, 3] })).toEqual(["2*r", "r", null]);
+    expect(texts("60*r", { mode: "rotate", base: [0, 0, 0] })).toEqual([
+      "cos(60*r)*(2*r)+2*(-sin(60*r))",
+      "sin(60*r)*(2*r)+2*cos(60*r)",
+      null,
+    ]);
+    expect(texts("r", { mode: "scale", axis: 1, base: [0, 0, 0] })).toEqual(["2*r", "2*r", null]);
   });
 
   it("refuse what has no meaning", () => {

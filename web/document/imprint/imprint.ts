@@ -1,6 +1,7 @@
 import type { Project, ProjectPatch } from "tetrafront";
 import { coincidenceLength, freeName } from "../insert-shape";
 import type { LinePath } from "../line-paths";
+import { changedLists } from "../splits/split-line";
 import { loopPolygon, samplesAlong } from "../line-samples";
 import { facesInPlane, type Flat, type PlaneFace } from "../planar-loops";
 import type { Position } from "../position";
@@ -16,19 +17,27 @@ import {
   zero,
   type Frame,
 } from "../vectors";
-import type { Drawn } from "./drawn";
 import { innerPlace, isWithin, overlap, type Polygons } from "./plane-polygons";
-import { splitLines } from "./split-lines";
+import { dividedInPlane } from "./divide-lines";
+
+/** The lists of a project that imprinting changes. */
+type Drawn = Pick<Project, "points" | "lines" | "patches" | "groups" | "expressions">;
 
 /** What imprinting gives. */
 export interface Imprint {
-  readonly drawn: Drawn;
+  /** The lists that change. */
+  readonly drawn: Partial<Drawn>;
   /** Number of faces that now belong to patches before and to added ones. */
   readonly shared: number;
-  /** Whether faces overlap that could not be divided: a curved line crosses another one, or a patch needs its lines. */
+  /** Whether faces overlap that could not be divided: lines touch without crossing, or a patch needs its lines. */
   readonly isIncomplete: boolean;
   /** The patches that lie where each added patch was. */
   readonly patches: ReadonlyMap<number, readonly number[]>;
+}
+
+/** What imprinting has given so far. */
+interface State extends Omit<Imprint, "drawn"> {
+  readonly project: Project;
 }
 
 /** Tolerances relative to that of coincident points: of planes, and of points on lines. */
@@ -48,19 +57,19 @@ interface Face {
 
 /**
  * Makes added planar patches and those of the project share the faces where they overlap: both are divided along each
- * other's lines, so that the surface is watertight there and separates two regions. Straight lines are divided where they
- * cross; curved lines must lie within a face or be shared as a whole. O(patches · added patches + lines² per plane).
+ * other's lines, so that the surface is watertight there and separates two regions. Faces whose lines cannot be divided so
+ * stay as they are. O(patches · added patches + lines² per plane).
  */
 export function imprinted(project: Project, added: ReadonlySet<number>): Imprint {
-  const { points, lines, patches } = project;
+  const { patches } = project;
   const tolerance = coincidenceLength(project);
   const faces = patches.flatMap((patch) => faceOf(project, patch) ?? []);
   const news = faces.filter(({ patch }) => added.has(patch.id));
   const olds = faces.filter(
     (face) => !added.has(face.patch.id) && news.some((other) => isBeside(face, other, tolerance)),
   );
-  let state: Imprint = {
-    drawn: { points, lines, patches },
+  let state: State = {
+    project,
     shared: 0,
     isIncomplete: false,
     patches: new Map([...added].map((id) => [id, [id]])),
@@ -76,7 +85,8 @@ export function imprinted(project: Project, added: ReadonlySet<number>): Imprint
     const frame = frameAlong(face.normal, scale(face.normal, face.offset));
     state = imprintInPlane(project, state, frame, own, besides, tolerance);
   }
-  return state;
+  const { project: last, ...imprint } = state;
+  return { ...imprint, drawn: changedLists(project, last) };
 
   function isBeside(a: Face, b: Face, margin: number): boolean {
     const isParallel = length(cross(a.normal, b.normal)) <= parallelSine;
@@ -104,25 +114,25 @@ function faceOf(project: Project, patch: ProjectPatch): Face | null {
 
 function imprintInPlane(
   project: Project,
-  state: Imprint,
+  state: State,
   frame: Frame,
   news: readonly Face[],
   olds: readonly Face[],
   tolerance: number,
-): Imprint {
+): State {
   const all = [...olds, ...news].map((face) => ({
     ...face,
     polygons: polygonsOf(project, face.patch, frame),
   }));
   const members = new Set(all.map(({ patch }) => patch.id));
-  const linesOf = (drawn: Drawn) =>
+  const linesOf = (drawn: Project) =>
     new Set(drawn.patches.flatMap(({ id, loops }) => (members.has(id) ? loops.flat().map(Math.abs) : [])));
   const areOverlapping = (): boolean =>
     all
       .slice(0, olds.length)
       .some((old) => all.slice(olds.length).some((added) => overlap(old.polygons, added.polygons)));
-  const refused = (): Imprint => (areOverlapping() ? { ...state, isIncomplete: true } : state);
-  const split = splitLines(state.drawn, linesOf(state.drawn), frame, lineFactor * tolerance);
+  const refused = (): State => (areOverlapping() ? { ...state, isIncomplete: true } : state);
+  const split = dividedInPlane(state.project, linesOf, frame, lineFactor * tolerance);
   if (!split) return refused();
   const faces = facesInPlane(pathsOf(split, linesOf(split)), frame, planeFactor * tolerance);
   if (faces.some(({ isPinched }) => isPinched)) return refused();
@@ -169,13 +179,13 @@ function imprintInPlane(
       id,
       own.flatMap((face) => idsOfFaces.get(face) ?? []),
     );
-  return { ...state, drawn: { ...split, patches }, shared: state.shared + shared.length, patches: where };
+  return { ...state, project: { ...split, patches }, shared: state.shared + shared.length, patches: where };
 }
 
 const loopsOf = ({ loops }: PlaneFace, isFlipped: boolean): number[][] =>
   loops.map((loop) => (isFlipped ? loop.toReversed().map((step) => -step) : [...loop]));
 
-function pathsOf({ points, lines }: Drawn, ids: ReadonlySet<number>): readonly LinePath[] {
+function pathsOf({ points, lines }: Project, ids: ReadonlySet<number>): readonly LinePath[] {
   const positions = new Map(points.map(({ id, position }) => [id, position]));
   return lines
     .filter(({ id }) => ids.has(id))

@@ -1,7 +1,10 @@
 import type { Project } from "tetrafront";
 import type { Offer } from "../create";
 import type { Entity } from "../entities";
+import { quantity, type Quantity } from "../../expressions/quantity";
 import type { Position } from "../position";
+import { quantityPosition, type QuantityPosition } from "../quantity-positions";
+import { zero } from "../vectors";
 
 /**
  * Operations that add or change many entities by a few values, for example a box by its width, depth and height. A panel
@@ -42,6 +45,27 @@ export function changedExpressions(
   const own = typed && typed.expression !== null ? [[typed.field, typed.expression] as const] : [];
   return Object.fromEntries([...kept, ...own]);
 }
+
+/** Returns a number of a field with the expression that it was typed as. */
+export const typedNumber = (
+  values: FieldValues,
+  key: string,
+  expressions: FieldExpressions = {},
+): Quantity => {
+  const value = values[key];
+  return quantity(typeof value === "number" ? value : 0, expressions[key]);
+};
+
+/** Returns a position or direction of a field with the expressions that its coordinates were typed as. */
+export const typedPosition = (
+  values: FieldValues,
+  key: string,
+  expressions: FieldExpressions = {},
+): QuantityPosition => {
+  const value = values[key];
+  const texts = [0, 1, 2].map((axis) => expressions[`${key}.${axis}`]);
+  return quantityPosition(typeof value === "object" ? value : zero, texts);
+};
 
 interface FieldBase {
   readonly key: string;

@@ -11,7 +11,6 @@ import {
   addQuantities,
   quantitiesFromFrame,
   quantityFrameAlong,
-  quantityPosition,
   scaleQuantities,
   storableTexts,
   valuesOf,
@@ -19,13 +18,14 @@ import {
 } from "../quantity-positions";
 import { placedIn, type Shape } from "../shape";
 import { addScaled, dot, frameAlong, fromFrame, subtract, unit, zero, type Frame } from "../vectors";
-import type {
-  FieldExpressions,
-  FieldSpec,
-  FieldValues,
-  Operation,
-  OperationHandle,
-  Subject,
+import {
+  typedPosition,
+  type FieldExpressions,
+  type FieldSpec,
+  type FieldValues,
+  type Operation,
+  type OperationHandle,
+  type Subject,
 } from "./operation";
 import { pieceExtent, withSizes } from "./sizes";
 import { startOf } from "./start";
@@ -153,7 +153,7 @@ function insertPiece<Sizes extends FieldValues>(
     project,
     pointIds: made.pointIds,
     alone: { drawn, patches: new Map(made.patchIds.map((id) => [id, [id]])) },
-    imprint: { ...imprint, patches },
+    imprint: { ...imprint, drawn: { ...drawn, ...imprint.drawn }, patches },
   };
   known.set(values, inserted);
   return inserted;
@@ -249,14 +249,12 @@ function pieceFormulas<Sizes extends FieldValues>(
 ): readonly (readonly (string | null)[])[] | null {
   if (Object.keys(expressions).length === 0) return [];
   const sizes = sizesOf(values, expressions);
-  const typed = (key: "position" | "axis"): QuantityPosition =>
-    quantityPosition(
-      values[key],
-      [0, 1, 2].map((axis) => expressions[`${key}.${axis}`]),
-    );
-  const frame = quantityFrameAlong(typed("axis"));
+  const frame = quantityFrameAlong(typedPosition(values, "axis", expressions));
   const lift = values.anchor === "centre" ? negative(kind.middle(sizes)) : 0;
-  const origin = addQuantities(typed("position"), scaleQuantities(frame.z, lift));
+  const origin = addQuantities(
+    typedPosition(values, "position", expressions),
+    scaleQuantities(frame.z, lift),
+  );
   const { points } = kind.shape(sizes);
   return storableTexts(points.map((position) => quantitiesFromFrame({ ...frame, origin }, position)));
 }

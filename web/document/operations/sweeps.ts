@@ -5,14 +5,15 @@ import { planeOfLoop } from "../patch-planes";
 import { findRecord } from "../entities";
 import { orderLoops } from "../loops";
 import type { Position } from "../position";
-import { translation } from "../transforms/affine";
+import { quantityFrameAlong, scaleQuantities } from "../quantity-positions";
 import { offerExtrusion } from "../transforms/extrude";
 import { offerHoleThrough } from "../transforms/hole-through";
 import { offerCopies } from "../transforms/copies";
 import { offerRevolution } from "../transforms/revolve";
-import { scale, unit, worldFrame, zero } from "../vectors";
+import { typedTranslation } from "../transforms/typed-maps";
+import { unit, worldFrame, zero } from "../vectors";
 import { angleBetween, positiveLength } from "./number-specs";
-import type { Operation } from "./operation";
+import { typedNumber, typedPosition, type Operation } from "./operation";
 import { pieceExtent, sizedOffer } from "./sizes";
 
 const { sweeps: texts, refusals } = operationStrings;
@@ -49,11 +50,13 @@ const extrude: Operation<Extrusion> = {
     { kind: "number", key: "distance", label: labels.distance, unit: "length" },
     { kind: "switch", key: "keepBase", label: labels.keepBase },
   ],
-  make: ({ project, selection }, { direction, distance, keepBase }) => {
-    const along = unit(direction);
-    if (!along) return { possible: false, reason: operationStrings.noDirection };
+  make: ({ project, selection }, values, expressions) => {
+    const { direction, keepBase } = values;
+    if (!unit(direction)) return { possible: false, reason: operationStrings.noDirection };
+    const along = quantityFrameAlong(typedPosition(values, "direction", expressions)).z;
+    const vector = scaleQuantities(along, typedNumber(values, "distance", expressions));
     const options = { label: texts.extrude.step, keepBase };
-    return sizedOffer(project, offerExtrusion(project, selection, scale(along, distance), options));
+    return sizedOffer(project, offerExtrusion(project, selection, vector, options));
   },
 };
 
@@ -66,10 +69,14 @@ const offsetCopy: Operation<Offset> = {
   usesSelection: true,
   initial: ({ project }) => ({ distance: pieceExtent(project) }),
   fields: () => [{ kind: "number", key: "distance", label: labels.distance, unit: "length" }],
-  make: ({ project, selection }, { distance }) => {
+  make: ({ project, selection }, values, expressions) => {
     if (!selectedPlane(project, selection)) return { possible: false, reason: refusals.noProfile };
-    const offset = scale(normalOf(project, selection), distance);
-    return offerCopies(project, selection, [translation(offset)], { label: texts.offset.step, join: true });
+    const distance = typedNumber(values, "distance", expressions);
+    const offset = scaleQuantities(normalOf(project, selection), distance);
+    return offerCopies(project, selection, [typedTranslation(offset)], {
+      label: texts.offset.step,
+      join: true,
+    });
   },
 };
 
@@ -92,14 +99,14 @@ const revolve: Operation<Revolution> = {
     angleBetween("angle", labels.angle, -360, 360),
     ...(Math.abs(angle) < 360 ? [{ kind: "switch", key: "keepBase", label: labels.keepBase } as const] : []),
   ],
-  make: ({ project, selection }, { point, axis, angle, keepBase }) => {
-    const direction = unit(axis);
-    if (!direction) return { possible: false, reason: operationStrings.noDirection };
-    const options = { label: texts.revolve.step, keepBase };
-    return sizedOffer(
-      project,
-      offerRevolution(project, selection, { point, axis: direction, angle }, options),
-    );
+  make: ({ project, selection }, values, expressions) => {
+    const revolution = {
+      point: typedPosition(values, "point", expressions),
+      axis: typedPosition(values, "axis", expressions),
+      angle: typedNumber(values, "angle", expressions),
+    };
+    const options = { label: texts.revolve.step, keepBase: values.keepBase };
+    return sizedOffer(project, offerRevolution(project, selection, revolution, options));
   },
 };
 
@@ -118,9 +125,11 @@ const holeThrough: Operation<HoleValues> = {
     positiveLength("diameter", labels.diameter),
     { kind: "position", key: "centre", label: labels.centre },
   ],
-  make: ({ project, selection }, { diameter, centre }) => {
+  make: ({ project, selection }, values, expressions) => {
     const [only, ...others] = selection;
     if (only?.kind !== "patch" || others.length > 0) return { possible: false, reason: refusals.onePatch };
+    const centre = typedPosition(values, "centre", expressions);
+    const diameter = typedNumber(values, "diameter", expressions);
     return offerHoleThrough(project, { patch: only.id, centre, diameter }, texts.hole.step);
   },
 };

@@ -1,20 +1,24 @@
 import { operationStrings } from "../../strings";
 import type { Offer } from "../create";
 import type { Position } from "../position";
-import {
-  reflectionAt,
-  repeated,
-  rotationAbout,
-  scalingAbout,
-  translation,
-  type Affine,
-} from "../transforms/affine";
+import { over, times, type Quantity } from "../../expressions/quantity";
+import { quantityFrameAlong, scaleQuantities, type QuantityPosition } from "../quantity-positions";
+import type { Affine } from "../transforms/affine";
+import { typedReflection, typedRotation, typedScaling, typedTranslation } from "../transforms/typed-maps";
 import { middleOf } from "../transforms/middle";
 import { offerCopies } from "../transforms/copies";
 import { offerTransform } from "../transforms/transform";
-import { length, scale, unit, worldFrame } from "../vectors";
+import { unit, worldFrame } from "../vectors";
 import { wholeNumber } from "./number-specs";
-import type { FieldSpec, FieldValues, Operation, Subject } from "./operation";
+import {
+  typedNumber,
+  typedPosition,
+  type FieldExpressions,
+  type FieldSpec,
+  type FieldValues,
+  type Operation,
+  type Subject,
+} from "./operation";
 import { pieceExtent } from "./sizes";
 
 const { transforms: texts, refusals } = operationStrings;
@@ -34,8 +38,19 @@ interface TransformKind<Values extends FieldValues> {
   readonly step: string;
   readonly initial: (subject: Subject) => Values;
   readonly fields: readonly FieldSpec[];
-  readonly make: (subject: Subject, values: Values & Joining) => Offer;
+  readonly make: (subject: Subject, values: Values & Joining, typed: TypedFields) => Offer;
 }
+
+/** The numbers of fields, with the expressions that they were typed as. */
+interface TypedFields {
+  readonly number: (key: string) => Quantity;
+  readonly position: (key: string) => QuantityPosition;
+}
+
+const typedFields = (values: FieldValues, expressions?: FieldExpressions): TypedFields => ({
+  number: (key) => typedNumber(values, key, expressions),
+  position: (key) => typedPosition(values, key, expressions),
+});
 
 function transformOperation<Values extends FieldValues>(
   kind: TransformKind<Values>,
@@ -49,20 +64,24 @@ function transformOperation<Values extends FieldValues>(
     usesSelection: true,
     initial: (subject) => ({ ...kind.initial(subject), join: true }),
     fields: () => [...kind.fields, joinField],
-    make: kind.make,
+    make: (subject, values, expressions) => kind.make(subject, values, typedFields(values, expressions)),
   };
 }
 
-/** Moves the selection by a map, or leaves it and adds copies, each moved once more. */
+/** Moves the selection by a map, or leaves it and adds copies. `map` returns the map applied a number of times. */
 function moveOrCopy(
   { project, selection }: Subject,
-  map: Affine,
+  map: (count: number) => Affine,
   copies: number,
   options: { readonly label: string; readonly join: boolean },
 ): Offer {
-  if (copies === 0) return offerTransform(project, selection, map, options);
+  if (copies === 0) return offerTransform(project, selection, map(1), options);
   return offerCopies(project, selection, repeated(map, copies), options);
 }
+
+/** Returns the map applied once, twice, and so on. */
+const repeated = (map: (count: number) => Affine, count: number): Affine[] =>
+  Array.from({ length: count }, (_, i) => map(i + 1));
 
 const refuse = (reason: string): Offer => ({ possible: false, reason });
 
@@ -71,8 +90,8 @@ const move = transformOperation({
   ...texts.move,
   initial: ({ project }) => ({ offset: [pieceExtent(project), 0, 0] as Position, copies: 0 }),
   fields: [position("offset", labels.offset), copiesField],
-  make: (subject, { offset, copies, join }) =>
-    moveOrCopy(subject, translation(offset), copies, {
+  make: (subject, { copies, join }, typed) =>
+    moveOrCopy(subject, (i) => typedTranslation(scaleQuantities(typed.position("offset"), i)), copies, {
       label: copies > 0 ? texts.duplicate.step : texts.move.step,
       join,
     }),
@@ -93,10 +112,12 @@ const rotate = transformOperation({
     degrees("angle", labels.angle),
     copiesField,
   ],
-  make: (subject, { centre, axis, angle, copies, join }) =>
-    unit(axis)
-      ? moveOrCopy(subject, rotationAbout(centre, axis, angle), copies, { label: texts.rotate.step, join })
-      : refuse(operationStrings.noDirection),
+  make: (subject, { axis, copies, join }, typed) => {
+    if (!unit(axis)) return refuse(operationStrings.noDirection);
+    const [about, along] = [typed.position("centre"), typed.position("axis")];
+    const map = (i: number): Affine => typedRotation(about, along, times(i, typed.number("angle")));
+    return moveOrCopy(subject, map, copies, { label: texts.rotate.step, join });
+  },
 });
 
 const scaling = transformOperation({
@@ -107,8 +128,10 @@ const scaling = transformOperation({
     factors: [2, 2, 2] as Position,
   }),
   fields: [position("centre", labels.centre), position("factors", labels.factors)],
-  make: ({ project, selection }, { centre, factors, join }) =>
-    offerTransform(project, selection, scalingAbout(centre, factors), { label: texts.scale.step, join }),
+  make: ({ project, selection }, { join }, typed) => {
+    const map = typedScaling(typed.position("centre"), typed.position("factors"));
+    return offerTransform(project, selection, map, { label: texts.scale.step, join });
+  },
 });
 
 const mirror = transformOperation({
@@ -120,10 +143,11 @@ const mirror = transformOperation({
     direction("normal", labels.normal),
     { kind: "switch", key: "keep", label: labels.keep },
   ],
-  make: (subject, { point, normal, keep, join }) =>
-    unit(normal)
-      ? moveOrCopy(subject, reflectionAt(point, normal), Number(keep), { label: texts.mirror.step, join })
-      : refuse(operationStrings.noDirection),
+  make: (subject, { normal, keep, join }, typed) => {
+    if (!unit(normal)) return refuse(operationStrings.noDirection);
+    const map = typedReflection(typed.position("point"), typed.position("normal"));
+    return moveOrCopy(subject, () => map, Number(keep), { label: texts.mirror.step, join });
+  },
 });
 
 const linearArray = transformOperation({
@@ -135,11 +159,12 @@ const linearArray = transformOperation({
     { kind: "number", key: "spacing", label: labels.spacing, unit: "length" },
     wholeNumber("count", labels.count, 2, 1000),
   ],
-  make: ({ project, selection }, { axis, spacing, count, join }) => {
-    const along = unit(axis);
-    if (!along) return refuse(operationStrings.noDirection);
-    if (length(scale(along, spacing)) === 0) return refuse(refusals.nothingMoves);
-    const maps = repeated(translation(scale(along, spacing)), count - 1);
+  make: ({ project, selection }, { axis, spacing, count, join }, typed) => {
+    if (!unit(axis)) return refuse(operationStrings.noDirection);
+    if (spacing === 0) return refuse(refusals.nothingMoves);
+    const { z } = quantityFrameAlong(typed.position("axis"));
+    const step = typed.number("spacing");
+    const maps = repeated((i) => typedTranslation(scaleQuantities(z, times(i, step))), count - 1);
     return offerCopies(project, selection, maps, { label: texts.linearArray.step, join });
   },
 });
@@ -154,14 +179,14 @@ const circularArray = transformOperation({
     degrees("total", labels.total),
     wholeNumber("count", labels.count, 2, 1000),
   ],
-  make: ({ project, selection }, { centre, axis, total, count, join }) => {
+  make: ({ project, selection }, { axis, total, count, join }, typed) => {
     if (!unit(axis)) return refuse(operationStrings.noDirection);
     if (total === 0) return refuse(refusals.nothingMoves);
     // A full turn has as many steps as copies: the last one would coincide with the first.
     const steps = Math.abs(total) % 360 === 0 ? count : count - 1;
-    const maps = Array.from({ length: count - 1 }, (_, i) =>
-      rotationAbout(centre, axis, (total * (i + 1)) / steps),
-    );
+    const [about, along] = [typed.position("centre"), typed.position("axis")];
+    const angle = (i: number): Quantity => over(times(i, typed.number("total")), steps);
+    const maps = repeated((i) => typedRotation(about, along, angle(i)), count - 1);
     return offerCopies(project, selection, maps, { label: texts.circularArray.step, join });
   },
 });

@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project, ProjectLine } from "tetrafront";
 import { coincidenceLength } from "../insert-shape";
 import type { LinePath } from "../line-paths";
 import { linePositions } from "../line-samples";
@@ -9,6 +9,21 @@ import type { Cut } from "./split-line";
 
 /** How near the samples of two curves pass each other where the curves cross, relative to the distance of the samples. */
 const sampleGap = 0.05;
+
+/** Positions per smooth piece of a line that the engine has not sampled. */
+const samples = 24;
+
+/** Returns the course of a line by samples of its own. */
+export function sampledPath(project: Project, line: ProjectLine): LinePath {
+  const points = linePositions(project, line);
+  const curve = line.type === "straight" ? null : lineCurve(line.type, points);
+  if (!curve) return { line, positions: points };
+  const inner = curve.knots.slice(1).flatMap((to, i) => {
+    const from = curve.knots[i] ?? 0;
+    return Array.from({ length: samples }, (_, k) => curve.at(from + ((to - from) * (k + 1)) / samples));
+  });
+  return { line, positions: [curve.at(0), ...inner] };
+}
 
 interface Course {
   readonly path: LinePath;

@@ -8,7 +8,7 @@ import { freeLoops, type LoopUse } from "../loop-hits";
 import { drawnLoops } from "../loop-search";
 import { distance } from "../vectors";
 import { lineCurve } from "./line-curve";
-import { cutsAtCrossings } from "./line-crossings";
+import { cutsAtCrossings, sampledPath } from "./line-crossings";
 import { changedLists, splitLines, type Cut, type Divided } from "./split-line";
 
 /**
@@ -32,21 +32,6 @@ export function fillableLoops(project: Project, paths: readonly LinePath[]): Fil
       ? paths
       : divided.project.lines.map((line) => known.get(line) ?? sampledPath(divided.project, line));
   return { divided, cuts, uses: freeLoops(divided.project, drawnLoops(all)) };
-}
-
-/** Positions per smooth piece of a line that the engine has not sampled. */
-const samples = 24;
-
-/** Returns the course of a line by samples of its own. */
-export function sampledPath(project: Project, line: LinePath["line"]): LinePath {
-  const points = linePositions(project, line);
-  const curve = line.type === "straight" ? null : lineCurve(line.type, points);
-  if (!curve) return { line, positions: points };
-  const inner = curve.knots.slice(1).flatMap((to, i) => {
-    const from = curve.knots[i] ?? 0;
-    return Array.from({ length: samples }, (_, k) => curve.at(from + ((to - from) * (k + 1)) / samples));
-  });
-  return { line, positions: [curve.at(0), ...inner] };
 }
 
 /** Offers to fill a loop: a patch or a hole, after the lines were split that bound it in part. */

@@ -7,6 +7,7 @@ import { keepCoordinates, type TypedPoint } from "../expression-edits";
 import { coincidenceLength } from "../insert-shape";
 import { linePositions } from "../line-samples";
 import { patchMisfit } from "../patch-rules";
+import { withoutUnused } from "../transforms/join-points";
 import type { Position } from "../position";
 import { distance } from "../vectors";
 import { expressionsOnLine } from "./following";
@@ -31,9 +32,14 @@ export type Split =
       /** The two parts, in the direction of the line. The first one has the id of the line. */
       readonly parts: readonly [number, number];
     }
-  | { readonly success: false; readonly reason: string };
+  | {
+      readonly success: false;
+      readonly reason: string;
+      /** Whether a patch needs its number of lines. */
+      readonly isMisfit: boolean;
+    };
 
-const refuse = (reason: string) => ({ success: false, reason }) as const;
+const refuse = (reason: string, isMisfit = false) => ({ success: false, reason, isMisfit }) as const;
 
 /**
  * The course of a spline depends on the lengths of its chords, and it begins without curvature. So that the parts keep the
@@ -46,8 +52,8 @@ const endShares = [1 / 32, 1 / 8, 3 / 8] as const;
 
 /**
  * Splits a line at the place of it nearest to a position. Loops get both parts. Straight lines, arcs, circles and parabolas
- * keep their course exactly, splines nearly. Refuses if the place is an end of the line, or if a patch needs its number of
- * lines.
+ * keep their course exactly, splines nearly. Points that nothing else uses then are removed. Refuses if the place is an end of
+ * the line, or if a patch needs its number of lines.
  */
 export function splitLine(project: Project, { line: id, position, point }: Cut): Split {
   const line = findRecord(project, "line", id);
@@ -62,17 +68,18 @@ export function splitLine(project: Project, { line: id, position, point }: Cut):
   const builder = new LineSplit(project, line, positions, curve);
   const parts = builder.divide(t, point, place);
   const patches = project.patches.map((patch) => withParts(patch, id, builder.secondId));
+  const lines = project.lines.flatMap((one) => (one === line ? parts : [one]));
   const drawn = {
     ...project,
-    points: [...project.points, ...builder.points],
-    lines: project.lines.flatMap((one) => (one === line ? parts : [one])),
+    points: [...withoutUnused(project.points, [line], lines), ...builder.points],
+    lines,
     patches,
   };
   for (const [index, patch] of patches.entries()) {
     if (patch === project.patches[index]) continue;
     const misfit = patchMisfit(drawn, patch.type, patch.loops);
     const name = entityName(project, { kind: "patch", id: patch.id }) ?? "";
-    if (misfit !== null) return refuse(lineSplitStrings.misfit(name, misfit));
+    if (misfit !== null) return refuse(lineSplitStrings.misfit(name, misfit), true);
   }
   const typed = builder.typedPoints;
   const groups = project.groups && withMember(project.groups, id, builder.secondId);
@@ -90,6 +97,8 @@ export interface Divided {
   readonly project: Project;
   /** The line of which each new line was a part. */
   readonly wholes: ReadonlyMap<number, number>;
+  /** Whether lines stay whole because patches need their number of lines. */
+  readonly hasMisfits: boolean;
 }
 
 /** Splits lines at several places; those that cannot be split stay as they are. */
@@ -104,14 +113,18 @@ export function splitLines(project: Project, cuts: readonly Cut[]): Divided {
     .map((cut) => ({ cut, t: parameterOf(cut) }))
     .toSorted((a, b) => a.cut.line - b.cut.line || b.t - a.t);
   const wholes = new Map<number, number>();
+  let hasMisfits = false;
   const divided = ordered.reduce((current, { cut }) => {
     const same = cut.point ?? pointAt(current, cut.position);
     const split = splitLine(current, { ...cut, point: same });
-    if (!split.success) return current;
+    if (!split.success) {
+      hasMisfits ||= split.isMisfit;
+      return current;
+    }
     for (const part of split.parts) wholes.set(part, cut.line);
     return split.project;
   }, project);
-  return { project: divided, wholes };
+  return { project: divided, wholes, hasMisfits };
 }
 
 /** Returns the id of the point at a position; undefined if there is none. */

@@ -1,5 +1,7 @@
-import { combined, noRotation, type Quaternion } from "../placement";
+import { noRotation, type Quaternion } from "../placement";
+import type { Quantity } from "../../expressions/quantity";
 import type { Position } from "../position";
+import type { QuantityPosition } from "../quantity-positions";
 import { add, addScaled, axisDirections, cross, dot, scale, subtract, turn, unit, zero } from "../vectors";
 
 /** A map of space that keeps straight lines straight: p becomes its linear part times p, plus an offset. */
@@ -9,6 +11,18 @@ export interface Affine {
   readonly offset: Position;
   /** Rotation and factor of a map that keeps all angles and does not mirror; null for other maps. */
   readonly similarity: { readonly rotation: Quaternion; readonly factor: number } | null;
+  /** The same map with the expressions that its numbers were typed as; omitted for plain numbers. */
+  readonly typed?: TypedAffine;
+}
+
+/** A map whose numbers may have been typed as expressions. */
+export interface TypedAffine {
+  readonly columns: readonly [QuantityPosition, QuantityPosition, QuantityPosition];
+  readonly offset: QuantityPosition;
+  /** By how much the map enlarges lengths, on average. */
+  readonly factor: Quantity;
+  /** Whether directions depend on an expression. The rotations of bodies cannot follow one. */
+  readonly rotates: boolean;
 }
 
 /** Returns the image of a direction: without the offset. */
@@ -85,22 +99,4 @@ export function reflectionAt(point: Position, normal: Position): Affine {
   const n = unit(normal) ?? [0, 0, 1];
   const column = (k: 0 | 1 | 2): Position => addScaled(axisDirections[k], n, -2 * dot(axisDirections[k], n));
   return about(point, [column(0), column(1), column(2)], null);
-}
-
-/** Returns `first` followed by `then`. */
-export function followed(first: Affine, then: Affine): Affine {
-  const column = (k: 0 | 1 | 2): Position => mapDirection(then, first.columns[k]);
-  const similarity = first.similarity &&
-    then.similarity && {
-      rotation: combined(then.similarity.rotation, first.similarity.rotation),
-      factor: first.similarity.factor * then.similarity.factor,
-    };
-  return { columns: [column(0), column(1), column(2)], offset: mapPosition(then, first.offset), similarity };
-}
-
-/** Returns the map applied once, twice, and so on. */
-export function repeated(map: Affine, count: number): Affine[] {
-  const maps: Affine[] = [];
-  for (let i = 0; i < count; ++i) maps.push(followed(maps.at(-1) ?? translation(zero), map));
-  return maps;
 }

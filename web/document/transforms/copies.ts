@@ -4,8 +4,10 @@ import { emptyProject, nextId, type Offer } from "../create";
 import { bodiesOf, entityKey, type Entity } from "../entities";
 import { insertion, withInsertion, type Insertion } from "../insert-shape";
 import { mapPoints, type Shape } from "../shape";
+import type { KeptExpression } from "../expression-edits";
 import { determinant, mapPosition, type Affine } from "./affine";
 import { replacing } from "./join-points";
+import { keptInstead, mappedExpressions, type Image } from "./mapped-expressions";
 import { hasParts, selectedParts, shapeOf, type SelectedParts } from "./selected-parts";
 import { movedPlacement, movedSizes, type TransformOptions } from "./transform";
 
@@ -48,14 +50,23 @@ export function offerCopiesFrom(
   const shape = shapeOf(parts);
   let lists = project;
   const entities: Entity[] = [];
+  const kept: (readonly KeptExpression[] | null)[] = [];
   for (const map of maps) {
+    const before = new Set(lists.points.map(({ id }) => id));
     const made = insertion(lists, mappedShape(shape, map), { join });
     entities.push(...copiedEntities(selection, parts, made));
     lists = { ...lists, ...withInsertion(lists, made) };
     const others = copiedOthers(lists, from, parts, map);
     entities.push(...others.entities);
     lists = { ...lists, ...others.lists };
+    // Points that the model had keep their own expressions.
+    const points = parts.points.flatMap(({ id }, index): Image[] => {
+      const image = made.pointIds[index];
+      return image === undefined || before.has(image) ? [] : [{ kind: "point", id, image }];
+    });
+    kept.push(mappedExpressions(from, [...points, ...others.images], map));
   }
+  const isFollowing = kept.every((one) => one !== null);
   if (lists.points === project.points && lists.lines === project.lines && lists.patches === project.patches) {
     const hasOthers = lists.bodies !== project.bodies || lists.background !== project.background;
     if (!hasOthers) return { possible: false, reason: texts.allCoincide };
@@ -64,6 +75,7 @@ export function offerCopiesFrom(
     possible: true,
     creation: {
       entities: distinct(entities),
+      ...(!isFollowing && { note: operationStrings.numbersKept }),
       edit: {
         label,
         replace: [
@@ -72,6 +84,7 @@ export function offerCopiesFrom(
           ...(lists.background !== project.background
             ? [[["project", "background"], lists.background] as const]
             : []),
+          ...keptInstead(project, isFollowing ? kept.flat() : []),
         ],
       },
     },
@@ -100,18 +113,35 @@ function copiedEntities(selection: readonly Entity[], parts: SelectedParts, made
   return selection.flatMap(copyOf);
 }
 
+type Identified = { readonly id: number };
+
 /** Copies of bodies and sources. */
 function copiedOthers(project: Project, from: Project, parts: SelectedParts, map: Affine) {
   const bodies = copiedBodies(project, from, parts, map);
   const sources = copiedSources(project, from, parts, map, bodies);
   const copies = new Set(bodies.map(({ id }) => id));
   const ownSources = sources.filter(({ body }) => body === undefined || !copies.has(body));
+  const chosen = (list: readonly Identified[] = [], ids: ReadonlySet<number>): readonly Identified[] =>
+    list.filter(({ id }) => ids.has(id));
+  const imagesOf = (
+    kind: "body" | "source",
+    of: readonly Identified[],
+    made: readonly Identified[],
+  ): Image[] => of.flatMap(({ id }, i) => (made[i] ? [{ kind, id, image: made[i].id }] : []));
+  const images = [
+    ...imagesOf("body", chosen(from.bodies, parts.bodies), bodies),
+    // Sizes painted on a copied body follow it.
+    ...imagesOf("source", chosen(from.background.sources, parts.sources), sources).filter(({ image }) =>
+      ownSources.some(({ id }) => id === image),
+    ),
+  ];
   const { background } = project;
   return {
     entities: [
       ...bodies.map(({ id }): Entity => ({ kind: "body", id })),
       ...ownSources.map(({ id }): Entity => ({ kind: "source", id })),
     ],
+    images,
     lists: {
       ...(bodies.length > 0 && { bodies: [...(project.bodies ?? []), ...bodies] }),
       ...(sources.length > 0 && {

@@ -45,6 +45,22 @@ export function joinLinePair(project: Project, keep: number, drop: number): Join
   return { points: project.points, lines, patches: joinPatches(project.patches, lineIds) };
 }
 
+/**
+ * Joins those of the given lines that have the same course into the first of each. Patches within the same lines stay.
+ */
+export function joinCourses<Lists extends Drawn>(
+  drawn: Lists,
+  ids: ReadonlySet<number>,
+  tolerance: number,
+): Lists {
+  const own = drawn.lines.filter(({ id }) => ids.has(id));
+  const { lineIds } = joinLines(own, drawn.points, tolerance);
+  if (lineIds.size === 0) return drawn;
+  const lines = drawn.lines.filter(({ id }) => !lineIds.has(id));
+  const patches = drawn.patches.map((patch) => withLines(patch, lineIds));
+  return { ...drawn, points: withoutUnused(drawn.points, own, lines), lines, patches };
+}
+
 /** Replaces points by others: `pointIds` has the point that stays for each one that goes. */
 function withPoints(project: Project, pointIds: ReadonlyMap<number, number>): Joined {
   const tolerance = coincidenceLength(project);
@@ -57,19 +73,19 @@ function withPoints(project: Project, pointIds: ReadonlyMap<number, number>): Jo
   const { lines, lineIds } = joinLines(moved, points, tolerance);
   if (pointIds.size === 0 && lineIds.size === 0) return project;
   return {
-    points: withoutUnused(points, moved, lines),
+    // The line that replaces others may begin elsewhere.
+    points: lineIds.size === 0 ? points : withoutUnused(points, moved, lines),
     lines,
     patches: joinPatches(project.patches, lineIds),
   };
 }
 
-/** Returns the points without those that only joined lines used; the line that replaces them may begin elsewhere. */
-function withoutUnused(
+/** Returns the points without those of some lines before that no line uses any more; the same list if there are none. */
+export function withoutUnused(
   points: readonly ProjectPoint[],
   before: readonly ProjectLine[],
   lines: readonly ProjectLine[],
 ): readonly ProjectPoint[] {
-  if (before.length === lines.length) return points;
   const used = new Set(lines.flatMap((line) => line.points));
   const unused = new Set(before.flatMap((line) => line.points).filter((id) => !used.has(id)));
   return unused.size === 0 ? points : points.filter(({ id }) => !unused.has(id));
@@ -110,20 +126,23 @@ function joinLines(
 function joinPatches(all: readonly ProjectPatch[], lineIds: LineIds): readonly ProjectPatch[] {
   const seen = new Set<string>();
   return all
-    .map((patch) => {
-      const isChanged = patch.loops.some((loop) => loop.some((step) => lineIds.has(Math.abs(step))));
-      if (!isChanged) return patch;
-      const loops = patch.loops.map((loop) =>
-        loop.map((step) => Math.sign(step) * (lineIds.get(Math.abs(step)) ?? Math.abs(step))),
-      );
-      return { ...patch, loops };
-    })
+    .map((patch) => withLines(patch, lineIds))
     .filter(({ loops }) => {
       const key = loopsKey(loops);
       if (seen.has(key)) return false;
       seen.add(key);
       return true;
     });
+}
+
+/** Returns a patch with lines that stay instead of those that go. */
+function withLines(patch: ProjectPatch, lineIds: LineIds): ProjectPatch {
+  const isChanged = patch.loops.some((loop) => loop.some((step) => lineIds.has(Math.abs(step))));
+  if (!isChanged) return patch;
+  const loops = patch.loops.map((loop) =>
+    loop.map((step) => Math.sign(step) * (lineIds.get(Math.abs(step)) ?? Math.abs(step))),
+  );
+  return { ...patch, loops };
 }
 
 /** Returns the paths and values with which joined lists replace those of a project. */

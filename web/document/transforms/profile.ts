@@ -3,6 +3,8 @@ import type { Entity } from "../entities";
 import { orderLoops } from "../loops";
 import { patchMisfit, likelyPatchType, liesInPlane } from "../patch-rules";
 import { loopsKey } from "../line-courses";
+import { expressionFinder } from "../expression-edits";
+import { quantityPosition, type QuantityPosition } from "../quantity-positions";
 import type { Shape } from "../shape";
 import { selectedParts, shapeOf } from "./selected-parts";
 
@@ -10,6 +12,8 @@ import { selectedParts, shapeOf } from "./selected-parts";
 export interface Profile {
   /** All points, lines and patches of the profile; a closed plane loop without a patch has one of its own. */
   readonly shape: Shape;
+  /** The coordinates of its points, with the expressions from which they are computed. */
+  readonly quantities: readonly QuantityPosition[];
   /** Numbers of the lines that sides are made of: those of exactly one patch, and those of none. */
   readonly outline: readonly number[];
   /** Ids of the selected patches. */
@@ -34,8 +38,16 @@ export function profileOf(project: Project, selection: readonly Entity[]): Profi
       loop.map((step) => Math.sign(step) * (parts.lines.findIndex(({ id }) => id === Math.abs(step)) + 1)),
     ),
   }));
+  const textOf = expressionFinder(project);
+  const quantities = parts.points.map(({ id, position }) =>
+    quantityPosition(
+      position,
+      [0, 1, 2].map((axis) => textOf({ kind: "point", id, field: `position.${axis}` })),
+    ),
+  );
   return {
     shape: { ...shape, patches: [...shape.patches, ...caps] },
+    quantities,
     outline,
     patchIds: parts.patches.map(({ id }) => id),
   };

@@ -3,24 +3,35 @@ import { operationStrings } from "../../strings";
 import type { Offer } from "../create";
 import type { Entity } from "../entities";
 import { coincidenceLength } from "../insert-shape";
+import { over, times, valueOf, type Quantity } from "../../expressions/quantity";
 import type { Position } from "../position";
+import { valuesOf, type QuantityPosition } from "../quantity-positions";
 import { ShapeBuilder, type Shape, type ShapeLine } from "../shape";
-import { addScaled, cross, dot, length, subtract } from "../vectors";
-import { mapPosition, rotationAbout } from "./affine";
-import { offerSweep, type SweepOptions } from "./extrude";
+import { addScaled, cross, dot, length, subtract, unit } from "../vectors";
 import { profileOf, type Profile } from "./profile";
+import { offerSweep, profilePoints, type SweepOptions, type SweptPoint } from "./sweep";
+import { typedRotation } from "./typed-maps";
 
 const texts = operationStrings.refusals;
 
 /** Largest angle of a patch, in degrees: straight lines sweep exact patches, others are blended. */
 const maxAngle = { straight: 90, curved: 30 };
 
-export interface Revolution {
+/** The axis and the angle as numbers. */
+interface Revolution {
   readonly point: Position;
   /** A direction of length 1. */
   readonly axis: Position;
   /** Degrees, counter-clockwise around the axis; a full turn closes the surface. */
   readonly angle: number;
+}
+
+/** A revolution whose numbers may have been typed as expressions. */
+export interface TypedRevolution {
+  readonly point: QuantityPosition;
+  /** A direction of any length. */
+  readonly axis: QuantityPosition;
+  readonly angle: Quantity;
 }
 
 /**
@@ -30,9 +41,12 @@ export interface Revolution {
 export function offerRevolution(
   project: Project,
   selection: readonly Entity[],
-  revolution: Revolution,
+  typed: TypedRevolution,
   options: SweepOptions,
 ): Offer {
+  const axis = unit(valuesOf(typed.axis));
+  if (!axis) return { possible: false, reason: operationStrings.noDirection };
+  const revolution = { point: valuesOf(typed.point), axis, angle: valueOf(typed.angle) };
   const profile = profileOf(project, selection);
   if (!profile) return { possible: false, reason: texts.noProfile };
   if (revolution.angle === 0) return { possible: false, reason: texts.nothingMoves };
@@ -43,7 +57,12 @@ export function offerRevolution(
   const tolerance = coincidenceLength(project);
   if (isAcross(points, revolution, tolerance)) return { possible: false, reason: texts.acrossAxis };
   const isFull = Math.abs(revolution.angle) >= 360;
-  return offerSweep(project, profile, revolved(profile, revolution, tolerance), {
+  const { swept, steps } = revolved(profile, revolution, tolerance);
+  // What decides how many steps there are does not follow parameters: a full turn stays one.
+  const angle = isFull ? Math.sign(revolution.angle) * 360 : typed.angle;
+  const mapTo = (station: number) =>
+    typedRotation(typed.point, typed.axis, over(times(station, angle), steps));
+  return offerSweep(project, profile, swept, mapTo, {
     ...options,
     keepBase: options.keepBase && !isFull,
   });
@@ -67,22 +86,24 @@ function isAcross(positions: readonly Position[], revolution: Revolution, tolera
  * Returns the surface that a profile sweeps about an axis, with the profile at both ends unless it closes. A line with one
  * end on the axis sweeps triangles: planar ones if it is perpendicular to the axis, else Barnhill–Gregory–Nielson.
  */
-export function revolved({ shape, outline }: Profile, revolution: Revolution, tolerance: number): Shape {
-  const { point, axis, angle } = revolution;
+function revolved(
+  { shape, outline }: Profile,
+  revolution: Revolution,
+  tolerance: number,
+): { readonly swept: Shape<SweptPoint>; readonly steps: number } {
+  const { angle } = revolution;
   const isFull = Math.abs(angle) >= 360;
   const turnOf = isFull ? Math.sign(angle) * 360 : angle;
   const isStraight = shape.lines.every(({ type }) => type === "straight");
   const most = isStraight ? maxAngle.straight : maxAngle.curved;
   const steps = Math.ceil(Math.abs(turnOf) / most - 1e-9);
-  const builder = new ShapeBuilder(shape);
+  const builder = new ShapeBuilder({ ...shape, points: profilePoints(shape) });
   const onAxis = shape.points.map((position) => length(armOf(position, revolution)) <= tolerance);
-  const at = (index: number, station: number): Position =>
-    mapPosition(rotationAbout(point, axis, (turnOf * station) / steps), shape.points[index] ?? point);
   const own = shape.points.map((_, index) => index);
   const stations = Array.from({ length: steps + 1 }, (_, station): readonly number[] =>
     station === 0 || (isFull && station === steps)
       ? own
-      : own.map((index) => (onAxis[index] === true ? index : builder.point(at(index, station)))),
+      : own.map((index) => (onAxis[index] === true ? index : builder.point({ index, station }))),
   );
   const copied = stations.map((ids): readonly number[] =>
     ids === own ? shape.lines.map((_, index) => index + 1) : copyLines(builder, shape.lines, ids, onAxis),
@@ -92,7 +113,7 @@ export function revolved({ shape, outline }: Profile, revolution: Revolution, to
     const rails = own.map((index) => {
       const [from, to] = [stations[station]?.[index] ?? 0, stations[station + 1]?.[index] ?? 0];
       const isNeeded = onAxis[index] !== true && swept.ends(outline).has(index);
-      return isNeeded ? builder.line("arc", [from, builder.point(at(index, station + 0.5)), to]) : 0;
+      return isNeeded ? builder.line("arc", [from, builder.point({ index, station: station + 0.5 }), to]) : 0;
     });
     const [before, after] = [copied[station] ?? [], copied[station + 1] ?? []];
     for (const line of outline) swept.add(builder, line, before, after, rails);
@@ -108,12 +129,13 @@ export function revolved({ shape, outline }: Profile, revolution: Revolution, to
   }
   const result = builder.shape;
   // After a full turn, the profile itself lies inside.
-  return isFull ? { ...result, patches: result.patches.slice(shape.patches.length) } : result;
+  const patches = isFull ? result.patches.slice(shape.patches.length) : result.patches;
+  return { swept: { ...result, patches }, steps };
 }
 
 /** Adds copies of lines with other points. Lines on the axis stay. Returns their numbers. */
 function copyLines(
-  builder: ShapeBuilder,
+  builder: ShapeBuilder<SweptPoint>,
   lines: readonly ShapeLine[],
   ids: readonly number[],
   onAxis: readonly boolean[],
@@ -146,7 +168,7 @@ class SweptSides {
   }
 
   add(
-    builder: ShapeBuilder,
+    builder: ShapeBuilder<SweptPoint>,
     line: number,
     before: readonly number[],
     after: readonly number[],

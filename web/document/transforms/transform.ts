@@ -6,6 +6,7 @@ import type { Position } from "../position";
 import { operationStrings } from "../../strings";
 import { determinant, keepsCircles, mapDirection, mapPosition, meanFactor, type Affine } from "./affine";
 import { joinPoints, replacing } from "./join-points";
+import { forgotten, hasExpressions, keptInstead, mappedExpressions, type Image } from "./mapped-expressions";
 import { hasParts, selectedParts, type SelectedParts } from "./selected-parts";
 
 const texts = operationStrings.refusals;
@@ -29,13 +30,16 @@ export function offerTransform(
   if (determinant(map) === 0) return { possible: false, reason: texts.flat };
   if (!keepsCircles(map) && parts.lines.some(({ type }) => type === "arc" || type === "circle"))
     return { possible: false, reason: texts.arcs };
+  const images = hasExpressions(project, map) ? movedImages(project, parts) : [];
+  const kept = mappedExpressions(project, images, map);
   const moved = movedProject(project, parts, map);
-  const drawn = join ? joinPoints(moved) : moved;
-  const kept = new Set(drawn.patches.map(({ id }) => id));
+  const drawn = join && parts.points.length > 0 ? joinPoints(moved) : moved;
+  const patches = new Set(drawn.patches.map(({ id }) => id));
   return {
     possible: true,
     creation: {
-      entities: selection.filter(({ kind, id }) => kind !== "patch" || kept.has(id)),
+      entities: selection.filter(({ kind, id }) => kind !== "patch" || patches.has(id)),
+      ...(kept === null && { note: operationStrings.numbersKept }),
       edit: {
         label,
         replace: [
@@ -47,10 +51,35 @@ export function offerTransform(
           ...(parts.sources.size > 0
             ? [[["project", "background", "sources"], moved.background.sources] as const]
             : []),
+          ...keptInstead(project, kept ?? forgotten(project, images)),
         ],
       },
     },
   };
+}
+
+/** Returns the entities of a selection as images of themselves. Sizes painted on a moved body follow it. */
+function movedImages(
+  { background }: Project,
+  { points, bodies, nodes, sources }: SelectedParts,
+): readonly Image[] {
+  const own = (background.sources ?? []).filter(
+    ({ id, body }) => sources.has(id) && (body === undefined || !bodies.has(body)),
+  );
+  const images = (kind: Image["kind"], ids: Iterable<number>): Image[] =>
+    Array.from(ids, (id) => ({ kind, id, image: id }));
+  return [
+    ...images(
+      "point",
+      points.map(({ id }) => id),
+    ),
+    ...images("body", bodies),
+    ...images("background-node", nodes),
+    ...images(
+      "source",
+      own.map(({ id }) => id),
+    ),
+  ];
 }
 
 function movedProject(project: Project, parts: SelectedParts, map: Affine): Project {

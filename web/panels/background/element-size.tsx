@@ -10,6 +10,7 @@ import { formatCount } from "../../ui/format";
 import { NumberField } from "../../ui/fields/number-field";
 import { strings } from "../../strings";
 import { useApp, useProject, useView } from "../shared/app-context";
+import { useEditedSetting } from "../inspector/use-edited-setting";
 import { aboveZero, sizeStep, unitsOf, upTo } from "../shared/size-fields";
 import { SectionTitle } from "../../ui/frames/section-title";
 
@@ -19,26 +20,29 @@ const texts = strings.background;
 export function ElementSize() {
   const app = useApp();
   const uniformSize = useProject().meshing?.size;
+  const sizeField = useEditedSetting("uniform-size");
   return (
     <section aria-label={texts.elementSize} data-testid="element-size">
       <SectionTitle>{texts.elementSize}</SectionTitle>
-      <SegmentedControl
-        size="xs"
-        fullWidth
-        mb={8}
-        aria-label={texts.elementSize}
-        data={[
-          { value: "grid", label: texts.fromGrid },
-          { value: "uniform", label: texts.uniform },
-        ]}
-        value={uniformSize === undefined ? "grid" : "uniform"}
-        onChange={(value) =>
-          app.documents.edit(
-            setMeshing("size", value === "uniform" ? likelySize(app.documents.project) : null),
-          )
-        }
-      />
-      {uniformSize === undefined ? <GridCounts /> : <UniformSize size={uniformSize} />}
+      <div ref={sizeField}>
+        <SegmentedControl
+          size="xs"
+          fullWidth
+          mb={8}
+          aria-label={texts.elementSize}
+          data={[
+            { value: "grid", label: texts.fromGrid },
+            { value: "uniform", label: texts.uniform },
+          ]}
+          value={uniformSize === undefined ? "grid" : "uniform"}
+          onChange={(value) =>
+            app.documents.edit(
+              setMeshing("size", value === "uniform" ? likelySize(app.documents.project) : null),
+            )
+          }
+        />
+        {uniformSize === undefined ? <GridCounts /> : <UniformSize size={uniformSize} />}
+      </div>
       <Group gap={5}>
         {["cover", "propose"].map((id) => (
           <SizeCommand key={id} id={id} />

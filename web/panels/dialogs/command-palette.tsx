@@ -15,6 +15,7 @@ export function CommandPalette() {
   const app = useApp();
   // Keep the text here: a palette that is reopened while it closes would keep the old text.
   const [query, setQuery] = useState("");
+  const [returnsFocus, setReturnsFocus] = useState(true);
   const { opened } = useSpotlight(paletteStore);
   useDocument((state) => state.history.past.length + state.history.future.length);
   useRun((state) => state.busy);
@@ -23,11 +24,14 @@ export function CommandPalette() {
   const { listed, found } = opened ? paletteItems(app) : nothing;
   const actions = inGroups(searchPalette(query, listed, found)).map(({ group, items }) => ({
     group,
-    actions: items.map(({ id, label, hotkey, run }) => ({
+    actions: items.map(({ id, label, hotkey, run, takesFocus = false }) => ({
       id,
       label,
       rightSection: hotkey === null ? null : <Kbd size="xs">{keyNames(hotkey).join(" ")}</Kbd>,
-      onClick: run,
+      onClick: () => {
+        setReturnsFocus(!takesFocus);
+        run();
+      },
     })),
   }));
   return (
@@ -38,7 +42,11 @@ export function CommandPalette() {
       onQueryChange={setQuery}
       // The actions are already filtered.
       filter={(_, given) => given}
-      onSpotlightOpen={() => setQuery("")}
+      returnFocus={returnsFocus}
+      onSpotlightOpen={() => {
+        setQuery("");
+        setReturnsFocus(true);
+      }}
       tagsToIgnore={[]}
       actions={actions}
       nothingFound={strings.header.paletteEmpty}

@@ -14,6 +14,7 @@ import { NumberRow } from "../../ui/fields/number-row";
 import { strings } from "../../strings";
 import { useApp, useProject } from "../shared/app-context";
 import { ChoiceSetting, SettingHint } from "./choice-setting";
+import { useEditedSetting } from "./use-edited-setting";
 import styles from "./mesh-settings.module.css";
 
 const texts = strings.meshing;
@@ -31,6 +32,7 @@ const isForUse = (order: FrontOrder): boolean => order === "layered" || order ==
 export function MeshSettings() {
   const app = useApp();
   const { meshing } = useProject();
+  const gradationField = useEditedSetting("gradation");
   const order: FrontOrder = meshing?.order ?? MESH_DEFAULTS.order;
   const optimization: Optimization = meshing?.optimization ?? MESH_DEFAULTS.optimization;
   const gradation = meshing?.gradation ?? MESH_DEFAULTS.gradation;
@@ -61,14 +63,16 @@ export function MeshSettings() {
         hint={`${texts.optimizations[optimization]}: ${texts.optimizationHints[optimization]}`}
         onChange={(value) => set("optimization", value)}
       />
-      <NumberRow
-        label={texts.gradation}
-        value={gradation}
-        step={0.05}
-        refuse={refuseGradation}
-        testId="gradation"
-        onCommit={(value) => set("gradation", value)}
-      />
+      <div ref={gradationField}>
+        <NumberRow
+          label={texts.gradation}
+          value={gradation}
+          step={0.05}
+          refuse={refuseGradation}
+          testId="gradation"
+          onCommit={(value) => set("gradation", value)}
+        />
+      </div>
       <SettingHint>{texts.gradationHint}</SettingHint>
       <ChoiceSetting
         label={texts.innerShells}

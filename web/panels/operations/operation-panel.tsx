@@ -20,7 +20,9 @@ export function OperationPanel() {
 function OperationForm({ open }: { readonly open: OpenOperation }) {
   const app = useApp();
   const { operation, values, expressions, subject, reason, entities } = open;
-  const note = operation.note?.(values, subject, expressions) ?? "";
+  const notes = [operation.note?.(values, subject, expressions) ?? "", open.note].filter(
+    (note) => note !== "",
+  );
   const box = useRef<HTMLElement>(null);
   useFirstFocus(box);
   const onKeyDown = (event: KeyboardEvent): void => {
@@ -44,9 +46,9 @@ function OperationForm({ open }: { readonly open: OpenOperation }) {
             <OperationField key={spec.key} spec={spec} open={open} />
           ))}
         </div>
-        {note !== "" && (
+        {notes.length > 0 && (
           <Text size="xs" c="dimmed" data-testid="operation-note">
-            {note}
+            {notes.join(" ")}
           </Text>
         )}
         <Text className={styles["result"]} role="status" data-refused={reason !== null || undefined}>

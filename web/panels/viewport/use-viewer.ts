@@ -1,7 +1,7 @@
 import { useComputedColorScheme } from "@mantine/core";
 import { useEffect, useLayoutEffect, useRef, useState, type RefObject } from "react";
 import type { App } from "../../app/app";
-import type { Moving, ViewState } from "../../document/selection";
+import type { ViewState } from "../../document/selection";
 import { commandOfKey, runCommand } from "../../commands/registry";
 import { editSelected } from "../../commands/selection-actions";
 import { isDrawingTool, type ToolName } from "../../document/tools";
@@ -23,6 +23,10 @@ import { SelectTool, type Hover } from "../../tools/select-tool";
 import type { Tool } from "../../tools/tool";
 import { ToolController } from "../../tools/tool-controller";
 import { viewerColors } from "../../ui/theme/theme";
+import type { ProjectBody } from "tetrafront";
+import { placed } from "../../document/placement";
+import type { Position } from "../../document/position";
+import { showNotice } from "../../session/shell";
 import { strings } from "../../strings";
 import { followSession, shownState } from "../../viewer/follow-session";
 import { shownBodies } from "../../viewer/shown-bodies";
@@ -106,19 +110,13 @@ function viewerEvents(
   };
 }
 
-/** Shows the handles that move a body. Their code is loaded when they are first used. */
-async function showHandles(
-  app: App,
-  viewer: Viewer,
-  tools: ToolController,
-  otherwise: SelectTool,
-  moving: Moving,
-): Promise<void> {
-  const { MoveTool } = await import("../../tools/move-tool");
-  if (app.view.state.getState().moving !== moving) return;
-  const { documents, bodies, view } = app;
-  tools.use(new MoveTool({ viewer, documents, bodies, view, otherwise }, moving));
-}
+/** Returns a function that finds the middle of the triangles of a body where it is placed. */
+const bodyCentres =
+  ({ bodies }: App) =>
+  ({ id, placement }: ProjectBody): Position | null => {
+    const centre = bodies.state.getState().byId.get(id)?.loaded?.drawn.centre;
+    return centre ? placed(centre, placement) : null;
+  };
 
 /** Draws the recorded front when there is one. Its code is loaded then. Returns a function that ends this. */
 function followPlayer({ player }: App, viewer: Viewer): () => void {
@@ -169,8 +167,23 @@ function connect(
   const tools = new ToolController(canvas, viewer, select, (target) => pageApps.owns(app, target));
   const brush = new BrushTool(app.documents, app.view, viewer);
   const keys = typedKeys(app);
-  const motion = new Motion({ documents, view, drawing, keys, viewer });
-  const stores = { documents, operations, previews, view, drawing, viewer, keys, motion };
+  const inform = (text: string): void => {
+    const action = { label: strings.notices.understood, run: () => undefined };
+    showNotice(app.shell, { key: "numbers-kept", tone: "information", text, action });
+  };
+  const motion = new Motion({ documents, view, drawing, keys, viewer, inform });
+  const stores = {
+    documents,
+    operations,
+    previews,
+    view,
+    drawing,
+    viewer,
+    keys,
+    motion,
+    inform,
+    centreOf: bodyCentres(app),
+  };
   const byName: Readonly<Record<ToolName, Tool>> = {
     select: new HandleTool(stores, new DragTool(stores, select, "held-points")),
     move: new HandleTool(stores, new TransformTool(stores, new DragTool(stores, select))),
@@ -182,7 +195,7 @@ function connect(
     measure: new MeasureTool(stores),
   };
   const show = ({ brush: hasBrush, moving, tool }: ViewState): void => {
-    if (moving) void showHandles(app, viewer, tools, select, moving);
+    if (moving) tools.use(new TransformTool(stores, select, moving));
     else tools.use(hasBrush ? brush : byName[tool]);
     canvas.style.cursor = hasBrush || isDrawingTool(tool) ? "crosshair" : "";
   };

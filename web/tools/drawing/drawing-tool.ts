@@ -36,6 +36,8 @@ export interface DrawingStores {
   readonly viewer: Pick<Viewer, "seenFrom" | "pixelLength" | "requestFrame">;
   /** Receives the keys that may begin coordinates. All tools of a view share it. Without it, letters run no commands. */
   readonly keys?: TypedKeys;
+  /** Tells the user something about what was made. */
+  readonly inform?: (text: string) => void;
 }
 
 /** Smallest distance between lines of the work plane's grid, in CSS pixels. */
@@ -204,9 +206,10 @@ export abstract class DrawingTool implements Tool, TypedInput {
   }
 
   /** Adds what was drawn as one step of undo, and selects it. */
-  protected create({ edit, entities }: Creation): void {
+  protected create({ edit, entities, note }: Creation): void {
     this.stores.documents.edit(edit);
     this.stores.view.selectAll(entities);
+    if (note !== undefined) this.stores.inform?.(note);
   }
 
   protected placeOf({ kind, id, position, lines }: Snap): Place {

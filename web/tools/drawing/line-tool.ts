@@ -20,7 +20,7 @@ import { sampledCurve } from "../../viewer/curves";
 import { emptySketch, type Sketch } from "../../viewer/layers/drawing-layer";
 import type { Layer } from "../../viewer/layers/layer";
 import type { HistoryEntry } from "../../session/history";
-import { strings } from "../../strings";
+import { operationStrings, strings } from "../../strings";
 import type { DrawingState } from "./drawing";
 import type { ToolPointer } from "../tool";
 import { DrawingTool } from "./drawing-tool";
@@ -74,6 +74,9 @@ export class LineTool extends DrawingTool {
   #links: readonly Link[] = [];
   /** Number of links that the project had when it was last looked at. */
   #drawn = 0;
+
+  /** Whether the expressions of the line are too long to be kept. */
+  #areNumbersKept = false;
 
   #stopListening: readonly (() => void)[] = [];
 
@@ -229,7 +232,8 @@ export class LineTool extends DrawingTool {
     const [first] = this.#places;
     const places = type === "circle" ? this.#placesOnCircle() : this.#places;
     const { creation, line, points } = drawLine(this.project, type, places);
-    if (creation) this.create(creation);
+    if (creation)
+      this.create({ ...creation, ...(this.#areNumbersKept && { note: operationStrings.numbersKept }) });
     else this.stores.view.select({ kind: "line", id: line });
     const [from, to] = points;
     if (type !== "straight" || !first || from === undefined || to === undefined) return this.#drop();
@@ -263,6 +267,7 @@ export class LineTool extends DrawingTool {
    */
   #together(picked: readonly Place[], computed: readonly QuantityPosition[]): readonly Place[] {
     const texts = storableTexts(computed);
+    this.#areNumbersKept = !texts;
     const plain = ({ expressions: _, ...place }: Place): Place => place;
     const places = computed.map((position, i) => placeAt(this.project, valuesOf(position), texts?.[i]));
     return [...(texts ? picked : picked.map(plain)), ...places];
@@ -341,6 +346,7 @@ export class LineTool extends DrawingTool {
   }
 
   #drop(): void {
+    this.#areNumbersKept = false;
     this.#places = [];
     this.#links = [];
     this.#drawn = 0;

@@ -1,4 +1,0 @@
-import type { Project } from "tetrafront";
-
-/** The lists of a project that imprinting changes. */
-export type Drawn = Pick<Project, "points" | "lines" | "patches">;
