@@ -29,7 +29,8 @@ EMSCRIPTEN_BINDINGS(tools) {
   registerTool<SurfaceSizeProposer, Doubles, Indices, Indices, RemeshOptions, Indices>(
       "SurfaceProposal", "proposeSurfaceSizes");
   registerTool<MeshInspector, Doubles, Indices, Indices>("VolumeInspection", "inspectMesh");
-  registerTool<SurfaceRepairer, Doubles, Indices, RepairOptions>("Repair", "repairSurface");
+  registerTool<SurfaceRepairer, Doubles, Indices, RepairOptions, Indices>("Repair",
+                                                                          "repairSurface");
   registerTool<SurfaceRefiner, Doubles, Indices, BackgroundGrid, MeshOptions, double>(
       "Refinement", "refineSurface");
   registerTool<PatchSplitter, Doubles, Indices, Indices, double>("PatchSplitting", "splitPatches");

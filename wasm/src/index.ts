@@ -118,6 +118,7 @@ export {
   type MeshInspection,
   type Position,
   type RepairChange,
+  type SharedVolume,
   type ShellInfo,
   type SurfaceInspection,
   type SurfaceRefinement,

@@ -127,9 +127,22 @@ struct RepairChange {
   Vec3 position{0.0};
 };
 
+/// Volume that two regions of the given surface share.
+struct SharedVolume {
+  std::uint32_t first = 0;   ///< the lower region, which gets the volume
+  std::uint32_t second = 0;  ///< the other one
+  double volume = 0.0;
+  double depth = 0.0;  ///< mean width of the part with the largest volume, in model units
+  Vec3 position{0.0};  ///< on the boundary of that part
+};
+
 struct SurfaceRepair {
   std::vector<double> points;
   std::vector<std::uint32_t> triangles;
+  /// Two per triangle, as SurfaceMesh::triangleRegions, if given regions shared volumes and the surface was replaced by their
+  /// boundaries; empty otherwise.
+  std::vector<std::uint32_t> triangleRegions;
+  std::vector<SharedVolume> sharedVolumes;  ///< by region; set with triangleRegions
   /// Per triangle: its index in the given surface; kNoOrigin if it fills a hole.
   std::vector<std::uint32_t> origin;
   std::vector<RepairChange> changes;  ///< all changes, in the order of the kinds
@@ -148,15 +161,18 @@ inline constexpr std::uint32_t kNoOrigin = 0xffffffffU;
 /// triangles in one slice.
 class SurfaceRepairer : public SlicedTool<SurfaceRepair> {
  public:
-  /// Arrays as for MeshRun; they are copied.
+  /// Arrays as for MeshRun; they are copied. `triangleRegions`: as in GivenRegions, of regions that may intersect; or empty. If
+  /// intersections are resolved and regions share volumes, each region keeps its own volume, and the lowest gets what it shares.
   SurfaceRepairer(std::span<const double> points, std::span<const std::uint32_t> triangles,
-                  const RepairOptions& options);
+                  const RepairOptions& options,
+                  std::span<const std::uint32_t> triangleRegions = {});
 };
 
 /// Repairs a surface in one call.
 [[nodiscard]] SurfaceRepair repairSurface(std::span<const double> points,
                                           std::span<const std::uint32_t> triangles,
-                                          const RepairOptions& options);
+                                          const RepairOptions& options,
+                                          std::span<const std::uint32_t> triangleRegions = {});
 
 /// Result of the refinement of a surface.
 struct SurfaceRefinement {

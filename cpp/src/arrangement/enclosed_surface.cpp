@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "arrangement/arrangement.h"
 #include "arrangement/part_shells.h"
+#include "arrangement/region_nesting.h"
 #include "base/mesh_access.h"
 #include "geom/coordinates.h"
 #include "geom/predicates.h"
@@ -39,6 +41,22 @@ double sixfoldVolumeOf(const SurfaceMesh& mesh) {
     sum += glm::dot(p, glm::cross(pointOf(mesh, b) - origin, pointOf(mesh, c) - origin));
   }
   return sum;
+}
+
+/// Returns six times the volume of each region.
+std::map<std::uint32_t, double> sixfoldRegionVolumes(const SurfaceMesh& mesh) {
+  std::map<std::uint32_t, double> volumes;
+  if (mesh.triangles.empty()) return volumes;
+  const Vec3 origin = pointOf(mesh, NodeId(mesh.triangles[0]));
+  for (std::uint32_t t = 0; t < countTriangles(mesh); ++t) {
+    const auto [a, b, c] = nodesOf(mesh, TriangleId(t));
+    const Vec3 p = pointOf(mesh, a) - origin;
+    const double sixfold =
+        glm::dot(p, glm::cross(pointOf(mesh, b) - origin, pointOf(mesh, c) - origin));
+    volumes[mesh.triangleRegions[2 * std::size_t{t}]] += sixfold;
+    volumes[mesh.triangleRegions[2 * std::size_t{t} + 1]] -= sixfold;
+  }
+  return volumes;
 }
 
 /// Returns the largest magnitude of the coordinates, rounded up to a power of two.
@@ -94,6 +112,13 @@ class Enclosing {
 
   /// Returns whether the result is resolved, with the volume of the one before.
   [[nodiscard]] bool isSimplified(const EnclosedSurface& known) const {
+    if (hasRegions() && result_.isResolved) {
+      std::map<std::uint32_t, double> after = sixfoldRegionVolumes(result_.mesh);
+      return std::ranges::all_of(sixfoldRegionVolumes(known.mesh), [&](const auto& region) {
+        const auto& [number, volume] = region;
+        return std::fabs(after[number] - volume) <= kMaxVolumeChange * std::fabs(volume);
+      });
+    }
     const double before = sixfoldVolumeOf(known.mesh);
     const double change = std::fabs(sixfoldVolumeOf(result_.mesh) - before);
     return result_.isResolved && change <= kMaxVolumeChange * std::fabs(before);
@@ -136,11 +161,16 @@ class Enclosing {
       result_.isResolved = round > 0 && arrangement.pairCount() == 0;
       if (result_.isResolved) {
         fail(Unresolved::kNone, {});
+        if (hasRegions()) nest();
         co_return;
       }
       fail(Unresolved::kRounding, arrangement.firstOfPair());
       ++result_.rounds;
       take(arrangement);
+      if (hasRegions() && (areRegionsInconsistent_ || result_.shared.empty())) {
+        isHopeless_ = true;
+        co_return;
+      }
       if (round == 0) {
         markGiven(arrangement);
       } else {
@@ -157,6 +187,13 @@ class Enclosing {
     }
   }
 
+  void nest() {
+    result_.shared.resize(sharedCells_);
+    for (SharedCell& cell : nestRegions(result_.mesh, result_.origin)) {
+      result_.shared.push_back(std::move(cell));
+    }
+  }
+
   /// Begins with the given surface. In later attempts, the points of triangles that intersect are welded first.
   void begin() {
     result_.mesh.points = given_.points;
@@ -168,6 +205,7 @@ class Enclosing {
     result_.limit = 0;
     result_.origin.clear();
     for (std::uint32_t t = 0; t < countTriangles(given_); ++t) result_.origin.emplace_back(t);
+    result_.mesh.triangleRegions = given_.triangleRegions;
     isInterface_.assign(countTriangles(given_), 0);
     isWeldable_.assign(countNodes(given_), 0);
     for (std::uint32_t t = 0; t < countTriangles(given_); ++t) {
@@ -215,10 +253,15 @@ class Enclosing {
       for (std::size_t k = 0; k < 3; ++k) {
         mesh.triangles[3 * kept + k] = mesh.triangles[3 * std::size_t{t} + k];
       }
+      if (hasRegions()) {
+        mesh.triangleRegions[2 * kept] = mesh.triangleRegions[2 * std::size_t{t}];
+        mesh.triangleRegions[2 * kept + 1] = mesh.triangleRegions[2 * std::size_t{t} + 1];
+      }
       isInterface_[kept] = isInterface_[t];
       result_.origin[kept++] = result_.origin[t];
     }
     mesh.triangles.resize(3 * kept);
+    if (hasRegions()) mesh.triangleRegions.resize(2 * kept);
     isInterface_.resize(kept);
     result_.origin.resize(kept);
   }
@@ -233,14 +276,17 @@ class Enclosing {
   void take(const Arrangement& arrangement) {
     SurfaceMesh& mesh = result_.mesh;
     const CutPoints& points = arrangement.points();
-    const InsideBoundary inside = boundaryOfInside(mesh, arrangement, isInterface_);
+    InsideBoundary inside = boundaryOfInside(mesh, arrangement, isInterface_);
+    if (hasRegions()) takeShared(inside);
     result_.sheetShare = std::max(result_.sheetShare, inside.sheetArea / inside.area);
     givenTriangleOf_ = result_.origin;
     std::vector<std::uint32_t> nodeOf(points.size(), kNoIndex);
     std::vector<std::uint32_t> triangles;
     std::vector<TriangleId> origin;
+    std::vector<std::uint32_t> regions;
     isInterface_.clear();
     for (const BoundaryPart& part : inside.parts) {
+      if (hasRegions()) regions.insert(regions.end(), part.regions.begin(), part.regions.end());
       const bool isCut = arrangement.isCut(part.origin);
       for (const CutPointId point : part.points) {
         std::uint32_t& node = nodeOf[point.index()];
@@ -252,7 +298,18 @@ class Enclosing {
       isInterface_.push_back(part.isInterface ? 1 : 0);
     }
     mesh.triangles = std::move(triangles);
+    mesh.triangleRegions = std::move(regions);
     result_.origin = std::move(origin);
+  }
+
+  [[nodiscard]] bool hasRegions() const { return !given_.triangleRegions.empty(); }
+
+  /// Keeps the volumes that several of the given regions share.
+  void takeShared(InsideBoundary& inside) {
+    areRegionsInconsistent_ = areRegionsInconsistent_ || inside.areRegionsInconsistent;
+    if (result_.rounds > 1) return;
+    result_.shared = std::move(inside.shared);
+    sharedCells_ = result_.shared.size();
   }
 
   std::uint32_t addNode(const CutPoints& points, CutPointId point) {
@@ -268,7 +325,9 @@ class Enclosing {
   double extent_;
   double weldDistance_ = 0.0;
   bool isHopeless_ = false;  ///< another attempt would fail alike
-  std::size_t spent_ = 0;    ///< triangles and pairs of all rounds
+  bool areRegionsInconsistent_ = false;
+  std::size_t sharedCells_ = 0;  ///< number of shared volumes of the given surface
+  std::size_t spent_ = 0;        ///< triangles and pairs of all rounds
   EnclosedSurface result_;
   std::vector<std::uint8_t> isInterface_;    ///< per triangle
   std::vector<std::uint8_t> isWeldable_;     ///< per node

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "arrangement/part_shells.h"
 #include "base/ids.h"
 #include "base/task.h"
 #include "tetrafront/mesh.h"
@@ -37,9 +38,10 @@ struct EnclosedSurface {
   std::uint32_t rounds = 0;
   bool isResolved = false;                ///< no two triangles intersect
   Unresolved reason = Unresolved::kNone;  ///< of the last attempt
-  TriangleId where;       ///< a given triangle at which the last attempt failed, or none
-  std::size_t pairs = 0;  ///< intersecting pairs of the last round
-  std::size_t limit = 0;  ///< the number that was exceeded, or 0
+  TriangleId where;                ///< a given triangle at which the last attempt failed, or none
+  std::size_t pairs = 0;           ///< intersecting pairs of the last round
+  std::size_t limit = 0;           ///< the number that was exceeded, or 0
+  std::vector<SharedCell> shared;  ///< volumes that several of the given regions share
 };
 
 /// Limits of the work, so that a surface that cannot be resolved is reported soon. Tests lower them.
@@ -56,6 +58,9 @@ struct EnclosingLimits {
 /// coincide otherwise leave steps as low as the rounding of their coordinates. O(n log n) for n triangles that have few
 /// others near them. Further attempts are made only while the triangles and pairs of all rounds are at most 100 times those
 /// given.
+///
+/// If `mesh` has triangleRegions, so have the results. Volumes that regions share belong to the lowest of them. If none share any, or if
+/// the given regions contradict each other, nothing is resolved: the surface is better enclosed without them.
 ///
 /// Returns the results, the best first: with points welded, if that is wanted and possible, then without. If the first one is not
 /// resolved, it is the only one.

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "arrangement/cell_regions.h"
 #include "base/mesh_access.h"
 #include "base/sort.h"
 #include "boundary/edge_table.h"
@@ -83,6 +84,14 @@ class InsideFinder {
       if (isLeftOut_[p] != 0) found.sheetArea += area;
     }
     measureShells();
+    findOuterShells();
+    if (!mesh_.triangleRegions.empty()) {
+      found.areRegionsInconsistent = !findShellRegions(found.shared);
+      if (!found.areRegionsInconsistent) {
+        found.parts = collectBetweenRegions();
+        return found;
+      }
+    }
     findWindings();
     found.parts = collect();
     return found;
@@ -91,10 +100,12 @@ class InsideFinder {
  private:
   /// A shell: a connected set of half-faces.
   struct PartShell {
-    double volume = 0.0;                 ///< as in shell_nesting.h
+    double volume = 0.0;  ///< as in shell_nesting.h
+    double area = 0.0;
     std::uint32_t component = kNoIndex;  ///< none if it belongs to parts that are left out
     std::int64_t winding = 0;
     bool isInside = false;
+    std::uint32_t region = SurfaceMesh::kNoRegion;
   };
   struct PartComponent {
     std::uint32_t outerShell = kNoIndex;
@@ -200,8 +211,10 @@ class InsideFinder {
                    glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
       shells_[shellAt(backOf(TriangleId(p)))].volume += sixVolumes / 6.0;
       shells_[shellAt(frontOf(TriangleId(p)))].volume -= sixVolumes / 6.0;
-      shells_[shellAt(backOf(TriangleId(p)))].component = component;
-      shells_[shellAt(frontOf(TriangleId(p)))].component = component;
+      for (const HalfFaceId side : {backOf(TriangleId(p)), frontOf(TriangleId(p))}) {
+        shells_[shellAt(side)].component = component;
+        shells_[shellAt(side)].area += areaOf(corners);
+      }
     }
   }
 
@@ -225,12 +238,69 @@ class InsideFinder {
     });
   }
 
-  void findWindings() {
+  void findOuterShells() {
     for (std::uint32_t s = 0; s < shells_.size(); ++s) {
       if (shells_[s].component == kNoIndex) continue;
       std::uint32_t& outer = components_[shells_[s].component].outerShell;
       if (outer == kNoIndex || shells_[s].volume < shells_[outer].volume) outer = s;
     }
+  }
+
+  /// Gives each shell the lowest of its regions, and lists those with several. Returns false if the regions contradict each other.
+  bool findShellRegions(std::vector<SharedCell>& shared) {
+    CellRegions regions(mesh_.triangleRegions, shells_.size());
+    for (std::uint32_t p = 0; p < isLeftOut_.size(); ++p) {
+      if (isLeftOut_[p] != 0) continue;
+      const TriangleId part(p);
+      regions.addWall(shellAt(frontOf(part)), shellAt(backOf(part)), arrangement_.ownersOf(p));
+    }
+    std::vector<std::uint32_t> outside;
+    for (const PartComponent& component : components_) {
+      if (component.outerShell != kNoIndex) outside.push_back(component.outerShell);
+    }
+    if (!regions.find(outside)) return false;
+    std::vector<std::uint32_t> sharedAt(shells_.size(), kNoIndex);
+    for (std::uint32_t s = 0; s < shells_.size(); ++s) {
+      PartShell& shell = shells_[s];
+      shell.region = regions.lowestOf(s);
+      std::vector<std::uint32_t> all = regions.regionsOf(s);
+      if (all.size() < 2) continue;
+      sharedAt[s] = static_cast<std::uint32_t>(shared.size());
+      shared.push_back({std::move(all), shell.volume, 2.0 * shell.volume / shell.area, Vec3(0.0)});
+    }
+    // The first part of each is the last one that is visited.
+    for (std::uint32_t p = arrangement_.partCount(); p-- > 0;) {
+      if (isLeftOut_[p] != 0) continue;
+      for (const HalfFaceId side : {backOf(TriangleId(p)), frontOf(TriangleId(p))}) {
+        const std::uint32_t cell = sharedAt[shellAt(side)];
+        if (cell != kNoIndex) shared[cell].position = centroidOf(roundedCorners(p));
+      }
+    }
+    return true;
+  }
+
+  [[nodiscard]] std::vector<BoundaryPart> collectBetweenRegions() const {
+    std::vector<BoundaryPart> found;
+    for (std::uint32_t p = 0; p < isLeftOut_.size(); ++p) {
+      if (isLeftOut_[p] != 0) continue;
+      const std::uint32_t behind = shells_[shellAt(backOf(TriangleId(p)))].region;
+      const std::uint32_t before = shells_[shellAt(frontOf(TriangleId(p)))].region;
+      if (behind == before) continue;
+      const bool isReversed = behind == SurfaceMesh::kNoRegion;
+      const bool isInterface = !isReversed && before != SurfaceMesh::kNoRegion;
+      found.push_back(boundaryPart(p, isReversed, isInterface));
+      found.back().regions = isReversed ? std::array{before, behind} : std::array{behind, before};
+    }
+    sortByOrigin(found);
+    return found;
+  }
+
+  static void sortByOrigin(std::vector<BoundaryPart>& parts) {
+    stableSort(parts,
+               [](const BoundaryPart& a, const BoundaryPart& b) { return a.origin < b.origin; });
+  }
+
+  void findWindings() {
     NumberedSets sets(shells_.size());
     for (std::uint32_t p = 0; p < isLeftOut_.size(); ++p) {
       if (isLeftOut_[p] != 0) continue;
@@ -282,8 +352,7 @@ class InsideFinder {
       if (!isBoundary && !isInterface) continue;
       found.push_back(boundaryPart(p, isBoundary && shells_[before].isInside, isInterface));
     }
-    stableSort(found,
-               [](const BoundaryPart& a, const BoundaryPart& b) { return a.origin < b.origin; });
+    sortByOrigin(found);
     return found;
   }
 

@@ -19,12 +19,25 @@ struct BoundaryPart {
   std::array<CutPointId, 3> points;  ///< counter-clockwise as seen from outside
   TriangleId origin;                 ///< triangle of the surface
   bool isInterface = false;          ///< there is inside on either side
+  /// Regions behind and before it, if those of the surface are known.
+  std::array<std::uint32_t, 2> regions{SurfaceMesh::kNoRegion, SurfaceMesh::kNoRegion};
+};
+
+/// A volume that lies in several regions.
+struct SharedCell {
+  std::vector<std::uint32_t> regions;  ///< ascending; the first one gets the volume
+  double volume = 0.0;
+  double width = 0.0;  ///< 2 x volume / area: the mean width, if it is thin
+  Vec3 position{0.0};  ///< on its boundary
 };
 
 struct InsideBoundary {
   std::vector<BoundaryPart> parts;
   double area = 0.0;       ///< of all parts of the arrangement
   double sheetArea = 0.0;  ///< of the parts with the same volume on both sides
+  /// If the regions of the surface are given: whether they contradict each other. The boundary is then that without regions.
+  bool areRegionsInconsistent = false;
+  std::vector<SharedCell> shared;  ///< if the regions of the surface are given
 };
 
 /// Returns the boundary of the inside, in the order of the triangles that it comes from. `isInterface`: per triangle, whether it stands for
@@ -35,7 +48,12 @@ struct InsideBoundary {
 /// number, the volumes with positive numbers are inside, or those with negative numbers if there are no positive ones. Between two of
 /// them, parts of triangles with opposite orientations remain as interfaces. If the numbers contradict each
 /// other, because interfaces end at an edge, every bounded volume is inside, and all parts between different
-/// volumes remain. Exact except for the signs of volumes. O(n log n).
+/// volumes remain.
+///
+/// If the surface has triangleRegions, the winding number of each region is counted alone. A volume belongs to the lowest region with
+/// a positive one, and the parts between different regions remain.
+///
+/// Exact except for the signs of volumes. O(n log n).
 [[nodiscard]] InsideBoundary boundaryOfInside(const SurfaceMesh& mesh,
                                               const Arrangement& arrangement,
                                               std::span<const std::uint8_t> isInterface);

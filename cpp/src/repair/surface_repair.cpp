@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <span>
 #include <utility>
 
 #include "arrangement/enclosed_surface.h"
@@ -42,11 +44,38 @@ TriangleId firstLeftOut(const SurfaceMesh& closed, const EnclosedSurface& enclos
   return TriangleId(static_cast<std::size_t>(first - isLeft.begin()));
 }
 
+/// Returns what pairs of regions share, in the order of the regions.
+std::vector<SharedVolume> sharedVolumesOf(std::span<const SharedCell> cells) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, SharedVolume> byPair;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> largest;
+  for (const SharedCell& cell : cells) {
+    for (std::size_t other = 1; other < cell.regions.size(); ++other) {
+      const std::pair pair{cell.regions[0], cell.regions[other]};
+      SharedVolume& shared = byPair[pair];
+      shared.first = pair.first;
+      shared.second = pair.second;
+      shared.volume += cell.volume;
+      if (largest[pair] >= cell.volume) continue;
+      largest[pair] = cell.volume;
+      shared.depth = cell.width;
+      shared.position = cell.position;
+    }
+  }
+  std::vector<SharedVolume> found;
+  for (const auto& [pair, shared] : byPair) {
+    if (shared.volume > 0.0) found.push_back(shared);
+  }
+  return found;
+}
+
 /// A surface under repair. Its nodes keep their given indices until take().
 class RepairedSurface {
  public:
   RepairedSurface(SurfaceMesh& mesh, const RepairOptions& options)
-      : mesh_(mesh), options_(options), isWelded_(countNodes(mesh), 0) {
+      : mesh_(mesh),
+        options_(options),
+        givenRegions_(std::exchange(mesh.triangleRegions, {})),
+        isWelded_(countNodes(mesh), 0) {
     for (std::uint32_t t = 0; t < countTriangles(mesh); ++t) origin_.emplace_back(t);
   }
 
@@ -89,6 +118,7 @@ class RepairedSurface {
   Task<bool> check(Work& work);
   Task<bool> closeCracks(Work& work);
   Task<bool> resolve(Work& work);
+  Task<bool> resolveRegions(Work& work, const SurfaceMesh& closed);
   void reportUnresolved(const SurfaceMesh& closed, const EnclosedSurface& enclosed);
   Task<bool> takeEnclosed(Work& work, const SurfaceMesh& closed,
                           const std::vector<FilledHole>& closedHoles, EnclosedSurface& enclosed);
@@ -96,6 +126,7 @@ class RepairedSurface {
   void applyWeld(const std::vector<NodeId>& target);
   void removeTrianglesWithRepeatedNodes();
   void removeDuplicates();
+  void keepDuplicate(TriangleId triangle);
   void splitSlivers();
   void removeSlivers();
   void remove(const std::vector<std::uint8_t>& isRemoved);
@@ -120,6 +151,12 @@ class RepairedSurface {
 
   SurfaceMesh& mesh_;
   const RepairOptions& options_;
+  std::vector<std::uint32_t> givenRegions_;  ///< two per given triangle, or empty
+  /// Triangles that were removed because others have the same nodes, if regions are given: they may bound another region.
+  std::vector<std::uint32_t> duplicates_;
+  std::vector<TriangleId> duplicateOrigin_;     ///< per triangle of duplicates_
+  std::vector<std::uint32_t> triangleRegions_;  ///< of the result
+  std::vector<SharedVolume> sharedVolumes_;
   SurfaceMesh oriented_;                ///< the surface as the boundary check leaves it
   std::vector<TriangleId> origin_;      ///< per triangle: its index in the given surface, or none
   std::vector<std::uint8_t> isWelded_;  ///< per node: whether it is replaced by another, or new
@@ -144,6 +181,7 @@ void RepairedSurface::applyWeld(const std::vector<NodeId>& target) {
     deviation_ = std::max(deviation_, distance);
   }
   for (std::uint32_t& node : mesh_.triangles) node = target[node].value;
+  for (std::uint32_t& node : duplicates_) node = target[node].value;
 }
 
 /// Welds nodes of cracks. Returns whether there were any.
@@ -235,8 +273,15 @@ void RepairedSurface::removeDuplicates() {
     if (firstOf[t].isNone()) continue;
     isRemoved[t] = 1;
     addAt(RepairKind::kRemovedDuplicate, TriangleId(t), origin_[firstOf[t].index()]);
+    keepDuplicate(TriangleId(t));
   }
   remove(isRemoved);
+}
+
+void RepairedSurface::keepDuplicate(TriangleId triangle) {
+  if (givenRegions_.empty()) return;
+  for (const NodeId node : nodesOf(mesh_, triangle)) duplicates_.push_back(node.value);
+  duplicateOrigin_.push_back(origin_[triangle.index()]);
 }
 
 Task<> RepairedSurface::fill(Work& work) {
@@ -275,6 +320,11 @@ Task<bool> RepairedSurface::resolve(Work& work) {
   closed.triangles = mesh_.triangles;
   const std::vector<FilledHole> closedHoles = closeSurface(closed);
   co_await work.yield();
+  if (!givenRegions_.empty() && closedHoles.empty() && holes_.empty()) {
+    work.beginPart(0.4);
+    const bool isTaken = co_await resolveRegions(work, closed);
+    if (isTaken) co_return true;
+  }
   work.beginPart(0.7);
   std::vector<EnclosedSurface> results =
       co_await encloseSurface(work, closed, options_.weldIntersections);
@@ -284,6 +334,32 @@ Task<bool> RepairedSurface::resolve(Work& work) {
     if (isTaken) co_return true;
   }
   reportUnresolved(closed, results.back());
+  co_return false;
+}
+
+/// Replaces a surface without holes by the boundaries of its regions, if some of them share volumes. Returns false, without a change,
+/// if none do, or if the result is not accepted.
+Task<bool> RepairedSurface::resolveRegions(Work& work, const SurfaceMesh& closed) {
+  const std::vector<TriangleId> known = origin_;
+  origin_.insert(origin_.end(), duplicateOrigin_.begin(), duplicateOrigin_.end());
+  SurfaceMesh whole;
+  whole.points = closed.points;
+  whole.triangles = closed.triangles;
+  whole.triangles.insert(whole.triangles.end(), duplicates_.begin(), duplicates_.end());
+  for (const TriangleId from : origin_) {
+    const std::size_t side = 2 * from.index();
+    whole.triangleRegions.push_back(givenRegions_[side]);
+    whole.triangleRegions.push_back(givenRegions_[side + 1]);
+  }
+  work.beginPart(0.8);
+  std::vector<EnclosedSurface> results =
+      co_await encloseSurface(work, whole, options_.weldIntersections);
+  work.beginPart(1.0);
+  for (EnclosedSurface& enclosed : results) {
+    const bool isTaken = co_await takeEnclosed(work, whole, {}, enclosed);
+    if (isTaken) co_return true;
+  }
+  origin_ = known;
   co_return false;
 }
 
@@ -316,6 +392,8 @@ Task<bool> RepairedSurface::takeEnclosed(Work& work, const SurfaceMesh& closed,
     enclosed.where = firstLeftOut(closed, enclosed);
     co_return false;
   }
+  // The check numbers the regions anew.
+  std::vector<std::uint32_t> regions = enclosed.mesh.triangleRegions;
   BoundaryCheck boundary(enclosed.mesh, BoundarySource::kGivenSurface, options_.innerShells);
   co_await work.finish(boundary);
   if (!boundary.result().isValid) {
@@ -330,6 +408,8 @@ Task<bool> RepairedSurface::takeEnclosed(Work& work, const SurfaceMesh& closed,
     co_return false;
   }
   keepHoles(closed, closedHoles);
+  triangleRegions_ = std::move(regions);
+  sharedVolumes_ = sharedVolumesOf(enclosed.shared);
   listResolved(closed, enclosed);
   takeResolved(closed, enclosed);
   co_return true;
@@ -435,6 +515,8 @@ SurfaceRepair RepairedSurface::take() {
   stableSort(changes_,
              [](const RepairChange& a, const RepairChange& b) { return a.kind < b.kind; });
   result.changes = std::move(changes_);
+  result.triangleRegions = std::move(triangleRegions_);
+  result.sharedVolumes = std::move(sharedVolumes_);
   return result;
 }
 

@@ -49,16 +49,17 @@ SurfaceInspector::SurfaceInspector(std::span<const double> points,
 
 SurfaceRepairer::SurfaceRepairer(std::span<const double> points,
                                  std::span<const std::uint32_t> triangles,
-                                 const RepairOptions& options)
-    : SlicedTool(makeToolJob<SurfaceRepair>(copyOf(points, triangles),
+                                 const RepairOptions& options,
+                                 std::span<const std::uint32_t> triangleRegions)
+    : SlicedTool(makeToolJob<SurfaceRepair>(copyOf(points, triangles, triangleRegions),
                                             [&options](Work& work, SurfaceMesh& mesh) {
                                               return repairSurface(work, mesh, options);
                                             })) {}
 
 SurfaceRepair repairSurface(std::span<const double> points,
-                            std::span<const std::uint32_t> triangles,
-                            const RepairOptions& options) {
-  SurfaceRepairer repairer(points, triangles, options);
+                            std::span<const std::uint32_t> triangles, const RepairOptions& options,
+                            std::span<const std::uint32_t> triangleRegions) {
+  SurfaceRepairer repairer(points, triangles, options, triangleRegions);
   finish(repairer);
   return repairer.result();
 }

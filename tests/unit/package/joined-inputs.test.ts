@@ -114,6 +114,12 @@ describe("solids of joined files", () => {
   const left = offFile(boxSurface(2));
   const volumeIn = (name: string) =>
     (JSON.parse(readFileSync(inFolder(name), "utf8")) as { volume: number }).volume;
+  const regionVolumesIn = (name: string) => {
+    const report = JSON.parse(readFileSync(inFolder(name), "utf8")) as {
+      quality: { regions: { volume: number }[] };
+    };
+    return report.quality.regions.map(({ volume }) => volume);
+  };
 
   test("that share faces are named, and all files with them", async () => {
     save("left.off", left);
@@ -142,7 +148,7 @@ describe("solids of joined files", () => {
     expect(stderr).not.toContain("almost touch");
   });
 
-  test("that overlap are an error with a remedy, after which the lost region is told", async () => {
+  test("that overlap are an error with a remedy, after which both regions stay", async () => {
     save("left.off", left);
     save("right.off", offFile(boxSurface(2, [0.99, 0, 0], [1.99, 1, 1])));
     const args = ["mesh", "left.off", "right.off", "--join", "-o", "a.vtu", "--report", "r.json"];
@@ -160,11 +166,12 @@ describe("solids of joined files", () => {
     expect([code, stderr]).toEqual([
       0,
       expect.stringMatching(
-        /overlap by a volume of 0\.01, 1 % of the smaller one\. They became one region, "left"/,
+        /overlap by a volume of 0\.01, 1 % of the smaller one, about 0\.0098 deep\. It became a part of "left"; both/,
       ),
     ]);
-    expect(stderr).toContain('not meshed: "right"\n');
+    expect(stderr).not.toContain("not meshed");
     expect(volumeIn("r.json")).toBeCloseTo(1.99, 4);
+    expect(regionVolumesIn("r.json")).toEqual([expect.closeTo(1, 4), expect.closeTo(0.99, 4)]);
   });
 
   test("leave a closed gap between them empty, and do not make a region of it", async () => {

@@ -130,7 +130,13 @@ const queries: Readonly<Record<Question["kind"], (id: number) => Question>> = {
     options: engineRemeshOptions({ size: 0.2 }),
     triangleRegions: new Uint32Array(),
   }),
-  "repair-surface": (id) => ({ kind: "repair-surface", id, ...surface, options: repairOptions }),
+  "repair-surface": (id) => ({
+    kind: "repair-surface",
+    id,
+    ...surface,
+    options: repairOptions,
+    triangleRegions: new Uint32Array(),
+  }),
   "refine-surface": (id) => ({
     kind: "refine-surface",
     id,

@@ -16,6 +16,7 @@ import { qualityReport } from "../engine/quality-report.js";
 import type {
   MeshInspection,
   RepairChange,
+  SharedVolume,
   SurfaceInspection,
   SurfaceRefinement,
   SurfaceRemesh,
@@ -51,10 +52,10 @@ export function changeDiagnostics(
   return describeAll(diagnostics, name);
 }
 
-/** `given`: number of nodes of the surface before the repair; `diagnostics`: warnings about it. */
+/** `given`: the surface before the repair; `diagnostics`: warnings about it. */
 export function describedRepair(
-  { points, triangles, origin, deviation, ...rest }: EngineRepair,
-  given: number,
+  { points, triangles, origin, deviation, triangleRegions, ...rest }: EngineRepair,
+  given: SurfaceInput,
   diagnostics: readonly Diagnostic[],
 ): SurfaceRepair {
   const { kind: kinds, first, second, position } = rest.changes;
@@ -69,9 +70,31 @@ export function describedRepair(
       change.kind === "welded-node" || change.kind === "removed-node" ? [change.node] : [],
     ),
   );
-  const added = points.length / 3 - (given - gone.size);
-  const nodeOrigin = originsOf(given, (node) => gone.has(node), added);
-  return { surface: { points, triangles, origin, nodeOrigin }, origin, changes, deviation, diagnostics };
+  const nodes = given.points.length / 3;
+  const added = points.length / 3 - (nodes - gone.size);
+  const nodeOrigin = originsOf(nodes, (node) => gone.has(node), added);
+  const maxVolumes = given.givenRegions?.maxVolumes.slice() ?? new Float64Array();
+  const hasRegions = triangleRegions.length > 0;
+  return {
+    surface: {
+      points,
+      triangles,
+      origin,
+      nodeOrigin,
+      ...(hasRegions && { givenRegions: { triangleRegions, maxVolumes } }),
+    },
+    origin,
+    changes,
+    sharedVolumes: rest.sharedVolumes.map(sharedVolume),
+    deviation,
+    diagnostics,
+  };
+}
+
+function sharedVolume(shared: EngineRepair["sharedVolumes"][number]): SharedVolume {
+  const { first, second, volume, depth, position } = shared;
+  const [x, y, z] = position;
+  return { regions: [first, second], volume, depth, position: [x, y, z] };
 }
 
 export function describedRefinement(refinement: EngineRefinement): SurfaceRefinement {

@@ -175,7 +175,8 @@ export interface Mesher {
     control?: RunControl,
   ): Promise<SurfaceSizeProposal>;
   /**
-   * Makes the requested repairs in a copy and lists every change; use `inspectSurface` to check the result. Rejects with
+   * Makes the requested repairs in a copy and lists every change; use `inspectSurface` to check the result. If the surface
+   * has `givenRegions` that share volumes, each keeps the rest as its own when intersections are resolved. Rejects with
    * `invalid-input` if coordinates or indices are invalid. Works in slices beside a run.
    */
   repairSurface(surface: SurfaceInput, options?: RepairOptions, control?: RunControl): Promise<SurfaceRepair>;

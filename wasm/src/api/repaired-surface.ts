@@ -41,7 +41,9 @@ export function repairedSurface(
   };
   const patches = hasFilled ? [...given.patches, filled] : given.patches;
   const { surfaceRegions, givenRegions, regionPoints } = given;
+  const known = surface.givenRegions?.triangleRegions;
   const regionsBeside = ({ triangleRegions: beside }: { readonly triangleRegions: Uint32Array }) =>
+    known?.slice() ??
     new Uint32Array(2 * origin.length).map((_, side) => {
       const from = origin[side >>> 1] ?? NO_ORIGIN;
       return from === NO_ORIGIN ? NO_REGION : (beside[2 * from + (side & 1)] ?? NO_REGION);

@@ -98,11 +98,12 @@ export class SurfaceTools {
       points,
       triangles,
       options: engineRepairOptions(options),
+      triangleRegions: triangleRegionsOf(surface),
     } as const;
     const repair = await this.#client.ask(question, control);
     const found = changeDiagnostics(repair, surfaceNamer(surface));
     refuse(found.filter(({ severity }) => severity === "error"));
-    return describedRepair(repair, points.length / 3, found);
+    return describedRepair(repair, surface, found);
   }
 
   async refine(

@@ -82,12 +82,39 @@ export function overlapWarning(
   { regions, position, volume, share }: Overlap,
   outcome?: OverlapOutcome,
 ): Diagnostic {
-  const percent = 100 * share < 0.1 ? "less than 0.1" : String(Number((100 * share).toPrecision(2)));
-  const size = `${Number(volume.toPrecision(3))}, ${percent} % of the smaller one`;
+  const size = sizeText(volume, share);
   return overlapping(
     `The solids ${namesOf(given, regions)} overlap by a volume of ${size}${outcomeText(given, regions, outcome)}`,
     position,
   );
+}
+
+/** Smallest common volume, relative to the smaller solid: curved faces that touch overlap by their deviation. */
+export const SMALLEST_OVERLAP = 1e-3;
+
+/**
+ * Says that the first of two solids got the volume that they shared, and that both kept their regions. `depth`: mean width of
+ * the volume. A warning if the volume is too large to be due to the triangulation of faces that touch.
+ */
+export function assignedOverlap(
+  given: SurfaceRegions | undefined,
+  { regions, position, volume, share }: Overlap,
+  depth: number,
+): Diagnostic {
+  const names = namesOf(given, regions);
+  const size = `${sizeText(volume, share)}, about ${Number(depth.toPrecision(3))} deep`;
+  const message = `The solids ${names} overlap by a volume of ${size}. It became a part of ${namesOf(given, regions.slice(0, 1))}; both kept their regions`;
+  const remedy = "If they are meant to touch, subtract one from the other, or move them apart.";
+  const severity = share < SMALLEST_OVERLAP ? "information" : "warning";
+  return {
+    ...packageDiagnostic("touching-solids", message, remedy, severity),
+    ...(position && { position }),
+  };
+}
+
+function sizeText(volume: number, share: number): string {
+  const percent = 100 * share < 0.1 ? "less than 0.1" : String(Number((100 * share).toPrecision(2)));
+  return `${Number(volume.toPrecision(3))}, ${percent} % of the smaller one`;
 }
 
 /** Returns a warning that solids became one region, because they intersect. */

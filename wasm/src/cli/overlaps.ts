@@ -1,6 +1,6 @@
 /** Finds solids of a surface whose volumes overlap, and bodies that a repair has joined. */
 import type { Mesher } from "../api/mesher-interface.js";
-import type { Overlap, TouchingPair } from "../api/touching-solids.js";
+import { type Overlap, SMALLEST_OVERLAP, type TouchingPair } from "../api/touching-solids.js";
 import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
@@ -8,9 +8,6 @@ import { sixfoldVolume } from "../formats/sixfold-volume.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
 import { short } from "./tables.js";
-
-/** Smallest common volume, relative to the smaller solid: curved faces that touch overlap by their deviation. */
-const SMALLEST_OVERLAP = 1e-3;
 
 /** Significant digits of a volume. */
 const DIGITS = 3;

@@ -11,11 +11,11 @@ import { plural } from "../base/plural.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { InnerShells } from "../generated/constants.js";
-import type { RepairChange, SurfaceRepair } from "../mesh/inspection.js";
+import type { RepairChange, SurfaceInspection, SurfaceRepair } from "../mesh/inspection.js";
 import { joinedBodies, overlappingSolids } from "./overlaps.js";
 import { crackWarning } from "./cracks.js";
 import { hasSolids, withoutRegions } from "./solid-regions.js";
-import { checkedSolids, withSolidRegions } from "./solids.js";
+import { checkedSolids, type Solids, withSolidRegions } from "./solids.js";
 import { numberIn, refuseOptions } from "./input.js";
 import { hasRegionVolumes } from "./regions.js";
 import { diagonalOf } from "../formats/near-points.js";
@@ -74,9 +74,7 @@ export async function repaired(
     const before = await mesher.inspectSurface(withoutRegions(given));
     const found = await mesher.inspectSurface(withoutRegions(surface));
     if (found.isFillable) {
-      const touching = touchingPairs(given.surfaceRegions, before.diagnostics);
-      const overlaps = await overlappingSolids(mesher, given, touching, found);
-      const made = await withSolidRegions(mesher, given, surface, { touching, overlaps });
+      const made = await solidsOfRepair(mesher, given, surface, repair, { before, found });
       return {
         surface: made.surface,
         changes,
@@ -85,18 +83,41 @@ export async function repaired(
       };
     }
   }
+  const joined = await joinedByRepair(mesher, given, surface, repair, options.innerShells);
+  return { surface, changes, repairDeviation, warnings: [...diagnostics, ...joined] };
+}
+
+/** Returns a note if bodies of one region were joined. */
+async function joinedByRepair(
+  mesher: Mesher,
+  given: SurfaceFile,
+  made: SurfaceFile,
+  { changes, surface }: SurfaceRepair,
+  innerShells: InnerShells | undefined,
+): Promise<Diagnostic[]> {
   const isCut = changes.some(({ kind }) => kind === "resolved-intersection");
   const isOneRegion = (given.surfaceRegions?.regions.length ?? 0) < 2;
-  const joined =
-    isCut && isOneRegion
-      ? await joinedBodies(
-          mesher,
-          given,
-          repair.surface,
-          (await mesher.inspectSurface(surface, { innerShells: options.innerShells })).volume,
-        )
-      : [];
-  return { surface, changes, repairDeviation, warnings: [...diagnostics, ...joined] };
+  if (!isCut || !isOneRegion) return [];
+  const { volume } = await mesher.inspectSurface(made, { innerShells });
+  return joinedBodies(mesher, given, surface, volume);
+}
+
+/** Returns the surface after a repair with the regions of its solids. `before` and `found`: inspections, without regions. */
+async function solidsOfRepair(
+  mesher: Mesher,
+  given: SurfaceFile,
+  surface: SurfaceFile,
+  repair: SurfaceRepair,
+  { before, found }: { readonly before: SurfaceInspection; readonly found: SurfaceInspection },
+): Promise<Solids> {
+  const touching = touchingPairs(given.surfaceRegions, before.diagnostics);
+  const isAssigned = repair.surface.givenRegions !== undefined;
+  return isAssigned
+    ? withSolidRegions(mesher, given, surface, { touching, overlaps: [], assigned: repair.sharedVolumes })
+    : withSolidRegions(mesher, given, surface, {
+        touching,
+        overlaps: await overlappingSolids(mesher, given, touching, found),
+      });
 }
 
 /**
@@ -167,20 +188,25 @@ export async function madeFillable(
   if (before.isFillable)
     return hasSolids(given) ? withSolidRegions(mesher, given, given) : { surface: given };
   const weldIntersections = isRemeshed && !isExact ? STEP_HEIGHT * diagonalOf(given.points) : 0;
-  const made = await repaired(mesher, withoutRegions(given), { innerShells, weldIntersections });
-  const surface = withoutFilledPatch(made.surface);
-  const found = await mesher.inspectSurface(surface, { innerShells });
-  const isChanged = made.changes?.length !== 0;
-  const pairs = touchingPairs(given.surfaceRegions, before.diagnostics);
-  const overlaps = await overlappingSolids(mesher, given, pairs, found);
-  const solids =
-    found.isFillable && hasSolids(given)
-      ? await withSolidRegions(mesher, given, surface, { touching: pairs, overlaps })
-      : undefined;
-  const hasHoles = made.changes?.some(({ kind }) => kind === "filled-hole") === true || before.openEdges > 0;
+  const repair = await withinLimit(mesher, given, { innerShells, weldIntersections });
+  const { changes, deviation: repairDeviation, diagnostics } = repair;
+  const made = repairedSurface(withoutRegions(given), repair);
+  const joined = await joinedByRepair(mesher, given, made, repair, innerShells);
+  const surface = withoutFilledPatch(made);
+  const found = await mesher.inspectSurface(withoutRegions(surface), { innerShells });
+  const isChanged = changes.length > 0;
+  const isOfSolids = found.isFillable && hasSolids(given);
+  const solids = isOfSolids
+    ? await solidsOfRepair(mesher, given, surface, repair, { before, found })
+    : undefined;
+  const overlaps = isOfSolids
+    ? []
+    : await overlappingSolids(mesher, given, touchingPairs(given.surfaceRegions, before.diagnostics), found);
+  const hasHoles = changes.some(({ kind }) => kind === "filled-hole") || before.openEdges > 0;
   const cracks = hasHoles && !hasSolids(given) ? await crackWarning(mesher, given, found, innerShells) : [];
   const warnings = [
-    ...(made.warnings ?? []),
+    ...diagnostics,
+    ...joined,
     ...cracks,
     ...(isChanged && solids === undefined && hasRegionVolumes(given) ? [limitsLost()] : []),
     ...(solids?.warnings ?? overlaps.map((overlap) => overlapWarning(given.surfaceRegions, overlap))),
@@ -188,7 +214,7 @@ export async function madeFillable(
   const touching = found.isFillable ? [] : touchingSolids(given.surfaceRegions, found.diagnostics);
   if (touching.length > 0) throw new InvalidInput(input, touching);
   return isChanged || solids !== undefined
-    ? { ...made, surface: solids?.surface ?? surface, warnings }
+    ? { surface: solids?.surface ?? surface, changes, repairDeviation, warnings }
     : { surface: given, warnings };
 }
 

@@ -29,10 +29,10 @@ export interface SolidRegions {
   /** Notes about closed gaps between solids, which stay empty. */
   readonly gaps: readonly Diagnostic[];
   /** Volumes inside several solids. */
-  readonly shared: readonly SharedVolume[];
+  readonly shared: readonly CommonVolume[];
 }
 
-export interface SharedVolume {
+export interface CommonVolume {
   /** Indices of the solids, that of the one that gets the volume first. */
   readonly regions: readonly number[];
   readonly volume: number;
@@ -51,12 +51,13 @@ export function withoutRegions({ givenRegions: _, ...surface }: SurfaceFile): Su
 /**
  * Assigns each volume that `made` encloses to the solid that has it inside, and leaves volumes outside of all solids empty. A
  * volume inside several solids goes to the one with most area around it. `made`: the given surface, or the result of its
- * repair, with the indices of the given triangles; it must be fillable.
+ * repair, with the indices of the given triangles; it must be fillable. `isAssigned`: whether the repair assigned the volumes.
  */
 export async function solidRegions(
   mesher: Mesher,
   given: SurfaceFile,
   made: SurfaceFile,
+  isAssigned: boolean,
 ): Promise<SolidRegions> {
   const { regionPoints: _, givenRegions: __, surfaceRegions: ___, origin: ____, ...plain } = made;
   const { surface: located } = await mesher.locateRegions(plain);
@@ -65,13 +66,16 @@ export async function solidRegions(
     made === given ? t : (made.origin?.[t] ?? NO_ORIGIN),
   );
   const cells = cellsOf(given, located, { cellOf, origins });
-  const regionOf = cells.map(({ inside }) => winnerOf(inside));
+  const assigned = isAssigned ? assignedRegions(made, located, cellOf) : undefined;
+  const regionOf = assigned ?? cells.map(({ inside }) => winnerOf(inside));
   const triangleRegions = cellOf.map((cell) => regionOf[cell] ?? NO_REGION);
-  const shared = cells.flatMap(({ inside, volume, position }, c) => {
-    const first = regionOf[c] ?? NO_REGION;
-    const others = [...inside.keys()].filter((region) => region !== first);
-    return others.length === 0 ? [] : [{ regions: [first, ...others], volume, position }];
-  });
+  const shared = isAssigned
+    ? []
+    : cells.flatMap(({ inside, volume, position }, c) => {
+        const first = regionOf[c] ?? NO_REGION;
+        const others = [...inside.keys()].filter((region) => region !== first);
+        return others.length === 0 ? [] : [{ regions: [first, ...others], volume, position }];
+      });
   const smallest = SMALLEST_GAP * diagonalOf(given.points);
   const gaps = cells.filter((cell) => widthOf(cell) > smallest).flatMap((cell) => gapNote(given, cell));
   const regions = given.surfaceRegions?.regions ?? [];
@@ -85,6 +89,19 @@ export async function solidRegions(
     },
   };
   return { surface: withoutInnerTriangles(whole), gaps, shared };
+}
+
+/** Returns the region of each volume, as the sides of the triangles state it. */
+function assignedRegions(made: SurfaceFile, located: SurfaceFile, cellOf: Uint32Array): number[] {
+  const sides = made.givenRegions?.triangleRegions ?? new Uint32Array();
+  const regionOf: number[] = [];
+  (located.origin ?? []).forEach((from, t) => {
+    for (const k of [0, 1]) {
+      const cell = cellOf[2 * t + k] ?? NO_REGION;
+      if (cell !== NO_REGION) regionOf[cell] = sides[2 * from + k] ?? NO_REGION;
+    }
+  });
+  return regionOf;
 }
 
 interface Sides {

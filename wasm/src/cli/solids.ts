@@ -1,6 +1,7 @@
 /** What becomes of the solids of a surface: regions, overlaps, and gaps between them. */
 import type { Mesher } from "../api/mesher-interface.js";
 import {
+  assignedOverlap,
   mergeWarning,
   type Overlap,
   overlapWarning,
@@ -12,10 +13,11 @@ import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import { NO_REGION } from "../generated/constants.js";
 import type { InnerShells } from "../generated/constants.js";
+import type { SharedVolume } from "../mesh/inspection.js";
 import { InvalidInput } from "./messages.js";
 import { almostTouching } from "./near-solids.js";
 import { solidOf } from "./overlaps.js";
-import { type SharedVolume, solidRegions, withoutRegions } from "./solid-regions.js";
+import { type CommonVolume, solidRegions, withoutRegions } from "./solid-regions.js";
 
 export interface Solids {
   readonly surface: SurfaceFile;
@@ -27,6 +29,8 @@ interface Known {
   /** Pairs whose triangles intersect, and those of them that share a volume. */
   readonly touching: readonly TouchingPair[];
   readonly overlaps: readonly Overlap[];
+  /** What a repair has assigned to one solid of several; undefined if it has assigned nothing. */
+  readonly assigned?: readonly SharedVolume[] | undefined;
 }
 
 /**
@@ -37,9 +41,9 @@ export async function withSolidRegions(
   mesher: Mesher,
   given: SurfaceFile,
   made: SurfaceFile,
-  { touching, overlaps }: Known = { touching: [], overlaps: [] },
+  { touching, overlaps, assigned }: Known = { touching: [], overlaps: [] },
 ): Promise<Solids> {
-  const { surface, gaps, shared } = await solidRegions(mesher, given, made);
+  const { surface, gaps, shared } = await solidRegions(mesher, given, made, assigned !== undefined);
   // Includes NO_REGION, for the outside.
   const left = new Set(surface.surfaceRegions?.triangleRegions);
   const all = [...overlaps, ...shared.flatMap((volume) => overlapsIn(given, volume, overlaps))];
@@ -49,6 +53,7 @@ export async function withSolidRegions(
   // Solids that overlap by next to nothing lose their regions too.
   const isTold = new Set(all.flatMap(({ regions }) => [...regions]));
   const merged = shared.filter(({ regions }) => regions.some((one) => !isLeft(one) && !isTold.has(one)));
+  const told = (assigned ?? []).map((one) => assignedDiagnostic(given, one, isLeft));
   const isKept = made === given && shared.length === 0;
   return {
     surface: isKept ? given : surface,
@@ -56,18 +61,33 @@ export async function withSolidRegions(
       ...all.map((overlap) =>
         overlapWarning(given.surfaceRegions, overlap, { isLeft, into: intoOf(overlap.regions) }),
       ),
+      ...told,
       ...merged.map(({ regions, position }) => mergeWarning(given.surfaceRegions, regions, position)),
       ...gaps,
-      ...almostTouching(surface, [...touching, ...all]),
+      ...almostTouching(surface, [...touching, ...all, ...(assigned ?? [])]),
       ...(left.size > 2 ? sharedFacesNote(surface) : []),
     ],
   };
 }
 
+/** Says which solid got a volume that two shared. */
+function assignedDiagnostic(
+  given: SurfaceFile,
+  { regions, position, volume, depth }: SharedVolume,
+  isLeft: (region: number) => boolean,
+): Diagnostic {
+  const [one, two] = regions.map((region) => solidOf(given, region).volume);
+  const share = volume / Math.min(one ?? 0, two ?? 0);
+  const overlap = { regions, position, volume, share };
+  return isLeft(regions[1])
+    ? assignedOverlap(given.surfaceRegions, overlap, depth)
+    : overlapWarning(given.surfaceRegions, overlap, { isLeft, into: regions[0] });
+}
+
 /** Returns the overlaps of the solids of a shared volume that are not known yet. */
 function overlapsIn(
   given: SurfaceFile,
-  { regions, volume, position }: SharedVolume,
+  { regions, volume, position }: CommonVolume,
   known: readonly Overlap[],
 ): Overlap[] {
   const [first = 0, ...others] = regions;

@@ -114,6 +114,8 @@ export type Question =
       readonly points: Float64Array;
       readonly triangles: Uint32Array;
       readonly options: EngineRepairOptions;
+      /** Two per triangle; empty if the regions are not known. */
+      readonly triangleRegions: Uint32Array;
     }
   /** Grid and options as for `fill-surface`; `volume` is 0 if it is unknown. */
   | {

@@ -191,7 +191,12 @@ function toolFor(tools: Tools, question: ToolQuestion): EngineTool | null {
         question.triangleRegions,
       );
     case "repair-surface":
-      return tools.repairSurface(question.points, question.triangles, question.options);
+      return tools.repairSurface(
+        question.points,
+        question.triangles,
+        question.options,
+        question.triangleRegions,
+      );
     case "refine-surface":
       return tools.refineSurface(
         question.points,

@@ -107,13 +107,27 @@ export type RepairChange = { readonly position: Position } & (
   | { readonly kind: "removed-sheet"; readonly triangle: number }
 );
 
+/** Volume that two given regions shared. */
+export interface SharedVolume {
+  /** Numbers of the regions: the lower one, which got the volume, and the other one. */
+  readonly regions: readonly [first: number, second: number];
+  readonly volume: number;
+  /** Mean width of its largest part, in model units. */
+  readonly depth: number;
+  /** A position on the boundary of this part. */
+  readonly position: Position;
+}
+
 /** Repaired surface. Inspect it: it may still have problems. */
 export interface SurfaceRepair {
+  /** Has `givenRegions` if the given regions shared volumes, and could be separated. */
   readonly surface: SurfaceInput;
   /** Per triangle: its index in the given surface; `NO_ORIGIN` if it fills a hole. */
   readonly origin: Uint32Array;
   /** All changes. */
   readonly changes: readonly RepairChange[];
+  /** What regions shared, if the surface has regions: each volume belongs to one of them now. */
+  readonly sharedVolumes: readonly SharedVolume[];
   /** Largest distance by which a node was moved, in model units; without the rounding of new nodes. */
   readonly deviation: number;
   /** A warning `unresolved-surface` if triangles that intersect, sheets or open edges were to be resolved, and could not be: why and where. */

@@ -1,0 +1,284 @@
+/// Repairs of surfaces whose regions share volumes.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "support/random.h"
+#include "support/shape_building.h"
+#include "support/shapes.h"
+#include "tetrafront/surface_tools.h"
+
+namespace tetrafront::testing {
+namespace {
+
+/// Returns the surfaces in one, each the boundary of a region.
+SurfaceMesh regionsOf(const std::vector<SurfaceMesh>& solids) {
+  SurfaceMesh all;
+  std::uint32_t region = 0;
+  for (const SurfaceMesh& solid : solids) {
+    append(all, solid);
+    for (std::size_t t = 0; t < triangleCount(solid); ++t) {
+      all.triangleRegions.insert(all.triangleRegions.end(), {region, SurfaceMesh::kNoRegion});
+    }
+    ++region;
+  }
+  return all;
+}
+
+SurfaceMesh box(const Vec3& low, const Vec3& high) { return gridBox(low, high, {1, 1, 1}); }
+
+struct Regions {
+  SurfaceRepair repair;
+  SurfaceMesh surface;
+  std::vector<double> volumes;
+};
+
+Regions repairRegions(const SurfaceMesh& given, double weld = 0.0) {
+  RepairOptions options;
+  options.weldIntersections = weld;
+  Regions made;
+  made.repair = repairSurface(given.points, given.triangles, options, given.triangleRegions);
+  made.surface.points = made.repair.points;
+  made.surface.triangles = made.repair.triangles;
+  made.surface.triangleRegions = made.repair.triangleRegions;
+  made.volumes = regionVolumes(made.surface);
+  return made;
+}
+
+/// Expects that the surface can be meshed with its regions, and that triangles come from the given ones.
+void expectFillable(const Regions& made, const SurfaceMesh& given) {
+  SurfaceInspector inspector(made.surface.points, made.surface.triangles, {},
+                             made.surface.triangleRegions);
+  while (!inspector.advance(1U << 20U)) {
+  }
+  const SurfaceInspection& found = inspector.result();
+  EXPECT_TRUE(found.isFillable);
+  EXPECT_EQ(found.flippedTriangles, 0U);
+  ASSERT_EQ(made.repair.origin.size(), triangleCount(made.surface));
+  ASSERT_EQ(made.surface.triangleRegions.size(), 2 * triangleCount(made.surface));
+  for (const std::uint32_t from : made.repair.origin) EXPECT_LT(from, triangleCount(given));
+}
+
+TEST(RepairedRegions, BoxesThatInterfereKeepTheirRegions) {
+  for (const double depth : {0.25, 1e-2, 1e-4, 1e-6, 0x1p-50}) {
+    SCOPED_TRACE(depth);
+    const SurfaceMesh given =
+        regionsOf({box({0, 0, 0}, {1, 1, 1}), box({1 - depth, 0.25, 0.25}, {2, 0.75, 0.5})});
+    const Regions made = repairRegions(given);
+    expectFillable(made, given);
+    ASSERT_EQ(made.volumes.size(), 2U);
+    EXPECT_NEAR(made.volumes[0], 1.0, 1e-14);
+    EXPECT_NEAR(made.volumes[1], 0.125, 1e-14);
+    ASSERT_EQ(made.repair.sharedVolumes.size(), 1U);
+    const SharedVolume& shared = made.repair.sharedVolumes[0];
+    EXPECT_EQ(shared.first, 0U);
+    EXPECT_EQ(shared.second, 1U);
+    EXPECT_NEAR(shared.volume, 0.125 * depth, 1e-15);
+    // 2 V / A of a box of depth x 1/2 x 1/4.
+    EXPECT_NEAR(shared.depth, 0.25 * depth / (0.25 + 1.5 * depth), 1e-15);
+    EXPECT_NEAR(shared.position.x, 1.0 - 0.5 * depth, 0.51 * depth);
+  }
+}
+
+TEST(RepairedRegions, BoxesThatShareALayerOfTheirSectionKeepTheirRegions) {
+  for (const double depth : {0.25, 1e-2, 1e-4, 1e-6}) {
+    SCOPED_TRACE(depth);
+    const SurfaceMesh given =
+        regionsOf({box({0, 0, 0}, {1, 1, 1}), box({1 - depth, 0, 0}, {2, 1, 1})});
+    const Regions made = repairRegions(given);
+    expectFillable(made, given);
+    ASSERT_EQ(made.volumes.size(), 2U);
+    EXPECT_NEAR(made.volumes[0], 1.0, 1e-14);
+    EXPECT_NEAR(made.volumes[1], 1.0, 1e-14);
+  }
+}
+
+/// A weld makes thin steps disappear, and keeps the regions.
+TEST(RepairedRegions, AWeldKeepsTheRegions) {
+  const SurfaceMesh given =
+      regionsOf({box({0, 0, 0}, {1, 1, 1}), box({1 - 1e-4, 0, 0}, {2, 1, 1})});
+  const Regions made = repairRegions(given, 1e-3);
+  expectFillable(made, given);
+  ASSERT_EQ(made.volumes.size(), 2U);
+  EXPECT_NEAR(made.volumes[0], 1.0, 1e-3);
+  EXPECT_NEAR(made.volumes[1], 1.0, 1e-3);
+  EXPECT_EQ(made.repair.sharedVolumes.size(), 1U);
+}
+
+TEST(RepairedRegions, WhatSharesNothingIsRepairedAsWithoutRegions) {
+  const SurfaceMesh given =
+      regionsOf({box({0, 0, 0}, {1, 1, 1}), box({1, 0.25, 0.25}, {2, 0.75, 0.5})});
+  const Regions made = repairRegions(given);
+  const SurfaceRepair plain = repairSurface(given.points, given.triangles, {});
+  EXPECT_TRUE(made.repair.triangleRegions.empty());
+  EXPECT_TRUE(made.repair.sharedVolumes.empty());
+  EXPECT_EQ(made.repair.points, plain.points);
+  EXPECT_EQ(made.repair.triangles, plain.triangles);
+  EXPECT_EQ(made.repair.origin, plain.origin);
+  EXPECT_EQ(made.repair.changes.size(), plain.changes.size());
+}
+
+/// The second body lies wholly inside the first one, and the third one touches neither, in the second's place.
+TEST(RepairedRegions, WhatLiesWhollyInsideIsTold) {
+  const SurfaceMesh given =
+      regionsOf({box({0, 0, 0}, {1, 1, 1}), box({0.25, 0.25, 0.25}, {0.5, 0.5, 0.5}),
+                 box({0.75, 0.5, 0.5}, {1.5, 0.75, 0.75})});
+  const Regions made = repairRegions(given);
+  expectFillable(made, given);
+  ASSERT_EQ(made.volumes.size(), 3U);
+  EXPECT_DOUBLE_EQ(made.volumes[0], 1.0);
+  EXPECT_EQ(made.volumes[1], 0.0);
+  EXPECT_DOUBLE_EQ(made.volumes[2], 1.0 / 32);
+  ASSERT_EQ(made.repair.sharedVolumes.size(), 2U);
+  EXPECT_EQ(made.repair.sharedVolumes[0].second, 1U);
+  EXPECT_DOUBLE_EQ(made.repair.sharedVolumes[0].volume, 1.0 / 64);
+  EXPECT_DOUBLE_EQ(made.repair.sharedVolumes[1].volume, 1.0 / 64);
+}
+
+/// A lower region inside another one keeps its volume.
+TEST(RepairedRegions, ALowerRegionInsideAnotherStays) {
+  const SurfaceMesh given =
+      regionsOf({box({0.25, 0.25, 0.25}, {0.5, 0.5, 0.5}), box({0, 0, 0}, {1, 1, 1}),
+                 box({0.75, 0.5, 0.5}, {1.5, 0.75, 0.75})});
+  const Regions made = repairRegions(given);
+  expectFillable(made, given);
+  ASSERT_EQ(made.volumes.size(), 3U);
+  EXPECT_DOUBLE_EQ(made.volumes[0], 1.0 / 64);
+  EXPECT_DOUBLE_EQ(made.volumes[1], 63.0 / 64);
+  EXPECT_DOUBLE_EQ(made.volumes[2], 1.0 / 32);
+}
+
+/// Boxes on a coarse grid, with common planes and edges, inside one another, and equal ones: the cells of the grid say which
+/// region each volume belongs to.
+TEST(RepairedRegions, RandomBoxesGetTheCellsOfTheLowest) {
+  constexpr int kCells = 4;
+  Random random(11);
+  int resolved = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    SCOPED_TRACE(trial);
+    struct Range {
+      std::array<int, 3> low;
+      std::array<int, 3> high;
+    };
+    std::vector<Range> ranges;
+    std::vector<SurfaceMesh> boxes;
+    const int count = 2 + trial % 3;
+    for (int i = 0; i < count; ++i) {
+      Range range{};
+      Vec3 low(0.0);
+      Vec3 high(0.0);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const int a = static_cast<int>(random.between(0.0, kCells));
+        const int b = static_cast<int>(random.between(0.0, kCells));
+        range.low[axis] = std::min(a, b);
+        range.high[axis] = std::max(a, b) + 1;
+        low[static_cast<int>(axis)] = range.low[axis];
+        high[static_cast<int>(axis)] = range.high[axis];
+      }
+      ranges.push_back(range);
+      boxes.push_back(box(low, high));
+    }
+    std::vector<double> expected(ranges.size(), 0.0);
+    std::vector<double> shared(ranges.size() * ranges.size(), 0.0);
+    for (int cell = 0; cell < kCells * kCells * kCells; ++cell) {
+      const std::array<int, 3> at{cell % kCells, cell / kCells % kCells, cell / kCells / kCells};
+      std::vector<std::size_t> around;
+      for (std::size_t i = 0; i < ranges.size(); ++i) {
+        bool isInside = true;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          isInside = isInside && ranges[i].low[axis] <= at[axis] && at[axis] < ranges[i].high[axis];
+        }
+        if (isInside) around.push_back(i);
+      }
+      if (!around.empty()) expected[around[0]] += 1.0;
+      for (std::size_t k = 1; k < around.size(); ++k) {
+        shared[around[0] * ranges.size() + around[k]] += 1.0;
+      }
+    }
+    const SurfaceMesh given = regionsOf(boxes);
+    Regions made = repairRegions(given);
+    if (made.repair.triangleRegions.empty()) continue;
+    ++resolved;
+    expectFillable(made, given);
+    made.volumes.resize(ranges.size(), 0.0);
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      EXPECT_NEAR(made.volumes[i], expected[i], 1e-12) << i;
+    }
+    double told = 0.0;
+    for (const SharedVolume& pair : made.repair.sharedVolumes) {
+      EXPECT_NEAR(pair.volume, shared[pair.first * ranges.size() + pair.second], 1e-12);
+      told += pair.volume;
+    }
+    double all = 0.0;
+    for (const double volume : shared) all += volume;
+    EXPECT_NEAR(told, all, 1e-12);
+  }
+  EXPECT_GT(resolved, 120);
+}
+
+/// Returns the angle of corner k of a polygon with n corners.
+double angleOf(int k, int n, double turn) { return turn + 2.0 * std::numbers::pi * k / n; }
+
+/// A tube with n sides, from z = low to high; a full cylinder if `inner` is 0.
+SurfaceMesh tube(int n, double inner, double outer, double low, double high, double turn) {
+  SurfaceMesh mesh;
+  const auto ring = [&](double radius, double z) {
+    const auto first = static_cast<std::uint32_t>(nodeCount(mesh));
+    for (int k = 0; k < n; ++k) {
+      const double angle = angleOf(k, n, turn);
+      addPoint(mesh, {radius * std::cos(angle), radius * std::sin(angle), z});
+    }
+    return first;
+  };
+  const auto join = [&](std::uint32_t a, std::uint32_t b) {
+    for (int k = 0; k < n; ++k) {
+      const auto here = static_cast<std::uint32_t>(k);
+      const auto next = static_cast<std::uint32_t>((k + 1) % n);
+      addSquare(mesh, {a + here, a + next, b + next, b + here}, false);
+    }
+  };
+  const std::uint32_t outerLow = ring(outer, low);
+  const std::uint32_t outerHigh = ring(outer, high);
+  join(outerLow, outerHigh);
+  if (inner > 0.0) {
+    const std::uint32_t innerLow = ring(inner, low);
+    const std::uint32_t innerHigh = ring(inner, high);
+    join(outerHigh, innerHigh);
+    join(innerHigh, innerLow);
+    join(innerLow, outerLow);
+    return mesh;
+  }
+  for (int k = 1; k + 1 < n; ++k) {
+    const auto here = static_cast<std::uint32_t>(k);
+    addTriangle(mesh, outerHigh, outerHigh + here, outerHigh + here + 1);
+    addTriangle(mesh, outerLow, outerLow + here + 1, outerLow + here);
+  }
+  return mesh;
+}
+
+/// A pin in its hole, with sides turned by an angle: gaps and shared slivers alternate.
+TEST(RepairedRegions, APinInAHoleWithATurnedSeamKeepsItsRegion) {
+  constexpr int kSides = 48;
+  const double polygon = 0.5 * kSides * std::sin(2.0 * std::numbers::pi / kSides);
+  for (const double turn : {0.03, 0.3}) {
+    SCOPED_TRACE(turn);
+    const SurfaceMesh given =
+        regionsOf({tube(kSides, 1.0, 2.0, 0.0, 1.0, 0.0), tube(kSides, 0.0, 1.0, -0.5, 1.5, turn)});
+    const Regions made = repairRegions(given);
+    expectFillable(made, given);
+    ASSERT_EQ(made.volumes.size(), 2U);
+    EXPECT_NEAR(made.volumes[0], 3.0 * polygon, 1e-9);
+    EXPECT_NEAR(made.volumes[1] + made.repair.sharedVolumes[0].volume, 2.0 * polygon, 1e-9);
+    EXPECT_LT(made.repair.sharedVolumes[0].depth, 1.0 - std::cos(std::numbers::pi / kSides));
+  }
+}
+
+}  // namespace
+}  // namespace tetrafront::testing
