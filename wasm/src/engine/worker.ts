@@ -199,6 +199,7 @@ function toolFor(tools: Tools, question: ToolQuestion): EngineTool | null {
         question.grid,
         question.options,
         question.volume,
+        question.regions,
       );
     case "split-patches":
       return tools.splitPatches(question.points, question.triangles, question.groups, question.angle);
@@ -209,7 +210,7 @@ function toolFor(tools: Tools, question: ToolQuestion): EngineTool | null {
         question.groups,
         question.grid,
         question.options,
-        question.triangleRegions,
+        question.regions,
       );
     case "inspect-mesh":
       return tools.inspectMesh(question.points, question.tetrahedra, question.regions);
