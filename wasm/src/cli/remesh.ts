@@ -144,7 +144,7 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
     await writeAll(files, { input, output, name, isQuiet });
     const { isPartial } = made.remesh;
     if (isPartial) print(`${input}: stopped; the surface made so far is valid, and was written`);
-    if (!isQuiet) print(`${input}: ${remeshText(made.remesh)} -> ${output}`);
+    if (!isQuiet) print(`${input}: ${remeshText(made.remesh, "--json")} -> ${output}`);
     printDiagnostics(input, made.diagnostics, { isQuiet });
     printDiagnostics(output, diagnostics, { isQuiet });
     const isComplete = !isPartial && countOf(diagnostics, "error") === 0;
