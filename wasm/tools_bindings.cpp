@@ -18,7 +18,7 @@ EMSCRIPTEN_BINDINGS(tools) {
 
   registerTypes<Doubles, Indices, double, Model, VolumeMesh, BackgroundGrid, CoverShape,
                 MeshOptions, InspectionOptions, RepairOptions, RemeshOptions, ProposalOptions,
-                BodySurfaces>();
+                BodySurfaces, GivenRegions>();
   registerTypes<SurfaceInspection, MeshInspection, SurfaceRepair, SurfaceRefinement, SurfaceRemesh,
                 PatchSplit, ModelPreview, SizeProposal, RegionLocation, SurfaceSizeProposal,
                 SizeSamples>();
@@ -31,11 +31,11 @@ EMSCRIPTEN_BINDINGS(tools) {
   registerTool<MeshInspector, Doubles, Indices, Indices>("VolumeInspection", "inspectMesh");
   registerTool<SurfaceRepairer, Doubles, Indices, RepairOptions, Indices>("Repair",
                                                                           "repairSurface");
-  registerTool<SurfaceRefiner, Doubles, Indices, BackgroundGrid, MeshOptions, double>(
+  registerTool<SurfaceRefiner, Doubles, Indices, BackgroundGrid, MeshOptions, double, GivenRegions>(
       "Refinement", "refineSurface");
   registerTool<PatchSplitter, Doubles, Indices, Indices, double>("PatchSplitting", "splitPatches");
-  registerTool<SurfaceRemesher, Doubles, Indices, Indices, BackgroundGrid, RemeshOptions, Indices>(
-      "Remesh", "remeshSurface");
+  registerTool<SurfaceRemesher, Doubles, Indices, Indices, BackgroundGrid, RemeshOptions,
+               GivenRegions>("Remesh", "remeshSurface");
   registerTool<ModelPreviewer, Model, BackgroundGrid, MeshOptions>("Preview", "previewModel");
   registerTool<CoveringGridBuilder, Model, double, CoverShape>("Cover", "cover");
   registerTool<SizeProposer, Model, ProposalOptions>("Proposal", "propose");

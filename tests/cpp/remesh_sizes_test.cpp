@@ -61,6 +61,54 @@ TEST(Remesh, SourcesMakeTrianglesSmallerNearThem) {
   EXPECT_LT(nearArea / nearCount, 0.433 * 0.04 * 0.04);
 }
 
+/// Remeshes two cubes with a region each; the left one has a largest volume, 0 for none.
+SurfaceRemesh remeshTwoRegions(double volume, const RemeshOptions& options = {}) {
+  const auto [box, regions] = twoRegions(volume);
+  SurfaceRemesher remesher(box.points, box.triangles, {}, {}, options, regions);
+  while (!remesher.advance(1U << 20U)) {
+  }
+  EXPECT_TRUE(remesher.result().diagnostics.empty());
+  return remesher.result();
+}
+
+TEST(Remesh, TheLargestVolumeOfARegionAppliesToItsOwnTriangles) {
+  constexpr double kVolume = 3e-5;
+  constexpr double kEdge = 0.05;  // for this volume, a little less than its edge length
+  RemeshOptions sized;
+  sized.size = 0.25;
+  for (const RemeshOptions& options : {RemeshOptions{}, sized}) {
+    const HalfShare without = halvesOf(surfaceOf(remeshTwoRegions(0.0, options)));
+    const HalfShare with = halvesOf(surfaceOf(remeshTwoRegions(kVolume, options)));
+    // The left cube with its interface has six sides.
+    EXPECT_GT(static_cast<double>(with.left), 0.75 * 6.0 / (0.433 * kEdge * kEdge));
+    EXPECT_LT(with.longestLeft, 1.6 * kEdge);
+    // Sizes grow by 0.3 per unit of distance from the interface, which has the smaller size.
+    RemeshOptions everywhere = options;
+    everywhere.maxVolume = kVolume;
+    const HalfShare capped = halvesOf(surfaceOf(remeshTwoRegions(0.0, everywhere)));
+    EXPECT_NEAR(static_cast<double>(with.left), static_cast<double>(capped.left),
+                0.1 * static_cast<double>(capped.left));
+    EXPECT_LT(with.right, capped.right / 4);
+    EXPECT_GT(with.longestRight, 0.75 * without.longestRight);
+  }
+}
+
+TEST(Remesh, TrianglesAreWellShapedWhereARegionWithALargestVolumeEnds) {
+  const SurfaceRemesh made = remeshTwoRegions(3e-5);
+  EXPECT_GT(made.smallestAngle, 20.0);
+  EXPECT_GT(made.meanRadiusRatio, 0.8);
+  EXPECT_LT(made.minSize, 0.06);
+}
+
+TEST(Remesh, RegionsWithoutALargestVolumeChangeNothing) {
+  const auto [box, regions] = twoRegions(0.0);
+  const SurfaceRemesh expected = remesh(box);
+  EXPECT_EQ(remeshTwoRegions(0.0).points, expected.points);
+  EXPECT_EQ(remeshTwoRegions(0.0).triangles, expected.triangles);
+  // Far above the volume of any element.
+  EXPECT_EQ(remeshTwoRegions(1e9).triangles, expected.triangles);
+}
+
 /// Number of triangles of a cube remeshed with a source at a corner.
 std::size_t countWithSource(double sizeAtCorner) {
   BackgroundGrid grid;

@@ -251,6 +251,30 @@ TEST(SurfaceRefiner, DoesNotDependOnTheSlices) {
   EXPECT_EQ(sliced.origin, whole.origin);
 }
 
+TEST(SurfaceRefiner, TheLargestVolumeOfARegionAppliesToItsOwnTriangles) {
+  constexpr double kVolume = 3e-5;
+  const auto refined = [](double volume, const MeshOptions& options) {
+    const auto [box, regions] = twoRegions(volume);
+    SurfaceRefiner refiner(box.points, box.triangles, {}, options, 0.0, regions);
+    while (!refiner.advance(1U << 20U)) {
+    }
+    EXPECT_TRUE(refiner.result().diagnostics.empty());
+    return halvesOf(surfaceOf(refiner.result()));
+  };
+  MeshOptions everywhere;
+  everywhere.maxVolume = kVolume;
+  const HalfShare capped = refined(0.0, everywhere);
+  for (const MeshOptions& options : {MeshOptions{}, sized(0.5)}) {
+    const HalfShare without = refined(0.0, options);
+    const HalfShare with = refined(kVolume, options);
+    EXPECT_EQ(with.longestLeft, capped.longestLeft);
+    EXPECT_NEAR(static_cast<double>(with.left), static_cast<double>(capped.left),
+                0.02 * static_cast<double>(capped.left));
+    EXPECT_LT(with.right, capped.right / 4);
+    EXPECT_GE(with.longestRight, 0.7 * without.longestRight);
+  }
+}
+
 TEST(SurfaceRefiner, RefusesTooManyTriangles) {
   const SurfaceMesh cube = gridCube(1);
   for (const double size : {1e-5, 1e-200}) {

@@ -305,6 +305,34 @@ SurfaceMesh dividedBox(std::array<int, 3> counts, int m) {
   return builder.take();
 }
 
+RegionedSurface twoRegions(double maxVolume) {
+  RegionedSurface made{dividedBox({2, 1, 1}, 1), {}};
+  made.regions.maxVolumes = {maxVolume, 0.0};
+  for (std::size_t t = 0; t < triangleCount(made.mesh); ++t) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) sum += pointOf(made.mesh, made.mesh.triangles[3 * t + k]).x;
+    const std::uint32_t back = sum <= 3.0 ? 0 : 1;
+    const std::uint32_t front = sum == 3.0 ? 1 : SurfaceMesh::kNoRegion;
+    made.regions.triangleRegions.insert(made.regions.triangleRegions.end(), {back, front});
+  }
+  return made;
+}
+
+HalfShare halvesOf(const SurfaceMesh& mesh) {
+  HalfShare share;
+  for (std::size_t t = 0; t < triangleCount(mesh); ++t) {
+    std::array<Vec3, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = pointOf(mesh, mesh.triangles[3 * t + k]);
+    const bool isLeft = std::ranges::all_of(corners, [](const Vec3& p) { return p.x <= 1.0; });
+    ++(isLeft ? share.left : share.right);
+    double& longest = isLeft ? share.longestLeft : share.longestRight;
+    for (std::size_t k = 0; k < 3; ++k) {
+      longest = std::max(longest, glm::length(corners[(k + 1) % 3] - corners[k]));
+    }
+  }
+  return share;
+}
+
 SurfaceMesh tetrahedronSurface(const std::array<Vec3, 4>& corners) {
   SurfaceMesh mesh;
   for (const Vec3& p : corners) mesh.points.insert(mesh.points.end(), {p.x, p.y, p.z});

@@ -60,6 +60,23 @@ SurfaceMesh nestedSpheres(int depth, int n);
 /// increasing coordinates; the other triangles face outward.
 SurfaceMesh dividedBox(std::array<int, 3> counts, int m);
 
+struct RegionedSurface {
+  SurfaceMesh mesh;
+  GivenRegions regions;
+};
+/// Two unit cubes beside each other, of two triangles per side. The one up to x = 1 is region 0, with this largest volume; the
+/// other one is region 1.
+RegionedSurface twoRegions(double maxVolume);
+
+/// The triangles up to x = 1 and the others, with their longest edges.
+struct HalfShare {
+  std::size_t left = 0;
+  std::size_t right = 0;
+  double longestLeft = 0.0;
+  double longestRight = 0.0;
+};
+HalfShare halvesOf(const SurfaceMesh& mesh);
+
 /// A tetrahedron with the four given corners in any order, oriented outward.
 SurfaceMesh tetrahedronSurface(const std::array<Vec3, 4>& corners);
 

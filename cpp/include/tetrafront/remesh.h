@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tetrafront/background_grid.h"
+#include "tetrafront/mesh.h"
 #include "tetrafront/options.h"
 #include "tetrafront/sliced_tool.h"
 #include "tetrafront/status.h"
@@ -68,11 +69,13 @@ struct SurfaceRemesh {
   /// Per triangle: a given triangle of the same smooth patch; where the patch is curved, one near it.
   std::vector<std::uint32_t> origin;
   /// Per triangle: its distance from the given surface, the largest of seven samples. For display; `deviation` is the bound.
+  /// Empty if the work was stopped before.
   std::vector<float> triangleDeviation;
   double size = 0.0;       ///< largest target size used
   double minSize = 0.0;    ///< smallest target size used, except at details
   double tolerance = 0.0;  ///< tolerance used
-  /// Upper bound of the distance between the surfaces, both ways; not below the tolerance.
+  /// Upper bound of the distance between the surfaces, both ways; not below the tolerance. If the work was stopped, it is not
+  /// measured, but the tolerance, which every change keeps.
   double deviation = 0.0;
   std::vector<MergedDetail> mergedDetails;  ///< what was dropped, in this order
   std::uint32_t patches = 0;                ///< smooth patches of the given surface
@@ -92,12 +95,12 @@ struct SurfaceRemesh {
 class SurfaceRemesher : public SlicedTool<SurfaceRemesh> {
  public:
   /// Arrays as for MeshRun; they are copied. `groups`: a number per triangle, for example its patch
-  /// in a file, or empty; the lines between groups are kept. `triangleRegions`: as in GivenRegions; known regions replace
-  /// RemeshOptions::innerShells.
+  /// in a file, or empty; the lines between groups are kept. `regions`: as for MeshRun; known regions replace
+  /// RemeshOptions::innerShells. The largest volume of a region caps the sizes of its own triangles, and sizes grow from
+  /// there; the smaller one of both regions applies to an interface.
   SurfaceRemesher(std::span<const double> points, std::span<const std::uint32_t> triangles,
                   std::span<const std::uint32_t> groups, BackgroundGrid grid,
-                  const RemeshOptions& options,
-                  std::span<const std::uint32_t> triangleRegions = {});
+                  const RemeshOptions& options, const GivenRegions& regions = {});
 };
 
 /// Sizes that a remeshing would use, and what results from them.
@@ -114,7 +117,7 @@ struct SurfaceSizeProposal {
 /// Finds the sizes of a remeshing without making it, in slices.
 class SurfaceSizeProposer : public SlicedTool<SurfaceSizeProposal> {
  public:
-  /// As SurfaceRemesher, without a background grid.
+  /// As SurfaceRemesher, without a background grid and largest volumes of regions.
   SurfaceSizeProposer(std::span<const double> points, std::span<const std::uint32_t> triangles,
                       std::span<const std::uint32_t> groups, const RemeshOptions& options,
                       std::span<const std::uint32_t> triangleRegions = {});

@@ -197,9 +197,12 @@ struct SurfaceRefinement {
 class SurfaceRefiner : public SlicedTool<SurfaceRefinement> {
  public:
   /// Arrays as for MeshRun; they are copied. `volume`: volume that the surface encloses, from its inspection; 0 if
-  /// unknown. If it is known, sizes that lead to too many tetrahedra are rejected before anything is split.
+  /// unknown. If it is known, sizes that lead to too many tetrahedra are rejected before anything is split. `regions`: as
+  /// for MeshRun; the largest volume of a region caps the sizes of its own triangles. The smaller one of both regions applies to
+  /// an interface.
   SurfaceRefiner(std::span<const double> points, std::span<const std::uint32_t> triangles,
-                 BackgroundGrid grid, const MeshOptions& options, double volume = 0.0);
+                 BackgroundGrid grid, const MeshOptions& options, double volume = 0.0,
+                 const GivenRegions& regions = {});
 };
 
 /// Range and default of the angle between patches, in degrees.

@@ -60,6 +60,10 @@ class SizeField {
   [[nodiscard]] bool hasRegionCaps() const { return !regionCaps_.empty(); }
   /// Returns the smallest cap of the region and everywhere; infinite without one.
   [[nodiscard]] double capOf(std::uint32_t region) const;
+  /// Returns the region with the smaller cap; the first one if they are the same.
+  [[nodiscard]] std::uint32_t tighterOf(std::uint32_t region, std::uint32_t other) const {
+    return capOf(other) < capOf(region) ? other : region;
+  }
 
   /// Returns the edge length to be made at `position`, > 0. Outside a background grid, it is the value
   /// at the nearest point of the nearest tetrahedron; use covers() to detect this case.

@@ -35,14 +35,39 @@ void copyTriangles(const GuardedSurface& surface, const PassSurface& given, Reme
     const Vec3& point = complex.pointOf(node);
     result.points.insert(result.points.end(), {point.x, point.y, point.z});
   }
-  SampledDeviation deviation(surface);
   for (const TriangleId t : IdRange<TriangleId>(complex.triangleSlots())) {
     if (!complex.isAlive(t)) continue;
     for (const NodeId node : complex.nodesOf(t)) result.triangles.push_back(number[node.index()]);
     result.origin.push_back(given.origin[surface.beneath(t).index()]);
-    result.triangleDeviation.push_back(deviation.of(t));
     pass.patches.push_back(complex.patchOf(t).value);
   }
+}
+
+/// Copies the surface for a result that was stopped before the first change.
+void copyGiven(const PassSurface& given, SurfaceRemesh& result) {
+  result.isPartial = true;
+  result.points = given.mesh.points;
+  result.triangles = given.mesh.triangles;
+  result.origin = given.origin;
+  result.deviation = result.tolerance;
+}
+
+/// Bounds the distance between the surfaces, and samples that of the triangles in the order in which copyTriangles() copies
+/// them.
+Task<> measure(Work& work, const GuardedSurface& surface, SurfaceRemesh& result) {
+  work.beginPart(0.3);
+  DeviationBound bound(surface, result.tolerance);
+  co_await work.finish(bound);
+  result.deviation = bound.bound();
+  work.beginPart(1.0);
+  SampledDeviation deviation(surface);
+  const SurfaceComplex& complex = surface.complex();
+  co_await work.forEachBlock(complex.triangleSlots(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) {
+      if (!complex.isAlive(TriangleId(t))) continue;
+      result.triangleDeviation.push_back(deviation.of(TriangleId(t)));
+    }
+  });
 }
 
 void measureShapes(SurfaceRemesh& result) {
@@ -66,6 +91,18 @@ void measureShapes(SurfaceRemesh& result) {
   std::swap(mesh.triangles, result.triangles);
 }
 
+/// Does a job in the slices of another one; returns false if it was stopped.
+template <class T>
+Task<bool> finishUnlessStopped(Work& work, Job<T>& job, const bool& isStopped) {
+  while (!isStopped) {
+    const bool isFinished = job.advance(work.remaining());
+    work.setFraction(job.fraction());
+    co_await work.yield();
+    if (isFinished) co_return true;
+  }
+  co_return false;
+}
+
 Task<> makeChanges(Work& work, RemeshSchedule& schedule, VolumeCorrection& correction) {
   work.beginPart(0.95);
   co_await schedule.run(work);
@@ -79,7 +116,7 @@ FeatureRules featureRulesOf(const RemeshOptions& options) {
   return {cosineOfDegrees(options.featureAngle), cosineOfDegrees(kCornerDegrees)};
 }
 
-Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const BackgroundGrid& grid,
+Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const GivenSizes& sizes,
                             const RemeshOptions& options, double toleranceShare,
                             const bool& isStopped) {
   work.beginPart(0.05);
@@ -87,11 +124,25 @@ Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const Backgr
   SurfaceRemesh& result = pass.remesh;
   ReferenceSurface reference(surface.mesh, surface.groups, featureRulesOf(options));
   co_await reference.prepare(work);
-  const bool hasTargets = options.size > 0.0 || usesGrid(grid, targetOptions(options));
+  const bool hasTargets = options.size > 0.0 || usesGrid(sizes.grid, targetOptions(options));
   const RemeshLengths lengths = remeshLengthsOf(options, hasTargets, reference.diagonal());
+  result.size = lengths.maxSize;
+  result.minSize = std::min(lengths.minSize, sizes.ofRegions.smallest());
+  result.tolerance = toleranceShare * lengths.tolerance;
+  result.patches = static_cast<std::uint32_t>(reference.patchCount());
+  result.featureLines = static_cast<std::uint32_t>(reference.lines().size());
 
   work.beginPart(0.1);
-  TargetField targets = co_await findTargetField(work, reference, grid, options, lengths);
+  Job<TargetField> finding([&](Work& inner) {
+    return findTargetField(inner, reference, surface.origin, sizes, options, lengths);
+  });
+  const bool areFound = co_await finishUnlessStopped(work, finding, isStopped);
+  if (!areFound) {
+    copyGiven(surface, result);
+    measureShapes(result);
+    co_return pass;
+  }
+  TargetField targets = finding.take();
   result.diagnostics = std::move(targets.diagnostics);
   if (!result.diagnostics.empty()) co_return pass;
 
@@ -99,31 +150,28 @@ Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const Backgr
   SurfaceLimits limits;
   limits.tolerance = toleranceShare * lengths.testedTolerance;
   GuardedSurface guarded(reference, limits, lengths.maxSize);
+  co_await work.yield();
   SurfaceEditor editor(guarded, *targets.sizes);
   co_await work.yield();
   RemeshSchedule schedule(editor);
   VolumeCorrection correction(guarded);
   Job<> changes([&](Work& inner) { return makeChanges(inner, schedule, correction); });
-  bool isFinished = false;
-  while (!isFinished && !isStopped) {
-    isFinished = changes.advance(work.remaining());
-    work.setFraction(changes.fraction());
-    co_await work.yield();
-  }
+  const bool isFinished = co_await finishUnlessStopped(work, changes, isStopped);
 
-  work.beginPart(1.0);
-  result.isPartial = !isFinished;
   copyTriangles(guarded, surface, pass);
   measureShapes(result);
-  result.size = lengths.maxSize;
-  result.minSize = lengths.minSize;
-  result.tolerance = toleranceShare * lengths.tolerance;
-  result.patches = static_cast<std::uint32_t>(reference.patchCount());
-  result.featureLines = static_cast<std::uint32_t>(reference.lines().size());
-  // In the other direction, every change has kept the tolerance.
-  DeviationBound deviation(guarded, result.tolerance);
-  co_await work.finish(deviation);
-  result.deviation = deviation.bound();
+  co_await work.yield();
+  // Every change has kept the tolerance: from the remeshed surface to the given one at every point, in the other direction at
+  // the guests, between which the distance is measured.
+  result.deviation = result.tolerance;
+  bool isMeasured = false;
+  if (isFinished) {
+    work.beginPart(1.0);
+    Job<> measuring([&](Work& inner) { return measure(inner, guarded, result); });
+    isMeasured = co_await finishUnlessStopped(work, measuring, isStopped);
+  }
+  result.isPartial = !isMeasured;
+  if (result.isPartial) result.triangleDeviation.clear();
   co_return pass;
 }
 

@@ -8,7 +8,7 @@
 
 #include "base/task.h"
 #include "remesh/reference_surface.h"
-#include "tetrafront/background_grid.h"
+#include "remesh/remesh_targets.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/remesh.h"
 
@@ -31,7 +31,7 @@ struct RemeshPass {
 /// Remeshes a surface, with all details. Its distance from the surface is at most a share of the tolerance; sizes are those of
 /// the whole tolerance. Everything must outlive the task. Once `isStopped` is true, the surface is returned as it is. Errors
 /// are in the diagnostics of the result.
-Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const BackgroundGrid& grid,
+Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const GivenSizes& sizes,
                             const RemeshOptions& options, double toleranceShare,
                             const bool& isStopped);
 

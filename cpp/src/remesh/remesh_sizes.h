@@ -3,6 +3,7 @@
 /// @file The target size of the triangles that the remesher makes: the given size field, capped by the sizes that the shape
 /// asks for.
 
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "field/size_sites.h"
 #include "field/size_tensor.h"
 #include "remesh/cusps.h"
+#include "remesh/reference_surface.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {
@@ -18,6 +20,19 @@ namespace tetrafront {
 class RemeshSizes {
  public:
   explicit RemeshSizes(SizeField given) : given_(std::move(given)) {}
+
+  /// Names the region whose cap in the size field applies to each smooth patch.
+  void setRegions(std::vector<std::uint32_t> ofPatches) { regions_ = std::move(ofPatches); }
+  [[nodiscard]] bool hasRegions() const { return !regions_.empty(); }
+  /// Returns the region of a smooth patch, for FieldHint::region.
+  [[nodiscard]] std::uint32_t regionOf(SmoothPatchId patch) const {
+    return hasRegions() ? regions_[patch.index()] : FieldHint::kAnyRegion;
+  }
+  /// Returns the one of both regions with the smaller cap.
+  [[nodiscard]] std::uint32_t tighterOf(std::uint32_t region, std::uint32_t other) const {
+    return given_.tighterOf(region, other);
+  }
+  [[nodiscard]] double capOf(std::uint32_t region) const { return given_.capOf(region); }
 
   /// Caps sizes by those that grow from the sites. In a stretched field, the sizes in all directions are capped, but those
   /// along the axis of the site. `axes`: as in ShapeSizes.
@@ -46,6 +61,7 @@ class RemeshSizes {
   [[nodiscard]] double cappedAt(const Vec3& position, double size, Hint& hint) const;
 
   SizeField given_;
+  std::vector<std::uint32_t> regions_;  ///< per smooth patch; empty if no region has a cap
   std::optional<SizeSites> shape_;
   std::vector<Vec3> axes_;  ///< per given site of `shape_`
   CuspSizes cusps_;

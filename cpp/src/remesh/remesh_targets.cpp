@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -47,6 +48,8 @@ constexpr double kCuspTolerance = 1.25;
 constexpr double kCuspPerSize = 1.6;
 /// Relative error of the sizes that the shape asks for.
 constexpr float kSlack = 0.01F;
+/// Upper bound of the sizes placed along lines where regions with a largest volume end.
+constexpr double kMaxRimSites = 1e6;
 /// Sizes sorted per unit of budget.
 constexpr std::size_t kSitesPerUnit = 32;
 /// Area of an equilateral triangle, in squared edge lengths.
@@ -71,6 +74,7 @@ std::vector<double> countExpected(const ReferenceSurface& reference, const Remes
   const bool isStretched = sizes.isStretched();
   for (const ReferenceSurface::Piece& piece : reference.pieces()) {
     double& count = expected[piece.triangle.index()];
+    hint.field.region = sizes.regionOf(reference.patchOf(piece.triangle));
     if (!isStretched) {
       count += trianglesOn(piece.area, sizes.sizeAt(piece.centroid, hint));
       continue;
@@ -117,6 +121,49 @@ Task<std::vector<Cusp>> findLimitedCusps(Work& work, const ReferenceSurface& ref
   co_return cusps;
 }
 
+/// Names the region whose size applies to each smooth patch. All triangles of a patch have the same regions beside them:
+/// more than two triangles meet where others begin.
+std::vector<std::uint32_t> regionsOfPatches(const ReferenceSurface& reference,
+                                            std::span<const std::uint32_t> origin,
+                                            const RegionSizes& sizes) {
+  std::vector<std::uint32_t> regions(reference.patchCount(), FieldHint::kAnyRegion);
+  for (std::size_t t = 0; t < origin.size(); ++t) {
+    regions[reference.patchOf(TriangleId(t)).index()] = sizes.regionOf(origin[t]);
+  }
+  return regions;
+}
+
+/// Adds the sizes of regions at the feature lines where patches with larger sizes begin, so that sizes grow from there.
+void addRegionSizes(const ReferenceSurface& reference, const RemeshSizes& given,
+                    ShapeSizes& sizes) {
+  struct Rim {
+    const FeatureLine* line;
+    double size;
+  };
+  std::vector<Rim> rims;
+  double length = 0.0;
+  for (const FeatureLine& line : reference.lines()) {
+    double smallest = std::numeric_limits<double>::infinity();
+    double largest = 0.0;
+    for (const std::uint32_t patch : line.patches) {
+      const double cap = given.capOf(given.regionOf(SmoothPatchId(patch)));
+      smallest = std::min(smallest, cap);
+      largest = std::max(largest, cap);
+    }
+    if (!(smallest < largest)) continue;
+    rims.push_back({&line, smallest});
+    length += line.length();
+  }
+  for (const auto& [line, size] : rims) {
+    const double step = std::max(size, length / kMaxRimSites);
+    for (double arc = 0.0; arc <= line->length(); arc += step) {
+      sizes.positions.push_back(line->at(arc));
+      sizes.sizes.push_back(size);
+      sizes.axes.emplace_back(0.0);
+    }
+  }
+}
+
 }  // namespace
 
 RemeshLengths remeshLengthsOf(const RemeshOptions& options, bool hasTargets, double diagonal) {
@@ -155,17 +202,21 @@ MeshOptions targetOptions(const RemeshOptions& options) {
 double trianglesOn(double area, double size) { return area / (kTriangleArea * size * size); }
 
 Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
-                                  const BackgroundGrid& grid, const RemeshOptions& options,
-                                  const RemeshLengths& lengths) {
+                                  std::span<const std::uint32_t> origin, const GivenSizes& sizes,
+                                  const RemeshOptions& options, const RemeshLengths& lengths) {
   MeshOptions targets = targetOptions(options);
-  if (!usesGrid(grid, targets)) targets.size = lengths.maxSize;
+  if (!usesGrid(sizes.grid, targets)) targets.size = lengths.maxSize;
   work.beginPart(0.2);
-  TargetSizes given(reference.mesh(), grid, targets, EdgeSizes::kIgnored);
+  TargetSizes given(reference.mesh(), sizes.grid, targets, EdgeSizes::kIgnored);
   co_await work.finish(given);
   TargetField found;
   found.diagnostics = given.diagnostics();
   if (anyError(found.diagnostics)) co_return found;
-  found.sizes.emplace(given.take());
+  SizeField field = given.take();
+  const bool hasRegions = sizes.ofRegions.areGiven();
+  if (hasRegions) sizes.ofRegions.cap(field, options.maxVolume);
+  found.sizes.emplace(std::move(field));
+  if (hasRegions) found.sizes->setRegions(regionsOfPatches(reference, origin, sizes.ofRegions));
   const std::vector<double> ofGiven = countExpected(reference, *found.sizes);
   found.diagnostics = checkTriangleCount(reference, ofGiven, options.maxTriangles);
   if (!found.diagnostics.empty()) co_return found;
@@ -179,15 +230,16 @@ Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
                              kPlannedTolerance * lengths.tolerance,
                              lengths.radiansPerEdge,
                              lengths.layers};
-  ShapeSizes sizes = co_await findShapeSizes(work, reference, rules);
-  if (sizes.positions.empty()) co_return found;
+  ShapeSizes ofShape = co_await findShapeSizes(work, reference, rules);
+  if (hasRegions) addRegionSizes(reference, *found.sizes, ofShape);
+  if (ofShape.positions.empty()) co_return found;
   work.beginPart(0.8);
-  std::vector<Cusp> cusps = co_await findLimitedCusps(work, reference, sizes, options, lengths);
+  std::vector<Cusp> cusps = co_await findLimitedCusps(work, reference, ofShape, options, lengths);
   work.beginPart(1.0);
-  const std::size_t belowMin = sizes.countBelowMin;
-  SizeSites sites(sizes.positions, sizes.sizes, options.growth, kSlack);
+  const std::size_t belowMin = ofShape.countBelowMin;
+  SizeSites sites(ofShape.positions, ofShape.sizes, options.growth, kSlack);
   co_await work.finish(sites, kSitesPerUnit);
-  found.sizes->capTo(std::move(sites), std::move(sizes.axes));
+  found.sizes->capTo(std::move(sites), std::move(ofShape.axes));
   found.sizes->raiseTo(CuspSizes(std::move(cusps)));
   // Counting takes longer than this bound, which only very many small details exceed without need.
   const double most = std::accumulate(ofGiven.begin(), ofGiven.end(), 0.0) +

@@ -2,12 +2,15 @@
 
 /// @file The lengths and the size field of a remeshing, with all automatic values replaced.
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/task.h"
 #include "remesh/reference_surface.h"
 #include "remesh/remesh_sizes.h"
+#include "sizing/region_sizes.h"
 #include "tetrafront/background_grid.h"
 #include "tetrafront/options.h"
 #include "tetrafront/remesh.h"
@@ -38,15 +41,22 @@ struct RemeshLengths {
 /// Returns the number of triangles of one size that cover an area.
 [[nodiscard]] double trianglesOn(double area, double size);
 
+/// Given sizes besides those of the options; both must outlive this.
+struct GivenSizes {
+  const BackgroundGrid& grid;
+  const RegionSizes& ofRegions;  ///< per given triangle
+};
+
 struct TargetField {
   std::optional<RemeshSizes> sizes;
   std::vector<Diagnostic> diagnostics;  ///< not empty if the grid or the sizes cannot be used
 };
 
 /// Makes the size field: given sizes, capped by those of the shape. Too many triangles are refused as soon as the sizes
-/// are known: work on the shape takes longer if they are small. Everything must outlive the task.
+/// are known: work on the shape takes longer if they are small. `origin`: per triangle of the reference surface, the given
+/// one. Everything must outlive the task.
 Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
-                                  const BackgroundGrid& grid, const RemeshOptions& options,
-                                  const RemeshLengths& lengths);
+                                  std::span<const std::uint32_t> origin, const GivenSizes& sizes,
+                                  const RemeshOptions& options, const RemeshLengths& lengths);
 
 }  // namespace tetrafront

@@ -1,9 +1,11 @@
 #include "remesh/surface_editor.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
+#include "field/size_field.h"
 #include "geom/coordinates.h"
 #include "geom/measure.h"
 #include "geom/predicates.h"
@@ -52,19 +54,30 @@ SurfaceEditor::SurfaceEditor(GuardedSurface& surface, const RemeshSizes& sizes)
       sizeHint_(complex_.nodeCount()),
       view_(isStretched_ ? complex_.nodeCount() : 0),
       changed_(complex_.nodeCount(), 0) {
+  std::vector<std::uint32_t> regions(complex_.nodeCount(), FieldHint::kAnyRegion);
+  if (sizes.hasRegions()) {
+    for (const TriangleId t : IdRange<TriangleId>(complex_.triangleSlots())) {
+      for (const NodeId node : complex_.nodesOf(t)) {
+        std::uint32_t& region = regions[node.index()];
+        region = sizes.tighterOf(region, sizes.regionOf(complex_.patchOf(t)));
+      }
+    }
+  }
   RemeshSizes::Hint hint;
   for (const NodeId node : IdRange<NodeId>(complex_.nodeCount())) {
+    hint.field.region = regions[node.index()];
     sizeHint_[node.index()] = hint;
     measureSize(node);
     hint = sizeHint_[node.index()];
   }
 }
 
-/// `near`: a node not far from the new one.
-NodeId SurfaceEditor::addNode(const Vec3& point, NodeKind kind, NodeId near) {
+/// `near`: a node not far from the new one. `region`: as regionAround().
+NodeId SurfaceEditor::addNode(const Vec3& point, NodeKind kind, NodeId near, std::uint32_t region) {
   const NodeId node = surface_.addNode(point, kind);
   size_.emplace_back();
   sizeHint_.push_back(sizeHint_[near.index()]);
+  sizeHint_.back().field.region = region;
   if (isStretched_) view_.emplace_back();
   changed_.push_back(time_);
   measureSize(node);
@@ -98,6 +111,23 @@ void SurfaceEditor::updateSize(NodeId node) {
     return;
   }
   size_[node.index()] = sizes_.sizeNear(complex_.pointOf(node), sizeHint_[node.index()]);
+}
+
+/// Returns the region whose size applies to a node on an edge: the one with the smallest cap among those of the patches.
+std::uint32_t SurfaceEditor::regionAround(std::span<const HalfEdgeId> edge) const {
+  std::uint32_t region = FieldHint::kAnyRegion;
+  for (const HalfEdgeId halfEdge : edge) {
+    const SmoothPatchId patch = complex_.patchOf(triangleOf(halfEdge));
+    region = sizes_.tighterOf(region, sizes_.regionOf(patch));
+  }
+  return region;
+}
+
+/// Measures the size of a node that now is on a line of this region.
+void SurfaceEditor::enterRegion(NodeId node, std::uint32_t region) {
+  if (!sizes_.hasRegions()) return;
+  sizeHint_[node.index()].field.region = region;
+  measureSize(node);
 }
 
 /// Returns true if a node moves so far that its target size must be queried again.
@@ -259,7 +289,8 @@ bool SurfaceEditor::trySplit(NodeId a, NodeId b, const Vec3& position, StretchId
     parts = partsOf(id, a, b, position, arc);
     if (!parts) return false;
   }
-  const NodeId middle = addNode(position, id.isNone() ? NodeKind::kSmooth : NodeKind::kLine, a);
+  const NodeKind kind = id.isNone() ? NodeKind::kSmooth : NodeKind::kLine;
+  const NodeId middle = addNode(position, kind, a, regionAround(edge_));
   change_.clear();
   for (const HalfEdgeId halfEdge : edge_) {
     const TriangleId t = triangleOf(halfEdge);
@@ -310,9 +341,11 @@ bool SurfaceEditor::tryAbsorb(HalfEdgeId cap, HalfEdgeId other) {
   change_.clear();
   change_.removed = {triangleOf(cap), triangleOf(other)};
   change_.added = {{{to, apex, opposite}, patch}, {{apex, from, opposite}, patch}};
+  const std::uint32_t region = regionAround(std::array{cap, other});
   addLineEdges(*parts, apex);
   if (!apply()) return false;
   surface_.putOnLine(apex);
+  enterRegion(apex, region);
   divideStretch(id, *parts, apex);
   return true;
 }

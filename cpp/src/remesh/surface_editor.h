@@ -72,10 +72,12 @@ class SurfaceEditor {
  private:
   using Corners = std::array<Vec3, 3>;
 
-  NodeId addNode(const Vec3& point, NodeKind kind, NodeId near);
+  NodeId addNode(const Vec3& point, NodeKind kind, NodeId near, std::uint32_t region);
   void removeLastNode();
   void measureSize(NodeId node);
   void updateSize(NodeId node);
+  [[nodiscard]] std::uint32_t regionAround(std::span<const HalfEdgeId> edge) const;
+  void enterRegion(NodeId node, std::uint32_t region);
   [[nodiscard]] bool isFarMove() const;
   bool apply(bool coversSame = false);
 

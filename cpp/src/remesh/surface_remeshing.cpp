@@ -24,6 +24,7 @@
 #include "remesh/remesh_targets.h"
 #include "sizing/check_options.h"
 #include "sizing/expected_count.h"
+#include "sizing/region_sizes.h"
 #include "sizing/target_sizes.h"
 
 namespace tetrafront {
@@ -132,16 +133,16 @@ PassSurface nextSurface(const RemeshPass& pass) {
   return surface;
 }
 
-/// Measures the distance of the triangles from the given surface.
+/// Measures the distance of the triangles from the given surface, until it is stopped.
 Task<> measureDeviation(Work& work, SurfaceRemesh& result, const PassSurface& given,
-                        const RemeshOptions& options) {
+                        const RemeshOptions& options, const bool& isStopped) {
   ReferenceSurface reference(given.mesh, given.groups, featureRulesOf(options));
   co_await reference.prepare(work);
   SurfaceMesh made;
   made.points = result.points;
   made.triangles = result.triangles;
   co_await work.forEachBlock(result.origin.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t t = first; t < last; ++t) {
+    for (std::size_t t = first; t < last && !isStopped; ++t) {
       result.triangleDeviation[t] =
           sampledDeviation(reference, cornersOf(made, TriangleId(t)), TriangleId(result.origin[t]),
                            result.tolerance);
@@ -153,7 +154,7 @@ Task<> measureDeviation(Work& work, SurfaceRemesh& result, const PassSurface& gi
 struct Remeshing {
   const PassSurface& given;
   std::span<const std::uint32_t> regions;  ///< beside the given triangles, or nothing
-  const BackgroundGrid& grid;
+  GivenSizes sizes;
   const RemeshOptions& options;
   const bool& isStopped;
 };
@@ -197,7 +198,7 @@ Task<bool> simplify(Work& work, const Remeshing& remeshing, const PassSurface& s
   const double largest =
       std::max(kFewDetails, rule.largestShare * static_cast<double>(surface.origin.size()));
   const auto count = static_cast<double>(merger.merged().size());
-  if (count == 0.0 || count > largest) co_return false;
+  if (count == 0.0 || count > largest || remeshing.isStopped) co_return false;
   PassSurface made;
   std::vector<TriangleId> parents;
   merger.copyTo(made.mesh, parents);
@@ -213,7 +214,7 @@ Task<bool> simplify(Work& work, const Remeshing& remeshing, const PassSurface& s
   simplified.deviation += merger.deviation();
   simplified.merged.insert(simplified.merged.end(), merger.merged().begin(), merger.merged().end());
   work.beginPart(1.0);
-  simplified.pass = co_await remeshOnce(work, made, remeshing.grid, options, rule.toleranceShare,
+  simplified.pass = co_await remeshOnce(work, made, remeshing.sizes, options, rule.toleranceShare,
                                         remeshing.isStopped);
   simplified.deviation += simplified.pass.remesh.deviation;
   co_return true;
@@ -227,7 +228,12 @@ Task<SurfaceRemesh> finish(Work& work, const Remeshing& remeshing, SimplifiedSur
   result.deviation = std::max(simplified.deviation, tolerance);
   result.mergedDetails = std::move(simplified.merged);
   if (isComplete(result)) {
-    co_await measureDeviation(work, result, remeshing.given, remeshing.options);
+    co_await measureDeviation(work, result, remeshing.given, remeshing.options,
+                              remeshing.isStopped);
+  }
+  if (remeshing.isStopped) {
+    result.isPartial = true;
+    result.triangleDeviation.clear();
   }
   co_return result;
 }
@@ -253,8 +259,8 @@ Task<SurfaceRemesh> remeshInSteps(Work& work, const Remeshing& remeshing) {
   const RemeshOptions& options = remeshing.options;
   work.beginPart(0.4);
   SimplifiedSurface simplified;
-  simplified.pass = co_await remeshOnce(work, remeshing.given, remeshing.grid, options, kFirstShare,
-                                        remeshing.isStopped);
+  simplified.pass = co_await remeshOnce(work, remeshing.given, remeshing.sizes, options,
+                                        kFirstShare, remeshing.isStopped);
   const double tolerance = simplified.pass.remesh.tolerance / kFirstShare;
   simplified.deviation = simplified.pass.remesh.deviation;
   const std::uint32_t patches = simplified.pass.remesh.patches;
@@ -282,7 +288,7 @@ Task<SurfaceRemesh> remeshInSteps(Work& work, const Remeshing& remeshing) {
 /// Remeshes a surface in steps if the best result so far has poor triangles. Keeps the better of both.
 Task<> improveInSteps(Work& work, const Remeshing& remeshing, SurfaceRemesh& best) {
   if (remeshing.isStopped) best.isPartial = true;
-  if (!isPoor(best)) co_return;
+  if (remeshing.isStopped || !isPoor(best)) co_return;
   work.beginPart(1.0);
   SurfaceRemesh other = co_await remeshInSteps(work, remeshing);
   best.isPartial = other.isPartial;
@@ -297,7 +303,7 @@ Task<> remeshWithoutChosen(Work& work, const Remeshing& remeshing, SurfaceRemesh
   SurfaceRemesh simplified = co_await remeshSimplified(work, remeshing, rule);
   if (simplified.mergedDetails.empty()) {
     work.beginPart(1.0);
-    RemeshPass plain = co_await remeshOnce(work, remeshing.given, remeshing.grid, options, 1.0,
+    RemeshPass plain = co_await remeshOnce(work, remeshing.given, remeshing.sizes, options, 1.0,
                                            remeshing.isStopped);
     result = std::move(plain.remesh);
   } else {
@@ -310,8 +316,8 @@ Task<> remeshWithoutChosen(Work& work, const Remeshing& remeshing, SurfaceRemesh
 Task<> remeshWithoutPoor(Work& work, const Remeshing& remeshing, SurfaceRemesh& result) {
   const RemeshOptions& options = remeshing.options;
   work.beginPart(options.dropPoorDetails ? 0.4 : 1.0);
-  RemeshPass plain =
-      co_await remeshOnce(work, remeshing.given, remeshing.grid, options, 1.0, remeshing.isStopped);
+  RemeshPass plain = co_await remeshOnce(work, remeshing.given, remeshing.sizes, options, 1.0,
+                                         remeshing.isStopped);
   const bool isPoorInPlaces = isPoor(plain.remesh) && plain.remesh.meanRadiusRatio >= kPoorRatio;
   const double distance = kMergeShare * plain.remesh.tolerance;
   const bool mayDrop = options.dropPoorDetails && isPoorInPlaces;
@@ -330,18 +336,18 @@ Task<> remeshWithoutPoor(Work& work, const Remeshing& remeshing, SurfaceRemesh& 
 }  // namespace
 
 Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std::uint32_t>& groups,
-                                  const BackgroundGrid& grid, const RemeshOptions& options,
+                                  GivenSizes sizes, const RemeshOptions& options,
                                   const bool& isStopped) {
   work.beginPart(0.05);
   const std::vector<std::uint32_t> regions = mesh.triangleRegions;
-  std::vector<Diagnostic> problems = co_await checkInput(work, mesh, grid, options);
+  std::vector<Diagnostic> problems = co_await checkInput(work, mesh, sizes.grid, options);
   if (anyError(problems)) co_return refused(std::move(problems));
   work.beginPart(1.0);
   mesh.triangleRegions = {};
   PassSurface given{std::move(mesh), std::move(groups), {}};
   given.origin.resize(countTriangles(given.mesh));
   std::iota(given.origin.begin(), given.origin.end(), 0U);
-  const Remeshing remeshing{given, regions, grid, options, isStopped};
+  const Remeshing remeshing{given, regions, sizes, options, isStopped};
   SurfaceRemesh result;
   if (options.dropDetails > 0.0) {
     co_await remeshWithoutChosen(work, remeshing, result);
@@ -356,6 +362,8 @@ Task<SurfaceSizeProposal> proposeSurfaceSizes(Work& work, SurfaceMesh& mesh,
                                               std::span<const std::uint32_t> groups,
                                               const RemeshOptions& options) {
   const BackgroundGrid noGrid;
+  const RegionSizes noRegions;
+  const GivenSizes given{noGrid, noRegions};
   SurfaceSizeProposal result;
   work.beginPart(0.1);
   result.diagnostics = co_await checkInput(work, mesh, noGrid, options);
@@ -365,7 +373,7 @@ Task<SurfaceSizeProposal> proposeSurfaceSizes(Work& work, SurfaceMesh& mesh,
   co_await reference.prepare(work);
   const RemeshLengths lengths = remeshLengthsOf(options, options.size > 0.0, reference.diagonal());
   work.beginPart(0.6);
-  TargetField targets = co_await findTargetField(work, reference, noGrid, options, lengths);
+  TargetField targets = co_await findTargetField(work, reference, {}, given, options, lengths);
   result.diagnostics = std::move(targets.diagnostics);
   if (!result.diagnostics.empty()) co_return result;
 
@@ -393,15 +401,17 @@ struct RemeshInput {
   SurfaceMesh mesh;
   std::vector<std::uint32_t> groups;
   BackgroundGrid grid;
+  RegionSizes regionSizes;
   RemeshOptions options;
   bool isStopped = false;
 };
 
 RemeshInput inputOf(std::span<const double> points, std::span<const std::uint32_t> triangles,
                     std::span<const std::uint32_t> groups, BackgroundGrid grid,
-                    const RemeshOptions& options, std::span<const std::uint32_t> triangleRegions) {
+                    const RemeshOptions& options, const GivenRegions& regions) {
   RemeshInput input;
-  input.mesh.triangleRegions.assign(triangleRegions.begin(), triangleRegions.end());
+  input.mesh.triangleRegions = regions.triangleRegions;
+  input.regionSizes = RegionSizes(regions);
   input.mesh.points.assign(points.begin(), points.end());
   input.mesh.triangles.assign(triangles.begin(), triangles.end());
   input.groups.assign(groups.begin(), groups.end());
@@ -415,12 +425,12 @@ RemeshInput inputOf(std::span<const double> points, std::span<const std::uint32_
 SurfaceRemesher::SurfaceRemesher(std::span<const double> points,
                                  std::span<const std::uint32_t> triangles,
                                  std::span<const std::uint32_t> groups, BackgroundGrid grid,
-                                 const RemeshOptions& options,
-                                 std::span<const std::uint32_t> triangleRegions)
+                                 const RemeshOptions& options, const GivenRegions& regions)
     : SlicedTool(makeToolJob<SurfaceRemesh>(
-          inputOf(points, triangles, groups, std::move(grid), options, triangleRegions),
+          inputOf(points, triangles, groups, std::move(grid), options, regions),
           [](Work& work, RemeshInput& input) {
-            return remeshSurface(work, input.mesh, input.groups, input.grid, input.options,
+            const GivenSizes sizes{input.grid, input.regionSizes};
+            return remeshSurface(work, input.mesh, input.groups, sizes, input.options,
                                  input.isStopped);
           })) {}
 
@@ -430,7 +440,8 @@ SurfaceSizeProposer::SurfaceSizeProposer(std::span<const double> points,
                                          const RemeshOptions& options,
                                          std::span<const std::uint32_t> triangleRegions)
     : SlicedTool(makeToolJob<SurfaceSizeProposal>(
-          inputOf(points, triangles, groups, {}, options, triangleRegions),
+          inputOf(points, triangles, groups, {}, options,
+                  {{triangleRegions.begin(), triangleRegions.end()}, {}}),
           [](Work& work, RemeshInput& input) {
             return proposeSurfaceSizes(work, input.mesh, input.groups, input.options);
           })) {}

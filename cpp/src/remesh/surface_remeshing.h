@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/task.h"
-#include "tetrafront/background_grid.h"
+#include "remesh/remesh_targets.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/remesh.h"
 
@@ -17,7 +17,7 @@ namespace tetrafront {
 /// Everything must outlive the task. May reorient triangles of `mesh`, and changes `mesh` and `groups` if details are
 /// dropped. Once `isStopped` is true, the surface is returned as it is.
 Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std::uint32_t>& groups,
-                                  const BackgroundGrid& grid, const RemeshOptions& options,
+                                  GivenSizes sizes, const RemeshOptions& options,
                                   const bool& isStopped);
 
 /// Proposes sizes for the surface. May reorient triangles of `mesh`. Everything must outlive the task.

@@ -8,8 +8,9 @@
 
 namespace tetrafront {
 
-EdgeBisection::EdgeBisection(SurfaceMesh& mesh, const SizeField& field, FieldHint& hint)
-    : mesh_(mesh), field_(field), hint_(hint) {
+EdgeBisection::EdgeBisection(SurfaceMesh& mesh, const SizeField& field, const RegionSizes& regions,
+                             FieldHint& hint)
+    : mesh_(mesh), field_(field), regions_(regions), hint_(hint) {
   for (std::uint32_t t = 0; t < countTriangles(mesh); ++t) origin_.push_back(t);
   const EdgeTable edges(mesh.triangles, countNodes(mesh), {});
   edgeOf_.resize(mesh.triangles.size());
@@ -17,7 +18,11 @@ EdgeBisection::EdgeBisection(SurfaceMesh& mesh, const SizeField& field, FieldHin
   for (std::size_t e = 0; e < edges.edgeCount(); ++e) {
     const std::span<const HalfEdgeId> halfEdges = edges.halfEdgesOf(EdgeId(e));
     const HalfEdgeNodes nodes = nodesOf(mesh.triangles, halfEdges.front());
-    const EdgeId edge = addEdge(nodes.from, nodes.to);
+    std::uint32_t region = FieldHint::kAnyRegion;
+    for (const HalfEdgeId h : halfEdges) {
+      region = field.tighterOf(region, regions.regionOf(triangleOf(h).index()));
+    }
+    const EdgeId edge = addEdge(nodes.from, nodes.to, region);
     for (const HalfEdgeId h : halfEdges) link(edge, h);
   }
 }
@@ -48,6 +53,7 @@ void EdgeBisection::measureEdge(EdgeId edge) {
   Edge& measured = edges_[edge.index()];
   const Vec3 a = pointOf(mesh_, measured.from);
   const Vec3 b = pointOf(mesh_, measured.to);
+  hint_.region = measured.region;
   measured.length = metricLength(field_, a, b, hint_);
   measured.span = field_.isStretched() ? measured.length : glm::length(b - a);
   request(edge, measured.length);
@@ -88,6 +94,7 @@ EdgeId EdgeBisection::longestAround(EdgeId edge) const {
 /// Returns the length of the edge in target lengths at the centroid of the triangle.
 double EdgeBisection::lengthInside(TriangleId triangle, EdgeId edge) {
   const Edge& measured = edges_[edge.index()];
+  hint_.region = regions_.regionOf(origin_[triangle.index()]);
   const Vec3 along = pointOf(mesh_, measured.to) - pointOf(mesh_, measured.from);
   return metricLengthAt(field_, centroidOf(cornersOf(mesh_, triangle)), along, hint_);
 }
@@ -115,9 +122,9 @@ void EdgeBisection::request(EdgeId edge, double length) {
   waiting_.push(edge.value, ~std::bit_cast<std::uint64_t>(length));
 }
 
-EdgeId EdgeBisection::addEdge(NodeId from, NodeId to) {
+EdgeId EdgeBisection::addEdge(NodeId from, NodeId to, std::uint32_t region) {
   const EdgeId edge(edges_.size());
-  edges_.push_back({.from = from, .to = to});
+  edges_.push_back({.from = from, .to = to, .region = region});
   waiting_.reserveIds(edges_.size());
   return edge;
 }
@@ -156,7 +163,7 @@ void EdgeBisection::bisect(EdgeId edge) {
   for (HalfEdgeId h = edges_[edge.index()].first; !h.isNone(); h = nextOnEdge_[h.index()]) {
     around_.push_back(h);
   }
-  const EdgeId second = addEdge(m, b);
+  const EdgeId second = addEdge(m, b, edges_[edge.index()].region);
   edges_[edge.index()].to = m;
   edges_[edge.index()].first = {};
   measureEdge(edge);
@@ -193,7 +200,7 @@ void EdgeBisection::bisectTriangle(HalfEdgeId halfEdge, EdgeId firstHalf, EdgeId
   const bool isAlong = tail == edges_[firstHalf.index()].from;
   link(isAlong ? firstHalf : secondHalf, halfEdge);
   link(isAlong ? secondHalf : firstHalf, addedHalfEdge);
-  const EdgeId across = addEdge(m, apex);
+  const EdgeId across = addEdge(m, apex, regions_.regionOf(origin_[added.index()]));
   link(across, after);
   link(across, addedLast);
   measureEdge(across);

@@ -10,6 +10,7 @@
 #include "boundary/edge_table.h"
 #include "field/size_field.h"
 #include "search/indexed_heap.h"
+#include "sizing/region_sizes.h"
 #include "tetrafront/mesh.h"
 
 namespace tetrafront {
@@ -21,7 +22,9 @@ inline constexpr double kMaxEdgeLength = 1.4142135623730951;
 class EdgeBisection {
  public:
   /// Everything must outlive this object, which changes `mesh`: it appends midpoints and triangles.
-  EdgeBisection(SurfaceMesh& mesh, const SizeField& field, FieldHint& hint);
+  /// `regions`: those whose sizes apply to the given triangles; an edge has the smallest size of its triangles.
+  EdgeBisection(SurfaceMesh& mesh, const SizeField& field, const RegionSizes& regions,
+                FieldHint& hint);
 
   [[nodiscard]] std::size_t edgeCount() const { return edges_.size(); }
   void measureEdges(std::size_t first, std::size_t last);
@@ -46,7 +49,8 @@ class EdgeBisection {
   struct Edge {
     NodeId from;
     NodeId to;
-    HalfEdgeId first{};   ///< first half-edge in the list of the edge
+    HalfEdgeId first{};                            ///< first half-edge in the list of the edge
+    std::uint32_t region = FieldHint::kAnyRegion;  ///< region whose size applies
     double length = 0.0;  ///< in target lengths; 0 if no double lies between the ends
     /// By which the longest edge of a triangle is found: length in space, or `length` in a stretched field.
     double span = 0.0;
@@ -63,12 +67,13 @@ class EdgeBisection {
   void request(EdgeId edge, double length);
   void bisect(EdgeId edge);
   void bisectTriangle(HalfEdgeId halfEdge, EdgeId firstHalf, EdgeId secondHalf);
-  EdgeId addEdge(NodeId from, NodeId to);
+  EdgeId addEdge(NodeId from, NodeId to, std::uint32_t region);
   void link(EdgeId edge, HalfEdgeId halfEdge);
   void relink(EdgeId edge, HalfEdgeId halfEdge, HalfEdgeId replacement);
 
   SurfaceMesh& mesh_;
   const SizeField& field_;
+  const RegionSizes& regions_;
   FieldHint& hint_;
   std::vector<std::uint32_t> origin_;
   std::vector<Edge> edges_;

@@ -76,12 +76,15 @@ struct FoundSizes {
 };
 
 Task<FoundSizes> findSizes(Work& work, const SurfaceMesh& mesh, const BackgroundGrid& grid,
-                           const MeshOptions& options) {
+                           const MeshOptions& options, const RegionSizes& regions) {
   TargetSizes sizes(mesh, grid, options, EdgeSizes::kIgnored);
   co_await work.finish(sizes);
   FoundSizes found;
   found.diagnostics = sizes.diagnostics();
-  if (found.diagnostics.empty()) found.field.emplace(sizes.take());
+  if (found.diagnostics.empty()) {
+    found.field.emplace(sizes.take());
+    if (regions.areGiven()) regions.cap(*found.field, options.maxVolume);
+  }
   co_return found;
 }
 
@@ -111,17 +114,18 @@ void addExpected(TriangleEstimate& estimate, const SurfaceMesh& mesh, TriangleId
 }  // namespace
 
 Task<SurfaceRefinement> refineSurface(Work& work, SurfaceMesh& mesh, const BackgroundGrid& grid,
-                                      const MeshOptions& options, double volume) {
+                                      const MeshOptions& options, const RegionSizes& regions,
+                                      double volume) {
   work.beginPart(0.05);
   std::vector<Diagnostic> problems = co_await check(work, mesh, grid, options);
   if (anyError(problems)) co_return refused(std::move(problems));
-  if (!hasTargetSizes(grid, options)) {
+  if (!hasTargetSizes(grid, options) && !regions.areGiven()) {
     if (problems.empty()) co_return unchanged(mesh);
     co_return refused(std::move(problems));
   }
 
   work.beginPart(0.1);
-  FoundSizes sizes = co_await findSizes(work, mesh, grid, options);
+  FoundSizes sizes = co_await findSizes(work, mesh, grid, options, regions);
   if (!sizes.field) co_return refused(std::move(sizes.diagnostics));
   const SizeField& field = *sizes.field;
   FieldHint hint;
@@ -130,6 +134,7 @@ Task<SurfaceRefinement> refineSurface(Work& work, SurfaceMesh& mesh, const Backg
   TriangleEstimate estimate;
   co_await work.forEachBlock(countTriangles(mesh), [&](std::size_t first, std::size_t last) {
     for (std::size_t t = first; t < last; ++t) {
+      hint.region = regions.regionOf(t);
       addExpected(estimate, mesh, TriangleId(t), field, hint);
     }
   });
@@ -150,7 +155,7 @@ Task<SurfaceRefinement> refineSurface(Work& work, SurfaceMesh& mesh, const Backg
   }
   co_await work.yield();
 
-  EdgeBisection bisection(mesh, field, hint);
+  EdgeBisection bisection(mesh, field, regions, hint);
   co_await work.yield();
   work.beginPart(0.25);
   co_await work.forEachBlock(bisection.edgeCount(), [&](std::size_t first, std::size_t last) {

@@ -28,6 +28,7 @@ struct RefinementInput {
   SurfaceMesh mesh;
   BackgroundGrid grid;
   MeshOptions options;
+  RegionSizes regions;
 };
 
 struct SplitInput {
@@ -66,11 +67,14 @@ SurfaceRepair repairSurface(std::span<const double> points,
 
 SurfaceRefiner::SurfaceRefiner(std::span<const double> points,
                                std::span<const std::uint32_t> triangles, BackgroundGrid grid,
-                               const MeshOptions& options, double volume)
+                               const MeshOptions& options, double volume,
+                               const GivenRegions& regions)
     : SlicedTool(makeToolJob<SurfaceRefinement>(
-          RefinementInput{copyOf(points, triangles), std::move(grid), options},
+          RefinementInput{copyOf(points, triangles), std::move(grid), options,
+                          RegionSizes(regions)},
           [volume](Work& work, RefinementInput& input) {
-            return refineSurface(work, input.mesh, input.grid, input.options, volume);
+            return refineSurface(work, input.mesh, input.grid, input.options, input.regions,
+                                 volume);
           })) {}
 
 PatchSplitter::PatchSplitter(std::span<const double> points,

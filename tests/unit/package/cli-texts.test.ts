@@ -2,6 +2,7 @@
 import { describe, expect, test } from "vitest";
 
 import { patchShapes } from "../../../wasm/src/cli/patch-shapes.js";
+import { type DetailList, remeshText } from "../../../wasm/src/cli/remeshing.js";
 import { angleText, anglesText, boxText } from "../../../wasm/src/cli/tables.js";
 
 describe("angles as text", () => {
@@ -53,5 +54,32 @@ describe("shapes of patches", () => {
       { area: 4, normal: null },
       { area: 0, normal: null },
     ]);
+  });
+});
+
+describe("dropped details as text", () => {
+  const textOf = (details: number, whole: DetailList): string =>
+    remeshText(
+      {
+        ...{ given: 12, triangles: 40, size: 1, minSize: 0.1, tolerance: 0.01, deviation: 0.02 },
+        ...{ patches: 6, featureLines: 12, smallestAngle: 30, meanRadiusRatio: 0.9, isPartial: false },
+        mergedDetails: Array.from({ length: details }, (_, i) => ({ from: [i, 0, 0], onto: [i, 0.5, 0] })),
+      },
+      whole,
+    );
+
+  test("name both positions of the first ones, and the option that lists all", () => {
+    const text = textOf(7, "--json");
+    expect(text).toContain("7 details dropped: (0, 0, 0) onto (0, 0.5, 0), (1, 0, 0) onto (1, 0.5, 0)");
+    expect(text).toContain("(4, 0, 0) onto (4, 0.5, 0), and 2 more (--json lists all 7)");
+    expect(text).not.toContain("(5, 0, 0)");
+    expect(textOf(6, "--report FILE")).toContain(", and 1 more (--report FILE lists all 6)");
+  });
+
+  test("name all of a few", () => {
+    const text = textOf(5, "--json");
+    expect(text).toContain("(4, 0, 0) onto (4, 0.5, 0)");
+    expect(text).not.toContain("more");
+    expect(textOf(0, "--json")).not.toContain("dropped");
   });
 });

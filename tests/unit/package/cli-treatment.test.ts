@@ -1,7 +1,7 @@
 /** What `tetrafront mesh` does with the triangles of a surface if no treatment is given. */
 import { readFileSync } from "node:fs";
 
-import type { MeshReport } from "tetrafront";
+import { type MeshReport, readMesh } from "tetrafront";
 import { expect, test } from "vitest";
 
 import { offFile } from "../../support/surface-files.js";
@@ -95,6 +95,48 @@ test("the volume limit of a region counts as a size", async () => {
   expect(remeshed.report.tetrahedra).toBeGreaterThan(1000);
   expect(remeshed.report.dihedral.min).toBeGreaterThan(10);
 });
+
+/** Two unit cubes beside each other, with a region each; the first one has this largest volume, if any. */
+const twoCubesFile = (limit: string) => {
+  const corner = (x: number, y: number, z: number) => (x * 2 + y) * 2 + z;
+  const xs = [0, 1, 2];
+  const nodes = xs.flatMap((x) => [0, 1].flatMap((y) => [0, 1].map((z) => [corner(x, y, z), x, y, z])));
+  const across = xs.map((x) => [corner(x, 0, 0), corner(x, 1, 0), corner(x, 1, 1), corner(x, 0, 1)]);
+  const along = [0, 1].flatMap((x) =>
+    [0, 1].flatMap((side) => [
+      [corner(x, side, 0), corner(x + 1, side, 0), corner(x + 1, side, 1), corner(x, side, 1)],
+      [corner(x, 0, side), corner(x + 1, 0, side), corner(x + 1, 1, side), corner(x, 1, side)],
+    ]),
+  );
+  const facets = [...across, ...along].map((facet) => ["4", ...facet]);
+  const points = ["0", "2", `1 .5 .5 .5 1 ${limit}`, "2 1.5 .5 .5 2"];
+  const lines = [[nodes.length, 3, 0, 0], ...nodes, [facets.length, 0], ...facets].map((row) =>
+    row.join(" "),
+  );
+  return [...lines, ...points, ""].join("\n");
+};
+
+test.each(["remesh", "refine"])(
+  "the volume limit of a region leaves other regions alone: %s",
+  async (how) => {
+    const counted = async (limit: string) => {
+      save("two.smesh", twoCubesFile(limit));
+      const { report } = await meshedFile("two.smesh", "--surface", how, "--size", "0.2");
+      const read = await readMesh(readFileSync(inFolder("part.vtu")), { fileName: "part.vtu" });
+      if (!read.success) throw new Error(read.errors[0].message);
+      const regions = [...read.value.tetrahedronRegion];
+      const inRegion = (tag: number) =>
+        regions.filter((region) => read.value.regions[region]?.tag === tag).length;
+      return { limited: inRegion(1), other: inRegion(2), smallest: report.dihedral.min };
+    };
+    const without = await counted("");
+    const limited = await counted(".0001");
+    expect(limited.limited).toBeGreaterThan(10_000);
+    // Elements at the interface are small, and the sizes grow from there.
+    expect(limited.other).toBeLessThan(without.other + limited.limited / 8);
+    expect(limited.smallest).toBeGreaterThan(15);
+  },
+);
 
 test("a file that could have region points, but has none, is meshed", async () => {
   save("part.smesh", cubeFile("0\n0\n"));

@@ -84,6 +84,8 @@ const options = engineOptions({ size: 0.05 });
 const inspectionOptions = engineInspectionOptions({ maxDiagnostics: 9 });
 const repairOptions = engineRepairOptions({ weld: 1e-9, fillHoles: 5 });
 
+const noRegions = { triangleRegions: new Uint32Array(), maxVolumes: new Float64Array() };
+
 /** Creates a query of each kind; the arrays of a query belong to it. */
 const queries: Readonly<Record<Question["kind"], (id: number) => Question>> = {
   preview: (id) => ({ kind: "preview", id, model, grid, options }),
@@ -144,6 +146,7 @@ const queries: Readonly<Record<Question["kind"], (id: number) => Question>> = {
     grid: emptyGrid(),
     options,
     volume: 0,
+    regions: noRegions,
   }),
   "split-patches": (id) => ({ kind: "split-patches", id, ...surface, groups: new Uint32Array(), angle: 40 }),
   "remesh-surface": (id) => ({
@@ -153,7 +156,7 @@ const queries: Readonly<Record<Question["kind"], (id: number) => Question>> = {
     groups: new Uint32Array(),
     grid: emptyGrid(),
     options: engineRemeshOptions({ size: 0.2 }),
-    triangleRegions: new Uint32Array(),
+    regions: noRegions,
   }),
   "inspect-mesh": (id) => ({ kind: "inspect-mesh", id, points, tetrahedra, regions: new Uint32Array() }),
   "improve-mesh": (id) => ({

@@ -80,6 +80,11 @@ export function hasRegionPoints({ regionPoints }: Pick<SurfaceInput, "regionPoin
   return regionPoints !== undefined && regionPoints.holes.length + regionPoints.regions.length > 0;
 }
 
+/** Returns whether a region has a largest volume. */
+export function hasRegionVolumes({ givenRegions }: Pick<SurfaceInput, "givenRegions">): boolean {
+  return givenRegions?.maxVolumes.some((volume) => volume > 0) === true;
+}
+
 /** Returns the options with the meaning of inner shells in the file's format, unless they have one. */
 export function withInnerShells<Options extends { readonly innerShells?: InnerShells | undefined }>(
   { regionPoints }: Pick<SurfaceInput, "regionPoints">,

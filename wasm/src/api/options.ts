@@ -288,10 +288,10 @@ export function checkProjectOptions(options: ProjectMeshOptions): Diagnostic[] {
   return checkWithBackground(options, projectMeshSchema);
 }
 
-/** Checks the options of `refineSurface`, which needs sizes. */
-export function checkRefineOptions(options: RefineOptions): Diagnostic[] {
+/** Checks the options of `refineSurface`, which needs sizes. `hasSizes`: the surface has sizes of its own. */
+export function checkRefineOptions(options: RefineOptions, hasSizes: boolean): Diagnostic[] {
   const wrong = checkWithBackground(options, refineSchema);
-  if (wrong.length > 0) return wrong;
+  if (wrong.length > 0 || hasSizes) return wrong;
   const { size, maxVolume, background } = options;
   if ([size, maxVolume, background].some((given) => given !== undefined)) return wrong;
   const message = "no sizes are given for the refinement of the surface";

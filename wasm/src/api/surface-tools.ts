@@ -17,6 +17,7 @@ import { afterPause, beginCall } from "./call-checks.js";
 import {
   checkGroups,
   checkLocatedSurface,
+  hasRegionVolumes,
   withInnerShells,
   checkPatchedSurface,
   checkSurface,
@@ -50,7 +51,7 @@ import {
   engineRepairOptions,
 } from "./options.js";
 import { splitSurface } from "./patch-names.js";
-import { surfaceNamer, triangleRegionsOf } from "./surface-numbers.js";
+import { givenRegionsOf, surfaceNamer, triangleRegionsOf } from "./surface-numbers.js";
 
 /**
  * Calls of a mesher about surfaces. Diagnostics name triangles by their indices in the surface's origin, unless another
@@ -113,7 +114,7 @@ export class SurfaceTools {
     name?: EntityNamer,
   ): Promise<SurfaceRefinement> {
     beginCall(this.#client, control);
-    refuse([...checkSurface(surface), ...checkRefineOptions(options)]);
+    refuse([...checkSurface(surface), ...checkRefineOptions(options, hasRegionVolumes(surface))]);
     const { volume = 0, ...withoutVolume } = options;
     const { background } = withoutVolume;
     const question = {
@@ -124,6 +125,7 @@ export class SurfaceTools {
       grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
       options: engineOptions(withoutVolume),
       volume,
+      regions: givenRegionsOf(surface),
     } as const;
     const refinement = await this.#client.ask(question, control);
     refuse(changeDiagnostics(refinement, name));
@@ -153,7 +155,7 @@ export class SurfaceTools {
       groups,
       grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
       options: engineRemeshOptions(withInnerShells(surface, options)),
-      triangleRegions: triangleRegionsOf(surface),
+      regions: givenRegionsOf(surface),
     } as const;
     const remesh = await this.#client.ask(question, control);
     const found = changeDiagnostics(remesh, name ?? surfaceNamer(surface));

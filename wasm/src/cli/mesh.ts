@@ -246,7 +246,7 @@ export async function meshInput(
   if (taken !== treated && !isQuiet) print(`repair: ${subject}: ${EXACT_REPAIR}`);
   if (taken !== treated && !isQuiet) printChanges(subject, taken);
   if (refinement !== undefined && !isQuiet) print(`${subject}: ${refinementText(refinement)}`);
-  if (remesh !== undefined && !isQuiet) print(`${subject}: ${remeshText(remesh)}`);
+  if (remesh !== undefined && !isQuiet) print(`${subject}: ${remeshText(remesh, "--report FILE")}`);
   if (remesh?.isPartial === true) print(`${subject}: ${REMESHING_STOPPED}`);
   const { diagnostics } = made.result.report;
   printWithGrid({ input: subject, background: options.background }, [...found, ...diagnostics], isQuiet);

@@ -38,24 +38,6 @@ function shellsUnused(): Diagnostic {
   return packageDiagnostic("region-point", message, remedy, "warning");
 }
 
-type WithRegions = Pick<SurfaceFile, "givenRegions">;
-
-const regionVolumes = ({ givenRegions }: WithRegions): number[] =>
-  [...(givenRegions?.maxVolumes ?? [])].filter((volume) => volume > 0);
-
-export const hasRegionVolumes = (surface: WithRegions): boolean => regionVolumes(surface).length > 0;
-
-/** Returns options whose largest volume is at most that of any region. */
-export function withRegionVolumes<Options extends { readonly maxVolume?: number | undefined }>(
-  options: Options,
-  surface: WithRegions,
-): Options {
-  const limits = regionVolumes(surface);
-  return limits.length === 0
-    ? options
-    : { ...options, maxVolume: Math.min(options.maxVolume ?? Infinity, ...limits) };
-}
-
 /** Returns a sentence about points that a command does not use. */
 export function unusedPointLines({ regionPoints }: Pick<SurfaceFile, "regionPoints">): string[] {
   const { holes = [], regions = [] } = regionPoints ?? {};

@@ -39,7 +39,7 @@ import {
   type RepairedSurface,
   repairOptions,
 } from "./repair.js";
-import { located, withRegionVolumes } from "./regions.js";
+import { located } from "./regions.js";
 import type { UnitOptions } from "./units.js";
 import { withRun } from "./run.js";
 import {
@@ -122,7 +122,7 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
       welded,
       hasExact ? () => prepare(true) : undefined,
       ({ surface }) =>
-        remeshed(mesher, surface, withRegionVolumes(withSizes, surface), {
+        remeshed(mesher, surface, withSizes, {
           ...controlOf("remesh"),
           partial: true,
         }),
@@ -144,7 +144,7 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
     await writeAll(files, { input, output, name, isQuiet });
     const { isPartial } = made.remesh;
     if (isPartial) print(`${input}: stopped; the surface made so far is valid, and was written`);
-    if (!isQuiet) print(`${input}: ${remeshText(made.remesh)} -> ${output}`);
+    if (!isQuiet) print(`${input}: ${remeshText(made.remesh, "--json")} -> ${output}`);
     printDiagnostics(input, made.diagnostics, { isQuiet });
     printDiagnostics(output, diagnostics, { isQuiet });
     const isComplete = !isPartial && countOf(diagnostics, "error") === 0;

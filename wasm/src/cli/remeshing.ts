@@ -136,20 +136,25 @@ export function refinementText({ given, triangles, splitEdges }: RefinementCount
 /** Number of significant digits of lengths. */
 const DIGITS = 3;
 const POSITION_DIGITS = 5;
-/** A report lists all of them. */
 const LISTED_DETAILS = 5;
 
-function mergedText(merged: RemeshReport["mergedDetails"]): string {
+/** The option of a command that lists all dropped details. */
+export type DetailList = "--report FILE" | "--json";
+
+function mergedText(merged: RemeshReport["mergedDetails"], whole: DetailList): string {
   const at = (position: readonly number[]) =>
     `(${position.map((coordinate) => short(coordinate, POSITION_DIGITS)).join(", ")})`;
   const moves = merged.slice(0, LISTED_DETAILS).map(({ from, onto }) => `${at(from)} onto ${at(onto)}`);
   const left = merged.length - LISTED_DETAILS;
-  const more = left > 0 ? ` and ${left} more (--report FILE lists all)` : "";
+  const more = left > 0 ? `, and ${left} more (${whole} lists all ${merged.length})` : "";
   return `${plural(merged.length, "detail")} dropped: ${moves.join(", ")}${more}`;
 }
 
-/** Describes a remeshing: triangles, chosen sizes, shapes, and the distance from the given surface. */
-export function remeshText(remesh: RemeshReport): string {
+/**
+ * Describes a remeshing: triangles, chosen sizes, shapes, the distance from the given surface, and the first of the details
+ * that were dropped. `whole`: the option that lists all of them.
+ */
+export function remeshText(remesh: RemeshReport, whole: DetailList): string {
   const { given, triangles, size, minSize, tolerance, deviation, patches, featureLines } = remesh;
   return [
     `remeshed: ${plural(given, "triangle")} before, ${triangles} after`,
@@ -157,6 +162,6 @@ export function remeshText(remesh: RemeshReport): string {
     `${plural(patches, "smooth patch")}, ${plural(featureLines, "feature line")}`,
     `smallest angle ${remesh.smallestAngle.toFixed(1)}°, mean radius ratio ${remesh.meanRadiusRatio.toFixed(3)}`,
     `deviation at most ${short(deviation, DIGITS)} (tolerance ${short(tolerance, DIGITS)})`,
-    ...(remesh.mergedDetails.length === 0 ? [] : [mergedText(remesh.mergedDetails)]),
+    ...(remesh.mergedDetails.length === 0 ? [] : [mergedText(remesh.mergedDetails, whole)]),
   ].join("; ");
 }

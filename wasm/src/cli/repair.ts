@@ -17,7 +17,7 @@ import { crackWarning } from "./cracks.js";
 import { hasSolids, withoutRegions } from "./solid-regions.js";
 import { checkedSolids, type Solids, withSolidRegions } from "./solids.js";
 import { numberIn, refuseOptions } from "./input.js";
-import { hasRegionVolumes } from "./regions.js";
+import { hasRegionVolumes } from "../api/input-checks.js";
 import { diagonalOf } from "../formats/near-points.js";
 import { InvalidInput, print } from "./messages.js";
 import { positionText, short } from "./tables.js";

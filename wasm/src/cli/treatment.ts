@@ -1,4 +1,5 @@
 /** What `tetrafront mesh` does with the triangles of a surface before it fills the surface. */
+import { hasRegionVolumes } from "../api/input-checks.js";
 import type { Mesher } from "../api/mesher-interface.js";
 import type { MeshOptions } from "../api/option-types.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
@@ -14,7 +15,6 @@ import {
   type RemeshReport,
   type SurfaceTreatment,
 } from "./remeshing.js";
-import { hasRegionVolumes, withRegionVolumes } from "./regions.js";
 import type { ControlOf } from "./run.js";
 import { short } from "./tables.js";
 
@@ -43,8 +43,7 @@ export async function treatedSurface(
   given: SurfaceFile,
   wanted: TreatmentOptions,
 ): Promise<TreatedSurface> {
-  const treating = { ...wanted, options: withRegionVolumes(wanted.options, given) };
-  const { treatment, remeshing, options, controlOf } = treating;
+  const { treatment, remeshing, options, controlOf } = wanted;
   switch (treatment) {
     case "keep":
       return { surface: given };
@@ -54,11 +53,13 @@ export async function treatedSurface(
         partial: true,
       });
     case "refine": {
-      const { found, refine } = await inspected(mesher, given, treating);
+      const { found, refine } = await inspected(mesher, given, wanted);
       return found.isFillable ? refine() : { surface: given, invalid: found.diagnostics };
     }
     case undefined:
-      return hasSizes(options) ? withSmallerTriangles(mesher, given, treating) : { surface: given };
+      return hasSizes(options) || hasRegionVolumes(given)
+        ? withSmallerTriangles(mesher, given, wanted)
+        : { surface: given };
   }
 }
 
@@ -77,10 +78,8 @@ async function inspected(
 ): Promise<{ readonly found: SurfaceInspection; readonly refine: () => ReturnType<typeof refined> }> {
   const { innerShells } = options;
   const found = await mesher.inspectSurface(given, { innerShells }, controlOf());
-  // The volume helps to estimate the number of elements only if the orientation of all triangles is known, and the
-  // sizes are not those of one region.
-  const isKnown = found.flippedTriangles === 0 && !hasRegionVolumes(given);
-  const volume = isKnown ? found.volume : undefined;
+  // The volume helps to estimate the number of elements only if the orientation of all triangles is known.
+  const volume = found.flippedTriangles === 0 ? found.volume : undefined;
   return { found, refine: () => refined(mesher, given, { ...options, volume }, controlOf()) };
 }
 

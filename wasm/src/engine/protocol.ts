@@ -98,7 +98,7 @@ export type Question =
       readonly triangles: Uint32Array;
       readonly positions: Float64Array;
     }
-  /** `groups`, `triangleRegions`: as for `remesh-surface`. */
+  /** `groups` as for `remesh-surface`; `triangleRegions` as for `inspect-surface`. */
   | {
       readonly kind: "propose-surface";
       readonly id: number;
@@ -117,7 +117,7 @@ export type Question =
       /** Two per triangle; empty if the regions are not known. */
       readonly triangleRegions: Uint32Array;
     }
-  /** Grid and options as for `fill-surface`; `volume` is 0 if it is unknown. */
+  /** Grid, options and regions as for `fill-surface`; `volume` is 0 if it is unknown. */
   | {
       readonly kind: "refine-surface";
       readonly id: number;
@@ -126,6 +126,7 @@ export type Question =
       readonly grid: GridArrays;
       readonly options: EngineOptions;
       readonly volume: number;
+      readonly regions: GivenRegions;
     }
   /** `groups`: as for `remesh-surface`. `angle`: degrees. */
   | {
@@ -136,7 +137,7 @@ export type Question =
       readonly groups: Uint32Array;
       readonly angle: number;
     }
-  /** Grid as for `fill-surface`. `groups`: per triangle, its patch; empty if all are in one. */
+  /** Grid and regions as for `fill-surface`. `groups`: per triangle, its patch; empty if all are in one. */
   | {
       readonly kind: "remesh-surface";
       readonly id: number;
@@ -145,8 +146,7 @@ export type Question =
       readonly groups: Uint32Array;
       readonly grid: GridArrays;
       readonly options: EngineRemeshOptions;
-      /** As in `GivenRegions`, or empty. */
-      readonly triangleRegions: Uint32Array;
+      readonly regions: GivenRegions;
     }
   /** Without regions, all elements are in one. */
   | {

@@ -204,6 +204,7 @@ function toolFor(tools: Tools, question: ToolQuestion): EngineTool | null {
         question.grid,
         question.options,
         question.volume,
+        question.regions,
       );
     case "split-patches":
       return tools.splitPatches(question.points, question.triangles, question.groups, question.angle);
@@ -214,7 +215,7 @@ function toolFor(tools: Tools, question: ToolQuestion): EngineTool | null {
         question.groups,
         question.grid,
         question.options,
-        question.triangleRegions,
+        question.regions,
       );
     case "inspect-mesh":
       return tools.inspectMesh(question.points, question.tetrahedra, question.regions);
