@@ -89,9 +89,34 @@ test("Ctrl K pressed before the palette has loaded opens it as soon as it has", 
   await page.keyboard.press("x");
   release();
   await expect(palette).toBeFocused();
+  await expect(palette).toHaveValue("x");
+  await page.keyboard.type("yz");
+  await expect(palette).toHaveValue("xyz");
   await page.keyboard.press("Control+k");
   await expect(palette).toBeHidden();
   await expect(page.getByRole("switch", { name: "Cut" })).not.toBeChecked();
+});
+
+test("what is typed right after Ctrl K finds and runs a command, from a field, too", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByRole("tab", { name: "Display" }).click();
+  const plain = page.getByRole("radio", { name: "Plain" });
+  await expect(plain).not.toBeChecked();
+  const filter = page.getByLabel("Filter (name, type, id)");
+  await filter.focus();
+  // In one task, so that the palette cannot have the focus.
+  await page.evaluate(() => {
+    const press = (key: string, ctrlKey = false) =>
+      document.activeElement?.dispatchEvent(
+        new KeyboardEvent("keydown", { key, code: key, ctrlKey, bubbles: true, cancelable: true }),
+      );
+    press("k", true);
+    for (const key of ["p", "l", "a", "x", "Backspace", "i", "n", " ", "s", "h", "Enter"]) press(key);
+  });
+  await expect(plain).toBeChecked();
+  await expect(filter).toHaveValue("");
+  await expect(page.getByRole("dialog", { name: "Search commands" })).toBeHidden();
 });
 
 test("hotkeys keep working if the palette cannot be loaded", async ({ page }) => {

@@ -12,12 +12,12 @@ import {
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { nextBodyIds } from "../document/body-edits";
 import { preparedKey } from "../document/content-keys";
-import { defaultRepair, type RepairProposal, type RepairWishes } from "../document/body-repair";
+import { defaultRepair, placedVolume, type RepairProposal, type RepairWishes } from "../document/body-repair";
 import { bodiesOf } from "../document/entities";
 import { nextTurn } from "../document/slices";
 import type { PatchArrays } from "../document/patch-arrays";
 import { SurfaceClient, type LoadedSurface, type NewBody } from "../workers/surface-files";
-import { BodyPairs } from "./touching-bodies";
+import { BodyPairs, type GivenBody } from "./touching-bodies";
 import { BodyPreparations, type Preparation } from "./body-preparations";
 import { canCompare, comparedRepair, proposedRepair } from "./body-repairs";
 import { BodySurfaces } from "./body-surfaces";
@@ -56,6 +56,15 @@ export const isFillable = ({ inspection }: BodyState): boolean => inspection?.is
 /** Whether a body can be filled as it is, or after the proposed repair. */
 export const canBeFilled = (state: BodyState): boolean =>
   isFillable(state) || state.repair?.after.isFillable === true;
+
+/** Returns the bodies that can be filled as they are. */
+export function fillableBodies(states: Iterable<BodyState>): GivenBody[] {
+  return [...states].flatMap(({ body, loaded, inspection }) =>
+    loaded && inspection?.isFillable === true
+      ? [{ body, surface: loaded.surface, volume: placedVolume(inspection.volume, body) }]
+      : [],
+  );
+}
 
 /** A proposed split of patches by angle. */
 export interface BodySplit {

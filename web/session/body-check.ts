@@ -4,9 +4,8 @@ import { meshKey, namesKey } from "../document/content-keys";
 import { engineInput } from "../document/engine-input";
 import { bodiesOf, recordsOf } from "../document/entities";
 import { strings } from "../strings";
-import type { BodyFeed } from "./bodies";
+import { fillableBodies, type BodyFeed } from "./bodies";
 import { settledProject, type DocumentStore } from "./document-store";
-import { fillableBodies } from "./touching-bodies";
 
 export interface BodyCheckState {
   /** Key of the project that was checked last; null before the first check. */

@@ -1,12 +1,6 @@
 import { type Mesher, type Project, type ProjectBody, repairedSurface } from "tetrafront";
 import { nextBodyIds, usedPatches } from "../document/body-edits";
-import {
-  joinedRepairs,
-  placedVolume,
-  sharedAbove,
-  weldBeforeRemeshing,
-  withRepairs,
-} from "../document/body-repair";
+import { joinedRepairs, sharedAbove, weldBeforeRemeshing, withRepairs } from "../document/body-repair";
 import { placedSurfaceKey } from "../document/content-keys";
 import { boxOf } from "../document/drawn-surface";
 import {
@@ -19,7 +13,6 @@ import {
 } from "../document/touching-bodies";
 import { strings } from "../strings";
 import type { PatchArrays } from "../document/patch-arrays";
-import type { BodyState } from "./bodies";
 
 /** A body and its given triangles, which are not placed. */
 export interface GivenBody {
@@ -27,15 +20,6 @@ export interface GivenBody {
   readonly surface: PatchArrays;
   /** What it encloses at its placement. */
   readonly volume: number;
-}
-
-/** Returns the bodies that can be filled as they are. */
-export function fillableBodies(states: Iterable<BodyState>): GivenBody[] {
-  return [...states].flatMap(({ body, loaded, inspection }) =>
-    loaded && inspection?.isFillable === true
-      ? [{ body, surface: loaded.surface, volume: placedVolume(inspection.volume, body) }]
-      : [],
-  );
 }
 
 /** Bodies that touch or intersect, directly or through others. */

@@ -3,6 +3,8 @@ import { LIMITS } from "tetrafront";
 /** Names of the steps of undo: verb and object. */
 export const stepNames = {
   move: (entity: string) => `Move ${entity}`,
+  rotate: (entity: string) => `Rotate ${entity}`,
+  scale: (entity: string) => `Scale ${entity}`,
   rename: (entity: string) => `Rename ${entity}`,
   renameProject: "Rename project",
   setLineType: (id: number) => `Change type of line ${id}`,

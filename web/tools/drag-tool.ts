@@ -5,7 +5,7 @@ import type { Position } from "../document/position";
 import type { ViewStore } from "../document/selection";
 import { translation } from "../document/transforms/affine";
 import { selectedParts } from "../document/transforms/selected-parts";
-import { offerTransform } from "../document/transforms/transform";
+import { offerTransform, transformStep } from "../document/transforms/transform";
 import {
   axisDirections,
   dot,
@@ -19,7 +19,7 @@ import {
 } from "../document/vectors";
 import { onLine, onPlane, roundStep, roundTo } from "../document/work-plane";
 import type { DocumentStore } from "../session/document-store";
-import { operationStrings, strings } from "../strings";
+import { strings } from "../strings";
 import { formatPosition } from "../ui/format";
 import type { Layer } from "../viewer/layers/layer";
 import type { Viewer } from "../viewer/viewer";
@@ -48,8 +48,6 @@ interface Drag {
   /** What does not move, to snap to. */
   readonly targets: SnapTargets;
 }
-
-const label = operationStrings.transforms.move.step;
 
 /** Moves per arrow key, in the axes of the work plane. */
 const directions: Readonly<Record<string, Position>> = {
@@ -149,7 +147,10 @@ export class DragTool implements Tool {
     const { documents, view } = this.#stores;
     const map = translation(this.#fromPlane(scale(direction, steps * this.#step)));
     const { selection } = view.state.getState();
-    const offer = offerTransform(documents.project, selection, map, { label, join: false });
+    const offer = offerTransform(documents.project, selection, map, {
+      label: transformStep("move", selection),
+      join: false,
+    });
     if (offer.possible) documents.edit({ ...offer.creation.edit, mergeKey: "nudge" });
     return offer.possible;
   }
@@ -164,7 +165,8 @@ export class DragTool implements Tool {
     const { project } = documents;
     const selection = this.#selectionFor(project, target);
     if (!selection) return null;
-    if (!offerTransform(project, selection, translation(zero), { label, join: false }).possible) return null;
+    const none = { label: "", join: false };
+    if (!offerTransform(project, selection, translation(zero), none).possible) return null;
     const held = target.kind === "point" ? findRecord(project, "point", target.id)?.position : undefined;
     const start = held ?? hit.position;
     const { ray } = viewer.seenFrom(pointer.at);

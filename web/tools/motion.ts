@@ -7,11 +7,10 @@ import { quantityPosition } from "../document/quantity-positions";
 import type { ViewStore } from "../document/selection";
 import type { HandleMode } from "../document/tools";
 import { translation, type Affine } from "../document/transforms/affine";
-import { offerTransform } from "../document/transforms/transform";
+import { offerTransform, transformStep } from "../document/transforms/transform";
 import { unit, zero } from "../document/vectors";
 import { projectNumbers } from "../document/length-units";
 import type { DocumentStore, Gesture } from "../session/document-store";
-import { operationStrings } from "../strings";
 import type { ScreenPoint } from "../viewer/screen";
 import type { Viewer } from "../viewer/viewer";
 import type { Drawing, DrawingState, TypedInput } from "./drawing/drawing";
@@ -47,10 +46,8 @@ interface Run extends MotionStart {
   dragged: Affine | null;
 }
 
-const labels: { readonly [M in HandleMode]: string } = {
-  translate: operationStrings.transforms.move.step,
-  rotate: operationStrings.transforms.rotate.step,
-  scale: operationStrings.transforms.scale.step,
+const changes = { translate: "move", rotate: "rotate", scale: "scale" } as const satisfies {
+  [M in HandleMode]: string;
 };
 
 /**
@@ -220,7 +217,7 @@ export class Motion implements TypedInput {
   /** Shows what a motion gives, or says why it is not possible. */
   #show(run: Run, map: Affine, join: boolean): Offer {
     const { documents, drawing } = this.#stores;
-    const label = labels[run.mode];
+    const label = transformStep(changes[run.mode], run.selection);
     const offer = offerTransform(run.project, run.selection, map, { label, join });
     if (offer.possible) {
       run.gesture ??= documents.begin(label);

@@ -114,7 +114,9 @@ export class SurfaceTools {
     name?: EntityNamer,
   ): Promise<SurfaceRefinement> {
     beginCall(this.#client, control);
-    refuse([...checkSurface(surface), ...checkRefineOptions(options, hasRegionVolumes(surface))]);
+    const wrong = checkSurface(surface);
+    const limitsSizes = wrong.length > 0 || hasRegionVolumes(surface);
+    refuse([...wrong, ...checkRefineOptions(options, limitsSizes)]);
     const { volume = 0, ...withoutVolume } = options;
     const { background } = withoutVolume;
     const question = {

@@ -7,7 +7,7 @@ import type { Affine } from "../transforms/affine";
 import { typedReflection, typedRotation, typedScaling, typedTranslation } from "../transforms/typed-maps";
 import { middleOf } from "../transforms/middle";
 import { offerCopies } from "../transforms/copies";
-import { offerTransform } from "../transforms/transform";
+import { offerTransform, transformStep } from "../transforms/transform";
 import { unit, worldFrame } from "../vectors";
 import { wholeNumber } from "./number-specs";
 import {
@@ -92,7 +92,7 @@ const move = transformOperation({
   fields: [position("offset", labels.offset), copiesField],
   make: (subject, { copies, join }, typed) =>
     moveOrCopy(subject, (i) => typedTranslation(scaleQuantities(typed.position("offset"), i)), copies, {
-      label: copies > 0 ? texts.duplicate.step : texts.move.step,
+      label: copies > 0 ? texts.duplicate.step : transformStep("move", subject.selection),
       join,
     }),
 });
@@ -116,7 +116,7 @@ const rotate = transformOperation({
     if (!unit(axis)) return refuse(operationStrings.noDirection);
     const [about, along] = [typed.position("centre"), typed.position("axis")];
     const map = (i: number): Affine => typedRotation(about, along, times(i, typed.number("angle")));
-    return moveOrCopy(subject, map, copies, { label: texts.rotate.step, join });
+    return moveOrCopy(subject, map, copies, { label: transformStep("rotate", subject.selection), join });
   },
 });
 
@@ -130,7 +130,7 @@ const scaling = transformOperation({
   fields: [position("centre", labels.centre), position("factors", labels.factors)],
   make: ({ project, selection }, { join }, typed) => {
     const map = typedScaling(typed.position("centre"), typed.position("factors"));
-    return offerTransform(project, selection, map, { label: texts.scale.step, join });
+    return offerTransform(project, selection, map, { label: transformStep("scale", selection), join });
   },
 });
 

@@ -1,9 +1,10 @@
 import type { BodyPlacement, Project } from "tetrafront";
 import type { Offer } from "../create";
+import { nounOf } from "../draft-records";
 import type { Entity } from "../entities";
 import { combined, noRotation } from "../placement";
 import type { Position } from "../position";
-import { operationStrings } from "../../strings";
+import { operationStrings, stepNames } from "../../strings";
 import { determinant, keepsCircles, mapDirection, mapPosition, meanFactor, type Affine } from "./affine";
 import { joinPoints, replacing } from "./join-points";
 import { forgotten, hasExpressions, keptInstead, mappedExpressions, type Image } from "./mapped-expressions";
@@ -15,6 +16,13 @@ export interface TransformOptions {
   readonly label: string;
   /** Share points, lines and patches that coincide afterwards. */
   readonly join: boolean;
+}
+
+/** Returns the name of the step of undo for a change of a selection. */
+export function transformStep(change: "move" | "rotate" | "scale", selection: readonly Entity[]): string {
+  const [only, ...others] = selection;
+  const isOne = only !== undefined && others.length === 0;
+  return isOne ? stepNames[change](nounOf(only.kind, only.id)) : operationStrings.transforms[change].step;
 }
 
 /** Offers to transform the selected entities and all that they are built on. */

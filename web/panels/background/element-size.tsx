@@ -10,7 +10,7 @@ import { formatCount } from "../../ui/format";
 import { NumberField } from "../../ui/fields/number-field";
 import { strings } from "../../strings";
 import { useApp, useProject, useView } from "../shared/app-context";
-import { useEditedSetting } from "../inspector/use-edited-setting";
+import { useEditedSetting } from "../shared/use-edited-setting";
 import { aboveZero, sizeStep, unitsOf, upTo } from "../shared/size-fields";
 import { SectionTitle } from "../../ui/frames/section-title";
 

@@ -14,7 +14,7 @@ import { NumberRow } from "../../ui/fields/number-row";
 import { strings } from "../../strings";
 import { useApp, useProject } from "../shared/app-context";
 import { ChoiceSetting, SettingHint } from "./choice-setting";
-import { useEditedSetting } from "./use-edited-setting";
+import { useEditedSetting } from "../shared/use-edited-setting";
 import styles from "./mesh-settings.module.css";
 
 const texts = strings.meshing;

@@ -1,6 +1,6 @@
 import { useEffect, useRef, type RefObject } from "react";
 import type { EditedSetting } from "../../session/shell";
-import { useApp, useShell } from "../shared/app-context";
+import { useApp, useShell } from "./app-context";
 
 /** Moves the focus to the field of a setting, in the returned element, when the shell asks for it. */
 export function useEditedSetting(setting: EditedSetting): RefObject<HTMLDivElement | null> {
