@@ -92,9 +92,10 @@ void DeviationBound::findNeighbours() {
 }
 
 bool DeviationBound::advance(std::size_t budget) {
-  const auto [first, last] = take(budget);
-  for (std::size_t i = first; i < last; ++i) {
-    const TriangleId t(i);
+  parts_ = 0;
+  while (!isPassDone() && parts_ < budget) {
+    ++parts_;
+    const TriangleId t(take(1).first);
     const SmoothPatchId patch = reference_.patchOf(t);
     if (!reference_.patch(patch).isPlanar) {
       measure(cornersOf(reference_.mesh(), t), patch, above_[t.index()], 0);
@@ -176,6 +177,7 @@ std::optional<Cut> DeviationBound::findCut(const Corners& corners, TriangleId tr
 
 void DeviationBound::measure(const Corners& corners, SmoothPatchId patch, TriangleId guess,
                              int depth) {
+  ++parts_;
   const Vec3 centroid = (corners[0] + corners[1] + corners[2]) / 3.0;
   TriangleId t = guess.isNone() ? nearest(centroid, patch, {}) : walk(centroid, guess);
   double bound = boundBy(corners, t);

@@ -27,7 +27,7 @@ class DeviationBound : public Resumable {
   /// `surface` must outlive this. `least`: the bound is not made smaller. O(n log n).
   DeviationBound(const GuardedSurface& surface, double least);
 
-  /// Visits about `budget` given triangles; true when finished.
+  /// Visits given triangles until about `budget` parts are measured; true when finished.
   bool advance(std::size_t budget);
 
   [[nodiscard]] double bound() const { return bound_; }
@@ -48,6 +48,7 @@ class DeviationBound : public Resumable {
   const SurfaceComplex& complex_;
   const ReferenceSurface& reference_;
   double bound_;
+  std::size_t parts_ = 0;  ///< measured in this slice
   std::vector<TriangleFrame>
       frames_;  ///< per triangle of the remeshed surface; empty in planar patches
   std::vector<TriangleId> above_;  ///< per given triangle: a remeshed one above it or near, or none

@@ -100,8 +100,64 @@ bool GuardedSurface::apply(const SurfaceChange& change, bool coversSame) {
 bool GuardedSurface::isAdmitted(bool coversSame) {
   measureAdded();
   return isThickEnough() && facesAsReference() && keepsCreases() &&
-         (coversSame || isInOnePlane() || !grid_.intersect(numbered_)) && isInEnvelope() &&
-         findHosts();
+         (coversSame || isInOnePlane() || isFreeOfIntersections()) && isInEnvelope() && findHosts();
+}
+
+bool GuardedSurface::isFreeOfIntersections() {
+  uncovered_.clear();
+  for (const NumberedTriangle& triangle : numbered_) {
+    if (!isCovered(triangle)) uncovered_.push_back(triangle);
+  }
+  return !grid_.intersect(numbered_, uncovered_);
+}
+
+/// Returns true if an added triangle b c d is exactly in one plane across an axis with two removed triangles, a b c and a c d, that
+/// face the same way and cover it. In a fan of needles, this is cheaper than a test of each needle.
+bool GuardedSurface::isCovered(const NumberedTriangle& added) const {
+  if (change_->removed.size() < 2 || !change_->moved.isNone()) return false;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double level = added.corners[0][axis];
+    const double facing = facingAlong(added.corners, axis, level);
+    if (facing == 0.0) continue;
+    std::array<TriangleId, 2> beneath{};
+    std::size_t count = 0;
+    for (const TriangleId t : change_->removed) {
+      if (facingAlong(complex_.cornersOf(t), axis, level) * facing <= 0.0) continue;
+      if (count == beneath.size()) return false;
+      beneath[count++] = t;
+    }
+    return count == beneath.size() && doCover(beneath, added, axis, facing);
+  }
+  return false;
+}
+
+/// Returns true if two triangles a b c and a c d cover the triangle b c d: if a b d faces the same way, too.
+bool GuardedSurface::doCover(const std::array<TriangleId, 2>& beneath,
+                             const NumberedTriangle& added, int axis, double facing) const {
+  const auto cornerOf = [&](NodeId node) {
+    return static_cast<std::size_t>(std::ranges::find(added.nodes, node.value) -
+                                    added.nodes.begin());
+  };
+  NodeId a{};
+  std::array<std::size_t, 3> uses{};
+  for (const TriangleId t : beneath) {
+    std::size_t others = 0;
+    for (const NodeId node : complex_.nodesOf(t)) {
+      const std::size_t k = cornerOf(node);
+      if (k < 3) {
+        ++uses[k];
+        continue;
+      }
+      if (++others > 1 || !(a.isNone() || a == node)) return false;
+      a = node;
+    }
+  }
+  const auto c = static_cast<std::size_t>(std::ranges::find(uses, 2U) - uses.begin());
+  if (a.isNone() || c == 3 || uses[(c + 1) % 3] != 1 || uses[(c + 2) % 3] != 1) return false;
+  const auto flat = [axis](const Vec3& p) { return Vec2(p[(axis + 1) % 3], p[(axis + 2) % 3]); };
+  const int turn = orient2d(flat(complex_.pointOf(a)), flat(added.corners[(c + 2) % 3]),
+                            flat(added.corners[(c + 1) % 3]));
+  return turn * facing >= 0.0;
 }
 
 /// Returns true if all removed and added triangles are exactly in one plane across an axis and face the same way. Both

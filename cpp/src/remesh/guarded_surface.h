@@ -103,6 +103,10 @@ class GuardedSurface {
   [[nodiscard]] FeatureLineId lineOf(NodeId a, NodeId b) const;
   [[nodiscard]] bool keepsCrease(NodeId a, NodeId b, FeatureLineId line);
   [[nodiscard]] bool isInOnePlane() const;
+  [[nodiscard]] bool isFreeOfIntersections();
+  [[nodiscard]] bool isCovered(const NumberedTriangle& added) const;
+  [[nodiscard]] bool doCover(const std::array<TriangleId, 2>& beneath,
+                             const NumberedTriangle& added, int axis, double facing) const;
   [[nodiscard]] bool isInEnvelope();
   [[nodiscard]] bool findHosts();
   [[nodiscard]] TriangleId hintFor(std::size_t added) const;
@@ -123,6 +127,7 @@ class GuardedSurface {
   // Scratch of apply(): data of the added triangles, in their order.
   const SurfaceChange* change_ = nullptr;
   std::vector<NumberedTriangle> numbered_;
+  std::vector<NumberedTriangle> uncovered_;  ///< those of numbered_ that others may intersect
   std::vector<NearestPoint> below_;  ///< of the centroid; in planar patches only the triangle
   std::vector<PatchFacetId> overNow_;
   std::vector<std::pair<GuestId, std::size_t>> hosts_;  ///< guest, index of the added triangle

@@ -25,6 +25,9 @@ constexpr double kApexCosine = 0.70710678;
 /// triangle.
 constexpr double kPieceLength = 1.0 / 60.0;
 constexpr int kMaxHalvings = 8;
+/// Number of pieces beside one per triangle above which pieces are made longer: a hundred thousand needles would have
+/// millions.
+constexpr std::size_t kMaxPieces = 1'000'000;
 /// Steps of a walk between neighbouring triangles, after which the tree is faster.
 constexpr int kMaxSteps = 24;
 
@@ -74,8 +77,10 @@ Task<> ReferenceSurface::prepare(Work& work) {
   traceLines(edges);
   co_await work.yield();
   std::vector<Box> boxes;
-  for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh_))) {
-    divide(t, cornersOf(mesh_, t), kMaxHalvings, boxes);
+  pieceLength_ = kPieceLength * diagonal_;
+  while (!divideAll(boxes)) {
+    pieceLength_ *= 2.0;
+    co_await work.yield();
   }
   co_await work.yield();
   BoxTreeBuilder builder(std::move(boxes));
@@ -320,13 +325,24 @@ void ReferenceSurface::traceLine(NodeId from, const Arm& first, const EdgeTable&
   lines_.push_back(std::move(line));
 }
 
+/// Divides all triangles into pieces. Returns false if the pieces would be too many.
+bool ReferenceSurface::divideAll(std::vector<Box>& boxes) {
+  boxes.clear();
+  pieces_.clear();
+  for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh_))) {
+    divide(t, cornersOf(mesh_, t), kMaxHalvings, boxes);
+    if (pieces_.size() > kMaxPieces + t.index()) return false;
+  }
+  return true;
+}
+
 void ReferenceSurface::divide(TriangleId triangle, const std::array<Vec3, 3>& corners, int depth,
                               std::vector<Box>& boxes) {
   const std::uint32_t k = longestEdgeOf(corners);
   const Vec3& a = corners[k];
   const Vec3& b = corners[(k + 1) % 3];
   const Vec3& c = corners[(k + 2) % 3];
-  if (depth == 0 || glm::length(b - a) <= kPieceLength * diagonal_) {
+  if (depth == 0 || glm::length(b - a) <= pieceLength_) {
     Box box = Box::of(a, b, c);
     // Midpoints are rounded, but the boxes of the pieces must contain the whole triangle.
     const Vec3 margin(1e-15 * largestCoordinate_);

@@ -140,6 +140,7 @@ class ReferenceSurface {
     const std::uint32_t begin = armBegins_[node.index()];
     return std::span(arms_).subspan(begin, armBegins_[node.index() + 1] - begin);
   }
+  [[nodiscard]] bool divideAll(std::vector<Box>& boxes);
   void divide(TriangleId triangle, const std::array<Vec3, 3>& corners, int depth,
               std::vector<Box>& boxes);
   [[nodiscard]] NearestPoint walk(const Vec3& position, TriangleId from) const;
@@ -162,6 +163,7 @@ class ReferenceSurface {
   std::vector<std::uint32_t> armBegins_;
   std::vector<std::uint8_t> isTraced_;  ///< per edge of the table
   std::vector<FeatureLine> lines_;
+  double pieceLength_ = 0.0;  ///< longest piece of a triangle
   std::vector<Piece> pieces_;
   BoxTree tree_;
 

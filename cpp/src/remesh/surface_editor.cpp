@@ -19,8 +19,10 @@ namespace {
 constexpr double kNearMove = 0.05;
 /// Height / tolerance up to which the apex of a cap may be absorbed by the feature line beneath it.
 constexpr double kAbsorbedHeight = 0.05;
-/// Length / tolerance of an edge whose nodes nearly coincide: a collapse does not change the lengths of other edges.
+/// Length / tolerance of an edge whose nodes nearly coincide, and length / target length of one that is far too short: a collapse
+/// hardly changes the lengths of other edges. Long needles are thus collapsed, before splits would multiply them.
 constexpr double kTinyEdge = 1e-3;
+constexpr double kFarTooShort = 0.03;
 /// Smallest relative gain of a squared sine that justifies a flip; with any gain, rounding could flip an edge for ever.
 constexpr double kLeastFlipGain = 1e-3;
 /// Squared sine of an angle below which the gain of a flip is rounding.
@@ -402,9 +404,9 @@ bool SurfaceEditor::collapse(NodeId a, NodeId b, const CollapseRule& rule) {
   };
   // The collapse would merge two feature edges, and one of two lines would be lost.
   if (isLine && isApex(other)) return false;
-  // Between nodes that nearly coincide, no edge becomes longer.
   const bool isTiny =
-      glm::length(complex_.pointOf(b) - complex_.pointOf(a)) <= kTinyEdge * surface_.tolerance();
+      glm::length(complex_.pointOf(b) - complex_.pointOf(a)) <= kTinyEdge * surface_.tolerance() ||
+      lengthOf(a, b) <= kFarTooShort;
   for (const NodeId node : ringA_) {
     if (!isTiny && node != b && !isApex(node) && lengthOf(node, b) > rule.longest) return false;
   }

@@ -36,10 +36,11 @@ void TriangleGrid::setHidden(std::span<const TriangleId> triangles, bool isHidde
   for (const TriangleId t : triangles) isHidden_[t.index()] = isHidden ? 1 : 0;
 }
 
-bool TriangleGrid::intersect(std::span<const NumberedTriangle> triangles) {
+bool TriangleGrid::intersect(std::span<const NumberedTriangle> triangles,
+                             std::span<const NumberedTriangle> uncovered) {
   if (triangles.empty()) return false;
   separation_.begin(triangles);
-  return intersectEachOther(triangles) || intersectsAny(triangles);
+  return intersectEachOther(triangles) || (!uncovered.empty() && intersectsAny(uncovered));
 }
 
 bool TriangleGrid::intersectEachOther(std::span<const NumberedTriangle> triangles) {

@@ -39,7 +39,12 @@ class TriangleGrid {
 
   /// Returns whether one of the triangles intersects another one, or one in the grid, beyond the nodes and edges that they
   /// share. Exact.
-  [[nodiscard]] bool intersect(std::span<const NumberedTriangle> triangles);
+  [[nodiscard]] bool intersect(std::span<const NumberedTriangle> triangles) {
+    return intersect(triangles, triangles);
+  }
+  /// The same, if only `uncovered` of the triangles can intersect one in the grid.
+  [[nodiscard]] bool intersect(std::span<const NumberedTriangle> triangles,
+                               std::span<const NumberedTriangle> uncovered);
 
  private:
   [[nodiscard]] bool intersectEachOther(std::span<const NumberedTriangle> triangles);
