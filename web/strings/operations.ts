@@ -115,7 +115,12 @@ export const operationStrings = {
       centre: "Centre",
     },
   },
-  paste: { title: "Paste", step: "Paste" },
+  paste: {
+    title: "Paste",
+    step: "Paste",
+    numbersKept:
+      "The project does not have the parameters of the expressions, or they have other values here: the numbers are pasted.",
+  },
   transforms: {
     move: { title: "Move or copy", step: "Move selection" },
     duplicate: { title: "Duplicate", step: "Copy selection" },

@@ -10,7 +10,10 @@ import { strings } from "../../strings";
 import { useApp, useDocument, useRun, useView } from "../shared/app-context";
 import { type EarlyKeys, paletteStore, takeEarlyKeys } from "../shared/palette";
 
-/** The command palette: every command that is enabled; a query also finds entities, examples, templates and settings. */
+/**
+ * The command palette: every command that is enabled; a query also finds entities, examples, templates and settings, and
+ * disabled commands with what they need.
+ */
 export function CommandPalette() {
   const app = useApp();
   // Keep the text here: a palette that is reopened while it closes would keep the old text.
@@ -26,11 +29,13 @@ export function CommandPalette() {
   const { listed, found } = opened ? paletteItems(app) : nothing;
   const actions = inGroups(searchPalette(query, listed, found)).map(({ group, items }) => ({
     group,
-    actions: items.map(({ id, label, hotkey, run, takesFocus = false }) => ({
+    actions: items.map(({ id, label, hotkey, needs, run, takesFocus = false }) => ({
       id,
       label,
+      ...(needs !== null && { description: needs, "aria-disabled": true, closeSpotlightOnTrigger: false }),
       rightSection: hotkey === null ? null : <Kbd size="xs">{keyNames(hotkey).join(" ")}</Kbd>,
       onClick: () => {
+        if (needs !== null) return;
         setReturnsFocus(!takesFocus);
         run();
       },
