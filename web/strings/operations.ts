@@ -73,6 +73,9 @@ export const operationStrings = {
   longExpressions: "The expressions are too long to be kept: the piece will not follow its parameters.",
   numbersKept:
     "The expressions are too long to be kept, or bodies or planes cannot follow them. The numbers are kept: they will not follow parameters.",
+  fullTurn: "A full turn stays one: its angle does not follow parameters.",
+  count: (count: number) =>
+    `Taken as the number ${count}: how many there are does not follow parameters, because each is an entity of its own.`,
   imprint: {
     overlaps: (count: number) =>
       `Overlaps ${count === 1 ? "1 face" : `${count} faces`} of the model. Share touching faces for one watertight model with several regions, or use a Boolean operation afterwards.`,
