@@ -8,6 +8,7 @@ import { inGroups, searchPalette } from "../../commands/palette-search";
 import { keyNames } from "../../commands/registry";
 import { strings } from "../../strings";
 import { useApp, useDocument, useRun, useView } from "../shared/app-context";
+import styles from "./command-palette.module.css";
 import { type EarlyKeys, paletteStore, takeEarlyKeys } from "../shared/palette";
 
 /**
@@ -32,7 +33,12 @@ export function CommandPalette() {
     actions: items.map(({ id, label, hotkey, needs, run, takesFocus = false }) => ({
       id,
       label,
-      ...(needs !== null && { description: needs, "aria-disabled": true, closeSpotlightOnTrigger: false }),
+      ...(needs !== null && {
+        description: needs,
+        "aria-disabled": true,
+        className: styles["disabled"],
+        closeSpotlightOnTrigger: false,
+      }),
       rightSection: hotkey === null ? null : <Kbd size="xs">{keyNames(hotkey).join(" ")}</Kbd>,
       onClick: () => {
         if (needs !== null) return;
