@@ -1,5 +1,5 @@
-import { SegmentedControl, Switch, Text } from "@mantine/core";
-import { useState } from "react";
+import { Box, SegmentedControl, Switch, Text } from "@mantine/core";
+import { useState, type ReactNode } from "react";
 import type { FieldSpec, FieldValue, NumberSpec, TypedNumber } from "../../document/operations/operation";
 import type { Position } from "../../document/position";
 import type { OpenOperation } from "../../session/operations";
@@ -62,7 +62,7 @@ export function OperationField({ spec, open }: OperationFieldProps) {
     case "choice":
       return (
         typeof value === "string" && (
-          <FieldRow label={label}>
+          <ChoiceRow label={label} isWide={spec.choices.length > 2}>
             <SegmentedControl
               size="xs"
               fullWidth
@@ -72,7 +72,7 @@ export function OperationField({ spec, open }: OperationFieldProps) {
               data-testid={testId}
               onChange={set}
             />
-          </FieldRow>
+          </ChoiceRow>
         )
       );
     case "switch":
@@ -87,6 +87,17 @@ export function OperationField({ spec, open }: OperationFieldProps) {
         />
       );
   }
+}
+
+interface ChoiceRowProps {
+  readonly label: string;
+  /** Whether the choices need the width of the panel. The label is then that of the control. */
+  readonly isWide: boolean;
+  readonly children: ReactNode;
+}
+
+function ChoiceRow({ label, isWide, children }: ChoiceRowProps) {
+  return isWide ? <Box mb={6}>{children}</Box> : <FieldRow label={label}>{children}</FieldRow>;
 }
 
 interface NumberValueProps {
