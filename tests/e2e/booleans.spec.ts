@@ -76,6 +76,13 @@ test("a box is cut out of a box: points, lines and patches again, as one step of
   await page.keyboard.press("Control+a");
   await start(page, "Difference of two bodies");
   await expect(page.getByTestId("operation-note")).toContainText("planar patches again");
+  // The chosen operation has the focus, and no name of one is cut off.
+  await expect(page.getByRole("radio", { name: "Difference" })).toBeFocused();
+  const clipped = await page
+    .getByTestId("operation")
+    .locator("label")
+    .evaluateAll((labels) => labels.filter((label) => label.scrollWidth > label.clientWidth).length);
+  expect(clipped).toBe(0);
   await accept(page);
   await expect(app.viewport).toHaveAttribute("data-points", "16");
   await expect(app.viewport).toHaveAttribute("data-lines", "24");

@@ -151,6 +151,22 @@ test("the palette finds a command by words in any order", async ({ page }) => {
   await expect(page.getByRole("radio", { name: "Plain" })).toBeChecked();
 });
 
+test("the palette finds disabled commands with what they need, and does not run them", async ({ page }) => {
+  const app = new AppPage(page);
+  await page.goto("./?test=1&new=1");
+  await expect(app.viewport).toHaveAttribute("data-points", "0");
+  await page.keyboard.press("Control+k");
+  const box = page.getByRole("dialog");
+  await page.keyboard.type("export");
+  const first = box.getByRole("button", { name: /Download mesh as VTU/ });
+  await expect(first).toContainText("Generate a mesh first.");
+  await expect(first).toHaveAttribute("aria-disabled", "true");
+  await page.keyboard.press("Enter");
+  await expect(box).toBeVisible();
+  await page.keyboard.press("Escape");
+  await expect(box).toBeHidden();
+});
+
 test("a numeric setting that is chosen in the palette has its field focused", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();

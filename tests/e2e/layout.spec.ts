@@ -41,6 +41,44 @@ test("on a phone the panels are drawers, and everything needed can be reached", 
   await expect(page.getByRole("dialog")).toBeHidden();
 });
 
+test("on a phone the model is as large as before when a panel is closed, unless the view was zoomed", async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  const app = new AppPage(page);
+  await app.openCube();
+  const height = async (): Promise<number> => {
+    const [low, high] = [await app.at([0.5, 0.5, 0]), await app.at([0.5, 0.5, 1])];
+    return low.y - high.y;
+  };
+  const before = await height();
+  const withPanel = async (act: () => Promise<void>): Promise<void> => {
+    const whole = await app.viewport.boundingBox();
+    await page.getByTestId("drawer-right").click();
+    await expect.poll(async () => (await height()) < 0.8 * before).toBe(true);
+    await act();
+    await page.getByRole("button", { name: "Close" }).click();
+    await expect.poll(() => app.viewport.boundingBox()).toEqual(whole);
+  };
+  await withPanel(async () => {
+    // Names of patches and positions of elements are large enough for a finger.
+    await page.getByRole("tab", { name: "Quality" }).click();
+    const buttons = page.getByRole("table").getByRole("button");
+    await expect(buttons.first()).toBeVisible();
+    const heights = await buttons.evaluateAll((all) => all.map((one) => one.getBoundingClientRect().height));
+    expect(Math.min(...heights)).toBeGreaterThanOrEqual(24);
+  });
+  await expect.poll(height).toBeCloseTo(before, 0);
+
+  const { x, y } = await app.at([0.5, 0.5, 0.5]);
+  await page.mouse.move(x, y);
+  await page.mouse.wheel(0, 400);
+  await expect.poll(height).toBeLessThan(0.9 * before);
+  const zoomed = await height();
+  await withPanel(() => Promise.resolve());
+  await expect.poll(height).toBeCloseTo(zoomed, 0);
+});
+
 test("on a phone a new piece is in view as a whole, beside the column of tools", async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   const app = new AppPage(page);

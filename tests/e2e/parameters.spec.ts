@@ -9,8 +9,11 @@ import { dropBytes } from "./drop-bytes";
 test("a parameter moves the points whose coordinates use it; the file keeps it", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
-  await app.page.getByTestId("new-parameter-name").fill("height");
-  await app.page.getByTestId("new-parameter-expression").fill("3/2");
+  // An equation typed into the first field goes on in the second.
+  await page.getByTestId("new-parameter-name").focus();
+  await page.keyboard.type("height = 3/2");
+  await expect(page.getByTestId("new-parameter-name")).toHaveValue("height");
+  await expect(page.getByTestId("new-parameter-expression")).toBeFocused();
   await page.keyboard.press("Enter");
   await expect(page.getByTestId("parameter-value-height")).toHaveText("1.5");
   await expect(page.getByTestId("new-parameter-name")).toBeFocused();

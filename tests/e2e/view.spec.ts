@@ -243,7 +243,7 @@ test("a double click on an entity edits it, from any tab; beside the model it fi
   await expect(page.getByTestId("entity-name")).toBeFocused();
   await page.getByTestId("viewport-canvas").focus();
   await nextFrame(app.viewport, () => page.keyboard.press("Shift+F"));
-  await expect.poll(async () => (await edge()).right).toBeGreaterThan(3 * whole);
+  await expect.poll(async () => (await edge()).right).toBeGreaterThan(2 * whole);
   const box = await app.viewport.boundingBox();
   if (!box) throw new Error("The view has no box");
   // Beside the column of tools.

@@ -3,7 +3,7 @@ import type { App } from "../app/app";
 import { newBrush } from "../document/brush";
 import { bodiesOf, bodyOfEntity } from "../document/entities";
 import { isFillable } from "../session/bodies";
-import { commandLabels } from "../strings";
+import { commandLabels, paletteStrings } from "../strings";
 import { define, type Command } from "./command";
 import { previewSplit, repairBody } from "./surface-actions";
 
@@ -55,8 +55,12 @@ function repairableSubject(app: App): ProjectBody | undefined {
 
 /** Commands for the given triangles of a body: those of its card that are used most. */
 export const bodyCommands: readonly Command[] = [
-  define("mesh", 4)("split-patches", commandLabels.splitPatches, splitSubject, { enabled: hasSubject }),
+  define("mesh", 4)("split-patches", commandLabels.splitPatches, splitSubject, {
+    enabled: hasSubject,
+    needs: paletteStrings.needs.body,
+  }),
   define("mesh", 4)("paint-size", commandLabels.paintSize, toggleBrush, {
+    needs: paletteStrings.needs.body,
     enabled: (app) => hasSubject(app) || app.view.state.getState().brush !== null,
     checked: (app) => app.view.state.getState().brush !== null,
   }),

@@ -1,6 +1,7 @@
 import type { App } from "../app/app";
 import { booleanKinds, type BooleanKind } from "../document/booleans/kinds";
 import type { Solid } from "../document/booleans/solids";
+import { allEntities } from "../document/select-related";
 import { loadManifold } from "../session/manifold";
 import { operationStrings } from "../strings";
 import { define, type Command } from "./command";
@@ -35,7 +36,10 @@ async function startBoolean(app: App, kind: BooleanKind): Promise<void> {
       app.previews.samples(),
     ]);
     if (!preview || !isLatest()) return;
-    const candidates = solidCandidates(project, selection, preview);
+    const selected = solidCandidates(project, selection, preview);
+    // A project with two bodies leaves no doubt which ones are meant.
+    const all = selected.length < 2 ? solidCandidates(project, allEntities(project), preview) : [];
+    const candidates = all.length === 2 ? all : selected;
     const solids = candidates.flatMap(({ solid }) => solid ?? []);
     const [first, second] = solids;
     if (candidates.length !== 2) {

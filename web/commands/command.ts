@@ -14,15 +14,18 @@ export interface Command {
   /** Do the keys work while a text field has the focus? */
   readonly inFields: boolean;
   readonly enabled: (app: App) => boolean;
+  /** What it needs to be enabled, for users who look for it; null if they would not. */
+  readonly needs: string | null;
   /** For commands that toggle something: is it on? Else null. */
   readonly checked: ((app: App) => boolean) | null;
   readonly run: (app: App) => void;
 }
 
-interface Extra {
+export interface Extra {
   readonly keys?: readonly string[];
   readonly inFields?: boolean;
   readonly enabled?: (app: App) => boolean;
+  readonly needs?: string;
   readonly checked?: (app: App) => boolean;
 }
 
@@ -38,6 +41,7 @@ export const define =
     keys: extra.keys ?? [],
     inFields: extra.inFields ?? false,
     enabled: extra.enabled ?? (() => true),
+    needs: extra.needs ?? null,
     checked: extra.checked ?? null,
     run,
   });

@@ -9,9 +9,9 @@ import {
   sameKinds,
 } from "../document/select-related";
 import type { Entity } from "../document/entities";
-import { commandLabels } from "../strings";
+import { commandLabels, paletteStrings } from "../strings";
 import { define, type Command } from "./command";
-import { hasHighlight, hasSelection } from "./conditions";
+import { hasHighlight, hasSelection, needsSelection } from "./conditions";
 import { canGroup, groupSelection } from "./group-actions";
 import { canRename, deleteSelection, rename } from "./selection-actions";
 import { mergeableBody, mergeSelectedPatches } from "./surface-actions";
@@ -31,18 +31,20 @@ function leaveLevel(app: App): void {
   else app.view.clear();
 }
 
+const needsNothing = { enabled: () => true, needs: paletteStrings.needs.selection };
+
 /** A command that replaces the selection by related entities. */
 const select = (
   id: keyof typeof commandLabels.selecting,
   related: (project: Project, selection: readonly Entity[]) => readonly Entity[],
   keys: readonly string[],
-  enabled = hasSelection,
+  { enabled, needs } = needsSelection,
 ): Command =>
   define("edit", 2)(
     `select-${id}`,
     commandLabels.selecting[id],
     ({ documents, view }) => view.selectAll(related(documents.project, view.state.getState().selection)),
-    { keys, enabled },
+    { keys, enabled, needs },
   );
 
 export const editMenu: readonly Command[] = [
@@ -65,7 +67,7 @@ export const editMenu: readonly Command[] = [
   ),
   define("edit", 1)("delete", commandLabels.delete, deleteSelection, {
     keys: ["Delete"],
-    enabled: hasSelection,
+    ...needsSelection,
   }),
   define("edit", 1)(
     "select-several",
@@ -76,8 +78,12 @@ export const editMenu: readonly Command[] = [
   define("edit", 1)("rename", commandLabels.rename, rename, {
     keys: ["F2"],
     enabled: canRename,
+    needs: paletteStrings.needs.selection,
   }),
-  define("edit", 1)("group", commandLabels.group, groupSelection, { enabled: canGroup }),
+  define("edit", 1)("group", commandLabels.group, groupSelection, {
+    enabled: canGroup,
+    needs: paletteStrings.needs.selection,
+  }),
   define("edit", 1)("merge-patches", commandLabels.mergePatches, (app) => void mergeSelectedPatches(app), {
     enabled: (app) => mergeableBody(app.documents.project, app.view.state.getState().selection) !== undefined,
   }),
@@ -85,17 +91,13 @@ export const editMenu: readonly Command[] = [
     keys: ["Escape"],
     enabled: (app) => hasSelection(app) || hasHighlight(app) || hasTool(app) || hasOperation(app),
   }),
-  select(
-    "all",
-    (project) => allEntities(project),
-    ["mod+A"],
-    () => true,
-  ),
-  select("inverse", invertedSelection, ["mod+I"], () => true),
+  select("all", (project) => allEntities(project), ["mod+A"], needsNothing),
+  select("inverse", invertedSelection, ["mod+I"], needsNothing),
   select("same-kind", sameKinds, []),
   select("connected", connectedTo, []),
   select("boundary", boundaryOf, []),
-  select("loop", loopAround, [], ({ view }) =>
-    view.state.getState().selection.some(({ kind }) => kind === "line"),
-  ),
+  select("loop", loopAround, [], {
+    enabled: ({ view }) => view.state.getState().selection.some(({ kind }) => kind === "line"),
+    needs: paletteStrings.needs.line,
+  }),
 ];

@@ -1,5 +1,5 @@
 import type { App } from "../app/app";
-import { commandLabels, downloadFormats, secondOrderFormats } from "../strings";
+import { commandLabels, downloadFormats, paletteStrings, secondOrderFormats } from "../strings";
 import { define, type Command } from "./command";
 import { hasTetrahedra } from "./conditions";
 import { downloadMesh, downloadReport } from "./download-actions";
@@ -7,6 +7,11 @@ import { newProject, openFromDialog, save } from "./project-actions";
 import { importSurface } from "./surface-actions";
 
 const hasMesh = (app: App): boolean => app.run.state.getState().mesh !== null;
+
+const needsTetrahedra = {
+  enabled: (app: App): boolean => hasTetrahedra(app.run.state.getState()),
+  needs: paletteStrings.needs.mesh,
+};
 
 /** Extension and name of each format. docs/FORMAT.md describes their content. */
 const formats = Object.entries(downloadFormats);
@@ -50,7 +55,7 @@ export const fileMenu: readonly Command[] = [
       `download-${extension}`,
       commandLabels.download(format),
       (app) => void downloadMesh(app, extension),
-      { enabled: (app) => hasTetrahedra(app.run.state.getState()) },
+      needsTetrahedra,
     ),
   ),
   ...secondOrder.map(([extension, format]) =>
@@ -58,8 +63,11 @@ export const fileMenu: readonly Command[] = [
       `download-second-order-${extension}`,
       commandLabels.download(format),
       (app) => void downloadMesh(app, extension, 2),
-      { enabled: (app) => hasTetrahedra(app.run.state.getState()) },
+      needsTetrahedra,
     ),
   ),
-  define("file", 2)("download-report", commandLabels.downloadReport, downloadReport, { enabled: hasMesh }),
+  define("file", 2)("download-report", commandLabels.downloadReport, downloadReport, {
+    enabled: hasMesh,
+    needs: paletteStrings.needs.mesh,
+  }),
 ];

@@ -1,10 +1,11 @@
 import type { App } from "../app/app";
 import { scaleSizes } from "../document/size-edits";
 import { canImprove } from "../session/run";
-import { commandLabels } from "../strings";
+import { commandLabels, paletteStrings } from "../strings";
 import { takeBackgroundFromMesh, toggleUniformSize } from "./background-actions";
 import { bodyCommands } from "./body-commands";
 import { define, type Command } from "./command";
+import { hasTetrahedra } from "./conditions";
 import { splitCommand } from "./create-menu";
 import { generateMesh, improveMesh } from "./mesh-actions";
 import { sizeTools } from "./tool-commands";
@@ -23,6 +24,7 @@ export const meshMenu: readonly Command[] = [
   }),
   define("mesh", 0)("improve", commandLabels.improve, (app) => void improveMesh(app), {
     enabled: (app) => canImprove(app.run.state.getState(), app.documents.state.getState()),
+    needs: paletteStrings.needs.mesh,
   }),
   define("mesh", 0)(
     "cancel",
@@ -44,7 +46,8 @@ export const meshMenu: readonly Command[] = [
     commandLabels.backgroundFromMesh,
     (app) => void takeBackgroundFromMesh(app),
     {
-      enabled: (app) => (app.run.state.getState().mesh?.report.tetrahedra ?? 0) > 0,
+      enabled: (app) => hasTetrahedra(app.run.state.getState()),
+      needs: paletteStrings.needs.mesh,
     },
   ),
   define("mesh", 2)("propose", commandLabels.propose, (app) => app.shell.setState({ dialog: "propose" })),

@@ -5,9 +5,9 @@ import { pieceOperations } from "../document/operations/pieces";
 import { sweepOperations } from "../document/operations/sweeps";
 import { duplicateOperation, transformOperations } from "../document/operations/transforms";
 import { settledProject } from "../session/document-store";
-import { operationStrings } from "../strings";
+import { operationStrings, paletteStrings } from "../strings";
 import { copySelection, hasNoText, pasteFragment } from "./clipboard-actions";
-import { hasSelection } from "./conditions";
+import { hasSelection, needsSelection } from "./conditions";
 import { startOperation } from "./start-operation";
 import { define, type Command, type MenuName } from "./command";
 
@@ -42,6 +42,7 @@ export const transformCommands: readonly Command[] = [
   define("edit", 5)("copy", operationStrings.copy, (app) => void copySelection(app), {
     keys: ["mod+C"],
     enabled: (app) => hasSelection(app) && hasNoText(),
+    needs: paletteStrings.needs.selection,
   }),
   define("edit", 5)(
     "paste",
@@ -57,7 +58,7 @@ export const transformCommands: readonly Command[] = [
     (app) => startOperation(app, duplicateOperation),
     {
       keys: ["mod+D"],
-      enabled: hasSelection,
+      ...needsSelection,
     },
   ),
   define("edit", 5)("accept-operation", operationStrings.accept, acceptOperation, {

@@ -3,6 +3,7 @@ import { drawnKinds, recordsOf, type Entity } from "../document/entities";
 import { templates } from "../document/templates";
 import { entityWords, paletteStrings, settingNames, strings, synonyms, templateStrings } from "../strings";
 import { openExample, openTemplate } from "./project-actions";
+import { DOWNLOADS } from "./file-menu";
 import { commands, runCommand } from "./registry";
 import { showEntities } from "./selection-actions";
 
@@ -15,21 +16,25 @@ export interface PaletteItem {
   readonly words: string;
   /** Its hotkey, in Mantine's notation. */
   readonly hotkey: string | null;
+  /** What a disabled command needs; null for entries that can be run. */
+  readonly needs: string | null;
   readonly run: () => void;
   /** Whether it moves the focus; otherwise the focus returns to where it was before the palette. */
   readonly takesFocus?: boolean;
 }
 
-/** Returns every command that is enabled, in the order of the menus. */
+/** Returns every command that is enabled or says what it needs, in the order of the menus. */
 function commandItems(app: App): PaletteItem[] {
   return commands
-    .filter((command) => command.enabled(app))
-    .map((command) => ({
+    .map((command) => ({ command, isEnabled: command.enabled(app) }))
+    .filter(({ command, isEnabled }) => isEnabled || command.needs !== null)
+    .map(({ command, isEnabled }) => ({
       id: command.id,
       group: strings.menus[command.menu],
       label: command.label(app),
-      words: synonyms[command.id] ?? "",
+      words: synonyms[command.id] ?? (DOWNLOADS.includes(command.id) ? paletteStrings.downloads : ""),
       hotkey: command.keys[0] ?? null,
+      needs: isEnabled ? null : command.needs,
       run: () => runCommand(app, command),
     }));
 }
@@ -42,6 +47,7 @@ function settingItems(app: App): PaletteItem[] {
     label,
     words,
     hotkey: null,
+    needs: null,
     takesFocus: id === "uniform-size" || id === "gradation",
     run: () => {
       if (id !== "display") app.view.clear();
@@ -61,6 +67,7 @@ function exampleItems(app: App): PaletteItem[] {
     label: model.title,
     words: `${model.id} ${model.blurb}`,
     hotkey: null,
+    needs: null,
     run: () => void openExample(app, model),
   }));
 }
@@ -72,6 +79,7 @@ function templateItems(app: App): PaletteItem[] {
     label: templateStrings.templates[id].title,
     words: templateStrings.title,
     hotkey: null,
+    needs: null,
     run: () => openTemplate(app, make()),
   }));
 }
@@ -90,16 +98,24 @@ function entityItems(app: App): PaletteItem[] {
         label: name === undefined ? title : `${name} (${title.toLowerCase()})`,
         words: title,
         hotkey: null,
+        needs: null,
         run: () => showEntities(app, [entity]),
       };
     }),
   );
 }
 
-/** Returns all entries. Entities, examples and settings are only found, never listed. */
+/** Returns all entries. Disabled commands, entities, examples and settings are only found, never listed. */
 export function paletteItems(app: App): { readonly listed: PaletteItem[]; readonly found: PaletteItem[] } {
+  const ofCommands = commandItems(app);
   return {
-    listed: commandItems(app),
-    found: [...settingItems(app), ...templateItems(app), ...exampleItems(app), ...entityItems(app)],
+    listed: ofCommands.filter(({ needs }) => needs === null),
+    found: [
+      ...settingItems(app),
+      ...templateItems(app),
+      ...exampleItems(app),
+      ...entityItems(app),
+      ...ofCommands.filter(({ needs }) => needs !== null),
+    ],
   };
 }

@@ -31,7 +31,8 @@ function rankOf({ label, words: others }: PaletteItem, words: readonly string[])
 
 /**
  * Returns the entries that a query finds, the best first: those with a label whose words begin with those of the query, then
- * those with other words for them, then those that contain them within words; only without any, those that are spelled similarly. O(entries).
+ * those with other words for them, then those that contain them within words; only without any, those that are spelled
+ * similarly. Entries that can be run come before disabled ones. O(entries).
  */
 export function searchPalette(
   query: string,
@@ -43,16 +44,18 @@ export function searchPalette(
   const all = [...listed, ...found];
   const ranked = all.map((item) => ({ item, rank: rankOf(item, words) })).filter(({ rank }) => rank < 4);
   const exact = ranked.toSorted((a, b) => a.rank - b.rank).map(({ item }) => item);
-  return limited(exact.length > 0 ? exact : similar(words, all), new Set(listed));
+  const best = exact.length > 0 ? exact : similar(words, all);
+  const isDisabled = ({ needs }: PaletteItem): boolean => needs !== null;
+  const ordered = [...best.filter((item) => !isDisabled(item)), ...best.filter(isDisabled)];
+  return limited(ordered, new Set(listed));
 }
 
 /** Returns the entries with a similar word for each word of the query. */
 function similar(words: readonly string[], items: readonly PaletteItem[]): PaletteItem[] {
   const fuse = new Fuse(items, {
-    keys: [
-      { name: "label", weight: 2 },
-      { name: "words", weight: 1 },
-    ],
+    keys: ["label", "words"],
+    // The nearest word wins, however many others there are.
+    ignoreFieldNorm: true,
     threshold: tolerance,
     ignoreLocation: true,
     includeScore: true,

@@ -2,9 +2,9 @@ import type { App } from "../app/app";
 import type { CutAxis, Layer, Shading } from "../document/selection";
 import { schemes } from "../session/shell";
 import type { StandardView } from "../viewer/camera";
-import { commandLabels } from "../strings";
+import { commandLabels, paletteStrings } from "../strings";
 import { define, type Command } from "./command";
-import { hasHighlight, hasSelection } from "./conditions";
+import { hasHighlight, hasSelection, needsSelection } from "./conditions";
 import { isolate } from "./selection-actions";
 
 const hasViewer = (app: App): boolean => app.viewer.getState().viewer !== null;
@@ -42,6 +42,7 @@ export const viewMenu: readonly Command[] = [
     {
       keys: ["shift+F"],
       enabled: (app) => hasViewer(app) && (hasSelection(app) || hasHighlight(app)),
+      needs: paletteStrings.needs.selection,
     },
   ),
   ...standardViews.map(([view, key]) =>
@@ -82,11 +83,11 @@ export const viewMenu: readonly Command[] = [
   ),
   define("view", 4)("hide", commandLabels.hide, (app) => app.view.setHidden(viewState(app).selection, true), {
     keys: ["H"],
-    enabled: hasSelection,
+    ...needsSelection,
   }),
   define("view", 4)("isolate", commandLabels.isolate, (app) => isolate(app, viewState(app).selection), {
     keys: ["I"],
-    enabled: hasSelection,
+    ...needsSelection,
   }),
   define("view", 4)("show-all", commandLabels.showAll, (app) => app.view.showAll(), { keys: ["shift+H"] }),
   ...shadings.map((shading) =>

@@ -8,14 +8,17 @@ import { entityKey, patchEntity, type Entity } from "./entities";
 type Member = ProjectGroup["members"][number];
 type GroupColor = NonNullable<ProjectGroup["color"]>;
 
-/** Colours of new groups, one after the other: distinct for most colour-blind people (Okabe and Ito 2008). */
+/**
+ * Colours of new groups, one after the other. They differ from those that mean a problem, the selection, or what lies under the
+ * pointer; the first two are of the palette of Okabe and Ito (2008) for colour-blind people.
+ */
 const palette: readonly GroupColor[] = [
-  [0.9, 0.62, 0],
-  [0.34, 0.71, 0.91],
   [0, 0.62, 0.45],
-  [0.94, 0.89, 0.26],
-  [0.84, 0.37, 0],
   [0.8, 0.47, 0.65],
+  [0.68, 0.8, 0.2],
+  [0.46, 0.33, 0.72],
+  [0.5, 0.35, 0.25],
+  [0.78, 0.7, 0.92],
 ];
 
 /** Colour that stands for groups without one. */

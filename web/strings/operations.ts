@@ -73,6 +73,9 @@ export const operationStrings = {
   longExpressions: "The expressions are too long to be kept: the piece will not follow its parameters.",
   numbersKept:
     "The expressions are too long to be kept, or bodies or planes cannot follow them. The numbers are kept: they will not follow parameters.",
+  fullTurn: "A full turn stays one: its angle does not follow parameters.",
+  count: (count: number) =>
+    `Taken as the number ${count}: how many there are does not follow parameters, because each is an entity of its own.`,
   imprint: {
     overlaps: (count: number) =>
       `Overlaps ${count === 1 ? "1 face" : `${count} faces`} of the model. Share touching faces for one watertight model with several regions, or use a Boolean operation afterwards.`,
@@ -115,7 +118,12 @@ export const operationStrings = {
       centre: "Centre",
     },
   },
-  paste: { title: "Paste", step: "Paste" },
+  paste: {
+    title: "Paste",
+    step: "Paste",
+    numbersKept:
+      "The project does not have the parameters of the expressions, or they have other values here: the numbers are pasted.",
+  },
   transforms: {
     move: { title: "Move or copy", step: "Move selection" },
     duplicate: { title: "Duplicate", step: "Copy selection" },

@@ -4,6 +4,14 @@ export const paletteStrings = {
   examples: "Examples",
   settings: "Settings",
   templates: "New project",
+  /** What commands need that are disabled. */
+  needs: {
+    selection: "Select something in the view or the tree first.",
+    line: "Select a line first.",
+    mesh: "Generate a mesh first.",
+    body: "Select a body of triangles first: Import surface adds one.",
+  },
+  downloads: "export save write file",
 } as const;
 
 /** Other words for commands, by id: what people type who know other programs. */

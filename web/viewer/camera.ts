@@ -80,6 +80,17 @@ export function fitDistance(
   return distance;
 }
 
+/** A box that was fitted into the view, and where the camera has moved for it. */
+interface Fit {
+  readonly low: Vector3;
+  readonly high: Vector3;
+  readonly target: Vector3;
+  readonly distance: number;
+}
+
+/** Relative difference of positions up to which the camera is where it was. */
+const poseTolerance = 1e-6;
+
 /** The camera and its orbit, pan, zoom and fit. z is up. */
 export class ViewCamera {
   readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 1000);
@@ -90,6 +101,8 @@ export class ViewCamera {
   #radius = 1;
   /** Share of the width that is not covered. */
   #freeShare = 1;
+  /** The box that was fitted last; null before any. */
+  #fitted: Fit | null = null;
 
   constructor(element: HTMLElement, smooth: boolean) {
     this.controls = new CameraControls(this.camera, element);
@@ -121,9 +134,10 @@ export class ViewCamera {
 
   /**
    * Sets the size of the view in CSS pixels, and how much of its width is covered at the left: the target appears in the
-   * middle of the rest.
+   * middle of the rest. What was fitted last is fitted again, unless the camera was moved or zoomed since.
    */
   resize(width: number, height: number, coveredLeft: number): void {
+    const fitted = this.#isAtFit() ? this.#fitted : null;
     this.camera.aspect = width / Math.max(1, height);
     const covered = Math.min(0.5, coveredLeft / Math.max(1, width));
     this.#freeShare = 1 - covered;
@@ -131,6 +145,7 @@ export class ViewCamera {
     const seen = 2 * Math.tan((fieldOfView / 2) * degrees) * this.camera.aspect;
     this.camera.filmOffset = covered === 0 ? 0 : (-covered / 2) * seen * this.camera.getFilmWidth();
     this.camera.updateProjectionMatrix();
+    if (fitted) this.fit(fitted.low, fitted.high, false);
   }
 
   /** Moves so that a box, given by two corners, fills the view. The direction stays. */
@@ -142,6 +157,7 @@ export class ViewCamera {
     void this.controls.moveTo(centre.x, centre.y, centre.z, animate);
     void this.controls.setFocalOffset(0, 0, 0, animate);
     void this.controls.dollyTo(Math.max(distance, this.#radius * minDistance), animate);
+    this.#fitted = { low: low.clone(), high: high.clone(), ...this.#aim };
   }
 
   look(view: StandardView, animate: boolean): void {
@@ -197,6 +213,27 @@ export class ViewCamera {
     this.controls.mouseButtons.left = shiftKey ? TRUCK : this.leftOrbits ? ROTATE : NONE;
     this.controls.mouseButtons.right = shiftKey || ctrlKey || metaKey ? TRUCK : ROTATE;
   };
+
+  /** The position that the camera looks at, and its distance to it, at the end of a running motion. */
+  get #aim(): Pick<Fit, "target" | "distance"> {
+    return {
+      target: this.controls
+        .getTarget(new Vector3(), true)
+        .add(this.controls.getFocalOffset(new Vector3(), true)),
+      distance: this.controls.getSpherical(new Spherical(), true).radius,
+    };
+  }
+
+  /** Returns whether the camera has at most been rotated since the last fit. */
+  #isAtFit(): boolean {
+    if (!this.#fitted) return false;
+    const { target, distance } = this.#aim;
+    const tolerance = poseTolerance * this.#fitted.distance;
+    return (
+      target.distanceTo(this.#fitted.target) <= tolerance &&
+      Math.abs(distance - this.#fitted.distance) <= tolerance
+    );
+  }
 
   #rotateTo(view: StandardView, animate: boolean): void {
     const [azimuth, polar] = standardAngles[view];

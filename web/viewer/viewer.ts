@@ -380,7 +380,7 @@ export class Viewer {
     if (isOutgrown) this.fit(null);
   }
 
-  /** If the target is much smaller than the model, moves to the part of the model around it. */
+  /** Moves to a target, with its surroundings if it is smaller than the model. */
   #fitBounds(target: Bounds, animate = this.#options.motion): void {
     const whole = shownBounds(this.#state);
     const [from, to] = closeUpBox(target.empty ? whole : target, whole.radius, this.#state.origin);

@@ -108,6 +108,17 @@ it("opens its panel once the library and the samples are there", async () => {
   await vi.waitFor(() => expect(opened()).toBe(steps.union));
 });
 
+it("takes the only two bodies if one of them is selected, the first of the project first", async () => {
+  app.view.selectAll([{ kind: "patch", id: 101 }]);
+  start("difference");
+  await load();
+  await vi.waitFor(() => expect(opened()).toBe(steps.difference));
+  const { points } = app.documents.project;
+  // What is left of the first cube: its corner at the origin, and none of the far corner of the second.
+  expect(points.some(({ position }) => position.every((x) => x === 0))).toBe(true);
+  expect(points.some(({ position }) => position.every((x) => x === 1.5))).toBe(false);
+});
+
 it("asked twice, opens the panel of the second", async () => {
   start("union");
   start("difference");

@@ -2,6 +2,8 @@ import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import type { Mesher } from "tetrafront";
 import { App } from "../../../web/app/app";
 import { DOWNLOADS } from "../../../web/commands/file-menu";
+import { paletteItems } from "../../../web/commands/palette-items";
+import { searchPalette } from "../../../web/commands/palette-search";
 import {
   newProject,
   openProject,
@@ -108,6 +110,19 @@ describe("the commands", () => {
       run(id);
     }
     expect(app.documents.state.getState().history).toBe(history);
+  });
+
+  it("are found in the palette by words with mistakes, and while they are disabled with what they need", () => {
+    const { listed, found } = paletteItems(openApp().app);
+    const search = (query: string) => searchPalette(query, listed, found);
+    for (const query of ["boolean", "bolean", "booleen"]) {
+      expect(search(query).slice(0, 3).map(({ id }) => id)).toEqual(["boolean-union", "boolean-difference", "boolean-intersection"]); // prettier-ignore
+    }
+    expect(search("bolean")[0]?.needs).toBeNull();
+    const [first] = search("export");
+    expect(first).toMatchObject({ id: "download-vtu", needs: "Generate a mesh first." });
+    expect(search("duplicate")[0]?.needs).toMatch(/^Select something/);
+    expect(listed.every(({ needs }) => needs === null)).toBe(true);
   });
 
   it("name the step that they undo or redo", () => {

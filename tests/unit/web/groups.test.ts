@@ -13,6 +13,7 @@ import {
   renameGroup,
 } from "../../../web/document/groups";
 import { DocumentStore } from "../../../web/session/document-store";
+import { viewerColors } from "../../../web/ui/theme/theme";
 import { cubeProject } from "../../support/projects";
 
 function opened(project: Project = cubeProject()) {
@@ -22,6 +23,21 @@ function opened(project: Project = cubeProject()) {
 }
 
 describe("a group", () => {
+  it("has a colour that means nothing else in the view, and differs from those of the groups before it", () => {
+    const { documents } = opened();
+    const used = Object.values(viewerColors).flatMap(({ front, selection, hover }) =>
+      [front, selection, hover].map(colorFromCss),
+    );
+    for (let i = 0; i < 6; ++i) {
+      documents.edit(addGroup(documents.project, [{ kind: "line", id: i + 1 }]));
+      const color = documents.project.groups?.at(-1)?.color ?? [0, 0, 0];
+      for (const other of used) {
+        expect(Math.hypot(...color.map((x, k) => x - (other[k] ?? 0))), cssColor(color)).toBeGreaterThan(0.3);
+      }
+      used.push(color);
+    }
+  });
+
   it("holds each entity once, has a name and a colour, and is valid in a file", () => {
     const { documents, group } = opened();
     const [point, node] = [

@@ -268,6 +268,29 @@ describe("operations with values that are typed as expressions", () => {
     }
   });
 
+  it.each([
+    ["array-circular", "total", "centre.0"],
+    ["revolve", "angle", "point.0"],
+  ] as const)("%s: a full turn stays one whatever the parameters are, and says so", (id, key, centre) => {
+    const operation = operationOf(id);
+    const turned = (r: string, angle: string): DocumentStore => {
+      const documents = new DocumentStore(startWith(r), () => 0);
+      apply(documents, operationOf("create-box"), [], { plain: { position: [9, 0, 0] } }, false);
+      const texts = { [key]: angle, [centre]: "r" };
+      apply(documents, operation, top(documents.project), { texts, plain: { axis: [0, 1, 0] } }, true);
+      return documents;
+    };
+    const documents = turned("1", "360*r");
+    documents.edit(setParameter("r", "0.5"));
+    expectNear(documents.project, turned("0.5", "360").project);
+
+    const subject = { project: documents.project, selection: [] };
+    const noteFor = (angle: number): string | undefined =>
+      operation.note?.({ ...operation.initial(subject), [key]: angle }, subject, { [key]: "360*r" });
+    expect(noteFor(360)).toContain("full turn");
+    expect(noteFor(270)).toBe("");
+  });
+
   it("leave a hole through a plane that turns with a parameter as it is, and say so", () => {
     const documents = new DocumentStore(startWith("1"), () => 0);
     apply(

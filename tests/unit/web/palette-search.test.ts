@@ -10,6 +10,7 @@ const item = (id: string, label: string, words = "", group = "Edit"): PaletteIte
   label,
   words,
   hotkey: null,
+  needs: null,
   run: () => undefined,
 });
 
@@ -51,6 +52,13 @@ it("shows a few entities of many, in groups by their best entry", () => {
     ["B", 2],
     ["A", 1],
   ]);
+});
+
+it("lists disabled entries after all others, and not without a query", () => {
+  const disabled = { ...item("exact", "Export", "", "File"), needs: "Generate a mesh first." };
+  const items = [item("other", "Save", "export", "File")];
+  expect(searchPalette("export", items, [disabled]).map(({ id }) => id)).toEqual(["other", "exact"]);
+  expect(searchPalette("", items, [disabled]).map(({ id }) => id)).toEqual(["other"]);
 });
 
 it("prefers other words to parts of labels", () => {

@@ -1,7 +1,7 @@
 import { createMesher, type Mesher, type Project } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { documentKey } from "../../../web/document/content-keys";
-import type { Offer } from "../../../web/document/create";
+import { emptyProject, type Offer } from "../../../web/document/create";
 import type { Entity } from "../../../web/document/entities";
 import { sweepOperations } from "../../../web/document/operations/sweeps";
 import { transformOperations } from "../../../web/document/operations/transforms";
@@ -314,6 +314,66 @@ describe("the clipboard", () => {
     expect(await volumesOf(into(cube))).toHaveLength(2);
     expect("reason" in readFragment("{}")).toBe(true);
     expect(fragmentText(cube, [])).toBeNull();
+  });
+
+  describe("with expressions", () => {
+    const textOf = (project: Project) => project.expressions?.map(({ kind, field, expression }) => `${kind} ${field} ${expression}`); // prettier-ignore
+    const from: Project = {
+      ...emptyProject(),
+      parameters: [
+        { name: "unused", expression: "7" },
+        { name: "r", expression: "d/2" },
+        { name: "d", expression: "1" },
+      ],
+      points: [
+        { id: 4, position: [1, 0.5, 0] },
+        { id: 5, position: [0, 0, 3] },
+      ],
+      expressions: [
+        { kind: "point", id: 4, field: "position.0", expression: "2*r" },
+        { kind: "point", id: 4, field: "position.1", expression: "r" },
+        { kind: "point", id: 5, field: "position.2", expression: "6*r" },
+      ],
+    };
+    const copied = (): Project => {
+      const read = readFragment(fragmentText(from, [{ kind: "point", id: 4 }]) ?? "");
+      if (!("fragment" in read)) throw new Error(read.reason);
+      return read.fragment;
+    };
+    const pasteInto = (project: Project, values = {}, expressions = {}) => {
+      const operation = pasteOperation(copied());
+      const subject = { project, selection: [] };
+      const all = { ...operation.initial(subject), ...values };
+      return {
+        note: operation.note?.(all, subject),
+        project: applied(project, operation.make(subject, all, expressions)),
+      };
+    };
+
+    it("copies the expressions of the selection, and the parameters that they use", () => {
+      const { parameters, expressions } = copied();
+      expect(parameters?.map(({ name }) => name)).toEqual(["r", "d"]);
+      expect(expressions?.map(({ expression }) => expression)).toEqual(["2*r", "r"]);
+    });
+
+    it("keeps them in a project with the parameters", () => {
+      const pasted = pasteInto(from, { offset: [0, 0, 2] });
+      expect(pasted.note).toBe("");
+      expect(pasted.project.points.at(-1)).toEqual({ id: 6, position: [1, 0.5, 2] });
+      expect(textOf(pasted.project)?.slice(3)).toEqual(["point position.0 2*r", "point position.1 r"]);
+      const typed = pasteInto(from, { offset: [0, 0, 2] }, { "offset.2": "4*r" });
+      expect(textOf(typed.project)?.slice(3)).toContain("point position.2 4*r");
+    });
+
+    it.each([
+      ["without the parameters", {}],
+      ["with other values of them", { parameters: [{ name: "r", expression: "3" }] }],
+    ])("pastes numbers into a project %s, and tells so", (_, others) => {
+      const pasted = pasteInto({ ...emptyProject(), ...others });
+      expect(pasted.note).toContain("the numbers are pasted");
+      expect(pasted.project.points).toEqual([{ id: 1, position: [1, 0.5, 0] }]);
+      expect(pasted.project.expressions).toBeUndefined();
+    });
   });
 });
 

@@ -1,20 +1,24 @@
 import type { Project } from "tetrafront";
 import { operationStrings } from "../../strings";
 import type { Position } from "../position";
-import { translation } from "../transforms/affine";
 import { offerCopiesFrom } from "../transforms/copies";
-import { coincides, fragmentEntities } from "../transforms/fragment";
+import { coincides, fragmentEntities, hasSameNumbers } from "../transforms/fragment";
+import { typedTranslation } from "../transforms/typed-maps";
 import { zero } from "../vectors";
-import type { Operation } from "./operation";
+import { typedPosition, type Operation } from "./operation";
 import { extentOf, pieceExtent } from "./sizes";
 
 const { paste: texts, transforms } = operationStrings;
 
 type PasteValues = { readonly offset: Position; readonly join: boolean };
 
-/** Returns the operation that pastes a fragment: where it was, or beside its original if this is still there. */
+/**
+ * Returns the operation that pastes a fragment: where it was, or beside its original if this is still there. Expressions are
+ * pasted too, unless the project would compute other numbers from them.
+ */
 export function pasteOperation(fragment: Project): Operation<PasteValues> {
   const entities = fragmentEntities(fragment);
+  const { expressions: _, ...numbers } = fragment;
   return {
     id: "paste",
     ...texts,
@@ -28,7 +32,11 @@ export function pasteOperation(fragment: Project): Operation<PasteValues> {
       { kind: "position", key: "offset", label: transforms.fields.offset },
       { kind: "switch", key: "join", label: transforms.fields.join },
     ],
-    make: ({ project }, { offset, join }) =>
-      offerCopiesFrom(project, fragment, entities, [translation(offset)], { label: texts.step, join }),
+    note: (_, { project }) => (hasSameNumbers(project, fragment) ? "" : texts.numbersKept),
+    make: ({ project }, values, expressions) => {
+      const from = hasSameNumbers(project, fragment) ? fragment : numbers;
+      const map = typedTranslation(typedPosition(values, "offset", expressions));
+      return offerCopiesFrom(project, from, entities, [map], { label: texts.step, join: values.join });
+    },
   };
 }

@@ -99,6 +99,8 @@ const revolve: Operation<Revolution> = {
     angleBetween("angle", labels.angle, -360, 360),
     ...(Math.abs(angle) < 360 ? [{ kind: "switch", key: "keepBase", label: labels.keepBase } as const] : []),
   ],
+  note: ({ angle }, _, expressions) =>
+    Math.abs(angle) >= 360 && expressions?.["angle"] !== undefined ? operationStrings.fullTurn : "",
   make: ({ project, selection }, values, expressions) => {
     const revolution = {
       point: typedPosition(values, "point", expressions),

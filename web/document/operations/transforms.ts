@@ -39,6 +39,7 @@ interface TransformKind<Values extends FieldValues> {
   readonly initial: (subject: Subject) => Values;
   readonly fields: readonly FieldSpec[];
   readonly make: (subject: Subject, values: Values & Joining, typed: TypedFields) => Offer;
+  readonly note?: (values: Values, expressions: FieldExpressions) => string;
 }
 
 /** The numbers of fields, with the expressions that they were typed as. */
@@ -64,6 +65,7 @@ function transformOperation<Values extends FieldValues>(
     usesSelection: true,
     initial: (subject) => ({ ...kind.initial(subject), join: true }),
     fields: () => [...kind.fields, joinField],
+    note: (values, _, expressions = {}) => kind.note?.(values, expressions) ?? "",
     make: (subject, values, expressions) => kind.make(subject, values, typedFields(values, expressions)),
   };
 }
@@ -169,6 +171,8 @@ const linearArray = transformOperation({
   },
 });
 
+const isFullTurn = (degrees: number): boolean => Math.abs(degrees) % 360 === 0;
+
 const circularArray = transformOperation({
   id: "array-circular",
   ...texts.circularArray,
@@ -183,12 +187,16 @@ const circularArray = transformOperation({
     if (!unit(axis)) return refuse(operationStrings.noDirection);
     if (total === 0) return refuse(refusals.nothingMoves);
     // A full turn has as many steps as copies: the last one would coincide with the first.
-    const steps = Math.abs(total) % 360 === 0 ? count : count - 1;
+    const steps = isFullTurn(total) ? count : count - 1;
     const [about, along] = [typed.position("centre"), typed.position("axis")];
-    const angle = (i: number): Quantity => over(times(i, typed.number("total")), steps);
+    // A full turn stays one when parameters change: otherwise, the gap at its end would differ from the others.
+    const turn = isFullTurn(total) ? total : typed.number("total");
+    const angle = (i: number): Quantity => over(times(i, turn), steps);
     const maps = repeated((i) => typedRotation(about, along, angle(i)), count - 1);
     return offerCopies(project, selection, maps, { label: texts.circularArray.step, join });
   },
+  note: ({ total }, expressions) =>
+    isFullTurn(total) && expressions["total"] !== undefined ? operationStrings.fullTurn : "",
 });
 
 /** The operations that transform or copy the selection, in the order of the menu. */

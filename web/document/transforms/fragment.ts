@@ -1,8 +1,11 @@
-import { readProject, type Project } from "tetrafront";
+import { readProject, type Project, type ProjectExpression } from "tetrafront";
+import { namesIn, readNumber } from "../../expressions/expression";
 import { operationStrings } from "../../strings";
 import { emptyProject } from "../create";
 import type { Entity } from "../entities";
 import { coincidenceLength } from "../insert-shape";
+import { projectNumbers } from "../length-units";
+import { holderFinder, numberAt } from "../number-paths";
 import { PointIndex } from "../point-index";
 import { hasParts, selectedParts } from "./selected-parts";
 
@@ -27,13 +30,50 @@ export function fragmentText(project: Project, selection: readonly Entity[]): st
     ...(bodies.length > 0 && { bodies }),
     background: { nodes: [], tetrahedra: [], ...(sources.length > 0 && { sources }) },
   };
-  return JSON.stringify(fragment, null, 1);
+  return JSON.stringify({ ...fragment, ...expressionsIn(project, fragment) }, null, 1);
+}
+
+/** Returns the expressions of the numbers of a fragment, and the parameters that they use. */
+function expressionsIn(project: Project, fragment: Project): Pick<Project, "expressions" | "parameters"> {
+  const holder = holderFinder(fragment);
+  const expressions = (project.expressions ?? []).filter(
+    (kept) => kept.kind !== "meshing" && holder(kept) !== undefined,
+  );
+  if (expressions.length === 0) return {};
+  const parameters = usedParameters(project, expressions);
+  return { expressions, ...(parameters.length > 0 && { parameters }) };
+}
+
+/** Returns the parameters that expressions use, directly or through other parameters, in the order of the project. */
+function usedParameters({ parameters = [] }: Project, expressions: readonly ProjectExpression[]) {
+  const texts = new Map(parameters.map(({ name, expression }) => [name, expression]));
+  const used = new Set(expressions.flatMap(({ expression }) => [...namesIn(expression)]));
+  // A set also visits what is added to it during the loop.
+  for (const name of used) for (const other of namesIn(texts.get(name) ?? "")) used.add(other);
+  return parameters.filter(({ name }) => used.has(name));
 }
 
 /** Returns the project in a text from the clipboard, or why it has none. */
 export function readFragment(text: string): { readonly fragment: Project } | { readonly reason: string } {
   const read = readProject(text);
   return read.success ? { fragment: read.value } : { reason: operationStrings.refusals.noFragment };
+}
+
+/** Relative difference up to which an expression gives the number that a fragment has. */
+const expressionTolerance = 1e-12;
+
+/**
+ * Returns whether the expressions of a fragment give the same numbers in a project: it has their parameters, with the same
+ * values.
+ */
+export function hasSameNumbers(project: Project, fragment: Project): boolean {
+  const [values, holder] = [projectNumbers(project), holderFinder(fragment)];
+  return (fragment.expressions ?? []).every((kept) => {
+    const number = numberAt(holder(kept), kept.field);
+    const value = readNumber(kept.expression, values);
+    if (number === undefined) return true;
+    return value !== null && Math.abs(value - number) <= expressionTolerance * Math.abs(number);
+  });
 }
 
 /** Returns whether a point of a fragment lies at one of the project: pasted there, it would hide the original. */

@@ -8,9 +8,13 @@ import { inGroups, searchPalette } from "../../commands/palette-search";
 import { keyNames } from "../../commands/registry";
 import { strings } from "../../strings";
 import { useApp, useDocument, useRun, useView } from "../shared/app-context";
+import styles from "./command-palette.module.css";
 import { type EarlyKeys, paletteStore, takeEarlyKeys } from "../shared/palette";
 
-/** The command palette: every command that is enabled; a query also finds entities, examples, templates and settings. */
+/**
+ * The command palette: every command that is enabled; a query also finds entities, examples, templates and settings, and
+ * disabled commands with what they need.
+ */
 export function CommandPalette() {
   const app = useApp();
   // Keep the text here: a palette that is reopened while it closes would keep the old text.
@@ -26,11 +30,18 @@ export function CommandPalette() {
   const { listed, found } = opened ? paletteItems(app) : nothing;
   const actions = inGroups(searchPalette(query, listed, found)).map(({ group, items }) => ({
     group,
-    actions: items.map(({ id, label, hotkey, run, takesFocus = false }) => ({
+    actions: items.map(({ id, label, hotkey, needs, run, takesFocus = false }) => ({
       id,
       label,
+      ...(needs !== null && {
+        description: needs,
+        "aria-disabled": true,
+        className: styles["disabled"],
+        closeSpotlightOnTrigger: false,
+      }),
       rightSection: hotkey === null ? null : <Kbd size="xs">{keyNames(hotkey).join(" ")}</Kbd>,
       onClick: () => {
+        if (needs !== null) return;
         setReturnsFocus(!takesFocus);
         run();
       },

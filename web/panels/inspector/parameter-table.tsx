@@ -108,6 +108,7 @@ function NewParameterRow() {
     expression: null,
   });
   const first = useRef<HTMLInputElement>(null);
+  const second = useRef<HTMLInputElement>(null);
   const add = (): void => {
     const name = typed.name.trim() === "" ? freeName(project) : typed.name.trim();
     const found = {
@@ -134,7 +135,13 @@ function NewParameterRow() {
     onKeyDown,
     onChange: ({ currentTarget: { value } }: { readonly currentTarget: { readonly value: string } }) => {
       setProblem({ name: null, expression: null });
-      setTyped({ ...typed, [key]: value });
+      const [name = "", expression] = value.split(/=(.*)/s);
+      if (expression === undefined || (key === "expression" && typed.name !== "")) {
+        return setTyped({ ...typed, [key]: value });
+      }
+      // An equation, such as `r = 0.3`, in one of the fields is divided between both.
+      setTyped({ name: name.trim(), expression: expression.trim() });
+      second.current?.focus();
     },
   });
   return (
@@ -143,7 +150,7 @@ function NewParameterRow() {
         <TextInput ref={first} placeholder={freeName(project)} {...field("name", texts.newName)} />
       </td>
       <td>
-        <TextInput {...field("expression", texts.newExpression)} />
+        <TextInput ref={second} {...field("expression", texts.newExpression)} />
       </td>
       <td />
       <td>

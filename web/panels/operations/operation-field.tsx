@@ -1,8 +1,9 @@
-import { SegmentedControl, Switch } from "@mantine/core";
-import { useState } from "react";
+import { Box, SegmentedControl, Switch, Text } from "@mantine/core";
+import { useState, type ReactNode } from "react";
 import type { FieldSpec, FieldValue, NumberSpec, TypedNumber } from "../../document/operations/operation";
 import type { Position } from "../../document/position";
 import type { OpenOperation } from "../../session/operations";
+import { namesIn } from "../../expressions/expression";
 import { operationStrings } from "../../strings";
 import { FieldRow } from "../../ui/fields/field-row";
 import { NumberRow } from "../../ui/fields/number-row";
@@ -61,7 +62,7 @@ export function OperationField({ spec, open }: OperationFieldProps) {
     case "choice":
       return (
         typeof value === "string" && (
-          <FieldRow label={label}>
+          <ChoiceRow label={label} isWide={spec.choices.length > 2}>
             <SegmentedControl
               size="xs"
               fullWidth
@@ -71,7 +72,7 @@ export function OperationField({ spec, open }: OperationFieldProps) {
               data-testid={testId}
               onChange={set}
             />
-          </FieldRow>
+          </ChoiceRow>
         )
       );
     case "switch":
@@ -88,6 +89,17 @@ export function OperationField({ spec, open }: OperationFieldProps) {
   }
 }
 
+interface ChoiceRowProps {
+  readonly label: string;
+  /** Whether the choices need the width of the panel. The label is then that of the control. */
+  readonly isWide: boolean;
+  readonly children: ReactNode;
+}
+
+function ChoiceRow({ label, isWide, children }: ChoiceRowProps) {
+  return isWide ? <Box mb={6}>{children}</Box> : <FieldRow label={label}>{children}</FieldRow>;
+}
+
 interface NumberValueProps {
   readonly spec: NumberSpec;
   readonly value: number;
@@ -97,23 +109,32 @@ interface NumberValueProps {
 
 function NumberValue({ spec: { key, label, unit, whole, refuse }, value, open, onSet }: NumberValueProps) {
   const { project } = open.subject;
+  // How many there are decides which points there are, so it does not follow a parameter.
+  const [isTyped, setTyped] = useState(false);
   const step = whole === true ? 1 : unit === "degrees" ? 5 : lengthStep(value, open);
   return (
-    <NumberRow
-      label={label}
-      value={value}
-      step={step}
-      live
-      testId={`operation-${key}`}
-      {...(refuse && { refuse })}
-      {...(unit === "length" && unitsOf(project))}
-      {...(unit === "degrees" && { rightSection: <Unit>°</Unit> })}
-      expression={open.expressions[key]}
-      // The number of sides and the like decide which points there are, so they do not follow a parameter.
-      onCommit={(next, expression) =>
-        onSet(next, { field: key, expression: whole === true ? null : expression })
-      }
-    />
+    <>
+      <NumberRow
+        label={label}
+        value={value}
+        step={step}
+        live
+        testId={`operation-${key}`}
+        {...(refuse && { refuse })}
+        {...(unit === "length" && unitsOf(project))}
+        {...(unit === "degrees" && { rightSection: <Unit>°</Unit> })}
+        expression={open.expressions[key]}
+        onCommit={(next, expression) => {
+          setTyped(whole === true && namesIn(expression ?? "").size > 0);
+          onSet(next, { field: key, expression: whole === true ? null : expression });
+        }}
+      />
+      {isTyped && (
+        <Text size="xs" c="dimmed" role="status" data-testid={`operation-${key}-taken`}>
+          {operationStrings.count(value)}
+        </Text>
+      )}
+    </>
   );
 }
 

@@ -7,7 +7,13 @@ import { useEffect, type RefObject } from "react";
  */
 export function useFirstFocus(panel: RefObject<HTMLElement | null>): void {
   useEffect(() => {
-    const focus = (): void => panel.current?.querySelector<HTMLElement>("input, button")?.focus();
+    const focus = (): void => {
+      const first = panel.current?.querySelector<HTMLInputElement | HTMLButtonElement>("input, button");
+      // Of the options of a choice, only the chosen one is reached by keys.
+      const isChoice = first?.type === "radio";
+      const field = isChoice ? panel.current?.querySelector<HTMLInputElement>("input:checked") : first;
+      field?.focus();
+    };
     const until = new AbortController();
     const options = { capture: true, signal: until.signal };
     const timer = setTimeout(focus);
