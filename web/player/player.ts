@@ -223,15 +223,16 @@ export class Player {
     });
   }
 
-  /** Shows the state after a step; numbers out of range show the first or the last state. */
-  seek(step: number): void {
+  /**
+   * Shows the state after a step; numbers out of range show the first or the last state. `isScrubbed`: others may follow at
+   * once, so the lens waits for the last.
+   */
+  seek(step: number, isScrubbed = performance.now() - this.#soughtAt < scrubbedMs): void {
     const { trace, step: before } = this.state.getState();
     if (!trace) return;
     const to = Math.min(Math.max(firstState(trace), Math.round(step)), trace.stepCount);
     if (to === before) return;
-    const now = performance.now();
-    const isScrubbed = now - this.#soughtAt < scrubbedMs;
-    this.#soughtAt = now;
+    this.#soughtAt = performance.now();
     clearTimeout(this.#settling);
     if (isScrubbed) this.#settling = setTimeout(() => this.#settle(), settledMs);
     this.state.setState({ step: to, candidate: null, sweep: null, ...(!isScrubbed && { lensStep: to }) });

@@ -63,7 +63,7 @@ export function VolumeGame({ onEnd }: { readonly onEnd: () => void }) {
   }, [player, trace, question, given, level, isPlaying, addAnswer]);
   const choose = (node: number | null): void => player.state.getState().task?.choose(node);
   return (
-    <div ref={box} className={styles["game"]} data-testid="volume-game">
+    <div ref={box} className={`${styles["game"]} ${styles["inLens"]}`} data-testid="volume-game">
       <div className={styles["header"]}>
         <SegmentedControl
           size="xs"
