@@ -6,6 +6,7 @@ import type { MeshRun } from "../session/run";
 import { entityLabels, type EntityLabels } from "./entity-labels";
 import type { FrontColoring } from "./front-values";
 import type { Loop } from "./loop";
+import type { EdgeTask } from "./mesher-game";
 import { firstState, phaseEnd, phaseStart } from "./phases";
 import { Playback } from "./playback";
 import { recordProject, type PreparedOf, type Recorded, type RecordingChoices } from "./recording";
@@ -62,6 +63,8 @@ export interface PlayerState {
   readonly sweep: number | null;
   /** What "Be the mesher" asks in the volume; null if it is not played. */
   readonly task: VolumeTask | null;
+  /** What "Be the mesher" asks in a patch; null if it is not played. */
+  readonly edgeTask: EdgeTask | null;
   /** Whether the front is faded while the lens shows a step. */
   readonly fades: boolean;
   /** Whether the view follows the base face. */
@@ -106,6 +109,7 @@ export const initialPlayerState: PlayerState = {
   showsRegion: false,
   sweep: null,
   task: null,
+  edgeTask: null,
   fades: true,
   follows: false,
 };

@@ -61,7 +61,7 @@ function drawTrace(trace: Trace, viewer: Viewer, player: StoreApi<PlayerState>) 
   const draw = (state: PlayerState): LensScene | null => {
     const scene = lensSceneOf(state);
     replay.show(state, scene !== null && state.fades);
-    surface.show(surfaceState(trace, state.step), state.candidate);
+    surface.show(surfaceState(trace, state.step), state.candidate, state.edgeTask);
     sweeps.show(state.sweep);
     lens.show(scene);
     return scene;
