@@ -294,6 +294,11 @@ export class Viewer {
     return this.#state.viewport;
   }
 
+  /** Where labels can be seen, in CSS pixels. */
+  get labelArea(): { readonly width: number; readonly height: number; readonly coveredLeft: number } {
+    return { ...this.size, coveredLeft: this.#options.coveredLeft() };
+  }
+
   /** Draws again, after a layer has changed by itself. */
   requestFrame(): void {
     this.#loop.request();

@@ -27,7 +27,7 @@ export function LensLabels({ viewer }: { readonly viewer: Viewer }) {
         setShown(marker, line, at !== null);
         if (at) shown.push({ ...at, width: marker.offsetWidth, height: marker.offsetHeight, marker, line });
       });
-      const places = placedAround(shown, viewer.size);
+      const places = placedAround(shown, viewer.labelArea);
       shown.forEach(({ x, y, marker, line }, i) => {
         const place = places[i];
         if (!place) return setShown(marker, line, false);
