@@ -69,7 +69,7 @@ export function lensMarks({ trace, step, examined, others: all, showsIdeal, isGa
     isAccepted,
     ...failing,
     labels: [
-      ...failing.labels,
+      ...(isGame ? [] : failing.labels),
       ...(isGame ? [] : candidateLabel(examined)),
       { kind: "base", position: mean(base), text: texts.base(step.face) },
       ...(showsIdeal && !isGame

@@ -269,20 +269,20 @@ export class Viewer {
 
   /**
    * Makes ready what layers show only later, so that its first frame takes no longer than others: compiles their shaders,
-   * also those of hidden ones, and draws every state once, out of sight, a frame apart. Each of `states` shows one, and
-   * `restore` the present one again. Ends early if `signal` is aborted.
+   * also those of hidden ones, and draws every state once, out of sight. Each of `states` shows one, and `restore` the
+   * present one again. Does nothing once `signal` is aborted.
    */
   async rehearse(states: readonly (() => void)[], restore: () => void, signal: AbortSignal): Promise<void> {
     await this.#renderer.prepare(this.#view.camera);
+    await new Promise(requestAnimationFrame);
+    if (signal.aborted || this.#isDisposed) return;
     for (const show of states) {
-      await new Promise(requestAnimationFrame);
-      if (signal.aborted || this.#isDisposed) return;
       show();
       this.#renderer.rehearse(this.#view.camera);
-      restore();
-      // The canvas has been cleared.
-      this.#loop.drawNow();
     }
+    restore();
+    // The canvas has been cleared.
+    this.#loop.drawNow();
   }
 
   get camera(): PerspectiveCamera {

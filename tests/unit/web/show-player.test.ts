@@ -100,9 +100,9 @@ it("rehearses a face and an edge under the lens, shows the present state again, 
   for (const show of states) {
     show();
     visible().forEach((isVisible, i) => (rehearsed[i] ||= isVisible));
-    restore?.();
-    expect(visible()).toEqual([true, false, false, false]);
   }
+  restore?.();
+  expect(visible()).toEqual([true, false, false, false]);
   const [replay, surface, , lens] = rehearsed;
   expect([replay, surface, lens]).toEqual([true, true, true]);
   expect(signal?.aborted).toBe(false);
