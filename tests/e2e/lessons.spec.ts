@@ -193,6 +193,21 @@ test("the lens has the numbers of the ideal point and of a distance that is too 
   await expect(page.getByTestId("lens-refusal")).toContainText("<0.35");
 });
 
+test("the lens shows a node behind its base face, and the volume that is not positive", async ({ page }) => {
+  await open(page, "&lesson=10");
+  await expect(front(page)).toHaveAttribute("data-shown", "true");
+  await page.getByTestId("tab-front").click();
+  await page.getByTestId("player-kind").selectOption("behind");
+  await page.getByTestId("player-next").click();
+  const sentence = page.getByTestId("lens-sentence");
+  await expect(sentence).toContainText("was refused: it is behind the base face, or in its plane");
+  const name = /Node ([\d,]+)/.exec((await sentence.textContent()) ?? "")?.[1] ?? "none";
+  await expect(page.getByTestId("lens-labels").locator("[data-kind=failing]").last()).toHaveText(
+    `node ${name}`,
+  );
+  await expect(page.getByTestId("lens-refusal")).toContainText("The volume must be positive");
+});
+
 test("a task is done by a step that a fast player has passed", async ({ page }) => {
   await open(page, "&lesson=6");
   await expect(front(page)).toHaveAttribute("data-shown", "true");

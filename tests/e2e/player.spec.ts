@@ -411,6 +411,12 @@ test("the reader chooses nodes of a patch, is judged, and sees what a wrong one 
   await page.getByTestId("player-before").click();
   await page.getByTestId("game-toggle").click();
   const verdict = page.getByTestId("game-verdict");
+  // The view names the nodes to choose from, and the lens does not explain another step.
+  const asked = (await page.locator("[data-testid^=game-choice-]").allTextContents()).slice(0, -1);
+  for (const name of asked)
+    await expect(page.getByTestId("lens-labels")).toContainText(name.replace("Node", "node"));
+  await expect(page.getByTestId("lens")).toContainText("show the base edge that comes next");
+  await expect(page.getByTestId("lens-sentence")).toHaveCount(0);
   const choices = page.getByRole("group", { name: "Nodes to choose from" }).getByRole("button");
   // Choose by keyboard until a choice is wrong: its edges are named, and the score stays.
   await choices.first().focus();
@@ -430,8 +436,17 @@ test("the reader chooses nodes of a patch, is judged, and sees what a wrong one 
     await expect(verdict).toContainText("program chose");
   }
   expect(await violations(page)).toEqual([]);
+  // Going back leads to the questions before.
+  const reached = await app.viewport.getAttribute("data-step");
+  await page.getByTestId("player-back").click();
+  await expect
+    .poll(async () => Number(await app.viewport.getAttribute("data-step")))
+    .toBeLessThan(Number(reached));
+  await page.getByTestId("player-forward").click();
+  await expect(app.viewport).toHaveAttribute("data-step", reached ?? "");
   await page.getByTestId("game-toggle").click();
   await expect(page.getByTestId("plane-zoom")).toBeVisible();
+  await expect(page.getByTestId("lens-sentence")).toBeVisible();
 });
 
 test("after the last step come the sweeps of the optimizer, whose poor elements the view shows", async ({

@@ -17,6 +17,7 @@ export class LensLayer implements Layer {
   #origin: Position = [0, 0, 0];
 
   constructor() {
+    this.root.visible = false;
     this.#parts.forEach(({ object }, order) => {
       object.frustumCulled = false;
       object.renderOrder = 20 + order;

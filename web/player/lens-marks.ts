@@ -58,6 +58,16 @@ export function lensMarks({ trace, step, examined, others: all, showsIdeal, isGa
   const isAccepted = examined?.candidate.verdict === "accepted";
   const failing = failingMarks({ trace, step, examined });
   const tip = normalOf(base, faceSize(trace, step.face));
+  const labels: readonly LensLabel[] = [
+    ...failing.labels,
+    ...candidateLabel(examined),
+    { kind: "base", position: mean(base), text: texts.base(step.face) },
+    ...(showsIdeal ? [{ kind: "ideal", position: step.idealPoint, text: texts.ideal } as const] : []),
+    { kind: "base", position: tip[1] ?? base[0], text: texts.normal },
+    ...others.flatMap(({ node, isNew, position }) =>
+      isNew ? [] : [{ kind: "candidate" as const, position, text: texts.node(node) }],
+    ),
+  ];
   return {
     base,
     normal: tip,
@@ -68,18 +78,7 @@ export function lensMarks({ trace, step, examined, others: all, showsIdeal, isGa
     newFaces: apex ? base.flatMap((corner, i) => [corner, base[(i + 1) % 3] ?? corner, apex]) : [],
     isAccepted,
     ...failing,
-    labels: [
-      ...failing.labels,
-      ...(isGame ? [] : candidateLabel(examined)),
-      { kind: "base", position: mean(base), text: texts.base(step.face) },
-      ...(showsIdeal && !isGame
-        ? [{ kind: "ideal", position: step.idealPoint, text: texts.ideal } as const]
-        : []),
-      { kind: "base", position: tip[1] ?? base[0], text: texts.normal },
-      ...others.flatMap(({ node, isNew, position }) =>
-        isNew ? [] : [{ kind: "candidate" as const, position, text: texts.node(node) }],
-      ),
-    ],
+    labels: isGame ? [] : labels,
   };
 }
 

@@ -14,7 +14,7 @@ export interface LensScene {
   readonly others: readonly TracedCandidate[];
   readonly region: SearchRegion | null;
   readonly showsIdeal: boolean;
-  /** Whether nodes have labels of another kind: those to choose from. */
+  /** Whether nodes have labels of another kind, those to choose from: others would lie under them. */
   readonly isGame: boolean;
 }
 

@@ -44,12 +44,25 @@ export interface GameVerdict {
   readonly isDisputed: boolean;
 }
 
+/** What the view shows of the game. */
+export interface EdgeTask {
+  readonly question: GameQuestion;
+  /** The choice and its verdict; null before the choice. */
+  readonly answer: { readonly node: number | null; readonly verdict: GameVerdict } | null;
+}
+
 /**
  * Returns the next base edge after a state of lines and patches that suits a level: an easy one has no refused candidate, a
- * hard one has at least one. Null if there is none. O(steps between).
+ * hard one has at least one. With direction -1, returns the last one whose step begins in that state or before. Null if there is
+ * none. O(steps between).
  */
-export function nextQuestion(surface: SurfaceTrace, state: number, level: GameLevel): GameQuestion | null {
-  for (let at = state + 1; at <= surface.stepCount; at++) {
+export function nextQuestion(
+  surface: SurfaceTrace,
+  state: number,
+  level: GameLevel,
+  direction: 1 | -1 = 1,
+): GameQuestion | null {
+  for (let at = state + 1; at >= 1 && at <= surface.stepCount; at += direction) {
     if (surface.kindAt(at) !== "accepted") continue;
     const hasRefused = surface.refusalsAt(at).some((refusal) => refusal !== undefined);
     if ((level === "easy" && hasRefused) || (level === "hard" && !hasRefused)) continue;

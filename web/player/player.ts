@@ -6,6 +6,7 @@ import type { MeshRun } from "../session/run";
 import { entityLabels, type EntityLabels } from "./entity-labels";
 import type { FrontColoring } from "./front-values";
 import type { Loop } from "./loop";
+import type { EdgeTask } from "./mesher-game";
 import { firstState, phaseEnd, phaseStart } from "./phases";
 import { Playback } from "./playback";
 import { recordProject, type PreparedOf, type Recorded, type RecordingChoices } from "./recording";
@@ -62,6 +63,8 @@ export interface PlayerState {
   readonly sweep: number | null;
   /** What "Be the mesher" asks in the volume; null if it is not played. */
   readonly task: VolumeTask | null;
+  /** What "Be the mesher" asks in a patch; null if it is not played. */
+  readonly edgeTask: EdgeTask | null;
   /** Whether the front is faded while the lens shows a step. */
   readonly fades: boolean;
   /** Whether the view follows the base face. */
@@ -106,6 +109,7 @@ export const initialPlayerState: PlayerState = {
   showsRegion: false,
   sweep: null,
   task: null,
+  edgeTask: null,
   fades: true,
   follows: false,
 };
@@ -223,15 +227,16 @@ export class Player {
     });
   }
 
-  /** Shows the state after a step; numbers out of range show the first or the last state. */
-  seek(step: number): void {
+  /**
+   * Shows the state after a step; numbers out of range show the first or the last state. `isScrubbed`: others may follow at
+   * once, so the lens waits for the last.
+   */
+  seek(step: number, isScrubbed = performance.now() - this.#soughtAt < scrubbedMs): void {
     const { trace, step: before } = this.state.getState();
     if (!trace) return;
     const to = Math.min(Math.max(firstState(trace), Math.round(step)), trace.stepCount);
     if (to === before) return;
-    const now = performance.now();
-    const isScrubbed = now - this.#soughtAt < scrubbedMs;
-    this.#soughtAt = now;
+    this.#soughtAt = performance.now();
     clearTimeout(this.#settling);
     if (isScrubbed) this.#settling = setTimeout(() => this.#settle(), settledMs);
     this.state.setState({ step: to, candidate: null, sweep: null, ...(!isScrubbed && { lensStep: to }) });

@@ -6,8 +6,8 @@ import { LensLayer } from "./lens-layer";
 import { lensMarks } from "./lens-marks";
 import { lensSceneOf, type LensScene } from "./lens-scene";
 import { endsOf } from "./planar-judge";
-import type { PlayerState } from "./player";
-import { surfaceState } from "./phases";
+import { initialPlayerState, type PlayerState } from "./player";
+import { firstState, surfaceState } from "./phases";
 import { ReplayLayer } from "./replay-layer";
 import { SurfaceLayer } from "./surface-layer";
 import { inSpace } from "./surface-scene";
@@ -29,7 +29,7 @@ export function showPlayer(player: StoreApi<PlayerState>, viewer: Viewer): () =>
       shown?.end();
       // A trace from a file can be of another model.
       viewer.replaceModel(state.isOpened ? (state.trace?.nodes.positions ?? null) : null);
-      shown = state.trace && { trace: state.trace, ...drawTrace(state.trace, viewer) };
+      shown = state.trace && { trace: state.trace, ...drawTrace(state.trace, viewer, player) };
       viewer.show({ isReplaying: shown !== null });
     }
     shown?.show(state);
@@ -44,7 +44,7 @@ export function showPlayer(player: StoreApi<PlayerState>, viewer: Viewer): () =>
   };
 }
 
-function drawTrace(trace: Trace, viewer: Viewer) {
+function drawTrace(trace: Trace, viewer: Viewer, player: StoreApi<PlayerState>) {
   const replay = new ReplayLayer(trace);
   const lens = new LensLayer();
   const sweeps = new SweepLayer(trace);
@@ -58,19 +58,46 @@ function drawTrace(trace: Trace, viewer: Viewer) {
     if (positions) viewer.fitPositions(positions);
   };
   const ends = [replay, surface, sweeps, lens].map((layer) => viewer.addLayer(layer));
+  const draw = (state: PlayerState): LensScene | null => {
+    const scene = lensSceneOf(state);
+    replay.show(state, scene !== null && state.fades);
+    surface.show(surfaceState(trace, state.step), state.candidate, state.edgeTask);
+    sweeps.show(state.sweep);
+    lens.show(scene);
+    return scene;
+  };
+  const rehearsal = new AbortController();
+  const rehearsed = statesToRehearse(trace).map(
+    (step) => (): void => void draw({ ...initialPlayerState, trace, step, lensStep: step }),
+  );
+  void viewer.rehearse(rehearsed, () => void draw(player.getState()), rehearsal.signal);
   return {
     show: (state: PlayerState): void => {
-      const scene = lensSceneOf(state);
-      replay.show(state, scene !== null && state.fades);
-      surface.show(surfaceState(trace, state.step), state.candidate);
-      sweeps.show(state.sweep);
-      lens.show(scene);
+      const scene = draw(state);
       if (state.follows) follow(state, scene);
       else followed = null;
       viewer.requestFrame();
     },
-    end: (): void => ends.forEach((end) => end()),
+    end: (): void => {
+      rehearsal.abort();
+      ends.forEach((end) => end());
+    },
   };
+}
+
+/** Returns a state of each phase with what its lens shows: a face that is completed, and an edge of a patch. */
+function statesToRehearse(trace: Trace): readonly number[] {
+  const first = firstState(trace);
+  const edge = trace.surface
+    ? nextSuch(first, 0, (step) => trace.surface?.stepAt(step - first)?.kind === "edge")
+    : null;
+  const face = nextSuch(1, trace.stepCount + 1, (step) => trace.stepAt(step)?.kind === "advance");
+  return [edge, face].filter((step) => step !== null);
+}
+
+function nextSuch(from: number, to: number, isSuch: (step: number) => boolean): number | null {
+  for (let step = from; step < to; step++) if (isSuch(step)) return step;
+  return null;
 }
 
 /** Returns what the step of a state is about; null if it is not about a face or an edge, or if steps follow each other too fast. */

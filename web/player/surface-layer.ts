@@ -6,6 +6,7 @@ import { createFacetMaterial } from "../viewer/materials/facet-material";
 import { setColor } from "../viewer/materials/uniforms";
 import type { SceneChanges } from "../viewer/scene-state";
 import { Dots, Facets, WideSegments } from "./lens-parts";
+import type { EdgeTask } from "./mesher-game";
 import { endsOf } from "./planar-judge";
 import { examinedCandidate } from "./planar-lens";
 import { inSpace, surfaceScene } from "./surface-scene";
@@ -29,6 +30,7 @@ export class SurfaceLayer implements Layer {
   #madeBefore: readonly number[] = [0];
   #state: number | null = null;
   #candidate: number | null = null;
+  #task: EdgeTask | null = null;
   /** Whether the triangles are there, relative to the present origin. They are made when a state is first shown. */
   #hasTriangles = false;
   #origin: Position = [0, 0, 0];
@@ -63,13 +65,17 @@ export class SurfaceLayer implements Layer {
     if (!changes.has("origin")) return;
     this.#origin = origin;
     this.#hasTriangles = false;
-    this.show(this.#state, this.#candidate);
+    this.show(this.#state, this.#candidate, this.#task);
   }
 
-  /** Shows a state of the lines and patches, from 0; null to show nothing. `candidate`: as for `examinedCandidate`. */
-  show(state: number | null, candidate: number | null = null): void {
+  /**
+   * Shows a state of the lines and patches, from 0; null to show nothing. `candidate`: as for `examinedCandidate`. `task`: the
+   * base edge that the reader is asked about is shown instead of the step's.
+   */
+  show(state: number | null, candidate: number | null = null, task: EdgeTask | null = null): void {
     this.#state = state;
     this.#candidate = candidate;
+    this.#task = task;
     this.root.visible = state !== null;
     if (state === null) return;
     if (!this.#hasTriangles) this.#writeTriangles();
@@ -80,11 +86,25 @@ export class SurfaceLayer implements Layer {
     this.#nodes.set(scene.nodes, this.#origin);
     this.#done.show(0, this.#doneBefore[scene.finished] ?? 0);
     this.#made.show(this.#madeBefore[scene.finished] ?? 0, scene.made);
-    this.#showStep(state);
+    if (task) this.#showTask(task);
+    else this.#showStep(state);
   }
 
   dispose(): void {
     for (const part of [...this.#wide, this.#nodes, this.#triangle, this.#done, this.#made]) part.dispose();
+  }
+
+  /** Draws the base edge of a question; after the answer also its triangle, or the edges because of which there is none. */
+  #showTask({ question: { front, step }, answer }: EdgeTask): void {
+    const ends = (nodes: readonly number[]): Position[] => nodes.map((node) => inSpace(front, node));
+    const edges = answer?.verdict.edges ?? [];
+    const apex = answer && answer.verdict.points > 0 ? answer.node : null;
+    this.#base.set(ends(endsOf(front, step.edge)), this.#origin);
+    this.#culprit.set(
+      edges.flatMap((edge) => ends(endsOf(front, edge))),
+      this.#origin,
+    );
+    this.#triangle.set(apex === null ? [] : ends([...step.nodes, apex]), this.#origin);
   }
 
   /** Draws the base edge of a step, the triangle over it, and the edge because of which its candidate was refused. */

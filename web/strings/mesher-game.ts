@@ -31,6 +31,7 @@ export const mesherGameStrings = {
   node: (node: number | null) => (node === null ? "New node" : `Node ${number(node)}`),
   score: (points: number, rounds: number) => `${number(points)} of ${number(2 * rounds)} points`,
   next: "Next edge",
+  lens: "The view and the plane show the base edge that comes next. The lens explains steps again when the game has ended.",
   none: "No further edge of this level follows. Choose another level, or go back in the player.",
   verdict: {
     best: () => "The program chose the same. 2 points.",

@@ -14,19 +14,23 @@ const gap = 2;
 
 /**
  * Returns the middles of labels, moved as little as needed so that none lies on another one; earlier labels stay. If there is no
- * room within twelve heights, a label stays where it is. O(n²).
+ * room within twelve heights, a label stays where it is. `fits` tells which places can be seen. O(n²).
  */
-export function placedApart(labels: readonly Label[]): readonly { readonly x: number; readonly y: number }[] {
+export function placedApart(
+  labels: readonly Label[],
+  fits: (place: Label) => boolean = () => true,
+): readonly { readonly x: number; readonly y: number }[] {
   const placed: Label[] = [];
   for (const label of labels) {
-    placed.push(freePlace(label, placed));
+    placed.push(freePlace(label, placed, fits));
   }
   return placed;
 }
 
-/** Returns the nearest place of a label where it lies on none of others; its own place if there is none. */
-function freePlace(label: Label, others: readonly Label[]): Label {
-  for (const place of placesAround(label)) if (others.every((other) => !overlap(place, other))) return place;
+/** Returns the nearest place of a label where it can be seen and lies on none of others; its own place if there is none. */
+function freePlace(label: Label, others: readonly Label[], fits: (place: Label) => boolean): Label {
+  for (const place of placesAround(label))
+    if (fits(place) && others.every((other) => !overlap(place, other))) return place;
   return label;
 }
 
@@ -53,14 +57,16 @@ const reach = 14;
 /**
  * Returns the middles of labels of a drawing, given by what they name: outside of the drawing if it is small, otherwise at some
  * distance from what they name, away from the middle of the drawing. None lies on another one if there is room, and they are
- * moved into the view. The place of a label is null if what it names is out of view; the others are placed without it.
+ * moved into the view, and out from under what covers its left side. The place of a label is null if what it names is out of
+ * view; the others are placed without it.
  */
 export function placedAround(
   labels: readonly Label[],
-  view: { readonly width: number; readonly height: number },
+  view: { readonly width: number; readonly height: number; readonly coveredLeft?: number },
 ): readonly ({ readonly x: number; readonly y: number } | null)[] {
   const shown = labels.filter(({ x, y }) => x >= 0 && y >= 0 && x <= view.width && y <= view.height);
   if (shown.length === 0) return labels.map(() => null);
+  const left = view.coveredLeft ?? 0;
   const centre = {
     x: shown.reduce((sum, { x }) => sum + x, 0) / shown.length,
     y: shown.reduce((sum, { y }) => sum + y, 0) / shown.length,
@@ -73,15 +79,20 @@ export function placedAround(
     const by = Math.min(radius - far + reach, maxReach) + half;
     return {
       ...label,
-      x: within(label.x + by * dx, label.width / 2, view.width),
-      y: within(label.y + by * dy, label.height / 2, view.height),
+      x: within(label.x + by * dx, label.width / 2, left, view.width),
+      y: within(label.y + by * dy, label.height / 2, 0, view.height),
     };
   });
-  const placed = placedApart(outside);
+  const fits = ({ x, y, width, height }: Label): boolean =>
+    x - width / 2 >= left &&
+    x + width / 2 <= view.width &&
+    y - height / 2 >= 0 &&
+    y + height / 2 <= view.height;
+  const placed = placedApart(outside, fits);
   const places = new Map(shown.map((label, i) => [label, placed[i]]));
   return labels.map((label) => places.get(label) ?? null);
 }
 
-/** Moves a coordinate so that the half extent around it lies in a view. */
-const within = (at: number, half: number, extent: number): number =>
-  Math.min(Math.max(at, half), Math.max(half, extent - half));
+/** Moves a coordinate so that the half extent around it lies between two others, if there is room. */
+const within = (at: number, half: number, low: number, high: number): number =>
+  Math.min(Math.max(at, low + half), Math.max(low + half, high - half));

@@ -46,6 +46,17 @@ export class SceneRenderer {
     await prepareShaders(this.webgl, this.scene, camera);
   }
 
+  /**
+   * Draws in one pixel, which the next frame draws over. A first drawing makes buffers and the last form of shaders, which
+   * takes a multiple of the time of the next.
+   */
+  rehearse(camera: PerspectiveCamera): void {
+    this.webgl.setScissor(0, 0, 1, 1);
+    this.webgl.setScissorTest(true);
+    this.webgl.render(this.scene, camera);
+    this.webgl.setScissorTest(false);
+  }
+
   /** Returns the new viewport. */
   resize(width: number, height: number): Viewport {
     this.webgl.setSize(width, height, false);

@@ -267,6 +267,24 @@ export class Viewer {
     };
   }
 
+  /**
+   * Makes ready what layers show only later, so that its first frame takes no longer than others: compiles their shaders,
+   * also those of hidden ones, and draws every state once, out of sight. Each of `states` shows one, and `restore` the
+   * present one again. Does nothing once `signal` is aborted.
+   */
+  async rehearse(states: readonly (() => void)[], restore: () => void, signal: AbortSignal): Promise<void> {
+    await this.#renderer.prepare(this.#view.camera);
+    await new Promise(requestAnimationFrame);
+    if (signal.aborted || this.#isDisposed) return;
+    for (const show of states) {
+      show();
+      this.#renderer.rehearse(this.#view.camera);
+    }
+    restore();
+    // The canvas has been cleared.
+    this.#loop.drawNow();
+  }
+
   get camera(): PerspectiveCamera {
     return this.#view.camera;
   }
@@ -274,6 +292,11 @@ export class Viewer {
   /** Width and height in CSS pixels. */
   get size(): Pick<Viewport, "width" | "height"> {
     return this.#state.viewport;
+  }
+
+  /** Where labels can be seen, in CSS pixels. */
+  get labelArea(): { readonly width: number; readonly height: number; readonly coveredLeft: number } {
+    return { ...this.size, coveredLeft: this.#options.coveredLeft() };
   }
 
   /** Draws again, after a layer has changed by itself. */

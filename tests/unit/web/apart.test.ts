@@ -70,4 +70,24 @@ describe("labels around a drawing", () => {
     ]);
     expect(placedAround(outside, view)).toEqual([null, null]);
   });
+
+  it("stay in the view beside what covers it, also where they are moved apart", () => {
+    const random = randomSource(5);
+    const anchors = Array.from({ length: 12 }, () => ({
+      x: random() % 40,
+      y: 270 + (random() % 30),
+      ...flat,
+    }));
+    const coveredLeft = 48;
+    const places = placedAround(anchors, { ...view, coveredLeft });
+    places.forEach((a, i) => {
+      if (!a) throw new Error("a label in the view has no place");
+      expect(a.x).toBeGreaterThanOrEqual(coveredLeft + flat.width / 2);
+      expect(a.y).toBeLessThanOrEqual(view.height - flat.height / 2);
+      for (const b of places.slice(i + 1))
+        expect(Math.abs(a.x - (b?.x ?? 0)) >= flat.width || Math.abs(a.y - (b?.y ?? 0)) >= flat.height).toBe(
+          true,
+        );
+    });
+  });
 });

@@ -40,6 +40,16 @@ it.each(levels)("asks %s questions whose answer is among the choices", (level) =
   }
 });
 
+it("asks the same questions in reverse when the reader goes back", () => {
+  const { surface } = trace;
+  if (!surface) throw new Error("the trace has no patches");
+  for (const level of levels) {
+    const steps = questions(level).map(({ step }) => step.step);
+    const back = steps.map((step) => nextQuestion(surface, step - 2, level, -1)?.step.step);
+    expect(back).toEqual([undefined, ...steps.slice(0, -1)]);
+  }
+});
+
 it("gives both points for the program's choice, which our own check accepts", () => {
   for (const question of questions("medium")) {
     expect(judgeChoice(question, question.program)).toEqual({

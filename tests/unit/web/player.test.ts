@@ -161,6 +161,13 @@ describe("the player", () => {
     player.seek(50);
     player.jump("postponed", 1);
     expect(player.state.getState().lensStep).toBe(player.state.getState().step);
+    // The first press on the slider begins a scrub: its frame has no time for the lens.
+    vi.advanceTimersByTime(1000);
+    const { lensStep } = player.state.getState();
+    player.seek(12, true);
+    expect(shown()).toEqual([12, lensStep]);
+    vi.advanceTimersByTime(200);
+    expect(shown()).toEqual([12, 12]);
     vi.useRealTimers();
   });
 

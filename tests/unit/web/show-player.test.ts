@@ -5,6 +5,7 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import { firstState, phasesOf } from "../../../web/player/phases";
 import { initialPlayerState, type PlayerState } from "../../../web/player/player";
 import { showPlayer } from "../../../web/player/show-player";
+import type { Layer } from "../../../web/viewer/layers/layer";
 import type { Viewer } from "../../../web/viewer/viewer";
 import { recordSurface } from "../../support/recorded-models";
 
@@ -16,14 +17,25 @@ beforeAll(async () => {
 });
 
 const fitPositions = vi.fn();
+const rehearse = vi.fn<Viewer["rehearse"]>(() => Promise.resolve());
+/** Layers in the order in which they were added last. */
+let layers: Layer[] = [];
 const viewer = {
-  addLayer: () => vi.fn(),
+  addLayer: (layer: Layer) => {
+    layers.push(layer);
+    return vi.fn();
+  },
+  rehearse,
   show: vi.fn(),
   replaceModel: vi.fn(),
   requestFrame: vi.fn(),
   fitPositions,
 } as unknown as Viewer;
-beforeEach(() => fitPositions.mockReset());
+beforeEach(() => {
+  layers = [];
+  fitPositions.mockReset();
+  rehearse.mockClear();
+});
 
 /** Shows a player that follows the front, in the first state. */
 function following(): StoreApi<PlayerState> {
@@ -76,4 +88,24 @@ it("moves to the edge of a patch when fast playing is paused", () => {
   expect(fitPositions).not.toHaveBeenCalled();
   player.setState({ isPlaying: false });
   expect(fitPositions).toHaveBeenCalledTimes(1);
+});
+
+it("rehearses a face and an edge under the lens, shows the present state again, and stops at the end", () => {
+  const player = createStore<PlayerState>(() => ({ ...initialPlayerState, trace }));
+  const end = showPlayer(player, viewer);
+  expect(rehearse).toHaveBeenCalledTimes(1);
+  const [states = [], restore, signal] = rehearse.mock.calls[0] ?? [];
+  const visible = (): readonly boolean[] => layers.map(({ root }) => root.visible);
+  const rehearsed = layers.map(() => false);
+  for (const show of states) {
+    show();
+    visible().forEach((isVisible, i) => (rehearsed[i] ||= isVisible));
+  }
+  restore?.();
+  expect(visible()).toEqual([true, false, false, false]);
+  const [replay, surface, , lens] = rehearsed;
+  expect([replay, surface, lens]).toEqual([true, true, true]);
+  expect(signal?.aborted).toBe(false);
+  end();
+  expect(signal?.aborted).toBe(true);
 });

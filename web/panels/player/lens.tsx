@@ -69,6 +69,9 @@ export function Lens() {
 function Step() {
   const trace = useTrace();
   const state = usePlayer(({ lensStep }) => surfaceState(trace, lensStep));
+  const isGame = usePlayer(({ edgeTask }) => edgeTask !== null);
+  // The step before the question would be taken for what is asked.
+  if (isGame) return <Text size="sm">{texts.game.lens}</Text>;
   if (trace.surface === null || state === null) return <StepUnderLens />;
   return <SurfaceLens surface={trace.surface} state={state} />;
 }

@@ -1,5 +1,5 @@
 import { Button, SegmentedControl } from "@mantine/core";
-import { useMemo, useState } from "react";
+import { useEffect, useMemo, useState } from "react";
 import type { SurfaceTrace } from "tetrafront";
 import { firstState } from "../../player/phases";
 import {
@@ -14,8 +14,9 @@ import { useApp } from "../shared/app-context";
 import { GameDrawing } from "./game-drawing";
 import styles from "./plane-view.module.css";
 import { useAnswers } from "./use-answers";
+import { useDirection } from "./use-direction";
 import { useGameFocus } from "./use-game-focus";
-import { useTrace } from "./use-player";
+import { usePlayer, useTrace } from "./use-player";
 
 const texts = strings.player.game;
 
@@ -31,9 +32,22 @@ export function MesherGame({ surface, state }: { readonly surface: SurfaceTrace;
   const [level, setLevel] = useState<GameLevel>("easy");
   /** By step: each step counts once, whatever the level. */
   const [answers, addAnswer] = useAnswers<Answer>(trace);
-  const question = useMemo(() => nextQuestion(surface, state, level), [surface, state, level]);
+  const isPlaying = usePlayer((shown) => shown.isPlaying);
+  const direction = useDirection(state);
+  const question = useMemo(() => {
+    if (isPlaying) return null;
+    const last = direction < 0 ? nextQuestion(surface, state, level, -1) : null;
+    return last ?? nextQuestion(surface, state, level);
+  }, [surface, state, level, direction, isPlaying]);
   const given = (question && answers.get(question.step.step)) ?? null;
   const box = useGameFocus(question?.step.step ?? null, given !== null);
+  useEffect(() => {
+    if (!question) return undefined;
+    // The view shows the front before the step, and its base edge. Going back leads to the question before.
+    player.seek(firstState(trace) + question.step.step - 1);
+    player.state.setState({ edgeTask: { question, answer: given } });
+    return () => player.state.setState({ edgeTask: null });
+  }, [player, trace, question, given]);
   const points = [...answers.values()].reduce((sum, { verdict }) => sum + verdict.points, 0);
   const choose = (node: number | null): void => {
     if (!question || given) return;
@@ -57,7 +71,9 @@ export function MesherGame({ surface, state }: { readonly surface: SurfaceTrace;
         />
         <span data-testid="game-score">{texts.score(points, answers.size)}</span>
       </div>
-      <p className={styles["task"]}>{question ? `${texts.task} ${texts.help[level]}` : texts.none}</p>
+      <p className={styles["task"]}>
+        {isPlaying ? strings.player.playing : question ? `${texts.task} ${texts.help[level]}` : texts.none}
+      </p>
       {question && (
         <GameDrawing
           question={question}

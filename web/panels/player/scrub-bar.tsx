@@ -32,7 +32,7 @@ export function ScrubBar() {
     if ((event.buttons & 1) === 0) return;
     const { left, width: pixels } = event.currentTarget.getBoundingClientRect();
     player.pause();
-    player.seek(first + (states * (event.clientX - left)) / pixels);
+    player.seek(first + (states * (event.clientX - left)) / pixels, true);
   };
   const onKeyDown = (event: KeyboardEvent): void => {
     const steps = stepsOfKey(event.key);

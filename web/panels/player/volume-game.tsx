@@ -6,6 +6,7 @@ import { pickText, strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import styles from "./plane-view.module.css";
 import { useAnswers } from "./use-answers";
+import { useDirection } from "./use-direction";
 import { useGameFocus } from "./use-game-focus";
 import { usePlayer, useTrace } from "./use-player";
 
@@ -15,18 +16,6 @@ const { game } = strings.player;
 interface Answer {
   readonly node: number | null;
   readonly verdict: VolumeVerdict;
-}
-
-/** Returns whether the last change of the state led forward or back. */
-function useDirection(state: number): 1 | -1 {
-  const [last, setLast] = useState<{ readonly state: number; readonly direction: 1 | -1 }>({
-    state,
-    direction: 1,
-  });
-  if (state === last.state) return last.direction;
-  const direction = state < last.state ? -1 : 1;
-  setLast({ state, direction });
-  return direction;
 }
 
 /** Asks for the fourth node of the next element, judges the choice, and keeps a score. The view shows the nodes to choose from. */
@@ -63,7 +52,7 @@ export function VolumeGame({ onEnd }: { readonly onEnd: () => void }) {
   }, [player, trace, question, given, level, isPlaying, addAnswer]);
   const choose = (node: number | null): void => player.state.getState().task?.choose(node);
   return (
-    <div ref={box} className={styles["game"]} data-testid="volume-game">
+    <div ref={box} className={`${styles["game"]} ${styles["inLens"]}`} data-testid="volume-game">
       <div className={styles["header"]}>
         <SegmentedControl
           size="xs"

@@ -27,7 +27,7 @@ export function LensLabels({ viewer }: { readonly viewer: Viewer }) {
         setShown(marker, line, at !== null);
         if (at) shown.push({ ...at, width: marker.offsetWidth, height: marker.offsetHeight, marker, line });
       });
-      const places = placedAround(shown, viewer.size);
+      const places = placedAround(shown, viewer.labelArea);
       shown.forEach(({ x, y, marker, line }, i) => {
         const place = places[i];
         if (!place) return setShown(marker, line, false);
@@ -68,11 +68,12 @@ const noLabels: readonly LensLabel[] = [];
 function useSurfaceLabels(): readonly LensLabel[] {
   const trace = usePlayer((state) => state.trace);
   const candidate = usePlayer((state) => state.candidate);
+  const task = usePlayer((state) => state.edgeTask);
   const step = usePlayer((state) => (state.isPlaying || state.step !== state.lensStep ? null : state.step));
   return useMemo(() => {
     const state = trace && step !== null ? surfaceState(trace, step) : null;
-    return trace?.surface && state !== null ? surfaceLabels(trace.surface, state, candidate) : noLabels;
-  }, [trace, step, candidate]);
+    return trace?.surface && state !== null ? surfaceLabels(trace.surface, state, candidate, task) : noLabels;
+  }, [trace, step, candidate, task]);
 }
 
 function setShown(marker: HTMLElement, line: Element | undefined, isShown: boolean): void {
