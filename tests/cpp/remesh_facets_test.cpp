@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <random>
 
 #include "base/task.h"
@@ -12,6 +15,7 @@
 #include "remesh/envelope.h"
 #include "remesh/guarded_surface.h"
 #include "remesh/surface_editor.h"
+#include "support/hard_shapes.h"
 #include "support/part_shapes.h"
 #include "support/surface_measures.h"
 
@@ -33,6 +37,32 @@ SurfaceMesh turnedL() {
     mesh.points[i + 2] = 0.96 * q.y + 0.28 * q.z;
   }
   return mesh;
+}
+
+TEST(RemeshFacets, ManyNeedlesHaveFewLongPieces) {
+  // Pieces of the usual length would be 2 to 3 million.
+  constexpr std::uint32_t kStrips = 20'000;
+  const SurfaceMesh given = needleDrum(kStrips, 0);
+  ReferenceSurface reference(given, {}, FeatureRules{});
+  Job<> job([&reference](Work& work) { return reference.prepare(work); });
+  job.finish();
+  EXPECT_LE(reference.pieces().size(), 1'000'000 + countTriangles(given));
+  double area = 0.0;
+  for (const ReferenceSurface::Piece& piece : reference.pieces()) area += piece.area;
+  const double wall = 4.0 * kStrips * std::sin(std::numbers::pi / kStrips);
+  const double cap = 0.5 * kStrips * std::sin(2.0 * std::numbers::pi / kStrips);
+  EXPECT_NEAR(area, wall + 2.0 * cap, 1e-9);
+  // The side of the drum is at a distance of 0.1 from these positions, up to the sagitta of a strip.
+  for (int i = 0; i < 8; ++i) {
+    const double angle = 0.7 * i;
+    const Vec3 position(1.1 * std::cos(angle), 1.1 * std::sin(angle), 0.2 * i + 0.1);
+    double nearest = 1.0;
+    for (const SmoothPatchId patch : IdRange<SmoothPatchId>(reference.patchCount())) {
+      const NearestPoint found = reference.nearest(position, patch, 0.5, {});
+      if (!found.triangle.isNone()) nearest = std::min(nearest, std::sqrt(found.squaredDistance));
+    }
+    EXPECT_NEAR(nearest, 0.1, 1e-7);
+  }
 }
 
 TEST(RemeshFacets, TrianglesOverAFacetStayOverIt) {

@@ -192,6 +192,7 @@ INSTANTIATE_TEST_SUITE_P(Remesh, RemeshOperations,
                                            Body{"tube", [] { return coarseTube(16, 0.6, 2.0); }},
                                            Body{"needle_plate",
                                                 [] { return needlePlate(1, 12, 0.1); }},
+                                           Body{"needle_star", [] { return needleDrum(40, 5); }},
                                            Body{"blade", [] { return twistedBlade(6, 3, 0.02); }},
                                            Body{"barrel",
                                                 [] {

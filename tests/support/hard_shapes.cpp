@@ -561,6 +561,26 @@ void addRings(SurfaceMesh& mesh, std::uint32_t rings, std::uint32_t around) {
 
 }  // namespace
 
+SurfaceMesh needleDrum(std::uint32_t count, int lobes) {
+  SurfaceMesh drum;
+  for (const double z : {0.0, 2.0}) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / count;
+      const double radius = lobes == 0 ? 1.0 : 1.0 + 0.3 * std::cos(lobes * angle);
+      drum.points.insert(drum.points.end(),
+                         {radius * std::cos(angle), radius * std::sin(angle), z});
+    }
+  }
+  drum.points.insert(drum.points.end(), {0.0, 0.0, 0.0, 0.0, 0.0, 2.0});
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t j = (i + 1) % count;
+    const std::uint32_t centre = 2 * count;
+    drum.triangles.insert(drum.triangles.end(), {i, j, count + j, i, count + j, count + i, j, i,
+                                                 centre, count + i, count + j, centre + 1});
+  }
+  return drum;
+}
+
 SurfaceMesh needlePlate(int n, int sides, double thickness) {
   std::vector<Vec2> positions;
   const auto add = [&](double x, double y) {

@@ -81,6 +81,10 @@ SurfaceMesh distantBlocks(int n, int step, std::uint64_t seed);
 /// coplanar up to rounding, so doubles may be unable to hold any position inside it.
 SurfaceMesh flatPocket();
 
+/// An upright drum of `count` needle strips, whose caps are fans of needles around their centres. `lobes`: number of waves of its
+/// outline, in which it is concave; 0 for a round one.
+SurfaceMesh needleDrum(std::uint32_t count, int lobes);
+
 /// A plate with n x n round holes, each a polygon with an even number of `sides`. Ear clipping that
 /// always takes the first ear cuts its flat faces into needles.
 SurfaceMesh needlePlate(int n, int sides, double thickness);

@@ -140,7 +140,7 @@ BoundaryRecovery::Hit BoundaryRecovery::firstHit(NodeId from, NodeId towards) {
   const Hit near = walkToHit(from, towards);
   if (near.kind != Hit::Kind::kNothing) return near;
   // A star may be large, and the one at the other end small. From there, only an edge between both can be seen.
-  Hit back = walkToHit(towards, from);
+  const Hit back = walkToHit(towards, from);
   if (back.kind == Hit::Kind::kNode && back.u == from)
     return {Hit::Kind::kNode, back.tet, mesh_.cornerOf(back.tet, from), towards, towards};
   mesh_.star(from, star_);

@@ -94,10 +94,11 @@ void DeviationBound::findNeighbours() {
 bool DeviationBound::advance(std::size_t budget) {
   parts_ = 0;
   while (!isPassDone() && parts_ < budget) {
-    ++parts_;
     const TriangleId t(take(1).first);
     const SmoothPatchId patch = reference_.patchOf(t);
-    if (!reference_.patch(patch).isPlanar) {
+    if (reference_.patch(patch).isPlanar) {
+      ++parts_;
+    } else {
       measure(cornersOf(reference_.mesh(), t), patch, above_[t.index()], 0);
     }
   }

@@ -27,7 +27,7 @@ class DeviationBound : public Resumable {
   /// `surface` must outlive this. `least`: the bound is not made smaller. O(n log n).
   DeviationBound(const GuardedSurface& surface, double least);
 
-  /// Visits given triangles until about `budget` parts are measured; true when finished.
+  /// Visits given triangles until about `budget` of their parts are measured; true when finished.
   bool advance(std::size_t budget);
 
   [[nodiscard]] double bound() const { return bound_; }

@@ -105,8 +105,9 @@ class GuardedSurface {
   [[nodiscard]] bool isInOnePlane() const;
   [[nodiscard]] bool isFreeOfIntersections();
   [[nodiscard]] bool isCovered(const NumberedTriangle& added) const;
-  [[nodiscard]] bool doCover(const std::array<TriangleId, 2>& beneath,
-                             const NumberedTriangle& added, int axis, double facing) const;
+  [[nodiscard]] bool areCovering(const std::array<TriangleId, 2>& covering,
+                                 const NumberedTriangle& added, int axis, double facing) const;
+  [[nodiscard]] bool isStarRemoved(NodeId node) const;
   [[nodiscard]] bool isInEnvelope();
   [[nodiscard]] bool findHosts();
   [[nodiscard]] TriangleId hintFor(std::size_t added) const;
@@ -127,7 +128,7 @@ class GuardedSurface {
   // Scratch of apply(): data of the added triangles, in their order.
   const SurfaceChange* change_ = nullptr;
   std::vector<NumberedTriangle> numbered_;
-  std::vector<NumberedTriangle> uncovered_;  ///< those of numbered_ that others may intersect
+  std::vector<NumberedTriangle> uncovered_;  ///< added triangles that may intersect others
   std::vector<NearestPoint> below_;  ///< of the centroid; in planar patches only the triangle
   std::vector<PatchFacetId> overNow_;
   std::vector<std::pair<GuestId, std::size_t>> hosts_;  ///< guest, index of the added triangle

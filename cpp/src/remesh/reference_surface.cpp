@@ -78,11 +78,11 @@ Task<> ReferenceSurface::prepare(Work& work) {
   co_await work.yield();
   std::vector<Box> boxes;
   pieceLength_ = kPieceLength * diagonal_;
-  while (!divideAll(boxes)) {
+  for (;;) {
+    const bool isDivided = co_await divideAll(work, boxes);
+    if (isDivided) break;
     pieceLength_ *= 2.0;
-    co_await work.yield();
   }
-  co_await work.yield();
   BoxTreeBuilder builder(std::move(boxes));
   co_await work.finish(builder, 32);
   tree_ = builder.take();
@@ -325,15 +325,18 @@ void ReferenceSurface::traceLine(NodeId from, const Arm& first, const EdgeTable&
   lines_.push_back(std::move(line));
 }
 
-/// Divides all triangles into pieces. Returns false if the pieces would be too many.
-bool ReferenceSurface::divideAll(std::vector<Box>& boxes) {
+/// Divides all triangles into pieces. Returns false if the pieces are too many.
+Task<bool> ReferenceSurface::divideAll(Work& work, std::vector<Box>& boxes) {
   boxes.clear();
   pieces_.clear();
-  for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh_))) {
-    divide(t, cornersOf(mesh_, t), kMaxHalvings, boxes);
-    if (pieces_.size() > kMaxPieces + t.index()) return false;
-  }
-  return true;
+  bool areFew = true;
+  co_await work.forEachBlock(countTriangles(mesh_), [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last && areFew; ++t) {
+      divide(TriangleId(t), cornersOf(mesh_, TriangleId(t)), kMaxHalvings, boxes);
+      areFew = pieces_.size() <= kMaxPieces + t;
+    }
+  });
+  co_return areFew;
 }
 
 void ReferenceSurface::divide(TriangleId triangle, const std::array<Vec3, 3>& corners, int depth,

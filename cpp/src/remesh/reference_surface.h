@@ -140,7 +140,7 @@ class ReferenceSurface {
     const std::uint32_t begin = armBegins_[node.index()];
     return std::span(arms_).subspan(begin, armBegins_[node.index() + 1] - begin);
   }
-  [[nodiscard]] bool divideAll(std::vector<Box>& boxes);
+  Task<bool> divideAll(Work& work, std::vector<Box>& boxes);
   void divide(TriangleId triangle, const std::array<Vec3, 3>& corners, int depth,
               std::vector<Box>& boxes);
   [[nodiscard]] NearestPoint walk(const Vec3& position, TriangleId from) const;
