@@ -412,9 +412,12 @@ test("the reader chooses nodes of a patch, is judged, and sees what a wrong one 
   await page.getByTestId("game-toggle").click();
   const verdict = page.getByTestId("game-verdict");
   // The view names the nodes to choose from, and the lens does not explain another step.
-  const asked = (await page.locator("[data-testid^=game-choice-]").allTextContents()).slice(0, -1);
-  for (const name of asked)
-    await expect(page.getByTestId("lens-labels")).toContainText(name.replace("Node", "node"));
+  const offered = page.locator("[data-testid^=game-choice-]");
+  await expect(offered.first()).toBeVisible();
+  const asked = (await offered.allTextContents()).slice(0, -1).map((name) => name.replace("Node", "node"));
+  expect(asked.length).toBeGreaterThan(0);
+  const named = page.getByTestId("lens-labels").locator("span[data-kind=candidate]");
+  await expect.poll(() => named.allTextContents()).toEqual(expect.arrayContaining(asked));
   await expect(page.getByTestId("lens")).toContainText("show the base edge that comes next");
   await expect(page.getByTestId("lens-sentence")).toHaveCount(0);
   const choices = page.getByRole("group", { name: "Nodes to choose from" }).getByRole("button");

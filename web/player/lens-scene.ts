@@ -52,7 +52,8 @@ function isSame(a: Examined, b: Examined): boolean {
   );
 }
 
-function sceneOf(trace: Trace, state: Examined): LensScene | null {
+/** Returns the scene of a state as `lensSceneOf` does, but always as a new object, which is not kept. */
+export function sceneOf(trace: Trace, state: Examined): LensScene | null {
   if (state.task) return taskScene(trace, state.task);
   // While the front is played or scrubbed, only its faces change.
   if (state.isPlaying || state.step !== state.lensStep || state.sweep !== null) return null;

@@ -4,7 +4,7 @@ import type { Position } from "../document/position";
 import { cornersOf } from "./judge";
 import { LensLayer } from "./lens-layer";
 import { lensMarks } from "./lens-marks";
-import { lensSceneOf, type LensScene } from "./lens-scene";
+import { lensSceneOf, sceneOf, type LensScene } from "./lens-scene";
 import { endsOf } from "./planar-judge";
 import { initialPlayerState, type PlayerState } from "./player";
 import { firstState, surfaceState } from "./phases";
@@ -58,19 +58,22 @@ function drawTrace(trace: Trace, viewer: Viewer, player: StoreApi<PlayerState>) 
     if (positions) viewer.fitPositions(positions);
   };
   const ends = [replay, surface, sweeps, lens].map((layer) => viewer.addLayer(layer));
-  const draw = (state: PlayerState): LensScene | null => {
-    const scene = lensSceneOf(state);
+  const draw = (state: PlayerState, scene = lensSceneOf(state)): LensScene | null => {
     replay.show(state, scene !== null && state.fades);
     surface.show(surfaceState(trace, state.step), state.candidate, state.edgeTask);
     sweeps.show(state.sweep);
     lens.show(scene);
     return scene;
   };
-  const rehearsal = new AbortController();
-  const rehearsed = statesToRehearse(trace).map(
-    (step) => (): void => void draw({ ...initialPlayerState, trace, step, lensStep: step }),
-  );
-  void viewer.rehearse(rehearsed, () => void draw(player.getState()), rehearsal.signal);
+  // Not with the scene of `lensSceneOf`: the one that is followed would be made again.
+  const drawHidden = (step: number): void => {
+    const { coloring, faces, elements } = player.getState();
+    const state = { ...initialPlayerState, trace, step, lensStep: step, coloring, faces, elements };
+    draw(state, sceneOf(trace, state));
+  };
+  const warmUp = new AbortController();
+  const hidden = statesToWarmUp(trace).map((step) => (): void => drawHidden(step));
+  void viewer.warmUp(hidden, () => void draw(player.getState()), warmUp.signal);
   return {
     show: (state: PlayerState): void => {
       const scene = draw(state);
@@ -79,24 +82,28 @@ function drawTrace(trace: Trace, viewer: Viewer, player: StoreApi<PlayerState>) 
       viewer.requestFrame();
     },
     end: (): void => {
-      rehearsal.abort();
+      warmUp.abort();
       ends.forEach((end) => end());
     },
   };
 }
 
-/** Returns a state of each phase with what its lens shows: a face that is completed, and an edge of a patch. */
-function statesToRehearse(trace: Trace): readonly number[] {
+/** Returns a state of the patches and one of the volume, with what the lens shows there: an edge, and a face. */
+function statesToWarmUp(trace: Trace): readonly number[] {
+  const { surface } = trace;
   const first = firstState(trace);
-  const edge = trace.surface
-    ? nextSuch(first, 0, (step) => trace.surface?.stepAt(step - first)?.kind === "edge")
-    : null;
-  const face = nextSuch(1, trace.stepCount + 1, (step) => trace.stepAt(step)?.kind === "advance");
+  const isEdge = (step: number): boolean => {
+    const kind = surface?.kindAt(step - first);
+    return kind === "accepted" || kind === "postponed";
+  };
+  const edge = surface && findStep(first + surface.lastLineStep + 1, 0, isEdge);
+  const face = findStep(1, trace.stepCount + 1, (step) => trace.stepAt(step)?.kind === "advance");
   return [edge, face].filter((step) => step !== null);
 }
 
-function nextSuch(from: number, to: number, isSuch: (step: number) => boolean): number | null {
-  for (let step = from; step < to; step++) if (isSuch(step)) return step;
+/** Returns the first step from `from` to before `to` that meets a condition; null if there is none. */
+function findStep(from: number, to: number, isFound: (step: number) => boolean): number | null {
+  for (let step = from; step < to; step++) if (isFound(step)) return step;
   return null;
 }
 

@@ -6,7 +6,7 @@ export interface Label {
   readonly height: number;
 }
 
-/** Places tried around the middle of a label, nearest first: rings of eight. */
+/** Positions tried around the middle of a label, nearest first: rings of eight. */
 const directions = 8;
 const rings = 12;
 /** Space between two labels, in CSS pixels. */
@@ -14,28 +14,36 @@ const gap = 2;
 
 /**
  * Returns the middles of labels, moved as little as needed so that none lies on another one; earlier labels stay. If there is no
- * room within twelve heights, a label stays where it is. `fits` tells which places can be seen. O(n²).
+ * room within twelve heights, a label may leave the view, and then stays where it is. `fits`: whether a label is in view at a
+ * position. O(n²).
  */
 export function placedApart(
   labels: readonly Label[],
-  fits: (place: Label) => boolean = () => true,
+  fits: (label: Label) => boolean = () => true,
 ): readonly { readonly x: number; readonly y: number }[] {
   const placed: Label[] = [];
   for (const label of labels) {
-    placed.push(freePlace(label, placed, fits));
+    placed.push(freePosition(label, placed, fits));
   }
   return placed;
 }
 
-/** Returns the nearest place of a label where it can be seen and lies on none of others; its own place if there is none. */
-function freePlace(label: Label, others: readonly Label[], fits: (place: Label) => boolean): Label {
-  for (const place of placesAround(label))
-    if (fits(place) && others.every((other) => !overlap(place, other))) return place;
-  return label;
+/**
+ * Returns a label at its nearest position in view where it lies on none of others; if there is none, at the nearest one out
+ * of view; if there is none either, where it is.
+ */
+function freePosition(label: Label, others: readonly Label[], fits: (label: Label) => boolean): Label {
+  let outOfView: Label | null = null;
+  for (const moved of positionsAround(label)) {
+    if (others.some((other) => overlap(moved, other))) continue;
+    if (fits(moved)) return moved;
+    outOfView ??= moved;
+  }
+  return outOfView ?? label;
 }
 
-/** Returns the places that are tried for a label, nearest first. */
-function* placesAround(label: Label): Generator<Label> {
+/** Returns a label at the positions that are tried for it, nearest first. */
+function* positionsAround(label: Label): Generator<Label> {
   yield label;
   for (let ring = 1; ring <= rings; ring++)
     for (let i = 0; i < directions; i++) {
@@ -57,7 +65,7 @@ const reach = 14;
 /**
  * Returns the middles of labels of a drawing, given by what they name: outside of the drawing if it is small, otherwise at some
  * distance from what they name, away from the middle of the drawing. None lies on another one if there is room, and they are
- * moved into the view, and out from under what covers its left side. The place of a label is null if what it names is out of
+ * moved into the view, and out from under what covers its left side. The position of a label is null if what it names is out of
  * view; the others are placed without it.
  */
 export function placedAround(
@@ -89,8 +97,8 @@ export function placedAround(
     y - height / 2 >= 0 &&
     y + height / 2 <= view.height;
   const placed = placedApart(outside, fits);
-  const places = new Map(shown.map((label, i) => [label, placed[i]]));
-  return labels.map((label) => places.get(label) ?? null);
+  const positions = new Map(shown.map((label, i) => [label, placed[i]]));
+  return labels.map((label) => positions.get(label) ?? null);
 }
 
 /** Moves a coordinate so that the half extent around it lies between two others, if there is room. */

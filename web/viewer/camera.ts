@@ -134,9 +134,10 @@ export class ViewCamera {
 
   /**
    * Sets the size of the view in CSS pixels, and how much of its width is covered at the left: the target appears in the
-   * middle of the rest. What was fitted last is fitted again, unless the camera was moved or zoomed since.
+   * middle of the rest. What was fitted last is fitted again, unless the camera was moved or zoomed since. Returns whether
+   * it was fitted again.
    */
-  resize(width: number, height: number, coveredLeft: number): void {
+  resize(width: number, height: number, coveredLeft: number): boolean {
     const fitted = this.#isAtFit() ? this.#fitted : null;
     this.camera.aspect = width / Math.max(1, height);
     const covered = Math.min(0.5, coveredLeft / Math.max(1, width));
@@ -146,6 +147,7 @@ export class ViewCamera {
     this.camera.filmOffset = covered === 0 ? 0 : (-covered / 2) * seen * this.camera.getFilmWidth();
     this.camera.updateProjectionMatrix();
     if (fitted) this.fit(fitted.low, fitted.high, false);
+    return fitted !== null;
   }
 
   /** Moves so that a box, given by two corners, fills the view. The direction stays. */

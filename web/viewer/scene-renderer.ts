@@ -47,10 +47,10 @@ export class SceneRenderer {
   }
 
   /**
-   * Draws in one pixel, which the next frame draws over. A first drawing makes buffers and the last form of shaders, which
-   * takes a multiple of the time of the next.
+   * Draws in one pixel, which the next frame draws over. The first drawing uploads buffers and compiles the final variants of
+   * shaders.
    */
-  rehearse(camera: PerspectiveCamera): void {
+  warmUp(camera: PerspectiveCamera): void {
     this.webgl.setScissor(0, 0, 1, 1);
     this.webgl.setScissorTest(true);
     this.webgl.render(this.scene, camera);

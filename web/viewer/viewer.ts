@@ -68,6 +68,8 @@ export class Viewer {
   #replaced: Bounds | null = null;
   /** Radius of the model when it was last fitted as a whole; 0 without extent. */
   #fittedRadius = 0;
+  /** Whether what was fitted last is the whole model, or what is shown instead of it. */
+  #isWholeFitted = false;
   #state: SceneState;
 
   constructor(container: HTMLElement, canvas: HTMLCanvasElement, options: ViewerOptions) {
@@ -269,20 +271,20 @@ export class Viewer {
 
   /**
    * Makes ready what layers show only later, so that its first frame takes no longer than others: compiles their shaders,
-   * also those of hidden ones, and draws every state once, out of sight. Each of `states` shows one, and `restore` the
-   * present one again. Does nothing once `signal` is aborted.
+   * also those of hidden ones, and draws every state once, out of sight, each in a frame of its own so that none takes long.
+   * Each of `states` shows one, and `restore` the present one again. Ends early if `signal` is aborted.
    */
-  async rehearse(states: readonly (() => void)[], restore: () => void, signal: AbortSignal): Promise<void> {
+  async warmUp(states: readonly (() => void)[], restore: () => void, signal: AbortSignal): Promise<void> {
     await this.#renderer.prepare(this.#view.camera);
-    await new Promise(requestAnimationFrame);
-    if (signal.aborted || this.#isDisposed) return;
     for (const show of states) {
+      await new Promise(requestAnimationFrame);
+      if (signal.aborted || this.#isDisposed) return;
       show();
-      this.#renderer.rehearse(this.#view.camera);
+      this.#renderer.warmUp(this.#view.camera);
+      restore();
+      // The canvas has been cleared.
+      this.#loop.drawNow();
     }
-    restore();
-    // The canvas has been cleared.
-    this.#loop.drawNow();
   }
 
   get camera(): PerspectiveCamera {
@@ -405,6 +407,7 @@ export class Viewer {
 
   /** Moves to a target, with its surroundings if it is smaller than the model. */
   #fitBounds(target: Bounds, animate = this.#options.motion): void {
+    this.#isWholeFitted = target.empty || target === this.#replaced;
     const whole = shownBounds(this.#state);
     const [from, to] = closeUpBox(target.empty ? whole : target, whole.radius, this.#state.origin);
     this.#view.fit(from, to, animate);
@@ -442,10 +445,11 @@ export class Viewer {
     if (clientWidth === 0 || clientHeight === 0) return;
     const { empty, low, high } = this.#replaced ?? projectBounds(this.#state.project, this.#state.bodies);
     const wasShown = !empty && this.#showsAll(low, high);
-    this.#view.resize(clientWidth, clientHeight, this.#options.coveredLeft());
+    const isFittedAgain = this.#view.resize(clientWidth, clientHeight, this.#options.coveredLeft());
     this.#update({ viewport: this.#renderer.resize(clientWidth, clientHeight) });
-    // For example when a panel that covered half of the view is closed.
-    if (wasShown && !this.#showsAll(low, high)) this.fit(null, false);
+    // For example when a panel that covered half of the view is closed. The model may have grown since it was fitted; another
+    // target keeps its fit.
+    if (isFittedAgain ? this.#isWholeFitted : wasShown && !this.#showsAll(low, high)) this.fit(null, false);
     this.#cube?.resize();
     // Draw at once: the canvas is blank after a change of its size.
     this.#loop.drawNow();

@@ -22,6 +22,16 @@ it("lets none of sixteen crowded labels lie on another one, and moves none far",
   });
 });
 
+it("lets labels leave the view rather than lie on each other if none fits", () => {
+  const labels = Array.from({ length: 4 }, () => ({ x: 20, y: 20, ...size }));
+  const placed = placedApart(labels, () => false);
+  expect(placed[0]).toMatchObject({ x: 20, y: 20 });
+  placed.forEach((a, i) => {
+    for (const b of placed.slice(i + 1))
+      expect(Math.abs(a.x - b.x) >= size.width || Math.abs(a.y - b.y) >= size.height).toBe(true);
+  });
+});
+
 describe("labels around a drawing", () => {
   const view = { width: 400, height: 300 };
   const flat = { width: 40, height: 16 };

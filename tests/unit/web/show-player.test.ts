@@ -4,6 +4,7 @@ import { beforeAll, beforeEach, expect, it, vi } from "vitest";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { firstState, phasesOf } from "../../../web/player/phases";
 import { initialPlayerState, type PlayerState } from "../../../web/player/player";
+import { nextStop } from "../../../web/player/stops";
 import { showPlayer } from "../../../web/player/show-player";
 import type { Layer } from "../../../web/viewer/layers/layer";
 import type { Viewer } from "../../../web/viewer/viewer";
@@ -17,7 +18,7 @@ beforeAll(async () => {
 });
 
 const fitPositions = vi.fn();
-const rehearse = vi.fn<Viewer["rehearse"]>(() => Promise.resolve());
+const warmUp = vi.fn<Viewer["warmUp"]>(() => Promise.resolve());
 /** Layers in the order in which they were added last. */
 let layers: Layer[] = [];
 const viewer = {
@@ -25,7 +26,7 @@ const viewer = {
     layers.push(layer);
     return vi.fn();
   },
-  rehearse,
+  warmUp,
   show: vi.fn(),
   replaceModel: vi.fn(),
   requestFrame: vi.fn(),
@@ -34,7 +35,7 @@ const viewer = {
 beforeEach(() => {
   layers = [];
   fitPositions.mockReset();
-  rehearse.mockClear();
+  warmUp.mockClear();
 });
 
 /** Shows a player that follows the front, in the first state. */
@@ -90,22 +91,41 @@ it("moves to the edge of a patch when fast playing is paused", () => {
   expect(fitPositions).toHaveBeenCalledTimes(1);
 });
 
-it("rehearses a face and an edge under the lens, shows the present state again, and stops at the end", () => {
-  const player = createStore<PlayerState>(() => ({ ...initialPlayerState, trace }));
-  const end = showPlayer(player, viewer);
-  expect(rehearse).toHaveBeenCalledTimes(1);
-  const [states = [], restore, signal] = rehearse.mock.calls[0] ?? [];
-  const visible = (): readonly boolean[] => layers.map(({ root }) => root.visible);
-  const rehearsed = layers.map(() => false);
+/** Draws the states that are drawn out of sight, calling back after each, and shows the present one again. */
+function drawHidden(after: () => void = () => undefined): void {
+  const [states = [], restore] = warmUp.mock.calls.at(-1) ?? [];
+  expect(states).toHaveLength(2);
   for (const show of states) {
     show();
-    visible().forEach((isVisible, i) => (rehearsed[i] ||= isVisible));
+    after();
+    restore?.();
   }
-  restore?.();
+}
+
+it("draws a face and an edge under the lens out of sight, shows the present state again, and stops at the end", () => {
+  const player = createStore<PlayerState>(() => ({ ...initialPlayerState, trace }));
+  const end = showPlayer(player, viewer);
+  expect(warmUp).toHaveBeenCalledTimes(1);
+  const visible = (): readonly boolean[] => layers.map(({ root }) => root.visible);
+  const wasVisible = layers.map(() => false);
+  drawHidden(() => visible().forEach((isVisible, i) => (wasVisible[i] ||= isVisible)));
   expect(visible()).toEqual([true, false, false, false]);
-  const [replay, surface, , lens] = rehearsed;
+  const [replay, surface, , lens] = wasVisible;
   expect([replay, surface, lens]).toEqual([true, true, true]);
+  const signal = warmUp.mock.calls[0]?.[2];
   expect(signal?.aborted).toBe(false);
   end();
   expect(signal?.aborted).toBe(true);
+});
+
+it("does not move again to what it follows after states were drawn out of sight", () => {
+  const player = createStore<PlayerState>(() => ({ ...initialPlayerState, trace, follows: true }));
+  showPlayer(player, viewer);
+  const step = nextStop(trace, 0, 1, "new-node") ?? 0;
+  player.setState({ step, lensStep: step });
+  const moves = fitPositions.mock.calls.length;
+  expect(moves).toBeGreaterThan(0);
+  drawHidden();
+  player.setState({ coloring: "size" });
+  expect(fitPositions).toHaveBeenCalledTimes(moves);
 });

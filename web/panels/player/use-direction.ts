@@ -1,6 +1,6 @@
 import { useState } from "react";
 
-/** Returns whether the last change of the state led forward or back. */
+/** Returns the direction of the last change of the state: 1 forward, -1 back; 1 at first. */
 export function useDirection(state: number): 1 | -1 {
   const [last, setLast] = useState<{ readonly state: number; readonly direction: 1 | -1 }>({
     state,
