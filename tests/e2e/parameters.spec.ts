@@ -14,6 +14,15 @@ test("a parameter moves the points whose coordinates use it; the file keeps it",
   await page.keyboard.type("height = 3/2");
   await expect(page.getByTestId("new-parameter-name")).toHaveValue("height");
   await expect(page.getByTestId("new-parameter-expression")).toBeFocused();
+  // Without a right side, the expression of the other field stays; a name typed into the second field moves to the first.
+  await page.getByTestId("new-parameter-name").fill("height=");
+  await expect(page.getByTestId("new-parameter-name")).toHaveValue("height");
+  await expect(page.getByTestId("new-parameter-expression")).toHaveValue(/^ ?3\/2$/);
+  await page.getByTestId("new-parameter-name").fill("");
+  await page.getByTestId("new-parameter-expression").fill("");
+  await page.keyboard.type("height = 3/2");
+  await expect(page.getByTestId("new-parameter-name")).toHaveValue("height");
+  await expect(page.getByTestId("new-parameter-expression")).toHaveValue(/^ ?3\/2$/);
   await page.keyboard.press("Enter");
   await expect(page.getByTestId("parameter-value-height")).toHaveText("1.5");
   await expect(page.getByTestId("new-parameter-name")).toBeFocused();

@@ -305,7 +305,7 @@ test("a large trace is read with progress, and reading it can be cancelled: what
   await expect(viewport).toHaveAttribute("data-step", "0");
 });
 
-test("with reduced motion, playing shows one picture per second and says so", async ({ page }) => {
+test("with reduced motion, playing shows one picture per second, with a note", async ({ page }) => {
   await page.emulateMedia({ reducedMotion: "reduce" });
   const { viewport } = await openTrace(page, star);
   await expect(viewport).toHaveAttribute("data-steps", /[1-9]/);

@@ -1,7 +1,6 @@
 import type { App } from "../app/app";
 import { booleanKinds, type BooleanKind } from "../document/booleans/kinds";
 import type { Solid } from "../document/booleans/solids";
-import { allEntities } from "../document/select-related";
 import { loadManifold } from "../session/manifold";
 import { operationStrings } from "../strings";
 import { define, type Command } from "./command";
@@ -14,7 +13,7 @@ const texts = operationStrings.booleans;
 const latest = new WeakMap<App, symbol>();
 
 /**
- * Opens the panel of a Boolean operation on two bodies, or says what to select. Loading and sampling take time: if the
+ * Opens the panel of a Boolean operation on two bodies, or shows what to select. Loading and sampling take time: if the
  * project or the selection changes meanwhile, or another operation is opened, nothing happens.
  */
 async function startBoolean(app: App, kind: BooleanKind): Promise<void> {
@@ -29,22 +28,19 @@ async function startBoolean(app: App, kind: BooleanKind): Promise<void> {
     app.view.state.getState().selection === selection &&
     app.operations.state.getState().open === null;
   try {
-    const [library, { solidCandidates }, { booleanOperation }, preview] = await Promise.all([
+    const [library, { solidOf, touchedBodies }, { booleanOperation }, preview] = await Promise.all([
       loadManifold(),
       import("../document/booleans/solids"),
       import("../document/operations/booleans"),
       app.previews.samples(),
     ]);
     if (!preview || !isLatest()) return;
-    const selected = solidCandidates(project, selection, preview);
+    const selected = touchedBodies(project, selection);
     // A project with two bodies leaves no doubt which ones are meant.
-    const all = selected.length < 2 ? solidCandidates(project, allEntities(project), preview) : [];
-    const candidates = all.length === 2 ? all : selected;
-    const solids = candidates.flatMap(({ solid }) => solid ?? []);
-    const [first, second] = solids;
-    if (candidates.length !== 2) {
-      return showMessage(app, texts.title, [texts.twoBodies(candidates.length)]);
-    }
+    const all = selected.length < 2 ? touchedBodies(project, []) : [];
+    const bodies = all.length === 2 ? all : selected;
+    if (bodies.length !== 2) return showMessage(app, texts.title, [texts.twoBodies(bodies.length)]);
+    const [first, second] = bodies.map((entities) => solidOf(project, entities, preview));
     if (!first || !second) return showMessage(app, texts.title, [texts.open]);
     const both: readonly [Solid, Solid] = [first, second];
     startOperation(app, booleanOperation(library, both, kind));

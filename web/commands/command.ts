@@ -14,8 +14,8 @@ export interface Command {
   /** Do the keys work while a text field has the focus? */
   readonly inFields: boolean;
   readonly enabled: (app: App) => boolean;
-  /** What it needs to be enabled, for users who look for it; null if they would not. */
-  readonly needs: string | null;
+  /** What a disabled command needs, shown in the palette; null: the palette hides it while it is disabled. */
+  readonly needs: (app: App) => string | null;
   /** For commands that toggle something: is it on? Else null. */
   readonly checked: ((app: App) => boolean) | null;
   readonly run: (app: App) => void;
@@ -25,7 +25,7 @@ export interface Extra {
   readonly keys?: readonly string[];
   readonly inFields?: boolean;
   readonly enabled?: (app: App) => boolean;
-  readonly needs?: string;
+  readonly needs?: string | ((app: App) => string | null);
   readonly checked?: (app: App) => boolean;
 }
 
@@ -33,7 +33,12 @@ type Label = string | ((app: App) => string);
 
 export const define =
   (menu: MenuName, section: number) =>
-  (id: string, label: Label, run: (app: App) => void, extra: Extra = {}): Command => ({
+  (
+    id: string,
+    label: Label,
+    run: (app: App) => void,
+    { needs = () => null, ...extra }: Extra = {},
+  ): Command => ({
     id,
     menu,
     section,
@@ -41,7 +46,7 @@ export const define =
     keys: extra.keys ?? [],
     inFields: extra.inFields ?? false,
     enabled: extra.enabled ?? (() => true),
-    needs: extra.needs ?? null,
+    needs: typeof needs === "function" ? needs : () => needs,
     checked: extra.checked ?? null,
     run,
   });

@@ -5,10 +5,14 @@ import type { Extra } from "./command";
 
 export const hasSelection = (app: App): boolean => app.view.state.getState().selection.length > 0;
 
+/** Returns that a selection is needed; null if there is one, because a command is then disabled for another reason. */
+export const selectionNeeded = (app: App): string | null =>
+  hasSelection(app) ? null : paletteStrings.needs.selection;
+
 /** For commands that apply to the selection. */
-export const needsSelection: Required<Pick<Extra, "enabled" | "needs">> = {
+export const needsSelection: Pick<Extra, "enabled" | "needs"> = {
   enabled: hasSelection,
-  needs: paletteStrings.needs.selection,
+  needs: selectionNeeded,
 };
 
 /** Is an element, a triangle or a position marked? */

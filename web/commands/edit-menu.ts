@@ -10,8 +10,8 @@ import {
 } from "../document/select-related";
 import type { Entity } from "../document/entities";
 import { commandLabels, paletteStrings } from "../strings";
-import { define, type Command } from "./command";
-import { hasHighlight, hasSelection, needsSelection } from "./conditions";
+import { define, type Command, type Extra } from "./command";
+import { hasHighlight, hasSelection, needsSelection, selectionNeeded } from "./conditions";
 import { canGroup, groupSelection } from "./group-actions";
 import { canRename, deleteSelection, rename } from "./selection-actions";
 import { mergeableBody, mergeSelectedPatches } from "./surface-actions";
@@ -31,20 +31,20 @@ function leaveLevel(app: App): void {
   else app.view.clear();
 }
 
-const needsNothing = { enabled: () => true, needs: paletteStrings.needs.selection };
+const needsNothing = { enabled: () => true };
 
 /** A command that replaces the selection by related entities. */
 const select = (
   id: keyof typeof commandLabels.selecting,
   related: (project: Project, selection: readonly Entity[]) => readonly Entity[],
   keys: readonly string[],
-  { enabled, needs } = needsSelection,
+  condition: Pick<Extra, "enabled" | "needs"> = needsSelection,
 ): Command =>
   define("edit", 2)(
     `select-${id}`,
     commandLabels.selecting[id],
     ({ documents, view }) => view.selectAll(related(documents.project, view.state.getState().selection)),
-    { keys, enabled, needs },
+    { keys, ...condition },
   );
 
 export const editMenu: readonly Command[] = [
@@ -78,11 +78,11 @@ export const editMenu: readonly Command[] = [
   define("edit", 1)("rename", commandLabels.rename, rename, {
     keys: ["F2"],
     enabled: canRename,
-    needs: paletteStrings.needs.selection,
+    needs: selectionNeeded,
   }),
   define("edit", 1)("group", commandLabels.group, groupSelection, {
     enabled: canGroup,
-    needs: paletteStrings.needs.selection,
+    needs: selectionNeeded,
   }),
   define("edit", 1)("merge-patches", commandLabels.mergePatches, (app) => void mergeSelectedPatches(app), {
     enabled: (app) => mergeableBody(app.documents.project, app.view.state.getState().selection) !== undefined,

@@ -12,6 +12,9 @@ import { sizeTools } from "./tool-commands";
 
 const isBusy = (app: App): boolean => app.run.state.getState().busy;
 
+/** Returns whether the shown mesh is stretched: it cannot be improved. */
+const hasStretchedMesh = (app: App): boolean => app.run.state.getState().mesh?.metricShapes !== undefined;
+
 /** Factors for all sizes. */
 const finer = 0.8;
 const coarser = 1.25;
@@ -24,7 +27,7 @@ export const meshMenu: readonly Command[] = [
   }),
   define("mesh", 0)("improve", commandLabels.improve, (app) => void improveMesh(app), {
     enabled: (app) => canImprove(app.run.state.getState(), app.documents.state.getState()),
-    needs: paletteStrings.needs.mesh,
+    needs: (app) => (isBusy(app) || hasStretchedMesh(app) ? null : paletteStrings.needs.mesh),
   }),
   define("mesh", 0)(
     "cancel",

@@ -5,9 +5,9 @@ import { pieceOperations } from "../document/operations/pieces";
 import { sweepOperations } from "../document/operations/sweeps";
 import { duplicateOperation, transformOperations } from "../document/operations/transforms";
 import { settledProject } from "../session/document-store";
-import { operationStrings, paletteStrings } from "../strings";
+import { operationStrings } from "../strings";
 import { copySelection, hasNoText, pasteFragment } from "./clipboard-actions";
-import { hasSelection, needsSelection } from "./conditions";
+import { hasSelection, needsSelection, selectionNeeded } from "./conditions";
 import { startOperation } from "./start-operation";
 import { define, type Command, type MenuName } from "./command";
 
@@ -42,7 +42,7 @@ export const transformCommands: readonly Command[] = [
   define("edit", 5)("copy", operationStrings.copy, (app) => void copySelection(app), {
     keys: ["mod+C"],
     enabled: (app) => hasSelection(app) && hasNoText(),
-    needs: paletteStrings.needs.selection,
+    needs: selectionNeeded,
   }),
   define("edit", 5)(
     "paste",

@@ -23,18 +23,21 @@ export interface PaletteItem {
   readonly takesFocus?: boolean;
 }
 
-/** Returns every command that is enabled or says what it needs, in the order of the menus. */
+/** Returns every command that is enabled or has a text of what it needs, in the order of the menus. */
 function commandItems(app: App): PaletteItem[] {
   return commands
-    .map((command) => ({ command, isEnabled: command.enabled(app) }))
-    .filter(({ command, isEnabled }) => isEnabled || command.needs !== null)
-    .map(({ command, isEnabled }) => ({
+    .map((command) => {
+      const isEnabled = command.enabled(app);
+      return { command, isEnabled, needs: isEnabled ? null : command.needs(app) };
+    })
+    .filter(({ isEnabled, needs }) => isEnabled || needs !== null)
+    .map(({ command, needs }) => ({
       id: command.id,
       group: strings.menus[command.menu],
       label: command.label(app),
       words: synonyms[command.id] ?? (DOWNLOADS.includes(command.id) ? paletteStrings.downloads : ""),
       hotkey: command.keys[0] ?? null,
-      needs: isEnabled ? null : command.needs,
+      needs,
       run: () => runCommand(app, command),
     }));
 }

@@ -73,11 +73,11 @@ function similar(words: readonly string[], items: readonly PaletteItem[]): Palet
   return [...(scores ?? [])].toSorted(([, a], [, b]) => a - b).map(([item]) => item);
 }
 
-/** Keeps all commands, and the first entries of each group of others. */
+/** Keeps all commands, disabled ones too, and the first entries of each group of others. */
 function limited(items: readonly PaletteItem[], listed: ReadonlySet<PaletteItem>): readonly PaletteItem[] {
   const counts = new Map<string, number>();
   return items.filter((item) => {
-    if (listed.has(item)) return true;
+    if (listed.has(item) || item.needs !== null) return true;
     const count = counts.get(item.group) ?? 0;
     counts.set(item.group, count + 1);
     return count < maxPerGroup;

@@ -2,9 +2,9 @@ import type { App } from "../app/app";
 import type { CutAxis, Layer, Shading } from "../document/selection";
 import { schemes } from "../session/shell";
 import type { StandardView } from "../viewer/camera";
-import { commandLabels, paletteStrings } from "../strings";
+import { commandLabels } from "../strings";
 import { define, type Command } from "./command";
-import { hasHighlight, hasSelection, needsSelection } from "./conditions";
+import { hasHighlight, hasSelection, needsSelection, selectionNeeded } from "./conditions";
 import { isolate } from "./selection-actions";
 
 const hasViewer = (app: App): boolean => app.viewer.getState().viewer !== null;
@@ -42,7 +42,7 @@ export const viewMenu: readonly Command[] = [
     {
       keys: ["shift+F"],
       enabled: (app) => hasViewer(app) && (hasSelection(app) || hasHighlight(app)),
-      needs: paletteStrings.needs.selection,
+      needs: selectionNeeded,
     },
   ),
   ...standardViews.map(([view, key]) =>

@@ -74,8 +74,7 @@ export const operationStrings = {
   numbersKept:
     "The expressions are too long to be kept, or bodies or planes cannot follow them. The numbers are kept: they will not follow parameters.",
   fullTurn: "A full turn stays one: its angle does not follow parameters.",
-  count: (count: number) =>
-    `Taken as the number ${count}: how many there are does not follow parameters, because each is an entity of its own.`,
+  wholeNumber: (value: number) => `The number ${value} is used: whole numbers do not follow parameters.`,
   imprint: {
     overlaps: (count: number) =>
       `Overlaps ${count === 1 ? "1 face" : `${count} faces`} of the model. Share touching faces for one watertight model with several regions, or use a Boolean operation afterwards.`,

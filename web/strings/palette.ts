@@ -4,7 +4,7 @@ export const paletteStrings = {
   examples: "Examples",
   settings: "Settings",
   templates: "New project",
-  /** What commands need that are disabled. */
+  /** What disabled commands need. */
   needs: {
     selection: "Select something in the view or the tree first.",
     line: "Select a line first.",

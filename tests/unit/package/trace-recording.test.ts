@@ -116,7 +116,7 @@ describe("tetrafront trace", () => {
     });
   });
 
-  test("changes the rules of the front as an experiment does, and says so in the trace", async () => {
+  test("changes the rules of the front as an experiment does, and keeps the changes in the trace", async () => {
     writeFileSync(inFolder("cube.json"), textOf("unit-cube"));
     const changes = [
       "--no-relaxation",

@@ -6,6 +6,7 @@ import { App } from "../../../web/app/app";
 import { booleanCommands } from "../../../web/commands/boolean-commands";
 import type { BooleanKind } from "../../../web/document/booleans/kinds";
 import { emptyProject } from "../../../web/document/create";
+import type { Entity } from "../../../web/document/entities";
 import { renameProject } from "../../../web/document/edits";
 import { newDocument } from "../../../web/session/document-store";
 import * as manifold from "../../../web/session/manifold";
@@ -108,8 +109,14 @@ it("opens its panel once the library and the samples are there", async () => {
   await vi.waitFor(() => expect(opened()).toBe(steps.union));
 });
 
-it("takes the only two bodies if one of them is selected, the first of the project first", async () => {
-  app.view.selectAll([{ kind: "patch", id: 101 }]);
+it.each<readonly [string, readonly Entity[]]>([
+  ["nothing is selected", []],
+  ["one of them is selected", [{ kind: "patch", id: 101 }]],
+])("takes the only two bodies if %s, the one with the first patch first", async (_, selection) => {
+  const cubes = twoCubes();
+  // The points of the second body come first.
+  app.showProject({ ...cubes, points: cubes.points.toReversed() });
+  app.view.selectAll(selection);
   start("difference");
   await load();
   await vi.waitFor(() => expect(opened()).toBe(steps.difference));

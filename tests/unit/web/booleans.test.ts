@@ -4,7 +4,7 @@ import { beforeAll, describe, expect, it } from "vitest";
 import { booleanKinds, type BooleanKind } from "../../../web/document/booleans/kinds";
 import { offerBoolean } from "../../../web/document/booleans/offer";
 import { orientedSurface } from "../../../web/document/booleans/orientation";
-import { solidCandidates, type Solid } from "../../../web/document/booleans/solids";
+import { solidOf, touchedBodies, type Solid } from "../../../web/document/booleans/solids";
 import { emptyProject } from "../../../web/document/create";
 import { insertInto, insertion } from "../../../web/document/insert-shape";
 import { pieceOperations } from "../../../web/document/operations/pieces";
@@ -70,8 +70,11 @@ function samplesOf(project: Project): ProjectPreview {
   return { patchOffsets, patchTriangles, patchPoints } as unknown as ProjectPreview;
 }
 
+const allSolids = (project: Project, samples = samplesOf(project)): Solid[] =>
+  touchedBodies(project, []).flatMap((entities) => solidOf(project, entities, samples) ?? []);
+
 function solidsOf(project: Project): readonly [Solid, Solid] {
-  const [first, second] = solidCandidates(project, [], samplesOf(project)).map(({ solid }) => solid);
+  const [first, second] = allSolids(project);
   if (!first || !second) throw new Error("the project has no two closed bodies");
   return [first, second];
 }
@@ -164,7 +167,7 @@ describe("Boolean operations on planar bodies", () => {
     const apart = boxes(unit, { size: [1, 1, 1], low: [5, 5, 5] });
     expect(offerBoolean(library, apart, solidsOf(apart), "intersection").possible).toBe(false);
     const three = boxes(unit, { size: [1, 1, 1], low: [0.5, 0.5, 0.5] }, { size: [1, 1, 1], low: [7, 0, 0] });
-    const solids = solidCandidates(three, [], samplesOf(three)).flatMap(({ solid }) => solid ?? []);
+    const solids = allSolids(three);
     expect(solids).toHaveLength(3);
     const [first, second] = solids;
     if (!first || !second) throw new Error("there are no solids");
@@ -285,9 +288,7 @@ describe("the samples of solid pieces", () => {
       if (!offer.possible) throw new Error(`${operation.id}: ${offer.reason}`);
       documents.edit(offer.creation.edit);
       const { project } = documents;
-      const [first, second] = solidCandidates(project, [], await mesher.previewProject(project, {})).map(
-        ({ solid }) => solid,
-      );
+      const [first, second] = allSolids(project, await mesher.previewProject(project, {}));
       if (!first || !second) throw new Error(`${operation.id} is not closed`);
       const areas = [first, second].map(({ points, triangles }) => triangleVolume(points, triangles));
       const volume = (kind: BooleanKind): number => {

@@ -125,6 +125,32 @@ describe("the commands", () => {
     expect(listed.every(({ needs }) => needs === null)).toBe(true);
   });
 
+  it("have a text of what they need only if it would enable them", () => {
+    const { app } = openApp();
+    const needs = (id: string): string | null => commandNamed(id).needs(app);
+    const selecting = ["rename", "group", "copy", "fit-selection", "delete"];
+    for (const id of selecting) expect(needs(id), id).toMatch(/^Select something/);
+    expect(needs("select-all")).toBeNull();
+    expect(needs("improve")).toMatch(/^Generate a mesh/);
+
+    // Several entities that are no group have no name, and groups cannot hold nodes of the background grid.
+    app.view.selectAll([
+      { kind: "background-node", id: 1 },
+      { kind: "background-node", id: 2 },
+    ]);
+    for (const id of ["rename", "group"]) expect(commandNamed(id).enabled(app), id).toBe(false);
+    for (const id of selecting) expect(needs(id), id).toBeNull();
+    // A text of the page is selected, which Ctrl C copies.
+    vi.stubGlobal("window", { getSelection: () => ({ isCollapsed: false }) });
+    const { listed, found } = paletteItems(app);
+    const ids = [...listed, ...found].map(({ id }) => id);
+    expect(ids).toContain("delete");
+    for (const id of ["rename", "group", "copy"]) expect(ids).not.toContain(id);
+
+    app.run.state.setState({ busy: true });
+    expect(needs("improve")).toBeNull();
+  });
+
   it("name the step that they undo or redo", () => {
     const { app, run } = openApp();
     app.documents.edit(renameProject("renamed"));

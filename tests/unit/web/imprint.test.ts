@@ -147,7 +147,7 @@ describe("a piece leaves the model as it is", () => {
       "if a section crosses a face",
       [cube, moved(wing({ digits: 12, chord: 1, tipChord: 1, span: 1, sweep: 0, twist: 0 }), [0.1, 0, 1])],
     ],
-  ])("and says so %s", (_, shapes) => {
+  ])("and is reported as incomplete %s", (_, shapes) => {
     const { last } = stacked(shapes);
     expect(last).toMatchObject({ shared: 0, isIncomplete: true });
   });

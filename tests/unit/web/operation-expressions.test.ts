@@ -271,7 +271,7 @@ describe("operations with values that are typed as expressions", () => {
   it.each([
     ["array-circular", "total", "centre.0"],
     ["revolve", "angle", "point.0"],
-  ] as const)("%s: a full turn stays one whatever the parameters are, and says so", (id, key, centre) => {
+  ] as const)("%s: a full turn stays one whatever the parameters are, with a note", (id, key, centre) => {
     const operation = operationOf(id);
     const turned = (r: string, angle: string): DocumentStore => {
       const documents = new DocumentStore(startWith(r), () => 0);
@@ -289,6 +289,7 @@ describe("operations with values that are typed as expressions", () => {
       operation.note?.({ ...operation.initial(subject), [key]: angle }, subject, { [key]: "360*r" });
     expect(noteFor(360)).toContain("full turn");
     expect(noteFor(270)).toBe("");
+    expect(noteFor(0)).toBe("");
   });
 
   it("leave a hole through a plane that turns with a parameter as it is, and say so", () => {

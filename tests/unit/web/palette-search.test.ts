@@ -61,6 +61,17 @@ it("lists disabled entries after all others, and not without a query", () => {
   expect(searchPalette("", items, [disabled]).map(({ id }) => id)).toEqual(["other"]);
 });
 
+it("lists all disabled commands that it finds, and the entries of others beside them", () => {
+  const disabled = Array.from({ length: 9 }, (_, i) => ({
+    ...item(`export-${i}`, `Export ${i}`, "", "File"),
+    needs: "Generate a mesh first.",
+  }));
+  const others = Array.from({ length: 9 }, (_, i) => item(`file-${i}`, `Export of ${i}`, "", "File"));
+  const all = searchPalette("export", [], [...disabled, ...others]).map(({ id }) => id);
+  expect(all.filter((id) => id.startsWith("export-"))).toEqual(disabled.map(({ id }) => id));
+  expect(all.filter((id) => id.startsWith("file-"))).toHaveLength(8);
+});
+
 it("prefers other words to parts of labels", () => {
   const items = [item("a", "Remove all"), item("b", "Translate", "move")];
   expect(searchPalette("move", items, []).map(({ id }) => id)).toEqual(["b", "a"]);

@@ -368,11 +368,49 @@ describe("the clipboard", () => {
     it.each([
       ["without the parameters", {}],
       ["with other values of them", { parameters: [{ name: "r", expression: "3" }] }],
-    ])("pastes numbers into a project %s, and tells so", (_, others) => {
+    ])("pastes numbers into a project %s, with a note", (_, others) => {
       const pasted = pasteInto({ ...emptyProject(), ...others });
       expect(pasted.note).toContain("the numbers are pasted");
       expect(pasted.project.points).toEqual([{ id: 1, position: [1, 0.5, 0] }]);
       expect(pasted.project.expressions).toBeUndefined();
+    });
+
+    describe("whose values are not allowed", () => {
+      const source = { id: 1, type: "point", positions: [[0, 0, 0]], size: 0.3, distance: 1, growth: 0.2 } as const; // prettier-ignore
+      const withSource = (d: string): Project => ({
+        ...emptyProject(),
+        parameters: [{ name: "d", expression: d }],
+        background: { nodes: [], tetrahedra: [], sources: [source] },
+        meshing: { size: 0.5 },
+        expressions: [
+          { kind: "source", id: 1, field: "size", expression: "d" },
+          { kind: "meshing", field: "size", expression: "2*d" },
+        ],
+      });
+      const noteIn = (project: Project, fragment: Project): string | undefined => {
+        const operation = pasteOperation(fragment);
+        const subject = { project, selection: [] };
+        return operation.note?.(operation.initial(subject), subject);
+      };
+
+      it("keeps them where the parameters have the same values; those of settings do not count", () => {
+        expect(noteIn(withSource("0.3"), withSource("0.3"))).toBe("");
+        expect(noteIn(withSource("-1"), withSource("-1"))).toBe("");
+        expect(noteIn(withSource("-1"), withSource("0.3"))).toContain("the numbers are pasted");
+        expect(noteIn(withSource("0.3"), withSource("-1"))).toBe("");
+        expect(noteIn(withSource("0.4"), withSource("-1"))).toContain("the numbers are pasted");
+      });
+    });
+
+    it("has a note for each project, whichever it was asked for before", () => {
+      const operation = pasteOperation(copied());
+      const noteIn = (project: Project): string | undefined => {
+        const subject = { project, selection: [] };
+        return operation.note?.(operation.initial(subject), subject);
+      };
+      for (const project of [from, emptyProject(), from]) {
+        for (let k = 0; k < 2; ++k) expect(noteIn(project) === "").toBe(project === from);
+      }
     });
   });
 });

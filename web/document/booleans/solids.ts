@@ -29,12 +29,6 @@ export interface Solid {
   readonly isPlanar: boolean;
 }
 
-/** Entities that should form a solid, and the solid; null if they are not closed. */
-export interface SolidCandidate {
-  readonly entities: readonly Entity[];
-  readonly solid: Solid | null;
-}
-
 /** Returns the ids of patches that are connected by common lines, in the order of the project. */
 export function connectedPatches({ patches }: Pick<Project, "patches">): number[][] {
   const parent = new Map<number, number>();
@@ -62,32 +56,27 @@ export function connectedPatches({ patches }: Pick<Project, "patches">): number[
 }
 
 /**
- * Returns the bodies that a selection touches, in the order of the selection; all without a selection. `samples` are those of
- * the project: along a line, all its patches have nodes at the same positions.
+ * Returns the bodies that a selection touches, each as its connected patches or as one body of triangles, in the order of the
+ * selection; without a selection, all bodies in the order of the project. O(entities).
  */
-export function solidCandidates(
+export function touchedBodies(
   project: Project,
   selection: readonly Entity[],
-  samples: ProjectPreview,
-): SolidCandidate[] {
+): readonly (readonly Entity[])[] {
   const groups: (readonly Entity[])[] = [
     ...connectedPatches(project).map((ids) => ids.map((id): Entity => ({ kind: "patch", id }))),
     ...bodiesOf(project).map(({ id }): Entity[] => [{ kind: "body", id }]),
   ];
-  const touching = partsByKey(project);
-  const chosen =
-    selection.length === 0
-      ? groups
-      : unique(
-          selection.flatMap((entity) => {
-            const reached = new Set((touching.get(entityKey(entity)) ?? [entity]).map(entityKey));
-            return groups.filter((group) => group.some((member) => reached.has(entityKey(member))));
-          }),
-        );
-  return chosen.map((entities) => ({ entities, solid: solidOf(project, entities, samples) }));
+  if (selection.length === 0) return groups;
+  const users = partsByKey(project);
+  const groupOf = new Map(groups.flatMap((group, index) => group.map((own) => [entityKey(own), index])));
+  const touched = selection.flatMap((entity) =>
+    (users.get(entityKey(entity)) ?? [entity])
+      .flatMap((user) => groupOf.get(entityKey(user)) ?? [])
+      .toSorted((a, b) => a - b),
+  );
+  return [...new Set(touched)].map((index) => groups[index] ?? []);
 }
-
-const unique = <Item>(items: readonly Item[]): Item[] => [...new Set(items)];
 
 /** Returns the patches or bodies that use points, lines and patches of bodies, by their keys. */
 function partsByKey(project: Project): ReadonlyMap<string, readonly Entity[]> {
@@ -110,7 +99,15 @@ function partsByKey(project: Project): ReadonlyMap<string, readonly Entity[]> {
   return users;
 }
 
-function solidOf(project: Project, entities: readonly Entity[], samples: ProjectPreview): Solid | null {
+/**
+ * Returns the solid of the connected patches, or of the body, that `touchedBodies` has found; null if it is not closed.
+ * `samples` are those of the project: along a line, all its patches have nodes at the same positions.
+ */
+export function solidOf(
+  project: Project,
+  entities: readonly Entity[],
+  samples: ProjectPreview,
+): Solid | null {
   const [first] = entities;
   const body = first?.kind === "body" ? bodiesOf(project).find(({ id }) => id === first.id) : undefined;
   return body ? solidOfBody(entities, body) : solidOfPatches(project, entities, samples);

@@ -19,6 +19,12 @@ type PasteValues = { readonly offset: Position; readonly join: boolean };
 export function pasteOperation(fragment: Project): Operation<PasteValues> {
   const entities = fragmentEntities(fragment);
   const { expressions: _, ...numbers } = fragment;
+  // Computed once per project, not at each change of a value in the panel.
+  let last: { readonly project: Project; readonly isSame: boolean } | null = null;
+  const isSameIn = (project: Project): boolean => {
+    if (last?.project !== project) last = { project, isSame: hasSameNumbers(project, fragment) };
+    return last.isSame;
+  };
   return {
     id: "paste",
     ...texts,
@@ -32,9 +38,9 @@ export function pasteOperation(fragment: Project): Operation<PasteValues> {
       { kind: "position", key: "offset", label: transforms.fields.offset },
       { kind: "switch", key: "join", label: transforms.fields.join },
     ],
-    note: (_, { project }) => (hasSameNumbers(project, fragment) ? "" : texts.numbersKept),
+    note: (_, { project }) => (isSameIn(project) ? "" : texts.numbersKept),
     make: ({ project }, values, expressions) => {
-      const from = hasSameNumbers(project, fragment) ? fragment : numbers;
+      const from = isSameIn(project) ? fragment : numbers;
       const map = typedTranslation(typedPosition(values, "offset", expressions));
       return offerCopiesFrom(project, from, entities, [map], { label: texts.step, join: values.join });
     },

@@ -171,7 +171,7 @@ const linearArray = transformOperation({
   },
 });
 
-const isFullTurn = (degrees: number): boolean => Math.abs(degrees) % 360 === 0;
+const isFullTurn = (degrees: number): boolean => degrees !== 0 && Math.abs(degrees) % 360 === 0;
 
 const circularArray = transformOperation({
   id: "array-circular",

@@ -5,7 +5,7 @@ import { emptyProject } from "../create";
 import type { Entity } from "../entities";
 import { coincidenceLength } from "../insert-shape";
 import { projectNumbers } from "../length-units";
-import { holderFinder, numberAt } from "../number-paths";
+import { holderFinder, isAllowed, numberAt } from "../number-paths";
 import { PointIndex } from "../point-index";
 import { hasParts, selectedParts } from "./selected-parts";
 
@@ -62,17 +62,25 @@ export function readFragment(text: string): { readonly fragment: Project } | { r
 /** Relative difference up to which an expression gives the number that a fragment has. */
 const expressionTolerance = 1e-12;
 
+const areSame = (a: number | null, b: number | null): boolean =>
+  a === null || b === null ? a === b : Math.abs(a - b) <= expressionTolerance * Math.abs(b);
+
 /**
  * Returns whether the expressions of a fragment give the same numbers in a project: it has their parameters, with the same
- * values.
+ * values. Those of mesh settings do not count, because they are not pasted.
  */
 export function hasSameNumbers(project: Project, fragment: Project): boolean {
-  const [values, holder] = [projectNumbers(project), holderFinder(fragment)];
-  return (fragment.expressions ?? []).every((kept) => {
+  const expressions = (fragment.expressions ?? []).filter(({ kind }) => kind !== "meshing");
+  if (expressions.length === 0) return true;
+  const [values, own] = [projectNumbers(project), projectNumbers(fragment)];
+  const holder = holderFinder(fragment);
+  return expressions.every((kept) => {
     const number = numberAt(holder(kept), kept.field);
-    const value = readNumber(kept.expression, values);
     if (number === undefined) return true;
-    return value !== null && Math.abs(value - number) <= expressionTolerance * Math.abs(number);
+    const value = readNumber(kept.expression, values);
+    // A value that is not allowed leaves the number as it is, in the fragment as in the project.
+    const isUsed = value !== null && isAllowed(kept, value);
+    return areSame(value, isUsed ? number : readNumber(kept.expression, own));
   });
 }
 

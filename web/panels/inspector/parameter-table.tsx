@@ -139,8 +139,10 @@ function NewParameterRow() {
       if (expression === undefined || (key === "expression" && typed.name !== "")) {
         return setTyped({ ...typed, [key]: value });
       }
-      // An equation, such as `r = 0.3`, in one of the fields is divided between both.
-      setTyped({ name: name.trim(), expression: expression.trim() });
+      // An equation, such as `r = 0.3`, in one of the fields is divided between both. Without a right side, as in `r =`, the
+      // expression that the other field has stays.
+      const other = key === "name" ? typed.expression : "";
+      setTyped({ name: name.trim(), expression: expression.trim() || other });
       second.current?.focus();
     },
   });

@@ -109,8 +109,8 @@ interface NumberValueProps {
 
 function NumberValue({ spec: { key, label, unit, whole, refuse }, value, open, onSet }: NumberValueProps) {
   const { project } = open.subject;
-  // How many there are decides which points there are, so it does not follow a parameter.
-  const [isTyped, setTyped] = useState(false);
+  // Whole numbers keep no expression. True if one with parameters was typed: a note then shows the number.
+  const [wasExpression, setWasExpression] = useState(false);
   const step = whole === true ? 1 : unit === "degrees" ? 5 : lengthStep(value, open);
   return (
     <>
@@ -125,13 +125,13 @@ function NumberValue({ spec: { key, label, unit, whole, refuse }, value, open, o
         {...(unit === "degrees" && { rightSection: <Unit>°</Unit> })}
         expression={open.expressions[key]}
         onCommit={(next, expression) => {
-          setTyped(whole === true && namesIn(expression ?? "").size > 0);
+          setWasExpression(whole === true && namesIn(expression ?? "").size > 0);
           onSet(next, { field: key, expression: whole === true ? null : expression });
         }}
       />
-      {isTyped && (
-        <Text size="xs" c="dimmed" role="status" data-testid={`operation-${key}-taken`}>
-          {operationStrings.count(value)}
+      {wasExpression && (
+        <Text size="xs" c="dimmed" role="status" data-testid={`operation-${key}-note`}>
+          {operationStrings.wholeNumber(value)}
         </Text>
       )}
     </>

@@ -9,10 +9,10 @@ export function useFirstFocus(panel: RefObject<HTMLElement | null>): void {
   useEffect(() => {
     const focus = (): void => {
       const first = panel.current?.querySelector<HTMLInputElement | HTMLButtonElement>("input, button");
-      // Of the options of a choice, only the chosen one is reached by keys.
+      // Of the options of a choice, only the chosen one is reached by keys; without one, the first.
       const isChoice = first?.type === "radio";
-      const field = isChoice ? panel.current?.querySelector<HTMLInputElement>("input:checked") : first;
-      field?.focus();
+      const chosen = isChoice && panel.current?.querySelector<HTMLInputElement>("input[type=radio]:checked");
+      (chosen || first)?.focus();
     };
     const until = new AbortController();
     const options = { capture: true, signal: until.signal };
