@@ -94,7 +94,7 @@ export class SurfaceLayer implements Layer {
     for (const part of [...this.#wide, this.#nodes, this.#triangle, this.#done, this.#made]) part.dispose();
   }
 
-  /** Draws the base edge of a question; after the answer also its triangle, or the edges because of which there is none. */
+  /** Draws the base edge of a question. After the answer, also draws the triangle, or the edges that prevent it. */
   #showTask({ question: { front, step }, answer }: EdgeTask): void {
     const ends = (nodes: readonly number[]): Position[] => nodes.map((node) => inSpace(front, node));
     const edges = answer?.verdict.edges ?? [];

@@ -121,7 +121,7 @@ it.each<readonly [string, readonly Entity[]]>([
   await load();
   await vi.waitFor(() => expect(opened()).toBe(steps.difference));
   const { points } = app.documents.project;
-  // What is left of the first cube: its corner at the origin, and none of the far corner of the second.
+  // The difference keeps the origin, a corner of the first cube, and no node of the far corner of the second.
   expect(points.some(({ position }) => position.every((x) => x === 0))).toBe(true);
   expect(points.some(({ position }) => position.every((x) => x === 1.5))).toBe(false);
 });

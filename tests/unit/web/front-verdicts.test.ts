@@ -66,7 +66,7 @@ function checkCandidate(
   return finds;
 }
 
-/** Steps of a model that are checked: about so many, evenly distributed. A check takes time in proportion to the front. */
+/** Approximate number of steps per model whose accepted candidate is checked. A check takes O(n) for n faces of the front. */
 const stepsPerModel = 800;
 
 describe("accepted candidates cross nothing, and refused ones fail for the reason given:", () => {

@@ -9,7 +9,7 @@ export function useFirstFocus(panel: RefObject<HTMLElement | null>): void {
   useEffect(() => {
     const focus = (): void => {
       const first = panel.current?.querySelector<HTMLInputElement | HTMLButtonElement>("input, button");
-      // Of the options of a choice, only the chosen one is reached by keys; without one, the first.
+      // Keys reach only the chosen option of a choice, or the first option if none is chosen.
       const isChoice = first?.type === "radio";
       const chosen = isChoice && panel.current?.querySelector<HTMLInputElement>("input[type=radio]:checked");
       (chosen || first)?.focus();
