@@ -35,6 +35,21 @@ TEST(Remesh, ReachesTheTargetSize) {
   EXPECT_GE(static_cast<double>(inBand), 0.97 * static_cast<double>(edges.size()));
 }
 
+/// Narrow strips bend by tiny angles each; their curvature counts all the same.
+TEST(Remesh, AutomaticSizesHardlyDependOnTheNumberOfStrips) {
+  const auto expected = [](int strips) {
+    const SurfaceMesh bar = coarseBar(strips, 4.0);
+    SurfaceSizeProposer proposer(bar.points, bar.triangles, {}, {});
+    while (!proposer.advance(1U << 20U)) {
+    }
+    return proposer.result().triangles;
+  };
+  const double coarse = expected(80);
+  for (const int strips : {400, 9000}) {
+    EXPECT_NEAR(expected(strips), coarse, 0.03 * coarse) << strips;
+  }
+}
+
 TEST(Remesh, SourcesMakeTrianglesSmallerNearThem) {
   BackgroundGrid grid;
   SizeSource source;

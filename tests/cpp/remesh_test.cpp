@@ -84,6 +84,8 @@ const std::vector<Body> kBodies{
     // Edges are far shorter than the target sizes, and caps of one node are collapsed along their rims.
     {"needle_drum", [] { return needleDrum(600, 0); }},
     {"needle_star", [] { return needleDrum(600, 5); }},
+    // So many needles lie under a triangle that the surface is coarsened first.
+    {"fine_drum", [] { return needleDrum(3000, 0); }},
     {"round_rim",
      [] { return prism({filleted(rectangle({0, 0}, {2, 1e-3}), 4.9e-4, 8), {}}, 1.0); }},
 };
@@ -346,33 +348,55 @@ TEST(Remesh, RejectsSingleTrianglesThatFaceInwardAndNotesComponentsInsideOut) {
   EXPECT_EQ(oriented.triangles, remesh(gridCube(2)).triangles);
 }
 
-TEST(Remesh, ReturnsAValidSurfaceWheneverItIsStopped) {
-  const SurfaceMesh given = screwThread(1, 8);
-  RemeshOptions options;
-  options.size = 0.4;
+/// A cylinder is remeshed equally well whatever its height is, and however finely it was divided.
+TEST(Remesh, TrianglesOnCylindersAreWellShaped) {
+  const auto expectWellShaped = [](int sides, double height) {
+    const SurfaceRemesh result = remesh(coarseBar(sides, height));
+    ASSERT_TRUE(result.diagnostics.empty());
+    EXPECT_GT(result.meanRadiusRatio, 0.92) << sides << ' ' << height;
+    EXPECT_GT(result.smallestAngle, 20.0) << sides << ' ' << height;
+  };
+  for (const int sides : {60, 500}) {
+    for (const double height : {3.4, 5.0}) {
+      expectWellShaped(sides, height);
+    }
+  }
+  expectWellShaped(3000, 3.4);
+}
+
+/// Stops a remeshing at several states of its progress; returns how many results are neither the given nor the whole surface.
+std::size_t stopInBetween(const SurfaceMesh& given, const RemeshOptions& options,
+                          const std::vector<double>& states) {
   const SurfaceRemesh whole = remesh(given, options);
-  ASSERT_TRUE(whole.diagnostics.empty());
+  EXPECT_TRUE(whole.diagnostics.empty());
   EXPECT_FALSE(whole.isPartial);
-  int allSlices = 0;
-  for (SurfaceRemesher remesher(given.points, given.triangles, {}, {}, options);
-       !remesher.advance(100);)
-    ++allSlices;
   std::size_t between = 0;
-  for (const double part : {0.0, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.9}) {
-    const int slices = static_cast<int>(part * allSlices);
+  for (const double progress : states) {
     SurfaceRemesher remesher(given.points, given.triangles, {}, {}, options);
-    for (int i = 0; i < slices; ++i) remesher.advance(100);
+    while (remesher.fraction() < progress) EXPECT_FALSE(remesher.advance(100)) << progress;
     remesher.stop();
     while (!remesher.advance(100)) {
     }
     const SurfaceRemesh& result = remesher.result();
-    EXPECT_TRUE(result.isPartial) << slices;
-    EXPECT_TRUE(errorsOf(surfaceOf(result), InnerShells::kCavities).empty()) << slices;
-    EXPECT_LE(sampledDistance(surfaceOf(result), given, 20), result.deviation) << slices;
-    EXPECT_LE(sampledDistance(given, surfaceOf(result), 20), result.deviation) << slices;
+    EXPECT_TRUE(result.isPartial) << progress;
+    EXPECT_TRUE(errorsOf(surfaceOf(result), InnerShells::kCavities).empty()) << progress;
+    EXPECT_LE(result.deviation, result.tolerance) << progress;
+    EXPECT_LE(sampledDistance(surfaceOf(result), given, 20), result.deviation) << progress;
+    EXPECT_LE(sampledDistance(given, surfaceOf(result), 20), result.deviation) << progress;
     if (result.triangles != given.triangles && result.triangles != whole.triangles) ++between;
   }
-  EXPECT_GT(between, 2U);
+  return between;
+}
+
+TEST(Remesh, ReturnsAValidSurfaceWheneverItIsStopped) {
+  RemeshOptions options;
+  options.size = 0.4;
+  const std::vector<double> states{0.0, 0.12, 0.2, 0.3, 0.45, 0.6, 0.75, 0.9};
+  EXPECT_GT(stopInBetween(screwThread(1, 8), options, states), 2U);
+  // A surface that is coarsened first.
+  options.size = 1.0;
+  options.tolerance = 0.05;
+  EXPECT_GT(stopInBetween(coarseBar(1500, 1.0), options, {0.2, 0.35, 0.6}), 0U);
 }
 
 TEST(Remesh, RefusesOptionsOutOfRange) {

@@ -23,8 +23,17 @@ namespace {
 
 /// Angle in radians below which two triangles count as coplanar.
 constexpr double kFlatAngle = 0.002;
-/// Angle in radians below which a feature line counts as straight at a point.
+/// Angle at an edge / largest angle at an edge of the triangle below which the surface does not bend there.
+constexpr double kFlatPerLargest = 0.1;
+/// Angle in radians by which triangles in a cell bend in all from which their mean curvature counts, if no two of them
+/// bend more than kFlatAngle: rounding cancels out over many triangles.
+constexpr double kCellAngle = 0.002;
+/// Least area of these triangles / squared width of the cell.
+constexpr double kCellArea = 0.1;
+/// Angle in radians below which a feature line counts as straight, at a point or, where its points are closer, over
+/// kStraightWidth times the smallest size.
 constexpr double kStraightAngle = 0.01;
+constexpr double kStraightWidth = 2.0;
 /// Edge length / width of a gap between two feature lines at which triangles across the gap are
 /// equilateral.
 constexpr double kSizePerGap = 1.15;
@@ -85,6 +94,7 @@ class ShapeMeasure {
   struct Sample {
     std::uint32_t piece;
     std::uint32_t level;  ///< the first one at which it is the first sample of its cell
+    double curvature;
   };
   /// Returns the pieces to measure. Of pieces that are very close to each other and have similar normals, only the one
   /// with the largest curvature is returned.
@@ -119,7 +129,9 @@ class ShapeMeasure {
   [[nodiscard]] double sizeForCurvature(double curvature) const {
     return std::min(rules_.anglePerEdge / curvature, std::sqrt(8.0 * rules_.tolerance / curvature));
   }
+  [[nodiscard]] double bendOf(TriangleId triangle, double flatAngle) const;
   [[nodiscard]] double curvatureOf(TriangleId triangle) const;
+  [[nodiscard]] double meanCurvatureOf(std::span<const std::uint32_t> pieces, double width) const;
   [[nodiscard]] Vec3 axisOf(TriangleId triangle) const;
   [[nodiscard]] double thicknessAt(const Vec3& position, const Vec3& inward) const;
   void castRay(const Vec3& from, const Vec3& direction, TriangleId triangle, double& nearest) const;
@@ -139,9 +151,9 @@ class ShapeMeasure {
   BoxTree segmentTree_;
 };
 
-/// Returns the curvature across the smooth edges of a triangle. On a cylinder it is 1 / radius,
-/// even if the triangles are needles.
-double ShapeMeasure::curvatureOf(TriangleId triangle) const {
+/// Returns half the angles at the smooth edges of a triangle, each times the length of the edge; negative where the surface
+/// is hollow. Angles up to `flatAngle` count as 0.
+double ShapeMeasure::bendOf(TriangleId triangle, double flatAngle) const {
   const std::array<Vec3, 3> corners = cornersOf(reference_.mesh(), triangle);
   const Vec3& normal = reference_.normalOf(triangle);
   double sum = 0.0;
@@ -150,25 +162,55 @@ double ShapeMeasure::curvatureOf(TriangleId triangle) const {
     if (other.isNone()) continue;
     const Vec3& across = reference_.normalOf(other);
     const double angle = chordOf(glm::dot(normal, across));
-    if (angle <= kFlatAngle) continue;
+    if (angle <= flatAngle) continue;
     const Vec3 edge = corners[(k + 1) % 3] - corners[k];
     const double sign = glm::dot(glm::cross(normal, across), edge) < 0.0 ? -1.0 : 1.0;
     sum += 0.5 * sign * angle * glm::length(edge);
   }
-  const double area = areaOf(corners);
+  return sum;
+}
+
+/// Returns the curvature across the smooth edges of a triangle. On a cylinder it is 1 / radius,
+/// even if the triangles are needles.
+double ShapeMeasure::curvatureOf(TriangleId triangle) const {
+  const double area = areaOf(cornersOf(reference_.mesh(), triangle));
   const double diagonal = reference_.diagonal();
-  return area > kLeastArea * diagonal * diagonal ? std::fabs(sum) / area : 0.0;
+  if (!(area > kLeastArea * diagonal * diagonal)) return 0.0;
+  return std::fabs(bendOf(triangle, kFlatAngle)) / area;
+}
+
+/// Returns the curvature of the surface where many pieces are in a cell of this width. They may bend too little to be
+/// measured one by one.
+double ShapeMeasure::meanCurvatureOf(std::span<const std::uint32_t> pieces, double width) const {
+  double bend = 0.0;
+  double area = 0.0;
+  for (const std::uint32_t i : pieces) {
+    const ReferenceSurface::Piece& piece = reference_.pieces()[i];
+    if (reference_.patch(reference_.patchOf(piece.triangle)).isPlanar) return 0.0;
+    const double ofTriangle = areaOf(cornersOf(reference_.mesh(), piece.triangle));
+    if (!(ofTriangle > 0.0)) continue;
+    bend += bendOf(piece.triangle, 0.0) * (piece.area / ofTriangle);
+    area += piece.area;
+  }
+  if (!(area > kCellArea * width * width)) return 0.0;
+  const double curvature = std::fabs(bend) / area;
+  return curvature * width > kCellAngle ? curvature : 0.0;
 }
 
 /// Returns the direction of the smooth edges at which the surface bends, if they are parallel; otherwise zero.
 Vec3 ShapeMeasure::axisOf(TriangleId triangle) const {
   const std::array<Vec3, 3> corners = cornersOf(reference_.mesh(), triangle);
-  Vec3 axis(0.0);
+  std::array<double, 3> angles{};
   for (std::uint32_t k = 0; k < 3; ++k) {
     const TriangleId other = reference_.smoothNeighbour(halfEdgeOf(triangle, k));
     if (other.isNone()) continue;
-    const double cosine = glm::dot(reference_.normalOf(triangle), reference_.normalOf(other));
-    if (chordOf(cosine) <= kFlatAngle) continue;
+    angles[k] = chordOf(glm::dot(reference_.normalOf(triangle), reference_.normalOf(other)));
+  }
+  const double largest = *std::ranges::max_element(angles);
+  const double flat = std::min(kFlatAngle, kFlatPerLargest * largest);
+  Vec3 axis(0.0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (angles[k] <= flat) continue;
     const Vec3 edge = corners[(k + 1) % 3] - corners[k];
     const Vec3 direction = edge / glm::length(edge);
     if (axis == Vec3(0.0)) axis = direction;
@@ -226,22 +268,30 @@ std::vector<ShapeMeasure::Sample> ShapeMeasure::findSamples() const {
     places.push_back({std::uint64_t{facing} << 32 | widest[0], widest[1] << 32 | widest[2], inner,
                       static_cast<std::uint32_t>(i), curvatureOf(pieces[i].triangle)});
   }
+  const auto levelOfDifference = [](const Place& a, const Place& b) {
+    if (a.facingAndX != b.facingAndX || a.yAndZ != b.yAndZ) return 0U;
+    const auto differing = std::bit_width(a.inner ^ b.inner);
+    return kThicknessLevels - (static_cast<std::uint32_t>(differing) + 2) / 3;
+  };
   stableSort(places, [](const Place& a, const Place& b) {
     return std::tie(a.facingAndX, a.yAndZ, a.inner, b.curvature) <
            std::tie(b.facingAndX, b.yAndZ, b.inner, a.curvature);
   });
   std::vector<Sample> samples;
-  const Place* before = nullptr;
-  for (const Place& place : places) {
-    std::uint32_t level = 0;
-    if (before != nullptr && place.facingAndX == before->facingAndX &&
-        place.yAndZ == before->yAndZ) {
-      // The first level at which the bits differ.
-      const auto differing = std::bit_width(place.inner ^ before->inner);
-      level = kThicknessLevels - (static_cast<std::uint32_t>(differing) + 2) / 3;
+  std::vector<std::uint32_t> inCell;
+  for (std::size_t i = 0; i < places.size();) {
+    const Place& place = places[i];
+    // The first level at which the cell of the place is another one than that of the place before.
+    const std::uint32_t level = i == 0 ? 0 : levelOfDifference(places[i - 1], place);
+    inCell.clear();
+    for (; i < places.size() &&
+           (inCell.empty() || levelOfDifference(place, places[i]) == kThicknessLevels);
+         ++i) {
+      inCell.push_back(places[i].piece);
     }
-    if (level < kThicknessLevels) samples.push_back({place.piece, level});
-    before = &place;
+    double curvature = place.curvature;
+    if (curvature == 0.0) curvature = meanCurvatureOf(inCell, width);
+    samples.push_back({place.piece, level, curvature});
   }
   return samples;
 }
@@ -251,9 +301,8 @@ void ShapeMeasure::measure(const Sample& sample) {
   double size = rules_.maxSize;
   Vec3 axis(0.0);
   if (!reference_.patch(reference_.patchOf(piece.triangle)).isPlanar) {
-    const double curvature = curvatureOf(piece.triangle);
-    if (curvature > kLeastCurvature / reference_.diagonal()) {
-      size = sizeForCurvature(curvature);
+    if (sample.curvature > kLeastCurvature / reference_.diagonal()) {
+      size = sizeForCurvature(sample.curvature);
       axis = axisOf(piece.triangle);
     }
   }
@@ -367,14 +416,26 @@ double ShapeMeasure::sizeForDetail(double detail, double factor, double least) c
 void ShapeMeasure::measureLine(const FeatureLine& line) {
   const std::vector<Vec3>& points = line.points();
   const std::size_t last = points.size() - 1;
+  // Over points that are close: about the sum of the angles, as a vector normal to both edges, and the length.
+  Vec3 turn(0.0);
+  double turned = 0.0;
   for (std::size_t i = 1; i < points.size() - (line.isClosed() ? 0 : 1); ++i) {
     const Vec3 before = points[i] - points[i - 1];
     const Vec3 after = i < last ? points[i + 1] - points[i] : points[1] - points[0];
+    const double length = 0.5 * (glm::length(before) + glm::length(after));
     const double angle = chordOf(cosineBetween(before, after));
-    if (angle <= kStraightAngle) continue;
+    if (turned + length > kStraightWidth * rules_.minSize) {
+      turn = Vec3(0.0);
+      turned = 0.0;
+    }
     const Vec3 normal = glm::cross(before, after);
-    add(points[i], sizeForCurvature(2.0 * angle / (glm::length(before) + glm::length(after))),
-        normal / glm::length(normal));
+    if (angle > 0.0 && normal != Vec3(0.0)) turn += normal * (angle / glm::length(normal));
+    turned += length;
+    const double angles = glm::length(turn);
+    if (angles <= kStraightAngle) continue;
+    add(points[i], sizeForCurvature(angles / turned), turn / angles);
+    turn = Vec3(0.0);
+    turned = 0.0;
   }
   const double length = line.length();
   const double size = line.isClosed()

@@ -3,6 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <span>
 #include <utility>
 
 #include "base/mesh_access.h"
@@ -15,6 +20,7 @@
 #include "remesh/remesh_sizes.h"
 #include "remesh/remesh_targets.h"
 #include "remesh/surface_editor.h"
+#include "remesh/triangle_parts.h"
 #include "remesh/volume_correction.h"
 #include "sizing/target_sizes.h"
 
@@ -23,6 +29,23 @@ namespace {
 
 /// Turn of a feature line, in degrees, at which it has a corner.
 constexpr double kCornerDegrees = 50.0;
+/// Given triangles under one of the target size from which a surface is coarsened first: a triangle that covers more of
+/// them takes long to prove, or cannot be proven to stay within the tolerance.
+constexpr double kManyBeneath = 100.0;
+/// Share of the area of curved patches with so many triangles from which a surface is coarsened.
+constexpr double kFineShare = 0.05;
+/// Pieces of the given surface visited per unit of budget.
+constexpr std::size_t kCountedPerUnit = 8;
+/// Share of the tolerance that coarsening may use.
+constexpr double kCoarseningShare = 0.1;
+
+/// What one remeshing works on; all must outlive it.
+struct PassInput {
+  const PassSurface& surface;
+  const GivenSizes& sizes;
+  const RemeshOptions& options;
+  const bool& isStopped;
+};
 
 /// Copies the triangles out of the complex, without unused nodes.
 void copyTriangles(const GuardedSurface& surface, const PassSurface& given, RemeshPass& pass) {
@@ -38,28 +61,27 @@ void copyTriangles(const GuardedSurface& surface, const PassSurface& given, Reme
   for (const TriangleId t : IdRange<TriangleId>(complex.triangleSlots())) {
     if (!complex.isAlive(t)) continue;
     for (const NodeId node : complex.nodesOf(t)) result.triangles.push_back(number[node.index()]);
+    pass.beneath.push_back(surface.beneath(t).value);
     result.origin.push_back(given.origin[surface.beneath(t).index()]);
     pass.patches.push_back(complex.patchOf(t).value);
   }
 }
 
 /// Copies the surface for a result that was stopped before the first change.
-void copyGiven(const PassSurface& given, SurfaceRemesh& result) {
+void copyGiven(const PassSurface& given, RemeshPass& pass) {
+  SurfaceRemesh& result = pass.remesh;
   result.isPartial = true;
   result.points = given.mesh.points;
   result.triangles = given.mesh.triangles;
   result.origin = given.origin;
+  pass.patches = given.groups;
+  pass.beneath.resize(given.origin.size());
+  std::iota(pass.beneath.begin(), pass.beneath.end(), 0U);
   result.deviation = result.tolerance;
 }
 
-/// Bounds the distance between the surfaces, and samples that of the triangles in the order in which copyTriangles() copies
-/// them.
-Task<> measure(Work& work, const GuardedSurface& surface, SurfaceRemesh& result) {
-  work.beginPart(0.3);
-  DeviationBound bound(surface, result.tolerance);
-  co_await work.finish(bound);
-  result.deviation = bound.bound();
-  work.beginPart(1.0);
+/// Samples the distance of the triangles in the order in which copyTriangles() copies them.
+Task<> sampleDeviation(Work& work, const GuardedSurface& surface, SurfaceRemesh& result) {
   SampledDeviation deviation(surface);
   const SurfaceComplex& complex = surface.complex();
   co_await work.forEachBlock(complex.triangleSlots(), [&](std::size_t first, std::size_t last) {
@@ -68,6 +90,14 @@ Task<> measure(Work& work, const GuardedSurface& surface, SurfaceRemesh& result)
       result.triangleDeviation.push_back(deviation.of(TriangleId(t)));
     }
   });
+}
+
+/// Copies what is known before the first change.
+void copyNumbers(const SurfaceRemesh& from, SurfaceRemesh& result) {
+  result.size = from.size;
+  result.minSize = from.minSize;
+  result.patches = from.patches;
+  result.featureLines = from.featureLines;
 }
 
 void measureShapes(SurfaceRemesh& result) {
@@ -103,11 +133,130 @@ Task<bool> finishUnlessStopped(Work& work, Job<T>& job, const bool& isStopped) {
   co_return false;
 }
 
-Task<> makeChanges(Work& work, RemeshSchedule& schedule, VolumeCorrection& correction) {
+/// Returns about how many triangles of a size like that of the given one meet a triangle of the target size, of any place
+/// and direction: by its area, and by the edges that cross its outline.
+double countBeneath(const TriangleCorners& given, double size) {
+  double outline = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) outline += glm::length(given[(k + 1) % 3] - given[k]);
+  const double area = std::max(areaOf(given), std::numeric_limits<double>::min());
+  return 1.0 + 1.0 / trianglesOn(area, size) +
+         3.0 * size * outline / (2.0 * std::numbers::pi * area);
+}
+
+/// Returns true if, on much of the curved patches, a triangle of the target size covers very many given ones. O(pieces).
+Task<bool> isVeryFine(Work& work, const ReferenceSurface& reference, const RemeshSizes& sizes,
+                      double maxSize) {
+  double curved = 0.0;
+  double fine = 0.0;
+  RemeshSizes::Hint hint;
+  const std::vector<ReferenceSurface::Piece>& pieces = reference.pieces();
+  co_await work.forEachBlock(
+      pieces.size(),
+      [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+          const SmoothPatchId patch = reference.patchOf(pieces[i].triangle);
+          if (reference.patch(patch).isPlanar) continue;
+          curved += pieces[i].area;
+          const TriangleCorners corners = cornersOf(reference.mesh(), pieces[i].triangle);
+          if (countBeneath(corners, maxSize) <= kManyBeneath) continue;
+          hint.field.region = sizes.regionOf(patch);
+          const double size = sizes.sizeAt(pieces[i].centroid, hint);
+          if (countBeneath(corners, size) > kManyBeneath) fine += pieces[i].area;
+        }
+      },
+      kCountedPerUnit);
+  co_return fine > kFineShare* curved;
+}
+
+/// What a step does with the triangles: make them well-shaped, or only collapse edges far below their target size.
+enum class Changes : std::uint8_t { kAll, kCoarsening };
+
+struct Step {
+  Changes changes;
+  double tested;  ///< tolerance of the checks
+};
+
+Task<> makeChanges(Work& work, Changes changes, RemeshSchedule& schedule,
+                   VolumeCorrection& correction) {
+  if (changes == Changes::kCoarsening) {
+    co_await schedule.coarsen(work);
+    co_return;
+  }
   work.beginPart(0.95);
   co_await schedule.run(work);
   work.beginPart(1.0);
   co_await correction.run(work);
+}
+
+/// Bounds the distance between the surfaces, and samples that of the triangles. After coarsening, samples are of no use.
+Task<> measure(Work& work, Changes changes, const GuardedSurface& surface, SurfaceRemesh& result) {
+  work.beginPart(changes == Changes::kAll ? 0.3 : 1.0);
+  DeviationBound bound(surface, result.tolerance);
+  co_await work.finish(bound);
+  result.deviation = bound.bound();
+  if (changes == Changes::kCoarsening) co_return;
+  work.beginPart(1.0);
+  co_await sampleDeviation(work, surface, result);
+}
+
+/// Changes the triangles of a surface. The tolerance of the result must be set. The result is partial if it was stopped.
+Task<> changeTriangles(Work& work, const ReferenceSurface& reference, const RemeshSizes& sizes,
+                       const Step& step, const PassInput& input, RemeshPass& pass) {
+  SurfaceRemesh& result = pass.remesh;
+  work.beginPart(0.85);
+  SurfaceLimits limits;
+  limits.tolerance = step.tested;
+  GuardedSurface guarded(reference, limits, result.size);
+  co_await work.yield();
+  SurfaceEditor editor(guarded, sizes);
+  co_await work.yield();
+  RemeshSchedule schedule(editor);
+  VolumeCorrection correction(guarded);
+  Job<> changes(
+      [&](Work& inner) { return makeChanges(inner, step.changes, schedule, correction); });
+  const bool isFinished = co_await finishUnlessStopped(work, changes, input.isStopped);
+
+  copyTriangles(guarded, input.surface, pass);
+  measureShapes(result);
+  co_await work.yield();
+  // Every change has kept the tolerance: from the remeshed surface to the given one at every point, in the other direction at
+  // the guests, between which the distance is measured.
+  result.deviation = result.tolerance;
+  bool isMeasured = false;
+  if (isFinished) {
+    work.beginPart(1.0);
+    Job<> measuring([&](Work& inner) { return measure(inner, step.changes, guarded, result); });
+    isMeasured = co_await finishUnlessStopped(work, measuring, input.isStopped);
+  }
+  result.isPartial = !isMeasured;
+  if (result.isPartial) result.triangleDeviation.clear();
+}
+
+/// Remeshes the coarsened surface of a pass; the pass then has the result of both steps. `share`: of the tolerance, for this
+/// step.
+Task<> remeshCoarse(Work& work, const ReferenceSurface& reference, const RemeshLengths& lengths,
+                    RemeshSizes& sizes, double share, const PassInput& input, RemeshPass& pass) {
+  const RemeshPass coarse = std::move(pass);
+  const PassSurface surface = nextSurface(coarse);
+  work.beginPart(0.1);
+  ReferenceSurface next(surface.mesh, surface.groups, reference.rules());
+  co_await next.prepare(work);
+  setRegions(sizes, next, surface.origin, input.sizes.ofRegions);
+  pass = RemeshPass{};
+  SurfaceRemesh& result = pass.remesh;
+  copyNumbers(coarse.remesh, result);
+  result.tolerance = share * lengths.tolerance;
+  work.beginPart(0.9);
+  const Step step{Changes::kAll, share * lengths.testedTolerance};
+  const PassInput nextInput{surface, input.sizes, input.options, input.isStopped};
+  co_await changeTriangles(work, next, sizes, step, nextInput, pass);
+  for (std::uint32_t& triangle : pass.beneath) triangle = coarse.beneath[triangle];
+  result.tolerance += coarse.remesh.tolerance;
+  result.deviation += coarse.remesh.deviation;
+  work.beginPart(1.0);
+  if (!result.isPartial) {
+    co_await sampleDeviation(work, reference, pass.beneath, input.isStopped, result);
+  }
 }
 
 }  // namespace
@@ -116,9 +265,37 @@ FeatureRules featureRulesOf(const RemeshOptions& options) {
   return {cosineOfDegrees(options.featureAngle), cosineOfDegrees(kCornerDegrees)};
 }
 
+PassSurface nextSurface(const RemeshPass& pass) {
+  PassSurface surface;
+  surface.mesh.points = pass.remesh.points;
+  surface.mesh.triangles = pass.remesh.triangles;
+  surface.groups = pass.patches;
+  surface.origin = pass.remesh.origin;
+  return surface;
+}
+
+Task<> sampleDeviation(Work& work, const ReferenceSurface& reference,
+                       std::span<const std::uint32_t> beneath, const bool& isStopped,
+                       SurfaceRemesh& result) {
+  SurfaceMesh made;
+  made.points = result.points;
+  made.triangles = result.triangles;
+  result.triangleDeviation.resize(beneath.size());
+  co_await work.forEachBlock(beneath.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last && !isStopped; ++t) {
+      result.triangleDeviation[t] = sampledDeviation(reference, cornersOf(made, TriangleId(t)),
+                                                     TriangleId(beneath[t]), result.tolerance);
+    }
+  });
+  if (!isStopped) co_return;
+  result.isPartial = true;
+  result.triangleDeviation.clear();
+}
+
 Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const GivenSizes& sizes,
                             const RemeshOptions& options, double toleranceShare,
                             const bool& isStopped) {
+  const PassInput input{surface, sizes, options, isStopped};
   work.beginPart(0.05);
   RemeshPass pass;
   SurfaceRemesh& result = pass.remesh;
@@ -138,7 +315,7 @@ Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const GivenS
   });
   const bool areFound = co_await finishUnlessStopped(work, finding, isStopped);
   if (!areFound) {
-    copyGiven(surface, result);
+    copyGiven(surface, pass);
     measureShapes(result);
     co_return pass;
   }
@@ -146,32 +323,25 @@ Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const GivenS
   result.diagnostics = std::move(targets.diagnostics);
   if (!result.diagnostics.empty()) co_return pass;
 
-  work.beginPart(0.9);
-  SurfaceLimits limits;
-  limits.tolerance = toleranceShare * lengths.testedTolerance;
-  GuardedSurface guarded(reference, limits, lengths.maxSize);
-  co_await work.yield();
-  SurfaceEditor editor(guarded, *targets.sizes);
-  co_await work.yield();
-  RemeshSchedule schedule(editor);
-  VolumeCorrection correction(guarded);
-  Job<> changes([&](Work& inner) { return makeChanges(inner, schedule, correction); });
-  const bool isFinished = co_await finishUnlessStopped(work, changes, isStopped);
-
-  copyTriangles(guarded, surface, pass);
-  measureShapes(result);
-  co_await work.yield();
-  // Every change has kept the tolerance: from the remeshed surface to the given one at every point, in the other direction at
-  // the guests, between which the distance is measured.
-  result.deviation = result.tolerance;
-  bool isMeasured = false;
-  if (isFinished) {
-    work.beginPart(1.0);
-    Job<> measuring([&](Work& inner) { return measure(inner, guarded, result); });
-    isMeasured = co_await finishUnlessStopped(work, measuring, isStopped);
+  const bool coarsens = co_await isVeryFine(work, reference, *targets.sizes, lengths.maxSize);
+  work.beginPart(coarsens ? 0.4 : 1.0);
+  if (!coarsens) {
+    const Step step{Changes::kAll, toleranceShare * lengths.testedTolerance};
+    co_await changeTriangles(work, reference, *targets.sizes, step, input, pass);
+    co_return pass;
   }
-  result.isPartial = !isMeasured;
-  if (result.isPartial) result.triangleDeviation.clear();
+  const double coarseningShare = kCoarseningShare * toleranceShare;
+  result.tolerance = coarseningShare * lengths.tolerance;
+  const Step step{Changes::kCoarsening, coarseningShare * lengths.testedTolerance};
+  co_await changeTriangles(work, reference, *targets.sizes, step, input, pass);
+  work.beginPart(1.0);
+  if (result.isPartial) {
+    result.tolerance = toleranceShare * lengths.tolerance;
+    result.deviation = result.tolerance;
+  } else {
+    co_await remeshCoarse(work, reference, lengths, *targets.sizes,
+                          toleranceShare - coarseningShare, input, pass);
+  }
   co_return pass;
 }
 

@@ -4,6 +4,7 @@
 /// surfaces. A remeshing that drops details takes several.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/task.h"
@@ -24,12 +25,22 @@ struct PassSurface {
 struct RemeshPass {
   SurfaceRemesh remesh;                ///< `origin` refers to the given triangles
   std::vector<std::uint32_t> patches;  ///< per triangle: its smooth patch
+  std::vector<std::uint32_t> beneath;  ///< per triangle: as `origin`, in the surface of this pass
 };
+
+/// Returns a remeshed surface as the next one to be remeshed, with the feature lines that it has.
+[[nodiscard]] PassSurface nextSurface(const RemeshPass& pass);
 
 [[nodiscard]] FeatureRules featureRulesOf(const RemeshOptions& options);
 
-/// Remeshes a surface, with all details. Its distance from the surface is at most a share of the tolerance; sizes are those of
-/// the whole tolerance. Everything must outlive the task. Once `isStopped` is true, the surface is returned as it is. Errors
+/// Samples the distance of the triangles from a surface, until it is stopped. `beneath`: per triangle, one of that surface
+/// near it.
+Task<> sampleDeviation(Work& work, const ReferenceSurface& reference,
+                       std::span<const std::uint32_t> beneath, const bool& isStopped,
+                       SurfaceRemesh& result);
+
+/// Remeshes a surface, with all details. If its triangles are far smaller than the target size, coarsens it first. The
+/// distance of the result from it is at most a share of the tolerance; sizes are those of the whole tolerance. Everything must outlive the task. Once `isStopped` is true, the surface is returned as it is. Errors
 /// are in the diagnostics of the result.
 Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const GivenSizes& sizes,
                             const RemeshOptions& options, double toleranceShare,

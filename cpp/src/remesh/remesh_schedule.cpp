@@ -20,6 +20,8 @@ constexpr int kFinalSmoothingPasses = 1;
 /// edges are collapsed: needles have short edges that splits will remove.
 constexpr double kShort = 0.75;
 constexpr double kVeryShort = 0.5;
+/// Coarsening collapses edges shorter than this.
+constexpr double kFine = 0.2;
 /// Edges longer than this are split, in target lengths.
 constexpr double kLong = 1.4;
 constexpr double kLongAtLast = 1.5;
@@ -58,7 +60,7 @@ Task<> RemeshSchedule::run(Work& work) {
     const double shortest = round == 0 ? kVeryShort : kShort;
     const double longest = isLast ? kLongAtLast : kLong;
     work.beginPart(begin + 0.1);
-    co_await collapseShort(work, shortest);
+    co_await collapseShort(work, shortest, kLong);
     co_await flipAll(work);
     work.beginPart(begin + 0.2);
     co_await splitLong(work, longest);
@@ -76,6 +78,13 @@ Task<> RemeshSchedule::run(Work& work) {
     if (!isImproved_) break;
     co_await smoothAndFlip(work, 1);
   }
+}
+
+Task<> RemeshSchedule::coarsen(Work& work) {
+  work.beginPart(0.8);
+  co_await collapseShort(work, kFine, kUnlimited);
+  work.beginPart(1.0);
+  co_await flipAll(work);
 }
 
 Task<> RemeshSchedule::smoothAndFlip(Work& work, int passes) {
@@ -104,15 +113,15 @@ void RemeshSchedule::collectEdges(double shortest, double longest) {
 
 // ---- collapse -----------------------------------------------------------------------------------
 
-bool RemeshSchedule::collapseIfShort(const Edge& edge, double limit) {
+bool RemeshSchedule::collapseIfShort(const Edge& edge, double limit, double longest) {
   if (!complex_.areJoined(edge.a, edge.b) || editor_.lengthOf(edge.a, edge.b) >= limit)
     return false;
-  const CollapseRule rule{kLong, 0.3, false};
+  const CollapseRule rule{longest, 0.3, false};
   return editor_.collapse(edge.a, edge.b, rule) || editor_.collapse(edge.b, edge.a, rule);
 }
 
-/// Collapses edges shorter than `limit`, the shortest first.
-Task<> RemeshSchedule::collapseShort(Work& work, double limit) {
+/// Collapses edges shorter than `limit`, the shortest first. `longest`: largest length of a new edge.
+Task<> RemeshSchedule::collapseShort(Work& work, double limit, double longest) {
   for (int pass = 0; pass < kMaxCollapsePasses; ++pass) {
     collectEdges(limit, kUnlimited);
     stableSort(edges_, [](const Edge& x, const Edge& y) { return x.length < y.length; });
@@ -120,7 +129,7 @@ Task<> RemeshSchedule::collapseShort(Work& work, double limit) {
     std::size_t made = 0;
     co_await work.forEachBlock(edges_.size(), [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
-        if (collapseIfShort(edges_[i], limit)) ++made;
+        if (collapseIfShort(edges_[i], limit, longest)) ++made;
       }
     });
     if (made * kFewCollapses <= edges_.size()) break;

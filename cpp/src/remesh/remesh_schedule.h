@@ -18,6 +18,8 @@ class RemeshSchedule {
   explicit RemeshSchedule(SurfaceEditor& editor) : editor_(editor), complex_(editor.complex()) {}
 
   Task<> run(Work& work);
+  /// Only collapses edges far below their target size.
+  Task<> coarsen(Work& work);
 
  private:
   struct Edge {
@@ -31,7 +33,7 @@ class RemeshSchedule {
     double squaredSine;
   };
 
-  Task<> collapseShort(Work& work, double limit);
+  Task<> collapseShort(Work& work, double limit, double longest);
   Task<> splitLong(Work& work, double limit);
   Task<> flipAll(Work& work);
   Task<> smoothAndFlip(Work& work, int passes);
@@ -39,7 +41,7 @@ class RemeshSchedule {
   Task<> improvePoor(Work& work, double squaredSine);
 
   void collectEdges(double shortest, double longest);
-  bool collapseIfShort(const Edge& edge, double limit);
+  bool collapseIfShort(const Edge& edge, double limit, double longest);
   bool splitAndFlip(const Edge& edge);
   bool collapseInto(NodeId node);
   void flipAround(NodeId node);

@@ -39,8 +39,11 @@ constexpr double kDegreesPerEdge = 20.0;
 constexpr double kCoarseDegreesPerEdge = 60.0;
 /// Tested tolerance / tolerance.
 constexpr double kTestedTolerance = 0.85;
-/// Deviation that sizes aim at / tolerance: changes need some room.
-constexpr double kPlannedTolerance = 0.7;
+/// Deviation that automatic sizes aim at / tolerance. Edges may be 1.4 times as long as their size, and then deviate twice as
+/// much. If that were beyond the tolerance, triangles would be short around a cylinder and long along its axis.
+constexpr double kPlannedTolerance = 0.43;
+/// As kPlannedTolerance, if sizes are given, so that they are reduced in few places.
+constexpr double kCoarsePlannedTolerance = 0.7;
 /// Deviation of the longest edges at a cusp from their feature lines / tested tolerance. Edges are between .75 and 1.4 times
 /// their target length, and those that would leave the tolerance are not made.
 constexpr double kCuspTolerance = 1.25;
@@ -121,18 +124,6 @@ Task<std::vector<Cusp>> findLimitedCusps(Work& work, const ReferenceSurface& ref
   co_return cusps;
 }
 
-/// Names the region whose size applies to each smooth patch. All triangles of a patch have the same regions beside them:
-/// more than two triangles meet where others begin.
-std::vector<std::uint32_t> regionsOfPatches(const ReferenceSurface& reference,
-                                            std::span<const std::uint32_t> origin,
-                                            const RegionSizes& sizes) {
-  std::vector<std::uint32_t> regions(reference.patchCount(), FieldHint::kAnyRegion);
-  for (std::size_t t = 0; t < origin.size(); ++t) {
-    regions[reference.patchOf(TriangleId(t)).index()] = sizes.regionOf(origin[t]);
-  }
-  return regions;
-}
-
 /// Adds the sizes of regions at the feature lines where patches with larger sizes begin, so that sizes grow from there.
 void addRegionSizes(const ReferenceSurface& reference, const RemeshSizes& given,
                     ShapeSizes& sizes) {
@@ -184,6 +175,8 @@ RemeshLengths remeshLengthsOf(const RemeshOptions& options, bool hasTargets, dou
   if (hasSize) lengths.tolerance = std::min(lengths.tolerance, kTolerancePerSize * options.size);
   if (options.tolerance > 0.0) lengths.tolerance = options.tolerance;
   lengths.testedTolerance = kTestedTolerance * lengths.tolerance;
+  lengths.plannedTolerance =
+      (hasTargets ? kCoarsePlannedTolerance : kPlannedTolerance) * lengths.tolerance;
   const double automatic = hasTargets ? kCoarseDegreesPerEdge : kDegreesPerEdge;
   lengths.radiansPerEdge = radians(options.anglePerEdge > 0.0 ? options.anglePerEdge : automatic);
   lengths.layers = options.layers;
@@ -201,6 +194,17 @@ MeshOptions targetOptions(const RemeshOptions& options) {
 
 double trianglesOn(double area, double size) { return area / (kTriangleArea * size * size); }
 
+void setRegions(RemeshSizes& sizes, const ReferenceSurface& reference,
+                std::span<const std::uint32_t> origin, const RegionSizes& ofRegions) {
+  if (!ofRegions.areGiven()) return;
+  // All triangles of a patch have the same regions beside them: more than two triangles meet where others begin.
+  std::vector<std::uint32_t> regions(reference.patchCount(), FieldHint::kAnyRegion);
+  for (std::size_t t = 0; t < origin.size(); ++t) {
+    regions[reference.patchOf(TriangleId(t)).index()] = ofRegions.regionOf(origin[t]);
+  }
+  sizes.setRegions(std::move(regions));
+}
+
 Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
                                   std::span<const std::uint32_t> origin, const GivenSizes& sizes,
                                   const RemeshOptions& options, const RemeshLengths& lengths) {
@@ -216,20 +220,17 @@ Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
   const bool hasRegions = sizes.ofRegions.areGiven();
   if (hasRegions) sizes.ofRegions.cap(field, options.maxVolume);
   found.sizes.emplace(std::move(field));
-  if (hasRegions) found.sizes->setRegions(regionsOfPatches(reference, origin, sizes.ofRegions));
+  setRegions(*found.sizes, reference, origin, sizes.ofRegions);
   const std::vector<double> ofGiven = countExpected(reference, *found.sizes);
   found.diagnostics = checkTriangleCount(reference, ofGiven, options.maxTriangles);
   if (!found.diagnostics.empty()) co_return found;
   co_await work.yield();
 
   work.beginPart(0.7);
-  const ShapeSizeRules rules{lengths.maxSize,
-                             lengths.minSize,
-                             lengths.minSizeAtLines,
-                             lengths.minSizeAtGaps,
-                             kPlannedTolerance * lengths.tolerance,
-                             lengths.radiansPerEdge,
-                             lengths.layers};
+  const ShapeSizeRules rules{
+      lengths.maxSize,       lengths.minSize,          lengths.minSizeAtLines,
+      lengths.minSizeAtGaps, lengths.plannedTolerance, lengths.radiansPerEdge,
+      lengths.layers};
   ShapeSizes ofShape = co_await findShapeSizes(work, reference, rules);
   if (hasRegions) addRegionSizes(reference, *found.sizes, ofShape);
   if (ofShape.positions.empty()) co_return found;

@@ -27,6 +27,7 @@ struct RemeshLengths {
   /// The checks of a change use this smaller tolerance. From the remeshed surface to the given one, they hold for every
   /// point. In the other direction they test the guests only, and between them the distance may be slightly larger.
   double testedTolerance;
+  double plannedTolerance;  ///< deviation that sizes aim at
   double radiansPerEdge;
   double layers;
 };
@@ -58,5 +59,10 @@ struct TargetField {
 Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
                                   std::span<const std::uint32_t> origin, const GivenSizes& sizes,
                                   const RemeshOptions& options, const RemeshLengths& lengths);
+
+/// Names the region whose size applies to each smooth patch of a surface, if regions have sizes. `origin`: as for
+/// findTargetField(). O(n).
+void setRegions(RemeshSizes& sizes, const ReferenceSurface& reference,
+                std::span<const std::uint32_t> origin, const RegionSizes& ofRegions);
 
 }  // namespace tetrafront

@@ -123,33 +123,6 @@ bool isBetter(const SurfaceRemesh& one, const SurfaceRemesh& other) {
          one.meanRadiusRatio > other.meanRadiusRatio - kRatioCost;
 }
 
-/// Returns a remeshed surface as the next one to be remeshed, with the feature lines that it has.
-PassSurface nextSurface(const RemeshPass& pass) {
-  PassSurface surface;
-  surface.mesh.points = pass.remesh.points;
-  surface.mesh.triangles = pass.remesh.triangles;
-  surface.groups = pass.patches;
-  surface.origin = pass.remesh.origin;
-  return surface;
-}
-
-/// Measures the distance of the triangles from the given surface, until it is stopped.
-Task<> measureDeviation(Work& work, SurfaceRemesh& result, const PassSurface& given,
-                        const RemeshOptions& options, const bool& isStopped) {
-  ReferenceSurface reference(given.mesh, given.groups, featureRulesOf(options));
-  co_await reference.prepare(work);
-  SurfaceMesh made;
-  made.points = result.points;
-  made.triangles = result.triangles;
-  co_await work.forEachBlock(result.origin.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t t = first; t < last && !isStopped; ++t) {
-      result.triangleDeviation[t] =
-          sampledDeviation(reference, cornersOf(made, TriangleId(t)), TriangleId(result.origin[t]),
-                           result.tolerance);
-    }
-  });
-}
-
 /// What all steps of a remeshing share; it must outlive them.
 struct Remeshing {
   const PassSurface& given;
@@ -228,8 +201,10 @@ Task<SurfaceRemesh> finish(Work& work, const Remeshing& remeshing, SimplifiedSur
   result.deviation = std::max(simplified.deviation, tolerance);
   result.mergedDetails = std::move(simplified.merged);
   if (isComplete(result)) {
-    co_await measureDeviation(work, result, remeshing.given, remeshing.options,
-                              remeshing.isStopped);
+    const PassSurface& given = remeshing.given;
+    ReferenceSurface reference(given.mesh, given.groups, featureRulesOf(remeshing.options));
+    co_await reference.prepare(work);
+    co_await sampleDeviation(work, reference, result.origin, remeshing.isStopped, result);
   }
   if (remeshing.isStopped) {
     result.isPartial = true;
