@@ -1,5 +1,6 @@
 import { Button, Progress, Text } from "@mantine/core";
 import { IconPlayerRecordFilled } from "@tabler/icons-react";
+import { useDeferredValue } from "react";
 import { strings } from "../../strings";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
 import { useApp, useRun } from "../shared/app-context";
@@ -136,12 +137,15 @@ function Choices() {
 }
 
 function Player() {
+  // A trace that is shown has much to do at once: the rest of the controls follows in slices.
+  const hasChoices = useDeferredValue(true, false);
+  const isPhone = useLayout() === "phone";
   return (
     <div className={styles["player"]} data-testid="player">
       <section className={styles["controls"]} aria-label={texts.transport}>
         <Transport />
         <ScrubBar />
-        {useLayout() === "phone" ? (
+        {!hasChoices ? null : isPhone ? (
           <details className={styles["more"]} data-testid="player-more">
             <summary>{texts.moreControls}</summary>
             <Choices />
