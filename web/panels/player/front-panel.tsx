@@ -21,8 +21,10 @@ export function FrontPanel() {
   const recording = usePlayer((state) => state.recording !== null);
   const isReading = usePlayer((state) => state.reading !== null);
   const hasTrace = usePlayer((state) => state.trace !== null);
+  // A trace that is shown has much to do at once: its panel is made in slices, and replaces that of the reading after them.
+  const isMade = useDeferredValue(hasTrace && !isReading, false);
   if (recording) return <Recording />;
-  if (isReading) return <Reading />;
+  if (isReading || (hasTrace && !isMade)) return <Reading />;
   return hasTrace ? <Player /> : <NoTrace />;
 }
 
@@ -100,7 +102,7 @@ function Recording() {
 /** The progress of reading a recorded or an opened trace. */
 function Reading() {
   const { player } = useApp();
-  const fraction = usePlayer((state) => state.reading ?? 0);
+  const fraction = usePlayer((state) => state.reading ?? 1);
   return (
     <ScrollPanel label={texts.tab}>
       <Text size="sm" role="status">
@@ -137,15 +139,12 @@ function Choices() {
 }
 
 function Player() {
-  // A trace that is shown has much to do at once: the rest of the controls follows in slices.
-  const hasChoices = useDeferredValue(true, false);
-  const isPhone = useLayout() === "phone";
   return (
     <div className={styles["player"]} data-testid="player">
       <section className={styles["controls"]} aria-label={texts.transport}>
         <Transport />
         <ScrubBar />
-        {!hasChoices ? null : isPhone ? (
+        {useLayout() === "phone" ? (
           <details className={styles["more"]} data-testid="player-more">
             <summary>{texts.moreControls}</summary>
             <Choices />
