@@ -32,11 +32,14 @@ try {
   await page.getByTestId("player-open").click();
   await page.waitForTimeout(3000);
   await page.evaluate(() => void (globalThis.longest = globalThis.reading = 0));
+  // Tasks of the page's thread, with their processor time: it does not depend on other work, as pauses do.
+  await browser.startTracing(page, { categories: ["toplevel"] });
   await (await chooser).setFiles(file);
   await page.getByTestId("player-reading").waitFor();
   await page.getByTestId("player-reading").waitFor({ state: "hidden" });
   await page.getByTestId("player-scrub").waitFor();
   await page.waitForTimeout(3000);
+  const longestTask = longestTaskIn(await browser.stopTracing());
   const { reading, longest } = await page.evaluate(() => ({
     reading: globalThis.reading,
     longest: globalThis.longest,
@@ -45,6 +48,7 @@ try {
   console.log(`steps                             ${steps}`);
   console.log(`longest pause while reading       ${reading.toFixed(0)} ms`);
   console.log(`longest pause when it is shown    ${longest.toFixed(0)} ms`);
+  console.log(`longest task, processor time       ${longestTask.toFixed(0)} ms`);
   const times = (await page.evaluate(scrub, SCRUBS)).sort((a, b) => a - b);
   const at = (share) => times[Math.floor(share * (times.length - 1))].toFixed(0);
   console.log(
@@ -92,6 +96,20 @@ async function cubeTrace() {
   const { trace } = await recordTrace(mesher, project.value, options);
   mesher.dispose();
   return trace;
+}
+
+/** Returns the processor time of the longest task of the page's thread in a recording of the browser, in milliseconds. */
+function longestTaskIn(recording) {
+  const { traceEvents } = JSON.parse(recording.toString());
+  const threads = new Set(
+    traceEvents
+      .filter(({ name, args }) => name === "thread_name" && args.name === "CrRendererMain")
+      .map(({ pid, tid }) => `${pid}:${tid}`),
+  );
+  const tasks = traceEvents.filter(
+    ({ name, ph, pid, tid }) => ph === "X" && name.endsWith("RunTask") && threads.has(`${pid}:${tid}`),
+  );
+  return tasks.reduce((most, { tdur = 0 }) => Math.max(most, tdur / 1000), 0);
 }
 
 /** In the page: keeps the longest pauses of the page, in milliseconds: while a trace is read, and at other times. */

@@ -37,6 +37,34 @@ test("an embedded front shows its step without panels, and is played with button
   );
 });
 
+test("on a phone, no legend of an embedded front covers a label", async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.goto("./embed.html?test=1&model=unit-cube&step=258&camera=1.15,-1.85,2.02,0.15,0.15,1.22");
+  const boxes = (selector: string) =>
+    page.locator(selector).evaluateAll((elements) =>
+      elements.map((element) => {
+        const { left, top, right, bottom } = element.getBoundingClientRect();
+        return { left, top, right, bottom };
+      }),
+    );
+  const labelBoxes = () => boxes('[data-testid="lens-labels"] span:not([style*="none"])');
+  await expect(page.getByTestId("front-legend")).toBeVisible();
+  await expect.poll(async () => (await labelBoxes()).length).toBe(5);
+  const covered = async () => {
+    const legends = await boxes('[data-testid="lens-legend"], [data-testid="front-legend"]');
+    return (await labelBoxes()).filter((label) =>
+      legends.some(
+        (legend) =>
+          legend.left < label.right &&
+          label.left < legend.right &&
+          legend.top < label.bottom &&
+          label.top < legend.bottom,
+      ),
+    );
+  };
+  await expect.poll(covered, { timeout: 10_000 }).toEqual([]);
+});
+
 test("an embedded front fits into a narrow frame, and is loaded when it is seen", async ({ page }) => {
   await page.goto("./embed.html?model=none");
   await expect(page.getByTestId("embed-failure")).toContainText("names no model");

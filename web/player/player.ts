@@ -325,12 +325,14 @@ export class Player {
       success: false as const,
       errors: [{ message: failureText(error), remedy: "" }],
     }));
+    // What follows, the player's panel, takes as long as a slice of the reading.
+    await new Promise((resolve) => setTimeout(resolve));
     if (this.#abort !== abort) return null;
     this.#abort = null;
-    this.state.setState({ reading: null });
+    // What was shown before would appear for a moment: `show` ends the reading too.
     if (read.success) return read.value;
     const failure = read.errors.map(({ message, remedy }) => `${message}. ${remedy}`.trimEnd());
-    this.state.setState({ failure });
+    this.state.setState({ reading: null, failure });
     return null;
   }
 
@@ -343,6 +345,7 @@ export class Player {
     this.pause();
     const labels = this.#labels.get(trace) ?? null;
     this.state.setState({
+      reading: null,
       trace,
       labels,
       file,

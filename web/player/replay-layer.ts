@@ -1,5 +1,14 @@
 import type { Trace } from "tetrafront";
-import { BufferAttribute, BufferGeometry, DoubleSide, FrontSide, Group, Mesh, type DataTexture } from "three";
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DoubleSide,
+  FrontSide,
+  Group,
+  Mesh,
+  Sphere,
+  type DataTexture,
+} from "three";
 import type { Position } from "../document/position";
 import type { Layer } from "../viewer/layers/layer";
 import { rampTexture } from "../viewer/materials/textures";
@@ -41,7 +50,11 @@ export class ReplayLayer implements Layer {
       .setAttribute("value", new BufferAttribute(this.#elements.values, 1));
     const front = new Mesh(this.#frontGeometry, this.#frontMaterial);
     const elements = new Mesh(this.#elementGeometry, this.#elementMaterial);
-    for (const mesh of [front, elements]) mesh.frustumCulled = false;
+    for (const mesh of [front, elements]) {
+      mesh.frustumCulled = false;
+      // For the order of drawing; three.js would look at all corners.
+      mesh.geometry.boundingSphere = new Sphere();
+    }
     this.root.add(front, elements);
   }
 

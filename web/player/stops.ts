@@ -97,7 +97,16 @@ function reasonIn(condition: Condition): EdgeRefusal | null {
   return parts.map(reasonIn).find((reason) => reason !== null) ?? null;
 }
 
-/** Returns whether a trace has steps of a kind, or that meet a condition. */
-export function hasStop(trace: Trace, stop: Stop): boolean {
-  return nextStop(trace, firstState(trace), 1, stop) !== null;
+/** Returns the kinds of steps that a trace has, in the order of `stopKinds`. O(steps + candidates), without decoding a step. */
+export function stopKindsOf(trace: Trace): readonly StopKind[] {
+  const { refused, postponed, changes, patches } = trace.summary();
+  const refusals = REFUSALS.map((kind) => [kind, refused[kind] + (patches?.refused[kind] ?? 0)] as const);
+  const counts = new Map<StopKind, number>([
+    ...refusals,
+    ["postponed", postponed + (patches?.postponed ?? 0)],
+    ["recovery", Object.values(changes).reduce((sum, count) => sum + count, 0)],
+  ]);
+  // Steps of the other kinds come early, if there are any.
+  const isFound = (kind: StopKind): boolean => nextStop(trace, firstState(trace), 1, kind) !== null;
+  return stopKinds.filter((kind) => (counts.has(kind) ? counts.get(kind) !== 0 : isFound(kind)));
 }

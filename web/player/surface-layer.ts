@@ -1,5 +1,5 @@
 import type { Trace } from "tetrafront";
-import { BufferAttribute, BufferGeometry, Group, Mesh } from "three";
+import { BufferAttribute, BufferGeometry, Group, Mesh, Sphere } from "three";
 import type { Position } from "../document/position";
 import type { Layer } from "../viewer/layers/layer";
 import { createFacetMaterial } from "../viewer/materials/facet-material";
@@ -193,6 +193,8 @@ class TriangleRange {
     this.object.geometry.dispose();
     const attribute = new BufferAttribute(coordinates, 3);
     this.object.geometry = new BufferGeometry().setAttribute("position", attribute);
+    // For the order of drawing; three.js would look at all corners.
+    this.object.geometry.boundingSphere = new Sphere();
   }
 
   show(first: number, count: number): void {

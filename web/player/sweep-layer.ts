@@ -1,5 +1,5 @@
 import type { Trace } from "tetrafront";
-import { BufferAttribute, BufferGeometry, Group, Mesh, type DataTexture } from "three";
+import { BufferAttribute, BufferGeometry, Group, Mesh, Sphere, type DataTexture } from "three";
 import type { Position } from "../document/position";
 import type { Layer } from "../viewer/layers/layer";
 import { rampTexture } from "../viewer/materials/textures";
@@ -60,6 +60,8 @@ export class SweepLayer implements Layer {
     this.root.visible = mesh !== undefined;
     this.#mesh.geometry.dispose();
     this.#mesh.geometry = new BufferGeometry();
+    // For the order of drawing; three.js would look at all corners.
+    this.#mesh.geometry.boundingSphere = new Sphere();
     if (!mesh) return;
     const { positions, values } = new SweepBuffers(mesh, this.#origin);
     this.#mesh.geometry

@@ -15,15 +15,16 @@ const gap = 2;
 /**
  * Returns the middles of labels, moved as little as needed so that none lies on another one; earlier labels stay. If there is no
  * room within twelve heights, a label may leave the view, and then stays where it is. `fits`: whether a label is in view at a
- * position. O(n²).
+ * position. `covers`: what lies over the view, which labels avoid too. O(n²).
  */
 export function placedApart(
   labels: readonly Label[],
   fits: (label: Label) => boolean = () => true,
+  covers: readonly Label[] = [],
 ): readonly { readonly x: number; readonly y: number }[] {
   const placed: Label[] = [];
   for (const label of labels) {
-    placed.push(freePosition(label, placed, fits));
+    placed.push(freePosition(label, [...covers, ...placed], fits));
   }
   return placed;
 }
@@ -65,12 +66,13 @@ const reach = 14;
 /**
  * Returns the middles of labels of a drawing, given by what they name: outside of the drawing if it is small, otherwise at some
  * distance from what they name, away from the middle of the drawing. None lies on another one if there is room, and they are
- * moved into the view, and out from under what covers its left side. The position of a label is null if what it names is out of
+ * moved into the view, and out from under what covers its left side, and `covers` other parts of it. The position of a label is null if what it names is out of
  * view; the others are placed without it.
  */
 export function placedAround(
   labels: readonly Label[],
   view: { readonly width: number; readonly height: number; readonly coveredLeft?: number },
+  covers: readonly Label[] = [],
 ): readonly ({ readonly x: number; readonly y: number } | null)[] {
   const shown = labels.filter(({ x, y }) => x >= 0 && y >= 0 && x <= view.width && y <= view.height);
   if (shown.length === 0) return labels.map(() => null);
@@ -96,7 +98,7 @@ export function placedAround(
     x + width / 2 <= view.width &&
     y - height / 2 >= 0 &&
     y + height / 2 <= view.height;
-  const placed = placedApart(outside, fits);
+  const placed = placedApart(outside, fits, covers);
   const positions = new Map(shown.map((label, i) => [label, placed[i]]));
   return labels.map((label) => positions.get(label) ?? null);
 }

@@ -9,6 +9,9 @@ export class FrameLoop {
   #isStarted = false;
   #frames = 0;
   #lastDrawn = 0;
+  /** Number of pieces of work that frames wait for. */
+  #awaited = 0;
+  #isRequested = false;
 
   /**
    * @param draw draws a frame, given the time since the last one in seconds; returns whether a motion
@@ -29,9 +32,29 @@ export class FrameLoop {
     this.request();
   }
 
+  /** Time since the last frame, in milliseconds; 0 while a frame is due. */
+  get restedMs(): number {
+    return this.#isRequested ? 0 : performance.now() - this.#lastDrawn;
+  }
+
   /** Draws at the next animation frame. */
   request(): void {
-    if (this.#isStarted && this.#handle === 0) this.#handle = requestAnimationFrame(() => this.drawNow());
+    if (!this.#isStarted) return;
+    this.#isRequested = true;
+    if (this.#awaited === 0 && this.#handle === 0) this.#handle = requestAnimationFrame(() => this.drawNow());
+  }
+
+  /** Lets the frames that are requested wait until some work has ended. */
+  async waitFor(work: Promise<void>): Promise<void> {
+    ++this.#awaited;
+    cancelAnimationFrame(this.#handle);
+    this.#handle = 0;
+    try {
+      await work;
+    } finally {
+      --this.#awaited;
+      if (this.#isRequested) this.request();
+    }
   }
 
   /** Draws at once, instead of at the next animation frame. */
@@ -39,6 +62,7 @@ export class FrameLoop {
     if (!this.#isStarted) return;
     cancelAnimationFrame(this.#handle);
     this.#handle = 0;
+    this.#isRequested = false;
     const now = performance.now();
     const goesOn = this.#draw(Math.min((now - this.#lastDrawn) / 1000, maxStep));
     this.#lastDrawn = now;
@@ -56,6 +80,7 @@ export class FrameLoop {
   /** Ends drawing permanently. */
   stop(): void {
     this.#isStarted = false;
+    this.#isRequested = false;
     cancelAnimationFrame(this.#handle);
     this.#handle = 0;
   }

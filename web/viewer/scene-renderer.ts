@@ -1,4 +1,4 @@
-import { Scene, WebGLRenderer, type PerspectiveCamera } from "three";
+import { Scene, WebGLRenderer, WebGLRenderTarget, type PerspectiveCamera } from "three";
 import type { Viewport } from "./scene-state";
 import { prepareShaders } from "./shaders";
 import { drawsInSoftware } from "./software-drawing";
@@ -10,11 +10,17 @@ export interface SceneRendererOptions {
 }
 
 const maxPixelRatio = 2;
+/** Time between two questions whether everything is drawn, in milliseconds. */
+const fencePollMs = 10;
 
 /** The scene, and the WebGL context that draws it. Throws if the browser offers no WebGL 2. */
 export class SceneRenderer {
   readonly scene = new Scene();
   readonly webgl: WebGLRenderer;
+  /** As the canvas: for another buffer, other variants of shaders would be compiled. */
+  readonly #hidden = Object.assign(new WebGLRenderTarget(1, 1, { stencilBuffer: true }), {
+    isXRRenderTarget: true,
+  });
   readonly #listening = new AbortController();
   /** Device pixels per CSS pixel in full resolution. */
   readonly #fullRatio: number;
@@ -29,6 +35,7 @@ export class SceneRenderer {
     this.#fullRatio = Math.min(window.devicePixelRatio, maxPixelRatio);
     this.#sharpScale = options.smoothEdges && !multisampling ? maxPixelRatio / this.#fullRatio : 1;
     this.webgl.setPixelRatio(this.#fullRatio);
+    this.#hidden.texture.colorSpace = this.webgl.outputColorSpace;
     this.webgl.setClearColor(0x000000, 0);
     // Querying the status of a shader blocks until it is compiled, so do it in development builds only.
     this.webgl.debug.checkShaderErrors = import.meta.env.DEV;
@@ -47,14 +54,26 @@ export class SceneRenderer {
   }
 
   /**
-   * Draws in one pixel, which the next frame draws over. The first drawing uploads buffers and compiles the final variants of
-   * shaders.
+   * Draws in one pixel beside the canvas. The first drawing uploads buffers and compiles the final variants of shaders. The
+   * page does not wait for it: it waits only for what is drawn on the canvas.
    */
   warmUp(camera: PerspectiveCamera): void {
-    this.webgl.setScissor(0, 0, 1, 1);
-    this.webgl.setScissorTest(true);
+    this.webgl.setRenderTarget(this.#hidden);
     this.webgl.render(this.scene, camera);
-    this.webgl.setScissorTest(false);
+    this.webgl.setRenderTarget(null);
+  }
+
+  /** Resolves when everything is drawn, without blocking the page. */
+  async finish(): Promise<void> {
+    const gl = this.webgl.getContext();
+    const fence =
+      gl instanceof WebGL2RenderingContext ? gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0) : null;
+    if (!(gl instanceof WebGL2RenderingContext) || !fence) return;
+    gl.flush();
+    // A lost context counts as finished.
+    while (gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.UNSIGNALED)
+      await new Promise((resolve) => setTimeout(resolve, fencePollMs));
+    gl.deleteSync(fence);
   }
 
   /** Returns the new viewport. */
@@ -108,6 +127,7 @@ export class SceneRenderer {
 
   dispose(): void {
     this.#listening.abort();
+    this.#hidden.dispose();
     this.webgl.dispose();
   }
 }

@@ -45,6 +45,8 @@ export interface ViewerOptions {
 const outgrowth = 1.5;
 /** A model that appears smaller than this, in CSS pixels, is fitted too. */
 const minPixels = 40;
+/** A view without a new frame for this time has been drawn as it stays, in milliseconds: see MotionWatch. */
+const quietMs = 250;
 
 /**
  * The three-dimensional view: an imperative object outside React. It draws on request, when something has changed.
@@ -271,19 +273,23 @@ export class Viewer {
 
   /**
    * Makes ready what layers show only later, so that its first frame takes no longer than others: compiles their shaders,
-   * also those of hidden ones, and draws every state once, out of sight, each in a frame of its own so that none takes long.
-   * Each of `states` shows one, and `restore` the present one again. Ends early if `signal` is aborted.
+   * also those of hidden ones, and draws every state once, out of sight. Each of `states` shows one, and `restore` the
+   * present one again. Ends early if `signal` is aborted.
+   *
+   * The page does not wait for any of this: the next frame is drawn when the shaders are compiled, and the states while the
+   * view is at rest, one after the other.
    */
   async warmUp(states: readonly (() => void)[], restore: () => void, signal: AbortSignal): Promise<void> {
-    await this.#renderer.prepare(this.#view.camera);
+    await this.#loop.waitFor(this.#renderer.prepare(this.#view.camera));
     for (const show of states) {
-      await new Promise(requestAnimationFrame);
-      if (signal.aborted || this.#isDisposed) return;
+      const isEnded = (): boolean => signal.aborted || this.#isDisposed;
+      while (!isEnded() && this.#loop.restedMs < quietMs)
+        await new Promise((resolve) => setTimeout(resolve, quietMs / 5));
+      if (isEnded()) return;
       show();
       this.#renderer.warmUp(this.#view.camera);
       restore();
-      // The canvas has been cleared.
-      this.#loop.drawNow();
+      await this.#renderer.finish();
     }
   }
 

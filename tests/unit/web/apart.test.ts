@@ -100,4 +100,18 @@ describe("labels around a drawing", () => {
         );
     });
   });
+
+  it("avoid what lies over the view", () => {
+    const cover = { x: 350, y: 250, width: 100, height: 100 };
+    const named = { x: 310, y: 220, ...flat };
+    const isUnder = ({ x, y }: { readonly x: number; readonly y: number }): boolean =>
+      Math.abs(x - cover.x) < (flat.width + cover.width) / 2 &&
+      Math.abs(y - cover.y) < (flat.height + cover.height) / 2;
+    const [free] = placedAround([named], view);
+    const [moved] = placedAround([named], view, [cover]);
+    if (!free || !moved) throw new Error("a label in the view has no place");
+    expect(isUnder(free)).toBe(true);
+    expect(isUnder(moved)).toBe(false);
+    expect(Math.hypot(moved.x - free.x, moved.y - free.y)).toBeLessThan(80);
+  });
 });

@@ -75,3 +75,23 @@ it("the frame loop notifies its listeners of every frame until they unsubscribe"
   nextFrame();
   expect(listener).toHaveBeenCalledTimes(1);
 });
+
+it("the frame loop lets requested frames wait for some work, and draws them when it has ended", async () => {
+  const draw = vi.fn(() => false);
+  const loop = new FrameLoop(draw);
+  loop.start();
+  let end: () => void = () => undefined;
+  const waiting = loop.waitFor(new Promise((resolve) => (end = resolve)));
+  loop.request();
+  nextFrame();
+  expect(draw).not.toHaveBeenCalled();
+  expect(loop.restedMs).toBe(0);
+  end();
+  await waiting;
+  nextFrame();
+  expect(draw).toHaveBeenCalledTimes(1);
+  // Nothing is requested now.
+  await loop.waitFor(Promise.resolve());
+  nextFrame();
+  expect(draw).toHaveBeenCalledTimes(1);
+});

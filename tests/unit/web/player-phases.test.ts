@@ -12,7 +12,7 @@ import {
   surfaceState,
 } from "../../../web/player/phases";
 import { knownCandidate } from "../../../web/player/shared-front";
-import { nextStop, refusedIn } from "../../../web/player/stops";
+import { nextStop, refusedIn, stopKinds, stopKindsOf } from "../../../web/player/stops";
 import { surfaceScene } from "../../../web/player/surface-scene";
 import { planePaths } from "../../../web/player/plane-drawing";
 import { examineCandidate } from "../../../web/player/planar-lens";
@@ -55,6 +55,12 @@ test("the ends of phases lead to those of the phases beside them", () => {
   expect(phaseEnd(trace, lines.to)).toBe(patches.to);
   expect(phaseEnd(trace, patches.to)).toBe(trace.stepCount);
   expect(phaseEnd(trace, trace.stepCount)).toBe(trace.stepCount);
+});
+
+test("the kinds of steps to jump to are those that a search from the first line finds", () => {
+  const found = stopKinds.filter((kind) => nextStop(trace, firstState(trace), 1, kind) !== null);
+  expect(stopKindsOf(trace)).toEqual(found);
+  expect(found).toContain("line");
 });
 
 test("jumps find each line and each patch, and refusals in patches", () => {

@@ -13,7 +13,7 @@ import {
   newElement,
   touching,
 } from "../../../web/player/judge";
-import { nextStop, stopKinds } from "../../../web/player/stops";
+import { nextStop, stopKinds, stopKindsOf } from "../../../web/player/stops";
 import { newDocument } from "../../../web/session/document-store";
 import { cubeProject } from "../../support/projects";
 import { randomSource } from "../../support/random";
@@ -226,6 +226,16 @@ describe("the player", () => {
     expect(player.state.getState()).toMatchObject({ step: 50, isPlaying: false });
   });
 
+  it("has the kinds of steps that a search from the first state finds", () => {
+    const plain = starTrace(starSurface(boxSurface(3, [-1, -1, -1], [1, 1, 1]))).bytes;
+    const read = readTrace(plain);
+    if (!read.success) throw new Error(read.errors[0].message);
+    for (const each of [trace, read.value])
+      expect(stopKindsOf(each)).toEqual(stopKinds.filter((kind) => nextStop(each, 0, 1, kind) !== null));
+    expect(stopKindsOf(trace)).toContain("recovery");
+    expect(stopKindsOf(read.value)).not.toContain("recovery");
+  });
+
   it("jumps to every kind of step and back", async () => {
     const { player } = newApp();
     await player.open(bytes);
@@ -261,6 +271,16 @@ describe("the player", () => {
 
 describe("reading a trace", () => {
   const large = starTrace(starSurface(boxSurface(20, [-1, -1, -1], [1, 1, 1]))).bytes;
+
+  it("shows the trace at once when it is read: never an empty panel between them", async () => {
+    const { player } = newApp();
+    const seen: string[] = [];
+    player.state.subscribe(({ reading, trace: shown }) =>
+      seen.push(reading !== null ? "reading" : shown ? "trace" : "nothing"),
+    );
+    await player.open(large);
+    expect(seen.filter((state, i) => state !== seen[i - 1]).slice(-2)).toEqual(["reading", "trace"]);
+  });
 
   it("can be cancelled; the model stays", async () => {
     const { player } = newApp();

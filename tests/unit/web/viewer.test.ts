@@ -12,13 +12,16 @@ import { sceneState } from "./scene";
 
 /** What is drawn, in this order. */
 let drawn: string[] = [];
+let preparing = Promise.resolve();
+let finishDrawing: () => void = () => undefined;
 vi.mock("../../../web/viewer/scene-renderer", () => ({
   SceneRenderer: class {
     readonly scene = new Scene();
     readonly webgl = {};
     readonly isSharp = true;
     readonly sharpScale = 1;
-    readonly prepare = (): Promise<void> => Promise.resolve();
+    readonly prepare = (): Promise<void> => preparing;
+    readonly finish = (): Promise<void> => new Promise((resolve) => (finishDrawing = resolve));
     readonly resize = (width: number, height: number) => ({ width, height, pixelRatio: 1, isHurried: false });
     readonly setScale = (): number => 1;
     readonly render = (): void => void drawn.push("frame");
@@ -48,6 +51,7 @@ async function nextFrame(): Promise<void> {
 
 beforeEach(() => {
   drawn = [];
+  preparing = Promise.resolve();
   frames = [];
   vi.stubGlobal("requestAnimationFrame", (frame: () => void) => frames.push(frame));
   vi.stubGlobal("cancelAnimationFrame", vi.fn());
@@ -136,21 +140,36 @@ it("fits the whole model again if its size changes, also one that has grown a li
   expect(viewer.pose.target).not.toEqual(close(before).target);
 });
 
-it("draws states out of sight in frames of their own, each followed by the present one, until it is ended", async () => {
+it("draws states out of sight while the view is at rest, each followed by the present one, until it is ended", async () => {
   const { viewer } = await shownProject();
-  drawn = [];
+  let finishShaders: () => void = () => undefined;
+  preparing = new Promise((resolve) => (finishShaders = resolve));
   const end = new AbortController();
   const states = ["first", "second", "third"].map((name) => () => void drawn.push(name));
+  vi.useFakeTimers({ toFake: ["setTimeout", "performance"] });
+  drawn = [];
   const warm = viewer.warmUp(states, () => void drawn.push("present"), end.signal);
-  // The shaders are compiled.
-  await nextFrame();
+  viewer.requestFrame();
+  for (const frame of frames.splice(0)) frame();
+  // A frame would wait for the shaders, and so does it.
   expect(drawn).toEqual([]);
-  await nextFrame();
-  expect(drawn).toEqual(["first", "hidden", "present", "frame"]);
-  await nextFrame();
-  expect(drawn.slice(4)).toEqual(["second", "hidden", "present", "frame"]);
+  finishShaders();
+  await vi.advanceTimersByTimeAsync(1000);
+  // A frame is due: a state would delay it.
+  expect(drawn).toEqual([]);
+  for (const frame of frames.splice(0)) frame();
+  expect(drawn).toEqual(["frame"]);
+  await vi.advanceTimersByTimeAsync(100);
+  expect(drawn).toEqual(["frame"]);
+  await vi.advanceTimersByTimeAsync(1000);
+  expect(drawn).toEqual(["frame", "first", "hidden", "present"]);
+  finishDrawing();
+  await vi.advanceTimersByTimeAsync(1000);
+  expect(drawn.slice(4)).toEqual(["second", "hidden", "present"]);
   end.abort();
-  await nextFrame();
+  finishDrawing();
+  await vi.advanceTimersByTimeAsync(1000);
   await warm;
-  expect(drawn).toHaveLength(8);
+  expect(drawn).toHaveLength(7);
+  vi.useRealTimers();
 });

@@ -52,8 +52,8 @@ export interface LoadTraceOptions {
 const loadOptions = v.object(watch);
 
 /**
- * Reads a trace as `readTrace` does, in slices of about 12 milliseconds, so that a page responds meanwhile; the last slice,
- * which copies all arrays once, takes longer for long traces. Rejects with a `MesherError` if it is cancelled, or if an option
+ * Reads a trace as `readTrace` does, in slices of about 12 milliseconds, so that a page responds meanwhile. The last
+ * slices copy the arrays, and take longer for very long traces. Rejects with a `MesherError` if it is cancelled, or if an option
  * is invalid.
  */
 export async function loadTrace(
@@ -113,17 +113,19 @@ function* traceIn(cursor: TraceCursor): Steps<Trace> {
   }));
   yield PAUSE;
   const lists = { boundaryNodes: header.nodes, passes };
-  const columns = [
-    replay.nodes.taken(),
-    replay.faces.taken(),
-    replay.elements.taken(),
-    replay.steps.taken(),
-  ] as const;
+  const nodes = replay.nodes.taken();
+  const faces = replay.faces.taken();
+  yield PAUSE;
+  const elements = replay.elements.taken();
+  yield PAUSE;
+  const steps = replay.steps.taken();
+  yield PAUSE;
   const hasSurface = surface !== undefined && surface.divisions.length > 0;
-  const traced = hasSurface ? new SurfaceTrace(cursor.file, surface, columns[0].positions) : null;
-  const boundary = columns[0].positions.subarray(0, 3 * header.nodes);
+  const traced = hasSurface ? new SurfaceTrace(cursor.file, surface, nodes.positions) : null;
+  const boundary = nodes.positions.subarray(0, 3 * header.nodes);
   const optimization =
     sweeps && new TracedOptimization(cursor.file, sweeps.summary, sweeps.offsets, boundary);
+  const columns = [nodes, faces, elements, steps] as const;
   return new Trace(cursor.file, header, ...columns, replay.fronts, traced, optimization, lists);
 }
 

@@ -11,6 +11,8 @@ export interface Lifetimes {
   readonly born: Uint32Array;
   /** First state without the thing; NEVER if it stays to the end. */
   readonly died: Uint32Array;
+  /** The things that do not stay to the end, in the order in which they die. */
+  readonly ended: Uint32Array;
 }
 
 export interface TraceNodes extends Lifetimes {
@@ -36,6 +38,7 @@ export interface TraceElements extends Lifetimes {
 class LifetimeColumns {
   readonly #born = new GrowingArray(Uint32Array);
   readonly #died = new GrowingArray(Uint32Array);
+  readonly #ended = new GrowingArray(Uint32Array);
 
   get length(): number {
     return this.#born.length;
@@ -53,10 +56,11 @@ class LifetimeColumns {
 
   end(index: number, step: number): void {
     this.#died.set(index, step);
+    this.#ended.push(index);
   }
 
   lifetimes(): Lifetimes {
-    return { born: this.#born.copy(), died: this.#died.copy() };
+    return { born: this.#born.copy(), died: this.#died.copy(), ended: this.#ended.copy() };
   }
 }
 

@@ -43,7 +43,6 @@ export interface TraceSummary {
 export class Trace {
   readonly #bytes: Uint8Array;
   readonly #lists: FinalLists;
-  #deaths: { readonly faces: Deaths; readonly elements: Deaths } | undefined;
 
   constructor(
     bytes: Uint8Array,
@@ -92,18 +91,14 @@ export class Trace {
 
   /** Returns what step `step` removes and adds. The first faces of a front that begins after it are not among them. */
   changesAt(step: number): StepChanges {
-    this.#deaths ??= {
-      faces: deathsOf(this.faces, this.stepCount),
-      elements: deathsOf(this.elements, this.stepCount),
-    };
     const { facesMade, elementsMade, nodesMade } = this.steps;
     const nextFront = this.fronts.find(({ state }) => state === step);
     const before = step - 1;
     return {
       step,
-      removedFaces: this.#deaths.faces(step),
+      removedFaces: endedAt(this.faces, step),
       addedFaces: range(facesMade[before] ?? 0, nextFront?.firstFace ?? facesMade[step] ?? 0),
-      removedElements: this.#deaths.elements(step),
+      removedElements: endedAt(this.elements, step),
       addedElements: range(elementsMade[before] ?? 0, elementsMade[step] ?? 0),
       addedNodes: range(nodesMade[before] ?? 0, nodesMade[step] ?? 0),
     };
@@ -199,7 +194,7 @@ const noneAsNull = (index: number | undefined): number | null =>
 
 const sum = (a: TracePosition, b: TracePosition): TracePosition => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 
-type Lived = Pick<TraceFaces, "born" | "died">;
+type Lived = Pick<TraceFaces, "born" | "died" | "ended">;
 
 /** Returns those of the first `made` things that are part of a state; `expected` of them, if it is known. */
 function aliveAt({ died }: Lived, made: number, state: number, expected = made): Uint32Array {
@@ -213,22 +208,14 @@ function aliveAt({ died }: Lived, made: number, state: number, expected = made):
 const range = (begin: number, end: number): readonly number[] =>
   Array.from({ length: Math.max(0, end - begin) }, (_, i) => begin + i);
 
-/** Returns the things that die at a step, ascending. */
-type Deaths = (step: number) => readonly number[];
-
-function deathsOf({ died }: Lived, steps: number): Deaths {
-  // First count per step, then add up: those of a step lie from firstOf[step] to firstOf[step + 1].
-  const firstOf = new Uint32Array(steps + 2);
-  for (const step of died) if (step <= steps) firstOf[step + 1] = (firstOf[step + 1] ?? 0) + 1;
-  for (let step = 0; step <= steps; step++)
-    firstOf[step + 1] = (firstOf[step + 1] ?? 0) + (firstOf[step] ?? 0);
-  const sorted = new Uint32Array(firstOf[steps + 1] ?? 0);
-  const next = firstOf.slice();
-  died.forEach((step, index) => {
-    if (step > steps) return;
-    const at = next[step] ?? 0;
-    sorted[at] = index;
-    next[step] = at + 1;
-  });
-  return (step) => Array.from(sorted.subarray(firstOf[step], firstOf[step + 1]));
+/** Returns the things that die at a step, ascending. O(log n). */
+function endedAt({ died, ended }: Lived, step: number): readonly number[] {
+  let [begin, end] = [0, ended.length];
+  while (begin < end) {
+    const middle = (begin + end) >> 1;
+    if ((died[ended[middle] ?? 0] ?? 0) < step) begin = middle + 1;
+    else end = middle;
+  }
+  while (end < ended.length && died[ended[end] ?? 0] === step) ++end;
+  return Array.from(ended.subarray(begin, end)).sort((a, b) => a - b);
 }

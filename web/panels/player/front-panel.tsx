@@ -1,5 +1,6 @@
 import { Button, Progress, Text } from "@mantine/core";
 import { IconPlayerRecordFilled } from "@tabler/icons-react";
+import { useDeferredValue } from "react";
 import { strings } from "../../strings";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
 import { useApp, useRun } from "../shared/app-context";
@@ -20,8 +21,10 @@ export function FrontPanel() {
   const recording = usePlayer((state) => state.recording !== null);
   const isReading = usePlayer((state) => state.reading !== null);
   const hasTrace = usePlayer((state) => state.trace !== null);
+  // A trace that is shown has much to do at once: its panel is made in slices, and replaces that of the reading after them.
+  const isMade = useDeferredValue(hasTrace && !isReading, false);
   if (recording) return <Recording />;
-  if (isReading) return <Reading />;
+  if (isReading || (hasTrace && !isMade)) return <Reading />;
   return hasTrace ? <Player /> : <NoTrace />;
 }
 
@@ -99,7 +102,7 @@ function Recording() {
 /** The progress of reading a recorded or an opened trace. */
 function Reading() {
   const { player } = useApp();
-  const fraction = usePlayer((state) => state.reading ?? 0);
+  const fraction = usePlayer((state) => state.reading ?? 1);
   return (
     <ScrollPanel label={texts.tab}>
       <Text size="sm" role="status">

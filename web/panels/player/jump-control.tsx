@@ -3,7 +3,7 @@ import { IconChevronLeft, IconChevronRight } from "@tabler/icons-react";
 import { useMemo, useState } from "react";
 import { parseCondition } from "../../player/condition";
 import { phaseAt } from "../../player/phases";
-import { hasStop, stopKinds, type Stop, type StopKind } from "../../player/stops";
+import { stopKindsOf, type Stop, type StopKind } from "../../player/stops";
 import { strings } from "../../strings";
 import { IconButton } from "../../ui/icon-button";
 import { useApp } from "../shared/app-context";
@@ -18,7 +18,7 @@ const icon = { size: 15, "aria-hidden": true } as const;
 export function JumpControl() {
   const { player } = useApp();
   const trace = useTrace();
-  const kinds = useMemo(() => stopKinds.filter((kind) => hasStop(trace, kind)), [trace]);
+  const kinds = useMemo(() => stopKindsOf(trace), [trace]);
   const [chosen, setChosen] = useState<StopKind | "condition" | null>(null);
   const [isMissing, setIsMissing] = useState(false);
   const text = usePlayer((state) => state.condition);

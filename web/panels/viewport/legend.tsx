@@ -57,6 +57,7 @@ function FrontLegend() {
       className={styles["legend"]}
       aria-label={`${strings.viewport.legend}: ${name}`}
       data-testid="front-legend"
+      data-covers-labels
     >
       <div
         className={styles["bar"]}

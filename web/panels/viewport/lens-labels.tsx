@@ -27,7 +27,7 @@ export function LensLabels({ viewer }: { readonly viewer: Viewer }) {
         setShown(marker, line, at !== null);
         if (at) shown.push({ ...at, width: marker.offsetWidth, height: marker.offsetHeight, marker, line });
       });
-      const places = placedAround(shown, viewer.labelArea);
+      const places = placedAround(shown, viewer.labelArea, lines.current ? coversOf(lines.current) : []);
       shown.forEach(({ x, y, marker, line }, i) => {
         const place = places[i];
         if (!place) return setShown(marker, line, false);
@@ -62,6 +62,16 @@ export function LensLabels({ viewer }: { readonly viewer: Viewer }) {
   );
 }
 
+/** Returns the legends that lie over the view, which an element fills. */
+function coversOf(view: Element): readonly Label[] {
+  const { left, top } = view.getBoundingClientRect();
+  return [...document.querySelectorAll("[data-covers-labels]")].flatMap((cover) => {
+    const { x, y, width, height } = cover.getBoundingClientRect();
+    const isShown = width > 0;
+    return isShown ? [{ x: x - left + width / 2, y: y - top + height / 2, width, height }] : [];
+  });
+}
+
 const noLabels: readonly LensLabel[] = [];
 
 /** The labels of the patch whose front is shown; none while it is played or scrubbed. */
@@ -85,7 +95,12 @@ function setShown(marker: HTMLElement, line: Element | undefined, isShown: boole
 function MarkLegend() {
   const names = strings.player.marks.legend;
   return (
-    <ul className={styles["legend"]} aria-label={strings.player.lens} data-testid="lens-legend">
+    <ul
+      className={styles["legend"]}
+      aria-label={strings.player.lens}
+      data-testid="lens-legend"
+      data-covers-labels
+    >
       {(["base", "ideal", "candidate", "failing"] as const).map((kind) => (
         <li key={kind} data-kind={kind}>
           {names[kind]}
