@@ -153,6 +153,24 @@ TEST(PocketFiller, GivesTheSameMeshForAnySlices) {
   }
 }
 
+/// The limit counts work, so what is left open does not depend on the slices.
+TEST(PocketFiller, LeavesItsPocketsOpenAtItsCostLimit) {
+  for (const std::uint32_t budget : {1U, 1'000'000U}) {
+    PocketFixture fixture(testing::needlePlate(1, 16, 0.05));
+    const Faces given = fixture.activeFaces();
+    PocketSet pockets(fixture.front, findPockets(fixture.front));
+    PocketFiller filler(fixture.front, fixture.elements, fixture.index, pockets, 100);
+    std::size_t slices = 0;
+    while (!filler.isDone() && slices < 10'000) {
+      filler.work(budget);
+      ++slices;
+    }
+    EXPECT_TRUE(filler.isDone()) << "slices of " << budget;
+    EXPECT_EQ(fixture.elements.liveCount(), 0U) << "slices of " << budget;
+    EXPECT_EQ(fixture.activeFaces(), given) << "slices of " << budget;
+  }
+}
+
 TEST(PocketFiller, ClosesAPocketAmongElements) {
   PocketFixture fixture(testing::gridCube(3));
   const Faces given = fixture.activeFaces();

@@ -19,8 +19,10 @@ constexpr std::size_t kWorthAnotherPass = 9;
 /// Progress over the edges, 0 to 1, that the passes of swaps approach: each covers half of the
 /// distance that is left. The rest belongs to the last pass, which may split edges.
 constexpr double kSwapsEnd = 0.4;
-/// A walk around a node may go in circles. After this many steps, search the whole star instead.
-constexpr int kMaxWalkSteps = 200;
+/// A walk around a node may go in circles. After the first number of steps, it tests the sides of each tetrahedron in
+/// another order, which leads out of most circles. After the second number, the whole star is searched.
+constexpr std::size_t kMaxPlainWalkSteps = 200;
+constexpr std::size_t kMaxWalkSteps = 1200;
 
 /// numerator / denominator to `steps` times about 50 bits.
 Dyadic refinedQuotient(const Dyadic& numerator, const Dyadic& denominator, int steps) {
@@ -98,9 +100,9 @@ void BoundaryRecovery::beginPass() {
 }
 
 /// Intersects the ray with one tetrahedron at `from`. If the tetrahedron does not contain the start
-/// of the ray, `away` is the corner whose opposite face separates them.
+/// of the ray, `away` is the corner whose opposite face separates them: the first such from `firstSide` on.
 BoundaryRecovery::Hit BoundaryRecovery::hitInTet(TetId tet, NodeId from, NodeId towards,
-                                                 std::uint32_t& away) const {
+                                                 std::size_t firstSide, std::uint32_t& away) const {
   const ExactPoints& points = mesh_.points;
   const std::uint32_t corner = mesh_.cornerOf(tet, from);
   const NodeTriple f = mesh_.innerFace(tet, corner);
@@ -109,7 +111,8 @@ BoundaryRecovery::Hit BoundaryRecovery::hitInTet(TetId tet, NodeId from, NodeId 
   }
   NodeTriple ahead;
   std::size_t count = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t k = (firstSide + i) % 3;
     NodeTriple side = f;
     side[k] = towards;
     const int sign = points.orient(side[0], side[1], side[2], from);
@@ -127,9 +130,10 @@ BoundaryRecovery::Hit BoundaryRecovery::hitInTet(TetId tet, NodeId from, NodeId 
 /// Walks around the node, from tetrahedron to tetrahedron, towards the ray.
 BoundaryRecovery::Hit BoundaryRecovery::walkToHit(NodeId from, NodeId towards) const {
   TetId tet = mesh_.at(from);
-  for (int step = 0; step < kMaxWalkSteps && !tet.isNone(); ++step) {
+  for (std::size_t step = 0; step < kMaxWalkSteps && !tet.isNone(); ++step) {
     std::uint32_t away = 4;
-    const Hit hit = hitInTet(tet, from, towards, away);
+    const std::size_t firstSide = step < kMaxPlainWalkSteps ? 0 : step;
+    const Hit hit = hitInTet(tet, from, towards, firstSide, away);
     if (away == 4) return hit;
     tet = mesh_.tet(tet).across[away].tet;
   }
@@ -144,9 +148,10 @@ BoundaryRecovery::Hit BoundaryRecovery::firstHit(NodeId from, NodeId towards) {
   if (back.kind == Hit::Kind::kNode && back.u == from)
     return {Hit::Kind::kNode, back.tet, mesh_.cornerOf(back.tet, from), towards, towards};
   mesh_.star(from, star_);
+  visitedTetrahedra_ += star_.size();
   for (const TetId tet : star_) {
     std::uint32_t away = 4;
-    const Hit hit = hitInTet(tet, from, towards, away);
+    const Hit hit = hitInTet(tet, from, towards, 0, away);
     if (hit.kind != Hit::Kind::kNothing) return hit;
   }
   return {};

@@ -36,6 +36,9 @@ class BoundaryRecovery {
   /// Estimated progress over the edges, 0 to 1.
   [[nodiscard]] double edgesFraction() const;
 
+  /// Tetrahedra of stars that were searched for an edge, a measure of work besides the signs.
+  [[nodiscard]] std::uint64_t visitedTetrahedra() const { return visitedTetrahedra_; }
+
   [[nodiscard]] std::size_t triangleCount() const { return triangles_.size(); }
   /// Call it for each triangle when the edges are done. Returns false if the triangles
   /// self-intersect.
@@ -67,7 +70,8 @@ class BoundaryRecovery {
   FillState recoverEdge(Edge& edge);
   Hit firstHit(NodeId from, NodeId towards);
   [[nodiscard]] Hit walkToHit(NodeId from, NodeId towards) const;
-  Hit hitInTet(TetId tet, NodeId from, NodeId towards, std::uint32_t& away) const;
+  Hit hitInTet(TetId tet, NodeId from, NodeId towards, std::size_t firstSide,
+               std::uint32_t& away) const;
   void tetsAtHit(const Hit& hit, std::vector<TetId>& result);
   bool swapAtHit(const Hit& hit, NodeId apex);
   NodeId splitEdgeAt(const Edge& edge, const Hit& hit);
@@ -95,6 +99,7 @@ class BoundaryRecovery {
   std::vector<NodeId> boundaryPoints_;
   std::vector<TetId> tets_;
   std::vector<TetId> star_;
+  std::uint64_t visitedTetrahedra_ = 0;
   // State of the current triangle.
   std::set<Direction> open_;  ///< edges whose left side is not covered by faces yet
   /// per node: sign relative to the triangle's plane, or kUnknown

@@ -35,21 +35,20 @@ ExactFill::ExactFill(FillTask task, unsigned order, std::uint64_t limit)
     : task_(std::move(task)), order_(order), limit_(limit) {}
 
 ExactFill::State ExactFill::advance(std::uint32_t budget) {
-  const std::uint64_t signs = kSignsPerUnit * std::max(budget, 1U);
-  const std::uint64_t before = mesh_.points.work();
-  touched_ = 0;
-  while (stage_ != Stage::kDone && stage_ != Stage::kFailed &&
-         mesh_.points.work() - before + touched_ / kTouchedPerSign < signs) {
+  const std::uint64_t end = signs() + kSignsPerUnit * std::max(budget, 1U);
+  while (stage_ != Stage::kDone && stage_ != Stage::kFailed && signs() < end) {
     step();
     // Check the limit after every step, so that the outcome does not depend on the slice length.
-    if (stage_ != Stage::kDone && mesh_.points.work() / kSignsPerUnit > limit_) {
-      stage_ = Stage::kFailed;
-    }
+    if (stage_ != Stage::kDone && cost() > limit_) stage_ = Stage::kFailed;
   }
   if (stage_ == Stage::kFailed) return State::kFailed;
   if (stage_ != Stage::kDone) return State::kRunning;
   return result_.isPartial() ? State::kPartial : State::kDone;
 }
+
+std::uint64_t ExactFill::signs() const { return mesh_.points.work() + touched_ / kTouchedPerSign; }
+
+std::uint64_t ExactFill::cost() const { return signs() / kSignsPerUnit; }
 
 double ExactFill::fraction() const {
   switch (stage_) {
@@ -124,7 +123,9 @@ void ExactFill::beginRecovery() {
 }
 
 void ExactFill::recoverEdges() {
+  const std::uint64_t visited = recovery_->visitedTetrahedra();
   const FillState state = recovery_->recoverNextEdge();
+  touched_ += recovery_->visitedTetrahedra() - visited;
   if (state == FillState::kDone) return beginStage(Stage::kTriangles);
   failUnless(state == FillState::kRunning);
 }

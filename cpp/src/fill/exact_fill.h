@@ -48,6 +48,9 @@ class ExactFill {
   /// Does about `budget` x 2 microseconds of work. The outcome does not depend on the budget.
   State advance(std::uint32_t budget);
 
+  /// Work done so far, in units of the budget of advance().
+  [[nodiscard]] std::uint64_t cost() const;
+
   /// Estimated progress, 0 to 1.
   [[nodiscard]] double fraction() const;
 
@@ -68,6 +71,7 @@ class ExactFill {
     kFailed
   };
 
+  [[nodiscard]] std::uint64_t signs() const;
   void step();
   void beginStage(Stage stage);
   void failUnless(bool isGood);
@@ -87,7 +91,7 @@ class ExactFill {
   FillResult result_;
   Stage stage_ = Stage::kBegin;
   std::size_t next_ = 0;       ///< node or triangle of the stage
-  std::uint64_t touched_ = 0;  ///< tetrahedra visited in this slice without computing a sign
+  std::uint64_t touched_ = 0;  ///< tetrahedra visited without computing a sign
   // One of these works at a time; the next one takes over what it needs.
   std::optional<PointInsertion> insertion_;
   std::optional<BoundaryRecovery> recovery_;

@@ -23,6 +23,9 @@ class PocketFill {
   /// Estimated progress, 0 to 1.
   [[nodiscard]] double fraction() const { return fill_.fraction(); }
 
+  /// See ExactFill::cost().
+  [[nodiscard]] std::uint64_t cost() const { return fill_.cost(); }
+
   /// Call it in state kDone or kPartial. Adds the elements and removes the pocket's faces from the
   /// front. Returns the faces that bound the volume left open, ascending.
   std::vector<FaceId> apply(Front& front, Elements& elements) const;

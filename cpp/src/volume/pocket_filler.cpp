@@ -36,18 +36,24 @@ constexpr std::uint32_t kPartialFillsPerPocket = 4;
 /// tenth of it. A try that exceeds it mostly costs much less with other elements around the pocket.
 constexpr std::uint64_t kFillCostPerFace = 1000;
 constexpr std::uint64_t kExtraFillCost = 20'000;
+/// Cost limit of all tries together, in units of ExactFill, of about 2 microseconds. Surfaces of needles that no order of
+/// the edges recovers took more than five minutes; they are left open.
+constexpr std::uint64_t kCostOfAllTriesPerFace = 75;
+constexpr std::uint64_t kExtraCostOfAllTries = 5'000'000;
 /// Share of a pocket that remains to be done after a failed try, for the estimate of progress.
 constexpr double kRemainingAfterFailure = 0.1;
 
 }  // namespace
 
 PocketFiller::PocketFiller(Front& front, Elements& elements, ElementIndex& index,
-                           PocketSet& pockets)
+                           PocketSet& pockets, std::optional<std::uint64_t> maxCost)
     : front_(front), elements_(elements), index_(index), pockets_(pockets) {
   for (std::size_t i = pockets_.size(); i-- > 0;) push(PocketId(i));
   tries_.assign(pockets_.size(), {0, kFirstTries[0].rings, kFirstTries[0].order});
   partialFillsLeft_ =
       kMaxPartialFills + kPartialFillsPerPocket * static_cast<std::uint32_t>(pockets_.size());
+  costLeft_ = maxCost.value_or(kExtraCostOfAllTries +
+                               kCostOfAllTriesPerFace * static_cast<std::uint64_t>(totalFaces_));
 }
 
 void PocketFiller::push(PocketId pocket) {
@@ -111,7 +117,7 @@ std::size_t PocketFiller::begin() {
   const std::uint64_t limit = canFillPartially(now) && !now.isLastRound
                                   ? kFillCostPerFace * pocket.faces.size() + kExtraFillCost
                                   : ExactFill::kNoLimit;
-  fill_.emplace(front_, std::move(pocket), now.order, limit);
+  fill_.emplace(front_, std::move(pocket), now.order, std::min(limit, costLeft_));
   return 1 + touched / kTouchedPerStep;
 }
 
@@ -141,6 +147,7 @@ bool PocketFiller::prepareNext(Try& now) const {
 void PocketFiller::finish() {
   const PocketId number = stack_.back();
   Try& now = tries_[number.index()];
+  costLeft_ -= std::min(costLeft_, fill_->cost());
   if (fillState_ == ExactFill::State::kDone) {
     apply();
     pop();
@@ -152,11 +159,20 @@ void PocketFiller::finish() {
   } else {
     if (enlarged_) enlarged_->restore(front_, elements_, pockets_);
     weights_[number.index()].remaining *= kRemainingAfterFailure;
-    if (!prepareNext(now)) pop();
+    if (costLeft_ == 0) {
+      giveUp();
+    } else if (!prepareNext(now)) {
+      pop();
+    }
   }
   enlarged_.reset();
   fill_.reset();
   fillState_ = ExactFill::State::kRunning;
+}
+
+/// Leaves all pockets open that still wait.
+void PocketFiller::giveUp() {
+  while (!stack_.empty()) pop();
 }
 
 /// Returns the faces around the volume left open.

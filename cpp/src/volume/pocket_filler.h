@@ -22,7 +22,10 @@ namespace tetrafront {
 class PocketFiller {
  public:
   /// Everything except the pockets in `pockets` must be filled.
-  PocketFiller(Front& front, Elements& elements, ElementIndex& index, PocketSet& pockets);
+  /// `maxCost` limits all tries together, in units of ExactFill; without it, the limit grows with the pockets. At the limit,
+  /// the remaining pockets stay open.
+  PocketFiller(Front& front, Elements& elements, ElementIndex& index, PocketSet& pockets,
+               std::optional<std::uint64_t> maxCost = {});
 
   /// Does work that costs about `budget` steps of the front; returns the actual cost.
   std::size_t work(std::uint32_t budget);
@@ -62,6 +65,7 @@ class PocketFiller {
   std::vector<FaceId> apply();
   void queueOpen(std::vector<FaceId> open, Try tried);
   bool prepareNext(Try& now) const;
+  void giveUp();
   [[nodiscard]] bool canFillPartially(const Try& now) const;
 
   Front& front_;
@@ -77,6 +81,7 @@ class PocketFiller {
   std::optional<PocketFill> fill_;
   ExactFill::State fillState_ = ExactFill::State::kRunning;
   std::uint32_t partialFillsLeft_;
+  std::uint64_t costLeft_;  ///< of all further tries, in units of ExactFill
   std::vector<Made> made_;
 };
 

@@ -387,7 +387,7 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
       return `The front stalled${where} with ${plural(data.faces, "face")} that no tetrahedron can complete; the mesh is partial`;
     },
     remedy:
-      "Use sizes that vary more gradually there; in a given surface, use sizes closer to its edge lengths.",
+      "Use sizes that vary more gradually there. Remesh a given surface (--surface remesh or remeshSurface()), or use sizes closer to its edge lengths.",
   },
   "verification-failed": {
     message: ({ all, data }) => {
