@@ -19,10 +19,8 @@ constexpr std::size_t kWorthAnotherPass = 9;
 /// Progress over the edges, 0 to 1, that the passes of swaps approach: each covers half of the
 /// distance that is left. The rest belongs to the last pass, which may split edges.
 constexpr double kSwapsEnd = 0.4;
-/// A walk around a node may go in circles. After the first number of steps, it tests the sides of each tetrahedron in
-/// another order, which leads out of most circles. After the second number, the whole star is searched.
-constexpr std::size_t kMaxPlainWalkSteps = 200;
-constexpr std::size_t kMaxWalkSteps = 1200;
+/// A walk around a node may go in circles. After this many steps, search the whole star instead.
+constexpr int kMaxWalkSteps = 200;
 
 /// numerator / denominator to `steps` times about 50 bits.
 Dyadic refinedQuotient(const Dyadic& numerator, const Dyadic& denominator, int steps) {
@@ -100,9 +98,9 @@ void BoundaryRecovery::beginPass() {
 }
 
 /// Intersects the ray with one tetrahedron at `from`. If the tetrahedron does not contain the start
-/// of the ray, `away` is the corner whose opposite face separates them: the first such from `firstSide` on.
+/// of the ray, `away` is the corner whose opposite face separates them.
 BoundaryRecovery::Hit BoundaryRecovery::hitInTet(TetId tet, NodeId from, NodeId towards,
-                                                 std::size_t firstSide, std::uint32_t& away) const {
+                                                 std::uint32_t& away) const {
   const ExactPoints& points = mesh_.points;
   const std::uint32_t corner = mesh_.cornerOf(tet, from);
   const NodeTriple f = mesh_.innerFace(tet, corner);
@@ -111,8 +109,7 @@ BoundaryRecovery::Hit BoundaryRecovery::hitInTet(TetId tet, NodeId from, NodeId 
   }
   NodeTriple ahead;
   std::size_t count = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t k = (firstSide + i) % 3;
+  for (std::size_t k = 0; k < 3; ++k) {
     NodeTriple side = f;
     side[k] = towards;
     const int sign = points.orient(side[0], side[1], side[2], from);
@@ -130,10 +127,9 @@ BoundaryRecovery::Hit BoundaryRecovery::hitInTet(TetId tet, NodeId from, NodeId 
 /// Walks around the node, from tetrahedron to tetrahedron, towards the ray.
 BoundaryRecovery::Hit BoundaryRecovery::walkToHit(NodeId from, NodeId towards) const {
   TetId tet = mesh_.at(from);
-  for (std::size_t step = 0; step < kMaxWalkSteps && !tet.isNone(); ++step) {
+  for (int step = 0; step < kMaxWalkSteps && !tet.isNone(); ++step) {
     std::uint32_t away = 4;
-    const std::size_t firstSide = step < kMaxPlainWalkSteps ? 0 : step;
-    const Hit hit = hitInTet(tet, from, towards, firstSide, away);
+    const Hit hit = hitInTet(tet, from, towards, away);
     if (away == 4) return hit;
     tet = mesh_.tet(tet).across[away].tet;
   }
@@ -151,7 +147,7 @@ BoundaryRecovery::Hit BoundaryRecovery::firstHit(NodeId from, NodeId towards) {
   visitedTetrahedra_ += star_.size();
   for (const TetId tet : star_) {
     std::uint32_t away = 4;
-    const Hit hit = hitInTet(tet, from, towards, 0, away);
+    const Hit hit = hitInTet(tet, from, towards, away);
     if (hit.kind != Hit::Kind::kNothing) return hit;
   }
   return {};

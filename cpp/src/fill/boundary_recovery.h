@@ -70,8 +70,7 @@ class BoundaryRecovery {
   FillState recoverEdge(Edge& edge);
   Hit firstHit(NodeId from, NodeId towards);
   [[nodiscard]] Hit walkToHit(NodeId from, NodeId towards) const;
-  Hit hitInTet(TetId tet, NodeId from, NodeId towards, std::size_t firstSide,
-               std::uint32_t& away) const;
+  Hit hitInTet(TetId tet, NodeId from, NodeId towards, std::uint32_t& away) const;
   void tetsAtHit(const Hit& hit, std::vector<TetId>& result);
   bool swapAtHit(const Hit& hit, NodeId apex);
   NodeId splitEdgeAt(const Edge& edge, const Hit& hit);

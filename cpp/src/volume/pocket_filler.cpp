@@ -39,7 +39,7 @@ constexpr std::uint64_t kExtraFillCost = 20'000;
 /// Cost limit of all tries together, in units of ExactFill, of about 2 microseconds. Surfaces of needles that no order of
 /// the edges recovers took more than five minutes; they are left open.
 constexpr std::uint64_t kCostOfAllTriesPerFace = 75;
-constexpr std::uint64_t kExtraCostOfAllTries = 5'000'000;
+constexpr std::uint64_t kExtraCostOfAllTries = 10'000'000;
 /// Share of a pocket that remains to be done after a failed try, for the estimate of progress.
 constexpr double kRemainingAfterFailure = 0.1;
 
