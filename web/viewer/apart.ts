@@ -15,7 +15,7 @@ const gap = 2;
 /**
  * Returns the middles of labels, moved as little as needed so that none lies on another one; earlier labels stay. If there is no
  * room within twelve heights, a label may leave the view, and then stays where it is. `fits`: whether a label is in view at a
- * position. `covers`: what lies over the view, which labels avoid too. O(n²).
+ * position. `covers`: what lies over the view, which labels avoid too. O(n (n + covers)).
  */
 export function placedApart(
   labels: readonly Label[],
@@ -65,9 +65,9 @@ const reach = 14;
 
 /**
  * Returns the middles of labels of a drawing, given by what they name: outside of the drawing if it is small, otherwise at some
- * distance from what they name, away from the middle of the drawing. None lies on another one if there is room, and they are
- * moved into the view, and out from under what covers its left side, and `covers` other parts of it. The position of a label is null if what it names is out of
- * view; the others are placed without it.
+ * distance from what they name, away from the middle of the drawing. None lies on another one if there is room. They are
+ * moved into the view, and out from under what covers its left side or is in `covers`. The position of a label is null if what
+ * it names is out of view; the others are placed without it.
  */
 export function placedAround(
   labels: readonly Label[],

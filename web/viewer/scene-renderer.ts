@@ -59,8 +59,11 @@ export class SceneRenderer {
    */
   warmUp(camera: PerspectiveCamera): void {
     this.webgl.setRenderTarget(this.#hidden);
-    this.webgl.render(this.scene, camera);
-    this.webgl.setRenderTarget(null);
+    try {
+      this.webgl.render(this.scene, camera);
+    } finally {
+      this.webgl.setRenderTarget(null);
+    }
   }
 
   /** Resolves when everything is drawn, without blocking the page. */

@@ -47,6 +47,8 @@ const outgrowth = 1.5;
 const minPixels = 40;
 /** A view without a new frame for this time has been drawn as it stays, in milliseconds: see MotionWatch. */
 const quietMs = 250;
+/** Longest time for which frames wait for shaders. */
+const longestPreparationMs = 5000;
 
 /**
  * The three-dimensional view: an imperative object outside React. It draws on request, when something has changed.
@@ -280,17 +282,31 @@ export class Viewer {
    * view is at rest, one after the other.
    */
   async warmUp(states: readonly (() => void)[], restore: () => void, signal: AbortSignal): Promise<void> {
-    await this.#loop.waitFor(this.#renderer.prepare(this.#view.camera));
+    await this.#loop.waitFor(this.#untilPrepared(signal));
     for (const show of states) {
       const isEnded = (): boolean => signal.aborted || this.#isDisposed;
       while (!isEnded() && this.#loop.restedMs < quietMs)
         await new Promise((resolve) => setTimeout(resolve, quietMs / 5));
       if (isEnded()) return;
-      show();
-      this.#renderer.warmUp(this.#view.camera);
-      restore();
+      try {
+        show();
+        this.#renderer.warmUp(this.#view.camera);
+      } finally {
+        restore();
+      }
       await this.#renderer.finish();
     }
+  }
+
+  /** Compiles shaders. Ends early if `signal` is aborted: three.js waits forever if a material is disposed of meanwhile. */
+  async #untilPrepared(signal: AbortSignal): Promise<void> {
+    if (signal.aborted) return;
+    const prepared = this.#renderer.prepare(this.#view.camera);
+    const ended = new Promise<void>((resolve) => {
+      signal.addEventListener("abort", () => resolve(), { once: true });
+      setTimeout(resolve, longestPreparationMs);
+    });
+    await Promise.race([prepared, ended]);
   }
 
   get camera(): PerspectiveCamera {

@@ -23,6 +23,8 @@ namespace {
 
 /// Angle in radians below which two triangles count as coplanar.
 constexpr double kFlatAngle = 0.002;
+/// Angle in radians below which all angles at the edges of a triangle are rounding.
+constexpr double kLeastAngle = 1e-6;
 /// Angle at an edge / largest angle at an edge of the triangle below which the surface does not bend there.
 constexpr double kFlatPerLargest = 0.1;
 /// Angle in radians by which triangles in a cell bend in all from which their mean curvature counts, if no two of them
@@ -186,7 +188,7 @@ double ShapeMeasure::meanCurvatureOf(std::span<const std::uint32_t> pieces, doub
   double area = 0.0;
   for (const std::uint32_t i : pieces) {
     const ReferenceSurface::Piece& piece = reference_.pieces()[i];
-    if (reference_.patch(reference_.patchOf(piece.triangle)).isPlanar) return 0.0;
+    if (reference_.patch(reference_.patchOf(piece.triangle)).isPlanar) continue;
     const double ofTriangle = areaOf(cornersOf(reference_.mesh(), piece.triangle));
     if (!(ofTriangle > 0.0)) continue;
     bend += bendOf(piece.triangle, 0.0) * (piece.area / ofTriangle);
@@ -207,6 +209,7 @@ Vec3 ShapeMeasure::axisOf(TriangleId triangle) const {
     angles[k] = chordOf(glm::dot(reference_.normalOf(triangle), reference_.normalOf(other)));
   }
   const double largest = *std::ranges::max_element(angles);
+  if (largest < kLeastAngle) return Vec3(0.0);
   const double flat = std::min(kFlatAngle, kFlatPerLargest * largest);
   Vec3 axis(0.0);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -424,7 +427,7 @@ void ShapeMeasure::measureLine(const FeatureLine& line) {
     const Vec3 after = i < last ? points[i + 1] - points[i] : points[1] - points[0];
     const double length = 0.5 * (glm::length(before) + glm::length(after));
     const double angle = chordOf(cosineBetween(before, after));
-    if (turned + length > kStraightWidth * rules_.minSize) {
+    if (angle > kStraightAngle || turned + length > kStraightWidth * rules_.minSize) {
       turn = Vec3(0.0);
       turned = 0.0;
     }

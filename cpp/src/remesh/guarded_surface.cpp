@@ -112,8 +112,9 @@ bool GuardedSurface::isFreeOfIntersections() {
 }
 
 /// Returns true if an added triangle b c d lies in two removed ones, a b c and a c d, exactly in one plane across an axis. No other
-/// triangle intersects those, so none intersects the added one. In a fan of needles, this is cheaper than a test of each
-/// needle. O(n) for n removed triangles.
+/// triangle intersects those, so none intersects the added one: all triangles at their common edge are removed, because every
+/// change removes all triangles of an edge or of a star, to which the edge belongs. In a fan of needles, this is cheaper than
+/// a test of each needle. O(n) for n removed triangles.
 bool GuardedSurface::isCovered(const NumberedTriangle& added) const {
   if (change_->removed.size() < 2 || !change_->moved.isNone()) return false;
   for (int axis = 0; axis < 3; ++axis) {

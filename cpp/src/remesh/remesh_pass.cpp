@@ -165,7 +165,8 @@ Task<bool> isVeryFine(Work& work, const ReferenceSurface& reference, const Remes
         }
       },
       kCountedPerUnit);
-  co_return fine > kFineShare* curved;
+  const bool areMany = fine > kFineShare * curved;
+  co_return areMany;
 }
 
 /// What a step does with the triangles: make them well-shaped, or only collapse edges far below their target size.
@@ -174,6 +175,8 @@ enum class Changes : std::uint8_t { kAll, kCoarsening };
 struct Step {
   Changes changes;
   double tested;  ///< tolerance of the checks
+  /// Whether the distance of the triangles is sampled: not if another step follows, or has come before.
+  bool samples;
 };
 
 Task<> makeChanges(Work& work, Changes changes, RemeshSchedule& schedule,
@@ -188,13 +191,13 @@ Task<> makeChanges(Work& work, Changes changes, RemeshSchedule& schedule,
   co_await correction.run(work);
 }
 
-/// Bounds the distance between the surfaces, and samples that of the triangles. After coarsening, samples are of no use.
-Task<> measure(Work& work, Changes changes, const GuardedSurface& surface, SurfaceRemesh& result) {
-  work.beginPart(changes == Changes::kAll ? 0.3 : 1.0);
+/// Bounds the distance between the surfaces, and may sample that of the triangles.
+Task<> measure(Work& work, bool samples, const GuardedSurface& surface, SurfaceRemesh& result) {
+  work.beginPart(samples ? 0.3 : 1.0);
   DeviationBound bound(surface, result.tolerance);
   co_await work.finish(bound);
   result.deviation = bound.bound();
-  if (changes == Changes::kCoarsening) co_return;
+  if (!samples) co_return;
   work.beginPart(1.0);
   co_await sampleDeviation(work, surface, result);
 }
@@ -225,7 +228,7 @@ Task<> changeTriangles(Work& work, const ReferenceSurface& reference, const Reme
   bool isMeasured = false;
   if (isFinished) {
     work.beginPart(1.0);
-    Job<> measuring([&](Work& inner) { return measure(inner, step.changes, guarded, result); });
+    Job<> measuring([&](Work& inner) { return measure(inner, step.samples, guarded, result); });
     isMeasured = co_await finishUnlessStopped(work, measuring, input.isStopped);
   }
   result.isPartial = !isMeasured;
@@ -233,7 +236,8 @@ Task<> changeTriangles(Work& work, const ReferenceSurface& reference, const Reme
 }
 
 /// Remeshes the coarsened surface of a pass; the pass then has the result of both steps. `share`: of the tolerance, for this
-/// step.
+/// step. If it is stopped, the points of the given surface are near the coarsened one, but only the guests of that one were
+/// tested in this step.
 Task<> remeshCoarse(Work& work, const ReferenceSurface& reference, const RemeshLengths& lengths,
                     RemeshSizes& sizes, double share, const PassInput& input, RemeshPass& pass) {
   const RemeshPass coarse = std::move(pass);
@@ -247,7 +251,7 @@ Task<> remeshCoarse(Work& work, const ReferenceSurface& reference, const RemeshL
   copyNumbers(coarse.remesh, result);
   result.tolerance = share * lengths.tolerance;
   work.beginPart(0.9);
-  const Step step{Changes::kAll, share * lengths.testedTolerance};
+  const Step step{Changes::kAll, share * lengths.testedTolerance, false};
   const PassInput nextInput{surface, input.sizes, input.options, input.isStopped};
   co_await changeTriangles(work, next, sizes, step, nextInput, pass);
   for (std::uint32_t& triangle : pass.beneath) triangle = coarse.beneath[triangle];
@@ -326,13 +330,13 @@ Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const GivenS
   const bool coarsens = co_await isVeryFine(work, reference, *targets.sizes, lengths.maxSize);
   work.beginPart(coarsens ? 0.4 : 1.0);
   if (!coarsens) {
-    const Step step{Changes::kAll, toleranceShare * lengths.testedTolerance};
+    const Step step{Changes::kAll, toleranceShare * lengths.testedTolerance, true};
     co_await changeTriangles(work, reference, *targets.sizes, step, input, pass);
     co_return pass;
   }
   const double coarseningShare = kCoarseningShare * toleranceShare;
   result.tolerance = coarseningShare * lengths.tolerance;
-  const Step step{Changes::kCoarsening, coarseningShare * lengths.testedTolerance};
+  const Step step{Changes::kCoarsening, coarseningShare * lengths.testedTolerance, false};
   co_await changeTriangles(work, reference, *targets.sizes, step, input, pass);
   work.beginPart(1.0);
   if (result.isPartial) {

@@ -21,11 +21,12 @@ export function FrontPanel() {
   const recording = usePlayer((state) => state.recording !== null);
   const isReading = usePlayer((state) => state.reading !== null);
   const hasTrace = usePlayer((state) => state.trace !== null);
-  // A trace that is shown has much to do at once: its panel is made in slices, and replaces that of the reading after them.
+  // A trace that is shown has much to do at once: its panel is made in slices, and is empty until then.
   const isMade = useDeferredValue(hasTrace && !isReading, false);
   if (recording) return <Recording />;
-  if (isReading || (hasTrace && !isMade)) return <Reading />;
-  return hasTrace ? <Player /> : <NoTrace />;
+  if (isReading) return <Reading />;
+  if (!hasTrace) return <NoTrace />;
+  return isMade ? <Player /> : <ScrollPanel label={texts.tab}>{null}</ScrollPanel>;
 }
 
 function NoTrace() {
