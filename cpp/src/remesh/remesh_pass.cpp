@@ -32,7 +32,7 @@ constexpr double kCornerDegrees = 50.0;
 /// Given triangles under one of the target size from which a surface is coarsened first: a triangle that covers more of
 /// them takes long to prove, or cannot be proven to stay within the tolerance.
 constexpr double kManyBeneath = 100.0;
-/// Share of the area of curved patches with so many triangles from which a surface is coarsened.
+/// A surface is coarsened if this share of the area of its curved patches has so many.
 constexpr double kFineShare = 0.05;
 /// Pieces of the given surface visited per unit of budget.
 constexpr std::size_t kCountedPerUnit = 8;

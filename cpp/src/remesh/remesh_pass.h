@@ -40,8 +40,9 @@ Task<> sampleDeviation(Work& work, const ReferenceSurface& reference,
                        SurfaceRemesh& result);
 
 /// Remeshes a surface, with all details. If its triangles are far smaller than the target size, coarsens it first. The
-/// distance of the result from it is at most a share of the tolerance; sizes are those of the whole tolerance. Everything must outlive the task. Once `isStopped` is true, the surface is returned as it is. Errors
-/// are in the diagnostics of the result.
+/// distance of the result from it is at most a share of the tolerance; sizes are those of the whole tolerance.
+/// Everything must outlive the task. Once `isStopped` is true, the surface is returned as it is. Errors are in the
+/// diagnostics of the result.
 Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const GivenSizes& sizes,
                             const RemeshOptions& options, double toleranceShare,
                             const bool& isStopped);
