@@ -17,8 +17,10 @@
 #include "support/mesh_validator.h"
 #include "support/models.h"
 #include "support/shapes.h"
+#include "support/trace_reader.h"
 #include "tetrafront/mesher.h"
 #include "tetrafront/preview.h"
+#include "tetrafront/trace.h"
 #include "volume/region_mesher.h"
 
 namespace tetrafront {
@@ -362,6 +364,34 @@ TEST(MeshInterfaces, ACancelledRunHasTheRestInItsFront) {
     wasPartial = wasPartial || (!mesh.tetrahedra.empty() && !mesh.front.empty());
   }
   EXPECT_TRUE(wasPartial);
+}
+
+TEST(MeshInterfaces, EachFrontOfACancelledRunEndsOnceInTheTrace) {
+  const SurfaceMesh surface = testing::dividedBox({2, 1, 1}, 3);
+  MeshOptions options;
+  options.optimization = Optimization::kNone;
+  std::size_t inFirstFront = 0;
+  for (int calls = 1;; ++calls) {
+    MeshRun run(surface.points, surface.triangles, options);
+    recordFront(run);
+    for (int call = 0; call < calls; ++call) run.advance(40);
+    const bool isCancelled = run.status() == MeshStatus::kRunning;
+    run.cancel();
+    std::size_t passes = 0;
+    std::size_t ends = 0;
+    for (const testing::TraceStep& step : testing::readTrace(run.takeTrace())) {
+      if (step.kind == testing::TraceStep::kPass) ++passes;
+      if (step.kind == testing::TraceStep::kEnd) ++ends;
+      ASSERT_LE(ends, passes) << "cancelled after " << calls << " calls";
+    }
+    ASSERT_EQ(ends, passes) << "cancelled after " << calls << " calls";
+    if (passes == 1) ++inFirstFront;
+    if (!isCancelled) {
+      EXPECT_EQ(passes, 2U);
+      break;
+    }
+  }
+  EXPECT_GT(inFirstFront, 0U);
 }
 
 }  // namespace

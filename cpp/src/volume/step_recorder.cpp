@@ -43,6 +43,7 @@ void StepRecorder::beginPass(const Front& front) {
   elements_.clear();
   removed_.clear();
   baseBefore_ = FaceId(0U);
+  isInPass_ = true;
   isRemeshing_ = false;
   bytes_.byte(head(TraceEvent::kPass, 0));
   bytes_.number(front.typicalSize());
@@ -143,7 +144,10 @@ void StepRecorder::changed(const Front& front, const Elements& elements, FrontCh
   writeJoiningFaces(front);
 }
 
-void StepRecorder::endPass() { bytes_.byte(head(TraceEvent::kEnd, 0)); }
+void StepRecorder::endPass() {
+  if (isInPass_) bytes_.byte(head(TraceEvent::kEnd, 0));
+  isInPass_ = false;
+}
 
 void StepRecorder::setFace(FaceId slot, const NodeTriple& nodes, std::uint32_t region) {
   if (slot.index() >= faces_.size()) faces_.resize(slot.index() + 1);

@@ -64,6 +64,7 @@ class StepRecorder {
   static constexpr std::uint32_t kNoNextClass = 31;
   /// Recovery has changed the front and the elements. O(front + elements).
   void changed(const Front& front, const Elements& elements, FrontChange what);
+  /// Does nothing between two fronts: a run may be cancelled there.
   void endPass();
 
   /// Where the events are written, for those of lines and patches before them.
@@ -92,6 +93,7 @@ class StepRecorder {
 
   TraceBytes bytes_;
   StepCounts counts_;
+  bool isInPass_ = false;
   bool isRemeshing_ = false;
   FaceId base_;
   NodeId firstNode_;  ///< of the base face
