@@ -32,8 +32,10 @@ constexpr double kCornerDegrees = 50.0;
 /// Given triangles under one of the target size from which a surface is coarsened first: a triangle that covers more of
 /// them takes long to prove, or cannot be proven to stay within the tolerance.
 constexpr double kManyBeneath = 100.0;
-/// A surface is coarsened if this share of the area of its curved patches has so many.
+/// A surface is coarsened if this share of the area of its curved patches has so many. About this number of its pieces is
+/// looked at: enough for such a share.
 constexpr double kFineShare = 0.05;
+constexpr std::size_t kFineSamples = 4096;
 /// Pieces of the given surface visited per unit of budget.
 constexpr std::size_t kCountedPerUnit = 8;
 /// Share of the tolerance that coarsening may use.
@@ -143,25 +145,27 @@ double countBeneath(const TriangleCorners& given, double size) {
          3.0 * size * outline / (2.0 * std::numbers::pi * area);
 }
 
-/// Returns true if, on much of the curved patches, a triangle of the target size covers very many given ones. O(pieces).
+/// Returns true if, on much of the curved patches, a triangle of the target size covers very many given ones. O(log pieces).
 Task<bool> isVeryFine(Work& work, const ReferenceSurface& reference, const RemeshSizes& sizes,
                       double maxSize) {
   double curved = 0.0;
   double fine = 0.0;
   RemeshSizes::Hint hint;
   const std::vector<ReferenceSurface::Piece>& pieces = reference.pieces();
+  const std::size_t stride = 1 + pieces.size() / kFineSamples;
   co_await work.forEachBlock(
-      pieces.size(),
+      (pieces.size() + stride - 1) / stride,
       [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
-          const SmoothPatchId patch = reference.patchOf(pieces[i].triangle);
+          const ReferenceSurface::Piece& piece = pieces[i * stride];
+          const SmoothPatchId patch = reference.patchOf(piece.triangle);
           if (reference.patch(patch).isPlanar) continue;
-          curved += pieces[i].area;
-          const TriangleCorners corners = cornersOf(reference.mesh(), pieces[i].triangle);
+          curved += piece.area;
+          const TriangleCorners corners = cornersOf(reference.mesh(), piece.triangle);
           if (countBeneath(corners, maxSize) <= kManyBeneath) continue;
           hint.field.region = sizes.regionOf(patch);
-          const double size = sizes.sizeAt(pieces[i].centroid, hint);
-          if (countBeneath(corners, size) > kManyBeneath) fine += pieces[i].area;
+          const double size = sizes.sizeAt(piece.centroid, hint);
+          if (countBeneath(corners, size) > kManyBeneath) fine += piece.area;
         }
       },
       kCountedPerUnit);
