@@ -47,7 +47,7 @@ test("on a phone, no legend of an embedded front covers a label", async ({ page 
         return { left, top, right, bottom };
       }),
     );
-  const labelBoxes = () => boxes('[data-testid="lens-labels"] span:not([style*="none"])');
+  const labelBoxes = () => boxes('[data-testid="lens-labels"] span:not([style*="hidden"])');
   await expect(page.getByTestId("front-legend")).toBeVisible();
   await expect.poll(async () => (await labelBoxes()).length).toBe(5);
   const covered = async () => {
