@@ -258,6 +258,7 @@ test("an address with a lesson that does not exist shows the list", async ({ pag
   await open(page, "&lesson=99");
   await expect(page.getByTestId("lesson-list")).toBeVisible();
   await expect(page.getByTestId("lesson-10")).toBeVisible();
+  await expect(page.getByTestId("notice-address")).toContainText("There is no lesson “99”");
 });
 
 test("a lesson with errors is named in the list, and does not hide the others", async ({ page }) => {

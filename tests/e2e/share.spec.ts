@@ -137,6 +137,32 @@ test("on a phone, a link shows its step and the lens, and the view follows the s
   await expect(page.getByTestId("plane-view")).toBeInViewport({ ratio: 0.9 });
 });
 
+test("what an address asks for and cannot get is told, in the app and in an embedded front", async ({
+  page,
+}) => {
+  const notice = page.getByTestId("notice-address");
+  for (const start of ["./", "./embed.html"]) {
+    await page.goto(`${start}?test=1&model=unit-cube&step=9999&color=red`);
+    await expect(page.getByTestId("viewport")).toHaveAttribute("data-step", "1743");
+    await expect(notice).toContainText("“color=red”");
+    await expect(notice).toContainText("The front has no step 9999");
+    expect(await violations(page)).toEqual([]);
+    await notice.getByRole("button", { name: "OK" }).click();
+    await expect(notice).toHaveCount(0);
+  }
+  await page.goto("./?test=1&model=unit-cube&step=x");
+  await expect(notice).toContainText("“step=x”");
+  await page.goto("./?test=1&lesson=7.5&runs=sideways");
+  await expect(notice).toContainText("There is no lesson “7.5”");
+  await expect(notice).toContainText("“sideways”");
+  const failure = page.getByTestId("embed-failure");
+  await page.goto("./embed.html?test=1&model=unit-cube&step=x");
+  await expect(failure).toContainText("“step=x”");
+  await page.goto("./embed.html?test=1&model=sphinx&step=1");
+  await expect(failure).toContainText("There is no example “sphinx”");
+  await expect(failure).toContainText("unit-cube");
+});
+
 test("a changed model has no link, and the app says why", async ({ page }) => {
   await page.goto("./?test=1&model=unit-cube&step=10");
   await expect(page.getByTestId("viewport")).toHaveAttribute("data-step", "10");
