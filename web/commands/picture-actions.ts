@@ -157,13 +157,18 @@ async function record(
     const ended = new Promise((resolve) => recorder.addEventListener("stop", resolve, { once: true }));
     // The lens waits, as while playing; pausing ends the film.
     player.state.setState({ isPlaying: true });
-    const frames = frameRate * seconds;
-    for (let frame = 0; frame <= frames && !signal.aborted; frame++) {
+    // The recorder goes by the clock: if pictures take long, the film has fewer of them, but the same length.
+    let begin: number | null = null;
+    for (let share = 0; share < 1 && !signal.aborted;) {
       const state = player.state.getState();
       if (state.trace !== trace || !state.isPlaying) break;
-      player.seek(from + ((to - from) * frame) / frames);
+      share = begin === null ? 0 : Math.min(1, (performance.now() - begin) / (1000 * seconds));
+      player.seek(from + (to - from) * share);
       viewer.drawOn(context);
-      if (frame === 0) recorder.start();
+      if (begin === null) {
+        recorder.start();
+        begin = performance.now();
+      }
       await new Promise((resolve) => setTimeout(resolve, 1000 / frameRate));
     }
     if (recorder.state === "inactive") return null;
