@@ -233,4 +233,15 @@ test("a step is saved as a picture and a drawing, the front as a film", async ({
   expect(content.subarray(0, 4).toString("hex")).toBe("1a45dfa3");
   expect(content.length).toBeGreaterThan(5000);
   await expect(viewport).toHaveAttribute("data-step", "258");
+
+  // In a patch, too; its steps have the numbers that the player shows.
+  const scrub = page.getByTestId("player-scrub");
+  await scrub.press("Home");
+  await scrub.press("ArrowLeft");
+  await scrub.press("PageDown");
+  await expect(page.getByTestId("lens-labels")).toContainText("base");
+  const patch = await saved("share-svg");
+  expect(patch.name).toMatch(/^unit-cube-patches-step-\d+\.svg$/);
+  expect(patch.content.toString()).toMatch(/>base \d+<\/text>/);
+  expect(patch.content.toString().match(/<polygon/g)?.length ?? 0).toBeGreaterThan(200);
 });
