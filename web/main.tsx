@@ -54,9 +54,17 @@ app.documents.state.subscribe(({ id }, before) => {
   if (id !== before.id) window.history.replaceState(null, "", withoutFront(window.location.href));
 });
 
+if (query.size > 0) {
+  void import("./commands/address-problems").then(({ addressProblems, showAddressProblems }) =>
+    showAddressProblems(app, addressProblems(query)),
+  );
+}
+
 const lesson = lessonIn(query);
 if (lesson) {
-  void import("./commands/lesson-actions").then(({ openLessonNumber }) => openLessonNumber(app, lesson));
+  void import("./commands/lesson-actions").then(({ openLessonNumber }) =>
+    openLessonNumber(app, lesson, query.get("lesson") ?? undefined),
+  );
 }
 
 // The address names the open lesson and its runs, so that both can be passed on.

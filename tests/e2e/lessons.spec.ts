@@ -258,6 +258,7 @@ test("an address with a lesson that does not exist shows the list", async ({ pag
   await open(page, "&lesson=99");
   await expect(page.getByTestId("lesson-list")).toBeVisible();
   await expect(page.getByTestId("lesson-10")).toBeVisible();
+  await expect(page.getByTestId("notice-address")).toContainText("There is no lesson “99”");
 });
 
 test("a lesson with errors is named in the list, and does not hide the others", async ({ page }) => {
@@ -302,6 +303,29 @@ test("on a phone, a lesson has the lens and the colours of the front", async ({ 
     await expect(task(page, i + 1)).toHaveAttribute("data-done", "true");
   }
   await expect(page.getByTestId("lens")).toContainText("It is divided into 3 sides");
+});
+
+test("on a phone, a notice lies above the drawer, and the player above the fields of the experiments", async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await open(page, "&lesson=5&runs=sideways");
+  await expect(front(page)).toHaveAttribute("data-shown", "true");
+  const notice = page.getByTestId("notice-address");
+  await expect(notice).toContainText("“sideways”");
+  // A press reaches the button only if nothing lies above it.
+  await notice.getByRole("button", { name: "OK" }).click();
+  await expect(notice).toHaveCount(0);
+  await page.getByTestId("experiments").locator("summary").click();
+  const layerOf = (element: Element): number => Number(getComputedStyle(element).zIndex) || 0;
+  const field = page.getByTestId("experiments").locator("div", { has: page.getByTestId("experiment-order") });
+  const layers = await field
+    .last()
+    .locator("*")
+    .evaluateAll((parts) => parts.map((part) => Number(getComputedStyle(part).zIndex) || 0));
+  const player = await page.getByTestId("lesson-player").evaluate(layerOf);
+  expect(Math.max(...layers)).toBeGreaterThan(0);
+  expect(player).toBeGreaterThan(Math.max(...layers));
 });
 
 test("a wrong answer after the right one is not marked as right", async ({ page }) => {

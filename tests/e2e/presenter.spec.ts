@@ -38,6 +38,19 @@ test("presenter mode has larger type and a laser pointer that takes no clicks", 
   expect(await heightOf(page)).toBe(before);
 });
 
+test("on a phone, presenter mode cuts off no button of the header", async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.goto("./?test=1&new=1");
+  await page.keyboard.press("Control+k");
+  await page.getByRole("textbox", { name: "Search commands" }).fill("Presenter mode");
+  await page.keyboard.press("Enter");
+  await expect(page.getByTestId("presenter")).toBeVisible();
+  for (const button of await page.getByRole("banner").getByRole("button").all()) {
+    const box = await button.boundingBox();
+    expect((box?.x ?? 0) + (box?.width ?? 0), await button.innerText()).toBeLessThanOrEqual(390);
+  }
+});
+
 test("presenter mode keeps the view and a game, and gives its room to the panels", async ({ page }) => {
   await openLesson(page, 5);
   await page.getByTestId("volume-game-toggle").click();

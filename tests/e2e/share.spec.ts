@@ -47,7 +47,7 @@ test("on a phone, no legend of an embedded front covers a label", async ({ page 
         return { left, top, right, bottom };
       }),
     );
-  const labelBoxes = () => boxes('[data-testid="lens-labels"] span:not([style*="none"])');
+  const labelBoxes = () => boxes('[data-testid="lens-labels"] span:not([style*="hidden"])');
   await expect(page.getByTestId("front-legend")).toBeVisible();
   await expect.poll(async () => (await labelBoxes()).length).toBe(5);
   const covered = async () => {
@@ -137,6 +137,32 @@ test("on a phone, a link shows its step and the lens, and the view follows the s
   await expect(page.getByTestId("plane-view")).toBeInViewport({ ratio: 0.9 });
 });
 
+test("what an address asks for and cannot get is told, in the app and in an embedded front", async ({
+  page,
+}) => {
+  const notice = page.getByTestId("notice-address");
+  for (const start of ["./", "./embed.html"]) {
+    await page.goto(`${start}?test=1&model=unit-cube&step=9999&color=red`);
+    await expect(page.getByTestId("viewport")).toHaveAttribute("data-step", "1743");
+    await expect(notice).toContainText("“color=red”");
+    await expect(notice).toContainText("The front has no step 9999");
+    expect(await violations(page)).toEqual([]);
+    await notice.getByRole("button", { name: "OK" }).click();
+    await expect(notice).toHaveCount(0);
+  }
+  await page.goto("./?test=1&model=unit-cube&step=x");
+  await expect(notice).toContainText("“step=x”");
+  await page.goto("./?test=1&lesson=7.5&runs=sideways");
+  await expect(notice).toContainText("There is no lesson “7.5”");
+  await expect(notice).toContainText("“sideways”");
+  const failure = page.getByTestId("embed-failure");
+  await page.goto("./embed.html?test=1&model=unit-cube&step=x");
+  await expect(failure).toContainText("“step=x”");
+  await page.goto("./embed.html?test=1&model=sphinx&step=1");
+  await expect(failure).toContainText("There is no example “sphinx”");
+  await expect(failure).toContainText("unit-cube");
+});
+
 test("a changed model has no link, and the app says why", async ({ page }) => {
   await page.goto("./?test=1&model=unit-cube&step=10");
   await expect(page.getByTestId("viewport")).toHaveAttribute("data-step", "10");
@@ -207,4 +233,15 @@ test("a step is saved as a picture and a drawing, the front as a film", async ({
   expect(content.subarray(0, 4).toString("hex")).toBe("1a45dfa3");
   expect(content.length).toBeGreaterThan(5000);
   await expect(viewport).toHaveAttribute("data-step", "258");
+
+  // In a patch, too; its steps have the numbers that the player shows.
+  const scrub = page.getByTestId("player-scrub");
+  await scrub.press("Home");
+  await scrub.press("ArrowLeft");
+  await scrub.press("PageDown");
+  await expect(page.getByTestId("lens-labels")).toContainText("base");
+  const patch = await saved("share-svg");
+  expect(patch.name).toMatch(/^unit-cube-patches-step-\d+\.svg$/);
+  expect(patch.content.toString()).toMatch(/>base \d+<\/text>/);
+  expect(patch.content.toString().match(/<polygon/g)?.length ?? 0).toBeGreaterThan(200);
 });

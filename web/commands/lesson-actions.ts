@@ -13,6 +13,8 @@ import type { PlayerState } from "../player/player";
 import type { Recorded } from "../player/recording";
 import { settledProject } from "../session/document-store";
 import { strings } from "../strings";
+import { addressStrings } from "../strings/address";
+import { showAddressProblems } from "./address-problems";
 import { showFailure } from "./messages";
 import { showModel } from "./project-actions";
 import { runEnd } from "./run-end";
@@ -73,12 +75,18 @@ function noteShown({ lesson, runs }: LessonRuns, state: PlayerState, before: Pla
   });
 }
 
-/** Opens the lesson of an address, shows its model, and runs it in further orders. Unknown numbers open the list. */
-export async function openLessonNumber(app: App, { number, runs }: LessonAddress): Promise<void> {
+/** Opens the lesson of an address, shows its model, and runs it in further orders. Unknown numbers open the list, and are named. */
+export async function openLessonNumber(
+  app: App,
+  { number, runs }: LessonAddress,
+  asWritten = String(number),
+): Promise<void> {
   app.shell.setState({ rightTab: "lessons", drawer: "right", lesson: null });
   try {
-    const lesson = (await course()).lessons[number - 1];
+    const { lessons } = await course();
+    const lesson = lessons[number - 1];
     if (lesson) await openLesson(app, lesson, number, runs);
+    else showAddressProblems(app, [addressStrings.noLesson(asWritten, lessons.length)]);
   } catch {
     // The panel says why, and offers to try again.
   }

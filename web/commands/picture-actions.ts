@@ -7,8 +7,12 @@ import {
   placedLabels,
   type DrawingView,
 } from "../player/front-drawing";
-import { lensMarks } from "../player/lens-marks";
+import { lensMarks, type LensLabel } from "../player/lens-marks";
 import { lensSceneOf } from "../player/lens-scene";
+import { phaseAt, surfaceState } from "../player/phases";
+import type { PlayerState } from "../player/player";
+import { surfaceDrawing } from "../player/surface-drawing";
+import { surfaceLabels } from "../player/surface-labels";
 import { download, fileStem } from "../session/files";
 import { hideNotice, showNotice } from "../session/shell";
 import { shareStrings as texts } from "../strings/share";
@@ -21,8 +25,12 @@ const seconds = 10;
 const bitsPerSecond = 8_000_000;
 
 const viewerOf = ({ viewer }: App): Viewer | null => viewer.getState().viewer;
-const nameOf = ({ documents, player }: App): string =>
-  `${fileStem(documents.project.name)}-step-${player.state.getState().step}`;
+/** Steps of lines and patches have the numbers that the player shows, which begin with each phase. */
+function nameOf({ documents, player }: App): string {
+  const { trace, step } = player.state.getState();
+  const { phase, from } = trace ? phaseAt(trace, step) : { phase: "volume", from: 0 };
+  return `${fileStem(documents.project.name)}${phase === "volume" ? "" : `-${phase}`}-step-${step - from}`;
+}
 
 /** Saves the view as it is, without background. */
 export async function savePicture(app: App): Promise<void> {
@@ -42,11 +50,20 @@ const drawingView = (viewer: Viewer): DrawingView => ({
   toScreen: (position) => viewer.toScreen(position),
 });
 
+/** Returns the labels of what the lens shows: of a face, or of the edge of a patch. */
+function labelsOf(state: PlayerState): readonly LensLabel[] {
+  const scene = lensSceneOf(state);
+  if (scene) return lensMarks(scene).labels;
+  const { trace, step, candidate, edgeTask } = state;
+  const surface = trace && surfaceState(trace, step);
+  return trace?.surface && typeof surface === "number"
+    ? surfaceLabels(trace.surface, surface, candidate, edgeTask)
+    : [];
+}
+
 /** Draws the labels of what the lens shows, which are not in the canvas of the view. */
 function drawLabels({ player }: App, viewer: Viewer, paper: CanvasRenderingContext2D): void {
-  const scene = lensSceneOf(player.state.getState());
-  if (!scene) return;
-  const labels = placedLabels(lensMarks(scene), drawingView(viewer));
+  const labels = placedLabels({ labels: labelsOf(player.state.getState()) }, drawingView(viewer));
   const scale = paper.canvas.width / viewer.size.width;
   paper.save();
   paper.scale(scale, scale);
@@ -85,7 +102,10 @@ export function saveDrawing(app: App): void {
   const viewer = viewerOf(app);
   const state = app.player.state.getState();
   if (!viewer || !state.trace) return;
-  const drawing = frontDrawing(state.trace, { ...state, scene: lensSceneOf(state) }, drawingView(viewer));
+  const drawing =
+    state.step < 0
+      ? surfaceDrawing(state.trace, { ...state, labels: labelsOf(state) }, drawingView(viewer))
+      : frontDrawing(state.trace, { ...state, scene: lensSceneOf(state) }, drawingView(viewer));
   download([drawing], `${nameOf(app)}.svg`, "image/svg+xml");
 }
 
@@ -157,13 +177,18 @@ async function record(
     const ended = new Promise((resolve) => recorder.addEventListener("stop", resolve, { once: true }));
     // The lens waits, as while playing; pausing ends the film.
     player.state.setState({ isPlaying: true });
-    const frames = frameRate * seconds;
-    for (let frame = 0; frame <= frames && !signal.aborted; frame++) {
+    // The recorder goes by the clock: if pictures take long, the film has fewer of them, but the same length.
+    let begin: number | null = null;
+    for (let share = 0; share < 1 && !signal.aborted;) {
       const state = player.state.getState();
       if (state.trace !== trace || !state.isPlaying) break;
-      player.seek(from + ((to - from) * frame) / frames);
+      share = begin === null ? 0 : Math.min(1, (performance.now() - begin) / (1000 * seconds));
+      player.seek(from + (to - from) * share);
       viewer.drawOn(context);
-      if (frame === 0) recorder.start();
+      if (begin === null) {
+        recorder.start();
+        begin = performance.now();
+      }
       await new Promise((resolve) => setTimeout(resolve, 1000 / frameRate));
     }
     if (recorder.state === "inactive") return null;

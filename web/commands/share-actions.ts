@@ -3,12 +3,15 @@ import type { FrontOrder, Project } from "tetrafront";
 import type { App } from "../app/app";
 import { meshKey } from "../document/content-keys";
 import { knownCandidate, queryOf, type SharedFront } from "../player/shared-front";
+import { firstState } from "../player/phases";
 import { isUntouched } from "../session/document-store";
 import { loadModel } from "../session/gallery";
 import { showNotice } from "../session/shell";
+import { addressStrings } from "../strings/address";
 import { shareStrings as texts } from "../strings/share";
 import { breakpoints } from "../ui/theme/theme";
 import type { Viewer } from "../viewer/viewer";
+import { showAddressProblems } from "./address-problems";
 import { showFailure, showMessage } from "./messages";
 import { runEnd } from "./run-end";
 
@@ -31,7 +34,17 @@ export async function showShared(app: App, shared: SharedFront): Promise<void> {
   player.state.setState({ coloring: shared.coloring });
   player.seek(shared.step);
   const { step } = player.state.getState();
-  player.state.setState({ candidate: knownCandidate(recorded.trace, step, shared.candidate) });
+  const { trace } = recorded;
+  const candidate = knownCandidate(trace, step, shared.candidate);
+  player.state.setState({ candidate });
+  showAddressProblems(app, [
+    ...(step === shared.step
+      ? []
+      : [addressStrings.noStep(shared.step, firstState(trace), trace.stepCount, step)]),
+    ...(shared.candidate === candidate || shared.candidate === null
+      ? []
+      : [addressStrings.noCandidate(shared.candidate, step)]),
+  ]);
   if (shared.camera) (await viewerOf(app)).setPose(shared.camera);
   // In a small view, the step could not be seen beside the rest of the model.
   else if (window.innerWidth < breakpoints.phone) player.state.setState({ follows: true });

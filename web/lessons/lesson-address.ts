@@ -2,7 +2,7 @@
 import { nameOfRules, rulesNamed } from "./run-rules";
 
 export interface LessonAddress {
-  /** Place of the lesson in the course, from 1. */
+  /** Place of the lesson in the course, from 1; NaN if the address has something else. */
   readonly number: number;
   /** Names of the rules by which the model is run besides the lesson's own, in the order of the runs (run-rules.ts). */
   readonly runs: readonly string[];

@@ -32,7 +32,8 @@ export interface DrawnState {
   readonly fades: boolean;
 }
 
-const edgeColor = "#10141a";
+/** Colour of edges, for a white page. */
+export const edgeColor = "#10141a";
 const baseColor = "#e8590c";
 /** Colours of labels, for a white page. */
 export const labelColors: Readonly<Record<MarkKind, string>> = {
@@ -74,14 +75,20 @@ export function frontDrawing(trace: Trace, state: DrawnState, view: DrawingView)
   }
   drawn.sort((a, b) => b.depth - a.depth);
   const areas = drawn.map(({ points, fill }) => `<polygon points="${points}" fill="${fill}"/>`);
-  const { width, height } = view;
-  return [
-    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" width="${width}" height="${height}">`,
-    `<title>${escaped(trace.header.name)}, step ${step} of ${trace.stepCount}</title>`,
+  return svgOf(`${escaped(trace.header.name)}, step ${step} of ${trace.stepCount}`, view, [
     `<g stroke="${isFaded ? faded(edgeColor) : edgeColor}" stroke-width="0.6" stroke-linejoin="round">`,
     ...areas,
     "</g>",
     ...(scene ? drawnScene(lensMarks(scene), view) : baseOutline(trace, step, view)),
+  ]);
+}
+
+/** Returns a drawing with an escaped title. */
+export function svgOf(title: string, { width, height }: DrawingView, parts: readonly string[]): string {
+  return [
+    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" width="${width}" height="${height}">`,
+    `<title>${title}</title>`,
+    ...parts.filter((part) => part !== ""),
     "</svg>",
     "",
   ].join("\n");
@@ -95,24 +102,29 @@ function baseOutline(trace: Trace, step: number, view: DrawingView): readonly st
     : [`<polygon points="${points}" fill="none" stroke="${baseColor}" stroke-width="2"/>`];
 }
 
-function pointsOf(corners: Triangle, { toScreen }: DrawingView): string | null {
+/** Returns the points of a polygon; null if one of them cannot be drawn. */
+export function pointsOf(corners: Triangle, { toScreen }: DrawingView): string | null {
   const points = corners.map(toScreen);
   if (points.includes(null)) return null;
   return points.map((at) => (at ? `${at.x.toFixed(digits)},${at.y.toFixed(digits)}` : "")).join(" ");
 }
 
-function depthOf(corners: Triangle, eye: Position): number {
-  const middle = [0, 1, 2].map((axis) => corners.reduce((sum, corner) => sum + (corner[axis] ?? 0), 0) / 3);
+/** Returns the distance of the middle of some corners from the eye. */
+export function depthOf(corners: readonly Position[], eye: Position): number {
+  const middle = [0, 1, 2].map(
+    (axis) => corners.reduce((sum, corner) => sum + (corner[axis] ?? 0), 0) / corners.length,
+  );
   return Math.hypot(...middle.map((x, axis) => x - (eye[axis] ?? 0)));
 }
 
 /** Returns the brightness of a face: the more it is turned to the eye, the brighter. */
-function lightOf(normal: Position, toEye: Position): number {
+export function lightOf(normal: Position, toEye: Position): number {
   const scale = Math.hypot(...normal) * Math.hypot(...toEye);
   return scale === 0 ? 1 : 0.55 + 0.45 * Math.abs(dot(normal, toEye) / scale);
 }
 
-const shaded = (color: string, light: number): string => mixed(color, (channel) => light * channel);
+/** Returns a colour of a given brightness. */
+export const shaded = (color: string, light: number): string => mixed(color, (channel) => light * channel);
 
 /** Returns a colour with other values of its channels, 0 to 255. */
 function mixed(color: string, change: (channel: number) => number): string {
@@ -131,26 +143,32 @@ function drawnScene(marks: LensMarks, view: DrawingView): readonly string[] {
   ];
 }
 
-function drawnMark(mark: DrawnMark, positions: readonly Position[], view: DrawingView): readonly string[] {
-  const color = viewerColors.light[mark.color];
-  const points = positions.map(view.toScreen);
-  if (mark.form === "dots")
-    return points.flatMap((at) =>
-      at
-        ? [
-            `<circle cx="${at.x.toFixed(digits)}" cy="${at.y.toFixed(digits)}" r="${mark.size / 2}" fill="${color}" stroke="#ffffff"/>`,
-          ]
-        : [],
-    );
-  const perPiece = mark.form === "faces" ? 3 : 2;
+/** Returns the path of segments or triangles, which have so many positions each, without those that cannot be drawn. */
+export function pathOf(positions: readonly Position[], perPiece: 2 | 3, { toScreen }: DrawingView): string {
+  const points = positions.map(toScreen);
   const pieces: string[] = [];
   for (let i = 0; i + perPiece <= points.length; i += perPiece) {
     const ends = points.slice(i, i + perPiece).flatMap((at) => (at ? [at] : []));
     if (ends.length === perPiece)
       pieces.push(`M${ends.map(({ x, y }) => `${x.toFixed(digits)} ${y.toFixed(digits)}`).join("L")}`);
   }
-  if (pieces.length === 0) return [];
-  const path = pieces.join("");
+  return pieces.join("");
+}
+
+function drawnMark(mark: DrawnMark, positions: readonly Position[], view: DrawingView): readonly string[] {
+  const color = viewerColors.light[mark.color];
+  if (mark.form === "dots")
+    return positions
+      .map(view.toScreen)
+      .flatMap((at) =>
+        at
+          ? [
+              `<circle cx="${at.x.toFixed(digits)}" cy="${at.y.toFixed(digits)}" r="${mark.size / 2}" fill="${color}" stroke="#ffffff"/>`,
+            ]
+          : [],
+      );
+  const path = pathOf(positions, mark.form === "faces" ? 3 : 2, view);
+  if (path === "") return [];
   if (mark.form === "faces") return [`<path d="${path}" fill="${color}" fill-opacity="${mark.opacity}"/>`];
   const dash = mark.dash === undefined ? "" : ` stroke-dasharray="${0.6 * mark.dash} ${0.4 * mark.dash}"`;
   return [
@@ -169,7 +187,10 @@ export interface PlacedLabel {
 }
 
 /** Returns the labels of marks where a picture shows them, without those of what is out of view. */
-export function placedLabels({ labels }: LensMarks, view: DrawingView): readonly PlacedLabel[] {
+export function placedLabels(
+  { labels }: Pick<LensMarks, "labels">,
+  view: DrawingView,
+): readonly PlacedLabel[] {
   const shown = labels.flatMap(({ kind, text, position }) => {
     const at = view.toScreen(position);
     return at ? [{ ...at, kind, text, width: letterWidth * text.length + 8, height: labelHeight }] : [];
@@ -181,7 +202,8 @@ export function placedLabels({ labels }: LensMarks, view: DrawingView): readonly
   });
 }
 
-function drawnLabels(marks: LensMarks, view: DrawingView): readonly string[] {
+/** Returns the labels with lines to what they name. */
+export function drawnLabels(marks: Pick<LensMarks, "labels">, view: DrawingView): readonly string[] {
   const labels = placedLabels(marks, view);
   const round = (value: number): string => value.toFixed(digits);
   const lines = labels.map(
@@ -199,5 +221,5 @@ function drawnLabels(marks: LensMarks, view: DrawingView): readonly string[] {
   return [...lines, ...plates];
 }
 
-const escaped = (text: string): string =>
+export const escaped = (text: string): string =>
   text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;");

@@ -242,6 +242,12 @@ export class Player {
     this.state.setState({ step: to, candidate: null, sweep: null, ...(!isScrubbed && { lensStep: to }) });
   }
 
+  /** Shows the state after a step, and pauses. Others may follow at once, so the lens waits for the last. */
+  scrub(step: number): void {
+    this.#halt();
+    this.seek(step, true);
+  }
+
   /** Lets the lens show the present state. */
   #settle(): void {
     clearTimeout(this.#settling);
@@ -251,7 +257,7 @@ export class Player {
 
   /** Moves by a number of steps, and pauses. Infinitely many lead to the first or last state of the phase. */
   move(steps: number): void {
-    this.pause();
+    this.#halt();
     const { trace, step } = this.state.getState();
     if (!trace) return;
     if (Number.isFinite(steps)) this.seek(step + steps);
@@ -264,7 +270,7 @@ export class Player {
     if (!trace) return false;
     const found = nextStop(trace, step, direction, stop);
     if (found === null) return false;
-    this.pause();
+    this.#halt();
     this.seek(found);
     this.#settle();
     this.state.setState({ candidate: refusedIn(trace, found, stop) });
@@ -282,9 +288,14 @@ export class Player {
   }
 
   pause(): void {
+    this.#halt();
+    this.#settle();
+  }
+
+  /** Ends playing; the lens shows the present state when it is due. */
+  #halt(): void {
     this.#playback.stop();
     if (this.state.getState().isPlaying) this.state.setState({ isPlaying: false });
-    this.#settle();
   }
 
   toggle(): void {

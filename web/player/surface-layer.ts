@@ -8,8 +8,7 @@ import type { SceneChanges } from "../viewer/scene-state";
 import { Dots, Facets, WideSegments } from "./lens-parts";
 import type { EdgeTask } from "./mesher-game";
 import { endsOf } from "./planar-judge";
-import { examinedCandidate } from "./planar-lens";
-import { inSpace, surfaceScene } from "./surface-scene";
+import { finishedPatches, inSpace, stepMarks, surfaceScene, type PatchTriangles } from "./surface-scene";
 
 /** The lines and patches of a trace after a step, in space, with the base edge, its new triangle, and what refuses a candidate. */
 export class SurfaceLayer implements Layer {
@@ -109,38 +108,15 @@ export class SurfaceLayer implements Layer {
 
   /** Draws the base edge of a step, the triangle over it, and the edge because of which its candidate was refused. */
   #showStep(state: number): void {
-    const step = this.#trace.surface?.stepAt(state);
-    const front = step?.kind === "edge" ? this.#trace.surface?.fronts[step.front] : undefined;
-    if (step?.kind !== "edge" || !front) {
-      this.#base.set([], this.#origin);
-      this.#culprit.set([], this.#origin);
-      this.#triangle.set([], this.#origin);
-      return;
-    }
-    this.#base.set(
-      endsOf(front, step.edge).map((node) => inSpace(front, node)),
-      this.#origin,
-    );
-    const culprit = examinedCandidate(step, this.#candidate)?.culprit ?? null;
-    this.#culprit.set(
-      culprit === null ? [] : endsOf(front, culprit).map((node) => inSpace(front, node)),
-      this.#origin,
-    );
-    const corners =
-      step.triangle === null ? [] : front.triangles.subarray(3 * step.triangle, 3 * step.triangle + 3);
-    this.#triangle.set(
-      [...corners].map((node) => inSpace(front, node)),
-      this.#origin,
-    );
+    const { base, culprit, triangle } = stepMarks(this.#trace, state, this.#candidate);
+    this.#base.set(base, this.#origin);
+    this.#culprit.set(culprit, this.#origin);
+    this.#triangle.set(triangle, this.#origin);
   }
 
   #writeTriangles(): void {
-    const { surface } = this.#trace;
-    const fronts = surface?.fronts ?? [];
-    const finished = fronts.map((front, index): Triangles => {
-      const positions = surface?.improvedPositions(index);
-      return positions && front.improved ? { positions, triangles: front.improved.triangles } : front;
-    });
+    const fronts = this.#trace.surface?.fronts ?? [];
+    const finished = finishedPatches(this.#trace);
     this.#doneBefore = countsBefore(finished);
     this.#madeBefore = countsBefore(fronts);
     this.#done.set(cornersOf(finished, this.#origin));
@@ -149,14 +125,8 @@ export class SurfaceLayer implements Layer {
   }
 }
 
-/** Three nodes per triangle, and x y z per node. */
-interface Triangles {
-  readonly positions: Float64Array;
-  readonly triangles: Uint32Array;
-}
-
 /** Returns the number of triangles before each part, and of all parts at the end. */
-function countsBefore(parts: readonly Triangles[]): number[] {
+function countsBefore(parts: readonly PatchTriangles[]): number[] {
   const counts = [0];
   let count = 0;
   for (const { triangles } of parts) counts.push((count += triangles.length / 3));
@@ -164,7 +134,7 @@ function countsBefore(parts: readonly Triangles[]): number[] {
 }
 
 /** Returns x y z of the corners of all triangles, relative to an origin. */
-function cornersOf(parts: readonly Triangles[], origin: Position): Float32Array {
+function cornersOf(parts: readonly PatchTriangles[], origin: Position): Float32Array {
   const corners = new Float32Array(9 * (countsBefore(parts).at(-1) ?? 0));
   let next = 0;
   for (const { positions, triangles } of parts)

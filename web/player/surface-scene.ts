@@ -2,6 +2,7 @@
 import type { PlanarFront, SurfaceTrace, Trace } from "tetrafront";
 import type { Position } from "../document/position";
 import { edgesAt, endsOf } from "./planar-judge";
+import { examinedCandidate } from "./planar-lens";
 
 /** Segments are lists of ends, two after two. */
 export interface SurfaceScene {
@@ -35,6 +36,44 @@ export function surfaceScene({ surface }: Trace, state: number): SurfaceScene {
     finished: (index ?? 0) + (isFinished ? 1 : 0),
     made: front && !isFinished ? trianglesMadeAt(front, state) : 0,
   };
+}
+
+/** What a step of a patch is about; empty in other steps. */
+export interface StepMarks {
+  /** Ends of the base edge, and of the edge because of which the examined candidate was refused. */
+  readonly base: readonly Position[];
+  readonly culprit: readonly Position[];
+  /** Corners of the triangle that the step makes. */
+  readonly triangle: readonly Position[];
+}
+
+/** Returns the marks of a state, from 0. `candidate`: as for `examinedCandidate`. */
+export function stepMarks({ surface }: Trace, state: number, candidate: number | null): StepMarks {
+  const step = surface?.stepAt(state);
+  const front = step?.kind === "edge" ? surface?.fronts[step.front] : undefined;
+  if (step?.kind !== "edge" || !front) return { base: [], culprit: [], triangle: [] };
+  const positions = (nodes: Iterable<number>): Position[] => [...nodes].map((node) => inSpace(front, node));
+  const culprit = examinedCandidate(step, candidate)?.culprit ?? null;
+  const { triangle } = step;
+  return {
+    base: positions(endsOf(front, step.edge)),
+    culprit: culprit === null ? [] : positions(endsOf(front, culprit)),
+    triangle: triangle === null ? [] : positions(front.triangles.subarray(3 * triangle, 3 * triangle + 3)),
+  };
+}
+
+/** Three nodes per triangle, and x y z per node. */
+export interface PatchTriangles {
+  readonly positions: Float64Array;
+  readonly triangles: Uint32Array;
+}
+
+/** Returns the triangles of each patch when it is finished, improved if they were. */
+export function finishedPatches({ surface }: Trace): readonly PatchTriangles[] {
+  return (surface?.fronts ?? []).map((front, index) => {
+    const positions = surface?.improvedPositions(index);
+    return positions && front.improved ? { positions, triangles: front.improved.triangles } : front;
+  });
 }
 
 export const inSpace = ({ positions }: PlanarFront, node: number): Position => at(positions, node);

@@ -19,7 +19,8 @@ export interface Notice {
     | "deleted"
     | "numbers-kept"
     | "shared"
-    | "animation";
+    | "animation"
+    | "address";
   readonly tone: "information" | "warning";
   readonly text: string;
   readonly action: { readonly label: string; readonly run: () => void };

@@ -5,7 +5,7 @@ import { createRoot, type Root } from "react-dom/client";
 import { writeProject, type Mesher, type Project } from "tetrafront";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { App } from "../../../web/app/app";
-import { copyLink, sharedFrontOf, showSharedIfOpen } from "../../../web/commands/share-actions";
+import { copyLink, sharedFrontOf, showShared, showSharedIfOpen } from "../../../web/commands/share-actions";
 import { EmbedPage } from "../../../web/panels/embed/embed-page";
 import { newDocument } from "../../../web/session/document-store";
 import type { SharedFront } from "../../../web/player/shared-front";
@@ -167,4 +167,29 @@ it("shows the step of an address only if its example is open and unchanged", asy
   await showSharedIfOpen(app, { ...shared, order: "random" });
   expect(cancel).toHaveBeenCalledTimes(1);
   expect(record).toHaveBeenCalledWith({ order: "random" });
+});
+
+it("says that a step or a candidate of an address does not exist", async () => {
+  await app.player.open(bytes);
+  const { trace } = app.player.state.getState();
+  if (!trace) throw new Error("The trace was not opened");
+  const recorded = { kind: "recorded", trace } as Awaited<ReturnType<App["player"]["record"]>>;
+  vi.spyOn(app.player, "record").mockResolvedValue(recorded);
+  const told = async (address: Partial<SharedFront>): Promise<string> => {
+    app.shell.setState({ notices: [] });
+    await showShared(app, { ...shared, ...address });
+    return app.shell
+      .getState()
+      .notices.map(({ text }) => text)
+      .join();
+  };
+  const last = trace.stepCount;
+  expect(await told({ step: last, candidate: null })).toBe("");
+  expect(await told({ step: last + 1 })).toBe(
+    `The front has no step ${last + 1}: its states are 0 to ${last}. State ${last} is shown.`,
+  );
+  expect(await told({ step: 3, candidate: 99 })).toContain("Step 3 has no candidate 99");
+  expect(app.player.state.getState()).toMatchObject({ step: 3, candidate: null });
+  // The page has no other place for it.
+  await until(() => expect(button("notice-address")?.textContent).toContain("no candidate 99"));
 });

@@ -110,3 +110,19 @@ it("records one film at a time", async () => {
   expect(stopTrack).toHaveBeenCalledTimes(1);
   expect(app.player.state.getState().isPlaying).toBe(false);
 });
+
+it("lasts ten seconds and ends with the last step, however long its pictures take", async () => {
+  let now = 0;
+  vi.spyOn(performance, "now").mockImplementation(() => now);
+  vi.spyOn(URL, "createObjectURL").mockReturnValue("blob:film");
+  const steps: number[] = [];
+  draws(() => {
+    steps.push(app.player.state.getState().step);
+    now += 3000;
+  });
+  await saveAnimation(app);
+  const last = app.player.state.getState().trace?.stepCount ?? 0;
+  // The film begins when the first picture is there: the clock stands still between pictures, so the second is the same.
+  expect(steps).toEqual([0, 0, 0.3, 0.6, 0.9, 1].map((share) => Math.round(share * last)));
+  expectEnded();
+});

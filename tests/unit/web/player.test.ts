@@ -164,10 +164,39 @@ describe("the player", () => {
     // The first press on the slider begins a scrub: its frame has no time for the lens.
     vi.advanceTimersByTime(1000);
     const { lensStep } = player.state.getState();
-    player.seek(12, true);
+    player.scrub(12);
     expect(shown()).toEqual([12, lensStep]);
     vi.advanceTimersByTime(200);
     expect(shown()).toEqual([12, 12]);
+    vi.useRealTimers();
+  });
+
+  it("does not compute the lens of the states between which it is scrubbed or a key is held", async () => {
+    const { player } = newApp();
+    await player.open(bytes);
+    vi.useFakeTimers();
+    vi.advanceTimersByTime(1000);
+    player.move(1);
+    const lensSteps = new Set<number>();
+    const stop = player.state.subscribe(({ lensStep }) => lensSteps.add(lensStep));
+    for (let repeat = 0; repeat < 5; repeat++) {
+      vi.advanceTimersByTime(40);
+      player.move(1);
+    }
+    for (const step of [30, 20, 25]) {
+      vi.advanceTimersByTime(40);
+      player.scrub(step);
+    }
+    expect([...lensSteps]).toEqual([1]);
+    vi.advanceTimersByTime(200);
+    expect([...lensSteps]).toEqual([1, 25]);
+    // While the front is played, the lens waits too; a scrub pauses, and the lens follows then.
+    player.play();
+    player.scrub(10);
+    expect(player.state.getState()).toMatchObject({ step: 10, lensStep: 25, isPlaying: false });
+    vi.advanceTimersByTime(200);
+    expect(player.state.getState().lensStep).toBe(10);
+    stop();
     vi.useRealTimers();
   });
 

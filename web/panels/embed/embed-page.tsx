@@ -3,6 +3,7 @@ import type { App } from "../../app/app";
 import { queryOf, type SharedFront } from "../../player/shared-front";
 import { shareStrings as texts } from "../../strings/share";
 import { strings } from "../../strings";
+import { Notices } from "../dialogs/notices";
 import { CompactPlayer } from "../player/compact-player";
 import { usePlayer } from "../player/use-player";
 import { AppContext } from "../shared/app-context";
@@ -31,6 +32,7 @@ export function EmbedPage({ app, shared }: EmbedPageProps) {
             {texts.openInApp}
           </a>
         </footer>
+        <Notices />
       </div>
     </AppContext>
   );

@@ -5,9 +5,11 @@ import "@mantine/core/styles.layer.css";
 import { MantineProvider } from "@mantine/core";
 import { createRoot } from "react-dom/client";
 import { createApp } from "../../app/create-app";
+import { addressProblems, showAddressProblems } from "../../commands/address-problems";
 import { showShared } from "../../commands/share-actions";
 import { sharedFrontIn } from "../../player/shared-front";
 import { shareStrings as texts } from "../../strings/share";
+import { strings } from "../../strings";
 import { cssVariables, theme } from "../../ui/theme/theme";
 import { EmbedPage } from "./embed-page";
 
@@ -35,11 +37,25 @@ export async function startEmbed(root: HTMLElement, query: URLSearchParams): Pro
       {app && known ? (
         <EmbedPage app={app} shared={shared} />
       ) : (
-        <p role="alert" data-testid="embed-failure">
-          {texts.noModel}
-        </p>
+        <div role="alert" data-testid="embed-failure">
+          {failureOf(
+            query,
+            app?.gallery.models.map(({ id }) => id),
+          ).map((line) => (
+            <p key={line}>{line}</p>
+          ))}
+        </div>
       )}
     </MantineProvider>,
   );
-  if (app && known) await showShared(app, shared);
+  if (!app || !known) return;
+  showAddressProblems(app, addressProblems(query));
+  await showShared(app, shared);
+}
+
+/** Returns why an address names no front. `models`: ids of the models that exist, if the one of the address is not one of them. */
+function failureOf(query: URLSearchParams, models: readonly string[] = []): readonly string[] {
+  const model = query.get("model");
+  if (models.length === 0 || model === null) return [...addressProblems(query), texts.noModel];
+  return [strings.messages.unknownExample(model), strings.messages.knownExamples(models)];
 }

@@ -31,8 +31,7 @@ export function ScrubBar() {
   const scrub = (event: PointerEvent<HTMLDivElement>): void => {
     if ((event.buttons & 1) === 0) return;
     const { left, width: pixels } = event.currentTarget.getBoundingClientRect();
-    player.pause();
-    player.seek(first + (states * (event.clientX - left)) / pixels, true);
+    player.scrub(first + (states * (event.clientX - left)) / pixels);
   };
   const onKeyDown = (event: KeyboardEvent): void => {
     const steps = stepsOfKey(event.key);

@@ -2,7 +2,6 @@ import { ActionIcon, Menu } from "@mantine/core";
 import { IconShare } from "@tabler/icons-react";
 import { shareStrings as texts } from "../../strings/share";
 import { useApp } from "../shared/app-context";
-import { usePlayer } from "./use-player";
 
 const actions = () => import("../../commands/share-actions");
 const pictures = () => import("../../commands/picture-actions");
@@ -11,7 +10,6 @@ const pictures = () => import("../../commands/picture-actions");
 export function ShareMenu() {
   const app = useApp();
   // Drawings show faces, which lines and patches do not have.
-  const isVolume = usePlayer(({ step }) => step >= 0);
   return (
     <Menu position="top-end">
       <Menu.Target>
@@ -47,7 +45,6 @@ export function ShareMenu() {
         </Menu.Item>
         <Menu.Item
           data-testid="share-svg"
-          disabled={!isVolume}
           onClick={() => void pictures().then(({ saveDrawing }) => saveDrawing(app))}
         >
           {texts.drawing}

@@ -1,4 +1,5 @@
-import { useDebouncedValue, useThrottledValue } from "@mantine/hooks";
+import { useThrottledValue } from "@mantine/hooks";
+import { useEffect, useState } from "react";
 import { useStore } from "zustand";
 import type { Trace } from "tetrafront";
 import { phaseAt } from "../../player/phases";
@@ -29,12 +30,30 @@ export function useToldStep(): number {
   );
 }
 
+const isInPatch = ({ trace, step }: PlayerState): boolean =>
+  trace !== null && step < 0 && phaseAt(trace, step).phase === "patches";
+
 /** Whether the plane is shown in which the front of a patch advances. While states are scrubbed, it neither opens nor closes. */
 export function useShowsPlane(): boolean {
+  const { player } = useApp();
   const hasTrace = usePlayer(({ trace }) => trace !== null);
-  const isInPatch = usePlayer(
-    ({ trace, step }) => trace !== null && step < 0 && phaseAt(trace, step).phase === "patches",
-  );
-  const [showsPlane] = useDebouncedValue(isInPatch, planeAfterMs);
-  return hasTrace && showsPlane;
+  const [wasInPatch, setWasInPatch] = useState(() => isInPatch(player.state.getState()));
+  useEffect(() => {
+    // Outside React: the view has nothing to render until the plane opens or closes.
+    let [timer, last]: [ReturnType<typeof setTimeout> | undefined, boolean | null] = [undefined, null];
+    const follow = (state: PlayerState): void => {
+      const now = isInPatch(state);
+      if (now === last) return;
+      last = now;
+      clearTimeout(timer);
+      timer = setTimeout(() => setWasInPatch(now), planeAfterMs);
+    };
+    follow(player.state.getState());
+    const stop = player.state.subscribe(follow);
+    return () => {
+      clearTimeout(timer);
+      stop();
+    };
+  }, [player]);
+  return hasTrace && wasInPatch;
 }

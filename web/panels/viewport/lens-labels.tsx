@@ -17,20 +17,27 @@ export function LensLabels({ viewer }: { readonly viewer: Viewer }) {
   const box = useRef<HTMLDivElement>(null);
   const lines = useRef<SVGSVGElement>(null);
   useLayoutEffect(() => {
+    if (labels.length === 0) return undefined;
     const follow = (): void => {
+      const view = lines.current;
+      if (!view || !box.current) return;
+      // All sizes are read before anything is written: otherwise the browser would lay out the page again for each label.
       const shown: (Label & { readonly marker: HTMLElement; readonly line: Element | undefined })[] = [];
-      labels.forEach(({ position }, i) => {
-        const marker = box.current?.children[i];
-        const line = lines.current?.children[i];
-        if (!(marker instanceof HTMLElement)) return;
+      const hidden: typeof shown = [];
+      [...box.current.children].forEach((marker, i) => {
+        const position = labels[i]?.position;
+        if (!(marker instanceof HTMLElement) || !position) return;
         const at = viewer.toScreen(position);
-        setShown(marker, line, at !== null);
-        if (at) shown.push({ ...at, width: marker.offsetWidth, height: marker.offsetHeight, marker, line });
+        const size = { width: marker.offsetWidth, height: marker.offsetHeight };
+        const label = { x: 0, y: 0, ...at, ...size, marker, line: view.children[i] };
+        (at ? shown : hidden).push(label);
       });
-      const places = placedAround(shown, viewer.labelArea, lines.current ? coversOf(lines.current) : []);
+      const places = placedAround(shown, viewer.labelArea, coversOf(view));
+      for (const { marker, line } of hidden) setShown(marker, line, false);
       shown.forEach(({ x, y, marker, line }, i) => {
-        const place = places[i];
-        if (!place) return setShown(marker, line, false);
+        const place = places[i] ?? null;
+        setShown(marker, line, place !== null);
+        if (!place) return;
         marker.style.transform = `translate(${place.x}px, ${place.y}px) translate(-50%, -50%)`;
         const ends = { x1: x, y1: y, x2: place.x, y2: place.y };
         for (const [name, value] of Object.entries(ends)) line?.setAttribute(name, value.toFixed(1));
@@ -86,9 +93,10 @@ function useSurfaceLabels(): readonly LensLabel[] {
   }, [trace, step, candidate, task]);
 }
 
+/** A label that is not shown keeps its size. */
 function setShown(marker: HTMLElement, line: Element | undefined, isShown: boolean): void {
-  marker.style.display = isShown ? "" : "none";
-  line?.setAttribute("display", isShown ? "inline" : "none");
+  marker.style.visibility = isShown ? "" : "hidden";
+  line?.setAttribute("visibility", isShown ? "inherit" : "hidden");
 }
 
 /** What the colours of the marks mean. */

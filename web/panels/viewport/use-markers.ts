@@ -18,6 +18,7 @@ export function useMarkers(
 ): RefObject<HTMLDivElement | null> {
   const box = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => {
+    if (positions.length === 0) return undefined;
     const follow = (): void => {
       const shown: (Label & { readonly marker: HTMLElement })[] = [];
       const view = box.current?.parentElement?.getBoundingClientRect();

@@ -14,6 +14,9 @@ export interface FramedDrawerProps {
   readonly children: ReactNode;
 }
 
+/** Above the page, below notices and dialogs: a notice would lie unseen below a drawer. */
+const zIndex = 120;
+
 /** A panel with tabs at the edge of the page. The tabs name it, so only screen readers get the title. */
 export function FramedDrawer({
   title,
@@ -30,6 +33,7 @@ export function FramedDrawer({
       opened={opened}
       position={position}
       size={size}
+      zIndex={zIndex}
       onClose={onClose}
     >
       <Drawer.Overlay backgroundOpacity={dimmed ? 0.25 : 0} />
