@@ -212,6 +212,32 @@ describe("the layer of patches", () => {
     expect(visible()).toEqual([true, true, true, false]);
   });
 
+  it("lets a worker build the tree for hit tests at once, but while samples follow each other only at the end", async () => {
+    vi.useFakeTimers();
+    try {
+      const build = vi.fn(() => new Promise<never>(() => undefined));
+      const layer = new PatchesLayer(build);
+      const layers = { ...start.layers, patches: true };
+      let state = { ...start, layers };
+      show(layer, state);
+      await vi.advanceTimersByTimeAsync(1000);
+      expect(build).toHaveBeenCalledTimes(1);
+      for (let step = 1; step <= 20; ++step) {
+        const moved = { ...state, origin: [step, 0, 0] as const };
+        change(layer, state, moved);
+        state = moved;
+        await vi.advanceTimersByTimeAsync(50);
+      }
+      const whileMoving = build.mock.calls.length;
+      expect(whileMoving).toBeLessThanOrEqual(2);
+      await vi.advanceTimersByTimeAsync(1000);
+      expect(build).toHaveBeenCalledTimes(whileMoving + 1);
+      layer.dispose();
+    } finally {
+      vi.useRealTimers();
+    }
+  });
+
   it("keeps the vertices on the graphics card if other triangles are drawn while a motion must hurry", () => {
     const layer = new PatchesLayer(noTree);
     const square = preview([], [[0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0]]);
