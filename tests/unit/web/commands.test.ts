@@ -161,6 +161,27 @@ describe("the commands", () => {
     expect(commandNamed("improve").needs(app)).toBe("The mesh is being improved.");
   });
 
+  it("close the panel of an operation for a tool that draws, and put such a tool away for the panel", () => {
+    const { app, run } = openApp();
+    const { project } = app.documents;
+    const isOpen = (): boolean => app.operations.state.getState().open !== null;
+    for (const tool of ["tool-line", "tool-source", "tool-point"]) {
+      run("create-box");
+      expect(isOpen()).toBe(true);
+      expect(app.view.state.getState().tool).toBe("select");
+      run(tool);
+      expect(isOpen(), tool).toBe(false);
+      expect(app.documents.project).toBe(project);
+      expect(app.view.state.getState().tool).toBe(tool.slice("tool-".length));
+    }
+    // Handles and distances go with a preview.
+    run("create-box");
+    for (const tool of ["tool-measure", "tool-move", "tool-select"]) {
+      run(tool);
+      expect(isOpen(), tool).toBe(true);
+    }
+  });
+
   it("name the step that they undo or redo", () => {
     const { app, run } = openApp();
     app.documents.edit(renameProject("renamed"));
