@@ -173,6 +173,24 @@ describe("the layer of points", () => {
   });
 });
 
+describe("the layer of lines", () => {
+  it("draws the others if some lines have no samples", () => {
+    const layer = new LinesLayer();
+    const ids = [5, 6, 7, 8];
+    const lines = ids.map((id) => ({ id, type: "straight" as const, points: [1, 2] }));
+    const withEmpty = preview([[], [], [0, 0, 0, 1, 0, 0, 2, 0, 0], []], []);
+    show(layer, {
+      ...start,
+      project: { ...project, lines },
+      preview: { samples: withEmpty, project: { ...project, lines } },
+      hover: { kind: "line", id: 7 },
+    });
+    expect(stateBytes(layer)).toEqual(Array<number>(8).fill(hover));
+    const ends = attributes(layer)["end"];
+    expect([0, 4].map((vertex) => ends?.getX(vertex))).toEqual([1, 2]);
+  });
+});
+
 describe("the layer of patches", () => {
   it("draws a patch under the pointer in a separate pass, and a selected one also behind others", () => {
     const layer = new PatchesLayer(noTree);
