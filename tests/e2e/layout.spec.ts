@@ -197,6 +197,10 @@ test.describe("by touch", () => {
       await page.getByTestId(tool).click();
       await fitsTwoRows();
     }
+    // What is drawn is not hidden where a drawer leaves little of the view.
+    await expect(hint).toBeVisible();
+    await page.getByTestId("drawer-right").click();
+    await expect(hint).toBeHidden();
   });
 });
 
