@@ -112,6 +112,35 @@ test("on a phone a new piece is in view as a whole, beside the column of tools",
   expect(right - left).toBeGreaterThan(200);
 });
 
+test("the panel of a piece covers nothing of its preview, neither in an empty project nor beside a model", async ({
+  page,
+}) => {
+  const draw = new DrawPage(page);
+  await draw.openNew();
+  const corners = [-0.5, 0.5].flatMap((x) =>
+    [-0.5, 0.5].flatMap((y) => [0, 1].map((z) => [x, y, z] as const)),
+  );
+  const gap = async (shift: number): Promise<number> => {
+    const panel = await page.getByTestId("operation").boundingBox();
+    const places = await Promise.all(corners.map(([x, y, z]) => draw.at([x + shift, y, z])));
+    return Math.min(...places.map(({ x }) => x)) - ((panel?.x ?? NaN) + (panel?.width ?? NaN));
+  };
+  await page.getByTestId("create-box").click();
+  await expect.poll(() => gap(0)).toBeGreaterThan(0);
+  await page.getByTestId("accept").click();
+  await draw.counts(8, 12, 6);
+  await page.keyboard.press("Escape");
+  const before = await draw.at([-0.5, 0, 0]);
+  await page.getByTestId("create-box").click();
+  await page.getByTestId("operation-position-x").fill("-3");
+  await draw.counts(16, 24, 12);
+  await expect.poll(() => gap(-3)).toBeGreaterThan(0);
+  await page.keyboard.press("Escape");
+  await draw.counts(8, 12, 6);
+  await page.keyboard.press("f");
+  await expect.poll(async () => Math.abs((await draw.at([-0.5, 0, 0])).x - before.x)).toBeLessThan(2);
+});
+
 test.describe("by touch", () => {
   test.use({ hasTouch: true });
 
@@ -131,14 +160,20 @@ test.describe("by touch", () => {
     await expect(hint).toContainText("Enter ends the chain");
     for (const place of [[0, 0, 0], [1, 0, 0], [1, 1, 0]] as const) await tap(place); // prettier-ignore
     await draw.counts(3, 2, 0);
-    const choices = bar.locator("button, label");
-    // Types of lines, work planes and what they snap to, typed coordinates, the end of the chain.
-    expect(await choices.count()).toBe(14);
-    for (const choice of await choices.all()) {
-      await expect(choice).toBeInViewport({ ratio: 1 });
-      const { width = 0, height = 0 } = (await choice.boundingBox()) ?? {};
-      expect(Math.min(width, height), (await choice.textContent()) ?? "").toBeGreaterThanOrEqual(24);
-    }
+    const choices = bar.locator("button, select");
+    const fitsTwoRows = async (): Promise<void> => {
+      const rows = new Set<number>();
+      for (const choice of await choices.all()) {
+        await expect(choice).toBeInViewport({ ratio: 1 });
+        const { y = 0, width = 0, height = 0 } = (await choice.boundingBox()) ?? {};
+        expect(Math.min(width, height), (await choice.textContent()) ?? "").toBeGreaterThanOrEqual(40);
+        rows.add(y);
+      }
+      expect(rows.size).toBeLessThanOrEqual(2);
+    };
+    // Types of lines, work plane and the one of the selection, three to snap to, typed coordinates, the end of the chain.
+    expect(await choices.count()).toBe(8);
+    await fitsTwoRows();
     const corner = await draw.at([1, 1, 0]);
     await page.getByRole("button", { name: "Finish" }).click();
     await expect(page.getByTestId("finish-drawing")).toBeHidden();
@@ -148,12 +183,24 @@ test.describe("by touch", () => {
     await expect(page.getByTestId("finish-drawing")).toBeVisible();
     await draw.counts(3, 2, 0);
     await page.getByTestId("finish-drawing").click();
-    await bar.getByText("circle", { exact: true }).click();
+    await bar.getByLabel("Type of line").selectOption("circle by 3 points");
+    await expect(hint).toContainText("three places");
+    await bar.getByLabel("Type of line").selectOption("circle");
+    await expect(hint).toContainText("the radius");
     await tap([0.5, 0.5, 0]);
+    await fitsTwoRows();
     await page.getByTestId("type-coordinates").click();
     await page.getByTestId("coordinates").fill("0.3");
     await page.getByTestId("coordinates").press("Enter");
     await draw.counts(6, 3, 0);
+    for (const tool of ["tool-source", "tool-move", "tool-point", "tool-measure"]) {
+      await page.getByTestId(tool).click();
+      await fitsTwoRows();
+    }
+    // What is drawn is not hidden where a drawer leaves little of the view.
+    await expect(hint).toBeVisible();
+    await page.getByTestId("drawer-right").click();
+    await expect(hint).toBeHidden();
   });
 });
 

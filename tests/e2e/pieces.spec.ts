@@ -158,4 +158,15 @@ test("Escape closes the panel and restores the project", async ({ page }) => {
   await expect(pieces.panel).toBeHidden();
   await expect(pieces.row("patch-6")).toBeHidden();
   await expect(page.getByTestId("undo")).toBeDisabled();
+
+  await pieces.start("Box…");
+  const width = page.getByTestId("operation-width");
+  await width.fill("2+");
+  await page.keyboard.press("Escape");
+  await expect(width).toHaveValue("1");
+  // A number that the view already shows cannot be discarded any more.
+  await width.fill("2");
+  await page.keyboard.press("Escape");
+  await expect(pieces.panel).toBeHidden();
+  await expect(page.getByTestId("undo")).toBeDisabled();
 });

@@ -1,7 +1,7 @@
 import type { App } from "../app/app";
 import { pasteOperation } from "../document/operations/paste";
 import { operationStrings, strings } from "../strings";
-import { addPoints, readPositionList } from "../document/position-list";
+import { addPoints, readPositionList, refusedLineOf } from "../document/position-list";
 import { create } from "./creation-actions";
 import { fragmentText, readFragment } from "../document/transforms/fragment";
 import { showMessage } from "./messages";
@@ -31,8 +31,12 @@ export async function pasteFragment(app: App): Promise<void> {
     .catch(() => null);
   if (text && pastePositions(app, text)) return;
   const read = readFragment(text || copied || "");
-  if ("reason" in read) showMessage(app, operationStrings.paste.title, [read.reason]);
-  else startOperation(app, pasteOperation(read.fragment));
+  const refused = text ? refusedLineOf(text) : null;
+  if (!("reason" in read)) startOperation(app, pasteOperation(read.fragment));
+  else
+    showMessage(app, operationStrings.paste.title, [
+      refused === null ? read.reason : operationStrings.refusals.refusedLine(refused),
+    ]);
 }
 
 /** Pastes a list of coordinates: as places of the active drawing tool, or as points. Returns false for any other text. */

@@ -9,6 +9,12 @@ export const hasSelection = (app: App): boolean => app.view.state.getState().sel
 export const selectionNeeded = (app: App): string | null =>
   hasSelection(app) ? null : paletteStrings.needs.selection;
 
+/** Returns that a mesh is needed, or that a run is working on it. */
+export function meshNeeded({ run }: App): string {
+  const { busy, task } = run.state.getState();
+  return busy ? paletteStrings.needs.running[task] : paletteStrings.needs.mesh;
+}
+
 /** For commands that apply to the selection. */
 export const needsSelection: Pick<Extra, "enabled" | "needs"> = {
   enabled: hasSelection,

@@ -78,7 +78,7 @@ export const editMenu: readonly Command[] = [
   define("edit", 1)("rename", commandLabels.rename, rename, {
     keys: ["F2"],
     enabled: canRename,
-    needs: selectionNeeded,
+    needs: (app) => selectionNeeded(app) ?? paletteStrings.needs.single,
   }),
   define("edit", 1)("group", commandLabels.group, groupSelection, {
     enabled: canGroup,

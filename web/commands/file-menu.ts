@@ -1,7 +1,7 @@
 import type { App } from "../app/app";
-import { commandLabels, downloadFormats, paletteStrings, secondOrderFormats } from "../strings";
+import { commandLabels, downloadFormats, secondOrderFormats } from "../strings";
 import { define, type Command } from "./command";
-import { hasTetrahedra } from "./conditions";
+import { hasTetrahedra, meshNeeded } from "./conditions";
 import { downloadMesh, downloadReport } from "./download-actions";
 import { newProject, openFromDialog, save } from "./project-actions";
 import { importSurface } from "./surface-actions";
@@ -10,7 +10,7 @@ const hasMesh = (app: App): boolean => app.run.state.getState().mesh !== null;
 
 const needsTetrahedra = {
   enabled: (app: App): boolean => hasTetrahedra(app.run.state.getState()),
-  needs: paletteStrings.needs.mesh,
+  needs: meshNeeded,
 };
 
 /** Extension and name of each format. docs/FORMAT.md describes their content. */
@@ -68,6 +68,6 @@ export const fileMenu: readonly Command[] = [
   ),
   define("file", 2)("download-report", commandLabels.downloadReport, downloadReport, {
     enabled: hasMesh,
-    needs: paletteStrings.needs.mesh,
+    needs: meshNeeded,
   }),
 ];

@@ -1,11 +1,11 @@
 import type { App } from "../app/app";
 import { scaleSizes } from "../document/size-edits";
 import { canImprove } from "../session/run";
-import { commandLabels, paletteStrings } from "../strings";
+import { commandLabels } from "../strings";
 import { takeBackgroundFromMesh, toggleUniformSize } from "./background-actions";
 import { bodyCommands } from "./body-commands";
 import { define, type Command } from "./command";
-import { hasTetrahedra } from "./conditions";
+import { hasTetrahedra, meshNeeded } from "./conditions";
 import { splitCommand } from "./create-menu";
 import { generateMesh, improveMesh } from "./mesh-actions";
 import { sizeTools } from "./tool-commands";
@@ -27,7 +27,7 @@ export const meshMenu: readonly Command[] = [
   }),
   define("mesh", 0)("improve", commandLabels.improve, (app) => void improveMesh(app), {
     enabled: (app) => canImprove(app.run.state.getState(), app.documents.state.getState()),
-    needs: (app) => (isBusy(app) || hasStretchedMesh(app) ? null : paletteStrings.needs.mesh),
+    needs: (app) => (!isBusy(app) && hasStretchedMesh(app) ? null : meshNeeded(app)),
   }),
   define("mesh", 0)(
     "cancel",
@@ -50,7 +50,7 @@ export const meshMenu: readonly Command[] = [
     (app) => void takeBackgroundFromMesh(app),
     {
       enabled: (app) => hasTetrahedra(app.run.state.getState()),
-      needs: paletteStrings.needs.mesh,
+      needs: meshNeeded,
     },
   ),
   define("mesh", 2)("propose", commandLabels.propose, (app) => app.shell.setState({ dialog: "propose" })),

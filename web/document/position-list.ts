@@ -20,16 +20,28 @@ export const isHeading = (line: string): boolean =>
  * them. A first line of words is a heading. Null if the text is no such list.
  */
 export function readPositionList(text: string): readonly Position[] | null {
-  const lines = linesOf(text);
-  const rows = isHeading(lines[0] ?? "") ? lines.slice(1) : lines;
-  const positions = rows.map((line): Position | null => {
-    const words = line.split(/[\s,;]+/).filter(Boolean);
-    const [x, y, z = 0] = words.map(Number);
-    const isPosition = words.length >= 2 && words.length <= 3 && x !== undefined && y !== undefined;
-    return isPosition && [x, y, z].every(Number.isFinite) ? [x, y, z] : null;
-  });
+  const positions = rowsOf(text).map(positionOf);
   const found = positions.filter((position) => position !== null);
   return found.length > 0 && found.length === positions.length ? found : null;
+}
+
+/** Returns the first line of a text that is no position, if the first row is one: the text is meant as a list. Else null. */
+export function refusedLineOf(text: string): string | null {
+  const [first, ...others] = rowsOf(text);
+  if (first === undefined || positionOf(first) === null) return null;
+  return others.find((line) => positionOf(line) === null) ?? null;
+}
+
+function rowsOf(text: string): readonly string[] {
+  const lines = linesOf(text);
+  return isHeading(lines[0] ?? "") ? lines.slice(1) : lines;
+}
+
+function positionOf(line: string): Position | null {
+  const words = line.split(/[\s,;]+/).filter(Boolean);
+  const [x, y, z = 0] = words.map(Number);
+  const isPosition = words.length >= 2 && words.length <= 3 && x !== undefined && y !== undefined;
+  return isPosition && [x, y, z].every(Number.isFinite) ? [x, y, z] : null;
 }
 
 /** Adds points as one step of undo. */

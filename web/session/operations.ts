@@ -11,6 +11,7 @@ import {
   type TypedNumber,
 } from "../document/operations/operation";
 import type { ViewStore } from "../document/selection";
+import { isDrawingTool, type ToolName } from "../document/tools";
 import { settledProject, type DocumentStore, type Gesture } from "./document-store";
 
 /** An operation whose panel is open. */
@@ -35,7 +36,8 @@ export interface OperationState {
 
 /**
  * Shows what an operation gives while the user changes its values: a gesture of the document, which is one step of undo
- * when it is accepted. Whatever else ends the gesture, for example undo or another edit, closes the operation.
+ * when it is accepted. Whatever else ends the gesture, for example undo or another edit, closes the operation; so does the
+ * choice of a tool that changes the project.
  */
 export class Operations {
   readonly state: StoreApi<OperationState> = createStore<OperationState>(() => ({ open: null }));
@@ -49,8 +51,12 @@ export class Operations {
     documents.state.subscribe(({ gestureStart }, before) => {
       if (gestureStart !== before.gestureStart && before.gestureStart !== null) this.#close();
     });
-    view.state.subscribe(({ selection }, before) => {
+    view.state.subscribe(({ selection, tool, brush, moving }, before) => {
       const { open } = this.state.getState();
+      const isEditing = changesProject(tool) || brush !== null || moving !== null;
+      const wasEditing = changesProject(before.tool) || before.brush !== null || before.moving !== null;
+      // One gesture at a time: what the tool draws would not get into the project.
+      if (open && isEditing && !wasEditing) this.cancel();
       if (open?.operation.usesSelection === true && selection !== before.selection)
         this.#follow(open, selection);
     });
@@ -59,6 +65,8 @@ export class Operations {
   /** Opens an operation with its first values, instead of the one that is open. */
   start(operation: Operation): void {
     this.cancel();
+    const { tool, brush, moving } = this.#view.state.getState();
+    if (isDrawingTool(tool) || brush !== null || moving !== null) this.#view.setTool("select");
     this.#forgetRemoved();
     const { selection } = this.#view.state.getState();
     const subject = { project: this.#documents.project, selection };
@@ -126,6 +134,8 @@ export class Operations {
     this.#gesture?.update(offer.possible ? offer.creation.edit : { change: () => undefined });
   }
 }
+
+const changesProject = (tool: ToolName): boolean => isDrawingTool(tool) && tool !== "measure";
 
 /** Returns those of the entities that a project has. */
 function existingIn(project: Project, entities: readonly Entity[]): readonly Entity[] {

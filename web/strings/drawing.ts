@@ -3,6 +3,7 @@ export const drawingStrings = {
   bar: "Drawing",
   lineType: "Type of line",
   circleBy: "Circle by",
+  circleThroughPoints: "circle by 3 points",
   circleWays: { centre: "Centre", points: "3 points" },
   sourceType: "Type of source",
   sourceTypes: { point: "Point", segment: "Segment", triangle: "Triangle" },
@@ -16,6 +17,8 @@ export const drawingStrings = {
   },
   plane: "Work plane",
   planes: { xy: "XY", xz: "XZ", yz: "YZ" },
+  /** In a list of values, if none of them is chosen. */
+  none: "–",
   planeOfSelection: "Work plane from selection",
   noPlane: "Select one point, three points that are not on a line, or a planar patch.",
   snapping: "Snap to",

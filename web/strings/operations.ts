@@ -88,7 +88,10 @@ export const operationStrings = {
     bodies: "Bodies can be moved, rotated and scaled equally along all axes; deselect the bodies.",
     arcs: "Arcs and circles stay round only with equal factors. Use equal factors, or draw them as splines first.",
     flat: "A factor must not be 0.",
-    noFragment: "The clipboard has no points, lines, patches, bodies or sources of Tetrafront.",
+    refusedLine: (line: string) =>
+      `Nothing was pasted: "${line.length > 80 ? `${line.slice(0, 80)}…` : line}" is no position. Use two or three numbers per line.`,
+    noFragment:
+      "The clipboard has neither entities of Tetrafront nor a list of coordinates, two or three numbers per line.",
     noProfile: "Select patches, or lines.",
     onePatch: "Select one planar patch.",
     noOpposite: "No planar patch opposite is parallel to this one, so that the hole cannot go through.",

@@ -8,7 +8,9 @@ export const paletteStrings = {
   needs: {
     selection: "Select something in the view or the tree first.",
     line: "Select a line first.",
+    single: "Select one entity or all of a group.",
     mesh: "Generate a mesh first.",
+    running: { mesh: "The mesh is being generated.", improve: "The mesh is being improved." },
     body: "Select a body of triangles first: Import surface adds one.",
   },
   downloads: "export save write file",

@@ -1,5 +1,5 @@
 /** Number of triangles that are drawn at every frame even where drawing is slow. */
-export const hurriedTriangles = 6000;
+export const hurriedTriangles = 3000;
 
 export interface PatchTriangles {
   /** x y z per vertex. Patches share none. */
@@ -10,28 +10,74 @@ export interface PatchTriangles {
   readonly offsets: ArrayLike<number>;
 }
 
+/** The coarse triangles of a patch. */
+interface CoarsePatch {
+  /** Its corners, all and the coarse ones, counted from its first vertex. */
+  readonly corners: Uint32Array;
+  readonly coarse: Uint32Array;
+}
+
 /**
- * Returns the vertices of about `aimed` triangles in the place of more: those between clusters of vertices, each
- * patch for itself (Rossignac and Borrel, 1993). They use the same vertices, so they stay right while these move.
+ * Makes about `aimed` triangles in the place of more: those between clusters of vertices, each patch for itself (Rossignac
+ * and Borrel, 1993). They use the same vertices, so they stay right while these move: those of a patch are made again only
+ * if its triangles are others than before.
  */
-export function coarseTriangles({ positions, index, offsets }: PatchTriangles, aimed: number): Uint32Array {
-  const share = aimed / Math.max(1, index.length / 3);
-  if (share >= 1) return index;
-  const coarse = new Uint32Array(index.length);
-  let count = 0;
-  for (let patch = 0; patch + 1 < offsets.length; ++patch) {
-    const corners = index.subarray(3 * (offsets[patch] ?? 0), 3 * (offsets[patch + 1] ?? 0));
-    const clusterOf = clusters(positions, corners, share);
-    const known = new Set<number>();
-    for (let corner = 0; corner < corners.length; corner += 3) {
-      const [a = 0, b = 0, c = 0] = [0, 1, 2].map((k) => clusterOf(corners[corner + k] ?? 0));
-      const [low = 0, middle = 0, high = 0] = [a, b, c].sort((x, y) => x - y);
-      const key = (low * positions.length + middle) * positions.length + high;
-      if (low === middle || middle === high || known.has(key)) continue;
-      known.add(key);
-      coarse.set([a, b, c], count);
-      count += 3;
+export class CoarseTriangles {
+  readonly #aimed: number;
+  #patches: readonly CoarsePatch[] = [];
+
+  constructor(aimed: number) {
+    this.#aimed = aimed;
+  }
+
+  /** Returns the vertices of the coarse triangles. */
+  of({ positions, index, offsets }: PatchTriangles): Uint32Array {
+    const share = this.#aimed / Math.max(1, index.length / 3);
+    if (share >= 1) return index;
+    const before = this.#patches;
+    const patches: CoarsePatch[] = [];
+    const all = new Uint32Array(index.length);
+    let count = 0;
+    for (let patch = 0; patch + 1 < offsets.length; ++patch) {
+      const corners = index.subarray(3 * (offsets[patch] ?? 0), 3 * (offsets[patch + 1] ?? 0));
+      const first = corners.reduce((low, vertex) => Math.min(low, vertex), corners[0] ?? 0);
+      const known = before[patch];
+      const made =
+        known && isShifted(known.corners, corners, first)
+          ? known
+          : {
+              corners: corners.map((vertex) => vertex - first),
+              coarse: coarseOf(positions, corners, share).map((vertex) => vertex - first),
+            };
+      patches.push(made);
+      for (const vertex of made.coarse) all[count++] = vertex + first;
     }
+    this.#patches = patches;
+    return all.slice(0, count);
+  }
+}
+
+/** Returns whether each corner is a known one, shifted. */
+function isShifted(known: Uint32Array, corners: Uint32Array, shift: number): boolean {
+  if (known.length !== corners.length) return false;
+  for (let i = 0; i < known.length; ++i) if ((known[i] ?? 0) + shift !== corners[i]) return false;
+  return true;
+}
+
+/** Returns the corners of the coarse triangles of one patch. */
+function coarseOf(positions: ArrayLike<number>, corners: Uint32Array, share: number): Uint32Array {
+  const coarse = new Uint32Array(corners.length);
+  let count = 0;
+  const clusterOf = clusters(positions, corners, share);
+  const known = new Set<number>();
+  for (let corner = 0; corner < corners.length; corner += 3) {
+    const [a = 0, b = 0, c = 0] = [0, 1, 2].map((k) => clusterOf(corners[corner + k] ?? 0));
+    const [low = 0, middle = 0, high = 0] = [a, b, c].sort((x, y) => x - y);
+    const key = (low * positions.length + middle) * positions.length + high;
+    if (low === middle || middle === high || known.has(key)) continue;
+    known.add(key);
+    coarse.set([a, b, c], count);
+    count += 3;
   }
   return coarse.slice(0, count);
 }

@@ -12,6 +12,9 @@ const pauseMs = 2000;
 const averaged = 4;
 /** If a lower resolution takes at least this share of the time, it is not pixels that take it. */
 const useless = 0.95;
+/** A lower resolution that was useless is tried once more in a motion, after so many averages: other work may have disturbed. */
+const retryAfter = 6;
+const maxTries = 2;
 
 /** Chooses the resolution of a moving view from the times between its frames. */
 export class Resolution {
@@ -19,7 +22,9 @@ export class Resolution {
   #times: number[] = [];
   /** The level before the last step down, and its average time. */
   #above: { readonly level: number; readonly average: number } | null = null;
-  #canSink = true;
+  /** Number of averages until a lower resolution may be tried, and how often one was useless. */
+  #waits = 0;
+  #failures = 0;
   #canRise = true;
 
   /** Share of the full resolution, for a view that moves. */
@@ -36,9 +41,10 @@ export class Resolution {
     this.#times = [];
     const above = this.#above;
     this.#above = null;
+    this.#waits = Math.max(0, this.#waits - 1);
     if (above && average > useless * above.average) {
       this.#level = above.level;
-      this.#canSink = false;
+      this.#waits = ++this.#failures < maxTries ? retryAfter : Infinity;
     } else if (average > slowMs) {
       this.#sink(average);
     } else if (average < fastMs && this.#level > 0 && this.#canRise) {
@@ -50,13 +56,14 @@ export class Resolution {
   rest(): void {
     this.#times = [];
     this.#above = null;
-    this.#canSink = true;
+    this.#waits = 0;
+    this.#failures = 0;
     this.#canRise = true;
   }
 
   /** Lowers the resolution as far as the time demands, which is about proportional to the number of pixels. */
   #sink(average: number): void {
-    if (!this.#canSink || this.#level === scales.length - 1) return;
+    if (this.#waits > 0 || this.#level === scales.length - 1) return;
     const wanted = this.scale * Math.sqrt(goalMs / average);
     this.#above = { level: this.#level, average };
     const first = scales.findIndex((scale) => scale <= wanted);

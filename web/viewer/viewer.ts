@@ -35,8 +35,8 @@ export interface ViewerOptions {
   readonly smoothEdges: boolean;
   /** If true, a motion that is drawn too slowly is drawn in a lower resolution. */
   readonly adaptiveResolution: boolean;
-  /** Returns how many CSS pixels at the left are covered; asked when the size changes. */
-  readonly coveredLeft: () => number;
+  /** Width that is covered at the left at first, in CSS pixels. */
+  readonly coveredLeft: number;
   readonly meshQueries: MeshQueryClient;
   readonly events: ViewerEvents;
 }
@@ -70,6 +70,7 @@ export class Viewer {
   readonly #observer: ResizeObserver;
   /** Box of what is shown instead of the model; null for the model. */
   #replaced: Bounds | null = null;
+  #coveredLeft: number;
   /** Radius of the model when it was last fitted as a whole; 0 without extent. */
   #fittedRadius = 0;
   /** Whether what was fitted last is the whole model, or what is shown instead of it. */
@@ -80,6 +81,7 @@ export class Viewer {
     const { events } = options;
     this.#container = container;
     this.#options = options;
+    this.#coveredLeft = options.coveredLeft;
     this.#renderer = new SceneRenderer(canvas, {
       smoothEdges: options.smoothEdges,
       onContextLost: events.onContextLost,
@@ -186,6 +188,11 @@ export class Viewer {
     const model = projectBounds(this.#state.project, this.#state.bodies);
     this.#update({ isOtherModel: this.#replaced !== null && !areAlike(this.#replaced, model) });
     this.fit(null);
+  }
+
+  /** Sets the width that is covered at the left, in CSS pixels. What was in view stays in view, in the part that is free. */
+  setCoveredLeft(width: number): void {
+    if (width !== this.#coveredLeft) this.#resize(width);
   }
 
   look(view: StandardView): void {
@@ -320,7 +327,7 @@ export class Viewer {
 
   /** Where labels can be seen, in CSS pixels. */
   get labelArea(): { readonly width: number; readonly height: number; readonly coveredLeft: number } {
-    return { ...this.size, coveredLeft: this.#options.coveredLeft() };
+    return { ...this.size, coveredLeft: this.#coveredLeft };
   }
 
   /** Draws again, after a layer has changed by itself. */
@@ -396,7 +403,8 @@ export class Viewer {
   #shows(positions: readonly Position[]): boolean {
     const { width, height } = this.#state.viewport;
     const seen = positions.map((position) => this.toScreen(position));
-    const isInView = seen.every((at) => at && at.x >= 0 && at.y >= 0 && at.x <= width && at.y <= height);
+    const left = this.#coveredLeft;
+    const isInView = seen.every((at) => at && at.x >= left && at.y >= 0 && at.x <= width && at.y <= height);
     if (!isInView) return false;
     const shown = new Bounds();
     for (const at of seen) if (at) shown.add(at.x, at.y, 0);
@@ -462,12 +470,16 @@ export class Viewer {
     this.#loop.request();
   }
 
-  #resize(): void {
+  #resize(coveredLeft = this.#coveredLeft): void {
     const { clientWidth, clientHeight } = this.#container;
-    if (clientWidth === 0 || clientHeight === 0) return;
+    if (clientWidth === 0 || clientHeight === 0) {
+      this.#coveredLeft = coveredLeft;
+      return;
+    }
     const { empty, low, high } = this.#replaced ?? projectBounds(this.#state.project, this.#state.bodies);
     const wasShown = !empty && this.#showsAll(low, high);
-    const isFittedAgain = this.#view.resize(clientWidth, clientHeight, this.#options.coveredLeft());
+    this.#coveredLeft = coveredLeft;
+    const isFittedAgain = this.#view.resize(clientWidth, clientHeight, this.#coveredLeft);
     this.#update({ viewport: this.#renderer.resize(clientWidth, clientHeight) });
     // For example when a panel that covered half of the view is closed. The model may have grown since it was fitted; another
     // target keeps its fit.

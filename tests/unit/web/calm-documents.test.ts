@@ -31,3 +31,35 @@ it("panels follow a gesture ten times per second, its end and all other edits at
   gesture.commit();
   expect(name()).toBe("end");
 });
+
+it("panels that take long follow a gesture less often, but still twice per second", async () => {
+  const documents = new DocumentStore(cubeProject(), () => 0);
+  const calm = calmDocuments(documents.state);
+  let [changes, took] = [0, 20];
+  calm.subscribe(() => {
+    ++changes;
+    vi.advanceTimersByTime(took);
+  });
+  const gesture = documents.begin("Move");
+  const follow = async (): Promise<number> => {
+    changes = 0;
+    for (let begin = performance.now(); performance.now() < begin + 3000;) {
+      gesture.update(renameProject(`at ${performance.now()}`));
+      await Promise.resolve();
+      vi.advanceTimersByTime(16);
+    }
+    return changes;
+  };
+  // 20 ms are a fifteenth of 300 ms.
+  const often = await follow();
+  expect(often).toBeGreaterThanOrEqual(8);
+  expect(often).toBeLessThanOrEqual(11);
+  took = 200;
+  await follow();
+  const seldom = await follow();
+  expect(seldom).toBeGreaterThanOrEqual(4);
+  expect(seldom).toBeLessThanOrEqual(7);
+  gesture.update(renameProject("end"));
+  gesture.commit();
+  expect(calm.getState().history.present.project.name).toBe("end");
+});

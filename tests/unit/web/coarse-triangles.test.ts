@@ -1,6 +1,9 @@
 /** Fewer triangles in the place of many, on the same vertices. */
 import { expect, it } from "vitest";
-import { coarseTriangles } from "../../../web/viewer/coarse-triangles";
+import { CoarseTriangles, type PatchTriangles } from "../../../web/viewer/coarse-triangles";
+
+const coarseTriangles = (patches: PatchTriangles, aimed: number): Uint32Array =>
+  new CoarseTriangles(aimed).of(patches);
 
 /** Unit squares side by side along x, each of n × n × 2 triangles. */
 function squares(count: number, n: number) {
@@ -60,4 +63,32 @@ it("takes patches without triangles or extent", () => {
   expect(coarseTriangles({ positions, index: new Uint32Array(), offsets: [0, 0] }, 10)).toHaveLength(0);
   const flat = new Float32Array(positions.length);
   expect(coarseTriangles({ positions: flat, index, offsets: [0, 32] }, 4)).toHaveLength(0);
+});
+
+it("keeps the triangles of the patches whose own are as before, wherever their vertices are", () => {
+  const before = squares(5, 40);
+  const coarse = new CoarseTriangles(2000);
+  const first = coarse.of(before);
+  // All vertices have moved, and the first square has fewer triangles: the vertices of the others have lower numbers.
+  const [small, large] = [squares(1, 30), squares(1, 40)];
+  const removed = (large.positions.length - small.positions.length) / 3;
+  const others = before.index.subarray(large.index.length).map((vertex) => vertex - removed);
+  const after = {
+    positions: Float32Array.from(
+      [...small.positions, ...before.positions.subarray(large.positions.length)],
+      (x, k) => x + Math.sin(k),
+    ),
+    index: Uint32Array.from([...small.index, ...others]),
+    offsets: before.offsets.map((offset) =>
+      offset === 0 ? 0 : offset - (large.index.length - small.index.length) / 3,
+    ),
+  };
+  const second = coarse.of(after);
+  const isOther = (vertex: number, own: number): boolean => vertex >= own / 3;
+  const kept = first.filter((vertex) => isOther(vertex, large.positions.length));
+  expect(kept.length).toBeGreaterThan(1000);
+  expect(second.filter((vertex) => isOther(vertex, small.positions.length))).toEqual(
+    kept.map((vertex) => vertex - removed),
+  );
+  expect(second.length).toBeGreaterThan(kept.length);
 });

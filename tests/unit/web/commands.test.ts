@@ -139,16 +139,47 @@ describe("the commands", () => {
       { kind: "background-node", id: 2 },
     ]);
     for (const id of ["rename", "group"]) expect(commandNamed(id).enabled(app), id).toBe(false);
-    for (const id of selecting) expect(needs(id), id).toBeNull();
+    expect(needs("rename")).toBe("Select one entity or all of a group.");
+    for (const id of selecting.slice(1)) expect(needs(id), id).toBeNull();
     // A text of the page is selected, which Ctrl C copies.
     vi.stubGlobal("window", { getSelection: () => ({ isCollapsed: false }) });
     const { listed, found } = paletteItems(app);
     const ids = [...listed, ...found].map(({ id }) => id);
-    expect(ids).toContain("delete");
-    for (const id of ["rename", "group", "copy"]) expect(ids).not.toContain(id);
+    for (const id of ["delete", "rename"]) expect(ids).toContain(id);
+    expect(listed.map(({ id }) => id)).not.toContain("rename");
+    for (const id of ["group", "copy"]) expect(ids).not.toContain(id);
+  });
 
+  it("do not ask for a mesh that a run is working on", () => {
+    const { app } = openApp();
+    const reasons = (): (string | null)[] =>
+      [...DOWNLOADS, "background-from-mesh", "improve"].map((id) => commandNamed(id).needs(app));
+    expect(new Set(reasons())).toEqual(new Set(["Generate a mesh first."]));
     app.run.state.setState({ busy: true });
-    expect(needs("improve")).toBeNull();
+    expect(new Set(reasons())).toEqual(new Set(["The mesh is being generated."]));
+    app.run.state.setState({ task: "improve" });
+    expect(commandNamed("improve").needs(app)).toBe("The mesh is being improved.");
+  });
+
+  it("close the panel of an operation for a tool that draws, and put such a tool away for the panel", () => {
+    const { app, run } = openApp();
+    const { project } = app.documents;
+    const isOpen = (): boolean => app.operations.state.getState().open !== null;
+    for (const tool of ["tool-line", "tool-source", "tool-point"]) {
+      run("create-box");
+      expect(isOpen()).toBe(true);
+      expect(app.view.state.getState().tool).toBe("select");
+      run(tool);
+      expect(isOpen(), tool).toBe(false);
+      expect(app.documents.project).toBe(project);
+      expect(app.view.state.getState().tool).toBe(tool.slice("tool-".length));
+    }
+    // Handles and distances go with a preview.
+    run("create-box");
+    for (const tool of ["tool-measure", "tool-move", "tool-select"]) {
+      run(tool);
+      expect(isOpen(), tool).toBe(true);
+    }
   });
 
   it("name the step that they undo or redo", () => {

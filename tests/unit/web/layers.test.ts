@@ -173,6 +173,24 @@ describe("the layer of points", () => {
   });
 });
 
+describe("the layer of lines", () => {
+  it("draws the others if some lines have no samples", () => {
+    const layer = new LinesLayer();
+    const ids = [5, 6, 7, 8];
+    const lines = ids.map((id) => ({ id, type: "straight" as const, points: [1, 2] }));
+    const withEmpty = preview([[], [], [0, 0, 0, 1, 0, 0, 2, 0, 0], []], []);
+    show(layer, {
+      ...start,
+      project: { ...project, lines },
+      preview: { samples: withEmpty, project: { ...project, lines } },
+      hover: { kind: "line", id: 7 },
+    });
+    expect(stateBytes(layer)).toEqual(Array<number>(8).fill(hover));
+    const ends = attributes(layer)["end"];
+    expect([0, 4].map((vertex) => ends?.getX(vertex))).toEqual([1, 2]);
+  });
+});
+
 describe("the layer of patches", () => {
   it("draws a patch under the pointer in a separate pass, and a selected one also behind others", () => {
     const layer = new PatchesLayer(noTree);
@@ -210,6 +228,32 @@ describe("the layer of patches", () => {
     expect(coarse?.geometry.getIndex()?.count).toBeGreaterThan(0);
     change(layer, hurried, selected);
     expect(visible()).toEqual([true, true, true, false]);
+  });
+
+  it("lets a worker build the tree for hit tests at once, but while samples follow each other only at the end", async () => {
+    vi.useFakeTimers();
+    try {
+      const build = vi.fn(() => new Promise<never>(() => undefined));
+      const layer = new PatchesLayer(build);
+      const layers = { ...start.layers, patches: true };
+      let state = { ...start, layers };
+      show(layer, state);
+      await vi.advanceTimersByTimeAsync(1000);
+      expect(build).toHaveBeenCalledTimes(1);
+      for (let step = 1; step <= 20; ++step) {
+        const moved = { ...state, origin: [step, 0, 0] as const };
+        change(layer, state, moved);
+        state = moved;
+        await vi.advanceTimersByTimeAsync(50);
+      }
+      const whileMoving = build.mock.calls.length;
+      expect(whileMoving).toBeLessThanOrEqual(2);
+      await vi.advanceTimersByTimeAsync(1000);
+      expect(build).toHaveBeenCalledTimes(whileMoving + 1);
+      layer.dispose();
+    } finally {
+      vi.useRealTimers();
+    }
   });
 
   it("keeps the vertices on the graphics card if other triangles are drawn while a motion must hurry", () => {

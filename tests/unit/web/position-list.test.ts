@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { emptyProject } from "../../../web/document/create";
-import { addPoints, readPositionList } from "../../../web/document/position-list";
+import { addPoints, readPositionList, refusedLineOf } from "../../../web/document/position-list";
 import { pasteLines } from "../../../web/commands/clipboard-actions";
 import { Drawing } from "../../../web/tools/drawing/drawing";
 import { DocumentStore } from "../../../web/session/document-store";
@@ -17,6 +17,16 @@ it.each<[string, string, number[][] | null]>([
   ["nothing", "  \n", null],
 ])("reads positions with %s", (_, text, expected) => {
   expect(readPositionList(text)).toEqual(expected);
+});
+
+it.each<[string, string | null]>([
+  ["1,2,3\n4,five,6", "4,five,6"],
+  ["x,y,z\n1 2 3\n\n1e999 0 0\n4 5 6", "1e999 0 0"],
+  ["1,2,3\n4,5,6", null],
+  ["hello\nworld", null],
+  ["", null],
+])("names the first line of a list that is no position: %j", (text, expected) => {
+  expect(refusedLineOf(text)).toBe(expected);
 });
 
 it("adds pasted points as one step", () => {

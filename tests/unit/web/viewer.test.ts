@@ -85,7 +85,7 @@ async function shownProject(project: Project = cubeProject()): Promise<Shown> {
     motion: true,
     smoothEdges: false,
     adaptiveResolution: false,
-    coveredLeft: () => 0,
+    coveredLeft: 0,
     meshQueries: { release: vi.fn() } as unknown as MeshQueryClient,
     events: {
       onFrame: vi.fn(),
@@ -172,4 +172,43 @@ it("draws states out of sight while the view is at rest, each followed by the pr
   await warm;
   expect(drawn).toHaveLength(7);
   vi.useRealTimers();
+});
+
+it("fits the whole model beside what covers the left of the view, and again when it is free", async () => {
+  const { viewer, resize } = await shownProject();
+  resize(900, 600);
+  const corners = [0, 1].flatMap((x) => [0, 1].flatMap((y) => [0, 1].map((z) => [x, y, z] as const)));
+  const left = async (): Promise<number> => {
+    viewer.requestFrame();
+    await nextFrame();
+    return Math.min(...corners.map((corner) => viewer.toScreen(corner)?.x ?? NaN));
+  };
+  const before = await left();
+  viewer.setCoveredLeft(358);
+  expect(await left()).toBeGreaterThan(358);
+  viewer.setCoveredLeft(0);
+  expect(await left()).toBeCloseTo(before, 6);
+});
+
+it("keeps a view that was zoomed if a part of it is covered, unless the model would no longer be in view", async () => {
+  const distance = ({ eye, target }: CameraPose): number =>
+    Math.hypot(...eye.map((x, k) => x - (target[k] ?? 0)));
+  const { viewer, resize } = await shownProject();
+  resize(900, 600);
+  viewer.fit(null, false);
+  const fitted = distance(viewer.pose);
+  viewer.zoom(0.5);
+  const far = distance(viewer.pose);
+  viewer.setCoveredLeft(358);
+  expect(distance(viewer.pose)).toBeCloseTo(far, 9);
+  expect(far).toBeGreaterThan(1.5 * fitted);
+  viewer.setCoveredLeft(0);
+  // Still zoomed out, but so far at the left that it would be covered.
+  const { eye, target } = viewer.pose;
+  const aside = ([x, y, z]: readonly [number, number, number]) => [x + 1.2, y + 0.9, z] as const;
+  viewer.setPose({ eye: aside(eye), target: aside(target) });
+  viewer.requestFrame();
+  await nextFrame();
+  viewer.setCoveredLeft(358);
+  expect(distance(viewer.pose)).toBeLessThan(0.9 * far);
 });

@@ -1,4 +1,4 @@
-import { SegmentedControl } from "@mantine/core";
+import { NativeSelect, SegmentedControl } from "@mantine/core";
 import {
   IconCheck,
   IconGridDots,
@@ -24,6 +24,7 @@ import { principalPlane, principalPlanes } from "../../document/work-plane";
 import { lineTypeNames, strings } from "../../strings";
 import { IconButton } from "../../ui/icon-button";
 import { useApp, useView } from "../shared/app-context";
+import { useLayout } from "../shared/use-layout";
 import styles from "./drawing.module.css";
 
 const words = strings.drawing;
@@ -34,6 +35,7 @@ export function DrawingBar() {
   const lineType = useView((state) => state.lineType);
   const circleBy = useView((state) => state.circleBy);
   const sourceType = useView((state) => state.sourceType);
+  const isPhone = useLayout() === "phone";
   if (tool === "select") return null;
   const isCircle = tool === "line" && lineType === "circle";
   const hint =
@@ -41,8 +43,8 @@ export function DrawingBar() {
   return (
     <div className={styles["bar"]} role="group" aria-label={words.bar} data-passes data-testid="drawing-bar">
       <div className={styles["choices"]}>
-        {tool === "line" && <LineTypeChoice value={lineType} />}
-        {isCircle && <CircleChoice value={circleBy} />}
+        {tool === "line" && <LineTypeChoice value={lineType} circleBy={circleBy} />}
+        {isCircle && !isPhone && <CircleChoice value={circleBy} />}
         {tool === "source" && <SourceTypeChoice value={sourceType} />}
         {tool === "move" && <HandleChoice />}
         {tool !== "patch" && <PlaneChoice />}
@@ -55,15 +57,57 @@ export function DrawingBar() {
   );
 }
 
-function LineTypeChoice({ value }: { readonly value: LineType }) {
-  const app = useApp();
+interface ChoiceProps<Value extends string> {
+  readonly label: string;
+  readonly names: readonly (readonly [Value, string])[];
+  readonly value: Value | null;
+  readonly onChange: (value: Value) => void;
+  readonly "data-testid"?: string;
+}
+
+/** One of several values: beside each other, or on phones, where there is no room for them, in a list that opens. */
+function Choice<Value extends string>({ label, names, value, onChange, ...rest }: ChoiceProps<Value>) {
+  const isPhone = useLayout() === "phone";
+  const choose = (chosen: string): void => {
+    const found = names.find(([name]) => name === chosen);
+    if (found) onChange(found[0]);
+  };
+  const data = names.map(([name, text]) => ({ value: name, label: text }));
+  const common = { "aria-label": label, ...rest };
+  if (!isPhone)
+    return <SegmentedControl size="xs" data={data} value={value ?? ""} onChange={choose} {...common} />;
+  const none = { value: "", label: strings.drawing.none, disabled: true };
   return (
-    <SegmentedControl
-      size="xs"
-      aria-label={words.lineType}
-      data={[...lineTypes].map((type) => ({ value: type, label: lineTypeNames[type] }))}
-      value={value}
-      onChange={(lineType) => app.view.state.setState({ lineType })}
+    <NativeSelect
+      size="sm"
+      data={value === null ? [none, ...data] : data}
+      value={value ?? ""}
+      onChange={(event) => choose(event.currentTarget.value)}
+      {...common}
+    />
+  );
+}
+
+interface LineTypeProps {
+  readonly value: LineType;
+  readonly circleBy: CircleBy;
+}
+
+/** On phones, a circle through points is one of the types: there is no room for a second choice. */
+function LineTypeChoice({ value, circleBy }: LineTypeProps) {
+  const app = useApp();
+  const isPhone = useLayout() === "phone";
+  const types = [...lineTypes].map((type) => [type, lineTypeNames[type]] as const);
+  const isThroughPoints = isPhone && value === "circle" && circleBy === "points";
+  return (
+    <Choice
+      label={words.lineType}
+      names={isPhone ? [...types, ["circle-points", words.circleThroughPoints] as const] : types}
+      value={isThroughPoints ? "circle-points" : value}
+      onChange={(type) => {
+        if (type === "circle-points") app.view.state.setState({ lineType: "circle", circleBy: "points" });
+        else app.view.state.setState({ lineType: type, ...(isPhone && { circleBy: "centre" }) });
+      }}
     />
   );
 }
@@ -71,11 +115,10 @@ function LineTypeChoice({ value }: { readonly value: LineType }) {
 function CircleChoice({ value }: { readonly value: CircleBy }) {
   const app = useApp();
   return (
-    <SegmentedControl
-      size="xs"
-      aria-label={words.circleBy}
+    <Choice
+      label={words.circleBy}
       data-testid="circle-by"
-      data={circleWays.map((way) => ({ value: way, label: words.circleWays[way] }))}
+      names={circleWays.map((way) => [way, words.circleWays[way]])}
       value={value}
       onChange={(circleBy) => app.view.state.setState({ circleBy })}
     />
@@ -86,27 +129,24 @@ function HandleChoice() {
   const app = useApp();
   const handleMode = useView((state) => state.handleMode);
   return (
-    <SegmentedControl
-      size="xs"
-      aria-label={words.handles}
+    <Choice
+      label={words.handles}
       data-testid="handle-mode"
-      data={handleModes.map((mode) => ({ value: mode, label: words.handleModes[mode] }))}
+      names={handleModes.map((mode) => [mode, words.handleModes[mode]])}
       value={handleMode}
       onChange={(mode) => app.view.state.setState({ handleMode: mode })}
     />
   );
 }
 
+const sourceTypes: readonly SourceType[] = ["point", "segment", "triangle"];
+
 function SourceTypeChoice({ value }: { readonly value: SourceType }) {
   const app = useApp();
   return (
-    <SegmentedControl
-      size="xs"
-      aria-label={words.sourceType}
-      data={(["point", "segment", "triangle"] as const).map((type) => ({
-        value: type,
-        label: words.sourceTypes[type],
-      }))}
+    <Choice
+      label={words.sourceType}
+      names={sourceTypes.map((type) => [type, words.sourceTypes[type]])}
       value={value}
       onChange={(sourceType) => app.view.state.setState({ sourceType })}
     />
@@ -118,15 +158,11 @@ function PlaneChoice() {
   const { kind } = useView((state) => state.workPlane);
   return (
     <span className={styles["group"]}>
-      <SegmentedControl
-        size="xs"
-        aria-label={words.plane}
-        data={principalPlanes.map((plane) => ({ value: plane, label: words.planes[plane] }))}
-        value={kind === "free" ? "" : kind}
-        onChange={(plane) => {
-          const chosen = principalPlanes.find((one) => one === plane);
-          if (chosen) app.view.state.setState({ workPlane: principalPlane(chosen) });
-        }}
+      <Choice
+        label={words.plane}
+        names={principalPlanes.map((plane) => [plane, words.planes[plane]])}
+        value={kind === "free" ? null : kind}
+        onChange={(plane) => app.view.state.setState({ workPlane: principalPlane(plane) })}
       />
       <IconButton
         label={words.planeOfSelection}

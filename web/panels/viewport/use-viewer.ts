@@ -52,9 +52,11 @@ export function useViewer(
 ): UsedViewer {
   const app = useApp();
   const covered = useRef(coveredLeft);
-  // Before the change of the view's size is noticed, which fits the model beside what covers it.
-  useLayoutEffect(() => void (covered.current = coveredLeft), [coveredLeft]);
   const [viewer, setViewer] = useState<Viewer | null>(null);
+  useLayoutEffect(() => {
+    covered.current = coveredLeft;
+    viewer?.setCoveredLeft(coveredLeft);
+  }, [viewer, coveredLeft]);
   const [trouble, setTrouble] = useState<Trouble | null>(null);
   const scheme = useComputedColorScheme("dark", { getInitialValueInEffect: false });
   const firstColors = useRef(viewerColors[scheme]);
@@ -69,7 +71,7 @@ export function useViewer(
         motion: !app.still && !window.matchMedia("(prefers-reduced-motion: reduce)").matches,
         smoothEdges: !app.still,
         adaptiveResolution: !app.still,
-        coveredLeft: () => covered.current,
+        coveredLeft: covered.current,
         meshQueries: app.meshQueries,
         events: viewerEvents(app, box, setTrouble),
       });

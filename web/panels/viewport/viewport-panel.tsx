@@ -30,6 +30,8 @@ const PlaneView = lazy(async () => ({ default: (await importPlane()).PlaneView }
 
 /** Width that the column of tools covers, in CSS pixels. */
 const columnWidth = 58;
+/** Width that the panel of an operation covers beside it, in CSS pixels. On phones, the panel is below the view. */
+const operationWidth = 300;
 
 /** The canvas with the labels, markers and controls above it. */
 export function ViewportPanel({ layout }: { readonly layout: Layout }) {
@@ -43,8 +45,9 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const isMoving = useStore(app.drawing.state, ({ amount, typed }) => amount !== null || typed !== null);
   const showsPlane = useShowsPlane();
   const hasColumn = layout !== "phone" || !isReplaying;
-  const { viewer, trouble } = useViewer(container, canvas, setHover, hasColumn ? columnWidth : 0);
   const hasOperation = useStore(app.operations.state, ({ open }) => open !== null);
+  const covered = (hasColumn ? columnWidth : 0) + (hasOperation && layout !== "phone" ? operationWidth : 0);
+  const { viewer, trouble } = useViewer(container, canvas, setHover, covered);
   useFitBeside(viewer, showsPlane);
   useEffect(() => {
     // So that the plane of a patch is there when one is first shown. The labels are needed before.

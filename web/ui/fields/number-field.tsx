@@ -95,12 +95,26 @@ function useNumberDraft(
     take(
       Number((((draft === null ? value : readNumber(draft, named)) ?? value ?? 0) + change).toPrecision(12)),
     );
-  return { text: draft ?? resting, isTyped: draft !== null, type, error, discard, step, commit };
+  // A field that commits while it is typed in has nothing to discard once it has committed.
+  const isCommitted =
+    live &&
+    draft !== null &&
+    readNumber(draft, named) === value &&
+    keptFrom(draft.trim()) === (expression ?? null);
+  return {
+    text: draft ?? resting,
+    canDiscard: draft !== null && !isCommitted,
+    type,
+    error,
+    discard,
+    step,
+    commit,
+  };
 }
 
 /**
- * A number that can be typed as an expression. Enter and leaving the field commit it, Escape discards the text, and the
- * arrow keys change it by a step. An invalid text stays, with the reason.
+ * A number that can be typed as an expression. Enter and leaving the field commit it, Escape discards text that is not
+ * committed, and the arrow keys change it by a step. An invalid text stays, with the reason.
  */
 export function NumberField(props: NumberFieldProps) {
   const { label, value, expression, step, leftSection, leftSectionWidth = 20, rightSection, testId } = props;
@@ -118,7 +132,7 @@ export function NumberField(props: NumberFieldProps) {
       event.preventDefault();
       draft.step(direction * stepOf(event, step));
     } else if (event.key === "Enter") draft.commit();
-    else if (event.key === "Escape" && (draft.isTyped || draft.error !== null)) {
+    else if (event.key === "Escape" && (draft.canDiscard || draft.error !== null)) {
       event.stopPropagation();
       draft.discard();
     }

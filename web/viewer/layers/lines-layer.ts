@@ -88,8 +88,12 @@ export class LinesLayer implements HittableLayer {
   #setPositions(preview: SampledProject | null, origin: Position): void {
     const { lineOffsets, linePoints } = preview?.samples ?? { lineOffsets: [0], linePoints: [] };
     this.#origin = origin;
-    // A line of n samples has n - 1 segments.
-    const offsets = Uint32Array.from(lineOffsets, (sample, line) => segmentVertices * (sample - line));
+    // A line of n samples has n - 1 segments. One that cannot be sampled, for want of length, has neither.
+    const offsets = new Uint32Array(lineOffsets.length);
+    for (let line = 0; line + 1 < lineOffsets.length; ++line) {
+      const segments = Math.max(0, (lineOffsets[line + 1] ?? 0) - (lineOffsets[line] ?? 0) - 1);
+      offsets[line + 1] = (offsets[line] ?? 0) + segmentVertices * segments;
+    }
     const count = (offsets.at(-1) ?? 0) / segmentVertices;
     this.#states.assign(preview?.project.lines ?? [], offsets);
     if (6 * count !== this.#segments.length) this.#allocate(count);

@@ -5,7 +5,7 @@ import { createPatchMaterial } from "../materials/patch-material";
 import type { Position } from "../../document/position";
 import type { SampledProject, SceneChanges } from "../scene-state";
 import type { Screen } from "../screen";
-import { coarseTriangles, hurriedTriangles } from "../coarse-triangles";
+import { CoarseTriangles, hurriedTriangles } from "../coarse-triangles";
 import { TriangleTree, type SerializedTree } from "../triangle-tree";
 import { addOrigin, type Hit, type HittableLayer } from "./layer";
 
@@ -17,6 +17,9 @@ const opacityOverMesh = 0.14;
 const opacityAlone = 0.42;
 /** Behind other surfaces. */
 const opacityBehind = 0.16;
+
+/** Positions that have not changed for this time are at rest, in milliseconds. */
+const restMs = 250;
 
 type BuildTree = (corners: Float32Array<ArrayBuffer>) => Promise<SerializedTree>;
 
@@ -59,6 +62,7 @@ export class PatchesLayer implements HittableLayer {
     polygonOffset: 2,
   });
   readonly #coarseGeometry = new BufferGeometry();
+  readonly #coarseTriangles = new CoarseTriangles(hurriedTriangles);
   /** Whether the coarse triangles belong to these vertices. */
   #isCoarse = false;
   readonly #coarse = new Mesh(this.#coarseGeometry, this.#hurried);
@@ -70,7 +74,12 @@ export class PatchesLayer implements HittableLayer {
   #vertices: PatchVertices = noVertices;
   /** First triangle of each patch, and the end. */
   #offsets: ArrayLike<number> = [0];
-  #tree = new TriangleTree(new Float32Array());
+  /** The sampled triangles that the vertices were made of. */
+  #triangles: ArrayLike<number> = [];
+  /** For hit tests; null until the first one after a change. */
+  #tree: TriangleTree | null = null;
+  #treeTimer: ReturnType<typeof setTimeout> | undefined;
+  #changedAt = -Infinity;
   #origin: Position = [0, 0, 0];
   readonly #buildTree: BuildTree;
 
@@ -124,7 +133,7 @@ export class PatchesLayer implements HittableLayer {
     if (!this.root.visible) return null;
     const { index } = this.#vertices;
     const vertexOf = (triangle: number): number => index[3 * triangle] ?? 0;
-    const hit = this.#tree.firstHit(ray, DoubleSide, (triangle) =>
+    const hit = this.#treeOfCorners().firstHit(ray, DoubleSide, (triangle) =>
       this.#states.canHit(vertexOf(triangle), screen),
     );
     const target = hit && this.#states.entityAt(this.#states.recordOf(vertexOf(hit.triangle)));
@@ -133,6 +142,7 @@ export class PatchesLayer implements HittableLayer {
   }
 
   dispose(): void {
+    clearTimeout(this.#treeTimer);
     this.#geometry.dispose();
     this.#emphasizedGeometry.dispose();
     this.#coarseGeometry.dispose();
@@ -142,26 +152,51 @@ export class PatchesLayer implements HittableLayer {
   #setPositions(preview: SampledProject | null, origin: Position): void {
     const empty = { patchOffsets: [0], patchTriangles: [], patchPoints: [] };
     const { patchOffsets, patchTriangles, patchPoints } = preview?.samples ?? empty;
-    const before = this.#vertices;
     this.#origin = origin;
-    this.#offsets = patchOffsets;
-    this.#vertices = verticesOf(patchOffsets, patchTriangles, patchPoints.length / 3);
-    const { nodes, index, offsets } = this.#vertices;
-    this.#states.assign(preview?.project.patches ?? [], offsets);
-    if (nodes.length !== before.nodes.length || index.length !== before.index.length) this.#allocate();
-    this.#copyIndex();
+    if (!isSame(patchOffsets, this.#offsets) || !isSame(patchTriangles, this.#triangles)) {
+      const before = this.#vertices;
+      this.#offsets = patchOffsets;
+      this.#triangles = patchTriangles;
+      this.#vertices = verticesOf(patchOffsets, patchTriangles, patchPoints.length / 3);
+      const { nodes, index } = this.#vertices;
+      this.#states.assign(preview?.project.patches ?? [], this.#vertices.offsets);
+      if (nodes.length !== before.nodes.length || index.length !== before.index.length) this.#allocate();
+      this.#copyIndex();
+    } else this.#states.assign(preview?.project.patches ?? [], this.#vertices.offsets);
+    const { nodes } = this.#vertices;
     const positions = this.#geometry.getAttribute("position") as BufferAttribute;
-    nodes.forEach((node, vertex) => {
+    for (let vertex = 0; vertex < nodes.length; ++vertex) {
+      const node = nodes[vertex] ?? 0;
       for (let k = 0; k < 3; ++k)
         positions.array[3 * vertex + k] = (patchPoints[3 * node + k] ?? 0) - (origin[k] ?? 0);
-    });
+    }
     positions.needsUpdate = true;
+    this.#dropTree();
+  }
+
+  /** Lets a worker build a tree of the new positions, unless others follow soon: nothing is hit while something moves. */
+  #dropTree(): void {
+    clearTimeout(this.#treeTimer);
+    this.#tree = null;
+    const now = performance.now();
+    const isMoving = now - this.#changedAt < restMs;
+    this.#changedAt = now;
+    const prepare = (): void => void this.#treeOfCorners().prepare(this.#buildTree);
+    if (!this.root.visible) return;
+    if (isMoving) this.#treeTimer = setTimeout(prepare, restMs);
+    else prepare();
+  }
+
+  #treeOfCorners(): TriangleTree {
+    if (this.#tree) return this.#tree;
+    const { array } = this.#geometry.getAttribute("position");
+    const { index } = this.#vertices;
     const corners = new Float32Array(3 * index.length);
-    index.forEach((vertex, corner) => {
-      for (let k = 0; k < 3; ++k) corners[3 * corner + k] = positions.array[3 * vertex + k] ?? 0;
-    });
-    this.#tree = new TriangleTree(corners);
-    if (this.root.visible) void this.#tree.prepare(this.#buildTree);
+    for (let corner = 0; corner < index.length; ++corner) {
+      const vertex = index[corner] ?? 0;
+      for (let k = 0; k < 3; ++k) corners[3 * corner + k] = array[3 * vertex + k] ?? 0;
+    }
+    return (this.#tree = new TriangleTree(corners));
   }
 
   /** Gives all geometries new attributes: the number of vertices or triangles has changed. */
@@ -189,7 +224,7 @@ export class PatchesLayer implements HittableLayer {
     this.root.add(this.#coarse);
     const { array: positions } = this.#geometry.getAttribute("position");
     const { index } = this.#vertices;
-    const coarse = coarseTriangles({ positions, index, offsets: this.#offsets }, hurriedTriangles);
+    const coarse = this.#coarseTriangles.of({ positions, index, offsets: this.#offsets });
     const drawn = this.#coarseGeometry.getIndex() ?? new BufferAttribute(new Uint32Array(index.length), 1);
     this.#coarseGeometry.setIndex(drawn);
     drawn.array.set(coarse);
@@ -198,7 +233,7 @@ export class PatchesLayer implements HittableLayer {
 
   #copyIndex(): void {
     const drawn = this.#geometry.getIndex();
-    if (!drawn || drawn.array.every((vertex, corner) => vertex === this.#vertices.index[corner])) return;
+    if (!drawn || isSame(drawn.array, this.#vertices.index)) return;
     drawn.array.set(this.#vertices.index);
     drawn.needsUpdate = true;
     this.#isCoarse = false;
@@ -219,6 +254,12 @@ export class PatchesLayer implements HittableLayer {
     }
     drawFirst(this.#emphasizedGeometry, drawn, count);
   }
+}
+
+function isSame(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
+  if (a.length !== b.length) return false;
+  for (let i = 0; i < a.length; ++i) if (a[i] !== b[i]) return false;
+  return true;
 }
 
 /** Draws the first entries of an index, which have changed. */
