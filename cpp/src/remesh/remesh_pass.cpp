@@ -111,11 +111,7 @@ void measureShapes(SurfaceRemesh& result) {
   for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh))) {
     const std::array<Vec3, 3> corners = cornersOf(mesh, t);
     sum += triangleRadiusRatio(corners[0], corners[1], corners[2]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 u = corners[(k + 1) % 3] - corners[k];
-      const Vec3 v = corners[(k + 2) % 3] - corners[k];
-      largestCosine = std::max(largestCosine, glm::dot(u, v) / (glm::length(u) * glm::length(v)));
-    }
+    largestCosine = std::max(largestCosine, largestCosineOf(corners));
   }
   result.smallestAngle = degreesOf(largestCosine);
   result.meanRadiusRatio = sum / countTriangles(mesh);
@@ -153,22 +149,22 @@ Task<bool> isVeryFine(Work& work, const ReferenceSurface& reference, const Remes
   RemeshSizes::Hint hint;
   const std::vector<ReferenceSurface::Piece>& pieces = reference.pieces();
   const std::size_t stride = 1 + pieces.size() / kFineSamples;
-  co_await work.forEachBlock(
-      (pieces.size() + stride - 1) / stride,
-      [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-          const ReferenceSurface::Piece& piece = pieces[i * stride];
-          const SmoothPatchId patch = reference.patchOf(piece.triangle);
-          if (reference.patch(patch).isPlanar) continue;
-          curved += piece.area;
-          const TriangleCorners corners = cornersOf(reference.mesh(), piece.triangle);
-          if (countBeneath(corners, maxSize) <= kManyBeneath) continue;
-          hint.field.region = sizes.regionOf(patch);
-          const double size = sizes.sizeAt(piece.centroid, hint);
-          if (countBeneath(corners, size) > kManyBeneath) fine += piece.area;
-        }
-      },
-      kCountedPerUnit);
+  co_await work.forEachBlock((pieces.size() + stride - 1) / stride,
+                             [&](std::size_t first, std::size_t last) {
+                               for (std::size_t i = first; i < last; ++i) {
+                                 const ReferenceSurface::Piece& piece = pieces[i * stride];
+                                 const SmoothPatchId patch = reference.patchOf(piece.triangle);
+                                 if (reference.patch(patch).isPlanar) continue;
+                                 curved += piece.area;
+                                 const TriangleCorners corners =
+                                     cornersOf(reference.mesh(), piece.triangle);
+                                 if (countBeneath(corners, maxSize) <= kManyBeneath) continue;
+                                 hint.field.region = sizes.regionOf(patch);
+                                 const double size = sizes.sizeAt(piece.centroid, hint);
+                                 if (countBeneath(corners, size) > kManyBeneath) fine += piece.area;
+                               }
+                             },
+                             kCountedPerUnit);
   const bool areMany = fine > kFineShare * curved;
   co_return areMany;
 }
@@ -215,7 +211,7 @@ Task<> changeTriangles(Work& work, const ReferenceSurface& reference, const Reme
   limits.tolerance = step.tested;
   GuardedSurface guarded(reference, limits, result.size);
   co_await work.yield();
-  SurfaceEditor editor(guarded, sizes);
+  SurfaceEditor editor(guarded, sizes, input.surface.isSettled);
   co_await work.yield();
   RemeshSchedule schedule(editor);
   VolumeCorrection correction(guarded);
@@ -301,16 +297,17 @@ Task<> sampleDeviation(Work& work, const ReferenceSurface& reference,
 }
 
 Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const GivenSizes& sizes,
-                            const RemeshOptions& options, double toleranceShare,
+                            const RemeshOptions& options, const PassRules& rules,
                             const bool& isStopped) {
+  const double toleranceShare = rules.toleranceShare;
   const PassInput input{surface, sizes, options, isStopped};
   work.beginPart(0.05);
   RemeshPass pass;
   SurfaceRemesh& result = pass.remesh;
   ReferenceSurface reference(surface.mesh, surface.groups, featureRulesOf(options));
   co_await reference.prepare(work);
-  const bool hasTargets = options.size > 0.0 || usesGrid(sizes.grid, targetOptions(options));
-  const RemeshLengths lengths = remeshLengthsOf(options, hasTargets, reference.diagonal());
+  const RemeshLengths lengths =
+      remeshLengthsOf(options, hasTargets(sizes.grid, options), reference.diagonal());
   result.size = lengths.maxSize;
   result.minSize = std::min(lengths.minSize, sizes.ofRegions.smallest());
   result.tolerance = toleranceShare * lengths.tolerance;
@@ -334,7 +331,7 @@ Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const GivenS
   const bool coarsens = co_await isVeryFine(work, reference, *targets.sizes, lengths.maxSize);
   work.beginPart(coarsens ? 0.4 : 1.0);
   if (!coarsens) {
-    const Step step{Changes::kAll, toleranceShare * lengths.testedTolerance, true};
+    const Step step{Changes::kAll, toleranceShare * lengths.testedTolerance, rules.samples};
     co_await changeTriangles(work, reference, *targets.sizes, step, input, pass);
     co_return pass;
   }

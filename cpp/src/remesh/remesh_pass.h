@@ -20,6 +20,14 @@ struct PassSurface {
   SurfaceMesh mesh;
   std::vector<std::uint32_t> groups;  ///< per triangle: its patch; empty if there is only one
   std::vector<std::uint32_t> origin;  ///< per triangle: the given one
+  /// Per node: 1 if all its triangles come from a remeshing and need no other one; empty if none do.
+  std::vector<std::uint8_t> isSettled;
+};
+
+/// What one remeshing may do.
+struct PassRules {
+  double toleranceShare = 1.0;
+  bool samples = true;  ///< whether the distance of the triangles is sampled
 };
 
 struct RemeshPass {
@@ -44,7 +52,7 @@ Task<> sampleDeviation(Work& work, const ReferenceSurface& reference,
 /// Everything must outlive the task. Once `isStopped` is true, the surface is returned as it is. Errors are in the
 /// diagnostics of the result.
 Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const GivenSizes& sizes,
-                            const RemeshOptions& options, double toleranceShare,
+                            const RemeshOptions& options, const PassRules& rules,
                             const bool& isStopped);
 
 }  // namespace tetrafront

@@ -94,6 +94,12 @@ Task<> RemeshSchedule::smoothAndFlip(Work& work, int passes) {
   }
 }
 
+/// Returns true if no node of the triangle has a triangle that needs a change.
+bool RemeshSchedule::isSettled(TriangleId triangle) const {
+  return std::ranges::all_of(complex_.nodesOf(triangle),
+                             [&](NodeId node) { return editor_.isSettled(node); });
+}
+
 /// Lists the edges with a length outside [shortest, longest], each once.
 void RemeshSchedule::collectEdges(double shortest, double longest) {
   edges_.clear();
@@ -102,6 +108,7 @@ void RemeshSchedule::collectEdges(double shortest, double longest) {
     for (std::uint32_t k = 0; k < 3; ++k) {
       const HalfEdgeId halfEdge = halfEdgeOf(t, k);
       const auto [a, b, apex] = complex_.nodesOf(halfEdge);
+      if (editor_.isSettled(a) && editor_.isSettled(b)) continue;
       const double length = editor_.lengthOf(a, b);
       if (length >= shortest && length <= longest) continue;
       const NodeId low = std::min(a, b);
@@ -277,7 +284,7 @@ Task<> RemeshSchedule::improvePoor(Work& work, double squaredSine) {
   poor_.clear();
   isImproved_ = false;
   for (const TriangleId t : IdRange<TriangleId>(complex_.triangleSlots())) {
-    if (!complex_.isAlive(t)) continue;
+    if (!complex_.isAlive(t) || isSettled(t)) continue;
     const double square = editor_.squaredSineOf(complex_.nodesOf(t));
     if (square < squaredSine) poor_.push_back({t, 0, square});
   }

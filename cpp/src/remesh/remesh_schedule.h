@@ -40,6 +40,7 @@ class RemeshSchedule {
   Task<> smoothAll(Work& work);
   Task<> improvePoor(Work& work, double squaredSine);
 
+  [[nodiscard]] bool isSettled(TriangleId triangle) const;
   void collectEdges(double shortest, double longest);
   bool collapseIfShort(const Edge& edge, double limit, double longest);
   bool splitAndFlip(const Edge& edge);
@@ -58,8 +59,8 @@ class RemeshSchedule {
   std::vector<PoorTriangle> poor_;
   std::vector<Edge> waiting_;
   std::vector<HalfEdgeId> edge_;
-  std::uint32_t flipped_ = 0;   ///< time of the last pass of flips
-  std::uint32_t smoothed_ = 0;  ///< time of the last pass of moves
+  std::uint32_t flipped_ = SurfaceEditor::kFirstTime;   ///< time of the last pass of flips
+  std::uint32_t smoothed_ = SurfaceEditor::kFirstTime;  ///< time of the last pass of moves
 };
 
 }  // namespace tetrafront

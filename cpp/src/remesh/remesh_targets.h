@@ -32,7 +32,13 @@ struct RemeshLengths {
   double layers;
 };
 
-/// `hasTargets`: a size or a background grid is given. `diagonal`: of the surface.
+/// Share of the tolerance of the first remeshing, if details may be dropped afterwards.
+constexpr double kFirstShare = 0.6;
+
+/// Returns true if a size, a largest volume or a background grid is given.
+[[nodiscard]] bool hasTargets(const BackgroundGrid& grid, const RemeshOptions& options);
+
+/// `hasTargets`: as above. `diagonal`: of the surface.
 [[nodiscard]] RemeshLengths remeshLengthsOf(const RemeshOptions& options, bool hasTargets,
                                             double diagonal);
 

@@ -46,7 +46,8 @@ NodeTriple replaced(NodeTriple nodes, NodeId old, NodeId now) {
 
 }  // namespace
 
-SurfaceEditor::SurfaceEditor(GuardedSurface& surface, const RemeshSizes& sizes)
+SurfaceEditor::SurfaceEditor(GuardedSurface& surface, const RemeshSizes& sizes,
+                             std::span<const std::uint8_t> isSettled)
     : surface_(surface),
       complex_(surface.complex()),
       reference_(surface.reference()),
@@ -55,7 +56,10 @@ SurfaceEditor::SurfaceEditor(GuardedSurface& surface, const RemeshSizes& sizes)
       size_(complex_.nodeCount()),
       sizeHint_(complex_.nodeCount()),
       view_(isStretched_ ? complex_.nodeCount() : 0),
-      changed_(complex_.nodeCount(), 0) {
+      changed_(complex_.nodeCount(), kFirstTime) {
+  for (std::size_t i = 0; i < isSettled.size(); ++i) {
+    if (isSettled[i] != 0) changed_[i] = kFirstTime - 1;
+  }
   std::vector<std::uint32_t> regions(complex_.nodeCount(), FieldHint::kAnyRegion);
   if (sizes.hasRegions()) {
     for (const TriangleId t : IdRange<TriangleId>(complex_.triangleSlots())) {

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/ids.h"
@@ -33,8 +34,9 @@ enum class MovePurpose : std::uint8_t { kSmooth, kImprove };
 
 class SurfaceEditor {
  public:
-  /// Both must outlive this.
-  SurfaceEditor(GuardedSurface& surface, const RemeshSizes& sizes);
+  /// The first two must outlive this. `isSettled`: per node, 1 if its triangles need no change; empty if none is.
+  SurfaceEditor(GuardedSurface& surface, const RemeshSizes& sizes,
+                std::span<const std::uint8_t> isSettled = {});
 
   // ---- operations: each returns true if it was made ----
 
@@ -66,8 +68,11 @@ class SurfaceEditor {
 
   // ---- time: each node stores when one of its triangles last changed ----
 
+  static constexpr std::uint32_t kFirstTime = 1;
   std::uint32_t nextTime() { return ++time_; }
   [[nodiscard]] std::uint32_t lastChange(NodeId node) const { return changed_[node.index()]; }
+  /// Returns true if the triangles of the node need no change, and have not changed.
+  [[nodiscard]] bool isSettled(NodeId node) const { return lastChange(node) < kFirstTime; }
 
  private:
   using Corners = std::array<Vec3, 3>;
@@ -138,7 +143,7 @@ class SurfaceEditor {
   std::vector<RemeshSizes::Hint> sizeHint_;  ///< per node
   std::vector<SymmetricTensor> view_;  ///< per node, if stretched: maps target edges to unit length
   std::vector<std::uint32_t> changed_;  ///< per node
-  std::uint32_t time_ = 1;
+  std::uint32_t time_ = kFirstTime;
 
   SurfaceChange change_;
   std::vector<NodeId> ringA_;

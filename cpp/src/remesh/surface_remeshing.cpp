@@ -15,6 +15,7 @@
 #include "boundary/boundary.h"
 #include "boundary/surface_access.h"
 #include "field/size_octree_builder.h"
+#include "geom/angles.h"
 #include "geom/coordinates.h"
 #include "remesh/detail_merger.h"
 #include "remesh/deviation.h"
@@ -22,6 +23,7 @@
 #include "remesh/remesh_pass.h"
 #include "remesh/remesh_sizes.h"
 #include "remesh/remesh_targets.h"
+#include "remesh/triangle_parts.h"
 #include "sizing/check_options.h"
 #include "sizing/expected_count.h"
 #include "sizing/region_sizes.h"
@@ -36,17 +38,22 @@ constexpr double kPoorAngle = 10.0;
 constexpr double kPoorRatio = 0.8;
 /// Mean radius ratio that a larger smallest angle may cost.
 constexpr double kRatioCost = 0.015;
-/// Merges of poor details, each followed by a remeshing: a merge brings other lines closer.
-constexpr int kMaxPoorMerges = 2;
+/// Merges of poor details, each followed by a remeshing around them: a merge brings other lines closer. A remeshing may make
+/// triangles better even if nothing is merged.
+constexpr int kMaxPoorMerges = 3;
+/// Triangles of a remeshed surface with a smaller angle, in degrees, and those around them so many triangles deep, change in
+/// the next remeshing, too.
+constexpr double kUnsettledAngle = 20.0;
+constexpr int kUnsettledDepth = 2;
 /// Share of the given triangles at which poor details to drop are strips of needles, whose merged lines would be ragged.
 constexpr double kNeedleShare = 0.05;
 /// Details that are dropped at any share: surfaces of a few triangles have steps, too.
 constexpr double kFewDetails = 50.0;
-/// Shares of the tolerance: of the remeshing before the first merge, of the remeshing after each merge, and of each merge of
-/// poor details. The sum over all merges, of chosen details and of poor ones, is at most 1.
-constexpr double kFirstShare = 0.3;
-constexpr double kNextShare = 0.1;
-constexpr double kMergeShare = 0.2;
+/// Shares of the tolerance: of the merge of poor details of the given surface, which is remeshed then with the rest; of each
+/// merge of poor details of a remeshed one, at most, and of the remeshing around them. Merges have what others have left.
+constexpr double kGivenMergeShare = 0.2;
+constexpr double kMergeShare = 0.3;
+constexpr double kNextShare = 0.06;
 
 SurfaceRemesh refused(std::vector<Diagnostic> diagnostics) {
   SurfaceRemesh result;
@@ -138,6 +145,9 @@ struct DetailRule {
   DetailChoice choice;
   double toleranceShare;
   double largestShare = 1.0;  ///< of the triangles: number of details
+  /// Whether the surface has been remeshed: its well-shaped triangles away from the details then stay, and it is remeshed even
+  /// if it has no details.
+  bool isRemeshed = false;
 };
 
 /// A surface from which details have been dropped.
@@ -147,19 +157,35 @@ struct SimplifiedSurface {
   std::vector<MergedDetail> merged;
 };
 
-/// Returns true if a remeshed surface has details across which triangles are poor.
-Task<bool> hasPoorDetails(Work& work, const Remeshing& remeshing, const RemeshPass& pass,
-                          double distance) {
-  const PassSurface surface = nextSurface(pass);
-  ReferenceSurface reference(surface.mesh, surface.groups, featureRulesOf(remeshing.options));
-  co_await reference.prepare(work);
-  DetailMerger merger(reference, distance, DetailChoice::kPoor);
-  co_await merger.run(work);
-  co_return !merger.merged().empty();
+/// Unsettles all nodes of the triangles that have an unsettled one.
+void spreadUnsettled(const SurfaceMesh& mesh, std::vector<std::uint8_t>& isSettled) {
+  const std::vector<std::uint8_t> before = isSettled;
+  for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh))) {
+    const NodeTriple nodes = nodesOf(mesh, t);
+    if (std::ranges::all_of(nodes, [&](NodeId node) { return before[node.index()] != 0; }))
+      continue;
+    for (const NodeId node : nodes) isSettled[node.index()] = 0;
+  }
 }
 
-/// Drops details of the given or a remeshed surface, and remeshes it. Returns false if there are none, or more than a share
-/// of the triangles. Keeps all details if a region would be left without volume.
+/// Marks the nodes of a remeshed surface around which triangles are well-shaped, and where they were before details were
+/// dropped. `parents`: per triangle, the one of `before` that it comes from. O(triangles).
+std::vector<std::uint8_t> settledNodes(const SurfaceMesh& mesh, const SurfaceMesh& before,
+                                       std::span<const TriangleId> parents) {
+  std::vector<std::uint8_t> isSettled(mesh.points.size() / 3, 1);
+  const double unsettled = cosineOfDegrees(kUnsettledAngle);
+  for (const TriangleId t : IdRange<TriangleId>(parents.size())) {
+    const std::array<Vec3, 3> corners = cornersOf(mesh, t);
+    const bool isWhereItWas = corners == cornersOf(before, parents[t.index()]);
+    if (isWhereItWas && largestCosineOf(corners) <= unsettled) continue;
+    for (const NodeId node : nodesOf(mesh, t)) isSettled[node.index()] = 0;
+  }
+  for (int i = 0; i < kUnsettledDepth; ++i) spreadUnsettled(mesh, isSettled);
+  return isSettled;
+}
+
+/// Drops details of the given or a remeshed surface, and remeshes it. Returns false if a given surface has none, or more than a
+/// share of the triangles. Keeps all details if a region would be left without volume.
 Task<bool> simplify(Work& work, const Remeshing& remeshing, const PassSurface& surface,
                     const DetailRule& rule, SimplifiedSurface& simplified) {
   work.beginPart(0.2);
@@ -171,7 +197,8 @@ Task<bool> simplify(Work& work, const Remeshing& remeshing, const PassSurface& s
   const double largest =
       std::max(kFewDetails, rule.largestShare * static_cast<double>(surface.origin.size()));
   const auto count = static_cast<double>(merger.merged().size());
-  if (count == 0.0 || count > largest || remeshing.isStopped) co_return false;
+  const bool isUseless = count == 0.0 && !rule.isRemeshed;
+  if (isUseless || count > largest || remeshing.isStopped) co_return false;
   PassSurface made;
   std::vector<TriangleId> parents;
   merger.copyTo(made.mesh, parents);
@@ -179,6 +206,7 @@ Task<bool> simplify(Work& work, const Remeshing& remeshing, const PassSurface& s
     made.origin.push_back(surface.origin[parent.index()]);
     if (!surface.groups.empty()) made.groups.push_back(surface.groups[parent.index()]);
   }
+  if (rule.isRemeshed) made.isSettled = settledNodes(made.mesh, surface.mesh, parents);
   SurfaceMesh checked = made.mesh;
   checked.triangleRegions = regionsOf(made, remeshing.regions);
   BoundaryCheck boundary(checked, BoundarySource::kGivenSurface, options.innerShells);
@@ -187,8 +215,9 @@ Task<bool> simplify(Work& work, const Remeshing& remeshing, const PassSurface& s
   simplified.deviation += merger.deviation();
   simplified.merged.insert(simplified.merged.end(), merger.merged().begin(), merger.merged().end());
   work.beginPart(1.0);
-  simplified.pass = co_await remeshOnce(work, made, remeshing.sizes, options, rule.toleranceShare,
-                                        remeshing.isStopped);
+  const PassRules passRules{.toleranceShare = rule.toleranceShare, .samples = false};
+  simplified.pass =
+      co_await remeshOnce(work, made, remeshing.sizes, options, passRules, remeshing.isStopped);
   simplified.deviation += simplified.pass.remesh.deviation;
   co_return true;
 }
@@ -227,30 +256,35 @@ Task<SurfaceRemesh> remeshSimplified(Work& work, const Remeshing& remeshing,
   co_return result;
 }
 
-/// Remeshes the given surface first, which makes its triangles well-shaped, and then drops details: all below
+/// Drops details of a surface that was remeshed first, which has made its triangles well-shaped: all below
 /// RemeshOptions::dropDetails, then those across which triangles are poor. The deviations of all steps, except the one of
-/// chosen details, add up to at most the tolerance.
-Task<SurfaceRemesh> remeshInSteps(Work& work, const Remeshing& remeshing) {
+/// chosen details, add up to at most the tolerance. `firstShare`: of it, for the first step.
+Task<SurfaceRemesh> dropInSteps(Work& work, const Remeshing& remeshing, RemeshPass first,
+                                double firstShare) {
   const RemeshOptions& options = remeshing.options;
-  work.beginPart(0.4);
+  const double tolerance = first.remesh.tolerance / firstShare;
+  const std::uint32_t patches = first.remesh.patches;
+  const std::uint32_t featureLines = first.remesh.featureLines;
   SimplifiedSurface simplified;
-  simplified.pass = co_await remeshOnce(work, remeshing.given, remeshing.sizes, options,
-                                        kFirstShare, remeshing.isStopped);
-  const double tolerance = simplified.pass.remesh.tolerance / kFirstShare;
-  simplified.deviation = simplified.pass.remesh.deviation;
-  const std::uint32_t patches = simplified.pass.remesh.patches;
-  const std::uint32_t featureLines = simplified.pass.remesh.featureLines;
+  simplified.deviation = first.remesh.deviation;
+  simplified.pass = std::move(first);
+  double ofChosen = 0.0;
   bool isDropped = true;
   if (options.dropDetails > 0.0 && isComplete(simplified.pass.remesh)) {
-    work.beginPart(0.6);
+    work.beginPart(0.4);
     const PassSurface surface = nextSurface(simplified.pass);
-    const DetailRule rule{options.dropDetails, DetailChoice::kAll, kNextShare};
+    const DetailRule rule{options.dropDetails, DetailChoice::kAll, kNextShare, 1.0, true};
+    const double before = simplified.deviation;
     isDropped = co_await simplify(work, remeshing, surface, rule, simplified);
+    if (isDropped) ofChosen = simplified.deviation - before - simplified.pass.remesh.deviation;
   }
   for (int i = 1; i <= kMaxPoorMerges && isDropped && isPoor(simplified.pass.remesh); ++i) {
-    work.beginPart(0.6 + 0.35 * i / kMaxPoorMerges);
+    work.beginPart(0.4 + 0.5 * i / kMaxPoorMerges);
     const PassSurface surface = nextSurface(simplified.pass);
-    const DetailRule rule{kMergeShare * tolerance, DetailChoice::kPoor, kNextShare};
+    const double left = (1.0 - kNextShare) * tolerance - (simplified.deviation - ofChosen);
+    if (!(left > 0.0)) break;
+    const double distance = std::min(left, kMergeShare * tolerance);
+    const DetailRule rule{distance, DetailChoice::kPoor, kNextShare, 1.0, true};
     isDropped = co_await simplify(work, remeshing, surface, rule, simplified);
   }
   work.beginPart(1.0);
@@ -260,14 +294,23 @@ Task<SurfaceRemesh> remeshInSteps(Work& work, const Remeshing& remeshing) {
   co_return result;
 }
 
-/// Remeshes a surface in steps if the best result so far has poor triangles. Keeps the better of both.
-Task<> improveInSteps(Work& work, const Remeshing& remeshing, SurfaceRemesh& best) {
+/// If the best result so far has poor triangles, drops details of a remeshed surface, and keeps the better of both. `first`: a
+/// remeshing with kFirstShare; made here if there is none.
+Task<> improveInSteps(Work& work, const Remeshing& remeshing, std::optional<RemeshPass> first,
+                      SurfaceRemesh& best) {
   if (remeshing.isStopped) best.isPartial = true;
   if (remeshing.isStopped || !isPoor(best)) co_return;
+  work.beginPart(0.6);
+  if (!first.has_value()) {
+    const PassRules rules{.toleranceShare = kFirstShare, .samples = false};
+    first = co_await remeshOnce(work, remeshing.given, remeshing.sizes, remeshing.options, rules,
+                                remeshing.isStopped);
+  }
   work.beginPart(1.0);
-  SurfaceRemesh other = co_await remeshInSteps(work, remeshing);
+  SurfaceRemesh other = co_await dropInSteps(work, remeshing, *std::move(first), kFirstShare);
   best.isPartial = other.isPartial;
-  if (isBetter(other, best) && !other.mergedDetails.empty()) best = std::move(other);
+  const bool keepsChosen = remeshing.options.dropDetails > 0.0 && other.mergedDetails.empty();
+  if (isBetter(other, best) && !keepsChosen) best = std::move(other);
 }
 
 /// Remeshes a surface without the chosen details.
@@ -278,34 +321,39 @@ Task<> remeshWithoutChosen(Work& work, const Remeshing& remeshing, SurfaceRemesh
   SurfaceRemesh simplified = co_await remeshSimplified(work, remeshing, rule);
   if (simplified.mergedDetails.empty()) {
     work.beginPart(1.0);
-    RemeshPass plain = co_await remeshOnce(work, remeshing.given, remeshing.sizes, options, 1.0,
+    RemeshPass plain = co_await remeshOnce(work, remeshing.given, remeshing.sizes, options, {},
                                            remeshing.isStopped);
     result = std::move(plain.remesh);
   } else {
     result = std::move(simplified);
-    co_await improveInSteps(work, remeshing, result);
+    co_await improveInSteps(work, remeshing, {}, result);
   }
 }
 
 /// Remeshes a surface with all details. If triangles are poor, drops details where that makes them better.
 Task<> remeshWithoutPoor(Work& work, const Remeshing& remeshing, SurfaceRemesh& result) {
   const RemeshOptions& options = remeshing.options;
-  work.beginPart(options.dropPoorDetails ? 0.4 : 1.0);
-  RemeshPass plain = co_await remeshOnce(work, remeshing.given, remeshing.sizes, options, 1.0,
+  // Automatic sizes are small enough for a part of the tolerance. Given ones are kept with the whole one.
+  const bool mayDrop = options.dropPoorDetails;
+  const bool isFirst = mayDrop && !hasTargets(remeshing.sizes.grid, options);
+  work.beginPart(mayDrop ? 0.5 : 1.0);
+  const PassRules rules{.toleranceShare = isFirst ? kFirstShare : 1.0};
+  RemeshPass plain = co_await remeshOnce(work, remeshing.given, remeshing.sizes, options, rules,
                                          remeshing.isStopped);
-  const bool isPoorInPlaces = isPoor(plain.remesh) && plain.remesh.meanRadiusRatio >= kPoorRatio;
-  const double distance = kMergeShare * plain.remesh.tolerance;
-  const bool mayDrop = options.dropPoorDetails && isPoorInPlaces;
-  bool hasSteps = false;
-  if (mayDrop) hasSteps = co_await hasPoorDetails(work, remeshing, plain, distance);
-  result = std::move(plain.remesh);
-  if (!mayDrop) co_return;
-  const DetailRule rule{distance, DetailChoice::kAll, 1.0 - kMergeShare, kNeedleShare};
-  work.beginPart(0.6);
+  result = plain.remesh;
+  if (!mayDrop || !isPoor(result) || result.meanRadiusRatio < kPoorRatio) co_return;
+  const double tolerance = result.tolerance / rules.toleranceShare;
+  std::optional<RemeshPass> first;
+  if (isFirst) first = std::move(plain);
+  work.beginPart(0.7);
+  co_await improveInSteps(work, remeshing, std::move(first), result);
+  if (!isPoor(result)) co_return;
+  const DetailRule rule{kGivenMergeShare * tolerance, DetailChoice::kAll, 1.0 - kGivenMergeShare,
+                        kNeedleShare};
+  work.beginPart(1.0);
   SurfaceRemesh simplified = co_await remeshSimplified(work, remeshing, rule);
   if (isBetter(simplified, result)) result = std::move(simplified);
   if (remeshing.isStopped) result.isPartial = true;
-  if (hasSteps) co_await improveInSteps(work, remeshing, result);
 }
 
 }  // namespace
@@ -319,7 +367,7 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
   if (anyError(problems)) co_return refused(std::move(problems));
   work.beginPart(1.0);
   mesh.triangleRegions = {};
-  PassSurface given{std::move(mesh), std::move(groups), {}};
+  PassSurface given{std::move(mesh), std::move(groups), {}, {}};
   given.origin.resize(countTriangles(given.mesh));
   std::iota(given.origin.begin(), given.origin.end(), 0U);
   const Remeshing remeshing{given, regions, sizes, options, isStopped};

@@ -2,6 +2,7 @@
 
 /// @file Parts of a triangle, for proofs that hold for every point of it.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -15,6 +16,17 @@ using TriangleCorners = std::array<Vec3, 3>;
 /// Returns the normal, twice as long as the area.
 [[nodiscard]] inline Vec3 crossOf(const TriangleCorners& corners) {
   return glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+}
+
+/// Returns the cosine of the smallest angle, which is at most 60 degrees.
+[[nodiscard]] inline double largestCosineOf(const TriangleCorners& corners) {
+  double largest = 0.5;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 u = corners[(k + 1) % 3] - corners[k];
+    const Vec3 v = corners[(k + 2) % 3] - corners[k];
+    largest = std::max(largest, glm::dot(u, v) / (glm::length(u) * glm::length(v)));
+  }
+  return largest;
 }
 
 /// Divides a triangle at the middle of its longest edge.
