@@ -107,6 +107,8 @@ TEST(RemeshDetails, WellShapedOnesAreNotDropped) {
     EXPECT_TRUE(result.mergedDetails.empty());
     EXPECT_EQ(result.points, plain.points);
     EXPECT_EQ(result.triangles, plain.triangles);
+    EXPECT_DOUBLE_EQ(result.tolerance, plain.tolerance);
+    EXPECT_LE(result.deviation, result.tolerance);
   }
 }
 

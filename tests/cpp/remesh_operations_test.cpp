@@ -18,7 +18,9 @@
 #include "remesh/envelope.h"
 #include "remesh/guarded_surface.h"
 #include "remesh/reference_surface.h"
+#include "remesh/remesh_schedule.h"
 #include "remesh/surface_editor.h"
+#include "remesh/triangle_parts.h"
 #include "support/hard_shapes.h"
 #include "support/part_shapes.h"
 #include "support/remeshed.h"
@@ -34,14 +36,15 @@ using Corners = std::array<Vec3, 3>;
 /// A surface with an editor, for tests that make random operations.
 class EditedSurface {
  public:
-  EditedSurface(const SurfaceMesh& mesh, double tolerance, double size)
+  EditedSurface(const SurfaceMesh& mesh, double tolerance, double size,
+                const std::vector<std::uint8_t>& isSettled = {})
       : mesh_(mesh), reference_(mesh_, {}, FeatureRules{}), sizes_(SizeField::uniform(size)) {
     Job<> job([this](Work& work) { return reference_.prepare(work); });
     job.finish();
     SurfaceLimits limits;
     limits.tolerance = tolerance;
     surface_.emplace(reference_, limits, size);
-    editor_.emplace(*surface_, sizes_);
+    editor_.emplace(*surface_, sizes_, isSettled);
   }
 
   [[nodiscard]] const SurfaceComplex& complex() const { return surface_->complex(); }
@@ -81,6 +84,64 @@ bool isSharp(const SurfaceComplex& complex, HalfEdgeId halfEdge, double creaseCo
   }
   const double angle = std::acos(std::clamp(glm::dot(normals[0], normals[1]), -1.0, 1.0));
   return angle >= 0.5 * std::acos(creaseCosine) - 1e-9;
+}
+
+/// Makes all changes of a remeshing.
+void remeshAll(EditedSurface& edited) {
+  RemeshSchedule schedule(edited.editor());
+  Job<> job([&](Work& work) { return schedule.run(work); });
+  job.finish();
+}
+
+/// The triangles of a sphere are a third of the target size.
+TEST(RemeshSchedule, LeavesSettledTriangles) {
+  const SurfaceMesh given = geodesicSphere(12);
+  EditedSurface all(given, 1e-2, 0.4);
+  remeshAll(all);
+  EXPECT_LT(surfaceOf(all.complex()).triangles.size(), given.triangles.size() / 2);
+
+  std::vector<std::uint8_t> isSettled(given.points.size() / 3, 1);
+  EditedSurface none(given, 1e-2, 0.4, isSettled);
+  remeshAll(none);
+  EXPECT_EQ(surfaceOf(none.complex()).points, given.points);
+  EXPECT_EQ(surfaceOf(none.complex()).triangles, given.triangles);
+}
+
+/// A sphere with triangles of the target size, sheared around one pole.
+TEST(RemeshSchedule, ChangesOnlyWhatIsNotSettled) {
+  SurfaceMesh given = geodesicSphere(12);
+  std::vector<std::uint8_t> isSettled(given.points.size() / 3, 1);
+  for (const NodeId node : IdRange<NodeId>(isSettled.size())) {
+    const Vec3 p = pointOf(given, node);
+    const double turn = 10.0 * (p.z - 0.9);
+    if (turn <= 0.0) continue;
+    isSettled[node.index()] = 0;
+    given.points[3 * node.index()] = p.x * std::cos(turn) - p.y * std::sin(turn);
+    given.points[3 * node.index() + 1] = p.x * std::sin(turn) + p.y * std::cos(turn);
+  }
+  EditedSurface edited(given, 2e-2, 0.1, isSettled);
+  remeshAll(edited);
+  const SurfaceMesh made = surfaceOf(edited.complex());
+  const auto poorest = [](const SurfaceMesh& mesh) {
+    double largest = 0.0;
+    for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh)))
+      largest = std::max(largest, largestCosineOf(cornersOf(mesh, t)));
+    return largest;
+  };
+  EXPECT_LT(poorest(made), poorest(given) - 0.1);
+  std::vector<Corners> before;
+  std::vector<Corners> after;
+  const auto collectLower = [](const SurfaceMesh& mesh, std::vector<Corners>& lower) {
+    for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh))) {
+      const Corners corners = cornersOf(mesh, t);
+      if (std::ranges::all_of(corners, [](const Vec3& p) { return p.z < 0.0; }))
+        lower.push_back(corners);
+    }
+  };
+  collectLower(given, before);
+  collectLower(made, after);
+  ASSERT_FALSE(before.empty());
+  EXPECT_TRUE(after == before);
 }
 
 TEST(RemeshAbsorb, PutsTheApexOnTheLine) {

@@ -341,8 +341,9 @@ Task<> remeshWithoutPoor(Work& work, const Remeshing& remeshing, SurfaceRemesh& 
   RemeshPass plain = co_await remeshOnce(work, remeshing.given, remeshing.sizes, options, rules,
                                          remeshing.isStopped);
   result = plain.remesh;
-  if (!mayDrop || !isPoor(result) || result.meanRadiusRatio < kPoorRatio) co_return;
   const double tolerance = result.tolerance / rules.toleranceShare;
+  result.tolerance = tolerance;
+  if (!mayDrop || !isPoor(result) || result.meanRadiusRatio < kPoorRatio) co_return;
   std::optional<RemeshPass> first;
   if (isFirst) first = std::move(plain);
   work.beginPart(0.7);
