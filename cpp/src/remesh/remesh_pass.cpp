@@ -306,8 +306,9 @@ Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const GivenS
   SurfaceRemesh& result = pass.remesh;
   ReferenceSurface reference(surface.mesh, surface.groups, featureRulesOf(options));
   co_await reference.prepare(work);
+  const bool hasTargets = options.size > 0.0 || usesGrid(sizes.grid, targetOptions(options));
   const RemeshLengths lengths =
-      remeshLengthsOf(options, hasTargets(sizes.grid, options), reference.diagonal());
+      remeshLengthsOf(options, hasTargets, reference.diagonal(), rules.plannedShare);
   result.size = lengths.maxSize;
   result.minSize = std::min(lengths.minSize, sizes.ofRegions.smallest());
   result.tolerance = toleranceShare * lengths.tolerance;

@@ -27,7 +27,8 @@ struct PassSurface {
 /// What one remeshing may do.
 struct PassRules {
   double toleranceShare = 1.0;
-  bool samples = true;  ///< whether the distance of the triangles is sampled
+  double plannedShare = 1.0;  ///< of the tolerance, for which sizes are small enough
+  bool samples = true;        ///< whether the distance of the triangles is sampled
 };
 
 struct RemeshPass {
@@ -48,8 +49,8 @@ Task<> sampleDeviation(Work& work, const ReferenceSurface& reference,
                        SurfaceRemesh& result);
 
 /// Remeshes a surface, with all details. If its triangles are far smaller than the target size, coarsens it first. The
-/// distance of the result from it is at most a share of the tolerance; sizes are those of the whole tolerance.
-/// Everything must outlive the task. Once `isStopped` is true, the surface is returned as it is. Errors are in the
+/// distance of the result from it is at most a share of the tolerance, and sizes are planned for another one. Only triangles
+/// around nodes that are not settled change. Everything must outlive the task. Once `isStopped` is true, the surface is returned as it is. Errors are in the
 /// diagnostics of the result.
 Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const GivenSizes& sizes,
                             const RemeshOptions& options, const PassRules& rules,

@@ -39,11 +39,10 @@ constexpr double kDegreesPerEdge = 20.0;
 constexpr double kCoarseDegreesPerEdge = 60.0;
 /// Tested tolerance / tolerance.
 constexpr double kTestedTolerance = 0.85;
-/// Deviation that automatic sizes aim at / the tested tolerance of the first remeshing. Edges may be 1.4 times as long as their
-/// size, and then deviate twice as much. If that were beyond the tolerance, triangles would be short around a cylinder and
-/// long along its axis.
-constexpr double kPlannedPerTested = 0.51;
-/// Deviation / tolerance at which given sizes are reduced, so that they are in few places.
+/// Deviation that automatic sizes aim at / tolerance. Edges may be 1.4 times as long as their size, and then deviate twice as
+/// much. If that were beyond the tolerance, triangles would be short around a cylinder and long along its axis.
+constexpr double kPlannedTolerance = 0.43;
+/// As kPlannedTolerance, if sizes are given, so that they are reduced in few places.
 constexpr double kCoarsePlannedTolerance = 0.7;
 /// Deviation of the longest edges at a cusp from their feature lines / tested tolerance. Edges are between .75 and 1.4 times
 /// their target length, and those that would leave the tolerance are not made.
@@ -158,7 +157,8 @@ void addRegionSizes(const ReferenceSurface& reference, const RemeshSizes& given,
 
 }  // namespace
 
-RemeshLengths remeshLengthsOf(const RemeshOptions& options, bool hasTargets, double diagonal) {
+RemeshLengths remeshLengthsOf(const RemeshOptions& options, bool hasTargets, double diagonal,
+                              double plannedShare) {
   const bool hasSize = options.size > 0.0;
   RemeshLengths lengths{};
   lengths.maxSize = options.maxSize > 0.0 ? options.maxSize : kMaxSizePerDiagonal * diagonal;
@@ -176,17 +176,13 @@ RemeshLengths remeshLengthsOf(const RemeshOptions& options, bool hasTargets, dou
   if (hasSize) lengths.tolerance = std::min(lengths.tolerance, kTolerancePerSize * options.size);
   if (options.tolerance > 0.0) lengths.tolerance = options.tolerance;
   lengths.testedTolerance = kTestedTolerance * lengths.tolerance;
-  lengths.plannedTolerance = hasTargets ? kCoarsePlannedTolerance * lengths.tolerance
-                                        : kPlannedPerTested * kFirstShare * lengths.testedTolerance;
+  lengths.plannedTolerance =
+      (hasTargets ? kCoarsePlannedTolerance : kPlannedTolerance) * plannedShare * lengths.tolerance;
   const double automatic = hasTargets ? kCoarseDegreesPerEdge : kDegreesPerEdge;
   lengths.radiansPerEdge = radians(options.anglePerEdge > 0.0 ? options.anglePerEdge : automatic);
   lengths.layers = options.layers;
   if (options.layers < 0.0) lengths.layers = hasTargets ? 0.0 : 1.0;
   return lengths;
-}
-
-bool hasTargets(const BackgroundGrid& grid, const RemeshOptions& options) {
-  return options.size > 0.0 || usesGrid(grid, targetOptions(options));
 }
 
 MeshOptions targetOptions(const RemeshOptions& options) {

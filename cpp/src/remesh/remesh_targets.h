@@ -32,15 +32,10 @@ struct RemeshLengths {
   double layers;
 };
 
-/// Share of the tolerance of the first remeshing, if details may be dropped afterwards.
-constexpr double kFirstShare = 0.6;
-
-/// Returns true if a size, a largest volume or a background grid is given.
-[[nodiscard]] bool hasTargets(const BackgroundGrid& grid, const RemeshOptions& options);
-
-/// `hasTargets`: as above. `diagonal`: of the surface.
+/// `hasTargets`: a size or a background grid is given. `diagonal`: of the surface. `plannedShare`: of the tolerance, for which
+/// sizes are small enough.
 [[nodiscard]] RemeshLengths remeshLengthsOf(const RemeshOptions& options, bool hasTargets,
-                                            double diagonal);
+                                            double diagonal, double plannedShare = 1.0);
 
 /// Returns the options of the given sizes.
 [[nodiscard]] MeshOptions targetOptions(const RemeshOptions& options);

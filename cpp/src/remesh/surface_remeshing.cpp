@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <optional>
 #include <span>
 #include <utility>
 
@@ -52,6 +51,7 @@ constexpr double kFewDetails = 50.0;
 /// Shares of the tolerance: of the merge of poor details of the given surface, which is remeshed then with the rest; of each
 /// merge of poor details of a remeshed one, at most, and of the remeshing around them. Merges have what others have left.
 constexpr double kGivenMergeShare = 0.2;
+constexpr double kFirstShare = 0.6;
 constexpr double kMergeShare = 0.3;
 constexpr double kNextShare = 0.06;
 
@@ -215,7 +215,8 @@ Task<bool> simplify(Work& work, const Remeshing& remeshing, const PassSurface& s
   simplified.deviation += merger.deviation();
   simplified.merged.insert(simplified.merged.end(), merger.merged().begin(), merger.merged().end());
   work.beginPart(1.0);
-  const PassRules passRules{.toleranceShare = rule.toleranceShare, .samples = false};
+  PassRules passRules{.toleranceShare = rule.toleranceShare, .samples = false};
+  if (rule.isRemeshed) passRules.plannedShare = kFirstShare;
   simplified.pass =
       co_await remeshOnce(work, made, remeshing.sizes, options, passRules, remeshing.isStopped);
   simplified.deviation += simplified.pass.remesh.deviation;
@@ -256,22 +257,25 @@ Task<SurfaceRemesh> remeshSimplified(Work& work, const Remeshing& remeshing,
   co_return result;
 }
 
-/// Drops details of a surface that was remeshed first, which has made its triangles well-shaped: all below
-/// RemeshOptions::dropDetails, then those across which triangles are poor. The deviations of all steps, except the one of
-/// chosen details, add up to at most the tolerance. `firstShare`: of it, for the first step.
-Task<SurfaceRemesh> dropInSteps(Work& work, const Remeshing& remeshing, RemeshPass first,
-                                double firstShare) {
+/// Remeshes the given surface with a part of the tolerance first, which makes its triangles well-shaped, and then drops details:
+/// all below RemeshOptions::dropDetails, then those across which triangles are poor. The deviations of all steps, except
+/// the one of chosen details, add up to at most the tolerance.
+Task<SurfaceRemesh> remeshInSteps(Work& work, const Remeshing& remeshing) {
   const RemeshOptions& options = remeshing.options;
-  const double tolerance = first.remesh.tolerance / firstShare;
-  const std::uint32_t patches = first.remesh.patches;
-  const std::uint32_t featureLines = first.remesh.featureLines;
+  const PassRules first{
+      .toleranceShare = kFirstShare, .plannedShare = kFirstShare, .samples = false};
+  work.beginPart(0.6);
   SimplifiedSurface simplified;
-  simplified.deviation = first.remesh.deviation;
-  simplified.pass = std::move(first);
+  simplified.pass = co_await remeshOnce(work, remeshing.given, remeshing.sizes, options, first,
+                                        remeshing.isStopped);
+  const double tolerance = simplified.pass.remesh.tolerance / kFirstShare;
+  simplified.deviation = simplified.pass.remesh.deviation;
+  const std::uint32_t patches = simplified.pass.remesh.patches;
+  const std::uint32_t featureLines = simplified.pass.remesh.featureLines;
   double ofChosen = 0.0;
   bool isDropped = true;
   if (options.dropDetails > 0.0 && isComplete(simplified.pass.remesh)) {
-    work.beginPart(0.4);
+    work.beginPart(0.7);
     const PassSurface surface = nextSurface(simplified.pass);
     const DetailRule rule{options.dropDetails, DetailChoice::kAll, kNextShare, 1.0, true};
     const double before = simplified.deviation;
@@ -279,7 +283,7 @@ Task<SurfaceRemesh> dropInSteps(Work& work, const Remeshing& remeshing, RemeshPa
     if (isDropped) ofChosen = simplified.deviation - before - simplified.pass.remesh.deviation;
   }
   for (int i = 1; i <= kMaxPoorMerges && isDropped && isPoor(simplified.pass.remesh); ++i) {
-    work.beginPart(0.4 + 0.5 * i / kMaxPoorMerges);
+    work.beginPart(0.7 + 0.25 * i / kMaxPoorMerges);
     const PassSurface surface = nextSurface(simplified.pass);
     const double left = (1.0 - kNextShare) * tolerance - (simplified.deviation - ofChosen);
     if (!(left > 0.0)) break;
@@ -294,20 +298,12 @@ Task<SurfaceRemesh> dropInSteps(Work& work, const Remeshing& remeshing, RemeshPa
   co_return result;
 }
 
-/// If the best result so far has poor triangles, drops details of a remeshed surface, and keeps the better of both. `first`: a
-/// remeshing with kFirstShare; made here if there is none.
-Task<> improveInSteps(Work& work, const Remeshing& remeshing, std::optional<RemeshPass> first,
-                      SurfaceRemesh& best) {
+/// Remeshes a surface in steps if the best result so far has poor triangles. Keeps the better of both.
+Task<> improveInSteps(Work& work, const Remeshing& remeshing, SurfaceRemesh& best) {
   if (remeshing.isStopped) best.isPartial = true;
   if (remeshing.isStopped || !isPoor(best)) co_return;
-  work.beginPart(0.6);
-  if (!first.has_value()) {
-    const PassRules rules{.toleranceShare = kFirstShare, .samples = false};
-    first = co_await remeshOnce(work, remeshing.given, remeshing.sizes, remeshing.options, rules,
-                                remeshing.isStopped);
-  }
   work.beginPart(1.0);
-  SurfaceRemesh other = co_await dropInSteps(work, remeshing, *std::move(first), kFirstShare);
+  SurfaceRemesh other = co_await remeshInSteps(work, remeshing);
   best.isPartial = other.isPartial;
   const bool keepsChosen = remeshing.options.dropDetails > 0.0 && other.mergedDetails.empty();
   if (isBetter(other, best) && !keepsChosen) best = std::move(other);
@@ -326,31 +322,24 @@ Task<> remeshWithoutChosen(Work& work, const Remeshing& remeshing, SurfaceRemesh
     result = std::move(plain.remesh);
   } else {
     result = std::move(simplified);
-    co_await improveInSteps(work, remeshing, {}, result);
+    co_await improveInSteps(work, remeshing, result);
   }
 }
 
-/// Remeshes a surface with all details. If triangles are poor, drops details where that makes them better.
+/// Remeshes a surface with all details. If triangles are poor, drops details where that makes them better: those of the
+/// remeshed surface, or else those of the given one.
 Task<> remeshWithoutPoor(Work& work, const Remeshing& remeshing, SurfaceRemesh& result) {
   const RemeshOptions& options = remeshing.options;
-  // Automatic sizes are small enough for a part of the tolerance. Given ones are kept with the whole one.
-  const bool mayDrop = options.dropPoorDetails;
-  const bool isFirst = mayDrop && !hasTargets(remeshing.sizes.grid, options);
-  work.beginPart(mayDrop ? 0.5 : 1.0);
-  const PassRules rules{.toleranceShare = isFirst ? kFirstShare : 1.0};
-  RemeshPass plain = co_await remeshOnce(work, remeshing.given, remeshing.sizes, options, rules,
-                                         remeshing.isStopped);
-  result = plain.remesh;
-  const double tolerance = result.tolerance / rules.toleranceShare;
-  result.tolerance = tolerance;
-  if (!mayDrop || !isPoor(result) || result.meanRadiusRatio < kPoorRatio) co_return;
-  std::optional<RemeshPass> first;
-  if (isFirst) first = std::move(plain);
-  work.beginPart(0.7);
-  co_await improveInSteps(work, remeshing, std::move(first), result);
+  work.beginPart(options.dropPoorDetails ? 0.4 : 1.0);
+  RemeshPass plain =
+      co_await remeshOnce(work, remeshing.given, remeshing.sizes, options, {}, remeshing.isStopped);
+  result = std::move(plain.remesh);
+  if (!options.dropPoorDetails || !isPoor(result) || result.meanRadiusRatio < kPoorRatio) co_return;
+  work.beginPart(0.75);
+  co_await improveInSteps(work, remeshing, result);
   if (!isPoor(result)) co_return;
-  const DetailRule rule{kGivenMergeShare * tolerance, DetailChoice::kAll, 1.0 - kGivenMergeShare,
-                        kNeedleShare};
+  const DetailRule rule{kGivenMergeShare * result.tolerance, DetailChoice::kAll,
+                        1.0 - kGivenMergeShare, kNeedleShare};
   work.beginPart(1.0);
   SurfaceRemesh simplified = co_await remeshSimplified(work, remeshing, rule);
   if (isBetter(simplified, result)) result = std::move(simplified);
