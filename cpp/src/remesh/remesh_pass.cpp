@@ -32,9 +32,9 @@ constexpr double kCornerDegrees = 50.0;
 /// Given triangles under one of the target size from which a surface is coarsened first: a triangle that covers more of
 /// them takes long to prove, or cannot be proven to stay within the tolerance.
 constexpr double kManyBeneath = 100.0;
-/// A surface is coarsened if this share of the area of its curved patches has so many. About this number of its pieces is
-/// looked at: enough for such a share.
+/// A surface is coarsened if this share of the area of its curved patches has so many.
 constexpr double kFineShare = 0.05;
+/// Largest number of pieces by which this share is estimated: enough for its size.
 constexpr std::size_t kFineSamples = 4096;
 /// Pieces of the given surface visited per unit of budget.
 constexpr std::size_t kCountedPerUnit = 8;
@@ -153,8 +153,9 @@ Task<bool> isVeryFine(Work& work, const ReferenceSurface& reference, const Remes
   RemeshSizes::Hint hint;
   const std::vector<ReferenceSurface::Piece>& pieces = reference.pieces();
   const std::size_t stride = 1 + pieces.size() / kFineSamples;
+  const std::size_t samples = (pieces.size() + stride - 1) / stride;
   co_await work.forEachBlock(
-      (pieces.size() + stride - 1) / stride,
+      samples,
       [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
           const ReferenceSurface::Piece& piece = pieces[i * stride];
