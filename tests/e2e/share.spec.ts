@@ -137,7 +137,7 @@ test("on a phone, a link shows its step and the lens, and the view follows the s
   await expect(page.getByTestId("plane-view")).toBeInViewport({ ratio: 0.9 });
 });
 
-test("what an address asks for and cannot get is told, in the app and in an embedded front", async ({
+test("what an address asks for and cannot get is reported, in the app and in an embedded front", async ({
   page,
 }) => {
   const notice = page.getByTestId("notice-address");

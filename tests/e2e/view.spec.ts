@@ -251,6 +251,51 @@ test("a double click on an entity edits it, from any tab; beside the model it fi
   await expect.poll(async () => Math.round((await edge()).right)).toBe(Math.round(whole));
 });
 
+test("Tab selects what is hidden under the pointer, and Ctrl+click takes one entity off a selection", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const selection = page.locator('[role="treeitem"][aria-selected="true"]');
+  const selected = async (...keys: readonly string[]): Promise<void> => {
+    await expect(selection).toHaveCount(keys.length);
+    for (const key of keys)
+      await expect(page.getByTestId(`tree-${key}`)).toHaveAttribute("aria-selected", "true");
+  };
+  const corner = await screenPosition(page, "point", 7);
+  await page.mouse.click(corner.x, corner.y);
+  await selected("point-7");
+  await page.keyboard.press("Tab");
+  await expect(page.getByTestId("tree-point-7")).toHaveAttribute("aria-selected", "false");
+  await expect(selection).toHaveCount(1);
+  await page.keyboard.press("Shift+Tab");
+  await selected("point-7");
+  // The key moves the focus again when the pointer has left the point.
+  await page.mouse.move(corner.x + 40, corner.y + 40);
+  await page.keyboard.press("Tab");
+  await selected("point-7");
+  await expect(page.getByTestId("viewport-canvas")).not.toBeFocused();
+
+  for (const [id, ...keys] of [
+    [6, "point-6", "point-7"],
+    [5, "point-5", "point-6", "point-7"],
+    [6, "point-5", "point-7"],
+  ] as const) {
+    const { x, y } = await screenPosition(page, "point", id);
+    await page.keyboard.down("Control");
+    await page.mouse.click(x, y);
+    await page.keyboard.up("Control");
+    await selected(...keys);
+  }
+  // Twice, as fast as a double click: off and on again. The view stays.
+  const last = await screenPosition(page, "point", 7);
+  await page.keyboard.down("Control");
+  await page.mouse.dblclick(last.x, last.y);
+  await page.keyboard.up("Control");
+  await selected("point-5", "point-7");
+  expect(await screenPosition(page, "point", 7)).toEqual(last);
+});
+
 test("the entity under the pointer is highlighted, and a drag rotates the view without selecting", async ({
   page,
 }) => {

@@ -12,8 +12,11 @@ import { addressStrings as texts } from "../strings/address";
  */
 export function addressProblems(query: URLSearchParams): readonly string[] {
   const lesson = lessonIn(query);
-  return lesson ? runProblems(query, lesson.runs) : [...frontProblems(query), ...orphans(query)];
+  return lesson ? runProblems(query, lesson.runs) : [...frontProblems(query), ...runsAlone(query)];
 }
+
+/** Parameters that say how a front is shown. */
+const frontNames = ["order", "color", "candidate", "camera"] as const;
 
 /** Shows sentences about the address, after those that are shown already. */
 export function showAddressProblems({ shell }: Pick<App, "shell">, problems: readonly string[]): void {
@@ -32,29 +35,32 @@ function runProblems(query: URLSearchParams, known: readonly string[]): readonly
     .split(",")
     .map((name) => name.trim())
     .filter((name) => rulesNamed(name) === null);
-  return unknown.map((name) => texts.runs(name, known));
+  return [...new Set(unknown)].map((name) => texts.runs(name, known));
 }
 
 function frontProblems(query: URLSearchParams): readonly string[] {
   const step = query.get("step");
-  if (step === null) return [];
+  if (step === null) {
+    const names = frontNames.filter((name) => query.has(name));
+    return names.length === 0 ? [] : [texts.withoutStep(names)];
+  }
   if (!query.has("model")) return [texts.stepAlone(step)];
   const front = sharedFrontIn(query);
   if (!front) return [texts.step(step)];
   const { order, coloring, candidate, camera } = front;
-  const isRead: readonly (readonly [name: keyof typeof texts.ofFront, isRead: boolean])[] = [
-    ["order", order !== null],
-    ["color", coloring === query.get("color")],
-    ["candidate", candidate !== null],
-    ["camera", camera !== null],
-  ];
-  return isRead.flatMap(([name, isKnown]) => {
+  const isRead: Readonly<Record<(typeof frontNames)[number], boolean>> = {
+    order: order !== null,
+    color: coloring === query.get("color"),
+    candidate: candidate !== null,
+    camera: camera !== null,
+  };
+  return frontNames.flatMap((name) => {
     const value = query.get(name);
-    return value === null || isKnown ? [] : [texts.ofFront[name](value)];
+    return value === null || isRead[name] ? [] : [texts.ofFront[name](value)];
   });
 }
 
-/** Parameters that belong to another one, which is missing. */
-function orphans(query: URLSearchParams): readonly string[] {
+/** Runs belong to a lesson. */
+function runsAlone(query: URLSearchParams): readonly string[] {
   return query.has("runs") ? [texts.runsAlone] : [];
 }

@@ -57,7 +57,7 @@ export class Operations {
       const wasEditing = changesProject(before.tool) || before.brush !== null || before.moving !== null;
       // One gesture at a time: what the tool draws would not get into the project.
       if (open && isEditing && !wasEditing) this.cancel();
-      if (open?.operation.usesSelection === true && selection !== before.selection)
+      else if (open?.operation.usesSelection === true && selection !== before.selection)
         this.#follow(open, selection);
     });
   }

@@ -1,9 +1,9 @@
 /** Texts about parameters of the page's address that cannot be used. */
 import { FRONT_ORDERS } from "tetrafront";
+import { shortened } from "./shortened";
 
-const longest = 40;
 /** An address can be of any length. */
-const short = (value: string): string => (value.length > longest ? `${value.slice(0, longest)}…` : value);
+const short = (value: string): string => shortened(value, 40);
 const quoted = (name: string, value: string): string => `“${name}=${short(value)}”`;
 
 export const addressStrings = {
@@ -12,6 +12,8 @@ export const addressStrings = {
     `The address should have a whole number as its step, but has ${quoted("step", value)}. No front is shown.`,
   stepAlone: (value: string) =>
     `The address has ${quoted("step", value)} without a model, for example “model=unit-cube”. No front is shown.`,
+  withoutStep: (names: readonly string[]) =>
+    `The address has ${names.map((name) => `“${name}”`).join(" and ")} without a step, for example “step=100”. No front is shown.`,
   noStep: (step: number, first: number, last: number, shown: number) =>
     `The front has no step ${step}: its states are ${first} to ${last}. State ${shown} is shown.`,
   noCandidate: (candidate: number, step: number) =>

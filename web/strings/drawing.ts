@@ -1,4 +1,6 @@
 /** Texts of the drawing tools. */
+import { shortened } from "./shortened";
+
 export const drawingStrings = {
   bar: "Drawing",
   lineType: "Type of line",
@@ -91,7 +93,7 @@ export const drawingStrings = {
     "short-radius": "Type a radius of at least half the distance between the two places.",
   },
   refusedLine: (line: string) =>
-    `"${line.length > 80 ? `${line.slice(0, 80)}…` : line}" is no position. The lines before it were used; this one and those after it were not.`,
+    `"${shortened(line, 80)}" is no position. The lines before it were used; this one and those after it were not.`,
   gridUnit: (step: string) => `grid ${step}`,
   measurement: "Measurement",
   distance: "distance",

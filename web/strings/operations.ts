@@ -1,4 +1,5 @@
 import { entityNouns, pluralNouns } from "./entities";
+import { shortened } from "./shortened";
 
 const countOf = (count: number, kind: keyof typeof entityNouns): string =>
   `${count} ${count === 1 ? entityNouns[kind] : pluralNouns[kind]}`;
@@ -89,7 +90,7 @@ export const operationStrings = {
     arcs: "Arcs and circles stay round only with equal factors. Use equal factors, or draw them as splines first.",
     flat: "A factor must not be 0.",
     refusedLine: (line: string) =>
-      `Nothing was pasted: "${line.length > 80 ? `${line.slice(0, 80)}…` : line}" is no position. Use two or three numbers per line.`,
+      `Nothing was pasted: "${shortened(line, 80)}" is no position. Use two or three numbers per line.`,
     noFragment:
       "The clipboard has neither entities of Tetrafront nor a list of coordinates, two or three numbers per line.",
     noProfile: "Select patches, or lines.",

@@ -89,7 +89,8 @@ export class SelectTool implements Tool {
     if (pointer.isDrag && outline) return this.#selectWithin(outline, pointer);
     this.#clicked = pointer.at;
     const target = pointer.hit()?.target ?? null;
-    if (pointer.clicks === 2) this.#doubleClick(pointer, target);
+    // With a key, each click adds or toggles, however fast they follow each other.
+    if (pointer.clicks === 2 && modeOf(pointer) === "replace") this.#doubleClick(pointer, target);
     else if (target?.kind === "element") this.#view.selectElement(target.index);
     else this.#view.select(target, modeOf(pointer));
   }
@@ -115,7 +116,7 @@ export class SelectTool implements Tool {
   }
 
   #doubleClick(pointer: ToolPointer, target: Target | null): void {
-    const isEdited = target && target.kind !== "element" && !pointer.touch && !pointer.mod && !pointer.shift;
+    const isEdited = target && target.kind !== "element" && !pointer.touch;
     if (!isEdited) return this.#viewer.fitTarget(target);
     this.#view.select(target);
     this.#events.onEdit();

@@ -10,8 +10,13 @@ export interface PatchTriangles {
   readonly offsets: ArrayLike<number>;
 }
 
+/** The coarse triangles of a patch are made again if its share of triangles would change by this factor. */
+const maxChange = 2;
+
 /** The coarse triangles of a patch. */
 interface CoarsePatch {
+  /** Number of coarse triangles / number of all, which was aimed at. */
+  readonly share: number;
   /** Its corners, all and the coarse ones, counted from its first vertex. */
   readonly corners: Uint32Array;
   readonly coarse: Uint32Array;
@@ -20,7 +25,7 @@ interface CoarsePatch {
 /**
  * Makes about `aimed` triangles in the place of more: those between clusters of vertices, each patch for itself (Rossignac
  * and Borrel, 1993). They use the same vertices, so they stay right while these move: those of a patch are made again only
- * if its triangles are others than before.
+ * if its triangles are others than before, or if the number of all triangles is very different.
  */
 export class CoarseTriangles {
   readonly #aimed: number;
@@ -43,9 +48,10 @@ export class CoarseTriangles {
       const first = corners.reduce((low, vertex) => Math.min(low, vertex), corners[0] ?? 0);
       const known = before[patch];
       const made =
-        known && isShifted(known.corners, corners, first)
+        known && isNear(known.share, share) && isShifted(known.corners, corners, first)
           ? known
           : {
+              share,
               corners: corners.map((vertex) => vertex - first),
               coarse: coarseOf(positions, corners, share).map((vertex) => vertex - first),
             };
@@ -56,6 +62,8 @@ export class CoarseTriangles {
     return all.slice(0, count);
   }
 }
+
+const isNear = (known: number, share: number): boolean => Math.max(known / share, share / known) < maxChange;
 
 /** Returns whether each corner is a known one, shifted. */
 function isShifted(known: Uint32Array, corners: Uint32Array, shift: number): boolean {

@@ -32,9 +32,9 @@ constexpr double kCornerDegrees = 50.0;
 /// Given triangles under one of the target size from which a surface is coarsened first: a triangle that covers more of
 /// them takes long to prove, or cannot be proven to stay within the tolerance.
 constexpr double kManyBeneath = 100.0;
-/// A surface is coarsened if this share of the area of its curved patches has so many. About this number of its pieces is
-/// looked at: enough for such a share.
+/// A surface is coarsened if this share of the area of its curved patches has so many.
 constexpr double kFineShare = 0.05;
+/// Largest number of pieces by which this share is estimated: enough for its size.
 constexpr std::size_t kFineSamples = 4096;
 /// Pieces of the given surface visited per unit of budget.
 constexpr std::size_t kCountedPerUnit = 8;
@@ -149,22 +149,23 @@ Task<bool> isVeryFine(Work& work, const ReferenceSurface& reference, const Remes
   RemeshSizes::Hint hint;
   const std::vector<ReferenceSurface::Piece>& pieces = reference.pieces();
   const std::size_t stride = 1 + pieces.size() / kFineSamples;
-  co_await work.forEachBlock((pieces.size() + stride - 1) / stride,
-                             [&](std::size_t first, std::size_t last) {
-                               for (std::size_t i = first; i < last; ++i) {
-                                 const ReferenceSurface::Piece& piece = pieces[i * stride];
-                                 const SmoothPatchId patch = reference.patchOf(piece.triangle);
-                                 if (reference.patch(patch).isPlanar) continue;
-                                 curved += piece.area;
-                                 const TriangleCorners corners =
-                                     cornersOf(reference.mesh(), piece.triangle);
-                                 if (countBeneath(corners, maxSize) <= kManyBeneath) continue;
-                                 hint.field.region = sizes.regionOf(patch);
-                                 const double size = sizes.sizeAt(piece.centroid, hint);
-                                 if (countBeneath(corners, size) > kManyBeneath) fine += piece.area;
-                               }
-                             },
-                             kCountedPerUnit);
+  const std::size_t samples = (pieces.size() + stride - 1) / stride;
+  co_await work.forEachBlock(
+      samples,
+      [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+          const ReferenceSurface::Piece& piece = pieces[i * stride];
+          const SmoothPatchId patch = reference.patchOf(piece.triangle);
+          if (reference.patch(patch).isPlanar) continue;
+          curved += piece.area;
+          const TriangleCorners corners = cornersOf(reference.mesh(), piece.triangle);
+          if (countBeneath(corners, maxSize) <= kManyBeneath) continue;
+          hint.field.region = sizes.regionOf(patch);
+          const double size = sizes.sizeAt(piece.centroid, hint);
+          if (countBeneath(corners, size) > kManyBeneath) fine += piece.area;
+        }
+      },
+      kCountedPerUnit);
   const bool areMany = fine > kFineShare * curved;
   co_return areMany;
 }

@@ -32,6 +32,9 @@ it.each([
   ["model=a&step=1&color=red&candidate=z", [/color=red/, /candidate=z/]],
   ["lesson=7&runs=sideways", [/“sideways”.*Only the lesson/]],
   ["lesson=7&runs=sideways,strict,down", [/“sideways”.*: strict/, /“down”.*: strict/]],
+  ["model=a&order=random", [/“order” without a step.*No front/]],
+  ["camera=1,2,3&color=age", [/“color” and “camera” without a step/]],
+  ["lesson=7&runs=down,down", [/“down”/]],
   ["runs=random", [/“runs” without a lesson/]],
 ])("the parameters of “%s” that cannot be read, and what is shown instead", (query, expected) => {
   const problems = problemsOf(query);

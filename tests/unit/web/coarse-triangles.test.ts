@@ -92,3 +92,12 @@ it("keeps the triangles of the patches whose own are as before, wherever their v
   );
   expect(second.length).toBeGreaterThan(kept.length);
 });
+
+it("makes known patches coarser while others are added, so that all together are about as many as aimed at", () => {
+  const coarse = new CoarseTriangles(1000);
+  let count = 0;
+  for (let patches = 2; patches <= 30; ++patches) count = coarse.of(squares(patches, 20)).length / 3;
+  const fresh = coarseTriangles(squares(30, 20), 1000).length / 3;
+  expect(count).toBeGreaterThanOrEqual(fresh);
+  expect(count).toBeLessThan(1.8 * fresh);
+});

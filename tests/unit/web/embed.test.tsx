@@ -175,7 +175,7 @@ it("says that a step or a candidate of an address does not exist", async () => {
   if (!trace) throw new Error("The trace was not opened");
   const recorded = { kind: "recorded", trace } as Awaited<ReturnType<App["player"]["record"]>>;
   vi.spyOn(app.player, "record").mockResolvedValue(recorded);
-  const told = async (address: Partial<SharedFront>): Promise<string> => {
+  const reported = async (address: Partial<SharedFront>): Promise<string> => {
     app.shell.setState({ notices: [] });
     await showShared(app, { ...shared, ...address });
     return app.shell
@@ -184,11 +184,11 @@ it("says that a step or a candidate of an address does not exist", async () => {
       .join();
   };
   const last = trace.stepCount;
-  expect(await told({ step: last, candidate: null })).toBe("");
-  expect(await told({ step: last + 1 })).toBe(
+  expect(await reported({ step: last, candidate: null })).toBe("");
+  expect(await reported({ step: last + 1 })).toBe(
     `The front has no step ${last + 1}: its states are 0 to ${last}. State ${last} is shown.`,
   );
-  expect(await told({ step: 3, candidate: 99 })).toContain("Step 3 has no candidate 99");
+  expect(await reported({ step: 3, candidate: 99 })).toContain("Step 3 has no candidate 99");
   expect(app.player.state.getState()).toMatchObject({ step: 3, candidate: null });
   // The page has no other place for it.
   await until(() => expect(button("notice-address")?.textContent).toContain("no candidate 99"));

@@ -186,6 +186,17 @@ it("a double click edits the entity; by a finger it fits the view to it, beside 
   expect(edited).toEqual([1]);
 });
 
+it("fast clicks with Ctrl or Shift toggle or add, each of them", () => {
+  view.selectAll([1, 2, 3].map((id) => ({ kind: "line", id })));
+  tool.up(pointer(line(2), { mod: true }));
+  expect(selected()).toEqual([1, 3]);
+  tool.up(pointer(line(2), { mod: true, clicks: 2 }));
+  expect(selected()).toEqual([1, 3, 2]);
+  tool.up(pointer(line(4), { shift: true, clicks: 2 }));
+  expect(selected()).toEqual([1, 3, 2, 4]);
+  expect([edited, fitted]).toEqual([[], []]);
+});
+
 it("the entity under a resting pointer is highlighted; a moving pointer causes no hit test", () => {
   const hit = vi.fn(() => ({ target: line(4), position: [0, 0, 0] as const, depth: 1 }));
   for (let move = 0; move < 10; ++move) {

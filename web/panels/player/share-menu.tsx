@@ -9,7 +9,6 @@ const pictures = () => import("../../commands/picture-actions");
 /** Links to the step that is shown, and files of it. */
 export function ShareMenu() {
   const app = useApp();
-  // Drawings show faces, which lines and patches do not have.
   return (
     <Menu position="top-end">
       <Menu.Target>

@@ -76,7 +76,7 @@ function Choice<Value extends string>({ label, names, value, onChange, ...rest }
   const common = { "aria-label": label, ...rest };
   if (!isPhone)
     return <SegmentedControl size="xs" data={data} value={value ?? ""} onChange={choose} {...common} />;
-  const none = { value: "", label: strings.drawing.none, disabled: true };
+  const none = { value: "", label: words.none, disabled: true };
   return (
     <NativeSelect
       size="sm"
