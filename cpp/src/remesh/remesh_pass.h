@@ -50,8 +50,8 @@ Task<> sampleDeviation(Work& work, const ReferenceSurface& reference,
 
 /// Remeshes a surface, with all details. If its triangles are far smaller than the target size, coarsens it first. The
 /// distance of the result from it is at most a share of the tolerance, and sizes are planned for another one. Only triangles
-/// around nodes that are not settled change. Everything must outlive the task. Once `isStopped` is true, the surface is returned as it is. Errors are in the
-/// diagnostics of the result.
+/// around nodes that are not settled change. Everything must outlive the task. Once `isStopped` is true, the surface is
+/// returned as it is. Errors are in the diagnostics of the result.
 Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const GivenSizes& sizes,
                             const RemeshOptions& options, const PassRules& rules,
                             const bool& isStopped);

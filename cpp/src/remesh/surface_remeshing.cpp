@@ -48,8 +48,9 @@ constexpr int kUnsettledDepth = 2;
 constexpr double kNeedleShare = 0.05;
 /// Details that are dropped at any share: surfaces of a few triangles have steps, too.
 constexpr double kFewDetails = 50.0;
-/// Shares of the tolerance: of the merge of poor details of the given surface, which is remeshed then with the rest; of each
-/// merge of poor details of a remeshed one, at most, and of the remeshing around them. Merges have what others have left.
+/// Shares of the tolerance: of a merge of poor details of the given surface, whose remeshing has the rest; or of the first
+/// remeshing, of each merge of poor details after it, at most, and of the remeshing around them. Merges have what the others
+/// leave.
 constexpr double kGivenMergeShare = 0.2;
 constexpr double kFirstShare = 0.6;
 constexpr double kMergeShare = 0.3;
