@@ -328,7 +328,7 @@ Task<> remeshWithoutChosen(Work& work, const Remeshing& remeshing, SurfaceRemesh
 }
 
 /// Remeshes a surface with all details. If triangles are poor, drops details where that makes them better: those of the
-/// remeshed surface, or else those of the given one.
+/// given surface, and if that is not enough, those of the remeshed one.
 Task<> remeshWithoutPoor(Work& work, const Remeshing& remeshing, SurfaceRemesh& result) {
   const RemeshOptions& options = remeshing.options;
   work.beginPart(options.dropPoorDetails ? 0.4 : 1.0);
@@ -336,15 +336,12 @@ Task<> remeshWithoutPoor(Work& work, const Remeshing& remeshing, SurfaceRemesh& 
       co_await remeshOnce(work, remeshing.given, remeshing.sizes, options, {}, remeshing.isStopped);
   result = std::move(plain.remesh);
   if (!options.dropPoorDetails || !isPoor(result) || result.meanRadiusRatio < kPoorRatio) co_return;
-  work.beginPart(0.75);
-  co_await improveInSteps(work, remeshing, result);
-  if (!isPoor(result)) co_return;
   const DetailRule rule{kGivenMergeShare * result.tolerance, DetailChoice::kAll,
                         1.0 - kGivenMergeShare, kNeedleShare};
-  work.beginPart(1.0);
+  work.beginPart(0.6);
   SurfaceRemesh simplified = co_await remeshSimplified(work, remeshing, rule);
   if (isBetter(simplified, result)) result = std::move(simplified);
-  if (remeshing.isStopped) result.isPartial = true;
+  co_await improveInSteps(work, remeshing, result);
 }
 
 }  // namespace
