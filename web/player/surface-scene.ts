@@ -40,7 +40,7 @@ export function surfaceScene({ surface }: Trace, state: number): SurfaceScene {
 
 /** What a step of a patch is about; empty in other steps. */
 export interface StepMarks {
-  /** Ends of the base edge, and of the edge because of which the examined candidate was refused. */
+  /** Ends of the base edge, and of the edge that the examined candidate crosses or is too close to. */
   readonly base: readonly Position[];
   readonly culprit: readonly Position[];
   /** Corners of the triangle that the step makes. */

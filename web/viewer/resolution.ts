@@ -12,7 +12,10 @@ const pauseMs = 2000;
 const averaged = 4;
 /** If a lower resolution takes at least this share of the time, it is not pixels that take it. */
 const useless = 0.95;
-/** A lower resolution that was useless is tried once more in a motion, after so many averages: other work may have disturbed. */
+/**
+ * Number of averages after which a lower resolution that did not help is tried once more in a motion: other work on the
+ * machine may have been the reason.
+ */
 const retryAfter = 6;
 const maxTries = 2;
 

@@ -40,8 +40,8 @@ constexpr double kRatioCost = 0.015;
 /// Merges of poor details, each followed by a remeshing around them: a merge brings other lines closer. A remeshing may make
 /// triangles better even if nothing is merged.
 constexpr int kMaxPoorMerges = 3;
-/// Triangles of a remeshed surface with a smaller angle, in degrees, and those around them so many triangles deep, change in
-/// the next remeshing, too.
+/// Smallest angle, in degrees, below which a triangle of a remeshed surface changes in the next remeshing, too; and the number
+/// of layers of triangles around it that change with it.
 constexpr double kUnsettledAngle = 20.0;
 constexpr int kUnsettledDepth = 2;
 /// Share of the given triangles at which poor details to drop are strips of needles, whose merged lines would be ragged.
