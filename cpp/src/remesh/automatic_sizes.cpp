@@ -16,6 +16,7 @@
 #include "base/tolerance.h"
 #include "boundary/surface_access.h"
 #include "geom/measure.h"
+#include "remesh/thickness.h"
 #include "search/box_tree.h"
 
 namespace tetrafront {
@@ -64,10 +65,6 @@ constexpr double kLeastArea = 1e-12;
 constexpr double kLeastCurvature = 1e-6;
 /// Cosine of the largest angle between parallel bends, 2.5 degrees.
 constexpr double kParallelCosine = 0.999;
-/// In place of a smaller component of the direction of a ray, so that its inverse is finite.
-constexpr double kLeastComponent = 1e-30;
-/// Distance / diagonal from the start of a ray within which the surface is that at the start itself.
-constexpr double kRayStart = 1e-7;
 /// Sizes measured per unit of budget.
 constexpr std::size_t kPiecesPerUnit = 8;
 
@@ -136,8 +133,6 @@ class ShapeMeasure {
   [[nodiscard]] double curvatureOf(TriangleId triangle) const;
   [[nodiscard]] double meanCurvatureOf(std::span<const std::uint32_t> pieces, double width) const;
   [[nodiscard]] Vec3 axisOf(TriangleId triangle) const;
-  [[nodiscard]] double thicknessAt(const Vec3& position, const Vec3& inward) const;
-  void castRay(const Vec3& from, const Vec3& direction, TriangleId triangle, double& nearest) const;
   struct Gap {
     double width;
     bool isAtCorner;  ///< between lines that meet
@@ -311,8 +306,10 @@ void ShapeMeasure::measure(const Sample& sample) {
     }
   }
   if (rules_.layers > 0.0 && (sample.level == 0 || isThin_[sample.level - 1])) {
+    const double limit = rules_.maxSize * std::max(rules_.layers, 1.0);
     const Vec3 inward = -reference_.normalOf(piece.triangle);
-    const double ofThickness = thicknessAt(piece.centroid, inward) / rules_.layers;
+    const double ofThickness =
+        findThickness(reference_, piece.centroid, inward, limit) / rules_.layers;
     for (std::uint32_t level = sample.level; level < kThicknessLevels; ++level) {
       const double width =
           static_cast<double>(1U << (kThicknessLevels - 1 - level)) * kSampleWidth * rules_.minSize;
@@ -322,90 +319,6 @@ void ShapeMeasure::measure(const Sample& sample) {
     size = std::min(size, ofThickness);
   }
   add(piece.centroid, size, axis);
-}
-
-/// A ray, prepared for tests with many boxes.
-class BoxRay {
- public:
-  BoxRay(const Vec3& from, const Vec3& direction, double first) : from_(from), first_(first) {
-    // A direction along an axis must not give 0 x infinity.
-    for (int k = 0; k < 3; ++k) {
-      inverse_[k] =
-          1.0 / (std::fabs(direction[k]) < kLeastComponent ? kLeastComponent : direction[k]);
-    }
-  }
-  /// Returns the distance at which the ray is first in the box, if it is below `last`; otherwise infinity.
-  [[nodiscard]] double entryInto(const Box& box, double last) const {
-    double first = first_;
-    for (int k = 0; k < 3; ++k) {
-      const double low = (static_cast<double>(box.low[k]) - from_[k]) * inverse_[k];
-      const double high = (static_cast<double>(box.high[k]) - from_[k]) * inverse_[k];
-      first = std::max(first, inverse_[k] > 0.0 ? low : high);
-      last = std::min(last, inverse_[k] > 0.0 ? high : low);
-    }
-    return first <= last ? first : std::numeric_limits<double>::infinity();
-  }
-
- private:
-  Vec3 from_;
-  Vec3 inverse_{0.0};
-  double first_;
-};
-
-/// Returns the distance to the opposite side of the body, or infinity.
-double ShapeMeasure::thicknessAt(const Vec3& position, const Vec3& inward) const {
-  struct Waiting {
-    BranchId branch;
-    double entry;
-  };
-  const BoxTree& tree = reference_.tree();
-  const BoxRay ray(position, inward, kRayStart * reference_.diagonal());
-  const double limit = rules_.maxSize * std::max(rules_.layers, 1.0);
-  double nearest = limit;
-  std::array<Waiting, 64> waiting;
-  std::size_t count = 0;
-  const auto wait = [&](BranchId branch) {
-    const double entry = ray.entryInto(tree.boxOf(branch), nearest);
-    if (entry < nearest) waiting[count++] = {branch, entry};
-  };
-  wait(BranchId(0U));
-  while (count > 0) {
-    const auto [branch, entry] = waiting[--count];
-    if (entry >= nearest) continue;
-    if (!tree.isLeaf(branch)) {
-      // The nearer branch is the next one.
-      const std::size_t before = count;
-      wait(BoxTree::leftOf(branch));
-      wait(BoxTree::rightOf(branch));
-      if (count == before + 2 && waiting[before].entry < waiting[before + 1].entry)
-        std::swap(waiting[before], waiting[before + 1]);
-      continue;
-    }
-    const std::span<const Box> boxes = tree.itemBoxesOf(branch);
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      if (!(ray.entryInto(boxes[i], nearest) < nearest)) continue;
-      const std::uint32_t item = tree.itemsOf(branch)[i];
-      castRay(position, inward, reference_.pieces()[item].triangle, nearest);
-    }
-  }
-  return nearest < limit ? nearest : std::numeric_limits<double>::infinity();
-}
-
-/// Lowers `nearest` to the distance at which the ray leaves the solid through the triangle.
-void ShapeMeasure::castRay(const Vec3& from, const Vec3& direction, TriangleId triangle,
-                           double& nearest) const {
-  if (glm::dot(reference_.normalOf(triangle), direction) < 0.5) return;
-  const auto [a, b, c] = cornersOf(reference_.mesh(), triangle);
-  const Vec3 side = glm::cross(direction, c - a);
-  const double determinant = glm::dot(b - a, side);
-  if (!(std::fabs(determinant) > 0.0)) return;
-  const double u = glm::dot(from - a, side) / determinant;
-  const Vec3 other = glm::cross(from - a, b - a);
-  const double v = glm::dot(direction, other) / determinant;
-  const double distance = glm::dot(c - a, other) / determinant;
-  if (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > kRayStart * reference_.diagonal()) {
-    nearest = std::min(nearest, distance);
-  }
 }
 
 /// Returns the size at a line or gap that would fit triangles of size `detail`. Small details have sizes below the

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <span>
 #include <utility>
 
@@ -13,11 +12,13 @@
 #include "boundary/half_faces.h"
 #include "boundary/surface_access.h"
 #include "boundary/surface_checks.h"
+#include "boundary/weld.h"
 #include "repair/crack_welding.h"
+#include "repair/duplicate_triangles.h"
 #include "repair/hole_filling.h"
+#include "repair/shared_volumes.h"
 #include "repair/sliver_splitting.h"
 #include "repair/surface_closing.h"
-#include "boundary/weld.h"
 
 namespace tetrafront {
 namespace {
@@ -42,30 +43,6 @@ TriangleId firstLeftOut(const SurfaceMesh& closed, const EnclosedSurface& enclos
   const auto first = std::ranges::find(isLeft, 0);
   if (first == isLeft.end()) return {};
   return TriangleId(static_cast<std::size_t>(first - isLeft.begin()));
-}
-
-/// Returns what pairs of regions share, in the order of the regions.
-std::vector<SharedVolume> sharedVolumesOf(std::span<const SharedCell> cells) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, SharedVolume> byPair;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, double> largest;
-  for (const SharedCell& cell : cells) {
-    for (std::size_t other = 1; other < cell.regions.size(); ++other) {
-      const std::pair pair{cell.regions[0], cell.regions[other]};
-      SharedVolume& shared = byPair[pair];
-      shared.first = pair.first;
-      shared.second = pair.second;
-      shared.volume += cell.volume;
-      if (largest[pair] >= cell.volume) continue;
-      largest[pair] = cell.volume;
-      shared.depth = cell.width;
-      shared.position = cell.position;
-    }
-  }
-  std::vector<SharedVolume> found;
-  for (const auto& [pair, shared] : byPair) {
-    if (shared.volume > 0.0) found.push_back(shared);
-  }
-  return found;
 }
 
 /// A surface under repair. Its nodes keep their given indices until take().
@@ -250,24 +227,7 @@ void RepairedSurface::removeSlivers() {
 }
 
 void RepairedSurface::removeDuplicates() {
-  struct Entry {
-    NodeTriple nodes;  ///< ascending
-    TriangleId triangle;
-  };
-  std::vector<Entry> byNodes;
-  for (std::uint32_t t = 0; t < countTriangles(mesh_); ++t) {
-    byNodes.push_back({sorted(nodesOf(mesh_, TriangleId(t))), TriangleId(t)});
-  }
-  stableSort(byNodes, [](const Entry& a, const Entry& b) {
-    return a.nodes != b.nodes ? a.nodes < b.nodes : a.triangle < b.triangle;
-  });
-  std::vector<TriangleId> firstOf(countTriangles(mesh_));
-  for (std::size_t i = 1; i < byNodes.size(); ++i) {
-    if (byNodes[i].nodes != byNodes[i - 1].nodes) continue;
-    const TriangleId before = byNodes[i - 1].triangle;
-    const TriangleId first = firstOf[before.index()];
-    firstOf[byNodes[i].triangle.index()] = first.isNone() ? before : first;
-  }
+  const std::vector<TriangleId> firstOf = findDuplicateTriangles(mesh_);
   std::vector<std::uint8_t> isRemoved(countTriangles(mesh_), 0);
   for (std::uint32_t t = 0; t < isRemoved.size(); ++t) {
     if (firstOf[t].isNone()) continue;
@@ -409,7 +369,7 @@ Task<bool> RepairedSurface::takeEnclosed(Work& work, const SurfaceMesh& closed,
   }
   keepHoles(closed, closedHoles);
   triangleRegions_ = std::move(regions);
-  sharedVolumes_ = sharedVolumesOf(enclosed.shared);
+  sharedVolumes_ = findSharedVolumes(enclosed.shared);
   listResolved(closed, enclosed);
   takeResolved(closed, enclosed);
   co_return true;
