@@ -3,13 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
 #include "base/mesh_access.h"
+#include "base/task.h"
 #include "geom/measure.h"
 #include "quality/metrics.h"
+#include "remesh/reference_surface.h"
+#include "remesh/thickness.h"
 #include "support/hard_shapes.h"
 #include "support/part_shapes.h"
 #include "support/remeshed.h"
@@ -48,6 +52,21 @@ TEST(Remesh, AutomaticSizesHardlyDependOnTheNumberOfStrips) {
   for (const int strips : {400, 9000}) {
     EXPECT_NEAR(expected(strips), coarse, 0.03 * coarse) << strips;
   }
+}
+
+TEST(Remesh, ThicknessIsTheDistanceThroughTheSolid) {
+  const SurfaceMesh cube = gridCube(3);
+  ReferenceSurface reference(cube, {}, {});
+  Job<> job([&reference](Work& work) { return reference.prepare(work); });
+  job.finish();
+  const Vec3 onFace(0.31, 0.47, 0.0);
+  const double unlimited = 10.0;
+  EXPECT_NEAR(findThickness(reference, onFace, Vec3(0.0, 0.0, 1.0), unlimited), 1.0, 1e-12);
+  // Obliquely: the ray leaves through the opposite face.
+  const Vec3 oblique = glm::normalize(Vec3(0.2, -0.1, 1.0));
+  EXPECT_NEAR(findThickness(reference, onFace, oblique, unlimited), 1.0 / oblique.z, 1e-12);
+  EXPECT_TRUE(std::isinf(findThickness(reference, onFace, Vec3(0.0, 0.0, 1.0), 0.99)));
+  EXPECT_TRUE(std::isinf(findThickness(reference, onFace, Vec3(0.0, 0.0, -1.0), unlimited)));
 }
 
 TEST(Remesh, SourcesMakeTrianglesSmallerNearThem) {

@@ -5,8 +5,11 @@
 #include <cmath>
 #include <map>
 #include <utility>
+#include <vector>
 
+#include "base/ids.h"
 #include "boundary/weld.h"
+#include "repair/duplicate_triangles.h"
 #include "support/random.h"
 #include "support/shapes.h"
 #include "tetrafront/surface_tools.h"
@@ -61,6 +64,16 @@ void removeTriangles(SurfaceMesh& mesh, std::vector<std::size_t> which) {
 }
 
 /// Sorting is sliced too, and the result does not depend on the slices.
+TEST(DuplicateTriangles, NameTheFirstOneWithTheSameNodes) {
+  SurfaceMesh mesh;
+  mesh.points = {0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
+  mesh.triangles = {3, 1, 2, 0, 1, 2, 1, 0, 2, 0, 1, 3, 2, 1, 0};
+  const TriangleId none;
+  const TriangleId first(1U);
+  EXPECT_EQ(findDuplicateTriangles(mesh),
+            (std::vector<TriangleId>{none, none, first, none, first}));
+}
+
 TEST(Weld, WorksInSlices) {
   const SurfaceMesh soup = soupOf(geodesicSphere(5), 1e-7);
   const std::size_t nodes = soup.points.size() / 3;
