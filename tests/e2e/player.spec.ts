@@ -71,6 +71,16 @@ test("the front of the unit cube is recorded, played, and stepped through", asyn
   await page.getByTestId("player-next").click();
   await expect(page.getByTestId("lens-sentence")).toContainText(/would cut/);
   await expect(page.getByTestId("lens-what-if")).toContainText("it would cross face");
+  // Its front is shown, without what the step has made, until the accepted candidate is chosen.
+  const change = page.getByTestId("lens-front-change");
+  await expect(change).toContainText(/^The view shows the front with it: face.* left, .* joined\.$/);
+  const canvas = page.getByTestId("viewport-canvas");
+  const style = "[data-testid=lens-labels] { visibility: hidden; }";
+  const supposed = await canvas.screenshot({ style });
+  await page.getByTestId("lens-candidate-1").click();
+  await expect(change).toContainText(/^The front: face.* leave, .* joins?\.$/);
+  await expect.poll(async () => (await canvas.screenshot({ style })).equals(supposed)).toBe(false);
+  await page.getByTestId("lens-candidate-0").click();
   await expect(page.getByTestId("lens-formula").locator("math").first()).toBeAttached();
   await expect(page.getByTestId("lens-layer")).toContainText(
     "Layer (c) finds the crossing: the side from node",
