@@ -144,11 +144,13 @@ export function frontChange(trace: Trace, state: number, face: number, element: 
   const [a, b, c] = element.corners;
   const apex = element.corners[3];
   const apexNode = element.nodes[3];
-  // Of a new node there are no faces yet.
-  const atApex =
-    apexNode === null
-      ? []
-      : Array.from(trace.frontAt(state)).filter((other) => nodesOf(trace, other).includes(apexNode));
+  // Of a new node there are no faces yet. Without arrays, because this is asked for all faces of the front.
+  const { nodes: corners } = trace.faces;
+  const hasApex = (other: number): boolean =>
+    corners[3 * other] === apexNode ||
+    corners[3 * other + 1] === apexNode ||
+    corners[3 * other + 2] === apexNode;
+  const atApex = apexNode === null ? [] : Array.from(trace.frontAt(state).filter(hasApex));
   const sides = [
     { nodes: [element.nodes[0], element.nodes[1]], corners: [a, b, apex] },
     { nodes: [element.nodes[1], element.nodes[2]], corners: [b, c, apex] },
@@ -156,9 +158,9 @@ export function frontChange(trace: Trace, state: number, face: number, element: 
   ] as const;
   const left = [face];
   const joined: Triangle[] = [];
-  for (const { nodes, corners } of sides) {
+  for (const { nodes, corners: positions } of sides) {
     const closed = atApex.find((other) => nodes.every((node) => nodesOf(trace, other).includes(node)));
-    if (closed === undefined) joined.push(corners);
+    if (closed === undefined) joined.push(positions);
     else left.push(closed);
   }
   return { left: left.sort((one, other) => one - other), joined };
