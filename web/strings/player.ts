@@ -165,7 +165,7 @@ export const playerStrings = {
   /** How the front changes: the faces that leave it, and the number of those that join. */
   frontChange: {
     accepted: (left: readonly number[], joined: number) =>
-      `The front: ${facesOf(left)} ${left.length === 1 ? "leaves" : "leave"}, ${joinedFaces(joined)} ${joined === 1 ? "joins" : "join"}.`,
+      `The front: ${facesOf(left)} ${left.length === 1 ? "leaves" : "leave"}, ${joinedFaces(joined)} ${joined === 1 ? "joins" : "join"} (steps F6 and F8).`,
     supposed: (left: readonly number[], joined: number) =>
       `The view shows the front with it: ${facesOf(left)} ${left.length === 1 ? "has" : "have"} left, ${joinedFaces(joined)} ${joined === 1 ? "has" : "have"} joined.`,
   },
@@ -225,7 +225,7 @@ export const playerStrings = {
     `${rank}: ${node === null ? "new node" : number(node)}`,
   score: "Score",
   scoreHint:
-    "The highest score is tried first. It grows with the quality of the element, and with the faces of the front that the element closes.",
+    "The highest score is tried first (step F5.2). It grows with the quality of the element, and with the faces of the front that the element closes.",
   verdict: "Verdict",
   verdicts,
   verdictAt: (verdict: string, face: number | null) =>

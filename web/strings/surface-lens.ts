@@ -109,7 +109,7 @@ export const surfaceLensStrings = {
     whyNow: "Lower size classes come first, then lower layers (step F4).",
     candidates: "Candidates tried",
     scoreHint:
-      "The highest score is tried first. Nodes near the ideal point have 2 less their distance from it, in target lengths; a new node has 1.45; other nodes have the shape of their triangle, at most 1.",
+      "The highest score is tried first (step F5.2). Nodes near the ideal point have 2 less their distance from it, in target lengths; a new node has 1.45; other nodes have the shape of their triangle, at most 1.",
     verdicts: edgeVerdicts,
     test: "Test in the plane",
     testHints: {
