@@ -127,7 +127,10 @@ export async function showLessonModel(
     await runEnd(app);
     if (store.getState().lesson !== lesson || !isShownModel(app, model)) return;
     const own = await recordRun(app, lesson, "");
-    if (!own) return;
+    if (!own) {
+      if (store.getState().lesson === lesson) app.shell.setState({ lessonRuns: [] });
+      return;
+    }
     store.setState({ runs: [own] });
     for (const name of others) if (!(await addRun(app, lesson, name))) break;
     // If a run was stopped, one that is complete is shown, and the address names those that are in the table.

@@ -144,8 +144,9 @@ it("repeats the lesson's own run for its time again if this was stopped", async 
 
 it("shows no front if the lesson's own run was stopped", async () => {
   stopAfter(0);
-  await showLessonModel(app, lesson);
+  await showLessonModel(app, lesson, ["random"]);
   expect(lessonRuns(app).getState()).toMatchObject({ runs: [], isPreparing: false });
+  expect(app.shell.getState().lessonRuns).toEqual([]);
   expect(app.player.state.getState().trace).toBeNull();
 });
 
